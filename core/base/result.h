@@ -1,0 +1,17 @@
+#pragma once
+
+#include <tl/expected.hpp>
+
+namespace capstan::base {
+
+/// A value, or the reason why normal running brought none (occluded, out of reach, end of file).
+/// Wrong arguments and wrong files are exceptions (error.h); our own bugs are assertions.
+template <class T, class E>
+using Result = tl::expected<T, E>;
+
+template <class E>
+auto failure(E reason) {
+  return tl::unexpected<E>(std::move(reason));
+}
+
+}  // namespace capstan::base

@@ -1,0 +1,95 @@
+#include "core/base/yaml.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <numeric>
+#include <sstream>
+
+namespace capstan::base {
+namespace {
+
+std::size_t editDistance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0U);
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({substituted, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+std::string scalarText(const YAML::Node& node) { return node.IsDefined() && node.IsScalar() ? node.Scalar() : ""; }
+
+int lineOf(const YAML::Node& node) { return node.IsDefined() && node.Mark().line >= 0 ? node.Mark().line + 1 : 0; }
+
+}  // namespace
+
+void refuseYaml(const YAML::Node& node, const YamlPlace& place, const std::string& reason,
+                const std::string& remedy) {
+  throw InputError({place.file, lineOf(node), place.key, scalarText(node), reason, remedy});
+}
+
+YAML::Node parseYamlText(const std::string& text, const std::string& file) {
+  try {
+    return YAML::Load(text);
+  } catch (const YAML::ParserException& error) {
+    throw InputError({file, error.mark.line + 1, {}, {}, "is not YAML: " + error.msg, "Mend the syntax there"});
+  }
+}
+
+std::string readTextFile(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in || std::filesystem::is_directory(path))
+    throw InputError({path.string(), 0, {}, {}, "cannot be opened", "Check the path and its permissions"});
+  std::ostringstream text;
+  text << in.rdbuf();
+  return std::move(text).str();
+}
+
+void writeTextFile(const std::filesystem::path& path, const std::string& text) {
+  const std::filesystem::path part = path.string() + ".part";
+  {
+    std::ofstream out(part, std::ios::binary);
+    out << text;
+    out.flush();
+    if (!out)
+      throw InputError({path.string(), 0, {}, {}, "cannot be written", "Check the folder, its permissions and the space"});
+  }
+  std::filesystem::rename(part, path);
+}
+
+double yamlNumber(const YAML::Node& node, const YamlPlace& place, const FieldInfo& info) {
+  double value = 0.0;
+  if (!node.IsScalar() || !YAML::convert<double>::decode(node, value)) refuseYaml(node, place, "is not a number");
+  if (!std::isfinite(value)) refuseYaml(node, place, "is not finite");
+  if (!info.range.contains(value)) {
+    const std::string unit = info.unit.empty() ? "" : fmt::format(" {}", info.unit);
+    refuseYaml(node, place, fmt::format("is outside the allowed range {:g} … {:g}{}", info.range.min, info.range.max, unit),
+               std::string(info.meaning));
+  }
+  return value;
+}
+
+void refuseUnknownKeys(const YAML::Node& node, const YamlPlace& place, const std::vector<std::string>& known) {
+  for (const auto& entry : node) {
+    const std::string key = entry.first.Scalar();
+    if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+    const auto nearest = std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
+      return editDistance(key, a) < editDistance(key, b);
+    });
+    const std::string path = place.key.empty() ? key : place.key + "." + key;
+    refuseYaml(entry.first, {place.file, path}, "is not a known key",
+               nearest == known.end() ? "Remove it" : fmt::format("Did you mean {}?", *nearest));
+  }
+}
+
+std::string yamlText(double value) { return fmt::format("{}", value); }
+
+}  // namespace capstan::base

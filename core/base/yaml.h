@@ -1,0 +1,214 @@
+#pragma once
+
+#include <yaml-cpp/yaml.h>
+
+#include <Eigen/Core>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/field.h"
+#include "core/base/names.h"
+
+/// Typed YAML: structs that declare their fields (field.h) are read and written whole, every mistake an InputError
+/// that names file, line, key, value and allowed range.
+namespace capstan::base {
+
+/// What a field is read from: the node, and the words for an error about it.
+struct YamlPlace {
+  std::string file;
+  std::string key;  ///< full path, as in `joints[1].cable.stiffness`
+};
+
+/// Throws InputError for `node` at `place`.
+[[noreturn]] void refuseYaml(const YAML::Node& node, const YamlPlace& place, const std::string& reason,
+                             const std::string& remedy = {});
+/// Parses `text`; syntax errors become InputErrors under the name `file`.
+YAML::Node parseYamlText(const std::string& text, const std::string& file);
+/// The whole file; InputError when it cannot be opened.
+std::string readTextFile(const std::filesystem::path& path);
+/// Writes `text` to `path` through a temporary file beside it, so that a failure leaves the old content.
+void writeTextFile(const std::filesystem::path& path, const std::string& text);
+/// Parses a number; accepts what YAML does, refuses NaN, infinity and text.
+double yamlNumber(const YAML::Node& node, const YamlPlace& place, const FieldInfo& info);
+/// Throws InputError for keys of the map `node` that are not in `known`, naming the nearest known one.
+void refuseUnknownKeys(const YAML::Node& node, const YamlPlace& place, const std::vector<std::string>& known);
+/// Shortest decimal text that reads back as the same double.
+std::string yamlText(double value);
+
+template <class T>
+concept Visitable = requires(T& value) { T::visit(value, [](auto&, const FieldInfo&) {}); };
+
+namespace detail {
+
+template <class T>
+struct IsVector : std::false_type {};
+template <class T>
+struct IsVector<std::vector<T>> : std::true_type {};
+template <class T>
+struct IsArray : std::false_type {};
+template <class T, std::size_t N>
+struct IsArray<std::array<T, N>> : std::true_type {};
+template <class T>
+struct IsOptional : std::false_type {};
+template <class T>
+struct IsOptional<std::optional<T>> : std::true_type {};
+template <class T>
+struct IsMap : std::false_type {};
+template <class T>
+struct IsMap<std::map<std::string, T>> : std::true_type {};
+template <class T>
+concept FixedMatrix = std::is_base_of_v<Eigen::MatrixBase<T>, T> && T::SizeAtCompileTime > 0;
+
+template <class T>
+void readInto(T& value, const YAML::Node& node, const YamlPlace& place, const FieldInfo& info);
+
+template <class T>
+void readFields(T& value, const YAML::Node& node, const YamlPlace& place) {
+  if (!node.IsMap()) refuseYaml(node, place, "is not a block of keys");
+  std::vector<std::string> known;
+  T::visit(value, [&](auto& field, const FieldInfo& info) {
+    known.emplace_back(info.key);
+    const YAML::Node child = node[std::string(info.key)];
+    const YamlPlace inner{place.file, place.key.empty() ? known.back() : place.key + "." + known.back()};
+    if (child.IsDefined() && !child.IsNull()) {
+      readInto(field, child, inner, info);
+    } else if (info.required && !IsOptional<std::remove_reference_t<decltype(field)>>::value) {
+      refuseYaml(node, inner, "is missing", "Add it: " + std::string(info.meaning));
+    }
+  });
+  refuseUnknownKeys(node, place, known);
+}
+
+template <class T>
+void readInto(T& value, const YAML::Node& node, const YamlPlace& place, const FieldInfo& info) {
+  if constexpr (Visitable<T>) {
+    readFields(value, node, place);
+  } else if constexpr (IsOptional<T>::value) {
+    value.emplace();
+    readInto(*value, node, place, info);
+  } else if constexpr (std::is_same_v<T, bool>) {
+    if (!YAML::convert<bool>::decode(node, value)) refuseYaml(node, place, "is neither true nor false");
+  } else if constexpr (std::is_same_v<T, std::string>) {
+    if (!node.IsScalar()) refuseYaml(node, place, "is not a text");
+    value = node.Scalar();
+  } else if constexpr (Named<T>) {
+    const auto named = node.IsScalar() ? fromName<T>(node.Scalar()) : std::nullopt;
+    std::string names;
+    for (const auto& [which, name] : NamesOf<T>::value) names += (names.empty() ? "" : ", ") + std::string(name);
+    if (!named) refuseYaml(node, place, "is not one of: " + names);
+    value = *named;
+  } else if constexpr (std::is_integral_v<T>) {
+    const double number = yamlNumber(node, place, info);
+    if (number != std::floor(number)) refuseYaml(node, place, "is not a whole number");
+    value = static_cast<T>(number);
+  } else if constexpr (std::is_floating_point_v<T>) {
+    value = yamlNumber(node, place, info);
+  } else if constexpr (FixedMatrix<T>) {
+    const bool vector = T::ColsAtCompileTime == 1;
+    const std::size_t rows = T::RowsAtCompileTime;
+    if (!node.IsSequence() || node.size() != rows)
+      refuseYaml(node, place, "is not a list of " + std::to_string(rows) + (vector ? " numbers" : " rows"));
+    for (std::size_t row = 0; row < rows; ++row) {
+      const YamlPlace inner{place.file, place.key + "[" + std::to_string(row) + "]"};
+      if constexpr (T::ColsAtCompileTime == 1) {
+        value(static_cast<Eigen::Index>(row)) = yamlNumber(node[row], inner, info);
+      } else {
+        Eigen::Matrix<double, T::ColsAtCompileTime, 1> line;
+        readInto(line, node[row], inner, info);
+        value.row(static_cast<Eigen::Index>(row)) = line.transpose();
+      }
+    }
+  } else if constexpr (IsArray<T>::value || IsVector<T>::value) {
+    if (!node.IsSequence()) refuseYaml(node, place, "is not a list");
+    if constexpr (IsVector<T>::value)
+      value.resize(node.size());
+    else if (node.size() != value.size())
+      refuseYaml(node, place, "is not a list of " + std::to_string(value.size()));
+    for (std::size_t i = 0; i < node.size(); ++i)
+      readInto(value[i], node[i], {place.file, place.key + "[" + std::to_string(i) + "]"}, info);
+  } else {
+    static_assert(IsMap<T>::value, "a configuration field of a type that files do not know");
+    if (!node.IsMap()) refuseYaml(node, place, "is not a block of keys");
+    value.clear();
+    for (const auto& entry : node)
+      readInto(value[entry.first.Scalar()], entry.second, {place.file, place.key + "." + entry.first.Scalar()}, info);
+  }
+}
+
+template <class T>
+void emit(YAML::Emitter& out, const T& value) {
+  if constexpr (Visitable<T>) {
+    out << YAML::BeginMap;
+    T::visit(value, [&](const auto& field, const FieldInfo& info) {
+      if constexpr (IsOptional<std::remove_cvref_t<decltype(field)>>::value)
+        if (!field) return;
+      out << YAML::Key << std::string(info.key) << YAML::Value;
+      emit(out, field);
+      if (!info.unit.empty()) out << YAML::Comment(std::string(info.unit));
+    });
+    out << YAML::EndMap;
+  } else if constexpr (IsOptional<T>::value) {
+    emit(out, *value);
+  } else if constexpr (Named<T>) {
+    out << std::string(nameOf(value));
+  } else if constexpr (std::is_floating_point_v<T>) {
+    out << yamlText(value);
+  } else if constexpr (FixedMatrix<T>) {
+    out << YAML::Flow << YAML::BeginSeq;
+    for (Eigen::Index row = 0; row < value.rows(); ++row) {
+      if constexpr (T::ColsAtCompileTime == 1) {
+        out << yamlText(value(row));
+      } else {
+        const Eigen::Matrix<double, T::ColsAtCompileTime, 1> line = value.row(row).transpose();
+        emit(out, line);
+      }
+    }
+    out << YAML::EndSeq;
+  } else if constexpr (IsArray<T>::value || IsVector<T>::value) {
+    out << YAML::BeginSeq;
+    for (const auto& item : value) emit(out, item);
+    out << YAML::EndSeq;
+  } else if constexpr (IsMap<T>::value) {
+    out << YAML::BeginMap;
+    for (const auto& [key, item] : value) {
+      out << YAML::Key << key << YAML::Value;
+      emit(out, item);
+    }
+    out << YAML::EndMap;
+  } else {
+    out << value;
+  }
+}
+
+}  // namespace detail
+
+/// Reads a T from YAML `text`; `file` names it in errors. Throws InputError.
+template <Visitable T>
+T readYaml(const std::string& text, const std::string& file) {
+  T value{};
+  detail::readFields(value, parseYamlText(text, file), {file, {}});
+  return value;
+}
+
+/// Reads a T from the YAML file at `path`. Throws InputError.
+template <Visitable T>
+T readYamlFile(const std::filesystem::path& path) {
+  return readYaml<T>(readTextFile(path), path.string());
+}
+
+/// The YAML text of `value`, units as comments; readYaml() of it gives `value` back to the last bit.
+template <Visitable T>
+std::string writeYaml(const T& value) {
+  YAML::Emitter out;
+  detail::emit(out, value);
+  return std::string(out.c_str()) + "\n";
+}
+
+}  // namespace capstan::base

@@ -1,0 +1,32 @@
+# A room of core/ or widgets/: one folder, one static library, one layer.
+#   capstan_room(NAME robot SOURCES … LINKS capstan::base PRIVATE_LINKS …)
+# What the room may include is what it LINKS; tests/architecture holds it to that.
+function(capstan_room)
+  cmake_parse_arguments(ROOM "" "NAME" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+  add_library(capstan_${ROOM_NAME} STATIC ${ROOM_SOURCES})
+  add_library(capstan::${ROOM_NAME} ALIAS capstan_${ROOM_NAME})
+  target_link_libraries(capstan_${ROOM_NAME} PUBLIC ${ROOM_LINKS} PRIVATE capstan_options ${ROOM_PRIVATE_LINKS})
+  target_include_directories(capstan_${ROOM_NAME} PUBLIC ${PROJECT_SOURCE_DIR})
+endfunction()
+
+# A GoogleTest executable, its cases registered with CTest one by one.
+#   capstan_test(NAME robot_test SOURCES … LINKS capstan::robot [TIMEOUT seconds])
+function(capstan_test)
+  cmake_parse_arguments(TEST "" "NAME;TIMEOUT" "SOURCES;LINKS" ${ARGN})
+  if(NOT TEST_TIMEOUT)
+    set(TEST_TIMEOUT 120)
+  endif()
+  add_executable(${TEST_NAME} ${TEST_SOURCES})
+  target_link_libraries(${TEST_NAME} PRIVATE ${TEST_LINKS} capstan_options GTest::gtest GTest::gmock GTest::gtest_main)
+  target_compile_definitions(${TEST_NAME} PRIVATE CAPSTAN_RESOURCES="${PROJECT_SOURCE_DIR}/resources"
+                                                  CAPSTAN_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  gtest_discover_tests(${TEST_NAME} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT ${TEST_TIMEOUT})
+endfunction()
+
+# A Google Benchmark executable; built with the tests, run by tests/benchmarks/run only.
+function(capstan_benchmark)
+  cmake_parse_arguments(BENCH "" "NAME" "SOURCES;LINKS" ${ARGN})
+  add_executable(${BENCH_NAME} ${BENCH_SOURCES})
+  target_link_libraries(${BENCH_NAME} PRIVATE ${BENCH_LINKS} capstan_options benchmark::benchmark)
+  target_compile_definitions(${BENCH_NAME} PRIVATE CAPSTAN_RESOURCES="${PROJECT_SOURCE_DIR}/resources")
+endfunction()

@@ -1,0 +1,26 @@
+# Language level, warnings, sanitizers and ccache for every target of the project.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+
+find_program(CAPSTAN_CCACHE ccache)
+if(CAPSTAN_CCACHE)
+  set(CMAKE_C_COMPILER_LAUNCHER ${CAPSTAN_CCACHE})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CAPSTAN_CCACHE})
+endif()
+
+add_library(capstan_options INTERFACE)
+target_compile_options(capstan_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
+                                                 -Woverloaded-virtual -Werror)
+target_include_directories(capstan_options INTERFACE ${PROJECT_SOURCE_DIR})
+
+set(CAPSTAN_SANITIZE "" CACHE STRING "Sanitizers, comma separated: address,undefined or thread")
+if(CAPSTAN_SANITIZE)
+  target_compile_options(capstan_options INTERFACE -fsanitize=${CAPSTAN_SANITIZE} -fno-omit-frame-pointer)
+  target_link_options(capstan_options INTERFACE -fsanitize=${CAPSTAN_SANITIZE})
+endif()
