@@ -1,4 +1,4 @@
-# Every third-party library of the project, all from Debian 12 (list of packages: packaging/packages.txt).
+# Every third-party library of the project, all from Debian 12 (packages: packaging/packages-run.txt, packages-test.txt).
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(fmt REQUIRED)
@@ -13,8 +13,11 @@ find_package(Qt5 5.15 REQUIRED COMPONENTS Widgets Test PrintSupport Svg)
 find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel CommonTransforms FiltersSources FiltersCore
                                          FiltersGeneral InteractionStyle RenderingCore RenderingFreeType RenderingOpenGL2)
 find_package(QCustomPlot REQUIRED)
-find_package(GTest REQUIRED)
-find_package(benchmark REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(LIBAV REQUIRED IMPORTED_TARGET libavcodec libavutil)
-include(GoogleTest)
+
+if(BUILD_TESTING)
+  find_package(GTest REQUIRED)
+  find_package(benchmark REQUIRED)
+  include(GoogleTest)
+endif()
