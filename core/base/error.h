@@ -5,7 +5,8 @@
 
 namespace capstan::base {
 
-/// Where and why an input was refused, and what its owner can do about it. Empty parts are left out of what().
+/// Where and why an input was refused, and what its owner can do about it. Empty parts are left out of
+/// what().
 struct InputFault {
   std::string file;    ///< path, or the name of the option or stream
   int line = 0;        ///< 1-based; 0: the file as a whole

@@ -27,8 +27,9 @@ inline constexpr Range kNotNegative{0.0, std::numeric_limits<double>::infinity()
 ///       }
 ///     };
 ///
-/// Field types: bool, int, double, std::string, enums with a NamesOf specialisation, fixed-size Eigen vectors and
-/// matrices, std::array, std::vector, std::optional, std::map<std::string, T> and structs that have visit() themselves.
+/// Field types: bool, int, double, std::string, enums with a NamesOf specialisation, fixed-size Eigen vectors
+/// and matrices, std::array, std::vector, std::optional, std::map<std::string, T> and structs that have
+/// visit() themselves.
 struct FieldInfo {
   std::string_view key;
   std::string_view unit;     ///< SI symbol; empty: none

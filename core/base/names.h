@@ -16,7 +16,9 @@ template <class Enum>
 struct NamesOf;
 
 template <class Enum>
-concept Named = requires { NamesOf<Enum>::value.size(); };
+concept Named = requires {
+  NamesOf<Enum>::value.size();
+};
 
 template <Named Enum>
 constexpr std::string_view nameOf(Enum which) {

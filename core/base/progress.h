@@ -7,7 +7,8 @@
 
 namespace capstan::base {
 
-/// What long work tells its caller, and how the caller stops it. Written by the worker, read by any other thread.
+/// What long work tells its caller, and how the caller stops it. Written by the worker, read by any other
+/// thread.
 class Progress {
  public:
   /// `fraction` of the whole in [0, 1]; `doing` is a short present-tense phrase.

@@ -25,9 +25,13 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-std::string scalarText(const YAML::Node& node) { return node.IsDefined() && node.IsScalar() ? node.Scalar() : ""; }
+std::string scalarText(const YAML::Node& node) {
+  return node.IsDefined() && node.IsScalar() ? node.Scalar() : "";
+}
 
-int lineOf(const YAML::Node& node) { return node.IsDefined() && node.Mark().line >= 0 ? node.Mark().line + 1 : 0; }
+int lineOf(const YAML::Node& node) {
+  return node.IsDefined() && node.Mark().line >= 0 ? node.Mark().line + 1 : 0;
+}
 
 }  // namespace
 
@@ -40,7 +44,8 @@ YAML::Node parseYamlText(const std::string& text, const std::string& file) {
   try {
     return YAML::Load(text);
   } catch (const YAML::ParserException& error) {
-    throw InputError({file, error.mark.line + 1, {}, {}, "is not YAML: " + error.msg, "Mend the syntax there"});
+    throw InputError(
+        {file, error.mark.line + 1, {}, {}, "is not YAML: " + error.msg, "Mend the syntax there"});
   }
 }
 
@@ -60,24 +65,29 @@ void writeTextFile(const std::filesystem::path& path, const std::string& text) {
     out << text;
     out.flush();
     if (!out)
-      throw InputError({path.string(), 0, {}, {}, "cannot be written", "Check the folder, its permissions and the space"});
+      throw InputError(
+          {path.string(), 0, {}, {}, "cannot be written", "Check the folder, its permissions and the space"});
   }
   std::filesystem::rename(part, path);
 }
 
 double yamlNumber(const YAML::Node& node, const YamlPlace& place, const FieldInfo& info) {
   double value = 0.0;
-  if (!node.IsScalar() || !YAML::convert<double>::decode(node, value)) refuseYaml(node, place, "is not a number");
+  if (!node.IsScalar() || !YAML::convert<double>::decode(node, value))
+    refuseYaml(node, place, "is not a number");
   if (!std::isfinite(value)) refuseYaml(node, place, "is not finite");
   if (!info.range.contains(value)) {
     const std::string unit = info.unit.empty() ? "" : fmt::format(" {}", info.unit);
-    refuseYaml(node, place, fmt::format("is outside the allowed range {:g} … {:g}{}", info.range.min, info.range.max, unit),
-               std::string(info.meaning));
+    refuseYaml(
+        node, place,
+        fmt::format("is outside the allowed range {:g} … {:g}{}", info.range.min, info.range.max, unit),
+        std::string(info.meaning));
   }
   return value;
 }
 
-void refuseUnknownKeys(const YAML::Node& node, const YamlPlace& place, const std::vector<std::string>& known) {
+void refuseUnknownKeys(const YAML::Node& node, const YamlPlace& place,
+                       const std::vector<std::string>& known) {
   for (const auto& entry : node) {
     const std::string key = entry.first.Scalar();
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;

@@ -16,8 +16,8 @@
 #include "core/base/field.h"
 #include "core/base/names.h"
 
-/// Typed YAML: structs that declare their fields (field.h) are read and written whole, every mistake an InputError
-/// that names file, line, key, value and allowed range.
+/// Typed YAML: structs that declare their fields (field.h) are read and written whole, every mistake an
+/// InputError that names file, line, key, value and allowed range.
 namespace capstan::base {
 
 /// What a field is read from: the node, and the words for an error about it.
@@ -43,7 +43,9 @@ void refuseUnknownKeys(const YAML::Node& node, const YamlPlace& place, const std
 std::string yamlText(double value);
 
 template <class T>
-concept Visitable = requires(T& value) { T::visit(value, [](auto&, const FieldInfo&) {}); };
+concept Visitable = requires(T& value) {
+  T::visit(value, [](auto&, const FieldInfo&) {});
+};
 
 namespace detail {
 
@@ -64,7 +66,8 @@ struct IsMap : std::false_type {};
 template <class T>
 struct IsMap<std::map<std::string, T>> : std::true_type {};
 template <class T>
-concept FixedMatrix = std::is_base_of_v<Eigen::MatrixBase<T>, T> && T::SizeAtCompileTime > 0;
+concept FixedMatrix = std::is_base_of_v<Eigen::MatrixBase<T>, T> && T::SizeAtCompileTime >
+0;
 
 template <class T>
 void readInto(T& value, const YAML::Node& node, const YamlPlace& place, const FieldInfo& info);
@@ -101,7 +104,8 @@ void readInto(T& value, const YAML::Node& node, const YamlPlace& place, const Fi
   } else if constexpr (Named<T>) {
     const auto named = node.IsScalar() ? fromName<T>(node.Scalar()) : std::nullopt;
     std::string names;
-    for (const auto& [which, name] : NamesOf<T>::value) names += (names.empty() ? "" : ", ") + std::string(name);
+    for (const auto& [which, name] : NamesOf<T>::value)
+      names += (names.empty() ? "" : ", ") + std::string(name);
     if (!named) refuseYaml(node, place, "is not one of: " + names);
     value = *named;
   } else if constexpr (std::is_integral_v<T>) {
@@ -138,7 +142,8 @@ void readInto(T& value, const YAML::Node& node, const YamlPlace& place, const Fi
     if (!node.IsMap()) refuseYaml(node, place, "is not a block of keys");
     value.clear();
     for (const auto& entry : node)
-      readInto(value[entry.first.Scalar()], entry.second, {place.file, place.key + "." + entry.first.Scalar()}, info);
+      readInto(value[entry.first.Scalar()], entry.second,
+               {place.file, place.key + "." + entry.first.Scalar()}, info);
   }
 }
 

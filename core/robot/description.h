@@ -39,7 +39,8 @@ struct Link {
   static void visit(Self& self, Visitor&& field) {
     field(self.mass, {"mass", "kg", "mass of the link", {0.0, 1e3}});
     field(self.centre_of_mass, {"centre_of_mass", "m", "in the link frame", {-10.0, 10.0}});
-    field(self.inertia, {"inertia", "kg*m^2", "Ixx, Iyy, Izz about the centre of mass, link axes", {0.0, 1e3}});
+    field(self.inertia,
+          {"inertia", "kg*m^2", "Ixx, Iyy, Izz about the centre of mass, link axes", {0.0, 1e3}});
   }
 };
 
@@ -53,7 +54,8 @@ struct Friction {
   static void visit(Self& self, Visitor&& field) {
     field(self.coulomb, {"coulomb", "N*m or N", "Coulomb friction", {0.0, 1e4}});
     field(self.viscous, {"viscous", "N*m*s or N*s/m", "viscous friction", {0.0, 1e4}});
-    field(self.smoothing, {"smoothing", "rad/s or m/s", "speed v_eps that smooths sgn(v) into tanh(v / v_eps)", {1e-9, 1e3}});
+    field(self.smoothing,
+          {"smoothing", "rad/s or m/s", "speed v_eps that smooths sgn(v) into tanh(v / v_eps)", {1e-9, 1e3}});
   }
 };
 
@@ -64,8 +66,8 @@ struct Joint {
   DhRow dh;
   double limit_low = 0.0;   ///< [rad or m]
   double limit_high = 0.0;  ///< [rad or m]
-  double homing = 0.0;      ///< q_hs, position at the hard stop [rad or m]; may lie at or just outside the limits
-  double max_speed = 0.0;   ///< [rad/s or m/s]
+  double homing = 0.0;  ///< q_hs, position at the hard stop [rad or m]; may lie at or just outside the limits
+  double max_speed = 0.0;  ///< [rad/s or m/s]
   Link link;
   Friction friction;
 
@@ -112,15 +114,17 @@ struct Drive {
 };
 
 /// A robot file. Joints and drives correspond one to one; `coupling` is the n×n matrix A of
-/// s_l = r_l ∘ (A (q − q_hs)); wrist rows continue the DH table behind the last driven joint (tool roll, wrist, jaw).
+/// s_l = r_l ∘ (A (q − q_hs)); wrist rows continue the DH table behind the last driven joint (tool roll,
+/// wrist, jaw).
 struct Description {
   std::string name;
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< in frame 0 [m/s²]
   std::vector<Joint> joints;
   std::vector<Drive> drives;
-  std::vector<std::vector<double>> coupling;         ///< A, rows; unit lower triangular for RAVEN-II
-  Eigen::Vector3d marker = Eigen::Vector3d::Zero();  ///< marker centre in the frame of the last driven joint [m]
-  double marker_radius = 0.0;                        ///< [m]
+  std::vector<std::vector<double>> coupling;  ///< A, rows; unit lower triangular for RAVEN-II
+  Eigen::Vector3d marker =
+      Eigen::Vector3d::Zero();  ///< marker centre in the frame of the last driven joint [m]
+  double marker_radius = 0.0;   ///< [m]
   std::vector<DhRow> wrist;
 
   int size() const { return static_cast<int>(joints.size()); }
@@ -131,15 +135,16 @@ struct Description {
     field(self.gravity, {"gravity", "m/s^2", "gravity in frame 0", {-100.0, 100.0}});
     field(self.joints, {"joints", "", "driven joints, base first"});
     field(self.drives, {"drives", "", "motor, gear and cable of each joint"});
-    field(self.coupling, {"coupling", "rad/rad or m/rad", "matrix A: cable travel by joint travel", {-1e3, 1e3}});
+    field(self.coupling,
+          {"coupling", "rad/rad or m/rad", "matrix A: cable travel by joint travel", {-1e3, 1e3}});
     field(self.marker, {"marker", "m", "marker centre in the frame of the last driven joint", {-10.0, 10.0}});
     field(self.marker_radius, {"marker_radius", "m", "radius of the marker sphere", {1e-5, 1.0}});
     field(self.wrist, {"wrist", "", "passive DH rows behind the driven joints", {}, false});
   }
 };
 
-/// Reads and checks a robot file: one to seven joints, as many drives, a square invertible coupling, ordered limits.
-/// Throws base::InputError naming file, line, key, value and remedy.
+/// Reads and checks a robot file: one to seven joints, as many drives, a square invertible coupling, ordered
+/// limits. Throws base::InputError naming file, line, key, value and remedy.
 Description readDescription(const std::filesystem::path& path);
 /// The same from text; `name` stands for the file in errors.
 Description parseDescription(const std::string& text, const std::string& name);

@@ -13,16 +13,16 @@ namespace capstan::session {
 
 /// What a source knows before its first sample.
 struct SourceInfo {
-  std::string title;                       ///< for the window's title and reports
-  robot::Description robot;                ///< nominal: what the estimator may know
-  std::optional<vision::StereoRig> rig;    ///< with images only
+  std::string title;                     ///< for the window's title and reports
+  robot::Description robot;              ///< nominal: what the estimator may know
+  std::optional<vision::StereoRig> rig;  ///< with images only
   /// Registration stored with the recording; with images and without it the user registers first.
   std::optional<Eigen::Isometry3d> base_from_camera;
-  std::string truth;                       ///< truth file text of a simulation, else empty
-  std::string marker;                      ///< marker options (YAML) stored with the recording, else empty
-  double duration = 0.0;                   ///< [s]; 0: unknown (live)
-  bool reference = false;                  ///< joint encoders fitted
-  bool live = false;                       ///< can be commanded (simulated or real robot)
+  std::string truth;       ///< truth file text of a simulation, else empty
+  std::string marker;      ///< marker options (YAML) stored with the recording, else empty
+  double duration = 0.0;   ///< [s]; 0: unknown (live)
+  bool reference = false;  ///< joint encoders fitted
+  bool live = false;       ///< can be commanded (simulated or real robot)
 };
 
 /// Yields samples in order of arrival. Deterministic sources yield the same bytes each time.

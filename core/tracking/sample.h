@@ -4,11 +4,12 @@
 #include <opencv2/core/mat.hpp>
 #include <variant>
 
-/// What a source yields. Time t [s] is the instant that the sample speaks of, on the session's own clock, starting
-/// near 0; t_arrival >= t is when it reached the computer. Samples come in order of arrival.
+/// What a source yields. Time t [s] is the instant that the sample speaks of, on the session's own clock,
+/// starting near 0; t_arrival >= t is when it reached the computer. Samples come in order of arrival.
 namespace capstan::tracking {
 
-/// Motor encoders, 1 kHz. Unmeasured torque and velocity are NaN; the pipeline differentiates a missing velocity.
+/// Motor encoders, 1 kHz. Unmeasured torque and velocity are NaN; the pipeline differentiates a missing
+/// velocity.
 struct MotorSample {
   double t = 0.0;
   Eigen::Vector3d position;  ///< q_m from the hard stop [rad]

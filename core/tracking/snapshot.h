@@ -14,40 +14,40 @@ enum class Gate { kOpen, kNoCamera, kLeftLost, kRightLost, kBothLost, kUnreachab
 
 inline constexpr std::array<const char*, 3> kJointUnits = {"deg", "deg", "mm"};
 
-/// Everything about one instant, after one sample went through the pipeline. Plain data; joints as rad, rad, m.
-/// Quantities that do not exist (no reference fitted, no camera yet) are NaN.
+/// Everything about one instant, after one sample went through the pipeline. Plain data; joints as rad, rad,
+/// m. Quantities that do not exist (no reference fitted, no camera yet) are NaN.
 struct Snapshot {
   double t = 0.0;                    ///< of the newest motor sample [s]
   std::uint64_t motor_samples = 0;   ///< taken so far
   std::uint64_t camera_samples = 0;  ///< frames or tip samples taken so far
 
-  Eigen::Vector3d q_motor, dq_motor;    ///< q_m [rad], dq_m [rad/s]
-  Eigen::Vector3d q_link_kin;           ///< transmission kinematics
-  Eigen::Vector3d q_link_cam;           ///< newest camera observation, at its own time t_cam
-  Eigen::Vector3d q_link_cam_sigma;     ///< its standard deviation
+  Eigen::Vector3d q_motor, dq_motor;  ///< q_m [rad], dq_m [rad/s]
+  Eigen::Vector3d q_link_kin;         ///< transmission kinematics
+  Eigen::Vector3d q_link_cam;         ///< newest camera observation, at its own time t_cam
+  Eigen::Vector3d q_link_cam_sigma;   ///< its standard deviation
   Eigen::Vector3d q_link_ukf, dq_link_ukf;
-  Eigen::Vector3d q_link_ukf_sigma;     ///< standard deviation of q_link_ukf
-  Eigen::Vector3d q_link_true;          ///< newest reference
-  Eigen::Vector3d q_link_true_cam;      ///< reference at t_cam, where it is known
-  Eigen::Vector3d cable_stretch;        ///< delta = s_m − s_l at the estimate [m]
-  Eigen::Vector3d cable_tension;        ///< gamma at the estimate [N]
+  Eigen::Vector3d q_link_ukf_sigma;  ///< standard deviation of q_link_ukf
+  Eigen::Vector3d q_link_true;       ///< newest reference
+  Eigen::Vector3d q_link_true_cam;   ///< reference at t_cam, where it is known
+  Eigen::Vector3d cable_stretch;     ///< delta = s_m − s_l at the estimate [m]
+  Eigen::Vector3d cable_tension;     ///< gamma at the estimate [N]
 
-  double t_cam = 0.0;                            ///< exposure time of the newest camera sample
-  double lag = 0.0;                              ///< its arrival minus exposure [s]
-  bool camera_updated = false;                   ///< this step took a camera sample
-  std::array<vision::MarkerDetection, 2> marker; ///< left, right
-  Eigen::Vector3d tip_in_camera;                 ///< triangulated, left camera's frame [m]
-  Eigen::Matrix3d tip_in_camera_covariance;      ///< [m²]
-  Eigen::Vector3d tip_cam, tip_kin, tip_ukf;     ///< in frame 0 [m]
-  Eigen::Matrix3d tip_ukf_covariance;            ///< [m²]
+  double t_cam = 0.0;                             ///< exposure time of the newest camera sample
+  double lag = 0.0;                               ///< its arrival minus exposure [s]
+  bool camera_updated = false;                    ///< this step took a camera sample
+  std::array<vision::MarkerDetection, 2> marker;  ///< left, right
+  Eigen::Vector3d tip_in_camera;                  ///< triangulated, left camera's frame [m]
+  Eigen::Matrix3d tip_in_camera_covariance;       ///< [m²]
+  Eigen::Vector3d tip_cam, tip_kin, tip_ukf;      ///< in frame 0 [m]
+  Eigen::Matrix3d tip_ukf_covariance;             ///< [m²]
   Gate gate = Gate::kNoCamera;
 
-  double nis = 0.0;               ///< of the last update
-  double nis_mean = 0.0;          ///< mean over the last camera updates, divided by its degrees of freedom
-  bool nis_consistent = true;     ///< nis_mean inside the 95 % chi-square band
-  double nees = 0.0;              ///< of the joint positions and speeds where the truth is known, else NaN
-  std::uint64_t rescues = 0;      ///< Cholesky down-dates that fell back
-  std::uint64_t late_dropped = 0; ///< camera samples older than the filter's memory
+  double nis = 0.0;                ///< of the last update
+  double nis_mean = 0.0;           ///< mean over the last camera updates, divided by its degrees of freedom
+  bool nis_consistent = true;      ///< nis_mean inside the 95 % chi-square band
+  double nees = 0.0;               ///< of the joint positions and speeds where the truth is known, else NaN
+  std::uint64_t rescues = 0;       ///< Cholesky down-dates that fell back
+  std::uint64_t late_dropped = 0;  ///< camera samples older than the filter's memory
 };
 
 }  // namespace capstan::tracking
@@ -56,8 +56,8 @@ template <>
 struct capstan::base::NamesOf<capstan::tracking::Gate> {
   using G = capstan::tracking::Gate;
   static constexpr std::array value = {
-      std::pair{G::kOpen, "camera"},           std::pair{G::kNoCamera, "no camera"},
-      std::pair{G::kLeftLost, "left lost"},    std::pair{G::kRightLost, "right lost"},
-      std::pair{G::kBothLost, "both lost"},    std::pair{G::kUnreachable, "tip out of reach"},
+      std::pair{G::kOpen, "camera"},        std::pair{G::kNoCamera, "no camera"},
+      std::pair{G::kLeftLost, "left lost"}, std::pair{G::kRightLost, "right lost"},
+      std::pair{G::kBothLost, "both lost"}, std::pair{G::kUnreachable, "tip out of reach"},
       std::pair{G::kJump, "marker jumped"}};
 };

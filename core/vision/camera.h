@@ -8,12 +8,12 @@
 
 namespace capstan::vision {
 
-/// Pinhole camera with the OpenCV (plumb_bob) distortion model. Pixel (0, 0) is the centre of the top-left pixel.
-/// Camera frame: x right, y down, z along the view.
+/// Pinhole camera with the OpenCV (plumb_bob) distortion model. Pixel (0, 0) is the centre of the top-left
+/// pixel. Camera frame: x right, y down, z along the view.
 struct Camera {
   std::string name = "camera";
-  int width = 640;   ///< [px]
-  int height = 480;  ///< [px]
+  int width = 640;                                ///< [px]
+  int height = 480;                               ///< [px]
   double fx = 0.0, fy = 0.0, cx = 0.0, cy = 0.0;  ///< [px]
   std::array<double, 5> distortion{};             ///< k1, k2, p1, p2, k3
 
@@ -30,10 +30,11 @@ struct StereoRig {
   double baseline() const { return right_from_left.translation().norm(); }  ///< [m]
 };
 
-/// ROS camera_info YAML (camera_calibration format). The right camera's projection_matrix and both rectification
-/// matrices carry the extrinsics. Throws base::InputError naming file, line, key and remedy.
+/// ROS camera_info YAML (camera_calibration format). The right camera's projection_matrix and both
+/// rectification matrices carry the extrinsics. Throws base::InputError naming file, line, key and remedy.
 StereoRig readStereoRig(const std::filesystem::path& left, const std::filesystem::path& right);
-void writeStereoRig(const StereoRig& rig, const std::filesystem::path& left, const std::filesystem::path& right);
+void writeStereoRig(const StereoRig& rig, const std::filesystem::path& left,
+                    const std::filesystem::path& right);
 /// The same as texts, as session files keep them.
 StereoRig parseStereoRig(const std::string& left, const std::string& right);
 std::array<std::string, 2> formatStereoRig(const StereoRig& rig);

@@ -19,8 +19,9 @@ struct MarkerOptions {
   int value_low = 40;               ///< 0…255
   double min_radius = 3.0;          ///< [px]
   double min_circularity = 0.75;    ///< 4 pi area / perimeter²
-  double candidate_ratio = 0.5;     ///< a second blob of at least this share of the largest area makes two candidates
-  int roi_size = 100;               ///< side of the square region of interest [px]
+  double candidate_ratio =
+      0.5;             ///< a second blob of at least this share of the largest area makes two candidates
+  int roi_size = 100;  ///< side of the square region of interest [px]
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& field) {
@@ -30,7 +31,8 @@ struct MarkerOptions {
     field(self.value_low, {"value_low", "", "lowest value", {0, 255}, false});
     field(self.min_radius, {"min_radius", "px", "smallest circle", {0.5, 320}, false});
     field(self.min_circularity, {"min_circularity", "", "4 pi area / perimeter^2", {0, 1}, false});
-    field(self.candidate_ratio, {"candidate_ratio", "", "area share that makes a second candidate", {0, 1}, false});
+    field(self.candidate_ratio,
+          {"candidate_ratio", "", "area share that makes a second candidate", {0, 1}, false});
     field(self.roi_size, {"roi_size", "px", "side of the region of interest", {16, 480}, false});
   }
 };
@@ -42,9 +44,9 @@ struct MarkerDetection {
   double radius = 0.0;                                 ///< of the fitted circle [px]
   double sigma = 0.0;                                  ///< standard deviation of the centroid, per axis [px]
   double circularity = 0.0;
-  int area = 0;                                        ///< [px]
-  std::array<int, 4> roi{};                            ///< searched: x, y, width, height [px]
-  bool full_frame = false;                             ///< found (or sought) outside the region of interest
+  int area = 0;              ///< [px]
+  std::array<int, 4> roi{};  ///< searched: x, y, width, height [px]
+  bool full_frame = false;   ///< found (or sought) outside the region of interest
   bool found() const { return fault == MarkerFault::kNone; }
 };
 
