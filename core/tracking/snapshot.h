@@ -10,7 +10,7 @@
 namespace capstan::tracking {
 
 /// Why the filter observes transmission kinematics rather than the camera (UKF paper, section V-D).
-enum class Gate { kOpen, kNoCamera, kLeftLost, kRightLost, kBothLost, kUnreachable, kJump };
+enum class Gate { kOpen, kNoCamera, kLeftLost, kRightLost, kBothLost, kUnreachable, kJump, kUnregistered };
 
 inline constexpr std::array<const char*, 3> kJointUnits = {"deg", "deg", "mm"};
 
@@ -32,9 +32,12 @@ struct Snapshot {
   Eigen::Vector3d cable_stretch;     ///< delta = s_m − s_l at the estimate [m]
   Eigen::Vector3d cable_tension;     ///< gamma at the estimate [N]
 
+  bool reference_paired = false;  ///< this step made q_link_true and the estimates speak of one time
+
   double t_cam = 0.0;                             ///< exposure time of the newest camera sample
   double lag = 0.0;                               ///< its arrival minus exposure [s]
   bool camera_updated = false;                    ///< this step took a camera sample
+  bool camera_images = false;                     ///< the newest camera sample was a pair of images
   std::array<vision::MarkerDetection, 2> marker;  ///< left, right
   Eigen::Vector3d tip_in_camera;                  ///< triangulated, left camera's frame [m]
   Eigen::Matrix3d tip_in_camera_covariance;       ///< [m²]
@@ -42,10 +45,10 @@ struct Snapshot {
   Eigen::Matrix3d tip_ukf_covariance;             ///< [m²]
   Gate gate = Gate::kNoCamera;
 
-  double nis = 0.0;                ///< of the last update
-  double nis_mean = 0.0;           ///< mean over the last camera updates, divided by its degrees of freedom
-  bool nis_consistent = true;      ///< nis_mean inside the 95 % chi-square band
-  double nees = 0.0;               ///< of the joint positions and speeds where the truth is known, else NaN
+  double nis = 0.0;            ///< of the last update
+  double nis_mean = 0.0;       ///< mean over the last camera updates, divided by its degrees of freedom
+  bool nis_consistent = true;  ///< nis_mean inside the 95 % chi-square band
+  double nees = 0.0;  ///< of the joint positions (3 degrees of freedom) where the truth is known, else NaN
   std::uint64_t rescues = 0;       ///< Cholesky down-dates that fell back
   std::uint64_t late_dropped = 0;  ///< camera samples older than the filter's memory
 };
@@ -59,5 +62,5 @@ struct capstan::base::NamesOf<capstan::tracking::Gate> {
       std::pair{G::kOpen, "camera"},        std::pair{G::kNoCamera, "no camera"},
       std::pair{G::kLeftLost, "left lost"}, std::pair{G::kRightLost, "right lost"},
       std::pair{G::kBothLost, "both lost"}, std::pair{G::kUnreachable, "tip out of reach"},
-      std::pair{G::kJump, "marker jumped"}};
+      std::pair{G::kJump, "marker jumped"}, std::pair{G::kUnregistered, "not registered"}};
 };

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+
+#include "core/base/yaml.h"
+
+namespace capstan::tracking {
+
+/// Every number of the tracking pipeline that is neither the robot's nor the camera's. Joint vectors are in
+/// rad, rad, m (or per second where said). resources/tracking/default.yaml holds the same values.
+struct TrackingOptions {
+  Eigen::Vector3d position_noise{2e-4, 2e-4, 2e-5};  ///< density of process noise on q [rad/√s, rad/√s, m/√s]
+  Eigen::Vector3d velocity_noise{0.5, 0.5, 0.05};  ///< density on dq [rad/s/√s, rad/s/√s, m/s/√s]
+  Eigen::Vector3d initial_position_sigma{0.05, 0.05, 0.005};
+  Eigen::Vector3d initial_velocity_sigma{0.1, 0.1, 0.02};
+  Eigen::Vector3d kinematic_sigma{0.02, 0.01, 0.001};    ///< of q_kin where it stands in for the camera
+  Eigen::Vector3d camera_sigma_floor{2e-3, 2e-3, 5e-4};  ///< added (in square) to the noise of q_cam
+  Eigen::Vector3d tip_sigma{2e-3, 2e-3, 2e-3};           ///< of a TipSample, along the axes of frame 0 [m]
+  double gate_probability = 0.999;                       ///< of the χ² gate on the innovation
+  int jump_samples = 3;                                  ///< consistent samples that end a jump
+  Eigen::Vector3d jump_drift{0.1, 0.1, 0.01};  ///< fastest drift of q_cam − q_kin [rad/s, rad/s, m/s]
+  double camera_period = 1.0 / 15.0;           ///< [s]
+  double missing_after = 2.0;                  ///< camera periods without a sample: q_kin takes over
+  double memory = 0.25;                        ///< how late a camera sample may come [s]
+  bool full_frame_search = true;               ///< where the region of interest held no marker
+  double differentiation_time = 4e-3;          ///< span of the difference for a missing dq_m [s]
+  double restart_gap = 0.5;                    ///< motor silence after which the filter starts anew [s]
+  int nis_window = 150;                        ///< camera updates in the running mean of NIS
+
+  template <class Self, class Visitor>
+  static void visit(Self& self, Visitor&& field) {
+    field(self.position_noise, {"position_noise",
+                                "rad/sqrt(s) or m/sqrt(s)",
+                                "process noise on joint positions",
+                                {0.0, 10.0},
+                                false});
+    field(self.velocity_noise, {"velocity_noise",
+                                "rad/s/sqrt(s) or m/s/sqrt(s)",
+                                "process noise on joint speeds",
+                                {1e-9, 1e3},
+                                false});
+    field(self.initial_position_sigma,
+          {"initial_position_sigma", "rad or m", "of the first state", {1e-9, 10.0}, false});
+    field(self.initial_velocity_sigma,
+          {"initial_velocity_sigma", "rad/s or m/s", "of the first state", {1e-9, 100.0}, false});
+    field(self.kinematic_sigma, {"kinematic_sigma",
+                                 "rad or m",
+                                 "of transmission kinematics in place of the camera",
+                                 {1e-6, 10.0},
+                                 false});
+    field(self.camera_sigma_floor,
+          {"camera_sigma_floor", "rad or m", "camera error besides pixel noise", {0.0, 1.0}, false});
+    field(self.tip_sigma,
+          {"tip_sigma", "m", "of tip positions in recordings without images", {1e-6, 1.0}, false});
+    field(self.gate_probability,
+          {"gate_probability", "", "chi-square gate on the innovation", {0.5, 0.999999}, false});
+    field(self.jump_samples, {"jump_samples", "", "consistent samples that end a jump", {1, 1000}, false});
+    field(self.jump_drift,
+          {"jump_drift", "rad/s or m/s", "fastest drift of camera against kinematics", {0.0, 10.0}, false});
+    field(self.camera_period, {"camera_period", "s", "expected time between frames", {1e-3, 10.0}, false});
+    field(
+        self.missing_after,
+        {"missing_after", "", "camera periods of silence until kinematics takes over", {1.0, 1000.0}, false});
+    field(self.memory, {"memory", "s", "how late a camera sample may come", {0.0, 2.0}, false});
+    field(self.full_frame_search, {"full_frame_search",
+                                   "",
+                                   "search the whole frame when the region of interest held no marker",
+                                   {},
+                                   false});
+    field(self.differentiation_time, {"differentiation_time",
+                                      "s",
+                                      "span of the difference for a missing motor velocity",
+                                      {1e-4, 1.0},
+                                      false});
+    field(self.restart_gap,
+          {"restart_gap", "s", "motor silence after which the filter starts anew", {1e-2, 100.0}, false});
+    field(self.nis_window,
+          {"nis_window", "", "camera updates in the running mean of NIS", {1, 100000}, false});
+  }
+};
+
+/// Reads filter options; absent fields keep their defaults. Throws base::InputError.
+inline TrackingOptions readTrackingOptions(const std::filesystem::path& path) {
+  return base::readYamlFile<TrackingOptions>(path);
+}
+
+}  // namespace capstan::tracking

@@ -1,0 +1,53 @@
+#include "core/tracking/track_all.h"
+
+#include <cmath>
+#include <limits>
+
+namespace capstan::tracking {
+namespace {
+
+double ratio(double part, std::uint64_t whole) {
+  return whole == 0 ? std::numeric_limits<double>::quiet_NaN() : part / static_cast<double>(whole);
+}
+
+}  // namespace
+
+void TrackReport::add(const Snapshot& snapshot) {
+  errors.add(snapshot);
+  if (snapshot.motor_samples == 1 && motor_samples == 0) first_t = snapshot.t;
+  last_t = snapshot.t;
+  motor_samples = snapshot.motor_samples;
+  rescues = snapshot.rescues;
+  late_dropped = snapshot.late_dropped;
+  if (snapshot.reference_paired && std::isfinite(snapshot.nees)) {
+    nees_sum += snapshot.nees;
+    ++nees_count;
+  }
+  if (!snapshot.camera_updated) return;
+  camera_samples = snapshot.camera_samples;
+  ++gates[static_cast<std::size_t>(snapshot.gate)];
+  if (snapshot.gate == Gate::kOpen) nis_sum += snapshot.nis;
+  if (!snapshot.camera_images) return;
+  ++frames;
+  for (std::size_t side = 0; side < 2; ++side) {
+    if (!snapshot.marker[side].found()) continue;
+    ++detected[side];
+    if (snapshot.marker[side].full_frame) ++full_frame[side];
+  }
+}
+
+double TrackReport::gateShare(Gate gate) const {
+  return ratio(static_cast<double>(gates[static_cast<std::size_t>(gate)]), camera_samples);
+}
+
+double TrackReport::detectionRate(int side) const {
+  return ratio(static_cast<double>(detected[static_cast<std::size_t>(side)]), frames);
+}
+
+double TrackReport::nisMean() const {
+  return ratio(nis_sum / 3.0, gates[static_cast<std::size_t>(Gate::kOpen)]);
+}
+
+double TrackReport::neesMean() const { return ratio(nees_sum / 3.0, nees_count); }
+
+}  // namespace capstan::tracking

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+#include <cstdint>
+
+#include "core/base/progress.h"
+#include "core/tracking/error_table.h"
+#include "core/tracking/pipeline.h"
+
+namespace capstan::tracking {
+
+/// What `TrackingPipeline` made of a whole recording.
+struct TrackReport {
+  ErrorTable errors;
+  std::uint64_t motor_samples = 0;
+  std::uint64_t camera_samples = 0;           ///< frames and tip samples
+  std::array<std::uint64_t, 8> gates{};       ///< camera samples by Gate
+  std::array<std::uint64_t, 2> detected{};    ///< frames with a marker: left, right
+  std::array<std::uint64_t, 2> full_frame{};  ///< of these, found by the full-frame search
+  std::uint64_t frames = 0;                   ///< camera samples that were images
+  double first_t = 0.0, last_t = 0.0;         ///< of the motor samples [s]
+  double nis_sum = 0.0;                       ///< over accepted camera samples
+  double nees_sum = 0.0;                      ///< over paired references
+  std::uint64_t nees_count = 0;
+  std::uint64_t rescues = 0, late_dropped = 0;
+  bool cancelled = false;
+
+  void add(const Snapshot& snapshot);
+  double gateShare(Gate gate) const;     ///< of camera samples; NaN without any
+  double detectionRate(int side) const;  ///< share of frames with a marker, 0 left, 1 right
+  double nisMean() const;   ///< mean NIS of accepted camera samples over its 3 degrees of freedom; NaN: none
+  double neesMean() const;  ///< mean position NEES over its 3 degrees of freedom; NaN: no reference
+};
+
+template <class T>
+concept SampleSource = requires(T& source, Sample& sample) {
+  { source.next(sample) } -> std::convertible_to<bool>;
+};
+
+struct IgnoreSnapshots {
+  void operator()(const Sample&, const Snapshot&) const {}
+};
+
+/// Runs `pipeline` over all of `source`. `each(sample, snapshot)` sees every step. `duration` [s] (0:
+/// unknown) scales the progress. Cancellable; what came before the cancellation is in the report.
+template <SampleSource Source, class Each = IgnoreSnapshots>
+TrackReport trackAll(Source& source, TrackingPipeline& pipeline, base::Progress* progress = nullptr,
+                     double duration = 0.0, Each each = {}) {
+  TrackReport report;
+  Sample sample;
+  for (std::uint64_t count = 0; source.next(sample); ++count) {
+    const Snapshot& snapshot = pipeline.step(sample);
+    report.add(snapshot);
+    each(static_cast<const Sample&>(sample), snapshot);
+    if (progress && count % 256 == 0) {
+      if (progress->cancelled()) {
+        report.cancelled = true;
+        break;
+      }
+      if (duration > 0.0) progress->report(std::min(1.0, snapshot.t / duration), "tracking");
+    }
+  }
+  return report;
+}
+
+}  // namespace capstan::tracking
