@@ -1,0 +1,24 @@
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+
+namespace capstan::session {
+
+/// Cameras blocked for `percentage` of the time, in intervals of `interval` seconds at equal spacing (UKF
+/// paper, section V-D: 10, 20, 40, 60 and 80 % in intervals of 2 s). The period is interval / share; it
+/// begins with sight.
+struct OcclusionSchedule {
+  double percentage = 0.0;  ///< 0…100; 0: never
+  double interval = 2.0;    ///< [s]
+  double start = 0.0;       ///< first period begins here [s]
+
+  bool blockedAt(double t) const;
+  /// Blocked share of [0, t] that the schedule has brought by t, 0…1.
+  double shareUntil(double t) const;
+};
+
+/// Paints an opaque, dark, textured hand-like shape over all of `bgr` (8UC3), moving slowly with t.
+/// Deterministic in (t, side): the same bytes each time. No allocation.
+void coverImage(cv::Mat& bgr, double t, int side);
+
+}  // namespace capstan::session

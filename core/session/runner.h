@@ -1,0 +1,101 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/session/occlusion.h"
+#include "core/session/recorder.h"
+#include "core/session/source.h"
+#include "core/tracking/pipeline.h"
+#include "core/tracking/track_all.h"
+
+namespace capstan::session {
+
+enum class RunState { kPaused, kRunning, kEnded, kFailed };
+
+struct RunnerOptions {
+  double speed = 1.0;                    ///< recording seconds a second, 0.25…10; 0: as fast as possible
+  double history_rate = 200.0;           ///< snapshots for plots between camera updates [1/s of recording]
+  std::size_t history_capacity = 16384;  ///< the oldest make room when nobody drains
+  double estimate_rate = 1000.0;         ///< snapshots recorded [1/s of recording], camera updates always
+};
+
+struct RunStatus {
+  RunState state = RunState::kPaused;
+  std::string error;              ///< of kFailed
+  double t = 0.0;                 ///< newest arrival [s]
+  double speed = 1.0;             ///< asked for
+  double real_time_factor = 0.0;  ///< reached, over the last second
+  double motor_rate = 0.0;        ///< [1/s of recording]
+  double frame_rate = 0.0;        ///< frames or tip samples [1/s of recording]
+  std::array<bool, 2> blocked{};  ///< left, right: now, by hand or by schedule
+  OcclusionSchedule occlusion;
+  std::optional<RecorderStats> recorder;  ///< while recording, and of the last recording
+  std::string recording;                  ///< its path
+};
+
+/// Runs a source through a pipeline on a thread of its own: paces it, applies occlusion, records, and
+/// publishes what views want. Every call returns at once (startRecording() creates a file); starts paused.
+class Runner {
+ public:
+  Runner(std::unique_ptr<Source> source, tracking::TrackingPipeline pipeline,
+         const RunnerOptions& options = {});
+  ~Runner();
+  Runner(const Runner&) = delete;
+  Runner& operator=(const Runner&) = delete;
+
+  const SourceInfo& info() const;
+
+  void run();
+  void pause();
+  void stepFrame();  ///< runs, unpaced, through the next camera sample (without cameras: 1/15 s), then pauses
+  void setSpeed(double speed);
+
+  void block(bool left, bool right);  ///< by hand, from now on
+  void setOcclusion(const OcclusionSchedule& schedule);
+  void setRegistration(const Eigen::Isometry3d& base_from_camera);
+  void resetErrors();  ///< report() starts anew
+  void note(std::string text);
+
+  /// On the pipeline's thread, between two samples; in order of posting.
+  using Command = std::function<void(Source&, tracking::TrackingPipeline&)>;
+  void post(Command command);
+
+  /// Throws base::InputError when the file cannot be created.
+  void startRecording(const std::filesystem::path& path, const SessionHeader& header,
+                      const RecorderOptions& options = {});
+  void stopRecording();  ///< the file is closed on the pipeline's thread's behalf, in the background
+
+  RunStatus status() const;
+  /// Over every step since the start or resetErrors(); at most 0.1 s old.
+  tracking::TrackReport report() const;
+  /// The newest snapshot into `out`; false when it was taken before.
+  bool takeSnapshot(tracking::Snapshot& out);
+  /// The newest frames, as the pipeline saw them; `out`'s images are exchanged, not copied. False: none since
+  /// the last.
+  bool takeFrames(tracking::StereoFrame& out);
+  /// Appends to `out` every camera update and about history_rate others since the last call, in order.
+  /// Returns how many.
+  std::size_t drainHistory(std::vector<tracking::Snapshot>& out);
+
+  /// Waits until the source has ended, failed or paused; false after `seconds`. For headless runs and tests.
+  bool waitUntilIdle(double seconds);
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace capstan::session
+
+template <>
+struct capstan::base::NamesOf<capstan::session::RunState> {
+  using S = capstan::session::RunState;
+  static constexpr std::array value = {std::pair{S::kPaused, "paused"}, std::pair{S::kRunning, "running"},
+                                       std::pair{S::kEnded, "ended"}, std::pair{S::kFailed, "failed"}};
+};

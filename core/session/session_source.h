@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "core/session/source.h"
+
+namespace capstan::session {
+
+/// Replays a session file in the order of arrival that it was recorded in, to the last bit.
+class SessionSource : public Source {
+ public:
+  /// Throws base::InputError for a file that is missing, foreign, damaged or of a newer version.
+  explicit SessionSource(const std::filesystem::path& path);
+  ~SessionSource() override;
+
+  const SourceInfo& info() const override;
+  bool next(tracking::Sample& out) override;
+  /// Frames: an opaque occluder is painted over the whole image. Tip samples: no position.
+  void block(bool left, bool right) override;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace capstan::session

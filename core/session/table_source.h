@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "core/robot/description.h"
+#include "core/session/measured_table.h"
+#include "core/session/source.h"
+
+namespace capstan::session {
+
+/// A measured table as a source: each row gives a motor sample, a joint sample where q is there (reference
+/// fitted), and a tip sample where p_c is there.
+class TableSource : public Source {
+ public:
+  /// Throws base::InputError as readMeasuredTable() does, and for a table without q_m or whose number of
+  /// joints is not the robot's three.
+  TableSource(const std::filesystem::path& path, const robot::Description& robot);
+  TableSource(MeasuredTable table, const robot::Description& robot);
+
+  const SourceInfo& info() const override { return info_; }
+  bool next(tracking::Sample& out) override;
+  /// Either side blocked: tip samples without position.
+  void block(bool left, bool right) override { blocked_ = left || right; }
+  /// One line about columns that were not used; empty: none.
+  const std::string& notice() const { return notice_; }
+
+ private:
+  SourceInfo info_;
+  MeasuredTable table_;
+  std::string notice_;
+  std::size_t row_ = 0;
+  int part_ = 0;
+  bool blocked_ = false;
+};
+
+/// Opens whatever `path` is: a session file, a RAVEN-II motor recording (raven_motors.h), a measured table.
+/// `robot` is for recordings that bring none. Throws base::InputError.
+std::unique_ptr<Source> openRecording(const std::filesystem::path& path, const robot::Description& robot);
+
+}  // namespace capstan::session
