@@ -19,14 +19,15 @@ struct TrackingOptions {
   Eigen::Vector3d tip_sigma{2e-3, 2e-3, 2e-3};           ///< of a TipSample, along the axes of frame 0 [m]
   double gate_probability = 0.999;                       ///< of the χ² gate on the innovation
   int jump_samples = 3;                                  ///< consistent samples that end a jump
-  Eigen::Vector3d jump_drift{0.1, 0.1, 0.01};  ///< fastest drift of q_cam − q_kin [rad/s, rad/s, m/s]
-  double camera_period = 1.0 / 15.0;           ///< [s]
-  double missing_after = 2.0;                  ///< camera periods without a sample: q_kin takes over
-  double memory = 0.25;                        ///< how late a camera sample may come [s]
-  bool full_frame_search = true;               ///< where the region of interest held no marker
-  double differentiation_time = 4e-3;          ///< span of the difference for a missing dq_m [s]
-  double restart_gap = 0.5;                    ///< motor silence after which the filter starts anew [s]
-  int nis_window = 150;                        ///< camera updates in the running mean of NIS
+  Eigen::Vector3d jump_drift{0.1, 0.1, 0.01};        ///< fastest drift of q_cam − q_kin [rad/s, rad/s, m/s]
+  Eigen::Vector3d jump_tolerance{0.15, 0.15, 0.02};  ///< most that q_cam − q_kin is believed [rad, rad, m]
+  double camera_period = 1.0 / 15.0;                 ///< [s]
+  double missing_after = 2.0;                        ///< camera periods without a sample: q_kin takes over
+  double memory = 0.25;                              ///< how late a camera sample may come [s]
+  bool full_frame_search = true;                     ///< where the region of interest held no marker
+  double differentiation_time = 4e-3;                ///< span of the difference for a missing dq_m [s]
+  double restart_gap = 0.5;                          ///< motor silence after which the filter starts anew [s]
+  int nis_window = 150;                              ///< camera updates in the running mean of NIS
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& field) {
@@ -58,6 +59,8 @@ struct TrackingOptions {
     field(self.jump_samples, {"jump_samples", "", "consistent samples that end a jump", {1, 1000}, false});
     field(self.jump_drift,
           {"jump_drift", "rad/s or m/s", "fastest drift of camera against kinematics", {0.0, 10.0}, false});
+    field(self.jump_tolerance,
+          {"jump_tolerance", "rad or m", "largest believable camera against kinematics", {0.0, 10.0}, false});
     field(self.camera_period, {"camera_period", "s", "expected time between frames", {1e-3, 10.0}, false});
     field(
         self.missing_after,

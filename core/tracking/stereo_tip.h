@@ -1,0 +1,44 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <optional>
+
+#include "core/tracking/sample.h"
+#include "core/tracking/snapshot.h"
+#include "core/vision/camera.h"
+#include "core/vision/marker.h"
+#include "core/vision/marker_detector.h"
+#include "core/vision/triangulation.h"
+
+namespace capstan::tracking {
+
+/// Finds the marker in both images of a frame and triangulates it.
+class StereoTip {
+ public:
+  /// `search_full_frame`: where the region of interest holds no marker.
+  StereoTip(const vision::StereoRig& rig, const vision::MarkerOptions& marker, bool search_full_frame);
+
+  /// Looks around the projections of `expected` [m, left camera's frame], or everywhere without it. A marker cut by
+  /// the edge of its region is looked at again in a region around it.
+  void find(const StereoFrame& frame, const std::optional<Eigen::Vector3d>& expected);
+
+  const std::array<vision::MarkerDetection, 2>& markers() const { return markers_; }
+  /// kOpen when both images hold a marker, else which one is lost.
+  Gate gate() const;
+  /// Position [m] and covariance [m²] in the left camera's frame; only with both markers found.
+  vision::Triangulation triangulate() const;
+
+ private:
+  vision::MarkerDetection findIn(const cv::Mat& image, const vision::Camera& camera,
+                                 const std::optional<Eigen::Vector3d>& expected);
+
+  vision::StereoRig rig_;
+  vision::MarkerOptions options_;
+  bool search_full_frame_;
+  vision::MarkerDetector detector_;
+  vision::Triangulator triangulator_;
+  std::array<vision::MarkerDetection, 2> markers_;
+};
+
+}  // namespace capstan::tracking

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace capstan::tracking {
+
+/// The newest vectors of a signal sampled in rising time, in fixed storage; interpolates linearly in between.
+class TimeSeries {
+ public:
+  explicit TimeSeries(std::size_t capacity) : points_(capacity) {}
+
+  void clear() { count_ = 0; }
+  bool empty() const { return count_ == 0; }
+  /// Ignores samples that are not newer than the newest.
+  void push(double t, const Eigen::Vector3d& value) {
+    if (count_ > 0 && !(t > back(0).t)) return;
+    points_[count_ % points_.size()] = {t, value};
+    ++count_;
+  }
+  double newestTime() const { return back(0).t; }
+
+  /// The value at t; the newest one holds until `hold` [s] after it. Nothing before the oldest kept or after
+  /// that.
+  std::optional<Eigen::Vector3d> at(double t, double hold) const {
+    if (count_ == 0 || !(t <= back(0).t + hold)) return std::nullopt;
+    if (t >= back(0).t) return back(0).value;
+    const std::size_t kept = count_ < points_.size() ? count_ : points_.size();
+    std::size_t newer = 0, older = kept - 1;  // ages: back(newer).t > t, back(older).t <= t
+    if (t < back(older).t) return std::nullopt;
+    while (older - newer > 1) {
+      const std::size_t middle = (newer + older) / 2;
+      (back(middle).t <= t ? older : newer) = middle;
+    }
+    const Point& a = back(older);
+    const Point& b = back(newer);
+    return a.value + (t - a.t) / (b.t - a.t) * (b.value - a.value);
+  }
+
+ private:
+  struct Point {
+    double t;
+    Eigen::Vector3d value;
+  };
+  const Point& back(std::size_t age) const { return points_[(count_ - 1 - age) % points_.size()]; }
+
+  std::vector<Point> points_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace capstan::tracking
