@@ -1,0 +1,106 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/base/field.h"
+#include "core/base/names.h"
+#include "core/base/progress.h"
+#include "core/vision/camera.h"
+
+namespace capstan::vision {
+
+/// Why a pair of images does not take part.
+enum class ViewFault {
+  kNone,
+  kLeftUnreadable,
+  kRightUnreadable,
+  kWrongSize,
+  kBoardNotInLeft,
+  kBoardNotInRight,
+  kBoardInNeither,
+  kBadView
+};
+
+/// Image files, pair by pair: left[i] and right[i] were taken together.
+struct CalibrationInput {
+  std::vector<std::filesystem::path> left, right;
+};
+
+/// The pairs left*.EXT, right*.EXT (png, jpg, jpeg, bmp, tif, tiff, pgm) of a folder, in order of name.
+/// Throws base::InputError when the folder cannot be read, holds no pair, or an image has no partner.
+CalibrationInput findStereoPairs(const std::filesystem::path& folder);
+
+struct CalibrationOptions {
+  int board_columns = 9;        ///< inner corners along a row
+  int board_rows = 6;           ///< inner corners along a column
+  double square_size = 0.025;   ///< [m]
+  bool square_pixels = true;    ///< fx = fy
+  bool fit_k3 = true;           ///< third radial coefficient, else 0
+  double outlier_factor = 0.0;  ///< a view beyond this multiple of the median error is left out; 0: none is
+  int corner_window = 5;        ///< half side of the sub-pixel corner window [px]
+
+  template <class Self, class Visitor>
+  static void visit(Self& self, Visitor&& field) {
+    field(self.board_columns, {"board_columns", "", "inner corners along a row", {3, 50}, false});
+    field(self.board_rows, {"board_rows", "", "inner corners along a column", {3, 50}, false});
+    field(self.square_size, {"square_size", "m", "side of a square", {1e-4, 1.0}, false});
+    field(self.square_pixels, {"square_pixels", "", "one focal length for both axes", {}, false});
+    field(self.fit_k3, {"fit_k3", "", "fit the third radial coefficient", {}, false});
+    field(self.outlier_factor, {"outlier_factor",
+                                "",
+                                "leave out views beyond this multiple of the median error; 0: keep all",
+                                {0, 100},
+                                false});
+    field(self.corner_window,
+          {"corner_window", "px", "half side of the sub-pixel corner window", {2, 30}, false});
+  }
+};
+
+/// One pair of images. Errors are RMS distances between found and projected corners [px]; 0 where not used.
+struct CalibrationView {
+  std::string left, right;  ///< file names
+  ViewFault fault = ViewFault::kNone;
+  double left_error = 0.0;  ///< with this view's own pose, single-camera fit
+  double right_error = 0.0;
+  double stereo_error = 0.0;  ///< both images, one pose, through the rig
+  bool suspect = false;       ///< used, yet beyond three times the median of all views' stereo error
+  bool used() const { return fault == ViewFault::kNone; }
+};
+
+struct CameraCalibration {
+  double rms = 0.0;                      ///< reprojection, all used views [px]
+  double focal_sigma = 0.0;              ///< standard deviation of fx [px]
+  std::array<double, 2> centre_sigma{};  ///< of cx, cy [px]
+};
+
+struct CalibrationReport {
+  StereoRig rig;
+  CameraCalibration left, right;
+  double stereo_rms = 0.0;  ///< [px]
+  int views_used = 0;
+  std::vector<CalibrationView> views;  ///< all, in input order
+  bool cancelled = false;              ///< stopped by `progress`; rig is not valid
+};
+
+/// Intrinsics of both cameras and the transform between them from chessboard images. Throws base::InputError
+/// when the options make no sense, lists are of unequal length, or fewer than three pairs remain.
+CalibrationReport calibrateStereo(const CalibrationInput& input, const CalibrationOptions& options,
+                                  base::Progress& progress);
+
+}  // namespace capstan::vision
+
+template <>
+struct capstan::base::NamesOf<capstan::vision::ViewFault> {
+  using F = capstan::vision::ViewFault;
+  static constexpr std::array value = {std::pair{F::kNone, "used"},
+                                       std::pair{F::kLeftUnreadable, "left image is unreadable"},
+                                       std::pair{F::kRightUnreadable, "right image is unreadable"},
+                                       std::pair{F::kWrongSize, "image size differs from the first pair's"},
+                                       std::pair{F::kBoardNotInLeft, "board not seen in the left image"},
+                                       std::pair{F::kBoardNotInRight, "board not seen in the right image"},
+                                       std::pair{F::kBoardInNeither, "board seen in neither image"},
+                                       std::pair{F::kBadView, "outlier: error far above the other views'"}};
+};
