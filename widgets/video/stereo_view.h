@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QWidget>
+#include <array>
+#include <opencv2/core/mat.hpp>
+
+#include "core/tracking/snapshot.h"
+#include "widgets/figures/theme.h"
+#include "widgets/video/roi_view.h"
+
+namespace capstan::widgets {
+
+/// Left and right camera, one above the other, or beside each other where the place is wide.
+class StereoView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit StereoView(QWidget* parent = nullptr);
+
+  void setTheme(const Theme& theme);
+  /// The images of one camera sample and the snapshot it gave. Images are copied; empty ones show the reason.
+  void showFrames(const cv::Mat& left, const cv::Mat& right, const tracking::Snapshot& snapshot);
+  /// For a source without images: `why` in place of the pictures.
+  void clear(const QString& why);
+  void setLines(const std::array<std::vector<ImageLine>, 2>& lines);
+  void setWholeFrameLarge(bool large);
+  RoiView& left() { return *views_[0]; }
+  RoiView& right() { return *views_[1]; }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  std::array<RoiView*, 2> views_;
+};
+
+}  // namespace capstan::widgets
