@@ -1,0 +1,57 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <opencv2/core/mat.hpp>
+
+#include "core/simulation/truth.h"
+#include "core/vision/camera.h"
+
+namespace capstan::simulation {
+
+/// The tool during one exposure, in frame 0. The marker moves by ±velocity · exposure / 2 about its place.
+struct ToolPose {
+  Eigen::Vector3d tip;       ///< centre of the marker sphere at mid exposure [m]
+  Eigen::Vector3d velocity;  ///< of the tip [m/s]
+  Eigen::Vector3d axis;      ///< unit vector from the tip up the shaft
+};
+
+/// What a perfect detector would report of one picture, at mid exposure, as if nothing covered the marker.
+struct RenderedMarker {
+  Eigen::Vector2d sphere_centre = Eigen::Vector2d::Zero();   ///< projection of the sphere's centre [px]
+  Eigen::Vector2d ellipse_centre = Eigen::Vector2d::Zero();  ///< area centroid of its outline [px]
+  double radius = 0.0;                                       ///< of a circle of the outline's area [px]
+  bool in_view = false;                                      ///< the whole outline lies in the picture
+};
+
+/// Solid parts of the scene.
+struct SceneSizes {
+  double marker_radius = 0.005;  ///< [m]
+  double shaft_radius = 0.003;   ///< [m]
+  double shaft_length = 0.47;    ///< [m]
+};
+
+/// Pictures of one camera: shaded marker sphere and shaft by ray casting through the distorted pixel grid, in
+/// front of a fixed background, with motion blur, uneven light, exposure and colour noise. Same seed, same
+/// bytes.
+class CameraRenderer {
+ public:
+  /// `camera_from_base` is the true pose. `seed` chooses background and noise.
+  CameraRenderer(const vision::Camera& camera, const Eigen::Isometry3d& camera_from_base,
+                 const SceneSizes& sizes, const ImageTruth& look, double exposure, std::uint64_t seed);
+  ~CameraRenderer();
+  CameraRenderer(CameraRenderer&&) noexcept;
+
+  /// Draws into `image` (8-bit BGR, allocated only when its size or type differ).
+  void render(const ToolPose& pose, cv::Mat& image);
+  /// The exact outline of the marker, without drawing.
+  RenderedMarker outline(const ToolPose& pose) const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace capstan::simulation
