@@ -4,22 +4,10 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "core/base/units.h"
 
 namespace capstan::tracking {
-
-void RunningRms::add(const Eigen::Vector3d& error) {
-  if (!error.allFinite()) return;
-  sum_of_squares_ += error.cwiseAbs2();
-  ++count_;
-}
-
-Eigen::Vector3d RunningRms::rms() const {
-  if (count_ == 0) return Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-  return (sum_of_squares_ / static_cast<double>(count_)).cwiseSqrt();
-}
 
 void ErrorTable::add(const Snapshot& snapshot) {
   if (snapshot.reference_paired) {
@@ -32,12 +20,12 @@ void ErrorTable::add(const Snapshot& snapshot) {
 
 std::string ErrorTable::text() const {
   std::string text = fmt::format("{:<9}{:>12}{:>12}{:>12}\n", "RMS error", "kinematic", "camera", "UKF");
-  const std::array<const RunningRms*, 3> columns = {&kinematic_, &camera_, &ukf_};
+  const std::array<const JointRms*, 3> columns = {&kinematic_, &camera_, &ukf_};
   for (int joint = 0; joint < 3; ++joint) {
     text += fmt::format("q{} [{}] ", joint + 1, kJointUnits[static_cast<std::size_t>(joint)])
                 .append(joint == 2 ? " " : "");
-    for (const RunningRms* column : columns) {
-      const double value = column->rms()(joint);
+    for (const JointRms* column : columns) {
+      const double value = column->value()(joint);
       const double shown = joint == 2 ? base::toMillimetres(value) : base::toDegrees(value);
       text += std::isnan(shown) ? fmt::format("{:>12}", "-") : fmt::format("{:>12.4f}", shown);
     }

@@ -3,24 +3,13 @@
 #include <algorithm>
 
 namespace capstan::tracking {
-namespace {
-
-bool nearEdge(const vision::MarkerDetection& marker, const cv::Mat& image) {
-  const auto [x, y, width, height] = marker.roi;
-  const double reach = 1.5 * marker.radius;
-  const auto& c = marker.centroid;
-  return (x > 0 && c.x() - reach < x) || (y > 0 && c.y() - reach < y) ||
-         (x + width < image.cols && c.x() + reach > x + width) ||
-         (y + height < image.rows && c.y() + reach > y + height);
-}
-
-}  // namespace
-
-StereoTip::StereoTip(const vision::StereoRig& rig, const vision::MarkerOptions& marker, bool search_full_frame)
+StereoTip::StereoTip(const vision::StereoRig& rig, const vision::MarkerOptions& marker,
+                     bool search_full_frame)
     : rig_(rig),
       options_(marker),
       search_full_frame_(search_full_frame),
-      detector_(marker, std::max(rig.left.width, rig.right.width), std::max(rig.left.height, rig.right.height)),
+      detector_(marker, std::max(rig.left.width, rig.right.width),
+                std::max(rig.left.height, rig.right.height)),
       triangulator_(rig) {}
 
 vision::MarkerDetection StereoTip::findIn(const cv::Mat& image, const vision::Camera& camera,
@@ -28,9 +17,9 @@ vision::MarkerDetection StereoTip::findIn(const cv::Mat& image, const vision::Ca
   if (image.empty()) return {};
   const auto pixel = expected ? camera.project(*expected) : std::nullopt;
   if (!pixel) return detector_.detect(image);
-  vision::MarkerDetection marker = detector_.detect(image, vision::roiAround(*pixel, options_, image.size()));
-  if (marker.found() && nearEdge(marker, image))
-    marker = detector_.detect(image, vision::roiAround(marker.centroid, options_, image.size()));
+  const cv::Rect roi = vision::roiAround(*pixel, options_, image.size());
+  if (roi.empty()) return search_full_frame_ ? detector_.detect(image) : detector_.detect(image, roi);
+  vision::MarkerDetection marker = detector_.detect(image, roi);
   if (!marker.found() && search_full_frame_) marker = detector_.detect(image);
   return marker;
 }
@@ -48,7 +37,8 @@ Gate StereoTip::gate() const {
 }
 
 vision::Triangulation StereoTip::triangulate() const {
-  return triangulator_.triangulate(markers_[0].centroid, markers_[1].centroid, markers_[0].sigma, markers_[1].sigma);
+  return triangulator_.triangulate(markers_[0].centroid, markers_[1].centroid, markers_[0].sigma,
+                                   markers_[1].sigma);
 }
 
 }  // namespace capstan::tracking

@@ -19,8 +19,7 @@ class StereoTip {
   /// `search_full_frame`: where the region of interest holds no marker.
   StereoTip(const vision::StereoRig& rig, const vision::MarkerOptions& marker, bool search_full_frame);
 
-  /// Looks around the projections of `expected` [m, left camera's frame], or everywhere without it. A marker cut by
-  /// the edge of its region is looked at again in a region around it.
+  /// Looks around the projections of `expected` [m, left camera's frame], or everywhere without it.
   void find(const StereoFrame& frame, const std::optional<Eigen::Vector3d>& expected);
 
   const std::array<vision::MarkerDetection, 2>& markers() const { return markers_; }
