@@ -37,7 +37,7 @@ struct Link {
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& field) {
-    field(self.mass, {"mass", "kg", "mass of the link", {0.0, 1e3}});
+    field(self.mass, {"mass", "kg", "mass of the link", {1e-6, 1e3}});
     field(self.centre_of_mass, {"centre_of_mass", "m", "in the link frame", {-10.0, 10.0}});
     field(self.inertia,
           {"inertia", "kg*m^2", "Ixx, Iyy, Izz about the centre of mass, link axes", {0.0, 1e3}});
@@ -148,6 +148,8 @@ struct Description {
 Description readDescription(const std::filesystem::path& path);
 /// The same from text; `name` stands for the file in errors.
 Description parseDescription(const std::string& text, const std::string& name);
+/// The robot file of `description`; parseDescription() of it gives it back to the last bit.
+std::string formatDescription(const Description& description);
 
 }  // namespace capstan::robot
 

@@ -1,0 +1,94 @@
+#include "core/robot/description.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+
+#include "core/base/yaml.h"
+#include "core/robot/joint_vector.h"
+
+namespace capstan::robot {
+namespace {
+
+constexpr double kSmallestPivot = 1e-9;  ///< of a coupling that counts as invertible, relative to the largest
+constexpr double kStopReach = 0.1;       ///< hard stop: how far outside the limits, as a share of the range
+
+std::string at(std::string_view list, std::size_t i, std::string_view key = {}) {
+  return key.empty() ? fmt::format("{}[{}]", list, i) : fmt::format("{}[{}].{}", list, i, key);
+}
+
+void checkCount(const YAML::Node& root, const std::string& file, const Description& description) {
+  const std::size_t n = description.joints.size();
+  if (n < 1 || n > static_cast<std::size_t>(kMaxJoints))
+    base::refuseYaml(root["joints"], {file, "joints"},
+                     fmt::format("has {} joints, allowed are 1 to {}", n, kMaxJoints),
+                     "List the driven joints only");
+  if (description.drives.size() != n)
+    base::refuseYaml(root["drives"], {file, "drives"},
+                     fmt::format("has {} drives for {} joints", description.drives.size(), n),
+                     "Give each joint one drive, in the same order");
+  if (description.wrist.size() > static_cast<std::size_t>(kMaxJoints))
+    base::refuseYaml(root["wrist"], {file, "wrist"},
+                     fmt::format("has {} rows, allowed are 0 to {}", description.wrist.size(), kMaxJoints));
+}
+
+void checkJoint(const YAML::Node& node, const std::string& file, std::size_t i, const Joint& joint) {
+  const double range = joint.limit_high - joint.limit_low;
+  if (!(range > 0.0))
+    base::refuseYaml(node["limit_high"], {file, at("joints", i, "limit_high")},
+                     fmt::format("is not above limit_low = {}", joint.limit_low),
+                     "Put the lower limit into limit_low");
+  const double low = joint.limit_low - kStopReach * range;
+  const double high = joint.limit_high + kStopReach * range;
+  if (joint.homing < low || joint.homing > high)
+    base::refuseYaml(
+        node["homing"], {file, at("joints", i, "homing")},
+        fmt::format("is not within {:.6g} to {:.6g}, the limits widened by {:g} % of their range", low, high,
+                    100.0 * kStopReach),
+        "Move the hard stop or the limits");
+}
+
+void checkCoupling(const YAML::Node& root, const std::string& file, const Description& description) {
+  const YAML::Node coupling = root["coupling"];
+  const std::size_t n = description.joints.size();
+  if (description.coupling.size() != n)
+    base::refuseYaml(coupling, {file, "coupling"},
+                     fmt::format("has {} rows for {} joints", description.coupling.size(), n),
+                     "Write one row of the matrix A for each joint");
+  JointMatrix matrix(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
+  for (std::size_t row = 0; row < n; ++row) {
+    const std::vector<double>& numbers = description.coupling[row];
+    if (numbers.size() != n)
+      base::refuseYaml(coupling[row], {file, at("coupling", row)},
+                       fmt::format("has {} numbers, the matrix is {}x{}", numbers.size(), n, n),
+                       "Write one number for each joint");
+    for (std::size_t column = 0; column < n; ++column)
+      matrix(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) = numbers[column];
+  }
+  Eigen::FullPivLU<JointMatrix> decomposition(matrix);
+  decomposition.setThreshold(kSmallestPivot);
+  if (!decomposition.isInvertible())
+    base::refuseYaml(coupling, {file, "coupling"},
+                     "cannot be inverted: motors would not determine the joints",
+                     "Check for equal rows and for a zero on the diagonal");
+}
+
+}  // namespace
+
+Description parseDescription(const std::string& text, const std::string& name) {
+  const auto description = base::readYaml<Description>(text, name);
+  const YAML::Node root = base::parseYamlText(text, name);
+  checkCount(root, name, description);
+  for (std::size_t i = 0; i < description.joints.size(); ++i)
+    checkJoint(root["joints"][i], name, i, description.joints[i]);
+  checkCoupling(root, name, description);
+  return description;
+}
+
+Description readDescription(const std::filesystem::path& path) {
+  return parseDescription(base::readTextFile(path), path.string());
+}
+
+std::string formatDescription(const Description& description) { return base::writeYaml(description); }
+
+}  // namespace capstan::robot
