@@ -1,0 +1,231 @@
+#include "widgets/figures/joint_figure.h"
+
+#include <algorithm>
+
+namespace capstan::widgets {
+
+namespace {
+
+constexpr double kShortest = 0.05;     ///< [s] shown at least
+constexpr double kCameraReach = 0.1;   ///< [s] around the cursor in which a camera dot counts
+constexpr double kLiveMargin = 0.015;  ///< share of the time axis right of the newest sample
+
+}  // namespace
+
+JointFigure::JointFigure(const JointHistory& history, QWidget* parent)
+    : QCustomPlot(parent), history_(history), theme_(&Theme::light()) {
+  setMouseTracking(true);
+  setFocusPolicy(Qt::StrongFocus);
+  setMinimumSize(320, 260);
+  setNoAntialiasingOnDrag(false);
+  setPlottingHints(QCP::phFastPolylines | QCP::phCacheLabels);
+  setAccessibleName(tr("Joint positions over time"));
+  layOut();
+  setJointNames({tr("joint 1"), tr("joint 2"), tr("joint 3")});
+  setTheme(Theme::light());
+}
+
+void JointFigure::layOut() {
+  plotLayout()->clear();
+  plotLayout()->setRowSpacing(0);
+  legend_ = new FigureHeader(this, FigureHeader::Role::kLegend);
+  legend_->setValue(Quantity::kUkf, tr("UKF ±2σ"));
+  plotLayout()->addElement(0, 0, legend_);
+  auto* left = new QCPMarginGroup(this);
+  auto* right = new QCPMarginGroup(this);
+  for (int i = 0; i < 3; ++i) {
+    auto& plot = plots_[static_cast<std::size_t>(i)];
+    plot = std::make_unique<JointPlot>(this, history_, i);
+    plotLayout()->addElement(1 + 2 * i, 0, plot->header());
+    plotLayout()->addElement(2 + 2 * i, 0, plot->axes());
+    plot->axes()->setMarginGroup(QCP::msLeft, left);
+    plot->axes()->setMarginGroup(QCP::msRight, right);
+    plot->axes()->setMinimumMargins(QMargins(6, 3, 10, 4));
+    plot->axes()->axis(QCPAxis::atBottom)->setTickLabels(i == 2);
+    auto* line = new QCPItemStraightLine(this);
+    for (auto* point : {line->point1, line->point2}) {
+      point->setAxisRect(plot->axes());
+      point->setAxes(plot->axes()->axis(QCPAxis::atBottom), plot->axes()->axis(QCPAxis::atLeft));
+      point->setTypeX(QCPItemPosition::ptPlotCoords);
+      point->setTypeY(QCPItemPosition::ptAxisRectRatio);
+    }
+    line->setClipAxisRect(plot->axes());
+    line->setVisible(false);
+    cursor_lines_.push_back(line);
+  }
+  plots_[2]->axes()->axis(QCPAxis::atBottom)->setLabel(tr("time [s]"));
+}
+
+void JointFigure::setTheme(const Theme& theme) {
+  theme_ = &theme;
+  setBackground(QBrush(theme.surface));
+  legend_->setTheme(theme);
+  for (auto& plot : plots_) plot->setTheme(theme);
+  for (auto* line : cursor_lines_) line->setPen(QPen(theme.text, 1, Qt::DotLine));
+  fitFonts();
+  refresh();
+}
+
+void JointFigure::setJointNames(const std::array<QString, 3>& names) {
+  for (int i = 0; i < 3; ++i)
+    plots_[static_cast<std::size_t>(i)]->setTitle(names[static_cast<std::size_t>(i)],
+                                                  tracking::kJointUnits[static_cast<std::size_t>(i)]);
+}
+
+void JointFigure::fitFonts() {
+  const double w = width();
+  const double numbers = std::clamp(w / 66.0, 10.0, 16.0);
+  const double text = std::clamp(w / 72.0, 10.0, 14.0);
+  const double ticks = std::clamp(w / 78.0, 9.5, 12.5);
+  legend_->setPoints(std::clamp(w / 80.0, 9.5, 12.5), numbers);
+  for (auto& plot : plots_) plot->setPoints(text, numbers, ticks);
+}
+
+QCPRange JointFigure::limits() const {
+  return {history_.begin(), std::max(history_.end(), history_.begin() + kShortest)};
+}
+
+QCPRange JointFigure::timeRange() const { return plots_[0]->axes()->axis(QCPAxis::atBottom)->range(); }
+
+void JointFigure::refresh(bool at_once) {
+  if (following_)
+    end_ = std::max(history_.end(), history_.begin() + span_ * (1.0 - kLiveMargin)) + kLiveMargin * span_;
+  const QCPRange time(end_ - span_, end_);
+  const std::size_t most = static_cast<std::size_t>(std::max(width(), 200));
+  const double readout = cursor_.value_or(following_ ? history_.end() : std::min(end_, history_.end()));
+  legend_->setTitle(history_.empty() ? QString() : QStringLiteral("t %1 s").arg(readout, 0, 'f', 3));
+  for (std::size_t i = 0; i < plots_.size(); ++i) {
+    plots_[i]->axes()->axis(QCPAxis::atBottom)->setRange(time);
+    plots_[i]->axes()->axis(QCPAxis::atBottom)->setNumberPrecision(span_ < 4.0 ? (span_ < 0.4 ? 2 : 1) : 0);
+    plots_[i]->fill(time.lower, time.upper, most);
+    plots_[i]->fitValues();
+    plots_[i]->showValuesAt(readout, kCameraReach);
+    cursor_lines_[i]->setVisible(cursor_.has_value());
+    cursor_lines_[i]->point1->setCoords(readout, 0.0);
+    cursor_lines_[i]->point2->setCoords(readout, 1.0);
+  }
+  replot(at_once ? rpImmediateRefresh : rpQueuedReplot);
+}
+
+void JointFigure::setFollowing(bool on) {
+  if (on)
+    for (auto& plot : plots_) plot->setFitting(true);
+  if (on == following_) return;
+  following_ = on;
+  emit followingChanged(on);
+  refresh();
+}
+
+void JointFigure::setSpan(double seconds) {
+  const double longest = std::max(limits().size() * 1.02, 20.0);
+  span_ = std::clamp(seconds, kShortest, longest);
+  emit spanChanged(span_);
+  refresh();
+}
+
+void JointFigure::setTimeRange(double begin, double end) {
+  setFollowing(false);
+  end_ = end;
+  setSpan(end - begin);
+}
+
+void JointFigure::setCursor(std::optional<double> t) {
+  if (t == cursor_) return;
+  cursor_ = t;
+  refresh();
+}
+
+void JointFigure::zoomTime(double factor, double about) {
+  if (following_) {
+    setSpan(span_ * factor);
+    return;
+  }
+  const double share = (end_ - about) / span_;
+  const double old = span_;
+  span_ = std::clamp(span_ * factor, kShortest, std::max(limits().size() * 1.02, 20.0));
+  if (span_ != old) end_ = about + share * span_;
+  setSpan(span_);
+}
+
+JointPlot* JointFigure::valueAxisAt(const QPointF& position) const {
+  for (const auto& plot : plots_) {
+    const QRect area = plot->axes()->rect();
+    if (position.x() < area.left() && position.y() >= area.top() && position.y() <= area.bottom())
+      return plot.get();
+  }
+  return nullptr;
+}
+
+void JointFigure::wheelEvent(QWheelEvent* event) {
+  const double factor = std::pow(0.85, event->angleDelta().y() / 120.0);
+  if (JointPlot* plot = valueAxisAt(event->position())) {
+    QCPAxis* axis = plot->axes()->axis(QCPAxis::atLeft);
+    plot->setFitting(false);
+    axis->scaleRange(factor, axis->pixelToCoord(event->position().y()));
+    refresh();
+  } else {
+    zoomTime(factor, plots_[0]->axes()->axis(QCPAxis::atBottom)->pixelToCoord(event->position().x()));
+  }
+  event->accept();
+}
+
+void JointFigure::mousePressEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton) return;
+  drag_from_ = event->localPos();
+  drag_end_ = end_;
+}
+
+void JointFigure::mouseMoveEvent(QMouseEvent* event) {
+  const QCPAxis* time = plots_[0]->axes()->axis(QCPAxis::atBottom);
+  if (drag_from_ && std::abs(event->localPos().x() - drag_from_->x()) > 3.0) {
+    setFollowing(false);
+    const double seconds = span_ / plots_[0]->axes()->width();
+    end_ = std::clamp(drag_end_ - (event->localPos().x() - drag_from_->x()) * seconds,
+                      limits().lower + 0.1 * span_, limits().upper + 0.9 * span_);
+    refresh();
+    return;
+  }
+  const QRect area = plots_[0]->axes()->rect();
+  const double x = event->localPos().x();
+  if (x < area.left() || x > area.right()) {
+    setCursor(std::nullopt);
+    return;
+  }
+  setCursor(std::clamp(time->pixelToCoord(x), limits().lower, limits().upper));
+}
+
+void JointFigure::mouseReleaseEvent(QMouseEvent*) { drag_from_.reset(); }
+
+void JointFigure::mouseDoubleClickEvent(QMouseEvent*) { setFollowing(true); }
+
+void JointFigure::leaveEvent(QEvent*) { setCursor(std::nullopt); }
+
+void JointFigure::keyPressEvent(QKeyEvent* event) {
+  switch (event->key()) {
+    case Qt::Key_End:
+      setFollowing(true);
+      return;
+    case Qt::Key_Plus:
+      zoomTime(0.8, cursor_.value_or(timeRange().center()));
+      return;
+    case Qt::Key_Minus:
+      zoomTime(1.25, cursor_.value_or(timeRange().center()));
+      return;
+    case Qt::Key_Left:
+      setTimeRange(end_ - 1.1 * span_, end_ - 0.1 * span_);
+      return;
+    case Qt::Key_Right:
+      setTimeRange(end_ - 0.9 * span_, end_ + 0.1 * span_);
+      return;
+    default:
+      QCustomPlot::keyPressEvent(event);
+  }
+}
+
+void JointFigure::resizeEvent(QResizeEvent* event) {
+  fitFonts();
+  QCustomPlot::resizeEvent(event);
+  refresh();
+}
+
+}  // namespace capstan::widgets

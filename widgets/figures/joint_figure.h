@@ -1,0 +1,82 @@
+#pragma once
+
+#include <qcustomplot.h>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "widgets/figures/joint_plot.h"
+
+namespace capstan::widgets {
+
+/// The three joint plots over one time axis, with one legend and the values under the cursor (or the newest
+/// ones). Wheel: zoom time; wheel on a value axis: zoom that axis; drag: move in time; double click or End:
+/// back to live. The same drawing goes to screen, PNG, PDF and SVG (save_figure.h).
+class JointFigure : public QCustomPlot {
+  Q_OBJECT
+ public:
+  /// `history` must outlive the figure.
+  explicit JointFigure(const JointHistory& history, QWidget* parent = nullptr);
+
+  void setTheme(const Theme& theme);
+  /// Names of the three joints from the robot file.
+  void setJointNames(const std::array<QString, 3>& names);
+
+  /// Draws what the history holds now. `at_once`: inside this call, else when the event loop is next idle.
+  void refresh(bool at_once = false);
+
+  /// Following: the right edge stays at the newest sample. Otherwise the view stands still while data come
+  /// in.
+  bool following() const { return following_; }
+  void setFollowing(bool on);
+  /// Length of the time axis [s], 0.05 s to the whole history.
+  double span() const { return span_; }
+  void setSpan(double seconds);
+  /// Stands still and shows [begin, end].
+  void setTimeRange(double begin, double end);
+  QCPRange timeRange() const;
+
+  /// Time of the read-out: under the mouse, or set here; nothing: the newest sample.
+  void setCursor(std::optional<double> t);
+  std::optional<double> cursorTime() const { return cursor_; }
+
+  JointPlot& plot(int joint) { return *plots_[static_cast<std::size_t>(joint)]; }
+  const JointHistory& history() const { return history_; }
+
+ signals:
+  void followingChanged(bool following);
+  void spanChanged(double seconds);
+
+ protected:
+  void wheelEvent(QWheelEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void layOut();
+  void fitFonts();
+  QCPRange limits() const;
+  void zoomTime(double factor, double about);
+  JointPlot* valueAxisAt(const QPointF& position) const;
+
+  const JointHistory& history_;
+  const Theme* theme_;
+  FigureHeader* legend_;
+  std::array<std::unique_ptr<JointPlot>, 3> plots_;
+  std::vector<QCPItemStraightLine*> cursor_lines_;
+  bool following_ = true;
+  double span_ = 20.0;
+  double end_ = 0.0;
+  std::optional<double> cursor_;
+  std::optional<QPointF> drag_from_;
+  double drag_end_ = 0.0;
+};
+
+}  // namespace capstan::widgets

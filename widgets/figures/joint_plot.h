@@ -1,0 +1,55 @@
+#pragma once
+
+#include <qcustomplot.h>
+
+#include <array>
+
+#include "widgets/figures/figure_header.h"
+#include "widgets/figures/joint_history.h"
+#include "widgets/figures/occlusion_shade.h"
+#include "widgets/figures/theme.h"
+
+namespace capstan::widgets {
+
+/// Curves of one joint in one axis rect: true, kinematic, UKF with its ±2σ band, camera dots. Owned by the
+/// QCustomPlot it draws in; this class only steers.
+class JointPlot {
+ public:
+  /// `joint` 0…2; `title` and `unit` as people read them ("shoulder", "deg").
+  JointPlot(QCustomPlot* plot, const JointHistory& history, int joint);
+
+  void setTitle(const QString& title, const QString& unit);
+  void setTheme(const Theme& theme);
+  void setPoints(double text_points, double number_points, double tick_points);
+
+  /// Takes curves of [begin, end] at no more than `most` steps.
+  void fill(double begin, double end, std::size_t most);
+  /// Writes the four values at t, or blanks.
+  void showValuesAt(double t, double camera_reach);
+  /// Fits the value axis to what is drawn: grows at once, shrinks when half of it stands empty.
+  void fitValues();
+  void setFitting(bool on) { fitting_ = on; }
+  bool fitting() const { return fitting_; }
+
+  QCPAxisRect* axes() const { return axes_; }
+  FigureHeader* header() const { return header_; }
+  QCPGraph* graph(Quantity quantity) const { return graphs_[static_cast<std::size_t>(quantity)]; }
+  QCPGraph* band() const { return band_high_; }
+
+ private:
+  void include(double value);
+
+  const JointHistory& history_;
+  int joint_;
+  QCPAxisRect* axes_;
+  FigureHeader* header_;
+  OcclusionShade* shade_;
+  std::array<QCPGraph*, 4> graphs_{};
+  QCPGraph *band_low_, *band_high_;
+  QVector<QCPGraphData> truth_, kinematic_, ukf_, low_, high_, camera_;
+  QCPRange drawn_;  ///< of values drawn last
+  bool any_ = false;
+  bool fitting_ = true;
+};
+
+}  // namespace capstan::widgets
