@@ -1,0 +1,189 @@
+#include "core/simulation/block_transfer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "core/base/error.h"
+#include "core/base/random.h"
+#include "core/base/yaml.h"
+
+namespace capstan::simulation {
+namespace {
+
+constexpr int kBlocks = 6;
+constexpr double kShortest = 80.0, kLongest = 290.0;  // of one whole task [s]
+const Eigen::Vector3d kAboveBoard{base::toRadians(33.0), base::toRadians(90.0), 0.33};
+
+int transfersFor(double duration) {
+  if (duration < kShortest) return std::max(1, static_cast<int>(2 * kBlocks * duration / kShortest));
+  return 2 * kBlocks * static_cast<int>(std::ceil(duration / kLongest));
+}
+
+}  // namespace
+
+Eigen::Vector3d PegBoard::peg(int index) const {
+  const int place = index % kBlocks;
+  const double side = index < kBlocks ? -1.0 : 1.0;
+  const double across = place % 2 == 0 ? 0.025 : 0.045;
+  return centre + side * across * lateral + 0.022 * (place / 2 - 1) * depth;
+}
+
+PegBoard pegBoard(const robot::Description& robot) {
+  PegBoard board;
+  board.centre = robot::ArmKinematics(robot).tip(kAboveBoard);
+  board.up = -robot.gravity.normalized();
+  board.lateral = Eigen::Vector3d::UnitZ();
+  board.depth = board.up.cross(board.lateral).normalized();
+  return board;
+}
+
+/// Draws one surgeon: way-points first, then how the time is shared among moves and pauses.
+class BlockTransfer::Planner {
+ public:
+  Planner(const PegBoard& board, std::uint64_t seed) : board_(board), random_(seed, "surgeon") {
+    hover_ = random_.uniform(0.026, 0.034);
+    grasp_ = random_.uniform(0.006, 0.010);
+    handover_ = random_.uniform(0.038, 0.050);
+    bow_ = random_.uniform(0.002, 0.006);
+    unsteadiness_ = random_.uniform(0.1, 0.3);
+    here_ = board_.centre + handover_ * board_.up;
+  }
+
+  void transfer(int from, int to) {
+    const Eigen::Vector3d source = board_.peg(from) + scatter(0.001),
+                          target = board_.peg(to) + scatter(0.001);
+    const Eigen::Vector3d middle = board_.centre + handover_ * board_.up + scatter(0.006);
+    move(source + hover_ * board_.up + scatter(0.002));
+    move(source + grasp_ * board_.up);
+    pause(0.5);
+    move(source + handover_ * board_.up + scatter(0.003));
+    move(middle);
+    pause(1.0);
+    move(target + hover_ * board_.up + scatter(0.002));
+    move(target + grasp_ * board_.up);
+    pause(0.4);
+    move(target + hover_ * board_.up + scatter(0.002));
+    if (random_.uniform(0.0, 1.0) < 0.3) pause(0.8);
+  }
+
+  void goHome() { move(board_.centre + handover_ * board_.up); }
+
+  std::vector<int> order() {
+    std::vector<int> pegs(kBlocks);
+    std::iota(pegs.begin(), pegs.end(), 0);
+    for (std::size_t i = pegs.size() - 1; i > 0; --i) std::swap(pegs[i], pegs[random_.bits() % (i + 1)]);
+    return pegs;
+  }
+
+  /// Moves share (1 − pause_share) of the time by the square root of their length, pauses the rest by their
+  /// weight.
+  std::vector<Segment> timed(double duration, double pause_share) {
+    double moves = 0.0, pauses = 0.0;
+    for (std::size_t i = 0; i < segments_.size(); ++i) (moving_[i] ? moves : pauses) += segments_[i].duration;
+    double t = 0.0;
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
+      segments_[i].duration *= duration * (moving_[i] ? (1.0 - pause_share) / moves : pause_share / pauses);
+      segments_[i].start = t;
+      t += segments_[i].duration;
+    }
+    return segments_;
+  }
+
+ private:
+  Eigen::Vector3d scatter(double sigma) {
+    Eigen::Vector3d drawn;
+    for (double& value : drawn) value = sigma * std::clamp(random_.normal(), -2.0, 2.0);
+    return drawn;
+  }
+
+  void move(const Eigen::Vector3d& to) {
+    const double length = (to - here_).norm();
+    const double weight =
+        std::sqrt(length + 0.002) * std::exp(unsteadiness_ * std::clamp(random_.normal(), -2.0, 2.0));
+    const Eigen::Vector3d bow = std::min(1.0, length / 0.05) * (bow_ * board_.up + scatter(0.3 * bow_));
+    segments_.push_back({0.0, weight, here_, to, bow});
+    moving_.push_back(true);
+    here_ = to;
+  }
+
+  void pause(double weight) {
+    weight *= std::exp(0.4 * std::clamp(random_.normal(), -2.0, 2.0));
+    segments_.push_back({0.0, weight, here_, here_, Eigen::Vector3d::Zero()});
+    moving_.push_back(false);
+  }
+
+  PegBoard board_;
+  base::Random random_;
+  double hover_, grasp_, handover_, bow_, unsteadiness_;
+  Eigen::Vector3d here_;
+  std::vector<Segment> segments_;
+  std::vector<bool> moving_;
+};
+
+BlockTransfer::BlockTransfer(const BlockTransferSpec& spec, double duration, const robot::Description& robot,
+                             std::uint64_t seed)
+    : duration_(duration), transfers_(transfersFor(duration)), kinematics_(robot), near_(kAboveBoard) {
+  Planner planner(pegBoard(robot), seed);
+  std::vector<int> from, to;
+  for (int i = 0; i < transfers_; ++i) {
+    const auto place = static_cast<std::size_t>(i % kBlocks);
+    const bool outward = i / kBlocks % 2 == 0;
+    if (place == 0) {
+      from = planner.order();
+      to = planner.order();
+    }
+    planner.transfer(from[place] + (outward ? 0 : kBlocks), to[place] + (outward ? kBlocks : 0));
+  }
+  planner.goHome();
+  segments_ = planner.timed(duration, spec.pause_share);
+
+  base::Random random(seed, "tremor");
+  for (auto& axis : tremor_)
+    for (Tone& tone : axis)
+      tone = {spec.tremor * random.uniform(0.2, 0.6), random.uniform(7.0, 11.0),
+              random.uniform(0.0, 2.0 * std::numbers::pi)};
+  requireReach();
+}
+
+std::pair<Eigen::Vector3d, Eigen::Vector3d> BlockTransfer::tipAt(double t) const {
+  t = std::clamp(t, 0.0, duration_);
+  const auto after =
+      std::upper_bound(segments_.begin(), segments_.end(), t,
+                       [](double time, const Segment& segment) { return time < segment.start; });
+  const Segment& segment = *std::prev(after);
+  const auto [p, dp] = minimumJerk(t - segment.start, segment.duration);
+  const Eigen::Vector3d way = segment.to - segment.from;
+  Eigen::Vector3d position = segment.from + p * way + 4.0 * p * (1.0 - p) * segment.bow;
+  Eigen::Vector3d velocity = dp * way + 4.0 * (1.0 - 2.0 * p) * dp * segment.bow;
+
+  const double edge = std::min(t, duration_ - t);  // the hand comes to rest at both ends
+  const auto [gain, gain_rate] = minimumJerk(edge, 1.0);
+  const double signed_rate = t < 0.5 * duration_ ? gain_rate : -gain_rate;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const Tone& tone : tremor_[static_cast<std::size_t>(axis)]) {
+      const double omega = 2.0 * std::numbers::pi * tone.frequency, angle = omega * t + tone.phase;
+      position[axis] += gain * tone.amplitude * std::sin(angle);
+      velocity[axis] += tone.amplitude * (gain * omega * std::cos(angle) + signed_rate * std::sin(angle));
+    }
+  return {position, velocity};
+}
+
+JointTarget BlockTransfer::at(double t) const {
+  const auto [tip, tip_velocity] = tipAt(t);
+  const Eigen::Vector3d q = kinematics_.solvePosition(tip, near_).value_or(near_);
+  return {q, kinematics_.tipJacobian(q).inverse() * tip_velocity};
+}
+
+void BlockTransfer::requireReach() const {
+  for (double t = 0.0; t < duration_; t += 0.01) {
+    const auto q = kinematics_.solvePosition(tipAt(t).first, near_);
+    if (q) continue;
+    throw base::InputError({"trajectory", 0, "block_transfer", base::yamlText(t) + " s",
+                            "the peg board is " + std::string(base::nameOf(q.error())),
+                            "Use a robot file whose arm reaches its peg board"});
+  }
+}
+
+}  // namespace capstan::simulation

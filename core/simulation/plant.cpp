@@ -1,0 +1,114 @@
+#include "core/simulation/plant.h"
+
+#include <cmath>
+
+namespace capstan::simulation {
+namespace {
+
+/// Coulomb and viscous friction with a Stribeck excess (truth.h).
+double frictionForce(const robot::Friction& friction, const Stribeck& stribeck, double speed) {
+  double coulomb = friction.coulomb;
+  if (stribeck.excess > 0.0) {
+    const double fade = speed / stribeck.speed;
+    coulomb *= 1.0 + stribeck.excess * std::exp(-fade * fade);
+  }
+  return coulomb * std::tanh(speed / friction.smoothing) + friction.viscous * speed;
+}
+
+/// dz/dt of Bouc–Wen (truth.h).
+double hysteresisRate(const Hysteresis& law, double z, double stretch_rate) {
+  if (law.stiffness <= 0.0) return 0.0;
+  const double load = std::abs(z) / law.yield;
+  const double slip = law.exponent == 1.0 ? load : std::pow(load, law.exponent);
+  const double sign = z * stretch_rate >= 0.0 ? 1.0 : -1.0;
+  return stretch_rate * (1.0 - slip * (law.shape * sign + 1.0 - law.shape));
+}
+
+}  // namespace
+
+Plant::Plant(const robot::Description& nominal, const Truth& truth)
+    : dynamics_(nominal), substep_(1e-3 / truth.substeps) {
+  for (int i = 0; i < 3; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const robot::Drive& drive = nominal.drives[at];
+    const JointTruth& joint = truth.joints[at];
+    motor_friction_[at] = drive.motor_friction;
+    link_friction_[at] = nominal.joints[at].friction;
+    stribeck_[at] = joint.stribeck;
+    hysteresis_[at] = joint.hysteresis;
+    homing_[i] = nominal.joints[at].homing;
+    motor_radius_[i] = drive.motor_capstan_radius / drive.gear_ratio;
+    motor_inertia_[i] = drive.motor_inertia;
+    torque_limit_[i] = drive.motor_torque_limit * joint.torque_limit_factor;
+    stiffness_[i] = drive.cable_stiffness * joint.stiffness_factor;
+    damping_[i] = drive.cable_damping * joint.damping_factor;
+    exponent_[i] = drive.cable_exponent;
+    for (int j = 0; j < 3; ++j)
+      travel_by_joint_(i, j) =
+          joint.link_radius.value_or(drive.link_radius) * nominal.coupling[at][static_cast<std::size_t>(j)];
+  }
+  reset(Eigen::Vector3d::Zero());
+}
+
+void Plant::reset(const Eigen::Vector3d& q_motor) {
+  state_ = PlantState{};
+  state_.q_motor = q_motor;
+  state_.q_link = homing_ + travel_by_joint_.inverse() * motor_radius_.cwiseProduct(q_motor);
+}
+
+double Plant::force(int joint, double stretch, double stretch_rate, double z) const {
+  const double elastic = 2.0 * stiffness_[joint] * std::sinh(exponent_[joint] * stretch);
+  const double branch = hysteresis_[static_cast<std::size_t>(joint)].stiffness;
+  return elastic + 2.0 * damping_[joint] * stretch_rate + branch * z;
+}
+
+Eigen::Vector3d Plant::cableForce() const {
+  const Eigen::Vector3d stretch =
+      motor_radius_.cwiseProduct(state_.q_motor) - travel_by_joint_ * (state_.q_link - homing_);
+  const Eigen::Vector3d rate =
+      motor_radius_.cwiseProduct(state_.dq_motor) - travel_by_joint_ * state_.dq_link;
+  Eigen::Vector3d gamma;
+  for (int i = 0; i < 3; ++i) gamma[i] = force(i, stretch[i], rate[i], state_.hysteresis[i]);
+  return gamma;
+}
+
+Plant::Vector Plant::derivative(const Vector& x, const Eigen::Vector3d& torque) const {
+  const Eigen::Vector3d q_m = x.segment<3>(0), dq_m = x.segment<3>(3), q = x.segment<3>(6),
+                        dq = x.segment<3>(9);
+  const Eigen::Vector3d stretch = motor_radius_.cwiseProduct(q_m) - travel_by_joint_ * (q - homing_);
+  const Eigen::Vector3d rate = motor_radius_.cwiseProduct(dq_m) - travel_by_joint_ * dq;
+
+  Vector dx;
+  Eigen::Vector3d gamma, friction;
+  for (int i = 0; i < 3; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    gamma[i] = force(i, stretch[i], rate[i], x[12 + i]);
+    friction[i] = frictionForce(link_friction_[at], stribeck_[at], dq[i]);
+    const double motor_loss = frictionForce(motor_friction_[at], Stribeck{}, dq_m[i]);
+    dx[3 + i] = (torque[i] - motor_loss - motor_radius_[i] * gamma[i]) / motor_inertia_[i];  // (2)–(4)
+    dx[12 + i] = hysteresisRate(hysteresis_[at], x[12 + i], rate[i]);
+  }
+  dx.segment<3>(0) = dq_m;
+  dx.segment<3>(6) = dq;
+  const Eigen::Vector3d joint_torque = travel_by_joint_.transpose() * gamma - friction;  // (7), (8)
+  dx.segment<3>(9) = dynamics_.forward<double>(q, dq, joint_torque);
+  return dx;
+}
+
+void Plant::step(const Eigen::Vector3d& torque, double dt) {
+  const Eigen::Vector3d cut = torque.cwiseMax(-torque_limit_).cwiseMin(torque_limit_);
+  const int steps = std::max(1, static_cast<int>(std::lround(dt / substep_)));
+  const double h = dt / steps;
+  Vector x;
+  x << state_.q_motor, state_.dq_motor, state_.q_link, state_.dq_link, state_.hysteresis;
+  for (int i = 0; i < steps; ++i) {
+    const Vector k1 = derivative(x, cut);
+    const Vector k2 = derivative(x + 0.5 * h * k1, cut);
+    const Vector k3 = derivative(x + 0.5 * h * k2, cut);
+    const Vector k4 = derivative(x + h * k3, cut);
+    x += h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
+  }
+  state_ = {x.segment<3>(0), x.segment<3>(3), x.segment<3>(6), x.segment<3>(9), x.segment<3>(12)};
+}
+
+}  // namespace capstan::simulation
