@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -23,12 +24,16 @@ class BitImage {
   std::uint64_t lastWordMask() const {
     return (width_ & 63) ? (std::uint64_t{1} << (width_ & 63)) - 1 : ~std::uint64_t{0};
   }
+  /// Words of a row that may be written, a multiple of four: filters run over all of them.
+  static std::size_t paddedWords(int words) {
+    return (static_cast<std::size_t>(words) + 3) & ~std::size_t{3};
+  }
+  std::size_t paddedWords() const { return paddedWords(words_); }
   /// Sets all bits beyond the image, guards included, of row y.
   void fillBeyond(int y, bool left, bool right);
-  void clear();
 
  private:
-  std::size_t stride() const { return static_cast<std::size_t>(words_) + 2; }
+  std::size_t stride() const { return paddedWords() + 2; }
 
   int width_ = 0, height_ = 0, words_ = 0;
   std::vector<std::uint64_t> data_;

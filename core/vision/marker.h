@@ -41,8 +41,10 @@ struct MarkerOptions {
 struct MarkerDetection {
   MarkerFault fault = MarkerFault::kNoImage;
   Eigen::Vector2d centroid = Eigen::Vector2d::Zero();  ///< sub-pixel [px]
-  double radius = 0.0;                                 ///< of the fitted circle [px]
-  double sigma = 0.0;                                  ///< standard deviation of the centroid, per axis [px]
+  Eigen::Vector2d contour_centroid =
+      Eigen::Vector2d::Zero();  ///< of the mask's contour, as the paper takes it [px]
+  double radius = 0.0;          ///< of the fitted circle [px]
+  double sigma = 0.0;           ///< standard deviation of the centroid, per axis [px]
   double circularity = 0.0;
   int area = 0;              ///< [px]
   std::array<int, 4> roi{};  ///< searched: x, y, width, height [px]

@@ -34,13 +34,13 @@ class MarkerDetector {
 
  private:
   MarkerDetection search(const cv::Mat& bgr, const cv::Rect& roi);
-  void clean(int width, int height);
-  bool fillShape(const cv::Mat& bgr, const cv::Rect& roi, const Blob& blob, MarkerDetection& found);
+  void fillShape(const cv::Mat& bgr, const cv::Rect& roi, const Blob& blob, MarkerDetection& found);
 
   MarkerOptions options_;
   int max_width_, max_height_;
   HsvThreshold threshold_;
   BitImage raw_, median_, eroded_, cleaned_;
+  RowSpan rows_;  ///< of cleaned_
   MedianScratch median_scratch_;
   BlobFinder blobs_;
   EdgeSampler edges_;

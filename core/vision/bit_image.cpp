@@ -1,0 +1,34 @@
+#include "core/vision/bit_image.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace capstan::vision {
+
+BitImage::BitImage(int max_width, int max_height) {
+  resize(max_width, 1);
+  data_.assign(stride() * static_cast<std::size_t>(max_height), 0);
+  resize(max_width, max_height);
+}
+
+void BitImage::resize(int width, int height) {
+  width_ = width;
+  height_ = height;
+  words_ = (width + 63) / 64;
+  assert(data_.empty() || stride() * static_cast<std::size_t>(height) <= data_.size());
+}
+
+void BitImage::fillBeyond(int y, bool left, bool right) {
+  std::uint64_t* bits = row(y);
+  bits[-1] = left ? ~std::uint64_t{0} : 0;
+  bits[words_] = right ? ~std::uint64_t{0} : 0;
+  if (right)
+    bits[words_ - 1] |= ~lastWordMask();
+  else
+    bits[words_ - 1] &= lastWordMask();
+}
+
+MedianScratch::MedianScratch(int max_width, int max_height)
+    : planes(3 * BitImage::paddedWords((max_width + 63) / 64) * (static_cast<std::size_t>(max_height) + 1)) {}
+
+}  // namespace capstan::vision
