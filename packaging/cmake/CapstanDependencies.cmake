@@ -1,6 +1,7 @@
 # Every third-party library of the project, all from Debian 12 (packages: packaging/packages-run.txt, packages-test.txt).
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(Boost 1.74 REQUIRED)
 find_package(fmt REQUIRED)
 find_package(spdlog REQUIRED)
 find_package(tl-expected REQUIRED)

@@ -1,0 +1,1 @@
+#include "core/tracking/cable_arm_kernel.inc"
