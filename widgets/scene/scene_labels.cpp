@@ -1,0 +1,115 @@
+#include "widgets/scene/scene_labels.h"
+
+#include <QFontMetrics>
+#include <QLinearGradient>
+#include <cmath>
+
+namespace capstan::widgets {
+
+namespace {
+
+constexpr double kSmall = 8.5;
+
+void centred(QPainter& painter, const QPointF& at, const QString& text) {
+  const QRectF box(at - QPointF(60, 10), QSizeF(120, 20));
+  painter.drawText(box, Qt::AlignCenter, text);
+}
+
+QString signedNewtons(double value) {
+  if (!std::isfinite(value)) return QString("%1   ").arg("–", 6);
+  return QString("%1 N").arg(
+      (value < 0 ? QString("−") : QString("+")) + QString::number(std::abs(value), 'f', 1), 6);
+}
+
+}  // namespace
+
+void drawGridLabels(QPainter& painter, const WorkspaceGrid& grid, const OrbitCamera& camera,
+                    const QSize& size, const Theme& theme) {
+  painter.setPen(theme.muted);
+  for (const auto& label : grid.labels) {
+    const auto at = camera.project(label.at, size);
+    if (!at) continue;
+    painter.setFont(label.name ? textFont(kSmall, true) : numberFont(kSmall - 0.5));
+    centred(painter, *at, label.text);
+  }
+}
+
+void drawCameraLabels(QPainter& painter, const SceneCaptions& captions, const OrbitCamera& camera,
+                      const QSize& size, const Theme& theme) {
+  painter.setFont(textFont(kSmall, true));
+  for (std::size_t side = 0; side < 2; ++side) {
+    if (!captions.cameras[side]) continue;
+    const auto at = camera.project(*captions.cameras[side], size);
+    if (!at) continue;
+    const QString name = QString(side == 0 ? "L" : "R") + (captions.seen[side] ? "" : " lost");
+    const QFontMetrics metrics = painter.fontMetrics();
+    const QRectF box(*at + QPointF(-metrics.horizontalAdvance(name) / 2.0 - 4, 6),
+                     QSizeF(metrics.horizontalAdvance(name) + 8, metrics.height()));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(captions.seen[side] ? theme.colour(Quantity::kCamera) : theme.warning);
+    painter.drawRoundedRect(box, 3, 3);
+    painter.setPen(QColor("#15181c"));
+    painter.drawText(box, Qt::AlignCenter, name);
+  }
+}
+
+void drawTensionLegend(QPainter& painter, const SceneCaptions& captions, const TensionScale& scale,
+                       const QSize& size, const Theme& theme) {
+  const QFontMetrics metrics{numberFont(kSmall)};
+  const int row = metrics.height(), height = 4 * row;
+  const QRect bar(10, size.height() - height - 10 - row / 2, 10, height);
+  QLinearGradient gradient(bar.topLeft(), bar.bottomLeft());
+  for (int i = 0; i <= 16; ++i) gradient.setColorAt(i / 16.0, scale.colour(scale.limit() * (1.0 - i / 8.0)));
+  painter.setPen(QPen(theme.border, 1));
+  painter.setBrush(gradient);
+  painter.drawRect(bar);
+  painter.setFont(numberFont(kSmall - 0.5));
+  painter.setPen(theme.muted);
+  const QString limit = QString::number(scale.limit(), 'g', 3);
+  const int x = bar.right() + 5;
+  painter.drawText(QRect(x, bar.top() - row / 2, 70, row), Qt::AlignLeft | Qt::AlignVCenter, "+" + limit);
+  painter.drawText(QRect(x, bar.center().y() - row / 2, 70, row), Qt::AlignLeft | Qt::AlignVCenter, " 0");
+  painter.drawText(QRect(x, bar.bottom() - row / 2, 70, row), Qt::AlignLeft | Qt::AlignVCenter, "−" + limit);
+  const int column = x + metrics.horizontalAdvance("+5000") + 6;
+  painter.setFont(textFont(kSmall, true));
+  painter.drawText(QRect(column, bar.top() - row / 2, 140, row), Qt::AlignLeft | Qt::AlignVCenter,
+                   "cable force");
+  painter.setFont(numberFont(kSmall));
+  for (int i = 0; i < 3; ++i) {
+    const QRect line(column, bar.top() + row / 2 + (i * (height - row / 2)) / 3 + 2, 140, row);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(scale.colour(captions.tension(i)));
+    painter.drawRect(QRect(line.left(), line.center().y() - 4, 9, 9));
+    painter.setPen(theme.text);
+    painter.drawText(line.adjusted(14, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
+                     QString("q%1 %2").arg(i + 1).arg(signedNewtons(captions.tension(i))));
+  }
+}
+
+void drawSceneKey(QPainter& painter, const SceneCaptions& captions, double trail_seconds,
+                  const Theme& theme) {
+  const QFontMetrics metrics{textFont(kSmall)};
+  const int row = metrics.height() + 1;
+  painter.setFont(textFont(kSmall));
+  const QColor ink = theme.colour(Quantity::kUkf);
+  const int x = 10, y = 8;
+  painter.setPen(QPen(ink, 2.5));
+  painter.drawLine(x, y + row / 2, x + 14, y + row / 2);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(ink);
+  painter.drawEllipse(QRectF(x + 1, y + row + row / 2 - 4, 12, 8));
+  painter.setPen(theme.text);
+  painter.drawText(x + 20, y + metrics.ascent(), QString("UKF tip, last %1 s").arg(trail_seconds, 0, 'g', 3));
+  const QString scale =
+      captions.ellipsoid_scale > 1.0 ? QString(" ×%1").arg(captions.ellipsoid_scale) : QString();
+  painter.drawText(x + 20, y + row + metrics.ascent(), "2σ ellipsoid" + scale);
+  if (!captions.tip_sigma.allFinite()) return;
+  painter.setFont(numberFont(kSmall - 0.5));
+  painter.setPen(theme.muted);
+  const Eigen::Vector3d mm = 2e3 * captions.tip_sigma;
+  painter.drawText(
+      x + 20, y + 2 * row + metrics.ascent(),
+      QString("± %1 %2 %3 mm").arg(mm.x(), 0, 'f', 2).arg(mm.y(), 0, 'f', 2).arg(mm.z(), 0, 'f', 2));
+}
+
+}  // namespace capstan::widgets

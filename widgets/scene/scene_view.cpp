@@ -1,0 +1,256 @@
+#include "widgets/scene/scene_view.h"
+
+#include <QContextMenuEvent>
+#include <QGuiApplication>
+#include <QMenu>
+#include <QMouseEvent>
+#include <QPainter>
+#include <cmath>
+
+#include "widgets/scene/scene_renderer.h"
+
+namespace capstan::widgets {
+
+namespace {
+
+constexpr double kEllipsoidSigmas = 2.0;
+constexpr double kEllipsoidWanted = 0.012;  // [m] half axis that can be seen from the opening view
+
+Eigen::Vector3d workspaceCentre(const WorkspaceGrid& grid) { return 0.5 * (grid.low + grid.high); }
+
+}  // namespace
+
+SceneView::SceneView(QWidget* parent) : QWidget(parent) {
+  setAttribute(Qt::WA_OpaquePaintEvent);
+  setAccessibleName("3-D view");
+  setToolTip("Drag: orbit · shift drag: pan · wheel: zoom · double click: back");
+  setRate(15.0);
+  connect(&timer_, &QTimer::timeout, this, [this] {
+    if (changed_ && isVisible()) draw();
+  });
+  timer_.start();
+}
+
+SceneView::~SceneView() = default;
+
+bool SceneView::available() {
+  const QString platform = QGuiApplication::platformName();
+  return !qEnvironmentVariableIsEmpty("DISPLAY") && (platform == "xcb" || platform.startsWith("wayland"));
+}
+
+bool SceneView::ready() {
+  if (!robot_ || !available()) return false;
+  if (!renderer_) {
+    renderer_ = std::make_unique<SceneRenderer>();
+    renderer_->setTheme(theme_);
+    renderer_->setArm(shapeOf(*robot_));
+    renderer_->setGrid(grid_);
+    renderer_->setRig(rig_, base_from_camera_);
+  }
+  return true;
+}
+
+void SceneView::setTheme(const Theme& theme) {
+  theme_ = theme;
+  if (renderer_) renderer_->setTheme(theme);
+  changed();
+}
+
+void SceneView::setRobot(const robot::Description& robot, const std::optional<vision::StereoRig>& rig,
+                         const std::optional<Eigen::Isometry3d>& base_from_camera) {
+  robot_ = robot;
+  arm_.emplace(robot);
+  rig_ = rig;
+  const auto [axis, sign] = upAxis(robot.gravity);
+  grid_ = gridAround(reachOf(robot), axis, sign);
+  trail_.clear();
+  snapshot_.reset();
+  tension_.reset();
+  renderer_.reset();
+  setRegistration(base_from_camera);
+  resetCamera();
+}
+
+void SceneView::setRegistration(const std::optional<Eigen::Isometry3d>& base_from_camera) {
+  base_from_camera_ = base_from_camera;
+  captions_.cameras = {};
+  if (rig_ && base_from_camera_)
+    captions_.cameras = {base_from_camera_->translation(),
+                         (*base_from_camera_ * rig_->right_from_left.inverse()).translation()};
+  if (renderer_) renderer_->setRig(rig_, base_from_camera_);
+  changed();
+}
+
+void SceneView::resetCamera() {
+  if (!robot_) return;
+  const auto [axis, sign] = upAxis(robot_->gravity);
+  const Eigen::Vector3d up = sign * Eigen::Vector3d::Unit(axis);
+  const Eigen::Vector3d tip = workspaceCentre(grid_);
+  const Eigen::Vector3d towards =
+      base_from_camera_ ? base_from_camera_->translation() - tip : Eigen::Vector3d(tip);
+  const Eigen::Vector3d level = towards - towards.dot(up) * up;
+  camera_.setAxes(up, level.norm() > 1e-3 ? level : up.unitOrthogonal());
+  camera_.look(0.55 * tip, 1.75, 0.75, 0.35);
+  changed();
+}
+
+void SceneView::showSnapshot(const tracking::Snapshot& snapshot) {
+  keepTrail(snapshot);
+  snapshot_ = snapshot;
+  changed();
+}
+
+void SceneView::keepTrail(const tracking::Snapshot& snapshot) {
+  if (!trail_.empty() && snapshot.t < trail_.back().t) trail_.clear();
+  if (!snapshot.tip_ukf.allFinite()) return;
+  if (trail_.empty() || snapshot.t - trail_.back().t >= 0.02)
+    trail_.push_back({snapshot.t, snapshot.tip_ukf});
+  while (!trail_.empty() && trail_.front().t < snapshot.t - trail_seconds_) trail_.pop_front();
+}
+
+void SceneView::setRate(double pictures_a_second) {
+  timer_.setInterval(static_cast<int>(1000.0 / pictures_a_second));
+}
+
+void SceneView::setEllipsoidScale(double factor) {
+  asked_scale_ = factor;
+  changed();
+}
+
+void SceneView::chooseEllipsoidScale() {
+  const double largest = kEllipsoidSigmas * std::sqrt(snapshot_->tip_ukf_covariance.diagonal().maxCoeff());
+  if (asked_scale_ > 0.0) {
+    captions_.ellipsoid_scale = asked_scale_;
+  } else if (std::isfinite(largest) && largest > 0.0) {
+    const double drawn = largest * captions_.ellipsoid_scale;
+    if (drawn > 0.4 * kEllipsoidWanted && drawn < 2.5 * kEllipsoidWanted) return;
+    captions_.ellipsoid_scale = 1.0;
+    for (const double factor : {2.0, 5.0, 10.0, 20.0, 50.0, 100.0})
+      if (largest * factor <= 1.2 * kEllipsoidWanted) captions_.ellipsoid_scale = factor;
+  }
+}
+
+void SceneView::changed() {
+  changed_ = true;
+  if (!available()) update();
+}
+
+void SceneView::draw() {
+  if (!ready()) return update();
+  changed_ = false;
+  ScenePose pose;
+  const bool known = snapshot_ && (snapshot_->q_link_ukf.allFinite() || snapshot_->q_link_kin.allFinite());
+  Eigen::Vector3d q;
+  for (int i = 0; i < 3; ++i) q(i) = robot_->joints[static_cast<std::size_t>(i)].homing;
+  captions_.tension.setConstant(std::nan(""));
+  if (known) {
+    q = snapshot_->q_link_ukf.allFinite() ? snapshot_->q_link_ukf : snapshot_->q_link_kin;
+    captions_.tension = snapshot_->cable_tension;
+    tension_.include(captions_.tension);
+    chooseEllipsoidScale();
+    const double scale = kEllipsoidSigmas * captions_.ellipsoid_scale;
+    pose.ellipsoid = scale * scale * snapshot_->tip_ukf_covariance;
+    captions_.tip_sigma = snapshot_->tip_ukf_covariance.diagonal().cwiseSqrt();
+    for (std::size_t side = 0; side < 2; ++side) captions_.seen[side] = snapshot_->marker[side].found();
+  }
+  for (int i = 0; i < 4; ++i) pose.frames[static_cast<std::size_t>(i)] = arm_->frame(i, q);
+  for (int i = 0; i < 3; ++i)
+    pose.cables[static_cast<std::size_t>(i)] = tension_.colour(captions_.tension(i));
+  pose.tip = arm_->tip(q);
+  pose.seen = captions_.seen;
+  for (const auto& point : trail_) pose.trail.push_back(point.tip);
+  renderer_->pose(pose);
+  image_ = renderer_->render(camera_, (QSizeF(size()) * devicePixelRatioF()).toSize());
+  image_.setDevicePixelRatio(devicePixelRatioF());
+  update();
+}
+
+QImage SceneView::picture() {
+  draw();
+  return image_;
+}
+
+void SceneView::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  if (!available() || !robot_) {
+    painter.fillRect(rect(), theme_.surface);
+    painter.setPen(theme_.muted);
+    painter.setFont(textFont(10.0));
+    painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap,
+                     available() ? "No robot yet" : "3-D view needs a display");
+    return;
+  }
+  if (image_.isNull()) {
+    painter.fillRect(rect(), theme_.surface);
+    return;
+  }
+  painter.drawImage(rect(), image_);
+  painter.setRenderHint(QPainter::Antialiasing);
+  drawGridLabels(painter, grid_, camera_, size(), theme_);
+  drawCameraLabels(painter, captions_, camera_, size(), theme_);
+  if (height() < 170) return;
+  drawTensionLegend(painter, captions_, tension_, size(), theme_);
+  drawSceneKey(painter, captions_, trail_seconds_, theme_);
+}
+
+void SceneView::resizeEvent(QResizeEvent*) { changed(); }
+void SceneView::showEvent(QShowEvent*) { changed(); }
+
+void SceneView::mousePressEvent(QMouseEvent* event) {
+  dragging_ = event->button() == Qt::LeftButton || event->button() == Qt::MiddleButton;
+  last_mouse_ = event->pos();
+  if (dragging_) setCursor(Qt::ClosedHandCursor);
+}
+
+void SceneView::mouseMoveEvent(QMouseEvent* event) {
+  if (!dragging_) return;
+  const QPoint by = event->pos() - last_mouse_;
+  last_mouse_ = event->pos();
+  const bool pan = (event->buttons() & Qt::MiddleButton) || (event->modifiers() & Qt::ShiftModifier);
+  if (pan)
+    camera_.pan(-static_cast<double>(by.x()) / height(), static_cast<double>(by.y()) / height());
+  else
+    camera_.orbit(-0.008 * by.x(), 0.008 * by.y());
+  changed();
+}
+
+void SceneView::mouseReleaseEvent(QMouseEvent*) {
+  dragging_ = false;
+  unsetCursor();
+}
+
+void SceneView::mouseDoubleClickEvent(QMouseEvent*) { resetCamera(); }
+
+void SceneView::wheelEvent(QWheelEvent* event) {
+  camera_.zoom(std::pow(0.999, event->angleDelta().y()));
+  event->accept();
+  changed();
+}
+
+void SceneView::contextMenuEvent(QContextMenuEvent* event) {
+  QMenu menu(this);
+  const auto look = [this](double azimuth, double elevation) {
+    camera_.look(camera_.focus(), camera_.distance(), azimuth, elevation);
+    changed();
+  };
+  menu.addAction("Opening view", this, &SceneView::resetCamera);
+  menu.addAction("From the cameras", this, [look] { look(0.0, 0.0); });
+  menu.addAction("From the side", this, [look] { look(M_PI / 2, 0.0); });
+  menu.addAction("From above", this, [look] { look(0.0, M_PI / 2); });
+  menu.addAction("Close to the tip", this, [this] {
+    if (snapshot_ && snapshot_->tip_ukf.allFinite()) camera_.setFocus(snapshot_->tip_ukf);
+    camera_.look(camera_.focus(), 0.35, camera_.azimuth(), camera_.elevation());
+    changed();
+  });
+  menu.addSeparator();
+  QMenu* scale = menu.addMenu("Ellipsoid");
+  for (const double factor : {0.0, 1.0, 10.0, 50.0}) {
+    auto* action = scale->addAction(factor > 0.0 ? QString("×%1").arg(factor) : QString("automatic"), this,
+                                    [this, factor] { setEllipsoidScale(factor); });
+    action->setCheckable(true);
+    action->setChecked(factor == asked_scale_);
+  }
+  menu.exec(event->globalPos());
+}
+
+}  // namespace capstan::widgets

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <QElapsedTimer>
+#include <QTimer>
+#include <QWidget>
+#include <deque>
+#include <memory>
+#include <optional>
+
+#include "core/robot/arm_kinematics.h"
+#include "core/robot/description.h"
+#include "core/tracking/snapshot.h"
+#include "core/vision/camera.h"
+#include "widgets/figures/theme.h"
+#include "widgets/scene/orbit_camera.h"
+#include "widgets/scene/scene_labels.h"
+
+namespace capstan::widgets {
+
+class SceneRenderer;
+
+/// The 3-D view: arm, cables coloured by force, camera frusta, tip trail, 2σ ellipsoid and workspace grid.
+/// Left drag orbits, middle or shift drag pans, the wheel zooms, a double click goes back; more in the
+/// context menu. Draws at most `rate` pictures a second and only when something changed. Without a display it
+/// says so.
+class SceneView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SceneView(QWidget* parent = nullptr);
+  ~SceneView() override;
+
+  /// Whether VTK can draw here: it needs an X display and crashes without one.
+  static bool available();
+
+  void setTheme(const Theme& theme);
+  /// Another source: the arm, its cameras and their registration; forgets the trail.
+  void setRobot(const robot::Description& robot, const std::optional<vision::StereoRig>& rig,
+                const std::optional<Eigen::Isometry3d>& base_from_camera);
+  void setRegistration(const std::optional<Eigen::Isometry3d>& base_from_camera);
+  void showSnapshot(const tracking::Snapshot& snapshot);
+
+  void setRate(double pictures_a_second);
+  void setTrailSeconds(double seconds) { trail_seconds_ = seconds; }
+  /// How much larger than life the ellipsoid is drawn; 0 chooses a round factor that keeps it visible.
+  void setEllipsoidScale(double factor);
+  double ellipsoidScale() const { return captions_.ellipsoid_scale; }
+  OrbitCamera& camera() { return camera_; }
+  void resetCamera();
+  /// Draws now and gives the scene without labels. For tests and exports.
+  QImage picture();
+
+  QSize sizeHint() const override { return {420, 330}; }
+  QSize minimumSizeHint() const override { return {160, 120}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
+
+ private:
+  struct TrailPoint {
+    double t;
+    Eigen::Vector3d tip;
+  };
+  bool ready();
+  void changed();
+  void draw();
+  void keepTrail(const tracking::Snapshot& snapshot);
+  void chooseEllipsoidScale();
+
+  Theme theme_ = Theme::dark();
+  std::unique_ptr<SceneRenderer> renderer_;
+  std::optional<robot::Description> robot_;
+  std::optional<robot::ArmKinematics> arm_;
+  std::optional<vision::StereoRig> rig_;
+  std::optional<Eigen::Isometry3d> base_from_camera_;
+  std::optional<tracking::Snapshot> snapshot_;
+  std::deque<TrailPoint> trail_;
+  double trail_seconds_ = 5.0;
+  double asked_scale_ = 0.0;
+  OrbitCamera camera_;
+  TensionScale tension_;
+  WorkspaceGrid grid_;
+  SceneCaptions captions_;
+  QImage image_;
+  QTimer timer_;
+  bool changed_ = true;
+  bool dragging_ = false;
+  QPoint last_mouse_;
+};
+
+}  // namespace capstan::widgets

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <QColor>
+
+namespace capstan::widgets {
+
+/// Colour of a cable force gamma [N] on a diverging scale from −limit (blue: pulls back) over grey to +limit
+/// (orange: pulls on), and the limit itself, a round number that holds what has been seen.
+class TensionScale {
+ public:
+  /// Grows the limit to the next of 1, 2, 5 × 10^k above the largest |tension|; it never shrinks but by
+  /// reset().
+  void include(const Eigen::Vector3d& tension);
+  void reset() { limit_ = 5.0; }
+  double limit() const { return limit_; }
+  QColor colour(double tension) const;
+
+ private:
+  double limit_ = 5.0;  // [N]
+};
+
+}  // namespace capstan::widgets

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <QString>
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace capstan::widgets {
+
+/// A horizontal grid below the workspace with an upright scale at one corner, aligned with the axes of frame
+/// 0.
+struct WorkspaceGrid {
+  struct Label {
+    Eigen::Vector3d at;
+    QString text;
+    bool name = false;  ///< of an axis, not a number
+  };
+  std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> lines;
+  std::vector<Label> labels;
+  Eigen::Vector3d low, high;  ///< corners: low lies on the grid, high at the top of the upright scale [m]
+};
+
+/// `up_axis` 0…2 and its sign: the axis of frame 0 against gravity. Lines every 50 mm, numbers every 100 mm.
+WorkspaceGrid gridAround(const std::array<Eigen::Vector3d, 2>& box, int up_axis, double up_sign);
+
+/// The axis of frame 0 nearest to −gravity, and its sign; z without gravity.
+std::pair<int, double> upAxis(const Eigen::Vector3d& gravity);
+
+}  // namespace capstan::widgets
