@@ -20,6 +20,7 @@ struct SourceInfo {
   std::optional<Eigen::Isometry3d> base_from_camera;
   std::string truth;       ///< truth file text of a simulation, else empty
   std::string marker;      ///< marker options (YAML) stored with the recording, else empty
+  std::string tracking;    ///< tracking options (YAML) stored with the recording, else empty
   double duration = 0.0;   ///< [s]; 0: unknown (live)
   bool reference = false;  ///< joint encoders fitted
   bool live = false;       ///< can be commanded (simulated or real robot)

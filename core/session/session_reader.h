@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/session/frame_codec.h"
+#include "core/session/session_file.h"
+#include "core/session/sqlite.h"
+
+namespace capstan::session {
+
+/// Opens a session file to read, never changing it: also one that is being recorded, one whose recorder died,
+/// and one on a read-only disk. Throws base::InputError with the remedy for anything that is not a whole
+/// session of a version that this program knows.
+Database openSession(const std::filesystem::path& path);
+
+/// The error that an SQLite answer to reading `path` means.
+base::InputError damagedSession(const std::filesystem::path& path, const SqliteError& error);
+
+SessionHeader readHeader(Database& database);
+/// Row id → decoder.
+std::map<std::int64_t, FrameDecoder> readCodecs(Database& database, const std::string& file);
+
+}  // namespace capstan::session
