@@ -1,6 +1,7 @@
 #include "core/simulation/block_transfer.h"
 
 #include <algorithm>
+#include <Eigen/LU>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -14,7 +15,7 @@ namespace {
 
 constexpr int kBlocks = 6;
 constexpr double kShortest = 80.0, kLongest = 290.0;  // of one whole task [s]
-const Eigen::Vector3d kAboveBoard{base::toRadians(33.0), base::toRadians(90.0), 0.33};
+const Eigen::Vector3d kAboveBoard{base::toRadians(33.0), base::toRadians(92.0), 0.315};
 
 int transfersFor(double duration) {
   if (duration < kShortest) return std::max(1, static_cast<int>(2 * kBlocks * duration / kShortest));
@@ -26,7 +27,7 @@ int transfersFor(double duration) {
 Eigen::Vector3d PegBoard::peg(int index) const {
   const int place = index % kBlocks;
   const double side = index < kBlocks ? -1.0 : 1.0;
-  const double across = place % 2 == 0 ? 0.025 : 0.045;
+  const double across = place % 2 == 0 ? 0.020 : 0.038;
   return centre + side * across * lateral + 0.022 * (place / 2 - 1) * depth;
 }
 
@@ -45,9 +46,9 @@ class BlockTransfer::Planner {
   Planner(const PegBoard& board, std::uint64_t seed) : board_(board), random_(seed, "surgeon") {
     hover_ = random_.uniform(0.026, 0.034);
     grasp_ = random_.uniform(0.006, 0.010);
-    handover_ = random_.uniform(0.038, 0.050);
+    handover_ = random_.uniform(0.032, 0.042);
     bow_ = random_.uniform(0.002, 0.006);
-    unsteadiness_ = random_.uniform(0.1, 0.3);
+    unsteadiness_ = random_.uniform(0.05, 0.2);
     here_ = board_.centre + handover_ * board_.up;
   }
 

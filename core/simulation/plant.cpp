@@ -1,5 +1,6 @@
 #include "core/simulation/plant.h"
 
+#include <Eigen/LU>
 #include <cmath>
 
 namespace capstan::simulation {
