@@ -27,7 +27,8 @@ inline QImage grab(QWidget& widget, const QString& name) {
 
 /// Largest difference of a channel.
 inline int distance(QRgb a, QRgb b) {
-  return std::max({std::abs(qRed(a) - qRed(b)), std::abs(qGreen(a) - qGreen(b)), std::abs(qBlue(a) - qBlue(b))});
+  return std::max(
+      {std::abs(qRed(a) - qRed(b)), std::abs(qGreen(a) - qGreen(b)), std::abs(qBlue(a) - qBlue(b))});
 }
 
 /// Pixels of `image` inside `area` within `tolerance` of `colour`: how many, and their centre.
