@@ -1,0 +1,177 @@
+#include "core/vision/calibration.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <opencv2/calib3d.hpp>
+
+#include "core/base/error.h"
+#include "core/vision/board_views.h"
+
+namespace capstan::vision {
+
+namespace {
+
+constexpr std::size_t kLeastViews = 3;
+constexpr double kSuspect = 3.0;  // times the median error
+const cv::TermCriteria kStop(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 200, 1e-12);
+
+using Corners = std::vector<std::vector<cv::Point2f>>;
+
+[[noreturn]] void refuse(const std::string& key, const std::string& value, const std::string& reason,
+                         const std::string& remedy) {
+  throw base::InputError({"calibration", 0, key, value, reason, remedy});
+}
+
+void check(const CalibrationInput& input, const CalibrationOptions& options) {
+  if (input.left.size() != input.right.size())
+    refuse("images",
+           std::to_string(input.left.size()) + " left, " + std::to_string(input.right.size()) + " right",
+           "are not pairs", "Give as many left images as right ones, in the same order");
+  CalibrationOptions::visit(options, [](const auto& value, const base::FieldInfo& info) {
+    if (!info.range.contains(static_cast<double>(value)))
+      refuse(std::string(info.key), std::to_string(value),
+             "is outside " + std::to_string(info.range.min) + " to " + std::to_string(info.range.max),
+             "Choose a value in the range: " + std::string(info.meaning));
+  });
+}
+
+struct Fit {
+  cv::Mat matrix, distortion;
+  double rms = 0.0;
+  std::vector<double> errors;  ///< RMS of each view [px]
+  CameraCalibration summary;
+};
+
+Fit fitCamera(const std::vector<std::vector<cv::Point3f>>& board, const Corners& corners,
+              const cv::Size& size, const CalibrationOptions& options) {
+  Fit fit;
+  int flags = 0;
+  if (options.square_pixels) flags |= cv::CALIB_FIX_ASPECT_RATIO;
+  if (!options.fit_k3) flags |= cv::CALIB_FIX_K3;
+  fit.matrix = cv::Mat::eye(3, 3, CV_64F);  // its ratio 1 is what CALIB_FIX_ASPECT_RATIO keeps
+  std::vector<cv::Mat> rotations, translations;
+  cv::Mat intrinsic_sigma, extrinsic_sigma, view_errors;
+  fit.rms = cv::calibrateCamera(board, corners, size, fit.matrix, fit.distortion, rotations, translations,
+                                intrinsic_sigma, extrinsic_sigma, view_errors, flags, kStop);
+  for (int i = 0; i < view_errors.rows; ++i) fit.errors.push_back(view_errors.at<double>(i));
+  fit.summary = {fit.rms,
+                 std::max(intrinsic_sigma.at<double>(0), intrinsic_sigma.at<double>(1)),
+                 {intrinsic_sigma.at<double>(2), intrinsic_sigma.at<double>(3)}};
+  return fit;
+}
+
+Camera cameraOf(const Fit& fit, const cv::Size& size, const std::string& name) {
+  Camera camera;
+  camera.name = name;
+  camera.width = size.width;
+  camera.height = size.height;
+  camera.fx = fit.matrix.at<double>(0, 0);
+  camera.fy = fit.matrix.at<double>(1, 1);
+  camera.cx = fit.matrix.at<double>(0, 2);
+  camera.cy = fit.matrix.at<double>(1, 2);
+  for (int i = 0; i < 5; ++i) camera.distortion[static_cast<std::size_t>(i)] = fit.distortion.at<double>(i);
+  return camera;
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Fits both cameras and the transform to all views in `boards`; fills the report and the views' errors.
+void fitRig(const BoardViews& boards, const CalibrationOptions& options, base::Progress& progress,
+            CalibrationReport& report) {
+  const std::vector<std::vector<cv::Point3f>> board(boards.left.size(), boardPoints(options));
+  progress.report(0.6, "fitting the left camera");
+  const Fit left = fitCamera(board, boards.left, boards.size, options);
+  progress.report(0.75, "fitting the right camera");
+  const Fit right = fitCamera(board, boards.right, boards.size, options);
+  progress.report(0.9, "fitting the transform between the cameras");
+  cv::Mat rotation, translation, essential, fundamental, view_errors;
+  cv::Mat left_matrix = left.matrix, left_distortion = left.distortion;
+  cv::Mat right_matrix = right.matrix, right_distortion = right.distortion;
+  // The intrinsics stay: one camera's own views know them better than the pair's common poses do.
+  report.stereo_rms =
+      cv::stereoCalibrate(board, boards.left, boards.right, left_matrix, left_distortion, right_matrix,
+                          right_distortion, boards.size, rotation, translation, essential, fundamental,
+                          view_errors, cv::CALIB_FIX_INTRINSIC, kStop);
+  report.left = left.summary;
+  report.right = right.summary;
+  report.rig.left = cameraOf(left, boards.size, "left");
+  report.rig.right = cameraOf(right, boards.size, "right");
+  for (int i = 0; i < 3; ++i) {
+    report.rig.right_from_left.translation()(i) = translation.at<double>(i);
+    for (int j = 0; j < 3; ++j) report.rig.right_from_left.linear()(i, j) = rotation.at<double>(i, j);
+  }
+  report.views_used = static_cast<int>(boards.seen.size());
+  std::vector<double> stereo_errors;
+  for (std::size_t i = 0; i < boards.seen.size(); ++i) {
+    CalibrationView& view = report.views[boards.seen[i]];
+    view.left_error = left.errors[i];
+    view.right_error = right.errors[i];
+    const int row = static_cast<int>(i);
+    view.stereo_error = std::sqrt(
+        0.5 * (std::pow(view_errors.at<double>(row, 0), 2) + std::pow(view_errors.at<double>(row, 1), 2)));
+    stereo_errors.push_back(view.stereo_error);
+  }
+  const double typical = median(stereo_errors);
+  for (const std::size_t i : boards.seen)
+    report.views[i].suspect = report.views[i].stereo_error > kSuspect * typical;
+}
+
+/// Takes out of `boards` the views beyond `factor` times the median error; marks them in the report.
+bool dropOutliers(BoardViews& boards, double factor, CalibrationReport& report) {
+  std::vector<double> errors;
+  for (const std::size_t i : boards.seen) errors.push_back(report.views[i].stereo_error);
+  const double limit = factor * median(errors);
+  BoardViews kept{boards.views, {}, {}, {}, boards.size};
+  for (std::size_t k = 0; k < boards.seen.size(); ++k) {
+    CalibrationView& view = report.views[boards.seen[k]];
+    if (view.stereo_error > limit) {
+      view.fault = ViewFault::kBadView;
+      view.suspect = false;
+      continue;
+    }
+    kept.seen.push_back(boards.seen[k]);
+    kept.left.push_back(boards.left[k]);
+    kept.right.push_back(boards.right[k]);
+  }
+  const bool dropped = kept.seen.size() < boards.seen.size();
+  boards = std::move(kept);
+  return dropped;
+}
+
+void requireViews(const BoardViews& boards, const CalibrationReport& report) {
+  if (boards.seen.size() >= kLeastViews) return;
+  std::string reasons;
+  for (const CalibrationView& view : report.views)
+    if (!view.used()) reasons += "; " + view.left + ": " + std::string(base::nameOf(view.fault));
+  refuse("pairs", std::to_string(boards.seen.size()) + " usable of " + std::to_string(report.views.size()),
+         "is fewer than 3" + reasons,
+         "Check board_columns and board_rows (inner corners), and take more pairs that show the whole board");
+}
+
+}  // namespace
+
+CalibrationReport calibrateStereo(const CalibrationInput& input, const CalibrationOptions& options,
+                                  base::Progress& progress) {
+  check(input, options);
+  CalibrationReport report;
+  BoardViews boards = findBoards(input, options, progress);
+  report.views = boards.views;
+  report.cancelled = progress.cancelled();
+  if (report.cancelled) return report;
+  requireViews(boards, report);
+  fitRig(boards, options, progress, report);
+  if (options.outlier_factor > 0.0 && dropOutliers(boards, options.outlier_factor, report)) {
+    requireViews(boards, report);
+    fitRig(boards, options, progress, report);
+  }
+  report.cancelled = progress.cancelled();
+  if (!report.cancelled) progress.report(1.0, "calibrated");
+  return report;
+}
+
+}  // namespace capstan::vision
