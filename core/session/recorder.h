@@ -21,6 +21,7 @@ struct RecorderOptions {
       height = 480;  ///< of the frames [px]; other sizes are stored too, at the cost of an allocation
   std::uint64_t checkpoint_bytes = 64U << 20;  ///< log size that starts moving it into the main file
   std::uint64_t max_bytes = 0;                 ///< largest file; 0: what the disk holds
+  std::uint64_t min_free_bytes = 256U << 20;   ///< recording stops before the disk has less than this
   std::function<void()>
       before_commit;  ///< runs on the writer's thread before each commit; tests stall it here
 };

@@ -15,6 +15,7 @@ class SessionSource : public Source {
   ~SessionSource() override;
 
   const SourceInfo& info() const override;
+  /// Throws base::InputError where the file is damaged.
   bool next(tracking::Sample& out) override;
   /// Frames: an opaque occluder is painted over the whole image. Tip samples: no position.
   void block(bool left, bool right) override;
