@@ -162,7 +162,7 @@ typename Model::Control DelayedFilter<Model, Measurement>::controlAt(int before,
 
 /// Recomputes entries i … newest; the report is that of the measurement at entry `reported`.
 template <SampledStateModel Model, class Measurement>
-UpdateReport<Measurement::kOutputs> DelayedFilter<Model, Measurement>::replayFrom(int i, int reported) {
+auto DelayedFilter<Model, Measurement>::replayFrom(int i, int reported) -> Report {
   Report report;
   filter_.reset(entry(i - 1).mean, entry(i - 1).root);
   for (int k = i; k < size_; ++k) {
@@ -202,8 +202,7 @@ bool DelayedFilter<Model, Measurement>::advance(double t, const Control& control
 }
 
 template <SampledStateModel Model, class Measurement>
-base::Result<const SquareRootUkf<Model::kStates>*, LateFault> DelayedFilter<Model, Measurement>::stateAt(
-    double t) {
+auto DelayedFilter<Model, Measurement>::stateAt(double t) -> base::Result<const Filter*, LateFault> {
   if (!started()) return base::failure(LateFault::kNotStarted);
   const int before = lastUpTo(t);
   if (before < 0) return base::failure(LateFault::kTooOld);
@@ -213,8 +212,7 @@ base::Result<const SquareRootUkf<Model::kStates>*, LateFault> DelayedFilter<Mode
 }
 
 template <SampledStateModel Model, class Measurement>
-base::Result<const SquareRootUkf<Model::kStates>*, LateFault> DelayedFilter<Model, Measurement>::at(
-    double t) {
+auto DelayedFilter<Model, Measurement>::at(double t) -> base::Result<const Filter*, LateFault> {
   return stateAt(t);
 }
 

@@ -17,9 +17,10 @@ struct TrackingOptions {
   Eigen::Vector3d kinematic_sigma{0.02, 0.01, 0.001};    ///< of q_kin where it stands in for the camera
   Eigen::Vector3d camera_sigma_floor{2e-3, 2e-3, 5e-4};  ///< added (in square) to the noise of q_cam
   Eigen::Vector3d tip_sigma{2e-3, 2e-3, 2e-3};           ///< of a TipSample, along the axes of frame 0 [m]
-  double gate_probability = 0.999;                       ///< of the χ² gate on the innovation
-  int jump_samples = 3;                                  ///< consistent samples that end a jump
-  Eigen::Vector3d jump_drift{0.1, 0.1, 0.01};        ///< fastest drift of q_cam − q_kin [rad/s, rad/s, m/s]
+  double epipolar_limit = 3.0;                 ///< farther off, the two pictures show different things [px]
+  double gate_probability = 0.999;             ///< of the χ² gate on the innovation
+  int jump_samples = 3;                        ///< consistent samples that end a jump
+  Eigen::Vector3d jump_drift{0.1, 0.1, 0.01};  ///< fastest drift of q_cam − q_kin [rad/s, rad/s, m/s]
   Eigen::Vector3d jump_tolerance{0.15, 0.15, 0.02};  ///< most that q_cam − q_kin is believed [rad, rad, m]
   double camera_period = 1.0 / 15.0;                 ///< [s]
   double missing_after = 2.0;                        ///< camera periods without a sample: q_kin takes over
@@ -54,6 +55,11 @@ struct TrackingOptions {
           {"camera_sigma_floor", "rad or m", "camera error besides pixel noise", {0.0, 1.0}, false});
     field(self.tip_sigma,
           {"tip_sigma", "m", "of tip positions in recordings without images", {1e-6, 1.0}, false});
+    field(self.epipolar_limit, {"epipolar_limit",
+                                "px",
+                                "largest distance of a marker from the other picture's epipolar line",
+                                {0.1, 100.0},
+                                false});
     field(self.gate_probability,
           {"gate_probability", "", "chi-square gate on the innovation", {0.5, 0.999999}, false});
     field(self.jump_samples, {"jump_samples", "", "consistent samples that end a jump", {1, 1000}, false});

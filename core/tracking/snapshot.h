@@ -41,6 +41,7 @@ struct Snapshot {
   std::array<vision::MarkerDetection, 2> marker;  ///< left, right
   Eigen::Vector3d tip_in_camera;                  ///< triangulated, left camera's frame [m]
   Eigen::Matrix3d tip_in_camera_covariance;       ///< [m²]
+  Eigen::Vector3d tip_kin_cam;                    ///< tip of transmission kinematics at t_cam, in frame 0 [m]
   Eigen::Vector3d tip_cam, tip_kin, tip_ukf;      ///< in frame 0 [m]
   Eigen::Matrix3d tip_ukf_covariance;             ///< [m²]
   Gate gate = Gate::kNoCamera;

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+#include "core/robot/transmission.h"
+#include "core/tracking/sample.h"
+#include "core/tracking/time_series.h"
+
+namespace capstan::tracking {
+
+/// What the motor encoders say: q_m, dq_m (differentiated over `span` seconds where none is measured), q_kin
+/// and its past.
+class MotorSide {
+ public:
+  /// Keeps `capacity` samples of the past.
+  MotorSide(const robot::Description& robot, double span, std::size_t capacity)
+      : transmission_(robot), span_(span), motors_(capacity), joints_(capacity) {}
+
+  void clear() {
+    motors_.clear();
+    joints_.clear();
+  }
+  bool empty() const { return motors_.empty(); }
+
+  /// False, and nothing taken, for a position that is not finite or a time that does not rise.
+  bool take(const MotorSample& sample) {
+    if (!sample.position.allFinite() || !std::isfinite(sample.t)) return false;
+    if (!motors_.empty() && !(sample.t > motors_.newestTime())) return false;
+    const double before = motors_.empty() ? sample.t : motors_.newestTime();
+    motors_.push(sample.t, sample.position);
+    position_ = sample.position;
+    velocity_ = sample.velocity.allFinite() ? sample.velocity : difference(sample.t, before);
+    kinematic_ = transmission_.jointFromMotor(position_);
+    joints_.push(sample.t, kinematic_);
+    return true;
+  }
+
+  const robot::Transmission& transmission() const { return transmission_; }
+  const Eigen::Vector3d& position() const { return position_; }
+  const Eigen::Vector3d& velocity() const { return velocity_; }
+  const Eigen::Vector3d& kinematic() const { return kinematic_; }
+  /// q_kin at an earlier time; the newest holds for `hold` seconds.
+  std::optional<Eigen::Vector3d> kinematicAt(double t, double hold) const { return joints_.at(t, hold); }
+
+ private:
+  /// Backward difference over the span, or over the last step where the past is shorter.
+  Eigen::Vector3d difference(double t, double before) const {
+    const double from = motors_.at(t - span_, 0.0) ? t - span_ : before;
+    if (!(from < t)) return Eigen::Vector3d::Zero();
+    return (position_ - *motors_.at(from, 0.0)) / (t - from);
+  }
+
+  robot::Transmission transmission_;
+  double span_;
+  TimeSeries motors_, joints_;
+  Eigen::Vector3d position_ = Eigen::Vector3d::Zero(), velocity_ = Eigen::Vector3d::Zero(),
+                  kinematic_ = Eigen::Vector3d::Zero();
+};
+
+}  // namespace capstan::tracking
