@@ -110,12 +110,11 @@ void ArmKinematics::addTurns(const Vector3d& w, const Vector3d& v, double q3, Po
   const double c = w.z() - cos2 * v.z();
   const double reach = std::hypot(a, b);
   const double w_reach = std::hypot(w.x(), w.y());
-  if (reach <= kSingularRadius || w_reach <= kSingularRadius) {
+  if (std::abs(c) - reach > kRounding * w.norm()) return;
+  if (std::min(reach, w_reach) <= kSingularAngle * w.norm()) {
     if (out.count == 0) out.fault = ReachFault::kSingular;
     return;
   }
-  const double beyond = std::abs(c) - reach;
-  if (beyond > kRounding * w.norm()) return;
   const double across = std::sqrt(std::max(0.0, (reach - c) * (reach + c)));
   for (const double side : {across, -across}) {
     const double phi2 = std::atan2(a, b) + std::atan2(side, c);

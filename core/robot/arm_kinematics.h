@@ -32,8 +32,8 @@ struct Branches {
 /// Inverse position: with marker (m_x, m_y, m_z) in frame 3 and h = d_3 + q3 + m_z,
 ///   |tip|² = m_x² + m_y² + h²                                    two signs of h
 ///   RotX(−alpha_1) tip = RotZ(phi_1) RotX(alpha_2) RotZ(phi_2) v(h)   its z row: two phi_2, then one phi_1
-/// so up to four branches. Singular, within kSingularRadius: the tip in the remote centre, the tip on axis 1,
-/// the marker on axis 2.
+/// so two or four branches. Singular: the tip within kSingularRadius of the remote centre, or seen from there
+/// within kSingularAngle of axis 1; the marker likewise on axis 2.
 ///
 /// Limits: a branch counts as inside when each joint lies within the limits, widened to hold the hard stop
 /// and then by kLimitMargin of their range on both sides. The hard stop of RAVEN-II lies just outside the
@@ -43,6 +43,7 @@ struct Branches {
 class ArmKinematics {
  public:
   static constexpr double kSingularRadius = 1e-6;  ///< [m]
+  static constexpr double kSingularAngle = 1e-6;   ///< [rad]
   static constexpr double kLimitMargin = 0.1;      ///< share of the joint's range
 
   using PositionBranches = Branches<Eigen::Vector3d, 4>;
