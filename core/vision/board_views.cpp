@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <limits>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -14,6 +15,8 @@ namespace capstan::vision {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr double kRoom = 1.5;  ///< spacing of corners that a corner window of half side 1 leaves undisturbed
 
 bool isImage(const fs::path& path) {
   static const std::set<std::string> kKinds{".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".pgm"};
@@ -43,6 +46,20 @@ bool findCorners(const cv::Mat& grey, const CalibrationOptions& options, std::ve
   cv::cornerSubPix(grey, corners, cv::Size(options.corner_window, options.corner_window), cv::Size(-1, -1),
                    cv::TermCriteria(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, kSteps, kSmallest));
   return true;
+}
+
+/// Least distance between neighbouring corners of a row or column [px].
+double smallestSpacing(const std::vector<cv::Point2f>& corners, int columns) {
+  double smallest = std::numeric_limits<double>::infinity();
+  const auto take = [&](std::size_t i, std::size_t j) {
+    smallest = std::min(smallest, cv::norm(corners[i] - corners[j]));
+  };
+  const auto across = static_cast<std::size_t>(columns);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if ((i + 1) % across != 0) take(i, i + 1);
+    if (i + across < corners.size()) take(i, i + across);
+  }
+  return smallest;
 }
 
 }  // namespace
@@ -106,6 +123,9 @@ BoardViews findBoards(const CalibrationInput& input, const CalibrationOptions& o
       const bool in_left = findCorners(left, options, left_corners);
       const bool in_right = findCorners(right, options, right_corners);
       if (in_left && in_right) {
+        view.smallest_spacing = std::min(smallestSpacing(left_corners, options.board_columns),
+                                         smallestSpacing(right_corners, options.board_columns));
+        view.crowded = view.smallest_spacing < kRoom * options.corner_window;
         found.seen.push_back(i);
         found.left.push_back(std::move(left_corners));
         found.right.push_back(std::move(right_corners));

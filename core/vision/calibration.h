@@ -33,6 +33,9 @@ struct CalibrationInput {
 /// Throws base::InputError when the folder cannot be read, holds no pair, or an image has no partner.
 CalibrationInput findStereoPairs(const std::filesystem::path& folder);
 
+/// The defaults are those of OpenCV's calibration sample, so that published results compare. Its corner
+/// window suits boards that fill the image: where squares are hardly larger than the window, neighbouring
+/// corners disturb each other (CalibrationView::crowded) and a smaller window fits better.
 struct CalibrationOptions {
   int board_columns = 9;        ///< inner corners along a row
   int board_rows = 6;           ///< inner corners along a column
@@ -40,7 +43,7 @@ struct CalibrationOptions {
   bool square_pixels = true;    ///< fx = fy
   bool fit_k3 = true;           ///< third radial coefficient, else 0
   double outlier_factor = 0.0;  ///< a view beyond this multiple of the median error is left out; 0: none is
-  int corner_window = 5;        ///< half side of the sub-pixel corner window [px]
+  int corner_window = 11;       ///< half side of the sub-pixel corner window [px]
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& field) {
@@ -65,8 +68,10 @@ struct CalibrationView {
   ViewFault fault = ViewFault::kNone;
   double left_error = 0.0;  ///< with this view's own pose, single-camera fit
   double right_error = 0.0;
-  double stereo_error = 0.0;  ///< both images, one pose, through the rig
-  bool suspect = false;       ///< used, yet beyond three times the median of all views' stereo error
+  double stereo_error = 0.0;      ///< both images, one pose, through the rig
+  double smallest_spacing = 0.0;  ///< between neighbouring corners, both images [px]
+  bool crowded = false;           ///< spacing below 1.5 corner windows: neighbours disturb each other
+  bool suspect = false;           ///< used, yet beyond three times the median of all views' stereo error
   bool used() const { return fault == ViewFault::kNone; }
 };
 
