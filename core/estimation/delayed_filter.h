@@ -103,7 +103,6 @@ class DelayedFilter {
   void predictTo(Filter& filter, const Entry& from, double t, const Control& control);
   Control controlAt(int before, double t) const;
   Report replayFrom(int i, int reported);
-  base::Result<const Filter*, LateFault> stateAt(double t);
 
   Model model_;
   Lower<kStates> density_;
@@ -202,7 +201,7 @@ bool DelayedFilter<Model, Measurement>::advance(double t, const Control& control
 }
 
 template <SampledStateModel Model, class Measurement>
-auto DelayedFilter<Model, Measurement>::stateAt(double t) -> base::Result<const Filter*, LateFault> {
+auto DelayedFilter<Model, Measurement>::at(double t) -> base::Result<const Filter*, LateFault> {
   if (!started()) return base::failure(LateFault::kNotStarted);
   const int before = lastUpTo(t);
   if (before < 0) return base::failure(LateFault::kTooOld);
@@ -212,15 +211,10 @@ auto DelayedFilter<Model, Measurement>::stateAt(double t) -> base::Result<const 
 }
 
 template <SampledStateModel Model, class Measurement>
-auto DelayedFilter<Model, Measurement>::at(double t) -> base::Result<const Filter*, LateFault> {
-  return stateAt(t);
-}
-
-template <SampledStateModel Model, class Measurement>
 auto DelayedFilter<Model, Measurement>::peek(double t, const Measurement& measurement, const Output& y,
                                              const Lower<kOutputs>& sqrt_r)
     -> base::Result<Report, LateFault> {
-  const auto state = stateAt(t);
+  const auto state = at(t);
   if (!state) return base::failure(state.error());
   return scratch_.peek(measurement, y, sqrt_r);
 }
