@@ -1,0 +1,110 @@
+#include "core/session/raven_motors.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <map>
+
+#include "core/base/error.h"
+#include "core/base/units.h"
+#include "core/base/yaml.h"
+#include "core/robot/transmission.h"
+#include "core/session/csv.h"
+
+namespace capstan::session {
+namespace {
+
+/// What the robot's software calls a column, whose it is, and the factor to SI. The insertion axis is
+/// published as metres times 180/π, its motor like the others in degrees: one factor serves all positions and
+/// speeds.
+struct RavenColumn {
+  std::string_view name;
+  TableColumns MeasuredTable::*quantity;
+  std::size_t joint;
+  double factor;
+};
+
+constexpr double kDegree = base::kRadiansPerDegree;
+constexpr std::array kColumns = {
+    RavenColumn{"mpos1_deg", &MeasuredTable::q_m, 0, kDegree},
+    RavenColumn{"mpos2_deg", &MeasuredTable::q_m, 1, kDegree},
+    RavenColumn{"mpos3_deg", &MeasuredTable::q_m, 2, kDegree},
+    RavenColumn{"mvel1_degps", &MeasuredTable::dq_m, 0, kDegree},
+    RavenColumn{"mvel2_degps", &MeasuredTable::dq_m, 1, kDegree},
+    RavenColumn{"mvel3_degps", &MeasuredTable::dq_m, 2, kDegree},
+    RavenColumn{"jpos1_deg", &MeasuredTable::q, 0, kDegree},
+    RavenColumn{"jpos2_deg", &MeasuredTable::q, 1, kDegree},
+    RavenColumn{"jpos3_m_times_57.2958", &MeasuredTable::q, 2, kDegree},
+    RavenColumn{"tau1", &MeasuredTable::tau_m, 0, 1.0},
+    RavenColumn{"tau2", &MeasuredTable::tau_m, 1, 1.0},
+    RavenColumn{"tau3", &MeasuredTable::tau_m, 2, 1.0},
+};
+
+MeasuredTable parseRavenMotors(std::string_view text, const std::string& file) {
+  MeasuredTable table;
+  table.file = file;
+  for (const RavenColumn& column : kColumns) (table.*column.quantity).resize(3);
+  std::map<std::string_view, bool> found;
+  parseCsv(text, file, [&](std::string_view name, std::size_t) -> std::vector<double>* {
+    if (name == "t_s") {
+      found["t_s"] = true;
+      return &table.t;
+    }
+    for (const RavenColumn& column : kColumns) {
+      if (column.name != name) continue;
+      if (std::exchange(found[column.name], true))
+        throw base::InputError(
+            {file, 1, std::string(name), {}, "stands in the header twice", "Rename or remove one"});
+      return &(table.*column.quantity)[column.joint];
+    }
+    table.ignored.emplace_back(name);
+    return nullptr;
+  });
+  for (const RavenColumn& column : kColumns)
+    if (!found[column.name])
+      throw base::InputError(
+          {file,
+           1,
+           std::string(column.name),
+           {},
+           "is not among the columns",
+           "Export the recording with motor and joint positions, speeds and torques of joints 1 to 3"});
+  for (const RavenColumn& column : kColumns)
+    for (double& value : (table.*column.quantity)[column.joint]) value *= column.factor;
+  return table;
+}
+
+void checkTime(const MeasuredTable& table) {
+  for (std::size_t row = 1; row < table.rows(); ++row)
+    if (!(table.t[row] > table.t[row - 1]))
+      throw base::InputError({table.file, static_cast<int>(row) + 2, "t_s", fmt::format("{}", table.t[row]),
+                              "does not come after the line before",
+                              "Sort the rows by time and remove repeated ones"});
+}
+
+}  // namespace
+
+bool isRavenMotors(std::string_view header_line) {
+  return header_line.starts_with("t_s,") && header_line.find("mpos1_deg") != std::string_view::npos;
+}
+
+MeasuredTable readRavenMotors(const std::filesystem::path& path, const robot::Description& robot) {
+  if (robot.size() != 3)
+    throw base::InputError(
+        {path.string(),
+         0,
+         {},
+         {},
+         fmt::format("is of a three-joint arm, {} has {} joints", robot.name, robot.size()),
+         "Choose the robot file of a RAVEN-II"});
+  MeasuredTable table = parseRavenMotors(base::readTextFile(path), path.string());
+  checkTime(table);
+  // Motor angle at joint zero, counted from the hard stop: −(N / r_mc) r_l ∘ (A q_hs).
+  const robot::Transmission transmission(robot);
+  const robot::JointVector zero = transmission.motorFromJoint(robot::JointVector::Zero(3));
+  for (std::size_t joint = 0; joint < 3; ++joint)
+    for (double& angle : table.q_m[joint]) angle += zero(static_cast<Eigen::Index>(joint));
+  return table;
+}
+
+}  // namespace capstan::session

@@ -1,0 +1,99 @@
+#include "core/session/table_source.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <fstream>
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/session/csv.h"
+#include "core/session/raven_motors.h"
+#include "core/session/session_file.h"
+#include "core/session/session_source.h"
+
+namespace capstan::session {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+Eigen::Vector3d rowOf(const TableColumns& columns, std::size_t row) {
+  if (columns.empty()) return Eigen::Vector3d::Constant(kNaN);
+  return {columns[0][row], columns[1][row], columns[2][row]};
+}
+
+void checkForTracking(const MeasuredTable& table, const robot::Description& robot) {
+  if (table.q_m.empty())
+    throw base::InputError(
+        {table.file,
+         1,
+         "q_m1",
+         {},
+         "is not among the columns",
+         "Add the motor positions q_m1 … q_m3 [rad, from the hard stop]: tracking starts from them"});
+  if (table.joints() != 3 || robot.size() != 3)
+    throw base::InputError(
+        {table.file,
+         1,
+         fmt::format("q_m{}", table.joints()),
+         {},
+         fmt::format("the table has {} joint{}, {} has {}, and tracking is made for three", table.joints(),
+                     table.joints() == 1 ? "" : "s", robot.name, robot.size()),
+         "Choose a recording of a three-joint arm and its robot file"});
+}
+
+std::string firstBytes(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in || std::filesystem::is_directory(path))
+    throw base::InputError(
+        {path.string(), 0, {}, {}, "cannot be opened", "Check the path and its permissions"});
+  std::string text(1024, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  return text;
+}
+
+}  // namespace
+
+TableSource::TableSource(const std::filesystem::path& path, const robot::Description& robot)
+    : TableSource(readMeasuredTable(path), robot) {}
+
+TableSource::TableSource(MeasuredTable table, const robot::Description& robot) : table_(std::move(table)) {
+  checkForTracking(table_, robot);
+  info_.title = std::filesystem::path(table_.file).filename().string();
+  info_.robot = robot;
+  info_.duration = table_.t.back();
+  info_.reference = !table_.q.empty();
+  if (!table_.ignored.empty())
+    notice_ = fmt::format("{}: columns not used: {}", table_.file, fmt::join(table_.ignored, ", "));
+}
+
+bool TableSource::next(tracking::Sample& out) {
+  for (; row_ < table_.rows(); ++row_, part_ = 0) {
+    const double t = table_.t[row_];
+    while (part_ < 3) {
+      const int part = part_++;
+      const Eigen::Vector3d value = rowOf(part == 0 ? table_.q_m : part == 1 ? table_.q : table_.p_c, row_);
+      if (!value.allFinite()) continue;
+      if (part == 0)
+        out = tracking::MotorSample{t, value, rowOf(table_.dq_m, row_), rowOf(table_.tau_m, row_)};
+      if (part == 1) out = tracking::JointSample{t, value};
+      if (part == 2)
+        out = tracking::TipSample{t, t, blocked_ ? Eigen::Vector3d::Constant(kNaN).eval() : value};
+      return true;
+    }
+  }
+  return false;
+}
+
+std::unique_ptr<Source> openRecording(const std::filesystem::path& path, const robot::Description& robot) {
+  const std::string begin = firstBytes(path);
+  if (path.extension() == kSessionSuffix || begin.starts_with("SQLite format 3"))
+    return std::make_unique<SessionSource>(path);
+  if (isRavenMotors(csvHeaderLine(begin)))
+    return std::make_unique<TableSource>(readRavenMotors(path, robot), robot);
+  return std::make_unique<TableSource>(path, robot);
+}
+
+}  // namespace capstan::session
