@@ -1,7 +1,7 @@
 #include "core/simulation/block_transfer.h"
 
-#include <algorithm>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>

@@ -38,9 +38,11 @@ struct SceneSizes {
 /// bytes.
 class CameraRenderer {
  public:
-  /// `camera_from_base` is the true pose. `seed` chooses background and noise.
+  /// `camera_from_base` is the true pose. `seed` chooses background and noise; `side` is 0 for the left
+  /// camera of a rig, 1 for the right one, which sees the same background shifted and has noise of its own.
   CameraRenderer(const vision::Camera& camera, const Eigen::Isometry3d& camera_from_base,
-                 const SceneSizes& sizes, const ImageTruth& look, double exposure, std::uint64_t seed);
+                 const SceneSizes& sizes, const ImageTruth& look, double exposure, std::uint64_t seed,
+                 int side);
   ~CameraRenderer();
   CameraRenderer(CameraRenderer&&) noexcept;
 
@@ -50,8 +52,16 @@ class CameraRenderer {
   RenderedMarker outline(const ToolPose& pose) const;
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  struct Drawing;
+
+  vision::Camera camera_;
+  Eigen::Isometry3d camera_from_base_;
+  SceneSizes sizes_;
+  ImageTruth look_;
+  double exposure_;
+  std::uint64_t seed_;
+  int side_;
+  std::unique_ptr<Drawing> drawing_;
 };
 
 }  // namespace capstan::simulation

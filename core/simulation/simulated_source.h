@@ -1,13 +1,12 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
 
 #include "core/robot/description.h"
 #include "core/session/source.h"
-#include "core/simulation/renderer.h"
+#include "core/simulation/stereo_cameras.h"
 #include "core/simulation/trajectory.h"
 #include "core/simulation/truth.h"
 #include "core/vision/camera.h"
@@ -27,14 +26,6 @@ struct SimulatedOptions {
   int registration_frames = 30;
   int joint_decimation = 1;  ///< a JointSample every so many milliseconds; 0: none
   int frame_buffers = 16;    ///< pictures in flight before a new one is allocated
-};
-
-/// The plain truth of the newest delivered StereoFrame or TipSample.
-struct FrameTruth {
-  double t = 0.0;                        ///< true mid exposure [s]
-  Eigen::Vector3d joints;                ///< [rad, rad, m]
-  Eigen::Vector3d tip;                   ///< in frame 0 [m]
-  std::array<RenderedMarker, 2> marker;  ///< left, right [px]
 };
 
 /// A RAVEN-II that is not there: plant, encoders, 1 kHz controller, trajectory and cameras as a Source.

@@ -57,7 +57,7 @@ struct SinusoidSpec {
 
 /// FLS block transfer (block_transfer.h). Path, tempo, pauses and tremor differ from seed to seed.
 struct BlockTransferSpec {
-  double tremor = 1.5e-4;    ///< amplitude of physiological tremor [m]
+  double tremor = 1.5e-4;     ///< amplitude of physiological tremor [m]
   double pause_share = 0.25;  ///< share of the time spent grasping, handing over and thinking
 
   template <class Self, class Visitor>

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <opencv2/core/mat.hpp>
+#include <vector>
+
+#include "core/simulation/background.h"
+#include "core/simulation/ray_grid.h"
+#include "core/simulation/renderer.h"
+
+namespace capstan::simulation {
+
+/// Ray casts the tool into a picture: a shaft (cylinder) and the marker (sphere), Lambert shading, coverage
+/// of edge pixels from the silhouette's signed distance, motion blur by averaging places along the exposure.
+/// Camera frame.
+class ToolPainter {
+ public:
+  ToolPainter(const vision::Camera& camera, const SceneSizes& sizes, const ImageTruth& look,
+              const cv::Mat& light);
+
+  /// `axis` is the unit vector from tip up the shaft; the marker travels ±`smear` [m] about `tip` [m] while
+  /// exposed.
+  void paint(const Eigen::Vector3d& tip, const Eigen::Vector3d& axis, const Eigen::Vector3d& smear,
+             cv::Mat& image);
+
+ private:
+  struct Cover {
+    float share = 0.0F;  // of the pixel
+    float depth = 0.0F;  // along z [m]
+    Eigen::Vector3f colour = Eigen::Vector3f::Zero();
+  };
+  struct Span {
+    int begin, end;
+  };
+
+  Cover marker(const Eigen::Vector3f& ray, const Eigen::Vector3f& centre) const;
+  Cover shaft(const Eigen::Vector3f& ray, const Eigen::Vector3f& tip, const Eigen::Vector3f& axis) const;
+  void paintShaft(const Eigen::Vector3d& tip, const Eigen::Vector3d& axis, cv::Mat& image);
+  void spanShaft(const Eigen::Vector3d& tip, const Eigen::Vector3d& axis);
+  void paintMarker(const Eigen::Vector3d& tip, const Eigen::Vector3d& axis, const Eigen::Vector3d& smear,
+                   cv::Mat& image) const;
+  void blend(cv::Mat& image, int u, int v, const Eigen::Vector3f& colour, float share) const;
+
+  vision::Camera camera_;
+  RayGrid grid_;
+  SceneSizes sizes_;
+  cv::Mat light_;
+  Eigen::Vector3f marker_colour_;
+  std::vector<Span> spans_;  // of the shaft, a row each
+};
+
+}  // namespace capstan::simulation
