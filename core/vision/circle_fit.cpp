@@ -17,10 +17,7 @@ constexpr double kTukey = 4.685;      // 95 % efficient for Gaussian residuals
 constexpr double kLeastScale = 0.03;  // of the residuals, so that exact images keep all edges [px]
 constexpr int kLeastEdges = 10;
 
-struct Edges {
-  std::array<Eigen::Vector2d, kRays> points;
-  int count = 0;
-};
+using Edges = EdgeSampler::Edges;
 
 const std::array<Eigen::Vector2d, kRays>& directions() {
   static const auto table = [] {
@@ -47,6 +44,30 @@ double halfway(const std::array<float, kSamples>& profile) {
   return -1.0;
 }
 
+/// Edge points as seen from a circle's centre.
+struct Residuals {
+  std::array<Eigen::Vector2d, kRays> directions;
+  std::array<double, kRays> values;  ///< distance from the circle, positive outside [px]
+
+  Residuals(const Edges& edges, const Circle& circle) {
+    for (int i = 0; i < edges.count; ++i) {
+      const Eigen::Vector2d arm = edges.points[i] - circle.centre;
+      const double length = std::max(arm.norm(), 1e-9);
+      directions[i] = arm / length;
+      values[i] = length - circle.radius;
+    }
+  }
+};
+
+/// Robust standard deviation of the residuals, from the median of their sizes.
+double spread(const Residuals& residuals, int count) {
+  std::array<double, kRays> sizes;
+  for (int i = 0; i < count; ++i) sizes[i] = std::abs(residuals.values[i]);
+  const auto middle = sizes.begin() + count / 2;
+  std::nth_element(sizes.begin(), middle, sizes.begin() + count);
+  return std::max(1.4826 * *middle, kLeastScale);
+}
+
 struct Normal {
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
@@ -54,60 +75,46 @@ struct Normal {
   int agreeing = 0;
 };
 
-double spread(const Edges& edges, const Circle& circle) {
-  std::array<double, kRays> distances;
-  for (int i = 0; i < edges.count; ++i)
-    distances[i] = std::abs((edges.points[i] - circle.centre).norm() - circle.radius);
-  const auto middle = distances.begin() + edges.count / 2;
-  std::nth_element(distances.begin(), middle, distances.begin() + edges.count);
-  return std::max(1.4826 * *middle, kLeastScale);
-}
-
-Normal normalEquations(const Edges& edges, const Circle& circle, double limit) {
+Normal normalEquations(const Residuals& residuals, int count, double limit) {
   Normal sums;
-  for (int i = 0; i < edges.count; ++i) {
-    const Eigen::Vector2d arm = edges.points[i] - circle.centre;
-    const double length = arm.norm();
-    const double residual = length - circle.radius;
-    if (std::abs(residual) >= limit || length == 0.0) continue;
-    const double share = residual / limit;
+  for (int i = 0; i < count; ++i) {
+    const double share = residuals.values[i] / limit;
+    if (std::abs(share) >= 1.0) continue;
     const double weight = (1.0 - share * share) * (1.0 - share * share);
-    const Eigen::Vector3d gradient(arm.x() / length, arm.y() / length, 1.0);
-    sums.matrix += weight * gradient * gradient.transpose();
-    sums.right += weight * residual * gradient;
+    const Eigen::Vector3d gradient(residuals.directions[i].x(), residuals.directions[i].y(), 1.0);
+    sums.matrix.noalias() += weight * gradient * gradient.transpose();
+    sums.right += weight * residuals.values[i] * gradient;
     sums.weight += weight;
-    sums.squares += weight * residual * residual;
+    sums.squares += weight * residuals.values[i] * residuals.values[i];
     ++sums.agreeing;
   }
   return sums;
 }
 
-/// Gauss–Newton on geometric distance with Tukey weights whose limit shrinks to the residuals' own spread.
+/// Gauss–Newton on geometric distance with Tukey weights whose limit follows the residuals' own spread.
 CircleFit fitEdges(const Edges& edges, Circle circle) {
   constexpr int kSteps = 6;
+  constexpr double kSettled = 2e-3;  // [px]
   CircleFit fit;
   if (edges.count < kLeastEdges) return fit;
-  double limit = 0.0;
   for (int step = 0; step < kSteps; ++step) {
-    limit = kTukey * spread(edges, circle);
-    const Normal sums = normalEquations(edges, circle, limit);
+    const Residuals residuals(edges, circle);
+    const Normal sums = normalEquations(residuals, edges.count, kTukey * spread(residuals, edges.count));
     if (sums.agreeing < kLeastEdges) return fit;
-    const Eigen::Vector3d change = sums.matrix.inverse() * sums.right;
+    const Eigen::Matrix3d inverse = sums.matrix.inverse();
+    const Eigen::Vector3d change = inverse * sums.right;
     if (!change.allFinite() || change.head<2>().norm() > circle.radius) return fit;
     circle.centre += change.head<2>();
     circle.radius += change.z();
-    if (change.cwiseAbs().maxCoeff() < 1e-3) break;
+    const double variance = sums.squares / std::max(sums.weight - 3.0, 1.0);
+    fit.rms = std::sqrt(variance);
+    fit.sigma = std::sqrt(0.5 * variance * (inverse(0, 0) + inverse(1, 1)));
+    fit.edges = sums.agreeing;
+    if (change.cwiseAbs().maxCoeff() < kSettled) break;
   }
-  const Normal sums = normalEquations(edges, circle, limit);
-  if (sums.agreeing < kLeastEdges || !(circle.radius > 0.0)) return fit;
-  const double variance = sums.squares / std::max(sums.weight - 3.0, 1.0);
-  const Eigen::Matrix3d covariance = variance * sums.matrix.inverse();
   fit.circle = circle;
-  fit.rms = std::sqrt(variance);
-  fit.sigma = std::sqrt(0.5 * (covariance(0, 0) + covariance(1, 1)));
-  fit.edges = sums.agreeing;
-  fit.coverage = static_cast<double>(sums.agreeing) / kRays;
-  fit.valid = std::isfinite(fit.sigma);
+  fit.coverage = static_cast<double>(fit.edges) / kRays;
+  fit.valid = std::isfinite(fit.sigma) && circle.radius > 0.0;
   return fit;
 }
 
@@ -137,7 +144,8 @@ Circle fitContourCircle(std::span<const ContourPoint> contour, int width, int he
   return {origin + centre, std::sqrt(squared)};
 }
 
-EdgeSampler::EdgeSampler(const MarkerOptions& options) {
+EdgeSampler::EdgeSampler(const MarkerOptions& options)
+    : chroma_(static_cast<std::size_t>(kPatchSide) * (kPatchSide + 1)) {
   const int high = options.hue_high + (options.hue_high < options.hue_low ? 180 : 0);
   const double hue = (options.hue_low + high) * 0.5 * 2.0 * std::numbers::pi / 180.0;
   const double third = 2.0 * std::numbers::pi / 3.0;
@@ -146,38 +154,12 @@ EdgeSampler::EdgeSampler(const MarkerOptions& options) {
               static_cast<float>(std::cos(hue))};
 }
 
-float EdgeSampler::sample(const cv::Mat& bgr, double x, double y) const {
-  const int column = static_cast<int>(x), line = static_cast<int>(y);
-  const float u = static_cast<float>(x - column), v = static_cast<float>(y - line);
-  const auto* top = bgr.ptr<std::uint8_t>(line) + 3 * static_cast<std::ptrdiff_t>(column);
-  const auto* bottom = top + bgr.step[0];
-  const auto chroma = [&](const std::uint8_t* p) {
-    return weights_[0] * p[0] + weights_[1] * p[1] + weights_[2] * p[2];
-  };
-  const float upper = chroma(top) + u * (chroma(top + 3) - chroma(top));
-  const float lower = chroma(bottom) + u * (chroma(bottom + 3) - chroma(bottom));
-  return upper + v * (lower - upper);
-}
-
-CircleFit EdgeSampler::refine(const cv::Mat& bgr, const Circle& start) const {
+CircleFit EdgeSampler::refine(const cv::Mat& bgr, const Circle& start) {
   CircleFit fit;
   Circle circle = start;
   constexpr int kPasses = 2;
   for (int pass = 0; pass < kPasses; ++pass) {
-    const double reach = std::min(kReach, 0.8 * circle.radius);
-    const double step = 2.0 * reach / (kSamples - 1);
-    Edges edges;
-    for (const Eigen::Vector2d& direction : directions()) {
-      const Eigen::Vector2d first = circle.centre + (circle.radius - reach) * direction;
-      const Eigen::Vector2d last = circle.centre + (circle.radius + reach) * direction;
-      const Eigen::Vector2d low = first.cwiseMin(last), high = first.cwiseMax(last);
-      if (!(low.minCoeff() >= 0.0) || high.x() >= bgr.cols - 1 || high.y() >= bgr.rows - 1) continue;
-      std::array<float, kSamples> profile;
-      for (int i = 0; i < kSamples; ++i)
-        profile[i] = sample(bgr, first.x() + i * step * direction.x(), first.y() + i * step * direction.y());
-      const double at = halfway(profile);
-      if (at >= 0.0) edges.points[edges.count++] = first + at * step * direction;
-    }
+    const Edges edges = collectEdges(circle, takePatch(bgr, circle));
     fit = fitEdges(edges, circle);
     if (!fit.valid) break;
     const bool settled =
@@ -186,6 +168,62 @@ CircleFit EdgeSampler::refine(const cv::Mat& bgr, const Circle& start) const {
     if (settled) break;
   }
   return fit;
+}
+
+EdgeSampler::Patch EdgeSampler::takePatch(const cv::Mat& bgr, const Circle& circle) {
+  const double outer = circle.radius + kReach;
+  Patch patch;
+  patch.stride = std::max(1, static_cast<int>(std::ceil(2.0 * outer / (kPatchSide - 2))));
+  const auto first = [&](double centre) {
+    return static_cast<int>(std::floor(std::max(0.0, centre - outer)));
+  };
+  patch.x = first(circle.centre.x());
+  patch.y = first(circle.centre.y());
+  const auto count = [&](double centre, int from, int size) {
+    const int last = static_cast<int>(std::min(size - 1.0, std::ceil(centre + outer)));
+    return std::clamp((last - from) / patch.stride + 1, 0, kPatchSide);
+  };
+  patch.width = count(circle.centre.x(), patch.x, bgr.cols);
+  patch.height = count(circle.centre.y(), patch.y, bgr.rows);
+  for (int row = 0; row < patch.height; ++row) {
+    const auto* pixel =
+        bgr.ptr<std::uint8_t>(patch.y + row * patch.stride) + 3 * static_cast<std::ptrdiff_t>(patch.x);
+    float* out = chroma_.data() + static_cast<std::ptrdiff_t>(row) * kPatchSide;
+    for (int column = 0; column < patch.width;
+         ++column, pixel += 3 * static_cast<std::ptrdiff_t>(patch.stride))
+      out[column] = weights_[0] * static_cast<float>(pixel[0]) + weights_[1] * static_cast<float>(pixel[1]) +
+                    weights_[2] * static_cast<float>(pixel[2]);
+  }
+  return patch;
+}
+
+EdgeSampler::Edges EdgeSampler::collectEdges(const Circle& circle, const Patch& patch) const {
+  const double reach = std::min(kReach, 0.8 * circle.radius);
+  const double step = 2.0 * reach / (kSamples - 1);
+  const double scale = 1.0 / patch.stride;
+  Edges edges;
+  for (const Eigen::Vector2d& direction : directions()) {
+    const Eigen::Vector2d first = circle.centre + (circle.radius - reach) * direction;
+    const Eigen::Vector2d start = (first - Eigen::Vector2d(patch.x, patch.y)) * scale;
+    const Eigen::Vector2d stride = step * scale * direction;
+    const Eigen::Vector2d end = start + (kSamples - 1) * stride;
+    const Eigen::Vector2d low = start.cwiseMin(end), high = start.cwiseMax(end);
+    if (!(low.minCoeff() >= 0.0) || high.x() >= patch.width - 1 || high.y() >= patch.height - 1) continue;
+    std::array<float, kSamples> profile;
+    for (int i = 0; i < kSamples; ++i) {
+      const auto x = static_cast<float>(start.x() + i * stride.x()),
+                 y = static_cast<float>(start.y() + i * stride.y());
+      const int column = static_cast<int>(x), line = static_cast<int>(y);
+      const float u = x - static_cast<float>(column), v = y - static_cast<float>(line);
+      const float* top = chroma_.data() + static_cast<std::ptrdiff_t>(line) * kPatchSide + column;
+      const float upper = top[0] + u * (top[1] - top[0]);
+      const float lower = top[kPatchSide] + u * (top[kPatchSide + 1] - top[kPatchSide]);
+      profile[i] = upper + v * (lower - upper);
+    }
+    const double at = halfway(profile);
+    if (at >= 0.0) edges.points[edges.count++] = first + at * step * direction;
+  }
+  return edges;
 }
 
 }  // namespace capstan::vision

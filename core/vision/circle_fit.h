@@ -4,6 +4,7 @@
 #include <array>
 #include <opencv2/core/mat.hpp>
 #include <span>
+#include <vector>
 
 #include "core/vision/blob.h"
 #include "core/vision/marker.h"
@@ -38,12 +39,25 @@ class EdgeSampler {
   explicit EdgeSampler(const MarkerOptions& options);
 
   static constexpr int kRays = 48;
-  CircleFit refine(const cv::Mat& bgr, const Circle& start) const;
+  struct Edges {
+    std::array<Eigen::Vector2d, kRays> points;
+    int count = 0;
+  };
+
+  CircleFit refine(const cv::Mat& bgr, const Circle& start);
 
  private:
-  float sample(const cv::Mat& bgr, double x, double y) const;
+  /// Colour component of the pixels around a circle, every stride-th (1 up to radii of 43 px) from (x, y) on.
+  struct Patch {
+    int x = 0, y = 0, width = 0, height = 0, stride = 1;
+  };
+  static constexpr int kPatchSide = 96;
+
+  Patch takePatch(const cv::Mat& bgr, const Circle& circle);
+  Edges collectEdges(const Circle& circle, const Patch& patch) const;
 
   std::array<float, 3> weights_;  ///< of B, G, R
+  std::vector<float> chroma_;     ///< kPatchSide columns a row
 };
 
 }  // namespace capstan::vision
