@@ -1,0 +1,146 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "app/cli/command.h"
+#include "app/cli/console.h"
+#include "core/base/error.h"
+#include "core/base/names.h"
+#include "core/vision/calibration.h"
+
+namespace capstan::cli {
+namespace {
+
+struct CalibrateArguments {
+  std::string folder, out = ".", board = "9x6", json;
+  double square_mm = 25.0;
+  bool write = true;
+  vision::CalibrationOptions options;
+};
+
+void parseBoard(const std::string& text, vision::CalibrationOptions& options) {
+  int columns = 0, rows = 0, used = 0;
+  if (std::sscanf(text.c_str(), "%dx%d%n", &columns, &rows, &used) != 2 ||
+      static_cast<std::size_t>(used) != text.size() || columns < 3 || rows < 3 || columns > 50 || rows > 50)
+    refuseOption("--board", text, "is not COLUMNSxROWS of inner corners, 3 to 50 each",
+                 "Give, for example, --board 9x6");
+  options.board_columns = columns;
+  options.board_rows = rows;
+}
+
+std::string textOf(const vision::CalibrationReport& report) {
+  const auto& left = report.rig.left;
+  const auto& right = report.rig.right;
+  std::string text = fmt::format("{:<28}{:>12}{:>12}\n", "", "left", "right");
+  text += fmt::format("{:<28}{:>12.2f}{:>12.2f}\n", "focal length fx [px]", left.fx, right.fx);
+  text += fmt::format("{:<28}{:>12.2f}{:>12.2f}\n", "  its standard deviation", report.left.focal_sigma,
+                      report.right.focal_sigma);
+  text += fmt::format("{:<28}{:>12.2f}{:>12.2f}\n", "principal point cx [px]", left.cx, right.cx);
+  text += fmt::format("{:<28}{:>12.2f}{:>12.2f}\n", "principal point cy [px]", left.cy, right.cy);
+  text +=
+      fmt::format("{:<28}{:>12.4f}{:>12.4f}\n", "reprojection RMS [px]", report.left.rms, report.right.rms);
+  text += fmt::format("{:<28}{:>12.4f}\n", "stereo RMS [px]", report.stereo_rms);
+  text += fmt::format("{:<28}{:>12.3f}\n\n", "baseline [mm]", 1e3 * report.rig.baseline());
+  text += fmt::format("{:<28}{:>12}{:>12}{:>12}\n", "view (RMS in px)", "left", "right", "stereo");
+  for (const auto& view : report.views) {
+    if (view.used())
+      text +=
+          fmt::format("{:<28}{:>12.4f}{:>12.4f}{:>12.4f}{}\n", view.left + " " + view.right, view.left_error,
+                      view.right_error, view.stereo_error, view.suspect ? "  suspect" : "");
+    else
+      text += fmt::format("{:<28}  rejected: {}\n", view.left + " " + view.right, base::nameOf(view.fault));
+  }
+  text += fmt::format("\n{} of {} pairs used\n", report.views_used, report.views.size());
+  return text;
+}
+
+nlohmann::json cameraJson(const vision::Camera& camera, const vision::CameraCalibration& fit) {
+  return {{"fx", camera.fx},
+          {"fy", camera.fy},
+          {"cx", camera.cx},
+          {"cy", camera.cy},
+          {"rms", fit.rms},
+          {"fx_sigma", fit.focal_sigma},
+          {"distortion", camera.distortion},
+          {"centre_sigma", fit.centre_sigma}};
+}
+
+nlohmann::json jsonOf(const vision::CalibrationReport& report) {
+  nlohmann::json views = nlohmann::json::array();
+  for (const auto& view : report.views)
+    views.push_back({{"left", view.left},
+                     {"right", view.right},
+                     {"used", view.used()},
+                     {"reason", std::string(base::nameOf(view.fault))},
+                     {"suspect", view.suspect},
+                     {"left_rms", view.left_error},
+                     {"right_rms", view.right_error},
+                     {"stereo_rms", view.stereo_error}});
+  return {{"left", cameraJson(report.rig.left, report.left)},
+          {"right", cameraJson(report.rig.right, report.right)},
+          {"stereo_rms", report.stereo_rms},
+          {"baseline", report.rig.baseline()},
+          {"views_used", report.views_used},
+          {"views", views}};
+}
+
+ExitCode calibrate(CalibrateArguments& arguments) {
+  parseBoard(arguments.board, arguments.options);
+  arguments.options.square_size = 1e-3 * arguments.square_mm;
+  const Output output(arguments.json);
+  const auto pairs = vision::findStereoPairs(arguments.folder);
+  base::Progress progress;
+  vision::CalibrationReport report;
+  {
+    const ProgressLine line(progress);
+    report = vision::calibrateStereo(pairs, arguments.options, progress);
+  }
+  if (report.cancelled) {
+    notice("cancelled");
+    return kFailed;
+  }
+  output.text(textOf(report));
+  output.json(jsonOf(report));
+  if (arguments.write) {
+    const std::filesystem::path folder = arguments.out;
+    std::error_code failed;
+    std::filesystem::create_directories(folder, failed);
+    if (failed) refuseFile(folder.string(), failed.message(), "Give another --out");
+    vision::writeStereoRig(report.rig, folder / "left.yaml", folder / "right.yaml");
+    output.text(
+        fmt::format("wrote {} and {}\n", (folder / "left.yaml").string(), (folder / "right.yaml").string()));
+  }
+  return kOk;
+}
+
+}  // namespace
+
+void addCalibrate(CLI::App& app, ExitCode& exit) {
+  auto arguments = std::make_shared<CalibrateArguments>();
+  CLI::App* command =
+      app.add_subcommand("calibrate", "Calibrate a stereo camera from pictures of a chessboard");
+  command->add_option("FOLDER", arguments->folder, "folder with left*.png|jpg… and right*.png|jpg…")
+      ->required();
+  command->add_option("--board", arguments->board, "inner corners, COLUMNSxROWS")->capture_default_str();
+  command->add_option("--square-mm", arguments->square_mm, "side of a square [mm]")
+      ->capture_default_str()
+      ->check(CLI::Range(0.1, 1000.0));
+  command
+      ->add_option("--outlier-factor", arguments->options.outlier_factor,
+                   "leave out views beyond this multiple of the median error; 0: keep all")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 100.0));
+  command->add_option("--out", arguments->out, "folder for left.yaml and right.yaml (ROS camera_info)")
+      ->capture_default_str();
+  command->add_flag("!--no-write", arguments->write, "print only");
+  command->add_option("--json", arguments->json, "result as JSON: a file, or - for standard output");
+  command->footer(
+      "Examples:\n"
+      "  capstan-cli calibrate pictures/ --board 9x6 --square-mm 25 --out cameras/\n"
+      "  capstan-cli calibrate pictures/ --no-write --json -");
+  command->callback([arguments, &exit] { exit = calibrate(*arguments); });
+}
+
+}  // namespace capstan::cli

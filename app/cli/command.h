@@ -1,0 +1,21 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+/// capstan-cli: one subcommand a file. A command declares its options on the given app; its callback does the
+/// work and leaves the exit code. Bad arguments and bad files leave as base::InputError, which main() prints.
+namespace capstan::cli {
+
+enum ExitCode : int {
+  kOk = 0,
+  kFailed = 1,  ///< ran, but the answer is no (not calibrated, nothing tracked, cancelled)
+  kUsage = 2,   ///< bad argument, bad or missing file
+};
+
+void addSimulate(CLI::App& app, ExitCode& exit);
+void addTrack(CLI::App& app, ExitCode& exit);
+void addCalibrate(CLI::App& app, ExitCode& exit);
+void addInfo(CLI::App& app, ExitCode& exit);
+void addConvert(CLI::App& app, ExitCode& exit);
+
+}  // namespace capstan::cli

@@ -1,0 +1,93 @@
+#include "app/cli/console.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/yaml.h"
+
+namespace capstan::cli {
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+void onInterrupt(int) { interrupted = 1; }
+
+}  // namespace
+
+ProgressLine::ProgressLine(base::Progress& progress)
+    : thread_([&progress](const std::stop_token& stop) {
+        const bool terminal = isatty(STDERR_FILENO) != 0;
+        const auto previous = std::signal(SIGINT, onInterrupt);
+        bool shown = false;
+        while (!stop.stop_requested()) {
+          std::this_thread::sleep_for(std::chrono::milliseconds(100));
+          if (interrupted) progress.cancel();
+          const double fraction = progress.fraction();
+          if (!terminal || fraction <= 0.0) continue;
+          fmt::print(stderr, "\r\033[K{:3.0f} % {}", 100.0 * fraction, progress.doing());
+          std::fflush(stderr);
+          shown = true;
+        }
+        if (shown) fmt::print(stderr, "\r\033[K");
+        std::signal(SIGINT, previous);
+      }) {}
+
+ProgressLine::~ProgressLine() = default;
+
+void Output::text(const std::string& text) const {
+  if (json_target_ != "-") fmt::print("{}", text);
+}
+
+void Output::json(const nlohmann::json& document) const {
+  if (json_target_.empty()) return;
+  const std::string text = document.dump(2) + "\n";
+  if (json_target_ == "-")
+    fmt::print("{}", text);
+  else
+    base::writeTextFile(json_target_, text);
+}
+
+void refuseFile(const std::string& file, const std::string& reason, const std::string& remedy) {
+  throw base::InputError({file, 0, {}, {}, reason, remedy});
+}
+
+void refuseOption(const std::string& name, const std::string& value, const std::string& reason,
+                  const std::string& remedy) {
+  throw base::InputError({{}, 0, name, value, reason, remedy});
+}
+
+void notice(const std::string& text) { fmt::print(stderr, "capstan-cli: {}\n", text); }
+
+nlohmann::json toJson(const Eigen::Vector3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
+
+std::string isoNow() {
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  localtime_r(&now, &local);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%S", &local);
+  return text;
+}
+
+std::string resource(const std::string& file) {
+  std::vector<std::filesystem::path> roots;
+  if (const char* given = std::getenv("CAPSTAN_RESOURCES")) roots.emplace_back(given);
+  std::error_code ignored;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", ignored);
+  if (!program.empty()) roots.push_back(program.parent_path().parent_path() / "share" / "capstan");
+  roots.emplace_back(CAPSTAN_RESOURCES);
+  for (const auto& root : roots)
+    if (std::filesystem::exists(root / file, ignored)) return (root / file).string();
+  refuseFile(file, "is in no resource folder", "Set CAPSTAN_RESOURCES to the resources folder of Capstan");
+}
+
+}  // namespace capstan::cli

@@ -1,0 +1,120 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "app/cli/command.h"
+#include "app/cli/console.h"
+#include "app/cli/recordings.h"
+#include "core/base/error.h"
+#include "core/base/yaml.h"
+#include "core/session/export.h"
+#include "core/session/session_file.h"
+
+namespace capstan::cli {
+namespace {
+
+struct ConvertArguments {
+  std::string in, out, format = "auto", to = "auto", robot, json;
+  bool force = false;
+};
+
+std::string targetOf(const ConvertArguments& arguments) {
+  if (arguments.to != "auto") return arguments.to;
+  const std::string suffix = std::filesystem::path(arguments.out).extension().string();
+  if (suffix == ".csv") return "table";
+  if (suffix == session::kSessionSuffix) return "session";
+  if (suffix == ".avi" || suffix == ".mkv" || suffix == ".mp4") return "video";
+  refuseOption("OUT", arguments.out, "does not say by its suffix what to write",
+               "End it in .csv, .capstan, .avi, .mkv or .mp4, or give --to csv-folder or png");
+}
+
+void needSession(RecordingFormat format, const std::string& target) {
+  if (format != RecordingFormat::kSession)
+    refuseOption("--to", target, "only a session holds that", "Give a .capstan file");
+}
+
+std::string writeTable(const ConvertArguments& arguments, RecordingFormat format) {
+  const auto table = format == RecordingFormat::kSession
+                         ? session::sessionTable(arguments.in)
+                         : readTable(arguments.in, format, readRobot(arguments.robot));
+  base::writeTextFile(arguments.out, session::formatMeasuredTable(table));
+  for (const auto& column : table.ignored)
+    notice("column " + column + " is not part of a measured table: left out");
+  return fmt::format("{} rows of {} joints", table.rows(), table.joints());
+}
+
+std::string convertTo(const std::string& target, const ConvertArguments& arguments, RecordingFormat format,
+                      base::Progress& progress) {
+  if (target == "table") return writeTable(arguments, format);
+  if (target == "session") {
+    const auto source = openSource(arguments.in, format, arguments.robot);
+    session::importRecording(*source, arguments.out, session::headerOf(source->info(), isoNow()), &progress);
+    return fmt::format("{} motor samples", session::readSessionSummary(arguments.out).motor);
+  }
+  needSession(format, target);
+  if (target == "csv-folder")
+    return fmt::format("{} files", session::exportCsv(arguments.in, arguments.out, &progress).size());
+  if (target == "png")
+    return fmt::format("{} pictures", session::exportPng(arguments.in, arguments.out, &progress));
+  return fmt::format("{} frames", session::exportVideo(arguments.in, arguments.out, &progress));
+}
+
+ExitCode convert(const ConvertArguments& arguments) {
+  const Output output(arguments.json);
+  const RecordingFormat format = formatOf(arguments.format, arguments.in);
+  if (format == RecordingFormat::kRobot)
+    refuseFile(arguments.in, "is no recording", "Give a session or a table");
+  const std::string target = targetOf(arguments);
+  const bool folder = target == "csv-folder" || target == "png";
+  if (!folder && std::filesystem::exists(arguments.out)) {
+    if (!arguments.force || std::filesystem::equivalent(arguments.in, arguments.out))
+      refuseFile(arguments.out, "exists", "Give another name, or --force");
+    std::filesystem::remove(arguments.out);
+  }
+  base::Progress progress;
+  std::string written;
+  {
+    const ProgressLine line(progress);
+    written = convertTo(target, arguments, format, progress);
+  }
+  if (progress.cancelled()) {
+    notice("cancelled");
+    return kFailed;
+  }
+  output.text(fmt::format("{}: {}\n", arguments.out, written));
+  output.json({{"in", arguments.in}, {"out", arguments.out}, {"to", target}, {"written", written}});
+  return kOk;
+}
+
+}  // namespace
+
+void addConvert(CLI::App& app, ExitCode& exit) {
+  auto arguments = std::make_shared<ConvertArguments>();
+  CLI::App* command = app.add_subcommand("convert", "Turn recordings into tables, pictures, videos and back");
+  command->add_option("IN", arguments->in, "session (.capstan), measured table or RAVEN-II motor log (.csv)")
+      ->required();
+  command->add_option("OUT", arguments->out, "file or folder to write")->required();
+  command->add_option("--to", arguments->to, "auto (by OUT's suffix), table, session, csv-folder, png, video")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"auto", "table", "session", "csv-folder", "png", "video"}));
+  command->add_option("--format", arguments->format, "of IN: auto, session, table, raven")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"auto", "session", "table", "raven"}));
+  command->add_option("--robot", arguments->robot, "robot file for recordings that bring none");
+  command->add_flag("--force", arguments->force, "overwrite an existing file");
+  command->add_option("--json", arguments->json, "result as JSON: a file, or - for standard output");
+  command->footer(
+      "Examples:\n"
+      "  capstan-cli convert trial.capstan trial.csv              (measured table)\n"
+      "  capstan-cli convert trial.capstan tables/ --to csv-folder\n"
+      "  capstan-cli convert trial.capstan frames/ --to png\n"
+      "  capstan-cli convert trial.capstan trial.mkv              (both views side by side)\n"
+      "  capstan-cli convert joints123.csv table.csv              (RAVEN-II motor log to SI)\n"
+      "  capstan-cli convert recording.csv recording.capstan");
+  command->callback([arguments, &exit] { exit = convert(*arguments); });
+}
+
+}  // namespace capstan::cli

@@ -1,0 +1,160 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "app/cli/command.h"
+#include "app/cli/console.h"
+#include "app/cli/recordings.h"
+#include "core/base/units.h"
+#include "core/robot/description.h"
+#include "core/session/measured_table.h"
+#include "core/session/session_file.h"
+
+namespace capstan::cli {
+namespace {
+
+struct InfoArguments {
+  std::string file, robot, json;
+};
+
+void infoSession(const std::string& file, const Output& output) {
+  const auto summary = session::readSessionSummary(file);
+  const auto& header = summary.header;
+  const auto events = session::readSessionEvents(file);
+  std::string text = fmt::format("session      {}\ntitle        {}\ncreated      {}\nsoftware     {}\n", file,
+                                 header.title, header.created, header.software);
+  text += fmt::format("time         {:.3f} … {:.3f} s\n", summary.first_t, summary.last_t);
+  text += fmt::format("rows         {} motor, {} joint, {} tip, {} frame pairs, {} estimates, {} events\n",
+                      summary.motor, summary.joint, summary.tip, summary.frames, summary.estimates,
+                      summary.events);
+  if (summary.frames > 0) text += fmt::format("frames       {} × {} px\n", summary.width, summary.height);
+  text += fmt::format("reference    {}\nregistered   {}\nsimulated    {}\nsize         {:.1f} MB\n",
+                      header.reference ? "joint encoders" : "none", header.base_from_camera ? "yes" : "no",
+                      header.truth.empty() ? "no" : "yes", 1e-6 * static_cast<double>(summary.bytes));
+  for (const auto& event : events)
+    text += fmt::format("{:>10.3f} s  {}: {}\n", event.t, event.kind, event.text);
+  output.text(text);
+  nlohmann::json list = nlohmann::json::array();
+  for (const auto& event : events)
+    list.push_back({{"t", event.t}, {"kind", event.kind}, {"text", event.text}});
+  output.json({{"kind", "session"},
+               {"title", header.title},
+               {"created", header.created},
+               {"software", header.software},
+               {"first_t", summary.first_t},
+               {"last_t", summary.last_t},
+               {"motor", summary.motor},
+               {"joint", summary.joint},
+               {"tip", summary.tip},
+               {"frames", summary.frames},
+               {"estimates", summary.estimates},
+               {"width", summary.width},
+               {"height", summary.height},
+               {"bytes", summary.bytes},
+               {"reference", header.reference},
+               {"registered", header.base_from_camera.has_value()},
+               {"simulated", !header.truth.empty()},
+               {"events", list}});
+}
+
+void infoRobot(const std::string& file, const Output& output) {
+  const auto robot = robot::readDescription(file);
+  std::string text = fmt::format("robot        {} ({})\n{:<14}{:>10}{:>20}{:>12}{:>14}{:>14}\n", robot.name,
+                                 file, "joint", "type", "limits", "r_l [mm]", "k_e [N]", "b_e [Ns/m]");
+  nlohmann::json joints = nlohmann::json::array();
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    const auto& joint = robot.joints[i];
+    const auto& drive = robot.drives[i];
+    const bool revolute = joint.type == robot::JointType::kRevolute;
+    const double scale = revolute ? base::toDegrees(1.0) : base::toMillimetres(1.0);
+    text +=
+        fmt::format("{:<14}{:>10}{:>20}{:>12.3f}{:>14.0f}{:>14.0f}\n", joint.name, base::nameOf(joint.type),
+                    fmt::format("{:.1f} … {:.1f} {}", scale * joint.limit_low, scale * joint.limit_high,
+                                revolute ? "deg" : "mm"),
+                    1e3 * drive.link_radius, drive.cable_stiffness, drive.cable_damping);
+    joints.push_back({{"name", joint.name},
+                      {"type", std::string(base::nameOf(joint.type))},
+                      {"limits", {joint.limit_low, joint.limit_high}},
+                      {"homing", joint.homing},
+                      {"link_radius", drive.link_radius},
+                      {"cable_stiffness", drive.cable_stiffness},
+                      {"cable_damping", drive.cable_damping}});
+  }
+  output.text(text);
+  output.json({{"kind", "robot"}, {"name", robot.name}, {"joints", joints}});
+}
+
+std::size_t measured(const std::vector<double>& column) {
+  return static_cast<std::size_t>(
+      std::count_if(column.begin(), column.end(), [](double v) { return !std::isnan(v); }));
+}
+
+void infoTable(const std::string& file, const std::string& robot_file, RecordingFormat format,
+               const Output& output) {
+  const auto table = readTable(file, format, readRobot(robot_file));
+  const double first = table.t.empty() ? 0.0 : table.t.front(), last = table.t.empty() ? 0.0 : table.t.back();
+  std::string text =
+      fmt::format("{:<12} {}\njoints       {}\nrows         {}\ntime         {:.3f} … {:.3f} s\n",
+                  format == RecordingFormat::kRavenMotors ? "RAVEN motors" : "table", file, table.joints(),
+                  table.rows(), first, last);
+  nlohmann::json columns = nlohmann::json::object();
+  const auto list = [&](const char* name, const session::TableColumns& quantity) {
+    for (std::size_t i = 0; i < quantity.size(); ++i) {
+      const std::string key = name + std::to_string(i + 1);
+      const std::size_t count = measured(quantity[i]);
+      text += fmt::format("  {:<10} {:>9} values\n", key, count);
+      columns[key] = count;
+    }
+  };
+  list("q_m", table.q_m);
+  list("dq_m", table.dq_m);
+  list("tau_m", table.tau_m);
+  list("q", table.q);
+  list("p_c", table.p_c);
+  list("tau_ext", table.tau_ext);
+  for (const auto& name : table.ignored) text += fmt::format("  {:<10}   ignored\n", name);
+  output.text(text);
+  output.json({{"kind", format == RecordingFormat::kRavenMotors ? "raven_motors" : "table"},
+               {"joints", table.joints()},
+               {"samples", table.rows()},
+               {"first_t", first},
+               {"last_t", last},
+               {"values", columns},
+               {"ignored", table.ignored}});
+}
+
+ExitCode info(const InfoArguments& arguments) {
+  const Output output(arguments.json);
+  switch (const RecordingFormat format = detectFormat(arguments.file); format) {
+    case RecordingFormat::kSession:
+      infoSession(arguments.file, output);
+      break;
+    case RecordingFormat::kRobot:
+      infoRobot(arguments.file, output);
+      break;
+    default:
+      infoTable(arguments.file, arguments.robot, format, output);
+  }
+  return kOk;
+}
+
+}  // namespace
+
+void addInfo(CLI::App& app, ExitCode& exit) {
+  auto arguments = std::make_shared<InfoArguments>();
+  CLI::App* command =
+      app.add_subcommand("info", "Say what is in a session, a measured table or a robot file");
+  command->add_option("FILE", arguments->file, "session (.capstan), table (.csv) or robot file (.yaml)")
+      ->required();
+  command->add_option("--robot", arguments->robot, "robot file for RAVEN-II motor recordings");
+  command->add_option("--json", arguments->json, "result as JSON: a file, or - for standard output");
+  command->footer(
+      "Examples:\n"
+      "  capstan-cli info trial.capstan\n"
+      "  capstan-cli info recording.csv --json -");
+  command->callback([arguments, &exit] { exit = info(*arguments); });
+}
+
+}  // namespace capstan::cli

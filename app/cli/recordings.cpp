@@ -1,0 +1,67 @@
+#include "app/cli/recordings.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include "app/cli/console.h"
+#include "core/base/error.h"
+#include "core/session/raven_motors.h"
+#include "core/session/session_file.h"
+#include "core/session/session_source.h"
+#include "core/session/table_source.h"
+
+namespace capstan::cli {
+
+RecordingFormat detectFormat(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in || std::filesystem::is_directory(file))
+    refuseFile(file, std::filesystem::exists(file) ? "cannot be read" : "does not exist",
+               "Give a session (.capstan), a table (.csv) or a robot file (.yaml)");
+  char magic[16] = {};
+  in.read(magic, sizeof magic);
+  if (std::string(magic, 15) == "SQLite format 3") return RecordingFormat::kSession;
+  in.clear();
+  in.seekg(0);
+  std::string line;
+  std::getline(in, line);
+  if (session::isRavenMotors(line)) return RecordingFormat::kRavenMotors;
+  const std::string suffix = std::filesystem::path(file).extension().string();
+  if (suffix == ".yaml" || suffix == ".yml") return RecordingFormat::kRobot;
+  if (suffix == session::kSessionSuffix) return RecordingFormat::kSession;
+  return RecordingFormat::kTable;
+}
+
+RecordingFormat formatOf(const std::string& name, const std::string& file) {
+  const RecordingFormat found = detectFormat(file);
+  if (name == "session") return RecordingFormat::kSession;
+  if (name == "table") return RecordingFormat::kTable;
+  if (name == "raven") return RecordingFormat::kRavenMotors;
+  return found;
+}
+
+robot::Description readRobot(const std::string& file) {
+  return robot::readDescription(file.empty() ? resource("robots/raven2_left.yaml") : file);
+}
+
+session::MeasuredTable readTable(const std::string& file, RecordingFormat format,
+                                 const robot::Description& robot) {
+  return format == RecordingFormat::kRavenMotors ? session::readRavenMotors(file, robot)
+                                                 : session::readMeasuredTable(file);
+}
+
+std::unique_ptr<session::Source> openSource(const std::string& file, RecordingFormat format,
+                                            const std::string& robot_file) {
+  if (format == RecordingFormat::kRobot) refuseFile(file, "is no recording", "Give it as --robot");
+  if (format == RecordingFormat::kSession) {
+    if (!robot_file.empty())
+      refuseOption("--robot", robot_file, "the session brings its own robot",
+                   "Leave --robot out, or convert the session to a table first");
+    return std::make_unique<session::SessionSource>(file);
+  }
+  const robot::Description robot = readRobot(robot_file);
+  auto source = std::make_unique<session::TableSource>(readTable(file, format, robot), robot);
+  if (!source->notice().empty()) notice(source->notice());
+  return source;
+}
+
+}  // namespace capstan::cli

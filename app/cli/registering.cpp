@@ -1,0 +1,109 @@
+#include "app/cli/registering.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <vector>
+
+#include "app/cli/console.h"
+#include "core/base/yaml.h"
+#include "core/session/registration_guide.h"
+#include "core/tracking/make_pipeline.h"
+#include "core/tracking/track_all.h"
+#include "core/vision/registration.h"
+
+namespace capstan::cli {
+namespace {
+
+struct RegistrationFile {
+  Eigen::Vector3d translation = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+
+  template <class Self, class Visitor>
+  static void visit(Self& self, Visitor&& field) {
+    field(self.translation, {"translation", "m", "of base_from_camera", {-100.0, 100.0}});
+    field(self.rotation, {"rotation", "", "of base_from_camera, rows", {-1.0, 1.0}});
+  }
+};
+
+/// The recording through a pipeline that knows no registration.
+template <class Each>
+void runUnregistered(const SourceFactory& open, const tracking::TrackingOptions& options, Each each) {
+  const auto source = open();
+  session::SourceInfo info = source->info();
+  info.base_from_camera.reset();
+  tracking::TrackingPipeline pipeline = tracking::makePipeline(info, options);
+  tracking::trackAll(*source, pipeline, nullptr, 0.0,
+                     [&](const tracking::Sample&, const tracking::Snapshot& snapshot) { each(snapshot); });
+}
+
+Eigen::Isometry3d atHardStop(const std::string& mounting, const SourceFactory& open,
+                             const tracking::TrackingOptions& options, std::string& message) {
+  const auto info = open()->info();
+  std::optional<Eigen::Isometry3d> known = info.base_from_camera;
+  if (!mounting.empty()) known = readRegistration(mounting);
+  session::RegistrationGuide guide(info.robot);
+  guide.start(known);
+  runUnregistered(open, options, [&](const tracking::Snapshot& snapshot) {
+    if (guide.step() == session::RegistrationStep::kReview) return;
+    guide.observe(snapshot);
+    if (guide.canCollect()) guide.collect();
+  });
+  if (!guide.proposal())
+    refuseOption(
+        "--register", "hard-stop",
+        guide.reason().empty() ? "the recording holds no rest at the hard stop long enough" : guide.reason(),
+        guide.advice().empty() ? "Record one, or give --register kinematics or a file" : guide.advice());
+  const vision::Registration& found = guide.proposal()->registration;
+  message =
+      fmt::format("registered at the hard stop: {} frames, rms {:.2f} mm", found.frames, 1e3 * found.rms);
+  return found.base_from_camera;
+}
+
+Eigen::Isometry3d againstKinematics(const SourceFactory& open, const tracking::TrackingOptions& options,
+                                    std::string& message) {
+  std::vector<Eigen::Vector3d> seen, kinematic;
+  runUnregistered(open, options, [&](const tracking::Snapshot& snapshot) {
+    if (!snapshot.camera_updated || snapshot.gate != tracking::Gate::kUnregistered) return;
+    if (!snapshot.tip_kin_cam.allFinite()) return;
+    seen.push_back(snapshot.tip_in_camera);
+    kinematic.push_back(snapshot.tip_kin_cam);
+  });
+  const auto found = vision::registerRigid(seen, kinematic);
+  if (!found)
+    refuseOption("--register", "kinematics", std::string(base::nameOf(found.error())),
+                 "Give a recording with images and movement");
+  message =
+      fmt::format("registered against kinematics: {} frames, rms {:.2f} mm", found->frames, 1e3 * found->rms);
+  return found->base_from_camera;
+}
+
+}  // namespace
+
+Eigen::Isometry3d registerBy(const std::string& method, const std::string& mounting,
+                             const SourceFactory& open, const tracking::TrackingOptions& options,
+                             std::string& message) {
+  if (method == "hard-stop") return atHardStop(mounting, open, options, message);
+  if (method == "kinematics") return againstKinematics(open, options, message);
+  message = "registered by " + method;
+  return readRegistration(method);
+}
+
+Eigen::Isometry3d readRegistration(const std::string& file) {
+  const auto fields = base::readYamlFile<RegistrationFile>(file);
+  const double far = (fields.rotation * fields.rotation.transpose() - Eigen::Matrix3d::Identity()).norm();
+  if (!(far < 1e-6) || fields.rotation.determinant() < 0.0)
+    throw base::InputError(
+        {file, 0, "rotation", {}, "is no rotation matrix", "Give one whose rows are orthonormal"});
+  Eigen::Isometry3d base_from_camera = Eigen::Isometry3d::Identity();
+  base_from_camera.linear() = fields.rotation;
+  base_from_camera.translation() = fields.translation;
+  return base_from_camera;
+}
+
+void writeRegistration(const Eigen::Isometry3d& base_from_camera, const std::string& file) {
+  base::writeTextFile(
+      file, base::writeYaml(RegistrationFile{base_from_camera.translation(), base_from_camera.linear()}));
+}
+
+}  // namespace capstan::cli

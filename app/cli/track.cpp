@@ -1,0 +1,143 @@
+#include <fmt/format.h>
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "app/cli/centroid_study.h"
+#include "app/cli/command.h"
+#include "app/cli/console.h"
+#include "app/cli/occluded_source.h"
+#include "app/cli/recordings.h"
+#include "app/cli/registering.h"
+#include "app/cli/simulation_arguments.h"
+#include "app/cli/track_output.h"
+#include "core/base/error.h"
+#include "core/tracking/make_pipeline.h"
+
+namespace capstan::cli {
+namespace {
+
+struct TrackArguments {
+  std::string file, format = "auto", robot, options, registration = "stored", mounting, out,
+                    save_registration, json;
+  bool simulate = false;
+  double occlude = 0.0;
+  SimulationArguments simulation;
+};
+
+void check(const TrackArguments& arguments, const CLI::App& command) {
+  if (arguments.simulate && !arguments.file.empty())
+    refuseOption("FILE", arguments.file, "is given together with --simulate", "Give one of them");
+  if (!arguments.simulate && arguments.file.empty())
+    refuseOption("FILE", {}, "is missing", "Give a recording, or --simulate");
+  if (!arguments.simulate && simulationAsked(command))
+    refuseOption("--simulate", {}, "is missing, yet simulation options are given",
+                 "Add --simulate or leave them out");
+}
+
+ExitCode track(TrackArguments& arguments, const CLI::App& command) {
+  check(arguments, command);
+  const Output output(arguments.json);
+  const auto options = arguments.options.empty() ? tracking::TrackingOptions{}
+                                                 : tracking::readTrackingOptions(arguments.options);
+  arguments.simulation.robot = arguments.robot;
+  const RecordingFormat format =
+      arguments.simulate ? RecordingFormat::kTable : formatOf(arguments.format, arguments.file);
+  const SourceFactory open = [&]() -> std::unique_ptr<session::Source> {
+    if (arguments.simulate) return makeSimulation(arguments.simulation);
+    return openSource(arguments.file, format, arguments.robot);
+  };
+
+  const auto source = open();
+  session::SourceInfo info = source->info();
+  if (arguments.registration != "stored") {
+    std::string message;
+    info.base_from_camera = registerBy(arguments.registration, arguments.mounting, open, options, message);
+    notice(message);
+  } else if (info.rig && !info.base_from_camera) {
+    notice("no registration is stored with this recording: the filter runs on kinematics (see --register)");
+  }
+  if (!arguments.save_registration.empty() && info.base_from_camera)
+    writeRegistration(*info.base_from_camera, arguments.save_registration);
+
+  tracking::TrackingPipeline pipeline = tracking::makePipeline(info, options);
+  OccludedSource occluded(*source, {.percentage = arguments.occlude});
+  EstimateWriter estimates(arguments.out);
+  std::optional<CentroidStudy> study;
+  if (const auto* simulated = dynamic_cast<const simulation::SimulatedSource*>(source.get());
+      simulated && info.rig)
+    study.emplace(*simulated);
+
+  base::Progress progress;
+  tracking::TrackReport report;
+  const auto begin = std::chrono::steady_clock::now();
+  {
+    const ProgressLine line(progress);
+    report = tracking::trackAll(occluded, pipeline, &progress, info.duration,
+                                [&](const tracking::Sample& sample, const tracking::Snapshot& snapshot) {
+                                  estimates.add(sample, snapshot);
+                                  if (study) study->add(snapshot);
+                                });
+  }
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
+  estimates.close();
+
+  std::string text = textOf(report, spent.count());
+  nlohmann::json document = jsonOf(report);
+  document["title"] = info.title;
+  if (study && report.frames > 0) {
+    text += study->text();
+    document["centroid"] = study->json();
+  }
+  output.text(text);
+  output.json(document);
+  if (report.cancelled) notice("cancelled: the numbers are of what came before");
+  if (report.motor_samples == 0) notice("the recording holds no motor sample: nothing was tracked");
+  return report.cancelled || report.motor_samples == 0 ? kFailed : kOk;
+}
+
+}  // namespace
+
+void addTrack(CLI::App& app, ExitCode& exit) {
+  auto arguments = std::make_shared<TrackArguments>();
+  CLI::App* command =
+      app.add_subcommand("track", "Estimate the joint angles of a recording, or of a simulation");
+  command->add_option("FILE", arguments->file,
+                      "session (.capstan), measured table or RAVEN-II motor log (.csv)");
+  command->add_option("--format", arguments->format, "of FILE: auto, session, table, raven")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"auto", "session", "table", "raven"}));
+  command->add_option("--robot", arguments->robot, "robot file; a session brings its own");
+  command->add_option("--options", arguments->options, "filter options (resources/tracking/default.yaml)");
+  command
+      ->add_option(
+          "--register", arguments->registration,
+          "stored; hard-stop: from frames at rest there; kinematics: from the whole movement; or a file")
+      ->capture_default_str();
+  command->add_option("--mounting", arguments->mounting,
+                      "file whose rotation --register hard-stop takes as known");
+  command->add_option("--save-registration", arguments->save_registration, "write the registration in use");
+  command
+      ->add_option("--occlude", arguments->occlude,
+                   "block both cameras for this share of the time, 2 s each [%]")
+      ->check(CLI::Range(0.0, 95.0));
+  command->add_option("--out", arguments->out, "estimates as CSV, a row a motor or camera sample");
+  command->add_option("--json", arguments->json, "result as JSON, SI: a file, or - for standard output");
+  command->add_flag("--simulate", arguments->simulate,
+                    "track a simulated session, without a file in between");
+  addSimulationOptions(*command, arguments->simulation);
+  command->footer(
+      "Examples:\n"
+      "  capstan-cli track trial.capstan --out estimates.csv\n"
+      "  capstan-cli track recording.csv --robot my_robot.yaml --json -\n"
+      "  capstan-cli track joints123.csv                 (RAVEN-II motor log, known by its header)\n"
+      "  capstan-cli track --simulate --duration 200     (block transfer; add --distractors or "
+      "--uneven-light)\n"
+      "  capstan-cli track --simulate --occlude 40       (UKF paper, experiment D)");
+  command->callback([arguments, command, &exit] { exit = track(*arguments, *command); });
+}
+
+}  // namespace capstan::cli

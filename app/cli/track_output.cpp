@@ -1,0 +1,131 @@
+#include "app/cli/track_output.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <variant>
+
+#include "app/cli/console.h"
+#include "core/base/error.h"
+
+namespace capstan::cli {
+namespace {
+
+using tracking::Gate;
+using tracking::TrackReport;
+
+std::string percent(double share) { return std::isnan(share) ? "-" : fmt::format("{:.2f} %", 100.0 * share); }
+
+std::string gateText(const TrackReport& report) {
+  std::string text;
+  for (const auto& [gate, name] : base::NamesOf<Gate>::value)
+    if (report.gates[static_cast<std::size_t>(gate)] > 0)
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, percent(report.gateShare(gate)));
+  return text.empty() ? "no camera sample" : text;
+}
+
+void appendCells(std::string& row, const Eigen::Vector3d& values) {
+  for (const double value : values)
+    row += std::isfinite(value) ? fmt::format(",{:.17g}", value) : std::string(",");
+}
+
+constexpr const char* kColumns =
+    "t,camera,t_cam,q_kin1,q_kin2,q_kin3,q_cam1,q_cam2,q_cam3,q_ukf1,q_ukf2,q_ukf3,dq_ukf1,dq_ukf2,dq_ukf3,"
+    "sigma_ukf1,sigma_ukf2,sigma_ukf3,q1,q2,q3,gate,nis\n";
+
+}  // namespace
+
+std::string textOf(const TrackReport& report, double seconds) {
+  std::string text = report.errors.text();
+  const double span = report.last_t - report.first_t;
+  text += fmt::format("\nmotor samples  {} over {:.3f} s\n", report.motor_samples, span);
+  text += fmt::format("camera samples {} ({} pairs of images)\n", report.camera_samples, report.frames);
+  if (report.frames > 0)
+    text += fmt::format("detected       left {}, right {} (full-frame search: {}, {})\n",
+                        percent(report.detectionRate(0)), percent(report.detectionRate(1)),
+                        report.full_frame[0], report.full_frame[1]);
+  text += fmt::format("gate           {}\n", gateText(report));
+  if (!std::isnan(report.nisMean()))
+    text += fmt::format("NIS / 3        {:.3f} over accepted camera samples\n", report.nisMean());
+  if (!std::isnan(report.neesMean()))
+    text += fmt::format("NEES / 3       {:.3f} of positions against the reference\n", report.neesMean());
+  text += fmt::format("rescues        {}, too late {}\n", report.rescues, report.late_dropped);
+  if (seconds > 0.0) text += fmt::format("speed          {:.1f} × real time\n", span / seconds);
+  return text;
+}
+
+nlohmann::json jsonOf(const TrackReport& report) {
+  nlohmann::json gates = nlohmann::json::object();
+  for (const auto& [gate, name] : base::NamesOf<Gate>::value)
+    gates[std::string(name)] = report.gates[static_cast<std::size_t>(gate)];
+  return {{"rms",
+           {{"kin", toJson(report.errors.kinematic().value())},
+            {"cam", toJson(report.errors.camera().value())},
+            {"ukf", toJson(report.errors.ukf().value())}}},
+          {"nis", report.nisMean()},
+          {"nees", report.neesMean()},
+          {"samples", report.motor_samples},
+          {"camera_samples", report.camera_samples},
+          {"frames", report.frames},
+          {"references", report.errors.ukf().count()},
+          {"detected", report.detected},
+          {"full_frame", report.full_frame},
+          {"gates", gates},
+          {"rescues", report.rescues},
+          {"late_dropped", report.late_dropped},
+          {"first_t", report.first_t},
+          {"last_t", report.last_t}};
+}
+
+EstimateWriter::EstimateWriter(const std::filesystem::path& path) : path_(path) {
+  if (path.empty()) return;
+  file_.reset(std::fopen(path.c_str(), "wb"));
+  if (!file_) refuseFile(path.string(), "cannot be written", "Give another --out");
+  std::fputs(kColumns, file_.get());
+}
+
+void EstimateWriter::add(const tracking::Sample& sample, const tracking::Snapshot& snapshot) {
+  if (!file_) return;
+  const Eigen::Vector3d none = Eigen::Vector3d::Constant(std::nan(""));
+  if (std::holds_alternative<tracking::MotorSample>(sample)) {
+    flush();
+    motor_row_ = snapshot;
+    reference_ = snapshot.reference_paired ? snapshot.q_link_true : none;
+  } else if (std::holds_alternative<tracking::JointSample>(sample)) {
+    if (snapshot.reference_paired) reference_ = snapshot.q_link_true;
+  } else {
+    flush();
+    write(snapshot, snapshot.q_link_true_cam);
+  }
+}
+
+void EstimateWriter::flush() {
+  if (motor_row_) write(*motor_row_, reference_);
+  motor_row_.reset();
+}
+
+void EstimateWriter::write(const tracking::Snapshot& s, const Eigen::Vector3d& reference) {
+  std::string row = fmt::format("{:.17g},{}", s.t, s.camera_updated ? 1 : 0);
+  row += s.camera_updated ? fmt::format(",{:.17g}", s.t_cam) : std::string(",");
+  appendCells(row, s.q_link_kin);
+  appendCells(row,
+              s.camera_updated ? s.q_link_cam : Eigen::Vector3d(Eigen::Vector3d::Constant(std::nan(""))));
+  appendCells(row, s.q_link_ukf);
+  appendCells(row, s.dq_link_ukf);
+  appendCells(row, s.q_link_ukf_sigma);
+  appendCells(row, reference);
+  row += fmt::format(",{},", base::nameOf(s.gate));
+  if (s.camera_updated && std::isfinite(s.nis)) row += fmt::format("{:.17g}", s.nis);
+  row += '\n';
+  std::fputs(row.c_str(), file_.get());
+}
+
+void EstimateWriter::close() {
+  if (!file_) return;
+  flush();
+  const bool failed = std::ferror(file_.get()) != 0;
+  if (std::fclose(file_.release()) != 0 || failed)
+    refuseFile(path_.string(), "could not be written whole", "Is the disk full?");
+}
+
+}  // namespace capstan::cli

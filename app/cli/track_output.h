@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "core/tracking/sample.h"
+#include "core/tracking/snapshot.h"
+#include "core/tracking/track_all.h"
+
+namespace capstan::cli {
+
+/// The report for people: errors in deg, deg, mm; detection, gate, consistency; `seconds` of computing for
+/// the speed.
+std::string textOf(const tracking::TrackReport& report, double seconds);
+/// The report in SI: {"rms": {"kin": […], "cam": […], "ukf": […]}, "nis": …, "samples": …, …}. No times of
+/// computing, so that the same input gives the same document.
+nlohmann::json jsonOf(const tracking::TrackReport& report);
+
+/// Writes one CSV row a motor sample and a camera sample: t, camera flag, t_cam, q_kin, q_cam, q_ukf, dq_ukf,
+/// sigma, reference (of t, on rows of cameras of t_cam), gate, NIS; SI, 17 digits, empty where nothing is
+/// known.
+class EstimateWriter {
+ public:
+  /// Throws base::InputError when `path` cannot be written. Empty path: writes nothing.
+  explicit EstimateWriter(const std::filesystem::path& path);
+  void add(const tracking::Sample& sample, const tracking::Snapshot& snapshot);
+  /// Throws base::InputError when the disk took less than everything.
+  void close();
+
+ private:
+  struct Closer {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  void flush();
+  void write(const tracking::Snapshot& snapshot, const Eigen::Vector3d& reference);
+
+  std::filesystem::path path_;
+  std::unique_ptr<std::FILE, Closer> file_;
+  std::optional<tracking::Snapshot> motor_row_;  ///< waits for the reference of its time
+  Eigen::Vector3d reference_;
+};
+
+}  // namespace capstan::cli
