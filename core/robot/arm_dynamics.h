@@ -2,8 +2,10 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <type_traits>
 
 #include "core/robot/arm_kernel.h"
+#include "core/robot/arm_trig.h"
 #include "core/robot/description.h"
 
 namespace capstan::robot {
@@ -29,8 +31,8 @@ class ArmDynamics {
   Eigen::Matrix<T, 3, 3> massMatrix(const Vector<T>& q) const {
     const ArmTerms<T> m = armTerms<T>(constants_, trigOf(q), q[2], {T(0.0), T(0.0), T(0.0)});
     Eigen::Matrix<T, 3, 3> matrix;
-    matrix << m.m11, m.m12, m.m13, m.m12, m.m22, T(constants_.cross[2]), m.m13, T(constants_.cross[2]),
-        T(constants_.mass3);
+    matrix << m.m11, m.m12, m.m13, m.m12, m.m22, T(constants_.m23), m.m13, T(constants_.m23),
+        T(constants_.m33);
     return matrix;
   }
 
@@ -55,9 +57,13 @@ class ArmDynamics {
  private:
   template <class T>
   static ArmTrig<T> trigOf(const Vector<T>& q) {
-    using std::cos;
-    using std::sin;
-    return {sin(q[0]), cos(q[0]), sin(q[1]), cos(q[1])};
+    if constexpr (std::is_same_v<T, double>) {
+      return armTrig(q[0], q[1]);
+    } else {
+      using std::cos;
+      using std::sin;
+      return {sin(q[0]), cos(q[0]), sin(q[1]), cos(q[1])};
+    }
   }
   template <class T>
   static std::array<T, 3> arrayOf(const Vector<T>& v) {

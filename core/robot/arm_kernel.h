@@ -9,29 +9,33 @@
 ///
 /// Links 2 and 3 turn together about the remote centre O; frame B is link 2's frame before its offset
 /// theta_2, so that sines and cosines are those of q1 and q2 themselves. In B, with e the axis of joint 1, z
-/// that of joint 2, u the axis of the prismatic joint and c(q3) = c_0 + q3 u the centre of mass of link 3:
-///   omega = e dq1 + z dq2,   e = (sin(alpha_2) sin q2, sin(alpha_2) cos q2, cos(alpha_2))
-///   J(q3) = J_0 + q3 J_1 + q3² J_2     inertia of links 2 and 3 about O
-///   H     = J omega + m_3 (c × u) dq3  angular momentum about O
-///   tau_1 = I_1zz ddq1 + e · dH/dt,  tau_2 = z · dH/dt,  tau_3 = m_3 u · acceleration of c,  each less
-///   gravity's.
+/// that of joint 2, u the axis of the prismatic joint, c_0 + q3 u the centre of mass of link 3 and J(q3) the
+/// inertia of links 2 and 3 about O:
+///   e = (sin(alpha_2) sin q2, sin(alpha_2) cos q2, cos(alpha_2))
+///   M11 = I_1zz + e·Je    M12 = z·Je    M22 = z·Jz    M13 = m_3 e·(c_0 × u)    M23 = m_3 z·(c_0 × u)    M33
+///   = m_3
+/// J is quadratic in q3, so with w = F sin q2 + G cos q2, A, B, C, F, G, N quadratics of q3:
+///   M11 = A + B cos 2q2 + C sin 2q2 + 2 cos(alpha_2) w    M12 = w + cos(alpha_2) N    M22 = N
+///   M13 = P sin q2 + Q cos q2 + R
+/// and C(q, dq) dq follows from their derivatives (Lagrange).
 namespace capstan::robot {
 
-/// Symmetric 3×3: xx, xy, xz, yy, yz, zz.
-using Symmetric = std::array<double, 6>;
+/// value + q3 (slope + q3 bend).
+struct Quadratic {
+  double value = 0.0, slope = 0.0, bend = 0.0;
+};
 
-/// What the closed form needs of a robot file; made by armConstants() in arm_dynamics.h. Frame B where not
-/// said.
+/// What the closed form needs of a robot file; made by armConstants() in arm_dynamics.h.
 struct ArmConstants {
   double sin_alpha2 = 0.0, cos_alpha2 = 0.0;
-  std::array<double, 3> gravity{};          ///< in frame 1 at q1 = 0 [m/s²]
-  double inertia1 = 0.0;                    ///< of link 1 about axis 1 [kg·m²]
-  std::array<double, 2> moment1{};          ///< m_1 (x, y) of link 1's centre of mass, frame 1 [kg·m]
-  Symmetric j0{}, j1{}, j2{};               ///< J(q3) [kg·m², kg·m, kg]
-  std::array<double, 3> moment{};           ///< first moment of links 2 and 3 about O at q3 = 0 [kg·m]
-  std::array<double, 3> sliding_moment{};   ///< m_3 u [kg]
-  std::array<double, 3> cross{};            ///< m_3 c_0 × u [kg·m]
-  double mass3 = 0.0, inverse_mass3 = 0.0;  ///< [kg], [1/kg]
+  Quadratic a, b, c, f, g, n;        ///< of the mass matrix, above [kg·m²]
+  double p = 0.0, q = 0.0, r = 0.0;  ///< of M13 [kg·m]
+  double m23 = 0.0, m33 = 0.0;       ///< constant entries [kg·m, kg]
+  double inverse_m33 = 0.0;          ///< [1/kg]
+  std::array<double, 3> gravity{};   ///< in frame 1 at q1 = 0 [m/s²]
+  std::array<double, 2> moment1{};   ///< m_1 (x, y) of link 1's centre of mass, frame 1 [kg·m]
+  std::array<double, 3> moment{};    ///< first moment of links 2 and 3 about O at q3 = 0, frame B [kg·m]
+  std::array<double, 3> sliding_moment{};  ///< m_3 u, frame B [kg]
 };
 
 /// Sines and cosines of q1 and q2.
@@ -40,7 +44,7 @@ struct ArmTrig {
   T sin1, cos1, sin2, cos2;
 };
 
-/// M(q) and C(q, dq) dq + G(q). M23 and M33 are constant: ArmConstants::cross[2] and mass3.
+/// M(q) and C(q, dq) dq + G(q). M23 and M33 are constant: ArmConstants::m23 and m33.
 template <class T>
 struct ArmTerms {
   T m11, m12, m13, m22;
@@ -48,66 +52,71 @@ struct ArmTerms {
 };
 
 template <class T>
-[[gnu::always_inline]] inline std::array<T, 3> multiply(const std::array<T, 6>& s,
-                                                        const std::array<T, 3>& v) {
-  return {s[0] * v[0] + s[1] * v[1] + s[2] * v[2], s[1] * v[0] + s[3] * v[1] + s[4] * v[2],
-          s[2] * v[0] + s[4] * v[1] + s[5] * v[2]};
+struct ValueAndSlope {
+  T value, slope;
+};
+
+template <class T>
+[[gnu::always_inline]] inline ValueAndSlope<T> evaluate(const Quadratic& k, const T& q3) {
+  const T bend = k.bend * q3;
+  const T slope = k.slope + bend;
+  return {k.value + q3 * slope, slope + bend};
+}
+
+/// G(q): less the torque of gravity, with everything in frame 1 turned by alpha_2, where joint 1's axis is
+/// (0, sin(alpha_2), cos(alpha_2)) and joint 2's is z.
+template <class T>
+[[gnu::always_inline]] inline std::array<T, 3> armGravity(const ArmConstants& k, const ArmTrig<T>& trig,
+                                                          const T& q3) {
+  const T g1x = k.gravity[0] * trig.cos1 + k.gravity[1] * trig.sin1;
+  const T g1y = k.gravity[1] * trig.cos1 - k.gravity[0] * trig.sin1;
+  const T gy = k.cos_alpha2 * g1y + k.sin_alpha2 * k.gravity[2];
+  const T gz = k.cos_alpha2 * k.gravity[2] - k.sin_alpha2 * g1y;
+
+  const T ux = k.sliding_moment[0] * trig.cos2 - k.sliding_moment[1] * trig.sin2;
+  const T uy = k.sliding_moment[0] * trig.sin2 + k.sliding_moment[1] * trig.cos2;
+  const T sx = k.moment[0] * trig.cos2 - k.moment[1] * trig.sin2 + q3 * ux;
+  const T sy = k.moment[0] * trig.sin2 + k.moment[1] * trig.cos2 + q3 * uy;
+  const T sz = k.moment[2] + k.sliding_moment[2] * q3;
+  const T about2 = sy * g1x - sx * gy;
+  return {
+      k.sin_alpha2 * (sx * gz - sz * g1x) + k.cos_alpha2 * about2 + k.moment1[1] * g1x - k.moment1[0] * g1y,
+      about2, -(ux * g1x + uy * gy + k.sliding_moment[2] * gz)};
 }
 
 /// Mass matrix and bias at q3 [m] and dq [rad/s, rad/s, m/s].
 template <class T>
 [[gnu::always_inline]] inline ArmTerms<T> armTerms(const ArmConstants& k, const ArmTrig<T>& trig, const T& q3,
                                                    const std::array<T, 3>& dq) {
-  const T ex = k.sin_alpha2 * trig.sin2;
-  const T ey = k.sin_alpha2 * trig.cos2;
-  const double ez = k.cos_alpha2;
+  const T& s = trig.sin2;
+  const T& c = trig.cos2;
+  const T twice_sin = (s + s) * c;  // sin 2q2
+  const T twice_cos = c * c - s * s;
+  const double twice_ca = 2.0 * k.cos_alpha2;
+  const ValueAndSlope<T> a_ = evaluate(k.a, q3), b_ = evaluate(k.b, q3), c_ = evaluate(k.c, q3);
+  const ValueAndSlope<T> f_ = evaluate(k.f, q3), g_ = evaluate(k.g, q3), n_ = evaluate(k.n, q3);
 
-  std::array<T, 6> inertia;  // J
-  std::array<T, 6> slope;    // dJ / dq3
-  for (std::size_t i = 0; i < 6; ++i) {
-    const T square = k.j2[i] * q3;
-    inertia[i] = k.j0[i] + q3 * (k.j1[i] + square);
-    slope[i] = k.j1[i] + (square + square);
-  }
-
-  const std::array<T, 3> je = {inertia[0] * ex + inertia[1] * ey + inertia[2] * ez,
-                               inertia[1] * ex + inertia[3] * ey + inertia[4] * ez,
-                               inertia[2] * ex + inertia[4] * ey + inertia[5] * ez};
+  const T w = f_.value * s + g_.value * c;
   ArmTerms<T> terms;
-  terms.m11 = k.inertia1 + (ex * je[0] + ey * je[1] + ez * je[2]);
-  terms.m12 = je[2];
-  terms.m22 = inertia[5];
-  terms.m13 = k.cross[0] * ex + k.cross[1] * ey + k.cross[2] * ez;
+  terms.m11 = a_.value + b_.value * twice_cos + c_.value * twice_sin + twice_ca * w;
+  terms.m12 = w + k.cos_alpha2 * n_.value;
+  terms.m22 = n_.value;
+  terms.m13 = k.p * s + k.q * c + k.r;
 
-  const std::array<T, 3> omega = {ex * dq[0], ey * dq[0], ez * dq[0] + dq[1]};
-  const std::array<T, 3> momentum = {je[0] * dq[0] + inertia[2] * dq[1] + k.cross[0] * dq[2],
-                                     je[1] * dq[0] + inertia[4] * dq[1] + k.cross[1] * dq[2],
-                                     je[2] * dq[0] + inertia[5] * dq[1] + k.cross[2] * dq[2]};
-  const std::array<T, 3> slope_omega = multiply(slope, omega);
-  const T dx = omega[1] * dq[1];  // de/dt dq1 = (e × z) dq1 dq2 = (dx, −dy, 0)
-  const T dy = omega[0] * dq[1];
+  const T m12_2 = f_.value * c - g_.value * s;  // d M12 / d q2, and so on
+  const T half_m11_2 = c_.value * twice_cos - b_.value * twice_sin + k.cos_alpha2 * m12_2;
+  const T m13_2 = k.p * c - k.q * s;
+  const T w_3 = f_.slope * s + g_.slope * c;
+  const T m11_3 = a_.slope + b_.slope * twice_cos + c_.slope * twice_sin + twice_ca * w_3;
+  const T m12_3 = w_3 + k.cos_alpha2 * n_.slope;
 
-  const T g1x = k.gravity[0] * trig.cos1 + k.gravity[1] * trig.sin1;
-  const T g1y = k.gravity[1] * trig.cos1 - k.gravity[0] * trig.sin1;
-  const T side = k.cos_alpha2 * g1y + k.sin_alpha2 * k.gravity[2];
-  const std::array<T, 3> g = {g1x * trig.cos2 + side * trig.sin2, side * trig.cos2 - g1x * trig.sin2,
-                              k.cos_alpha2 * k.gravity[2] - k.sin_alpha2 * g1y};
-  const std::array<T, 3> s = {k.moment[0] + k.sliding_moment[0] * q3, k.moment[1] + k.sliding_moment[1] * q3,
-                              k.moment[2] + k.sliding_moment[2] * q3};
-
-  const T nx = inertia[0] * dx - inertia[1] * dy + dq[2] * slope_omega[0] +
-               (omega[1] * momentum[2] - omega[2] * momentum[1]) - (s[1] * g[2] - s[2] * g[1]);
-  const T ny = inertia[1] * dx - inertia[3] * dy + dq[2] * slope_omega[1] +
-               (omega[2] * momentum[0] - omega[0] * momentum[2]) - (s[2] * g[0] - s[0] * g[2]);
-  const T nz = inertia[2] * dx - inertia[4] * dy + dq[2] * slope_omega[2] +
-               (omega[0] * momentum[1] - omega[1] * momentum[0]) - (s[0] * g[1] - s[1] * g[0]);
-  const T centrifugal =
-      0.5 * (omega[0] * slope_omega[0] + omega[1] * slope_omega[1] + omega[2] * slope_omega[2]);
-
-  terms.bias[0] = ex * nx + ey * ny + ez * nz - (k.moment1[0] * g1y - k.moment1[1] * g1x);
-  terms.bias[1] = nz;
-  terms.bias[2] = k.cross[0] * dx - k.cross[1] * dy - centrifugal -
-                  (k.sliding_moment[0] * g[0] + k.sliding_moment[1] * g[1] + k.sliding_moment[2] * g[2]);
+  const std::array<T, 3> gravity = armGravity(k, trig, q3);
+  const T bend = half_m11_2 * dq[0];
+  const T along = m12_3 * dq[0] + n_.slope * dq[1];  // momentum about axis 2 gained by a unit of dq3
+  const T across = m11_3 * dq[0] + m12_3 * dq[1];    // about axis 1
+  terms.bias[0] = dq[1] * (bend + bend + m12_2 * dq[1] + m13_2 * dq[2]) + dq[2] * across + gravity[0];
+  terms.bias[1] = dq[2] * along - dq[0] * (bend + m13_2 * dq[2]) + gravity[1];
+  terms.bias[2] = m13_2 * dq[0] * dq[1] - 0.5 * (dq[0] * across + dq[1] * along) + gravity[2];
   return terms;
 }
 
@@ -118,8 +127,8 @@ template <class T>
                                                           const std::array<T, 3>& ddq) {
   const ArmTerms<T> m = armTerms(k, trig, q3, dq);
   return {m.m11 * ddq[0] + m.m12 * ddq[1] + m.m13 * ddq[2] + m.bias[0],
-          m.m12 * ddq[0] + m.m22 * ddq[1] + k.cross[2] * ddq[2] + m.bias[1],
-          m.m13 * ddq[0] + k.cross[2] * ddq[1] + k.mass3 * ddq[2] + m.bias[2]};
+          m.m12 * ddq[0] + m.m22 * ddq[1] + k.m23 * ddq[2] + m.bias[1],
+          m.m13 * ddq[0] + k.m23 * ddq[1] + k.m33 * ddq[2] + m.bias[2]};
 }
 
 /// Forward dynamics, ddq = M⁻¹ (tau − C dq − G) [rad/s², rad/s², m/s²]; tau holds everything else that acts
@@ -129,14 +138,14 @@ template <class T>
                                                           const T& q3, const std::array<T, 3>& dq,
                                                           const std::array<T, 3>& tau) {
   const ArmTerms<T> m = armTerms(k, trig, q3, dq);
-  const T r3 = (tau[2] - m.bias[2]) * k.inverse_mass3;  // row 3 solved first: M33 is constant
-  const T p = m.m13 * k.inverse_mass3;
-  const double q = k.cross[2] * k.inverse_mass3;
+  const T r3 = (tau[2] - m.bias[2]) * k.inverse_m33;  // row 3 solved first: M33 is constant
+  const T p = m.m13 * k.inverse_m33;
+  const double q = k.m23 * k.inverse_m33;
   const T a11 = m.m11 - m.m13 * p;
   const T a12 = m.m12 - m.m13 * q;
-  const T a22 = m.m22 - k.cross[2] * q;
+  const T a22 = m.m22 - k.m23 * q;
   const T b1 = tau[0] - m.bias[0] - m.m13 * r3;
-  const T b2 = tau[1] - m.bias[1] - k.cross[2] * r3;
+  const T b2 = tau[1] - m.bias[1] - k.m23 * r3;
   const T scale = 1.0 / (a11 * a22 - a12 * a12);
   const T ddq1 = (a22 * b1 - a12 * b2) * scale;
   const T ddq2 = (a11 * b2 - a12 * b1) * scale;

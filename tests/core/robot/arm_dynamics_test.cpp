@@ -1,5 +1,6 @@
 #include "core/robot/arm_dynamics.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -130,6 +131,35 @@ TEST_P(Arms, packsHoldSeveralArmsSideBySide) {
     for (int i = 0; i < 3; ++i)
       EXPECT_NEAR(ddq[static_cast<std::size_t>(i)][lane], alone[i], 1e-13 * (1.0 + alone.norm()));
   }
+}
+
+TEST(ArmTrig, isExactToTheLastBits) {
+  base::Random random(17);
+  double worst = 0.0;
+  const auto see = [&](double ours, long double exact) {
+    worst = std::max(worst, static_cast<double>(std::abs(static_cast<long double>(ours) - exact)));
+  };
+  for (int k = 0; k < 300'000; ++k) {
+    const double size = std::pow(10.0, random.uniform(-9.0, 5.5));  // beyond 1e5 the C library's
+    const double near_quarter = (k % 40 - 20) * 1.5707963267948966;
+    const double q1 = random.uniform(-size, size),
+                 q2 = near_quarter + random.normal(0.0, std::min(1.0, size));
+    const ArmTrig<double> trig = armTrig(q1, q2);
+    see(trig.sin1, std::sin(static_cast<long double>(q1)));
+    see(trig.cos1, std::cos(static_cast<long double>(q1)));
+    see(trig.sin2, std::sin(static_cast<long double>(q2)));
+    see(trig.cos2, std::cos(static_cast<long double>(q2)));
+  }
+  fmt::print("sine and cosine within {:.2e}\n", worst);
+  EXPECT_LE(worst, 1.5e-16);
+}
+
+TEST(ArmTrig, smallAnglesKeepTheirDigitsAndNonsenseStaysNonsense) {
+  EXPECT_EQ(armTrig(0.0, 1e-200).sin1, 0.0);
+  EXPECT_EQ(armTrig(0.0, 1e-200).sin2, 1e-200);
+  EXPECT_EQ(armTrig(0.0, -1e-9).sin2, std::sin(-1e-9));
+  EXPECT_TRUE(std::isnan(armTrig(std::nan(""), 0.3).sin1));
+  EXPECT_EQ(armTrig(std::nan(""), 0.3).sin2, std::sin(0.3));
 }
 
 TEST(ArmDynamics, refusesArmsWithoutARemoteCentre) {

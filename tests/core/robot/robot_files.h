@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 
@@ -15,12 +14,6 @@ inline std::filesystem::path robotFile(const std::string& side) {
 }
 
 inline Description raven(const std::string& side = "left") { return readDescription(robotFile(side)); }
-
-/// A file beside the data sets: in the parent of CAPSTAN_DATA, else in ../shared beside the repository.
-inline std::filesystem::path sharedFile(const std::string& name) {
-  if (const char* data = std::getenv("CAPSTAN_DATA")) return std::filesystem::path(data).parent_path() / name;
-  return std::filesystem::path(CAPSTAN_SOURCE_DIR) / ".." / "shared" / name;
-}
 
 inline Eigen::Vector3d randomVector(base::Random& random, double size) {
   return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
