@@ -1,0 +1,414 @@
+/// The square-root UKF of the cable arm (six states, RK4, predict + update) against OpenCV's tracking UKF on
+/// the same problem, and against the floor of 13 bare RK4 propagations. Prints one table of ratios measured
+/// in this run, the distance to a long-double reference, and then Google Benchmark's own report.
+#include <benchmark/benchmark.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <opencv2/core.hpp>
+#include <opencv2/tracking/kalman_filters.hpp>
+#include <string>
+#include <vector>
+
+#include "core/estimation/square_root_ukf.h"
+#include "core/robot/arm_kernel.h"
+#include "core/robot/description.h"
+#include "core/tracking/cable_arm_model.h"
+#include "tests/support/cable_arm_reference.h"
+#include "tests/support/ukf_reference.h"
+
+namespace {
+
+using capstan::estimation::Lower;
+using capstan::math::InstructionSet;
+using capstan::tracking::CableArmModel;
+using capstan::tracking::MotorState;
+using Vector3 = Eigen::Vector3d;
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+using Filter = capstan::estimation::SquareRootUkf<6>;
+using Joints = capstan::estimation::LinearMeasurement<6, 3>;
+
+/// Sample period of the robot; with a single RK4 step a sample is a quarter as long, for stability.
+constexpr double kPeriod = 1e-3;
+constexpr int kSamples = 2000;
+const capstan::estimation::SigmaRule kRule{};
+
+/// One second of motor motion and noisy joint observations; every contender gets the same.
+struct Problem {
+  capstan::robot::Description robot =
+      capstan::robot::readDescription(std::string(CAPSTAN_RESOURCES) + "/robots/raven2_left.yaml");
+  std::vector<MotorState> motor;
+  std::vector<Vector3> y;
+  Vector6 mean0;
+  Vector6 sigma0, sigma_q;
+  Vector3 sigma_r{2e-3, 2e-3, 5e-4};
+  Joints joints;
+  double dt;
+
+  explicit Problem(double period) : dt(period) {
+    mean0 << 0.8, 0.0, 1.6, 0.0, 0.4, 0.0;
+    sigma0 << 0.02, 0.1, 0.02, 0.1, 0.002, 0.02;
+    sigma_q << 1e-5, 1e-2, 1e-5, 1e-2, 1e-6, 1e-3;
+    const auto c = capstan::tracking::cableArmConstants(robot);
+    for (int i = 0; i < 3; ++i) joints.h(i, 2 * i) = 1.0;
+    const Vector3 centre(mean0(0), mean0(2), mean0(4)), swing(0.2, 0.15, 0.03);
+    for (int k = 0; k <= kSamples; ++k) {
+      MotorState sample;
+      Vector3 q, dq;
+      for (int i = 0; i < 3; ++i) {
+        const double w = 2.0 + i, t = k * dt;
+        q(i) = centre(i) + swing(i) * (1.0 - std::cos(w * t));
+        dq(i) = swing(i) * w * std::sin(w * t);
+      }
+      for (int i = 0; i < 3; ++i) {
+        double travel = 0.0, speed = 0.0;
+        for (int j = 0; j < 3; ++j) {
+          travel += c.coupling[i][j] * (q(j) - c.homing[j]);
+          speed += c.coupling[i][j] * dq(j);
+        }
+        sample.position(i) = c.link_radius[i] * travel / c.motor_scale[i];
+        sample.velocity(i) = c.link_radius[i] * speed / c.motor_scale[i];
+      }
+      motor.push_back(sample);
+      y.push_back(q +
+                  sigma_r.cwiseProduct(Vector3(std::sin(12.9 * k), std::sin(78.2 * k), std::sin(37.7 * k))));
+    }
+  }
+};
+
+const Problem& problemFor(int steps) {
+  static const Problem whole(kPeriod), quarter(kPeriod / 4.0);
+  return steps == 1 ? quarter : whole;
+}
+
+/// The model one point at a time, in closed form with the C library's functions.
+class ScalarArm {
+ public:
+  explicit ScalarArm(int steps)
+      : c_(capstan::tracking::cableArmConstants(problemFor(steps).robot)),
+        dt_(problemFor(steps).dt),
+        steps_(steps) {}
+
+  void propagate(double* x, const capstan::tracking::CableArmDrive& drive) const {
+    const double h = dt_ / steps_;
+    for (int s = 0; s < steps_; ++s) {
+      std::array<double, 6> k1, k2, k3, k4, stage;
+      slope(x, drive, double(s) / steps_, k1.data());
+      for (std::size_t i = 0; i < 6; ++i) stage[i] = x[i] + 0.5 * h * k1[i];
+      slope(stage.data(), drive, (s + 0.5) / steps_, k2.data());
+      for (std::size_t i = 0; i < 6; ++i) stage[i] = x[i] + 0.5 * h * k2[i];
+      slope(stage.data(), drive, (s + 0.5) / steps_, k3.data());
+      for (std::size_t i = 0; i < 6; ++i) stage[i] = x[i] + h * k3[i];
+      slope(stage.data(), drive, (s + 1.0) / steps_, k4.data());
+      for (std::size_t i = 0; i < 6; ++i) x[i] += h / 6.0 * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]);
+    }
+  }
+
+ private:
+  void slope(const double* x, const capstan::tracking::CableArmDrive& d, double at, double* dx) const {
+    std::array<double, 3> tension, tau;
+    const std::array<double, 3> dq = {x[1], x[3], x[5]};
+    const std::array<double, 3> out = {x[0] - c_.homing[0], x[2] - c_.homing[1], x[4] - c_.homing[2]};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto& row = c_.coupling[i];
+      const double s = d.position0[i] + at * (d.position1[i] - d.position0[i]);
+      const double v = d.velocity0[i] + at * (d.velocity1[i] - d.velocity0[i]);
+      const double delta =
+          c_.motor_scale[i] * s - c_.link_radius[i] * (row[0] * out[0] + row[1] * out[1] + row[2] * out[2]);
+      const double rate =
+          c_.motor_scale[i] * v - c_.link_radius[i] * (row[0] * dq[0] + row[1] * dq[1] + row[2] * dq[2]);
+      tension[i] = c_.link_radius[i] *
+                   (2.0 * c_.stiffness[i] * std::sinh(c_.exponent[i] * delta) + 2.0 * c_.damping[i] * rate);
+    }
+    for (std::size_t j = 0; j < 3; ++j)
+      tau[j] = c_.coupling[0][j] * tension[0] + c_.coupling[1][j] * tension[1] +
+               c_.coupling[2][j] * tension[2] - c_.coulomb[j] * std::tanh(dq[j] * c_.inverse_smoothing[j]) -
+               c_.viscous[j] * dq[j];
+    const auto ddq = capstan::robot::armForward<double>(
+        c_.body, {std::sin(x[0]), std::cos(x[0]), std::sin(x[2]), std::cos(x[2])}, x[4], dq, tau);
+    for (std::size_t i = 0; i < 3; ++i) {
+      dx[2 * i] = dq[i];
+      dx[2 * i + 1] = ddq[i];
+    }
+  }
+
+  capstan::tracking::CableArmConstants c_;
+  double dt_;
+  int steps_;
+};
+
+/// A contender takes sample k -> k + 1 each time it is called; begin() goes back to the first.
+class Contender {
+ public:
+  Contender(std::string title, int steps) : title_(std::move(title)), problem_(problemFor(steps)) {}
+  virtual ~Contender() = default;
+  virtual void begin() = 0;
+  virtual void step(int k) = 0;
+  virtual double result() const = 0;
+  const std::string& title() const { return title_; }
+  const Problem& problem() const { return problem_; }
+
+ private:
+  std::string title_;
+  const Problem& problem_;
+};
+
+class Ours : public Contender {
+ public:
+  Ours(InstructionSet set, int steps, std::string title)
+      : Contender(std::move(title), steps), model_(problem().robot, set) {
+    model_.setSteps(steps);
+    sqrt_q_ = problem().sigma_q.asDiagonal();
+    sqrt_r_ = problem().sigma_r.asDiagonal();
+  }
+  void begin() override { filter_.reset(problem().mean0, Lower<6>(problem().sigma0.asDiagonal())); }
+  void step(int k) override {
+    const auto& motor = problem().motor;
+    const std::size_t at = static_cast<std::size_t>(k);
+    filter_.predict(model_, CableArmModel::interval(motor[at], motor[at + 1]), problem().dt, sqrt_q_);
+    benchmark::DoNotOptimize(filter_.update(problem().joints, problem().y[at + 1], sqrt_r_));
+  }
+  double result() const override { return filter_.mean()(0); }
+  const Filter& filter() const { return filter_; }
+
+ private:
+  CableArmModel model_;
+  Filter filter_{kRule};
+  Lower<6> sqrt_q_;
+  Lower<3> sqrt_r_;
+};
+
+class SimdFloor : public Contender {
+ public:
+  SimdFloor(InstructionSet set, int steps, std::string title)
+      : Contender(std::move(title), steps), model_(problem().robot, set) {
+    model_.setSteps(steps);
+  }
+  void begin() override { points_.colwise() = problem().mean0; }
+  void step(int k) override {
+    const auto& motor = problem().motor;
+    const std::size_t at = static_cast<std::size_t>(k);
+    model_.propagate(points_, CableArmModel::interval(motor[at], motor[at + 1]), problem().dt);
+  }
+  double result() const override { return points_(0, 0); }
+
+ private:
+  CableArmModel model_;
+  alignas(64) CableArmModel::Points points_;
+};
+
+class ScalarFloor : public Contender {
+ public:
+  explicit ScalarFloor(int steps) : Contender("13 bare RK4, scalar", steps), arm_(steps) {}
+  void begin() override { points_.colwise() = problem().mean0; }
+  void step(int k) override {
+    const auto& motor = problem().motor;
+    const std::size_t at = static_cast<std::size_t>(k);
+    const auto drive = CableArmModel::interval(motor[at], motor[at + 1]);
+    for (int c = 0; c < 13; ++c) arm_.propagate(points_.col(c).data(), drive);
+  }
+  double result() const override { return points_(0, 0); }
+
+ private:
+  ScalarArm arm_;
+  Eigen::Matrix<double, 6, 13> points_;
+};
+
+class OpenCvModel : public cv::detail::UkfSystemModel {
+ public:
+  explicit OpenCvModel(int steps) : arm_(steps) {}
+  void stateConversionFunction(const cv::Mat& x, const cv::Mat& u, const cv::Mat&, cv::Mat& next) override {
+    std::array<double, 6> state;  // x and next are columns of larger arrays
+    for (int i = 0; i < 6; ++i) state[static_cast<std::size_t>(i)] = x.at<double>(i);
+    arm_.propagate(state.data(), *reinterpret_cast<const capstan::tracking::CableArmDrive*>(u.ptr<double>()));
+    for (int i = 0; i < 6; ++i) next.at<double>(i) = state[static_cast<std::size_t>(i)];
+  }
+  void measurementFunction(const cv::Mat& x, const cv::Mat&, cv::Mat& z) override {
+    for (int i = 0; i < 3; ++i) z.at<double>(i) = x.at<double>(2 * i);
+  }
+
+ private:
+  ScalarArm arm_;
+};
+
+class OpenCv : public Contender {
+ public:
+  explicit OpenCv(int steps)
+      : Contender("OpenCV tracking UKF", steps), model_(cv::makePtr<OpenCvModel>(steps)) {}
+  void begin() override {
+    cv::detail::UnscentedKalmanFilterParams p;
+    p.init(6, 3, 12, 1.0, 1.0, model_, CV_64F);
+    p.alpha = kRule.alpha;
+    p.k = kRule.kappa;
+    p.beta = kRule.beta;
+    for (int i = 0; i < 6; ++i) {
+      p.stateInit.at<double>(i) = problem().mean0(i);
+      p.errorCovInit.at<double>(i, i) = std::pow(problem().sigma0(i), 2);
+      p.processNoiseCov.at<double>(i, i) = std::pow(problem().sigma_q(i), 2);
+    }
+    for (int i = 0; i < 3; ++i) p.measurementNoiseCov.at<double>(i, i) = std::pow(problem().sigma_r(i), 2);
+    filter_ = cv::detail::createUnscentedKalmanFilter(p);
+  }
+  void step(int k) override {
+    const auto& motor = problem().motor;
+    const std::size_t at = static_cast<std::size_t>(k);
+    auto drive = CableArmModel::interval(motor[at], motor[at + 1]);
+    filter_->predict(cv::Mat(12, 1, CV_64F, &drive));
+    Vector3 y = problem().y[at + 1];
+    filter_->correct(cv::Mat(3, 1, CV_64F, y.data()));
+  }
+  double result() const override { return filter_->getState().at<double>(0); }
+  cv::Mat state() const { return filter_->getState(); }
+
+ private:
+  cv::Ptr<OpenCvModel> model_;
+  cv::Ptr<cv::detail::UnscentedKalmanFilter> filter_;
+};
+
+std::string processorName() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);)
+    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
+  return "unknown processor";
+}
+
+/// Nanoseconds a step of each contender: the fastest of several rounds, the contenders taking turns within a
+/// round.
+std::vector<double> timeInTurns(const std::vector<std::unique_ptr<Contender>>& contenders) {
+  constexpr int kRounds = 25;
+  using Clock = std::chrono::steady_clock;
+  std::vector<double> fastest(contenders.size(), std::numeric_limits<double>::infinity());
+  for (int round = 0; round < kRounds; ++round)
+    for (std::size_t c = 0; c < contenders.size(); ++c) {
+      contenders[c]->begin();
+      for (int k = 0; k < 100; ++k) contenders[c]->step(k);
+      contenders[c]->begin();
+      const auto start = Clock::now();
+      for (int k = 0; k < kSamples; ++k) contenders[c]->step(k);
+      const double ns = std::chrono::duration<double, std::nano>(Clock::now() - start).count() / kSamples;
+      fastest[c] = std::min(fastest[c], ns);
+      benchmark::DoNotOptimize(contenders[c]->result());
+    }
+  return fastest;
+}
+
+/// Largest difference of the mean (absolute, rad or m and per second) and of the covariance (relative to its
+/// norm) from the reference over `samples` steps; OpenCV's mean beside it.
+void printAgreement(int steps, int samples) {
+  using Real = long double;
+  const Problem& problem = problemFor(steps);
+  using Reference = capstan::test::CableArmReference<Real>;
+  const Reference arm(problem.robot);
+  capstan::test::UkfReference<Real, 6> reference(kRule);
+  using RealState = Eigen::Matrix<Real, 6, 1>;
+  using RealMatrix = Eigen::Matrix<Real, 6, 6>;
+  const auto square = [](const auto& sigma) { return sigma.template cast<Real>().cwiseAbs2().eval(); };
+  reference.reset(problem.mean0.cast<Real>(), RealMatrix(square(problem.sigma0).asDiagonal()));
+  const RealMatrix q = square(problem.sigma_q).asDiagonal();
+  const Eigen::Matrix<Real, 3, 3> r = square(problem.sigma_r).asDiagonal();
+  Ours ours(capstan::math::bestInstructionSet(), steps, "");
+  OpenCv opencv(steps);
+  ours.begin();
+  opencv.begin();
+  double mean = 0.0, covariance = 0.0, theirs = 0.0;
+  const auto real = [](const MotorState& m) {
+    return Reference::Motor{m.position.cast<Real>(), m.velocity.cast<Real>()};
+  };
+  for (int k = 0; k < samples; ++k) {
+    const std::size_t at = static_cast<std::size_t>(k);
+    const auto begin = real(problem.motor[at]), end = real(problem.motor[at + 1]);
+    reference.predict(
+        [&](const RealState& x) { return arm.propagate(x, begin, end, Real(problem.dt), steps); }, q);
+    reference.update<3>([](const RealState& x) { return Eigen::Matrix<Real, 3, 1>(x(0), x(2), x(4)); },
+                        problem.y[at + 1].cast<Real>(), r);
+    ours.step(k);
+    opencv.step(k);
+    const Vector6 expected = reference.mean().cast<double>();
+    mean = std::max(mean, (ours.filter().mean() - expected).cwiseAbs().maxCoeff());
+    const Eigen::Matrix<double, 6, 6> p = reference.covariance().cast<double>();
+    covariance = std::max(covariance, (ours.filter().covariance() - p).norm() / p.norm());
+    for (int i = 0; i < 6; ++i)
+      theirs = std::max(theirs, std::abs(opencv.state().at<double>(i) - expected(i)));
+  }
+  std::printf(
+      "Largest distance to the long-double reference over %d steps: mean %.2g, covariance %.2g (relative); "
+      "OpenCV's mean %.2g\n",
+      samples, mean, covariance, theirs);
+}
+
+std::vector<std::unique_ptr<Contender>> contendersFor(int steps) {
+  std::vector<std::unique_ptr<Contender>> list;
+  list.push_back(
+      std::make_unique<Ours>(capstan::math::bestInstructionSet(), steps, "srUKF predict + update"));
+  list.push_back(std::make_unique<OpenCv>(steps));
+  list.push_back(std::make_unique<ScalarFloor>(steps));
+  list.push_back(
+      std::make_unique<SimdFloor>(capstan::math::bestInstructionSet(), steps, "13 bare RK4, side by side"));
+  for (const InstructionSet set : capstan::math::kInstructionSets)
+    if (capstan::math::isAvailable(set) && set != capstan::math::bestInstructionSet())
+      list.push_back(std::make_unique<Ours>(
+          set, steps, std::string("srUKF, propagation in ") + capstan::math::nameOf(set)));
+  return list;
+}
+
+void printTable(int steps) {
+  const auto contenders = contendersFor(steps);
+  const std::vector<double> ns = timeInTurns(contenders);
+  std::printf("\nA sample of %g ms in %d RK4 step%s\n", 1e3 * problemFor(steps).dt, steps,
+              steps == 1 ? "" : "s");
+  for (std::size_t c = 0; c < contenders.size(); ++c)
+    std::printf("  %-38s %9.0f ns  %6.2f x srUKF\n", contenders[c]->title().c_str(), ns[c], ns[c] / ns[0]);
+  std::printf(
+      "  faster than OpenCV: %.1f x (wanted: 8)   srUKF over floor: %.2f x scalar, %.2f x side by side "
+      "(wanted: 2.5)\n",
+      ns[1] / ns[0], ns[0] / ns[2], ns[0] / ns[3]);
+  printAgreement(steps, 1000);
+}
+
+void run(benchmark::State& state, const std::function<std::unique_ptr<Contender>()>& make) {
+  const auto contender = make();
+  contender->begin();
+  int k = 0;
+  for (auto _ : state) {
+    if (k == kSamples) contender->begin(), k = 0;
+    contender->step(k++);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  cv::setNumThreads(1);
+  const int real = CableArmModel(problemFor(0).robot).stepsFor(kPeriod);
+  std::printf("Processor: %s; kernels: %s\n", processorName().c_str(),
+              capstan::math::nameOf(capstan::math::bestInstructionSet()));
+  printTable(1);
+  printTable(real);
+  std::printf("\n");
+  for (const int steps : {1, real}) {
+    const std::string suffix = "/substeps:" + std::to_string(steps);
+    benchmark::RegisterBenchmark(("srUKF" + suffix).c_str(), [steps](benchmark::State& state) {
+      run(state, [&] { return std::make_unique<Ours>(capstan::math::bestInstructionSet(), steps, ""); });
+    });
+    benchmark::RegisterBenchmark(("OpenCV_UKF" + suffix).c_str(), [steps](benchmark::State& state) {
+      run(state, [&] { return std::make_unique<OpenCv>(steps); });
+    });
+    benchmark::RegisterBenchmark(("RK4_13_scalar" + suffix).c_str(), [steps](benchmark::State& state) {
+      run(state, [&] { return std::make_unique<ScalarFloor>(steps); });
+    });
+    benchmark::RegisterBenchmark(("RK4_13_side_by_side" + suffix).c_str(), [steps](benchmark::State& state) {
+      run(state, [&] { return std::make_unique<SimdFloor>(capstan::math::bestInstructionSet(), steps, ""); });
+    });
+  }
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}
