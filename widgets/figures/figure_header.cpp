@@ -26,7 +26,7 @@ int FigureHeader::height() const {
 }
 
 void FigureHeader::draw(QCPPainter* painter) {
-  const QRectF area = rect();
+  const QRectF area = QRectF(rect()).adjusted(8, 0, -11, 0);  // ends where the axes end
   const QFont title_font = textFont(text_points_, role_ == Role::kValues);
   const double title_width = std::max(area.width() * 0.2, 90.0);
   painter->setFont(title_font);

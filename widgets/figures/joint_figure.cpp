@@ -8,12 +8,13 @@ namespace {
 
 constexpr double kShortest = 0.05;     ///< [s] shown at least
 constexpr double kCameraReach = 0.1;   ///< [s] around the cursor in which a camera dot counts
+constexpr double kStepsAPixel = 0.6;   ///< history steps drawn: a step is up to two points
 constexpr double kLiveMargin = 0.015;  ///< share of the time axis right of the newest sample
 
 }  // namespace
 
-JointFigure::JointFigure(const JointHistory& history, QWidget* parent)
-    : QCustomPlot(parent), history_(history), theme_(&Theme::light()) {
+JointFigure::JointFigure(const JointHistory& history, Medium medium, QWidget* parent)
+    : QCustomPlot(parent), history_(history), medium_(medium), theme_(&Theme::light()) {
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(320, 260);
@@ -60,7 +61,7 @@ void JointFigure::setTheme(const Theme& theme) {
   theme_ = &theme;
   setBackground(QBrush(theme.surface));
   legend_->setTheme(theme);
-  for (auto& plot : plots_) plot->setTheme(theme);
+  for (auto& plot : plots_) plot->setTheme(theme, medium_ == Medium::kPaper);
   for (auto* line : cursor_lines_) line->setPen(QPen(theme.text, 1, Qt::DotLine));
   fitFonts();
   refresh();
@@ -91,12 +92,11 @@ void JointFigure::refresh(bool at_once) {
   if (following_)
     end_ = std::max(history_.end(), history_.begin() + span_ * (1.0 - kLiveMargin)) + kLiveMargin * span_;
   const QCPRange time(end_ - span_, end_);
-  const std::size_t most = static_cast<std::size_t>(std::max(width(), 200));
+  const std::size_t most = static_cast<std::size_t>(std::max(kStepsAPixel * width(), 200.0));
   const double readout = cursor_.value_or(following_ ? history_.end() : std::min(end_, history_.end()));
   legend_->setTitle(history_.empty() ? QString() : QStringLiteral("t %1 s").arg(readout, 0, 'f', 3));
   for (std::size_t i = 0; i < plots_.size(); ++i) {
     plots_[i]->axes()->axis(QCPAxis::atBottom)->setRange(time);
-    plots_[i]->axes()->axis(QCPAxis::atBottom)->setNumberPrecision(span_ < 4.0 ? (span_ < 0.4 ? 2 : 1) : 0);
     plots_[i]->fill(time.lower, time.upper, most);
     plots_[i]->fitValues();
     plots_[i]->showValuesAt(readout, kCameraReach);

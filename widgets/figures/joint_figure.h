@@ -17,8 +17,10 @@ namespace capstan::widgets {
 class JointFigure : public QCustomPlot {
   Q_OBJECT
  public:
+  enum class Medium { kScreen, kPaper };
   /// `history` must outlive the figure.
-  explicit JointFigure(const JointHistory& history, QWidget* parent = nullptr);
+  explicit JointFigure(const JointHistory& history, Medium medium = Medium::kScreen,
+                       QWidget* parent = nullptr);
 
   void setTheme(const Theme& theme);
   /// Names of the three joints from the robot file.
@@ -67,6 +69,7 @@ class JointFigure : public QCustomPlot {
   JointPlot* valueAxisAt(const QPointF& position) const;
 
   const JointHistory& history_;
+  Medium medium_;
   const Theme* theme_;
   FigureHeader* legend_;
   std::array<std::unique_ptr<JointPlot>, 3> plots_;

@@ -17,12 +17,12 @@ struct JointValues {
 };
 
 /// The curves of the newest ten minutes and more, for zooming from one sample to the whole session, in fixed
-/// memory (about 60 MB). Rows are kept as they came; above them lies a pyramid of buckets of 4, 16, 64 … rows
+/// memory (about 16 MB). Rows are kept as they came; above them lies a pyramid of buckets of 4, 16, 64 … rows
 /// with the lowest and highest value of each, so that a drawing takes few points at any zoom and no spike is
 /// lost.
 class JointHistory {
  public:
-  static constexpr std::size_t kRows = 655'360;         ///< 10 min 55 s at 1 kHz
+  static constexpr std::size_t kRows = 163'840;  ///< 10.5 min at 200 rows and 60 camera updates a second
   static constexpr std::size_t kCameraPoints = 65'536;  ///< 18 min at 60 Hz
   static constexpr std::size_t kSpans = 8'192;          ///< occlusions
   static constexpr int kJoints = 3;
@@ -53,8 +53,9 @@ class JointHistory {
   double begin() const { return rows_.empty() ? 0.0 : rows_[0].t; }
   double end() const { return rows_.empty() ? 0.0 : rows_.back().t; }
 
-  /// Calls `draw(t, low, high)` in order of time over [begin, end] and one step beyond each end, with the
-  /// finest level that takes at most `most` calls. low == high where single rows are drawn.
+  /// Calls `draw(t, step, low, high)`, a bucket of `step` seconds from t on, in order of time over [begin,
+  /// end] and one step beyond each end, with the finest level that takes at most `most` calls. low == high
+  /// where single rows are drawn.
   template <class Draw>
   void forEach(double begin, double end, std::size_t most, Draw&& draw) const;
 
@@ -85,13 +86,16 @@ void JointHistory::forEach(double begin, double end, std::size_t most, Draw&& dr
     return std::pair{first > 0 ? first - 1 : 0, last < ring.size() ? last + 1 : last};
   };
   if (const auto [first, last] = range(rows_); last - first <= most) {
-    for (std::size_t i = first; i < last; ++i) draw(rows_[i].t, rows_[i].joint, rows_[i].joint);
+    for (std::size_t i = first; i < last; ++i) draw(rows_[i].t, 0.0, rows_[i].joint, rows_[i].joint);
     return;
   }
   for (const auto& level : levels_) {
     const auto [first, last] = range(level);
     if (last - first > most && &level != &levels_.back()) continue;
-    for (std::size_t i = first; i < last; ++i) draw(level[i].t, level[i].low, level[i].high);
+    for (std::size_t i = first; i < last; ++i) {
+      const double next = i + 1 < level.size() ? level[i + 1].t : rows_.back().t;
+      draw(level[i].t, next - level[i].t, level[i].low, level[i].high);
+    }
     return;
   }
 }

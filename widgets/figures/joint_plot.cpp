@@ -2,16 +2,25 @@
 
 #include <cmath>
 
+#include "widgets/figures/round_ticker.h"
+
 namespace capstan::widgets {
 
 namespace {
 
-constexpr std::size_t kMostDots = 700;  ///< camera dots drawn at once; above it every n-th
+constexpr double kDash = 6.0, kDashPeriod = 10.0;  ///< of the kinematic line, along time [px]
+constexpr double kDotSize = 5.0;                   ///< [px]
+constexpr std::size_t kMostDots = 700;             ///< camera dots drawn at once; above it every n-th
 
-/// What one full bucket or row contributes to a line: one point, or its lowest and highest.
-void addPoints(QVector<QCPGraphData>& line, double t, float low, float high) {
-  line.append({t, static_cast<double>(low)});
-  if (high != low && !std::isnan(high)) line.append({t, static_cast<double>(high)});
+QPixmap dotPicture(const QColor& colour) {
+  QPixmap picture(static_cast<int>(kDotSize) + 1, static_cast<int>(kDotSize) + 1);
+  picture.fill(Qt::transparent);
+  QPainter painter(&picture);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(colour);
+  painter.drawEllipse(QRectF(0.5, 0.5, kDotSize, kDotSize));
+  return picture;
 }
 
 QString number(double value, int decimals) {
@@ -24,22 +33,20 @@ JointPlot::JointPlot(QCustomPlot* plot, const JointHistory& history, int joint)
     : history_(history), joint_(joint) {
   header_ = new FigureHeader(plot, FigureHeader::Role::kValues);
   axes_ = new QCPAxisRect(plot, true);
+  axes_->setLayer("background");
   shade_ = new OcclusionShade(axes_, history, joint == 0);
   QCPAxis* time = axes_->axis(QCPAxis::atBottom);
   QCPAxis* value = axes_->axis(QCPAxis::atLeft);
   for (QCPAxis* axis : {time, value}) {
     axis->setLayer("axes");
     axis->grid()->setLayer("grid");
+    axis->grid()->setVisible(true);
+    axis->setTicker(QSharedPointer<RoundTicker>::create());
     axis->setTickLengthIn(0);
     axis->setTickLengthOut(4);
     axis->setSubTickLength(0);
     axis->grid()->setZeroLinePen(Qt::NoPen);
   }
-  value->ticker()->setTickCount(4);
-  time->ticker()->setTickCount(7);
-  value->setNumberFormat("f");
-  time->setNumberFormat("f");
-  time->setNumberPrecision(0);
 
   const auto add = [&] {
     auto* graph = plot->addGraph(time, value);
@@ -47,12 +54,8 @@ JointPlot::JointPlot(QCustomPlot* plot, const JointHistory& history, int joint)
     graph->setSelectable(QCP::stNone);
     return graph;
   };
-  band_low_ = add();
-  band_high_ = add();
-  band_low_->setPen(Qt::NoPen);
-  band_high_->setPen(Qt::NoPen);
-  band_high_->setChannelFillGraph(band_low_);
-  for (const Quantity quantity : {Quantity::kKinematic, Quantity::kUkf, Quantity::kTrue, Quantity::kCamera})
+  band_ = new SigmaBand(axes_);
+  for (const Quantity quantity : {Quantity::kCamera, Quantity::kKinematic, Quantity::kUkf, Quantity::kTrue})
     graphs_[static_cast<std::size_t>(quantity)] = add();
   graph(Quantity::kCamera)->setLineStyle(QCPGraph::lsNone);
 }
@@ -62,7 +65,7 @@ void JointPlot::setTitle(const QString& title, const QString& unit) {
   axes_->axis(QCPAxis::atLeft)->setLabel(QStringLiteral("q%1 [%2]").arg(joint_ + 1).arg(unit));
 }
 
-void JointPlot::setTheme(const Theme& theme) {
+void JointPlot::setTheme(const Theme& theme, bool vectors) {
   header_->setTheme(theme);
   shade_->setTheme(theme);
   axes_->setBackground(QBrush(theme.surface));
@@ -73,14 +76,19 @@ void JointPlot::setTheme(const Theme& theme) {
     axis->setLabelColor(theme.muted);
     axis->grid()->setPen(QPen(theme.grid, 1));
   }
-  for (const Quantity quantity : {Quantity::kTrue, Quantity::kKinematic, Quantity::kUkf})
-    graph(quantity)->setPen(theme.pen(quantity));
+  for (const Quantity quantity : {Quantity::kTrue, Quantity::kKinematic, Quantity::kUkf}) {
+    QPen pen = theme.pen(quantity);
+    pen.setStyle(Qt::SolidLine);  // the kinematic line's dashes are cut into its points
+    graph(quantity)->setPen(pen);
+  }
   const QColor dots = theme.colour(Quantity::kCamera);
   graph(Quantity::kCamera)->setPen(QPen(dots, 0));
-  graph(Quantity::kCamera)->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, dots, dots, 5));
+  graph(Quantity::kCamera)
+      ->setScatterStyle(vectors ? QCPScatterStyle(QCPScatterStyle::ssDisc, dots, dots, kDotSize)
+                                : QCPScatterStyle(dotPicture(dots)));
   QColor band = theme.colour(Quantity::kUkf);
   band.setAlpha(70);
-  band_high_->setBrush(band);
+  band_->setColour(band);
 }
 
 void JointPlot::setPoints(double text_points, double number_points, double tick_points) {
@@ -89,6 +97,13 @@ void JointPlot::setPoints(double text_points, double number_points, double tick_
     axis->setTickLabelFont(textFont(tick_points));
     axis->setLabelFont(textFont(tick_points));
   }
+  const double label = QFontMetricsF(textFont(tick_points)).height();
+  axes_->axis(QCPAxis::atBottom)
+      ->ticker()
+      ->setTickCount(std::max(2, static_cast<int>(axes_->width() / (4.5 * label))));
+  axes_->axis(QCPAxis::atLeft)
+      ->ticker()
+      ->setTickCount(std::clamp(static_cast<int>(axes_->height() / (2.0 * label)), 2, 7));
 }
 
 void JointPlot::include(double value) {
@@ -99,19 +114,30 @@ void JointPlot::include(double value) {
 }
 
 void JointPlot::fill(double begin, double end, std::size_t most) {
-  for (auto* line : {&truth_, &kinematic_, &ukf_, &low_, &high_, &camera_}) line->resize(0);
+  for (auto* line : {&truth_, &kinematic_, &ukf_}) line->begin();
+  band_->begin();
   any_ = false;
   const auto joint = static_cast<std::size_t>(joint_);
-  history_.forEach(begin, end, most, [&](double t, const auto& lows, const auto& highs) {
+  history_.forEach(begin, end, most, [&](double t, double step, const auto& lows, const auto& highs) {
     const JointValues &low = lows[joint], &high = highs[joint];
-    addPoints(truth_, t, low.truth, high.truth);
-    addPoints(kinematic_, t, low.kinematic, high.kinematic);
-    addPoints(ukf_, t, low.ukf, high.ukf);
-    low_.append({t, static_cast<double>(low.ukf) - 2.0 * static_cast<double>(high.ukf_sigma)});
-    high_.append({t, static_cast<double>(high.ukf) + 2.0 * static_cast<double>(high.ukf_sigma)});
+    truth_.add(t, step, low.truth, high.truth);
+    kinematic_.add(t, step, low.kinematic, high.kinematic);
+    ukf_.add(t, step, low.ukf, high.ukf);
+    band_->add(t + 0.5 * step, static_cast<double>(low.ukf) - 2.0 * static_cast<double>(high.ukf_sigma),
+               static_cast<double>(high.ukf) + 2.0 * static_cast<double>(high.ukf_sigma));
     for (const float value : {low.truth, high.truth, low.kinematic, high.kinematic, low.ukf, high.ukf})
       include(static_cast<double>(value));
   });
+  const double pixel = (end - begin) / std::max(axes_->width(), 1);
+  cutDashes(kinematic_.points(), kDashPeriod * pixel, kDash * pixel, dashed_);
+  graph(Quantity::kTrue)->data()->set(truth_.points(), true);
+  graph(Quantity::kKinematic)->data()->set(dashed_, true);
+  graph(Quantity::kUkf)->data()->set(ukf_.points(), true);
+  fillCamera(begin, end);
+}
+
+void JointPlot::fillCamera(double begin, double end) {
+  camera_.resize(0);
   const auto& camera = history_.camera();
   const std::size_t first = camera.partitionPoint([&](const auto& point) { return point.t < begin; });
   const std::size_t last = camera.partitionPoint([&](const auto& point) { return point.t <= end; });
@@ -120,13 +146,8 @@ void JointPlot::fill(double begin, double end, std::size_t most) {
       camera.pushed() - camera.size();  // a dot keeps its place while the plot scrolls
   for (std::size_t i = first; i < last; ++i)
     if ((oldest + i) % stride == 0)
-      camera_.append({camera[i].t, static_cast<double>(camera[i].value[joint])});
-  graph(Quantity::kTrue)->data()->set(truth_, true);
-  graph(Quantity::kKinematic)->data()->set(kinematic_, true);
-  graph(Quantity::kUkf)->data()->set(ukf_, true);
+      camera_.append({camera[i].t, static_cast<double>(camera[i].value[static_cast<std::size_t>(joint_)])});
   graph(Quantity::kCamera)->data()->set(camera_, true);
-  band_low_->data()->set(low_, true);
-  band_high_->data()->set(high_, true);
 }
 
 void JointPlot::showValuesAt(double t, double camera_reach) {
@@ -151,7 +172,6 @@ void JointPlot::fitValues() {
   const QCPRange now = axis->range();
   const bool outside = drawn_.lower < now.lower || drawn_.upper > now.upper;
   if (outside || wanted.size() < 0.6 * now.size()) axis->setRange(wanted);
-  axis->setNumberPrecision(span < 4.0 ? 1 : 0);
 }
 
 }  // namespace capstan::widgets

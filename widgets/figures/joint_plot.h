@@ -4,9 +4,11 @@
 
 #include <array>
 
+#include "widgets/figures/curve.h"
 #include "widgets/figures/figure_header.h"
 #include "widgets/figures/joint_history.h"
 #include "widgets/figures/occlusion_shade.h"
+#include "widgets/figures/sigma_band.h"
 #include "widgets/figures/theme.h"
 
 namespace capstan::widgets {
@@ -15,11 +17,13 @@ namespace capstan::widgets {
 /// QCustomPlot it draws in; this class only steers.
 class JointPlot {
  public:
-  /// `joint` 0…2; `title` and `unit` as people read them ("shoulder", "deg").
+  /// `joint` 0…2.
   JointPlot(QCustomPlot* plot, const JointHistory& history, int joint);
 
+  /// As people read them: "shoulder", "deg".
   void setTitle(const QString& title, const QString& unit);
-  void setTheme(const Theme& theme);
+  /// `vectors`: dots are drawn as circles, for files; else stamped from a small picture, for speed.
+  void setTheme(const Theme& theme, bool vectors);
   void setPoints(double text_points, double number_points, double tick_points);
 
   /// Takes curves of [begin, end] at no more than `most` steps.
@@ -34,10 +38,11 @@ class JointPlot {
   QCPAxisRect* axes() const { return axes_; }
   FigureHeader* header() const { return header_; }
   QCPGraph* graph(Quantity quantity) const { return graphs_[static_cast<std::size_t>(quantity)]; }
-  QCPGraph* band() const { return band_high_; }
+  const SigmaBand& band() const { return *band_; }
 
  private:
   void include(double value);
+  void fillCamera(double begin, double end);
 
   const JointHistory& history_;
   int joint_;
@@ -45,8 +50,9 @@ class JointPlot {
   FigureHeader* header_;
   OcclusionShade* shade_;
   std::array<QCPGraph*, 4> graphs_{};
-  QCPGraph *band_low_, *band_high_;
-  QVector<QCPGraphData> truth_, kinematic_, ukf_, low_, high_, camera_;
+  SigmaBand* band_;
+  CurveBuilder truth_, kinematic_, ukf_;
+  QVector<QCPGraphData> dashed_, camera_;
   QCPRange drawn_;  ///< of values drawn last
   bool any_ = false;
   bool fitting_ = true;

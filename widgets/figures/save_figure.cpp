@@ -54,7 +54,7 @@ void saveFigure(JointFigure& figure, const std::filesystem::path& path, QSize si
 
 void saveJointFigure(const JointHistory& history, const std::array<QString, 3>& joint_names, double begin,
                      double end, const std::filesystem::path& path, QSize size) {
-  JointFigure figure(history);
+  JointFigure figure(history, JointFigure::Medium::kPaper);
   figure.setTheme(Theme::light());
   figure.setJointNames(joint_names);
   figure.resize(size);

@@ -113,7 +113,7 @@ QPen Theme::pen(Quantity quantity) const {
     case Quantity::kCamera:
       return QPen(ink, 0.0, Qt::NoPen);
     case Quantity::kUkf:
-      return QPen(ink, 2.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
+      return QPen(ink, 2.5, Qt::SolidLine, Qt::SquareCap, Qt::BevelJoin);
   }
   return {};
 }
