@@ -83,7 +83,8 @@ RowSpan HsvKernel::rows(const HsvThreshold& test, const cv::Mat& bgr, Row* row, 
   assert(bgr.type() == CV_8UC3);
   result.resize(bgr.cols, bgr.rows);
   RowSpan span;
-  constexpr int kAhead = 12, kCacheLine = 64;  // rows of a region lie pages apart: the processor cannot foresee them
+  constexpr int kAhead = 12,
+                kCacheLine = 64;  // rows of a region lie pages apart: the processor cannot foresee them
   const bool scattered = !bgr.isContinuous();
   const int bytes = 3 * bgr.cols;
   for (int y = 0; y < bgr.rows; ++y) {

@@ -10,8 +10,9 @@ namespace capstan::vision {
 
 namespace {
 
-/// What the fit's residuals do not know: interpolation, shading across the edge [px].
-constexpr double kSigmaFloor = 0.02;
+/// What the fit's residuals do not know: interpolation, shading across the edge; measured on rendered balls
+/// [px].
+constexpr double kSigmaFloor = 0.04;
 /// Of a contour's centroid where no circle could be fitted to the image [px].
 constexpr double kContourSigma = 0.25;
 /// A marker that the border cuts is judged by its arc: least share of the circle, largest residual [px].
