@@ -5,13 +5,13 @@
 #include <Eigen/LU>
 
 #include "core/base/yaml.h"
+#include "core/robot/arm_kinematics.h"
 #include "core/robot/joint_vector.h"
 
 namespace capstan::robot {
 namespace {
 
 constexpr double kSmallestPivot = 1e-9;  ///< of a coupling that counts as invertible, relative to the largest
-constexpr double kStopReach = 0.1;       ///< hard stop: how far outside the limits, as a share of the range
 
 std::string at(std::string_view list, std::size_t i, std::string_view key = {}) {
   return key.empty() ? fmt::format("{}[{}]", list, i) : fmt::format("{}[{}].{}", list, i, key);
@@ -38,13 +38,13 @@ void checkJoint(const YAML::Node& node, const std::string& file, std::size_t i, 
     base::refuseYaml(node["limit_high"], {file, at("joints", i, "limit_high")},
                      fmt::format("is not above limit_low = {}", joint.limit_low),
                      "Put the lower limit into limit_low");
-  const double low = joint.limit_low - kStopReach * range;
-  const double high = joint.limit_high + kStopReach * range;
+  const double low = joint.limit_low - ArmKinematics::kLimitMargin * range;
+  const double high = joint.limit_high + ArmKinematics::kLimitMargin * range;
   if (joint.homing < low || joint.homing > high)
     base::refuseYaml(
         node["homing"], {file, at("joints", i, "homing")},
         fmt::format("is not within {:.6g} to {:.6g}, the limits widened by {:g} % of their range", low, high,
-                    100.0 * kStopReach),
+                    100.0 * ArmKinematics::kLimitMargin),
         "Move the hard stop or the limits");
 }
 
@@ -76,7 +76,7 @@ void checkCoupling(const YAML::Node& root, const std::string& file, const Descri
 }  // namespace
 
 Description parseDescription(const std::string& text, const std::string& name) {
-  const auto description = base::readYaml<Description>(text, name);
+  auto description = base::readYaml<Description>(text, name);
   const YAML::Node root = base::parseYamlText(text, name);
   checkCount(root, name, description);
   for (std::size_t i = 0; i < description.joints.size(); ++i)
