@@ -71,8 +71,11 @@ class FrameEncoder::Impl {
     frame_->height = height;
     frame_->format = AV_PIX_FMT_GBRP;
     if (av_frame_get_buffer(frame_.get(), 0) < 0) throw std::bad_alloc();
-    parameters_ = {
-        kCodecName, width, height, {context_->extradata, context_->extradata + context_->extradata_size}};
+    parameters_ = {kCodecName,
+                   width,
+                   height,
+                   {context_->extradata, context_->extradata + context_->extradata_size},
+                   context_->codec_tag};
   }
 
   const CodecParameters& parameters() const { return parameters_; }
@@ -119,6 +122,7 @@ class FrameDecoder::Impl {
     if (!context_->extradata) throw std::bad_alloc();
     std::copy(parameters.extradata.begin(), parameters.extradata.end(), context_->extradata);
     context_->extradata_size = static_cast<int>(size);
+    context_->codec_tag = parameters.fourcc;
     if (avcodec_open2(context_.get(), codec, nullptr) < 0) refuse("is refused by libavcodec");
   }
 

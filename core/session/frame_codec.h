@@ -14,6 +14,7 @@ struct CodecParameters {
   std::string name;  ///< libavcodec's
   int width = 0, height = 0;
   std::vector<std::uint8_t> extradata;
+  std::uint32_t fourcc = 0;  ///< variant of the codec, first letter lowest
 };
 
 /// Lossless intra-only encoder for 8-bit BGR images of one size: each packet stands alone. One thread, that

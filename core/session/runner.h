@@ -27,7 +27,7 @@ struct RunnerOptions {
 
 struct RunStatus {
   RunState state = RunState::kPaused;
-  std::string error;              ///< of kFailed
+  std::string error;              ///< of kFailed, or of a command that failed
   double t = 0.0;                 ///< newest arrival [s]
   double speed = 1.0;             ///< asked for
   double real_time_factor = 0.0;  ///< reached, over the last second
@@ -66,19 +66,21 @@ class Runner {
   using Command = std::function<void(Source&, tracking::TrackingPipeline&)>;
   void post(Command command);
 
-  /// Throws base::InputError when the file cannot be created.
-  void startRecording(const std::filesystem::path& path, const SessionHeader& header,
+  /// Creates the file here, records from the next sample on. Adds the registration and the tracking options
+  /// in use to `header`. A recording under way is stopped. Throws base::InputError when the file cannot be
+  /// created.
+  void startRecording(const std::filesystem::path& path, SessionHeader header,
                       const RecorderOptions& options = {});
-  void stopRecording();  ///< the file is closed on the pipeline's thread's behalf, in the background
+  void stopRecording();  ///< the file is closed in the background
 
   RunStatus status() const;
   /// Over every step since the start or resetErrors(); at most 0.1 s old.
   tracking::TrackReport report() const;
   /// The newest snapshot into `out`; false when it was taken before.
   bool takeSnapshot(tracking::Snapshot& out);
-  /// The newest frames, as the pipeline saw them; `out`'s images are exchanged, not copied. False: none since
-  /// the last.
-  bool takeFrames(tracking::StereoFrame& out);
+  /// The newest frames, as the pipeline saw them; `out`'s images are exchanged, not copied. `seen`: what the
+  /// pipeline made of exactly these frames, for overlays. False: none since the last.
+  bool takeFrames(tracking::StereoFrame& out, tracking::Snapshot* seen = nullptr);
   /// Appends to `out` every camera update and about history_rate others since the last call, in order.
   /// Returns how many.
   std::size_t drainHistory(std::vector<tracking::Snapshot>& out);

@@ -90,6 +90,7 @@ constexpr Column kCodec[] = {
     {"name", kText, "", "codec of libavcodec, planes G B R"},
     {"width", kInteger, "px", "width of the image"},
     {"height", kInteger, "px", "height of the image"},
+    {"fourcc", kInteger, "", "variant of the codec, four letters, the first lowest"},
     {"extradata", kBlob, "", "what its decoder needs besides the packet"},
 };
 constexpr Column kHeader[] = {

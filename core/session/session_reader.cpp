@@ -109,13 +109,14 @@ SessionHeader readHeader(Database& database) {
 
 std::map<std::int64_t, FrameDecoder> readCodecs(Database& database, const std::string& file) {
   std::map<std::int64_t, FrameDecoder> codecs;
-  Statement rows(database, "SELECT id, name, width, height, extradata FROM codec");
+  Statement rows(database, "SELECT id, name, width, height, fourcc, extradata FROM codec");
   while (rows.step()) {
-    const auto extradata = rows.blob(4);
+    const auto extradata = rows.blob(5);
     const CodecParameters parameters = {rows.text(1),
                                         static_cast<int>(rows.integer(2)),
                                         static_cast<int>(rows.integer(3)),
-                                        {extradata.begin(), extradata.end()}};
+                                        {extradata.begin(), extradata.end()},
+                                        static_cast<std::uint32_t>(rows.integer(4))};
     codecs.emplace(rows.integer(0), FrameDecoder(parameters, file));
   }
   return codecs;

@@ -197,12 +197,13 @@ SessionWriter::SizedEncoders& SessionWriter::encodersFor(int width, int height) 
   const auto id = static_cast<std::int64_t>(encoders_.size()) + 1;
   encoders_.push_back({width, height, id, FrameEncoder(width, height), FrameEncoder(width, height)});
   const CodecParameters& parameters = encoders_.back().left.parameters();
-  Statement insert(database_, "INSERT OR REPLACE INTO codec VALUES (?, ?, ?, ?, ?)");
+  Statement insert(database_, "INSERT OR REPLACE INTO codec VALUES (?, ?, ?, ?, ?, ?)");
   insert.bind(1, id);
   insert.bind(2, parameters.name);
   insert.bind(3, std::int64_t{parameters.width});
   insert.bind(4, std::int64_t{parameters.height});
-  insert.bind(5, std::span<const std::uint8_t>(parameters.extradata));
+  insert.bind(5, std::int64_t{parameters.fourcc});
+  insert.bind(6, std::span<const std::uint8_t>(parameters.extradata));
   insert.execute();
   return encoders_.back();
 }

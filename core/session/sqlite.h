@@ -68,6 +68,7 @@ class Statement {
   std::string text(int column) const;
   std::span<const std::uint8_t> blob(int column) const;  ///< valid until the next step() or reset()
   bool isNull(int column) const;
+  bool isReal(int column) const { return sqlite3_column_type(handle_.get(), column) == SQLITE_FLOAT; }
   int columns() const { return sqlite3_column_count(handle_.get()); }
   std::string columnName(int column) const { return sqlite3_column_name(handle_.get(), column); }
 

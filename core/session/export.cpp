@@ -1,0 +1,182 @@
+#include "core/session/export.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/base/yaml.h"
+#include "core/session/schema.h"
+#include "core/session/session_reader.h"
+#include "core/session/session_source.h"
+#include "core/session/session_writer.h"
+
+namespace capstan::session {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// RFC 4180: quotes around what holds a comma, a quote or a line end.
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return out + '"';
+}
+
+std::string tableText(Database& database, const Table& table, base::Progress* progress) {
+  std::string names;
+  for (const Column& column : table.columns)
+    if (column.type != ColumnType::kBlob) names += (names.empty() ? "" : ",") + std::string(column.name);
+  std::string text = names + '\n';
+  Statement rows(database, fmt::format("SELECT {} FROM {} ORDER BY rowid", names, table.name));
+  while (rows.step()) {
+    if (progress && progress->cancelled()) return {};
+    for (int i = 0; i < rows.columns(); ++i) {
+      if (i > 0) text += ',';
+      if (rows.isNull(i)) continue;
+      if (rows.isReal(i))
+        fmt::format_to(std::back_inserter(text), "{}", rows.real(i));
+      else
+        text += quoted(rows.text(i));
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+void ensureFolder(const std::filesystem::path& folder) {
+  std::error_code fault;
+  std::filesystem::create_directories(folder, fault);
+  if (fault)
+    throw base::InputError(
+        {folder.string(), 0, {}, {}, "cannot be created: " + fault.message(), "Choose another folder"});
+}
+
+void pushRow(TableColumns& columns, const Eigen::Vector3d& value) {
+  columns.resize(3);
+  for (int i = 0; i < 3; ++i) columns[static_cast<std::size_t>(i)].push_back(value(i));
+}
+
+/// Drops quantities that no row has.
+void dropEmpty(TableColumns& columns) {
+  for (const auto& column : columns)
+    if (std::any_of(column.begin(), column.end(), [](double x) { return !std::isnan(x); })) return;
+  columns.clear();
+}
+
+/// Index of the last row at or before t.
+std::optional<std::size_t> rowAt(const MeasuredTable& table, double t) {
+  const auto after = std::upper_bound(table.t.begin(), table.t.end(), t);
+  if (after == table.t.begin()) return std::nullopt;
+  return static_cast<std::size_t>(after - table.t.begin()) - 1;
+}
+
+void placeJoints(Database& database, MeasuredTable& table) {
+  Statement rows(database, selectStatement(session::table(kJointTable)));
+  while (rows.step())
+    if (const auto row = rowAt(table, rows.real(1)); row && table.t[*row] == rows.real(1))
+      for (std::size_t i = 0; i < 3; ++i) table.q[i][*row] = rows.real(static_cast<int>(2 + i));
+}
+
+void placeTips(Database& database, MeasuredTable& table) {
+  Statement rows(database, selectStatement(session::table(kTipTable)));
+  while (rows.step())
+    if (const auto row = rowAt(table, rows.real(1)))
+      for (std::size_t i = 0; i < 3; ++i) table.p_c[i][*row] = rows.real(static_cast<int>(3 + i));
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> exportCsv(const std::filesystem::path& session,
+                                             const std::filesystem::path& folder, base::Progress* progress) {
+  Database database = openSession(session);
+  ensureFolder(folder);
+  std::vector<std::filesystem::path> files;
+  try {
+    for (std::size_t i = 0; i < tables().size(); ++i) {
+      const Table& table = tables()[i];
+      if (progress)
+        progress->report(static_cast<double>(i) / static_cast<double>(tables().size()), table.name);
+      const std::string text = tableText(database, table, progress);
+      if (progress && progress->cancelled()) break;
+      files.push_back(folder / (std::string(table.name) + ".csv"));
+      base::writeTextFile(files.back(), text);
+    }
+  } catch (const SqliteError& error) {
+    throw damagedSession(session, error);
+  }
+  return files;
+}
+
+MeasuredTable sessionTable(const std::filesystem::path& session) {
+  Database database = openSession(session);
+  MeasuredTable table;
+  table.file = session.string();
+  try {
+    Statement rows(database, selectStatement(session::table(kMotorTable)));
+    while (rows.step()) {
+      table.t.push_back(rows.real(1));
+      pushRow(table.q_m, {rows.real(2), rows.real(3), rows.real(4)});
+      pushRow(table.dq_m, {rows.real(5), rows.real(6), rows.real(7)});
+      pushRow(table.tau_m, {rows.real(8), rows.real(9), rows.real(10)});
+    }
+    table.q.assign(3, std::vector<double>(table.rows(), kNaN));
+    table.p_c = table.q;
+    placeJoints(database, table);
+    placeTips(database, table);
+  } catch (const SqliteError& error) {
+    throw damagedSession(session, error);
+  }
+  for (TableColumns* columns : {&table.dq_m, &table.tau_m, &table.q, &table.p_c}) dropEmpty(*columns);
+  return table;
+}
+
+void importRecording(Source& source, const std::filesystem::path& session, const SessionHeader& header,
+                     base::Progress* progress) {
+  constexpr std::int64_t kRowsACommit = 5000;
+  const std::filesystem::path part = session.string() + ".part";
+  if (std::filesystem::exists(session))
+    throw base::InputError({session.string(), 0, {}, {}, "exists already", "Choose another name"});
+  std::filesystem::remove(part);
+  try {
+    SessionWriter writer(part, header, SessionWriter::Durability::kPlain);
+    tracking::Sample sample;
+    std::int64_t seq = 0;
+    writer.begin();
+    while (source.next(sample)) {
+      std::visit([&](const auto& row) { writer.write(++seq, row); }, sample);
+      if (seq % kRowsACommit == 0) {
+        writer.commit();
+        writer.begin();
+      }
+      if (!progress || seq % 256 != 0) continue;
+      if (progress->cancelled()) break;
+      const double t = std::visit([](const auto& row) { return row.t; }, sample);
+      if (source.info().duration > 0.0)
+        progress->report(std::min(1.0, t / source.info().duration), "importing");
+    }
+    writer.commit();
+    writer.finish();
+  } catch (const SqliteError& error) {
+    std::filesystem::remove(part);
+    throw base::InputError({session.string(),
+                            0,
+                            {},
+                            {},
+                            fmt::format("cannot be written: {}", error.what()),
+                            "Check the folder, its permissions and the space"});
+  } catch (...) {
+    std::filesystem::remove(part);
+    throw;
+  }
+  if (progress && progress->cancelled())
+    std::filesystem::remove(part);
+  else
+    std::filesystem::rename(part, session);
+}
+
+}  // namespace capstan::session

@@ -1,0 +1,398 @@
+#include "core/session/runner.h"
+
+#include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <future>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "core/base/yaml.h"
+#include "core/session/blocking.h"
+#include "core/session/pacer.h"
+#include "core/session/publisher.h"
+#include "core/session/rate_meter.h"
+
+namespace capstan::session {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kStepWithoutCameras = 1.0 / 15.0;  // [s]
+constexpr auto kReportPeriod = std::chrono::milliseconds(100);
+constexpr auto kPicturePeriod = std::chrono::milliseconds(30);
+
+double arrivalOf(const tracking::Sample& sample) {
+  if (const auto* frame = std::get_if<tracking::StereoFrame>(&sample)) return frame->t_arrival;
+  if (const auto* tip = std::get_if<tracking::TipSample>(&sample)) return tip->t_arrival;
+  if (const auto* joint = std::get_if<tracking::JointSample>(&sample)) return joint->t;
+  return std::get<tracking::MotorSample>(sample).t;
+}
+
+bool fromCamera(const tracking::Sample& sample) {
+  return std::holds_alternative<tracking::StereoFrame>(sample) ||
+         std::holds_alternative<tracking::TipSample>(sample);
+}
+
+}  // namespace
+
+class Runner::Impl {
+ public:
+  Impl(std::unique_ptr<Source> source, tracking::TrackingPipeline pipeline, const RunnerOptions& options)
+      : options_(options),
+        source_(std::move(source)),
+        info_(source_->info()),
+        pipeline_(std::move(pipeline)),
+        publisher_(options.history_capacity),
+        registration_(pipeline_.registration()),
+        tracking_text_(base::writeYaml(pipeline_.options())) {
+    status_.speed = speed_ = options.speed;
+    thread_ = std::thread([this] { work(); });
+  }
+
+  ~Impl() {
+    post([this] { quit_ = true; });
+    thread_.join();
+    if (recorder_) recorder_->close();
+  }
+
+  const SourceInfo& info() const { return info_; }
+  Publisher& publisher() { return publisher_; }
+
+  void post(std::function<void()> command) {
+    {
+      const std::lock_guard lock(mutex_);
+      commands_.push_back(std::move(command));
+      pending_.store(true, std::memory_order_release);
+    }
+    wake_.notify_all();
+  }
+
+  void setMode(RunState mode) {
+    post([this, mode] {
+      if (mode_ == Mode::kDone) return;
+      mode_ = mode == RunState::kRunning ? Mode::kRun : Mode::kPause;
+      pacer_.restart();
+      meter_.restart();
+    });
+  }
+
+  void stepFrame() {
+    post([this] {
+      if (mode_ == Mode::kDone) return;
+      mode_ = Mode::kStep;
+      step_end_ = t_ + kStepWithoutCameras;
+    });
+  }
+
+  void setSpeed(double speed) {
+    post([this, speed] {
+      speed_ = speed <= 0.0 ? 0.0 : std::clamp(speed, 0.25, 10.0);
+      pacer_.restart();
+    });
+  }
+
+  void block(bool left, bool right) {
+    post([this, left, right] { blocking_.setByHand(left, right); });
+  }
+  void setOcclusion(const OcclusionSchedule& schedule) {
+    post([this, schedule] { blocking_.setSchedule(schedule); });
+  }
+
+  void setRegistration(const Eigen::Isometry3d& pose) {
+    {
+      const std::lock_guard lock(mutex_);
+      registration_ = pose;
+    }
+    post([this, pose] {
+      pipeline_.setRegistration(pose);
+      if (recorder_) recorder_->setRegistration(t_, pose);
+    });
+  }
+
+  void resetErrors() {
+    post([this] { report_ = {}; });
+  }
+  void note(std::string text) {
+    post([this, text = std::move(text)] {
+      if (recorder_) recorder_->note(t_, "note", text);
+    });
+  }
+  void command(Command given) {
+    post([this, given = std::move(given)] { given(*source_, pipeline_); });
+  }
+
+  void startRecording(const std::filesystem::path& path, SessionHeader header,
+                      const RecorderOptions& options) {
+    {
+      const std::lock_guard lock(mutex_);
+      if (registration_) header.base_from_camera = registration_;
+    }
+    if (header.tracking.empty()) header.tracking = tracking_text_;
+    auto recorder = std::make_shared<Recorder>(path, header, options);
+    post([this, recorder] {
+      retireRecorder();
+      recorder_ = recorder;
+      next_estimate_ = t_;
+      if (blocking_.any()) recorder_->note(t_, "occlusion", blocking_.text());
+      const std::lock_guard lock(mutex_);
+      last_recorder_ = recorder;
+    });
+  }
+  void stopRecording() {
+    post([this] { retireRecorder(); });
+  }
+
+  RunStatus status() const {
+    std::shared_ptr<Recorder> recorder;
+    RunStatus status;
+    {
+      const std::lock_guard lock(mutex_);
+      status = status_;
+      recorder = last_recorder_;
+    }
+    if (recorder) {
+      status.recorder = recorder->stats();
+      status.recording = recorder->path().string();
+    }
+    return status;
+  }
+
+  tracking::TrackReport report() const {
+    const std::lock_guard lock(mutex_);
+    return published_report_;
+  }
+
+  bool waitUntilIdle(double seconds) {
+    std::unique_lock lock(mutex_);
+    return idle_.wait_for(lock, std::chrono::duration<double>(seconds), [&] {
+      return commands_.empty() && !executing_ && status_.state != RunState::kRunning;
+    });
+  }
+
+ private:
+  enum class Mode { kPause, kRun, kStep, kDone };
+
+  void work() {
+    while (!quit_) {
+      execute();
+      if (quit_) break;
+      if (mode_ == Mode::kPause || mode_ == Mode::kDone) {
+        rest();
+        continue;
+      }
+      try {
+        advance();
+      } catch (const std::exception& error) {
+        finish(RunState::kFailed, error.what());
+      }
+    }
+  }
+
+  /// Everything that was posted, in order.
+  void execute() {
+    if (!pending_.load(std::memory_order_acquire)) return;
+    std::deque<std::function<void()>> commands;
+    {
+      const std::lock_guard lock(mutex_);
+      commands.swap(commands_);
+      pending_.store(false, std::memory_order_relaxed);
+      executing_ = true;
+    }
+    for (auto& command : commands) {
+      try {
+        command();
+      } catch (const std::exception& error) {
+        const std::lock_guard lock(mutex_);
+        status_.error = error.what();
+      }
+    }
+    applyBlocking();
+    publishStatus(true);
+    {
+      const std::lock_guard lock(mutex_);
+      executing_ = false;
+    }
+    idle_.notify_all();
+  }
+
+  void rest() {
+    std::unique_lock lock(mutex_);
+    wake_.wait(lock, [&] { return !commands_.empty(); });
+  }
+
+  /// One sample, when its time has come; otherwise waits for its time or a command.
+  void advance() {
+    applyBlocking();
+    if (!fetched_ && !source_->next(sample_)) return finish(RunState::kEnded, {});
+    fetched_ = true;
+    if (mode_ == Mode::kRun && speed_ > 0.0) {
+      const auto due = pacer_.due(arrivalOf(sample_), speed_, Clock::now());
+      if (due > Clock::now()) {
+        publishStatus(false);
+        std::unique_lock lock(mutex_);
+        if (wake_.wait_until(lock, due, [&] { return !commands_.empty(); })) return;
+      }
+    }
+    fetched_ = false;
+    take();
+  }
+
+  void take() {
+    t_ = arrivalOf(sample_);
+    const bool motor = std::holds_alternative<tracking::MotorSample>(sample_);
+    const bool camera = fromCamera(sample_);
+    if (motor) motor_t_ = t_;
+    if (recorder_) recorder_->offer(sample_);
+    const tracking::Snapshot& snapshot = pipeline_.step(sample_);
+    report_.add(snapshot);
+    record(snapshot, motor);
+    const bool plotted = snapshot.camera_updated || (motor && due(next_history_, options_.history_rate));
+    publisher_.publish(snapshot, plotted);
+    publishFrames(snapshot);
+    meter_.count(motor, camera);
+    if (mode_ == Mode::kStep && (camera || (motor && !info_.rig && !camera_seen_ && t_ >= step_end_)))
+      mode_ = Mode::kPause;
+    camera_seen_ = camera_seen_ || camera;
+    publishStatus(mode_ == Mode::kPause);
+  }
+
+  /// True when the recording has reached `next`, which then moves on by 1 / rate.
+  bool due(double& next, double rate) const {
+    if (rate <= 0.0 || t_ < next - 1e-9) return false;
+    next = std::max(next + 1.0 / rate, t_);
+    return true;
+  }
+
+  void record(const tracking::Snapshot& snapshot, bool motor) {
+    if (!recorder_) return;
+    if (snapshot.camera_updated || (motor && due(next_estimate_, options_.estimate_rate)))
+      recorder_->offer(snapshot);
+  }
+
+  void publishFrames(const tracking::Snapshot& snapshot) {
+    const auto* frame = std::get_if<tracking::StereoFrame>(&sample_);
+    if (!frame) return;
+    const auto now = Clock::now();
+    const bool paced = mode_ == Mode::kStep || speed_ > 0.0;
+    if (!paced && !publisher_.framesTaken() && now - pictured_ < kPicturePeriod) return;
+    pictured_ = now;
+    publisher_.publish(*frame, snapshot);
+  }
+
+  void applyBlocking() {
+    if (blocking_.apply(motor_t_, *source_) && recorder_) recorder_->note(t_, "occlusion", blocking_.text());
+  }
+
+  void retireRecorder() {
+    if (!recorder_) return;
+    closing_.push_back(
+        std::async(std::launch::async, [recorder = std::move(recorder_)] { recorder->close(); }));
+    recorder_ = nullptr;
+  }
+
+  void finish(RunState state, std::string error) {
+    mode_ = Mode::kDone;
+    {
+      const std::lock_guard lock(mutex_);
+      done_ = state;
+      if (!error.empty()) status_.error = std::move(error);
+    }
+    publishStatus(true);
+  }
+
+  void publishStatus(bool now) {
+    const auto wall = Clock::now();
+    if (!now && wall - reported_ < kReportPeriod) return;
+    reported_ = wall;
+    meter_.look(t_, wall);
+    {
+      const std::lock_guard lock(mutex_);
+      published_report_ = report_;
+      status_.state = mode_ == Mode::kDone    ? done_
+                      : mode_ == Mode::kPause ? RunState::kPaused
+                                              : RunState::kRunning;
+      status_.t = t_;
+      status_.speed = speed_;
+      status_.real_time_factor = meter_.realTimeFactor();
+      status_.motor_rate = meter_.motorRate();
+      status_.frame_rate = meter_.cameraRate();
+      status_.blocked = blocking_.blocked();
+      status_.occlusion = blocking_.schedule();
+    }
+    if (mode_ == Mode::kPause || mode_ == Mode::kDone) idle_.notify_all();
+  }
+
+  const RunnerOptions options_;
+  const std::unique_ptr<Source> source_;
+  const SourceInfo info_;
+  tracking::TrackingPipeline pipeline_;
+  Publisher publisher_;
+
+  // The pipeline's thread.
+  Mode mode_ = Mode::kPause;
+  double speed_ = 1.0;
+  double t_ = 0.0, motor_t_ = 0.0;
+  double step_end_ = 0.0, next_history_ = 0.0, next_estimate_ = 0.0;
+  bool quit_ = false, fetched_ = false, camera_seen_ = false;
+  tracking::Sample sample_;
+  Blocking blocking_;
+  std::shared_ptr<Recorder> recorder_;
+  std::vector<std::future<void>> closing_;
+  tracking::TrackReport report_;
+  Pacer pacer_;
+  RateMeter meter_;
+  Clock::time_point reported_{}, pictured_{};
+
+  mutable std::mutex mutex_;  ///< everything below
+  std::condition_variable wake_, idle_;
+  std::deque<std::function<void()>> commands_;
+  std::atomic<bool> pending_{false};
+  bool executing_ = false;
+  RunStatus status_;
+  RunState done_ = RunState::kEnded;
+  tracking::TrackReport published_report_;
+  std::optional<Eigen::Isometry3d> registration_;
+  const std::string tracking_text_;
+  std::shared_ptr<Recorder> last_recorder_;
+
+  std::thread thread_;
+};
+
+Runner::Runner(std::unique_ptr<Source> source, tracking::TrackingPipeline pipeline,
+               const RunnerOptions& options)
+    : impl_(std::make_unique<Impl>(std::move(source), std::move(pipeline), options)) {}
+Runner::~Runner() = default;
+
+const SourceInfo& Runner::info() const { return impl_->info(); }
+void Runner::run() { impl_->setMode(RunState::kRunning); }
+void Runner::pause() { impl_->setMode(RunState::kPaused); }
+void Runner::stepFrame() { impl_->stepFrame(); }
+void Runner::setSpeed(double speed) { impl_->setSpeed(speed); }
+void Runner::block(bool left, bool right) { impl_->block(left, right); }
+void Runner::setOcclusion(const OcclusionSchedule& schedule) { impl_->setOcclusion(schedule); }
+void Runner::setRegistration(const Eigen::Isometry3d& base_from_camera) {
+  impl_->setRegistration(base_from_camera);
+}
+void Runner::resetErrors() { impl_->resetErrors(); }
+void Runner::note(std::string text) { impl_->note(std::move(text)); }
+void Runner::post(Command command) { impl_->command(std::move(command)); }
+void Runner::startRecording(const std::filesystem::path& path, SessionHeader header,
+                            const RecorderOptions& options) {
+  impl_->startRecording(path, std::move(header), options);
+}
+void Runner::stopRecording() { impl_->stopRecording(); }
+RunStatus Runner::status() const { return impl_->status(); }
+tracking::TrackReport Runner::report() const { return impl_->report(); }
+bool Runner::takeSnapshot(tracking::Snapshot& out) { return impl_->publisher().takeSnapshot(out); }
+bool Runner::takeFrames(tracking::StereoFrame& out, tracking::Snapshot* seen) {
+  return impl_->publisher().takeFrames(out, seen);
+}
+std::size_t Runner::drainHistory(std::vector<tracking::Snapshot>& out) {
+  return impl_->publisher().drainHistory(out);
+}
+bool Runner::waitUntilIdle(double seconds) { return impl_->waitUntilIdle(seconds); }
+
+}  // namespace capstan::session
