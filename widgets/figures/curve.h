@@ -21,8 +21,8 @@ class CurveBuilder {
       points_.append({t, a});
     } else {
       const bool rising = std::isnan(last_) || a + b >= 2.0 * last_;
-      points_.append({t + 0.25 * step, rising ? a : b});
-      points_.append({t + 0.75 * step, rising ? b : a});
+      points_.append({t, rising ? a : b});
+      points_.append({t + 0.95 * step, rising ? b : a});
     }
     last_ = 0.5 * (a + b);
   }

@@ -97,13 +97,6 @@ void JointPlot::setPoints(double text_points, double number_points, double tick_
     axis->setTickLabelFont(textFont(tick_points));
     axis->setLabelFont(textFont(tick_points));
   }
-  const double label = QFontMetricsF(textFont(tick_points)).height();
-  axes_->axis(QCPAxis::atBottom)
-      ->ticker()
-      ->setTickCount(std::max(2, static_cast<int>(axes_->width() / (4.5 * label))));
-  axes_->axis(QCPAxis::atLeft)
-      ->ticker()
-      ->setTickCount(std::clamp(static_cast<int>(axes_->height() / (2.0 * label)), 2, 7));
 }
 
 void JointPlot::include(double value) {
@@ -113,7 +106,18 @@ void JointPlot::include(double value) {
   any_ = true;
 }
 
+void JointPlot::chooseTicks() {
+  const double label = QFontMetricsF(axes_->axis(QCPAxis::atLeft)->tickLabelFont()).height();
+  axes_->axis(QCPAxis::atBottom)
+      ->ticker()
+      ->setTickCount(std::max(2, static_cast<int>(axes_->width() / (4.5 * label))));
+  axes_->axis(QCPAxis::atLeft)
+      ->ticker()
+      ->setTickCount(std::clamp(static_cast<int>(axes_->height() / (2.0 * label)), 2, 7));
+}
+
 void JointPlot::fill(double begin, double end, std::size_t most) {
+  chooseTicks();
   for (auto* line : {&truth_, &kinematic_, &ukf_}) line->begin();
   band_->begin();
   any_ = false;

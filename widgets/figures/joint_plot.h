@@ -42,6 +42,7 @@ class JointPlot {
 
  private:
   void include(double value);
+  void chooseTicks();
   void fillCamera(double begin, double end);
 
   const JointHistory& history_;

@@ -59,6 +59,7 @@ void saveJointFigure(const JointHistory& history, const std::array<QString, 3>& 
   figure.setJointNames(joint_names);
   figure.resize(size);
   figure.setTimeRange(begin, end);
+  figure.refresh(true);  // lays out
   figure.refresh(true);
   saveFigure(figure, path, size);
 }
