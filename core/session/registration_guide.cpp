@@ -242,6 +242,12 @@ void RegistrationGuide::reject(std::string reason) {
   advice_.clear();
 }
 
+void RegistrationGuide::back() {
+  if (step_ == RegistrationStep::kCollect || step_ == RegistrationStep::kRefused ||
+      step_ == RegistrationStep::kReview)
+    start(current_);
+}
+
 void RegistrationGuide::leave() { step_ = RegistrationStep::kIdle; }
 
 }  // namespace capstan::session

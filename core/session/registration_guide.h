@@ -113,6 +113,7 @@ class RegistrationGuide {
   void accept();                    ///< kReview → kAccepted
   void reject(std::string reason);  ///< any → kRejected
   void leave();                     ///< → kIdle
+  void back();                      ///< kCollect, kRefused, kReview → kDrive
 
   RegistrationStep step() const { return step_; }
   RegistrationFault fault() const { return fault_; }
@@ -124,6 +125,8 @@ class RegistrationGuide {
   const PointScatter& scatter() const { return scatter_; }
   int framesSeen() const { return frames_seen_; }
   const std::optional<RegistrationProposal>& proposal() const { return proposal_; }
+  /// Joints at which the points were collected, by transmission kinematics.
+  const Eigen::Vector3d& collectedPose() const { return collect_pose_; }
   const std::optional<Eigen::Isometry3d>& current() const { return current_; }
   const RegistrationOptions& options() const { return options_; }
   const robot::Description& robot() const { return robot_; }

@@ -131,8 +131,9 @@ void RoiView::drawHeader(QPainter& painter, const QRect& area) const {
   painter.setFont(numberFont(kTextPoints - 1.0));
   painter.setPen(theme_.muted);
   const double scale = mainMap().scale();
-  const QString what = whole_large_ ? QString("frame %1×%2").arg(frame_.cols).arg(frame_.rows)
-                                    : QString("ROI %1² ×%2").arg(region_.width).arg(scale, 0, 'f', 1);
+  const QString shape = whole_large_ ? QString("frame %1×%2").arg(frame_.cols).arg(frame_.rows)
+                                     : "ROI " + QString::number(region_.width) + "² px";
+  const QString what = shape + " ×" + QString::number(scale, 'f', 1);
   painter.drawText(area.adjusted(taken, 0, 0, 0), Qt::AlignRight | Qt::AlignVCenter, what);
 }
 

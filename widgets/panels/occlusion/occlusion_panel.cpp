@@ -1,0 +1,207 @@
+#include "widgets/panels/occlusion/occlusion_panel.h"
+
+#include <QBoxLayout>
+#include <QButtonGroup>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <string_view>
+
+#include "widgets/panels/occlusion/occlusion_timeline.h"
+
+namespace capstan::widgets {
+
+namespace {
+
+constexpr std::array kShares = {0, 10, 20, 40, 60, 80};  // [%] UKF paper, section V-D
+
+QString text(std::string_view view) { return QString::fromUtf8(view.data(), static_cast<int>(view.size())); }
+
+}  // namespace
+
+OcclusionPanel::OcclusionPanel(QWidget* parent) : QWidget(parent), keys_(new HoldKeys(this)) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(8, 8, 8, 8);
+  column->setSpacing(6);
+  addBlockButtons(column);
+  addSchedule(column);
+  now_ = new QLabel;
+  now_->setFont(textFont(10.5, true));
+  now_->setAccessibleName("what the filter observes");
+  reason_ = new QLabel;
+  reason_->setWordWrap(true);
+  column->addWidget(now_);
+  column->addWidget(reason_);
+  column->addStretch(1);
+  faults_.fill(vision::MarkerFault::kNoImage);
+  setTheme(theme_);
+}
+
+void OcclusionPanel::addBlockButtons(QVBoxLayout* column) {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(4);
+  constexpr std::array<const char*, 3> kNames = {"Left", "Right", "Both"};
+  constexpr std::array<int, 3> kKeys = {Qt::Key_L, Qt::Key_K, Qt::Key_B};
+  for (int i = 0; i < 3; ++i) {
+    const auto which = static_cast<Which>(i);
+    const auto index = static_cast<std::size_t>(i);
+    auto* button = buttons_[index] = new QPushButton(kNames[index]);
+    button->setCheckable(true);
+    button->setMinimumWidth(40);
+    button->setToolTip(QString("Block now (%1). Click: until clicked again; hold: as long as held.")
+                           .arg(QChar(kKeys[index])));
+    button->setAccessibleName(QString("block %1").arg(QString(kNames[index]).toLower()));
+    connect(button, &QPushButton::pressed, this, [this, which] { press(which); });
+    connect(button, &QPushButton::released, this, [this, which] { release(which); });
+    keys_->bind(kKeys[index], [this, which](bool pressed) { pressed ? press(which) : release(which); });
+    row->addWidget(button, 1);
+  }
+  column->addLayout(row);
+}
+
+void OcclusionPanel::addSchedule(QVBoxLayout* column) {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(2);
+  shares_ = new QButtonGroup(this);
+  for (const int share : kShares) {
+    auto* button = new QPushButton(share == 0 ? QString("off") : QString::number(share));
+    button->setCheckable(true);
+    button->setChecked(share == 0);
+    button->setMinimumWidth(24);
+    button->setProperty("segment", true);
+    button->setToolTip(share == 0
+                           ? QString("No schedule")
+                           : QString("Both cameras blocked %1 % of the time, at equal spacing").arg(share));
+    shares_->addButton(button, share);
+    row->addWidget(button, 1);
+  }
+  row->addWidget(new QLabel("%"));
+  column->addLayout(row);
+  connect(shares_, &QButtonGroup::idClicked, this, [this] { changeSchedule(); });
+
+  auto* line = new QHBoxLayout;
+  interval_ = new QDoubleSpinBox;
+  interval_->setRange(0.2, 20.0);
+  interval_->setSingleStep(0.5);
+  interval_->setDecimals(1);
+  interval_->setValue(schedule_.interval);
+  interval_->setSuffix(" s");
+  interval_->setToolTip("Length of each blocked interval");
+  connect(interval_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this] { changeSchedule(); });
+  schedule_state_ = new QLabel;
+  line->addWidget(new QLabel("intervals of"));
+  line->addWidget(interval_);
+  line->addStretch(1);
+  line->addWidget(schedule_state_);
+  column->addLayout(line);
+  timeline_ = new OcclusionTimeline;
+  column->addWidget(timeline_);
+}
+
+void OcclusionPanel::setTheme(const Theme& theme) {
+  theme_ = theme;
+  timeline_->setTheme(theme);
+  reason_->setStyleSheet(QString("color: %1").arg(theme.muted.name()));
+  schedule_state_->setStyleSheet(QString("color: %1").arg(theme.muted.name()));
+  markButtons();
+  now_->setText(observation());
+  reason_->setText(reason());
+}
+
+QString OcclusionPanel::observation() const {
+  return gate_ == tracking::Gate::kOpen ? QString("now: camera → q_cam") : QString("now: camera → q_kin");
+}
+
+QString OcclusionPanel::reason() const {
+  if (gate_ == tracking::Gate::kOpen) return "The filter observes the camera.";
+  QString why = text(base::nameOf(gate_));
+  for (std::size_t side = 0; side < 2; ++side) {
+    const bool concerned = gate_ == tracking::Gate::kBothLost ||
+                           gate_ == (side == 0 ? tracking::Gate::kLeftLost : tracking::Gate::kRightLost);
+    if (concerned && faults_[side] != vision::MarkerFault::kNone) {
+      why += ": " + text(base::nameOf(faults_[side]));
+      break;
+    }
+  }
+  return why + ". The filter observes the motors.";
+}
+
+void OcclusionPanel::showSnapshot(const tracking::Snapshot& snapshot) {
+  t_ = snapshot.t;
+  timeline_->setNow(t_);
+  const std::array<vision::MarkerFault, 2> faults = {snapshot.marker[0].fault, snapshot.marker[1].fault};
+  if (snapshot.gate == gate_ && faults == faults_ && !now_->text().isEmpty()) return;
+  gate_ = snapshot.gate;
+  faults_ = faults;
+  now_->setText(observation());
+  reason_->setText(reason());
+}
+
+void OcclusionPanel::showBlocked(const std::array<bool, 2>& blocked) {
+  const bool scheduled = schedule_.percentage > 0.0 && blocked[0] && blocked[1] && !(hand_[0] && hand_[1]);
+  schedule_state_->setText(schedule_.percentage <= 0.0 ? QString()
+                           : scheduled                 ? QString("blocked")
+                                                       : QString("in sight"));
+}
+
+void OcclusionPanel::setSchedule(const session::OcclusionSchedule& schedule) {
+  schedule_ = schedule;
+  const QSignalBlocker quiet(interval_);
+  interval_->setValue(schedule.interval);
+  if (auto* button = shares_->button(qRound(schedule.percentage))) button->setChecked(true);
+  timeline_->setSchedule(schedule_);
+}
+
+void OcclusionPanel::setBlockable(bool blockable) {
+  setEnabled(blockable);
+  setToolTip(blockable ? QString() : QString("This source has no cameras to block."));
+}
+
+void OcclusionPanel::changeSchedule() {
+  schedule_.percentage = std::max(0, shares_->checkedId());
+  schedule_.interval = interval_->value();
+  schedule_.start = t_;
+  timeline_->setSchedule(schedule_);
+  showBlocked(hand_);
+  emit scheduleChanged(schedule_);
+}
+
+void OcclusionPanel::press(Which which) {
+  before_ = hand_;
+  holds_[which].press();
+  std::array<bool, 2> next = hand_;
+  if (which == kBoth)
+    next.fill(!(hand_[0] && hand_[1]));
+  else
+    next[which] = !next[which];
+  set(next);
+}
+
+void OcclusionPanel::release(Which which) {
+  if (holds_[which].wasHeld())
+    set(before_);
+  else
+    markButtons();
+}
+
+void OcclusionPanel::set(std::array<bool, 2> blocked) {
+  const bool changed = blocked != hand_;
+  hand_ = blocked;
+  markButtons();
+  if (changed) emit blockChanged(hand_[0], hand_[1]);
+}
+
+void OcclusionPanel::markButtons() {
+  const std::array<bool, 3> on = {hand_[0], hand_[1], hand_[0] && hand_[1]};
+  for (std::size_t i = 0; i < 3; ++i) {
+    // A checkable button flips itself after released(): settle the look once the click is through.
+    QMetaObject::invokeMethod(
+        this, [button = buttons_[i], state = on[i]] { button->setChecked(state); }, Qt::QueuedConnection);
+    buttons_[i]->setStyleSheet(
+        on[i] ? QString("background:%1; color:#15181c; font-weight:bold;").arg(theme_.warning.name())
+              : QString());
+  }
+}
+
+}  // namespace capstan::widgets

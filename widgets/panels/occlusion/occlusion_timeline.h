@@ -1,0 +1,38 @@
+#pragma once
+
+#include <QWidget>
+
+#include "core/session/occlusion.h"
+#include "widgets/figures/theme.h"
+
+namespace capstan::widgets {
+
+/// What the occlusion schedule brings: some seconds back and the rest ahead, blocked time shaded, "now" as a
+/// line.
+class OcclusionTimeline : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit OcclusionTimeline(QWidget* parent = nullptr);
+
+  void setTheme(const Theme& theme);
+  void setSchedule(const session::OcclusionSchedule& schedule);
+  void setNow(double t);
+  /// Seconds shown, a quarter of them past.
+  void setSpan(double seconds);
+  /// Where the instant t lies [px].
+  double xOf(double t) const;
+  QSize sizeHint() const override { return {200, 46}; }
+  QSize minimumSizeHint() const override { return {120, 46}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  Theme theme_ = Theme::dark();
+  session::OcclusionSchedule schedule_;
+  double now_ = 0.0;
+  double span_ = 24.0;
+};
+
+}  // namespace capstan::widgets

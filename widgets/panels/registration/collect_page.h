@@ -1,0 +1,45 @@
+#pragma once
+
+#include <QWidget>
+
+#include "core/session/registration_guide.h"
+#include "widgets/figures/theme.h"
+#include "widgets/panels/registration/scatter_plot.h"
+
+class QLabel;
+class QListWidget;
+class QProgressBar;
+class QPushButton;
+
+namespace capstan::widgets {
+
+/// Step 2: frames come in; their scatter, σ per axis, and each rejected point with its reason. Also what is
+/// shown when the collection was refused.
+class CollectPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit CollectPage(QWidget* parent = nullptr);
+  void setTheme(const Theme& theme);
+  void showGuide(const session::RegistrationGuide& guide);
+  ScatterPlot& plot() { return *plot_; }
+  QString refusal() const;
+
+ signals:
+  void againRequested();
+  void backRequested();
+
+ private:
+  void listOutliers(const session::RegistrationGuide& guide);
+
+  Theme theme_ = Theme::dark();
+  ScatterPlot* plot_;
+  QProgressBar* progress_;
+  QLabel* count_;
+  QLabel* sigma_;
+  QListWidget* outliers_;
+  QLabel* refusal_;
+  QPushButton *back_, *again_;
+};
+
+}  // namespace capstan::widgets

@@ -1,0 +1,147 @@
+#include "widgets/panels/registration/registration_panel.h"
+
+#include <QBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QStackedWidget>
+
+#include "widgets/panels/registration/collect_page.h"
+#include "widgets/panels/registration/result_page.h"
+#include "widgets/panels/registration/step_bar.h"
+#include "widgets/panels/registration/stop_page.h"
+
+namespace capstan::widgets {
+
+using session::RegistrationStep;
+
+RegistrationPanel::RegistrationPanel(QWidget* parent) : QWidget(parent) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(14, 12, 14, 12);
+  column->setSpacing(10);
+  steps_ = new StepBar({"Hard stop", "Frames", "Result"});
+  pages_ = new QStackedWidget;
+  pages_->addWidget(stop_ = new StopPage);
+  pages_->addWidget(collect_ = new CollectPage);
+  pages_->addWidget(result_ = new ResultPage);
+  pages_->addWidget(end_ = new QLabel);
+  end_->setAlignment(Qt::AlignCenter);
+  end_->setWordWrap(true);
+  end_->setFont(textFont(12.0));
+  close_ = new QPushButton("Cancel");
+  auto* bottom = new QHBoxLayout;
+  bottom->addStretch(1);
+  bottom->addWidget(close_);
+  column->addWidget(steps_);
+  column->addWidget(pages_, 1);
+  column->addLayout(bottom);
+  setWindowTitle("Register cameras at the hard stop");
+
+  connect(stop_, &StopPage::driveRequested, this, &RegistrationPanel::driveToHardStopRequested);
+  connect(stop_, &StopPage::overrideChanged, this, [this](bool on) {
+    if (guide_) guide_->overrideStop(on);
+    refresh();
+  });
+  const auto collect = [this] {
+    if (guide_) guide_->collect();
+    refresh();
+  };
+  connect(stop_, &StopPage::collectRequested, this, collect);
+  connect(collect_, &CollectPage::againRequested, this, collect);
+  connect(result_, &ResultPage::redoRequested, this, collect);
+  connect(collect_, &CollectPage::backRequested, this, [this] {
+    if (guide_) guide_->back();
+    refresh();
+  });
+  connect(result_, &ResultPage::acceptRequested, this, [this] {
+    if (!guide_ || !guide_->proposal()) return;
+    guide_->accept();
+    const auto pose = guide_->proposal()->registration.base_from_camera;
+    finish("The new registration is in use.");
+    emit accepted(pose, result_->summary());
+  });
+  connect(result_, &ResultPage::rejectRequested, this, [this](const QString& reason) {
+    guide_->reject(reason.toStdString());
+    finish("Rejected: " + reason + ".\nThe registration in use stays.");
+    emit rejected(reason);
+  });
+  connect(close_, &QPushButton::clicked, this, [this] {
+    if (guide_) guide_->leave();
+    emit finished();
+  });
+  setTheme(theme_);
+}
+
+RegistrationPanel::~RegistrationPanel() = default;
+
+void RegistrationPanel::setTheme(const Theme& theme) {
+  theme_ = theme;
+  steps_->setTheme(theme);
+  stop_->setTheme(theme);
+  collect_->setTheme(theme);
+  result_->setTheme(theme);
+}
+
+void RegistrationPanel::begin(const session::SourceInfo& source,
+                              const std::optional<Eigen::Isometry3d>& current,
+                              const session::RegistrationOptions& options) {
+  guide_ = std::make_unique<session::RegistrationGuide>(source.robot, options);
+  guide_->start(current);
+  stop_->setDrivable(source.live);
+  result_->setRig(source.robot, source.rig);
+  close_->setText("Cancel");
+  shown_ = RegistrationStep::kIdle;
+  refresh();
+}
+
+bool RegistrationPanel::active() const {
+  return guide_ && guide_->step() != RegistrationStep::kIdle &&
+         guide_->step() != RegistrationStep::kAccepted && guide_->step() != RegistrationStep::kRejected;
+}
+
+void RegistrationPanel::showSnapshot(const tracking::Snapshot& snapshot) {
+  if (!active()) return;
+  guide_->observe(snapshot);
+  refresh();
+}
+
+void RegistrationPanel::showFrames(const cv::Mat& left, const cv::Mat& right,
+                                   const tracking::Snapshot& snapshot) {
+  if (active()) result_->showFrames(left, right, snapshot);
+}
+
+void RegistrationPanel::refresh() {
+  if (!guide_) return;
+  const auto step = guide_->step();
+  const bool entered = step != shown_;
+  shown_ = step;
+  switch (step) {
+    case RegistrationStep::kDrive:
+      steps_->setStep(0);
+      pages_->setCurrentWidget(stop_);
+      return stop_->showGuide(*guide_);
+    case RegistrationStep::kCollect:
+    case RegistrationStep::kRefused:
+      steps_->setStep(1);
+      pages_->setCurrentWidget(collect_);
+      if (entered || points_shown_ != guide_->framesSeen() || step == RegistrationStep::kRefused)
+        collect_->showGuide(*guide_);
+      points_shown_ = guide_->framesSeen();
+      return;
+    case RegistrationStep::kReview:
+      steps_->setStep(2);
+      pages_->setCurrentWidget(result_);
+      if (entered) result_->showGuide(*guide_);
+      return;
+    default:
+      return;
+  }
+}
+
+void RegistrationPanel::finish(const QString& message) {
+  steps_->setStep(3);
+  end_->setText(message);
+  pages_->setCurrentWidget(end_);
+  close_->setText("Close");
+}
+
+}  // namespace capstan::widgets

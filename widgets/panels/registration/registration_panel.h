@@ -1,0 +1,73 @@
+#pragma once
+
+#include <QWidget>
+#include <memory>
+#include <optional>
+
+#include "core/session/registration_guide.h"
+#include "core/session/source.h"
+#include "core/tracking/snapshot.h"
+#include "core/vision/registration.h"
+#include "widgets/figures/theme.h"
+
+class QLabel;
+class QPushButton;
+class QStackedWidget;
+
+namespace capstan::widgets {
+
+class CollectPage;
+class ResultPage;
+class StepBar;
+class StopPage;
+
+/// The guided hard-stop registration: three steps over a session::RegistrationGuide, beside the running
+/// window. The owner feeds it every snapshot with camera_updated and, for the overlay, frames.
+class RegistrationPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit RegistrationPanel(QWidget* parent = nullptr);
+  ~RegistrationPanel() override;
+
+  void setTheme(const Theme& theme);
+  /// Starts anew for a source. `current` is the registration in use, or else the nominal mounting of the
+  /// cameras: its rotation is taken as known.
+  void begin(const session::SourceInfo& source, const std::optional<Eigen::Isometry3d>& current,
+             const session::RegistrationOptions& options = {});
+  void showSnapshot(const tracking::Snapshot& snapshot);
+  void showFrames(const cv::Mat& left, const cv::Mat& right, const tracking::Snapshot& snapshot);
+
+  bool active() const;
+  const session::RegistrationGuide* guide() const { return guide_.get(); }
+  StopPage& stopPage() { return *stop_; }
+  CollectPage& collectPage() { return *collect_; }
+  ResultPage& resultPage() { return *result_; }
+  QSize sizeHint() const override { return {680, 620}; }
+
+ signals:
+  void driveToHardStopRequested();
+  /// The user accepted: to be given to the pipeline and kept with the session.
+  void accepted(const Eigen::Isometry3d& base_from_camera, const QString& summary);
+  void rejected(const QString& reason);
+  /// Cancelled, or closed after the decision: the panel may be hidden.
+  void finished();
+
+ private:
+  void refresh();
+  void finish(const QString& message);
+
+  Theme theme_ = Theme::dark();
+  std::unique_ptr<session::RegistrationGuide> guide_;
+  session::RegistrationStep shown_ = session::RegistrationStep::kIdle;
+  int points_shown_ = -1;
+  StepBar* steps_;
+  QStackedWidget* pages_;
+  StopPage* stop_;
+  CollectPage* collect_;
+  ResultPage* result_;
+  QLabel* end_;
+  QPushButton* close_;
+};
+
+}  // namespace capstan::widgets
