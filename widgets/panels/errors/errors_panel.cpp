@@ -1,0 +1,102 @@
+#include "widgets/panels/errors/errors_panel.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <cmath>
+
+#include "core/base/units.h"
+
+namespace capstan::widgets {
+
+namespace {
+
+constexpr Quantity kColumns[] = {Quantity::kKinematic, Quantity::kCamera, Quantity::kUkf};
+constexpr double kCellPoints = 14.0;
+
+/// Fixed width and two decimals, so that points stand below each other.
+QString cellText(double rms, int joint) {
+  if (!std::isfinite(rms)) return QStringLiteral("—.——").rightJustified(6);
+  const double shown = joint < 2 ? base::toDegrees(rms) : base::toMillimetres(rms);
+  return QString::number(shown, 'f', 2).rightJustified(6);
+}
+
+}  // namespace
+
+ErrorsPanel::ErrorsPanel(QWidget* parent) : QWidget(parent) {
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(10, 6, 10, 8);
+  grid->setHorizontalSpacing(10);
+  grid->setVerticalSpacing(4);
+  const char* heads[] = {"kin", "cam", "UKF"};
+  for (int column = 0; column < 3; ++column) {
+    auto*& head = heads_[static_cast<std::size_t>(column)];
+    head = new QLabel(heads[column]);
+    head->setFont(numberFont(11.0, true));
+    grid->addWidget(head, 0, column + 1, Qt::AlignRight);
+  }
+  for (int joint = 0; joint < 3; ++joint) {
+    const auto row = static_cast<std::size_t>(joint);
+    auto*& name = quiet_[row];
+    auto*& unit = quiet_[row + 3];
+    name = new QLabel(QStringLiteral("q%1").arg(joint + 1));
+    unit = new QLabel(tracking::kJointUnits[row]);
+    name->setFont(numberFont(kCellPoints));
+    unit->setFont(textFont(11.0));
+    grid->addWidget(name, joint + 1, 0);
+    grid->addWidget(unit, joint + 1, 4);
+    for (int column = 0; column < 3; ++column) {
+      auto*& cell = cells_[row][static_cast<std::size_t>(column)];
+      cell = new QLabel;
+      cell->setFont(numberFont(kCellPoints));
+      cell->setTextInteractionFlags(Qt::TextSelectableByMouse);
+      grid->addWidget(cell, joint + 1, column + 1, Qt::AlignRight);
+    }
+  }
+  note_ = new QLabel;
+  note_->setFont(textFont(9.5));
+  reset_ = new QPushButton(tr("Reset"));
+  reset_->setToolTip(tr("Begin the errors anew (E)"));
+  reset_->setShortcut(QKeySequence(Qt::Key_E));
+  connect(reset_, &QPushButton::clicked, this, &ErrorsPanel::resetRequested);
+  grid->addWidget(note_, 4, 0, 1, 4);
+  grid->addWidget(reset_, 4, 4, Qt::AlignRight);
+  grid->setRowStretch(5, 1);
+  for (int column = 1; column <= 3; ++column) grid->setColumnStretch(column, 1);
+  setTheme(Theme::dark());
+  showErrors({});
+}
+
+void ErrorsPanel::setTheme(const Theme& theme) {
+  const auto paint = [](QWidget* widget, const QColor& colour) {
+    QPalette palette = widget->palette();
+    palette.setColor(QPalette::WindowText, colour);
+    widget->setPalette(palette);
+  };
+  for (std::size_t column = 0; column < 3; ++column) {
+    paint(heads_[column], theme.colour(kColumns[column]));
+    for (auto& row : cells_) paint(row[column], theme.text);
+  }
+  for (auto* label : quiet_) paint(label, theme.muted);
+  paint(note_, theme.muted);
+}
+
+void ErrorsPanel::setReference(bool fitted) {
+  reference_ = fitted;
+  showErrors({});
+}
+
+void ErrorsPanel::showErrors(const tracking::ErrorTable& errors) {
+  const Eigen::Vector3d columns[] = {errors.kinematic().rms(), errors.camera().rms(), errors.ukf().rms()};
+  for (int joint = 0; joint < 3; ++joint)
+    for (std::size_t column = 0; column < 3; ++column)
+      cells_[static_cast<std::size_t>(joint)][column]->setText(cellText(columns[column][joint], joint));
+  note_->setText(reference_ ? tr("%1 samples").arg(static_cast<qulonglong>(errors.ukf().count()))
+                            : tr("no joint encoders here"));
+}
+
+QString ErrorsPanel::cell(int joint, int column) const {
+  return cells_[static_cast<std::size_t>(joint)][static_cast<std::size_t>(column)]->text();
+}
+
+}  // namespace capstan::widgets

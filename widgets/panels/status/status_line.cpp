@@ -1,0 +1,130 @@
+#include "widgets/panels/status/status_line.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <cmath>
+
+namespace capstan::widgets {
+
+namespace {
+
+using session::RecorderState;
+using session::RunState;
+using tracking::Gate;
+
+QString diskText(std::uint64_t bytes) {
+  const double gigabytes = static_cast<double>(bytes) / 1e9;
+  return QStringLiteral("disk %1 GB").arg(gigabytes, 0, 'f', gigabytes < 10.0 ? 1 : 0);
+}
+
+}  // namespace
+
+QString clockText(double seconds) {
+  const auto whole = static_cast<long>(std::max(0.0, std::floor(seconds)));
+  const QString tail = QStringLiteral("%1:%2")
+                           .arg(whole / 60 % 60, 2, 10, QLatin1Char('0'))
+                           .arg(whole % 60, 2, 10, QLatin1Char('0'));
+  return whole < 3600 ? tail : QStringLiteral("%1:%2").arg(whole / 3600).arg(tail);
+}
+
+StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(8, 2, 8, 2);
+  row->setSpacing(14);
+  for (auto*& label : labels_) {
+    label = new QLabel;
+    label->setFont(numberFont(10.5));
+    row->addWidget(label);
+  }
+  row->addStretch(1);
+  labels_[kNis]->setToolTip(
+      tr("Normalised innovation squared over its degrees of freedom; pass: inside the 95 % χ² band"));
+  labels_[kLag]->setToolTip(tr("From exposure to arrival of the newest camera sample"));
+  labels_[kRescues]->setToolTip(tr("Cholesky down-dates that fell back to a safe path"));
+  clear();
+}
+
+void StatusLine::setTheme(const Theme& theme) {
+  theme_ = theme;
+  for (int part = 0; part < kParts; ++part)
+    set(static_cast<Part>(part), labels_[static_cast<std::size_t>(part)]->text(),
+        tones_[static_cast<std::size_t>(part)]);
+}
+
+void StatusLine::set(Part part, const QString& text, Tone tone) {
+  auto* label = labels_[part];
+  tones_[part] = tone;
+  label->setText(text);
+  label->setVisible(!text.isEmpty());
+  QPalette palette = label->palette();
+  const QColor colour = tone == Tone::kPlain     ? theme_.text
+                        : tone == Tone::kGood    ? theme_.text
+                        : tone == Tone::kWarning ? theme_.warning
+                                                 : theme_.fault;
+  palette.setColor(QPalette::WindowText,
+                   theme_.isDark() ? colour : colour.darker(tone == Tone::kPlain ? 100 : 150));
+  label->setPalette(palette);
+  QFont font = label->font();
+  font.setBold(tone == Tone::kWarning || tone == Tone::kFault);
+  label->setFont(font);
+}
+
+void StatusLine::clear() {
+  for (int part = 0; part < kParts; ++part) set(static_cast<Part>(part), {});
+  set(kState, tr("no source"));
+}
+
+void StatusLine::showSnapshot(const tracking::Snapshot& snapshot) {
+  const bool cameras = snapshot.camera_samples > 0;
+  set(kLag, cameras ? QStringLiteral("lag %1 ms").arg(snapshot.lag * 1e3, 3, 'f', 0) : QString());
+  const QString reason = QString::fromStdString(std::string(base::nameOf(snapshot.gate)));
+  if (snapshot.gate == Gate::kOpen)
+    set(kGate, tr("gate open"), Tone::kGood);
+  else
+    set(kGate, tr("gate shut: %1").arg(reason), cameras ? Tone::kWarning : Tone::kPlain);
+  if (!std::isfinite(snapshot.nis_mean))
+    set(kNis, {});
+  else
+    set(kNis,
+        QStringLiteral("NIS %1 %2")
+            .arg(snapshot.nis_mean, 0, 'f', 2)
+            .arg(snapshot.nis_consistent ? "pass" : "FAIL"),
+        snapshot.nis_consistent ? Tone::kGood : Tone::kFault);
+  set(kRescues, QStringLiteral("rescues %1").arg(static_cast<qulonglong>(snapshot.rescues)),
+      snapshot.rescues > 0 ? Tone::kWarning : Tone::kPlain);
+}
+
+void StatusLine::showStatus(const session::RunStatus& status, double recorded_seconds) {
+  const QString state = QString::fromStdString(std::string(base::nameOf(status.state)));
+  set(kState, state, status.state == RunState::kFailed ? Tone::kFault : Tone::kPlain);
+  set(kMotor, QStringLiteral("%1 Hz").arg(status.motor_rate, 4, 'f', 0));
+  set(kFrames, QStringLiteral("%1 fps").arg(status.frame_rate, 4, 'f', 1));
+  if (!status.recorder) {
+    set(kRecording, {});
+    set(kDisk, {});
+    return;
+  }
+  const auto& recorder = *status.recorder;
+  set(kDisk, diskText(recorder.free_bytes));
+  if (recorder.state == RecorderState::kFailed)
+    set(kRecording, tr("recording failed"), Tone::kFault);
+  else if (recorder.state == RecorderState::kClosed)
+    set(kRecording, tr("recording closed"));
+  else if (recorder.dropped > 0)
+    set(kRecording,
+        QStringLiteral("● REC %1, %2 dropped")
+            .arg(clockText(recorded_seconds))
+            .arg(static_cast<qulonglong>(recorder.dropped)),
+        Tone::kFault);
+  else
+    set(kRecording, QStringLiteral("● REC %1").arg(clockText(recorded_seconds)), Tone::kWarning);
+}
+
+QString StatusLine::text() const {
+  QStringList parts;
+  for (const auto* label : labels_)
+    if (!label->text().isEmpty()) parts << label->text();
+  return parts.join(QStringLiteral(" · "));
+}
+
+}  // namespace capstan::widgets

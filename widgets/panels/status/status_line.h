@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QWidget>
+#include <array>
+
+#include "core/session/runner.h"
+#include "core/tracking/snapshot.h"
+#include "widgets/figures/theme.h"
+
+class QLabel;
+
+namespace capstan::widgets {
+
+/// One line about the session: rates, lag, gate, consistency, rescues, recording, disk. A verdict that is not
+/// good carries the warning or fault colour and says so in a word.
+class StatusLine : public QWidget {
+  Q_OBJECT
+ public:
+  explicit StatusLine(QWidget* parent = nullptr);
+
+  void setTheme(const Theme& theme);
+  void showSnapshot(const tracking::Snapshot& snapshot);
+  void showStatus(const session::RunStatus& status, double recorded_seconds);
+  void clear();
+  /// The whole line, parts joined by " · ".
+  QString text() const;
+
+ private:
+  enum Part { kState, kMotor, kFrames, kLag, kGate, kNis, kRescues, kRecording, kDisk, kParts };
+  enum class Tone { kPlain, kGood, kWarning, kFault };
+  void set(Part part, const QString& text, Tone tone = Tone::kPlain);
+
+  Theme theme_ = Theme::dark();
+  std::array<QLabel*, kParts> labels_{};
+  std::array<Tone, kParts> tones_{};
+};
+
+/// Minutes and seconds as 03:12, or 1:03:12 from an hour on.
+QString clockText(double seconds);
+
+}  // namespace capstan::widgets
