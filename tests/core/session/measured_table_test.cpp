@@ -1,0 +1,180 @@
+#include "core/session/measured_table.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "core/base/units.h"
+#include "core/robot/transmission.h"
+#include "core/session/occlusion.h"
+#include "core/session/raven_motors.h"
+#include "core/session/table_source.h"
+#include "tests/core/session/session_samples.h"
+
+namespace capstan::session {
+namespace {
+
+using namespace testing;
+
+base::InputFault faultOf(const std::string& text) {
+  try {
+    parseMeasuredTable(text, "x.csv");
+  } catch (const base::InputError& error) {
+    EXPECT_FALSE(error.fault().remedy.empty()) << error.what();
+    EXPECT_EQ(error.fault().file, "x.csv");
+    return error.fault();
+  }
+  ADD_FAILURE() << "accepted: " << text;
+  return {};
+}
+
+TEST(MeasuredTable, ColumnsInAnyOrderWithGapsAndOthers) {
+  const auto table = parseMeasuredTable(
+      "\xef\xbb\xbfq2, note ,q_m2,t,q1,q_m1\r\n2,9,-4,0,1e-3,\r\n3,abc,5,0.001,nan,+6\r\n\r\n", "x.csv");
+  EXPECT_EQ(table.rows(), 2U);
+  EXPECT_EQ(table.joints(), 2);
+  EXPECT_EQ(table.t, (std::vector<double>{0.0, 0.001}));
+  EXPECT_EQ(table.q_m[1], (std::vector<double>{-4, 5}));
+  EXPECT_TRUE(std::isnan(table.q_m[0][0]));
+  EXPECT_EQ(table.q_m[0][1], 6.0);
+  EXPECT_EQ(table.q[0][0], 1e-3);
+  EXPECT_TRUE(std::isnan(table.q[0][1]));
+  EXPECT_TRUE(table.dq_m.empty());
+  EXPECT_EQ(table.ignored, (std::vector<std::string>{"note"}));
+}
+
+TEST(MeasuredTable, WritesWhatItReads) {
+  base::Random random(1);
+  MeasuredTable table;
+  for (int i = 0; i < 500; ++i) table.t.push_back(i * 0.1 + random.uniform(0, 0.05));
+  for (auto* quantity : {&table.q_m, &table.q, &table.p_c, &table.tau_ext})
+    for (int k = 0; k < 3; ++k) {
+      quantity->emplace_back();
+      for (int i = 0; i < 500; ++i) quantity->back().push_back(awkward(random));
+    }
+  const auto back = parseMeasuredTable(formatMeasuredTable(table), "x.csv");
+  for (std::size_t row = 0; row < 500; ++row) {
+    ASSERT_TRUE(sameBits(table.t[row], back.t[row]));
+    for (std::size_t k = 0; k < 3; ++k) {
+      ASSERT_TRUE(sameBits(table.q_m[k][row], back.q_m[k][row]));
+      ASSERT_TRUE(sameBits(table.q[k][row], back.q[k][row]));
+      ASSERT_TRUE(sameBits(table.p_c[k][row], back.p_c[k][row]));
+      ASSERT_TRUE(sameBits(table.tau_ext[k][row], back.tau_ext[k][row]));
+    }
+  }
+}
+
+TEST(MeasuredTable, FaultsNameLineColumnAndValue) {
+  const auto word = faultOf("t,q_m1\n0,1\n0.001,abc\n");
+  EXPECT_EQ(word.line, 3);
+  EXPECT_EQ(word.key, "q_m1");
+  EXPECT_EQ(word.value, "abc");
+  EXPECT_EQ(faultOf("t,q_m1\n0,1e999\n").value, "1e999");
+  EXPECT_EQ(faultOf("t,q_m1\n0,inf\n").value, "inf");
+  EXPECT_EQ(faultOf("t,q_m1\n0,1.5x\n").value, "1.5x");
+  const auto back = faultOf("t,q_m1\n0,1\n0.002,1\n0.002,1\n");
+  EXPECT_EQ(back.line, 4);
+  EXPECT_EQ(back.key, "t");
+  EXPECT_EQ(faultOf("t,q_m1\n0,1\n,1\n").line, 3);
+  EXPECT_EQ(faultOf("t,q_m1\n0,1\n1,1,1\n").line, 3);
+  EXPECT_EQ(faultOf("t,q_m1\n0,1\n1\n2,3\n").line, 3);
+  EXPECT_EQ(faultOf("t,q_m1\n0,1\n\n2,3\n").line, 3);
+}
+
+TEST(MeasuredTable, HeadersThatCannotBe) {
+  EXPECT_EQ(faultOf("q_m1\n1\n").key, "t");
+  EXPECT_EQ(faultOf("").line, 1);
+  EXPECT_EQ(faultOf("t,q_m1\n").line, 2);
+  EXPECT_EQ(faultOf("t,q1,q1\n0,1,1\n").key, "q1");
+  EXPECT_EQ(faultOf("t,q_m1,q_m3\n0,1,1\n").key, "q_m2");
+  EXPECT_EQ(faultOf("t,q_m1,q_m2,q1\n0,1,1,1\n").key, "q2");
+  EXPECT_EQ(faultOf("t,q_m8\n0,1\n").key, "q_m8");
+  EXPECT_NE(faultOf("t;q_m1\n0;1\n").remedy.find("commas"), std::string::npos);
+}
+
+TEST(TableSource, GivesMotorsReferenceAndTipsOfEachRow) {
+  auto table = parseMeasuredTable(
+      "t,q_m1,q_m2,q_m3,q1,q2,q3,p_c1,p_c2,p_c3\n0,1,2,3,4,5,6,7,8,9\n1,1,2,3,,,,,,\n2,,2,3,4,5,6,7,8,9\n",
+      "x.csv");
+  TableSource source(table, raven());
+  EXPECT_TRUE(source.info().reference);
+  std::vector<std::pair<std::size_t, double>> kinds;
+  for (tracking::Sample sample; source.next(sample);) {
+    kinds.emplace_back(sample.index(), std::visit([](const auto& s) { return s.t; }, sample));
+    if (kinds.size() == 5) source.block(true, false);
+    if (const auto* motor = std::get_if<tracking::MotorSample>(&sample)) {
+      EXPECT_EQ(motor->position, Eigen::Vector3d(1, 2, 3));
+      EXPECT_TRUE(motor->torque.array().isNaN().all());
+    }
+    if (const auto* tip = std::get_if<tracking::TipSample>(&sample)) {
+      EXPECT_EQ(tip->t == 2, std::isnan(tip->position(0)));
+    }
+  }
+  const std::vector<std::pair<std::size_t, double>> expected = {{0, 0}, {3, 0}, {2, 0},
+                                                                {0, 1}, {3, 2}, {2, 2}};
+  EXPECT_EQ(kinds, expected);
+}
+
+TEST(TableSource, RefusesOtherNumbersOfJointsAndTablesWithoutMotors) {
+  EXPECT_THROW(TableSource(parseMeasuredTable("t,q_m1\n0,1\n", "x.csv"), raven()), base::InputError);
+  EXPECT_THROW(TableSource(parseMeasuredTable("t,q1,q2,q3\n0,1,2,3\n", "x.csv"), raven()), base::InputError);
+}
+
+TEST(MeasuredTable, ReadsTheSharedRecordings) {
+  const auto plant = dataFile("plant/rec101.csv");
+  if (plant.empty()) GTEST_SKIP() << "no data sets (CAPSTAN_DATA)";
+  const auto table = readMeasuredTable(plant);
+  EXPECT_EQ(table.rows(), 40001U);
+  EXPECT_EQ(table.joints(), 3);
+  EXPECT_EQ(table.q_m[2][1], -482.209340);
+  EXPECT_EQ(readMeasuredTable(dataFile("davinci-jaw/tool4_left_0.1Hz_load0.csv")).joints(), 1);
+  EXPECT_EQ(readMeasuredTable(dataFile("emps/test.csv")).ignored, (std::vector<std::string>{"q_ref1"}));
+}
+
+TEST(RavenMotors, TransmissionKinematicsIsTheRobotsOwn) {
+  const auto file = dataFile("raven2-motors/joints123.csv");
+  if (file.empty()) GTEST_SKIP() << "no data sets (CAPSTAN_DATA)";
+  const auto table = readRavenMotors(file, raven());
+  ASSERT_EQ(table.rows(), 19415U);
+  const robot::Transmission transmission(raven());
+  Eigen::Vector3d worst = Eigen::Vector3d::Zero();
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const Eigen::Vector3d q_m(table.q_m[0][row], table.q_m[1][row], table.q_m[2][row]);
+    const Eigen::Vector3d q(table.q[0][row], table.q[1][row], table.q[2][row]);
+    worst = worst.cwiseMax((transmission.jointFromMotor(q_m) - q).cwiseAbs());
+  }
+  RecordProperty("worst", std::to_string(base::toDegrees(worst(0))) + " deg " +
+                              std::to_string(base::toDegrees(worst(1))) + " deg " +
+                              std::to_string(base::toMillimetres(worst(2))) + " mm");
+  EXPECT_LE(base::toDegrees(worst(0)), 1e-3);
+  EXPECT_LE(base::toDegrees(worst(1)), 1e-3);
+  EXPECT_LE(base::toMillimetres(worst(2)), 1e-3);
+  std::printf("worst difference: %.2e deg, %.2e deg, %.2e mm\n", base::toDegrees(worst(0)),
+              base::toDegrees(worst(1)), base::toMillimetres(worst(2)));
+}
+
+TEST(Occlusion, BlocksThePercentageInEqualIntervals) {
+  for (const double percentage : {10.0, 20.0, 40.0, 60.0, 80.0}) {
+    const OcclusionSchedule schedule{percentage, 2.0, 0.0};
+    int blocked = 0, begins = 0;
+    double last = -1.0;
+    for (int i = 0; i < 200000; ++i) {
+      const bool now = schedule.blockedAt((i + 0.5) * 1e-3),
+                 before = i > 0 && schedule.blockedAt((i - 0.5) * 1e-3);
+      blocked += now;
+      if (now && !before) {
+        if (last >= 0.0) {
+          EXPECT_NEAR(i * 1e-3 - last, 200.0 / percentage, 2e-3);
+        }
+        last = i * 1e-3;
+        ++begins;
+      }
+    }
+    EXPECT_NEAR(blocked / 2000.0, percentage, 0.01);
+    EXPECT_EQ(begins, static_cast<int>(percentage));
+    EXPECT_NEAR(schedule.shareUntil(200.0), percentage / 100.0, 1e-12);
+  }
+  EXPECT_FALSE(OcclusionSchedule{}.blockedAt(5.0));
+}
+
+}  // namespace
+}  // namespace capstan::session
