@@ -87,7 +87,8 @@ void ErrorsPanel::setReference(bool fitted) {
 }
 
 void ErrorsPanel::showErrors(const tracking::ErrorTable& errors) {
-  const Eigen::Vector3d columns[] = {errors.kinematic().rms(), errors.camera().rms(), errors.ukf().rms()};
+  const Eigen::Vector3d columns[] = {errors.kinematic().value(), errors.camera().value(),
+                                     errors.ukf().value()};
   for (int joint = 0; joint < 3; ++joint)
     for (std::size_t column = 0; column < 3; ++column)
       cells_[static_cast<std::size_t>(joint)][column]->setText(cellText(columns[column][joint], joint));

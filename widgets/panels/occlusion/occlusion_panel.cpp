@@ -102,6 +102,11 @@ void OcclusionPanel::addSchedule(QVBoxLayout* column) {
 void OcclusionPanel::setTheme(const Theme& theme) {
   theme_ = theme;
   timeline_->setTheme(theme);
+  setStyleSheet(
+      QString("QPushButton[segment=\"true\"] { padding: 3px 2px; }"
+              "QPushButton[segment=\"true\"]:checked { background: %1; color: %2; border: 1px solid %1;"
+              " border-radius: 3px; font-weight: bold; }")
+          .arg(theme.accent.name(), theme.on_accent.name()));
   reason_->setStyleSheet(QString("color: %1").arg(theme.muted.name()));
   schedule_state_->setStyleSheet(QString("color: %1").arg(theme.muted.name()));
   markButtons();
@@ -198,9 +203,10 @@ void OcclusionPanel::markButtons() {
     // A checkable button flips itself after released(): settle the look once the click is through.
     QMetaObject::invokeMethod(
         this, [button = buttons_[i], state = on[i]] { button->setChecked(state); }, Qt::QueuedConnection);
-    buttons_[i]->setStyleSheet(
-        on[i] ? QString("background:%1; color:#15181c; font-weight:bold;").arg(theme_.warning.name())
-              : QString());
+    buttons_[i]->setStyleSheet(on[i] ? QString("background: %1; color: #15181c; font-weight: bold; border: "
+                                               "1px solid %1; border-radius: 3px; padding: 4px;")
+                                           .arg(theme_.warning.name())
+                                     : QString());
   }
 }
 
