@@ -28,6 +28,15 @@ void BitImage::fillBeyond(int y, bool left, bool right) {
     bits[words_ - 1] &= lastWordMask();
 }
 
+bool BitImage::anySet(int first_row, int last_row) const {
+  for (int y = first_row; y <= last_row; ++y) {
+    std::uint64_t any = row(y)[words_ - 1] & lastWordMask();
+    for (int i = 0; i + 1 < words_; ++i) any |= row(y)[i];
+    if (any != 0) return true;
+  }
+  return false;
+}
+
 MedianScratch::MedianScratch(int max_width, int max_height)
     : planes(3 * BitImage::paddedWords((max_width + 63) / 64) * (static_cast<std::size_t>(max_height) + 1)) {}
 

@@ -29,6 +29,8 @@ class BitImage {
     return (static_cast<std::size_t>(words) + 3) & ~std::size_t{3};
   }
   std::size_t paddedWords() const { return paddedWords(words_); }
+  /// Is any pixel of these rows set?
+  bool anySet(int first_row, int last_row) const;
   /// Sets all bits beyond the image, guards included, of row y.
   void fillBeyond(int y, bool left, bool right);
 

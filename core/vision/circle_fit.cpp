@@ -16,6 +16,7 @@ constexpr float kLeastContrast = 12;  // between marker and background, 8-bit le
 constexpr double kTukey = 4.685;      // 95 % efficient for Gaussian residuals
 constexpr double kLeastScale = 0.03;  // of the residuals, so that exact images keep all edges [px]
 constexpr int kLeastEdges = 10;
+constexpr double kPatchMargin = 1.5;  // by which a circle may move inside its patch [px]
 
 using Edges = EdgeSampler::Edges;
 
@@ -103,15 +104,15 @@ Normal normalEquations(const Residuals& residuals, int count, double limit) {
 }
 
 /// Gauss–Newton on geometric distance with Tukey weights whose limit follows the residuals' own spread.
-CircleFit fitEdges(const Edges& edges, Circle circle) {
+CircleFit fitEdges(const Edges& edges, Circle circle, int least) {
   constexpr int kSteps = 6;
   constexpr double kSettled = 2e-3;  // [px]
   CircleFit fit;
-  if (edges.count < kLeastEdges) return fit;
+  if (edges.count < least) return fit;
   for (int step = 0; step < kSteps; ++step) {
     const Residuals residuals(edges, circle);
     const Normal sums = normalEquations(residuals, edges.count, kTukey * spread(residuals, edges.count));
-    if (sums.agreeing < kLeastEdges) return fit;
+    if (sums.agreeing < least) return fit;
     const Eigen::Matrix3d inverse = sums.matrix.inverse();
     const Eigen::Vector3d change = inverse * sums.right;
     if (!change.allFinite() || change.head<2>().norm() > circle.radius) return fit;
@@ -166,23 +167,28 @@ EdgeSampler::EdgeSampler(const MarkerOptions& options)
 }
 
 CircleFit EdgeSampler::refine(const cv::Mat& bgr, const Circle& start) {
-  CircleFit fit;
-  Circle circle = start;
-  constexpr int kPasses = 2;
-  for (int pass = 0; pass < kPasses; ++pass) {
-    const Edges edges = collectEdges(circle, takePatch(bgr, circle));
-    fit = fitEdges(edges, circle);
-    if (!fit.valid) break;
-    const bool settled =
-        (fit.circle.centre - circle.centre).norm() < 0.5 && std::abs(fit.circle.radius - circle.radius) < 1.0;
-    circle = fit.circle;
-    if (settled) break;
+  // Every second ray brings the circle near; then all rays, until the edges no longer depend on where rays
+  // begin.
+  constexpr int kRoughStride = 2;
+  constexpr int kPasses = 3;
+  constexpr double kSettled = 0.2;  // [px]
+  Patch patch = takePatch(bgr, start);
+  CircleFit fit = fitEdges(collectEdges(start, patch, kRoughStride), start, kLeastEdges / kRoughStride);
+  for (int pass = 0; pass < kPasses && fit.valid; ++pass) {
+    const Circle circle = fit.circle;
+    const double moved =
+        (circle.centre - start.centre).cwiseAbs().maxCoeff() + std::abs(circle.radius - start.radius);
+    if (moved > kPatchMargin) patch = takePatch(bgr, circle);
+    fit = fitEdges(collectEdges(circle, patch, 1), circle, kLeastEdges);
+    if ((fit.circle.centre - circle.centre).norm() < kSettled &&
+        std::abs(fit.circle.radius - circle.radius) < 2.0 * kSettled)
+      break;
   }
   return fit;
 }
 
 EdgeSampler::Patch EdgeSampler::takePatch(const cv::Mat& bgr, const Circle& circle) {
-  const double outer = circle.radius + kReach;
+  const double outer = circle.radius + kReach + kPatchMargin;
   Patch patch;
   patch.stride = std::max(1, static_cast<int>(std::ceil(2.0 * outer / (kPatchSide - 2))));
   const auto first = [&](double centre) {
@@ -208,22 +214,23 @@ EdgeSampler::Patch EdgeSampler::takePatch(const cv::Mat& bgr, const Circle& circ
   return patch;
 }
 
-EdgeSampler::Edges EdgeSampler::collectEdges(const Circle& circle, const Patch& patch) const {
+EdgeSampler::Edges EdgeSampler::collectEdges(const Circle& circle, const Patch& patch, int stride) const {
   const double reach = std::min(kReach, 0.8 * circle.radius);
   const double step = 2.0 * reach / (kSamples - 1);
   const double scale = 1.0 / patch.stride;
   Edges edges;
-  for (const Eigen::Vector2d& direction : directions()) {
+  for (int ray = 0; ray < kRays; ray += stride) {
+    const Eigen::Vector2d& direction = directions()[ray];
     const Eigen::Vector2d first = circle.centre + (circle.radius - reach) * direction;
     const Eigen::Vector2d start = (first - Eigen::Vector2d(patch.x, patch.y)) * scale;
-    const Eigen::Vector2d stride = step * scale * direction;
-    const Eigen::Vector2d end = start + (kSamples - 1) * stride;
+    const Eigen::Vector2d along = step * scale * direction;
+    const Eigen::Vector2d end = start + (kSamples - 1) * along;
     const Eigen::Vector2d low = start.cwiseMin(end), high = start.cwiseMax(end);
     if (!(low.minCoeff() >= 0.0) || high.x() >= patch.width - 1 || high.y() >= patch.height - 1) continue;
     std::array<float, kSamples> profile;
     for (int i = 0; i < kSamples; ++i) {
-      const auto x = static_cast<float>(start.x() + i * stride.x()),
-                 y = static_cast<float>(start.y() + i * stride.y());
+      const auto x = static_cast<float>(start.x() + i * along.x()),
+                 y = static_cast<float>(start.y() + i * along.y());
       const int column = static_cast<int>(x), line = static_cast<int>(y);
       const float u = x - static_cast<float>(column), v = y - static_cast<float>(line);
       const float* top = chroma_.data() + static_cast<std::ptrdiff_t>(line) * kPatchSide + column;

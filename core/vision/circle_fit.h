@@ -54,7 +54,7 @@ class EdgeSampler {
   static constexpr int kPatchSide = 96;
 
   Patch takePatch(const cv::Mat& bgr, const Circle& circle);
-  Edges collectEdges(const Circle& circle, const Patch& patch) const;
+  Edges collectEdges(const Circle& circle, const Patch& patch, int stride) const;
 
   std::array<float, 3> weights_;  ///< of B, G, R
   std::vector<float> chroma_;     ///< kPatchSide columns a row

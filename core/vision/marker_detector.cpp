@@ -50,14 +50,16 @@ MarkerDetection MarkerDetector::search(const cv::Mat& bgr, const cv::Rect& roi) 
   if (bgr.empty() || roi.empty()) return found;
   assert(bgr.type() == CV_8UC3 && roi.width <= max_width_ && roi.height <= max_height_);
   const RowSpan raw_rows = threshold_.apply(bgr(roi), raw_);
-  rows_ = median5x5(raw_, raw_rows, median_scratch_, median_);
-  rows_ = erode3x3(median_, rows_, eroded_);
+  const RowSpan median_rows = median5x5(raw_, raw_rows, median_scratch_, median_);
+  rows_ = erode3x3(median_, median_rows, eroded_);
   rows_ = dilate3x3(eroded_, rows_, cleaned_);
   cleaned_.resize(roi.width, roi.height);
 
   const std::span<const Blob> blobs = blobs_.find(cleaned_, rows_);
   if (blobs.empty()) {
-    found.fault = MarkerFault::kNoPixels;
+    // What the median keeps and the erosion does not is more than stray pixels, yet no marker.
+    const bool speck = median_.anySet(median_rows.first, median_rows.last);
+    found.fault = speck ? MarkerFault::kTooSmall : MarkerFault::kNoPixels;
     return found;
   }
   fillShape(bgr, roi, blobs.front(), found);
