@@ -15,6 +15,7 @@ namespace {
 
 constexpr int kBlocks = 6;
 constexpr double kShortest = 80.0, kLongest = 290.0;  // of one whole task [s]
+constexpr double kOneTransfer = 8.0;                  // nobody is faster [s]
 const Eigen::Vector3d kAboveBoard{base::toRadians(33.0), base::toRadians(92.0), 0.315};
 
 int transfersFor(double duration) {
@@ -138,7 +139,7 @@ BlockTransfer::BlockTransfer(const BlockTransferSpec& spec, double duration, con
     planner.transfer(from[place] + (outward ? 0 : kBlocks), to[place] + (outward ? kBlocks : 0));
   }
   planner.goHome();
-  segments_ = planner.timed(duration, spec.pause_share);
+  segments_ = planner.timed(std::max(duration, kOneTransfer), spec.pause_share);
 
   base::Random random(seed, "tremor");
   for (auto& axis : tremor_)
@@ -148,19 +149,28 @@ BlockTransfer::BlockTransfer(const BlockTransferSpec& spec, double duration, con
   requireReach();
 }
 
+/// Time along the planned path and its rate: a session shorter than one transfer slows down to its end on the
+/// way.
+std::pair<double, double> BlockTransfer::pathTime(double t) const {
+  const double slowing = std::min(0.5, 0.5 * duration_), since = t - (duration_ - slowing);
+  if (duration_ >= kOneTransfer || since <= 0.0) return {t, 1.0};
+  return {t - 0.5 * since * since / slowing, 1.0 - since / slowing};
+}
+
 std::pair<Eigen::Vector3d, Eigen::Vector3d> BlockTransfer::tipAt(double t) const {
   t = std::clamp(t, 0.0, duration_);
+  const auto [along, pace] = pathTime(t);
   const auto after =
-      std::upper_bound(segments_.begin(), segments_.end(), t,
+      std::upper_bound(segments_.begin(), segments_.end(), along,
                        [](double time, const Segment& segment) { return time < segment.start; });
   const Segment& segment = *std::prev(after);
-  const auto [p, dp] = minimumJerk(t - segment.start, segment.duration);
+  const auto [p, dp] = minimumJerk(along - segment.start, segment.duration);
   const Eigen::Vector3d way = segment.to - segment.from;
   Eigen::Vector3d position = segment.from + p * way + 4.0 * p * (1.0 - p) * segment.bow;
-  Eigen::Vector3d velocity = dp * way + 4.0 * (1.0 - 2.0 * p) * dp * segment.bow;
+  Eigen::Vector3d velocity = pace * dp * (way + 4.0 * (1.0 - 2.0 * p) * segment.bow);
 
   const double edge = std::min(t, duration_ - t);  // the hand comes to rest at both ends
-  const auto [gain, gain_rate] = minimumJerk(edge, 1.0);
+  const auto [gain, gain_rate] = minimumJerk(edge, std::min(1.0, 0.5 * duration_));
   const double signed_rate = t < 0.5 * duration_ ? gain_rate : -gain_rate;
   for (int axis = 0; axis < 3; ++axis)
     for (const Tone& tone : tremor_[static_cast<std::size_t>(axis)]) {

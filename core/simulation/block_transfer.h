@@ -52,6 +52,7 @@ class BlockTransfer final : public Trajectory {
   };
   class Planner;
   void requireReach() const;
+  std::pair<double, double> pathTime(double t) const;
 
   double duration_;
   int transfers_ = 0;
