@@ -60,6 +60,7 @@ std::array<cv::Mat, 3> planesOf(AVFrame& frame) {
 class FrameEncoder::Impl {
  public:
   Impl(int width, int height) : frame_(av_frame_alloc()), packet_(av_packet_alloc()) {
+    if (width < 2 || height < 2) throw std::runtime_error("images of less than 2x2 pixels cannot be stored");
     const AVCodec* codec = avcodec_find_encoder_by_name(kCodecName);
     if (!codec) throw std::runtime_error("libavcodec has no encoder " + std::string(kCodecName));
     context_ = makeContext(codec, width, height);

@@ -21,6 +21,7 @@ struct CodecParameters {
 /// of the caller.
 class FrameEncoder {
  public:
+  /// At least 2×2 pixels. Throws std::runtime_error for sizes that cannot be encoded.
   FrameEncoder(int width, int height);
   ~FrameEncoder();
   FrameEncoder(FrameEncoder&&) noexcept;

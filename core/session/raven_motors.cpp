@@ -40,6 +40,11 @@ constexpr std::array kColumns = {
     RavenColumn{"tau3", &MeasuredTable::tau_m, 2, 1.0},
 };
 
+/// TR of the robot's software, N r / r_mc [rad/rad, rad/rad, rad/m], and the published radii over its own.
+constexpr std::array kTransmissionRatio = {12.25 * 63.095e-3 / 5.675e-3, 12.25 * 56.297e-3 / 5.675e-3,
+                                           12.25 * 1.0 / 5.675e-3};
+constexpr std::array kRounding = {1.0, 56.298 / 56.297, 1.0};
+
 MeasuredTable parseRavenMotors(std::string_view text, const std::string& file) {
   MeasuredTable table;
   table.file = file;
@@ -99,11 +104,15 @@ MeasuredTable readRavenMotors(const std::filesystem::path& path, const robot::De
          "Choose the robot file of a RAVEN-II"});
   MeasuredTable table = parseRavenMotors(base::readTextFile(path), path.string());
   checkTime(table);
-  // Motor angle at joint zero, counted from the hard stop: −(N / r_mc) r_l ∘ (A q_hs).
-  const robot::Transmission transmission(robot);
-  const robot::JointVector zero = transmission.motorFromJoint(robot::JointVector::Zero(3));
-  for (std::size_t joint = 0; joint < 3; ++joint)
-    for (double& angle : table.q_m[joint]) angle += zero(static_cast<Eigen::Index>(joint));
+  // A q_hs: unit radii make the coupled travel of linkTravel(), which counts from the hard stop.
+  robot::Description unit = robot;
+  for (robot::Drive& drive : unit.drives) drive.link_radius = 1.0;
+  const robot::JointVector coupled = -robot::Transmission(unit).linkTravel(robot::JointVector::Zero(3));
+  for (std::size_t joint = 0; joint < 3; ++joint) {
+    const double at_stop = kTransmissionRatio[joint] * coupled(static_cast<Eigen::Index>(joint));
+    for (double& angle : table.q_m[joint]) angle = kRounding[joint] * (angle - at_stop);
+    for (double& speed : table.dq_m[joint]) speed *= kRounding[joint];
+  }
   return table;
 }
 
