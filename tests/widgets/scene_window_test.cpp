@@ -62,6 +62,7 @@ TEST_F(SceneWindow, EllipsoidGrowsWithTheCovariance) {
 }
 
 TEST_F(SceneWindow, EllipsoidIsLongAlongTheUncertainAxis) {
+  view.setRegistration(std::nullopt);  // rays through a translucent body would count as its edge
   view.setEllipsoidScale(1.0);
   view.camera().look(arm.tip(kJoints), 0.6, 0.0, 0.0);
   auto snapshot = at(1.0, kJoints, 0.0);
@@ -69,7 +70,9 @@ TEST_F(SceneWindow, EllipsoidIsLongAlongTheUncertainAxis) {
   const QImage bare = view.picture();
   snapshot.tip_ukf_covariance = Vector3d(0.02 * 0.02, 0.005 * 0.005, 0.005 * 0.005).asDiagonal();
   view.showSnapshot(snapshot);
-  const test::Count seen = difference(bare, view.picture());
+  const QImage drawn = view.picture();
+  test::leave(drawn, "scene_ellipsoid_long");
+  const test::Count seen = difference(bare, drawn);
   EXPECT_NEAR(static_cast<double>(seen.box.height()) / seen.box.width(), 4.0, 0.5)
       << "x of frame 0 points up";
 }
@@ -111,7 +114,8 @@ TEST_F(SceneWindow, TrailFollowsTheTipAndEndsAfterItsSeconds) {
     return test::count(image, near, Theme::dark().colour(Quantity::kUkf), 70).pixels;
   };
   EXPECT_GT(green(with), 8);
-  for (double t = 8.0; t <= 8.1; t += 0.02) view.showSnapshot(at(t, moved(3.0), 0.0));
+  for (double t = 8.0; t <= 8.1; t += 0.02)
+    view.showSnapshot(at(t, kJoints + Vector3d(-0.4, -0.4, 0.0), 0.0));
   EXPECT_EQ(green(view.picture()), 0) << "older than three seconds";
 }
 
@@ -140,8 +144,8 @@ TEST_F(SceneWindow, MouseOrbitsPansZoomsAndComesBack) {
   const QImage opening = view.picture();
   const Vector3d from = view.camera().position();
   QTest::mousePress(&view, Qt::LeftButton, {}, {300, 300});
-  QTest::mouseMove(&view, {380, 320});
-  QTest::qWait(10);
+  QMouseEvent move(QEvent::MouseMove, QPointF(380, 320), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&view, &move);
   QTest::mouseRelease(&view, Qt::LeftButton, {}, {380, 320});
   EXPECT_GT((view.camera().position() - from).norm(), 0.05);
   QWheelEvent wheel({300, 300}, view.mapToGlobal(QPoint(300, 300)), {}, {0, 240}, Qt::NoButton, {},

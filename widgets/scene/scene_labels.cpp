@@ -2,18 +2,15 @@
 
 #include <QFontMetrics>
 #include <QLinearGradient>
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace capstan::widgets {
 
 namespace {
 
 constexpr double kSmall = 8.5;
-
-void centred(QPainter& painter, const QPointF& at, const QString& text) {
-  const QRectF box(at - QPointF(60, 10), QSizeF(120, 20));
-  painter.drawText(box, Qt::AlignCenter, text);
-}
 
 QString signedNewtons(double value) {
   if (!std::isfinite(value)) return QString("%1   ").arg("–", 6);
@@ -26,25 +23,34 @@ QString signedNewtons(double value) {
 void drawGridLabels(QPainter& painter, const WorkspaceGrid& grid, const OrbitCamera& camera,
                     const QSize& size, const Theme& theme) {
   painter.setPen(theme.muted);
-  for (const auto& label : grid.labels) {
-    const auto at = camera.project(label.at, size);
-    if (!at) continue;
-    painter.setFont(label.name ? textFont(kSmall, true) : numberFont(kSmall - 0.5));
-    centred(painter, *at, label.text);
-  }
+  std::vector<QRectF> taken;
+  for (const bool names : {true, false})
+    for (const auto& label : grid.labels) {
+      const auto at = camera.project(label.at, size);
+      if (!at || label.name != names) continue;
+      painter.setFont(label.name ? textFont(kSmall, true) : numberFont(kSmall - 0.5));
+      const QSizeF extent(painter.fontMetrics().horizontalAdvance(label.text),
+                          painter.fontMetrics().height());
+      const QRectF box(*at - QPointF(extent.width() / 2, extent.height() / 2), extent);
+      const auto hit = [&](const QRectF& other) { return other.intersects(box.adjusted(-3, 0, 3, 0)); };
+      if (std::any_of(taken.begin(), taken.end(), hit)) continue;
+      painter.drawText(box, Qt::AlignCenter, label.text);
+      taken.push_back(box);
+    }
 }
 
 void drawCameraLabels(QPainter& painter, const SceneCaptions& captions, const OrbitCamera& camera,
                       const QSize& size, const Theme& theme) {
   painter.setFont(textFont(kSmall, true));
+  std::array<std::optional<QPointF>, 2> at;
+  for (std::size_t side = 0; side < 2; ++side)
+    if (captions.cameras[side]) at[side] = camera.project(*captions.cameras[side], size);
+  if (!at[0] || !at[1]) return;
   for (std::size_t side = 0; side < 2; ++side) {
-    if (!captions.cameras[side]) continue;
-    const auto at = camera.project(*captions.cameras[side], size);
-    if (!at) continue;
     const QString name = QString(side == 0 ? "L" : "R") + (captions.seen[side] ? "" : " lost");
-    const QFontMetrics metrics = painter.fontMetrics();
-    const QRectF box(*at + QPointF(-metrics.horizontalAdvance(name) / 2.0 - 4, 6),
-                     QSizeF(metrics.horizontalAdvance(name) + 8, metrics.height()));
+    const QSizeF extent(painter.fontMetrics().horizontalAdvance(name) + 8, painter.fontMetrics().height());
+    const bool leftmost = at[side]->x() < at[1 - side]->x();  // labels stand outside the pair
+    const QRectF box(*at[side] + QPointF(leftmost ? -extent.width() - 3 : 3, 5), extent);
     painter.setPen(Qt::NoPen);
     painter.setBrush(captions.seen[side] ? theme.colour(Quantity::kCamera) : theme.warning);
     painter.drawRoundedRect(box, 3, 3);
@@ -57,7 +63,8 @@ void drawTensionLegend(QPainter& painter, const SceneCaptions& captions, const T
                        const QSize& size, const Theme& theme) {
   const QFontMetrics metrics{numberFont(kSmall)};
   const int row = metrics.height(), height = 4 * row;
-  const QRect bar(10, size.height() - height - 10 - row / 2, 10, height);
+  const int width = metrics.horizontalAdvance("+5000 q1 +0000.0 N") + 50;
+  const QRect bar(size.width() - width, size.height() - height - 10 - row / 2, 10, height);
   QLinearGradient gradient(bar.topLeft(), bar.bottomLeft());
   for (int i = 0; i <= 16; ++i) gradient.setColorAt(i / 16.0, scale.colour(scale.limit() * (1.0 - i / 8.0)));
   painter.setPen(QPen(theme.border, 1));

@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <QSize>
 #include <array>
+#include <optional>
 
 #include "core/tracking/snapshot.h"
 #include "widgets/figures/theme.h"
@@ -22,11 +23,12 @@ struct SceneCaptions {
   Eigen::Vector3d tension = Eigen::Vector3d::Zero();    ///< [N]
 };
 
+/// Names of the axes and as many of their numbers as do not cover one another.
 void drawGridLabels(QPainter& painter, const WorkspaceGrid& grid, const OrbitCamera& camera,
                     const QSize& size, const Theme& theme);
 void drawCameraLabels(QPainter& painter, const SceneCaptions& captions, const OrbitCamera& camera,
                       const QSize& size, const Theme& theme);
-/// Colour bar with the joints' cable forces beside it, lower left.
+/// Colour bar with the joints' cable forces beside it, lower right.
 void drawTensionLegend(QPainter& painter, const SceneCaptions& captions, const TensionScale& scale,
                        const QSize& size, const Theme& theme);
 /// What the ellipsoid and the trail are, top left.

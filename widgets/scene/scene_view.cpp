@@ -90,7 +90,7 @@ void SceneView::resetCamera() {
       base_from_camera_ ? base_from_camera_->translation() - tip : Eigen::Vector3d(tip);
   const Eigen::Vector3d level = towards - towards.dot(up) * up;
   camera_.setAxes(up, level.norm() > 1e-3 ? level : up.unitOrthogonal());
-  camera_.look(0.55 * tip, 1.75, 0.75, 0.35);
+  camera_.look(0.5 * tip + 0.12 * up, 2.0, 0.75, 0.35);
   changed();
 }
 
@@ -188,7 +188,7 @@ void SceneView::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   drawGridLabels(painter, grid_, camera_, size(), theme_);
   drawCameraLabels(painter, captions_, camera_, size(), theme_);
-  if (height() < 170) return;
+  if (height() < 170 || width() < 380) return;
   drawTensionLegend(painter, captions_, tension_, size(), theme_);
   drawSceneKey(painter, captions_, trail_seconds_, theme_);
 }

@@ -1,7 +1,7 @@
 #include "widgets/video/stereo_view.h"
 
 #include <QBoxLayout>
-#include <QResizeEvent>
+#include <algorithm>
 
 namespace capstan::widgets {
 
@@ -34,10 +34,18 @@ void StereoView::setLines(const std::array<std::vector<ImageLine>, 2>& lines) {
 
 void StereoView::setWholeFrameLarge(bool large) {
   for (auto* view : views_) view->setWholeFrameLarge(large);
+  arrange();
 }
 
-void StereoView::resizeEvent(QResizeEvent* event) {
-  const bool wide = event->size().width() > 2 * event->size().height();
+void StereoView::resizeEvent(QResizeEvent*) { arrange(); }
+
+void StereoView::arrange() {
+  // Whole frames go beside each other as soon as that makes them larger; regions stand above each other, so
+  // that their insets find room at their side.
+  constexpr double kLines = 56.0, kShape = 4.0 / 3.0;  // header and caption [px]; width by height of a frame
+  const double beside = std::min(width() / 2.0, (height() - kLines) * kShape);
+  const double above = std::min<double>(width(), (height() / 2.0 - kLines) * kShape);
+  const bool wide = views_[0]->wholeFrameLarge() ? beside > above : width() > 2 * height();
   static_cast<QBoxLayout*>(layout())->setDirection(wide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
 }
 

@@ -31,6 +31,8 @@ class StereoView : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  void arrange();
+
   std::array<RoiView*, 2> views_;
 };
 
