@@ -26,7 +26,7 @@ struct UpdateReport {
 };
 
 /// Square-root unscented Kalman filter with additive noise (van der Merwe and Wan, ICASSP 2001; van der Merwe
-/// 2004, algorithm 3.?), the UKF paper's srUKF. Holds the mean and a lower triangular S with covariance S Sᵀ,
+/// 2004, section 3.3), the UKF paper's srUKF. Holds the mean and a lower triangular S with covariance S Sᵀ,
 /// never a covariance.
 ///
 /// Prediction: S ← tria [√Wc (X − x̄), √Q]; all weights are positive (SigmaRule), so nothing is down-dated.
@@ -54,7 +54,7 @@ class SquareRootUkf {
   template <StateModel Model>
   bool predict(const Model& model, const typename Model::Input& input, double dt, const Lower<N>& sqrt_q);
 
-  /// Takes y = h(x) + noise of covariance sqrt_r sqrt_rᵀ; sqrt_r any square root, not singular together with
+  /// Takes y = h(x) + noise of covariance sqrt_r sqrt_rᵀ; sqrt_r lower triangular, not singular together with
   /// S.
   template <MeasurementModel<N> Measurement>
   UpdateReport<Measurement::kOutputs> update(const Measurement& measurement,
@@ -89,7 +89,7 @@ class SquareRootUkf {
   alignas(64) math::StackedArray<N, kPoints<N> + N> stack_;
   State mean_ = State::Zero();
   Lower<N> root_ = Lower<N>::Identity();
-  double spread_, centre_mean_, other_, sqrt_centre_, sqrt_other_;
+  double spread_, other_, sqrt_centre_, sqrt_other_;
   std::uint64_t rescues_ = 0;
 };
 
@@ -142,7 +142,6 @@ Eigen::Matrix<double, Rows, 1> weightedMean(const Values& values, double weight)
 template <int N>
 SquareRootUkf<N>::SquareRootUkf(const SigmaRule& rule)
     : spread_(rule.spread(N)),
-      centre_mean_(rule.centreMean(N)),
       other_(rule.other(N)),
       sqrt_centre_(std::sqrt(rule.centreCovariance(N))),
       sqrt_other_(std::sqrt(rule.other(N))) {
@@ -277,7 +276,8 @@ UpdateReport<Measurement::kOutputs> SquareRootUkf<N>::update(
   for (int m = 0; m < M && !report.rescued; ++m)
     report.rescued = !math::rankOneDowndate(root, State(u.row(m)));
   if (report.rescued) {
-    const Eigen::Matrix<double, N, M> gain = triangle.transpose().solve(u).transpose();
+    const Eigen::Matrix<double, N, M> gain =
+        report.root.transpose().template triangularView<Eigen::Upper>().solve(u).transpose();
     using Wide = math::StackedArray<N, kAll + M>;
     alignas(64) Wide wide = Wide::Zero();
     wide.template leftCols<kAll>() =

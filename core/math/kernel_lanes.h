@@ -23,8 +23,11 @@ using Bits = long long __attribute__((vector_size(8 * CAPSTAN_KERNEL_WIDTH)));
 
 #define CAPSTAN_INLINE [[maybe_unused, gnu::always_inline]] inline
 
-CAPSTAN_INLINE Vec load(const double* p) { return *reinterpret_cast<const Vec*>(p); }
-CAPSTAN_INLINE void store(double* p, Vec v) { *reinterpret_cast<Vec*>(p) = v; }
+/// The same in memory, where other code sees plain doubles.
+using StoredVec = double __attribute__((vector_size(8 * CAPSTAN_KERNEL_WIDTH), may_alias));
+
+CAPSTAN_INLINE Vec load(const double* p) { return *reinterpret_cast<const StoredVec*>(p); }
+CAPSTAN_INLINE void store(double* p, Vec v) { *reinterpret_cast<StoredVec*>(p) = v; }
 CAPSTAN_INLINE Vec splat(double v) { return v - Vec{}; }
 
 CAPSTAN_INLINE double sumOf(Vec v) {
