@@ -1,0 +1,82 @@
+#include <CLI/CLI.hpp>
+#include <QApplication>
+#include <QTimer>
+#include <cstdlib>
+#include <iostream>
+
+#include "widgets/shell/main_window.h"
+
+namespace {
+
+struct Arguments {
+  std::string file, theme, trajectory = "fls", truth = "default", picture, size = "1920x1080",
+                           state = "running";
+  unsigned seed = 1;
+  bool simulate = false;
+  double after = 12.0;
+};
+
+/// Brings the window into the state asked for, grabs it and quits.
+void planPicture(capstan::widgets::MainWindow& window, const Arguments& arguments) {
+  const int after = static_cast<int>(arguments.after * 1e3);
+  if (arguments.state == "occluded")
+    QTimer::singleShot(after * 3 / 4, &window, [&window] {
+      if (window.link().runner()) window.link().runner()->block(true, false);
+    });
+  if (arguments.state == "paused")
+    QTimer::singleShot(after - 800, &window, [&window] { window.link().setRunning(false); });
+  QTimer::singleShot(after, &window, [&window, &arguments] {
+    const bool saved = window.grab().save(QString::fromStdString(arguments.picture));
+    if (!saved) std::cerr << "capstan: " << arguments.picture << " cannot be written\n";
+    QApplication::exit(saved ? 0 : 2);
+  });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Arguments arguments;
+  CLI::App cli("Capstan: the workstation's window", "capstan");
+  auto* session = cli.add_option("--session", arguments.file, "open a recorded session");
+  cli.add_option("--table", arguments.file, "open a measured table")->excludes(session);
+  cli.add_flag("--simulate", arguments.simulate, "a simulated robot, as the next options say");
+  cli.add_option("--trajectory", arguments.trajectory)->check(CLI::IsMember({"fls", "sinusoid", "hold"}));
+  cli.add_option("--truth", arguments.truth)->check(CLI::IsMember({"default", "matched"}));
+  cli.add_option("--seed", arguments.seed);
+  cli.add_option("--theme", arguments.theme)->check(CLI::IsMember({"dark", "light"}));
+  cli.add_option("--screenshot", arguments.picture, "save a picture of the running window and quit");
+  cli.add_option("--size", arguments.size, "of the window, WxH");
+  cli.add_option("--state", arguments.state)->check(CLI::IsMember({"running", "occluded", "paused"}));
+  cli.add_option("--after", arguments.after, "seconds until the picture is taken")
+      ->check(CLI::Range(2.0, 3600.0));
+  CLI11_PARSE(cli, argc, argv);
+  if (!std::getenv("DISPLAY")) {
+    std::cerr << "capstan: no display (DISPLAY is not set). Use capstan-cli, or xvfb-run.\n";
+    return 2;
+  }
+  QApplication application(argc, argv);
+  int width = 1920, height = 1080;
+  if (std::sscanf(arguments.size.c_str(), "%dx%d", &width, &height) != 2) {
+    std::cerr << "capstan: --size = " << arguments.size << ": is not WxH. Write it as 1280x800.\n";
+    return 2;
+  }
+  const bool picture = !arguments.picture.empty();
+  capstan::widgets::MainWindow window(picture ? QString("/dev/null") : QString());
+  if (!arguments.theme.empty()) window.setThemeNamed(QString::fromStdString(arguments.theme));
+  auto choice = window.lastSource();
+  if (arguments.simulate || picture) {
+    choice = {};
+    choice.trajectory = QString::fromStdString(arguments.trajectory);
+    choice.truth = QString::fromStdString(arguments.truth);
+    choice.seed = arguments.seed;
+  }
+  if (!arguments.file.empty()) {
+    choice.simulated = false;
+    choice.file = QString::fromStdString(arguments.file);
+  }
+  window.resize(width, height);
+  window.show();
+  window.open(choice);
+  if (picture) planPicture(window, arguments);
+  return QApplication::exec();
+}

@@ -1,0 +1,108 @@
+#include "widgets/shell/session_link.h"
+
+#include <QDateTime>
+#include <QDir>
+
+#include "core/base/error.h"
+#include "core/session/session_file.h"
+#include "core/tracking/make_pipeline.h"
+
+namespace capstan::widgets {
+
+namespace {
+
+constexpr int kPeriod = 33;       ///< [ms]
+constexpr int kReportTicks = 10;  ///< the error table is renewed three times a second
+
+std::unique_ptr<session::Runner> makeRunner(std::unique_ptr<session::Source> source) {
+  auto pipeline = tracking::makePipeline(source->info());
+  return std::make_unique<session::Runner>(std::move(source), std::move(pipeline));
+}
+
+}  // namespace
+
+SessionLink::SessionLink(QObject* parent) : QObject(parent) {
+  connect(&timer_, &QTimer::timeout, this, &SessionLink::tick);
+  timer_.start(kPeriod);
+}
+
+SessionLink::~SessionLink() = default;
+
+void SessionLink::open(const SourceChoice& choice) {
+  if (opening()) return;
+  opening_ = std::async(std::launch::async, [choice] { return makeRunner(openSource(choice)); });
+}
+
+void SessionLink::take(std::unique_ptr<session::Source> source) {
+  retire(std::move(runner_));
+  runner_ = makeRunner(std::move(source));
+  last_state_ = session::RunState::kPaused;
+  Q_EMIT opened(runner_->info());
+}
+
+void SessionLink::retire(std::unique_ptr<session::Runner> runner) {
+  std::erase_if(retiring_,
+                [](auto& one) { return one.wait_for(std::chrono::seconds(0)) == std::future_status::ready; });
+  if (runner)
+    retiring_.push_back(std::async(std::launch::async, [old = std::move(runner)]() mutable { old.reset(); }));
+}
+
+void SessionLink::finishOpening() {
+  try {
+    auto runner = opening_.get();
+    retire(std::move(runner_));
+    runner_ = std::move(runner);
+    last_state_ = session::RunState::kPaused;
+    Q_EMIT opened(runner_->info());
+  } catch (const std::exception& error) {
+    Q_EMIT failed(QString::fromStdString(error.what()));
+  }
+}
+
+void SessionLink::setRunning(bool on) {
+  if (!runner_) return;
+  if (on)
+    runner_->run();
+  else
+    runner_->pause();
+}
+
+bool SessionLink::recording() const {
+  if (!runner_) return false;
+  const auto status = runner_->status();
+  return status.recorder && status.recorder->state == session::RecorderState::kRecording;
+}
+
+void SessionLink::toggleRecording(const QString& folder) {
+  if (!runner_) return;
+  if (recording()) {
+    runner_->stopRecording();
+    return;
+  }
+  const QDateTime now = QDateTime::currentDateTime();
+  const QString file = QDir(folder).filePath(now.toString("yyyy-MM-dd_HHmmss") + session::kSessionSuffix);
+  try {
+    QDir().mkpath(folder);
+    runner_->startRecording(file.toStdString(),
+                            session::headerOf(runner_->info(), now.toString(Qt::ISODate).toStdString()));
+  } catch (const base::InputError& error) {
+    Q_EMIT failed(QString::fromStdString(error.what()));
+  }
+}
+
+void SessionLink::tick() {
+  if (opening() && opening_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) finishOpening();
+  if (!runner_) return;
+  history_.clear();
+  if (runner_->drainHistory(history_) > 0) Q_EMIT history(history_);
+  if (runner_->takeSnapshot(snapshot_)) Q_EMIT snapshot(snapshot_);
+  if (runner_->takeFrames(frame_)) Q_EMIT frames(frame_);
+  const auto now = runner_->status();
+  if (now.state == session::RunState::kFailed && last_state_ != now.state)
+    Q_EMIT failed(QString::fromStdString(now.error));
+  last_state_ = now.state;
+  Q_EMIT status(now);
+  if (++ticks_ % kReportTicks == 0) Q_EMIT report(runner_->report());
+}
+
+}  // namespace capstan::widgets

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <future>
+#include <memory>
+#include <vector>
+
+#include "core/session/runner.h"
+#include "widgets/shell/source_choice.h"
+
+namespace capstan::widgets {
+
+/// Between the window and the session: opens sources in the background and pulls 30 times a second what the
+/// runner has published. Nothing here waits for the pipeline.
+class SessionLink : public QObject {
+  Q_OBJECT
+ public:
+  explicit SessionLink(QObject* parent = nullptr);
+  ~SessionLink() override;
+
+  void open(const SourceChoice& choice);
+  /// Takes a ready source, as tests have.
+  void take(std::unique_ptr<session::Source> source);
+  bool opening() const { return opening_.valid(); }
+  /// Null while there is no session.
+  session::Runner* runner() const { return runner_.get(); }
+  void setRunning(bool on);
+  bool recording() const;
+  /// Starts or stops; failures come as failed().
+  void toggleRecording(const QString& folder);
+
+ signals:
+  void opened(const capstan::session::SourceInfo& info);
+  void failed(const QString& message);
+  void history(const std::vector<capstan::tracking::Snapshot>& snapshots);
+  void snapshot(const capstan::tracking::Snapshot& snapshot);
+  void frames(const capstan::tracking::StereoFrame& frame);
+  void status(const capstan::session::RunStatus& status);
+  void report(const capstan::tracking::TrackReport& report);
+
+ private:
+  void tick();
+  void finishOpening();
+  void retire(std::unique_ptr<session::Runner> runner);
+
+  QTimer timer_;
+  std::future<std::unique_ptr<session::Runner>> opening_;
+  std::vector<std::future<void>> retiring_;  ///< old runners end in the background
+  std::unique_ptr<session::Runner> runner_;
+  tracking::Snapshot snapshot_;
+  tracking::StereoFrame frame_;
+  std::vector<tracking::Snapshot> history_;
+  session::RunState last_state_ = session::RunState::kPaused;
+  int ticks_ = 0;
+};
+
+}  // namespace capstan::widgets
