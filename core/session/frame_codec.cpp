@@ -35,10 +35,14 @@ using Context = std::unique_ptr<AVCodecContext, FreeContext>;
 using Frame = std::unique_ptr<AVFrame, FreeFrame>;
 using Packet = std::unique_ptr<AVPacket, FreePacket>;
 
+/// Columns that libavcodec sees: a multiple of four. Its encoder reserves no room for the padding of planes
+/// whose size is none, and cuts the packet of an incompressible picture short.
+int codedWidth(int width) { return (width + 3) / 4 * 4; }
+
 Context makeContext(const AVCodec* codec, int width, int height) {
   Context context(avcodec_alloc_context3(codec));
   if (!context) throw std::bad_alloc();
-  context->width = width;
+  context->width = codedWidth(width);
   context->height = height;
   context->pix_fmt = AV_PIX_FMT_GBRP;
   context->time_base = {1, 15};
@@ -46,10 +50,10 @@ Context makeContext(const AVCodec* codec, int width, int height) {
   return context;
 }
 
-/// libavcodec's planes, as OpenCV orders the channels: B, G, R.
-std::array<cv::Mat, 3> planesOf(AVFrame& frame) {
+/// libavcodec's planes, as OpenCV orders the channels: B, G, R; the first `width` columns.
+std::array<cv::Mat, 3> planesOf(AVFrame& frame, int width) {
   const auto plane = [&](int index) {
-    return cv::Mat(frame.height, frame.width, CV_8UC1, frame.data[index],
+    return cv::Mat(frame.height, width, CV_8UC1, frame.data[index],
                    static_cast<std::size_t>(frame.linesize[index]));
   };
   return {plane(1), plane(0), plane(2)};
@@ -68,7 +72,7 @@ class FrameEncoder::Impl {
     if (avcodec_open2(context_.get(), codec, nullptr) < 0)
       throw std::runtime_error("libavcodec refuses to encode images of " + std::to_string(width) + "x" +
                                std::to_string(height));
-    frame_->width = width;
+    frame_->width = codedWidth(width);
     frame_->height = height;
     frame_->format = AV_PIX_FMT_GBRP;
     if (av_frame_get_buffer(frame_.get(), 0) < 0) throw std::bad_alloc();
@@ -84,8 +88,12 @@ class FrameEncoder::Impl {
   std::span<const std::uint8_t> encode(const cv::Mat& bgr) {
     assert(bgr.type() == CV_8UC3 && bgr.cols == parameters_.width && bgr.rows == parameters_.height);
     if (av_frame_make_writable(frame_.get()) < 0) throw std::bad_alloc();
-    auto planes = planesOf(*frame_);
+    auto planes = planesOf(*frame_, bgr.cols);
     cv::split(bgr, planes.data());
+    for (int column = bgr.cols; column < frame_->width; ++column)
+      for (int plane = 0; plane < 3; ++plane)
+        for (int row = 0; row < bgr.rows; ++row)
+          frame_->data[plane][row * frame_->linesize[plane] + column] = 0;
     av_packet_unref(packet_.get());
     if (avcodec_send_frame(context_.get(), frame_.get()) < 0 ||
         avcodec_receive_packet(context_.get(), packet_.get()) < 0)
@@ -110,7 +118,7 @@ std::span<const std::uint8_t> FrameEncoder::encode(const cv::Mat& bgr) { return 
 class FrameDecoder::Impl {
  public:
   Impl(const CodecParameters& parameters, const std::string& file)
-      : frame_(av_frame_alloc()), packet_(av_packet_alloc()) {
+      : width_(parameters.width), frame_(av_frame_alloc()), packet_(av_packet_alloc()) {
     const AVCodec* codec = avcodec_find_decoder_by_name(parameters.name.c_str());
     const auto refuse = [&](const char* reason) {
       throw base::InputError(
@@ -134,12 +142,13 @@ class FrameDecoder::Impl {
     packet_->data = nullptr;
     packet_->size = 0;
     if (!sent || avcodec_receive_frame(context_.get(), frame_.get()) < 0) return false;
-    if (frame_->format != AV_PIX_FMT_GBRP) return false;
-    cv::merge(planesOf(*frame_).data(), 3, bgr);
+    if (frame_->format != AV_PIX_FMT_GBRP || frame_->width < width_) return false;
+    cv::merge(planesOf(*frame_, width_).data(), 3, bgr);
     return true;
   }
 
  private:
+  int width_;
   Context context_;
   Frame frame_;
   Packet packet_;

@@ -88,7 +88,7 @@ constexpr Column kEvent[] = {
 constexpr Column kCodec[] = {
     {"id", kInteger, "", "key"},
     {"name", kText, "", "codec of libavcodec, planes G B R"},
-    {"width", kInteger, "px", "width of the image"},
+    {"width", kInteger, "px", "width of the image; packets are padded to a multiple of four columns"},
     {"height", kInteger, "px", "height of the image"},
     {"fourcc", kInteger, "", "variant of the codec, four letters, the first lowest"},
     {"extradata", kBlob, "", "what its decoder needs besides the packet"},

@@ -35,7 +35,7 @@ TEST(FrameCodec, BitExactOnNoiseGradientsAndPlainColour) {
 
 TEST(FrameCodec, BitExactAtOddSizes) {
   base::Random random(2);
-  for (const auto& [width, height] : {std::pair{2, 2}, {3, 5}, {641, 479}, {37, 2}})
+  for (const auto& [width, height] : {std::pair{2, 2}, {3, 5}, {641, 479}, {643, 481}, {37, 2}, {638, 477}})
     expectExact(noisyImage(random, width, height));
 }
 
