@@ -17,11 +17,11 @@ constexpr double kTextPoints = 10.0;
 
 QString text(std::string_view view) { return QString::fromUtf8(view.data(), static_cast<int>(view.size())); }
 
-/// `source` of a BGR frame as an image of about `target` size: shrunk by averaging, never enlarged.
+/// `source` of a BGR frame as an image of about `target` size: shrunk where it is larger, never enlarged.
 QImage cut(const cv::Mat& frame, const cv::Rect& source, const QSize& target) {
   cv::Mat part = frame(source);
   if (target.width() < part.cols && target.width() > 0 && target.height() > 0)
-    cv::resize(part, part, {target.width(), target.height()}, 0, 0, cv::INTER_AREA);
+    cv::resize(part, part, {target.width(), target.height()}, 0, 0, cv::INTER_LINEAR);
   QImage image(part.cols, part.rows, QImage::Format_RGB32);
   cv::Mat view(image.height(), image.width(), CV_8UC4, image.bits(),
                static_cast<std::size_t>(image.bytesPerLine()));
