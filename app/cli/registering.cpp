@@ -37,6 +37,12 @@ void runUnregistered(const SourceFactory& open, const tracking::TrackingOptions&
                      [&](const tracking::Sample&, const tracking::Snapshot& snapshot) { each(snapshot); });
 }
 
+/// Without its last full stop: the error message adds one.
+std::string clause(std::string text) {
+  while (!text.empty() && (text.back() == '.' || text.back() == ' ')) text.pop_back();
+  return text;
+}
+
 Eigen::Isometry3d atHardStop(const std::string& mounting, const SourceFactory& open,
                              const tracking::TrackingOptions& options, std::string& message) {
   const auto info = open()->info();
@@ -50,10 +56,11 @@ Eigen::Isometry3d atHardStop(const std::string& mounting, const SourceFactory& o
     if (guide.canCollect()) guide.collect();
   });
   if (!guide.proposal())
-    refuseOption(
-        "--register", "hard-stop",
-        guide.reason().empty() ? "the recording holds no rest at the hard stop long enough" : guide.reason(),
-        guide.advice().empty() ? "Record one, or give --register kinematics or a file" : guide.advice());
+    refuseOption("--register", "hard-stop",
+                 guide.reason().empty() ? "the recording holds no rest at the hard stop long enough"
+                                        : clause(guide.reason()),
+                 guide.advice().empty() ? "Record one, or give --register kinematics or a file"
+                                        : clause(guide.advice()));
   const vision::Registration& found = guide.proposal()->registration;
   message =
       fmt::format("registered at the hard stop: {} frames, rms {:.2f} mm", found.frames, 1e3 * found.rms);

@@ -28,6 +28,7 @@ simulation::TrajectorySpec trajectoryOf(const SimulationArguments& arguments) {
     spec.kind = Kind::kHold;
   } else if (name == "hard-stop") {
     spec.kind = Kind::kHardStop;
+    spec.hard_stop.rest = arguments.duration;
   } else if (std::filesystem::exists(name)) {
     spec.kind = Kind::kRecorded;
     spec.recorded.file = name;
@@ -65,8 +66,9 @@ void addSimulationOptions(CLI::App& command, SimulationArguments& arguments) {
   grouped(command.add_option("--duration", arguments.duration, "length of the movement [s]"))
       ->capture_default_str()
       ->check(CLI::Range(0.1, 86400.0));
-  grouped(command.add_option("--trajectory", arguments.trajectory,
-                             "fls (block transfer), sinusoid, hold, hard-stop, or a CSV with t, q1, q2, q3"))
+  grouped(command.add_option(
+              "--trajectory", arguments.trajectory,
+              "fls (block transfer), sinusoid, hold, hard-stop (rests there), or a CSV with t, q1, q2, q3"))
       ->capture_default_str();
   grouped(command.add_option("--truth", arguments.truth,
                              "what the robot really is: default, matched, or a truth file"));

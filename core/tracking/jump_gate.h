@@ -25,7 +25,7 @@ class JumpGate {
     run_ = agree(newest_, now) ? run_ + 1 : 1;
     newest_ = now;
     const bool believable = (disagreement.cwiseAbs().array() <= tolerance_.array()).all();
-    if (nis > threshold_ && !(believable && (agree(accepted_, now) || run_ >= samples_))) return false;
+    if (!(nis <= threshold_) && !(believable && (agree(accepted_, now) || run_ >= samples_))) return false;
     accepted_ = now;
     return true;
   }

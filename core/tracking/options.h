@@ -10,7 +10,7 @@ namespace capstan::tracking {
 /// Every number of the tracking pipeline that is neither the robot's nor the camera's. Joint vectors are in
 /// rad, rad, m (or per second where said). resources/tracking/default.yaml holds the same values.
 struct TrackingOptions {
-  Eigen::Vector3d position_noise{2e-4, 2e-4, 2e-5};  ///< density of process noise on q [rad/√s, rad/√s, m/√s]
+  Eigen::Vector3d position_noise{1e-2, 1e-2, 1e-3};  ///< density of process noise on q [rad/√s, rad/√s, m/√s]
   Eigen::Vector3d velocity_noise{0.5, 0.5, 0.05};  ///< density on dq [rad/s/√s, rad/s/√s, m/s/√s]
   Eigen::Vector3d initial_position_sigma{0.05, 0.05, 0.005};
   Eigen::Vector3d initial_velocity_sigma{0.1, 0.1, 0.02};

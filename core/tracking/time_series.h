@@ -1,13 +1,15 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <vector>
 
 namespace capstan::tracking {
 
-/// The newest vectors of a signal sampled in rising time, in fixed storage; interpolates linearly in between.
+/// The newest vectors of a signal sampled in rising time, in fixed storage; linear in between and for one
+/// step beyond.
 class TimeSeries {
  public:
   explicit TimeSeries(std::size_t capacity) : points_(capacity) {}
@@ -26,7 +28,7 @@ class TimeSeries {
   /// that.
   std::optional<Eigen::Vector3d> at(double t, double hold) const {
     if (count_ == 0 || !(t <= back(0).t + hold)) return std::nullopt;
-    if (t >= back(0).t) return back(0).value;
+    if (t >= back(0).t) return beyond(t);
     const std::size_t kept = count_ < points_.size() ? count_ : points_.size();
     std::size_t newer = 0, older = kept - 1;  // ages: back(newer).t > t, back(older).t <= t
     if (t < back(older).t) return std::nullopt;
@@ -44,6 +46,11 @@ class TimeSeries {
     double t;
     Eigen::Vector3d value;
   };
+  Eigen::Vector3d beyond(double t) const {
+    if (count_ < 2) return back(0).value;
+    const double step = back(0).t - back(1).t;
+    return back(0).value + std::min((t - back(0).t) / step, 1.0) * (back(0).value - back(1).value);
+  }
   const Point& back(std::size_t age) const { return points_[(count_ - 1 - age) % points_.size()]; }
 
   std::vector<Point> points_;

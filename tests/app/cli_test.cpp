@@ -1,0 +1,219 @@
+/// Runs the real capstan-cli: exit codes, JSON, files, and numbers equal to the library's to the last bit.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+
+#include "core/session/measured_table.h"
+#include "core/session/session_source.h"
+#include "core/tracking/make_pipeline.h"
+#include "core/tracking/track_all.h"
+
+namespace capstan {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+struct Ran {
+  int exit = -1;
+  std::string out, err;
+};
+
+class Cli : public testing::Test {
+ protected:
+  Cli() : folder_(fs::temp_directory_path() / ("capstan_cli_" + std::to_string(getpid()))) {
+    fs::create_directories(folder_);
+  }
+  ~Cli() override { fs::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  Ran run(const std::string& arguments) const {
+    const std::string errors = path("stderr.txt");
+    FILE* pipe = popen((std::string(CAPSTAN_CLI) + " " + arguments + " 2>" + errors).c_str(), "r");
+    Ran result;
+    char buffer[4096];
+    while (const std::size_t got = std::fread(buffer, 1, sizeof buffer, pipe)) result.out.append(buffer, got);
+    const int status = pclose(pipe);
+    result.exit = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    std::stringstream text;
+    text << std::ifstream(errors).rdbuf();
+    result.err = text.str();
+    return result;
+  }
+  std::string simulate(const std::string& name, const std::string& more) const {
+    const Ran made = run("simulate --out " + path(name) + " --seed 9 " + more);
+    EXPECT_EQ(made.exit, 0) << made.err;
+    return path(name);
+  }
+  void write(const std::string& name, const std::string& text) const { std::ofstream(path(name)) << text; }
+
+  fs::path folder_;
+};
+
+TEST_F(Cli, HelpHasExamplesAndSucceeds) {
+  for (const char* command : {"simulate", "track", "calibrate", "info", "convert"}) {
+    const Ran help = run(std::string(command) + " --help");
+    EXPECT_EQ(help.exit, 0) << command;
+    EXPECT_NE(help.out.find("Examples:"), std::string::npos) << command;
+    EXPECT_NE(help.out.find("--json"), std::string::npos) << command;
+  }
+}
+
+TEST_F(Cli, BadUsageIsExitTwoWithOneLineThatSaysWhat) {
+  write("bad.csv", "t,q_m1,q_m2,q_m3\n0,1,2,x\n");
+  write("options.yaml", "gate_probability: 3\n");
+  const std::string bad = path("bad.csv");
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"track " + path("missing.capstan"), "missing.capstan"},
+      {"track " + bad, "bad.csv:2"},
+      {"track --simulate --no-images --duration 1 --options " + path("options.yaml"), "gate_probability"},
+      {"track", "FILE"},
+      {"track " + bad + " --simulate", "--simulate"},
+      {"track " + bad + " --seed 3", "--simulate"},
+      {"track --simulate --trajectory nowhere.csv", "nowhere.csv"},
+      {"info " + folder_.string(), "cannot be read"},
+      {"calibrate " + path("nothing"), "nothing"},
+      {"calibrate " + folder_.string() + " --board 9by6", "9by6"},
+      {"convert " + bad + " " + path("x.what"), "x.what"},
+      {"convert " + bad + " " + path("frames") + " --to png", "session"},
+      {"simulate --out " + bad + " --no-images --duration 1", "exists"}};
+  for (const auto& [arguments, word] : cases) {
+    const Ran result = run(arguments);
+    EXPECT_EQ(result.exit, 2) << arguments;
+    EXPECT_NE(result.err.find(word), std::string::npos) << arguments << "\n" << result.err;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << arguments << "\n" << result.err;
+    EXPECT_TRUE(result.out.empty()) << arguments;
+  }
+  EXPECT_EQ(run("").exit, 2);
+  EXPECT_EQ(run("track --no-such-option").exit, 2);
+}
+
+TEST_F(Cli, ARecordingOfNothingIsExitOne) {
+  write("empty.csv", "t,q_m1,q_m2,q_m3\n0,,,\n0.001,,,\n");
+  const Ran result = run("track " + path("empty.csv") + " --json -");
+  EXPECT_EQ(result.exit, 1) << result.err;
+}
+
+TEST_F(Cli, TrackEqualsTheLibraryToTheLastBit) {
+  for (const char* more : {"--no-images --duration 4", "--duration 3"}) {
+    const std::string file = simulate("a.capstan", "--trajectory sinusoid " + std::string(more) + " --force");
+    const Ran result = run("track " + file + " --json -");
+    ASSERT_EQ(result.exit, 0) << result.err;
+    const json document = json::parse(result.out);
+    session::SessionSource source(file);
+    tracking::TrackingPipeline pipeline = tracking::makePipeline(source.info());
+    const tracking::TrackReport report = tracking::trackAll(source, pipeline);
+    for (std::size_t joint = 0; joint < 3; ++joint) {
+      const auto i = static_cast<Eigen::Index>(joint);
+      EXPECT_EQ(document["rms"]["kin"][joint].get<double>(), report.errors.kinematic().value()(i));
+      EXPECT_EQ(document["rms"]["cam"][joint].get<double>(), report.errors.camera().value()(i));
+      EXPECT_EQ(document["rms"]["ukf"][joint].get<double>(), report.errors.ukf().value()(i));
+    }
+    EXPECT_EQ(document["nis"].get<double>(), report.nisMean());
+    EXPECT_EQ(document["samples"].get<std::uint64_t>(), report.motor_samples);
+    EXPECT_EQ(run("track " + file + " --json -").out, result.out) << "the same input gives the same document";
+  }
+}
+
+TEST_F(Cli, SimulatingDirectlyEqualsGoingThroughAFile) {
+  const std::string file = simulate("b.capstan", "--trajectory sinusoid --no-images --duration 3");
+  const Ran through = run("track " + file + " --json -");
+  const Ran direct = run("track --simulate --trajectory sinusoid --seed 9 --no-images --duration 3 --json -");
+  ASSERT_EQ(through.exit, 0) << through.err;
+  ASSERT_EQ(direct.exit, 0) << direct.err;
+  EXPECT_EQ(json::parse(through.out)["rms"], json::parse(direct.out)["rms"]);
+}
+
+TEST_F(Cli, JsonToAFileLeavesTheTableOnStandardOutput) {
+  const Ran result = run("track --simulate --trajectory sinusoid --no-images --duration 3 --out " +
+                         path("e.csv") + " --json " + path("r.json"));
+  ASSERT_EQ(result.exit, 0) << result.err;
+  EXPECT_NE(result.out.find("q3 [mm]"), std::string::npos);
+  EXPECT_TRUE(result.err.empty()) << "no progress off a terminal: " << result.err;
+  const json document = json::parse(std::ifstream(path("r.json")));
+  for (const char* key : {"rms", "nis", "samples", "gates", "detected"})
+    EXPECT_TRUE(document.contains(key)) << key;
+  std::ifstream rows(path("e.csv"));
+  std::string line;
+  std::getline(rows, line);
+  EXPECT_EQ(line.rfind("t,camera,t_cam,q_kin1", 0), 0u);
+  const auto commas = std::count(line.begin(), line.end(), ',');
+  std::uint64_t count = 0;
+  while (std::getline(rows, line)) {
+    ASSERT_EQ(std::count(line.begin(), line.end(), ','), commas) << line;
+    ++count;
+  }
+  EXPECT_EQ(count,
+            document["samples"].get<std::uint64_t>() + document["camera_samples"].get<std::uint64_t>());
+}
+
+TEST_F(Cli, OcclusionShutsTheGateForItsShare) {
+  const Ran result =
+      run("track --simulate --trajectory sinusoid --no-images --duration 20 --occlude 40 --json -");
+  ASSERT_EQ(result.exit, 0) << result.err;
+  const json document = json::parse(result.out);
+  const double share =
+      document["gates"]["both lost"].get<double>() / document["camera_samples"].get<double>();
+  EXPECT_NEAR(share, 0.4, 0.05);
+}
+
+TEST_F(Cli, InfoAndConvertGoRound) {
+  const std::string file = simulate("c.capstan", "--trajectory sinusoid --no-images --duration 3");
+  const Ran info = run("info " + file + " --json -");
+  ASSERT_EQ(info.exit, 0) << info.err;
+  const json about = json::parse(info.out);
+  EXPECT_EQ(about["kind"], "session");
+  EXPECT_TRUE(about["simulated"].get<bool>());
+
+  ASSERT_EQ(run("convert " + file + " " + path("c.csv")).exit, 0);
+  const json table = json::parse(run("info " + path("c.csv") + " --json -").out);
+  EXPECT_EQ(table["kind"], "table");
+  EXPECT_EQ(table["samples"], about["motor"]);
+  EXPECT_EQ(table["values"]["q1"], about["joint"]);
+
+  ASSERT_EQ(run("convert " + path("c.csv") + " " + path("again.capstan")).exit, 0);
+  ASSERT_EQ(run("convert " + path("again.capstan") + " " + path("again.csv")).exit, 0);
+  const auto first = session::readMeasuredTable(path("c.csv")),
+             second = session::readMeasuredTable(path("again.csv"));
+  EXPECT_EQ(first.t, second.t);
+  EXPECT_EQ(first.q_m, second.q_m);
+  EXPECT_EQ(first.q, second.q);
+  EXPECT_EQ(run("convert " + file + " " + path("c.csv")).exit, 2) << "does not overwrite unasked";
+
+  const json robot =
+      json::parse(run(std::string("info ") + CAPSTAN_RESOURCES + "/robots/raven2_left.yaml --json -").out);
+  EXPECT_EQ(robot["joints"].size(), 3u);
+}
+
+TEST_F(Cli, FramesBecomePicturesAndVideo) {
+  const std::string file = simulate("d.capstan", "--trajectory hold --duration 0.5");
+  const json about = json::parse(run("info " + file + " --json -").out);
+  const auto frames = about["frames"].get<std::size_t>();
+  ASSERT_GT(frames, 3u);
+  ASSERT_EQ(run("convert " + file + " " + path("png") + " --to png").exit, 0);
+  EXPECT_EQ(static_cast<std::size_t>(std::distance(fs::directory_iterator(path("png")), {})), 2 * frames);
+  ASSERT_EQ(run("convert " + file + " " + path("d.mkv")).exit, 0);
+  EXPECT_GT(fs::file_size(path("d.mkv")), 10000u);
+}
+
+TEST_F(Cli, RegistersAgainAtTheHardStop) {
+  const Ran made = run("simulate --out " + path("h.capstan") +
+                       " --trajectory hard-stop --truth matched --duration 6 --seed 2");
+  ASSERT_EQ(made.exit, 0) << made.err;
+  const Ran result = run("track " + path("h.capstan") + " --register hard-stop --save-registration " +
+                         path("r.yaml") + " --json -");
+  ASSERT_EQ(result.exit, 0) << result.err;
+  EXPECT_NE(result.err.find("registered at the hard stop"), std::string::npos);
+  const Ran again = run("track " + path("h.capstan") + " --register " + path("r.yaml") + " --json -");
+  EXPECT_EQ(json::parse(again.out)["rms"], json::parse(result.out)["rms"]);
+}
+
+}  // namespace
+}  // namespace capstan
