@@ -45,7 +45,8 @@ TEST(Mounting, LeftArmsRotationIsTheDocumentedOne) {
 TEST_P(View, BothCamerasSeeTheWholeTaskAndTheHardStop) {
   const robot::Description robot = raven(GetParam());
   const robot::ArmKinematics kinematics(robot);
-  const vision::StereoRig rig = testRig();
+  const std::string folder = std::string(CAPSTAN_RESOURCES) + "/cameras/";
+  const vision::StereoRig rig = vision::readStereoRig(folder + "left.yaml", folder + "right.yaml");
   for (const Truth& truth : {Truth{}, defaultTruth()}) {
     const Eigen::Isometry3d camera_from_base = trueBaseFromCamera(robot, truth.cameras).inverse();
     const Eigen::Vector3d stop(robot.joints[0].homing, robot.joints[1].homing, robot.joints[2].homing);
