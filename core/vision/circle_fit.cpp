@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kRays = EdgeSampler::kRays;
 constexpr double kReach = 4.0;        // of a ray inside and outside the edge [px]
-constexpr int kSamples = 17;          // along a ray, every half pixel at full reach
+constexpr int kSamples = 11;          // along a ray, every 0.8 px at full reach
 constexpr float kLeastContrast = 12;  // between marker and background, 8-bit levels
 constexpr double kTukey = 4.685;      // 95 % efficient for Gaussian residuals
 constexpr double kLeastScale = 0.03;  // of the residuals, so that exact images keep all edges [px]
@@ -105,8 +105,8 @@ Normal normalEquations(const Residuals& residuals, int count, double limit) {
 
 /// Gauss–Newton on geometric distance with Tukey weights whose limit follows the residuals' own spread.
 CircleFit fitEdges(const Edges& edges, Circle circle, int least) {
-  constexpr int kSteps = 6;
-  constexpr double kSettled = 2e-3;  // [px]
+  constexpr int kSteps = 5;
+  constexpr double kSettled = 5e-3;  // [px]
   CircleFit fit;
   if (edges.count < least) return fit;
   for (int step = 0; step < kSteps; ++step) {
@@ -167,13 +167,13 @@ EdgeSampler::EdgeSampler(const MarkerOptions& options)
 }
 
 CircleFit EdgeSampler::refine(const cv::Mat& bgr, const Circle& start) {
-  // Every second ray brings the circle near; then all rays, until the edges no longer depend on where rays
+  // Every third ray brings the circle near; then all rays, until the edges no longer depend on where rays
   // begin.
-  constexpr int kRoughStride = 2;
+  constexpr int kRoughStride = 3, kLeastRoughEdges = 4;
   constexpr int kPasses = 3;
   constexpr double kSettled = 0.2;  // [px]
   Patch patch = takePatch(bgr, start);
-  CircleFit fit = fitEdges(collectEdges(start, patch, kRoughStride), start, kLeastEdges / kRoughStride);
+  CircleFit fit = fitEdges(collectEdges(start, patch, kRoughStride), start, kLeastRoughEdges);
   for (int pass = 0; pass < kPasses && fit.valid; ++pass) {
     const Circle circle = fit.circle;
     const double moved =
@@ -227,10 +227,11 @@ EdgeSampler::Edges EdgeSampler::collectEdges(const Circle& circle, const Patch& 
     const Eigen::Vector2d end = start + (kSamples - 1) * along;
     const Eigen::Vector2d low = start.cwiseMin(end), high = start.cwiseMax(end);
     if (!(low.minCoeff() >= 0.0) || high.x() >= patch.width - 1 || high.y() >= patch.height - 1) continue;
+    const auto x0 = static_cast<float>(start.x()), y0 = static_cast<float>(start.y());
+    const auto dx = static_cast<float>(along.x()), dy = static_cast<float>(along.y());
     std::array<float, kSamples> profile;
     for (int i = 0; i < kSamples; ++i) {
-      const auto x = static_cast<float>(start.x() + i * along.x()),
-                 y = static_cast<float>(start.y() + i * along.y());
+      const float x = x0 + static_cast<float>(i) * dx, y = y0 + static_cast<float>(i) * dy;
       const int column = static_cast<int>(x), line = static_cast<int>(y);
       const float u = x - static_cast<float>(column), v = y - static_cast<float>(line);
       const float* top = chroma_.data() + static_cast<std::ptrdiff_t>(line) * kPatchSide + column;
