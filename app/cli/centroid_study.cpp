@@ -39,11 +39,13 @@ void CentroidStudy::add(const tracking::Snapshot& snapshot) {
 }
 
 std::string CentroidStudy::text() const {
-  return fmt::format(
-      "pictures       {} with the whole marker in view, detected {:.2f} %, of these {} other objects\n"
-      "centroid error mean {:.4f} px, 95 % below {:.4f} px\n",
-      in_view_, 100.0 * share(detected_, in_view_), strangers_, meanOf(errors_),
-      stats::quantile(errors_, 0.95));
+  std::string text = fmt::format(
+      "pictures       {} with the whole marker in view, detected {:.2f} %, of these {} other objects\n",
+      in_view_, 100.0 * share(detected_, in_view_), strangers_);
+  if (!errors_.empty())
+    text += fmt::format("centroid error mean {:.4f} px, 95 % below {:.4f} px\n", meanOf(errors_),
+                        stats::quantile(errors_, 0.95));
+  return text;
 }
 
 nlohmann::json CentroidStudy::json() const {

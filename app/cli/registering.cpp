@@ -53,7 +53,7 @@ Eigen::Isometry3d atHardStop(const std::string& mounting, const SourceFactory& o
   runUnregistered(open, options, [&](const tracking::Snapshot& snapshot) {
     if (guide.step() == session::RegistrationStep::kReview) return;
     guide.observe(snapshot);
-    if (guide.canCollect()) guide.collect();
+    if (guide.step() != session::RegistrationStep::kReview && guide.canCollect()) guide.collect();
   });
   if (!guide.proposal())
     refuseOption("--register", "hard-stop",

@@ -23,7 +23,7 @@ namespace {
 struct TrackArguments {
   std::string file, format = "auto", robot, options, registration = "stored", mounting, out,
                     save_registration, json;
-  bool simulate = false;
+  bool simulate = false, whole_frame = false;
   double occlude = 0.0;
   SimulationArguments simulation;
 };
@@ -41,8 +41,9 @@ void check(const TrackArguments& arguments, const CLI::App& command) {
 ExitCode track(TrackArguments& arguments, const CLI::App& command) {
   check(arguments, command);
   const Output output(arguments.json);
-  const auto options = arguments.options.empty() ? tracking::TrackingOptions{}
-                                                 : tracking::readTrackingOptions(arguments.options);
+  auto options = arguments.options.empty() ? tracking::TrackingOptions{}
+                                           : tracking::readTrackingOptions(arguments.options);
+  if (arguments.whole_frame) options.roi_search = false;
   arguments.simulation.robot = arguments.robot;
   const RecordingFormat format =
       arguments.simulate ? RecordingFormat::kTable : formatOf(arguments.format, arguments.file);
@@ -126,6 +127,8 @@ void addTrack(CLI::App& app, ExitCode& exit) {
       ->check(CLI::Range(0.0, 95.0));
   command->add_option("--out", arguments->out, "estimates as CSV, a row a motor or camera sample");
   command->add_option("--json", arguments->json, "result as JSON, SI: a file, or - for standard output");
+  command->add_flag("--whole-frame", arguments->whole_frame,
+                    "search every picture whole, without regions of interest");
   command->add_flag("--simulate", arguments->simulate,
                     "track a simulated session, without a file in between");
   addSimulationOptions(*command, arguments->simulation);

@@ -25,10 +25,11 @@ struct TrackingOptions {
   double camera_period = 1.0 / 15.0;                 ///< [s]
   double missing_after = 2.0;                        ///< camera periods without a sample: q_kin takes over
   double memory = 0.25;                              ///< how late a camera sample may come [s]
-  bool full_frame_search = true;                     ///< where the region of interest held no marker
-  double differentiation_time = 4e-3;                ///< span of the difference for a missing dq_m [s]
-  double restart_gap = 0.5;                          ///< motor silence after which the filter starts anew [s]
-  int nis_window = 150;                              ///< camera updates in the running mean of NIS
+  bool roi_search = true;              ///< around the kinematic tip; false: always the whole frame
+  bool full_frame_search = true;       ///< where the region of interest held no marker
+  double differentiation_time = 4e-3;  ///< span of the difference for a missing dq_m [s]
+  double restart_gap = 0.5;            ///< motor silence after which the filter starts anew [s]
+  int nis_window = 150;                ///< camera updates in the running mean of NIS
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& field) {
@@ -72,6 +73,8 @@ struct TrackingOptions {
         self.missing_after,
         {"missing_after", "", "camera periods of silence until kinematics takes over", {1.0, 1000.0}, false});
     field(self.memory, {"memory", "s", "how late a camera sample may come", {0.0, 2.0}, false});
+    field(self.roi_search,
+          {"roi_search", "", "search around the kinematic tip; false: always the whole frame", {}, false});
     field(self.full_frame_search, {"full_frame_search",
                                    "",
                                    "search the whole frame when the region of interest held no marker",

@@ -139,7 +139,7 @@ class TrackingPipeline::Impl {
     if (!stereo_) return;
     beginCamera(frame.t, frame.t_arrival, true);
     std::optional<Vector3d> expected;
-    if (base_from_camera_ && snapshot_.tip_kin_cam.allFinite())
+    if (options_.roi_search && base_from_camera_ && snapshot_.tip_kin_cam.allFinite())
       expected = base_from_camera_->inverse() * snapshot_.tip_kin_cam;
     stereo_->find(frame, expected);
     snapshot_.marker = stereo_->markers();
