@@ -15,7 +15,7 @@ struct TrackingOptions {
   Eigen::Vector3d initial_position_sigma{0.05, 0.05, 0.005};
   Eigen::Vector3d initial_velocity_sigma{0.1, 0.1, 0.02};
   Eigen::Vector3d kinematic_sigma{0.02, 0.01, 0.001};    ///< of q_kin where it stands in for the camera
-  Eigen::Vector3d camera_sigma_floor{2e-3, 2e-3, 5e-4};  ///< added (in square) to the noise of q_cam
+  Eigen::Vector3d camera_sigma_floor{1e-2, 1e-2, 5e-4};  ///< added (in square) to the noise of q_cam
   Eigen::Vector3d tip_sigma{2e-3, 2e-3, 2e-3};           ///< of a TipSample, along the axes of frame 0 [m]
   double epipolar_limit = 3.0;                 ///< farther off, the two pictures show different things [px]
   double gate_probability = 0.999;             ///< of the χ² gate on the innovation
