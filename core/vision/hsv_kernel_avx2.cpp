@@ -4,7 +4,9 @@
 
 #include <immintrin.h>
 
+#include <array>
 #include <bit>
+#include <cstddef>
 #include <cstring>
 
 // 32 pixels at a time, without division. With OpenCV's rounded reciprocals the conditions on hue and
@@ -92,6 +94,36 @@ CAPSTAN_AVX2 Pair both(Pair a, Pair b) {
   return {_mm256_and_si256(a.sure, b.sure), _mm256_and_si256(a.maybe, b.maybe)};
 }
 
+CAPSTAN_AVX2 Pair narrow(const Pair (&half)[2]) {
+  return {_mm256_packs_epi16(half[0].sure, half[1].sure), _mm256_packs_epi16(half[0].maybe, half[1].maybe)};
+}
+
+/// 32 pixels: is the saturation at least `low`?
+CAPSTAN_AVX2 Pair saturationOf(__m256i diff, __m256i v, int low) {
+  const __m256i all = _mm256_set1_epi8(-1);
+  if (low <= 0) return {all, all};
+  const Pair half[2] = {saturated(widen(diff, false), widen(v, false), low),
+                        saturated(widen(diff, true), widen(v, true), low)};
+  return narrow(half);
+}
+
+/// 32 pixels: is the hue in range? in[k]: the pixel belongs to sector k, of which some hue is in range.
+CAPSTAN_AVX2 Pair hueOf(const Channels& c, __m256i diff, const __m256i (&in)[3],
+                        const std::array<HsvThreshold::Sector, 3>& sectors) {
+  Pair hue{_mm256_setzero_si256(), _mm256_setzero_si256()};
+  for (int k = 0; k < 3; ++k) {
+    if (!sectors[k].active) continue;
+    const __m256i from = k == 0 ? c.g : k == 1 ? c.b : c.r, less = k == 0 ? c.b : k == 1 ? c.r : c.g;
+    Pair half[2];
+    for (int high = 0; high < 2; ++high)
+      half[high] = hueInside(_mm256_sub_epi16(widen(from, high != 0), widen(less, high != 0)),
+                             widen(diff, high != 0), sectors[k], 2 * k);
+    const Pair here = both(narrow(half), {in[k], in[k]});
+    hue = {_mm256_or_si256(hue.sure, here.sure), _mm256_or_si256(hue.maybe, here.maybe)};
+  }
+  return hue;
+}
+
 }  // namespace
 
 bool HsvKernel::hasAvx2() { return __builtin_cpu_supports("avx2") != 0; }
@@ -104,8 +136,8 @@ __attribute__((target("avx2"))) std::uint64_t HsvKernel::avx2Row(const HsvThresh
                             _mm256_set1_epi8(test.sectors_[1].active ? -1 : 0),
                             _mm256_set1_epi8(test.sectors_[2].active ? -1 : 0)};
   std::uint64_t any = 0;
-  const int blocks = width / 32;
-  for (int block = 0; block < blocks; ++block) {
+  const std::ptrdiff_t blocks = width / 32;
+  for (std::ptrdiff_t block = 0; block < blocks; ++block) {
     const std::uint8_t* pixels = bgr + 96 * block;
     const Channels c = loadPixels(pixels);
     const __m256i v = _mm256_max_epu8(_mm256_max_epu8(c.b, c.g), c.r);
@@ -115,38 +147,17 @@ __attribute__((target("avx2"))) std::uint64_t HsvKernel::avx2Row(const HsvThresh
     const __m256i is_blue = _mm256_andnot_si256(_mm256_or_si256(is_red, is_green), _mm256_set1_epi8(-1));
     const __m256i in[3] = {_mm256_and_si256(is_red, allow[0]), _mm256_and_si256(is_green, allow[1]),
                            _mm256_and_si256(is_blue, allow[2])};
-    __m256i candidate = _mm256_and_si256(_mm256_cmpeq_epi8(_mm256_max_epu8(v, value_low), v),
-                                         _mm256_or_si256(_mm256_or_si256(in[0], in[1]), in[2]));
+    const __m256i candidate = _mm256_and_si256(_mm256_cmpeq_epi8(_mm256_max_epu8(v, value_low), v),
+                                               _mm256_or_si256(_mm256_or_si256(in[0], in[1]), in[2]));
     std::uint32_t found = 0;
     if (!_mm256_testz_si256(candidate, candidate)) {
-      Pair half[2];
-      for (int high = 0; high < 2; ++high) {
-        const __m256i all = _mm256_set1_epi8(-1);
-        half[high] = test.saturation_low_ > 0
-                         ? saturated(widen(diff, high), widen(v, high), test.saturation_low_)
-                         : Pair{all, all};
-      }
-      candidate = _mm256_and_si256(candidate, _mm256_packs_epi16(half[0].maybe, half[1].maybe));
-      if (!_mm256_testz_si256(candidate, candidate)) {
-        const Pair saturation{_mm256_packs_epi16(half[0].sure, half[1].sure), candidate};
-        Pair hue{_mm256_setzero_si256(), _mm256_setzero_si256()};
-        for (int k = 0; k < 3; ++k) {
-          if (!test.sectors_[k].active) continue;
-          const __m256i from = k == 0 ? c.g : k == 1 ? c.b : c.r, less = k == 0 ? c.b : k == 1 ? c.r : c.g;
-          Pair part[2];
-          for (int high = 0; high < 2; ++high)
-            part[high] = hueInside(_mm256_sub_epi16(widen(from, high), widen(less, high)), widen(diff, high),
-                                   test.sectors_[k], 2 * k);
-          const Pair here{_mm256_packs_epi16(part[0].sure, part[1].sure),
-                          _mm256_packs_epi16(part[0].maybe, part[1].maybe)};
-          hue.sure = _mm256_or_si256(hue.sure, _mm256_and_si256(here.sure, in[k]));
-          hue.maybe = _mm256_or_si256(hue.maybe, _mm256_and_si256(here.maybe, in[k]));
-        }
-        const Pair inside = both(both(saturation, hue), {candidate, candidate});
+      const Pair coloured = both(saturationOf(diff, v, test.saturation_low_), {candidate, candidate});
+      if (!_mm256_testz_si256(coloured.maybe, coloured.maybe)) {
+        const Pair inside = both(coloured, hueOf(c, diff, in, test.sectors_));
         found = static_cast<std::uint32_t>(_mm256_movemask_epi8(inside.sure));
         std::uint32_t open = static_cast<std::uint32_t>(_mm256_movemask_epi8(inside.maybe)) & ~found;
         for (; open != 0; open &= open - 1) {
-          const int i = std::countr_zero(open);
+          const std::ptrdiff_t i = std::countr_zero(open);
           const std::uint8_t* p = pixels + 3 * i;
           found |= std::uint32_t{test.contains(p[0], p[1], p[2])} << i;
         }
@@ -155,14 +166,16 @@ __attribute__((target("avx2"))) std::uint64_t HsvKernel::avx2Row(const HsvThresh
     std::memcpy(reinterpret_cast<char*>(bits) + 4 * block, &found, 4);
     any |= found;
   }
-  const int rest = 32 * blocks;
+  const std::ptrdiff_t rest = 32 * blocks;
   std::uint64_t tail = 0;
-  for (int x = rest; x < width; ++x)
-    tail |= std::uint64_t{test.contains(bgr[3 * x], bgr[3 * x + 1], bgr[3 * x + 2])} << (x - rest);
+  for (std::ptrdiff_t x = rest; x < width; ++x) {
+    const std::uint8_t* p = bgr + 3 * x;
+    tail |= std::uint64_t{test.contains(p[0], p[1], p[2])} << (x - rest);
+  }
   if (rest % 64 != 0) {
-    bits[rest >> 6] = (bits[rest >> 6] & 0xffffffffULL) | tail << 32;
+    bits[rest / 64] = (bits[rest / 64] & 0xffffffffULL) | tail << 32;
   } else if (rest < width) {
-    bits[rest >> 6] = tail;
+    bits[rest / 64] = tail;
   }
   return any | tail;
 }
