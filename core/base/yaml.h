@@ -148,19 +148,19 @@ void readInto(T& value, const YAML::Node& node, const YamlPlace& place, const Fi
 }
 
 template <class T>
-void emit(YAML::Emitter& out, const T& value) {
+void emitYaml(YAML::Emitter& out, const T& value) {
   if constexpr (Visitable<T>) {
     out << YAML::BeginMap;
     T::visit(value, [&](const auto& field, const FieldInfo& info) {
       if constexpr (IsOptional<std::remove_cvref_t<decltype(field)>>::value)
         if (!field) return;
       out << YAML::Key << std::string(info.key) << YAML::Value;
-      emit(out, field);
+      emitYaml(out, field);
       if (!info.unit.empty()) out << YAML::Comment(std::string(info.unit));
     });
     out << YAML::EndMap;
   } else if constexpr (IsOptional<T>::value) {
-    emit(out, *value);
+    emitYaml(out, *value);
   } else if constexpr (Named<T>) {
     out << std::string(nameOf(value));
   } else if constexpr (std::is_floating_point_v<T>) {
@@ -172,19 +172,19 @@ void emit(YAML::Emitter& out, const T& value) {
         out << yamlText(value(row));
       } else {
         const Eigen::Matrix<double, T::ColsAtCompileTime, 1> line = value.row(row).transpose();
-        emit(out, line);
+        emitYaml(out, line);
       }
     }
     out << YAML::EndSeq;
   } else if constexpr (IsArray<T>::value || IsVector<T>::value) {
     out << YAML::BeginSeq;
-    for (const auto& item : value) emit(out, item);
+    for (const auto& item : value) emitYaml(out, item);
     out << YAML::EndSeq;
   } else if constexpr (IsMap<T>::value) {
     out << YAML::BeginMap;
     for (const auto& [key, item] : value) {
       out << YAML::Key << key << YAML::Value;
-      emit(out, item);
+      emitYaml(out, item);
     }
     out << YAML::EndMap;
   } else {
@@ -212,7 +212,7 @@ T readYamlFile(const std::filesystem::path& path) {
 template <Visitable T>
 std::string writeYaml(const T& value) {
   YAML::Emitter out;
-  detail::emit(out, value);
+  detail::emitYaml(out, value);
   return std::string(out.c_str()) + "\n";
 }
 
