@@ -7,14 +7,15 @@
 
 namespace capstan::tracking {
 
-/// The pipeline for a source's info (session::SourceInfo, from a room above this one): its robot, rig, marker options
-/// (defaults where it brings none) and, when there is one, its registration. The window and the command line both
-/// begin here, so that their numbers are the same. Throws base::InputError.
+/// The pipeline for a source's info (session::SourceInfo, from a room above this one): its robot, rig, marker
+/// options (defaults where it brings none) and, when there is one, its registration. The window and the
+/// command line both begin here, so that their numbers are the same. Throws base::InputError.
 template <class Info>
 TrackingPipeline makePipeline(const Info& info, const TrackingOptions& options = {}) {
   const vision::MarkerOptions marker =
-      info.marker.empty() ? vision::MarkerOptions{}
-                          : base::readYaml<vision::MarkerOptions>(info.marker, "marker options of " + info.title);
+      info.marker.empty()
+          ? vision::MarkerOptions{}
+          : base::readYaml<vision::MarkerOptions>(info.marker, "marker options of " + info.title);
   TrackingPipeline pipeline(info.robot, info.rig, marker, options);
   if (info.base_from_camera) pipeline.setRegistration(*info.base_from_camera);
   return pipeline;
