@@ -17,5 +17,6 @@ void addTrack(CLI::App& app, ExitCode& exit);
 void addCalibrate(CLI::App& app, ExitCode& exit);
 void addInfo(CLI::App& app, ExitCode& exit);
 void addConvert(CLI::App& app, ExitCode& exit);
+void addReport(CLI::App& app, ExitCode& exit);
 
 }  // namespace capstan::cli

@@ -26,6 +26,7 @@ int main(int argc, char** argv) {
   cli::addCalibrate(app, exit);
   cli::addInfo(app, exit);
   cli::addConvert(app, exit);
+  cli::addReport(app, exit);
   try {
     app.parse(argc, argv);
     return exit;

@@ -1,0 +1,213 @@
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <opencv2/imgcodecs.hpp>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <variant>
+
+#include "app/cli/command.h"
+#include "app/cli/console.h"
+#include "app/cli/recordings.h"
+#include "app/cli/report_figures.h"
+#include "app/cli/report_pages.h"
+#include "app/cli/simulation_arguments.h"
+#include "app/cli/track_output.h"
+#include "core/base/error.h"
+#include "core/base/yaml.h"
+#include "core/session/recorder.h"
+#include "core/tracking/make_pipeline.h"
+
+namespace capstan::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ReportArguments {
+  std::string file, format = "auto", robot, options, out = "report", json;
+  SimulationArguments simulation;
+};
+
+bool holdsReport(const fs::path& folder) {
+  std::stringstream text;
+  text << std::ifstream(folder / "index.html").rdbuf();
+  return text.str().find(kReportMark) != std::string::npos;
+}
+
+/// An empty folder, or a former report whose files (and no others) give way.
+void makeRoom(const fs::path& folder, const std::string& recording) {
+  std::error_code failed;
+  if (fs::exists(folder) && !fs::is_directory(folder))
+    refuseFile(folder.string(), "is a file", "Give a folder as --out");
+  if (fs::is_directory(folder) && !fs::is_empty(folder)) {
+    if (!holdsReport(folder))
+      refuseFile(folder.string(), "is not empty and holds no former report", "Give another --out");
+    for (const std::string& name : reportFiles())
+      if (!recording.empty() && fs::equivalent(folder / name, recording, failed))
+        refuseFile(recording, "lies in the report that would be replaced", "Give another --out");
+    for (const std::string& name : reportFiles()) fs::remove(folder / name, failed);
+  }
+  fs::create_directories(folder, failed);
+  if (failed) refuseFile(folder.string(), "cannot be made: " + failed.message(), "Give another --out");
+}
+
+/// Records a source that runs faster than the disk: waits for the recorder where a live session would drop.
+class PatientRecorder {
+ public:
+  PatientRecorder(const fs::path& file, const session::SessionHeader& header)
+      : recorder_(file, header, hastyCommits()) {}
+
+  void add(const tracking::Sample& sample, const tracking::Snapshot& snapshot) {
+    recorder_.offer(sample);
+    if (std::holds_alternative<tracking::MotorSample>(sample)) recorder_.offer(snapshot);
+    if (++added_ % kBetweenLooks != 0) return;
+    for (auto now = recorder_.stats();
+         now.state == session::RecorderState::kRecording && now.queued - now.written > kMostWaiting;
+         now = recorder_.stats())
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+
+  /// Throws base::InputError when the file does not hold everything.
+  void close() {
+    recorder_.close();
+    const auto stats = recorder_.stats();
+    if (!stats.error.empty() || stats.dropped > 0)
+      refuseFile(recorder_.path().string(),
+                 stats.error.empty() ? fmt::format("lacks {} rows", stats.dropped) : stats.error,
+                 "Is the disk full?");
+  }
+
+ private:
+  static constexpr std::uint64_t kBetweenLooks = 64, kMostWaiting = 1000;
+  static session::RecorderOptions hastyCommits() {
+    session::RecorderOptions options;
+    options.commit_interval = 0.02;
+    return options;
+  }
+
+  session::Recorder recorder_;
+  std::uint64_t added_ = 0;
+};
+
+struct LastFrame {
+  tracking::StereoFrame frame;
+  std::array<vision::MarkerDetection, 2> marker;
+
+  void keep(const tracking::StereoFrame& newest, const tracking::Snapshot& snapshot) {
+    newest.left.copyTo(frame.left);
+    newest.right.copyTo(frame.right);
+    marker = snapshot.marker;
+  }
+  /// False: no pair of images came.
+  bool save(const fs::path& folder) const {
+    if (frame.left.empty() || frame.right.empty()) return false;
+    const auto write = [&](const char* name, const cv::Mat& image, const vision::MarkerDetection& found) {
+      if (!cv::imwrite((folder / name).string(), drawDetection(image, found)))
+        refuseFile((folder / name).string(), "cannot be written", "Is the disk full?");
+    };
+    write("left.png", frame.left, marker[0]);
+    write("right.png", frame.right, marker[1]);
+    return true;
+  }
+};
+
+std::unique_ptr<session::Source> openFor(ReportArguments& arguments, const CLI::App& command) {
+  arguments.simulation.robot = arguments.robot;
+  if (arguments.file.empty()) return makeSimulation(arguments.simulation);
+  if (simulationAsked(command))
+    refuseOption("RECORDING", arguments.file, "is given together with simulation options",
+                 "Give one of them");
+  return openSource(arguments.file, formatOf(arguments.format, arguments.file), arguments.robot);
+}
+
+ExitCode report(ReportArguments& arguments, const CLI::App& command) {
+  const Output output(arguments.json);
+  const fs::path folder = arguments.out;
+  const auto options = arguments.options.empty() ? tracking::TrackingOptions{}
+                                                 : tracking::readTrackingOptions(arguments.options);
+  const auto source = openFor(arguments, command);
+  const session::SourceInfo info = source->info();
+  tracking::TrackingPipeline pipeline = tracking::makePipeline(info, options);
+  makeRoom(folder, arguments.file);
+
+  session::SessionHeader header = session::headerOf(info, isoNow());
+  header.tracking = base::writeYaml(options);
+  const bool simulates = arguments.file.empty();
+  std::optional<PatientRecorder> recorder;
+  if (simulates) recorder.emplace(folder / "session.capstan", header);
+  EstimateWriter estimates(folder / "estimates.csv");
+  ReportFigures figures;
+  LastFrame last;
+
+  base::Progress progress;
+  tracking::TrackReport result;
+  {
+    const ProgressLine line(progress);
+    result = tracking::trackAll(*source, pipeline, &progress, info.duration,
+                                [&](const tracking::Sample& sample, const tracking::Snapshot& snapshot) {
+                                  if (recorder) recorder->add(sample, snapshot);
+                                  estimates.add(sample, snapshot);
+                                  figures.add(snapshot);
+                                  if (const auto* frame = std::get_if<tracking::StereoFrame>(&sample))
+                                    last.keep(*frame, snapshot);
+                                });
+    estimates.close();
+    if (recorder) recorder->close();
+  }
+
+  std::array<std::string, 3> names;
+  for (std::size_t i = 0; i < names.size() && i < info.robot.joints.size(); ++i)
+    names[i] = info.robot.joints[i].name;
+  ReportPage page{.title = info.title,
+                  .created = header.created,
+                  .software = header.software,
+                  .recording = simulates ? "session.capstan" : fs::path(arguments.file).filename().string(),
+                  .simulated = simulates || !info.truth.empty(),
+                  .recorded_here = simulates};
+  page.plots = figures.save(names, folder);
+  page.plots_begin = figures.begin();
+  page.plots_end = figures.end();
+  page.pictures = last.save(folder);
+  base::writeTextFile(folder / "errors.csv", errorsCsv(result.errors));
+  base::writeTextFile(folder / "errors.md", errorsMarkdown(result.errors));
+  base::writeTextFile(folder / "index.html", indexHtml(page, result));
+
+  output.text(textOf(result, 0.0) + fmt::format("report         {}\n", (folder / "index.html").string()));
+  output.json(jsonOf(result));
+  if (result.cancelled) notice("cancelled: the report is of what came before");
+  if (result.motor_samples == 0) notice("the recording holds no motor sample: nothing was tracked");
+  return result.cancelled || result.motor_samples == 0 ? kFailed : kOk;
+}
+
+}  // namespace
+
+void addReport(CLI::App& app, ExitCode& exit) {
+  auto arguments = std::make_shared<ReportArguments>();
+  arguments->simulation.duration = 20.0;
+  CLI::App* command = app.add_subcommand(
+      "report", "Leave a folder with recording, plots, pictures and errors of a recording or a simulation");
+  command->add_option("RECORDING", arguments->file,
+                      "session (.capstan), measured table or RAVEN-II motor log (.csv); none: simulate");
+  command->add_option("--out", arguments->out, "folder: new, empty, or with a former report to replace")
+      ->capture_default_str();
+  command->add_option("--format", arguments->format, "of RECORDING: auto, session, table, raven")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"auto", "session", "table", "raven"}));
+  command->add_option("--robot", arguments->robot, "robot file; a session brings its own");
+  command->add_option("--options", arguments->options, "filter options (resources/tracking/default.yaml)");
+  command->add_option("--json", arguments->json, "result as JSON, SI: a file, or - for standard output");
+  addSimulationOptions(*command, arguments->simulation);
+  command->footer(
+      "Examples:\n"
+      "  capstan-cli report                              (20 s simulated, into the folder report)\n"
+      "  capstan-cli report --duration 60 --seed 7 --out trial\n"
+      "  capstan-cli report trial.capstan --out trial_report");
+  command->callback([arguments, command, &exit] { exit = report(*arguments, *command); });
+}
+
+}  // namespace capstan::cli

@@ -1,0 +1,62 @@
+#include "app/cli/report_figures.h"
+
+#include <QApplication>
+
+#include "app/cli/console.h"
+#include "widgets/figures/joint_history.h"
+#include "widgets/figures/save_figure.h"
+
+namespace capstan::cli {
+namespace {
+
+constexpr double kStep = 0.005;  ///< between rows that no camera sample asks for [s]
+
+/// Qt's remark on a missing XDG_RUNTIME_DIR concerns nobody who saves files; the rest goes through.
+void passOn(QtMsgType, const QMessageLogContext&, const QString& message) {
+  if (!message.startsWith(QLatin1String("QStandardPaths: XDG_RUNTIME_DIR"))) notice(message.toStdString());
+}
+
+}  // namespace
+
+class ReportFigures::Impl {
+ public:
+  void add(const tracking::Snapshot& snapshot) {
+    const bool due = snapshot.t >= next_ - 1e-9;
+    if (snapshot.motor_samples == 0 || (!due && !snapshot.camera_updated && snapshot.t != last_)) return;
+    if (due) next_ = snapshot.t + kStep;
+    last_ = snapshot.t;
+    history.append(snapshot);
+  }
+
+  widgets::JointHistory history;
+
+ private:
+  double next_ = -1e300;
+  double last_ = -1e300;  ///< its row is replaced once the reference of its time is there
+};
+
+ReportFigures::ReportFigures() : impl_(std::make_unique<Impl>()) {}
+ReportFigures::~ReportFigures() = default;
+
+void ReportFigures::add(const tracking::Snapshot& snapshot) { impl_->add(snapshot); }
+double ReportFigures::begin() const { return impl_->history.begin(); }
+double ReportFigures::end() const { return impl_->history.end(); }
+
+bool ReportFigures::save(const std::array<std::string, 3>& joint_names,
+                         const std::filesystem::path& folder) const {
+  if (impl_->history.empty()) return false;
+  qputenv("QT_QPA_PLATFORM",
+          "offscreen");  // nothing is shown, so no display is asked for, not even a stale one
+  qInstallMessageHandler(passOn);
+  int count = 1;
+  char name[] = "capstan-cli";
+  char* arguments[] = {name, nullptr};
+  const QApplication application(count, arguments);
+  std::array<QString, 3> names;
+  for (std::size_t i = 0; i < names.size(); ++i) names[i] = QString::fromStdString(joint_names[i]);
+  for (const char* file : {"joints.png", "joints.pdf", "joints.svg"})
+    widgets::saveJointFigure(impl_->history, names, begin(), end(), folder / file);
+  return true;
+}
+
+}  // namespace capstan::cli
