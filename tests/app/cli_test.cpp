@@ -58,7 +58,7 @@ class Cli : public testing::Test {
 };
 
 TEST_F(Cli, HelpHasExamplesAndSucceeds) {
-  for (const char* command : {"simulate", "track", "calibrate", "info", "convert"}) {
+  for (const char* command : {"simulate", "track", "calibrate", "info", "convert", "report"}) {
     const Ran help = run(std::string(command) + " --help");
     EXPECT_EQ(help.exit, 0) << command;
     EXPECT_NE(help.out.find("Examples:"), std::string::npos) << command;
@@ -213,6 +213,55 @@ TEST_F(Cli, RegistersAgainAtTheHardStop) {
   EXPECT_NE(result.err.find("registered at the hard stop"), std::string::npos);
   const Ran again = run("track " + path("h.capstan") + " --register " + path("r.yaml") + " --json -");
   EXPECT_EQ(json::parse(again.out)["rms"], json::parse(result.out)["rms"]);
+}
+
+TEST_F(Cli, ReportLeavesAWholeFolderAndReplacesItsOwn) {
+  const std::string out = path("report");
+  const std::string command = "report --duration 3 --trajectory sinusoid --seed 9 --json - --out " + out;
+  const Ran made = run(command);
+  ASSERT_EQ(made.exit, 0) << made.err;
+  EXPECT_TRUE(made.err.empty()) << made.err;
+  for (const char* file : {"session.capstan", "joints.png", "joints.pdf", "joints.svg", "left.png",
+                           "right.png", "errors.csv", "errors.md", "estimates.csv", "index.html"}) {
+    ASSERT_TRUE(fs::exists(fs::path(out) / file)) << file;
+    EXPECT_GT(fs::file_size(fs::path(out) / file), 50u) << file;
+  }
+  const auto text = [&](const std::string& file) {
+    std::stringstream all;
+    all << std::ifstream(fs::path(out) / file).rdbuf();
+    return all.str();
+  };
+  EXPECT_NE(text("joints.svg").find("time [s]"), std::string::npos);
+  EXPECT_NE(text("joints.svg").find("q3 [mm]"), std::string::npos);
+  EXPECT_NE(text("index.html").find("simulated"), std::string::npos);
+  EXPECT_EQ(text("errors.csv").rfind("estimator,q1_rms_deg,q2_rms_deg,q3_rms_mm\n", 0), 0u);
+
+  const json report = json::parse(made.out);
+  const json about = json::parse(run("info " + out + "/session.capstan --json -").out);
+  EXPECT_EQ(about["motor"], report["samples"]);
+  EXPECT_EQ(about["frames"], report["frames"]);
+  const json again = json::parse(run("track " + out + "/session.capstan --json -").out);
+  EXPECT_EQ(again["rms"]["kin"], report["rms"]["kin"]) << "what was recorded is what was reported";
+  EXPECT_EQ(again["gates"], report["gates"]);
+  for (const char* estimator :
+       {"cam", "ukf"})  // the rig goes through a camera file, which rounds its last bit
+    for (std::size_t joint = 0; joint < 3; ++joint)
+      EXPECT_NEAR(again["rms"][estimator][joint].get<double>(), report["rms"][estimator][joint].get<double>(),
+                  1e-12);
+
+  EXPECT_EQ(run("report " + out + "/session.capstan --out " + out).exit, 2) << "would replace its own input";
+  const Ran of_file = run("report " + out + "/session.capstan --json - --out " + path("second"));
+  ASSERT_EQ(of_file.exit, 0) << of_file.err;
+  EXPECT_EQ(json::parse(of_file.out)["rms"], again["rms"]);
+  EXPECT_FALSE(fs::exists(path("second/session.capstan")));
+
+  write("report/notes.txt", "mine");
+  EXPECT_EQ(run(command + " --no-images").exit, 0) << "a former report is replaced";
+  EXPECT_FALSE(fs::exists(fs::path(out) / "left.png")) << "of the former report";
+  EXPECT_TRUE(fs::exists(fs::path(out) / "notes.txt")) << "not of the report";
+  const Ran refused = run("report --duration 1 --no-images --out " + folder_.string());
+  EXPECT_EQ(refused.exit, 2);
+  EXPECT_NE(refused.err.find("not empty"), std::string::npos) << refused.err;
 }
 
 }  // namespace
