@@ -39,7 +39,8 @@ bool holdsReport(const fs::path& folder) {
   return text.str().find(kReportMark) != std::string::npos;
 }
 
-/// An empty folder, or a former report whose files (and no others) give way.
+/// An empty folder, or a former report whose files (and no others) give way. Leaves a front page that marks
+/// an unfinished report, so that a run that fails can be repeated into the same folder.
 void makeRoom(const fs::path& folder, const std::string& recording) {
   std::error_code failed;
   if (fs::exists(folder) && !fs::is_directory(folder))
@@ -54,6 +55,8 @@ void makeRoom(const fs::path& folder, const std::string& recording) {
   }
   fs::create_directories(folder, failed);
   if (failed) refuseFile(folder.string(), "cannot be made: " + failed.message(), "Give another --out");
+  base::writeTextFile(folder / "index.html",
+                      std::string(kReportMark) + "<p>This report was not finished.</p>\n");
 }
 
 /// Records a source that runs faster than the disk: waits for the recorder where a live session would drop.
