@@ -6,10 +6,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
 #include <ctime>
-#include <filesystem>
-#include <vector>
 
 #include "core/base/error.h"
 #include "core/base/yaml.h"
@@ -76,18 +73,6 @@ std::string isoNow() {
   char text[32];
   std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%S", &local);
   return text;
-}
-
-std::string resource(const std::string& file) {
-  std::vector<std::filesystem::path> roots;
-  if (const char* given = std::getenv("CAPSTAN_RESOURCES")) roots.emplace_back(given);
-  std::error_code ignored;
-  const auto program = std::filesystem::read_symlink("/proc/self/exe", ignored);
-  if (!program.empty()) roots.push_back(program.parent_path().parent_path() / "share" / "capstan");
-  roots.emplace_back(CAPSTAN_RESOURCES);
-  for (const auto& root : roots)
-    if (std::filesystem::exists(root / file, ignored)) return (root / file).string();
-  refuseFile(file, "is in no resource folder", "Set CAPSTAN_RESOURCES to the resources folder of Capstan");
 }
 
 }  // namespace capstan::cli

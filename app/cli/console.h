@@ -47,8 +47,4 @@ nlohmann::json toJson(const Eigen::Vector3d& vector);
 /// Now, local time, ISO 8601 to the second.
 std::string isoNow();
 
-/// Where the installed robot files, cameras and options lie: CAPSTAN_RESOURCES of the environment, beside the
-/// program, or the source tree. Throws base::InputError when `file` is in none of them.
-std::string resource(const std::string& file);
-
 }  // namespace capstan::cli

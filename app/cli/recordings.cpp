@@ -5,6 +5,7 @@
 
 #include "app/cli/console.h"
 #include "core/base/error.h"
+#include "core/base/resource.h"
 #include "core/session/raven_motors.h"
 #include "core/session/session_file.h"
 #include "core/session/session_source.h"
@@ -40,7 +41,8 @@ RecordingFormat formatOf(const std::string& name, const std::string& file) {
 }
 
 robot::Description readRobot(const std::string& file) {
-  return robot::readDescription(file.empty() ? resource("robots/raven2_left.yaml") : file);
+  return robot::readDescription(file.empty() ? base::resource("robots/raven2_left.yaml")
+                                             : std::filesystem::path(file));
 }
 
 session::MeasuredTable readTable(const std::string& file, RecordingFormat format,

@@ -6,6 +6,7 @@
 #include "app/cli/console.h"
 #include "app/cli/recordings.h"
 #include "core/base/error.h"
+#include "core/base/resource.h"
 #include "core/vision/camera.h"
 
 namespace capstan::cli {
@@ -55,7 +56,7 @@ simulation::Truth truthOf(const SimulationArguments& arguments) {
 vision::StereoRig rigOf(const SimulationArguments& arguments) {
   const std::filesystem::path folder = arguments.cameras;
   if (arguments.cameras.empty())
-    return vision::readStereoRig(resource("cameras/left.yaml"), resource("cameras/right.yaml"));
+    return vision::readStereoRig(base::resource("cameras/left.yaml"), base::resource("cameras/right.yaml"));
   return vision::readStereoRig(folder / "left.yaml", folder / "right.yaml");
 }
 

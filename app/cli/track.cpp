@@ -41,9 +41,6 @@ void check(const TrackArguments& arguments, const CLI::App& command) {
 ExitCode track(TrackArguments& arguments, const CLI::App& command) {
   check(arguments, command);
   const Output output(arguments.json);
-  auto options = arguments.options.empty() ? tracking::TrackingOptions{}
-                                           : tracking::readTrackingOptions(arguments.options);
-  if (arguments.whole_frame) options.roi_search = false;
   arguments.simulation.robot = arguments.robot;
   const RecordingFormat format =
       arguments.simulate ? RecordingFormat::kTable : formatOf(arguments.format, arguments.file);
@@ -54,6 +51,9 @@ ExitCode track(TrackArguments& arguments, const CLI::App& command) {
 
   const auto source = open();
   session::SourceInfo info = source->info();
+  auto options = arguments.options.empty() ? tracking::trackingOptionsOf(info)
+                                           : tracking::readTrackingOptions(arguments.options);
+  if (arguments.whole_frame) options.roi_search = false;
   if (arguments.registration != "stored") {
     std::string message;
     info.base_from_camera = registerBy(arguments.registration, arguments.mounting, open, options, message);
@@ -112,7 +112,8 @@ void addTrack(CLI::App& app, ExitCode& exit) {
       ->capture_default_str()
       ->check(CLI::IsMember({"auto", "session", "table", "raven"}));
   command->add_option("--robot", arguments->robot, "robot file; a session brings its own");
-  command->add_option("--options", arguments->options, "filter options (resources/tracking/default.yaml)");
+  command->add_option("--options", arguments->options,
+                      "filter options (as resources/tracking/default.yaml); a session brings its own");
   command
       ->add_option(
           "--register", arguments->registration,
