@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 
 struct ReportArguments {
   std::string file, format = "auto", robot, options, out = "report", json;
-  SimulationArguments simulation;
+  simulation::SimulationRequest simulation;
 };
 
 bool holdsReport(const fs::path& folder) {

@@ -17,7 +17,7 @@ namespace {
 struct SimulateArguments {
   std::string out, json;
   bool force = false;
-  SimulationArguments simulation;
+  simulation::SimulationRequest simulation;
 };
 
 /// Existing recordings are not overwritten unasked.

@@ -25,7 +25,7 @@ struct TrackArguments {
                     save_registration, json;
   bool simulate = false, whole_frame = false;
   double occlude = 0.0;
-  SimulationArguments simulation;
+  simulation::SimulationRequest simulation;
 };
 
 void check(const TrackArguments& arguments, const CLI::App& command) {
