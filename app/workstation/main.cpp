@@ -9,9 +9,8 @@
 namespace {
 
 struct Arguments {
-  std::string file, theme, trajectory = "fls", truth = "default", picture, size = "1920x1080",
-                           state = "running";
-  unsigned seed = 1;
+  std::string file, robot, theme, picture, size = "1920x1080", state = "running";
+  capstan::simulation::SimulationRequest simulation;
   bool simulate = false;
   double after = 12.0;
 };
@@ -36,13 +35,18 @@ void planPicture(capstan::widgets::MainWindow& window, const Arguments& argument
 
 int main(int argc, char** argv) {
   Arguments arguments;
+  auto& simulation = arguments.simulation;
   CLI::App cli("Capstan: the workstation's window", "capstan");
   auto* session = cli.add_option("--session", arguments.file, "open a recorded session");
   cli.add_option("--table", arguments.file, "open a measured table")->excludes(session);
   cli.add_flag("--simulate", arguments.simulate, "a simulated robot, as the next options say");
-  cli.add_option("--trajectory", arguments.trajectory)->check(CLI::IsMember({"fls", "sinusoid", "hold"}));
-  cli.add_option("--truth", arguments.truth)->check(CLI::IsMember({"default", "matched"}));
-  cli.add_option("--seed", arguments.seed);
+  cli.add_option("--trajectory", simulation.trajectory, "fls, sinusoid, hold, hard-stop, or a CSV of joints");
+  cli.add_option("--truth", simulation.truth, "default, matched, or a truth file");
+  cli.add_option("--seed", simulation.seed);
+  cli.add_option("--robot", arguments.robot, "robot file, for a simulation or a table");
+  cli.add_flag("--distractors", simulation.distractors, "objects of nearly the marker's colour");
+  cli.add_flag("--uneven-light", simulation.uneven_light, "one side of the scene in the dark");
+  cli.add_flag("!--unregistered", simulation.registered, "leave the cameras' place to be found");
   cli.add_option("--theme", arguments.theme)->check(CLI::IsMember({"dark", "light"}));
   cli.add_option("--screenshot", arguments.picture, "save a picture of the running window and quit");
   cli.add_option("--size", arguments.size, "of the window, WxH");
@@ -65,14 +69,12 @@ int main(int argc, char** argv) {
   if (!arguments.theme.empty()) window.setThemeNamed(QString::fromStdString(arguments.theme));
   auto choice = window.lastSource();
   if (arguments.simulate || picture) {
-    choice = {};
-    choice.trajectory = QString::fromStdString(arguments.trajectory);
-    choice.truth = QString::fromStdString(arguments.truth);
-    choice.seed = arguments.seed;
+    simulation.robot = arguments.robot;
+    choice = capstan::widgets::SourceChoice::ofSimulation(simulation);
   }
   if (!arguments.file.empty()) {
-    choice.simulated = false;
-    choice.file = QString::fromStdString(arguments.file);
+    choice = capstan::widgets::SourceChoice::ofFile(QString::fromStdString(arguments.file));
+    choice.robot = QString::fromStdString(arguments.robot);
   }
   window.resize(width, height);
   window.show();

@@ -5,6 +5,8 @@
 #include <QPalette>
 #include <QStyleFactory>
 
+#include "core/base/resource.h"
+
 namespace capstan::widgets {
 
 namespace {
@@ -49,7 +51,7 @@ Theme makeLight() {
 
 /// The style sheet of resources/style with @names replaced by the theme's colours.
 QString styleSheet(const Theme& theme) {
-  QFile file(":/style/capstan.qss");
+  QFile file(QString::fromStdString(base::resource("style/capstan.qss").string()));
   if (!file.open(QIODevice::ReadOnly)) return {};
   QString text = QString::fromUtf8(file.readAll());
   const std::pair<const char*, QColor> names[] = {

@@ -3,26 +3,42 @@
 #include <QAction>
 #include <QApplication>
 #include <QCloseEvent>
-#include <QComboBox>
+#include <QDateTime>
 #include <QDockWidget>
 #include <QFileDialog>
-#include <QMenu>
+#include <QRegularExpression>
 #include <QStandardPaths>
 #include <QStatusBar>
-#include <QToolBar>
-#include <QToolButton>
 #include <QVBoxLayout>
 
+#include "core/base/error.h"
+#include "core/session/session_file.h"
+#include "core/simulation/camera_mounting.h"
 #include "core/simulation/simulated_source.h"
+#include "widgets/figures/save_figure.h"
 #include "widgets/panels/errors/errors_panel.h"
+#include "widgets/panels/notes/notes_panel.h"
 #include "widgets/panels/occlusion/occlusion_panel.h"
 #include "widgets/panels/registration/registration_panel.h"
 #include "widgets/panels/status/status_line.h"
 #include "widgets/scene/scene_view.h"
+#include "widgets/shell/help_window.h"
 #include "widgets/shell/message_bar.h"
+#include "widgets/shell/session_bar.h"
+#include "widgets/shell/source_menu.h"
 #include "widgets/video/stereo_view.h"
 
 namespace capstan::widgets {
+
+namespace {
+
+constexpr int kLayoutVersion = 2;
+
+QString documents() {
+  return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + "/Capstan";
+}
+
+}  // namespace
 
 MainWindow::MainWindow(const QString& settings, QWidget* parent)
     : QMainWindow(parent),
@@ -40,10 +56,14 @@ MainWindow::MainWindow(const QString& settings, QWidget* parent)
   setCentralWidget(middle);
   status_ = new StatusLine;
   statusBar()->addWidget(status_, 1);
+  bar_ = new SessionBar(this);
+  addToolBar(bar_);
   addDocks();
-  addToolBar();
+  connectBar();
   connectLink();
-  connectPanels();
+  connectOcclusion();
+  connectNotes();
+  connectRegistration();
   restore();
 }
 
@@ -61,131 +81,116 @@ void MainWindow::addDocks() {
   auto* cameras = dock("cameras", tr("Cameras"), video_ = new StereoView, Qt::LeftDockWidgetArea);
   auto* scene = dock("scene", tr("Scene"), scene_ = new SceneView, Qt::LeftDockWidgetArea);
   auto* right = dock("occlusion", tr("Occlusion"), occlusion_ = new OcclusionPanel, Qt::RightDockWidgetArea);
-  dock("errors", tr("Errors (RMS)"), errors_ = new ErrorsPanel, Qt::RightDockWidgetArea);
+  auto* errors = dock("errors", tr("Errors (RMS)"), errors_ = new ErrorsPanel, Qt::RightDockWidgetArea);
+  auto* notes = dock("notes", tr("Notes"), notes_ = new NotesPanel, Qt::RightDockWidgetArea);
   registration_dock_ = dock("registration", tr("Registration"), registration_ = new RegistrationPanel,
                             Qt::RightDockWidgetArea);
   registration_dock_->setFloating(true);
   registration_dock_->hide();
-  resizeDocks({cameras, right}, {430, 290}, Qt::Horizontal);
+  resizeDocks({cameras, right}, {400, 290}, Qt::Horizontal);
   resizeDocks({cameras, scene}, {560, 330}, Qt::Vertical);
+  resizeDocks({right, errors, notes}, {230, 190, 400}, Qt::Vertical);
 }
 
-QAction* MainWindow::addAct(QToolBar* bar, const QString& name, const QString& text, const QKeySequence& key,
-                            const QString& tip) {
-  auto* action = bar->addAction(text);
-  action->setObjectName(name);
-  action->setShortcut(key);
-  action->setToolTip(QStringLiteral("%1 (%2)").arg(tip, key.toString()));
-  return action;
-}
-
-void MainWindow::addToolBar() {
-  auto* bar = QMainWindow::addToolBar(tr("Session"));
-  bar->setObjectName("session");
-  run_ = addAct(bar, "run", tr("Run"), Qt::Key_Space, tr("Run or pause"));
-  run_->setCheckable(true);
-  connect(run_, &QAction::triggered, this, [this](bool on) { link_.setRunning(on); });
-  connect(addAct(bar, "step", tr("Step"), Qt::Key_Period, tr("On to the next camera sample")),
-          &QAction::triggered, this, [this] {
-            if (link_.runner()) link_.runner()->stepFrame();
-          });
-  speed_ = new QComboBox;
-  speed_->setToolTip(tr("Speed of the session"));
-  for (const double speed : {0.25, 0.5, 1.0, 2.0, 5.0, 10.0})
-    speed_->addItem(QStringLiteral("×%1").arg(speed), speed);
-  speed_->setCurrentIndex(2);
-  speed_->setFocusPolicy(Qt::NoFocus);
-  bar->addWidget(speed_);
-  connect(speed_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this] {
-    if (link_.runner()) link_.runner()->setSpeed(speed_->currentData().toDouble());
+void MainWindow::connectBar() {
+  connect(bar_, &SessionBar::runToggled, this, [this](bool on) {
+    if (link_.ended())
+      open(choice_);
+    else
+      link_.setRunning(on);
   });
-  bar->addSeparator();
-  addSourceMenu(bar);
-  record_ = addAct(bar, "record", tr("● Record"), Qt::Key_R, tr("Record the session to a file, or stop"));
-  record_->setCheckable(true);
-  connect(record_, &QAction::triggered, this, [this] {
-    link_.toggleRecording(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + "/Capstan");
+  connect(bar_, &SessionBar::stepRequested, this, [this] {
+    if (link_.runner()) link_.runner()->stepFrame();
   });
-  auto* registering = registration_dock_->toggleViewAction();
-  registering->setText(tr("Register"));
-  registering->setToolTip(tr("Find the cameras' place at the hard stop"));
-  bar->addAction(registering);
-  auto* gap = new QWidget;
-  gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-  bar->addWidget(gap);
-  connect(addAct(bar, "theme", tr("◐ Theme"), QKeySequence(QStringLiteral("Ctrl+T")), tr("Dark or light")),
-          &QAction::triggered, this, [this] { setThemeNamed(theme_.isDark() ? "light" : "dark"); });
-}
-
-void MainWindow::addSourceMenu(QToolBar* bar) {
-  auto* button = new QToolButton;
-  button->setText(tr("Source"));
-  button->setPopupMode(QToolButton::InstantPopup);
-  button->setFocusPolicy(Qt::NoFocus);
-  auto* menu = new QMenu(button);
-  for (const char* trajectory : {"fls", "sinusoid", "hold"})
-    for (const char* truth : {"default", "matched"})
-      connect(menu->addAction(tr("Simulated: %1, %2 truth").arg(trajectory, truth)), &QAction::triggered,
-              this, [this, trajectory, truth] {
-                SourceChoice choice;
-                choice.trajectory = trajectory;
-                choice.truth = truth;
-                choice.seed = choice_.seed;
-                open(choice);
-              });
-  menu->addSeparator();
-  connect(menu->addAction(tr("Open session or table…")), &QAction::triggered, this, [this] {
-    auto* dialog =
-        new QFileDialog(this, tr("Open a recording"), {}, tr("Recordings (*.capstan *.csv);;All files (*)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
-      SourceChoice choice;
-      choice.simulated = false;
-      choice.file = file;
-      open(choice);
-    });
-    dialog->show();
+  connect(bar_, &SessionBar::speedChanged, this, [this](double speed) {
+    if (link_.runner()) link_.runner()->setSpeed(speed);
   });
-  button->setMenu(menu);
-  bar->addWidget(button);
+  connect(bar_, &SessionBar::recordToggled, this, [this] { link_.toggleRecording(bar_->recordingFolder()); });
+  connect(bar_, &SessionBar::exportRequested, this, &MainWindow::askExport);
+  connect(bar_, &SessionBar::noteRequested, this, [this] {
+    findChild<QDockWidget*>("notes")->show();
+    notes_->beginNote();
+  });
+  connect(bar_, &SessionBar::helpRequested, this, &MainWindow::showHelp);
+  connect(bar_, &SessionBar::themeToggled, this,
+          [this] { setThemeNamed(theme_.isDark() ? "light" : "dark"); });
+  connect(&bar_->sources(), &SourceMenu::chosen, this, &MainWindow::open);
 }
 
 void MainWindow::connectLink() {
   connect(&link_, &SessionLink::opened, this, &MainWindow::onOpened);
-  connect(&link_, &SessionLink::failed, messages_, &MessageBar::showMessage);
+  connect(&link_, &SessionLink::failed, this, [this](const QString& text) {
+    messages_->showMessage(text);
+    notes_->addEvent(now_, "fault", text);
+    if (link_.runner()) title_ = QString::fromStdString(link_.runner()->info().title);
+  });
   connect(&link_, &SessionLink::status, this, &MainWindow::onStatus);
   connect(&link_, &SessionLink::report, this,
           [this](const auto& report) { errors_->showErrors(report.errors); });
   connect(&link_, &SessionLink::history, this, [this](const std::vector<tracking::Snapshot>& snapshots) {
     for (const auto& snapshot : snapshots) {
       history_.append(snapshot);
-      if (registration_->active() && snapshot.camera_updated) registration_->showSnapshot(snapshot);
+      if (registration_->active()) registration_->showSnapshot(snapshot);
     }
     figure_->refresh();
   });
   connect(&link_, &SessionLink::snapshot, this, [this](const tracking::Snapshot& snapshot) {
-    snapshot_ = snapshot;
+    now_ = snapshot.t;
     scene_->showSnapshot(snapshot);
     occlusion_->showSnapshot(snapshot);
     status_->showSnapshot(snapshot);
   });
-  connect(&link_, &SessionLink::frames, this, [this](const tracking::StereoFrame& frame) {
-    video_->showFrames(frame.left, frame.right, snapshot_);
-    if (registration_->active()) registration_->showFrames(frame.left, frame.right, snapshot_);
-  });
+  connect(&link_, &SessionLink::frames, this,
+          [this](const tracking::StereoFrame& frame, const tracking::Snapshot& seen) {
+            video_->showFrames(frame.left, frame.right, seen);
+            if (registration_->active()) registration_->showFrames(frame.left, frame.right, seen);
+          });
 }
 
-void MainWindow::connectPanels() {
+void MainWindow::connectOcclusion() {
   connect(occlusion_, &OcclusionPanel::blockChanged, this, [this](bool left, bool right) {
-    if (link_.runner()) link_.runner()->block(left, right);
+    if (!link_.runner()) return;
+    link_.runner()->block(left, right);
+    notes_->addEvent(now_, "occlusion",
+                     left && right ? tr("both cameras blocked")
+                     : left        ? tr("left camera blocked")
+                     : right       ? tr("right camera blocked")
+                                   : tr("cameras free"));
   });
   connect(occlusion_, &OcclusionPanel::scheduleChanged, this,
           [this](const session::OcclusionSchedule& schedule) {
-            if (link_.runner()) link_.runner()->setOcclusion(schedule);
+            if (!link_.runner()) return;
+            link_.runner()->setOcclusion(schedule);
+            notes_->addEvent(now_, "occlusion",
+                             schedule.percentage <= 0.0 ? tr("no schedule")
+                                                        : tr("%1 % in intervals of %2 s")
+                                                              .arg(schedule.percentage, 0, 'f', 0)
+                                                              .arg(schedule.interval, 0, 'f', 1));
           });
   connect(errors_, &ErrorsPanel::resetRequested, this, [this] {
     if (link_.runner()) link_.runner()->resetErrors();
+    notes_->addEvent(now_, "errors", tr("begun anew"));
   });
+}
+
+void MainWindow::connectNotes() {
+  connect(notes_, &NotesPanel::noteWritten, this, [this](const QString& text) {
+    if (link_.runner()) link_.runner()->note(text.toStdString());
+    notes_->addEvent(now_, "note", text);
+  });
+  connect(notes_, &NotesPanel::timeChosen, this, [this](double t) {
+    if (history_.empty() || t < history_.begin() || t > history_.end()) return;
+    figure_->setTimeRange(t - 0.5 * figure_->span(), t + 0.5 * figure_->span());
+  });
+}
+
+void MainWindow::connectRegistration() {
+  auto* action = registration_dock_->toggleViewAction();
+  action->setObjectName("register");
+  action->setText(tr("Register"));
+  action->setShortcut(QKeySequence(QStringLiteral("Ctrl+R")));
+  action->setToolTip(tr("Find the cameras' place at the hard stop (Ctrl+R)"));
+  bar_->setRegistrationAction(action);
   const auto command = [this](void (simulation::SimulatedSource::*what)()) {
     if (!link_.runner()) return;
     link_.runner()->post([what](session::Source& source, tracking::TrackingPipeline&) {
@@ -197,53 +202,97 @@ void MainWindow::connectPanels() {
     link_.setRunning(true);
   });
   connect(registration_, &RegistrationPanel::accepted, this,
-          [this](const Eigen::Isometry3d& base_from_camera) {
+          [this, command](const Eigen::Isometry3d& base_from_camera) {
             if (link_.runner()) link_.runner()->setRegistration(base_from_camera);
+            registration_in_use_ = base_from_camera;
             scene_->setRegistration(base_from_camera);
+            command(&simulation::SimulatedSource::resume);
+            notes_->addEvent(now_, "registration", tr("accepted"));
           });
+  connect(registration_, &RegistrationPanel::rejected, this, [this, command](const QString& reason) {
+    command(&simulation::SimulatedSource::resume);
+    notes_->addEvent(now_, "registration", tr("rejected: %1").arg(reason));
+  });
   connect(registration_, &RegistrationPanel::finished, this, [this, command] {
     command(&simulation::SimulatedSource::resume);
     registration_dock_->hide();
   });
-  connect(registration_dock_, &QDockWidget::visibilityChanged, this, [this](bool visible) {
-    if (visible && link_.runner() && !registration_->active())
-      registration_->begin(link_.runner()->info(), link_.runner()->info().base_from_camera);
+  connect(action, &QAction::triggered, this, [this](bool shown) {
+    if (shown && link_.runner() && !registration_->active()) beginRegistration();
   });
 }
 
+void MainWindow::beginRegistration() {
+  const auto& info = link_.runner()->info();
+  auto current = registration_in_use_;
+  if (!current && info.live) current = simulation::nominalBaseFromCamera(info.robot);
+  registration_->begin(info, current);
+}
+
 void MainWindow::open(const SourceChoice& choice) {
-  choice_ = choice;
+  asked_ = choice;
   title_ = tr("opening…");
   link_.open(choice);
 }
 
 void MainWindow::onOpened(const session::SourceInfo& info) {
+  choice_ = asked_;
+  bar_->sources().remember(choice_);
   history_.clear();
+  now_ = 0.0;
   title_ = QString::fromStdString(info.title);
-  std::array<QString, 3> names;
-  for (std::size_t i = 0; i < 3 && i < info.robot.joints.size(); ++i)
-    names[i] = QString::fromStdString(info.robot.joints[i].name);
-  figure_->setJointNames(names);
+  for (std::size_t i = 0; i < 3; ++i)
+    joint_names_[i] = i < info.robot.joints.size() ? QString::fromStdString(info.robot.joints[i].name)
+                                                   : tr("joint %1").arg(i + 1);
+  figure_->setJointNames(joint_names_);
   figure_->setFollowing(true);
+  registration_in_use_ = info.base_from_camera;
   scene_->setRobot(info.robot, info.rig, info.base_from_camera);
   if (!info.rig) video_->clear(tr("this source has no images"));
   errors_->setReference(info.reference);
   occlusion_->setBlockable(info.rig.has_value());
-  link_.runner()->setSpeed(speed_->currentData().toDouble());
+  notes_->clear();
+  listRecordedEvents();
+  auto* runner = link_.runner();
+  runner->setSpeed(bar_->speed());
+  runner->setOcclusion(occlusion_->schedule());
+  runner->block(occlusion_->blocked()[0], occlusion_->blocked()[1]);
+  if (registration_dock_->isVisible()) beginRegistration();
   link_.setRunning(true);
+}
+
+void MainWindow::listRecordedEvents() {
+  if (choice_.simulated || !choice_.file.endsWith(session::kSessionSuffix)) return;
+  try {
+    for (const auto& event : session::readSessionEvents(choice_.file.toStdString()))
+      notes_->addEvent(event.t, QString::fromStdString(event.kind), QString::fromStdString(event.text));
+  } catch (const base::InputError& error) {
+    messages_->showMessage(QString::fromStdString(error.what()));
+  }
 }
 
 void MainWindow::onStatus(const session::RunStatus& status) {
   const bool recording = status.recorder && status.recorder->state == session::RecorderState::kRecording;
-  if (recording && !recording_since_) recording_since_ = status.t;
-  if (!recording) recording_since_.reset();
+  if (recording != recording_since_.has_value()) onRecording(recording, status);
   status_->showStatus(status, status.t - recording_since_.value_or(status.t));
   occlusion_->showBlocked(status.blocked);
-  const bool running = status.state == session::RunState::kRunning;
-  run_->setChecked(running);
-  run_->setText(running ? tr("‖ Pause") : tr("▸ Run"));
-  record_->setChecked(recording);
+  bar_->showStatus(status);
   retitle(status);
+}
+
+void MainWindow::onRecording(bool recording, const session::RunStatus& status) {
+  const QString file = QFileInfo(QString::fromStdString(status.recording)).fileName();
+  if (recording) {
+    recording_since_ = status.t;
+    notes_->addEvent(status.t, "recording", file);
+  } else {
+    recording_since_.reset();
+    const bool failed = status.recorder && status.recorder->state == session::RecorderState::kFailed;
+    const QString why = failed ? QString::fromStdString(status.recorder->error) : QString();
+    if (failed) messages_->showMessage(why);
+    notes_->addEvent(status.t, failed ? "fault" : "recording", failed ? why : tr("stopped"));
+  }
+  notes_->setRecording(recording);
 }
 
 void MainWindow::retitle(const session::RunStatus& status) {
@@ -253,6 +302,33 @@ void MainWindow::retitle(const session::RunStatus& status) {
                  .arg(QFileInfo(QString::fromStdString(status.recording)).completeBaseName(),
                       clockText(status.t - *recording_since_));
   if (title != windowTitle()) setWindowTitle(title);
+}
+
+void MainWindow::askExport() {
+  const QString name = documents() + "/" + QDateTime::currentDateTime().toString("yyyy-MM-dd_HHmmss");
+  auto* dialog = new QFileDialog(this, tr("Export the plots as PDF, SVG, PNG and CSV"), name);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::exportFigure);
+  dialog->show();
+}
+
+void MainWindow::exportFigure(const QString& base) {
+  try {
+    const QCPRange range = figure_->timeRange();
+    const std::string path = QString(base).remove(QRegularExpression("\\.(pdf|svg|png|csv)$")).toStdString();
+    for (const char* ending : {".pdf", ".svg", ".png"})
+      saveJointFigure(history_, joint_names_, range.lower, range.upper, path + ending);
+    notes_->addEvent(now_, "export", QFileInfo(QString::fromStdString(path)).fileName());
+  } catch (const base::InputError& error) {
+    messages_->showMessage(QString::fromStdString(error.what()));
+  }
+}
+
+void MainWindow::showHelp() {
+  if (!help_) help_ = new HelpWindow(this);
+  help_->show();
+  help_->raise();
 }
 
 void MainWindow::setThemeNamed(const QString& name) {
@@ -265,6 +341,7 @@ void MainWindow::setThemeNamed(const QString& name) {
   occlusion_->setTheme(theme_);
   registration_->setTheme(theme_);
   errors_->setTheme(theme_);
+  notes_->setTheme(theme_);
   status_->setTheme(theme_);
 }
 
@@ -272,16 +349,22 @@ QString MainWindow::message() const { return messages_->message(); }
 
 void MainWindow::restore() {
   choice_ = SourceChoice::restore(*settings_);
+  bar_->sources().setRecentFiles(settings_->value("source/recent").toStringList());
+  if (choice_.simulated || !choice_.file.isEmpty()) bar_->sources().remember(choice_);
+  bar_->setRecordingFolder(settings_->value("recording/folder", documents()).toString());
   setThemeNamed(settings_->value("theme", "dark").toString());
   restoreGeometry(settings_->value("geometry").toByteArray());
-  restoreState(settings_->value("layout").toByteArray());
+  restoreState(settings_->value("layout").toByteArray(), kLayoutVersion);
+  registration_dock_->hide();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (link_.recording()) link_.runner()->stopRecording();
   settings_->setValue("theme", theme_.name);
   settings_->setValue("geometry", saveGeometry());
-  settings_->setValue("layout", saveState());
+  settings_->setValue("layout", saveState(kLayoutVersion));
+  settings_->setValue("recording/folder", bar_->recordingFolder());
+  settings_->setValue("source/recent", bar_->sources().recentFiles());
   choice_.save(*settings_);
   QMainWindow::closeEvent(event);
 }

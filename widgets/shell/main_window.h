@@ -7,22 +7,24 @@
 #include "widgets/figures/joint_figure.h"
 #include "widgets/shell/session_link.h"
 
-class QAction;
-class QComboBox;
 class QDockWidget;
 
 namespace capstan::widgets {
 
 class ErrorsPanel;
+class HelpWindow;
 class MessageBar;
+class NotesPanel;
 class OcclusionPanel;
 class RegistrationPanel;
 class SceneView;
+class SessionBar;
 class StatusLine;
 class StereoView;
 
-/// The workstation's window: pictures and scene left, joint plots in the middle, occlusion and errors right,
-/// status below. `settings` (an .ini path) keeps layout, theme and last source; empty: the user's own.
+/// The workstation's window: pictures and scene left, joint plots in the middle, occlusion, errors and notes
+/// right, status below. `settings` (an .ini path) keeps layout, theme, folders and last source; empty: the
+/// user's own.
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
@@ -35,44 +37,57 @@ class MainWindow : public QMainWindow {
   QString themeName() const { return theme_.name; }
   SessionLink& link() { return link_; }
   JointFigure& figure() { return *figure_; }
+  NotesPanel& notes() { return *notes_; }
+  ErrorsPanel& errors() { return *errors_; }
+  SessionBar& bar() { return *bar_; }
+  /// What went wrong, as the message bar says it; empty: nothing, or closed.
   QString message() const;
   QAction* action(const QString& name) const { return findChild<QAction*>(name); }
+  /// The plots as they are now: base.pdf, .svg, .png and .csv. Failures come into the message bar.
+  void exportFigure(const QString& base);
 
  protected:
   void closeEvent(QCloseEvent* event) override;
 
  private:
   void addDocks();
-  void addToolBar();
-  QAction* addAct(class QToolBar* bar, const QString& name, const QString& text, const QKeySequence& key,
-                  const QString& tip);
-  void addSourceMenu(QToolBar* bar);
+  void connectBar();
   void connectLink();
-  void connectPanels();
+  void connectOcclusion();
+  void connectNotes();
+  void connectRegistration();
   void onOpened(const session::SourceInfo& info);
   void onStatus(const session::RunStatus& status);
+  void onRecording(bool recording, const session::RunStatus& status);
+  void listRecordedEvents();
+  void beginRegistration();
+  void askExport();
+  void showHelp();
   void retitle(const session::RunStatus& status);
   void restore();
 
   std::unique_ptr<QSettings> settings_;
   Theme theme_ = Theme::dark();
-  SourceChoice choice_;
+  SourceChoice choice_, asked_;
   JointHistory history_;
   SessionLink link_;
-  tracking::Snapshot snapshot_;
+  double now_ = 0.0;  ///< newest session time [s]
   QString title_ = "no source";
+  std::array<QString, 3> joint_names_;
   std::optional<double> recording_since_;
+  std::optional<Eigen::Isometry3d> registration_in_use_;
   JointFigure* figure_;
   MessageBar* messages_;
+  SessionBar* bar_;
   StereoView* video_;
   SceneView* scene_;
   OcclusionPanel* occlusion_;
   RegistrationPanel* registration_;
   ErrorsPanel* errors_;
+  NotesPanel* notes_;
   StatusLine* status_;
   QDockWidget* registration_dock_ = nullptr;
-  QAction *run_ = nullptr, *record_ = nullptr;
-  QComboBox* speed_ = nullptr;
+  HelpWindow* help_ = nullptr;
 };
 
 }  // namespace capstan::widgets

@@ -96,7 +96,7 @@ void SessionLink::tick() {
   history_.clear();
   if (runner_->drainHistory(history_) > 0) Q_EMIT history(history_);
   if (runner_->takeSnapshot(snapshot_)) Q_EMIT snapshot(snapshot_);
-  if (runner_->takeFrames(frame_)) Q_EMIT frames(frame_);
+  if (runner_->takeFrames(frame_, &seen_)) Q_EMIT frames(frame_, seen_);
   const auto now = runner_->status();
   if (now.state == session::RunState::kFailed && last_state_ != now.state)
     Q_EMIT failed(QString::fromStdString(now.error));

@@ -26,6 +26,8 @@ class SessionLink : public QObject {
   /// Null while there is no session.
   session::Runner* runner() const { return runner_.get(); }
   void setRunning(bool on);
+  /// The source has no more samples.
+  bool ended() const { return runner_ && last_state_ == session::RunState::kEnded; }
   bool recording() const;
   /// Starts or stops; failures come as failed().
   void toggleRecording(const QString& folder);
@@ -35,7 +37,8 @@ class SessionLink : public QObject {
   void failed(const QString& message);
   void history(const std::vector<capstan::tracking::Snapshot>& snapshots);
   void snapshot(const capstan::tracking::Snapshot& snapshot);
-  void frames(const capstan::tracking::StereoFrame& frame);
+  /// The newest pair of pictures and what the pipeline made of exactly these.
+  void frames(const capstan::tracking::StereoFrame& frame, const capstan::tracking::Snapshot& seen);
   void status(const capstan::session::RunStatus& status);
   void report(const capstan::tracking::TrackReport& report);
 
@@ -48,7 +51,7 @@ class SessionLink : public QObject {
   std::future<std::unique_ptr<session::Runner>> opening_;
   std::vector<std::future<void>> retiring_;  ///< old runners end in the background
   std::unique_ptr<session::Runner> runner_;
-  tracking::Snapshot snapshot_;
+  tracking::Snapshot snapshot_, seen_;
   tracking::StereoFrame frame_;
   std::vector<tracking::Snapshot> history_;
   session::RunState last_state_ = session::RunState::kPaused;

@@ -1,70 +1,65 @@
 #include "widgets/shell/source_choice.h"
 
-#include <QCoreApplication>
 #include <QSettings>
-#include <cstdlib>
-#include <filesystem>
 
-#include "core/base/error.h"
+#include "core/base/resource.h"
 #include "core/session/table_source.h"
-#include "core/simulation/simulated_source.h"
 
 namespace capstan::widgets {
 
-namespace {
-
-/// A file of the resources folder: CAPSTAN_RESOURCES of the environment, beside the program, or the source
-/// tree.
-std::filesystem::path resource(const char* file) {
-  const auto installed = QCoreApplication::applicationDirPath().toStdString() + "/../share/capstan";
-  const char* given = std::getenv("CAPSTAN_RESOURCES");
-  for (const std::filesystem::path root :
-       {std::string(given ? given : ""), installed, std::string(CAPSTAN_RESOURCES)})
-    if (!root.empty() && std::filesystem::exists(root / file)) return root / file;
-  throw base::InputError({file,
-                          0,
-                          {},
-                          {},
-                          "is in no resource folder",
-                          "Set CAPSTAN_RESOURCES to the resources folder of Capstan."});
+SourceChoice SourceChoice::ofFile(const QString& file) {
+  SourceChoice choice;
+  choice.simulated = false;
+  choice.file = file;
+  return choice;
 }
 
-}  // namespace
+SourceChoice SourceChoice::ofSimulation(const simulation::SimulationRequest& request) {
+  SourceChoice choice;
+  choice.simulation = request;
+  return choice;
+}
 
 void SourceChoice::save(QSettings& settings) const {
   settings.setValue("source/simulated", simulated);
   settings.setValue("source/file", file);
-  settings.setValue("source/trajectory", trajectory);
-  settings.setValue("source/truth", truth);
-  settings.setValue("source/seed", seed);
-  settings.setValue("source/duration", duration);
+  settings.setValue("source/robot", robot);
+  settings.setValue("simulation/trajectory", QString::fromStdString(simulation.trajectory));
+  settings.setValue("simulation/duration", simulation.duration);
+  settings.setValue("simulation/truth", QString::fromStdString(simulation.truth));
+  settings.setValue("simulation/seed", static_cast<qulonglong>(simulation.seed));
+  settings.setValue("simulation/robot", QString::fromStdString(simulation.robot.string()));
+  settings.setValue("simulation/registered", simulation.registered);
+  settings.setValue("simulation/distractors", simulation.distractors);
+  settings.setValue("simulation/uneven_light", simulation.uneven_light);
 }
 
 SourceChoice SourceChoice::restore(const QSettings& settings) {
   SourceChoice choice;
+  const auto text = [&](const char* key, const std::string& otherwise) {
+    return settings.value(key, QString::fromStdString(otherwise)).toString().toStdString();
+  };
+  auto& request = choice.simulation;
   choice.simulated = settings.value("source/simulated", choice.simulated).toBool();
   choice.file = settings.value("source/file").toString();
-  choice.trajectory = settings.value("source/trajectory", choice.trajectory).toString();
-  choice.truth = settings.value("source/truth", choice.truth).toString();
-  choice.seed = settings.value("source/seed", choice.seed).toUInt();
-  choice.duration = settings.value("source/duration", choice.duration).toDouble();
+  choice.robot = settings.value("source/robot").toString();
+  request.trajectory = text("simulation/trajectory", request.trajectory);
+  request.duration = settings.value("simulation/duration", request.duration).toDouble();
+  request.truth = text("simulation/truth", request.truth);
+  request.seed = settings.value("simulation/seed", static_cast<qulonglong>(request.seed)).toULongLong();
+  request.robot = text("simulation/robot", {});
+  request.registered = settings.value("simulation/registered", request.registered).toBool();
+  request.distractors = settings.value("simulation/distractors", request.distractors).toBool();
+  request.uneven_light = settings.value("simulation/uneven_light", request.uneven_light).toBool();
   return choice;
 }
 
 std::unique_ptr<session::Source> openSource(const SourceChoice& choice) {
-  const auto robot = robot::readDescription(resource("robots/raven2_left.yaml"));
-  if (!choice.simulated) return session::openRecording(choice.file.toStdString(), robot);
-  using Kind = simulation::TrajectoryKind;
-  simulation::SimulatedOptions options;
-  options.robot = robot;
-  options.truth = choice.truth == "matched" ? simulation::matchedTruth() : simulation::defaultTruth();
-  options.trajectory.kind = choice.trajectory == "sinusoid" ? Kind::kSinusoid
-                            : choice.trajectory == "hold"   ? Kind::kHold
-                                                            : Kind::kBlockTransfer;
-  options.trajectory.duration = choice.duration;
-  options.seed = choice.seed;
-  options.rig = vision::readStereoRig(resource("cameras/left.yaml"), resource("cameras/right.yaml"));
-  return std::make_unique<simulation::SimulatedSource>(options);
+  if (choice.simulated)
+    return std::make_unique<simulation::SimulatedSource>(simulation::optionsOf(choice.simulation));
+  const auto robot = choice.robot.isEmpty() ? base::resource("robots/raven2_left.yaml")
+                                            : std::filesystem::path(choice.robot.toStdString());
+  return session::openRecording(choice.file.toStdString(), robot::readDescription(robot));
 }
 
 }  // namespace capstan::widgets

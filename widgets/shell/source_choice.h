@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "core/session/source.h"
+#include "core/simulation/simulation_request.h"
 
 class QSettings;
 
@@ -12,11 +13,12 @@ namespace capstan::widgets {
 /// What the user asked to open; kept between starts.
 struct SourceChoice {
   bool simulated = true;
-  QString file;                ///< session or measured table, where not simulated
-  QString trajectory = "fls";  ///< fls, sinusoid or hold
-  QString truth = "default";   ///< default or matched
-  unsigned seed = 1;
-  double duration = 200.0;  ///< [s]
+  simulation::SimulationRequest simulation;
+  QString file;   ///< session or measured table, where not simulated
+  QString robot;  ///< robot file for a recording that brings none; empty: the left RAVEN-II
+
+  static SourceChoice ofFile(const QString& file);
+  static SourceChoice ofSimulation(const simulation::SimulationRequest& request);
 
   void save(QSettings& settings) const;
   static SourceChoice restore(const QSettings& settings);

@@ -1,0 +1,106 @@
+#include "widgets/panels/notes/notes_panel.h"
+
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QScrollBar>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+namespace capstan::widgets {
+
+namespace {
+
+enum Column { kTime, kText, kColumns };
+constexpr int kTimeRole = Qt::UserRole, kKindRole = Qt::UserRole + 1;
+
+}  // namespace
+
+NotesPanel::NotesPanel(QWidget* parent) : QWidget(parent), list_(new QTreeWidget), line_(new QLineEdit) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(8, 4, 8, 8);
+  column->setSpacing(6);
+  list_->setColumnCount(kColumns);
+  list_->setHeaderHidden(true);
+  list_->setRootIsDecorated(false);
+  list_->setUniformRowHeights(false);
+  list_->setWordWrap(true);
+  list_->setFrameShape(QFrame::NoFrame);
+  list_->setFocusPolicy(Qt::ClickFocus);
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  list_->header()->setSectionResizeMode(kTime, QHeaderView::ResizeToContents);
+  list_->header()->setSectionResizeMode(kText, QHeaderView::Stretch);
+  list_->setToolTip(tr("Double click: show this time in the plots"));
+  list_->setAccessibleName(tr("events of the session"));
+  line_->setAccessibleName(tr("note"));
+  line_->setMaxLength(500);
+  line_->installEventFilter(this);
+  column->addWidget(list_, 1);
+  column->addWidget(line_);
+  connect(list_, &QTreeWidget::itemActivated, this,
+          [this](QTreeWidgetItem* item) { emit timeChosen(item->data(kTime, kTimeRole).toDouble()); });
+  connect(line_, &QLineEdit::returnPressed, this, [this] {
+    const QString text = line_->text().trimmed();
+    line_->clear();
+    line_->clearFocus();
+    if (!text.isEmpty()) emit noteWritten(text);
+  });
+  setRecording(false);
+  setTheme(theme_);
+}
+
+void NotesPanel::setTheme(const Theme& theme) {
+  theme_ = theme;
+  for (int i = 0; i < list_->topLevelItemCount(); ++i) paintRow(list_->topLevelItem(i));
+}
+
+void NotesPanel::paintRow(QTreeWidgetItem* item) const {
+  const QString kind = item->data(kTime, kKindRole).toString();
+  item->setFont(kTime, numberFont(9.5));
+  item->setForeground(kTime, theme_.muted);
+  item->setFont(kText, textFont(10.0, kind == "note"));
+  item->setForeground(kText, kind == "note" || kind == "fault" ? theme_.text : theme_.muted);
+  item->setTextAlignment(kTime, Qt::AlignRight | Qt::AlignTop);
+}
+
+void NotesPanel::clear() { list_->clear(); }
+
+void NotesPanel::addEvent(double t, const QString& kind, const QString& text) {
+  const bool at_end = list_->verticalScrollBar()->value() == list_->verticalScrollBar()->maximum();
+  auto* item = new QTreeWidgetItem;
+  item->setText(kTime, tr("%1 s").arg(t, 0, 'f', 1));
+  item->setText(kText, kind == "note" ? text : tr("%1: %2").arg(kind, text));
+  item->setToolTip(kText, text);
+  item->setData(kTime, kTimeRole, t);
+  item->setData(kTime, kKindRole, kind);
+  paintRow(item);
+  list_->addTopLevelItem(item);
+  while (list_->topLevelItemCount() > kMostRows) delete list_->takeTopLevelItem(0);
+  if (at_end) list_->scrollToBottom();
+}
+
+void NotesPanel::setRecording(bool recording) {
+  line_->setPlaceholderText(recording ? tr("Note into the recording (N)")
+                                      : tr("Note (N); kept in a file while recording"));
+}
+
+void NotesPanel::beginNote() { line_->setFocus(Qt::ShortcutFocusReason); }
+
+int NotesPanel::rows() const { return list_->topLevelItemCount(); }
+
+QString NotesPanel::row(int index) const {
+  const auto* item = list_->topLevelItem(index);
+  return item ? item->text(kTime) + " " + item->text(kText) : QString();
+}
+
+bool NotesPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == line_ && event->type() == QEvent::KeyPress &&
+      static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+    line_->clear();
+    line_->clearFocus();
+    return true;
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace capstan::widgets

@@ -1,0 +1,58 @@
+#include "widgets/shell/help_window.h"
+
+#include <QFile>
+#include <QFileInfo>
+#include <QLineEdit>
+#include <QTextBrowser>
+#include <QVBoxLayout>
+
+#include "core/base/error.h"
+#include "core/base/resource.h"
+
+namespace capstan::widgets {
+
+/// Pictures are shrunk to the width of the page.
+class HelpWindow::Pages : public QTextBrowser {
+ public:
+  QVariant loadResource(int type, const QUrl& name) override {
+    const QVariant found = QTextBrowser::loadResource(type, name);
+    if (type != QTextDocument::ImageResource) return found;
+    const QImage image =
+        found.userType() == QMetaType::QImage ? found.value<QImage>() : QImage::fromData(found.toByteArray());
+    const int width = viewport()->width() - 40;
+    return image.width() > width ? image.scaledToWidth(width, Qt::SmoothTransformation) : image;
+  }
+};
+
+HelpWindow::HelpWindow(QWidget* parent) : QDialog(parent), pages_(new Pages) {
+  setWindowTitle(tr("Capstan manual"));
+  resize(860, 760);
+  auto* column = new QVBoxLayout(this);
+  auto* words = new QLineEdit;
+  words->setPlaceholderText(tr("Find in the manual: type and press Enter"));
+  words->setClearButtonEnabled(true);
+  connect(words, &QLineEdit::returnPressed, this, [this, words] { find(words->text()); });
+  column->addWidget(words);
+  column->addWidget(pages_, 1);
+  pages_->setOpenExternalLinks(true);
+  pages_->setFrameShape(QFrame::NoFrame);
+  try {
+    const QString path = QString::fromStdString(base::resource("manual/manual.md").string());
+    QFile file(path);
+    pages_->setSearchPaths({QFileInfo(path).absolutePath()});
+    pages_->resize(820, 700);
+    if (file.open(QIODevice::ReadOnly)) pages_->setMarkdown(QString::fromUtf8(file.readAll()));
+  } catch (const base::InputError& error) {
+    pages_->setPlainText(QString::fromStdString(error.what()));
+  }
+}
+
+QString HelpWindow::text() const { return pages_->toPlainText(); }
+
+void HelpWindow::find(const QString& words) {
+  if (words.isEmpty() || pages_->find(words)) return;
+  pages_->moveCursor(QTextCursor::Start);
+  pages_->find(words);
+}
+
+}  // namespace capstan::widgets

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <QDialog>
+
+namespace capstan::widgets {
+
+/// The manual of resources/manual in a window of its own, beside the session; with a search line.
+class HelpWindow : public QDialog {
+  Q_OBJECT
+
+ public:
+  explicit HelpWindow(QWidget* parent = nullptr);
+  /// The manual as plain text; empty when it could not be found.
+  QString text() const;
+
+ private:
+  class Pages;
+  void find(const QString& words);
+
+  Pages* pages_;
+};
+
+}  // namespace capstan::widgets

@@ -1,0 +1,142 @@
+#include "widgets/shell/session_bar.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDesktopServices>
+#include <QDir>
+#include <QFileDialog>
+#include <QShortcut>
+#include <QToolButton>
+#include <QUrl>
+
+#include "widgets/shell/source_menu.h"
+
+namespace capstan::widgets {
+
+using session::RunState;
+
+SessionBar::SessionBar(QWidget* parent) : QToolBar(tr("Session"), parent) {
+  setObjectName("session");
+  setMovable(false);
+  run_ = add("run", tr("▸ Run"), Qt::Key_Space, tr("Run or pause"));
+  run_->setCheckable(true);
+  connect(run_, &QAction::triggered, this, &SessionBar::runToggled);
+  step_ = add("step", tr("Step"), Qt::Key_Period, tr("On to the next camera sample"));
+  connect(step_, &QAction::triggered, this, &SessionBar::stepRequested);
+  addSpeed();
+  addSeparator();
+  addSources();
+  addRecording();
+  addSeparator();
+  export_ = add("export", tr("Export"), QKeySequence(QStringLiteral("Ctrl+E")),
+                tr("Save the plots as PDF, SVG, PNG and their numbers as CSV"));
+  connect(export_, &QAction::triggered, this, &SessionBar::exportRequested);
+  addGap();
+  connect(add("note", tr("Note"), Qt::Key_N, tr("Write a note at the present moment")), &QAction::triggered,
+          this, &SessionBar::noteRequested);
+  connect(add("help", tr("? F1"), QKeySequence::HelpContents, tr("The manual")), &QAction::triggered, this,
+          &SessionBar::helpRequested);
+  connect(add("theme", tr("◐ Theme"), QKeySequence(QStringLiteral("Ctrl+T")), tr("Dark or light")),
+          &QAction::triggered, this, &SessionBar::themeToggled);
+}
+
+QAction* SessionBar::add(const QString& name, const QString& text, const QKeySequence& key,
+                         const QString& tip) {
+  auto* action = addAction(text);
+  action->setObjectName(name);
+  action->setShortcut(key);
+  action->setAutoRepeat(name == "step");
+  action->setToolTip(QStringLiteral("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText)));
+  if (auto* button = qobject_cast<QToolButton*>(widgetForAction(action))) button->setFocusPolicy(Qt::NoFocus);
+  return action;
+}
+
+void SessionBar::addSpeed() {
+  speed_ = new QComboBox;
+  speed_->setObjectName("speed");
+  speed_->setToolTip(tr("Speed of the session, slower [ and faster ]"));
+  for (const double speed : {0.25, 0.5, 1.0, 2.0, 5.0, 10.0})
+    speed_->addItem(QStringLiteral("×%1").arg(speed), speed);
+  speed_->setCurrentIndex(2);
+  speed_->setFocusPolicy(Qt::NoFocus);
+  addWidget(speed_);
+  connect(speed_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+          [this] { Q_EMIT speedChanged(speed()); });
+  for (const auto& [key, by] : {std::pair{Qt::Key_BracketLeft, -1}, std::pair{Qt::Key_BracketRight, 1}}) {
+    auto* shortcut = new QShortcut(key, parentWidget());
+    connect(shortcut, &QShortcut::activated, this, [this, change = by] { shiftSpeed(change); });
+  }
+}
+
+void SessionBar::shiftSpeed(int by) {
+  speed_->setCurrentIndex(qBound(0, speed_->currentIndex() + by, speed_->count() - 1));
+}
+
+double SessionBar::speed() const { return speed_->currentData().toDouble(); }
+
+void SessionBar::setSpeed(double speed) {
+  const int index = speed_->findData(speed);
+  if (index >= 0) speed_->setCurrentIndex(index);
+}
+
+void SessionBar::addSources() {
+  auto* button = new QToolButton;
+  button->setText(tr("Source"));
+  button->setToolTip(tr("Simulate, or open a recording"));
+  button->setPopupMode(QToolButton::InstantPopup);
+  button->setFocusPolicy(Qt::NoFocus);
+  sources_ = new SourceMenu(parentWidget());
+  button->setMenu(sources_);
+  parentWidget()->addActions(sources_->actions());  // so that their keys work while the menu is shut
+  addWidget(button);
+}
+
+void SessionBar::addRecording() {
+  record_ = add("record", tr("● Record"), Qt::Key_R, tr("Record the session to a file, or stop"));
+  record_->setCheckable(true);
+  connect(record_, &QAction::triggered, this, &SessionBar::recordToggled);
+  auto* button = qobject_cast<QToolButton*>(widgetForAction(record_));
+  auto* menu = new QMenu(button);
+  connect(menu->addAction(tr("Recording folder…")), &QAction::triggered, this, &SessionBar::askFolder);
+  connect(menu->addAction(tr("Show the folder")), &QAction::triggered, this,
+          [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder_)); });
+  button->setMenu(menu);
+  button->setPopupMode(QToolButton::MenuButtonPopup);
+}
+
+void SessionBar::setRegistrationAction(QAction* action) {
+  insertAction(export_, action);
+  if (auto* button = qobject_cast<QToolButton*>(widgetForAction(action))) button->setFocusPolicy(Qt::NoFocus);
+}
+
+void SessionBar::addGap() {
+  auto* gap = new QWidget;
+  gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  addWidget(gap);
+}
+
+void SessionBar::askFolder() {
+  auto* dialog = new QFileDialog(parentWidget(), tr("Folder for recordings"), folder_);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::Directory);
+  dialog->setOption(QFileDialog::ShowDirsOnly);
+  connect(dialog, &QFileDialog::fileSelected, this, &SessionBar::setRecordingFolder);
+  dialog->show();
+}
+
+void SessionBar::setRecordingFolder(const QString& folder) {
+  folder_ = folder;
+  record_->setToolTip(tr("Record to %1, or stop (R)").arg(QDir::toNativeSeparators(folder)));
+}
+
+void SessionBar::showStatus(const session::RunStatus& status) {
+  const bool running = status.state == RunState::kRunning;
+  run_->setChecked(running);
+  run_->setText(running ? tr("‖ Pause") : status.state == RunState::kEnded ? tr("↻ Again") : tr("▸ Run"));
+  step_->setEnabled(status.state == RunState::kPaused || running);
+  const bool recording = status.recorder && status.recorder->state == session::RecorderState::kRecording;
+  record_->setChecked(recording);
+  record_->setText(recording ? tr("■ Stop") : tr("● Record"));
+}
+
+}  // namespace capstan::widgets

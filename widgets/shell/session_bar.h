@@ -1,0 +1,56 @@
+#pragma once
+
+#include <QToolBar>
+
+#include "core/session/runner.h"
+#include "widgets/shell/source_choice.h"
+
+class QComboBox;
+
+namespace capstan::widgets {
+
+class SourceMenu;
+
+/// Everything one does to a session, in a row: run, step, speed, source, record, registration, export, note,
+/// help, theme. Holds no state of its own: showStatus() tells it how things are.
+class SessionBar : public QToolBar {
+  Q_OBJECT
+
+ public:
+  explicit SessionBar(QWidget* parent);
+
+  void showStatus(const session::RunStatus& status);
+  void setRecordingFolder(const QString& folder);
+  QString recordingFolder() const { return folder_; }
+  double speed() const;
+  void setSpeed(double speed);
+  SourceMenu& sources() { return *sources_; }
+  /// Gives the registration's action its place in the row.
+  void setRegistrationAction(QAction* action);
+
+ signals:
+  void runToggled(bool on);
+  void stepRequested();
+  void speedChanged(double speed);
+  void recordToggled();
+  void exportRequested();
+  void noteRequested();
+  void helpRequested();
+  void themeToggled();
+
+ private:
+  QAction* add(const QString& name, const QString& text, const QKeySequence& key, const QString& tip);
+  void addSpeed();
+  void addSources();
+  void addRecording();
+  void addGap();
+  void askFolder();
+  void shiftSpeed(int by);
+
+  QString folder_;
+  SourceMenu* sources_ = nullptr;
+  QComboBox* speed_ = nullptr;
+  QAction *run_ = nullptr, *step_ = nullptr, *record_ = nullptr, *export_ = nullptr;
+};
+
+}  // namespace capstan::widgets

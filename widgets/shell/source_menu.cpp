@@ -1,0 +1,67 @@
+#include "widgets/shell/source_menu.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+
+#include "widgets/shell/simulation_dialog.h"
+
+namespace capstan::widgets {
+
+SourceMenu::SourceMenu(QWidget* parent) : QMenu(parent), dialog_(new SimulationDialog(parent)) {
+  auto* simulate = addAction(tr("New simulated session…"));
+  simulate->setObjectName("simulate");
+  simulate->setShortcut(QKeySequence::New);
+  connect(simulate, &QAction::triggered, dialog_, [this] {
+    dialog_->show();
+    dialog_->raise();
+  });
+  auto* open = addAction(tr("Open recording or table…"));
+  open->setObjectName("open");
+  open->setShortcut(QKeySequence::Open);
+  connect(open, &QAction::triggered, this, &SourceMenu::askFile);
+  recent_menu_ = addMenu(tr("Recent"));
+  connect(dialog_, &SimulationDialog::chosen, this, [this](const simulation::SimulationRequest& request) {
+    Q_EMIT chosen(SourceChoice::ofSimulation(request));
+  });
+  fillRecent();
+}
+
+void SourceMenu::askFile() {
+  const QString folder = recent_.isEmpty() ? QString() : QFileInfo(recent_.front()).absolutePath();
+  auto* dialog = new QFileDialog(parentWidget(), tr("Open a recording"), folder,
+                                 tr("Recordings (*.capstan *.csv);;All files (*)"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this,
+          [this](const QString& file) { Q_EMIT chosen(SourceChoice::ofFile(file)); });
+  dialog->show();
+}
+
+void SourceMenu::remember(const SourceChoice& choice) {
+  if (choice.simulated) {
+    dialog_->setRequest(choice.simulation);
+    return;
+  }
+  const QString file = QFileInfo(choice.file).absoluteFilePath();
+  recent_.removeAll(file);
+  recent_.prepend(file);
+  setRecentFiles(recent_);
+}
+
+void SourceMenu::setRecentFiles(const QStringList& files) {
+  recent_ = files.mid(0, kMostRecent);
+  fillRecent();
+}
+
+void SourceMenu::fillRecent() {
+  recent_menu_->clear();
+  recent_menu_->setEnabled(!recent_.isEmpty());
+  for (const QString& file : recent_) {
+    auto* action = recent_menu_->addAction(QFileInfo(file).fileName());
+    action->setToolTip(file);
+    connect(action, &QAction::triggered, this, [this, file] { Q_EMIT chosen(SourceChoice::ofFile(file)); });
+  }
+  recent_menu_->setToolTipsVisible(true);
+}
+
+}  // namespace capstan::widgets
