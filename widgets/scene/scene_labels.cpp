@@ -62,35 +62,34 @@ void drawCameraLabels(QPainter& painter, const SceneCaptions& captions, const Or
 void drawTensionLegend(QPainter& painter, const SceneCaptions& captions, const TensionScale& scale,
                        const QSize& size, const Theme& theme) {
   const QFontMetrics metrics{numberFont(kSmall)};
-  const int row = metrics.height(), height = 4 * row;
-  const int width = metrics.horizontalAdvance("+5000 q1 +0000.0 N") + 50;
-  const QRect bar(size.width() - width, size.height() - height - 10 - row / 2, 10, height);
-  QLinearGradient gradient(bar.topLeft(), bar.bottomLeft());
-  for (int i = 0; i <= 16; ++i) gradient.setColorAt(i / 16.0, scale.colour(scale.limit() * (1.0 - i / 8.0)));
-  painter.setPen(QPen(theme.border, 1));
-  painter.setBrush(gradient);
-  painter.drawRect(bar);
-  painter.setFont(numberFont(kSmall - 0.5));
-  painter.setPen(theme.muted);
-  const QString limit = QString::number(scale.limit(), 'g', 3);
-  const int x = bar.right() + 5;
-  painter.drawText(QRect(x, bar.top() - row / 2, 70, row), Qt::AlignLeft | Qt::AlignVCenter, "+" + limit);
-  painter.drawText(QRect(x, bar.center().y() - row / 2, 70, row), Qt::AlignLeft | Qt::AlignVCenter, " 0");
-  painter.drawText(QRect(x, bar.bottom() - row / 2, 70, row), Qt::AlignLeft | Qt::AlignVCenter, "−" + limit);
-  const int column = x + metrics.horizontalAdvance("+5000") + 6;
+  const int row = metrics.height() + 1, width = metrics.horizontalAdvance("q1 +0000.0 N") + 14;
+  const int x = size.width() - width - 10, y = 8;
   painter.setFont(textFont(kSmall, true));
-  painter.drawText(QRect(column, bar.top() - row / 2, 140, row), Qt::AlignLeft | Qt::AlignVCenter,
-                   "cable force");
+  painter.setPen(theme.muted);
+  painter.drawText(QRect(x, y, width, row), Qt::AlignLeft | Qt::AlignVCenter, "cable force");
   painter.setFont(numberFont(kSmall));
   for (int i = 0; i < 3; ++i) {
-    const QRect line(column, bar.top() + row / 2 + (i * (height - row / 2)) / 3 + 2, 140, row);
+    const QRect line(x, y + (i + 1) * row, width, row);
     painter.setPen(Qt::NoPen);
     painter.setBrush(scale.colour(captions.tension(i)));
     painter.drawRect(QRect(line.left(), line.center().y() - 4, 9, 9));
     painter.setPen(theme.text);
-    painter.drawText(line.adjusted(14, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
-                     QString("q%1 %2").arg(i + 1).arg(signedNewtons(captions.tension(i))));
+    painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter,
+                     QString("q%1 %2").arg(i + 1).arg(signedNewtons(captions.tension(i)), 8));
   }
+  const QRect bar(x, y + 4 * row + 4, width, 6);
+  QLinearGradient gradient(bar.topLeft(), bar.topRight());
+  for (int i = 0; i <= 16; ++i) gradient.setColorAt(i / 16.0, scale.colour(scale.limit() * (i / 8.0 - 1.0)));
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(gradient);
+  painter.drawRect(bar);
+  painter.setFont(numberFont(kSmall - 0.5));
+  painter.setPen(theme.muted);
+  const QRect below(x, bar.bottom() + 2, width, row);
+  const QString limit = QString::number(scale.limit(), 'g', 3);
+  painter.drawText(below, Qt::AlignLeft | Qt::AlignVCenter, "−" + limit);
+  painter.drawText(below, Qt::AlignHCenter | Qt::AlignVCenter, "0");
+  painter.drawText(below, Qt::AlignRight | Qt::AlignVCenter, "+" + limit);
 }
 
 void drawSceneKey(QPainter& painter, const SceneCaptions& captions, double trail_seconds,

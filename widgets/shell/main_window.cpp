@@ -74,6 +74,7 @@ void MainWindow::addDocks() {
                         Qt::DockWidgetArea area) {
     auto* frame = new QDockWidget(title, this);
     frame->setObjectName(name);
+    content->setAttribute(Qt::WA_StyledBackground);
     frame->setWidget(content);
     addDockWidget(area, frame);
     return frame;
