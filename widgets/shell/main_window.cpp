@@ -94,11 +94,11 @@ void MainWindow::addDocks() {
 }
 
 void MainWindow::connectBar() {
-  connect(bar_, &SessionBar::runToggled, this, [this](bool on) {
+  connect(bar_, &SessionBar::runToggled, this, [this] {
     if (link_.ended())
       open(choice_);
     else
-      link_.setRunning(on);
+      link_.setRunning(!link_.running());
   });
   connect(bar_, &SessionBar::stepRequested, this, [this] {
     if (link_.runner()) link_.runner()->stepFrame();

@@ -20,7 +20,7 @@ SessionBar::SessionBar(QWidget* parent) : QToolBar(tr("Session"), parent) {
   setMovable(false);
   run_ = add("run", tr("▸ Run"), Qt::Key_Space, tr("Run or pause"));
   run_->setCheckable(true);
-  connect(run_, &QAction::triggered, this, &SessionBar::runToggled);
+  connect(run_, &QAction::triggered, this, [this] { Q_EMIT runToggled(); });
   step_ = add("step", tr("Step"), Qt::Key_Period, tr("On to the next camera sample"));
   connect(step_, &QAction::triggered, this, &SessionBar::stepRequested);
   addSpeed();

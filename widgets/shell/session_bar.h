@@ -29,7 +29,7 @@ class SessionBar : public QToolBar {
   void setRegistrationAction(QAction* action);
 
  signals:
-  void runToggled(bool on);
+  void runToggled();
   void stepRequested();
   void speedChanged(double speed);
   void recordToggled();

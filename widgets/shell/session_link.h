@@ -26,6 +26,7 @@ class SessionLink : public QObject {
   /// Null while there is no session.
   session::Runner* runner() const { return runner_.get(); }
   void setRunning(bool on);
+  bool running() const { return runner_ && runner_->status().state == session::RunState::kRunning; }
   /// The source has no more samples.
   bool ended() const { return runner_ && last_state_ == session::RunState::kEnded; }
   bool recording() const;
