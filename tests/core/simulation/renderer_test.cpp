@@ -171,7 +171,7 @@ TEST(Renderer, EachPartOfTheTruthShows) {
   EXPECT_GT(change(look), 0.2);
 }
 
-TEST(Renderer, DistractorsPassTheThresholdAtTheMargins) {
+TEST(Renderer, DistractorsPassTheThresholdAtTheMarginsAndInBetween) {
   ImageTruth look;
   look.distractors = 6;
   CameraRenderer renderer = rendererOf(look);
@@ -186,12 +186,12 @@ TEST(Renderer, DistractorsPassTheThresholdAtTheMargins) {
   look.distractors = 0;
   cv::Mat without;
   rendererOf(look).render(toolAt({0.0, 0.05, 0.5}), without);
-  EXPECT_EQ(cv::countNonZero(middle), cv::countNonZero(greenMask(without)));
+  EXPECT_GT(cv::countNonZero(middle), cv::countNonZero(greenMask(without)) + 100);
   look.distractors = 6;
   look.distractor_hue = 60.0;  // blue: no longer of nearly the marker's colour
   cv::Mat blue;
   rendererOf(look).render(toolAt({0.0, 0.05, 0.5}), blue);
-  EXPECT_EQ(cv::countNonZero(greenMask(blue)), cv::countNonZero(middle));
+  EXPECT_EQ(cv::countNonZero(greenMask(blue)), cv::countNonZero(greenMask(without)));
 }
 
 TEST(Renderer, AShaftInFrontCoversTheMarker) {
