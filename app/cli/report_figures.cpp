@@ -54,8 +54,7 @@ bool ReportFigures::save(const std::array<std::string, 3>& joint_names,
   const QApplication application(count, arguments);
   std::array<QString, 3> names;
   for (std::size_t i = 0; i < names.size(); ++i) names[i] = QString::fromStdString(joint_names[i]);
-  for (const char* file : {"joints.png", "joints.pdf", "joints.svg"})
-    widgets::saveJointFigure(impl_->history, names, begin(), end(), folder / file);
+  widgets::exportJointFigure(impl_->history, names, begin(), end(), folder / "joints");
   return true;
 }
 

@@ -17,7 +17,7 @@ class ReportFigures {
 
   /// Keeps 200 rows a second and every camera sample; of a long recording the newest part (JointHistory).
   void add(const tracking::Snapshot& snapshot);
-  /// Writes joints.png, joints.pdf and joints.svg into `folder`; needs no display. False, and no file,
+  /// Writes joints.png, .pdf, .svg and .csv into `folder`; needs no display. False, and no file,
   /// without a single snapshot. Throws base::InputError when a file cannot be written.
   bool save(const std::array<std::string, 3>& joint_names, const std::filesystem::path& folder) const;
   double begin() const;  ///< of the time the plots show [s]

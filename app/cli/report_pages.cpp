@@ -91,10 +91,10 @@ constexpr const char* kStyle =
 
 const std::vector<std::string>& reportFiles() {
   static const std::vector<std::string> files = {
-      "session.capstan", "session.capstan-wal", "session.capstan-shm",
-      "joints.png",      "joints.pdf",          "joints.svg",
-      "left.png",        "right.png",           "errors.csv",
-      "errors.md",       "estimates.csv",       "index.html"};
+      "session.capstan", "session.capstan-wal", "session.capstan-shm", "joints.png",
+      "joints.pdf",      "joints.svg",          "joints.csv",          "left.png",
+      "right.png",       "errors.csv",          "errors.md",           "estimates.csv",
+      "index.html"};
   return files;
 }
 
@@ -150,7 +150,7 @@ std::string indexHtml(const ReportPage& page, const tracking::TrackReport& repor
   if (page.recorded_here) html += linkHtml("session.capstan");
   for (const char* file : {"errors.csv", "errors.md", "estimates.csv"}) html += linkHtml(file);
   if (page.plots)
-    for (const char* file : {"joints.png", "joints.pdf", "joints.svg"}) html += linkHtml(file);
+    for (const char* file : {"joints.png", "joints.pdf", "joints.svg", "joints.csv"}) html += linkHtml(file);
   if (page.pictures)
     for (const char* file : {"left.png", "right.png"}) html += linkHtml(file);
   return html + "</ul>\n</body></html>\n";

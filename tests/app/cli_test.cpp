@@ -221,8 +221,9 @@ TEST_F(Cli, ReportLeavesAWholeFolderAndReplacesItsOwn) {
   const Ran made = run(command);
   ASSERT_EQ(made.exit, 0) << made.err;
   EXPECT_TRUE(made.err.empty()) << made.err;
-  for (const char* file : {"session.capstan", "joints.png", "joints.pdf", "joints.svg", "left.png",
-                           "right.png", "errors.csv", "errors.md", "estimates.csv", "index.html"}) {
+  for (const char* file :
+       {"session.capstan", "joints.png", "joints.pdf", "joints.svg", "joints.csv", "left.png", "right.png",
+        "errors.csv", "errors.md", "estimates.csv", "index.html"}) {
     ASSERT_TRUE(fs::exists(fs::path(out) / file)) << file;
     EXPECT_GT(fs::file_size(fs::path(out) / file), 50u) << file;
   }

@@ -105,12 +105,12 @@ TEST_F(Panel, SaysWhatTheFilterObservesAndWhy) {
   tracking::Snapshot snapshot{};
   snapshot.gate = tracking::Gate::kOpen;
   panel.showSnapshot(snapshot);
-  EXPECT_EQ(panel.observation(), QString::fromUtf8("now: camera → q_cam"));
+  EXPECT_EQ(panel.observation(), QString("now: observing the camera (q_cam)"));
   snapshot.gate = tracking::Gate::kRightLost;
   snapshot.marker[0].fault = vision::MarkerFault::kNone;
   snapshot.marker[1].fault = vision::MarkerFault::kNoPixels;
   panel.showSnapshot(snapshot);
-  EXPECT_EQ(panel.observation(), QString::fromUtf8("now: camera → q_kin"));
+  EXPECT_EQ(panel.observation(), QString("now: observing the motors (q_kin)"));
   EXPECT_TRUE(panel.reason().startsWith("right lost: no pixels of the marker's colour"));
   snapshot.gate = tracking::Gate::kJump;
   panel.showSnapshot(snapshot);

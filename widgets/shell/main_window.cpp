@@ -86,6 +86,7 @@ void MainWindow::addDocks() {
   auto* notes = dock("notes", tr("Notes"), notes_ = new NotesPanel, Qt::RightDockWidgetArea);
   registration_dock_ = dock("registration", tr("Registration"), registration_ = new RegistrationPanel,
                             Qt::RightDockWidgetArea);
+  registration_dock_->setAllowedAreas(Qt::NoDockWidgetArea);  // too wide for a column
   registration_dock_->setFloating(true);
   registration_dock_->hide();
   resizeDocks({cameras, right}, {400, 290}, Qt::Horizontal);
@@ -318,8 +319,7 @@ void MainWindow::exportFigure(const QString& base) {
   try {
     const QCPRange range = figure_->timeRange();
     const std::string path = QString(base).remove(QRegularExpression("\\.(pdf|svg|png|csv)$")).toStdString();
-    for (const char* ending : {".pdf", ".svg", ".png"})
-      saveJointFigure(history_, joint_names_, range.lower, range.upper, path + ending);
+    exportJointFigure(history_, joint_names_, range.lower, range.upper, path);
     notes_->addEvent(now_, "export", QFileInfo(QString::fromStdString(path)).fileName());
   } catch (const base::InputError& error) {
     messages_->showMessage(QString::fromStdString(error.what()));
@@ -353,6 +353,7 @@ void MainWindow::restore() {
   bar_->sources().setRecentFiles(settings_->value("source/recent").toStringList());
   if (choice_.simulated || !choice_.file.isEmpty()) bar_->sources().remember(choice_);
   bar_->setRecordingFolder(settings_->value("recording/folder", documents()).toString());
+  status_->setFolder(bar_->recordingFolder());
   setThemeNamed(settings_->value("theme", "dark").toString());
   restoreGeometry(settings_->value("geometry").toByteArray());
   restoreState(settings_->value("layout").toByteArray(), kLayoutVersion);

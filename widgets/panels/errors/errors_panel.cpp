@@ -1,5 +1,8 @@
 #include "widgets/panels/errors/errors_panel.h"
 
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -16,9 +19,9 @@ constexpr double kCellPoints = 14.0;
 
 /// Fixed width and two decimals, so that points stand below each other.
 QString cellText(double rms, int joint) {
-  if (!std::isfinite(rms)) return QStringLiteral("—.——").rightJustified(6);
+  if (!std::isfinite(rms)) return QStringLiteral("—.——").rightJustified(5);
   const double shown = joint < 2 ? base::toDegrees(rms) : base::toMillimetres(rms);
-  return QString::number(shown, 'f', 2).rightJustified(6);
+  return QString::number(shown, 'f', 2).rightJustified(5);
 }
 
 }  // namespace
@@ -26,7 +29,7 @@ QString cellText(double rms, int joint) {
 ErrorsPanel::ErrorsPanel(QWidget* parent) : QWidget(parent) {
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(10, 6, 10, 8);
-  grid->setHorizontalSpacing(10);
+  grid->setHorizontalSpacing(8);
   grid->setVerticalSpacing(4);
   const char* heads[] = {"kin", "cam", "UKF"};
   for (int column = 0; column < 3; ++column) {
@@ -59,12 +62,27 @@ ErrorsPanel::ErrorsPanel(QWidget* parent) : QWidget(parent) {
   reset_->setToolTip(tr("Begin the errors anew (E)"));
   reset_->setShortcut(QKeySequence(Qt::Key_E));
   connect(reset_, &QPushButton::clicked, this, &ErrorsPanel::resetRequested);
-  grid->addWidget(note_, 4, 0, 1, 4);
-  grid->addWidget(reset_, 4, 4, Qt::AlignRight);
+  grid->addWidget(note_, 4, 0, 1, 3);
+  grid->addWidget(reset_, 4, 3, 1, 2, Qt::AlignRight);
   grid->setRowStretch(5, 1);
   for (int column = 1; column <= 3; ++column) grid->setColumnStretch(column, 1);
+  auto* copy = new QAction(tr("Copy as text"), this);
+  connect(copy, &QAction::triggered, this, [this] { QApplication::clipboard()->setText(text()); });
+  addAction(copy);
+  setContextMenuPolicy(Qt::ActionsContextMenu);
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   setTheme(Theme::dark());
   showErrors({});
+}
+
+QString ErrorsPanel::text() const {
+  QString out = tr("RMS\tkinematic\tcamera\tUKF\tunit\n");
+  for (int joint = 0; joint < 3; ++joint) {
+    out += QStringLiteral("q%1").arg(joint + 1);
+    for (int column = 0; column < 3; ++column) out += "\t" + cell(joint, column).trimmed();
+    out += QStringLiteral("\t%1\n").arg(tracking::kJointUnits[static_cast<std::size_t>(joint)]);
+  }
+  return out;
 }
 
 void ErrorsPanel::setTheme(const Theme& theme) {

@@ -23,6 +23,8 @@ class ErrorsPanel : public QWidget {
   void setReference(bool fitted);
   /// Text of a cell: `joint` 0…2, `column` 0 kinematic, 1 camera, 2 UKF.
   QString cell(int joint, int column) const;
+  /// The table as the clipboard takes it: a line a joint, tabs between.
+  QString text() const;
 
  signals:
   void resetRequested();

@@ -33,7 +33,9 @@ OcclusionPanel::OcclusionPanel(QWidget* parent) : QWidget(parent), keys_(new Hol
   reason_->setWordWrap(true);
   column->addWidget(now_);
   column->addWidget(reason_);
-  column->addStretch(1);
+  reason_->setMinimumHeight(2 * reason_->fontMetrics().lineSpacing());  // so that nothing moves as it changes
+  reason_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   faults_.fill(vision::MarkerFault::kNoImage);
   setTheme(theme_);
 }
@@ -115,11 +117,12 @@ void OcclusionPanel::setTheme(const Theme& theme) {
 }
 
 QString OcclusionPanel::observation() const {
-  return gate_ == tracking::Gate::kOpen ? QString("now: camera → q_cam") : QString("now: camera → q_kin");
+  return gate_ == tracking::Gate::kOpen ? QString("now: observing the camera (q_cam)")
+                                        : QString("now: observing the motors (q_kin)");
 }
 
 QString OcclusionPanel::reason() const {
-  if (gate_ == tracking::Gate::kOpen) return "The filter observes the camera.";
+  if (gate_ == tracking::Gate::kOpen) return "The marker is seen in both pictures.";
   QString why = text(base::nameOf(gate_));
   for (std::size_t side = 0; side < 2; ++side) {
     const bool concerned = gate_ == tracking::Gate::kBothLost ||
@@ -129,7 +132,7 @@ QString OcclusionPanel::reason() const {
       break;
     }
   }
-  return why + ". The filter observes the motors.";
+  return why + ".";
 }
 
 void OcclusionPanel::showSnapshot(const tracking::Snapshot& snapshot) {
@@ -145,6 +148,8 @@ void OcclusionPanel::showSnapshot(const tracking::Snapshot& snapshot) {
 
 void OcclusionPanel::showBlocked(const std::array<bool, 2>& blocked) {
   const bool scheduled = schedule_.percentage > 0.0 && blocked[0] && blocked[1] && !(hand_[0] && hand_[1]);
+  blocked_ = blocked;
+  markButtons();
   schedule_state_->setText(schedule_.percentage <= 0.0 ? QString()
                            : scheduled                 ? QString("blocked")
                                                        : QString("in sight"));
@@ -198,15 +203,22 @@ void OcclusionPanel::set(std::array<bool, 2> blocked) {
 }
 
 void OcclusionPanel::markButtons() {
+  // Pressed by hand, or blocked in fact by the schedule: both show.
+  const std::array<bool, 2> shut = {hand_[0] || blocked_[0], hand_[1] || blocked_[1]};
   const std::array<bool, 3> on = {hand_[0], hand_[1], hand_[0] && hand_[1]};
+  const std::array<bool, 3> lit = {shut[0], shut[1], shut[0] && shut[1]};
+  const bool settled = on == marked_on_ && lit == marked_lit_;
+  marked_on_ = on;
+  marked_lit_ = lit;
   for (std::size_t i = 0; i < 3; ++i) {
     // A checkable button flips itself after released(): settle the look once the click is through.
     QMetaObject::invokeMethod(
         this, [button = buttons_[i], state = on[i]] { button->setChecked(state); }, Qt::QueuedConnection);
-    buttons_[i]->setStyleSheet(on[i] ? QString("background: %1; color: #15181c; font-weight: bold; border: "
-                                               "1px solid %1; border-radius: 3px; padding: 4px;")
-                                           .arg(theme_.warning.name())
-                                     : QString());
+    if (settled) continue;
+    buttons_[i]->setStyleSheet(lit[i] ? QString("background: %1; color: #15181c; font-weight: bold; border: "
+                                                "1px solid %1; border-radius: 3px; padding: 4px;")
+                                            .arg(theme_.warning.name())
+                                      : QString());
   }
 }
 

@@ -59,8 +59,10 @@ class OcclusionPanel : public QWidget {
   Theme theme_ = Theme::dark();
   std::array<QPushButton*, 3> buttons_{};
   std::array<HoldToggle, 3> holds_;
-  std::array<bool, 2> before_{};  // of the press that is being held
-  std::array<bool, 2> hand_{};    // asked for by hand
+  std::array<bool, 2> before_{};                    // of the press that is being held
+  std::array<bool, 2> hand_{};                      // asked for by hand
+  std::array<bool, 2> blocked_{};                   // in fact
+  std::array<bool, 3> marked_on_{}, marked_lit_{};  // as the buttons show it
   QButtonGroup* shares_ = nullptr;
   QDoubleSpinBox* interval_ = nullptr;
   OcclusionTimeline* timeline_ = nullptr;

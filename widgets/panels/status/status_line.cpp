@@ -1,7 +1,9 @@
 #include "widgets/panels/status/status_line.h"
 
+#include <QDir>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QStorageInfo>
 #include <cmath>
 
 namespace capstan::widgets {
@@ -11,6 +13,9 @@ namespace {
 using session::RecorderState;
 using session::RunState;
 using tracking::Gate;
+
+constexpr double kBehind = 0.9;        ///< of the speed asked for; less is said
+constexpr qint64 kDiskPeriod = 10000;  ///< between looks at the disk [ms]
 
 QString diskText(std::uint64_t bytes) {
   const double gigabytes = static_cast<double>(bytes) / 1e9;
@@ -30,11 +35,12 @@ QString clockText(double seconds) {
 StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(8, 2, 8, 2);
-  row->setSpacing(14);
-  for (auto*& label : labels_) {
-    label = new QLabel;
-    label->setFont(numberFont(10.5));
-    row->addWidget(label);
+  row->setSpacing(0);
+  for (std::size_t i = 0; i < kParts; ++i) {
+    for (auto* label : {dots_[i] = new QLabel(QStringLiteral(" · ")), labels_[i] = new QLabel}) {
+      label->setFont(numberFont(10.0));
+      row->addWidget(label);
+    }
   }
   row->addStretch(1);
   labels_[kNis]->setToolTip(
@@ -55,7 +61,7 @@ void StatusLine::set(Part part, const QString& text, Tone tone) {
   auto* label = labels_[part];
   tones_[part] = tone;
   label->setText(text);
-  label->setVisible(!text.isEmpty());
+  separate();
   QPalette palette = label->palette();
   const QColor colour = tone == Tone::kPlain     ? theme_.text
                         : tone == Tone::kGood    ? theme_.text
@@ -67,6 +73,16 @@ void StatusLine::set(Part part, const QString& text, Tone tone) {
   QFont font = label->font();
   font.setBold(tone == Tone::kWarning || tone == Tone::kFault);
   label->setFont(font);
+}
+
+void StatusLine::separate() {
+  bool first = true;
+  for (std::size_t i = 0; i < kParts; ++i) {
+    const bool seen = !labels_[i]->text().isEmpty();
+    labels_[i]->setVisible(seen);
+    dots_[i]->setVisible(seen && !first);
+    first = first && !seen;
+  }
 }
 
 void StatusLine::clear() {
@@ -97,27 +113,41 @@ void StatusLine::showSnapshot(const tracking::Snapshot& snapshot) {
 void StatusLine::showStatus(const session::RunStatus& status, double recorded_seconds) {
   const QString state = QString::fromStdString(std::string(base::nameOf(status.state)));
   set(kState, state, status.state == RunState::kFailed ? Tone::kFault : Tone::kPlain);
+  const bool behind = status.state == RunState::kRunning && status.real_time_factor > 0.0 &&
+                      status.real_time_factor < kBehind * status.speed;
+  set(kSpeed, behind ? tr("only ×%1").arg(status.real_time_factor, 0, 'f', 1) : QString(), Tone::kWarning);
   set(kMotor, QStringLiteral("%1 Hz").arg(status.motor_rate, 4, 'f', 0));
   set(kFrames, QStringLiteral("%1 fps").arg(status.frame_rate, 4, 'f', 1));
-  if (!status.recorder) {
+  if (status.recorder)
+    showRecorder(*status.recorder, recorded_seconds);
+  else
     set(kRecording, {});
-    set(kDisk, {});
-    return;
-  }
-  const auto& recorder = *status.recorder;
-  set(kDisk, diskText(recorder.free_bytes));
+  showDisk(status.recorder && status.recorder->state == RecorderState::kRecording
+               ? std::optional(status.recorder->free_bytes)
+               : std::nullopt);
+}
+
+void StatusLine::showRecorder(const session::RecorderStats& recorder, double recorded_seconds) {
+  const QString clock = clockText(recorded_seconds);
   if (recorder.state == RecorderState::kFailed)
     set(kRecording, tr("recording failed"), Tone::kFault);
   else if (recorder.state == RecorderState::kClosed)
     set(kRecording, tr("recording closed"));
   else if (recorder.dropped > 0)
-    set(kRecording,
-        QStringLiteral("● REC %1, %2 dropped")
-            .arg(clockText(recorded_seconds))
-            .arg(static_cast<qulonglong>(recorder.dropped)),
+    set(kRecording, tr("● REC %1, %2 dropped").arg(clock).arg(static_cast<qulonglong>(recorder.dropped)),
         Tone::kFault);
   else
-    set(kRecording, QStringLiteral("● REC %1").arg(clockText(recorded_seconds)), Tone::kWarning);
+    set(kRecording, tr("● REC %1").arg(clock), Tone::kWarning);
+}
+
+void StatusLine::showDisk(std::optional<std::uint64_t> recorder_says) {
+  if (recorder_says) return set(kDisk, diskText(*recorder_says));
+  if (disk_age_.isValid() && disk_age_.elapsed() < kDiskPeriod) return;
+  disk_age_.start();
+  QDir place(folder_);
+  while (!place.exists() && place.cdUp()) continue;  // the folder is made at the first recording
+  const QStorageInfo disk(place);
+  set(kDisk, disk.isValid() ? diskText(static_cast<std::uint64_t>(disk.bytesAvailable())) : QString());
 }
 
 QString StatusLine::text() const {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <QElapsedTimer>
 #include <QWidget>
 #include <array>
+#include <optional>
 
 #include "core/session/runner.h"
 #include "core/tracking/snapshot.h"
@@ -22,17 +24,25 @@ class StatusLine : public QWidget {
   void showSnapshot(const tracking::Snapshot& snapshot);
   void showStatus(const session::RunStatus& status, double recorded_seconds);
   void clear();
+  /// Whose disk is shown: the folder of recordings.
+  void setFolder(const QString& folder) { folder_ = folder; }
   /// The whole line, parts joined by " · ".
   QString text() const;
 
  private:
-  enum Part { kState, kMotor, kFrames, kLag, kGate, kNis, kRescues, kRecording, kDisk, kParts };
+  enum Part { kState, kSpeed, kMotor, kFrames, kLag, kGate, kNis, kRescues, kRecording, kDisk, kParts };
   enum class Tone { kPlain, kGood, kWarning, kFault };
+  void showRecorder(const session::RecorderStats& recorder, double recorded_seconds);
+  void showDisk(std::optional<std::uint64_t> recorder_says);
+  void separate();
   void set(Part part, const QString& text, Tone tone = Tone::kPlain);
 
   Theme theme_ = Theme::dark();
   std::array<QLabel*, kParts> labels_{};
+  std::array<QLabel*, kParts> dots_{};  ///< before each part but the first that is seen
   std::array<Tone, kParts> tones_{};
+  QString folder_;
+  QElapsedTimer disk_age_;
 };
 
 /// Minutes and seconds as 03:12, or 1:03:12 from an hour on.

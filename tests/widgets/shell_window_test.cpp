@@ -1,0 +1,311 @@
+// The whole window, over real sessions: same numbers as the command line, recording, notes, keys, restored
+// settings, and calm while the pipeline is stuck.
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QLineEdit>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QtTest/QTest>
+#include <latch>
+#include <nlohmann/json.hpp>
+
+#include "core/base/resource.h"
+#include "core/session/session_file.h"
+#include "widgets/panels/errors/errors_panel.h"
+#include "widgets/panels/notes/notes_panel.h"
+#include "widgets/panels/occlusion/occlusion_panel.h"
+#include "widgets/panels/registration/registration_panel.h"
+#include "widgets/shell/help_window.h"
+#include "widgets/shell/main_window.h"
+#include "widgets/shell/session_bar.h"
+#include "widgets/shell/source_menu.h"
+
+namespace capstan::widgets {
+namespace {
+
+constexpr int kPatience = 30000;  // [ms] after which a wait has failed
+
+template <class Condition>
+bool waitFor(Condition&& condition) {
+  return QTest::qWaitFor(condition, kPatience);
+}
+
+QByteArray commandLine(const QStringList& arguments) {
+  QProcess process;
+  process.start(CAPSTAN_CLI, arguments);
+  EXPECT_TRUE(process.waitForFinished(60000));
+  EXPECT_EQ(process.exitCode(), 0) << process.readAllStandardError().toStdString();
+  return process.readAllStandardOutput();
+}
+
+class Shell : public testing::Test {
+ protected:
+  void SetUp() override { ASSERT_TRUE(folder_.isValid()); }
+
+  QString file(const QString& name) const { return folder_.filePath(name); }
+
+  std::unique_ptr<MainWindow> makeWindow() {
+    auto window = std::make_unique<MainWindow>(file("settings.ini"));
+    window->bar().setRecordingFolder(file("recordings"));
+    window->resize(1280, 800);
+    window->show();
+    window->activateWindow();
+    return window;
+  }
+
+  /// At rest, without cameras' pictures being of interest: quick to open.
+  static SourceChoice atRest(double duration = 600.0) {
+    simulation::SimulationRequest request;
+    request.trajectory = "hold";
+    request.duration = duration;
+    return SourceChoice::ofSimulation(request);
+  }
+
+  static session::RunState stateOf(MainWindow& window) {
+    return window.link().runner() ? window.link().runner()->status().state : session::RunState::kFailed;
+  }
+  static bool opened(MainWindow& window) {
+    return waitFor([&] { return stateOf(window) == session::RunState::kRunning; });
+  }
+
+  QTemporaryDir folder_;
+};
+
+TEST_F(Shell, ShowsTheCommandLinesNumbersToTheLastBit) {
+  const QString recording = file("trial.capstan");
+  commandLine({"simulate", "--out", recording, "--duration", "3"});
+  const auto wanted = nlohmann::json::parse(commandLine({"track", recording, "--json", "-"}).toStdString());
+
+  auto window = makeWindow();
+  window->bar().setSpeed(10.0);
+  window->open(SourceChoice::ofFile(recording));
+  ASSERT_TRUE(waitFor([&] { return stateOf(*window) == session::RunState::kEnded; }));
+  const auto report = window->link().runner()->report();
+  for (int i = 0; i < 3; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    EXPECT_EQ(report.errors.kinematic().value()(i), wanted["rms"]["kin"][at].get<double>());
+    EXPECT_EQ(report.errors.camera().value()(i), wanted["rms"]["cam"][at].get<double>());
+    EXPECT_EQ(report.errors.ukf().value()(i), wanted["rms"]["ukf"][at].get<double>());
+  }
+  EXPECT_EQ(report.nisMean(), wanted["nis"].get<double>());
+  EXPECT_EQ(report.errors.ukf().count(), wanted["samples"].get<std::uint64_t>());
+
+  const double degrees = wanted["rms"]["ukf"][0].get<double>() * 180.0 / M_PI;
+  ASSERT_TRUE(waitFor([&] {
+    return window->errors().cell(0, 2).trimmed() == QString::number(degrees, 'f', 2);
+  })) << window->errors().cell(0, 2).toStdString();
+}
+
+TEST_F(Shell, TakesUpWhereItWasLeft) {
+  {
+    auto window = makeWindow();
+    window->open(atRest(123.0));
+    ASSERT_TRUE(opened(*window));
+    window->setThemeNamed("light");
+    window->findChild<QDockWidget*>("scene")->hide();
+    window->close();
+  }
+  auto window = makeWindow();
+  EXPECT_EQ(window->themeName(), "light");
+  EXPECT_TRUE(window->findChild<QDockWidget*>("scene")->isHidden());
+  EXPECT_FALSE(window->findChild<QDockWidget*>("errors")->isHidden());
+  EXPECT_EQ(window->lastSource().simulation, atRest(123.0).simulation);
+  EXPECT_EQ(window->bar().recordingFolder(), file("recordings"));
+}
+
+TEST_F(Shell, SaysWhatIsWrongWithAFileAndKeepsTheSession) {
+  auto window = makeWindow();
+  window->open(atRest());
+  ASSERT_TRUE(opened(*window));
+  window->open(SourceChoice::ofFile(file("gone.capstan")));
+  ASSERT_TRUE(waitFor([&] { return !window->message().isEmpty(); }));
+  EXPECT_TRUE(window->message().contains("gone.capstan")) << window->message().toStdString();
+  EXPECT_EQ(stateOf(*window), session::RunState::kRunning);
+  EXPECT_TRUE(window->lastSource().simulated) << "a file that could not be opened is no last source";
+  EXPECT_TRUE(window->bar().sources().recentFiles().isEmpty());
+}
+
+TEST_F(Shell, RecordsWithItsNotes) {
+  auto window = makeWindow();
+  window->open(atRest());
+  ASSERT_TRUE(opened(*window));
+  QTest::keyClick(window.get(), Qt::Key_R);
+  ASSERT_TRUE(waitFor([&] { return window->link().recording(); })) << window->message().toStdString();
+  QTest::keyClick(window.get(), Qt::Key_N);
+  ASSERT_TRUE(window->notes().line().hasFocus());
+  QTest::keyClicks(&window->notes().line(), "cable 2 re. tightened");
+  QTest::keyClick(&window->notes().line(), Qt::Key_Return);
+  EXPECT_TRUE(window->link().recording()) << "r in a note is a letter";
+  const auto begin = window->link().runner()->status().t;
+  ASSERT_TRUE(waitFor([&] { return window->link().runner()->status().t > begin + 0.3; }));
+  QTest::keyClick(window.get(), Qt::Key_R);
+  ASSERT_TRUE(waitFor([&] {
+    const auto status = window->link().runner()->status();
+    return status.recorder && status.recorder->state == session::RecorderState::kClosed;
+  }));
+  const QString path = QString::fromStdString(window->link().runner()->status().recording);
+  window->close();
+  window.reset();
+
+  const auto summary = session::readSessionSummary(path.toStdString());
+  EXPECT_GT(summary.motor, 200);
+  EXPECT_GT(summary.frames, 2);
+  EXPECT_GT(summary.estimates, 200);
+  const auto events = session::readSessionEvents(path.toStdString());
+  EXPECT_TRUE(std::any_of(events.begin(), events.end(), [](const auto& event) {
+    return event.kind == "note" && event.text == "cable 2 re. tightened";
+  }));
+
+  auto replay = makeWindow();
+  replay->open(SourceChoice::ofFile(path));
+  ASSERT_TRUE(waitFor([&] { return replay->notes().rows() > 0; }));
+  bool listed = false;
+  for (int i = 0; i < replay->notes().rows(); ++i)
+    listed = listed || replay->notes().row(i).contains("cable 2 re. tightened");
+  EXPECT_TRUE(listed) << "a recording brings its notes";
+}
+
+TEST_F(Shell, KeysRunPauseAndStep) {
+  auto window = makeWindow();
+  window->open(atRest());
+  ASSERT_TRUE(opened(*window));
+  QTest::keyClick(window.get(), Qt::Key_Space);
+  ASSERT_TRUE(waitFor([&] { return stateOf(*window) == session::RunState::kPaused; }));
+  const double t = window->link().runner()->status().t;
+  const auto before = window->link().runner()->report().camera_samples;
+  QTest::keyClick(window.get(), Qt::Key_Period);
+  ASSERT_TRUE(waitFor([&] { return window->link().runner()->report().camera_samples == before + 1; }));
+  EXPECT_GT(window->link().runner()->status().t, t);
+  EXPECT_EQ(stateOf(*window), session::RunState::kPaused);
+  QTest::keyClick(window.get(), Qt::Key_Space);
+  ASSERT_TRUE(waitFor([&] { return stateOf(*window) == session::RunState::kRunning; }));
+  QTest::keyClick(window.get(), Qt::Key_BracketRight);
+  EXPECT_EQ(window->bar().speed(), 2.0);
+}
+
+TEST_F(Shell, KeysTypedIntoFieldsStayThere) {
+  auto window = makeWindow();
+  window->open(atRest());
+  ASSERT_TRUE(opened(*window));
+  auto* interval = window->findChild<OcclusionPanel*>()->findChild<QDoubleSpinBox*>();
+  for (QWidget* field : {static_cast<QWidget*>(&window->notes().line()), static_cast<QWidget*>(interval)}) {
+    field->setFocus();
+    ASSERT_TRUE(field->hasFocus());
+    QTest::keyClick(field, Qt::Key_Period);
+    QTest::keyClick(field, Qt::Key_L);
+    QTest::keyClick(field, Qt::Key_R);
+    if (field != interval) QTest::keyClick(field, Qt::Key_Space);
+    QTest::qWait(100);
+    const auto status = window->link().runner()->status();
+    EXPECT_EQ(status.state, session::RunState::kRunning);
+    EXPECT_FALSE(status.blocked[0]);
+    EXPECT_FALSE(window->link().recording());
+  }
+  EXPECT_EQ(window->notes().line().text(), ".lr ");
+}
+
+TEST_F(Shell, PlotsStandStillWhenTheUserLooksBack) {
+  auto window = makeWindow();
+  window->bar().setSpeed(10.0);
+  window->open(atRest());
+  ASSERT_TRUE(opened(*window));
+  ASSERT_TRUE(waitFor([&] { return window->figure().history().end() > 3.0; }));
+  window->figure().setTimeRange(1.0, 2.0);
+  const double end = window->figure().history().end();
+  ASSERT_TRUE(waitFor([&] { return window->figure().history().end() > end + 2.0; }));
+  EXPECT_EQ(window->figure().timeRange().lower, 1.0);
+  EXPECT_EQ(window->figure().timeRange().upper, 2.0);
+}
+
+TEST_F(Shell, BlockedCamerasAreBlockedInFact) {
+  auto window = makeWindow();
+  window->open(atRest());
+  ASSERT_TRUE(opened(*window));
+  QTest::keyClick(window.get(), Qt::Key_L);
+  ASSERT_TRUE(waitFor([&] { return window->link().runner()->status().blocked[0]; }));
+  window->link().runner()->resetErrors();
+  ASSERT_TRUE(waitFor([&] { return window->link().runner()->report().frames > 2; }));
+  const auto report = window->link().runner()->report();
+  EXPECT_EQ(report.detected[0], 0U);
+  EXPECT_EQ(report.detected[1], report.frames);
+  EXPECT_TRUE(window->notes().row(window->notes().rows() - 1).contains("left camera blocked"));
+}
+
+TEST_F(Shell, ExportsThePlotsAndTheirNumbers) {
+  auto window = makeWindow();
+  window->open(atRest());
+  ASSERT_TRUE(opened(*window));
+  ASSERT_TRUE(waitFor([&] { return window->figure().history().end() > 0.5; }));
+  window->exportFigure(file("plots.pdf"));
+  for (const char* ending : {"pdf", "svg", "png", "csv"})
+    EXPECT_GT(QFileInfo(file(QString("plots.%1").arg(ending))).size(), 500) << ending;
+  window->exportFigure("/proc/nowhere/plots");
+  EXPECT_TRUE(window->message().contains("/proc/nowhere/plots")) << window->message().toStdString();
+}
+
+TEST_F(Shell, RegistersAnUnregisteredSimulation) {
+  auto window = makeWindow();
+  SourceChoice choice = atRest();
+  choice.simulation.registered = false;
+  window->open(choice);
+  ASSERT_TRUE(opened(*window));
+  window->action("register")->trigger();
+  auto* panel = window->findChild<RegistrationPanel*>();
+  ASSERT_TRUE(panel->active());
+  ASSERT_TRUE(panel->guide());
+  EXPECT_EQ(panel->guide()->fault(), session::RegistrationFault::kNone) << panel->guide()->reason();
+}
+
+/// Stuck inside next() until the test lets it go.
+class StuckSource final : public session::Source {
+ public:
+  explicit StuckSource(std::latch& gate) : gate_(gate) {
+    info_.title = "stuck";
+    info_.robot = robot::readDescription(base::resource("robots/raven2_left.yaml"));
+  }
+  const session::SourceInfo& info() const override { return info_; }
+  bool next(tracking::Sample&) override {
+    gate_.wait();
+    return false;
+  }
+  void block(bool, bool) override {}
+
+ private:
+  session::SourceInfo info_;
+  std::latch& gate_;
+};
+
+TEST_F(Shell, StaysResponsiveWhileThePipelineIsStuck) {
+  std::latch gate(1);
+  auto window = makeWindow();
+  window->link().take(std::make_unique<StuckSource>(gate));
+  ASSERT_EQ(window->link().runner()->info().title, "stuck");
+  for (const int key : {Qt::Key_Space, Qt::Key_Period, Qt::Key_B, Qt::Key_E, Qt::Key_R, Qt::Key_BracketLeft})
+    QTest::keyClick(window.get(), static_cast<Qt::Key>(key));
+  window->action("theme")->trigger();
+  window->resize(1000, 700);
+  EXPECT_FALSE(window->grab().isNull());
+  EXPECT_EQ(window->themeName(), "light");
+  window->open(atRest());  // away from the stuck one, without waiting for it
+  EXPECT_TRUE(waitFor([&] {
+    return window->link().runner() && window->link().runner()->info().title != "stuck" &&
+           stateOf(*window) == session::RunState::kRunning;
+  }));
+  gate.count_down();
+}
+
+TEST_F(Shell, TheManualNamesEveryKey) {
+  auto window = makeWindow();
+  const HelpWindow help;
+  for (const auto* action : window->findChildren<QAction*>()) {
+    if (action->shortcut().isEmpty()) continue;
+    const QString key = action->shortcut().toString();
+    EXPECT_TRUE(help.text().contains(key == "Space" ? "Space" : key)) << key.toStdString();
+  }
+}
+
+}  // namespace
+}  // namespace capstan::widgets
