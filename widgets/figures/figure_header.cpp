@@ -1,74 +1,123 @@
 #include "widgets/figures/figure_header.h"
 
+#include <algorithm>
+
+#include "widgets/figures/number_text.h"
+
 namespace capstan::widgets {
 
 namespace {
 
-constexpr Quantity kOrder[] = {Quantity::kTrue, Quantity::kKinematic, Quantity::kCamera, Quantity::kUkf};
+constexpr double kMostSample = 34.0;  ///< of a legend's line [px]
+constexpr std::array kColumnOrder = {Quantity::kTrue, Quantity::kKinematic, Quantity::kCamera,
+                                     Quantity::kUkf};
+static_assert(static_cast<int>(Quantity::kUkf) == HeaderLayout::kSigma - 1, "columns follow Quantity");
 
 }  // namespace
 
 FigureHeader::FigureHeader(QCustomPlot* plot, Role role)
     : QCPLayoutElement(plot), role_(role), theme_(&Theme::light()) {
   setLayer("legend");
+  if (role_ != Role::kLegend) return;
+  for (const Quantity quantity : kColumnOrder) setValue(quantity, nameOf(quantity));
+  setSigma(kSigmaName);
 }
 
-void FigureHeader::setTheme(const Theme& theme) { theme_ = &theme; }
-
-void FigureHeader::setPoints(double text_points, double number_points) {
-  text_points_ = text_points;
-  number_points_ = number_points;
+void FigureHeader::setLayout(const HeaderLayout& layout, const HeaderPoints& points) {
+  layout_ = layout;
+  points_ = points;
 }
 
-int FigureHeader::height() const {
-  const double points = role_ == Role::kLegend ? text_points_ : std::max(text_points_, number_points_);
-  return QFontMetrics(textFont(points)).height() + 4;
+QFont FigureHeader::titleFont(const HeaderPoints& points) const {
+  return role_ == Role::kValues ? textFont(points.title, true) : textFont(points.legend);
+}
+
+QFont FigureHeader::columnFont() const {
+  return role_ == Role::kLegend ? textFont(points_.legend) : numberFont(points_.number);
+}
+
+double FigureHeader::titleWidth(const QString& title, const HeaderPoints& points) const {
+  return QFontMetricsF(titleFont(points)).horizontalAdvance(title);
+}
+
+int FigureHeader::lineHeight() const {
+  return std::max(QFontMetrics(titleFont(points_)).height(), QFontMetrics(columnFont()).height()) + 3;
+}
+
+QRectF FigureHeader::titleBox() const {
+  const double right = role_ == Role::kNote ? rect().right() : layout_.title_right;
+  return {layout_.title_left, static_cast<double>(rect().top()), right - layout_.title_left,
+          static_cast<double>(lineHeight())};
+}
+
+QRectF FigureHeader::columnBox(std::size_t column) const {
+  const double top = rect().top() + (lines() - 1) * lineHeight();
+  return {layout_.left[column], top, layout_.right[column] - layout_.left[column],
+          static_cast<double>(lineHeight())};
+}
+
+QRectF FigureHeader::sampleBox(std::size_t column) const {
+  const QRectF box = columnBox(column);
+  const double right =
+      box.right() - QFontMetricsF(columnFont()).horizontalAdvance(texts_[column]) - HeaderLayout::kSampleGap;
+  const double width =
+      std::clamp(right - box.left() - HeaderLayout::kGap, HeaderLayout::kLeastSample, kMostSample);
+  return {right - width, box.center().y() - 5, width, 10};
+}
+
+std::vector<FigureHeader::Text> FigureHeader::texts() const {
+  std::vector<Text> all;
+  const QFontMetricsF titles(titleFont(points_));
+  QRectF title = titleBox();
+  const QString shown = titles.elidedText(title_, Qt::ElideRight, title.width());
+  title.setWidth(titles.horizontalAdvance(shown));
+  if (!shown.isEmpty()) all.push_back({shown, title});
+  if (role_ == Role::kNote) return all;
+  const QFontMetricsF columns(columnFont());
+  for (std::size_t i = 0; i < texts_.size(); ++i) {
+    if (i == HeaderLayout::kSigma && !layout_.has_sigma) continue;
+    QRectF box = columnBox(i);
+    box.setLeft(role_ == Role::kLegend ? sampleBox(i).left()
+                                       : box.right() - columns.horizontalAdvance(texts_[i]));
+    all.push_back({texts_[i], box});
+  }
+  return all;
 }
 
 void FigureHeader::draw(QCPPainter* painter) {
-  const QRectF area = QRectF(rect()).adjusted(8, 0, -11, 0);  // ends where the axes end
-  const QFont title_font = textFont(text_points_, role_ == Role::kValues);
-  const double title_width = std::max(area.width() * 0.2, 90.0);
-  painter->setFont(title_font);
-  painter->setPen(role_ == Role::kValues ? theme_->text : theme_->muted);
-  painter->drawText(QRectF(area.left(), area.top(), title_width, area.height()),
-                    Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine, title_);
-  const double column = (area.width() - title_width) / kColumns;
-  for (int i = 0; i < kColumns; ++i) {
-    const QRectF box(area.left() + title_width + i * column, area.top(), column, area.height());
-    if (role_ == Role::kValues) {
-      painter->setFont(numberFont(number_points_));
-      painter->setPen(theme_->text);
-      painter->drawText(box, Qt::AlignRight | Qt::AlignVCenter | Qt::TextSingleLine, value(kOrder[i]));
-      continue;
-    }
-    painter->setFont(textFont(text_points_));
-    const QString name = value(kOrder[i]).isEmpty() ? nameOf(kOrder[i]) : value(kOrder[i]);
-    const double name_width = QFontMetricsF(painter->font()).horizontalAdvance(name) + 2;
-    const double sample = std::clamp(box.width() - name_width - 8, 12.0, 34.0);
-    painter->setPen(theme_->text);
-    painter->drawText(box, Qt::AlignRight | Qt::AlignVCenter | Qt::TextSingleLine, name);
-    drawSample(painter, kOrder[i],
-               QRectF(box.right() - name_width - 6 - sample, box.center().y() - 5, sample, 10));
+  bool title = !title_.isEmpty();
+  for (const Text& text : texts()) {
+    painter->setFont(title ? titleFont(points_) : columnFont());
+    painter->setPen(title && role_ != Role::kValues ? theme_->muted : theme_->text);
+    // A pixel wider than the text, which rounding would else clip.
+    painter->drawText(title ? text.box.adjusted(0, 0, 1, 0) : text.box.adjusted(-1, 0, 0, 0),
+                      (title ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter | Qt::TextSingleLine,
+                      text.text);
+    title = false;
   }
+  if (role_ != Role::kLegend) return;
+  for (std::size_t i = 0; i < texts_.size(); ++i)
+    if (i != HeaderLayout::kSigma || layout_.has_sigma) drawSample(painter, i, sampleBox(i));
 }
 
-void FigureHeader::drawSample(QCPPainter* painter, Quantity quantity, const QRectF& box) const {
-  const QColor ink = theme_->colour(quantity);
+void FigureHeader::drawSample(QCPPainter* painter, std::size_t column, const QRectF& box) const {
+  if (column == HeaderLayout::kSigma) {
+    painter->fillRect(box, theme_->band());
+    return;
+  }
+  const Quantity quantity = kColumnOrder[column];
   if (quantity == Quantity::kCamera) {
     painter->setPen(Qt::NoPen);
-    painter->setBrush(ink);
+    painter->setBrush(theme_->colour(quantity));
     for (const double share : {0.15, 0.5, 0.85})
       painter->drawEllipse(QPointF(box.left() + share * box.width(), box.center().y()), 2.5, 2.5);
     painter->setBrush(Qt::NoBrush);
     return;
   }
-  if (quantity == Quantity::kUkf) {
-    QColor band = ink;
-    band.setAlpha(70);
-    painter->fillRect(box, band);
-  }
-  painter->setPen(theme_->pen(quantity));
+  QPen pen = theme_->pen(quantity);
+  pen.setCapStyle(Qt::FlatCap);
+  if (quantity == Quantity::kKinematic) pen.setDashPattern({2.5, 1.5});
+  painter->setPen(pen);
   painter->drawLine(QPointF(box.left(), box.center().y()), QPointF(box.right(), box.center().y()));
 }
 

@@ -3,45 +3,65 @@
 #include <qcustomplot.h>
 
 #include <array>
+#include <vector>
 
+#include "widgets/figures/header_layout.h"
 #include "widgets/figures/theme.h"
 
 namespace capstan::widgets {
 
 /// A row above a plot: a title at the left, then one column a quantity, which rows of one figure share. The
-/// legend row writes each quantity's name beside its line; a value row writes its number.
+/// legend row writes each quantity's name beside its line; a value row writes its number; a note is a title
+/// alone.
 class FigureHeader : public QCPLayoutElement {
   Q_OBJECT
  public:
-  enum class Role { kLegend, kValues };
-  static constexpr int kColumns = 4;
+  enum class Role { kLegend, kValues, kNote };
+  static constexpr int kLeftMargin = 8, kRightMargin = 16;  ///< the axes end where the numbers end [px]
 
   FigureHeader(QCustomPlot* plot, Role role);
 
-  void setTheme(const Theme& theme);
-  void setPoints(double text_points, double number_points);
+  void setTheme(const Theme& theme) { theme_ = &theme; }
+  void setLayout(const HeaderLayout& layout, const HeaderPoints& points);
   void setTitle(const QString& title) { title_ = title; }
   QString title() const { return title_; }
-  /// Text of a column; numbers are right-aligned, so equal decimals stand below each other.
-  void setValue(Quantity quantity, const QString& text) { values_[index(quantity)] = text; }
-  QString value(Quantity quantity) const { return values_[index(quantity)]; }
+  /// Width of a title in this row's font at `points` [px].
+  double titleWidth(const QString& title, const HeaderPoints& points) const;
+  /// Number of a column of a value row; right-aligned, so equal decimals stand below each other.
+  void setValue(Quantity quantity, const QString& text) { texts_[static_cast<std::size_t>(quantity)] = text; }
+  QString value(Quantity quantity) const { return texts_[static_cast<std::size_t>(quantity)]; }
+  void setSigma(const QString& text) { texts_[HeaderLayout::kSigma] = text; }
+  QString sigma() const { return texts_[HeaderLayout::kSigma]; }
+
+  /// What is written where, in pixels of the figure; a legend's text includes its line.
+  struct Text {
+    QString text;
+    QRectF box;
+  };
+  std::vector<Text> texts() const;
 
  protected:
-  QSize minimumOuterSizeHint() const override { return {200, height()}; }
-  QSize maximumOuterSizeHint() const override { return {QWIDGETSIZE_MAX, height()}; }
+  QSize minimumOuterSizeHint() const override { return {200, lines() * lineHeight()}; }
+  QSize maximumOuterSizeHint() const override { return {QWIDGETSIZE_MAX, lines() * lineHeight()}; }
   void applyDefaultAntialiasingHint(QCPPainter* painter) const override { painter->setAntialiasing(true); }
   void draw(QCPPainter* painter) override;
 
  private:
-  static std::size_t index(Quantity quantity) { return static_cast<std::size_t>(quantity); }
-  int height() const;
-  void drawSample(QCPPainter* painter, Quantity quantity, const QRectF& box) const;
+  int lines() const { return role_ == Role::kNote ? 1 : layout_.lines; }
+  int lineHeight() const;
+  QFont titleFont(const HeaderPoints& points) const;
+  QFont columnFont() const;
+  QRectF titleBox() const;
+  QRectF columnBox(std::size_t column) const;
+  QRectF sampleBox(std::size_t column) const;
+  void drawSample(QCPPainter* painter, std::size_t column, const QRectF& box) const;
 
   Role role_;
   const Theme* theme_;
-  double text_points_ = 11.0, number_points_ = 12.0;
+  HeaderLayout layout_;
+  HeaderPoints points_;
   QString title_;
-  std::array<QString, kColumns> values_;
+  std::array<QString, HeaderLayout::kColumns> texts_;
 };
 
 }  // namespace capstan::widgets

@@ -1,5 +1,6 @@
 #include "widgets/figures/joint_figure.h"
 
+#include <QPushButton>
 #include <algorithm>
 
 namespace capstan::widgets {
@@ -21,6 +22,13 @@ JointFigure::JointFigure(const JointHistory& history, Medium medium, QWidget* pa
   setNoAntialiasingOnDrag(false);
   setPlottingHints(QCP::phFastPolylines | QCP::phCacheLabels);
   setAccessibleName(tr("Joint positions over time"));
+  live_ = new QPushButton(tr("▸▸ live  End"), this);
+  live_->setToolTip(tr("Follow the newest sample again (End)"));
+  live_->setFocusPolicy(Qt::NoFocus);
+  live_->setCursor(Qt::PointingHandCursor);
+  live_->setFont(textFont(9.0));
+  live_->hide();
+  connect(live_, &QPushButton::clicked, this, [this] { setFollowing(true); });
   layOut();
   setJointNames({tr("joint 1"), tr("joint 2"), tr("joint 3")});
   setTheme(Theme::light());
@@ -29,19 +37,21 @@ JointFigure::JointFigure(const JointHistory& history, Medium medium, QWidget* pa
 void JointFigure::layOut() {
   plotLayout()->clear();
   plotLayout()->setRowSpacing(0);
-  legend_ = new FigureHeader(this, FigureHeader::Role::kLegend);
-  legend_->setValue(Quantity::kUkf, tr("UKF ±2σ"));
-  plotLayout()->addElement(0, 0, legend_);
+  const auto addRow = [this](QCPLayoutElement* row) {
+    plotLayout()->addElement(plotLayout()->rowCount(), 0, row);
+  };
+  if (medium_ == Medium::kPaper) addRow(note_ = new FigureHeader(this, FigureHeader::Role::kNote));
+  addRow(legend_ = new FigureHeader(this, FigureHeader::Role::kLegend));
   auto* left = new QCPMarginGroup(this);
-  auto* right = new QCPMarginGroup(this);
   for (int i = 0; i < 3; ++i) {
     auto& plot = plots_[static_cast<std::size_t>(i)];
     plot = std::make_unique<JointPlot>(this, history_, i);
-    plotLayout()->addElement(1 + 2 * i, 0, plot->header());
-    plotLayout()->addElement(2 + 2 * i, 0, plot->axes());
+    addRow(plot->header());
+    addRow(plot->axes());
     plot->axes()->setMarginGroup(QCP::msLeft, left);
-    plot->axes()->setMarginGroup(QCP::msRight, right);
-    plot->axes()->setMinimumMargins(QMargins(6, 3, 10, 4));
+    plot->axes()->setAutoMargins(QCP::msLeft | QCP::msTop | QCP::msBottom);
+    plot->axes()->setMargins(QMargins(0, 0, FigureHeader::kRightMargin, 0));
+    plot->axes()->setMinimumMargins(QMargins(6, 3, 0, 4));
     plot->axes()->axis(QCPAxis::atBottom)->setTickLabels(i == 2);
     auto* line = new QCPItemStraightLine(this);
     for (auto* point : {line->point1, line->point2}) {
@@ -61,9 +71,15 @@ void JointFigure::setTheme(const Theme& theme) {
   theme_ = &theme;
   setBackground(QBrush(theme.surface));
   legend_->setTheme(theme);
+  if (note_) note_->setTheme(theme);
+  live_->setStyleSheet(
+      QStringLiteral("QPushButton { color: %1; background: %2; border: 1px solid %3; "
+                     "border-radius: 9px; padding: 1px 8px; min-height: 0; min-width: 0; }"
+                     "QPushButton:hover { border-color: %4; color: %4; }")
+          .arg(theme.text.name(), theme.raised.name(), theme.border.name(), theme.accent.name()));
   for (auto& plot : plots_) plot->setTheme(theme, medium_ == Medium::kPaper);
   for (auto* line : cursor_lines_) line->setPen(QPen(theme.text, 1, Qt::DotLine));
-  fitFonts();
+  fitHeaders();
   refresh();
 }
 
@@ -71,15 +87,38 @@ void JointFigure::setJointNames(const std::array<QString, 3>& names) {
   for (int i = 0; i < 3; ++i)
     plots_[static_cast<std::size_t>(i)]->setTitle(names[static_cast<std::size_t>(i)],
                                                   tracking::kJointUnits[static_cast<std::size_t>(i)]);
+  fitHeaders();
 }
 
-void JointFigure::fitFonts() {
+void JointFigure::fitHeaders() {
   const double w = width();
-  const double numbers = std::clamp(w / 66.0, 10.0, 16.0);
-  const double text = std::clamp(w / 72.0, 10.0, 14.0);
   const double ticks = std::clamp(w / 78.0, 9.5, 12.5);
-  legend_->setPoints(std::clamp(w / 80.0, 9.5, 12.5), numbers);
-  for (auto& plot : plots_) plot->setPoints(text, numbers, ticks);
+  const HeaderPoints points{.title = std::clamp(w / 72.0, 9.5, 14.0),
+                            .legend = std::clamp(w / 80.0, 9.0, 12.5),
+                            .number = std::clamp(w / 66.0, 9.5, 16.0)};
+  double title = legend_->titleWidth(QStringLiteral("t 00000.000 s"), points);
+  for (auto& plot : plots_)
+    title = std::max(title, plot->header()->titleWidth(plot->header()->title(), points));
+  const HeaderLayout layout =
+      layOutHeader(FigureHeader::kLeftMargin, w - FigureHeader::kRightMargin, std::ceil(title) + 1.0, points);
+  if (note_) note_->setLayout(layout, points);
+  legend_->setLayout(layout, points);
+  for (auto& plot : plots_) {
+    plot->header()->setLayout(layout, points);
+    plot->setTickPoints(ticks);
+  }
+}
+
+QString JointFigure::noteText(const QCPRange& time) const {
+  const auto within = [&](const auto& ring) {
+    return ring.partitionPoint([&](const auto& item) { return item.t <= time.upper; }) -
+           ring.partitionPoint([&](const auto& item) { return item.t < time.lower; });
+  };
+  return tr("%1 to %2 s · %3 samples · %4 camera observations · numbers: at t")
+      .arg(time.lower, 0, 'f', 2)
+      .arg(time.upper, 0, 'f', 2)
+      .arg(within(history_.rows()))
+      .arg(within(history_.camera()));
 }
 
 QCPRange JointFigure::limits() const {
@@ -95,6 +134,7 @@ void JointFigure::refresh(bool at_once) {
   const std::size_t most = static_cast<std::size_t>(std::max(kStepsAPixel * width(), 200.0));
   const double readout = cursor_.value_or(following_ ? history_.end() : std::min(end_, history_.end()));
   legend_->setTitle(history_.empty() ? QString() : QStringLiteral("t %1 s").arg(readout, 0, 'f', 3));
+  if (note_) note_->setTitle(noteText(time));
   for (std::size_t i = 0; i < plots_.size(); ++i) {
     plots_[i]->axes()->axis(QCPAxis::atBottom)->setRange(time);
     plots_[i]->fill(time.lower, time.upper, most);
@@ -107,11 +147,19 @@ void JointFigure::refresh(bool at_once) {
   replot(at_once ? rpImmediateRefresh : rpQueuedReplot);
 }
 
+void JointFigure::placeLiveButton() {
+  const QRect area = plots_[0]->axes()->rect();
+  live_->adjustSize();
+  live_->move(area.right() - live_->width() - 6, area.top() + 6);
+}
+
 void JointFigure::setFollowing(bool on) {
   if (on)
     for (auto& plot : plots_) plot->setFitting(true);
   if (on == following_) return;
   following_ = on;
+  live_->setVisible(!on && medium_ == Medium::kScreen);
+  placeLiveButton();
   emit followingChanged(on);
   refresh();
 }
@@ -223,9 +271,10 @@ void JointFigure::keyPressEvent(QKeyEvent* event) {
 }
 
 void JointFigure::resizeEvent(QResizeEvent* event) {
-  fitFonts();
+  fitHeaders();
   QCustomPlot::resizeEvent(event);
   refresh();
+  placeLiveButton();
 }
 
 }  // namespace capstan::widgets

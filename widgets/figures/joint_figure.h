@@ -9,11 +9,14 @@
 
 #include "widgets/figures/joint_plot.h"
 
+class QPushButton;
+
 namespace capstan::widgets {
 
 /// The three joint plots over one time axis, with one legend and the values under the cursor (or the newest
-/// ones). Wheel: zoom time; wheel on a value axis: zoom that axis; drag: move in time; double click or End:
-/// back to live. The same drawing goes to screen, PNG, PDF and SVG (save_figure.h).
+/// ones). Wheel: zoom time; wheel on a value axis: zoom that axis; drag: move in time; double click, End or
+/// the button at the top right: back to live. The same drawing goes to screen, PNG, PDF and SVG
+/// (save_figure.h).
 class JointFigure : public QCustomPlot {
   Q_OBJECT
  public:
@@ -44,6 +47,7 @@ class JointFigure : public QCustomPlot {
   void setCursor(std::optional<double> t);
   std::optional<double> cursorTime() const { return cursor_; }
 
+  FigureHeader& legend() { return *legend_; }
   JointPlot& plot(int joint) { return *plots_[static_cast<std::size_t>(joint)]; }
   const JointHistory& history() const { return history_; }
 
@@ -63,7 +67,9 @@ class JointFigure : public QCustomPlot {
 
  private:
   void layOut();
-  void fitFonts();
+  void fitHeaders();
+  QString noteText(const QCPRange& time) const;
+  void placeLiveButton();
   QCPRange limits() const;
   void zoomTime(double factor, double about);
   JointPlot* valueAxisAt(const QPointF& position) const;
@@ -71,7 +77,9 @@ class JointFigure : public QCustomPlot {
   const JointHistory& history_;
   Medium medium_;
   const Theme* theme_;
+  FigureHeader* note_ = nullptr;  ///< on paper: what the figure holds
   FigureHeader* legend_;
+  QPushButton* live_;  ///< back to the newest sample; seen while looking back
   std::array<std::unique_ptr<JointPlot>, 3> plots_;
   std::vector<QCPItemStraightLine*> cursor_lines_;
   bool following_ = true;

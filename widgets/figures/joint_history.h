@@ -64,6 +64,7 @@ class JointHistory {
   /// The camera observation nearest to t if within `reach` [s].
   std::optional<CameraPoint> cameraAt(double t, double reach) const;
 
+  const Ring<Row>& rows() const { return rows_; }
   const Ring<CameraPoint>& camera() const { return camera_; }
   /// Times when the filter did without the camera; the last may still be going on.
   const Ring<Span>& occluded() const { return occluded_; }

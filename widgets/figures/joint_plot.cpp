@@ -2,13 +2,15 @@
 
 #include <cmath>
 
+#include "widgets/figures/number_text.h"
 #include "widgets/figures/round_ticker.h"
 
 namespace capstan::widgets {
 
 namespace {
 
-constexpr double kDash = 6.0, kDashPeriod = 10.0;  ///< of the kinematic line, along time [px]
+constexpr double kDash = 8.0, kDashPeriod = 15.0;  ///< of the kinematic line, along time [px]
+constexpr double kCasing = 0.8;                    ///< at each side of a dash [px]
 constexpr double kDotSize = 5.0;                   ///< [px]
 constexpr std::size_t kMostDots = 700;             ///< camera dots drawn at once; above it every n-th
 
@@ -21,10 +23,6 @@ QPixmap dotPicture(const QColor& colour) {
   painter.setBrush(colour);
   painter.drawEllipse(QRectF(0.5, 0.5, kDotSize, kDotSize));
   return picture;
-}
-
-QString number(double value, int decimals) {
-  return std::isnan(value) ? QStringLiteral("—") : QString::number(value, 'f', decimals);
 }
 
 }  // namespace
@@ -55,14 +53,18 @@ JointPlot::JointPlot(QCustomPlot* plot, const JointHistory& history, int joint)
     return graph;
   };
   band_ = new SigmaBand(axes_);
-  for (const Quantity quantity : {Quantity::kCamera, Quantity::kKinematic, Quantity::kUkf, Quantity::kTrue})
-    graphs_[static_cast<std::size_t>(quantity)] = add();
+  // Thick below thin: where curves coincide, dashes and the thin line of the truth stay visible upon the
+  // filter's.
+  graphs_[static_cast<std::size_t>(Quantity::kCamera)] = add();
+  graphs_[static_cast<std::size_t>(Quantity::kUkf)] = add();
+  casing_ = add();
+  graphs_[static_cast<std::size_t>(Quantity::kKinematic)] = add();
+  graphs_[static_cast<std::size_t>(Quantity::kTrue)] = add();
   graph(Quantity::kCamera)->setLineStyle(QCPGraph::lsNone);
 }
 
 void JointPlot::setTitle(const QString& title, const QString& unit) {
-  header_->setTitle(title);
-  axes_->axis(QCPAxis::atLeft)->setLabel(QStringLiteral("q%1 [%2]").arg(joint_ + 1).arg(unit));
+  header_->setTitle(QStringLiteral("%1 q%2 [%3]").arg(title).arg(joint_ + 1).arg(unit));
 }
 
 void JointPlot::setTheme(const Theme& theme, bool vectors) {
@@ -79,23 +81,25 @@ void JointPlot::setTheme(const Theme& theme, bool vectors) {
   for (const Quantity quantity : {Quantity::kTrue, Quantity::kKinematic, Quantity::kUkf}) {
     QPen pen = theme.pen(quantity);
     pen.setStyle(Qt::SolidLine);  // the kinematic line's dashes are cut into its points
+    pen.setCapStyle(Qt::FlatCap);
     graph(quantity)->setPen(pen);
   }
+  QPen casing = graph(Quantity::kKinematic)->pen();
+  casing.setColor(theme.surface);
+  casing.setWidthF(casing.widthF() + 2.0 * kCasing);
+  casing_->setPen(casing);
   const QColor dots = theme.colour(Quantity::kCamera);
   graph(Quantity::kCamera)->setPen(QPen(dots, 0));
   graph(Quantity::kCamera)
       ->setScatterStyle(vectors ? QCPScatterStyle(QCPScatterStyle::ssDisc, dots, dots, kDotSize)
                                 : QCPScatterStyle(dotPicture(dots)));
-  QColor band = theme.colour(Quantity::kUkf);
-  band.setAlpha(70);
-  band_->setColour(band);
+  band_->setColour(theme.band());
 }
 
-void JointPlot::setPoints(double text_points, double number_points, double tick_points) {
-  header_->setPoints(text_points, number_points);
+void JointPlot::setTickPoints(double points) {
   for (QCPAxis* axis : {axes_->axis(QCPAxis::atBottom), axes_->axis(QCPAxis::atLeft)}) {
-    axis->setTickLabelFont(textFont(tick_points));
-    axis->setLabelFont(textFont(tick_points));
+    axis->setTickLabelFont(textFont(points));
+    axis->setLabelFont(textFont(points));
   }
 }
 
@@ -136,6 +140,7 @@ void JointPlot::fill(double begin, double end, std::size_t most) {
   cutDashes(kinematic_.points(), kDashPeriod * pixel, kDash * pixel, dashed_);
   graph(Quantity::kTrue)->data()->set(truth_.points(), true);
   graph(Quantity::kKinematic)->data()->set(dashed_, true);
+  casing_->setData(graph(Quantity::kKinematic)->data());
   graph(Quantity::kUkf)->data()->set(ukf_.points(), true);
   fillCamera(begin, end);
 }
@@ -149,8 +154,11 @@ void JointPlot::fillCamera(double begin, double end) {
   const std::uint64_t oldest =
       camera.pushed() - camera.size();  // a dot keeps its place while the plot scrolls
   for (std::size_t i = first; i < last; ++i)
-    if ((oldest + i) % stride == 0)
-      camera_.append({camera[i].t, static_cast<double>(camera[i].value[static_cast<std::size_t>(joint_)])});
+    if ((oldest + i) % stride == 0) {
+      const auto value = static_cast<double>(camera[i].value[static_cast<std::size_t>(joint_)]);
+      camera_.append({camera[i].t, value});
+      include(value);
+    }
   graph(Quantity::kCamera)->data()->set(camera_, true);
 }
 
@@ -160,12 +168,11 @@ void JointPlot::showValuesAt(double t, double camera_reach) {
   const auto joint = static_cast<std::size_t>(joint_);
   const double none = std::numeric_limits<double>::quiet_NaN();
   const JointValues values = row ? row->joint[joint] : JointValues{NAN, NAN, NAN, NAN};
-  header_->setValue(Quantity::kTrue, number(static_cast<double>(values.truth), 2));
-  header_->setValue(Quantity::kKinematic, number(static_cast<double>(values.kinematic), 2));
-  header_->setValue(Quantity::kCamera, number(camera ? static_cast<double>(camera->value[joint]) : none, 2));
-  header_->setValue(Quantity::kUkf,
-                    QStringLiteral("%1 ±%2").arg(number(static_cast<double>(values.ukf), 2),
-                                                 number(2.0 * static_cast<double>(values.ukf_sigma), 2)));
+  header_->setValue(Quantity::kTrue, valueText(static_cast<double>(values.truth)));
+  header_->setValue(Quantity::kKinematic, valueText(static_cast<double>(values.kinematic)));
+  header_->setValue(Quantity::kCamera, valueText(camera ? static_cast<double>(camera->value[joint]) : none));
+  header_->setValue(Quantity::kUkf, valueText(static_cast<double>(values.ukf)));
+  header_->setSigma(sigmaText(2.0 * static_cast<double>(values.ukf_sigma)));
 }
 
 void JointPlot::fitValues() {

@@ -20,11 +20,11 @@ class JointPlot {
   /// `joint` 0…2.
   JointPlot(QCustomPlot* plot, const JointHistory& history, int joint);
 
-  /// As people read them: "shoulder", "deg".
+  /// As people read them: "shoulder", "deg"; written once, as `shoulder q1 [deg]`.
   void setTitle(const QString& title, const QString& unit);
   /// `vectors`: dots are drawn as circles, for files; else stamped from a small picture, for speed.
   void setTheme(const Theme& theme, bool vectors);
-  void setPoints(double text_points, double number_points, double tick_points);
+  void setTickPoints(double points);
 
   /// Takes curves of [begin, end] at no more than `most` steps.
   void fill(double begin, double end, std::size_t most);
@@ -51,6 +51,7 @@ class JointPlot {
   FigureHeader* header_;
   OcclusionShade* shade_;
   std::array<QCPGraph*, 4> graphs_{};
+  QCPGraph* casing_;  ///< the plot's ground about each dash: tells dash from line where both print grey
   SigmaBand* band_;
   CurveBuilder truth_, kinematic_, ukf_;
   QVector<QCPGraphData> dashed_, camera_;

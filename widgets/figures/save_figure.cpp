@@ -2,7 +2,12 @@
 
 #include <QSvgGenerator>
 
+#include <fmt/format.h>
+
+#include <cmath>
+
 #include "core/base/error.h"
+#include "core/base/yaml.h"
 
 namespace capstan::widgets {
 
@@ -24,6 +29,30 @@ bool saveSvg(QCustomPlot& plot, const QString& file, QSize size) {
   painter.setMode(QCPPainter::pmNoCaching);
   plot.toPainter(&painter, size.width(), size.height());
   return painter.end();
+}
+
+/// A number as CSV has it, nine digits (those of a float); empty where there is none.
+std::string cell(float value) { return std::isnan(value) ? std::string(",") : fmt::format(",{:.9g}", value); }
+
+std::string tableHeader() {
+  std::string line = "t [s]";
+  for (int joint = 0; joint < JointHistory::kJoints; ++joint)
+    for (const char* what : {"true", "kinematic", "camera", "ukf", "ukf_sigma"})
+      line += fmt::format(",q{}_{} [{}]", joint + 1, what,
+                          tracking::kJointUnits[static_cast<std::size_t>(joint)]);
+  return line + "\n";
+}
+
+/// The text of one row; `values` or `camera` may be missing.
+std::string tableRow(double t, const JointHistory::Row* row, const JointHistory::CameraPoint* camera) {
+  std::string line = fmt::format("{:.6f}", t);
+  for (std::size_t joint = 0; joint < JointHistory::kJoints; ++joint) {
+    const JointValues values = row ? row->joint[joint] : JointValues{NAN, NAN, NAN, NAN};
+    const float seen = camera ? camera->value[joint] : NAN;
+    for (const float value : {values.truth, values.kinematic, seen, values.ukf, values.ukf_sigma})
+      line += cell(value);
+  }
+  return line + "\n";
 }
 
 }  // namespace
@@ -62,6 +91,32 @@ void saveJointFigure(const JointHistory& history, const std::array<QString, 3>& 
   figure.refresh(true);  // lays out
   figure.refresh(true);
   saveFigure(figure, path, size);
+}
+
+void saveJointTable(const JointHistory& history, double begin, double end,
+                    const std::filesystem::path& path) {
+  std::string text = tableHeader();
+  const auto& camera = history.camera();
+  const auto& rows = history.rows();
+  std::size_t next = camera.partitionPoint([&](const auto& point) { return point.t < begin; });
+  std::size_t i = rows.partitionPoint([&](const auto& row) { return row.t < begin; });
+  for (; i < rows.size() && rows[i].t <= end; ++i) {
+    for (; next < camera.size() && camera[next].t < rows[i].t; ++next)
+      text += tableRow(camera[next].t, nullptr, &camera[next]);
+    const bool both = next < camera.size() && camera[next].t == rows[i].t;
+    text += tableRow(rows[i].t, &rows[i], both ? &camera[next] : nullptr);
+    if (both) ++next;
+  }
+  for (; next < camera.size() && camera[next].t <= end; ++next)
+    text += tableRow(camera[next].t, nullptr, &camera[next]);
+  base::writeTextFile(path, text);
+}
+
+void exportJointFigure(const JointHistory& history, const std::array<QString, 3>& joint_names, double begin,
+                       double end, const std::filesystem::path& base, QSize size) {
+  for (const char* ending : {".pdf", ".svg", ".png"})
+    saveJointFigure(history, joint_names, begin, end, base.string() + ending, size);
+  saveJointTable(history, begin, end, base.string() + ".csv");
 }
 
 }  // namespace capstan::widgets

@@ -16,4 +16,13 @@ void saveFigure(JointFigure& figure, const std::filesystem::path& path, QSize si
 void saveJointFigure(const JointHistory& history, const std::array<QString, 3>& joint_names, double begin,
                      double end, const std::filesystem::path& path, QSize size = {1200, 900});
 
+/// The numbers behind them as CSV, a row a time: t [s], then of each joint true, kinematic, camera (at its
+/// own times), UKF and its sigma, in deg, deg, mm; empty where there is none. Throws
+/// base::InputError for an unwritable place.
+void saveJointTable(const JointHistory& history, double begin, double end, const std::filesystem::path& path);
+
+/// All of it: base.pdf, base.svg, base.png and base.csv. Throws base::InputError.
+void exportJointFigure(const JointHistory& history, const std::array<QString, 3>& joint_names, double begin,
+                       double end, const std::filesystem::path& base, QSize size = {1200, 900});
+
 }  // namespace capstan::widgets

@@ -111,13 +111,19 @@ QPen Theme::pen(Quantity quantity) const {
     case Quantity::kTrue:
       return QPen(ink, 1.0);
     case Quantity::kKinematic:
-      return QPen(ink, 1.5, Qt::DashLine);
+      return QPen(ink, 2.2, Qt::DashLine);
     case Quantity::kCamera:
       return QPen(ink, 0.0, Qt::NoPen);
     case Quantity::kUkf:
-      return QPen(ink, 2.5, Qt::SolidLine, Qt::SquareCap, Qt::BevelJoin);
+      return QPen(ink, 3.6, Qt::SolidLine, Qt::FlatCap, Qt::BevelJoin);
   }
   return {};
+}
+
+QColor Theme::band() const {
+  QColor fill = colour(Quantity::kUkf);
+  fill.setAlpha(70);
+  return fill;
 }
 
 QFont textFont(double points, bool bold) {

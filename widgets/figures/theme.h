@@ -41,8 +41,11 @@ struct Theme {
   bool isDark() const { return name == QLatin1String("dark"); }
   QColor colour(Quantity quantity) const;
   /// The quantity's line as every plot draws it: true thin and solid, kinematic dashed, UKF thick and solid.
+  /// Drawn thick below thin (UKF, kinematic, true), each stays visible where they coincide.
   /// The camera has marks, not a line: Qt::NoPen with its colour.
   QPen pen(Quantity quantity) const;
+  /// Fill of the filter's ±2σ.
+  QColor band() const;
 };
 
 /// Text and number fonts; `points` in typographic points.

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <QString>
+#include <cmath>
+
+namespace capstan::widgets {
+
+/// Widest texts that valueText and sigmaText give.
+inline const QString kWidestValue = QStringLiteral("-000.00"), kWidestSigma = QStringLiteral("±00.00");
+inline const QString kSigmaName = QStringLiteral("±2σ");
+
+/// `value` with two decimals while its whole part fits three digits; whole, then in powers of ten beyond; a
+/// dash where it is not known. At most seven characters.
+inline QString valueText(double value) {
+  if (!std::isfinite(value)) return QStringLiteral("—");
+  const double size = std::abs(value);
+  if (size < 999.995) return QString::number(value, 'f', 2);
+  return size < 99999.5 ? QString::number(value, 'f', 0) : QString::number(value, 'e', 0);
+}
+
+/// ± two standard deviations, in the same way. At most six characters below 1e100.
+inline QString sigmaText(double two_sigma) {
+  if (!std::isfinite(two_sigma)) return QStringLiteral("—");
+  if (two_sigma < 99.995) return QStringLiteral("±%1").arg(two_sigma, 0, 'f', 2);
+  return two_sigma < 9999.5 ? QStringLiteral("±%1").arg(two_sigma, 0, 'f', 0)
+                            : QStringLiteral("±%1").arg(two_sigma, 0, 'e', 0);
+}
+
+}  // namespace capstan::widgets
