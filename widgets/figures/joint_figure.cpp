@@ -128,6 +128,10 @@ QCPRange JointFigure::limits() const {
 QCPRange JointFigure::timeRange() const { return plots_[0]->axes()->axis(QCPAxis::atBottom)->range(); }
 
 void JointFigure::refresh(bool at_once) {
+  if (viewport() != rect()) {  // no resize event comes to a figure that is not on screen
+    setViewport(rect());
+    fitHeaders();
+  }
   if (following_)
     end_ = std::max(history_.end(), history_.begin() + span_ * (1.0 - kLiveMargin)) + kLiveMargin * span_;
   const QCPRange time(end_ - span_, end_);

@@ -54,8 +54,8 @@ class JointHistory {
   double end() const { return rows_.empty() ? 0.0 : rows_.back().t; }
 
   /// Calls `draw(t, step, low, high)`, a bucket of `step` seconds from t on, in order of time over [begin,
-  /// end] and one step beyond each end, with the finest level that takes at most `most` calls. low == high
-  /// where single rows are drawn.
+  /// end] and one step beyond each end, with the finest level that takes at most `most` calls, else the
+  /// coarsest. low == high where single rows are drawn.
   template <class Draw>
   void forEach(double begin, double end, std::size_t most, Draw&& draw) const;
 
