@@ -27,6 +27,16 @@ TEST(CurveBuilder, TakesOnePointOfARowAndTwoOfABucketAlongTheSlope) {
   EXPECT_TRUE(curve.points().isEmpty());
 }
 
+TEST(CurveBuilder, TurnsTheFirstBucketWhenTheCurveFalls) {
+  CurveBuilder curve;
+  curve.begin();
+  curve.add(0.0, 1.0, 8.0F, 9.0F);
+  curve.add(1.0, 1.0, 6.0F, 7.0F);
+  const auto& points = curve.points();
+  ASSERT_EQ(points.size(), 4);
+  for (int i = 1; i < 4; ++i) EXPECT_LT(points[i].value, points[i - 1].value);
+}
+
 TEST(CurveBuilder, KeepsAGapAsOne) {
   CurveBuilder curve;
   curve.begin();
@@ -63,8 +73,7 @@ TEST(CutDashes, BridgesNoGap) {
   QVector<QCPGraphData> line{{0.0, 1.0}, {1.0, nan}, {2.0, nan}, {3.0, 1.0}, {4.0, 1.0}}, dashed;
   cutDashes(line, 0.5, 0.25, dashed);
   EXPECT_NEAR(drawnLength(dashed), 0.5, 1e-9);
-  for (const auto& point : dashed)
-    EXPECT_TRUE(std::isnan(point.value) || point.key >= 3.0) << point.key;
+  for (const auto& point : dashed) EXPECT_TRUE(std::isnan(point.value) || point.key >= 3.0) << point.key;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace capstan::widgets {
 
@@ -20,6 +21,9 @@ class CurveBuilder {
     if (low == high || std::isnan(a)) {
       points_.append({t, a});
     } else {
+      // The first bucket's direction shows with the second.
+      if (points_.size() == 2 && points_[0].value < points_[1].value && a + b < 2.0 * last_)
+        std::swap(points_[0].value, points_[1].value);
       const bool rising = std::isnan(last_) || a + b >= 2.0 * last_;
       points_.append({t, rising ? a : b});
       points_.append({t + 0.95 * step, rising ? b : a});

@@ -13,7 +13,7 @@ struct HeaderPoints {
 /// Columns from left to right: true, kinematic, camera, UKF, ±2σ.
 struct HeaderLayout {
   static constexpr int kColumns = 5, kSigma = 4;
-  static constexpr double kGap = 12.0;          ///< left of each column [px]
+  static constexpr double kGap = 10.0;          ///< left of each column [px]
   static constexpr double kLeastSample = 16.0;  ///< of a legend's line [px]
   static constexpr double kSampleGap = 5.0;     ///< between it and its name [px]
 

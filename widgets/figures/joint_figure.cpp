@@ -51,7 +51,7 @@ void JointFigure::layOut() {
     plot->axes()->setMarginGroup(QCP::msLeft, left);
     plot->axes()->setAutoMargins(QCP::msLeft | QCP::msTop | QCP::msBottom);
     plot->axes()->setMargins(QMargins(0, 0, FigureHeader::kRightMargin, 0));
-    plot->axes()->setMinimumMargins(QMargins(6, 3, 0, 4));
+    plot->axes()->setMinimumMargins(QMargins(6, 7, 0, 4));
     plot->axes()->axis(QCPAxis::atBottom)->setTickLabels(i == 2);
     auto* line = new QCPItemStraightLine(this);
     for (auto* point : {line->point1, line->point2}) {
