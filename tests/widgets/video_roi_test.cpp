@@ -63,6 +63,38 @@ TEST(RoiView, DrawsTheCircleAroundTheMagnifiedMarker) {
   EXPECT_EQ(view.caption(), QString::fromUtf8("circle 11.3 px · 0.08 px σ · ok"));
 }
 
+TEST(RoiView, NarrowCaptionLeavesOutWholePartsAndCutsNoNumber) {
+  RoiView view("LEFT");
+  Sight sight = sightOf({311.35, 207.8}, 11.3, {270, 160, 100, 100});
+  sight.detection.full_frame = true;
+  view.showFrame(sight.frame, sight.detection);
+  const QFontMetrics metrics(numberFont(10.0));
+  for (const char* text :
+       {"circle 11.3 px · 0.08 px σ · ok · found by full search", "circle 11.3 px · 0.08 px σ · ok",
+        "circle 11.3 px · 0.08 px σ", "circle 11.3 px"}) {
+    const QString wanted = QString::fromUtf8(text);
+    EXPECT_EQ(view.captionWithin(metrics, metrics.horizontalAdvance(wanted) + 1), wanted);
+  }
+  EXPECT_EQ(view.captionWithin(metrics, metrics.horizontalAdvance("circle 11.3 px - 0.08")),
+            "circle 11.3 px");
+}
+
+TEST(RoiView, KeepsItsPicturesLargeAtTheWindowsSizes) {
+  StereoView stereo;
+  tracking::Snapshot snapshot{};
+  const Sight left = sightOf({311, 207}, 11.0, {270, 160, 100, 100});
+  snapshot.marker = {left.detection, lostBecause(vision::MarkerFault::kNoPixels, {220, 160, 100, 100})};
+  stereo.showFrames(left.frame, left.frame, snapshot);
+  for (const QSize size : {QSize(430, 460), QSize(430, 640)}) {
+    stereo.resize(size);
+    test::grab(stereo, QString("video_window_%1").arg(size.height()));
+    const PictureMap map = stereo.left().mainMap();
+    EXPECT_GE(map.scale(), 1.5) << size.height();
+    EXPECT_FALSE(map.target.intersects(stereo.left().insetMap().target)) << size.height();
+    EXPECT_EQ(map.source, cv::Rect(270, 160, 100, 100));
+  }
+}
+
 TEST(RoiView, ShowsImagePixelsAsCrispSquares) {
   RoiView view("LEFT");
   view.resize(460, 360);

@@ -95,6 +95,13 @@ QString RoiView::caption() const {
       .arg(detection_.full_frame ? " · found by full search" : "");
 }
 
+QString RoiView::captionWithin(const QFontMetrics& metrics, int width) const {
+  QStringList parts = caption().split(QString::fromUtf8(" · "));
+  while (parts.size() > 1 && metrics.horizontalAdvance(parts.join(QString::fromUtf8(" · "))) > width)
+    parts.removeLast();
+  return metrics.elidedText(parts.join(QString::fromUtf8(" · ")), Qt::ElideRight, width);
+}
+
 RoiLayout RoiView::layOut() const {
   const int height = QFontMetrics(textFont(kTextPoints)).height() + 4;
   const cv::Size whole = frame_.empty() ? cv::Size(640, 480) : frame_.size();
@@ -134,7 +141,9 @@ void RoiView::drawHeader(QPainter& painter, const QRect& area) const {
   const QString shape = whole_large_ ? QString("frame %1×%2").arg(frame_.cols).arg(frame_.rows)
                                      : "ROI " + QString::number(region_.width) + "² px";
   const QString what = shape + " ×" + QString::number(scale, 'f', 1);
-  painter.drawText(area.adjusted(taken, 0, 0, 0), Qt::AlignRight | Qt::AlignVCenter, what);
+  const QRect rest = area.adjusted(taken, 0, 0, 0);
+  if (painter.fontMetrics().horizontalAdvance(what) <= rest.width())
+    painter.drawText(rest, Qt::AlignRight | Qt::AlignVCenter, what);
 }
 
 void RoiView::drawPicture(QPainter& painter, const PictureMap& map, bool main) const {
@@ -202,7 +211,7 @@ void RoiView::drawCaption(QPainter& painter, const QRect& area) const {
   painter.setPen(theme_.text);
   const QRect rest(left, area.top(), area.right() - left, area.height());
   painter.drawText(rest, Qt::AlignLeft | Qt::AlignVCenter,
-                   painter.fontMetrics().elidedText(caption(), Qt::ElideRight, rest.width()));
+                   captionWithin(painter.fontMetrics(), rest.width()));
 }
 
 void RoiView::mouseDoubleClickEvent(QMouseEvent*) { setWholeFrameLarge(!whole_large_); }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QFontMetrics>
 #include <QImage>
 #include <QString>
 #include <QWidget>
@@ -44,6 +45,9 @@ class RoiView : public QWidget {
 
   /// The line under the picture, as `circle 11.3 px · 0.08 px σ · ok` or the reason why the marker is lost.
   QString caption() const;
+  /// The caption in `width` pixels of `metrics`: whole parts go from its end, so that no number is cut; only
+  /// a single part is elided.
+  QString captionWithin(const QFontMetrics& metrics, int width) const;
   bool lost() const { return !detection_.found(); }
   /// The magnified picture and the inset as they lie now, for tests and for overlays of others.
   PictureMap mainMap() const;
