@@ -4,13 +4,17 @@
 
 namespace capstan::tracking {
 
-#define CAPSTAN_DECLARE_KERNEL(isa)                                                                          \
-  namespace detail {                                                                                         \
-  void propagateCableArm##isa(const CableArmConstants&, const CableArmDrive&, double, int, double*);         \
-  void cableArmElementary##isa(const double*, double*, double*, double*, double*);                           \
-  }                                                                                                          \
-  namespace {                                                                                                \
-  constexpr CableArmKernel kKernel##isa = {detail::propagateCableArm##isa, detail::cableArmElementary##isa}; \
+#define CAPSTAN_DECLARE_KERNEL(isa)                                                                  \
+  namespace detail {                                                                                 \
+  void propagateCableArm##isa(const CableArmConstants&, const CableArmDrive&, double, int, double*); \
+  void propagateCableArmVaried##isa(const CableArmConstants&, const CableArmVariation&,              \
+                                    const CableArmDrive&, double, int, double*);                     \
+  void cableArmElementary##isa(const double*, double*, double*, double*, double*);                   \
+  }                                                                                                  \
+  namespace {                                                                                        \
+  constexpr CableArmKernel kKernel##isa = {detail::propagateCableArm##isa,                           \
+                                           detail::propagateCableArmVaried##isa,                     \
+                                           detail::cableArmElementary##isa};                         \
   }
 
 CAPSTAN_DECLARE_KERNEL(Baseline)
