@@ -3,6 +3,7 @@
 #include <qcustomplot.h>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -51,7 +52,9 @@ inline void cutDashes(const QVector<QCPGraphData>& line, double period, double o
       continue;
     }
     const auto at = [&](double t) { return from.value + (to.value - from.value) * (t - from.key) / length; };
-    for (double dash = std::floor(from.key / period) * period; dash < to.key; dash += period) {
+    const auto first = static_cast<std::int64_t>(std::floor(from.key / period));
+    for (std::int64_t k = first; static_cast<double>(k) * period < to.key; ++k) {
+      const double dash = static_cast<double>(k) * period;
       const double begin = std::max(dash, from.key), end = std::min(dash + on, to.key);
       if (begin > end) continue;
       dashed.append({begin, at(begin)});
