@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <cstdio>
 #include <exception>
 
@@ -12,9 +10,7 @@ constexpr const char* kAbout =
     "Capstan: joint angles of cable-driven surgical robots from motors and cameras.\n"
     "Exit codes: 0 done, 1 the answer is no or the run failed, 2 bad argument or file.";
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   using namespace capstan;
   cli::ExitCode exit = cli::kOk;
   CLI::App app(kAbout, "capstan-cli");
@@ -32,11 +28,19 @@ int main(int argc, char** argv) {
     return exit;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? cli::kOk : cli::kUsage;
-  } catch (const base::InputError& error) {
-    fmt::print(stderr, "capstan-cli: {}\n", error.what());
-    return cli::kUsage;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const capstan::base::InputError& error) {
+    std::fprintf(stderr, "capstan-cli: %s\n", error.what());
+    return capstan::cli::kUsage;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "capstan-cli: {}\n", error.what());
-    return cli::kFailed;
+    std::fprintf(stderr, "capstan-cli: %s\n", error.what());
+    return capstan::cli::kFailed;
   }
 }

@@ -19,12 +19,13 @@ struct Arguments {
 void planPicture(capstan::widgets::MainWindow& window, const Arguments& arguments) {
   const int after = static_cast<int>(arguments.after * 1e3);
   if (arguments.state == "occluded")
-    QTimer::singleShot(after * 3 / 4, &window, [&window] {
+    QTimer::singleShot(after * 3 / 4, Qt::PreciseTimer, &window, [&window] {
       if (window.link().runner()) window.link().runner()->block(true, false);
     });
   if (arguments.state == "paused")
-    QTimer::singleShot(after - 800, &window, [&window] { window.link().setRunning(false); });
-  QTimer::singleShot(after, &window, [&window, &arguments] {
+    QTimer::singleShot(after - 800, Qt::PreciseTimer, &window,
+                       [&window] { window.link().setRunning(false); });
+  QTimer::singleShot(after, Qt::PreciseTimer, &window, [&window, &arguments] {
     const bool saved = window.grab().save(QString::fromStdString(arguments.picture));
     if (!saved) std::cerr << "capstan: " << arguments.picture << " cannot be written\n";
     QApplication::exit(saved ? 0 : 2);

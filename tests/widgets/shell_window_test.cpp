@@ -7,6 +7,7 @@
 #include <QDoubleSpinBox>
 #include <QLineEdit>
 #include <QProcess>
+#include <QPushButton>
 #include <QTemporaryDir>
 #include <QtTest/QTest>
 #include <latch>
@@ -14,6 +15,8 @@
 
 #include "core/base/resource.h"
 #include "core/session/session_file.h"
+#include "core/simulation/camera_mounting.h"
+#include "tests/widgets/picture.h"
 #include "widgets/panels/errors/errors_panel.h"
 #include "widgets/panels/notes/notes_panel.h"
 #include "widgets/panels/occlusion/occlusion_panel.h"
@@ -21,6 +24,7 @@
 #include "widgets/shell/help_window.h"
 #include "widgets/shell/main_window.h"
 #include "widgets/shell/session_bar.h"
+#include "widgets/shell/simulation_dialog.h"
 #include "widgets/shell/source_menu.h"
 
 namespace capstan::widgets {
@@ -248,6 +252,7 @@ TEST_F(Shell, ExportsThePlotsAndTheirNumbers) {
 
 TEST_F(Shell, RegistersAnUnregisteredSimulation) {
   auto window = makeWindow();
+  window->bar().setSpeed(10.0);
   SourceChoice choice = atRest();
   choice.simulation.registered = false;
   window->open(choice);
@@ -257,6 +262,32 @@ TEST_F(Shell, RegistersAnUnregisteredSimulation) {
   ASSERT_TRUE(panel->active());
   ASSERT_TRUE(panel->guide());
   EXPECT_EQ(panel->guide()->fault(), session::RegistrationFault::kNone) << panel->guide()->reason();
+  const auto press = [&](const QString& text) {
+    for (auto* button : panel->findChildren<QPushButton*>())
+      if (button->text() == text && button->isVisible()) {
+        EXPECT_TRUE(waitFor([&] { return button->isEnabled(); })) << text.toStdString();
+        return button->click();
+      }
+    FAIL() << "no button " << text.toStdString();
+  };
+  test::grab(*panel, "registration_1_stop");
+  press("Drive to the hard stop");
+  press("Collect frames");
+  ASSERT_TRUE(waitFor([&] { return panel->guide()->step() == session::RegistrationStep::kReview; }))
+      << panel->guide()->reason();
+  EXPECT_FALSE(test::grab(*panel, "registration_3_result").isNull());
+  const auto found = panel->guide()->proposal()->registration.base_from_camera;
+  const auto robot = robot::readDescription(base::resource("robots/raven2_left.yaml"));
+  const auto truth = simulation::trueBaseFromCamera(
+      robot, simulation::defaultTruth().cameras);  // 0.2 degrees off its drawing
+  const Eigen::Vector3d stop = panel->guide()->scatter().mean;
+  EXPECT_LT((found * stop - truth * stop).norm(), 1.5e-3);
+  press("Accept");
+  ASSERT_TRUE(waitFor([&] {
+    const auto report = window->link().runner()->report();
+    return report.gateShare(tracking::Gate::kOpen) > 0.1;
+  })) << "the filter observes the camera as soon as it is registered";
+  EXPECT_TRUE(window->notes().row(window->notes().rows() - 1).contains("accepted"));
 }
 
 /// Stuck inside next() until the test lets it go.
@@ -299,7 +330,9 @@ TEST_F(Shell, StaysResponsiveWhileThePipelineIsStuck) {
 
 TEST_F(Shell, TheManualNamesEveryKey) {
   auto window = makeWindow();
-  const HelpWindow help;
+  HelpWindow help;
+  EXPECT_FALSE(test::grab(help, "help").isNull());
+  test::grab(window->bar().sources().dialog(), "simulation_dialog");
   for (const auto* action : window->findChildren<QAction*>()) {
     if (action->shortcut().isEmpty()) continue;
     const QString key = action->shortcut().toString();

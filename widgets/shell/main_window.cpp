@@ -79,19 +79,33 @@ void MainWindow::addDocks() {
     addDockWidget(area, frame);
     return frame;
   };
-  auto* cameras = dock("cameras", tr("Cameras"), video_ = new StereoView, Qt::LeftDockWidgetArea);
-  auto* scene = dock("scene", tr("Scene"), scene_ = new SceneView, Qt::LeftDockWidgetArea);
-  auto* right = dock("occlusion", tr("Occlusion"), occlusion_ = new OcclusionPanel, Qt::RightDockWidgetArea);
-  auto* errors = dock("errors", tr("Errors (RMS)"), errors_ = new ErrorsPanel, Qt::RightDockWidgetArea);
-  auto* notes = dock("notes", tr("Notes"), notes_ = new NotesPanel, Qt::RightDockWidgetArea);
+  dock("cameras", tr("Cameras"), video_ = new StereoView, Qt::LeftDockWidgetArea);
+  dock("scene", tr("Scene"), scene_ = new SceneView, Qt::LeftDockWidgetArea);
+  dock("occlusion", tr("Occlusion"), occlusion_ = new OcclusionPanel, Qt::RightDockWidgetArea);
+  dock("errors", tr("Errors (RMS)"), errors_ = new ErrorsPanel, Qt::RightDockWidgetArea);
+  dock("notes", tr("Notes"), notes_ = new NotesPanel, Qt::RightDockWidgetArea);
   registration_dock_ = dock("registration", tr("Registration"), registration_ = new RegistrationPanel,
                             Qt::RightDockWidgetArea);
   registration_dock_->setAllowedAreas(Qt::NoDockWidgetArea);  // too wide for a column
   registration_dock_->setFloating(true);
   registration_dock_->hide();
-  resizeDocks({cameras, right}, {400, 290}, Qt::Horizontal);
-  resizeDocks({cameras, scene}, {560, 330}, Qt::Vertical);
-  resizeDocks({right, errors, notes}, {230, 190, 400}, Qt::Vertical);
+}
+
+/// Pictures and panels take their share of the window, unless the user's own layout came back.
+void MainWindow::layOutDocks() {
+  const auto dock = [this](const char* name) { return findChild<QDockWidget*>(name); };
+  const int left = std::clamp(static_cast<int>(0.27 * width()), 380, 620);
+  const int right = std::clamp(static_cast<int>(0.19 * width()), 290, 380);
+  resizeDocks({dock("cameras"), dock("occlusion")}, {left, right}, Qt::Horizontal);
+  resizeDocks({dock("cameras"), dock("scene")}, {64 * height() / 100, 36 * height() / 100}, Qt::Vertical);
+  resizeDocks({dock("occlusion"), dock("errors"), dock("notes")}, {230, 190, height()}, Qt::Vertical);
+}
+
+void MainWindow::showEvent(QShowEvent* event) {
+  QMainWindow::showEvent(event);
+  if (laid_out_) return;
+  laid_out_ = true;
+  layOutDocks();
 }
 
 void MainWindow::connectBar() {
@@ -254,6 +268,7 @@ void MainWindow::onOpened(const session::SourceInfo& info) {
   errors_->setReference(info.reference);
   occlusion_->setBlockable(info.rig.has_value());
   notes_->clear();
+  notes_->addEvent(0.0, "source", title_);
   listRecordedEvents();
   auto* runner = link_.runner();
   runner->setSpeed(bar_->speed());
@@ -356,7 +371,7 @@ void MainWindow::restore() {
   status_->setFolder(bar_->recordingFolder());
   setThemeNamed(settings_->value("theme", "dark").toString());
   restoreGeometry(settings_->value("geometry").toByteArray());
-  restoreState(settings_->value("layout").toByteArray(), kLayoutVersion);
+  laid_out_ = restoreState(settings_->value("layout").toByteArray(), kLayoutVersion);
   registration_dock_->hide();
 }
 

@@ -47,10 +47,12 @@ class MainWindow : public QMainWindow {
   void exportFigure(const QString& base);
 
  protected:
+  void showEvent(QShowEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
 
  private:
   void addDocks();
+  void layOutDocks();
   void connectBar();
   void connectLink();
   void connectOcclusion();
@@ -87,6 +89,7 @@ class MainWindow : public QMainWindow {
   NotesPanel* notes_;
   StatusLine* status_;
   QDockWidget* registration_dock_ = nullptr;
+  bool laid_out_ = false;
   HelpWindow* help_ = nullptr;
 };
 

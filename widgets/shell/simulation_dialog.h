@@ -28,8 +28,8 @@ class SimulationDialog : public QDialog {
 
  private:
   /// A list of names with "file…" at its end; a chosen file becomes an entry of its own.
-  QComboBox* addChoice(QFormLayout* form, const QString& label,
-                       const QList<QPair<QString, QString>>& names, const QString& filter);
+  QComboBox* addChoice(QFormLayout* form, const QString& label, const QList<QPair<QString, QString>>& names,
+                       const QString& filter);
   void askFile(QComboBox* box, const QString& filter);
 
   QComboBox *trajectory_, *truth_, *robot_;

@@ -1,6 +1,6 @@
 #include "widgets/panels/status/status_line.h"
 
-#include <QDir>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QStorageInfo>
@@ -144,9 +144,10 @@ void StatusLine::showDisk(std::optional<std::uint64_t> recorder_says) {
   if (recorder_says) return set(kDisk, diskText(*recorder_says));
   if (disk_age_.isValid() && disk_age_.elapsed() < kDiskPeriod) return;
   disk_age_.start();
-  QDir place(folder_);
-  while (!place.exists() && place.cdUp()) continue;  // the folder is made at the first recording
-  const QStorageInfo disk(place);
+  QFileInfo place(folder_);
+  while (!place.exists() && !place.isRoot())
+    place.setFile(place.path());  // the folder comes with the first recording
+  const QStorageInfo disk(place.filePath());
   set(kDisk, disk.isValid() ? diskText(static_cast<std::uint64_t>(disk.bytesAvailable())) : QString());
 }
 
