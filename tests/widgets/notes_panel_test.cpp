@@ -1,0 +1,69 @@
+// Notes and events of a session.
+#include "widgets/panels/notes/notes_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <QLineEdit>
+#include <QSignalSpy>
+#include <QTreeWidget>
+#include <QtTest/QTest>
+
+#include "tests/widgets/picture.h"
+
+namespace capstan::widgets {
+namespace {
+
+TEST(NotesPanel, TakesANoteAndGivesTheKeyboardBack) {
+  NotesPanel panel;
+  panel.show();
+  QApplication::setActiveWindow(&panel);
+  QSignalSpy written(&panel, &NotesPanel::noteWritten);
+  panel.beginNote();
+  ASSERT_TRUE(panel.line().hasFocus());
+  QTest::keyClicks(&panel.line(), "  cable replaced ");
+  QTest::keyClick(&panel.line(), Qt::Key_Return);
+  ASSERT_EQ(written.count(), 1);
+  EXPECT_EQ(written[0][0].toString(), "cable replaced");
+  EXPECT_FALSE(panel.line().hasFocus());
+  EXPECT_TRUE(panel.line().text().isEmpty());
+}
+
+TEST(NotesPanel, EscapeAndEmptyWriteNothing) {
+  NotesPanel panel;
+  panel.show();
+  QApplication::setActiveWindow(&panel);
+  QSignalSpy written(&panel, &NotesPanel::noteWritten);
+  panel.beginNote();
+  QTest::keyClicks(&panel.line(), "half a thou");
+  QTest::keyClick(&panel.line(), Qt::Key_Escape);
+  EXPECT_TRUE(panel.line().text().isEmpty());
+  panel.beginNote();
+  QTest::keyClicks(&panel.line(), "   ");
+  QTest::keyClick(&panel.line(), Qt::Key_Return);
+  EXPECT_EQ(written.count(), 0);
+}
+
+TEST(NotesPanel, ListsEventsAndShowsTheirTime) {
+  NotesPanel panel;
+  panel.resize(300, 240);
+  panel.addEvent(1.24, "occlusion", "left camera blocked");
+  panel.addEvent(12.0, "note", "cable <b>2</b> replaced");
+  EXPECT_EQ(panel.row(0), "1.2 s occlusion: left camera blocked");
+  EXPECT_EQ(panel.row(1), "12.0 s cable <b>2</b> replaced");
+  QSignalSpy chosen(&panel, &NotesPanel::timeChosen);
+  auto* list = panel.findChild<QTreeWidget*>();
+  Q_EMIT list->itemActivated(list->topLevelItem(0), 0);
+  ASSERT_EQ(chosen.count(), 1);
+  EXPECT_EQ(chosen[0][0].toDouble(), 1.24);
+  test::grab(panel, "notes_panel");
+}
+
+TEST(NotesPanel, ForgetsTheOldestWhenFull) {
+  NotesPanel panel;
+  for (int i = 0; i < NotesPanel::kMostRows + 10; ++i) panel.addEvent(i, "note", QString::number(i));
+  EXPECT_EQ(panel.rows(), NotesPanel::kMostRows);
+  EXPECT_EQ(panel.row(0), "10.0 s 10");
+}
+
+}  // namespace
+}  // namespace capstan::widgets

@@ -1,0 +1,97 @@
+// What the status line says, word by word.
+#include "widgets/panels/status/status_line.h"
+
+#include <gtest/gtest.h>
+
+#include <QTemporaryDir>
+
+#include "tests/widgets/picture.h"
+
+namespace capstan::widgets {
+namespace {
+
+tracking::Snapshot calm() {
+  tracking::Snapshot snapshot;
+  snapshot.camera_samples = 10;
+  snapshot.gate = tracking::Gate::kOpen;
+  snapshot.lag = 0.042;
+  snapshot.nis_mean = 1.02;
+  snapshot.nis_consistent = true;
+  return snapshot;
+}
+
+session::RunStatus running() {
+  session::RunStatus status;
+  status.state = session::RunState::kRunning;
+  status.motor_rate = 1000.0;
+  status.frame_rate = 15.0;
+  status.speed = 1.0;
+  status.real_time_factor = 1.0;
+  return status;
+}
+
+TEST(StatusLine, ReadsAsOneLine) {
+  StatusLine line;
+  line.showSnapshot(calm());
+  line.showStatus(running(), 0.0);
+  EXPECT_EQ(line.text(), QString::fromUtf8("running · 1000 Hz · 15.0 fps · lag  42 ms · gate open · "
+                                           "NIS 1.02 pass · rescues 0"));
+  test::grab(line, "status_line");
+}
+
+TEST(StatusLine, SaysWhatIsWrong) {
+  StatusLine line;
+  auto snapshot = calm();
+  snapshot.gate = tracking::Gate::kLeftLost;
+  snapshot.nis_mean = 8.2;
+  snapshot.nis_consistent = false;
+  snapshot.rescues = 3;
+  line.showSnapshot(snapshot);
+  auto status = running();
+  status.real_time_factor = 0.4;
+  line.showStatus(status, 0.0);
+  for (const char* words : {"gate shut: left lost", "NIS 8.20 FAIL", "rescues 3", "only ×0.4"})
+    EXPECT_TRUE(line.text().contains(QString::fromUtf8(words)))
+        << words << " in " << line.text().toStdString();
+}
+
+TEST(StatusLine, FollowsTheRecording) {
+  StatusLine line;
+  auto status = running();
+  status.recorder.emplace();
+  status.recorder->free_bytes = 312'000'000'000;
+  line.showStatus(status, 192.7);
+  EXPECT_TRUE(line.text().contains(QString::fromUtf8("● REC 03:12"))) << line.text().toStdString();
+  EXPECT_TRUE(line.text().contains("disk 312 GB"));
+  status.recorder->dropped = 7;
+  line.showStatus(status, 192.7);
+  EXPECT_TRUE(line.text().contains("7 dropped"));
+  status.recorder->state = session::RecorderState::kFailed;
+  line.showStatus(status, 192.7);
+  EXPECT_TRUE(line.text().contains("recording failed"));
+}
+
+TEST(StatusLine, KnowsTheDiskOfAFolderThatIsNotThereYet) {
+  const QTemporaryDir folder;
+  StatusLine line;
+  line.setFolder(folder.filePath("not/yet/there"));
+  line.showStatus(running(), 0.0);
+  EXPECT_TRUE(line.text().contains("GB")) << line.text().toStdString();
+}
+
+TEST(StatusLine, TakesARelativeFolder) {
+  StatusLine line;
+  line.setFolder("recordings/of/today");
+  line.showStatus(running(), 0.0);
+  EXPECT_TRUE(line.text().contains("GB")) << line.text().toStdString();
+}
+
+TEST(StatusLine, ClockText) {
+  EXPECT_EQ(clockText(0.0), "00:00");
+  EXPECT_EQ(clockText(192.7), "03:12");
+  EXPECT_EQ(clockText(3723.0), "1:02:03");
+  EXPECT_EQ(clockText(-1.0), "00:00");
+}
+
+}  // namespace
+}  // namespace capstan::widgets
