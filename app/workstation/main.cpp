@@ -1,7 +1,9 @@
 #include <CLI/CLI.hpp>
 #include <QApplication>
 #include <QTimer>
+#include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <iostream>
 
 #include "widgets/shell/main_window.h"
@@ -32,9 +34,7 @@ void planPicture(capstan::widgets::MainWindow& window, const Arguments& argument
   });
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   Arguments arguments;
   auto& simulation = arguments.simulation;
   CLI::App cli("Capstan: the workstation's window", "capstan");
@@ -82,4 +82,15 @@ int main(int argc, char** argv) {
   window.open(choice);
   if (picture) planPicture(window, arguments);
   return QApplication::exec();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "capstan: %s\n", error.what());
+    return 2;
+  }
 }

@@ -43,12 +43,14 @@ void addDistractors(cv::Mat& image, const ImageTruth& look, base::Random& random
   constexpr double kMargin = 0.18, kBorder = 0.03, kMiddle = 0.3;  // of the width: where they stand
   constexpr int kFraction = 4;  // bits of a pixel in OpenCV's drawing coordinates
   const Eigen::Vector3f colour = bgrOf(look.marker_hue + look.distractor_hue, 165.0, 190.0);
+  constexpr int kRings = 10;
   for (int i = 0; i < look.distractors; ++i) {
     const double inset = random.uniform(kBorder, kMargin) * image.cols;
     const double within = random.uniform(kMiddle, 1.0 - kMiddle) * image.cols;
     const double u = i % 3 == 0 ? inset : i % 3 == 1 ? image.cols - inset : within;
     const double v = random.uniform(0.08, 0.92) * image.rows, radius = random.uniform(5.0, 9.0);
-    for (double share = 1.0; share > 0.2; share -= 0.1) {  // brighter towards the middle, like a bead
+    for (int ring = kRings; ring > 2; --ring) {  // brighter towards the middle, like a bead
+      const double share = static_cast<double>(ring) / kRings;
       const float shade = static_cast<float>(1.1 - 0.5 * share);
       const Eigen::Vector3f bgr = shade * colour;
       cv::circle(image,

@@ -29,7 +29,8 @@ Eigen::Vector3d PegBoard::peg(int index) const {
   const int place = index % kBlocks;
   const double side = index < kBlocks ? -1.0 : 1.0;
   const double across = place % 2 == 0 ? 0.020 : 0.038;
-  return centre + side * across * lateral + 0.022 * (place / 2 - 1) * depth;
+  const int row = place / 2 - 1;
+  return centre + side * across * lateral + 0.022 * row * depth;
 }
 
 PegBoard pegBoard(const robot::Description& robot) {
@@ -188,7 +189,9 @@ JointTarget BlockTransfer::at(double t) const {
 }
 
 void BlockTransfer::requireReach() const {
-  for (double t = 0.0; t < duration_; t += 0.01) {
+  constexpr double kGrid = 0.01;  // [s]
+  for (int i = 0; i * kGrid < duration_; ++i) {
+    const double t = i * kGrid;
     const auto q = kinematics_.solvePosition(tipAt(t).first, near_);
     if (q) continue;
     throw base::InputError({"trajectory", 0, "block_transfer", base::yamlText(t) + " s",

@@ -19,7 +19,8 @@ class RayGrid {
 
   /// Direction of pixel (u, v), z = 1.
   Eigen::Vector3f ray(int u, int v) const {
-    return rays_[static_cast<std::size_t>(v * width_ + u)].homogeneous();
+    return rays_[static_cast<std::size_t>(v) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(u)]
+        .homogeneous();
   }
   int width() const { return width_; }
   int height() const { return height_; }

@@ -74,7 +74,8 @@ class HardStop final : public Trajectory {
 /// Inside the limits (widened to hold the hard stop) and below the highest speeds, on a 5 ms grid.
 void requireFeasible(const Trajectory& trajectory, TrajectoryKind kind, const robot::Description& robot) {
   constexpr double kGrid = 5e-3, kSlack = 1e-9;
-  for (double t = 0.0; t <= trajectory.duration() + kGrid; t += kGrid) {
+  for (int step = 0; step * kGrid <= trajectory.duration() + kGrid; ++step) {
+    const double t = step * kGrid;
     const JointTarget target = trajectory.at(t);
     for (int i = 0; i < 3; ++i) {
       const robot::Joint& joint = robot.joints[static_cast<std::size_t>(i)];

@@ -4,12 +4,31 @@
 #include <QFileInfo>
 #include <QLineEdit>
 #include <QTextBrowser>
+#include <QTextTable>
 #include <QVBoxLayout>
 
 #include "core/base/error.h"
 #include "core/base/resource.h"
 
 namespace capstan::widgets {
+
+namespace {
+
+/// Hairlines between rows and air in the cells, where Qt would draw double frames.
+void drawTablesQuietly(QTextDocument& document) {
+  for (QTextFrame* frame : document.rootFrame()->childFrames()) {
+    auto* table = qobject_cast<QTextTable*>(frame);
+    if (!table) continue;
+    QTextTableFormat format = table->format();
+    format.setBorderCollapse(true);
+    format.setBorder(1.0);
+    format.setBorderBrush(QColor(128, 128, 128, 90));
+    format.setCellPadding(5.0);
+    table->setFormat(format);
+  }
+}
+
+}  // namespace
 
 /// Pictures are shrunk to the width of the page.
 class HelpWindow::Pages : public QTextBrowser {
@@ -42,6 +61,7 @@ HelpWindow::HelpWindow(QWidget* parent) : QDialog(parent), pages_(new Pages) {
     pages_->setSearchPaths({QFileInfo(path).absolutePath()});
     pages_->resize(820, 700);
     if (file.open(QIODevice::ReadOnly)) pages_->setMarkdown(QString::fromUtf8(file.readAll()));
+    drawTablesQuietly(*pages_->document());
   } catch (const base::InputError& error) {
     pages_->setPlainText(QString::fromStdString(error.what()));
   }

@@ -45,6 +45,8 @@ NotesPanel::NotesPanel(QWidget* parent) : QWidget(parent), list_(new QTreeWidget
     line_->clearFocus();
     if (!text.isEmpty()) emit noteWritten(text);
   });
+  scroll_.setSingleShot(true);
+  connect(&scroll_, &QTimer::timeout, list_, &QTreeWidget::scrollToBottom);
   setRecording(false);
   setTheme(theme_);
 }
@@ -66,7 +68,8 @@ void NotesPanel::paintRow(QTreeWidgetItem* item) const {
 void NotesPanel::clear() { list_->clear(); }
 
 void NotesPanel::addEvent(double t, const QString& kind, const QString& text) {
-  const bool at_end = list_->verticalScrollBar()->value() == list_->verticalScrollBar()->maximum();
+  const bool at_end =
+      scroll_.isActive() || list_->verticalScrollBar()->value() == list_->verticalScrollBar()->maximum();
   auto* item = new QTreeWidgetItem;
   item->setText(kTime, tr("%1 s").arg(t, 0, 'f', 1));
   item->setText(kText, kind == "note" ? text : tr("%1: %2").arg(kind, text));
@@ -76,7 +79,7 @@ void NotesPanel::addEvent(double t, const QString& kind, const QString& text) {
   paintRow(item);
   list_->addTopLevelItem(item);
   while (list_->topLevelItemCount() > kMostRows) delete list_->takeTopLevelItem(0);
-  if (at_end) list_->scrollToBottom();
+  if (at_end) scroll_.start();
 }
 
 void NotesPanel::setRecording(bool recording) {

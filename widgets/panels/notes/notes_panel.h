@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
 
 #include "widgets/figures/theme.h"
@@ -47,6 +48,7 @@ class NotesPanel : public QWidget {
   Theme theme_ = Theme::dark();
   QTreeWidget* list_;
   QLineEdit* line_;
+  QTimer scroll_;  ///< to the newest row, once however many came
 };
 
 }  // namespace capstan::widgets

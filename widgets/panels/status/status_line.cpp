@@ -144,7 +144,8 @@ void StatusLine::showDisk(std::optional<std::uint64_t> recorder_says) {
   if (recorder_says) return set(kDisk, diskText(*recorder_says));
   if (disk_age_.isValid() && disk_age_.elapsed() < kDiskPeriod) return;
   disk_age_.start();
-  QFileInfo place(folder_);
+  if (folder_.isEmpty()) return set(kDisk, {});
+  QFileInfo place(QFileInfo(folder_).absoluteFilePath());
   while (!place.exists() && !place.isRoot())
     place.setFile(place.path());  // the folder comes with the first recording
   const QStorageInfo disk(place.filePath());
