@@ -6,8 +6,8 @@
 
 namespace capstan::widgets {
 
-/// A made-up snapshot at time t: three sinusoids, kinematics off by a constant, camera every 66 ms with a small
-/// ripple, occluded between 6 s and 8 s of every ten. Every value is a closed form of t.
+/// A made-up snapshot at time t: three sinusoids, kinematics off by a constant, camera every 66 ms with a
+/// small ripple, occluded between 6 s and 8 s of every ten. Every value is a closed form of t.
 inline tracking::Snapshot syntheticSnapshot(double t) {
   tracking::Snapshot s;
   s.t = t;
