@@ -10,6 +10,5 @@ inline constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 constexpr double toDegrees(double radians) { return radians / kRadiansPerDegree; }
 constexpr double toRadians(double degrees) { return degrees * kRadiansPerDegree; }
 constexpr double toMillimetres(double metres) { return metres * 1e3; }
-constexpr double toMetres(double millimetres) { return millimetres * 1e-3; }
 
 }  // namespace capstan::base

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <sstream>
 
+#include "core/base/part_file.h"
+
 namespace capstan::base {
 namespace {
 
@@ -59,16 +61,16 @@ std::string readTextFile(const std::filesystem::path& path) {
 }
 
 void writeTextFile(const std::filesystem::path& path, const std::string& text) {
-  const std::filesystem::path part = path.string() + ".part";
+  PartFile part(path);
   {
-    std::ofstream out(part, std::ios::binary);
+    std::ofstream out(part.path(), std::ios::binary);
     out << text;
     out.flush();
     if (!out)
       throw InputError(
           {path.string(), 0, {}, {}, "cannot be written", "Check the folder, its permissions and the space"});
   }
-  std::filesystem::rename(part, path);
+  part.commit();
 }
 
 double yamlNumber(const YAML::Node& node, const YamlPlace& place, const FieldInfo& info) {
