@@ -15,10 +15,6 @@
 namespace capstan::session {
 namespace {
 
-Eigen::Vector3d vectorAt(const Statement& row, int column) {
-  return {row.real(column), row.real(column + 1), row.real(column + 2)};
-}
-
 std::uint64_t sizeOf(const std::filesystem::path& path) {
   std::error_code fault;
   const auto size = std::filesystem::file_size(path, fault);

@@ -1,8 +1,7 @@
 #include "core/session/session_reader.h"
 
 #include <fmt/format.h>
-
-#include <fstream>
+#include <unistd.h>
 
 #include "core/session/schema.h"
 #include "core/session/session_writer.h"
@@ -17,17 +16,22 @@ const char* const kRecover = "Restore it from a copy, or save what is left with:
   throw base::InputError({path.string(), 0, {}, {}, reason, remedy});
 }
 
-void checkMagic(const std::filesystem::path& path) {
+base::InputError notASession(const std::filesystem::path& path) {
+  return base::InputError({path.string(),
+                           0,
+                           {},
+                           {},
+                           "is not a session file: it is no SQLite 3 database",
+                           fmt::format("Choose a file recorded by Capstan (*{})", kSessionSuffix)});
+}
+
+/// Only what can be told without opening the file: to close it would drop every lock that this process holds
+/// on it, those of a recorder too (POSIX; SQLite, How To Corrupt, 2.2).
+void checkFile(const std::filesystem::path& path) {
   std::error_code fault;
   if (!std::filesystem::is_regular_file(path, fault)) refuse(path, "is not a file", "Check the path");
-  std::ifstream in(path, std::ios::binary);
-  if (!in) refuse(path, "cannot be opened", "Check its permissions");
-  char magic[16] = {};
-  in.read(magic, sizeof magic);
-  if (in.gcount() < static_cast<std::streamsize>(sizeof magic) ||
-      std::string_view(magic, 15) != "SQLite format 3")
-    refuse(path, "is not a session file: it is no SQLite 3 database",
-           fmt::format("Choose a file recorded by Capstan (*{})", kSessionSuffix));
+  if (::access(path.c_str(), R_OK) != 0) refuse(path, "cannot be opened", "Check its permissions");
+  if (std::filesystem::file_size(path, fault) == 0) throw notASession(path);  // SQLite takes it for a new one
 }
 
 void checkIdentity(Database& database, const std::filesystem::path& path) {
@@ -55,7 +59,7 @@ std::string immutableUri(const std::filesystem::path& path) {
 }  // namespace
 
 Database openSession(const std::filesystem::path& path) {
-  checkMagic(path);
+  checkFile(path);
   try {
     Database database(path, Database::Mode::kRead);
     try {
@@ -82,6 +86,7 @@ base::InputError damagedSession(const std::filesystem::path& path, const SqliteE
          {},
          fmt::format("cannot be opened: {}", error.what()),
          "Copy it, with the files of the same name beside it, to a folder that can be written"});
+  if (error.code() == SQLITE_NOTADB) return notASession(path);
   if (error.code() == SQLITE_BUSY)
     return base::InputError({path.string(), 0, {}, {}, "is locked by another program", "Close that program"});
   return base::InputError({path.string(), 0, {}, {}, fmt::format("is damaged: {}", error.what()), kRecover});

@@ -20,6 +20,10 @@ Database openSession(const std::filesystem::path& path);
 base::InputError damagedSession(const std::filesystem::path& path, const SqliteError& error);
 
 SessionHeader readHeader(Database& database);
+/// Three columns from `column` on.
+inline Eigen::Vector3d vectorAt(const Statement& row, int column) {
+  return {row.real(column), row.real(column + 1), row.real(column + 2)};
+}
 /// Row id → decoder.
 std::map<std::int64_t, FrameDecoder> readCodecs(Database& database, const std::string& file);
 

@@ -17,10 +17,6 @@ namespace {
 constexpr int kReplayed = kFrameTable + 1;  // motor, joint, tip, frame
 constexpr std::int64_t kEnd = std::numeric_limits<std::int64_t>::max();
 
-Eigen::Vector3d vectorAt(const Statement& row, int column) {
-  return {row.real(column), row.real(column + 1), row.real(column + 2)};
-}
-
 }  // namespace
 
 class SessionSource::Impl {
@@ -70,7 +66,8 @@ class SessionSource::Impl {
     info_.truth = header.truth;
     info_.marker = header.marker;
     info_.tracking = header.tracking;
-    info_.duration = summary.last_t - std::min(0.0, summary.first_t);
+    info_.begin = summary.first_t;
+    info_.duration = summary.last_t - summary.first_t;
     info_.reference = summary.joint > 0;
   }
 

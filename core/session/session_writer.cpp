@@ -185,10 +185,16 @@ void SessionWriter::setRegistration(const Eigen::Isometry3d& base_from_camera) {
 }
 
 void SessionWriter::finish() {
+  constexpr int kPatience = 200;  // [ms]; a reader that keeps its transaction longer may keep the log too
   insert_ = {};
+  sqlite3_busy_timeout(database_.handle(), kPatience);
   database_.run("PRAGMA synchronous = NORMAL");
   sqlite3_wal_checkpoint_v2(database_.handle(), nullptr, SQLITE_CHECKPOINT_TRUNCATE, nullptr, nullptr);
-  database_.run("PRAGMA journal_mode = DELETE");
+  try {
+    database_.run("PRAGMA journal_mode = DELETE");
+  } catch (const SqliteError& error) {
+    if (error.code() != SQLITE_BUSY) throw;  // a reader keeps the log, which is whole
+  }
 }
 
 SessionWriter::SizedEncoders& SessionWriter::encodersFor(int width, int height) {

@@ -21,7 +21,8 @@ struct SourceInfo {
   std::string truth;       ///< truth file text of a simulation, else empty
   std::string marker;      ///< marker options (YAML) stored with the recording, else empty
   std::string tracking;    ///< tracking options (YAML) stored with the recording, else empty
-  double duration = 0.0;   ///< [s]; 0: unknown (live)
+  double begin = 0.0;      ///< time of the first sample [s]
+  double duration = 0.0;   ///< from the first sample to the last [s]; 0: unknown (live)
   bool reference = false;  ///< joint encoders fitted
   bool live = false;       ///< can be commanded (simulated or real robot)
 };

@@ -27,7 +27,6 @@ class SpscRing {
   }
   void pop() { head_.store(after(head_.load(std::memory_order_relaxed)), std::memory_order_release); }
 
-  std::size_t capacity() const { return slots_.size() - 1; }
   /// Before use, by one thread: prepares every slot.
   template <class Prepare>
   void prepare(Prepare&& each) {

@@ -63,7 +63,8 @@ TableSource::TableSource(MeasuredTable table, const robot::Description& robot) :
   checkForTracking(table_, robot);
   info_.title = std::filesystem::path(table_.file).filename().string();
   info_.robot = robot;
-  info_.duration = table_.t.back();
+  info_.begin = table_.t.front();
+  info_.duration = table_.t.back() - table_.t.front();
   info_.reference = !table_.q.empty();
   if (!table_.ignored.empty())
     notice_ = fmt::format("{}: columns not used: {}", table_.file, fmt::join(table_.ignored, ", "));
@@ -88,9 +89,9 @@ bool TableSource::next(tracking::Sample& out) {
 }
 
 std::unique_ptr<Source> openRecording(const std::filesystem::path& path, const robot::Description& robot) {
+  if (path.extension() == kSessionSuffix) return std::make_unique<SessionSource>(path);
   const std::string begin = firstBytes(path);
-  if (path.extension() == kSessionSuffix || begin.starts_with("SQLite format 3"))
-    return std::make_unique<SessionSource>(path);
+  if (begin.starts_with("SQLite format 3")) return std::make_unique<SessionSource>(path);
   if (isRavenMotors(csvHeaderLine(begin)))
     return std::make_unique<TableSource>(readRavenMotors(path, robot), robot);
   return std::make_unique<TableSource>(path, robot);

@@ -15,7 +15,7 @@ TEST(Kill, EveryFileOpensAndNothingOlderThanHalfASecondIsLost) {
     EXPECT_TRUE(outcome.opened) << outcome.error;
     EXPECT_TRUE(outcome.intact) << outcome.error;
     EXPECT_EQ(outcome.lost_late, 0U) << "oldest lost: " << outcome.oldest_lost << " s";
-    EXPECT_GT(outcome.offered, 1000U * static_cast<unsigned>(seconds));
+    EXPECT_GT(outcome.offered, static_cast<unsigned>(1000.0 * seconds));
   }
 }
 

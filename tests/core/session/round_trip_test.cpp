@@ -102,6 +102,7 @@ TEST(RoundTrip, HeaderAndRegistration) {
   pose.translation() << 0.1, -1.0 / 3.0, 0.55;
   {
     Recorder recorder(folder / "a.capstan", header());
+    recorder.offer(tracking::Sample(tracking::JointSample{5.0, {0, 0, 0}}));
     recorder.offer(tracking::Sample(tracking::JointSample{7.25, {0, 0, 0}}));
     recorder.setRegistration(3.0, pose);
   }
@@ -113,7 +114,8 @@ TEST(RoundTrip, HeaderAndRegistration) {
   EXPECT_EQ(source.info().tracking, header().tracking);
   EXPECT_EQ(source.info().truth, header().truth);
   EXPECT_EQ(source.info().title, "a test");
-  EXPECT_EQ(source.info().duration, 7.25);
+  EXPECT_EQ(source.info().begin, 5.0);
+  EXPECT_EQ(source.info().duration, 2.25);
   EXPECT_TRUE(source.info().reference);
   EXPECT_FALSE(source.info().live);
 }
