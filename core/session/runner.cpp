@@ -206,7 +206,8 @@ class Runner::Impl {
         command();
       } catch (const std::exception& error) {
         const std::lock_guard lock(mutex_);
-        status_.error = error.what();
+        status_.command_fault = error.what();
+        ++status_.command_fault_count;
       }
     }
     applyBlocking();

@@ -27,7 +27,9 @@ struct RunnerOptions {
 
 struct RunStatus {
   RunState state = RunState::kPaused;
-  std::string error;              ///< of kFailed, or of a command that failed
+  std::string error;          ///< of kFailed
+  std::string command_fault;  ///< of the last command that failed, which stops nothing
+  std::uint64_t command_fault_count = 0;
   double t = 0.0;                 ///< newest arrival [s]
   double speed = 1.0;             ///< asked for
   double real_time_factor = 0.0;  ///< reached, over the last second

@@ -194,10 +194,16 @@ TEST(Runner, CommandsRunInOrderOnItsThreadAndTheirFaultsAreTold) {
   runner->post([](Source&, tracking::TrackingPipeline&) {
     throw base::InputError({"x", 0, {}, {}, "no", {}});
   });
+  runner->post([](Source&, tracking::TrackingPipeline&) {
+    throw base::InputError({"y", 0, {}, {}, "never", {}});
+  });
   ASSERT_TRUE(runner->waitUntilIdle(30.0));
   EXPECT_EQ(order, (std::vector<int>{1, 2}));
   EXPECT_NE(thread, std::this_thread::get_id());
-  EXPECT_NE(runner->status().error.find("no"), std::string::npos);
+  EXPECT_NE(runner->status().command_fault.find("y: never"), std::string::npos)
+      << runner->status().command_fault;
+  EXPECT_EQ(runner->status().command_fault_count, 2U);
+  EXPECT_TRUE(runner->status().error.empty()) << "of the run itself, which goes on";
   EXPECT_EQ(runner->status().state, RunState::kPaused);
 }
 
