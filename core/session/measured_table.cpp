@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kMaxJoints = 7;
 
-/// One quantity of model.md §6: its columns are prefix1 … prefixn.
+/// One quantity of the table: its columns are prefix1 … prefixn.
 struct Quantity {
   std::string_view prefix;
   TableColumns MeasuredTable::*columns;

@@ -11,8 +11,8 @@ namespace capstan::session {
 /// Columns of one quantity over all joints (or axes): column(i)[row]. Empty: the table has no such columns.
 using TableColumns = std::vector<std::vector<double>>;
 
-/// The measured table of model.md §6 for n joints (1–7): t, q_m1..n, dq_m1..n, tau_m1..n, q1..n, p_c1..3,
-/// tau_ext1..n; SI units; an empty cell is NaN.
+/// The measured table (resources/manual/measured-table.md) for n joints (1–7): t, q_m1..n, dq_m1..n,
+/// tau_m1..n, q1..n, p_c1..3, tau_ext1..n; SI units; an empty cell is NaN.
 struct MeasuredTable {
   std::string file;
   std::vector<double> t;             ///< strictly increasing [s]

@@ -52,7 +52,8 @@ Vector3d heldAt(const Truth& truth, const Vector3d& target, double seconds = 1.0
   return plant.state().q_link;
 }
 
-/// The matched robot of model.md written down once more: mass matrix column by column from inverse dynamics,
+/// The equations of the UKF paper (2–8) for a robot without any deviation from its robot file, written down
+/// once more and compared with the plant step by step: mass matrix column by column from inverse dynamics,
 /// every constant from the robot file, one scalar loop a joint.
 class TextbookRobot {
  public:

@@ -14,7 +14,7 @@ inline robot::Description raven(const std::string& side = "left") {
   return robot::readDescription(std::string(CAPSTAN_RESOURCES) + "/robots/raven2_" + side + ".yaml");
 }
 
-/// Two cameras as in model.md, section 5: 640×480, f = 650 px, 48 mm apart, with barrel distortion.
+/// Two cameras like those on the robot: 640×480, f = 650 px, 48 mm apart, with barrel distortion.
 inline vision::StereoRig testRig() {
   vision::StereoRig rig;
   rig.left.fx = rig.left.fy = 650.0;
