@@ -36,22 +36,36 @@ void needSession(RecordingFormat format, const std::string& target) {
     refuseOption("--to", target, "only a session holds that", "Give a .capstan file");
 }
 
-std::string writeTable(const ConvertArguments& arguments, RecordingFormat format) {
+std::string writeTable(const ConvertArguments& arguments, RecordingFormat format,
+                       const base::Progress& progress) {
   const auto table = format == RecordingFormat::kSession
                          ? session::sessionTable(arguments.in)
                          : readTable(arguments.in, format, readRobot(arguments.robot));
-  base::writeTextFile(arguments.out, session::formatMeasuredTable(table));
+  const std::string text = session::formatMeasuredTable(table);
+  if (progress.cancelled()) return {};
+  base::writeTextFile(arguments.out, text);
   for (const auto& column : table.ignored)
     notice("column " + column + " is not part of a measured table: left out");
   return fmt::format("{} rows of {} joints", table.rows(), table.joints());
 }
 
+std::string writeVideo(const ConvertArguments& arguments, base::Progress& progress) {
+  const session::VideoReport video = session::exportVideo(arguments.in, arguments.out, &progress);
+  if (video.other_size > 0)
+    notice(fmt::format("{} frames of another size than the first are left out: a video has one size",
+                       video.other_size));
+  return fmt::format("{} frames", video.frames);
+}
+
+/// What was written; nothing of use once `progress` is cancelled.
 std::string convertTo(const std::string& target, const ConvertArguments& arguments, RecordingFormat format,
                       base::Progress& progress) {
-  if (target == "table") return writeTable(arguments, format);
+  if (target == "table") return writeTable(arguments, format, progress);
   if (target == "session") {
     const auto source = openSource(arguments.in, format, arguments.robot);
-    session::importRecording(*source, arguments.out, session::headerOf(source->info(), isoNow()), &progress);
+    session::importRecording(*source, arguments.out, session::headerOf(source->info(), isoNow()), &progress,
+                             arguments.force ? session::Existing::kReplace : session::Existing::kRefuse);
+    if (progress.cancelled()) return {};
     return fmt::format("{} motor samples", session::readSessionSummary(arguments.out).motor);
   }
   needSession(format, target);
@@ -59,7 +73,7 @@ std::string convertTo(const std::string& target, const ConvertArguments& argumen
     return fmt::format("{} files", session::exportCsv(arguments.in, arguments.out, &progress).size());
   if (target == "png")
     return fmt::format("{} pictures", session::exportPng(arguments.in, arguments.out, &progress));
-  return fmt::format("{} frames", session::exportVideo(arguments.in, arguments.out, &progress));
+  return writeVideo(arguments, progress);
 }
 
 ExitCode convert(const ConvertArguments& arguments) {
@@ -69,11 +83,9 @@ ExitCode convert(const ConvertArguments& arguments) {
     refuseFile(arguments.in, "is no recording", "Give a session or a table");
   const std::string target = targetOf(arguments);
   const bool folder = target == "csv-folder" || target == "png";
-  if (!folder && std::filesystem::exists(arguments.out)) {
-    if (!arguments.force || std::filesystem::equivalent(arguments.in, arguments.out))
-      refuseFile(arguments.out, "exists", "Give another name, or --force");
-    std::filesystem::remove(arguments.out);
-  }
+  if (!folder && std::filesystem::exists(arguments.out) &&
+      (!arguments.force || std::filesystem::equivalent(arguments.in, arguments.out)))
+    refuseFile(arguments.out, "exists", "Give another name, or --force");
   base::Progress progress;
   std::string written;
   {

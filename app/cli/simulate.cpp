@@ -20,21 +20,16 @@ struct SimulateArguments {
   simulation::SimulationRequest simulation;
 };
 
-/// Existing recordings are not overwritten unasked.
-void makeRoom(const std::string& file, bool force) {
-  if (!std::filesystem::exists(file)) return;
-  if (!force) refuseFile(file, "exists", "Give another --out, or --force");
-  for (const char* suffix : {"", "-wal", "-shm"}) std::filesystem::remove(file + suffix);
-}
-
 ExitCode simulate(const SimulateArguments& arguments) {
   const Output output(arguments.json);
   const auto source = makeSimulation(arguments.simulation);
-  makeRoom(arguments.out, arguments.force);
+  if (!arguments.force && std::filesystem::exists(arguments.out))
+    refuseFile(arguments.out, "exists", "Give another --out, or --force");
   base::Progress progress;
   {
     const ProgressLine line(progress);
-    session::importRecording(*source, arguments.out, session::headerOf(source->info(), isoNow()), &progress);
+    session::importRecording(*source, arguments.out, session::headerOf(source->info(), isoNow()), &progress,
+                             arguments.force ? session::Existing::kReplace : session::Existing::kRefuse);
   }
   if (progress.cancelled()) {
     notice("cancelled");

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/base/part_file.h"
 #include "core/base/yaml.h"
 #include "core/session/schema.h"
 #include "core/session/session_reader.h"
@@ -75,10 +76,17 @@ std::optional<std::size_t> rowAt(const MeasuredTable& table, double t) {
   return static_cast<std::size_t>(after - table.t.begin()) - 1;
 }
 
+/// Index of the first row at or after t.
+std::optional<std::size_t> rowFrom(const MeasuredTable& table, double t) {
+  const auto from = std::lower_bound(table.t.begin(), table.t.end(), t);
+  if (from == table.t.end()) return std::nullopt;
+  return static_cast<std::size_t>(from - table.t.begin());
+}
+
 void placeJoints(Database& database, MeasuredTable& table) {
   Statement rows(database, selectStatement(session::table(kJointTable)));
   while (rows.step())
-    if (const auto row = rowAt(table, rows.real(1)); row && table.t[*row] == rows.real(1))
+    if (const auto row = rowFrom(table, rows.real(1)))
       for (std::size_t i = 0; i < 3; ++i) table.q[i][*row] = rows.real(static_cast<int>(2 + i));
 }
 
@@ -87,6 +95,26 @@ void placeTips(Database& database, MeasuredTable& table) {
   while (rows.step())
     if (const auto row = rowAt(table, rows.real(1)))
       for (std::size_t i = 0; i < 3; ++i) table.p_c[i][*row] = rows.real(static_cast<int>(3 + i));
+}
+
+void reportTime(base::Progress& progress, const SourceInfo& info, double t) {
+  if (info.duration > 0.0)
+    progress.report(std::clamp((t - info.begin) / info.duration, 0.0, 1.0), "importing");
+}
+
+/// Takes the files away that a former recording left beside `session`: SQLite would apply them to whatever
+/// takes its place. What they hold goes into the former recording first.
+void foldLog(const std::filesystem::path& session) {
+  std::error_code fault;
+  if (!std::filesystem::exists(session.string() + "-wal", fault)) return;
+  try {
+    Database(session, Database::Mode::kReadWrite).run("PRAGMA journal_mode = DELETE");
+  } catch (const SqliteError& error) {
+    if (error.code() == SQLITE_BUSY)
+      throw base::InputError(
+          {session.string(), 0, {}, {}, "is in use", "Close the program that records or shows it"});
+  }
+  for (const char* suffix : {"-wal", "-shm"}) std::filesystem::remove(session.string() + suffix, fault);
 }
 
 }  // namespace
@@ -136,14 +164,13 @@ MeasuredTable sessionTable(const std::filesystem::path& session) {
 }
 
 void importRecording(Source& source, const std::filesystem::path& session, const SessionHeader& header,
-                     base::Progress* progress) {
+                     base::Progress* progress, Existing existing) {
   constexpr std::int64_t kRowsACommit = 5000;
-  const std::filesystem::path part = session.string() + ".part";
-  if (std::filesystem::exists(session))
+  if (existing == Existing::kRefuse && std::filesystem::exists(session))
     throw base::InputError({session.string(), 0, {}, {}, "exists already", "Choose another name"});
-  std::filesystem::remove(part);
+  base::PartFile part(session);
   try {
-    SessionWriter writer(part, header, SessionWriter::Durability::kPlain);
+    SessionWriter writer(part.path(), header, SessionWriter::Durability::kPlain);
     tracking::Sample sample;
     std::int64_t seq = 0;
     writer.begin();
@@ -155,28 +182,21 @@ void importRecording(Source& source, const std::filesystem::path& session, const
       }
       if (!progress || seq % 256 != 0) continue;
       if (progress->cancelled()) break;
-      const double t = std::visit([](const auto& row) { return row.t; }, sample);
-      if (source.info().duration > 0.0)
-        progress->report(std::min(1.0, t / source.info().duration), "importing");
+      reportTime(*progress, source.info(), std::visit([](const auto& row) { return row.t; }, sample));
     }
     writer.commit();
     writer.finish();
   } catch (const SqliteError& error) {
-    std::filesystem::remove(part);
     throw base::InputError({session.string(),
                             0,
                             {},
                             {},
                             fmt::format("cannot be written: {}", error.what()),
                             "Check the folder, its permissions and the space"});
-  } catch (...) {
-    std::filesystem::remove(part);
-    throw;
   }
-  if (progress && progress->cancelled())
-    std::filesystem::remove(part);
-  else
-    std::filesystem::rename(part, session);
+  if (progress && progress->cancelled()) return;
+  foldLog(session);
+  part.commit();
 }
 
 }  // namespace capstan::session

@@ -17,18 +17,28 @@ namespace capstan::session {
 std::vector<std::filesystem::path> exportCsv(const std::filesystem::path& session,
                                              const std::filesystem::path& folder,
                                              base::Progress* progress = nullptr);
-/// The measured table of model.md §6: one row a motor sample, q from the joint sample of the same or the last
-/// time before it, p_c from tip samples at their own time's row.
+/// The measured table (resources/manual/measured-table.md): one row a motor sample; q from the newest joint
+/// sample since the row before, up to the row's own time; p_c from tip samples in the row of their time or
+/// the last before it.
 MeasuredTable sessionTable(const std::filesystem::path& session);
-/// A session from a measured table (or any recording that openRecording() opens), sample by sample.
+
+enum class Existing { kRefuse, kReplace };
+/// A session from a measured table (or any recording that openRecording() opens), sample by sample. A former
+/// `session` stays until the new one is whole.
 void importRecording(Source& source, const std::filesystem::path& session, const SessionHeader& header,
-                     base::Progress* progress = nullptr);
+                     base::Progress* progress = nullptr, Existing existing = Existing::kRefuse);
 /// Frames as `left_000001.png`, `right_000001.png` … in `folder`. Returns the number of images.
 std::int64_t exportPng(const std::filesystem::path& session, const std::filesystem::path& folder,
                        base::Progress* progress = nullptr);
+
+struct VideoReport {
+  std::int64_t frames = 0;
+  std::int64_t other_size =
+      0;  ///< frames of another size than the first, which a video cannot hold: left out
+};
 /// Both views side by side as a video at the recording's mean frame rate; the suffix chooses the container
-/// (.avi, .mkv, .mp4). Returns the number of frames.
-std::int64_t exportVideo(const std::filesystem::path& session, const std::filesystem::path& video,
-                         base::Progress* progress = nullptr);
+/// (.avi, .mkv, .mp4).
+VideoReport exportVideo(const std::filesystem::path& session, const std::filesystem::path& video,
+                        base::Progress* progress = nullptr);
 
 }  // namespace capstan::session

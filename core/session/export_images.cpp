@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 
 #include "core/base/error.h"
+#include "core/base/part_file.h"
 #include "core/session/export.h"
 #include "core/session/session_source.h"
 
@@ -27,8 +29,9 @@ void forEachFrame(const std::filesystem::path& session, base::Progress* progress
     if (!frame) continue;
     if (progress) {
       if (progress->cancelled()) return;
-      if (source.info().duration > 0.0)
-        progress->report(std::min(1.0, frame->t / source.info().duration), "frames");
+      const SourceInfo& info = source.info();
+      if (info.duration > 0.0)
+        progress->report(std::clamp((frame->t - info.begin) / info.duration, 0.0, 1.0), "frames");
     }
     each(*frame);
   }
@@ -81,16 +84,16 @@ std::int64_t exportPng(const std::filesystem::path& session, const std::filesyst
   return images;
 }
 
-std::int64_t exportVideo(const std::filesystem::path& session, const std::filesystem::path& video,
-                         base::Progress* progress) {
+VideoReport exportVideo(const std::filesystem::path& session, const std::filesystem::path& video,
+                        base::Progress* progress) {
   const SessionSummary summary = readSessionSummary(session);
   if (summary.frames == 0) refuse(session, "holds no images", "Choose a session recorded with cameras");
   const int fourcc = fourccFor(video);
-  const std::filesystem::path part =
-      video.parent_path() / (video.stem().string() + ".part" + video.extension().string());
-  std::int64_t frames = 0;
+  base::PartFile part(video,
+                      video.parent_path() / (video.stem().string() + ".part" + video.extension().string()));
+  VideoReport report;
   {
-    cv::VideoWriter writer(part.string(), cv::CAP_FFMPEG, fourcc, meanRate(summary),
+    cv::VideoWriter writer(part.path().string(), cv::CAP_FFMPEG, fourcc, meanRate(summary),
                            {2 * summary.width, summary.height});
     if (!writer.isOpened())
       refuse(video, "cannot be written", "Check the folder, its permissions and the suffix");
@@ -98,16 +101,13 @@ std::int64_t exportVideo(const std::filesystem::path& session, const std::filesy
     forEachFrame(session, progress, [&](const tracking::StereoFrame& frame) {
       if (frame.left.empty() && frame.right.empty()) return;
       sideBySide(frame, both);
-      if (both.cols != 2 * summary.width || both.rows != summary.height) return;
-      writer.write(both);
-      ++frames;
+      const bool fits = both.cols == 2 * summary.width && both.rows == summary.height;
+      if (fits) writer.write(both);
+      ++(fits ? report.frames : report.other_size);
     });
   }
-  if (progress && progress->cancelled())
-    std::filesystem::remove(part);
-  else
-    std::filesystem::rename(part, video);
-  return frames;
+  if (!progress || !progress->cancelled()) part.commit();
+  return report;
 }
 
 }  // namespace capstan::session

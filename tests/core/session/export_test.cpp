@@ -9,7 +9,10 @@
 #include "core/base/yaml.h"
 #include "core/session/recorder.h"
 #include "core/session/session_source.h"
+#include "core/session/sqlite.h"
 #include "core/session/table_source.h"
+#include "core/tracking/make_pipeline.h"
+#include "core/tracking/track_all.h"
 #include "tests/core/session/session_samples.h"
 
 namespace capstan::session {
@@ -78,13 +81,161 @@ TEST(Export, PicturesAreThePixelsAndVideoHasEveryFrame) {
   EXPECT_TRUE(sameBits(cv::imread(folder / "png/left_000004.png"), left[3]));
   EXPECT_FALSE(std::filesystem::exists(folder / "png/right_000004.png"));
 
-  EXPECT_EQ(exportVideo(folder / "a.capstan", folder / "a.mkv"), 10);
+  EXPECT_EQ(exportVideo(folder / "a.capstan", folder / "a.mkv").frames, 10);
   cv::VideoCapture video(folder / "a.mkv");
   cv::Mat frame;
   int frames = 0;
   for (; video.read(frame); ++frames) EXPECT_EQ(frame.cols, 128);
   EXPECT_EQ(frames, 10);
   EXPECT_THROW(exportVideo(folder / "a.capstan", folder / "a.xyz"), base::InputError);
+}
+
+TEST(Export, JointsReadBetweenTwoRowsStandInTheNext) {
+  const TemporaryFolder folder;
+  const auto path = folder / "a.capstan";
+  {
+    Recorder recorder(path, header());
+    for (int i = 0; i < 100; ++i) {
+      const double t = i * 1e-3;
+      recorder.offer(tracking::Sample(tracking::MotorSample{t, {double(i), 0, 0}, {0, 0, 0}, {0, 0, 0}}));
+      if (i % 2 == 0)
+        recorder.offer(tracking::Sample(tracking::JointSample{t + 0.4e-3, {double(i), 1.0, 2.0}}));
+    }
+  }
+  const MeasuredTable table = sessionTable(path);
+  ASSERT_EQ(table.rows(), 100U);
+  ASSERT_EQ(table.q.size(), 3U);
+  for (std::size_t row = 0; row < 100; ++row) {
+    if (row % 2 == 1)
+      EXPECT_EQ(table.q[0][row], static_cast<double>(row - 1)) << row;
+    else
+      EXPECT_TRUE(std::isnan(table.q[0][row])) << row << ": the same reading a second time";
+  }
+}
+
+/// Frames of 64 × 48 px, then as many of 32 × 24.
+std::filesystem::path twoSizes(const TemporaryFolder& folder) {
+  base::Random random(2);
+  Recorder recorder(folder / "a.capstan", header());
+  for (int i = 0; i < 10; ++i) {
+    const int width = i < 5 ? 64 : 32, height = i < 5 ? 48 : 24;
+    EXPECT_TRUE(recorder.offer(tracking::Sample(tracking::StereoFrame{
+        i / 15.0, i / 15.0, noisyImage(random, width, height), noisyImage(random, width, height)})));
+  }
+  return folder / "a.capstan";
+}
+
+TEST(Export, FramesOfAnotherSizeAreCounted) {
+  const TemporaryFolder folder;
+  const VideoReport report = exportVideo(twoSizes(folder), folder / "a.mkv");
+  EXPECT_EQ(report.frames, 5);
+  EXPECT_EQ(report.other_size, 5);
+}
+
+TEST(Export, ADamagedImageLeavesNoHalfVideo) {
+  const TemporaryFolder folder;
+  const auto path = twoSizes(folder);
+  Database(path, Database::Mode::kReadWrite)
+      .run("UPDATE frame SET \"left\" = x'00' WHERE seq = (SELECT max(seq) FROM frame)");
+  try {
+    exportVideo(path, folder / "a.mkv");
+    ADD_FAILURE() << "a damaged image was taken";
+  } catch (const base::InputError& error) {
+    EXPECT_EQ(error.fault().reason, "is a damaged image");
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.part.mkv"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.mkv"));
+}
+
+TEST(Export, AFolderInTheWayIsAnInputError) {
+  const TemporaryFolder folder;
+  const auto path = twoSizes(folder);
+  std::filesystem::create_directory(folder / "taken.mkv");
+  EXPECT_THROW(exportVideo(path, folder / "taken.mkv"), base::InputError);
+  EXPECT_FALSE(std::filesystem::exists(folder / "taken.part.mkv"));
+
+  std::filesystem::create_directory(folder / "taken.capstan");
+  TableSource source(someTable(), raven());
+  const SessionHeader about = headerOf(source.info(), "2026-11-21");
+  EXPECT_THROW(importRecording(source, folder / "taken.capstan", about, nullptr, Existing::kReplace),
+               base::InputError);
+  EXPECT_FALSE(std::filesystem::exists(folder / "taken.capstan.part"));
+}
+
+/// Fails in the middle.
+class BrokenSource : public Source {
+ public:
+  const SourceInfo& info() const override { return table_.info(); }
+  bool next(tracking::Sample& out) override {
+    if (++given_ > 100) throw base::InputError({"made", 0, {}, {}, "broke", "Mend it"});
+    return table_.next(out);
+  }
+  void block(bool, bool) override {}
+
+ private:
+  TableSource table_{someTable(), raven()};
+  int given_ = 0;
+};
+
+TEST(Export, AFormerSessionStaysUntilTheNewOneIsWhole) {
+  const TemporaryFolder folder;
+  const auto path = twoSizes(folder);
+  BrokenSource broken;
+  const SessionHeader about = headerOf(broken.info(), "2026-11-21");
+  EXPECT_THROW(importRecording(broken, path, about, nullptr, Existing::kReplace), base::InputError);
+  EXPECT_EQ(readSessionSummary(path).frames, 10);
+  EXPECT_FALSE(std::filesystem::exists(path.string() + ".part"));
+
+  TableSource source(someTable(), raven());
+  importRecording(source, path, about, nullptr, Existing::kReplace);
+  EXPECT_EQ(readSessionSummary(path).motor, 300);
+  EXPECT_EQ(readSessionSummary(path).frames, 0);
+}
+
+TEST(Export, TheLogOfAFormerSessionIsNotTakenForTheNewOnes) {
+  const TemporaryFolder folder;
+  const auto path = folder / "a.capstan";
+  const auto killed = folder / "killed.capstan";
+  Recorder recorder(path, header());
+  recorder.offer(tracking::Sample(tracking::JointSample{1.0, {0, 0, 0}}));
+  while (recorder.stats().written == 0) ASSERT_EQ(recorder.stats().state, RecorderState::kRecording);
+  for (const char* suffix : {"", "-wal"})  // as a recorder that was killed leaves them
+    std::filesystem::copy_file(path.string() + suffix, killed.string() + suffix);
+  TableSource source(someTable(), raven());
+  importRecording(source, killed, headerOf(source.info(), "2026-11-21"), nullptr, Existing::kReplace);
+  EXPECT_FALSE(std::filesystem::exists(killed.string() + "-wal"));
+  EXPECT_EQ(readSessionSummary(killed).motor, 300);
+  EXPECT_EQ(formatMeasuredTable(sessionTable(killed)), formatMeasuredTable(someTable()));
+
+  EXPECT_THROW(importRecording(source, path, header(), nullptr, Existing::kReplace), base::InputError)
+      << "replaced a session that is being recorded";
+}
+
+TEST(Export, ProgressCountsFromTheFirstSample) {
+  const TemporaryFolder folder;
+  MeasuredTable table = someTable();
+  table.q_m = TableColumns{std::vector<double>(300, 80.0), std::vector<double>(300, -86.0),
+                           std::vector<double>(300, -480.0)};
+  table.tau_m.clear();
+  table.dq_m.clear();
+  table.p_c.clear();
+  for (double& t : table.t) t += 300.0;
+  TableSource source(table, raven());
+  EXPECT_EQ(source.info().begin, 300.0);
+  EXPECT_NEAR(source.info().duration, 0.299, 1e-9);
+
+  base::Progress importing;
+  importRecording(source, folder / "a.capstan", headerOf(source.info(), "2026-11-21"), &importing);
+  EXPECT_GT(importing.fraction(), 0.1);
+  EXPECT_LT(importing.fraction(), 0.9) << "at the 256th of 450 samples";
+
+  SessionSource back(folder / "a.capstan");
+  EXPECT_EQ(back.info().begin, 300.0);
+  EXPECT_NEAR(back.info().duration, 0.299, 1e-9);
+  tracking::TrackingPipeline pipeline = tracking::makePipeline(back.info());
+  base::Progress tracking;
+  tracking::trackAll(back, pipeline, &tracking, back.info().duration);
+  EXPECT_NEAR(tracking.fraction(), importing.fraction(), 0.01);
 }
 
 TEST(Export, CancelledLeavesNothing) {
