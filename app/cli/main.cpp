@@ -19,6 +19,7 @@ int run(int argc, char** argv) {
   app.get_formatter()->column_width(34);
   cli::addSimulate(app, exit);
   cli::addTrack(app, exit);
+  cli::addIdentify(app, exit);
   cli::addCalibrate(app, exit);
   cli::addInfo(app, exit);
   cli::addConvert(app, exit);

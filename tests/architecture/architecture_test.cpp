@@ -25,8 +25,8 @@ const std::vector<std::set<std::string>> kLayers = {{"base"},
                                                     {"vision", "robot", "estimation"},
                                                     {"tracking", "learning"},
                                                     {"session"},
-                                                    {"simulation"},
-                                                    {"identification", "diagnosis", "experiments"}};
+                                                    {"simulation", "identification"},
+                                                    {"diagnosis", "experiments"}};
 
 int layerOf(const std::string& room) {
   for (std::size_t i = 0; i < kLayers.size(); ++i)

@@ -1,0 +1,183 @@
+#include <fmt/format.h>
+
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cli/command.h"
+#include "app/cli/console.h"
+#include "app/cli/identify_output.h"
+#include "app/cli/recordings.h"
+#include "app/cli/simulation_arguments.h"
+#include "core/identification/batch.h"
+#include "core/identification/dual_ukf.h"
+#include "core/identification/identification_data.h"
+#include "core/session/source.h"
+#include "core/simulation/truth.h"
+
+namespace capstan::cli {
+namespace {
+
+struct IdentifyArguments {
+  std::vector<std::string> files;
+  std::string robot, method = "both", parameters = identification::kDefaultParameters, out, trace, json;
+  int threads = 2;
+  bool simulate = false, exact_camera = false;
+  simulation::SimulationRequest simulation;
+};
+
+void check(const IdentifyArguments& arguments, const CLI::App& command) {
+  if (arguments.simulate && !arguments.files.empty())
+    refuseOption("REC", arguments.files.front(), "is given together with --simulate", "Give one of them");
+  if (!arguments.simulate && arguments.files.empty())
+    refuseOption("REC", {}, "is missing", "Give one or more recordings, or --simulate");
+  if (!arguments.simulate && simulationAsked(command))
+    refuseOption("--simulate", {}, "is missing, yet simulation options are given",
+                 "Add --simulate or leave them out");
+  if (!arguments.trace.empty() && arguments.method == "batch")
+    refuseOption("--trace", arguments.trace, "needs the dual UKF", "Choose --method dual-ukf or both");
+}
+
+/// All recordings one behind the other, and the text of the truth file where they are simulated.
+identification::IdentificationData collectAll(IdentifyArguments& arguments, base::Progress& progress,
+                                              std::string& truth) {
+  if (arguments.simulate) {
+    arguments.simulation.robot = arguments.robot;
+    const auto source = makeSimulation(arguments.simulation);
+    truth = source->info().truth;
+    return identification::collect(*source, &progress);
+  }
+  std::optional<identification::IdentificationData> all;
+  for (const std::string& file : arguments.files) {
+    const RecordingFormat format = detectFormat(file);
+    const auto source = openSource(file, format, format == RecordingFormat::kSession ? "" : arguments.robot);
+    auto data = identification::collect(*source, &progress);
+    if (data.openCount() == 0)
+      refuseFile(
+          file, "shows the marker nowhere, or has no registration: nothing can be identified from it",
+          "Register the cameras (capstan-cli track --register), or give a recording with tip positions");
+    truth = source->info().truth;
+    if (all)
+      identification::append(*all, data);
+    else
+      all = std::move(data);
+  }
+  return std::move(*all);
+}
+
+TrueValues trueValues(const std::string& truth_text, const identification::ParameterSet& set) {
+  if (truth_text.empty()) return {};
+  const auto truth = base::readYaml<simulation::Truth>(truth_text, "truth");
+  TrueValues values;
+  for (const auto& parameter : set.all()) {
+    const auto joint = static_cast<std::size_t>(parameter.joint);
+    const simulation::JointTruth of =
+        joint < truth.joints.size() ? truth.joints[joint] : simulation::JointTruth{};
+    switch (parameter.quantity) {
+      case identification::Quantity::kLinkRadius:
+        values.push_back(of.link_radius.value_or(parameter.nominal));
+        break;
+      case identification::Quantity::kStiffness:
+        values.push_back(of.stiffness_factor * parameter.nominal);
+        break;
+      default:
+        values.push_back(of.damping_factor * parameter.nominal);
+    }
+  }
+  return values;
+}
+
+void writeRobot(const identification::ParameterSet& set,
+                const std::vector<identification::Estimate>& estimates, const std::string& path) {
+  const robot::Description robot = identification::identifiedRobot(set, estimates);
+  std::ofstream file(path);
+  file << "# Identified from a recording; differs from " << set.nominal().name << " in:\n";
+  for (const auto& change : identification::differences(set.nominal(), robot))
+    file << fmt::format("#   {}: {:.6g} instead of {:.6g} ({:+.2f} %)\n", change.key, change.identified,
+                        change.nominal, change.percent);
+  file << robot::formatDescription(robot);
+  if (!file.flush()) refuseFile(path, "cannot be written", "Choose a folder that exists and has room");
+}
+
+ExitCode identify(IdentifyArguments& arguments, const CLI::App& command) {
+  check(arguments, command);
+  const Output output(arguments.json);
+  base::Progress progress;
+  std::string truth_text;
+  std::optional<identification::DualUkfReport> dual;
+  std::optional<identification::BatchReport> batch;
+  std::optional<identification::ParameterSet> set;
+  {
+    const ProgressLine line(progress);
+    const identification::IdentificationData data = collectAll(arguments, progress, truth_text);
+    if (data.openCount() == 0 && !progress.cancelled())
+      refuseOption("REC", data.title, "shows the marker nowhere",
+                   "Give a recording in which cameras see the tip");
+    robot::Description nominal = data.robot;
+    if (!arguments.robot.empty()) nominal = readRobot(arguments.robot);
+    set.emplace(nominal, arguments.parameters);
+    identification::CameraPoseOptions camera;
+    if (arguments.exact_camera) camera = {0.0, 0.0, 0.0};
+    if (arguments.method != "batch" && !progress.cancelled())
+      dual = identification::identifyDualUkf(data, *set, {.camera = camera}, &progress);
+    if (arguments.method != "dual-ukf" && !progress.cancelled())
+      batch = identification::identifyBatch(
+          data, *set, {.camera = camera, .shooting = {.threads = arguments.threads}}, &progress);
+  }
+  if (progress.cancelled()) {
+    notice("cancelled: nothing was identified");
+    return kFailed;
+  }
+  const TrueValues truth = trueValues(truth_text, *set);
+  output.text(textOf(dual ? &*dual : nullptr, batch ? &*batch : nullptr, truth));
+  nlohmann::json document = nlohmann::json::object();
+  if (dual) document["dual_ukf"] = jsonOf(*dual, truth);
+  if (batch) document["batch"] = jsonOf(*batch, truth);
+  output.json(document);
+  if (!arguments.trace.empty()) writeTrace(*dual, *set, arguments.trace);
+  const auto& estimates = batch ? batch->estimates : dual->estimates;
+  if (!arguments.out.empty()) writeRobot(*set, estimates, arguments.out);
+  const bool any = std::any_of(estimates.begin(), estimates.end(), [](const auto& e) { return e.seen; });
+  if (!any) notice("no parameter could be seen in this motion");
+  return any ? kOk : kFailed;
+}
+
+}  // namespace
+
+void addIdentify(CLI::App& app, ExitCode& exit) {
+  auto arguments = std::make_shared<IdentifyArguments>();
+  CLI::App* command = app.add_subcommand(
+      "identify", "Find pulley radius, cable stiffness and damping from a recording with cameras");
+  command->add_option("REC", arguments->files,
+                      "recordings of one robot and rig: session (.capstan) or measured table (.csv)");
+  command->add_option("--robot", arguments->robot, "nominal robot file; a session brings its own");
+  command->add_option("--method", arguments->method, "dual-ukf, batch, or both, compared")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"dual-ukf", "batch", "both"}));
+  command
+      ->add_option("--parameters", arguments->parameters,
+                   "of r_l1…3, k_e1…3, b_e1…3; r_l, k_e, b_e mean all three joints")
+      ->capture_default_str();
+  command->add_flag("--exact-camera", arguments->exact_camera,
+                    "take registration and clock of the cameras as exact, as the UKF paper does");
+  command->add_option("--threads", arguments->threads, "of the batch method")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 64));
+  command->add_option("--out", arguments->out, "identified robot file; of the batch method where both ran");
+  command->add_option("--trace", arguments->trace, "the dual UKF's estimates over time, as CSV");
+  command->add_option("--json", arguments->json, "result as JSON, SI: a file, or - for standard output");
+  command->add_flag("--simulate", arguments->simulate,
+                    "identify a simulated session, without a file in between");
+  addSimulationOptions(*command, arguments->simulation);
+  command->footer(
+      "Joint encoders are never used. Examples:\n"
+      "  capstan-cli identify trial.capstan --out my_robot.yaml\n"
+      "  capstan-cli identify sinusoid.capstan --parameters r_l1 --method dual-ukf --trace r_l1.csv\n"
+      "  capstan-cli track trial.capstan --robot my_robot.yaml\n"
+      "  capstan-cli identify --simulate --trajectory sinusoid --duration 200 --parameters r_l1");
+  command->callback([arguments, command, &exit] { exit = identify(*arguments, *command); });
+}
+
+}  // namespace capstan::cli

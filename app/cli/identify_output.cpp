@@ -1,0 +1,191 @@
+#include "app/cli/identify_output.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "app/cli/console.h"
+#include "core/base/units.h"
+
+namespace capstan::cli {
+namespace {
+
+using identification::BatchReport;
+using identification::DualUkfReport;
+using identification::Estimate;
+
+std::string cell(const Estimate& estimate) {
+  if (!estimate.seen) return "not seen";
+  const double scale = estimate.parameter.scale();
+  return fmt::format("{:.5g} ± {:.2g}", scale * estimate.value(), scale * estimate.valueSigma());
+}
+
+std::string changeOf(const Estimate& estimate) {
+  return estimate.seen ? fmt::format("{:+.2f} %", estimate.percent()) : std::string("—");
+}
+
+/// A column of text, the width of its longest cell counted in characters, not bytes.
+std::string padded(const std::string& text, std::size_t width) {
+  std::size_t characters = 0;
+  for (const char c : text) characters += (static_cast<unsigned char>(c) & 0xC0U) != 0x80U ? 1 : 0;
+  return text + std::string(width > characters ? width - characters : 0, ' ');
+}
+
+std::string table(const std::vector<std::pair<std::string, const std::vector<Estimate>*>>& methods,
+                  const TrueValues& truth) {
+  constexpr std::size_t kName = 16, kNumber = 12, kCell = 24, kChange = 12;
+  std::string text = padded("parameter", kName) + padded("nominal", kNumber);
+  if (!truth.empty()) text += padded("truth", kNumber);
+  for (const auto& [name, estimates] : methods) text += padded(name, kCell) + padded("change", kChange);
+  text += "\n";
+  const std::vector<Estimate>& first = *methods.front().second;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    const auto& parameter = first[i].parameter;
+    text += padded(parameter.name() + " [" + parameter.unit() + "]", kName) +
+            padded(fmt::format("{:.5g}", parameter.scale() * parameter.nominal), kNumber);
+    if (!truth.empty()) text += padded(fmt::format("{:.5g}", parameter.scale() * truth[i]), kNumber);
+    for (const auto& [name, estimates] : methods)
+      text += padded(cell((*estimates)[i]), kCell) + padded(changeOf((*estimates)[i]), kChange);
+    text += "\n";
+  }
+  return text;
+}
+
+std::string advice(const std::vector<Estimate>& estimates) {
+  std::string text;
+  for (const Estimate& estimate : estimates)
+    if (!estimate.advice.empty())
+      text += fmt::format("  {}: {}\n", estimate.parameter.name(), estimate.advice);
+  return text;
+}
+
+std::string poseText(const identification::CameraPose& pose, const identification::CameraPose& sigma) {
+  std::string text = "  camera: turned by";
+  for (int i = 0; i < 3; ++i)
+    text += fmt::format(" {:+.2f} ± {:.2f}", base::toDegrees(pose.turn(i)), base::toDegrees(sigma.turn(i)));
+  text += " deg, shifted by";
+  for (int i = 0; i < 3; ++i)
+    text += fmt::format(" {:+.2f} ± {:.2f}", base::toMillimetres(pose.shift(i)),
+                        base::toMillimetres(sigma.shift(i)));
+  return text + fmt::format(" mm, late by {:+.1f} ± {:.1f} ms\n", 1e3 * pose.delay, 1e3 * sigma.delay);
+}
+
+std::string dualText(const DualUkfReport& report) {
+  std::string text = fmt::format(
+      "dual UKF: {} after {:.0f} s, {} observations, NIS/3 {:.2f}, {:.1f} % held back, {:.1f} s of "
+      "computing\n",
+      base::nameOf(report.end), report.used, report.observations, report.nis, 100.0 * report.outliers,
+      report.seconds);
+  for (std::size_t i = 0; i < report.estimates.size(); ++i)
+    text += fmt::format("  {}: {}\n", report.estimates[i].parameter.name(),
+                        identification::wordsOf(report.convergence[i], report.estimates[i]));
+  return text + poseText(report.camera, report.camera_sigma);
+}
+
+std::string batchText(const BatchReport& report) {
+  return fmt::format(
+             "batch: {} after {} iterations, {} observations, residual {:.2f} → {:.2f} σ, {:.1f} % held "
+             "back, {:.1f} s of computing\n",
+             base::nameOf(report.end), report.iterations, report.observations, report.residual_before,
+             report.residual_after, 100.0 * report.outliers, report.seconds) +
+         advice(report.estimates) + poseText(report.camera, report.camera_sigma);
+}
+
+nlohmann::json estimatesJson(const std::vector<Estimate>& estimates, const TrueValues& truth) {
+  nlohmann::json all = nlohmann::json::array();
+  for (std::size_t i = 0; i < estimates.size(); ++i) {
+    const Estimate& estimate = estimates[i];
+    nlohmann::json one = {{"name", estimate.parameter.name()}, {"nominal", estimate.parameter.nominal},
+                          {"value", estimate.value()},         {"sigma", estimate.valueSigma()},
+                          {"low95", estimate.low()},           {"high95", estimate.high()},
+                          {"percent", estimate.percent()},     {"seen", estimate.seen},
+                          {"advice", estimate.advice}};
+    if (!truth.empty()) one["truth"] = truth[i];
+    all.push_back(one);
+  }
+  return all;
+}
+
+nlohmann::json matrixJson(const Eigen::MatrixXd& matrix) {
+  nlohmann::json rows = nlohmann::json::array();
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    nlohmann::json row = nlohmann::json::array();
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j) row.push_back(matrix(i, j));
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+nlohmann::json poseJson(const identification::CameraPose& pose) {
+  return {{"turn", toJson(pose.turn)}, {"shift", toJson(pose.shift)}, {"delay", pose.delay}};
+}
+
+}  // namespace
+
+std::string textOf(const DualUkfReport* dual, const BatchReport* batch, const TrueValues& truth) {
+  std::vector<std::pair<std::string, const std::vector<Estimate>*>> methods;
+  if (dual && !dual->estimates.empty()) methods.emplace_back("dual UKF", &dual->estimates);
+  if (batch && !batch->estimates.empty()) methods.emplace_back("batch", &batch->estimates);
+  std::string text = methods.empty() ? std::string() : table(methods, truth) + "\n";
+  if (dual) text += dualText(*dual);
+  if (batch) text += batchText(*batch);
+  return text;
+}
+
+nlohmann::json jsonOf(const DualUkfReport& report, const TrueValues& truth) {
+  nlohmann::json document = {{"end", base::nameOf(report.end)},
+                             {"parameters", estimatesJson(report.estimates, truth)},
+                             {"correlation", matrixJson(report.correlation)},
+                             {"camera", poseJson(report.camera)},
+                             {"camera_sigma", poseJson(report.camera_sigma)},
+                             {"nis", report.nis},
+                             {"observations", report.observations},
+                             {"used", report.used},
+                             {"outliers", report.outliers},
+                             {"rescues", report.rescues}};
+  for (std::size_t i = 0; i < report.convergence.size(); ++i) {
+    const auto& convergence = report.convergence[i];
+    nlohmann::json& one = document["parameters"][i];
+    one["settled"] = convergence.settled;
+    one["settled_at"] = convergence.settled_at ? nlohmann::json(*convergence.settled_at) : nlohmann::json();
+    one["time_needed"] =
+        convergence.time_needed ? nlohmann::json(*convergence.time_needed) : nlohmann::json();
+  }
+  return document;
+}
+
+nlohmann::json jsonOf(const BatchReport& report, const TrueValues& truth) {
+  return {{"end", base::nameOf(report.end)},
+          {"parameters", estimatesJson(report.estimates, truth)},
+          {"covariance_log", matrixJson(report.covariance)},
+          {"correlation", matrixJson(report.correlation)},
+          {"camera", poseJson(report.camera)},
+          {"camera_sigma", poseJson(report.camera_sigma)},
+          {"singular_values", matrixJson(report.before.singular_values)},
+          {"residual_before", report.residual_before},
+          {"residual_after", report.residual_after},
+          {"observations", report.observations},
+          {"iterations", report.iterations},
+          {"outliers", report.outliers}};
+}
+
+void writeTrace(const DualUkfReport& report, const identification::ParameterSet& set,
+                const std::filesystem::path& path) {
+  std::ofstream file(path);
+  file << "t";
+  for (const auto& parameter : set.all()) file << ',' << parameter.name() << ",sigma_" << parameter.name();
+  file << '\n';
+  for (const auto& point : report.trace) {
+    file << fmt::format("{:.17g}", point.t);
+    for (int i = 0; i < set.size(); ++i) {
+      const double value = set.value(i, point.log(i));
+      file << fmt::format(",{:.17g},{:.17g}", value, value * point.sigma(i));
+    }
+    file << '\n';
+  }
+  if (!file.flush())
+    refuseFile(path.string(), "cannot be written", "Choose a folder that exists and has room");
+}
+
+}  // namespace capstan::cli

@@ -1,0 +1,211 @@
+#include "core/identification/batch.h"
+
+#include <ceres/ceres.h>
+
+#include <Eigen/LU>
+#include <chrono>
+#include <cmath>
+
+namespace capstan::identification {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// The whole recording, evaluated once per step of the solver; its blocks only read.
+class Evaluation final : public ceres::EvaluationCallback {
+ public:
+  Evaluation(OutputError& problem, const VectorXd& x, base::Progress* progress)
+      : problem_(problem), x_(x), progress_(progress) {}
+
+  void PrepareForEvaluation(bool jacobians, bool new_point) override {
+    if (!new_point && (!jacobians || has_jacobian_)) return;
+    cancelled_ = cancelled_ || !problem_.evaluate(x_, residuals, jacobians ? &jacobian : nullptr, progress_);
+    has_jacobian_ = jacobians;
+  }
+  bool cancelled() const { return cancelled_; }
+
+  VectorXd residuals;
+  MatrixXd jacobian;
+
+ private:
+  OutputError& problem_;
+  const VectorXd& x_;
+  base::Progress* progress_;
+  bool has_jacobian_ = false, cancelled_ = false;
+};
+
+/// Three residuals of one observation.
+class ObservationBlock final : public ceres::CostFunction {
+ public:
+  ObservationBlock(const Evaluation& evaluation, int k, int unknowns) : evaluation_(evaluation), k_(k) {
+    set_num_residuals(3);
+    mutable_parameter_block_sizes()->push_back(unknowns);
+  }
+  bool Evaluate(double const* const*, double* residuals, double** jacobians) const override {
+    if (evaluation_.cancelled()) return false;
+    Eigen::Map<Eigen::Vector3d>(residuals, 3) = evaluation_.residuals.segment<3>(3 * k_);
+    if (jacobians && jacobians[0])
+      Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
+          jacobians[0], 3, evaluation_.jacobian.cols()) = evaluation_.jacobian.middleRows<3>(3 * k_);
+    return true;
+  }
+
+ private:
+  const Evaluation& evaluation_;
+  int k_;
+};
+
+/// Residual x: the prior.
+class PriorBlock final : public ceres::CostFunction {
+ public:
+  explicit PriorBlock(int unknowns) {
+    set_num_residuals(unknowns);
+    mutable_parameter_block_sizes()->push_back(unknowns);
+  }
+  bool Evaluate(double const* const* x, double* residuals, double** jacobians) const override {
+    const int n = num_residuals();
+    std::copy(x[0], x[0] + n, residuals);
+    if (jacobians && jacobians[0]) Eigen::Map<MatrixXd>(jacobians[0], n, n).setIdentity();
+    return true;
+  }
+};
+
+class Watch final : public ceres::IterationCallback {
+ public:
+  Watch(base::Progress* progress, int most) : progress_(progress), most_(most) {}
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
+    if (!progress_) return ceres::SOLVER_CONTINUE;
+    progress_->report(std::min(1.0, (summary.iteration + 1.0) / most_), "batch identification");
+    return progress_->cancelled() ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
+  }
+
+ private:
+  base::Progress* progress_;
+  int most_;
+};
+
+double rmsOf(const VectorXd& residuals) {
+  return residuals.size() > 0 ? std::sqrt(residuals.squaredNorm() / static_cast<double>(residuals.size()))
+                              : 0.0;
+}
+
+ceres::Solver::Summary solve(OutputError& error, const ParameterSet& set, const BatchOptions& options,
+                             VectorXd& x, base::Progress* progress) {
+  Evaluation evaluation(error, x, progress);
+  ceres::Problem::Options problem_options;
+  problem_options.evaluation_callback = &evaluation;
+  problem_options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  ceres::HuberLoss loss(options.huber);
+  ceres::Problem problem(problem_options);
+  for (int k = 0; k < error.observations(); ++k)
+    problem.AddResidualBlock(new ObservationBlock(evaluation, k, error.unknowns()), &loss, x.data());
+  problem.AddResidualBlock(new PriorBlock(error.unknowns()), nullptr, x.data());
+  for (int i = 0; i < set.size(); ++i) {
+    problem.SetParameterLowerBound(x.data(), i, -set[i].bound / set[i].prior_sigma);
+    problem.SetParameterUpperBound(x.data(), i, set[i].bound / set[i].prior_sigma);
+  }
+  Watch watch(progress, options.max_iterations);
+  ceres::Solver::Options solver;
+  solver.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
+  solver.max_num_iterations = options.max_iterations;
+  solver.function_tolerance = 1e-7;
+  solver.parameter_tolerance = 1e-6;
+  solver.logging_type = ceres::SILENT;
+  solver.callbacks.push_back(&watch);
+  solver.update_state_every_iteration = true;
+  ceres::Solver::Summary summary;
+  ceres::Solve(solver, &problem, &summary);
+  return summary;
+}
+
+/// Covariance of the unknowns at the solution, see identifyBatch().
+MatrixXd covarianceOf(const OutputError& error, const VectorXd& residuals, const MatrixXd& jacobian,
+                      const BatchOptions& options) {
+  const int n = error.unknowns();
+  MatrixXd information = MatrixXd::Identity(n, n), meat = information;
+  VectorXd gradient = VectorXd::Zero(n);
+  int blocks = 1;
+  double start = error.observation(0).t;
+  for (int k = 0; k < error.observations(); ++k) {
+    if (error.observation(k).t - start >= options.block) {
+      meat += gradient * gradient.transpose();
+      gradient.setZero();
+      start = error.observation(k).t;
+      ++blocks;
+    }
+    const double size = residuals.segment<3>(3 * k).norm();
+    const double weight = size > options.huber ? options.huber / size : 1.0;
+    const auto rows = jacobian.middleRows<3>(3 * k);
+    information.noalias() += weight * rows.transpose() * rows;
+    gradient += weight * rows.transpose() * residuals.segment<3>(3 * k);
+  }
+  meat += gradient * gradient.transpose();
+  const MatrixXd plain = information.inverse();
+  const double few = static_cast<double>(blocks) / std::max(1, blocks - n);
+  MatrixXd covariance = few * plain * meat * plain;
+  VectorXd grow(n);
+  for (int i = 0; i < n; ++i) grow(i) = std::sqrt(std::max(1.0, plain(i, i) / covariance(i, i)));
+  return grow.asDiagonal() * covariance * grow.asDiagonal();
+}
+
+BatchEnd endOf(const ceres::Solver::Summary& summary, const base::Progress* progress) {
+  if (progress && progress->cancelled()) return BatchEnd::kCancelled;
+  if (summary.termination_type == ceres::CONVERGENCE) return BatchEnd::kConverged;
+  return summary.termination_type == ceres::NO_CONVERGENCE ? BatchEnd::kIterationLimit : BatchEnd::kFailed;
+}
+
+void describe(const OutputError& error, const ParameterSet& set, const VectorXd& x,
+              const MatrixXd& covariance, BatchReport& report) {
+  const int n = set.size();
+  const VectorXd sigma = error.scale().cwiseProduct(covariance.diagonal().cwiseSqrt());
+  report.covariance = error.scale().head(n).asDiagonal() * covariance.topLeftCorner(n, n) *
+                      error.scale().head(n).asDiagonal();
+  const VectorXd inverse = covariance.diagonal().head(n).cwiseSqrt().cwiseInverse();
+  report.correlation = inverse.asDiagonal() * covariance.topLeftCorner(n, n) * inverse.asDiagonal();
+  report.camera = error.pose(x);
+  report.camera_sigma = cameraPoseOf(sigma.tail<CameraPose::kSize>());
+  for (int i = 0; i < n; ++i) {
+    const Visibility& visibility = report.before.parameters[static_cast<std::size_t>(i)];
+    Estimate estimate{set[i], error.scale()(i) * x(i), sigma(i), visibility.seen, visibility.advice};
+    if (estimate.seen && std::abs(estimate.log) > 0.999 * set[i].bound)
+      estimate.advice = set[i].words() + " ran into its bound: the model does not explain this recording";
+    report.estimates.push_back(estimate);
+  }
+}
+
+}  // namespace
+
+BatchReport identifyBatch(const IdentificationData& data, const ParameterSet& set,
+                          const BatchOptions& options, base::Progress* progress) {
+  const auto begin = std::chrono::steady_clock::now();
+  BatchReport report;
+  OutputError error(data, set, options.camera, options.shooting);
+  const int n = error.unknowns();
+  report.observations = error.observations();
+  VectorXd x = VectorXd::Zero(n), residuals;
+  MatrixXd jacobian, covariance = MatrixXd::Identity(n, n);
+  if (!error.evaluate(x, residuals, &jacobian, progress)) {
+    report.end = BatchEnd::kCancelled;
+    return report;
+  }
+  report.before = assess(error, set, jacobian);
+  report.residual_before = rmsOf(residuals);
+  report.end = BatchEnd::kNoData;
+  if (report.observations > 0) {
+    const ceres::Solver::Summary summary = solve(error, set, options, x, progress);
+    report.end = endOf(summary, progress);
+    report.iterations = static_cast<int>(summary.iterations.size());
+    if (report.end == BatchEnd::kCancelled) return report;
+    error.evaluate(x, residuals, &jacobian);
+    covariance = covarianceOf(error, residuals, jacobian, options);
+    report.residual_after = rmsOf(residuals);
+    for (int k = 0; k < report.observations; ++k)
+      report.outliers += residuals.segment<3>(3 * k).norm() > options.huber ? 1.0 / report.observations : 0.0;
+  }
+  describe(error, set, x, covariance, report);
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return report;
+}
+
+}  // namespace capstan::identification

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/identification/camera_pose.h"
+#include "core/identification/estimate.h"
+#include "core/identification/identifiability.h"
+#include "core/identification/identification_data.h"
+#include "core/identification/shooting.h"
+
+namespace capstan::identification {
+
+struct BatchOptions {
+  CameraPoseOptions camera;
+  ShootingOptions shooting;
+  double huber = 3.37;  ///< residual of an observation beyond which it counts less: 99 % of χ with 3
+  double block = 2.0;   ///< residuals this close in time may be correlated [s]
+  int max_iterations = 30;
+};
+
+enum class BatchEnd { kConverged, kIterationLimit, kNoData, kCancelled, kFailed };
+
+struct BatchReport {
+  BatchEnd end = BatchEnd::kFailed;
+  std::vector<Estimate> estimates;  ///< in the set's order
+  Eigen::MatrixXd covariance;       ///< of the logarithms
+  Eigen::MatrixXd correlation;      ///< of the logarithms
+  CameraPose camera, camera_sigma;  ///< nuisance parameters and their standard deviations
+  Identifiability before;           ///< at the nominal parameters, before the solve
+  int observations = 0;
+  int iterations = 0;
+  double residual_before = 0.0, residual_after = 0.0;  ///< RMS of the whitened residuals; 1: noise only
+  double outliers = 0.0;  ///< share of observations that the robust loss holds back
+  double seconds = 0.0;   ///< of computing
+};
+
+/// Output-error identification: the parameters and camera pose of most posterior probability,
+///     min_x  Σ_k ρ(|r_k(x)|²) + |x|²,   r and x as in output_error.h, ρ Huber's loss,
+/// by Levenberg–Marquardt (Ceres) with bounds. Derivatives are automatic (shooting.h).
+///
+/// The covariance is the larger, parameter by parameter, of the inverse of H = Jᵀ W J + 1 and of the sandwich
+/// H⁻¹ (Σ_b g_b g_bᵀ + 1) H⁻¹ with g_b the gradient of a block of `block` seconds: what the model does not
+/// know (hysteresis, stiction) makes residuals that are correlated in time, which the first alone would not
+/// show (Liang and Zeger, Biometrika 73 (1986)). Neither knows of a bias.
+BatchReport identifyBatch(const IdentificationData& data, const ParameterSet& set,
+                          const BatchOptions& options = {}, base::Progress* progress = nullptr);
+
+}  // namespace capstan::identification
+
+template <>
+struct capstan::base::NamesOf<capstan::identification::BatchEnd> {
+  using E = capstan::identification::BatchEnd;
+  static constexpr std::array value = {
+      std::pair{E::kConverged, "converged"}, std::pair{E::kIterationLimit, "iteration limit"},
+      std::pair{E::kNoData, "no camera observations"}, std::pair{E::kCancelled, "cancelled"},
+      std::pair{E::kFailed, "failed"}};
+};

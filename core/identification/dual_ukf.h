@@ -1,0 +1,69 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/identification/camera_pose.h"
+#include "core/identification/convergence.h"
+#include "core/identification/estimate.h"
+#include "core/identification/identification_data.h"
+
+namespace capstan::identification {
+
+struct DualUkfOptions {
+  CameraPoseOptions camera;
+  Eigen::Vector3d position_noise{1e-3, 1e-3, 1e-4};  ///< of the states [rad/√s, rad/√s, m/√s]
+  Eigen::Vector3d velocity_noise{0.1, 0.1, 0.01};    ///< [rad/s/√s, rad/s/√s, m/s/√s]
+  double parameter_noise = 0.0;  ///< r_k of (11): drift of each logarithm [1/√s]; 0: constants
+  double huber = 3.37;           ///< innovation beyond which an observation counts less
+  double block = 2.0;            ///< innovations this close in time may be correlated [s]
+  double memory = 60.0;          ///< over which their correlation is measured [s]
+  double trace_period = 0.5;     ///< [s]
+  bool stop_when_settled = false;
+};
+
+enum class DualUkfEnd { kRecordingEnded, kSettled, kNoData, kCancelled };
+
+struct DualUkfReport {
+  DualUkfEnd end = DualUkfEnd::kNoData;
+  std::vector<Estimate> estimates;  ///< in the set's order
+  std::vector<Convergence> convergence;
+  Trace trace;
+  Eigen::MatrixXd correlation;      ///< of the logarithms
+  CameraPose camera, camera_sigma;  ///< nuisance parameters and their standard deviations
+  double nis = 0.0;                 ///< mean over its 3 degrees of freedom
+  double outliers = 0.0;            ///< share of observations held back
+  int observations = 0;
+  double used = 0.0;  ///< time of the recording that was looked at [s]
+  std::uint64_t rescues = 0;
+  double seconds = 0.0;  ///< of computing
+};
+
+using TraceSink = std::function<void(const TracePoint&)>;
+
+/// Dual square-root UKF, UKF paper (11)–(12): a filter of the states that takes the parameters as known, and
+/// one of the parameters (parameter_filter.h) that takes the states as known, side by side over the
+/// recording. Both observe the tip seen by the cameras; joint encoders are no part of `data`.
+///
+/// Beyond the paper: the camera's pose and delay are nuisance parameters of the second filter; the states
+/// follow the parameters by Φ Δw; and the σ stated is widened to what the innovations show. A filter believes
+/// them white; where hysteresis or stiction, which the model does not know, correlate them over `block`
+/// seconds, the scores g = Hᵀ R⁻¹ ν of blocks vary more than their information I says, and σ grows by that
+/// ratio, measured over the last `memory` seconds.
+///
+/// `sink`, if given, sees every point of the trace as it is made.
+DualUkfReport identifyDualUkf(const IdentificationData& data, const ParameterSet& set,
+                              const DualUkfOptions& options = {}, base::Progress* progress = nullptr,
+                              const TraceSink& sink = {});
+
+}  // namespace capstan::identification
+
+template <>
+struct capstan::base::NamesOf<capstan::identification::DualUkfEnd> {
+  using E = capstan::identification::DualUkfEnd;
+  static constexpr std::array value = {
+      std::pair{E::kRecordingEnded, "recording ended"}, std::pair{E::kSettled, "settled"},
+      std::pair{E::kNoData, "no camera observations"}, std::pair{E::kCancelled, "cancelled"}};
+};

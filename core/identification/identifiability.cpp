@@ -1,0 +1,101 @@
+#include "core/identification/identifiability.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/SVD>
+#include <cmath>
+
+#include "core/base/units.h"
+#include "core/identification/estimate.h"
+
+namespace capstan::identification {
+namespace {
+
+/// An angle or a length of joint 0…2, for people.
+std::string shown(int joint, double value) {
+  return joint < 2 ? fmt::format("{:.2g} deg", base::toDegrees(value))
+                   : fmt::format("{:.2g} mm", base::toMillimetres(value));
+}
+
+const char* remedyFor(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::kLinkRadius:
+      return "move that joint over a wider range";
+    case Quantity::kStiffness:
+      return "load the joint: reach farther out, accelerate harder, or record longer";
+    default:
+      return "move faster and reverse more often";
+  }
+}
+
+}  // namespace
+
+std::string wordsOf(const ParameterSet& set, int unknown) {
+  if (unknown < set.size()) return set[unknown].words();
+  const int of_camera = unknown - set.size();
+  if (of_camera == CameraPose::kSize - 1) return "the camera's delay";
+  return fmt::format("the camera's {} {}", of_camera < 3 ? "turn about" : "shift along",
+                     std::string(1, "xyz"[of_camera % 3]));
+}
+
+std::string adviceFor(const ParameterSet& set, int i, const Visibility& v, int observations) {
+  const Parameter& parameter = set[i];
+  if (observations == 0) return "no camera observation can be used: " + parameter.words() + " stays as it is";
+  const std::string change = fmt::format("{:.0f} %", 100.0 * std::expm1(parameter.prior_sigma));
+  if (v.sigma_alone > kSeenShare * parameter.prior_sigma)
+    return fmt::format(
+        "{} moves the output by less than its noise: {} more of it moves joint {} by {} RMS, the camera's "
+        "noise "
+        "is {} in each of {} frames; {}",
+        parameter.words(), change, parameter.joint + 1, shown(parameter.joint, v.moved),
+        shown(parameter.joint, v.noise), observations, remedyFor(parameter.quantity));
+  return fmt::format("{} cannot be told from {} in this motion (correlation {:.2f}); {}", parameter.words(),
+                     wordsOf(set, v.partner), v.correlation, remedyFor(parameter.quantity));
+}
+
+void findPartner(const Eigen::MatrixXd& covariance, int i, int count, Visibility& visibility) {
+  for (int j = 0; j < count; ++j) {
+    const double correlation = covariance(i, j) / std::sqrt(covariance(i, i) * covariance(j, j));
+    if (j == i || (visibility.partner >= 0 && std::abs(correlation) <= std::abs(visibility.correlation)))
+      continue;
+    visibility.partner = j;
+    visibility.correlation = correlation;
+  }
+}
+
+Identifiability assess(const OutputError& problem, const ParameterSet& set, const Eigen::MatrixXd& jacobian) {
+  const int n = problem.unknowns();
+  Identifiability found;
+  found.observations = problem.observations();
+  const Eigen::MatrixXd normal =
+      jacobian.rows() > 0 ? Eigen::MatrixXd(jacobian.transpose() * jacobian) : Eigen::MatrixXd::Zero(n, n);
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(normal, Eigen::ComputeFullV);
+  found.singular_values = svd.singularValues().cwiseSqrt();
+  found.directions = svd.matrixV();
+  const Eigen::MatrixXd posterior = (normal + Eigen::MatrixXd::Identity(n, n)).inverse();
+
+  for (int i = 0; i < set.size(); ++i) {
+    Visibility v;
+    const double prior = set[i].prior_sigma;
+    v.sigma_alone = prior / std::sqrt(1.0 + normal(i, i));
+    v.sigma = prior * std::sqrt(posterior(i, i));
+    v.seen = v.sigma < kSeenShare * prior;
+    double moved = 0.0, noise = 0.0;
+    for (int k = 0; k < problem.observations(); ++k) {
+      const double change =
+          prior * problem.predictions()[static_cast<std::size_t>(k)].q_by_log(set[i].joint, i);
+      moved += change * change;
+      noise += problem.observation(k).q_covariance(set[i].joint, set[i].joint);
+    }
+    const double count = std::max(1, problem.observations());
+    v.moved = std::sqrt(moved / count);
+    v.noise = std::sqrt(noise / count);
+    findPartner(posterior, i, n, v);
+    if (!v.seen) v.advice = adviceFor(set, i, v, problem.observations());
+    found.parameters.push_back(v);
+  }
+  return found;
+}
+
+}  // namespace capstan::identification

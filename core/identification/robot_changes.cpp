@@ -1,0 +1,57 @@
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+#include "core/base/error.h"
+#include "core/base/yaml.h"
+#include "core/identification/parameters.h"
+
+namespace capstan::identification {
+namespace {
+
+/// A number of a robot file under its key.
+using Numbers = std::vector<std::pair<std::string, double>>;
+
+template <class T>
+void gather(const T& value, const std::string& key, Numbers& numbers) {
+  if constexpr (base::Visitable<T>) {
+    T::visit(value, [&](const auto& field, const base::FieldInfo& info) {
+      gather(field, key.empty() ? std::string(info.key) : key + "." + std::string(info.key), numbers);
+    });
+  } else if constexpr (std::is_arithmetic_v<T>) {
+    numbers.emplace_back(key, static_cast<double>(value));
+  } else if constexpr (base::detail::IsVector<T>::value) {
+    for (std::size_t i = 0; i < value.size(); ++i)
+      gather(value[i], key + "[" + std::to_string(i) + "]", numbers);
+  } else if constexpr (base::detail::FixedMatrix<T>) {
+    for (Eigen::Index i = 0; i < value.size(); ++i)
+      gather(value(i), key + "[" + std::to_string(i) + "]", numbers);
+  }
+}
+
+}  // namespace
+
+std::vector<RobotChange> differences(const robot::Description& nominal,
+                                     const robot::Description& identified) {
+  Numbers before, after;
+  gather(nominal, {}, before);
+  gather(identified, {}, after);
+  if (before.size() != after.size())
+    throw base::InputError({{},
+                            0,
+                            "robot",
+                            identified.name,
+                            "has another number of joints than " + nominal.name,
+                            "Compare two files of the same kind of robot"});
+  std::vector<RobotChange> changes;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const double from = before[i].second, to = after[i].second;
+    if (from == to) continue;
+    const double percent =
+        from == 0.0 ? std::numeric_limits<double>::quiet_NaN() : 100.0 * (to - from) / std::abs(from);
+    changes.push_back({before[i].first, from, to, percent});
+  }
+  return changes;
+}
+
+}  // namespace capstan::identification
