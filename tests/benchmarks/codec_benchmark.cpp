@@ -46,28 +46,28 @@ void run(benchmark::State& state, Encode&& encode) {
       frames / kFramesPerSecond / 100.0, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
-void BM_RecorderCodec(benchmark::State& state) {
+void recorderCodec(benchmark::State& state) {
   capstan::session::FrameEncoder encoder(640, 480);
   run(state, [&](const cv::Mat& image) { return encoder.encode(image).size(); });
 }
-void BM_PngLevel1(benchmark::State& state) {
+void pngLevel1(benchmark::State& state) {
   std::vector<std::uint8_t> packet;
   run(state, [&](const cv::Mat& image) {
     cv::imencode(".png", image, packet, {cv::IMWRITE_PNG_COMPRESSION, 1});
     return packet.size();
   });
 }
-void BM_Decode(benchmark::State& state) {
+void decode(benchmark::State& state) {
   capstan::session::FrameEncoder encoder(640, 480);
   const auto packet = encoder.encode(pictures()[0]);
   capstan::session::FrameDecoder decoder(encoder.parameters(), "benchmark");
   cv::Mat image;
-  for (auto _ : state) benchmark::DoNotOptimize(decoder.decode(packet, image));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(decoder.decode(packet, image));
 }
 
-BENCHMARK(BM_RecorderCodec)->Unit(benchmark::kMillisecond);
-BENCHMARK(BM_PngLevel1)->Unit(benchmark::kMillisecond);
-BENCHMARK(BM_Decode)->Unit(benchmark::kMillisecond);
+BENCHMARK(recorderCodec)->Unit(benchmark::kMillisecond);
+BENCHMARK(pngLevel1)->Unit(benchmark::kMillisecond);
+BENCHMARK(decode)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 

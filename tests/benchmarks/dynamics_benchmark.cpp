@@ -68,8 +68,8 @@ Forward kdlByParts(const KDL::Chain& chain, const KDL::Vector& gravity) {
     KDL::JntArray bias{3}, still{3};
     KDL::Wrenches none = KDL::Wrenches(3, KDL::Wrench::Zero());
   };
-  auto parts =
-      std::make_shared<Parts>(KDL::ChainIdSolver_RNE(chain, gravity), KDL::ChainDynParam(chain, gravity));
+  const std::shared_ptr<Parts> parts(
+      new Parts{KDL::ChainIdSolver_RNE(chain, gravity), KDL::ChainDynParam(chain, gravity)});
   return [parts](std::size_t i) -> Vector3d {
     const Problem& p = problem();
     parts->newton_euler.CartToJnt(p.kdl_q[i], p.kdl_dq[i], parts->still, parts->none, parts->bias);

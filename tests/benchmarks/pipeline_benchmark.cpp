@@ -72,7 +72,7 @@ void measure(const Case& one) {
 
 }  // namespace
 
-int main() {
+int main() try {
   fmt::print("{}\n{:<34}{:>10}{:>14}{:>16}{:>16}\n", processor(), "pipeline, 1 kHz motors", "× real t.",
              "us a sample", "us a camera", "allocs/sample");
   measure({"motors only", false, false, false, 21.0});
@@ -81,4 +81,7 @@ int main() {
   measure({"2 × 15 frames/s, whole frame", true, true, true, 11.0});
   if (!capstan::test::countsMalloc())
     fmt::print("allocations were not counted: malloc belongs to a sanitizer\n");
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "pipeline_benchmark: %s\n", error.what());
+  return 1;
 }

@@ -2,8 +2,9 @@
 
 #include <unistd.h>
 
+#include <bit>
+#include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <limits>
 #include <opencv2/core.hpp>
@@ -103,7 +104,9 @@ inline cv::Mat noisyImage(base::Random& random, int width = 64, int height = 48)
 }
 
 /// The same bits, except that one NaN is like another.
-inline bool sameBits(double a, double b) { return (a != a && b != b) || std::memcmp(&a, &b, sizeof a) == 0; }
+inline bool sameBits(double a, double b) {
+  return (a != a && b != b) || std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
 inline bool sameBits(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return sameBits(a(0), b(0)) && sameBits(a(1), b(1)) && sameBits(a(2), b(2));
 }

@@ -2,24 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <new>
 #include <opencv2/imgproc.hpp>
 
+#include "tests/support/counting_new.h"
 #include "tests/support/disc_image.h"
 #include "tests/support/plain_marker.h"
-
-namespace {
-thread_local long allocations = 0;
-}  // namespace
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace capstan::vision {
 namespace {
@@ -190,12 +177,21 @@ TEST(MarkerDetector, AllocatesNothing) {
   scene.noise = 30.0;
   const cv::Mat clean = renderDisc(DiscScene{}, random), noisy = renderDisc(scene, random);
   detector.detect(clean);
-  const long before = allocations;
+  const std::size_t before = test::allocations();
   for (const cv::Mat& image : {clean, noisy}) {
     detector.detect(image);
     detector.detect(image, cv::Rect(30, 10, 100, 100));
   }
-  EXPECT_EQ(allocations, before);
+  EXPECT_EQ(test::allocations(), before);
+}
+
+TEST(MarkerDetector, AnImageLargerThanPromisedOrOfAnotherFormatIsRefused) {
+  MarkerDetector detector(MarkerOptions{}, 160, 120);
+  const cv::Mat large(480, 640, CV_8UC3, cv::Scalar(60, 200, 60)), grey(120, 160, CV_8UC1, cv::Scalar(60));
+  EXPECT_EQ(detector.detect(large).fault, MarkerFault::kWrongImage);
+  EXPECT_EQ(detector.detect(grey).fault, MarkerFault::kWrongImage);
+  EXPECT_EQ(detector.detect(large, cv::Rect(0, 0, 161, 20)).fault, MarkerFault::kWrongImage);
+  EXPECT_NE(detector.detect(large, cv::Rect(300, 200, 100, 100)).fault, MarkerFault::kWrongImage);
 }
 
 TEST(RoiAround, StaysInsideTheFrameAndKeepsItsSize) {
