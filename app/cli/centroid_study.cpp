@@ -19,11 +19,18 @@ double meanOf(const std::vector<double>& values) {
              : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
+constexpr double kTick = 1e-3;  // cameras are blocked and freed at motor samples [s]
+
 }  // namespace
+
+bool CentroidStudy::blockedAt(double exposed) const {
+  return occlusion_.blockedAt(exposed) || occlusion_.blockedAt(exposed - kTick);
+}
 
 void CentroidStudy::add(const tracking::Snapshot& snapshot) {
   if (!snapshot.camera_updated || !snapshot.camera_images) return;
   const simulation::FrameTruth& truth = source_.frameTruth();
+  if (blockedAt(truth.t)) return;
   for (std::size_t side = 0; side < 2; ++side) {
     const auto& rendered = truth.marker[side];
     if (!rendered.in_view) continue;

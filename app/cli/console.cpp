@@ -21,9 +21,8 @@ void onInterrupt(int) { interrupted = 1; }
 }  // namespace
 
 ProgressLine::ProgressLine(base::Progress& progress)
-    : thread_([&progress](const std::stop_token& stop) {
+    : previous_(std::signal(SIGINT, onInterrupt)), thread_([&progress](const std::stop_token& stop) {
         const bool terminal = isatty(STDERR_FILENO) != 0;
-        const auto previous = std::signal(SIGINT, onInterrupt);
         bool shown = false;
         while (!stop.stop_requested()) {
           std::this_thread::sleep_for(std::chrono::milliseconds(100));
@@ -35,10 +34,13 @@ ProgressLine::ProgressLine(base::Progress& progress)
           shown = true;
         }
         if (shown) fmt::print(stderr, "\r\033[K");
-        std::signal(SIGINT, previous);
       }) {}
 
-ProgressLine::~ProgressLine() = default;
+ProgressLine::~ProgressLine() {
+  thread_.request_stop();
+  thread_.join();
+  std::signal(SIGINT, previous_);
+}
 
 void Output::text(const std::string& text) const {
   if (json_target_ != "-") fmt::print("{}", text);

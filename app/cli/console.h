@@ -16,6 +16,7 @@ class ProgressLine {
   ~ProgressLine();
 
  private:
+  void (*previous_)(int);  ///< what SIGINT did before
   std::jthread thread_;
 };
 
@@ -28,7 +29,6 @@ class Output {
   /// One JSON document, numbers to the last bit, NaN as null. Throws base::InputError when the file cannot be
   /// written.
   void json(const nlohmann::json& document) const;
-  bool wantsJson() const { return !json_target_.empty(); }
 
  private:
   std::string json_target_;

@@ -14,6 +14,10 @@
 namespace capstan::cli {
 
 RecordingFormat detectFormat(const std::string& file) {
+  std::error_code fault;
+  const std::string suffix = std::filesystem::path(file).extension().string();
+  if (suffix == session::kSessionSuffix && std::filesystem::is_regular_file(file, fault))
+    return RecordingFormat::kSession;  // unopened: SQLite's locks on it would go with the closing
   std::ifstream in(file, std::ios::binary);
   if (!in || std::filesystem::is_directory(file))
     refuseFile(file, std::filesystem::exists(file) ? "cannot be read" : "does not exist",
@@ -26,9 +30,7 @@ RecordingFormat detectFormat(const std::string& file) {
   std::string line;
   std::getline(in, line);
   if (session::isRavenMotors(line)) return RecordingFormat::kRavenMotors;
-  const std::string suffix = std::filesystem::path(file).extension().string();
   if (suffix == ".yaml" || suffix == ".yml") return RecordingFormat::kRobot;
-  if (suffix == session::kSessionSuffix) return RecordingFormat::kSession;
   return RecordingFormat::kTable;
 }
 

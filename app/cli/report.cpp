@@ -131,10 +131,10 @@ std::unique_ptr<session::Source> openFor(ReportArguments& arguments, const CLI::
 ExitCode report(ReportArguments& arguments, const CLI::App& command) {
   const Output output(arguments.json);
   const fs::path folder = arguments.out;
-  const auto options = arguments.options.empty() ? tracking::TrackingOptions{}
-                                                 : tracking::readTrackingOptions(arguments.options);
   const auto source = openFor(arguments, command);
   const session::SourceInfo info = source->info();
+  const auto options = arguments.options.empty() ? tracking::trackingOptionsOf(info)
+                                                 : tracking::readTrackingOptions(arguments.options);
   tracking::TrackingPipeline pipeline = tracking::makePipeline(info, options);
   makeRoom(folder, arguments.file);
 
@@ -202,7 +202,8 @@ void addReport(CLI::App& app, ExitCode& exit) {
       ->capture_default_str()
       ->check(CLI::IsMember({"auto", "session", "table", "raven"}));
   command->add_option("--robot", arguments->robot, "robot file; a session brings its own");
-  command->add_option("--options", arguments->options, "filter options (resources/tracking/default.yaml)");
+  command->add_option("--options", arguments->options,
+                      "filter options (as resources/tracking/default.yaml); a session brings its own");
   command->add_option("--json", arguments->json, "result as JSON, SI: a file, or - for standard output");
   addSimulationOptions(*command, arguments->simulation);
   command->footer(

@@ -23,8 +23,10 @@ void addSimulationOptions(CLI::App& command, simulation::SimulationRequest& requ
       ->capture_default_str();
   grouped(command.add_option("--seed", request.seed, "surgeon, noise and texture"))->capture_default_str();
   grouped(command.add_option("--cameras", request.cameras, "folder with left.yaml and right.yaml"));
-  grouped(command.add_flag("!--no-images", request.images, "tip positions instead of pictures"));
-  grouped(command.add_flag("!--no-cameras", request.cameras_fitted, "motors only"));
+  grouped(command.add_flag_callback(
+      "--no-images", [&request] { request.images = false; }, "tip positions instead of pictures"));
+  grouped(command.add_flag_callback(
+      "--no-cameras", [&request] { request.cameras_fitted = false; }, "motors only"));
   grouped(command.add_flag("--distractors", request.distractors, "objects of nearly the marker's colour"));
   grouped(command.add_flag("--uneven-light", request.uneven_light, "one side of the scene in the dark"));
 }

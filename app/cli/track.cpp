@@ -65,25 +65,27 @@ ExitCode track(TrackArguments& arguments, const CLI::App& command) {
     writeRegistration(*info.base_from_camera, arguments.save_registration);
 
   tracking::TrackingPipeline pipeline = tracking::makePipeline(info, options);
-  OccludedSource occluded(*source, {.percentage = arguments.occlude});
+  const session::OcclusionSchedule occlusion{.percentage = arguments.occlude};
+  OccludedSource occluded(*source, occlusion);
   EstimateWriter estimates(arguments.out);
   std::optional<CentroidStudy> study;
   if (const auto* simulated = dynamic_cast<const simulation::SimulatedSource*>(source.get());
       simulated && info.rig)
-    study.emplace(*simulated);
+    study.emplace(*simulated, occlusion);
 
   base::Progress progress;
   tracking::TrackReport report;
-  const auto begin = std::chrono::steady_clock::now();
+  std::chrono::duration<double> spent{};
   {
     const ProgressLine line(progress);
+    const auto begin = std::chrono::steady_clock::now();
     report = tracking::trackAll(occluded, pipeline, &progress, info.duration,
                                 [&](const tracking::Sample& sample, const tracking::Snapshot& snapshot) {
                                   estimates.add(sample, snapshot);
                                   if (study) study->add(snapshot);
                                 });
+    spent = std::chrono::steady_clock::now() - begin;
   }
-  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
   estimates.close();
 
   std::string text = textOf(report, spent.count());

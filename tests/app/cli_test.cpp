@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -10,6 +11,8 @@
 #include <sstream>
 #include <string>
 
+#include "core/base/yaml.h"
+#include "core/session/export.h"
 #include "core/session/measured_table.h"
 #include "core/session/session_source.h"
 #include "core/tracking/make_pipeline.h"
@@ -42,10 +45,27 @@ class Cli : public testing::Test {
     while (const std::size_t got = std::fread(buffer, 1, sizeof buffer, pipe)) result.out.append(buffer, got);
     const int status = pclose(pipe);
     result.exit = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    std::stringstream text;
-    text << std::ifstream(errors).rdbuf();
-    result.err = text.str();
+    result.err = textOf("stderr.txt");
     return result;
+  }
+  /// Starts a command, presses Ctrl-C once `file` is there, and waits for the end.
+  Ran interrupt(const std::string& arguments, const std::string& file) const {
+    const std::string command = "exec " CAPSTAN_CLI " " + arguments + " >/dev/null 2>" + path("stderr.txt");
+    const pid_t child = fork();
+    if (child == 0) {
+      execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+      _exit(127);
+    }
+    int status = 0;
+    while (!fs::exists(file) && waitpid(child, &status, WNOHANG) == 0) usleep(1000);
+    kill(child, SIGINT);
+    waitpid(child, &status, 0);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, {}, textOf("stderr.txt")};
+  }
+  std::string textOf(const std::string& name) const {
+    std::stringstream text;
+    text << std::ifstream(path(name), std::ios::binary).rdbuf();
+    return text.str();
   }
   std::string simulate(const std::string& name, const std::string& more) const {
     const Ran made = run("simulate --out " + path(name) + " --seed 9 " + more);
@@ -201,6 +221,67 @@ TEST_F(Cli, FramesBecomePicturesAndVideo) {
   EXPECT_EQ(static_cast<std::size_t>(std::distance(fs::directory_iterator(path("png")), {})), 2 * frames);
   ASSERT_EQ(run("convert " + file + " " + path("d.mkv")).exit, 0);
   EXPECT_GT(fs::file_size(path("d.mkv")), 10000u);
+}
+
+TEST_F(Cli, ForceKeepsTheFormerFileUntilTheNewOneIsWhole) {
+  const std::string former = simulate("f.capstan", "--trajectory hold --no-images --duration 0.5");
+  const std::string bytes = textOf("f.capstan");
+  write("damaged.csv", "t,q_m1,q_m2,q_m3\n0,1,2,x\n");
+  EXPECT_EQ(run("convert " + path("damaged.csv") + " " + former + " --force").exit, 2);
+  EXPECT_TRUE(textOf("f.capstan") == bytes);
+
+  const Ran stopped =
+      interrupt("simulate --out " + former + " --force --no-images --duration 3600", former + ".part");
+  EXPECT_EQ(stopped.exit, 1) << stopped.err;
+  EXPECT_EQ(stopped.err, "capstan-cli: cancelled\n");
+  EXPECT_TRUE(textOf("f.capstan") == bytes);
+  EXPECT_FALSE(fs::exists(former + ".part"));
+
+  EXPECT_EQ(run("simulate --out " + former + " --force --trajectory hold --no-images --duration 1").exit, 0);
+  EXPECT_GT(fs::file_size(former), bytes.size());
+}
+
+TEST_F(Cli, AnInterruptedImportIsCancelled) {
+  std::string table = "t,q_m1,q_m2,q_m3\n";
+  for (int row = 0; row < 400000; ++row) table += std::to_string(row) + ",1,2,3\n";
+  write("long.csv", table);
+  const Ran stopped =
+      interrupt("convert " + path("long.csv") + " " + path("l.capstan"), path("l.capstan.part"));
+  EXPECT_EQ(stopped.exit, 1) << stopped.err;
+  EXPECT_EQ(stopped.err, "capstan-cli: cancelled\n");
+  EXPECT_FALSE(fs::exists(path("l.capstan")));
+  EXPECT_FALSE(fs::exists(path("l.capstan.part")));
+}
+
+TEST_F(Cli, ReportTracksWithTheSessionsOwnOptionsLikeTrack) {
+  const std::string plain = simulate("p.capstan", "--trajectory sinusoid --no-images --duration 3");
+  {
+    session::SessionSource source(plain);
+    tracking::TrackingOptions options;
+    options.camera_sigma_floor *= 5.0;
+    session::SessionHeader header = session::headerOf(source.info(), "2026-11-21");
+    header.tracking = base::writeYaml(options);
+    session::importRecording(source, path("own.capstan"), header);
+  }
+  const auto rmsOf = [&](const std::string& command) {
+    const Ran result = run(command + " --json -");
+    EXPECT_EQ(result.exit, 0) << result.err;
+    return json::parse(result.out)["rms"];
+  };
+  const json tracked = rmsOf("track " + path("own.capstan"));
+  EXPECT_NE(tracked, rmsOf("track " + plain)) << "the options make no difference";
+  EXPECT_EQ(rmsOf("report " + path("own.capstan") + " --out " + path("own")), tracked);
+}
+
+TEST_F(Cli, BlockedPicturesAreNotCountedAsInView) {
+  const std::string command =
+      "track --simulate --trajectory hold --truth matched --duration 5 --seed 9 --json - ";
+  const json open = json::parse(run(command).out)["centroid"];
+  const json blocked = json::parse(run(command + "--occlude 40").out)["centroid"];
+  ASSERT_GT(open["in_view"].get<int>(), 100);
+  EXPECT_EQ(open["detected"], open["in_view"]);
+  EXPECT_EQ(blocked["detected"], blocked["in_view"]);
+  EXPECT_NEAR(blocked["in_view"].get<double>() / open["in_view"].get<double>(), 0.6, 0.05);
 }
 
 TEST_F(Cli, RegistersAgainAtTheHardStop) {
