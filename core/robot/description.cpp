@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 
 #include "core/base/yaml.h"
 #include "core/robot/arm_kinematics.h"
@@ -90,5 +91,12 @@ Description readDescription(const std::filesystem::path& path) {
 }
 
 std::string formatDescription(const Description& description) { return base::writeYaml(description); }
+
+Eigen::Vector3d homingOf(const Description& description) {
+  Eigen::Vector3d q = Eigen::Vector3d::Zero();
+  const std::size_t count = std::min<std::size_t>(description.joints.size(), 3);
+  for (std::size_t i = 0; i < count; ++i) q(static_cast<Eigen::Index>(i)) = description.joints[i].homing;
+  return q;
+}
 
 }  // namespace capstan::robot

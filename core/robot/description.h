@@ -151,6 +151,9 @@ Description parseDescription(const std::string& text, const std::string& name);
 /// The robot file of `description`; parseDescription() of it gives it back to the last bit.
 std::string formatDescription(const Description& description);
 
+/// q_hs of the first three joints [rad or m]; joints that a shorter robot lacks stand at 0.
+Eigen::Vector3d homingOf(const Description& description);
+
 }  // namespace capstan::robot
 
 template <>

@@ -7,6 +7,7 @@
 
 #include "core/base/units.h"
 #include "core/robot/arm_kinematics.h"
+#include "core/stats/quantile.h"
 
 namespace capstan::session {
 
@@ -19,28 +20,17 @@ constexpr double kMadToSigma = 1.4826;  // median absolute deviation of a normal
 constexpr double kLeastScale = 1e-5;    // [m] below this a spread is rounding, not noise
 constexpr int kLeastToJudge = 5;        // points before a median means something
 
-Vector3d homing(const robot::Description& robot) {
-  Vector3d q = Vector3d::Zero();
-  for (int i = 0; i < std::min(robot.size(), 3); ++i) q(i) = robot.joints[static_cast<std::size_t>(i)].homing;
-  return q;
-}
-
 std::string jointText(const robot::Joint& joint, double value) {
   return joint.type == robot::JointType::kRevolute ? fmt::format("{:.2f} deg", base::toDegrees(value))
                                                    : fmt::format("{:.2f} mm", base::toMillimetres(value));
-}
-
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  if (values.size() % 2 == 1) return *middle;
-  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
 }
 
 const char* adviceAgainst(vision::MarkerFault fault) {
   switch (fault) {
     case vision::MarkerFault::kNoImage:
       return "Check that both cameras deliver images.";
+    case vision::MarkerFault::kWrongImage:
+      return "Use the camera files of these cameras at this resolution.";
     case vision::MarkerFault::kTwoCandidates:
       return "Take other things of the marker's colour out of the view.";
     case vision::MarkerFault::kTooSmall:
@@ -101,7 +91,7 @@ void RegistrationGuide::watchRest(const tracking::Snapshot& snapshot) {
     rest_pose_ = q;
     rest_since_ = snapshot.t;
   }
-  arrival_.distance = q - homing(robot_);
+  arrival_.distance = q - robot::homingOf(robot_);
   bool all = true;
   for (int i = 0; i < 3; ++i) {
     arrival_.near[static_cast<std::size_t>(i)] = std::abs(arrival_.distance(i)) <= options_.stop_tolerance(i);
@@ -154,10 +144,10 @@ void RegistrationGuide::judgePoints() {
   for (int axis = 0; axis < 3; ++axis) {
     std::transform(points_.begin(), points_.end(), values.begin(),
                    [&](const auto& p) { return p.position(axis); });
-    scatter_.median(axis) = median(values);
+    scatter_.median(axis) = stats::median(values);
     for (std::size_t i = 0; i < points_.size(); ++i)
       values[i] = std::abs(points_[i].position(axis) - scatter_.median(axis));
-    scale(axis) = std::max(kLeastScale, kMadToSigma * median(values));
+    scale(axis) = std::max(kLeastScale, kMadToSigma * stats::median(values));
   }
   used_.clear();
   for (auto& point : points_) {

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "core/base/field.h"
 #include "core/base/names.h"
 #include "core/robot/description.h"
 #include "core/tracking/snapshot.h"
@@ -33,25 +32,6 @@ struct RegistrationOptions {
   double rest_time = 0.5;                                  ///< stillness before collecting [s]
   double outlier_sigma = 4.0;                              ///< distance from the median that rejects a point
   Eigen::Vector3d scatter_limit{0.0015, 0.0015, 0.006};    ///< largest σ of a point, camera x, y, z [m]
-
-  template <class Self, class Visitor>
-  static void visit(Self& self, Visitor&& field) {
-    field(self.frames, {"frames", "", "points averaged", {5, 10000}, false});
-    field(self.detection_share,
-          {"detection_share", "", "least share of frames with a point", {0.01, 1.0}, false});
-    field(self.stop_tolerance, {"stop_tolerance",
-                                "rad, rad, m",
-                                "distance from the hard stop that counts as arrived",
-                                {0.0, 1.0},
-                                false});
-    field(self.rest_tolerance,
-          {"rest_tolerance", "rad, rad, m", "travel that counts as rest", {0.0, 1.0}, false});
-    field(self.rest_time, {"rest_time", "s", "stillness before collecting", {0.0, 60.0}, false});
-    field(self.outlier_sigma,
-          {"outlier_sigma", "", "distance from the median that rejects a point", {1.0, 100.0}, false});
-    field(self.scatter_limit,
-          {"scatter_limit", "m", "largest sigma of a point, camera x, y, z", {1e-6, 1.0}, false});
-  }
 };
 
 /// Where the arm is with respect to the hard stop.
@@ -153,7 +133,8 @@ class RegistrationGuide {
   double collect_since_ = 0.0;
   Eigen::Vector3d collect_pose_ = Eigen::Vector3d::Zero();
   int frames_seen_ = 0;
-  std::array<std::array<int, 6>, 2> lost_{};  ///< frames by camera and vision::MarkerFault
+  static constexpr std::size_t kFaults = base::NamesOf<vision::MarkerFault>::value.size();
+  std::array<std::array<int, kFaults>, 2> lost_{};  ///< frames by camera and vision::MarkerFault
   std::vector<RegistrationPoint> points_;
   std::vector<Eigen::Vector3d> used_;
   PointScatter scatter_;

@@ -17,6 +17,8 @@ constexpr int kBlocks = 6;
 constexpr double kShortest = 80.0, kLongest = 290.0;  // of one whole task [s]
 constexpr double kOneTransfer = 8.0;                  // nobody is faster [s]
 const Eigen::Vector3d kAboveBoard{base::toRadians(33.0), base::toRadians(92.0), 0.315};
+constexpr double kOrdinary = 600.0;                   // checked at every dense step [s]
+constexpr double kInstantsPerMove = 20.0;             // of a longer session
 
 int transfersFor(double duration) {
   if (duration < kShortest) return std::max(1, static_cast<int>(2 * kBlocks * duration / kShortest));
@@ -158,13 +160,24 @@ std::pair<double, double> BlockTransfer::pathTime(double t) const {
   return {t - 0.5 * since * since / slowing, 1.0 - since / slowing};
 }
 
-std::pair<Eigen::Vector3d, Eigen::Vector3d> BlockTransfer::tipAt(double t) const {
-  t = std::clamp(t, 0.0, duration_);
-  const auto [along, pace] = pathTime(t);
+const BlockTransfer::Segment& BlockTransfer::segmentAt(double along) const {
   const auto after =
       std::upper_bound(segments_.begin(), segments_.end(), along,
                        [](double time, const Segment& segment) { return time < segment.start; });
-  const Segment& segment = *std::prev(after);
+  return *std::prev(after);
+}
+
+/// Sessions of ordinary length show their tremor too; of a long one each movement, which has its extremes at
+/// known shares of its time, and the tremor at many phases.
+double BlockTransfer::nextInstant(double t) const {
+  if (duration_ <= kOrdinary) return t + kDenseStep;
+  return t + std::max(kDenseStep, segmentAt(std::clamp(t, 0.0, duration_)).duration / kInstantsPerMove);
+}
+
+std::pair<Eigen::Vector3d, Eigen::Vector3d> BlockTransfer::tipAt(double t) const {
+  t = std::clamp(t, 0.0, duration_);
+  const auto [along, pace] = pathTime(t);
+  const Segment& segment = segmentAt(along);
   const auto [p, dp] = minimumJerk(along - segment.start, segment.duration);
   const Eigen::Vector3d way = segment.to - segment.from;
   Eigen::Vector3d position = segment.from + p * way + 4.0 * p * (1.0 - p) * segment.bow;
@@ -190,11 +203,11 @@ JointTarget BlockTransfer::at(double t) const {
 
 void BlockTransfer::requireReach() const {
   constexpr double kGrid = 0.01;  // [s]
-  for (int i = 0; i * kGrid < duration_; ++i) {
-    const double t = i * kGrid;
+  for (double t = 0.0; t < duration_; t = std::max(t + kGrid, nextInstant(t))) {
     const auto q = kinematics_.solvePosition(tipAt(t).first, near_);
     if (q) continue;
-    throw base::InputError({"trajectory", 0, "block_transfer", base::yamlText(t) + " s",
+    throw base::InputError({"trajectory", 0, "block_transfer",
+                            base::yamlText(std::round(1e3 * t) / 1e3) + " s",
                             "the peg board is " + std::string(base::nameOf(q.error())),
                             "Use a robot file whose arm reaches its peg board"});
   }

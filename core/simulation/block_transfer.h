@@ -36,6 +36,7 @@ class BlockTransfer final : public Trajectory {
 
   JointTarget at(double t) const override;
   double duration() const override { return duration_; }
+  double nextInstant(double t) const override;
   int transfers() const { return transfers_; }
 
   /// Desired tip position [m] and velocity [m/s], frame 0.
@@ -52,6 +53,7 @@ class BlockTransfer final : public Trajectory {
   };
   class Planner;
   void requireReach() const;
+  const Segment& segmentAt(double along) const;
   std::pair<double, double> pathTime(double t) const;
 
   double duration_;

@@ -14,8 +14,7 @@ constexpr double kStopShare = 0.35;      // the picture's middle lies this far f
 
 Eigen::Isometry3d nominalBaseFromCamera(const robot::Description& robot) {
   const PegBoard board = pegBoard(robot);
-  const Eigen::Vector3d stop = robot::ArmKinematics(robot).tip(
-      {robot.joints[0].homing, robot.joints[1].homing, robot.joints[2].homing});
+  const Eigen::Vector3d stop = robot::ArmKinematics(robot).tip(robot::homingOf(robot));
 
   const Eigen::Vector3d down = -board.up;
   const Eigen::Vector3d view = board.centre.dot(board.depth) > 0.0 ? -board.depth : board.depth;

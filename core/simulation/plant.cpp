@@ -3,6 +3,8 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "core/math/rk4.h"
+
 namespace capstan::simulation {
 namespace {
 
@@ -102,13 +104,8 @@ void Plant::step(const Eigen::Vector3d& torque, double dt) {
   const double h = dt / steps;
   Vector x;
   x << state_.q_motor, state_.dq_motor, state_.q_link, state_.dq_link, state_.hysteresis;
-  for (int i = 0; i < steps; ++i) {
-    const Vector k1 = derivative(x, cut);
-    const Vector k2 = derivative(x + 0.5 * h * k1, cut);
-    const Vector k3 = derivative(x + 0.5 * h * k2, cut);
-    const Vector k4 = derivative(x + h * k3, cut);
-    x += h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
-  }
+  const auto motion = [&](double, const Vector& at) { return derivative(at, cut); };
+  for (int i = 0; i < steps; ++i) x = math::rk4Step(motion, 0.0, x, h);
   state_ = {x.segment<3>(0), x.segment<3>(3), x.segment<3>(6), x.segment<3>(9), x.segment<3>(12)};
 }
 

@@ -17,10 +17,6 @@ namespace {
 constexpr double kTick = 1e-3;      // [s]
 constexpr int kSettleTicks = 1000;  // at rest, before anything is measured
 
-Eigen::Vector3d homingOf(const robot::Description& robot) {
-  return {robot.joints[0].homing, robot.joints[1].homing, robot.joints[2].homing};
-}
-
 }  // namespace
 
 struct SimulatedSource::Parts {
@@ -62,7 +58,7 @@ SimulatedSource::Parts::Parts(SimulatedOptions chosen)
       plant(options.robot, options.truth),
       encoders(options.robot, options.truth.encoders, kTick),
       controller(options.robot, options.truth.controller),
-      commander(*trajectory, homingOf(options.robot)),
+      commander(*trajectory, robot::homingOf(options.robot)),
       base_from_camera(simulation::trueBaseFromCamera(options.robot, options.truth.cameras)) {
   info.title = "simulated " + options.robot.name;
   info.robot = options.robot;
@@ -78,11 +74,10 @@ SimulatedSource::Parts::Parts(SimulatedOptions chosen)
                     options.frame_buffers, options.seed);
     if (options.images) info.rig = options.rig;
     if (options.registered || !options.images) {
-      settleAt(homingOf(options.robot));
-      info.base_from_camera =
-          cameras->registerAtRest(toolAt(plant.state().q_link, Eigen::Vector3d::Zero()),
-                                  nominalBaseFromCamera(options.robot).linear(),
-                                  kinematics.tip(homingOf(options.robot)), options.registration_frames);
+      settleAt(robot::homingOf(options.robot));
+      info.base_from_camera = cameras->registerAtRest(
+          toolAt(plant.state().q_link, Eigen::Vector3d::Zero()), nominalBaseFromCamera(options.robot),
+          kinematics.tip(robot::homingOf(options.robot)), options.registration_frames);
       cameras->setRegistration(*info.base_from_camera);
     }
   }

@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/session/occlusion.h"
-#include "core/vision/marker_detector.h"
+#include "core/tracking/stereo_tip.h"
 #include "core/vision/registration.h"
 
 namespace capstan::simulation {
@@ -104,32 +104,27 @@ bool StereoCameras::deliver(double now, tracking::Sample& out) {
   return true;
 }
 
-Eigen::Isometry3d StereoCameras::registerAtRest(const ToolPose& tool, const Eigen::Matrix3d& base_R_camera,
+Eigen::Isometry3d StereoCameras::registerAtRest(const ToolPose& tool, const Eigen::Isometry3d& nominal,
                                                 const Eigen::Vector3d& marker_in_base, int frames) {
   std::vector<Eigen::Vector3d> points;
-  const vision::Camera& camera = triangulator_.rig().left;
-  vision::MarkerDetector detector(vision::MarkerOptions{}, camera.width, camera.height);
+  tracking::StereoTip finder(triangulator_.rig(), vision::MarkerOptions{}, true);
+  const Eigen::Vector3d expected = nominal.inverse() * marker_in_base;
   const FrameTruth truth{0.0, {}, tool.tip, {renderers_[0].outline(tool), renderers_[1].outline(tool)}};
-  Picture picture;
+  tracking::StereoFrame frame;
   for (int i = 0; i < frames; ++i) {
     if (!images_) {
       const Eigen::Vector3d point = triangulated(truth, {});
       if (point.allFinite()) points.push_back(point);
       continue;
     }
-    std::array<vision::MarkerDetection, 2> seen;
-    for (std::size_t side = 0; side < 2; ++side) {
-      renderers_[side].render(tool, picture[side]);
-      const cv::Rect roi =
-          vision::roiAround(truth.marker[side].sphere_centre, detector.options(), picture[side].size());
-      seen[side] = detector.detect(picture[side], roi);
-    }
-    if (!seen[0].found() || !seen[1].found()) continue;
-    const vision::Triangulation found =
-        triangulator_.triangulate(seen[0].centroid, seen[1].centroid, seen[0].sigma, seen[1].sigma);
+    renderers_[0].render(tool, frame.left);
+    renderers_[1].render(tool, frame.right);
+    finder.find(frame, expected);
+    if (finder.gate() != tracking::Gate::kOpen) continue;
+    const vision::Triangulation found = finder.triangulate();
     if (found.found()) points.push_back(found.position);
   }
-  const auto registered = vision::registerAtHardStop(points, base_R_camera, marker_in_base);
+  const auto registered = vision::registerAtHardStop(points, nominal.linear(), marker_in_base);
   if (!registered || 2 * static_cast<int>(points.size()) < frames)
     throw base::InputError({"registration", 0, "hard stop",
                             std::to_string(points.size()) + " of " + std::to_string(frames) + " frames",

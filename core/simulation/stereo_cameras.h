@@ -51,10 +51,11 @@ class StereoCameras {
   /// Registration that turns triangulated points into TipSamples.
   void setRegistration(const Eigen::Isometry3d& base_from_camera) { registration_ = base_from_camera; }
 
-  /// UKF paper (1) with this rig's own pictures (or noisy pixels) of a tool at rest at `tool`, the real
-  /// detector and triangulator. Throws base::InputError when the marker is found in less than half of the
-  /// frames.
-  Eigen::Isometry3d registerAtRest(const ToolPose& tool, const Eigen::Matrix3d& base_R_camera,
+  /// UKF paper (1) with this rig's own pictures (or noisy pixels) of a tool at rest at `tool`, searched as
+  /// the pipeline searches: around the place where the `nominal` mounting, whose rotation is the known one,
+  /// expects the marker, then everywhere. Throws base::InputError when the marker is found in less than half
+  /// of the frames.
+  Eigen::Isometry3d registerAtRest(const ToolPose& tool, const Eigen::Isometry3d& nominal,
                                    const Eigen::Vector3d& marker_in_base, int frames);
 
  private:

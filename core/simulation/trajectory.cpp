@@ -17,6 +17,7 @@ class Hold final : public Trajectory {
   Hold(const HoldSpec& spec, double duration) : position_(spec.position), duration_(duration) {}
   JointTarget at(double) const override { return {position_, Eigen::Vector3d::Zero()}; }
   double duration() const override { return duration_; }
+  double nextInstant(double t) const override { return t + duration_ + 1.0; }
 
  private:
   Eigen::Vector3d position_;
@@ -39,8 +40,12 @@ class Sinusoid final : public Trajectory {
             (amplitude * (gain * omega * cosine + (early ? gain_rate : -gain_rate) * sine)).matrix()};
   }
   double duration() const override { return duration_; }
+  double nextInstant(double t) const override {  // a long one repeats itself: any phase comes by soon enough
+    return t + std::max(kDenseStep, duration_ / kMostInstants);
+  }
 
  private:
+  static constexpr double kMostInstants = 1e6;
   SinusoidSpec spec_;
   double duration_;
 };
@@ -65,17 +70,19 @@ class HardStop final : public Trajectory {
 };
 
 [[noreturn]] void refuse(TrajectoryKind kind, int joint, double value, double t, const std::string& reason) {
-  throw base::InputError({"trajectory", 0,
-                          std::string(base::nameOf(kind)) + ", joint " + std::to_string(joint + 1),
-                          base::yamlText(value), reason + " at t = " + base::yamlText(t) + " s",
-                          "Choose a smaller or slower movement"});
+  throw base::InputError(
+      {"trajectory", 0, std::string(base::nameOf(kind)) + ", joint " + std::to_string(joint + 1),
+       base::yamlText(value), reason + " at t = " + base::yamlText(std::round(1e3 * t) / 1e3) + " s",
+       "Choose a smaller or slower movement"});
 }
 
-/// Inside the limits (widened to hold the hard stop) and below the highest speeds, on a 5 ms grid.
+/// Inside the limits (widened to hold the hard stop) and below the highest speeds, at all instants that show
+/// it.
 void requireFeasible(const Trajectory& trajectory, TrajectoryKind kind, const robot::Description& robot) {
-  constexpr double kGrid = 5e-3, kSlack = 1e-9;
-  for (int step = 0; step * kGrid <= trajectory.duration() + kGrid; ++step) {
-    const double t = step * kGrid;
+  constexpr double kSlack = 1e-9;
+  bool last = false;
+  for (double t = 0.0; !last; t = trajectory.nextInstant(t)) {
+    last = t >= trajectory.duration();
     const JointTarget target = trajectory.at(t);
     for (int i = 0; i < 3; ++i) {
       const robot::Joint& joint = robot.joints[static_cast<std::size_t>(i)];
@@ -87,7 +94,6 @@ void requireFeasible(const Trajectory& trajectory, TrajectoryKind kind, const ro
       if (!(std::abs(dq) <= joint.max_speed))
         refuse(kind, i, dq, t, "is faster than " + base::yamlText(joint.max_speed));
     }
-    if (kind == TrajectoryKind::kHold) return;
   }
 }
 
@@ -105,8 +111,7 @@ std::unique_ptr<Trajectory> build(const TrajectorySpec& spec, const robot::Descr
     case TrajectoryKind::kHardStop:
       break;
   }
-  const Eigen::Vector3d stop(robot.joints[0].homing, robot.joints[1].homing, robot.joints[2].homing);
-  return std::make_unique<HardStop>(spec.hard_stop, stop);
+  return std::make_unique<HardStop>(spec.hard_stop, robot::homingOf(robot));
 }
 
 }  // namespace

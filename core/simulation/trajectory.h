@@ -26,6 +26,12 @@ class Trajectory {
   /// Desired joints at t [s]; before 0 and after duration() the end points, at rest.
   virtual JointTarget at(double t) const = 0;
   virtual double duration() const = 0;  ///< [s]
+  /// Where a check of limits and speeds looks next after t [s]: steps so dense that no extreme is missed by
+  /// more than about a per cent, yet few enough for a day.
+  virtual double nextInstant(double t) const { return t + kDenseStep; }
+
+ protected:
+  static constexpr double kDenseStep = 5e-3;  ///< [s]
 };
 
 enum class TrajectoryKind { kHold, kSinusoid, kBlockTransfer, kRecorded, kHardStop };

@@ -6,6 +6,7 @@
 #include <opencv2/calib3d.hpp>
 
 #include "core/base/error.h"
+#include "core/stats/quantile.h"
 #include "core/vision/board_views.h"
 
 namespace capstan::vision {
@@ -74,12 +75,6 @@ Camera cameraOf(const Fit& fit, const cv::Size& size, const std::string& name) {
   return camera;
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// Fits both cameras and the transform to all views in `boards`; fills the report and the views' errors.
 void fitRig(const BoardViews& boards, const CalibrationOptions& options, base::Progress& progress,
             CalibrationReport& report) {
@@ -116,7 +111,7 @@ void fitRig(const BoardViews& boards, const CalibrationOptions& options, base::P
         0.5 * (std::pow(view_errors.at<double>(row, 0), 2) + std::pow(view_errors.at<double>(row, 1), 2)));
     stereo_errors.push_back(view.stereo_error);
   }
-  const double typical = median(stereo_errors);
+  const double typical = stats::median(stereo_errors);
   for (const std::size_t i : boards.seen)
     report.views[i].suspect = report.views[i].stereo_error > kSuspect * typical;
 }
@@ -125,7 +120,7 @@ void fitRig(const BoardViews& boards, const CalibrationOptions& options, base::P
 bool dropOutliers(BoardViews& boards, double factor, CalibrationReport& report) {
   std::vector<double> errors;
   for (const std::size_t i : boards.seen) errors.push_back(report.views[i].stereo_error);
-  const double limit = factor * median(errors);
+  const double limit = factor * stats::median(errors);
   BoardViews kept{boards.views, {}, {}, {}, boards.size};
   for (std::size_t k = 0; k < boards.seen.size(); ++k) {
     CalibrationView& view = report.views[boards.seen[k]];

@@ -10,7 +10,7 @@
 namespace capstan::vision {
 
 /// Why no marker was found.
-enum class MarkerFault { kNone, kNoImage, kNoPixels, kTooSmall, kNotRound, kTwoCandidates };
+enum class MarkerFault { kNone, kNoImage, kNoPixels, kTooSmall, kNotRound, kTwoCandidates, kWrongImage };
 
 /// HSV threshold and shape limits of the UKF paper's section II-B. Hue wraps: hue_low > hue_high spans 180.
 struct MarkerOptions {
@@ -62,5 +62,6 @@ struct capstan::base::NamesOf<capstan::vision::MarkerFault> {
                                        std::pair{F::kNoPixels, "no pixels of the marker's colour"},
                                        std::pair{F::kTooSmall, "too small"},
                                        std::pair{F::kNotRound, "not round"},
-                                       std::pair{F::kTwoCandidates, "two candidates"}};
+                                       std::pair{F::kTwoCandidates, "two candidates"},
+                                       std::pair{F::kWrongImage, "image of another size or format"}};
 };

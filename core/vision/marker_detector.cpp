@@ -1,7 +1,6 @@
 #include "core/vision/marker_detector.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <numbers>
 #include <opencv2/core.hpp>
@@ -48,7 +47,10 @@ MarkerDetection MarkerDetector::search(const cv::Mat& bgr, const cv::Rect& roi) 
   found.roi = {roi.x, roi.y, roi.width, roi.height};
   rows_ = {};
   if (bgr.empty() || roi.empty()) return found;
-  assert(bgr.type() == CV_8UC3 && roi.width <= max_width_ && roi.height <= max_height_);
+  if (bgr.type() != CV_8UC3 || roi.width > max_width_ || roi.height > max_height_) {
+    found.fault = MarkerFault::kWrongImage;
+    return found;
+  }
   const RowSpan raw_rows = threshold_.apply(bgr(roi), raw_);
   const RowSpan median_rows = median5x5(raw_, raw_rows, median_scratch_, median_);
   rows_ = erode3x3(median_, median_rows, eroded_);

@@ -19,7 +19,7 @@ namespace capstan::vision {
 /// One detector belongs to one thread. Nothing is allocated after construction.
 class MarkerDetector {
  public:
-  /// Images up to max_width × max_height [px].
+  /// Images up to max_width × max_height [px]; what is searched may not be larger (kWrongImage).
   MarkerDetector(const MarkerOptions& options, int max_width, int max_height);
 
   /// Searches the whole frame (8-bit BGR).

@@ -4,6 +4,9 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
+#include "core/base/error.h"
+#include "core/base/units.h"
+#include "core/robot/arm_kinematics.h"
 #include "core/simulation/camera_mounting.h"
 #include "core/simulation/stereo_cameras.h"
 #include "tests/core/simulation/simulated_robot.h"
@@ -97,6 +100,27 @@ TEST(CameraTiming, ABlockedCameraGivesNoPoint) {
   cameras.expose({cameras.nextExposure(), {}, kTool, {false, true}});
   ASSERT_TRUE(cameras.deliver(1.0, sample));
   EXPECT_TRUE(std::isnan(std::get<tracking::TipSample>(sample).position.x()));
+}
+
+/// The search knows the drawing only: a rig mounted 6 degrees off, whose marker lies outside the region that
+/// the drawing gives, registers by the whole picture, and one that cannot see the marker does not register.
+TEST(CameraTiming, RegistrationSearchesWhereTheDrawingSays) {
+  const Eigen::Isometry3d nominal = nominalBaseFromCamera(raven());
+  const ToolPose stop{robot::ArmKinematics(raven()).tip(robot::homingOf(raven())), Eigen::Vector3d::Zero(),
+                      Eigen::Vector3d::UnitX()};
+  for (const double degrees : {0.0, 6.0, 60.0}) {
+    Eigen::Isometry3d mounted = nominal;
+    mounted.rotate(Eigen::AngleAxisd(base::toRadians(degrees), Eigen::Vector3d::UnitY()));
+    StereoCameras cameras(testRig(), mounted, {}, Truth{}, true, 4, 1);
+    if (degrees > 45.0) {
+      EXPECT_THROW((void)cameras.registerAtRest(stop, nominal, stop.tip, 5), base::InputError);
+      continue;
+    }
+    const Eigen::Isometry3d found = cameras.registerAtRest(stop, nominal, stop.tip, 5);
+    EXPECT_EQ(found.linear(), nominal.linear());
+    const Eigen::Vector3d seen = mounted.inverse() * stop.tip;
+    EXPECT_LT((found * seen - stop.tip).norm(), 2e-3) << degrees;
+  }
 }
 
 TEST(CameraTiming, PicturesThatAreHeldAreNotDrawnOver) {

@@ -13,10 +13,6 @@
 namespace capstan::simulation {
 namespace {
 
-Eigen::Vector3d homing(const robot::Description& robot) {
-  return {robot.joints[0].homing, robot.joints[1].homing, robot.joints[2].homing};
-}
-
 /// The velocity of every trajectory is the derivative of its position.
 void expectConsistentVelocity(const Trajectory& trajectory) {
   constexpr double kStep = 1e-5;
@@ -84,13 +80,48 @@ TEST(Sinusoid, OutsideTheLimitsIsRefusedByName) {
   EXPECT_THROW(makeTrajectory(spec, raven(), 1), base::InputError);
 }
 
+/// How many instants a check of the whole movement looks at.
+std::int64_t instants(const Trajectory& trajectory) {
+  std::int64_t count = 0;
+  for (double t = 0.0; t < trajectory.duration(); t = trajectory.nextInstant(t)) ++count;
+  return count;
+}
+
+TEST(Trajectories, ADayIsCheckedAtFewInstantsAndAMinuteAtMany) {
+  TrajectorySpec spec;
+  for (const TrajectoryKind kind : {TrajectoryKind::kSinusoid, TrajectoryKind::kBlockTransfer}) {
+    SCOPED_TRACE(base::nameOf(kind));
+    spec.kind = kind;
+    spec.duration = 60.0;
+    EXPECT_GE(instants(*makeTrajectory(spec, raven(), 5)), 12000);
+    spec.duration = 86400.0;
+    EXPECT_LT(instants(*makeTrajectory(spec, raven(), 5)), 1'500'000);
+    EXPECT_GT(instants(*makeTrajectory(spec, raven(), 5)), 300'000);
+  }
+}
+
+TEST(Trajectories, ADayThatIsTooFastOrTooFarIsRefused) {
+  TrajectorySpec spec;
+  spec.duration = 86400.0;
+  spec.kind = TrajectoryKind::kSinusoid;
+  spec.sinusoid.amplitude[1] = 1.2;
+  EXPECT_THROW(makeTrajectory(spec, raven(), 1), base::InputError);
+  spec.sinusoid = {};
+  spec.sinusoid.frequency[2] = 4.0;
+  EXPECT_THROW(makeTrajectory(spec, raven(), 1), base::InputError);
+  spec.kind = TrajectoryKind::kBlockTransfer;
+  robot::Description slow = raven();
+  for (auto& joint : slow.joints) joint.max_speed *= 0.1;
+  EXPECT_THROW(makeTrajectory(spec, slow, 1), base::InputError);
+}
+
 TEST(HardStop, GoesThereRestsAndReturns) {
   TrajectorySpec spec;
   spec.kind = TrajectoryKind::kHardStop;
   const robot::Description robot = raven();
   const auto trajectory = makeTrajectory(spec, robot, 1);
   EXPECT_EQ(trajectory->at(0.0).position, spec.hard_stop.start);
-  EXPECT_LT((trajectory->at(0.5 * trajectory->duration()).position - homing(robot)).norm(), 1e-12);
+  EXPECT_LT((trajectory->at(0.5 * trajectory->duration()).position - robot::homingOf(robot)).norm(), 1e-12);
   EXPECT_LT(trajectory->at(0.5 * trajectory->duration()).velocity.norm(), 1e-12);
   EXPECT_LT((trajectory->at(trajectory->duration()).position - spec.hard_stop.start).norm(), 1e-12);
 }
