@@ -65,10 +65,9 @@ class DelayedFilter {
   /// Fallbacks, those of replays included.
   std::uint64_t rescues() const { return filter_.rescues(); }
 
-  /// Parameters and noise may be changed between steps; the remembered past stays as it was until replayed.
+  /// Parameters may be changed between steps; the remembered past stays as it was until replayed.
   Model& model() { return model_; }
   const Model& model() const { return model_; }
-  void setDensity(const Lower<kStates>& density) { density_ = density; }
 
  private:
   struct Entry {

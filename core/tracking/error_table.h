@@ -16,7 +16,6 @@ using JointRms = stats::RunningRms<3>;
 class ErrorTable {
  public:
   void add(const Snapshot& snapshot);
-  void clear() { *this = ErrorTable(); }
 
   const JointRms& kinematic() const { return kinematic_; }
   const JointRms& camera() const { return camera_; }

@@ -30,7 +30,6 @@ class JumpGate {
     return true;
   }
   void reset() { *this = JumpGate(threshold_, samples_, drift_, tolerance_); }
-  double threshold() const { return threshold_; }
 
  private:
   struct Seen {

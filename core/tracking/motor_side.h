@@ -15,6 +15,10 @@ namespace capstan::tracking {
 /// and its past.
 class MotorSide {
  public:
+  /// What became of a sample; kAnew: taken as the first of a new time line.
+  enum class Taken { kRefused, kYes, kAnew };
+  static constexpr int kRisingToStartAnew = 10;
+
   /// Keeps `capacity` samples of the past.
   MotorSide(const robot::Description& robot, double span, std::size_t capacity)
       : transmission_(robot), span_(span), motors_(capacity), joints_(capacity) {}
@@ -22,20 +26,30 @@ class MotorSide {
   void clear() {
     motors_.clear();
     joints_.clear();
+    rising_ = 0;
   }
-  bool empty() const { return motors_.empty(); }
 
-  /// False, and nothing taken, for a position that is not finite or a time that does not rise.
-  bool take(const MotorSample& sample) {
-    if (!sample.position.allFinite() || !std::isfinite(sample.t)) return false;
-    if (!motors_.empty() && !(sample.t > motors_.newestTime())) return false;
+  /// Refused are a position that is not finite and a time that does not rise. Were it for ever, one stamp far
+  /// in the future or a clock set back would end the session: kRisingToStartAnew refused samples in a row
+  /// that rise among themselves are the clock from now on, and what came before is forgotten.
+  Taken take(const MotorSample& sample) {
+    if (!sample.position.allFinite() || !std::isfinite(sample.t)) return Taken::kRefused;
+    Taken taken = Taken::kYes;
+    if (!motors_.empty() && !(sample.t > motors_.newestTime())) {
+      rising_ = rising_ > 0 && sample.t > last_refused_ ? rising_ + 1 : 1;
+      last_refused_ = sample.t;
+      if (rising_ < kRisingToStartAnew) return Taken::kRefused;
+      clear();
+      taken = Taken::kAnew;
+    }
+    rising_ = 0;
     const double before = motors_.empty() ? sample.t : motors_.newestTime();
     motors_.push(sample.t, sample.position);
     position_ = sample.position;
     velocity_ = sample.velocity.allFinite() ? sample.velocity : difference(sample.t, before);
     kinematic_ = transmission_.jointFromMotor(position_);
     joints_.push(sample.t, kinematic_);
-    return true;
+    return taken;
   }
 
   const robot::Transmission& transmission() const { return transmission_; }
@@ -56,6 +70,8 @@ class MotorSide {
   robot::Transmission transmission_;
   double span_;
   TimeSeries motors_, joints_;
+  int rising_ = 0;  ///< refused samples in a row whose times rise
+  double last_refused_ = 0.0;
   Eigen::Vector3d position_ = Eigen::Vector3d::Zero(), velocity_ = Eigen::Vector3d::Zero(),
                   kinematic_ = Eigen::Vector3d::Zero();
 };

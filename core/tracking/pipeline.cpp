@@ -98,6 +98,7 @@ class TrackingPipeline::Impl {
   }
 
   const Snapshot& step(const Sample& sample) {
+    snapshot_.motor_updated = false;
     snapshot_.camera_updated = false;
     snapshot_.reference_paired = false;
     std::visit([this](const auto& one) { take(one); }, sample);
@@ -113,8 +114,17 @@ class TrackingPipeline::Impl {
  private:
   void take(const MotorSample& sample) {
     const double before = snapshot_.t;
-    if (!motors_.take(sample)) return;
+    const MotorSide::Taken taken = motors_.take(sample);
+    if (taken == MotorSide::Taken::kRefused) {
+      ++snapshot_.motor_refused;
+      return;
+    }
+    if (taken == MotorSide::Taken::kAnew) {
+      reference_.clear();
+      started_ = reference_pending_ = false;
+    }
     snapshot_.t = sample.t;
+    snapshot_.motor_updated = true;
     ++snapshot_.motor_samples;
     if (!started_ || sample.t - before > options_.restart_gap)
       start(sample.t);
@@ -187,17 +197,19 @@ class TrackingPipeline::Impl {
   /// The camera is silent: q_kin at the camera's rate.
   void watchSilence(double t) {
     snapshot_.gate = Gate::kNoCamera;
-    if (t - last_kinematic_ >= options_.camera_period) observeKinematics(t);
+    if (t - last_kinematic_ >= options_.camera_period) (void)observeKinematics(t);
   }
 
-  /// UKF paper, section V-D: the hard switch.
-  void observeKinematics(double t) {
+  /// UKF paper, section V-D: the hard switch. False for a time outside the memory.
+  bool observeKinematics(double t) {
     const auto kinematic = motors_.kinematicAt(t, options_.restart_gap);
-    last_kinematic_ = snapshot_.t;
-    if (!started_ || !kinematic) return;
+    if (!started_ || !kinematic) return false;
     const Lower<3> root = Lower<3>(options_.kinematic_sigma.asDiagonal());
     const auto report = filter_.update(t, positions_, *kinematic, root);
-    if (report) snapshot_.nis = report->nis;
+    if (!report) return false;
+    snapshot_.nis = report->nis;
+    last_kinematic_ = snapshot_.t;
+    return true;
   }
 
   void beginCamera(double t, double t_arrival, bool images) {
@@ -213,7 +225,6 @@ class TrackingPipeline::Impl {
     snapshot_.q_link_true_cam = reference_.at(t, kReferenceHold).value_or(Vector3d::Constant(kNan));
     const auto kinematic = motors_.kinematicAt(t, options_.restart_gap);
     snapshot_.tip_kin_cam = kinematic ? arm_.tip(*kinematic) : Vector3d::Constant(kNan);
-    last_camera_ = snapshot_.t;
   }
 
   /// A tip in frame 0 becomes q_cam and passes the gate, or does not.
@@ -223,7 +234,6 @@ class TrackingPipeline::Impl {
     const auto kinematic = motors_.kinematicAt(t, options_.restart_gap);
     if (!started_ || !kinematic) {
       snapshot_.gate = Gate::kNoCamera;
-      if (started_) ++snapshot_.late_dropped;
       return;
     }
     const auto seen = observeJoints(arm_, tip, covariance, *kinematic, options_.camera_sigma_floor);
@@ -237,19 +247,24 @@ class TrackingPipeline::Impl {
     const auto expected = filter_.peek(t, positions_, seen->position, root);
     if (!expected) {
       snapshot_.gate = Gate::kNoCamera;
-      ++snapshot_.late_dropped;
       return;
     }
     snapshot_.nis = expected->nis;
     const bool accepted = jump_.accept(t, expected->nis, seen->position - *kinematic, seen->covariance);
     snapshot_.gate = accepted ? Gate::kOpen : Gate::kJump;
     if (!accepted) return;
-    nis_.add(expected->nis);
-    (void)filter_.update(t, positions_, seen->position, root);
+    if (filter_.update(t, positions_, seen->position, root))
+      nis_.add(expected->nis);
+    else
+      snapshot_.gate = Gate::kNoCamera;
   }
 
+  /// A sample that could not be observed, nor q_kin at its time, is no sign of life: watchSilence() goes on.
   void endCamera() {
-    if (snapshot_.gate != Gate::kOpen && started_) observeKinematics(snapshot_.t_cam);
+    if (snapshot_.gate == Gate::kOpen || observeKinematics(snapshot_.t_cam))
+      last_camera_ = snapshot_.t;
+    else if (started_)
+      ++snapshot_.late_dropped;
     snapshot_.nis_mean = nis_.mean();
     snapshot_.nis_consistent = nis_.consistent();
     if (started_) showEstimate();

@@ -18,7 +18,9 @@ inline constexpr std::array<const char*, 3> kJointUnits = {"deg", "deg", "mm"};
 /// m. Quantities that do not exist (no reference fitted, no camera yet) are NaN.
 struct Snapshot {
   double t = 0.0;                    ///< of the newest motor sample [s]
+  bool motor_updated = false;        ///< this step took a motor sample
   std::uint64_t motor_samples = 0;   ///< taken so far
+  std::uint64_t motor_refused = 0;   ///< motor samples not taken: not finite, or a time that does not rise
   std::uint64_t camera_samples = 0;  ///< frames or tip samples taken so far
 
   Eigen::Vector3d q_motor, dq_motor;  ///< q_m [rad], dq_m [rad/s]
@@ -51,7 +53,7 @@ struct Snapshot {
   bool nis_consistent = true;  ///< nis_mean inside the 95 % chi-square band
   double nees = 0.0;  ///< of the joint positions (3 degrees of freedom) where the truth is known, else NaN
   std::uint64_t rescues = 0;       ///< Cholesky down-dates that fell back
-  std::uint64_t late_dropped = 0;  ///< camera samples older than the filter's memory
+  std::uint64_t late_dropped = 0;  ///< camera samples outside the filter's memory, as a rule too late
 };
 
 }  // namespace capstan::tracking

@@ -15,6 +15,11 @@ StereoTip::StereoTip(const vision::StereoRig& rig, const vision::MarkerOptions& 
 vision::MarkerDetection StereoTip::findIn(const cv::Mat& image, const vision::Camera& camera,
                                           const std::optional<Eigen::Vector3d>& expected) {
   if (image.empty()) return {};
+  if (image.cols != camera.width || image.rows != camera.height) {
+    vision::MarkerDetection refused;
+    refused.fault = vision::MarkerFault::kWrongImage;
+    return refused;
+  }
   const auto pixel = expected ? camera.project(*expected) : std::nullopt;
   if (!pixel) return detector_.detect(image);
   const cv::Rect roi = vision::roiAround(*pixel, options_, image.size());

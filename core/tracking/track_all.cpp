@@ -14,17 +14,16 @@ double ratio(double part, std::uint64_t whole) {
 
 void TrackReport::add(const Snapshot& snapshot) {
   errors.add(snapshot);
-  if (snapshot.motor_samples == 1 && motor_samples == 0) first_t = snapshot.t;
-  last_t = snapshot.t;
-  motor_samples = snapshot.motor_samples;
-  rescues = snapshot.rescues;
-  late_dropped = snapshot.late_dropped;
+  if (snapshot.motor_updated && motor_samples++ == 0) first_t = snapshot.t;
+  if (motor_samples > 0) last_t = snapshot.t;
+  rescues += rescue_rise_.to(snapshot.rescues);
+  late_dropped += late_rise_.to(snapshot.late_dropped);
   if (snapshot.reference_paired && std::isfinite(snapshot.nees)) {
     nees_sum += snapshot.nees;
     ++nees_count;
   }
   if (!snapshot.camera_updated) return;
-  camera_samples = snapshot.camera_samples;
+  ++camera_samples;
   ++gates[static_cast<std::size_t>(snapshot.gate)];
   if (snapshot.gate == Gate::kOpen) nis_sum += snapshot.nis;
   if (!snapshot.camera_images) return;

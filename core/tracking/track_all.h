@@ -4,6 +4,7 @@
 #include <array>
 #include <concepts>
 #include <cstdint>
+#include <optional>
 
 #include "core/base/progress.h"
 #include "core/tracking/error_table.h"
@@ -27,11 +28,24 @@ struct TrackReport {
   std::uint64_t rescues = 0, late_dropped = 0;
   bool cancelled = false;
 
+  /// Counts from the first snapshot on, whatever the pipeline had counted before.
   void add(const Snapshot& snapshot);
   double gateShare(Gate gate) const;     ///< of camera samples; NaN without any
   double detectionRate(int side) const;  ///< share of frames with a marker, 0 left, 1 right
   double nisMean() const;   ///< mean NIS of accepted camera samples over its 3 degrees of freedom; NaN: none
   double neesMean() const;  ///< mean position NEES over its 3 degrees of freedom; NaN: no reference
+
+ private:
+  /// How far a running total of the pipeline's rises while this report listens.
+  struct Rise {
+    std::optional<std::uint64_t> before;
+    std::uint64_t to(std::uint64_t total) {
+      const std::uint64_t from = std::min(before.value_or(total), total);
+      before = total;
+      return total - from;
+    }
+  };
+  Rise rescue_rise_, late_rise_;
 };
 
 template <class T>
@@ -43,8 +57,9 @@ struct IgnoreSnapshots {
   void operator()(const Sample&, const Snapshot&) const {}
 };
 
-/// Runs `pipeline` over all of `source`. `each(sample, snapshot)` sees every step. `duration` [s] (0:
-/// unknown) scales the progress. Cancellable; what came before the cancellation is in the report.
+/// Runs `pipeline` over all of `source`. `each(sample, snapshot)` sees every step. `duration` [s] from
+/// the first sample to the last (0: unknown) scales the progress. Cancellable; what came before the
+/// cancellation is in the report.
 template <SampleSource Source, class Each = IgnoreSnapshots>
 TrackReport trackAll(Source& source, TrackingPipeline& pipeline, base::Progress* progress = nullptr,
                      double duration = 0.0, Each each = {}) {
@@ -59,7 +74,8 @@ TrackReport trackAll(Source& source, TrackingPipeline& pipeline, base::Progress*
         report.cancelled = true;
         break;
       }
-      if (duration > 0.0) progress->report(std::min(1.0, snapshot.t / duration), "tracking");
+      if (duration > 0.0)
+        progress->report(std::min(1.0, (report.last_t - report.first_t) / duration), "tracking");
     }
   }
   return report;

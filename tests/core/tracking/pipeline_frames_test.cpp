@@ -58,6 +58,27 @@ TEST(PipelineFrames, EachCoveredCameraIsNamed) {
   for (const int count : lost) EXPECT_GE(count, 10);
 }
 
+TEST(PipelineFrames, ImagesOfAnotherSizeOrFormatAreNamedAndNotSearched) {
+  SimulatedSource source(simulated(simulation::matchedTruth(), 2.0, true));
+  TrackingPipeline pipeline = makePipeline(source.info());
+  Sample sample;
+  int frames = 0;
+  while (source.next(sample)) {
+    if (auto* frame = std::get_if<StereoFrame>(&sample)) {
+      frame->left = cv::Mat(1080, 1920, CV_8UC3, cv::Scalar(60, 200, 60));
+      frame->right = frames % 2 == 0 ? cv::Mat(240, 320, CV_8UC3, cv::Scalar(60, 200, 60))
+                                     : cv::Mat(480, 640, CV_8UC1, cv::Scalar(60));
+      ++frames;
+    }
+    const Snapshot& s = pipeline.step(sample);
+    if (!s.camera_updated) continue;
+    EXPECT_EQ(s.gate, Gate::kBothLost);
+    EXPECT_EQ(s.marker[0].fault, vision::MarkerFault::kWrongImage);
+    EXPECT_EQ(s.marker[1].fault, vision::MarkerFault::kWrongImage);
+  }
+  EXPECT_GT(frames, 5);
+}
+
 TEST(PipelineFrames, NothingIsAllocatedOnceWarm) {
   SimulatedSource source(simulated(simulation::defaultTruth(), 3.0, true));
   TrackingPipeline pipeline = makePipeline(source.info());
