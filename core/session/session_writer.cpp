@@ -52,6 +52,13 @@ void writeDictionary(Database& database) {
   }
 }
 
+/// Commits were written without waiting for the disk.
+void syncLog(Database& database) {
+  sqlite3_file* log = nullptr;
+  sqlite3_file_control(database.handle(), nullptr, SQLITE_FCNTL_JOURNAL_POINTER, &log);
+  if (log && log->pMethods) log->pMethods->xSync(log, SQLITE_SYNC_NORMAL);
+}
+
 void bindVector(Statement& statement, int& index, const Eigen::Vector3d& value) {
   for (int i = 0; i < 3; ++i) statement.bind(index++, value(i));
 }
@@ -193,7 +200,8 @@ void SessionWriter::finish() {
   try {
     database_.run("PRAGMA journal_mode = DELETE");
   } catch (const SqliteError& error) {
-    if (error.code() != SQLITE_BUSY) throw;  // a reader keeps the log, which is whole
+    if (error.code() != SQLITE_BUSY) throw;
+    syncLog(database_);  // a reader keeps it
   }
 }
 

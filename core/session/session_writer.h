@@ -41,7 +41,8 @@ class SessionWriter {
   void write(std::int64_t seq, const SessionEvent& event);
   void setRegistration(const Eigen::Isometry3d& base_from_camera);
 
-  /// Ends the write-ahead log: the session is one plain file from here on.
+  /// Ends the write-ahead log: the session is one plain file from here on. While another connection reads it,
+  /// the log stays beside it, whole and on the disk.
   void finish();
 
   Database& database() { return database_; }

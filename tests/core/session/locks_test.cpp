@@ -41,6 +41,7 @@ class Stranger {
     EXPECT_EQ(pipe(pipe_.data()), 0);
     child_ = fork();
     if (child_ != 0) return;
+    ::close(pipe_[1]);  // so that the parent's end is the last
     char go = 0;
     if (read(pipe_[0], &go, 1) != 1) _exit(1);
     bool read_all = false;
