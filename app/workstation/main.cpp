@@ -34,26 +34,44 @@ void planPicture(capstan::widgets::MainWindow& window, const Arguments& argument
   });
 }
 
-int run(int argc, char** argv) {
-  Arguments arguments;
+void addOptions(CLI::App& cli, Arguments& arguments) {
   auto& simulation = arguments.simulation;
-  CLI::App cli("Capstan: the workstation's window", "capstan");
-  auto* session = cli.add_option("--session", arguments.file, "open a recorded session");
-  cli.add_option("--table", arguments.file, "open a measured table")->excludes(session);
-  cli.add_flag("--simulate", arguments.simulate, "a simulated robot, as the next options say");
-  cli.add_option("--trajectory", simulation.trajectory, "fls, sinusoid, hold, hard-stop, or a CSV of joints");
-  cli.add_option("--truth", simulation.truth, "default, matched, or a truth file");
-  cli.add_option("--seed", simulation.seed);
-  cli.add_option("--robot", arguments.robot, "robot file, for a simulation or a table");
+  auto* session = cli.add_option("--session", arguments.file, "open a recorded session (.capstan)");
+  cli.add_option("--table", arguments.file, "open a measured table or RAVEN-II motor log (.csv)")
+      ->excludes(session);
+  cli.add_option("--robot", arguments.robot,
+                 "robot file (.yaml) for a simulation or a table; default: the left RAVEN-II");
+  cli.add_flag("--simulate", arguments.simulate, "open a simulated robot, as the next options say");
+  cli.add_option("--trajectory", simulation.trajectory,
+                 "fls (block transfer), sinusoid, hold, hard-stop, or a CSV of t [s], q1, q2 [rad], q3 [m]")
+      ->capture_default_str();
+  cli.add_option("--truth", simulation.truth, "what the robot really is: default, matched, or a truth file")
+      ->capture_default_str();
+  cli.add_option("--seed", simulation.seed, "whole number: surgeon, noise and texture of the simulation")
+      ->capture_default_str();
   cli.add_flag("--distractors", simulation.distractors, "objects of nearly the marker's colour");
   cli.add_flag("--uneven-light", simulation.uneven_light, "one side of the scene in the dark");
-  cli.add_flag("!--unregistered", simulation.registered, "leave the cameras' place to be found");
-  cli.add_option("--theme", arguments.theme)->check(CLI::IsMember({"dark", "light"}));
-  cli.add_option("--screenshot", arguments.picture, "save a picture of the running window and quit");
-  cli.add_option("--size", arguments.size, "of the window, WxH");
-  cli.add_option("--state", arguments.state)->check(CLI::IsMember({"running", "occluded", "paused"}));
-  cli.add_option("--after", arguments.after, "seconds until the picture is taken")
+  cli.add_flag_callback(
+      "--unregistered", [&simulation] { simulation.registered = false; },
+      "leave the cameras' place to be found with the window");
+  cli.add_option("--theme", arguments.theme, "dark or light; default: the one chosen last")
+      ->check(CLI::IsMember({"dark", "light"}));
+  cli.add_option("--size", arguments.size, "width x height of the window [px]")->capture_default_str();
+  cli.add_option("--screenshot", arguments.picture,
+                 "save a picture (.png) of the window, simulating unless a file is given, and quit");
+  cli.add_option("--state", arguments.state, "of the window in the picture: running, occluded or paused")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"running", "occluded", "paused"}));
+  cli.add_option("--after", arguments.after, "time until the picture is taken [s]")
+      ->capture_default_str()
       ->check(CLI::Range(2.0, 3600.0));
+}
+
+int run(int argc, char** argv) {
+  Arguments arguments;
+  CLI::App cli("Capstan: the workstation's window", "capstan");
+  cli.get_formatter()->column_width(34);
+  addOptions(cli, arguments);
   CLI11_PARSE(cli, argc, argv);
   if (!std::getenv("DISPLAY")) {
     std::cerr << "capstan: no display (DISPLAY is not set). Use capstan-cli, or xvfb-run.\n";
@@ -70,8 +88,8 @@ int run(int argc, char** argv) {
   if (!arguments.theme.empty()) window.setThemeNamed(QString::fromStdString(arguments.theme));
   auto choice = window.lastSource();
   if (arguments.simulate || picture) {
-    simulation.robot = arguments.robot;
-    choice = capstan::widgets::SourceChoice::ofSimulation(simulation);
+    arguments.simulation.robot = arguments.robot;
+    choice = capstan::widgets::SourceChoice::ofSimulation(arguments.simulation);
   }
   if (!arguments.file.empty()) {
     choice = capstan::widgets::SourceChoice::ofFile(QString::fromStdString(arguments.file));
