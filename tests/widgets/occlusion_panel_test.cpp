@@ -101,6 +101,19 @@ TEST_F(Panel, ScheduleIsThePapersAndBeginsNow) {
   EXPECT_EQ(schedules.back().percentage, 0.0);
 }
 
+TEST_F(Panel, AnotherSessionKeepsTheScheduleFromItsOwnBegin) {
+  tracking::Snapshot snapshot{};
+  snapshot.t = 150.0;
+  panel.showSnapshot(snapshot);
+  QTest::mouseClick(button("40"), Qt::LeftButton);
+  ASSERT_EQ(panel.schedule().start, 150.0);
+  panel.beginSession(0.5);
+  EXPECT_EQ(panel.schedule().start, 0.5);
+  EXPECT_EQ(panel.schedule().percentage, 40.0);
+  QTest::mouseClick(button("60"), Qt::LeftButton);
+  EXPECT_EQ(schedules.back().start, 0.5) << "the panel's clock is the new session's";
+}
+
 TEST_F(Panel, SaysWhatTheFilterObservesAndWhy) {
   tracking::Snapshot snapshot{};
   snapshot.gate = tracking::Gate::kOpen;

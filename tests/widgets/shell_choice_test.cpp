@@ -1,11 +1,13 @@
 // What the user chose to open: kept between starts, asked for by dialog, menu of recent files.
 #include <gtest/gtest.h>
 
+#include <QDir>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
 #include "core/base/error.h"
+#include "widgets/shell/recorder_options.h"
 #include "widgets/shell/simulation_dialog.h"
 #include "widgets/shell/source_menu.h"
 
@@ -38,6 +40,48 @@ TEST(SourceChoice, SurvivesTheSettings) {
   EXPECT_TRUE(back.simulated);
   EXPECT_EQ(back.robot, "/r.yaml");
   EXPECT_EQ(back.simulation, unusualRequest());
+}
+
+TEST(SourceChoice, KeepsFilesByTheirAbsolutePath) {
+  const QTemporaryDir folder;
+  const QDir here;
+  SourceChoice choice = SourceChoice::ofFile("trial.capstan");
+  EXPECT_EQ(choice.file, here.absoluteFilePath("trial.capstan"));
+  choice.robot = "arm.yaml";
+  choice.simulation.robot = "arm.yaml";
+  choice.simulation.truth = "truth.yaml";
+  choice.simulation.trajectory = "hold";
+  QSettings settings(folder.filePath("s.ini"), QSettings::IniFormat);
+  choice.save(settings);
+  const SourceChoice back = SourceChoice::restore(settings);
+  EXPECT_EQ(back.robot, here.absoluteFilePath("arm.yaml"));
+  EXPECT_EQ(QString::fromStdString(back.simulation.robot.string()), here.absoluteFilePath("arm.yaml"));
+  EXPECT_EQ(QString::fromStdString(back.simulation.truth), here.absoluteFilePath("truth.yaml"));
+  EXPECT_EQ(back.simulation.trajectory, "hold") << "a name is no file";
+}
+
+TEST(RecorderOptions, HoldTwoSecondsOfASourceOfAnyRateAndSize) {
+  session::SourceInfo info;
+  info.rig.emplace();
+  info.rig->left.width = info.rig->right.width = 1280;
+  info.rig->left.height = info.rig->right.height = 720;
+  session::RunStatus status;
+  session::RecorderOptions options = recorderOptionsFor(info, status);
+  EXPECT_EQ(options.width, 1280);
+  EXPECT_EQ(options.height, 720);
+  EXPECT_NEAR(options.frame_rate, 15.0, 1e-12) << "what the pipeline expects";
+  EXPECT_EQ(options.buffered_time, session::RecorderOptions{}.buffered_time);
+  status.frame_rate = 60.0;
+  status.motor_rate = 2000.0;
+  options = recorderOptionsFor(info, status);
+  EXPECT_EQ(options.frame_rate, 60.0);
+  EXPECT_EQ(options.motor_rate, 2000.0);
+  EXPECT_EQ(options.buffered_time, 2.0);
+  status = {};
+  info.tracking = "camera_period: 0.0166666\n";
+  EXPECT_NEAR(recorderOptionsFor(info, status).frame_rate, 60.0, 1e-9) << "before the first picture";
+  info.rig.reset();
+  EXPECT_EQ(recorderOptionsFor(info, status).width, 0) << "no memory for pictures that never come";
 }
 
 TEST(SourceChoice, WithoutSettingsIsTheDefaultSimulation) {

@@ -1,82 +1,27 @@
 // The whole window, over real sessions: same numbers as the command line, recording, notes, keys, restored
-// settings, and calm while the pipeline is stuck.
-#include <gtest/gtest.h>
-
+// settings.
 #include <QApplication>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QLineEdit>
-#include <QProcess>
 #include <QPushButton>
-#include <QTemporaryDir>
-#include <QtTest/QTest>
-#include <latch>
 #include <nlohmann/json.hpp>
 
 #include "core/base/resource.h"
 #include "core/session/session_file.h"
 #include "core/simulation/camera_mounting.h"
 #include "tests/widgets/picture.h"
+#include "tests/widgets/shell_fixture.h"
 #include "widgets/panels/errors/errors_panel.h"
 #include "widgets/panels/notes/notes_panel.h"
 #include "widgets/panels/occlusion/occlusion_panel.h"
 #include "widgets/panels/registration/registration_panel.h"
 #include "widgets/shell/help_window.h"
-#include "widgets/shell/main_window.h"
-#include "widgets/shell/session_bar.h"
 #include "widgets/shell/simulation_dialog.h"
 #include "widgets/shell/source_menu.h"
 
 namespace capstan::widgets {
 namespace {
-
-constexpr int kPatience = 30000;  // [ms] after which a wait has failed
-
-template <class Condition>
-bool waitFor(Condition&& condition) {
-  return QTest::qWaitFor(condition, kPatience);
-}
-
-QByteArray commandLine(const QStringList& arguments) {
-  QProcess process;
-  process.start(CAPSTAN_CLI, arguments);
-  EXPECT_TRUE(process.waitForFinished(60000));
-  EXPECT_EQ(process.exitCode(), 0) << process.readAllStandardError().toStdString();
-  return process.readAllStandardOutput();
-}
-
-class Shell : public testing::Test {
- protected:
-  void SetUp() override { ASSERT_TRUE(folder_.isValid()); }
-
-  QString file(const QString& name) const { return folder_.filePath(name); }
-
-  std::unique_ptr<MainWindow> makeWindow() {
-    auto window = std::make_unique<MainWindow>(file("settings.ini"));
-    window->bar().setRecordingFolder(file("recordings"));
-    window->resize(1280, 800);
-    window->show();
-    window->activateWindow();
-    return window;
-  }
-
-  /// At rest, without cameras' pictures being of interest: quick to open.
-  static SourceChoice atRest(double duration = 600.0) {
-    simulation::SimulationRequest request;
-    request.trajectory = "hold";
-    request.duration = duration;
-    return SourceChoice::ofSimulation(request);
-  }
-
-  static session::RunState stateOf(MainWindow& window) {
-    return window.link().runner() ? window.link().runner()->status().state : session::RunState::kFailed;
-  }
-  static bool opened(MainWindow& window) {
-    return waitFor([&] { return stateOf(window) == session::RunState::kRunning; });
-  }
-
-  QTemporaryDir folder_;
-};
 
 TEST_F(Shell, ShowsTheCommandLinesNumbersToTheLastBit) {
   const QString recording = file("trial.capstan");
@@ -118,18 +63,6 @@ TEST_F(Shell, TakesUpWhereItWasLeft) {
   EXPECT_FALSE(window->findChild<QDockWidget*>("errors")->isHidden());
   EXPECT_EQ(window->lastSource().simulation, atRest(123.0).simulation);
   EXPECT_EQ(window->bar().recordingFolder(), file("recordings"));
-}
-
-TEST_F(Shell, SaysWhatIsWrongWithAFileAndKeepsTheSession) {
-  auto window = makeWindow();
-  window->open(atRest());
-  ASSERT_TRUE(opened(*window));
-  window->open(SourceChoice::ofFile(file("gone.capstan")));
-  ASSERT_TRUE(waitFor([&] { return !window->message().isEmpty(); }));
-  EXPECT_TRUE(window->message().contains("gone.capstan")) << window->message().toStdString();
-  EXPECT_EQ(stateOf(*window), session::RunState::kRunning);
-  EXPECT_TRUE(window->lastSource().simulated) << "a file that could not be opened is no last source";
-  EXPECT_TRUE(window->bar().sources().recentFiles().isEmpty());
 }
 
 TEST_F(Shell, RecordsWithItsNotes) {
@@ -288,44 +221,6 @@ TEST_F(Shell, RegistersAnUnregisteredSimulation) {
     return report.gateShare(tracking::Gate::kOpen) > 0.1;
   })) << "the filter observes the camera as soon as it is registered";
   EXPECT_TRUE(window->notes().row(window->notes().rows() - 1).contains("accepted"));
-}
-
-/// Stuck inside next() until the test lets it go.
-class StuckSource final : public session::Source {
- public:
-  explicit StuckSource(std::latch& gate) : gate_(gate) {
-    info_.title = "stuck";
-    info_.robot = robot::readDescription(base::resource("robots/raven2_left.yaml"));
-  }
-  const session::SourceInfo& info() const override { return info_; }
-  bool next(tracking::Sample&) override {
-    gate_.wait();
-    return false;
-  }
-  void block(bool, bool) override {}
-
- private:
-  session::SourceInfo info_;
-  std::latch& gate_;
-};
-
-TEST_F(Shell, StaysResponsiveWhileThePipelineIsStuck) {
-  std::latch gate(1);
-  auto window = makeWindow();
-  window->link().take(std::make_unique<StuckSource>(gate));
-  ASSERT_EQ(window->link().runner()->info().title, "stuck");
-  for (const int key : {Qt::Key_Space, Qt::Key_Period, Qt::Key_B, Qt::Key_E, Qt::Key_R, Qt::Key_BracketLeft})
-    QTest::keyClick(window.get(), static_cast<Qt::Key>(key));
-  window->action("theme")->trigger();
-  window->resize(1000, 700);
-  EXPECT_FALSE(window->grab().isNull());
-  EXPECT_EQ(window->themeName(), "light");
-  window->open(atRest());  // away from the stuck one, without waiting for it
-  EXPECT_TRUE(waitFor([&] {
-    return window->link().runner() && window->link().runner()->info().title != "stuck" &&
-           stateOf(*window) == session::RunState::kRunning;
-  }));
-  gate.count_down();
 }
 
 TEST_F(Shell, TheManualNamesEveryKey) {

@@ -110,7 +110,7 @@ void MainWindow::showEvent(QShowEvent* event) {
 
 void MainWindow::connectBar() {
   connect(bar_, &SessionBar::runToggled, this, [this] {
-    if (link_.ended())
+    if (link_.ended() && !link_.opening())
       open(choice_);
     else
       link_.setRunning(!link_.running());
@@ -138,7 +138,7 @@ void MainWindow::connectLink() {
   connect(&link_, &SessionLink::failed, this, [this](const QString& text) {
     messages_->showMessage(text);
     notes_->addEvent(now_, "fault", text);
-    if (link_.runner()) title_ = QString::fromStdString(link_.runner()->info().title);
+    title_ = link_.runner() ? QString::fromStdString(link_.runner()->info().title) : tr("no source");
   });
   connect(&link_, &SessionLink::status, this, &MainWindow::onStatus);
   connect(&link_, &SessionLink::report, this,
@@ -152,6 +152,8 @@ void MainWindow::connectLink() {
   });
   connect(&link_, &SessionLink::snapshot, this, [this](const tracking::Snapshot& snapshot) {
     now_ = snapshot.t;
+    // Tips without pictures: known only when the first one comes.
+    if (snapshot.camera_samples > 0 && !occlusion_->isEnabled()) takeOcclusion(true);
     scene_->showSnapshot(snapshot);
     occlusion_->showSnapshot(snapshot);
     status_->showSnapshot(snapshot);
@@ -246,16 +248,15 @@ void MainWindow::beginRegistration() {
 }
 
 void MainWindow::open(const SourceChoice& choice) {
-  asked_ = choice;
   title_ = tr("opening…");
   link_.open(choice);
 }
 
-void MainWindow::onOpened(const session::SourceInfo& info) {
-  choice_ = asked_;
+void MainWindow::onOpened(const session::SourceInfo& info, const SourceChoice& choice) {
+  choice_ = choice;
   bar_->sources().remember(choice_);
   history_.clear();
-  now_ = 0.0;
+  now_ = info.begin;
   title_ = QString::fromStdString(info.title);
   for (std::size_t i = 0; i < 3; ++i)
     joint_names_[i] = i < info.robot.joints.size() ? QString::fromStdString(info.robot.joints[i].name)
@@ -266,16 +267,21 @@ void MainWindow::onOpened(const session::SourceInfo& info) {
   scene_->setRobot(info.robot, info.rig, info.base_from_camera);
   if (!info.rig) video_->clear(tr("this source has no images"));
   errors_->setReference(info.reference);
-  occlusion_->setBlockable(info.rig.has_value());
   notes_->clear();
-  notes_->addEvent(0.0, "source", title_);
+  notes_->addEvent(now_, "source", title_);
   listRecordedEvents();
-  auto* runner = link_.runner();
-  runner->setSpeed(bar_->speed());
-  runner->setOcclusion(occlusion_->schedule());
-  runner->block(occlusion_->blocked()[0], occlusion_->blocked()[1]);
+  link_.runner()->setSpeed(bar_->speed());
+  occlusion_->beginSession(info.begin);
+  takeOcclusion(info.rig.has_value());
   if (registration_dock_->isVisible()) beginRegistration();
   link_.setRunning(true);
+}
+
+/// What cannot be blocked is free, whatever the panel shows; what can is blocked as the panel shows.
+void MainWindow::takeOcclusion(bool blockable) {
+  occlusion_->setBlockable(blockable);
+  link_.runner()->setOcclusion(blockable ? occlusion_->schedule() : session::OcclusionSchedule{});
+  link_.runner()->block(blockable && occlusion_->blocked()[0], blockable && occlusion_->blocked()[1]);
 }
 
 void MainWindow::listRecordedEvents() {
@@ -336,7 +342,7 @@ void MainWindow::exportFigure(const QString& base) {
     const std::string path = QString(base).remove(QRegularExpression("\\.(pdf|svg|png|csv)$")).toStdString();
     exportJointFigure(history_, joint_names_, range.lower, range.upper, path);
     notes_->addEvent(now_, "export", QFileInfo(QString::fromStdString(path)).fileName());
-  } catch (const base::InputError& error) {
+  } catch (const std::exception& error) {
     messages_->showMessage(QString::fromStdString(error.what()));
   }
 }

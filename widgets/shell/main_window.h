@@ -58,7 +58,8 @@ class MainWindow : public QMainWindow {
   void connectOcclusion();
   void connectNotes();
   void connectRegistration();
-  void onOpened(const session::SourceInfo& info);
+  void onOpened(const session::SourceInfo& info, const SourceChoice& choice);
+  void takeOcclusion(bool blockable);
   void onStatus(const session::RunStatus& status);
   void onRecording(bool recording, const session::RunStatus& status);
   void listRecordedEvents();
@@ -70,7 +71,7 @@ class MainWindow : public QMainWindow {
 
   std::unique_ptr<QSettings> settings_;
   Theme theme_ = Theme::dark();
-  SourceChoice choice_, asked_;
+  SourceChoice choice_;
   JointHistory history_;
   SessionLink link_;
   double now_ = 0.0;  ///< newest session time [s]

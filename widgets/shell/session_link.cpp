@@ -2,10 +2,12 @@
 
 #include <QDateTime>
 #include <QDir>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/session/session_file.h"
 #include "core/tracking/make_pipeline.h"
+#include "widgets/shell/recorder_options.h"
 
 namespace capstan::widgets {
 
@@ -29,15 +31,25 @@ SessionLink::SessionLink(QObject* parent) : QObject(parent) {
 SessionLink::~SessionLink() = default;
 
 void SessionLink::open(const SourceChoice& choice) {
-  if (opening()) return;
+  if (opening())
+    waiting_ = choice;
+  else
+    beginOpening(choice);
+}
+
+void SessionLink::beginOpening(const SourceChoice& choice) {
+  choice_ = choice;
   opening_ = std::async(std::launch::async, [choice] { return makeRunner(openSource(choice)); });
 }
 
-void SessionLink::take(std::unique_ptr<session::Source> source) {
+void SessionLink::take(std::unique_ptr<session::Source> source) { begin(makeRunner(std::move(source)), {}); }
+
+void SessionLink::begin(std::unique_ptr<session::Runner> runner, const SourceChoice& choice) {
   retire(std::move(runner_));
-  runner_ = makeRunner(std::move(source));
+  runner_ = std::move(runner);
   last_state_ = session::RunState::kPaused;
-  Q_EMIT opened(runner_->info());
+  command_faults_ = 0;
+  Q_EMIT opened(runner_->info(), choice);
 }
 
 void SessionLink::retire(std::unique_ptr<session::Runner> runner) {
@@ -50,13 +62,14 @@ void SessionLink::retire(std::unique_ptr<session::Runner> runner) {
 void SessionLink::finishOpening() {
   try {
     auto runner = opening_.get();
-    retire(std::move(runner_));
-    runner_ = std::move(runner);
-    last_state_ = session::RunState::kPaused;
-    Q_EMIT opened(runner_->info());
+    if (waiting_)
+      retire(std::move(runner));
+    else
+      begin(std::move(runner), choice_);
   } catch (const std::exception& error) {
-    Q_EMIT failed(QString::fromStdString(error.what()));
+    if (!waiting_) Q_EMIT failed(QString::fromStdString(error.what()));
   }
+  if (waiting_ && !opening()) beginOpening(*std::exchange(waiting_, std::nullopt));
 }
 
 void SessionLink::setRunning(bool on) {
@@ -84,7 +97,8 @@ void SessionLink::toggleRecording(const QString& folder) {
   try {
     QDir().mkpath(folder);
     runner_->startRecording(file.toStdString(),
-                            session::headerOf(runner_->info(), now.toString(Qt::ISODate).toStdString()));
+                            session::headerOf(runner_->info(), now.toString(Qt::ISODate).toStdString()),
+                            recorderOptionsFor(runner_->info(), runner_->status()));
   } catch (const base::InputError& error) {
     Q_EMIT failed(QString::fromStdString(error.what()));
   }
@@ -101,6 +115,8 @@ void SessionLink::tick() {
   if (now.state == session::RunState::kFailed && last_state_ != now.state)
     Q_EMIT failed(QString::fromStdString(now.error));
   last_state_ = now.state;
+  if (now.command_fault_count != std::exchange(command_faults_, now.command_fault_count))
+    Q_EMIT failed(QString::fromStdString(now.command_fault));
   Q_EMIT status(now);
   if (++ticks_ % kReportTicks == 0) Q_EMIT report(runner_->report());
 }

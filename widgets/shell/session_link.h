@@ -4,6 +4,7 @@
 #include <QTimer>
 #include <future>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/session/runner.h"
@@ -19,6 +20,8 @@ class SessionLink : public QObject {
   explicit SessionLink(QObject* parent = nullptr);
   ~SessionLink() override;
 
+  /// Ends in opened() or failed(). While another one is opening, this one waits for it, takes its place and
+  /// that of what waited before: of several only the newest is heard of.
   void open(const SourceChoice& choice);
   /// Takes a ready source, as tests have.
   void take(std::unique_ptr<session::Source> source);
@@ -34,7 +37,8 @@ class SessionLink : public QObject {
   void toggleRecording(const QString& folder);
 
  signals:
-  void opened(const capstan::session::SourceInfo& info);
+  /// `choice`: what open() was given for this source.
+  void opened(const capstan::session::SourceInfo& info, const capstan::widgets::SourceChoice& choice);
   void failed(const QString& message);
   void history(const std::vector<capstan::tracking::Snapshot>& snapshots);
   void snapshot(const capstan::tracking::Snapshot& snapshot);
@@ -45,17 +49,22 @@ class SessionLink : public QObject {
 
  private:
   void tick();
+  void beginOpening(const SourceChoice& choice);
   void finishOpening();
+  void begin(std::unique_ptr<session::Runner> runner, const SourceChoice& choice);
   void retire(std::unique_ptr<session::Runner> runner);
 
   QTimer timer_;
   std::future<std::unique_ptr<session::Runner>> opening_;
+  SourceChoice choice_;                      ///< of opening_
+  std::optional<SourceChoice> waiting_;      ///< to be opened next
   std::vector<std::future<void>> retiring_;  ///< old runners end in the background
   std::unique_ptr<session::Runner> runner_;
   tracking::Snapshot snapshot_, seen_;
   tracking::StereoFrame frame_;
   std::vector<tracking::Snapshot> history_;
   session::RunState last_state_ = session::RunState::kPaused;
+  std::uint64_t command_faults_ = 0;  ///< told of
   int ticks_ = 0;
 };
 

@@ -1,5 +1,6 @@
 #include "widgets/shell/source_choice.h"
 
+#include <QFileInfo>
 #include <QSettings>
 
 #include "core/base/resource.h"
@@ -7,10 +8,23 @@
 
 namespace capstan::widgets {
 
+namespace {
+
+/// Means the same file from any folder; empty stays empty.
+QString absolute(const QString& path) { return path.isEmpty() ? path : QFileInfo(path).absoluteFilePath(); }
+
+/// A file's name becomes absolute, one of the names that need no file stays.
+QString absoluteUnlessName(const std::string& text) {
+  const QString path = QString::fromStdString(text);
+  return path.contains('.') || path.contains('/') ? absolute(path) : path;
+}
+
+}  // namespace
+
 SourceChoice SourceChoice::ofFile(const QString& file) {
   SourceChoice choice;
   choice.simulated = false;
-  choice.file = file;
+  choice.file = absolute(file);
   return choice;
 }
 
@@ -22,13 +36,13 @@ SourceChoice SourceChoice::ofSimulation(const simulation::SimulationRequest& req
 
 void SourceChoice::save(QSettings& settings) const {
   settings.setValue("source/simulated", simulated);
-  settings.setValue("source/file", file);
-  settings.setValue("source/robot", robot);
-  settings.setValue("simulation/trajectory", QString::fromStdString(simulation.trajectory));
+  settings.setValue("source/file", absolute(file));
+  settings.setValue("source/robot", absolute(robot));
+  settings.setValue("simulation/trajectory", absoluteUnlessName(simulation.trajectory));
   settings.setValue("simulation/duration", simulation.duration);
-  settings.setValue("simulation/truth", QString::fromStdString(simulation.truth));
+  settings.setValue("simulation/truth", absoluteUnlessName(simulation.truth));
   settings.setValue("simulation/seed", static_cast<qulonglong>(simulation.seed));
-  settings.setValue("simulation/robot", QString::fromStdString(simulation.robot.string()));
+  settings.setValue("simulation/robot", absolute(QString::fromStdString(simulation.robot.string())));
   settings.setValue("simulation/registered", simulation.registered);
   settings.setValue("simulation/distractors", simulation.distractors);
   settings.setValue("simulation/uneven_light", simulation.uneven_light);

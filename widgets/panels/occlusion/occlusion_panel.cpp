@@ -163,6 +163,14 @@ void OcclusionPanel::setSchedule(const session::OcclusionSchedule& schedule) {
   timeline_->setSchedule(schedule_);
 }
 
+void OcclusionPanel::beginSession(double t) {
+  t_ = schedule_.start = t;
+  blocked_ = hand_;
+  timeline_->setNow(t);
+  timeline_->setSchedule(schedule_);
+  markButtons();
+}
+
 void OcclusionPanel::setBlockable(bool blockable) {
   setEnabled(blockable);
   setToolTip(blockable ? QString() : QString("This source has no cameras to block."));

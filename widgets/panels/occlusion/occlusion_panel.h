@@ -34,7 +34,9 @@ class OcclusionPanel : public QWidget {
   void showBlocked(const std::array<bool, 2>& blocked);
   /// Takes a schedule over without emitting it; for a restored session.
   void setSchedule(const session::OcclusionSchedule& schedule);
-  /// Nothing to block: a recording without images, or none at all.
+  /// Another session begins at `t` [s]: block and schedule stay as they are set, the schedule begins anew.
+  void beginSession(double t);
+  /// Nothing to block: a recording without cameras, or none at all.
   void setBlockable(bool blockable);
 
   const session::OcclusionSchedule& schedule() const { return schedule_; }

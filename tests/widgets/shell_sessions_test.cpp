@@ -1,0 +1,152 @@
+// Opening one source after another in a real window: names, blocked cameras, failures, and calm while one is
+// stuck.
+#include <QPushButton>
+#include <latch>
+#include <stdexcept>
+
+#include "core/base/resource.h"
+#include "tests/widgets/shell_fixture.h"
+#include "widgets/panels/occlusion/occlusion_panel.h"
+#include "widgets/shell/source_menu.h"
+
+namespace capstan::widgets {
+namespace {
+
+TEST_F(Shell, SaysWhatIsWrongWithAFileAndKeepsTheSession) {
+  auto window = makeWindow();
+  window->open(atRest());
+  ASSERT_TRUE(opened(*window));
+  window->open(SourceChoice::ofFile(file("gone.capstan")));
+  ASSERT_TRUE(waitFor([&] { return !window->message().isEmpty(); }));
+  EXPECT_TRUE(window->message().contains("gone.capstan")) << window->message().toStdString();
+  EXPECT_EQ(stateOf(*window), session::RunState::kRunning);
+  EXPECT_TRUE(window->lastSource().simulated) << "a file that could not be opened is no last source";
+  EXPECT_TRUE(window->bar().sources().recentFiles().isEmpty());
+}
+
+TEST_F(Shell, OfTwoChoicesTheNewerIsOpenedUnderItsOwnName) {
+  auto window = makeWindow();
+  window->open(atRest(111.0));
+  window->open(SourceChoice::ofFile(file("gone.capstan")));
+  window->open(atRest(222.0));
+  EXPECT_TRUE(window->link().opening());
+  ASSERT_TRUE(opened(*window));
+  EXPECT_EQ(window->link().runner()->info().duration, 222.0);
+  EXPECT_EQ(window->lastSource().simulation.duration, 222.0);
+  EXPECT_TRUE(window->message().isEmpty()) << "what was taken back is not complained of";
+  EXPECT_FALSE(window->link().opening());
+}
+
+TEST_F(Shell, ShowsACommandThatFailed) {
+  auto window = makeWindow();
+  window->open(atRest());
+  ASSERT_TRUE(opened(*window));
+  window->link().runner()->post([](session::Source&, tracking::TrackingPipeline&) {
+    throw std::runtime_error("the brake does not answer");
+  });
+  ASSERT_TRUE(waitFor([&] { return window->message().contains("the brake does not answer"); }));
+  EXPECT_EQ(stateOf(*window), session::RunState::kRunning);
+}
+
+TEST_F(Shell, AScheduleBeginsAnewWithEverySession) {
+  auto window = makeWindow();
+  window->bar().setSpeed(10.0);
+  window->open(atRest());
+  ASSERT_TRUE(opened(*window));
+  ASSERT_TRUE(waitFor([&] { return window->figure().history().end() > 1.0; }));
+  auto* panel = window->findChild<OcclusionPanel*>();
+  for (auto* button : panel->findChildren<QPushButton*>())
+    if (button->text() == "40") button->click();
+  ASSERT_GT(panel->schedule().start, 0.9);
+  window->open(atRest(300.0));
+  ASSERT_TRUE(waitFor([&] { return window->lastSource().simulation.duration == 300.0; }));
+  EXPECT_EQ(panel->schedule().start, 0.0);
+  ASSERT_TRUE(waitFor([&] { return window->link().runner()->status().occlusion.percentage == 40.0; }));
+  EXPECT_EQ(window->link().runner()->status().occlusion.start, 0.0);
+}
+
+/// Stuck inside next() until the test lets it go.
+class StuckSource final : public session::Source {
+ public:
+  explicit StuckSource(std::latch& gate) : gate_(gate) {
+    info_.title = "stuck";
+    info_.robot = robot::readDescription(base::resource("robots/raven2_left.yaml"));
+  }
+  const session::SourceInfo& info() const override { return info_; }
+  bool next(tracking::Sample&) override {
+    gate_.wait();
+    return false;
+  }
+  void block(bool, bool) override {}
+
+ private:
+  session::SourceInfo info_;
+  std::latch& gate_;
+};
+
+/// Motors at rest for two seconds; with tips where `tips` says so; never pictures.
+class WithoutPictures final : public session::Source {
+ public:
+  explicit WithoutPictures(bool tips) : tips_(tips) {
+    info_.title = "without pictures";
+    info_.robot = robot::readDescription(base::resource("robots/raven2_left.yaml"));
+  }
+  const session::SourceInfo& info() const override { return info_; }
+  bool next(tracking::Sample& out) override {
+    const double t = 1e-3 * ++count_;
+    if (tips_ && count_ % 66 == 0)
+      out = tracking::TipSample{t, t, Eigen::Vector3d::Zero()};
+    else
+      out =
+          tracking::MotorSample{t, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+    return true;
+  }
+  void block(bool, bool) override {}
+
+ private:
+  session::SourceInfo info_;
+  bool tips_;
+  int count_ = 0;
+};
+
+TEST_F(Shell, BlocksTipsWithoutPicturesAndNothingWhereThereIsNoCamera) {
+  auto window = makeWindow();
+  window->open(atRest());
+  ASSERT_TRUE(opened(*window));
+  QTest::keyClick(window.get(), Qt::Key_B);
+  ASSERT_TRUE(waitFor([&] { return window->link().runner()->status().blocked[0]; }));
+  auto* panel = window->findChild<OcclusionPanel*>();
+
+  window->link().take(std::make_unique<WithoutPictures>(false));
+  ASSERT_TRUE(waitFor([&] { return window->link().runner()->status().t > 0.3; }));
+  EXPECT_FALSE(panel->isEnabled());
+  EXPECT_FALSE(window->link().runner()->status().blocked[0]) << "nobody could free it again";
+
+  window->link().take(std::make_unique<WithoutPictures>(true));
+  ASSERT_TRUE(waitFor([&] { return panel->isEnabled(); }));
+  ASSERT_TRUE(waitFor([&] { return window->link().runner()->status().blocked[0]; }));
+  QTest::keyClick(window.get(), Qt::Key_B);
+  ASSERT_TRUE(waitFor([&] { return !window->link().runner()->status().blocked[0]; }));
+}
+
+TEST_F(Shell, StaysResponsiveWhileThePipelineIsStuck) {
+  std::latch gate(1);
+  auto window = makeWindow();
+  window->link().take(std::make_unique<StuckSource>(gate));
+  ASSERT_EQ(window->link().runner()->info().title, "stuck");
+  for (const int key : {Qt::Key_Space, Qt::Key_Period, Qt::Key_B, Qt::Key_E, Qt::Key_R, Qt::Key_BracketLeft})
+    QTest::keyClick(window.get(), static_cast<Qt::Key>(key));
+  window->action("theme")->trigger();
+  window->resize(1000, 700);
+  EXPECT_FALSE(window->grab().isNull());
+  EXPECT_EQ(window->themeName(), "light");
+  window->open(atRest());  // away from the stuck one, without waiting for it
+  EXPECT_TRUE(waitFor([&] {
+    return window->link().runner() && window->link().runner()->info().title != "stuck" &&
+           stateOf(*window) == session::RunState::kRunning;
+  }));
+  gate.count_down();
+}
+
+}  // namespace
+}  // namespace capstan::widgets

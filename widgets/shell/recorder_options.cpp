@@ -1,0 +1,30 @@
+#include "widgets/shell/recorder_options.h"
+
+#include <algorithm>
+
+#include "core/tracking/make_pipeline.h"
+
+namespace capstan::widgets {
+
+namespace {
+
+constexpr double kLeastTime = 2.0;  ///< a stalled disk is bridged for this long [s]
+constexpr double kFastest = 60.0;   ///< pairs of pictures a second that are held for so long
+
+}  // namespace
+
+session::RecorderOptions recorderOptionsFor(const session::SourceInfo& info,
+                                            const session::RunStatus& status) {
+  session::RecorderOptions options;
+  const double pace = std::max(1.0, status.speed);
+  const double frames = std::max(1.0 / tracking::trackingOptionsOf(info).camera_period, status.frame_rate);
+  options.frame_rate = std::min(pace * frames, kFastest);
+  options.motor_rate = pace * std::max(options.motor_rate, status.motor_rate);
+  options.buffered_time =
+      std::clamp(kLeastTime * kFastest / options.frame_rate, kLeastTime, options.buffered_time);
+  options.width = info.rig ? std::max(info.rig->left.width, info.rig->right.width) : 0;
+  options.height = info.rig ? std::max(info.rig->left.height, info.rig->right.height) : 0;
+  return options;
+}
+
+}  // namespace capstan::widgets
