@@ -39,7 +39,7 @@ class RegistrationFeed {
 
   robot::Description robot = leftArm();
   robot::ArmKinematics arm{robot};
-  Eigen::Vector3d stop{robot.joints[0].homing, robot.joints[1].homing, robot.joints[2].homing};
+  Eigen::Vector3d stop = robot::homingOf(robot);
   Eigen::Vector3d q = stop;
   Eigen::Vector3d drift = Eigen::Vector3d::Zero();  ///< [rad/s, rad/s, m/s]
   Eigen::Vector3d noise{1e-4, 1e-4, 8e-4};          ///< of a triangulated point [m]

@@ -46,11 +46,13 @@ TEST(StatusLine, SaysWhatIsWrong) {
   snapshot.nis_mean = 8.2;
   snapshot.nis_consistent = false;
   snapshot.rescues = 3;
+  snapshot.motor_refused = 12;
   line.showSnapshot(snapshot);
   auto status = running();
   status.real_time_factor = 0.4;
   line.showStatus(status, 0.0);
-  for (const char* words : {"gate shut: left lost", "NIS 8.20 FAIL", "rescues 3", "only ×0.4"})
+  for (const char* words :
+       {"gate shut: left lost", "NIS 8.20 FAIL", "rescues 3", "12 motor samples refused", "only ×0.4"})
     EXPECT_TRUE(line.text().contains(QString::fromUtf8(words)))
         << words << " in " << line.text().toStdString();
 }

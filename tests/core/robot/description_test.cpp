@@ -51,6 +51,7 @@ TEST(RobotFile, leftArmHoldsTheConstants) {
   EXPECT_DOUBLE_EQ(robot.joints[1].homing, base::toRadians(137.5));
   EXPECT_DOUBLE_EQ(robot.joints[1].limit_high, base::toRadians(135.0));
   EXPECT_EQ(robot.joints[2].homing, 0.562);
+  EXPECT_EQ(homingOf(robot), Eigen::Vector3d(robot.joints[0].homing, robot.joints[1].homing, 0.562));
   EXPECT_EQ(robot.gravity, Eigen::Vector3d(-9.81, 0.0, 0.0));
   EXPECT_EQ(robot.marker, Eigen::Vector3d(0.0, 0.0, -0.47));
   EXPECT_EQ(robot.wrist.size(), 3U);

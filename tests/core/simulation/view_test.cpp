@@ -49,7 +49,7 @@ TEST_P(View, BothCamerasSeeTheWholeTaskAndTheHardStop) {
   const vision::StereoRig rig = vision::readStereoRig(folder + "left.yaml", folder + "right.yaml");
   for (const Truth& truth : {Truth{}, defaultTruth()}) {
     const Eigen::Isometry3d camera_from_base = trueBaseFromCamera(robot, truth.cameras).inverse();
-    const Eigen::Vector3d stop(robot.joints[0].homing, robot.joints[1].homing, robot.joints[2].homing);
+    const Eigen::Vector3d stop = robot::homingOf(robot);
     EXPECT_GT(margin(rig, camera_from_base * kinematics.tip(stop)), 20.0);
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
       TrajectorySpec spec;

@@ -106,8 +106,10 @@ void StatusLine::showSnapshot(const tracking::Snapshot& snapshot) {
             .arg(snapshot.nis_mean, 0, 'f', 2)
             .arg(snapshot.nis_consistent ? "pass" : "FAIL"),
         snapshot.nis_consistent ? Tone::kGood : Tone::kFault);
-  set(kRescues, QStringLiteral("rescues %1").arg(static_cast<qulonglong>(snapshot.rescues)),
-      snapshot.rescues > 0 ? Tone::kWarning : Tone::kPlain);
+  QString troubles = QStringLiteral("rescues %1").arg(static_cast<qulonglong>(snapshot.rescues));
+  if (snapshot.motor_refused > 0)
+    troubles += tr(", %1 motor samples refused").arg(static_cast<qulonglong>(snapshot.motor_refused));
+  set(kRescues, troubles, snapshot.rescues + snapshot.motor_refused > 0 ? Tone::kWarning : Tone::kPlain);
 }
 
 void StatusLine::showStatus(const session::RunStatus& status, double recorded_seconds) {
