@@ -2,15 +2,28 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace capstan::base {
 namespace {
+
+/// What of a value fits a message: its first line, at most kLongest bytes of it, whole UTF-8 characters.
+std::string excerpt(const std::string& value) {
+  constexpr std::size_t kLongest = 80;
+  std::size_t length = std::min(value.find_first_of("\r\n"), value.size());
+  if (length > kLongest) {
+    length = kLongest;
+    while (length > 0 && (static_cast<unsigned char>(value[length]) & 0xc0U) == 0x80U) --length;
+  }
+  return length == value.size() ? value : value.substr(0, length) + "…";
+}
 
 std::string sentence(const InputFault& fault) {
   std::string text = fault.file;
   if (fault.line > 0) text += fmt::format(":{}", fault.line);
   if (!text.empty()) text += ": ";
   if (!fault.key.empty()) text += fault.key;
-  if (!fault.value.empty()) text += fmt::format(" = {}", fault.value);
+  if (!fault.value.empty()) text += fmt::format(" = {}", excerpt(fault.value));
   if (!fault.key.empty() || !fault.value.empty()) text += ": ";
   text += fault.reason;
   if (!fault.remedy.empty()) text += ". " + fault.remedy;

@@ -17,7 +17,7 @@ struct InputFault {
 };
 
 /// A file or an argument from outside is unusable. what() reads
-/// `FILE:LINE: KEY = VALUE: REASON. REMEDY`.
+/// `FILE:LINE: KEY = VALUE: REASON. REMEDY`, of a long value its beginning.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(InputFault fault);

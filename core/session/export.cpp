@@ -195,7 +195,7 @@ void importRecording(Source& source, const std::filesystem::path& session, const
                             "Check the folder, its permissions and the space"});
   }
   if (progress && progress->cancelled()) return;
-  foldLog(session);
+  foldLog(part.target());
   part.commit();
 }
 

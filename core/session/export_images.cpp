@@ -63,6 +63,17 @@ double meanRate(const SessionSummary& summary) {
                                           : 15.0;
 }
 
+/// The writer does not say when the disk takes no more: the file is read again, packet by packet, undecoded.
+void checkWhole(const std::filesystem::path& file, std::int64_t frames, const std::filesystem::path& video) {
+  constexpr double kUndecoded = -1.0;
+  std::int64_t found = 0;
+  cv::VideoCapture reader(file.string(), cv::CAP_FFMPEG);
+  if (reader.isOpened() && reader.set(cv::CAP_PROP_FORMAT, kUndecoded))
+    while (found < frames && reader.grab()) ++found;
+  if (found < frames)
+    refuse(video, fmt::format("took only {} of {} frames", found, frames), "Is the disk full?");
+}
+
 }  // namespace
 
 std::int64_t exportPng(const std::filesystem::path& session, const std::filesystem::path& folder,
@@ -89,8 +100,7 @@ VideoReport exportVideo(const std::filesystem::path& session, const std::filesys
   const SessionSummary summary = readSessionSummary(session);
   if (summary.frames == 0) refuse(session, "holds no images", "Choose a session recorded with cameras");
   const int fourcc = fourccFor(video);
-  base::PartFile part(video,
-                      video.parent_path() / (video.stem().string() + ".part" + video.extension().string()));
+  base::PartFile part(video, base::PartFile::Keep::kSuffix);
   VideoReport report;
   {
     cv::VideoWriter writer(part.path().string(), cv::CAP_FFMPEG, fourcc, meanRate(summary),
@@ -106,7 +116,9 @@ VideoReport exportVideo(const std::filesystem::path& session, const std::filesys
       ++(fits ? report.frames : report.other_size);
     });
   }
-  if (!progress || !progress->cancelled()) part.commit();
+  if (progress && progress->cancelled()) return report;
+  checkWhole(part.path(), report.frames, video);
+  part.commit();
   return report;
 }
 

@@ -1,7 +1,9 @@
 #include "core/session/export.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <csignal>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 
@@ -87,7 +89,47 @@ TEST(Export, PicturesAreThePixelsAndVideoHasEveryFrame) {
   int frames = 0;
   for (; video.read(frame); ++frames) EXPECT_EQ(frame.cols, 128);
   EXPECT_EQ(frames, 10);
+  for (const char* other : {"a.avi", "a.mp4"})
+    EXPECT_EQ(exportVideo(folder / "a.capstan", folder / other).frames, 10) << other;
   EXPECT_THROW(exportVideo(folder / "a.capstan", folder / "a.xyz"), base::InputError);
+}
+
+/// While it lives, no file grows beyond `bytes`, as on a disk that is full.
+class FileLimit {
+ public:
+  explicit FileLimit(rlim_t bytes) : before_(std::signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &limit_);
+    const rlimit less{bytes, limit_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &less);
+  }
+  ~FileLimit() {
+    setrlimit(RLIMIT_FSIZE, &limit_);
+    std::signal(SIGXFSZ, before_);
+  }
+
+ private:
+  void (*before_)(int);
+  rlimit limit_{};
+};
+
+TEST(Export, AFullDiskIsNoVideo) {
+  const TemporaryFolder folder;
+  base::Random random(3);
+  {
+    Recorder recorder(folder / "a.capstan", header());
+    for (int i = 0; i < 20; ++i)
+      recorder.offer(tracking::Sample(
+          tracking::StereoFrame{i / 15.0, i / 15.0, noisyImage(random), noisyImage(random)}));
+  }
+  for (const char* name : {"a.mkv", "a.avi", "a.mp4"}) {
+    base::writeTextFile(folder / name, "former");
+    {
+      const FileLimit limit(16 << 10);
+      EXPECT_THROW(exportVideo(folder / "a.capstan", folder / name), base::InputError) << name;
+    }
+    EXPECT_EQ(std::filesystem::file_size(folder / name), 6U) << name;
+    EXPECT_FALSE(std::filesystem::exists(folder / ("a.part" + std::string(name + 1))));
+  }
 }
 
 TEST(Export, JointsReadBetweenTwoRowsStandInTheNext) {
