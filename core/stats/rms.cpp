@@ -23,38 +23,41 @@ class Sum {
   double lost_ = 0.0;
 };
 
-/// Exponent e with |x| < 2^e for all samples.
+/// Exponent e with |x| < 2^e for all samples, and 2^−e a finite double.
+int exponentOf(double largest) {
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  return std::max(exponent, -1021);
+}
+
 int exponentOf(std::span<const double> values) {
   double largest = 0.0;
   for (const double x : values) largest = std::max(largest, std::abs(x));
-  int exponent = 0;
-  std::frexp(largest, &exponent);
-  return exponent;
+  return exponentOf(largest);
 }
 
-/// Mean of the samples scaled by 2^−exponent; a second pass adds the mean of what the first one's rounding
-/// left.
-double scaledMean(std::span<const double> values, int exponent) {
+/// Mean of the samples times `scale`; a second pass adds the mean of what the first one's rounding left.
+double scaledMean(std::span<const double> values, double scale) {
   const auto n = static_cast<double>(values.size());
   Sum sum;
-  for (const double x : values) sum.add(std::ldexp(x, -exponent));
+  for (const double x : values) sum.add(x * scale);
   const double first = sum.value() / n;
   Sum rest;
-  for (const double x : values) rest.add(std::ldexp(x, -exponent) - first);
+  for (const double x : values) rest.add(x * scale - first);
   return first + rest.value() / n;
 }
 
-/// Standard deviation of samples about `scaled_mean`, both scaled by 2^−exponent; deviations are scaled up
-/// again by their own largest one, for they may be far smaller than the mean.
-double scaledDeviation(std::span<const double> values, int exponent, double scaled_mean) {
+/// Standard deviation of the samples times `scale` about `scaled_mean`; deviations are scaled up again by
+/// their own largest one, for they may be far smaller than the mean.
+double scaledDeviation(std::span<const double> values, double scale, double scaled_mean) {
   double largest = 0.0;
-  for (const double x : values) largest = std::max(largest, std::abs(std::ldexp(x, -exponent) - scaled_mean));
-  int own = 0;
-  std::frexp(largest, &own);
+  for (const double x : values) largest = std::max(largest, std::abs(x * scale - scaled_mean));
+  const int own = exponentOf(largest);
+  const double own_scale = std::ldexp(1.0, -own);
   Sum squares;
   Sum deviations;
   for (const double x : values) {
-    const double d = std::ldexp(std::ldexp(x, -exponent) - scaled_mean, -own);
+    const double d = (x * scale - scaled_mean) * own_scale;
     squares.add(d * d);
     deviations.add(d);
   }
@@ -70,24 +73,23 @@ double Moments::standardDeviation() const { return std::sqrt(variance); }
 double rms(std::span<const double> values) {
   requireSamples(values, 1, "rms");
   const int exponent = exponentOf(values);
+  const double scale = std::ldexp(1.0, -exponent);
   Sum squares;
-  for (const double x : values) {
-    const double scaled = std::ldexp(x, -exponent);
-    squares.add(scaled * scaled);
-  }
+  for (const double x : values) squares.add(x * scale * (x * scale));
   return std::ldexp(std::sqrt(squares.value() / static_cast<double>(values.size())), exponent);
 }
 
 double mean(std::span<const double> values) {
   requireSamples(values, 1, "mean");
   const int exponent = exponentOf(values);
-  return std::ldexp(scaledMean(values, exponent), exponent);
+  return std::ldexp(scaledMean(values, std::ldexp(1.0, -exponent)), exponent);
 }
 
 double standardDeviation(std::span<const double> values) {
   requireSamples(values, 2, "standard deviation");
   const int exponent = exponentOf(values);
-  return std::ldexp(scaledDeviation(values, exponent, scaledMean(values, exponent)), exponent);
+  const double scale = std::ldexp(1.0, -exponent);
+  return std::ldexp(scaledDeviation(values, scale, scaledMean(values, scale)), exponent);
 }
 
 double variance(std::span<const double> values) {
@@ -98,8 +100,9 @@ double variance(std::span<const double> values) {
 Moments moments(std::span<const double> values) {
   requireSamples(values, 2, "moments");
   const int exponent = exponentOf(values);
-  const double scaled = scaledMean(values, exponent);
-  const double deviation = std::ldexp(scaledDeviation(values, exponent, scaled), exponent);
+  const double scale = std::ldexp(1.0, -exponent);
+  const double scaled = scaledMean(values, scale);
+  const double deviation = std::ldexp(scaledDeviation(values, scale, scaled), exponent);
   return {values.size(), std::ldexp(scaled, exponent), deviation * deviation};
 }
 

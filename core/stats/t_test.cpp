@@ -73,7 +73,7 @@ TTest pairedTTest(std::span<const double> first, std::span<const double> second,
   std::transform(first.begin(), first.end(), second.begin(), differences.begin(), std::minus<>());
   const Moments of = moments(differences);
   const double standard_error = of.standardDeviation() / std::sqrt(static_cast<double>(of.n));
-  requireSpread(standard_error, std::max(std::abs(mean(first)), std::abs(mean(second))));
+  requireSpread(standard_error, std::max(rms(first), rms(second)));
   return testOf(of.mean, standard_error, static_cast<double>(of.n - 1), confidence);
 }
 

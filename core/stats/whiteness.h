@@ -15,7 +15,7 @@ std::vector<double> autocorrelation(std::span<const double> values, std::size_t 
 struct LjungBox {
   double q = 0.0;
   double degrees_of_freedom = 0.0;
-  double p_value = 1.0;  ///< small: not white
+  double p_value = 1.0;  ///< small: not white; 0 where it is smaller than a double can hold
 };
 
 /// Q = n(n + 2) Σ_{k=1}^{lags} r_k² / (n − k), χ² with lags − fitted degrees of freedom when the samples are

@@ -63,6 +63,13 @@ TEST(Rms, AnyMagnitude) {
   }
 }
 
+TEST(Rms, TheSmallestAndTheLargestDoubles) {
+  for (const double x : {std::numeric_limits<double>::denorm_min(), std::numeric_limits<double>::max()}) {
+    EXPECT_NEAR(rms(std::vector<double>{x, -x, x}) / x, 1.0, 1e-15);
+    EXPECT_EQ(mean(std::vector<double>{x, x, x}), x);
+  }
+}
+
 TEST(Rms, MomentsAreTheThreeAtOnce) {
   const Moments all = moments(kMichelson);
   EXPECT_EQ(all.n, 100U);

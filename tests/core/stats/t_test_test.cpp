@@ -128,10 +128,11 @@ TEST(TTest, RefusesWhatHasNoAnswer) {
 
 // 0.1 + 0.2 − 0.2 and the like: differences that vary in their last bit only are constant.
 TEST(TTest, RoundingIsNoSpread) {
-  const std::vector<double> first = {0.1, 0.3, 0.7, 1.1};
-  std::vector<double> second;
-  for (const double x : first) second.push_back(x + 0.2);
-  EXPECT_THROW(pairedTTest(first, second), base::InputError);
+  for (const std::vector<double>& first : {std::vector<double>{0.1, 0.3, 0.7, 1.1}, {-1e9, 1e9, -3e8, 3e8}}) {
+    std::vector<double> second;
+    for (const double x : first) second.push_back(x + 0.2);
+    EXPECT_THROW(pairedTTest(first, second), base::InputError);
+  }
 }
 
 }  // namespace
