@@ -64,7 +64,7 @@ std::unique_ptr<session::Source> openSource(const std::string& file, RecordingFo
   }
   const robot::Description robot = readRobot(robot_file);
   auto source = std::make_unique<session::TableSource>(readTable(file, format, robot), robot);
-  if (!source->notice().empty()) notice(source->notice());
+  for (const std::string& line : source->info().notices) notice(line);
   return source;
 }
 

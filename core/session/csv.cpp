@@ -70,7 +70,7 @@ bool parseNumber(std::string_view cell, double& value) {
   }
   if (cell.front() == '+') cell.remove_prefix(1);
   const auto [end, fault] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  return fault == std::errc() && end == cell.data() + cell.size() && !std::isinf(value);
+  return fault == std::errc() && end == cell.data() + cell.size() && std::isfinite(value);
 }
 
 void parseRow(std::string_view row, int line, const std::string& file, const Header& header) {

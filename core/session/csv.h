@@ -12,7 +12,7 @@ namespace capstan::session {
 using CsvTarget = std::function<std::vector<double>*(std::string_view name, std::size_t index)>;
 
 /// Parses a CSV table of numbers with one header line: commas, LF or CRLF, optional byte order mark; an empty
-/// cell and `nan` are NaN. Row r (from 0) stands on line r + 2. Throws base::InputError naming file, line,
+/// cell is NaN. Row r (from 0) stands on line r + 2. Throws base::InputError naming file, line,
 /// column, value and remedy: no header, a cell that is no finite number, a wrong number of cells, no rows.
 void parseCsv(std::string_view text, const std::string& file, const CsvTarget& target);
 

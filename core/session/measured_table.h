@@ -22,6 +22,7 @@ struct MeasuredTable {
   TableColumns q;                    ///< joint encoders, the reference [rad or m]
   TableColumns p_c;                  ///< tip from the cameras, frame 0 [m]
   TableColumns tau_ext;              ///< measured external joint load [N·m or N]
+  bool own_kinematics = false;       ///< q is what the robot computed from its motors: no reference of truth
   std::vector<std::string> ignored;  ///< columns that the table has and nobody asked for
 
   std::size_t rows() const { return t.size(); }

@@ -48,6 +48,7 @@ constexpr std::array kRounding = {1.0, 56.298 / 56.297, 1.0};
 MeasuredTable parseRavenMotors(std::string_view text, const std::string& file) {
   MeasuredTable table;
   table.file = file;
+  table.own_kinematics = true;
   for (const RavenColumn& column : kColumns) (table.*column.quantity).resize(3);
   std::map<std::string_view, bool> found;
   parseCsv(text, file, [&](std::string_view name, std::size_t) -> std::vector<double>* {

@@ -23,8 +23,8 @@ bool isRavenMotors(std::string_view header_line);
 ///     q_m = f ∘ (m π/180 − TR ∘ (A q_hs)),   f = (1, 56.298 / 56.297, 1)
 ///
 /// A and q_hs are `robot`'s; its pulley radii do not enter, so that another radius shows in what tracking
-/// makes of the table. Joint columns become the reference q. Throws base::InputError like
-/// readMeasuredTable().
+/// makes of the table. Joint columns become the reference q, marked as the robot's own kinematics: no truth.
+/// Throws base::InputError like readMeasuredTable().
 MeasuredTable readRavenMotors(const std::filesystem::path& path, const robot::Description& robot);
 
 }  // namespace capstan::session

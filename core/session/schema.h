@@ -14,6 +14,8 @@ namespace capstan::session {
 
 inline constexpr std::int32_t kApplicationId = 0x43505354;  ///< "CPST"
 inline constexpr std::int32_t kSchemaVersion = 1;           ///< PRAGMA user_version
+/// Value of `reference` in the header where joints are the robot's own kinematics; else 1 or 0.
+inline constexpr std::string_view kOwnKinematics = "own kinematics";
 
 enum class ColumnType { kReal, kInteger, kText, kBlob };
 

@@ -58,6 +58,7 @@ SessionHeader headerOf(const SourceInfo& source, std::string created) {
   header.tracking = source.tracking;
   header.base_from_camera = source.base_from_camera;
   header.reference = source.reference;
+  header.own_kinematics = source.own_kinematics;
   return header;
 }
 

@@ -31,7 +31,8 @@ struct SessionHeader {
   std::string marker;    ///< marker options (YAML), else empty
   std::string tracking;  ///< tracking options (YAML), else empty
   std::optional<Eigen::Isometry3d> base_from_camera;
-  bool reference = false;  ///< joint encoders fitted
+  bool reference = false;       ///< joint encoders fitted
+  bool own_kinematics = false;  ///< in their place: the robot's own kinematics
 };
 
 /// The header of a recording of `source`, now.

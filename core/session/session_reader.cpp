@@ -107,7 +107,8 @@ SessionHeader readHeader(Database& database) {
   header.truth = value["truth"];
   header.marker = value["marker"];
   header.tracking = value["tracking"];
-  header.reference = value["reference"] == "1";
+  header.own_kinematics = value["reference"] == kOwnKinematics;
+  header.reference = value["reference"] == "1" || header.own_kinematics;
   header.base_from_camera = parsePose(value["registration"]);
   return header;
 }

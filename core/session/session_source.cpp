@@ -69,6 +69,7 @@ class SessionSource::Impl {
     info_.begin = summary.first_t;
     info_.duration = summary.last_t - summary.first_t;
     info_.reference = summary.joint > 0;
+    info_.own_kinematics = header.own_kinematics;
   }
 
   void advance(int which) {

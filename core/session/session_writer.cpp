@@ -81,7 +81,7 @@ SessionWriter::SessionWriter(const std::filesystem::path& path, const SessionHea
     put("truth", header.truth);
     put("marker", header.marker);
     put("tracking", header.tracking);
-    put("reference", header.reference ? "1" : "0");
+    put("reference", header.own_kinematics ? kOwnKinematics : std::string_view(header.reference ? "1" : "0"));
     if (header.base_from_camera) setRegistration(*header.base_from_camera);
     commit();
     for (int which = 0; which < kSampleTables; ++which)

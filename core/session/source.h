@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/robot/description.h"
 #include "core/tracking/sample.h"
@@ -24,7 +25,10 @@ struct SourceInfo {
   double begin = 0.0;      ///< time of the first sample [s]
   double duration = 0.0;   ///< from the first sample to the last [s]; 0: unknown (live)
   bool reference = false;  ///< joint encoders fitted
-  bool live = false;       ///< can be commanded (simulated or real robot)
+  /// What stands in the place of joint encoders is the robot's own transmission kinematics: no truth.
+  bool own_kinematics = false;
+  bool live = false;                 ///< can be commanded (simulated or real robot)
+  std::vector<std::string> notices;  ///< doubts and remarks for the user, a line each
 };
 
 /// Yields samples in order of arrival. Deterministic sources yield the same bytes each time.

@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/session/csv.h"
+#include "core/session/plausibility.h"
 #include "core/session/raven_motors.h"
 #include "core/session/session_file.h"
 #include "core/session/session_source.h"
@@ -66,8 +67,11 @@ TableSource::TableSource(MeasuredTable table, const robot::Description& robot) :
   info_.begin = table_.t.front();
   info_.duration = table_.t.back() - table_.t.front();
   info_.reference = !table_.q.empty();
+  info_.own_kinematics = table_.own_kinematics;
+  info_.notices = unitDoubts(table_, robot);
   if (!table_.ignored.empty())
-    notice_ = fmt::format("{}: columns not used: {}", table_.file, fmt::join(table_.ignored, ", "));
+    info_.notices.push_back(
+        fmt::format("{}: columns not used: {}", table_.file, fmt::join(table_.ignored, ", ")));
 }
 
 bool TableSource::next(tracking::Sample& out) {

@@ -11,7 +11,8 @@
 namespace capstan::session {
 
 /// A measured table as a source: each row gives a motor sample, a joint sample where q is there (reference
-/// fitted), and a tip sample where p_c is there.
+/// fitted), and a tip sample where p_c is there. Doubts about its units and columns that were not used come
+/// as notices of info().
 class TableSource : public Source {
  public:
   /// Throws base::InputError as readMeasuredTable() does, and for a table without q_m or whose number of
@@ -23,13 +24,10 @@ class TableSource : public Source {
   bool next(tracking::Sample& out) override;
   /// Either side blocked: tip samples without position.
   void block(bool left, bool right) override { blocked_ = left || right; }
-  /// One line about columns that were not used; empty: none.
-  const std::string& notice() const { return notice_; }
 
  private:
   SourceInfo info_;
   MeasuredTable table_;
-  std::string notice_;
   std::size_t row_ = 0;
   int part_ = 0;
   bool blocked_ = false;

@@ -51,6 +51,19 @@ TEST(Export, TableToSessionAndBackIsTheSameTable) {
   EXPECT_FALSE(std::filesystem::exists(folder / "a.capstan.part"));
 }
 
+TEST(Export, TheRobotsOwnKinematicsStaySuchInASession) {
+  const TemporaryFolder folder;
+  for (const bool own : {false, true}) {
+    MeasuredTable table = someTable();
+    table.own_kinematics = own;
+    TableSource source(table, raven());
+    importRecording(source, folder / "a.capstan", headerOf(source.info(), "2026-11-21"), nullptr,
+                    Existing::kReplace);
+    EXPECT_EQ(SessionSource(folder / "a.capstan").info().own_kinematics, own);
+    EXPECT_TRUE(SessionSource(folder / "a.capstan").info().reference);
+  }
+}
+
 TEST(Export, CsvHasEveryTableAndEveryRow) {
   const TemporaryFolder folder;
   TableSource source(someTable(), raven());
