@@ -6,6 +6,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/console.h"
+#include "app/cli/outputs.h"
 #include "core/base/error.h"
 #include "core/base/names.h"
 #include "core/vision/calibration.h"
@@ -13,10 +14,13 @@
 namespace capstan::cli {
 namespace {
 
+constexpr const char* kLeft = "left.yaml";
+constexpr const char* kRight = "right.yaml";
+
 struct CalibrateArguments {
   std::string folder, out = ".", board = "9x6", json;
   double square_mm = 25.0;
-  bool write = true;
+  bool write = true, force = false;
   vision::CalibrationOptions options;
 };
 
@@ -86,11 +90,27 @@ nlohmann::json jsonOf(const vision::CalibrationReport& report) {
           {"views", views}};
 }
 
+/// Before the long computation.
+void checkOut(const CalibrateArguments& arguments, const vision::CalibrationInput& pairs) {
+  std::vector<std::string> inputs;
+  for (const auto* side : {&pairs.left, &pairs.right})
+    for (const auto& picture : *side) inputs.push_back(picture.string());
+  checkOutputs({{"--json", arguments.json}}, inputs);
+  if (!arguments.write) return;
+  checkOutputFolder("--out", arguments.out, {kLeft, kRight}, inputs);
+  for (const char* name : {kLeft, kRight}) {
+    const std::filesystem::path file = std::filesystem::path(arguments.out) / name;
+    if (!arguments.force && std::filesystem::exists(file))
+      refuseFile(file.string(), "exists", "Give another --out, or --force");
+  }
+}
+
 ExitCode calibrate(CalibrateArguments& arguments) {
   parseBoard(arguments.board, arguments.options);
   arguments.options.square_size = 1e-3 * arguments.square_mm;
   const Output output(arguments.json);
   const auto pairs = vision::findStereoPairs(arguments.folder);
+  checkOut(arguments, pairs);
   base::Progress progress;
   vision::CalibrationReport report;
   {
@@ -108,9 +128,8 @@ ExitCode calibrate(CalibrateArguments& arguments) {
     std::error_code failed;
     std::filesystem::create_directories(folder, failed);
     if (failed) refuseFile(folder.string(), failed.message(), "Give another --out");
-    vision::writeStereoRig(report.rig, folder / "left.yaml", folder / "right.yaml");
-    output.text(
-        fmt::format("wrote {} and {}\n", (folder / "left.yaml").string(), (folder / "right.yaml").string()));
+    vision::writeStereoRig(report.rig, folder / kLeft, folder / kRight);
+    output.text(fmt::format("wrote {} and {}\n", (folder / kLeft).string(), (folder / kRight).string()));
   }
   return kOk;
 }
@@ -134,6 +153,7 @@ void addCalibrate(CLI::App& app, ExitCode& exit) {
       ->check(CLI::Range(0.0, 100.0));
   command->add_option("--out", arguments->out, "folder for left.yaml and right.yaml (ROS camera_info)")
       ->capture_default_str();
+  command->add_flag("--force", arguments->force, "overwrite an existing left.yaml or right.yaml");
   command->add_flag("!--no-write", arguments->write, "print only");
   command->add_option("--json", arguments->json, "result as JSON: a file, or - for standard output");
   command->footer(

@@ -21,7 +21,9 @@ void onInterrupt(int) { interrupted = 1; }
 }  // namespace
 
 ProgressLine::ProgressLine(base::Progress& progress)
-    : previous_(std::signal(SIGINT, onInterrupt)), thread_([&progress](const std::stop_token& stop) {
+    : interrupt_(std::signal(SIGINT, onInterrupt)),
+      terminate_(std::signal(SIGTERM, onInterrupt)),
+      thread_([&progress](const std::stop_token& stop) {
         const bool terminal = isatty(STDERR_FILENO) != 0;
         bool shown = false;
         while (!stop.stop_requested()) {
@@ -39,7 +41,8 @@ ProgressLine::ProgressLine(base::Progress& progress)
 ProgressLine::~ProgressLine() {
   thread_.request_stop();
   thread_.join();
-  std::signal(SIGINT, previous_);
+  std::signal(SIGINT, interrupt_);
+  std::signal(SIGTERM, terminate_);
 }
 
 void Output::text(const std::string& text) const {

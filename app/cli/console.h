@@ -9,14 +9,16 @@
 
 namespace capstan::cli {
 
-/// Shows `progress` on standard error while it lives, on a terminal only, and cancels it at Ctrl-C.
+/// Shows `progress` on standard error while it lives, on a terminal only, and cancels it at Ctrl-C and
+/// SIGTERM.
 class ProgressLine {
  public:
   explicit ProgressLine(base::Progress& progress);
   ~ProgressLine();
 
  private:
-  void (*previous_)(int);  ///< what SIGINT did before
+  void (*interrupt_)(int);  ///< what SIGINT did before
+  void (*terminate_)(int);  ///< and SIGTERM
   std::jthread thread_;
 };
 

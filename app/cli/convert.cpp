@@ -4,9 +4,11 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "app/cli/command.h"
 #include "app/cli/console.h"
+#include "app/cli/outputs.h"
 #include "app/cli/recordings.h"
 #include "core/base/error.h"
 #include "core/base/yaml.h"
@@ -76,16 +78,29 @@ std::string convertTo(const std::string& target, const ConvertArguments& argumen
   return writeVideo(arguments, progress);
 }
 
+/// Before anything is written.
+void checkOut(const ConvertArguments& arguments, const std::string& target) {
+  namespace fs = std::filesystem;
+  const std::vector<std::string> inputs = {arguments.in, arguments.robot};
+  if (target == "csv-folder" || target == "png") {
+    checkOutputFolder("OUT", arguments.out, {}, inputs);
+    if (!arguments.force && fs::is_directory(arguments.out) && !fs::is_empty(arguments.out))
+      refuseFile(arguments.out, "is not empty", "Give another folder, or --force");
+    checkOutputs({{"--json", arguments.json}}, inputs);
+    return;
+  }
+  checkOutputs({{"OUT", arguments.out}, {"--json", arguments.json}}, inputs);
+  if (!arguments.force && fs::exists(arguments.out))
+    refuseFile(arguments.out, "exists", "Give another name, or --force");
+}
+
 ExitCode convert(const ConvertArguments& arguments) {
   const Output output(arguments.json);
   const RecordingFormat format = formatOf(arguments.format, arguments.in);
   if (format == RecordingFormat::kRobot)
     refuseFile(arguments.in, "is no recording", "Give a session or a table");
   const std::string target = targetOf(arguments);
-  const bool folder = target == "csv-folder" || target == "png";
-  if (!folder && std::filesystem::exists(arguments.out) &&
-      (!arguments.force || std::filesystem::equivalent(arguments.in, arguments.out)))
-    refuseFile(arguments.out, "exists", "Give another name, or --force");
+  checkOut(arguments, target);
   base::Progress progress;
   std::string written;
   {
@@ -116,7 +131,8 @@ void addConvert(CLI::App& app, ExitCode& exit) {
       ->capture_default_str()
       ->check(CLI::IsMember({"auto", "session", "table", "raven"}));
   command->add_option("--robot", arguments->robot, "robot file for recordings that bring none");
-  command->add_flag("--force", arguments->force, "overwrite an existing file");
+  command->add_flag("--force", arguments->force,
+                    "overwrite an existing file, or write into a folder that is not empty");
   command->add_option("--json", arguments->json, "result as JSON: a file, or - for standard output");
   command->footer(
       "Examples:\n"

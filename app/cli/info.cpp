@@ -6,10 +6,12 @@
 
 #include "app/cli/command.h"
 #include "app/cli/console.h"
+#include "app/cli/outputs.h"
 #include "app/cli/recordings.h"
 #include "core/base/units.h"
 #include "core/robot/description.h"
 #include "core/session/measured_table.h"
+#include "core/session/plausibility.h"
 #include "core/session/session_file.h"
 
 namespace capstan::cli {
@@ -18,6 +20,12 @@ namespace {
 struct InfoArguments {
   std::string file, robot, json;
 };
+
+const char* referenceOf(const session::SessionHeader& header) {
+  return header.own_kinematics ? "the robot's own kinematics, no truth"
+         : header.reference    ? "joint encoders"
+                               : "none";
+}
 
 void infoSession(const std::string& file, const Output& output) {
   const auto summary = session::readSessionSummary(file);
@@ -31,7 +39,7 @@ void infoSession(const std::string& file, const Output& output) {
                       summary.events);
   if (summary.frames > 0) text += fmt::format("frames       {} × {} px\n", summary.width, summary.height);
   text += fmt::format("reference    {}\nregistered   {}\nsimulated    {}\nsize         {:.1f} MB\n",
-                      header.reference ? "joint encoders" : "none", header.base_from_camera ? "yes" : "no",
+                      referenceOf(header), header.base_from_camera ? "yes" : "no",
                       header.truth.empty() ? "no" : "yes", 1e-6 * static_cast<double>(summary.bytes));
   for (const auto& event : events)
     text += fmt::format("{:>10.3f} s  {}: {}\n", event.t, event.kind, event.text);
@@ -54,6 +62,7 @@ void infoSession(const std::string& file, const Output& output) {
                {"height", summary.height},
                {"bytes", summary.bytes},
                {"reference", header.reference},
+               {"own_kinematics", header.own_kinematics},
                {"registered", header.base_from_camera.has_value()},
                {"simulated", !header.truth.empty()},
                {"events", list}});
@@ -93,7 +102,10 @@ std::size_t measured(const std::vector<double>& column) {
 
 void infoTable(const std::string& file, const std::string& robot_file, RecordingFormat format,
                const Output& output) {
-  const auto table = readTable(file, format, readRobot(robot_file));
+  const robot::Description robot = readRobot(robot_file);
+  const auto table = readTable(file, format, robot);
+  const std::vector<std::string> doubts = session::unitDoubts(table, robot);
+  for (const std::string& doubt : doubts) notice(doubt);
   const double first = table.t.empty() ? 0.0 : table.t.front(), last = table.t.empty() ? 0.0 : table.t.back();
   std::string text =
       fmt::format("{:<12} {}\njoints       {}\nrows         {}\ntime         {:.3f} … {:.3f} s\n",
@@ -114,6 +126,7 @@ void infoTable(const std::string& file, const std::string& robot_file, Recording
   list("q", table.q);
   list("p_c", table.p_c);
   list("tau_ext", table.tau_ext);
+  if (table.own_kinematics) text += "  q is the robot's own kinematics, no truth\n";
   for (const auto& name : table.ignored) text += fmt::format("  {:<10}   ignored\n", name);
   output.text(text);
   output.json({{"kind", format == RecordingFormat::kRavenMotors ? "raven_motors" : "table"},
@@ -122,11 +135,14 @@ void infoTable(const std::string& file, const std::string& robot_file, Recording
                {"first_t", first},
                {"last_t", last},
                {"values", columns},
-               {"ignored", table.ignored}});
+               {"ignored", table.ignored},
+               {"own_kinematics", table.own_kinematics},
+               {"doubts", doubts}});
 }
 
 ExitCode info(const InfoArguments& arguments) {
   const Output output(arguments.json);
+  checkOutputs({{"--json", arguments.json}}, {arguments.file, arguments.robot});
   switch (const RecordingFormat format = detectFormat(arguments.file); format) {
     case RecordingFormat::kSession:
       infoSession(arguments.file, output);

@@ -1,5 +1,10 @@
+#include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
+#include <filesystem>
+#include <regex>
+#include <string>
 
 #include "app/cli/command.h"
 #include "core/base/error.h"
@@ -9,6 +14,29 @@ namespace {
 constexpr const char* kAbout =
     "Capstan: joint angles of cable-driven surgical robots from motors and cameras.\n"
     "Exit codes: 0 done, 1 the answer is no or the run failed, 2 bad argument or file.";
+
+void refuseUnknownCommand(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::string names;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    if (command->get_name() == argv[1]) return;
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  }
+  throw capstan::base::InputError(
+      {{}, 0, {}, {}, std::string("unknown command ") + argv[1], "Commands: " + names});
+}
+
+/// "--option = value" where CLI11's `message` complains of a value that is no number; else empty. Its range
+/// check speaks of the range even then.
+std::string notANumber(const std::string& message) {
+  std::smatch parts;
+  if (std::regex_match(message, parts, std::regex("Could not convert: (.*)"))) return parts[1];
+  if (!std::regex_match(message, parts, std::regex("(.*): Value (.*) not in range .*"))) return {};
+  char* end = nullptr;
+  const std::string value = parts[2];
+  std::strtod(value.c_str(), &end);
+  return end != value.c_str() && *end == '\0' ? std::string() : parts[1].str() + " = " + value;
+}
 
 int run(int argc, char** argv) {
   using namespace capstan;
@@ -24,21 +52,35 @@ int run(int argc, char** argv) {
   cli::addInfo(app, exit);
   cli::addConvert(app, exit);
   cli::addReport(app, exit);
+  refuseUnknownCommand(app, argc, argv);
   try {
     app.parse(argc, argv);
     return exit;
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? cli::kOk : cli::kUsage;
+    const std::string value = notANumber(error.what());
+    if (value.empty()) return app.exit(error) == 0 ? cli::kOk : cli::kUsage;
+    throw base::InputError({{}, 0, {}, {}, value + ": is not a number", {}});
   }
+}
+
+/// Standard output must have taken everything.
+int flushed(int exit) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit;
+  std::fputs("capstan-cli: standard output could not be written whole. Is the disk full?\n", stderr);
+  return std::max<int>(exit, capstan::cli::kFailed);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
-    return run(argc, argv);
+    return flushed(run(argc, argv));
   } catch (const capstan::base::InputError& error) {
     std::fprintf(stderr, "capstan-cli: %s\n", error.what());
+    return capstan::cli::kUsage;
+  } catch (const std::filesystem::filesystem_error& error) {
+    std::fprintf(stderr, "capstan-cli: %s: %s. Check the path and its permissions\n", error.path1().c_str(),
+                 error.code().message().c_str());
     return capstan::cli::kUsage;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "capstan-cli: %s\n", error.what());

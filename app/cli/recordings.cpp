@@ -19,8 +19,12 @@ RecordingFormat detectFormat(const std::string& file) {
   if (suffix == session::kSessionSuffix && std::filesystem::is_regular_file(file, fault))
     return RecordingFormat::kSession;  // unopened: SQLite's locks on it would go with the closing
   std::ifstream in(file, std::ios::binary);
-  if (!in || std::filesystem::is_directory(file))
-    refuseFile(file, std::filesystem::exists(file) ? "cannot be read" : "does not exist",
+  const bool folder = std::filesystem::is_directory(file, fault);
+  if (!in || folder)
+    refuseFile(file,
+               folder                                 ? "is a folder"
+               : std::filesystem::exists(file, fault) ? "cannot be read"
+                                                      : "does not exist",
                "Give a session (.capstan), a table (.csv) or a robot file (.yaml)");
   char magic[16] = {};
   in.read(magic, sizeof magic);

@@ -13,6 +13,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/console.h"
+#include "app/cli/outputs.h"
 #include "app/cli/recordings.h"
 #include "app/cli/report_figures.h"
 #include "app/cli/report_pages.h"
@@ -30,6 +31,8 @@ namespace fs = std::filesystem;
 
 struct ReportArguments {
   std::string file, format = "auto", robot, options, out = "report", json;
+  std::string opened, theme;  ///< by the window's options
+  bool simulate = false;
   simulation::SimulationRequest simulation;
 };
 
@@ -128,9 +131,39 @@ std::unique_ptr<session::Source> openFor(ReportArguments& arguments, const CLI::
   return openSource(arguments.file, formatOf(arguments.format, arguments.file), arguments.robot);
 }
 
+/// The window's names for the same things.
+void takeWindowOptions(ReportArguments& arguments) {
+  if (!arguments.opened.empty()) {
+    if (!arguments.file.empty())
+      refuseOption("RECORDING", arguments.file, "is given together with " + arguments.opened,
+                   "Give one of them");
+    arguments.file = arguments.opened;
+  }
+  if (arguments.simulate && !arguments.file.empty())
+    refuseOption("RECORDING", arguments.file, "is given together with --simulate", "Give one of them");
+  if (!arguments.theme.empty()) notice("--theme is the window's: a report has none");
+}
+
+/// What packaging/run passes on where there is no display.
+void addWindowOptions(CLI::App& command, ReportArguments& arguments) {
+  const auto grouped = [](CLI::Option* option) { return option->group("As the window takes them"); };
+  auto* session = grouped(command.add_option("--session", arguments.opened, "as RECORDING"));
+  grouped(command.add_option("--table", arguments.opened, "as RECORDING"))->excludes(session);
+  grouped(command.add_flag("--simulate", arguments.simulate, "simulate: what happens without RECORDING"));
+  command
+      .add_flag_callback(
+          "--unregistered", [&arguments] { arguments.simulation.registered = false; },
+          "the cameras' place is unknown: the filter runs on kinematics")
+      ->group("Simulation");
+  grouped(command.add_option("--theme", arguments.theme, "ignored"));
+}
+
 ExitCode report(ReportArguments& arguments, const CLI::App& command) {
+  takeWindowOptions(arguments);
   const Output output(arguments.json);
   const fs::path folder = arguments.out;
+  checkOutputs({{"--json", arguments.json}},
+               withFilesOf(arguments.simulation, {arguments.file, arguments.robot, arguments.options}));
   const auto source = openFor(arguments, command);
   const session::SourceInfo info = source->info();
   const auto options = arguments.options.empty() ? tracking::trackingOptionsOf(info)
@@ -172,6 +205,7 @@ ExitCode report(ReportArguments& arguments, const CLI::App& command) {
                   .recording = simulates ? "session.capstan" : fs::path(arguments.file).filename().string(),
                   .simulated = simulates || !info.truth.empty(),
                   .recorded_here = simulates};
+  page.own_kinematics = info.own_kinematics;
   page.plots = figures.save(names, folder);
   page.plots_begin = figures.begin();
   page.plots_end = figures.end();
@@ -180,8 +214,9 @@ ExitCode report(ReportArguments& arguments, const CLI::App& command) {
   base::writeTextFile(folder / "errors.md", errorsMarkdown(result.errors));
   base::writeTextFile(folder / "index.html", indexHtml(page, result));
 
-  output.text(textOf(result, 0.0) + fmt::format("report         {}\n", (folder / "index.html").string()));
-  output.json(jsonOf(result));
+  output.text(textOf(result, info, 0.0) +
+              fmt::format("report         {}\n", (folder / "index.html").string()));
+  output.json(jsonOf(result, info));
   if (result.cancelled) notice("cancelled: the report is of what came before");
   if (result.motor_samples == 0) notice("the recording holds no motor sample: nothing was tracked");
   return result.cancelled || result.motor_samples == 0 ? kFailed : kOk;
@@ -206,6 +241,7 @@ void addReport(CLI::App& app, ExitCode& exit) {
                       "filter options (as resources/tracking/default.yaml); a session brings its own");
   command->add_option("--json", arguments->json, "result as JSON, SI: a file, or - for standard output");
   addSimulationOptions(*command, arguments->simulation);
+  addWindowOptions(*command, *arguments);
   command->footer(
       "Examples:\n"
       "  capstan-cli report                              (20 s simulated, into the folder report)\n"

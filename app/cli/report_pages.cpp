@@ -6,6 +6,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "app/cli/track_output.h"
 #include "core/base/units.h"
 
 namespace capstan::cli {
@@ -74,8 +75,14 @@ std::string numbersHtml(const tracking::TrackReport& report) {
   html += row("Detection rate", fmt::format("left {}, right {}", percent(report.detectionRate(0)),
                                             percent(report.detectionRate(1))));
   html += row("Camera accepted by the filter", percent(report.gateShare(tracking::Gate::kOpen)));
-  html += row("NIS / 3 (consistent filter: 1)", cell(report.nisMean(), "–"));
-  return html + "</table>\n";
+  const auto nis = nisVerdict(report);
+  html += row("NIS / 3 (consistent filter: 1)",
+              nis ? fmt::format("{:.4f}, 95 % band {:.4f} … {:.4f}: {}", nis->mean, nis->band.low,
+                                nis->band.high, nis->text())
+                  : "–");
+  html += "</table>\n";
+  if (nis && !nis->passed()) html += fmt::format("<p>NIS: {}.</p>\n", nis->advice());
+  return html;
 }
 
 std::string linkHtml(const std::string& file) {
@@ -133,12 +140,19 @@ std::string indexHtml(const ReportPage& page, const tracking::TrackReport& repor
         "<p><strong>The robot of this report is simulated: its errors are those of a model, not of a "
         "machine.</strong></p>\n";
   if (report.cancelled) html += "<p><strong>Cancelled: the numbers are of what came before.</strong></p>\n";
-  html += "<h2>Errors against the joint encoders</h2>\n" + errorsHtml(report.errors);
+  html += page.own_kinematics
+              ? "<h2>Differences from the robot's own kinematics</h2>\n<p>They are no errors: "
+                "the recording holds no truth.</p>\n"
+              : "<h2>Errors against the joint encoders</h2>\n";
+  html += errorsHtml(report.errors);
   if (report.errors.ukf().count() == 0) html += "<p>The recording holds no reference.</p>\n";
   html += "<h2>Tracking</h2>\n" + numbersHtml(report);
   if (page.plots)
     html += fmt::format(
-        "<h2>Joints</h2>\n<p>{:.2f} s to {:.2f} s</p>\n<a href=\"joints.svg\"><img src=\"joints.png\" "
+        "<h2>Joints</h2>\n<p>{:.2f} s to {:.2f} s. Curves are drawn with at most 200 points a second and one "
+        "a "
+        "camera sample, of which the picture counts; the motor samples above are all that were tracked."
+        "</p>\n<a href=\"joints.svg\"><img src=\"joints.png\" "
         "alt=\"Joint angles over time\"></a>\n",
         page.plots_begin, page.plots_end);
   if (page.pictures)

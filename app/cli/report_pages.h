@@ -14,7 +14,8 @@ struct ReportPage {
   std::string title, created, software;
   std::string recording;  ///< as the reader finds it: a file name
   bool simulated = false;
-  bool recorded_here = false;  ///< the recording lies in the folder itself
+  bool recorded_here = false;   ///< the recording lies in the folder itself
+  bool own_kinematics = false;  ///< the reference is the robot's own kinematics
   bool plots = false, pictures = false;
   double plots_begin = 0.0, plots_end = 0.0;  ///< [s]
 };

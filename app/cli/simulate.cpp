@@ -6,6 +6,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/console.h"
+#include "app/cli/outputs.h"
 #include "app/cli/simulation_arguments.h"
 #include "core/base/error.h"
 #include "core/session/export.h"
@@ -22,9 +23,13 @@ struct SimulateArguments {
 
 ExitCode simulate(const SimulateArguments& arguments) {
   const Output output(arguments.json);
-  const auto source = makeSimulation(arguments.simulation);
+  checkOutputs({{"--out", arguments.out}, {"--json", arguments.json}}, withFilesOf(arguments.simulation, {}));
+  if (std::filesystem::path(arguments.out).extension() != session::kSessionSuffix)
+    refuseOption("--out", arguments.out, "does not end in .capstan",
+                 "Name a session so, and convert it to a table or a video afterwards");
   if (!arguments.force && std::filesystem::exists(arguments.out))
     refuseFile(arguments.out, "exists", "Give another --out, or --force");
+  const auto source = makeSimulation(arguments.simulation);
   base::Progress progress;
   {
     const ProgressLine line(progress);

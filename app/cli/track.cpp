@@ -10,6 +10,7 @@
 #include "app/cli/command.h"
 #include "app/cli/console.h"
 #include "app/cli/occluded_source.h"
+#include "app/cli/outputs.h"
 #include "app/cli/recordings.h"
 #include "app/cli/registering.h"
 #include "app/cli/simulation_arguments.h"
@@ -40,6 +41,11 @@ void check(const TrackArguments& arguments, const CLI::App& command) {
 
 ExitCode track(TrackArguments& arguments, const CLI::App& command) {
   check(arguments, command);
+  checkOutputs({{"--out", arguments.out},
+                {"--save-registration", arguments.save_registration},
+                {"--json", arguments.json}},
+               withFilesOf(arguments.simulation, {arguments.file, arguments.robot, arguments.options,
+                                                  arguments.registration, arguments.mounting}));
   const Output output(arguments.json);
   arguments.simulation.robot = arguments.robot;
   const RecordingFormat format =
@@ -88,8 +94,8 @@ ExitCode track(TrackArguments& arguments, const CLI::App& command) {
   }
   estimates.close();
 
-  std::string text = textOf(report, spent.count());
-  nlohmann::json document = jsonOf(report);
+  std::string text = textOf(report, info, spent.count());
+  nlohmann::json document = jsonOf(report, info);
   document["title"] = info.title;
   if (study && report.frames > 0) {
     text += study->text();

@@ -35,8 +35,31 @@ constexpr const char* kColumns =
 
 }  // namespace
 
-std::string textOf(const TrackReport& report, double seconds) {
-  std::string text = report.errors.text();
+const char* referenceOf(const session::SourceInfo& info) {
+  return info.own_kinematics ? "own kinematics" : info.reference ? "joint encoders" : "none";
+}
+
+std::optional<NisVerdict> nisVerdict(const TrackReport& report) {
+  if (std::isnan(report.nisMean())) return std::nullopt;
+  const auto count = static_cast<std::int64_t>(report.gates[static_cast<std::size_t>(Gate::kOpen)]);
+  return NisVerdict{report.nisMean(), estimation::chiSquareBand(3, count)};
+}
+
+std::string NisVerdict::text() const {
+  return passed() ? "pass" : mean > band.high ? "FAIL, too high" : "FAIL, too low";
+}
+
+std::string NisVerdict::advice() const {
+  if (passed()) return {};
+  return mean > band.high ? "a parameter of the robot file is wrong: see identify"
+                          : "the filter expects more noise than there is: see its options";
+}
+
+std::string textOf(const TrackReport& report, const session::SourceInfo& info, double seconds) {
+  std::string text;
+  if (info.own_kinematics)
+    text += "reference: the robot's own kinematics, no truth; these are differences from it, no errors\n\n";
+  text += report.errors.text();
   const double span = report.last_t - report.first_t;
   text += fmt::format("\nmotor samples  {} over {:.3f} s\n", report.motor_samples, span);
   text += fmt::format("camera samples {} ({} pairs of images)\n", report.camera_samples, report.frames);
@@ -45,8 +68,11 @@ std::string textOf(const TrackReport& report, double seconds) {
                         percent(report.detectionRate(0)), percent(report.detectionRate(1)),
                         report.full_frame[0], report.full_frame[1]);
   text += fmt::format("gate           {}\n", gateText(report));
-  if (!std::isnan(report.nisMean()))
-    text += fmt::format("NIS / 3        {:.3f} over accepted camera samples\n", report.nisMean());
+  if (const auto nis = nisVerdict(report)) {
+    text += fmt::format("NIS / 3        {:.3f} over accepted camera samples, 95 % band {:.3f} … {:.3f}: {}\n",
+                        nis->mean, nis->band.low, nis->band.high, nis->text());
+    if (!nis->passed()) text += fmt::format("               {}\n", nis->advice());
+  }
   if (!std::isnan(report.neesMean()))
     text += fmt::format("NEES / 3       {:.3f} of positions against the reference\n", report.neesMean());
   text += fmt::format("rescues        {}, too late {}\n", report.rescues, report.late_dropped);
@@ -54,7 +80,12 @@ std::string textOf(const TrackReport& report, double seconds) {
   return text;
 }
 
-nlohmann::json jsonOf(const TrackReport& report) {
+nlohmann::json jsonOf(const TrackReport& report, const session::SourceInfo& info) {
+  nlohmann::json band, consistent;
+  if (const auto nis = nisVerdict(report)) {
+    band = {nis->band.low, nis->band.high};
+    consistent = nis->passed();
+  }
   nlohmann::json gates = nlohmann::json::object();
   for (const auto& [gate, name] : base::NamesOf<Gate>::value)
     gates[std::string(name)] = report.gates[static_cast<std::size_t>(gate)];
@@ -63,7 +94,10 @@ nlohmann::json jsonOf(const TrackReport& report) {
             {"cam", toJson(report.errors.camera().value())},
             {"ukf", toJson(report.errors.ukf().value())}}},
           {"nis", report.nisMean()},
+          {"nis_band", band},
+          {"nis_consistent", consistent},
           {"nees", report.neesMean()},
+          {"reference", referenceOf(info)},
           {"samples", report.motor_samples},
           {"camera_samples", report.camera_samples},
           {"frames", report.frames},
@@ -79,7 +113,8 @@ nlohmann::json jsonOf(const TrackReport& report) {
 
 EstimateWriter::EstimateWriter(const std::filesystem::path& path) : path_(path) {
   if (path.empty()) return;
-  file_.reset(std::fopen(path.c_str(), "wb"));
+  part_.emplace(path);
+  file_.reset(std::fopen(part_->path().c_str(), "wb"));
   if (!file_) refuseFile(path.string(), "cannot be written", "Give another --out");
   std::fputs(kColumns, file_.get());
 }
@@ -126,6 +161,7 @@ void EstimateWriter::close() {
   const bool failed = std::ferror(file_.get()) != 0;
   if (std::fclose(file_.release()) != 0 || failed)
     refuseFile(path_.string(), "could not be written whole", "Is the disk full?");
+  part_->commit();
 }
 
 }  // namespace capstan::cli

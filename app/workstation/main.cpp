@@ -1,11 +1,13 @@
 #include <CLI/CLI.hpp>
 #include <QApplication>
+#include <QScreen>
 #include <QTimer>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
 
+#include "core/base/error.h"
 #include "widgets/shell/main_window.h"
 
 namespace {
@@ -16,6 +18,34 @@ struct Arguments {
   bool simulate = false;
   double after = 12.0;
 };
+
+/// Width and height of --size. Throws base::InputError.
+QSize sizeOf(const std::string& text) {
+  constexpr int kLeast = 200, kMost = 7680;
+  const auto sane = [](int side) { return side >= kLeast && side <= kMost; };
+  int width = 0, height = 0, used = 0;
+  if (std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &used) != 2 ||
+      static_cast<std::size_t>(used) != text.size() || !sane(width) || !sane(height))
+    throw capstan::base::InputError(
+        {{}, 0, "--size", text, "is not WxH with sides of 200 to 7680 px", "Write it as 1280x800"});
+  return {width, height};
+}
+
+/// No larger than the screen leaves room for; a picture is as large as was asked.
+void fitToScreen(QWidget& window, const QSize& size, bool picture) {
+  const QScreen* screen = QGuiApplication::primaryScreen();
+  window.resize(picture || !screen ? size : size.boundedTo(screen->availableGeometry().size()));
+}
+
+/// Nobody sees the window's message bar where only a picture was asked for.
+void failWithoutSource(capstan::widgets::MainWindow& window) {
+  QObject::connect(&window.link(), &capstan::widgets::SessionLink::failed, &window,
+                   [&window](const QString& message) {
+                     if (window.link().runner()) return;
+                     std::cerr << "capstan: " << message.toStdString() << '\n';
+                     QApplication::exit(2);
+                   });
+}
 
 /// Brings the window into the state asked for, grabs it and quits.
 void planPicture(capstan::widgets::MainWindow& window, const Arguments& arguments) {
@@ -72,17 +102,17 @@ int run(int argc, char** argv) {
   CLI::App cli("Capstan: the workstation's window", "capstan");
   cli.get_formatter()->column_width(34);
   addOptions(cli, arguments);
-  CLI11_PARSE(cli, argc, argv);
+  try {
+    cli.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return cli.exit(error) == 0 ? 0 : 2;
+  }
+  const QSize size = sizeOf(arguments.size);
   if (!std::getenv("DISPLAY")) {
     std::cerr << "capstan: no display (DISPLAY is not set). Use capstan-cli, or xvfb-run.\n";
     return 2;
   }
   QApplication application(argc, argv);
-  int width = 1920, height = 1080;
-  if (std::sscanf(arguments.size.c_str(), "%dx%d", &width, &height) != 2) {
-    std::cerr << "capstan: --size = " << arguments.size << ": is not WxH. Write it as 1280x800.\n";
-    return 2;
-  }
   const bool picture = !arguments.picture.empty();
   capstan::widgets::MainWindow window(picture ? QString("/dev/null") : QString());
   if (!arguments.theme.empty()) window.setThemeNamed(QString::fromStdString(arguments.theme));
@@ -95,7 +125,8 @@ int run(int argc, char** argv) {
     choice = capstan::widgets::SourceChoice::ofFile(QString::fromStdString(arguments.file));
     choice.robot = QString::fromStdString(arguments.robot);
   }
-  window.resize(width, height);
+  fitToScreen(window, size, picture);
+  if (picture) failWithoutSource(window);
   window.show();
   window.open(choice);
   if (picture) planPicture(window, arguments);

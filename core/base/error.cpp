@@ -23,7 +23,7 @@ std::string sentence(const InputFault& fault) {
   if (fault.line > 0) text += fmt::format(":{}", fault.line);
   if (!text.empty()) text += ": ";
   if (!fault.key.empty()) text += fault.key;
-  if (!fault.value.empty()) text += fmt::format(" = {}", excerpt(fault.value));
+  if (!fault.value.empty()) text += (fault.key.empty() ? "" : " = ") + excerpt(fault.value);
   if (!fault.key.empty() || !fault.value.empty()) text += ": ";
   text += fault.reason;
   if (!fault.remedy.empty()) text += ". " + fault.remedy;

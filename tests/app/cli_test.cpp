@@ -1,81 +1,19 @@
 /// Runs the real capstan-cli: exit codes, JSON, files, and numbers equal to the library's to the last bit.
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <csignal>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
-#include <sstream>
-#include <string>
-
 #include "core/base/yaml.h"
 #include "core/session/export.h"
 #include "core/session/measured_table.h"
 #include "core/session/session_source.h"
 #include "core/tracking/make_pipeline.h"
 #include "core/tracking/track_all.h"
+#include "tests/app/cli_fixture.h"
 
 namespace capstan {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-struct Ran {
-  int exit = -1;
-  std::string out, err;
-};
-
-class Cli : public testing::Test {
- protected:
-  Cli() : folder_(fs::temp_directory_path() / ("capstan_cli_" + std::to_string(getpid()))) {
-    fs::create_directories(folder_);
-  }
-  ~Cli() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  Ran run(const std::string& arguments) const {
-    const std::string errors = path("stderr.txt");
-    FILE* pipe = popen((std::string(CAPSTAN_CLI) + " " + arguments + " 2>" + errors).c_str(), "r");
-    Ran result;
-    char buffer[4096];
-    while (const std::size_t got = std::fread(buffer, 1, sizeof buffer, pipe)) result.out.append(buffer, got);
-    const int status = pclose(pipe);
-    result.exit = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    result.err = textOf("stderr.txt");
-    return result;
-  }
-  /// Starts a command, presses Ctrl-C once `file` is there, and waits for the end.
-  Ran interrupt(const std::string& arguments, const std::string& file) const {
-    const std::string command = "exec " CAPSTAN_CLI " " + arguments + " >/dev/null 2>" + path("stderr.txt");
-    const pid_t child = fork();
-    if (child == 0) {
-      execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
-      _exit(127);
-    }
-    int status = 0;
-    while (!fs::exists(file) && waitpid(child, &status, WNOHANG) == 0) usleep(1000);
-    kill(child, SIGINT);
-    waitpid(child, &status, 0);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, {}, textOf("stderr.txt")};
-  }
-  std::string textOf(const std::string& name) const {
-    std::stringstream text;
-    text << std::ifstream(path(name), std::ios::binary).rdbuf();
-    return text.str();
-  }
-  std::string simulate(const std::string& name, const std::string& more) const {
-    const Ran made = run("simulate --out " + path(name) + " --seed 9 " + more);
-    EXPECT_EQ(made.exit, 0) << made.err;
-    return path(name);
-  }
-  void write(const std::string& name, const std::string& text) const { std::ofstream(path(name)) << text; }
-
-  fs::path folder_;
-};
+using testing::Cli;
+using testing::Ran;
 
 TEST_F(Cli, HelpHasExamplesAndSucceeds) {
   for (const char* command : {"simulate", "track", "calibrate", "info", "convert", "report"}) {
@@ -88,6 +26,7 @@ TEST_F(Cli, HelpHasExamplesAndSucceeds) {
 
 TEST_F(Cli, BadUsageIsExitTwoWithOneLineThatSaysWhat) {
   write("bad.csv", "t,q_m1,q_m2,q_m3\n0,1,2,x\n");
+  write("there.capstan", "something");
   write("options.yaml", "gate_probability: 3\n");
   const std::string bad = path("bad.csv");
   const std::vector<std::pair<std::string, std::string>> cases = {
@@ -98,12 +37,17 @@ TEST_F(Cli, BadUsageIsExitTwoWithOneLineThatSaysWhat) {
       {"track " + bad + " --simulate", "--simulate"},
       {"track " + bad + " --seed 3", "--simulate"},
       {"track --simulate --trajectory nowhere.csv", "nowhere.csv"},
-      {"info " + folder_.string(), "cannot be read"},
+      {"info " + folder_.string(), "is a folder"},
+      {"trak --help", "unknown command trak"},
+      {"track --simulate --duration 10s", "--duration = 10s: is not a number"},
+      {"track --simulate --seed x", "--seed = x: is not a number"},
+      {"track " + bad + " --register " + bad, "bad.csv"},
+      {"simulate --out " + path("x.csv"), ".capstan"},
       {"calibrate " + path("nothing"), "nothing"},
       {"calibrate " + folder_.string() + " --board 9by6", "9by6"},
       {"convert " + bad + " " + path("x.what"), "x.what"},
       {"convert " + bad + " " + path("frames") + " --to png", "session"},
-      {"simulate --out " + bad + " --no-images --duration 1", "exists"}};
+      {"simulate --out " + path("there.capstan") + " --no-images --duration 1", "exists"}};
   for (const auto& [arguments, word] : cases) {
     const Ran result = run(arguments);
     EXPECT_EQ(result.exit, 2) << arguments;
@@ -243,7 +187,7 @@ TEST_F(Cli, ForceKeepsTheFormerFileUntilTheNewOneIsWhole) {
 
 TEST_F(Cli, AnInterruptedImportIsCancelled) {
   std::string table = "t,q_m1,q_m2,q_m3\n";
-  for (int row = 0; row < 400000; ++row) table += std::to_string(row) + ",1,2,3\n";
+  for (int row = 0; row < 400000; ++row) table += std::to_string(row * 1e-3) + ",1,2,3\n";
   write("long.csv", table);
   const Ran stopped =
       interrupt("convert " + path("long.csv") + " " + path("l.capstan"), path("l.capstan.part"));

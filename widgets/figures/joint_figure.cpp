@@ -114,7 +114,7 @@ QString JointFigure::noteText(const QCPRange& time) const {
     return ring.partitionPoint([&](const auto& item) { return item.t <= time.upper; }) -
            ring.partitionPoint([&](const auto& item) { return item.t < time.lower; });
   };
-  return tr("%1 to %2 s · %3 samples · %4 camera observations · numbers: at t")
+  return tr("%1 to %2 s · %3 points drawn · %4 camera observations · numbers: at t")
       .arg(time.lower, 0, 'f', 2)
       .arg(time.upper, 0, 'f', 2)
       .arg(within(history_.rows()))

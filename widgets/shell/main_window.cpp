@@ -269,6 +269,10 @@ void MainWindow::onOpened(const session::SourceInfo& info, const SourceChoice& c
   errors_->setReference(info.reference);
   notes_->clear();
   notes_->addEvent(now_, "source", title_);
+  for (const std::string& notice : info.notices)
+    notes_->addEvent(now_, "notice", QString::fromStdString(notice));
+  if (info.own_kinematics)
+    notes_->addEvent(now_, "notice", tr("reference: the robot's own kinematics, no truth"));
   listRecordedEvents();
   link_.runner()->setSpeed(bar_->speed());
   occlusion_->beginSession(info.begin);

@@ -106,6 +106,7 @@ TEST(InputErrorTest, ALongValueIsCutBetweenCharacters) {
     return std::string(InputError({{}, 0, "k", value, "is bad", {}}).what());
   };
   EXPECT_EQ(text("1.5"), "k = 1.5: is bad");
+  EXPECT_STREQ(InputError({"f", 2, {}, "1.5", "is bad", "Mend it"}).what(), "f:2: 1.5: is bad. Mend it");
   EXPECT_EQ(text("one\ntwo"), "k = one…: is bad");
   std::string accents;
   for (int i = 0; i < 60; ++i) accents += "é";

@@ -1,0 +1,103 @@
+/// What capstan-cli says of a recording: doubts about units, what the reference is, the NIS verdict.
+#include "tests/app/cli_fixture.h"
+
+namespace capstan {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using testing::Cli;
+using testing::Ran;
+
+TEST_F(Cli, UnitsThatCannotBeAreDoubtedOnStandardError) {
+  std::string table = "t,q_m1,q_m2,q_m3,q1,q2,q3\n";
+  for (int row = 0; row < 200; ++row) table += std::to_string(row) + ",80,-80,-480,0.6,1.6,340\n";
+  write("mm.csv", table);
+  for (const char* command : {"track ", "info "}) {
+    const Ran result = run(command + path("mm.csv"));
+    EXPECT_EQ(result.exit, 0) << command;
+    EXPECT_NE(result.err.find("q3 = 340 lies outside 0.23…0.56 m: are these millimetres?"), std::string::npos)
+        << result.err;
+    EXPECT_NE(result.err.find("sample period 1 s: is t in milliseconds?"), std::string::npos) << result.err;
+  }
+  EXPECT_NE(run("identify " + path("mm.csv")).err.find("millimetres?"), std::string::npos);
+  EXPECT_EQ(json::parse(run("info --json - " + path("mm.csv")).out)["doubts"].size(), 2U);
+}
+
+TEST_F(Cli, AMotorLogIsComparedWithItsOwnKinematicsByName) {
+  std::string log =
+      "t_s,mpos1_deg,mpos2_deg,mpos3_deg,mvel1_degps,mvel2_degps,mvel3_degps,jpos1_deg,jpos2_deg,"
+      "jpos3_m_times_57.2958,tau1,tau2,tau3\n";
+  for (int row = 0; row < 300; ++row)
+    log += std::to_string(1e-3 * row) + ",4086,10937,49430,0,0,0,30,90,22.9,0,0,0\n";
+  write("log.csv", log);
+  const Ran text = run("track " + path("log.csv"));
+  ASSERT_EQ(text.exit, 0) << text.err;
+  EXPECT_EQ(text.out.rfind("reference: the robot's own kinematics, no truth", 0), 0U) << text.out;
+  EXPECT_EQ(json::parse(run("track --json - " + path("log.csv")).out)["reference"], "own kinematics");
+  ASSERT_EQ(run("convert " + path("log.csv") + " " + path("log.capstan")).exit, 0);
+  EXPECT_EQ(json::parse(run("track --json - " + path("log.capstan")).out)["reference"], "own kinematics");
+  EXPECT_NE(run("info " + path("log.capstan")).out.find("own kinematics"), std::string::npos);
+  ASSERT_EQ(run("report " + path("log.capstan") + " --out " + path("r")).exit, 0);
+  EXPECT_NE(textOf("r/index.html").find("Differences from the robot's own kinematics"), std::string::npos);
+
+  const std::string file = simulate("s.capstan", "--trajectory sinusoid --no-images --duration 2");
+  EXPECT_EQ(json::parse(run("track --json - " + file).out)["reference"], "joint encoders");
+  EXPECT_EQ(run("track " + file).out.find("own kinematics"), std::string::npos);
+}
+
+TEST_F(Cli, TheNisVerdictHasItsBandAndSaysWhatFailureMeans) {
+  const std::string file = simulate("s.capstan", "--trajectory sinusoid --no-images --duration 6");
+  const std::string command = "track " + file;
+  const json report = json::parse(run(command + " --json -").out);
+  ASSERT_GT(report["nis"].get<double>(), report["nis_band"][1].get<double>()) << "a wrong radius";
+  EXPECT_LT(report["nis_band"][0].get<double>(), 1.0);
+  EXPECT_GT(report["nis_band"][1].get<double>(), 1.0);
+  EXPECT_FALSE(report["nis_consistent"].get<bool>());
+  const std::string text = run(command).out;
+  EXPECT_NE(text.find("95 % band"), std::string::npos) << text;
+  EXPECT_NE(text.find("FAIL"), std::string::npos) << text;
+  EXPECT_NE(text.find("a parameter of the robot file is wrong: see identify"), std::string::npos) << text;
+
+  const json none = json::parse(run("track --simulate --no-cameras --duration 1 --json -").out);
+  EXPECT_TRUE(none["nis_band"].is_null());
+  EXPECT_TRUE(none["nis_consistent"].is_null());
+  const std::string page = path("r");
+  ASSERT_EQ(run("report " + file + " --out " + page).exit, 0);
+  EXPECT_NE(textOf("r/index.html").find("FAIL"), std::string::npos);
+  EXPECT_NE(textOf("r/index.html").find("see identify"), std::string::npos);
+}
+
+TEST_F(Cli, ReportTakesTheWindowsNames) {
+  const std::string file = simulate("s.capstan", "--trajectory sinusoid --no-images --duration 2");
+  const auto rmsOf = [&](const std::string& arguments) {
+    const Ran made = run("report --json - --out " + path("r") + " " + arguments);
+    EXPECT_EQ(made.exit, 0) << arguments << made.err;
+    return json::parse(made.out)["rms"];
+  };
+  const json rms = rmsOf(file);
+  EXPECT_EQ(rmsOf("--session " + file), rms);
+  ASSERT_EQ(run("convert " + file + " " + path("t.csv")).exit, 0);
+  EXPECT_EQ(rmsOf("--table " + path("t.csv") + " --robot " CAPSTAN_RESOURCES "/robots/raven2_left.yaml"),
+            rmsOf(path("t.csv")));
+  const Ran made =
+      run("report --simulate --distractors --uneven-light --unregistered --seed 4 --truth matched "
+          "--trajectory hold --no-images --duration 1 --theme light --out " +
+          path("r"));
+  EXPECT_EQ(made.exit, 0) << made.err;
+  EXPECT_NE(made.err.find("--theme"), std::string::npos);
+  for (const std::string& wrong : {"--simulate " + file, "--simulate --session " + file,
+                                   "--table " + path("t.csv") + " --session " + file,
+                                   file + " --session " + file, file + " --unregistered"})
+    EXPECT_EQ(run("report --out " + path("r") + " " + wrong).exit, 2) << wrong;
+}
+
+TEST_F(Cli, ReportSaysWhatItsNumbersCount) {
+  const std::string file = simulate("s.capstan", "--trajectory sinusoid --no-images --duration 2");
+  ASSERT_EQ(run("report " + file + " --out " + path("r")).exit, 0);
+  EXPECT_NE(textOf("r/index.html").find("at most 200 points a second"), std::string::npos);
+  EXPECT_NE(textOf("r/joints.svg").find("points drawn"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace capstan
