@@ -9,6 +9,7 @@
 #include "app/cli/command.h"
 #include "app/cli/console.h"
 #include "app/cli/identify_output.h"
+#include "app/cli/outputs.h"
 #include "app/cli/recordings.h"
 #include "app/cli/simulation_arguments.h"
 #include "core/identification/batch.h"
@@ -38,6 +39,13 @@ void check(const IdentifyArguments& arguments, const CLI::App& command) {
                  "Add --simulate or leave them out");
   if (!arguments.trace.empty() && arguments.method == "batch")
     refuseOption("--trace", arguments.trace, "needs the dual UKF", "Choose --method dual-ukf or both");
+}
+
+/// Before the long computation: outputs that can be written and are no inputs.
+void checkFiles(const IdentifyArguments& arguments) {
+  std::vector<std::string> inputs = withFilesOf(arguments.simulation, arguments.files);
+  inputs.push_back(arguments.robot);
+  checkOutputs({{"--out", arguments.out}, {"--trace", arguments.trace}, {"--json", arguments.json}}, inputs);
 }
 
 /// All recordings one behind the other, and the text of the truth file where they are simulated.
@@ -103,6 +111,7 @@ void writeRobot(const identification::ParameterSet& set,
 
 ExitCode identify(IdentifyArguments& arguments, const CLI::App& command) {
   check(arguments, command);
+  checkFiles(arguments);
   const Output output(arguments.json);
   base::Progress progress;
   std::string truth_text;
