@@ -6,6 +6,7 @@
 
 #include "core/base/resource.h"
 #include "tests/widgets/shell_fixture.h"
+#include "widgets/panels/notes/notes_panel.h"
 #include "widgets/panels/occlusion/occlusion_panel.h"
 #include "widgets/shell/source_menu.h"
 
@@ -22,6 +23,20 @@ TEST_F(Shell, SaysWhatIsWrongWithAFileAndKeepsTheSession) {
   EXPECT_EQ(stateOf(*window), session::RunState::kRunning);
   EXPECT_TRUE(window->lastSource().simulated) << "a file that could not be opened is no last source";
   EXPECT_TRUE(window->bar().sources().recentFiles().isEmpty());
+}
+
+TEST_F(Shell, DoubtsAboutATableStandAmongTheNotes) {
+  QFile table(file("mm.csv"));
+  ASSERT_TRUE(table.open(QIODevice::WriteOnly));
+  table.write("t,q_m1,q_m2,q_m3,q1,q2,q3\n");
+  for (int row = 0; row < 2000; ++row)
+    table.write(QStringLiteral("%1,80,-80,-480,0.6,1.6,340\n").arg(row * 1e-3).toUtf8());
+  table.close();
+  const auto window = makeWindow();
+  window->open(SourceChoice::ofFile(table.fileName()));
+  ASSERT_TRUE(waitFor([&] { return window->notes().rows() > 1; }));
+  EXPECT_TRUE(window->notes().row(1).contains("are these millimetres?"))
+      << window->notes().row(1).toStdString();
 }
 
 TEST_F(Shell, OfTwoChoicesTheNewerIsOpenedUnderItsOwnName) {
