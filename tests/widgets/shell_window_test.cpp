@@ -5,6 +5,7 @@
 #include <QDoubleSpinBox>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QTextBrowser>
 #include <nlohmann/json.hpp>
 
 #include "core/base/resource.h"
@@ -221,6 +222,18 @@ TEST_F(Shell, RegistersAnUnregisteredSimulation) {
     return report.gateShare(tracking::Gate::kOpen) > 0.1;
   })) << "the filter observes the camera as soon as it is registered";
   EXPECT_TRUE(window->notes().row(window->notes().rows() - 1).contains("accepted"));
+}
+
+TEST(Help, LeadsToTheTableFormatAndBack) {
+  HelpWindow help;
+  auto* pages = help.findChild<QTextBrowser*>();
+  ASSERT_TRUE(pages);
+  const QString manual = help.text();
+  EXPECT_TRUE(manual.contains("Keys"));
+  pages->setSource(QUrl("measured-table.md"));
+  EXPECT_TRUE(help.text().contains("strictly increasing")) << help.text().toStdString();
+  pages->backward();
+  EXPECT_EQ(help.text(), manual);
 }
 
 TEST_F(Shell, TheManualNamesEveryKey) {

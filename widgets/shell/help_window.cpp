@@ -1,6 +1,5 @@
 #include "widgets/shell/help_window.h"
 
-#include <QFile>
 #include <QFileInfo>
 #include <QLineEdit>
 #include <QTextBrowser>
@@ -57,11 +56,10 @@ HelpWindow::HelpWindow(QWidget* parent) : QDialog(parent), pages_(new Pages) {
   pages_->setFrameShape(QFrame::NoFrame);
   try {
     const QString path = QString::fromStdString(base::resource("manual/manual.md").string());
-    QFile file(path);
     pages_->setSearchPaths({QFileInfo(path).absolutePath()});
     pages_->resize(820, 700);
-    if (file.open(QIODevice::ReadOnly)) pages_->setMarkdown(QString::fromUtf8(file.readAll()));
-    drawTablesQuietly(*pages_->document());
+    connect(pages_, &QTextBrowser::sourceChanged, this, [this] { drawTablesQuietly(*pages_->document()); });
+    pages_->setSource(QUrl::fromLocalFile(path));  // with a source, links lead to the other pages and back
   } catch (const base::InputError& error) {
     pages_->setPlainText(QString::fromStdString(error.what()));
   }
