@@ -48,6 +48,8 @@ std::string writeTable(const ConvertArguments& arguments, RecordingFormat format
   base::writeTextFile(arguments.out, text);
   for (const auto& column : table.ignored)
     notice("column " + column + " is not part of a measured table: left out");
+  if (table.own_kinematics)
+    notice("columns q are the robot's own kinematics, no truth, which the table cannot say");
   return fmt::format("{} rows of {} joints", table.rows(), table.joints());
 }
 

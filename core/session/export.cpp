@@ -145,6 +145,7 @@ MeasuredTable sessionTable(const std::filesystem::path& session) {
   MeasuredTable table;
   table.file = session.string();
   try {
+    table.own_kinematics = readHeader(database).own_kinematics;
     Statement rows(database, selectStatement(session::table(kMotorTable)));
     while (rows.step()) {
       table.t.push_back(rows.real(1));

@@ -37,6 +37,10 @@ TEST_F(Cli, AMotorLogIsComparedWithItsOwnKinematicsByName) {
   EXPECT_EQ(json::parse(run("track --json - " + path("log.csv")).out)["reference"], "own kinematics");
   ASSERT_EQ(run("convert " + path("log.csv") + " " + path("log.capstan")).exit, 0);
   EXPECT_EQ(json::parse(run("track --json - " + path("log.capstan")).out)["reference"], "own kinematics");
+  for (const char* from : {"log.csv", "log.capstan"})
+    EXPECT_NE(run("convert --force " + path(from) + " " + path("t.csv")).err.find("own kinematics"),
+              std::string::npos)
+        << from;
   EXPECT_NE(run("info " + path("log.capstan")).out.find("own kinematics"), std::string::npos);
   ASSERT_EQ(run("report " + path("log.capstan") + " --out " + path("r")).exit, 0);
   EXPECT_NE(textOf("r/index.html").find("Differences from the robot's own kinematics"), std::string::npos);
