@@ -15,6 +15,7 @@
 #include "core/identification/batch.h"
 #include "core/identification/dual_ukf.h"
 #include "core/identification/identification_data.h"
+#include "core/identification/options.h"
 #include "core/session/source.h"
 #include "core/simulation/truth.h"
 
@@ -23,7 +24,8 @@ namespace {
 
 struct IdentifyArguments {
   std::vector<std::string> files;
-  std::string robot, method = "both", parameters = identification::kDefaultParameters, out, trace, json;
+  std::string robot, method = "both", parameters = identification::kDefaultParameters, options, out, trace,
+                     json;
   int threads = 2;
   bool simulate = false, exact_camera = false;
   simulation::SimulationRequest simulation;
@@ -44,7 +46,7 @@ void check(const IdentifyArguments& arguments, const CLI::App& command) {
 /// Before the long computation: outputs that can be written and are no inputs.
 void checkFiles(const IdentifyArguments& arguments) {
   std::vector<std::string> inputs = withFilesOf(arguments.simulation, arguments.files);
-  inputs.push_back(arguments.robot);
+  inputs.insert(inputs.end(), {arguments.robot, arguments.options});
   checkOutputs({{"--out", arguments.out}, {"--trace", arguments.trace}, {"--json", arguments.json}}, inputs);
 }
 
@@ -126,14 +128,20 @@ ExitCode identify(IdentifyArguments& arguments, const CLI::App& command) {
                    "Give a recording in which cameras see the tip");
     robot::Description nominal = data.robot;
     if (!arguments.robot.empty()) nominal = readRobot(arguments.robot);
-    set.emplace(nominal, arguments.parameters);
-    identification::CameraPoseOptions camera;
+    identification::IdentificationOptions options;
+    if (!arguments.options.empty())
+      options = base::readYamlFile<identification::IdentificationOptions>(arguments.options);
+    set.emplace(nominal, arguments.parameters, options.parameters);
+    identification::CameraPoseOptions& camera = options.camera;
     if (arguments.exact_camera) camera = {0.0, 0.0, 0.0};
     if (arguments.method != "batch" && !progress.cancelled())
       dual = identification::identifyDualUkf(data, *set, {.camera = camera}, &progress);
-    if (arguments.method != "dual-ukf" && !progress.cancelled())
-      batch = identification::identifyBatch(
-          data, *set, {.camera = camera, .shooting = {.threads = arguments.threads}}, &progress);
+    if (arguments.method != "dual-ukf" && !progress.cancelled()) {
+      identification::BatchOptions batch_options{.camera = camera, .shooting = {.threads = arguments.threads}};
+      if (dual)
+        for (const auto& estimate : dual->estimates) batch_options.start.push_back(estimate.log);
+      batch = identification::identifyBatch(data, *set, batch_options, &progress);
+    }
   }
   if (progress.cancelled()) {
     notice("cancelled: nothing was identified");
@@ -169,6 +177,8 @@ void addIdentify(CLI::App& app, ExitCode& exit) {
       ->add_option("--parameters", arguments->parameters,
                    "of r_l1…3, k_e1…3, b_e1…3; r_l, k_e, b_e mean all three joints")
       ->capture_default_str();
+  command->add_option("--options", arguments->options,
+                      "priors and goals (as resources/identification/default.yaml)");
   command->add_flag("--exact-camera", arguments->exact_camera,
                     "take registration and clock of the cameras as exact, as the UKF paper does");
   command->add_option("--threads", arguments->threads, "of the batch method")

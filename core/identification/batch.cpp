@@ -109,6 +109,8 @@ ceres::Solver::Summary solve(OutputError& error, const ParameterSet& set, const 
   ceres::Solver::Options solver;
   solver.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
   solver.max_num_iterations = options.max_iterations;
+  solver.initial_trust_region_radius = 3.0;  // prior sigmas: a first step far out would be stiff and slow
+  solver.max_trust_region_radius = 30.0;
   solver.function_tolerance = 1e-7;
   solver.parameter_tolerance = 1e-6;
   solver.logging_type = ceres::SILENT;
@@ -192,6 +194,10 @@ BatchReport identifyBatch(const IdentificationData& data, const ParameterSet& se
   report.before = assess(error, set, jacobian);
   report.residual_before = rmsOf(residuals);
   report.end = BatchEnd::kNoData;
+  for (std::size_t i = 0; i < options.start.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    x(row) = options.start[i] / error.scale()(row);
+  }
   if (report.observations > 0) {
     const ceres::Solver::Summary summary = solve(error, set, options, x, progress);
     report.end = endOf(summary, progress);

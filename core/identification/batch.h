@@ -19,6 +19,8 @@ struct BatchOptions {
   double huber = 3.37;  ///< residual of an observation beyond which it counts less: 99 % of χ with 3
   double block = 2.0;   ///< residuals this close in time may be correlated [s]
   int max_iterations = 30;
+  /// Where to start: logarithms in the set's order, e.g. what the dual UKF found; empty: nominal.
+  std::vector<double> start = {};
 };
 
 enum class BatchEnd { kConverged, kIterationLimit, kNoData, kCancelled, kFailed };

@@ -72,7 +72,7 @@ class Dual {
         model_(data.robot),
         centre_(centreOf(data)),
         parameters_(set, arm_, options.camera, centre_),
-        spread_(options.block, options.memory) {
+        spread_(options.block, options.score_memory) {
     start(0);
   }
 
@@ -100,7 +100,9 @@ class Dual {
 
   void take(const CameraObservation& seen) {
     const CameraPose before = parameters_.pose();
-    const Matrix3d noise = tipCovariance(before);
+    const Eigen::Matrix<double, 3, 6> by_state = tipByState(before);
+    const Eigen::Matrix<double, 6, 6> covariance = states_.covariance();
+    const Matrix3d noise = by_state * covariance * by_state.transpose();
     const ParameterSet::Logs old = parameters_.logs();
     const auto innovation = parameters_.update(seen, noise, options_.huber);
     spread_.add(seen.t, innovation);
@@ -108,7 +110,8 @@ class Dual {
     nis_ += innovation.nis / 3.0;
     held_back_ += innovation.held_back ? 1 : 0;
     ++count_;
-    parameters_.drift(options_.parameter_noise, seen.t - last_);
+    const double along = seen.t - data_.motors.t.front();
+    parameters_.forget(std::max(options_.shortest_memory, options_.memory_share * along), seen.t - last_);
     last_ = seen.t;
 
     const ParameterSet::Logs logs = parameters_.logs();
@@ -119,6 +122,9 @@ class Dual {
     const double weight = innovation.held_back ? options_.huber / std::sqrt(innovation.nis) : 1.0;
     const estimation::Lower<3> root = (seen.tip_covariance / weight).llt().matrixL().toDenseMatrix();
     states_.update(TipMeasurement{arm_, pose, centre_}, seen.tip, root);
+    const Matrix3d whole = noise + seen.tip_covariance / weight;
+    const Eigen::Matrix<double, 6, 3> gain = whole.llt().solve(by_state * covariance).transpose();
+    parameters_.correctSensitivity(gain * by_state);
     retune(logs);
   }
 
@@ -179,18 +185,17 @@ class Dual {
     t_ = end;
   }
 
-  /// Of the predicted tip by the states' own uncertainty.
-  Matrix3d tipCovariance(const CameraPose& pose) const {
+  /// d tip / d state, as the camera of `pose` sees it.
+  Eigen::Matrix<double, 3, 6> tipByState(const CameraPose& pose) const {
     const State& x = states_.mean();
     const Vector3d q(x(0), x(2), x(4)), dq(x(1), x(3), x(5));
-    const Eigen::Matrix<double, 6, 6> covariance = states_.covariance();
     Eigen::Matrix<double, 3, 6> by_state;
     const Matrix3d jacobian = arm_.tipJacobian(q - pose.delay * dq);
     for (int i = 0; i < 3; ++i) {
       by_state.col(2 * i) = jacobian.col(i);
       by_state.col(2 * i + 1) = -pose.delay * jacobian.col(i);
     }
-    return by_state * covariance * by_state.transpose();
+    return by_state;
   }
 
   void retune(const ParameterSet::Logs& logs) {

@@ -16,10 +16,11 @@ struct DualUkfOptions {
   CameraPoseOptions camera;
   Eigen::Vector3d position_noise{1e-3, 1e-3, 1e-4};  ///< of the states [rad/√s, rad/√s, m/√s]
   Eigen::Vector3d velocity_noise{0.1, 0.1, 0.01};    ///< [rad/s/√s, rad/s/√s, m/s/√s]
-  double parameter_noise = 0.0;  ///< r_k of (11): drift of each logarithm [1/√s]; 0: constants
+  double memory_share = 0.5;     ///< r_k of (11): what is older than this share of the time fades
+  double shortest_memory = 5.0;  ///< [s]
   double huber = 3.37;           ///< innovation beyond which an observation counts less
   double block = 2.0;            ///< innovations this close in time may be correlated [s]
-  double memory = 60.0;          ///< over which their correlation is measured [s]
+  double score_memory = 60.0;    ///< over which their correlation is measured [s]
   double trace_period = 0.5;     ///< [s]
   bool stop_when_settled = false;
 };

@@ -112,7 +112,8 @@ void append(IdentificationData& data, const IdentificationData& more) {
 DataCollector::DataCollector(const tracking::TrackingPipeline& pipeline, std::string title)
     : arm_(pipeline.robot()),
       base_from_camera_(pipeline.registration()),
-      tip_sigma_(pipeline.options().tip_sigma) {
+      tip_sigma_(pipeline.options().tip_sigma),
+      jump_tolerance_(pipeline.options().jump_tolerance) {
   data_.title = std::move(title);
   data_.robot = pipeline.robot();
 }
@@ -132,7 +133,13 @@ void DataCollector::add(const tracking::Sample& sample, const tracking::Snapshot
   seen.tip = snapshot.tip_cam;
   seen.tip_kin = snapshot.tip_kin_cam;
   seen.q_cam = snapshot.q_link_cam;
-  seen.open = snapshot.gate == tracking::Gate::kOpen;
+  // The χ² gate speaks for the nominal parameters: where those are wrong it would cut one side of the errors
+  // off.
+  const bool near =
+      ((seen.q_cam - arm_.solvePosition(seen.tip_kin, seen.q_cam).value_or(seen.q_cam)).cwiseAbs().array() <
+       jump_tolerance_.array())
+          .all();
+  seen.open = snapshot.gate == tracking::Gate::kOpen || (snapshot.gate == tracking::Gate::kJump && near);
   if (snapshot.camera_images && base_from_camera_) {
     const Matrix3d turn = base_from_camera_->linear();
     seen.tip_covariance = turn * snapshot.tip_in_camera_covariance * turn.transpose();

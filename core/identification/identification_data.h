@@ -35,7 +35,7 @@ struct CameraObservation {
   Eigen::Matrix3d tip_covariance;  ///< of the pixel noise [m²]
   Eigen::Vector3d q_cam;           ///< inverse kinematics of `tip` [rad, rad, m]
   Eigen::Matrix3d q_covariance;    ///< J⁻¹ tip_covariance J⁻ᵀ, without any floor
-  bool open = false;               ///< the pipeline's gate; closed ones are not used
+  bool open = false;               ///< a marker near the kinematic tip; others are not used
 };
 
 /// A recording as identification needs it. Joint encoders are no part of it.
@@ -77,7 +77,7 @@ class DataCollector {
   IdentificationData data_;
   robot::ArmKinematics arm_;
   std::optional<Eigen::Isometry3d> base_from_camera_;
-  Eigen::Vector3d tip_sigma_;
+  Eigen::Vector3d tip_sigma_, jump_tolerance_;
 };
 
 /// Runs the tracking pipeline over `source` (session::Source or anything with info() and next()) and keeps

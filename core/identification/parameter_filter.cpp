@@ -148,12 +148,12 @@ ParameterFilter::Innovation ParameterFilter::update(const CameraObservation& see
   return out;
 }
 
-void ParameterFilter::drift(double density, double dt) {
-  if (density <= 0.0) return;
+void ParameterFilter::forget(double memory, double dt) {
   estimation::Lower<kUnknowns> root = filter_.squareRoot();
-  for (int i = 0; i < n_; ++i) {
+  for (int i = 0; i < n_ + CameraPose::kSize; ++i) {
+    const double variance = root.row(i).squaredNorm();
     Unknowns column = Unknowns::Zero();
-    column(i) = density * std::sqrt(dt) / scale_(i);
+    column(i) = std::sqrt(std::max(0.0, variance * (1.0 - variance) * std::min(1.0, dt / memory)));
     math::rankOneUpdate(root, column);
   }
   filter_.reset(filter_.mean(), root);

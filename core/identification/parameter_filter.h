@@ -59,10 +59,16 @@ class ParameterFilter {
   /// Takes the tip seen at the interval's end; `state_noise` is the tip's covariance by the state's own.
   /// Observations beyond `huber` standard deviations count as if they were there.
   Innovation update(const CameraObservation& seen, const Eigen::Matrix3d& state_noise, double huber);
+  /// The states took a measurement with gain K: Φ ← (1 − K H) Φ. What the measurement moved no longer depends
+  /// on the parameters.
+  void correctSensitivity(const Eigen::Matrix<double, 6, 6>& gain_times_h) {
+    sensitivity_ -= (gain_times_h * sensitivity_).eval();
+  }
   /// Forgets Φ: the arm was lost sight of.
   void forgetSensitivity() { sensitivity_.setZero(); }
-  /// r_k of (11) over dt: `density` of each logarithm [1/√s].
-  void drift(double density, double dt);
+  /// r_k of (11) over dt: each unknown's variance P grows by P (1 − P) dt / memory, never beyond its prior.
+  /// What was learnt while the parameters were far off was learnt with the wrong sensitivities, and fades.
+  void forget(double memory, double dt);
 
   ParameterSet::Logs logs() const { return scale_.head(n_).cwiseProduct(filter_.mean().head(n_)); }
   CameraPose pose() const { return poseOf(filter_.mean()); }

@@ -32,8 +32,8 @@ struct Parameter {
 
 /// Width of the priors and goals by quantity.
 struct ParameterOptions {
-  Eigen::Vector3d prior_sigma{0.05, 0.5, 0.5};  ///< radius, stiffness, damping; of the logarithm
-  Eigen::Vector3d bound{0.25, 2.1, 2.1};        ///< of the logarithm
+  Eigen::Vector3d prior_sigma{0.05, 1.0, 1.0};  ///< radius, stiffness, damping; of the logarithm
+  Eigen::Vector3d bound{0.25, 5.0, 3.0};        ///< of the logarithm
   Eigen::Vector3d goal{0.002, 0.05, 0.15};      ///< of the logarithm
 
   template <class Self, class Visitor>

@@ -13,7 +13,7 @@ namespace capstan::identification {
 namespace {
 
 constexpr double kWarmUpTimes = 10.0;
-constexpr double kShortestWarmUp = 0.3;  // [s]
+constexpr double kShortestWarmUp = 5.0;  // [s]
 constexpr double kGap = 0.05;            // [s] without motor samples: start anew
 
 template <class T>
@@ -157,8 +157,14 @@ bool Shooting::predict(const ParameterSet::Logs& logs, bool derivatives, std::ve
       if (cancelled) return;
       if (!derivatives)
         run<double>(pieces_[piece], logs, rate, out);
-      else if (set_.size() <= 3)
-        run<ceres::Jet<double, 3>>(pieces_[piece], logs, rate, out);
+      else if (set_.size() <= 2)
+        run<ceres::Jet<double, 2>>(pieces_[piece], logs, rate, out);
+      else if (set_.size() <= 4)
+        run<ceres::Jet<double, 4>>(pieces_[piece], logs, rate, out);
+      else if (set_.size() <= 6)
+        run<ceres::Jet<double, 6>>(pieces_[piece], logs, rate, out);
+      else if (set_.size() <= 8)
+        run<ceres::Jet<double, 8>>(pieces_[piece], logs, rate, out);
       else
         run<ceres::Jet<double, kMostParameters>>(pieces_[piece], logs, rate, out);
     }

@@ -16,7 +16,6 @@ namespace {
 constexpr int kBlocks = 6;
 constexpr double kShortest = 80.0, kLongest = 290.0;  // of one whole task [s]
 constexpr double kOneTransfer = 8.0;                  // nobody is faster [s]
-const Eigen::Vector3d kAboveBoard{base::toRadians(33.0), base::toRadians(92.0), 0.315};
 constexpr double kOrdinary = 600.0;                   // checked at every dense step [s]
 constexpr double kInstantsPerMove = 20.0;             // of a longer session
 
@@ -35,9 +34,9 @@ Eigen::Vector3d PegBoard::peg(int index) const {
   return centre + side * across * lateral + 0.022 * row * depth;
 }
 
-PegBoard pegBoard(const robot::Description& robot) {
+PegBoard pegBoard(const robot::Description& robot, const Eigen::Vector3d& on_board) {
   PegBoard board;
-  board.centre = robot::ArmKinematics(robot).tip(kAboveBoard);
+  board.centre = robot::ArmKinematics(robot).tip(on_board);
   board.up = -robot.gravity.normalized();
   board.lateral = Eigen::Vector3d::UnitZ();
   board.depth = board.up.cross(board.lateral).normalized();
@@ -129,8 +128,8 @@ class BlockTransfer::Planner {
 
 BlockTransfer::BlockTransfer(const BlockTransferSpec& spec, double duration, const robot::Description& robot,
                              std::uint64_t seed)
-    : duration_(duration), transfers_(transfersFor(duration)), kinematics_(robot), near_(kAboveBoard) {
-  Planner planner(pegBoard(robot), seed);
+    : duration_(duration), transfers_(transfersFor(duration)), kinematics_(robot), near_(spec.board) {
+  Planner planner(pegBoard(robot, spec.board), seed);
   std::vector<int> from, to;
   for (int i = 0; i < transfers_; ++i) {
     const auto place = static_cast<std::size_t>(i % kBlocks);

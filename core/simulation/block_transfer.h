@@ -21,7 +21,9 @@ struct PegBoard {
   Eigen::Vector3d peg(int index) const;
 };
 
-PegBoard pegBoard(const robot::Description& robot);
+/// `on_board`: joints that put the tip on its middle.
+PegBoard pegBoard(const robot::Description& robot,
+                  const Eigen::Vector3d& on_board = BlockTransferSpec{}.board);
 
 /// The block-transfer task of the Fundamentals of Laparoscopic Surgery: each of six blocks is picked from its
 /// peg, handed over in mid-air and placed on a peg of the other side; then all six go back. Cartesian

@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/base/resource.h"
+#include "core/base/yaml.h"
 
 namespace capstan::simulation {
 namespace {
@@ -25,16 +26,22 @@ TrajectorySpec trajectoryOf(const SimulationRequest& request) {
   } else if (name == "hard-stop") {
     spec.kind = Kind::kHardStop;
     spec.hard_stop.rest = request.duration;
+  } else if (const auto suffix = std::filesystem::path(name).extension();
+             suffix == ".yaml" || suffix == ".yml") {
+    spec = base::readYamlFile<TrajectorySpec>(name);
+    spec.duration = request.duration;
   } else if (std::filesystem::exists(name)) {
     spec.kind = Kind::kRecorded;
     spec.recorded.file = name;
   } else {
-    throw base::InputError({{},
-                            0,
-                            "trajectory",
-                            name,
-                            "is neither a known movement nor a file",
-                            "Give fls, sinusoid, hold, hard-stop, or a CSV with the columns t, q1, q2, q3"});
+    throw base::InputError(
+        {{},
+         0,
+         "trajectory",
+         name,
+         "is neither a known movement nor a file",
+         "Give fls, sinusoid, hold, hard-stop, a CSV with the columns t, q1, q2, q3, or a trajectory "
+         "file (.yaml)"});
   }
   return spec;
 }

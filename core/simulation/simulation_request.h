@@ -10,17 +10,18 @@ namespace capstan::simulation {
 
 /// A simulated session as people ask for it, on the command line and in the window: names and files.
 struct SimulationRequest {
-  std::string trajectory = "fls";  ///< fls, sinusoid, hold, hard-stop, or a CSV with t, q1, q2, q3
-  double duration = 200.0;         ///< of the movement [s]
-  std::string truth = "default";   ///< default, matched, or a truth file
-  std::uint64_t seed = 1;          ///< surgeon, noise and texture
-  std::filesystem::path robot;     ///< nominal robot file; empty: the left RAVEN-II
-  std::filesystem::path cameras;   ///< folder with left.yaml and right.yaml; empty: the built-in rig
-  bool cameras_fitted = true;      ///< false: motors only
-  bool images = true;              ///< false: tip positions instead of pictures
-  bool registered = true;          ///< false: the cameras' place is left to the user
-  bool distractors = false;        ///< objects of nearly the marker's colour
-  bool uneven_light = false;       ///< one side of the scene in the dark
+  std::string trajectory =
+      "fls";  ///< fls, sinusoid, hold, hard-stop, a CSV with t, q1, q2, q3, or a trajectory file
+  double duration = 200.0;        ///< of the movement [s]
+  std::string truth = "default";  ///< default, matched, or a truth file
+  std::uint64_t seed = 1;         ///< surgeon, noise and texture
+  std::filesystem::path robot;    ///< nominal robot file; empty: the left RAVEN-II
+  std::filesystem::path cameras;  ///< folder with left.yaml and right.yaml; empty: the built-in rig
+  bool cameras_fitted = true;     ///< false: motors only
+  bool images = true;             ///< false: tip positions instead of pictures
+  bool registered = true;         ///< false: the cameras' place is left to the user
+  bool distractors = false;       ///< objects of nearly the marker's colour
+  bool uneven_light = false;      ///< one side of the scene in the dark
 
   bool operator==(const SimulationRequest&) const = default;
 };

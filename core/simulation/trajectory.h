@@ -63,11 +63,15 @@ struct SinusoidSpec {
 
 /// FLS block transfer (block_transfer.h). Path, tempo, pauses and tremor differ from seed to seed.
 struct BlockTransferSpec {
+  /// Joints that put the tip on the middle of the peg board.
+  Eigen::Vector3d board{base::toRadians(33.0), base::toRadians(92.0), 0.315};
   double tremor = 1.5e-4;     ///< amplitude of physiological tremor [m]
   double pause_share = 0.25;  ///< share of the time spent grasping, handing over and thinking
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& field) {
+    field(self.board,
+          {"board", "rad, rad, m", "joints with the tip on the peg board's middle", {-10.0, 10.0}, false});
     field(self.tremor, {"tremor", "m", "amplitude of the hand's tremor", {0.0, 2e-3}, false});
     field(self.pause_share, {"pause_share", "", "share of the time at rest", {0.05, 0.8}, false});
   }

@@ -51,7 +51,7 @@ TEST(BlockTransfer, TheRightArmDoesItToo) {
 TEST(BlockTransfer, EveryBlockGoesToTheOtherSideAndBack) {
   const robot::Description robot = raven();
   const PegBoard board = pegBoard(robot);
-  const BlockTransfer task({0.0, 0.25}, 120.0, robot, 3);
+  const BlockTransfer task({.tremor = 0.0}, 120.0, robot, 3);
   EXPECT_EQ(task.transfers(), 12);
   std::vector<int> visits;  // pegs in the order in which the tip came down on them
   for (double t = 0.0; t <= 120.0; t += 0.005) {
@@ -87,7 +87,7 @@ TEST(BlockTransfer, SeedsAreSurgeons) {
 
 TEST(BlockTransfer, RestsAtBothEndsAndShakesBetween) {
   const robot::Description robot = raven();
-  const BlockTransfer still({0.0, 0.25}, 90.0, robot, 4), shaky({3e-4, 0.25}, 90.0, robot, 4);
+  const BlockTransfer still({.tremor = 0.0}, 90.0, robot, 4), shaky({.tremor = 3e-4}, 90.0, robot, 4);
   EXPECT_LT(shaky.tipAt(0.0).second.norm(), 1e-12);
   EXPECT_LT(shaky.tipAt(90.0).second.norm(), 1e-12);
   double largest = 0.0;
