@@ -100,7 +100,7 @@ TEST(BlockTransfer, RestsAtBothEndsAndShakesBetween) {
 TEST(BlockTransfer, PausesTakeTheirShareOfTheTime) {
   const robot::Description robot = raven();
   for (const double share : {0.1, 0.4}) {
-    const BlockTransfer task({0.0, share}, 200.0, robot, 6);
+    const BlockTransfer task({.tremor = 0.0, .pause_share = share}, 200.0, robot, 6);
     int still = 0, all = 0;
     for (double t = 0.0; t < 200.0; t += 0.01, ++all) still += task.tipAt(t).second.norm() < 1e-9 ? 1 : 0;
     EXPECT_NEAR(static_cast<double>(still) / all, share, 0.01);
