@@ -67,7 +67,7 @@ TEST_F(ExportTest, WritesWellFormedSvgWithItsWordsAndColours) {
   EXPECT_FALSE(svg.hasError()) << svg.errorString().toStdString();
   EXPECT_EQ(view_box, "0 0 900 700");
   for (const char* word : {"shoulder q1 [deg]", "insertion q3 [mm]", "kinematic", "time [s]", "occluded",
-                           "1801 samples", "2.00 to 11.00 s"})
+                           "1801 points drawn", "2.00 to 11.00 s"})
     EXPECT_TRUE(words.contains(word)) << word;
   EXPECT_GT(lines, 20);
   EXPECT_EQ(images, 0);
