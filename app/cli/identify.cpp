@@ -92,8 +92,11 @@ TrueValues trueValues(const std::string& truth_text, const identification::Param
       case identification::Quantity::kStiffness:
         values.push_back(of.stiffness_factor * parameter.nominal);
         break;
-      default:
+      case identification::Quantity::kDamping:
         values.push_back(of.damping_factor * parameter.nominal);
+        break;
+      default:
+        values.push_back(parameter.nominal);
     }
   }
   return values;
@@ -137,7 +140,8 @@ ExitCode identify(IdentifyArguments& arguments, const CLI::App& command) {
     if (arguments.method != "batch" && !progress.cancelled())
       dual = identification::identifyDualUkf(data, *set, {.camera = camera}, &progress);
     if (arguments.method != "dual-ukf" && !progress.cancelled()) {
-      identification::BatchOptions batch_options{.camera = camera, .shooting = {.threads = arguments.threads}};
+      identification::BatchOptions batch_options{.camera = camera,
+                                                 .shooting = {.threads = arguments.threads}};
       if (dual)
         for (const auto& estimate : dual->estimates) batch_options.start.push_back(estimate.log);
       batch = identification::identifyBatch(data, *set, batch_options, &progress);
@@ -175,7 +179,7 @@ void addIdentify(CLI::App& app, ExitCode& exit) {
       ->check(CLI::IsMember({"dual-ukf", "batch", "both"}));
   command
       ->add_option("--parameters", arguments->parameters,
-                   "of r_l1…3, k_e1…3, b_e1…3; r_l, k_e, b_e mean all three joints")
+                   "of r_l1…3, k_e1…3, b_e1…3, f_c1…3; r_l, k_e, b_e, f_c mean all three joints")
       ->capture_default_str();
   command->add_option("--options", arguments->options,
                       "priors and goals (as resources/identification/default.yaml)");

@@ -24,8 +24,10 @@ const char* remedyFor(Quantity quantity) {
       return "move that joint over a wider range";
     case Quantity::kStiffness:
       return "load the joint: reach farther out, accelerate harder, or record longer";
-    default:
+    case Quantity::kDamping:
       return "move faster and reverse more often";
+    default:
+      return "reverse more often";
   }
 }
 

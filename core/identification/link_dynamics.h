@@ -10,11 +10,11 @@
 /// automatic differentiation with respect to the cable parameters.
 namespace capstan::identification {
 
-/// r_l, k_e and b_e as T; everything else as in `robot`.
+/// r_l, k_e, b_e and F_cl as T; everything else as in `robot`.
 template <class T>
 struct LinkParameters {
   const tracking::CableArmConstants& robot;
-  std::array<T, 3> link_radius, stiffness, damping;
+  std::array<T, 3> link_radius, stiffness, damping, coulomb;
 };
 
 template <class T>
@@ -54,7 +54,7 @@ std::array<T, 3> linkAcceleration(const LinkParameters<T>& p, const std::array<d
   std::array<T, 3> tau;
   for (std::size_t j = 0; j < 3; ++j)
     tau[j] = c.coupling[0][j] * tension[0] + c.coupling[1][j] * tension[1] + c.coupling[2][j] * tension[2] -
-             c.coulomb[j] * tanh(c.inverse_smoothing[j] * x.dq[j]) - c.viscous[j] * x.dq[j];
+             p.coulomb[j] * tanh(c.inverse_smoothing[j] * x.dq[j]) - c.viscous[j] * x.dq[j];
   return robot::armForward<T>(c.body, {sin(x.q[0]), cos(x.q[0]), sin(x.q[1]), cos(x.q[1])}, x.q[2], x.dq,
                               tau);
 }

@@ -33,6 +33,7 @@ ParameterFilter::ParameterFilter(const ParameterSet& set, const robot::ArmKinema
         cable.link_radius[joint][lane] = constants_.link_radius[joint];
         cable.stiffness[joint][lane] = constants_.stiffness[joint];
         cable.damping[joint][lane] = constants_.damping[joint];
+        cable.coulomb[joint][lane] = constants_.coulomb[joint];
       }
 }
 
@@ -58,10 +59,7 @@ void ParameterFilter::draw(const State& x) {
       const Parameter& parameter = set_[i];
       const double value = set_.value(i, std::clamp(unknowns(i), -parameter.bound, parameter.bound));
       auto& cable = cables_[batch];
-      auto& row = parameter.quantity == Quantity::kLinkRadius  ? cable.link_radius
-                  : parameter.quantity == Quantity::kStiffness ? cable.stiffness
-                                                               : cable.damping;
-      row[parameter.joint][lane] = value;
+      fieldOf(cable, parameter.quantity)[parameter.joint][lane] = value;
     }
     states_[batch].col(lane) = x + sensitivity_.leftCols(n_) * (unknowns.head(n_) - centre);
   }

@@ -10,28 +10,26 @@
 namespace capstan::identification {
 namespace {
 
-constexpr Quantity kQuantities[] = {Quantity::kLinkRadius, Quantity::kStiffness, Quantity::kDamping};
+constexpr Quantity kAll[] = {Quantity::kLinkRadius, Quantity::kStiffness, Quantity::kDamping,
+                             Quantity::kFriction};
 
-double& fieldOf(robot::Drive& drive, Quantity quantity) {
-  switch (quantity) {
+double& valueIn(robot::Description& robot, const Parameter& parameter) {
+  const auto joint = static_cast<std::size_t>(parameter.joint);
+  robot::Drive& drive = robot.drives[joint];
+  switch (parameter.quantity) {
     case Quantity::kLinkRadius:
       return drive.link_radius;
     case Quantity::kStiffness:
       return drive.cable_stiffness;
-    default:
+    case Quantity::kDamping:
       return drive.cable_damping;
+    default:
+      return robot.joints[joint].friction.coulomb;
   }
 }
 
-double& fieldOf(tracking::CableArmConstants& c, const Parameter& parameter) {
-  switch (parameter.quantity) {
-    case Quantity::kLinkRadius:
-      return c.link_radius[parameter.joint];
-    case Quantity::kStiffness:
-      return c.stiffness[parameter.joint];
-    default:
-      return c.damping[parameter.joint];
-  }
+double& valueIn(tracking::CableArmConstants& c, const Parameter& parameter) {
+  return fieldOf(c, parameter.quantity)[parameter.joint];
 }
 
 [[noreturn]] void refuse(const std::string& name, const std::string& reason) {
@@ -41,13 +39,14 @@ double& fieldOf(tracking::CableArmConstants& c, const Parameter& parameter) {
        "parameters",
        name,
        reason,
-       "Give names of r_l1…3, k_e1…3, b_e1…3, or r_l, k_e, b_e, or all, separated by commas"});
+       "Give names of r_l1…3, k_e1…3, b_e1…3, f_c1…3, or r_l, k_e, b_e, f_c, or all, separated "
+       "by commas"});
 }
 
 /// "k_e2" → one parameter, "k_e" → three, "all" → nine.
 std::vector<std::pair<Quantity, int>> named(const std::string& name) {
   std::vector<std::pair<Quantity, int>> found;
-  for (const Quantity quantity : kQuantities)
+  for (const Quantity quantity : kAll)
     for (int joint = 0; joint < 3; ++joint) {
       const std::string stem(base::nameOf(quantity));
       if (name == "all" || name == stem || name == stem + std::to_string(joint + 1))
@@ -66,6 +65,7 @@ std::string Parameter::name() const {
 std::string Parameter::words() const {
   const std::string owner = "joint " + std::to_string(joint + 1) + "'s ";
   if (quantity == Quantity::kLinkRadius) return owner + "pulley radius";
+  if (quantity == Quantity::kFriction) return owner + "friction";
   return owner + (quantity == Quantity::kStiffness ? "stiffness" : "damping");
 }
 
@@ -73,6 +73,7 @@ double Parameter::scale() const { return quantity == Quantity::kLinkRadius && jo
 
 std::string Parameter::unit() const {
   if (quantity == Quantity::kStiffness) return "N";
+  if (quantity == Quantity::kFriction) return joint < 2 ? "N·m" : "N";
   if (quantity == Quantity::kDamping) return "N·s/m";
   return joint < 2 ? "mm" : "m/m";
 }
@@ -90,7 +91,7 @@ ParameterSet::ParameterSet(const robot::Description& nominal, const std::string&
       if (std::any_of(parameters_.begin(), parameters_.end(), same)) refuse(name, "is asked for twice");
       const auto of = static_cast<Eigen::Index>(quantity);
       Parameter parameter{quantity, joint, 0.0, options.prior_sigma(of), options.bound(of), options.goal(of)};
-      parameter.nominal = fieldOf(constants_, parameter);
+      parameter.nominal = valueIn(constants_, parameter);
       if (!(parameter.nominal > 0.0)) refuse(name, "is zero in the robot file");
       parameters_.push_back(parameter);
     }
@@ -104,14 +105,14 @@ robot::Description ParameterSet::robot(const Logs& logs) const {
   robot::Description robot = nominal_;
   for (int i = 0; i < size(); ++i) {
     const Parameter& parameter = (*this)[i];
-    fieldOf(robot.drives[static_cast<std::size_t>(parameter.joint)], parameter.quantity) = value(i, logs(i));
+    valueIn(robot, parameter) = value(i, logs(i));
   }
   return robot;
 }
 
 tracking::CableArmConstants ParameterSet::constants(const Logs& logs) const {
   tracking::CableArmConstants constants = constants_;
-  for (int i = 0; i < size(); ++i) fieldOf(constants, (*this)[i]) = value(i, logs(i));
+  for (int i = 0; i < size(); ++i) valueIn(constants, (*this)[i]) = value(i, logs(i));
   return constants;
 }
 

@@ -11,9 +11,25 @@
 namespace capstan::identification {
 
 /// What can be identified of a drive.
-enum class Quantity { kLinkRadius, kStiffness, kDamping };
+enum class Quantity { kLinkRadius, kStiffness, kDamping, kFriction };
 
-inline constexpr int kMostParameters = 9;  ///< three quantities of three joints
+inline constexpr int kQuantities = 4;
+inline constexpr int kMostParameters = 3 * kQuantities;  ///< of three joints
+
+/// A quantity's three values in a struct that names them as CableArmConstants does.
+template <class Cables>
+auto& fieldOf(Cables& cables, Quantity quantity) {
+  switch (quantity) {
+    case Quantity::kLinkRadius:
+      return cables.link_radius;
+    case Quantity::kStiffness:
+      return cables.stiffness;
+    case Quantity::kDamping:
+      return cables.damping;
+    default:
+      return cables.coulomb;
+  }
+}
 
 /// One parameter w, as ln(w / nominal), so that it stays positive.
 struct Parameter {
@@ -24,25 +40,27 @@ struct Parameter {
   double bound = 0.25;       ///< |ln(w / nominal)| stays below
   double goal = 0.002;       ///< σ of ln w at which it counts as known
 
-  std::string name() const;   ///< r_l1, k_e2, b_e3
+  std::string name() const;   ///< r_l1, k_e2, b_e3, f_c1
   std::string words() const;  ///< "joint 1's pulley radius"
   double scale() const;       ///< from SI to the unit for people
-  std::string unit() const;   ///< mm (m/m for an insertion), N, N·s/m
+  std::string unit() const;   ///< mm (m/m for an insertion), N, N·s/m, N·m (N for an insertion)
 };
 
 /// Width of the priors and goals by quantity.
 struct ParameterOptions {
-  Eigen::Vector3d prior_sigma{0.05, 1.0, 1.0};  ///< radius, stiffness, damping; of the logarithm
-  Eigen::Vector3d bound{0.25, 5.0, 3.0};        ///< of the logarithm
-  Eigen::Vector3d goal{0.002, 0.05, 0.15};      ///< of the logarithm
+  Eigen::Vector4d prior_sigma{0.05, 1.0, 1.0,
+                              0.3};              ///< radius, stiffness, damping, friction; of the logarithm
+  Eigen::Vector4d bound{0.25, 5.0, 3.0, 2.0};    ///< of the logarithm
+  Eigen::Vector4d goal{0.002, 0.05, 0.15, 0.1};  ///< of the logarithm
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& field) {
     field(self.prior_sigma,
-          {"prior_sigma", "", "of ln r_l, ln k_e, ln b_e about nominal", {1e-6, 10.0}, false});
-    field(self.bound, {"bound", "", "largest change of ln r_l, ln k_e, ln b_e", {1e-6, 10.0}, false});
+          {"prior_sigma", "", "of ln r_l, ln k_e, ln b_e, ln F_cl about nominal", {1e-6, 10.0}, false});
+    field(self.bound,
+          {"bound", "", "largest change of ln r_l, ln k_e, ln b_e, ln F_cl", {1e-6, 10.0}, false});
     field(self.goal,
-          {"goal", "", "sigma of ln r_l, ln k_e, ln b_e that is good enough", {1e-6, 10.0}, false});
+          {"goal", "", "sigma of ln r_l, ln k_e, ln b_e, ln F_cl that is good enough", {1e-6, 10.0}, false});
   }
 };
 
@@ -52,9 +70,9 @@ class ParameterSet {
  public:
   using Logs = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostParameters, 1>;
 
-  /// `names`, separated by commas: r_l1…3, k_e1…3, b_e1…3, or r_l, k_e, b_e for all three joints, or "all".
-  /// Throws base::InputError for anything else, a name that comes twice, or a robot that is no three-joint
-  /// remote-centre arm.
+  /// `names`, separated by commas: r_l1…3, k_e1…3, b_e1…3, f_c1…3 (Coulomb friction F_cl), or r_l, k_e, b_e,
+  /// f_c for all three joints, or "all". Throws base::InputError for anything else, a name that comes twice,
+  /// or a robot that is no three-joint remote-centre arm.
   ParameterSet(const robot::Description& nominal, const std::string& names,
                const ParameterOptions& options = {});
 
@@ -78,8 +96,9 @@ class ParameterSet {
   std::vector<Parameter> parameters_;
 };
 
-/// The parameters asked for when nobody says which: experiments A and B of the UKF paper.
-inline constexpr const char* kDefaultParameters = "r_l1,k_e,b_e";
+/// The parameters asked for when nobody says which: those of experiments A and B of the UKF paper, and joint
+/// friction, which a soft cable cannot be told from without.
+inline constexpr const char* kDefaultParameters = "r_l1,k_e,b_e,f_c";
 
 /// One value of two robot files that differs.
 struct RobotChange {
@@ -97,5 +116,5 @@ template <>
 struct capstan::base::NamesOf<capstan::identification::Quantity> {
   using Q = capstan::identification::Quantity;
   static constexpr std::array value = {std::pair{Q::kLinkRadius, "r_l"}, std::pair{Q::kStiffness, "k_e"},
-                                       std::pair{Q::kDamping, "b_e"}};
+                                       std::pair{Q::kDamping, "b_e"}, std::pair{Q::kFriction, "f_c"}};
 };

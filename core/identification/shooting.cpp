@@ -34,17 +34,15 @@ struct Seed<ceres::Jet<double, N>> {
 
 template <class T>
 LinkParameters<T> seeded(const tracking::CableArmConstants& c, const ParameterSet& set) {
-  LinkParameters<T> p{c, {}, {}, {}};
+  LinkParameters<T> p{c, {}, {}, {}, {}};
   for (std::size_t i = 0; i < 3; ++i) {
     p.link_radius[i] = T(c.link_radius[i]);
     p.stiffness[i] = T(c.stiffness[i]);
     p.damping[i] = T(c.damping[i]);
+    p.coulomb[i] = T(c.coulomb[i]);
   }
   for (int k = 0; k < set.size(); ++k) {
-    auto& of = set[k].quantity == Quantity::kLinkRadius  ? p.link_radius
-               : set[k].quantity == Quantity::kStiffness ? p.stiffness
-                                                         : p.damping;
-    T& value = of[static_cast<std::size_t>(set[k].joint)];
+    T& value = fieldOf(p, set[k].quantity)[static_cast<std::size_t>(set[k].joint)];
     if constexpr (std::is_same_v<T, double>)
       value = Seed<T>::of(value, k);
     else
@@ -165,6 +163,8 @@ bool Shooting::predict(const ParameterSet::Logs& logs, bool derivatives, std::ve
         run<ceres::Jet<double, 6>>(pieces_[piece], logs, rate, out);
       else if (set_.size() <= 8)
         run<ceres::Jet<double, 8>>(pieces_[piece], logs, rate, out);
+      else if (set_.size() <= 10)
+        run<ceres::Jet<double, 10>>(pieces_[piece], logs, rate, out);
       else
         run<ceres::Jet<double, kMostParameters>>(pieces_[piece], logs, rate, out);
     }

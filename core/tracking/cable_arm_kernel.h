@@ -30,11 +30,12 @@ struct CableArmDrive {
   double position1[3], velocity1[3];
 };
 
-/// Cable parameters that differ from lane to lane (identification): row = joint.
+/// Cable and friction parameters that differ from lane to lane (identification): row = joint.
 struct CableArmVariation {
   alignas(64) double link_radius[3][kCableArmLanes];
   alignas(64) double stiffness[3][kCableArmLanes];
   alignas(64) double damping[3][kCableArmLanes];
+  alignas(64) double coulomb[3][kCableArmLanes];
 };
 
 /// Kernels of one instruction set. Arrays are 64-byte aligned, 16 lanes.
@@ -42,7 +43,7 @@ struct CableArmKernel {
   /// `steps` RK4 steps of dt / steps each; x is 6 × 16, rows q1 dq1 q2 dq2 q3 dq3. Points are put back into
   /// the box before and behind each step; NaN stays NaN.
   void (*propagate)(const CableArmConstants& c, const CableArmDrive& drive, double dt, int steps, double* x);
-  /// The same with r_l, k_e and b_e of each lane in place of those of `c`.
+  /// The same with r_l, k_e, b_e and F_cl of each lane in place of those of `c`.
   void (*propagateVaried)(const CableArmConstants& c, const CableArmVariation& lanes,
                           const CableArmDrive& drive, double dt, int steps, double* x);
   /// sin, cos, tanh and 2 sinh of 16 arguments as `propagate` computes them; sin and cos for |x| < 1e5.
