@@ -3,8 +3,9 @@
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QStorageInfo>
 #include <cmath>
+#include <filesystem>
+#include <system_error>
 
 namespace capstan::widgets {
 
@@ -50,6 +51,11 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   clear();
 }
 
+void StatusLine::setFolder(const QString& folder) {
+  folder_ = folder;
+  labels_[kDisk]->setToolTip(tr("Free where recordings go: %1").arg(folder));
+}
+
 void StatusLine::setTheme(const Theme& theme) {
   theme_ = theme;
   for (int part = 0; part < kParts; ++part)
@@ -87,13 +93,15 @@ void StatusLine::separate() {
 
 void StatusLine::clear() {
   for (int part = 0; part < kParts; ++part) set(static_cast<Part>(part), {});
+  tips_ = false;
   set(kState, tr("no source"));
 }
 
 void StatusLine::showSnapshot(const tracking::Snapshot& snapshot) {
   const bool cameras = snapshot.camera_samples > 0;
   set(kLag, cameras ? QStringLiteral("lag %1 ms").arg(snapshot.lag * 1e3, 3, 'f', 0) : QString());
-  const QString reason = QString::fromStdString(std::string(base::nameOf(snapshot.gate)));
+  tips_ = tracking::tipAlone(snapshot);
+  const QString reason = QString::fromStdString(std::string(tracking::gateWords(snapshot)));
   if (snapshot.gate == Gate::kOpen)
     set(kGate, tr("gate open"), Tone::kGood);
   else
@@ -119,7 +127,8 @@ void StatusLine::showStatus(const session::RunStatus& status, double recorded_se
                       status.real_time_factor < kBehind * status.speed;
   set(kSpeed, behind ? tr("only ×%1").arg(status.real_time_factor, 0, 'f', 1) : QString(), Tone::kWarning);
   set(kMotor, QStringLiteral("%1 Hz").arg(status.motor_rate, 4, 'f', 0));
-  set(kFrames, QStringLiteral("%1 fps").arg(status.frame_rate, 4, 'f', 1));
+  set(kFrames, (tips_ ? tr("%1 tips/s") : tr("%1 fps")).arg(status.frame_rate, 4, 'f', 1));
+  labels_[kRecording]->setToolTip(QString::fromStdString(status.recording));
   if (status.recorder)
     showRecorder(*status.recorder, recorded_seconds);
   else
@@ -150,8 +159,9 @@ void StatusLine::showDisk(std::optional<std::uint64_t> recorder_says) {
   QFileInfo place(QFileInfo(folder_).absoluteFilePath());
   while (!place.exists() && !place.isRoot())
     place.setFile(place.path());  // the folder comes with the first recording
-  const QStorageInfo disk(place.filePath());
-  set(kDisk, disk.isValid() ? diskText(static_cast<std::uint64_t>(disk.bytesAvailable())) : QString());
+  std::error_code failed;
+  const auto disk = std::filesystem::space(place.filePath().toStdString(), failed);
+  set(kDisk, failed ? QString() : diskText(disk.available));
 }
 
 QString StatusLine::text() const {

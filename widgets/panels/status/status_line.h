@@ -25,7 +25,7 @@ class StatusLine : public QWidget {
   void showStatus(const session::RunStatus& status, double recorded_seconds);
   void clear();
   /// Whose disk is shown: the folder of recordings.
-  void setFolder(const QString& folder) { folder_ = folder; }
+  void setFolder(const QString& folder);
   /// The whole line, parts joined by " · ".
   QString text() const;
 
@@ -42,6 +42,7 @@ class StatusLine : public QWidget {
   std::array<QLabel*, kParts> dots_{};  ///< before each part but the first that is seen
   std::array<Tone, kParts> tones_{};
   QString folder_;
+  bool tips_ = false;  ///< the camera samples are tips, not pictures
   QElapsedTimer disk_age_;
 };
 
