@@ -19,7 +19,7 @@ class RateMeter {
 
   /// `t`: recording time reached [s]. Ends the window when it is long enough.
   void look(double t, Clock::time_point now) {
-    if (!running_) return begin(t, now);
+    if (!running_ || t < begin_t_) return begin(t, now);  // or the clock was set back
     const double wall = std::chrono::duration<double>(now - begin_).count();
     const double recorded = t - begin_t_;
     if (wall < kWindow || recorded <= 0.0) return;

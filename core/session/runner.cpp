@@ -11,6 +11,7 @@
 
 #include "core/base/yaml.h"
 #include "core/session/blocking.h"
+#include "core/session/due_times.h"
 #include "core/session/pacer.h"
 #include "core/session/publisher.h"
 #include "core/session/rate_meter.h"
@@ -135,7 +136,7 @@ class Runner::Impl {
     post([this, recorder] {
       retireRecorder();
       recorder_ = recorder;
-      next_estimate_ = t_;
+      estimates_.restart();
       if (blocking_.any()) recorder_->note(t_, "occlusion", blocking_.text());
       const std::lock_guard lock(mutex_);
       last_recorder_ = recorder;
@@ -249,8 +250,8 @@ class Runner::Impl {
     if (recorder_) recorder_->offer(sample_);
     const tracking::Snapshot& snapshot = pipeline_.step(sample_);
     report_.add(snapshot);
-    record(snapshot, motor);
-    const bool plotted = snapshot.camera_updated || (motor && due(next_history_, options_.history_rate));
+    record(snapshot);
+    const bool plotted = snapshot.camera_updated || (snapshot.motor_updated && plots_.due(snapshot.t));
     publisher_.publish(snapshot, plotted);
     publishFrames(snapshot);
     meter_.count(motor, camera);
@@ -260,16 +261,9 @@ class Runner::Impl {
     publishStatus(mode_ == Mode::kPause);
   }
 
-  /// True when the recording has reached `next`, which then moves on by 1 / rate.
-  bool due(double& next, double rate) const {
-    if (rate <= 0.0 || t_ < next - 1e-9) return false;
-    next = std::max(next + 1.0 / rate, t_);
-    return true;
-  }
-
-  void record(const tracking::Snapshot& snapshot, bool motor) {
+  void record(const tracking::Snapshot& snapshot) {
     if (!recorder_) return;
-    if (snapshot.camera_updated || (motor && due(next_estimate_, options_.estimate_rate)))
+    if (snapshot.camera_updated || (snapshot.motor_updated && estimates_.due(snapshot.t)))
       recorder_->offer(snapshot);
   }
 
@@ -336,7 +330,8 @@ class Runner::Impl {
   Mode mode_ = Mode::kPause;
   double speed_ = 1.0;
   double t_ = 0.0, motor_t_ = 0.0;
-  double step_end_ = 0.0, next_history_ = 0.0, next_estimate_ = 0.0;
+  double step_end_ = 0.0;
+  DueTimes plots_{options_.history_rate}, estimates_{options_.estimate_rate};
   bool quit_ = false, fetched_ = false, camera_seen_ = false;
   tracking::Sample sample_;
   Blocking blocking_;

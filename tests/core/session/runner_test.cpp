@@ -5,7 +5,9 @@
 #include <thread>
 
 #include "core/base/error.h"
+#include "core/session/due_times.h"
 #include "core/session/pacer.h"
+#include "core/session/rate_meter.h"
 #include "core/session/session_source.h"
 #include "core/tracking/make_pipeline.h"
 #include "tests/core/session/session_samples.h"
@@ -52,6 +54,28 @@ class MadeSource : public Source {
   SourceInfo info_;
   bool images_, blocked_ = false;
   int fail_at_, tick_ = 0, part_ = 0;
+};
+
+/// Motors alone at 1 kHz, whose clock is set back by 3 s after 4 s.
+class SetBackSource : public Source {
+ public:
+  SetBackSource() {
+    info_.title = "set back";
+    info_.robot = raven();
+  }
+  const SourceInfo& info() const override { return info_; }
+  bool next(tracking::Sample& out) override {
+    if (tick_ == 6000) return false;
+    const double t = (tick_ < 4000 ? tick_ : tick_ - 3000) * 1e-3;
+    out = tracking::MotorSample{t, {80, -86, -480}, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+    ++tick_;
+    return true;
+  }
+  void block(bool, bool) override {}
+
+ private:
+  SourceInfo info_;
+  int tick_ = 0;
 };
 
 std::unique_ptr<Runner> makeRunner(double duration, bool images = false, double speed = 0.0,
@@ -205,6 +229,58 @@ TEST(Runner, CommandsRunInOrderOnItsThreadAndTheirFaultsAreTold) {
   EXPECT_EQ(runner->status().command_fault_count, 2U);
   EXPECT_TRUE(runner->status().error.empty()) << "of the run itself, which goes on";
   EXPECT_EQ(runner->status().state, RunState::kPaused);
+}
+
+TEST(Runner, HistoryAndEstimatesGoOnWhenTheClockIsSetBack) {
+  const TemporaryFolder folder;
+  auto source = std::make_unique<SetBackSource>();
+  auto pipeline = tracking::makePipeline(source->info());
+  RunnerOptions options;
+  options.speed = 0.0;
+  Runner runner(std::move(source), std::move(pipeline), options);
+  runner.startRecording(folder / "back.capstan", header());
+  runner.run();
+  ASSERT_TRUE(runner.waitUntilIdle(30.0));
+  std::vector<tracking::Snapshot> history;
+  runner.drainHistory(history);
+  const auto back = std::adjacent_find(history.begin(), history.end(),
+                                       [](const auto& a, const auto& b) { return b.t < a.t; });
+  ASSERT_NE(back, history.end()) << "nothing after the clock was set back";
+  EXPECT_NEAR(static_cast<double>(back + 1 - history.begin()), 800.0, 5.0);
+  EXPECT_NEAR(static_cast<double>(history.end() - (back + 1)), 400.0, 5.0) << "the two seconds after it";
+  runner.stopRecording();
+  for (int i = 0; i < 1000 && runner.status().recorder->state != RecorderState::kClosed; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  const auto stats = *runner.status().recorder;
+  EXPECT_EQ(stats.state, RecorderState::kClosed);
+  EXPECT_EQ(stats.written + stats.dropped, 6000U + 6000U - 9U) << "nine refused samples make no estimate";
+}
+
+TEST(DueTimes, KeepTheRateThroughGapsAndClocksSetBack) {
+  DueTimes times(4.0);
+  EXPECT_TRUE(times.due(10.0));
+  EXPECT_TRUE(times.due(10.25));
+  EXPECT_FALSE(times.due(10.375));
+  EXPECT_TRUE(times.due(17.0)) << "after a gap";
+  EXPECT_FALSE(times.due(17.125));
+  EXPECT_TRUE(times.due(3.0)) << "set back";
+  EXPECT_FALSE(times.due(3.125));
+  EXPECT_TRUE(times.due(3.25));
+  times.restart();
+  EXPECT_TRUE(times.due(3.375));
+  EXPECT_FALSE(DueTimes(0.0).due(1.0));
+}
+
+TEST(RateMeter, CountsOnWhenTheClockIsSetBack) {
+  using namespace std::chrono_literals;
+  RateMeter meter;
+  const RateMeter::Clock::time_point start{};
+  meter.look(100.0, start);
+  meter.look(1.0, start + 100ms);
+  for (int i = 0; i < 1000; ++i) meter.count(true, false);
+  meter.look(2.0, start + 1100ms);
+  EXPECT_DOUBLE_EQ(meter.motorRate(), 1000.0);
+  EXPECT_DOUBLE_EQ(meter.realTimeFactor(), 1.0);
 }
 
 TEST(Pacer, DueTimesFollowTheSpeedAndGiveUpWhenFarBehind) {
