@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <string_view>
 
 #include "core/base/names.h"
 #include "core/vision/marker.h"
@@ -67,3 +68,25 @@ struct capstan::base::NamesOf<capstan::tracking::Gate> {
       std::pair{G::kBothLost, "both lost"}, std::pair{G::kUnreachable, "tip out of reach"},
       std::pair{G::kJump, "marker jumped"}, std::pair{G::kUnregistered, "not registered"}};
 };
+
+namespace capstan::tracking {
+
+/// The newest camera sample was a tip that others measured: there are no pictures to speak of.
+inline bool tipAlone(const Snapshot& s) { return s.camera_samples > 0 && !s.camera_images; }
+
+/// What the gate says, in words that fit pictures or tips.
+inline std::string_view gateWords(const Snapshot& s) {
+  if (tipAlone(s)) {
+    if (s.gate == Gate::kBothLost) return "tip not seen";
+    if (s.gate == Gate::kNoCamera) return "no tips";
+    if (s.gate == Gate::kJump) return "tip jumped";
+  }
+  return base::nameOf(s.gate);
+}
+
+/// The marker is hidden from a camera, as far as the newest sample tells.
+inline bool markerLost(const Snapshot& s) {
+  return s.gate == Gate::kLeftLost || s.gate == Gate::kRightLost || s.gate == Gate::kBothLost;
+}
+
+}  // namespace capstan::tracking

@@ -59,6 +59,27 @@ TEST(JointHistory, SameTimeReplacesAndEarlierIsIgnored) {
   EXPECT_NE(history.at(0.002)->joint[0].kinematic, static_cast<float>(base::toDegrees(2.0)));
 }
 
+TEST(JointHistory, AClockSetBackBeginsItAnew) {
+  JointHistory history = filled(16384, 9000);
+  history.append(syntheticSnapshot(3.0));
+  history.append(syntheticSnapshot(3.001));
+  EXPECT_EQ(history.rows().size(), 2U);
+  EXPECT_DOUBLE_EQ(history.begin(), 3.0);
+  EXPECT_TRUE(history.occluded().empty());
+}
+
+TEST(JointHistory, OnlyALostMarkerIsOccluded) {
+  using tracking::Gate;
+  for (const auto& [gate, name] : base::NamesOf<Gate>::value) {
+    JointHistory history(64);
+    tracking::Snapshot snapshot = syntheticSnapshot(0.0);
+    snapshot.gate = gate;
+    history.append(snapshot);
+    const bool lost = gate == Gate::kLeftLost || gate == Gate::kRightLost || gate == Gate::kBothLost;
+    EXPECT_EQ(!history.occluded().empty(), lost) << name;
+  }
+}
+
 TEST(JointHistory, EveryLevelOfThePyramidKeepsASpike) {
   JointHistory history(16384);
   for (int ms = 0; ms < 16000; ++ms) {

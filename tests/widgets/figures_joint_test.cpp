@@ -184,6 +184,29 @@ TEST_F(JointFigureTest, CoincidingCurvesAllShow) {
   }
 }
 
+TEST_F(JointFigureTest, TheWordInAShadeMeetsNoCurve) {
+  figure_.setTimeRange(4.0, 12.0);
+  QCPAxisRect* axes = figure_.plot(0).axes();
+  const QCPRange fitted = axes->axis(QCPAxis::atLeft)->range();
+  figure_.plot(0).setFitting(false);
+  int above = 0, below = 0;
+  for (const double shift : {-0.5, -0.25, -0.05, 0.0, 0.05, 0.25, 0.5}) {
+    axes->axis(QCPAxis::atLeft)->setRange(fitted + shift * fitted.size());
+    figure_.refresh(true);
+    const QImage image = test::grab(figure_, QString("figure_shade_%1").arg(shift));
+    for (const QRectF& label : figure_.plot(0).shade().labels()) {
+      const QRect box = label.toAlignedRect();
+      EXPECT_TRUE(axes->rect().contains(box)) << shift;
+      for (const Quantity quantity : {Quantity::kUkf, Quantity::kKinematic, Quantity::kCamera})
+        EXPECT_EQ(test::count(image, box, Theme::dark().colour(quantity), 40).pixels, 0) << shift;
+      (box.center().y() < axes->center().y() ? above : below) += 1;
+    }
+    EXPECT_TRUE(figure_.plot(1).shade().labels().empty()) << "once is enough";
+  }
+  EXPECT_GT(above, 0);
+  EXPECT_GT(below, 0);
+}
+
 TEST_F(JointFigureTest, LooksRightAtTheWindowsSizes) {
   for (const Theme* theme : {&Theme::dark(), &Theme::light()})
     for (const QSize size : {QSize(380, 700), QSize(460, 740), QSize(830, 1000)}) {

@@ -130,6 +130,29 @@ TEST_F(Panel, SaysWhatTheFilterObservesAndWhy) {
   EXPECT_TRUE(panel.reason().startsWith("marker jumped."));
 }
 
+TEST_F(Panel, SpeaksOfTipsWhereThereAreNoPictures) {
+  tracking::Snapshot snapshot{};
+  snapshot.camera_samples = 3;
+  snapshot.gate = tracking::Gate::kOpen;
+  panel.showSnapshot(snapshot);
+  EXPECT_EQ(panel.observation(), QString("now: observing the tip (q_cam)"));
+  EXPECT_EQ(panel.reason(), QString("The tip is seen."));
+  snapshot.gate = tracking::Gate::kBothLost;
+  snapshot.marker[0].fault = vision::MarkerFault::kNoPixels;
+  panel.showSnapshot(snapshot);
+  EXPECT_EQ(panel.reason(), QString("tip not seen."));
+}
+
+TEST_F(Panel, SaysThatRegistrationIsMissing) {
+  tracking::Snapshot snapshot{};
+  snapshot.camera_images = true;
+  snapshot.camera_samples = 3;
+  snapshot.gate = tracking::Gate::kUnregistered;
+  panel.showSnapshot(snapshot);
+  EXPECT_TRUE(panel.reason().startsWith("not registered: the marker is seen"))
+      << panel.reason().toStdString();
+}
+
 TEST_F(Panel, Pictures) {
   QTest::mouseClick(button("Both"), Qt::LeftButton);
   QTest::mouseClick(button("40"), Qt::LeftButton);

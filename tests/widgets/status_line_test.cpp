@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QLabel>
 #include <QTemporaryDir>
 
 #include "tests/widgets/picture.h"
@@ -13,6 +14,7 @@ namespace {
 tracking::Snapshot calm() {
   tracking::Snapshot snapshot;
   snapshot.camera_samples = 10;
+  snapshot.camera_images = true;
   snapshot.gate = tracking::Gate::kOpen;
   snapshot.lag = 0.042;
   snapshot.nis_mean = 1.02;
@@ -71,6 +73,33 @@ TEST(StatusLine, FollowsTheRecording) {
   status.recorder->state = session::RecorderState::kFailed;
   line.showStatus(status, 192.7);
   EXPECT_TRUE(line.text().contains("recording failed"));
+}
+
+TEST(StatusLine, SpeaksOfTipsWhereThereAreNoPictures) {
+  StatusLine line;
+  auto snapshot = calm();
+  snapshot.camera_images = false;
+  line.showSnapshot(snapshot);
+  line.showStatus(running(), 0.0);
+  EXPECT_TRUE(line.text().contains("15.0 tips/s")) << line.text().toStdString();
+  EXPECT_FALSE(line.text().contains("fps"));
+  snapshot.gate = tracking::Gate::kBothLost;
+  line.showSnapshot(snapshot);
+  EXPECT_TRUE(line.text().contains("gate shut: tip not seen")) << line.text().toStdString();
+}
+
+TEST(StatusLine, TellsWhereTheRecordingGoes) {
+  StatusLine line;
+  line.setFolder("/data/arm");
+  auto status = running();
+  status.recorder.emplace();
+  status.recording = "/data/arm/one.capstan";
+  line.showStatus(status, 1.0);
+  QStringList tips;
+  for (const auto* label : line.findChildren<QLabel*>())
+    if (!label->text().isEmpty()) tips << label->toolTip();
+  EXPECT_TRUE(tips.contains("/data/arm/one.capstan")) << tips.join("; ").toStdString();
+  EXPECT_EQ(tips.filter("/data/arm").size(), 2) << "recording and disk";
 }
 
 TEST(StatusLine, KnowsTheDiskOfAFolderThatIsNotThereYet) {

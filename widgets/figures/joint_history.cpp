@@ -59,6 +59,7 @@ void JointHistory::clear() {
 }
 
 void JointHistory::append(const Snapshot& snapshot) {
+  if (!rows_.empty() && snapshot.t < rows_.back().t - kSetBack) clear();
   if (!rows_.empty() && snapshot.t < rows_.back().t) return;
   const Row row = rowOf(snapshot);
   if (!rows_.empty() && snapshot.t == rows_.back().t) {
@@ -77,7 +78,7 @@ void JointHistory::append(const Snapshot& snapshot) {
       point.value[static_cast<std::size_t>(i)] = inScreenUnit(snapshot.q_link_cam[i], i);
     camera_.push(point);
   }
-  const bool occluded = snapshot.gate != Gate::kOpen && snapshot.gate != Gate::kNoCamera;
+  const bool occluded = tracking::markerLost(snapshot);
   if (occluded && !occluded_now_) occluded_.push({snapshot.t, snapshot.t});
   if (occluded || occluded_now_) occluded_.back().end = snapshot.t;
   occluded_now_ = occluded;

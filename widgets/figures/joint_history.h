@@ -25,6 +25,7 @@ class JointHistory {
   static constexpr std::size_t kRows = 163'840;  ///< 10.5 min at 200 rows and 60 camera updates a second
   static constexpr std::size_t kCameraPoints = 65'536;  ///< 18 min at 60 Hz
   static constexpr std::size_t kSpans = 8'192;          ///< occlusions
+  static constexpr double kSetBack = 1.0;               ///< back in time by more: another clock [s]
   static constexpr int kJoints = 3;
 
   struct Row {
@@ -45,7 +46,8 @@ class JointHistory {
 
   explicit JointHistory(std::size_t rows = kRows);
 
-  /// Takes a snapshot; one at the time of the last replaces it, one before the last is ignored.
+  /// Takes a snapshot; one at the time of the last replaces it, one before the last is ignored, and one more
+  /// than kSetBack before it begins the history anew.
   void append(const tracking::Snapshot& snapshot);
   void clear();
 
@@ -66,7 +68,7 @@ class JointHistory {
 
   const Ring<Row>& rows() const { return rows_; }
   const Ring<CameraPoint>& camera() const { return camera_; }
-  /// Times when the filter did without the camera; the last may still be going on.
+  /// Times when the marker was lost in a picture, or the tip unseen; the last may still be going on.
   const Ring<Span>& occluded() const { return occluded_; }
 
  private:

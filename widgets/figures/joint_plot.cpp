@@ -32,7 +32,7 @@ JointPlot::JointPlot(QCustomPlot* plot, const JointHistory& history, int joint)
   header_ = new FigureHeader(plot, FigureHeader::Role::kValues);
   axes_ = new QCPAxisRect(plot, true);
   axes_->setLayer("background");
-  shade_ = new OcclusionShade(axes_, history, joint == 0);
+  shade_ = new OcclusionShade(axes_, history, joint);
   QCPAxis* time = axes_->axis(QCPAxis::atBottom);
   QCPAxis* value = axes_->axis(QCPAxis::atLeft);
   for (QCPAxis* axis : {time, value}) {

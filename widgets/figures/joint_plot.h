@@ -36,6 +36,7 @@ class JointPlot {
   bool fitting() const { return fitting_; }
 
   QCPAxisRect* axes() const { return axes_; }
+  const OcclusionShade& shade() const { return *shade_; }
   FigureHeader* header() const { return header_; }
   QCPGraph* graph(Quantity quantity) const { return graphs_[static_cast<std::size_t>(quantity)]; }
   const SigmaBand& band() const { return *band_; }

@@ -1,14 +1,22 @@
 #include "widgets/figures/occlusion_shade.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace capstan::widgets {
 
-OcclusionShade::OcclusionShade(QCPAxisRect* axes, const JointHistory& history, bool labelled)
+namespace {
+
+constexpr double kGap = 4.0;  ///< about the word [px]
+constexpr std::size_t kMostRows = 400;
+
+}  // namespace
+
+OcclusionShade::OcclusionShade(QCPAxisRect* axes, const JointHistory& history, int joint)
     : QCPLayerable(axes->parentPlot(), QStringLiteral("background"), axes),
       axes_(axes),
       history_(history),
-      labelled_(labelled) {}
+      joint_(static_cast<std::size_t>(joint)) {}
 
 void OcclusionShade::setTheme(const Theme& theme) {
   shade_ = theme.occluded;
@@ -17,6 +25,7 @@ void OcclusionShade::setTheme(const Theme& theme) {
 
 void OcclusionShade::draw(QCPPainter* painter) {
   drawn_ = 0;
+  labels_.clear();
   const QCPAxis* time = axes_->axis(QCPAxis::atBottom);
   const QCPRange range = time->range();
   const QRect area = axes_->rect();
@@ -24,17 +33,53 @@ void OcclusionShade::draw(QCPPainter* painter) {
   const std::size_t first = spans.partitionPoint([&](const auto& span) { return span.end < range.lower; });
   painter->setFont(textFont(9.0));
   const QString word = QObject::tr("occluded");
-  const int word_width = QFontMetrics(painter->font()).horizontalAdvance(word);
+  const QSizeF word_size = QFontMetricsF(painter->font()).size(Qt::TextSingleLine, word);
   for (std::size_t i = first; i < spans.size() && spans[i].begin <= range.upper; ++i) {
     const double left = std::max<double>(time->coordToPixel(spans[i].begin), area.left());
     const double right = std::min<double>(time->coordToPixel(spans[i].end), area.right() + 1);
     const QRectF box(left, area.top(), std::max(right - left, 1.0), area.height());
     painter->fillRect(box, shade_);
     ++drawn_;
-    if (!labelled_ || box.width() < word_width + 8) continue;
+    const auto place = joint_ == 0 ? placeFor(word_size, box) : std::nullopt;
+    if (!place) continue;
     painter->setPen(ink_);
-    painter->drawText(box.adjusted(4, 2, -4, 0), Qt::AlignTop | Qt::AlignLeft, word);
+    painter->drawText(*place, Qt::AlignCenter | Qt::TextDontClip, word);
+    labels_.push_back(*place);
   }
+}
+
+std::optional<QRectF> OcclusionShade::placeFor(const QSizeF& word, const QRectF& box) const {
+  if (box.width() < word.width() + 2.0 * kGap) return std::nullopt;
+  QRectF place(QPointF(box.left() + kGap, box.top() + 0.5 * kGap), word);
+  const QCPAxis* time = axes_->axis(QCPAxis::atBottom);
+  const QCPAxis* value = axes_->axis(QCPAxis::atLeft);
+  const auto values =
+      valuesWithin(time->pixelToCoord(place.left() - kGap), time->pixelToCoord(place.right() + kGap));
+  if (!values) return place;
+  const double highest = value->coordToPixel(values->upper), lowest = value->coordToPixel(values->lower);
+  if (place.bottom() < highest || place.top() > lowest) return place;
+  place.moveBottom(box.bottom() - 0.5 * kGap);
+  if (place.top() > lowest || place.bottom() < highest) return place;
+  return std::nullopt;
+}
+
+std::optional<QCPRange> OcclusionShade::valuesWithin(double begin, double end) const {
+  float least = std::numeric_limits<float>::infinity(), most = -least;
+  const auto include = [&](float value) {
+    least = std::fmin(least, value);  // fmin and fmax pass over NaN
+    most = std::fmax(most, value);
+  };
+  history_.forEach(begin, end, kMostRows, [&](double, double, const auto& lows, const auto& highs) {
+    const JointValues &low = lows[joint_], &high = highs[joint_];
+    for (const float value : {low.truth, high.truth, low.kinematic, high.kinematic, low.ukf, high.ukf,
+                              low.ukf - 2.0F * high.ukf_sigma, high.ukf + 2.0F * high.ukf_sigma})
+      include(value);
+  });
+  const auto& camera = history_.camera();
+  const std::size_t first = camera.partitionPoint([&](const auto& point) { return point.t < begin; });
+  for (std::size_t i = first; i < camera.size() && camera[i].t <= end; ++i) include(camera[i].value[joint_]);
+  if (!(least <= most)) return std::nullopt;
+  return QCPRange(static_cast<double>(least), static_cast<double>(most));
 }
 
 }  // namespace capstan::widgets

@@ -2,21 +2,28 @@
 
 #include <qcustomplot.h>
 
+#include <optional>
+#include <vector>
+
 #include "widgets/figures/joint_history.h"
 #include "widgets/figures/theme.h"
 
 namespace capstan::widgets {
 
-/// Shades occluded time behind the curves of one axis rect, with the word where there is room.
+/// Shades occluded time behind the curves of one axis rect, with the word at the upper or lower edge of a
+/// shade where no curve passes, else without.
 class OcclusionShade : public QCPLayerable {
   Q_OBJECT
  public:
-  /// `history` must outlive the plot. `labelled`: write "occluded" into the shade.
-  OcclusionShade(QCPAxisRect* axes, const JointHistory& history, bool labelled);
+  /// `history` must outlive the plot. `joint`: whose curves the axes show; the first one's shades have the
+  /// word.
+  OcclusionShade(QCPAxisRect* axes, const JointHistory& history, int joint);
 
   void setTheme(const Theme& theme);
   /// Shades drawn by the last draw.
   int drawn() const { return drawn_; }
+  /// Where the word stands, one rectangle for each, by the last draw.
+  const std::vector<QRectF>& labels() const { return labels_; }
 
  protected:
   QRect clipRect() const override { return axes_->rect(); }
@@ -24,11 +31,16 @@ class OcclusionShade : public QCPLayerable {
   void draw(QCPPainter* painter) override;
 
  private:
+  std::optional<QRectF> placeFor(const QSizeF& word, const QRectF& box) const;
+  /// Values of everything drawn in [begin, end] seconds; none: an empty optional.
+  std::optional<QCPRange> valuesWithin(double begin, double end) const;
+
   QCPAxisRect* axes_;
   const JointHistory& history_;
-  bool labelled_;
+  std::size_t joint_;
   QColor shade_, ink_;
   int drawn_ = 0;
+  std::vector<QRectF> labels_;
 };
 
 }  // namespace capstan::widgets

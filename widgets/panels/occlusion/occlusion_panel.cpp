@@ -117,13 +117,18 @@ void OcclusionPanel::setTheme(const Theme& theme) {
 }
 
 QString OcclusionPanel::observation() const {
-  return gate_ == tracking::Gate::kOpen ? QString("now: observing the camera (q_cam)")
-                                        : QString("now: observing the motors (q_kin)");
+  if (gate_ != tracking::Gate::kOpen) return "now: observing the motors (q_kin)";
+  return tip_alone_ ? QString("now: observing the tip (q_cam)")
+                    : QString("now: observing the camera (q_cam)");
 }
 
 QString OcclusionPanel::reason() const {
-  if (gate_ == tracking::Gate::kOpen) return "The marker is seen in both pictures.";
-  QString why = text(base::nameOf(gate_));
+  if (gate_ == tracking::Gate::kOpen)
+    return tip_alone_ ? QString("The tip is seen.") : QString("The marker is seen in both pictures.");
+  if (gate_ == tracking::Gate::kUnregistered)
+    return "not registered: the marker is seen, the cameras' place is unknown (Ctrl+R).";
+  QString why = text(gate_words_);
+  if (tip_alone_) return why + ".";
   for (std::size_t side = 0; side < 2; ++side) {
     const bool concerned = gate_ == tracking::Gate::kBothLost ||
                            gate_ == (side == 0 ? tracking::Gate::kLeftLost : tracking::Gate::kRightLost);
@@ -139,8 +144,11 @@ void OcclusionPanel::showSnapshot(const tracking::Snapshot& snapshot) {
   t_ = snapshot.t;
   timeline_->setNow(t_);
   const std::array<vision::MarkerFault, 2> faults = {snapshot.marker[0].fault, snapshot.marker[1].fault};
-  if (snapshot.gate == gate_ && faults == faults_ && !now_->text().isEmpty()) return;
+  const bool tip_alone = tracking::tipAlone(snapshot);
+  if (snapshot.gate == gate_ && faults == faults_ && tip_alone == tip_alone_) return;
   gate_ = snapshot.gate;
+  gate_words_ = tracking::gateWords(snapshot);
+  tip_alone_ = tip_alone;
   faults_ = faults;
   now_->setText(observation());
   reason_->setText(reason());

@@ -2,6 +2,7 @@
 
 #include <QWidget>
 #include <array>
+#include <string_view>
 
 #include "core/session/occlusion.h"
 #include "core/tracking/snapshot.h"
@@ -74,6 +75,8 @@ class OcclusionPanel : public QWidget {
   HoldKeys* keys_ = nullptr;
   session::OcclusionSchedule schedule_;
   tracking::Gate gate_ = tracking::Gate::kNoCamera;
+  std::string_view gate_words_ = base::nameOf(gate_);
+  bool tip_alone_ = false;  // measured elsewhere, no pictures
   std::array<vision::MarkerFault, 2> faults_{};
   double t_ = 0.0;
 };
