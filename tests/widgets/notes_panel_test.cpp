@@ -58,6 +58,23 @@ TEST(NotesPanel, ListsEventsAndShowsTheirTime) {
   test::grab(panel, "notes_panel");
 }
 
+TEST(NotesPanel, NamesAFileWhateverTheWidth) {
+  NotesPanel panel;
+  panel.addFile(3.0, "recording", "/data/arm/2026-11-21_093000_simulated_raven_left.capstan");
+  auto* list = panel.findChild<QTreeWidget*>();
+  panel.resize(700, 200);
+  panel.show();
+  QApplication::processEvents();
+  EXPECT_EQ(panel.row(0), "3.0 s recording: 2026-11-21_093000_simulated_raven_left.capstan");
+  panel.resize(220, 200);
+  QApplication::processEvents();
+  const QString text = panel.row(0);
+  EXPECT_TRUE(text.startsWith("3.0 s recording: 2026") && text.endsWith("capstan")) << text.toStdString();
+  EXPECT_TRUE(text.contains(QChar(0x2026))) << text.toStdString() << " in " << list->columnWidth(1);
+  EXPECT_EQ(list->topLevelItem(0)->toolTip(1), "/data/arm/2026-11-21_093000_simulated_raven_left.capstan");
+  test::grab(panel, "notes_panel_file");
+}
+
 TEST(NotesPanel, ForgetsTheOldestWhenFull) {
   NotesPanel panel;
   for (int i = 0; i < NotesPanel::kMostRows + 10; ++i) panel.addEvent(i, "note", QString::number(i));

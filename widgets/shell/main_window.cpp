@@ -308,10 +308,10 @@ void MainWindow::onStatus(const session::RunStatus& status) {
 }
 
 void MainWindow::onRecording(bool recording, const session::RunStatus& status) {
-  const QString file = QFileInfo(QString::fromStdString(status.recording)).fileName();
   if (recording) {
     recording_since_ = status.t;
-    notes_->addEvent(status.t, "recording", file);
+    const QFileInfo file(QString::fromStdString(status.recording));
+    notes_->addFile(status.t, "recording", file.absoluteFilePath());
   } else {
     recording_since_.reset();
     const bool failed = status.recorder && status.recorder->state == session::RecorderState::kFailed;
@@ -345,7 +345,7 @@ void MainWindow::exportFigure(const QString& base) {
     const QCPRange range = figure_->timeRange();
     const std::string path = QString(base).remove(QRegularExpression("\\.(pdf|svg|png|csv)$")).toStdString();
     exportJointFigure(history_, joint_names_, range.lower, range.upper, path);
-    notes_->addEvent(now_, "export", QFileInfo(QString::fromStdString(path)).fileName());
+    notes_->addFile(now_, "export", QString::fromStdString(path));
   } catch (const std::exception& error) {
     messages_->showMessage(QString::fromStdString(error.what()));
   }

@@ -1,5 +1,6 @@
 #include "widgets/panels/notes/notes_panel.h"
 
+#include <QFileInfo>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLineEdit>
@@ -12,7 +13,7 @@ namespace capstan::widgets {
 namespace {
 
 enum Column { kTime, kText, kColumns };
-constexpr int kTimeRole = Qt::UserRole, kKindRole = Qt::UserRole + 1;
+constexpr int kTimeRole = Qt::UserRole, kKindRole = Qt::UserRole + 1, kPathRole = Qt::UserRole + 2;
 
 }  // namespace
 
@@ -44,6 +45,12 @@ NotesPanel::NotesPanel(QWidget* parent) : QWidget(parent), list_(new QTreeWidget
     line_->clear();
     line_->clearFocus();
     if (!text.isEmpty()) emit noteWritten(text);
+  });
+  list_->viewport()->installEventFilter(this);
+  connect(list_->header(), &QHeaderView::sectionResized, &naming_, qOverload<>(&QTimer::start));
+  naming_.setSingleShot(true);
+  connect(&naming_, &QTimer::timeout, this, [this] {
+    for (int i = 0; i < list_->topLevelItemCount(); ++i) nameFile(list_->topLevelItem(i));
   });
   scroll_.setSingleShot(true);
   connect(&scroll_, &QTimer::timeout, list_, &QTreeWidget::scrollToBottom);
@@ -82,6 +89,25 @@ void NotesPanel::addEvent(double t, const QString& kind, const QString& text) {
   if (at_end) scroll_.start();
 }
 
+void NotesPanel::addFile(double t, const QString& kind, const QString& path) {
+  addEvent(t, kind, QFileInfo(path).fileName());
+  auto* item = list_->topLevelItem(list_->topLevelItemCount() - 1);
+  item->setData(kTime, kPathRole, path);
+  item->setToolTip(kText, path);
+  nameFile(item);
+}
+
+/// A name is one word, which no line break shortens.
+void NotesPanel::nameFile(QTreeWidgetItem* item) const {
+  const QString path = item->data(kTime, kPathRole).toString();
+  if (path.isEmpty()) return;
+  const int margin = 2 * (list_->style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 1);
+  const QString name =
+      QFontMetrics(item->font(kText))
+          .elidedText(QFileInfo(path).fileName(), Qt::ElideMiddle, list_->columnWidth(kText) - 2 * margin);
+  item->setText(kText, tr("%1: %2").arg(item->data(kTime, kKindRole).toString(), name));
+}
+
 void NotesPanel::setRecording(bool recording) {
   line_->setPlaceholderText(recording ? tr("Note into the recording (N)")
                                       : tr("Note (N); kept in a file while recording"));
@@ -97,6 +123,7 @@ QString NotesPanel::row(int index) const {
 }
 
 bool NotesPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == list_->viewport() && event->type() == QEvent::Resize) naming_.start();
   if (watched == line_ && event->type() == QEvent::KeyPress &&
       static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
     line_->clear();

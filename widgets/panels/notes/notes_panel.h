@@ -24,6 +24,8 @@ class NotesPanel : public QWidget {
   void clear();
   /// A row: session time [s], kind ("note", "recording", "registration", "occlusion", "fault") and text.
   void addEvent(double t, const QString& kind, const QString& text);
+  /// A row about a file: its name, shortened in the middle where it does not fit, and its path as tool tip.
+  void addFile(double t, const QString& kind, const QString& path);
   /// Notes are kept in a file only while recording; the line says which.
   void setRecording(bool recording);
   /// Puts the keyboard into the line; Escape gives it back.
@@ -44,10 +46,12 @@ class NotesPanel : public QWidget {
 
  private:
   void paintRow(QTreeWidgetItem* item) const;
+  void nameFile(QTreeWidgetItem* item) const;
 
   Theme theme_ = Theme::dark();
   QTreeWidget* list_;
   QLineEdit* line_;
+  QTimer naming_;  ///< of files anew, once the columns have their widths
   QTimer scroll_;  ///< to the newest row, once however many came
 };
 
