@@ -3,8 +3,12 @@
 #include <ceres/ceres.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+
+#include "core/estimation/occlusion_gate.h"
+#include "core/stats/quantile.h"
 
 namespace capstan::identification {
 namespace {
@@ -91,12 +95,12 @@ double rmsOf(const VectorXd& residuals) {
 }
 
 ceres::Solver::Summary solve(OutputError& error, const ParameterSet& set, const BatchOptions& options,
-                             VectorXd& x, base::Progress* progress) {
+                             VectorXd& x, double huber, base::Progress* progress) {
   Evaluation evaluation(error, x, progress);
   ceres::Problem::Options problem_options;
   problem_options.evaluation_callback = &evaluation;
   problem_options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  ceres::HuberLoss loss(options.huber);
+  ceres::HuberLoss loss(huber);
   ceres::Problem problem(problem_options);
   for (int k = 0; k < error.observations(); ++k)
     problem.AddResidualBlock(new ObservationBlock(evaluation, k, error.unknowns()), &loss, x.data());
@@ -109,8 +113,7 @@ ceres::Solver::Summary solve(OutputError& error, const ParameterSet& set, const 
   ceres::Solver::Options solver;
   solver.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
   solver.max_num_iterations = options.max_iterations;
-  solver.initial_trust_region_radius = 3.0;  // prior sigmas: a first step far out would be stiff and slow
-  solver.max_trust_region_radius = 30.0;
+  solver.initial_trust_region_radius = 100.0;  // Ceres divides the damping by it
   solver.function_tolerance = 1e-7;
   solver.parameter_tolerance = 1e-6;
   solver.logging_type = ceres::SILENT;
@@ -119,6 +122,62 @@ ceres::Solver::Summary solve(OutputError& error, const ParameterSet& set, const 
   ceres::Solver::Summary summary;
   ceres::Solve(solver, &problem, &summary);
   return summary;
+}
+
+BatchEnd endOf(const ceres::Solver::Summary& summary, const base::Progress* progress) {
+  if (progress && progress->cancelled()) return BatchEnd::kCancelled;
+  if (summary.termination_type == ceres::CONVERGENCE) return BatchEnd::kConverged;
+  return summary.termination_type == ceres::NO_CONVERGENCE ? BatchEnd::kIterationLimit : BatchEnd::kFailed;
+}
+
+/// Huber's limit while the fit is still poor: as many standard deviations as the limit is, of what the
+/// residuals' median says they are.
+double limitFor(const VectorXd& residuals, double huber) {
+  std::vector<double> sizes;
+  for (Eigen::Index k = 0; k < residuals.size(); k += 3) sizes.push_back(residuals.segment<3>(k).norm());
+  const double expected = std::sqrt(estimation::chiSquareQuantile(3, 0.5));
+  return huber * std::max(1.0, stats::median(sizes) / expected);
+}
+
+/// The camera's pose that explains most of the residuals at x's parameters, by reweighted Gauss–Newton steps
+/// that need no new predictions. A registration that is millimetres off would make every observation an
+/// outlier.
+void alignCamera(const OutputError& error, int parameters, double huber, VectorXd& x, VectorXd& residuals,
+                 MatrixXd& jacobian) {
+  constexpr int kSteps = 8;
+  constexpr int kPose = CameraPose::kSize;
+  for (int step = 0; step < kSteps; ++step) {
+    error.compare(x, residuals, &jacobian);
+    const double limit = limitFor(residuals, huber);
+    MatrixXd normal = MatrixXd::Identity(kPose, kPose);
+    VectorXd gradient = x.tail(kPose);
+    for (Eigen::Index k = 0; k < residuals.size(); k += 3) {
+      const double weight = std::min(1.0, limit / std::max(limit, residuals.segment<3>(k).norm()));
+      const MatrixXd rows = jacobian.block(k, parameters, 3, kPose);
+      normal.noalias() += weight * rows.transpose() * rows;
+      gradient.noalias() += weight * rows.transpose() * residuals.segment<3>(k);
+    }
+    x.tail(kPose) -= normal.llt().solve(gradient);
+  }
+  error.compare(x, residuals, &jacobian);
+}
+
+/// Solves with Huber's limit coming down to its own as the fit gets better.
+BatchEnd fit(OutputError& error, const ParameterSet& set, const BatchOptions& options, VectorXd& x,
+             VectorXd& residuals, MatrixXd& jacobian, int& iterations, base::Progress* progress) {
+  constexpr int kMostStages = 5;
+  alignCamera(error, set.size(), options.huber, x, residuals, jacobian);
+  BatchEnd end = BatchEnd::kFailed;
+  for (int stage = 0; stage < kMostStages; ++stage) {
+    const double limit = limitFor(residuals, options.huber);
+    const ceres::Solver::Summary summary = solve(error, set, options, x, limit, progress);
+    end = endOf(summary, progress);
+    iterations += static_cast<int>(summary.iterations.size());
+    if (end == BatchEnd::kCancelled || !error.evaluate(x, residuals, &jacobian, progress))
+      return BatchEnd::kCancelled;
+    if (end == BatchEnd::kFailed || limitFor(residuals, options.huber) > 0.9 * limit) break;
+  }
+  return end;
 }
 
 /// Covariance of the unknowns at the solution, see identifyBatch().
@@ -149,12 +208,6 @@ MatrixXd covarianceOf(const OutputError& error, const VectorXd& residuals, const
   VectorXd grow(n);
   for (int i = 0; i < n; ++i) grow(i) = std::sqrt(std::max(1.0, plain(i, i) / covariance(i, i)));
   return grow.asDiagonal() * covariance * grow.asDiagonal();
-}
-
-BatchEnd endOf(const ceres::Solver::Summary& summary, const base::Progress* progress) {
-  if (progress && progress->cancelled()) return BatchEnd::kCancelled;
-  if (summary.termination_type == ceres::CONVERGENCE) return BatchEnd::kConverged;
-  return summary.termination_type == ceres::NO_CONVERGENCE ? BatchEnd::kIterationLimit : BatchEnd::kFailed;
 }
 
 void describe(const OutputError& error, const ParameterSet& set, const VectorXd& x,
@@ -199,11 +252,12 @@ BatchReport identifyBatch(const IdentificationData& data, const ParameterSet& se
     x(row) = options.start[i] / error.scale()(row);
   }
   if (report.observations > 0) {
-    const ceres::Solver::Summary summary = solve(error, set, options, x, progress);
-    report.end = endOf(summary, progress);
-    report.iterations = static_cast<int>(summary.iterations.size());
+    if (!options.start.empty() && !error.evaluate(x, residuals, &jacobian, progress)) {
+      report.end = BatchEnd::kCancelled;
+      return report;
+    }
+    report.end = fit(error, set, options, x, residuals, jacobian, report.iterations, progress);
     if (report.end == BatchEnd::kCancelled) return report;
-    error.evaluate(x, residuals, &jacobian);
     covariance = covarianceOf(error, residuals, jacobian, options);
     report.residual_after = rmsOf(residuals);
     for (int k = 0; k < report.observations; ++k)

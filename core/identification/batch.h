@@ -14,8 +14,8 @@
 namespace capstan::identification {
 
 struct BatchOptions {
-  CameraPoseOptions camera;
-  ShootingOptions shooting;
+  CameraPoseOptions camera = {};
+  ShootingOptions shooting = {};
   double huber = 3.37;  ///< residual of an observation beyond which it counts less: 99 % of χ with 3
   double block = 2.0;   ///< residuals this close in time may be correlated [s]
   int max_iterations = 30;

@@ -13,7 +13,7 @@
 namespace capstan::identification {
 
 struct DualUkfOptions {
-  CameraPoseOptions camera;
+  CameraPoseOptions camera = {};
   Eigen::Vector3d position_noise{1e-3, 1e-3, 1e-4};  ///< of the states [rad/√s, rad/√s, m/√s]
   Eigen::Vector3d velocity_noise{0.1, 0.1, 0.01};    ///< [rad/s/√s, rad/s/√s, m/s/√s]
   double memory_share = 0.5;     ///< r_k of (11): what is older than this share of the time fades

@@ -51,6 +51,11 @@ CameraPose OutputError::pose(const Vector& x) const {
 bool OutputError::evaluate(const Vector& x, Vector& residuals, Eigen::MatrixXd* jacobian,
                            const base::Progress* progress) {
   if (!shooting_.predict(logs(x), jacobian != nullptr, predictions_, progress)) return false;
+  compare(x, residuals, jacobian);
+  return true;
+}
+
+void OutputError::compare(const Vector& x, Vector& residuals, Eigen::MatrixXd* jacobian) const {
   const int n = set_.size();
   const CameraPose camera = pose(x);
   const Matrix3d turned = Matrix3d::Identity() + crossMatrix(camera.turn);
@@ -71,7 +76,6 @@ bool OutputError::evaluate(const Vector& x, Vector& residuals, Eigen::MatrixXd* 
     rows.col(n + 6) = by_joint * arm.dq;
     rows *= scale_.asDiagonal();
   }
-  return true;
 }
 
 }  // namespace capstan::identification

@@ -36,6 +36,10 @@ class OutputError {
   bool evaluate(const Vector& x, Vector& residuals, Eigen::MatrixXd* jacobian,
                 const base::Progress* progress = nullptr);
 
+  /// The same for other poses of the camera: with the predictions of the last evaluate(), x's logarithms
+  /// unread.
+  void compare(const Vector& x, Vector& residuals, Eigen::MatrixXd* jacobian) const;
+
   ParameterSet::Logs logs(const Vector& x) const {
     return scale_.head(set_.size()).cwiseProduct(x.head(set_.size()));
   }

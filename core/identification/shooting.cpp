@@ -3,6 +3,7 @@
 #include <ceres/jet.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <thread>
@@ -13,8 +14,8 @@ namespace capstan::identification {
 namespace {
 
 constexpr double kWarmUpTimes = 10.0;
-constexpr double kShortestWarmUp = 5.0;  // [s]
-constexpr double kGap = 0.05;            // [s] without motor samples: start anew
+constexpr double kShortestWarmUp = 15.0, kLongestWarmUp = 30.0;  // [s]
+constexpr double kGap = 0.05;                                    // [s] without motor samples: start anew
 
 template <class T>
 struct Seed;
@@ -95,8 +96,9 @@ Shooting::Shooting(const IdentificationData& data, const ParameterSet& set, cons
     : data_(data),
       set_(set),
       options_(options),
-      warm_up_(options.warm_up > 0.0 ? options.warm_up
-                                     : std::max(kShortestWarmUp, kWarmUpTimes * set.slowestTime())) {
+      warm_up_(options.warm_up > 0.0
+                   ? options.warm_up
+                   : std::clamp(kWarmUpTimes * set.slowestTime(), kShortestWarmUp, kLongestWarmUp)) {
   const MotorTrack& motors = data.motors;
   if (motors.size() < 2) return;
   std::size_t unbroken = 0;  // motor sample since when there was no gap

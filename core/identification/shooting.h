@@ -19,9 +19,9 @@ struct ArmPrediction {
 };
 
 struct ShootingOptions {
-  double segment = 50.0;  ///< recording is cut into pieces of this length [s]
+  double segment = 100.0;  ///< recording is cut into pieces of this length [s]
   double warm_up =
-      0.0;          ///< run before a piece, in which the arm forgets its start [s]; 0: by its slowest time
+      0.0;  ///< run before a piece, in which the arm forgets its start [s]; 0: 15…30 s by its slowest time
   int threads = 2;  ///< pieces at the same time; the result does not depend on it
 };
 
