@@ -90,15 +90,19 @@ MotorStep motorStep(const MotorTrack& motors, const tracking::CableArmConstants&
 
 int stepsFor(double rate, double dt) { return std::max(1, static_cast<int>(std::ceil(0.5 * rate * dt))); }
 
+/// A short recording gives at most a third of itself.
+double warmUpFor(const ParameterSet& set, double duration) {
+  return std::min(std::clamp(kWarmUpTimes * set.slowestTime(), kShortestWarmUp, kLongestWarmUp),
+                  duration / 3.0);
+}
+
 }  // namespace
 
 Shooting::Shooting(const IdentificationData& data, const ParameterSet& set, const ShootingOptions& options)
     : data_(data),
       set_(set),
       options_(options),
-      warm_up_(options.warm_up > 0.0
-                   ? options.warm_up
-                   : std::clamp(kWarmUpTimes * set.slowestTime(), kShortestWarmUp, kLongestWarmUp)) {
+      warm_up_(options.warm_up > 0.0 ? options.warm_up : warmUpFor(set, data.duration())) {
   const MotorTrack& motors = data.motors;
   if (motors.size() < 2) return;
   std::size_t unbroken = 0;  // motor sample since when there was no gap

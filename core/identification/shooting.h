@@ -20,9 +20,9 @@ struct ArmPrediction {
 
 struct ShootingOptions {
   double segment = 100.0;  ///< recording is cut into pieces of this length [s]
-  double warm_up =
-      0.0;  ///< run before a piece, in which the arm forgets its start [s]; 0: 15…30 s by its slowest time
-  int threads = 2;  ///< pieces at the same time; the result does not depend on it
+  double warm_up = 0.0;  ///< run before a piece, in which the arm forgets its start [s]; 0: 15…30 s by its
+                         ///< slowest time, at most a third of the recording
+  int threads = 2;       ///< pieces at the same time; the result does not depend on it
 };
 
 /// Output of the filter's own link dynamics (cable_arm_model.h: UKF paper (5)–(10), RK4, motor angles linear
@@ -30,8 +30,8 @@ struct ShootingOptions {
 /// through the same templated kernels.
 ///
 /// The arm forgets: a link settles on its motor within `slowestTime()`. So a piece of the recording needs no
-/// initial state as unknown; it starts `warm_up` (ten slowest times) early at the unstretched cable, and what
-/// it outputs then is the output of the whole recording up to e⁻¹⁰ of a sag. Pieces run in parallel. Motor
+/// initial state as unknown; it starts `warm_up` early at the unstretched cable, and what
+/// it outputs then is the output of the whole recording. Pieces run in parallel. Motor
 /// speed is the difference quotient of the angles, without the lag of a measured, filtered speed: a cable
 /// damper would take the lag for a force. Observations within a warm-up of the recording's start or of a gap
 /// in the motor samples are left out.
