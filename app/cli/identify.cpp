@@ -198,7 +198,7 @@ void addIdentify(CLI::App& app, ExitCode& exit) {
       "Joint encoders are never used. Examples:\n"
       "  capstan-cli identify trial.capstan --out my_robot.yaml\n"
       "  capstan-cli identify sinusoid.capstan --parameters r_l1 --method dual-ukf --trace r_l1.csv\n"
-      "  capstan-cli track trial.capstan --robot my_robot.yaml\n"
+      "  capstan-cli track recording.csv --robot my_robot.yaml\n"
       "  capstan-cli identify --simulate --trajectory sinusoid --duration 200 --parameters r_l1");
   command->callback([arguments, command, &exit] { exit = identify(*arguments, *command); });
 }

@@ -108,7 +108,7 @@ class Dual {
     spread_.add(seen.t, innovation);
     tally_.add(innovation, parameters_.sensitivity(), seen);
     nis_ += innovation.nis / 3.0;
-    held_back_ += innovation.held_back ? 1 : 0;
+    held_back_ += innovation.weight < 1.0 ? 1 : 0;
     ++count_;
     const double along = seen.t - data_.motors.t.front();
     parameters_.forget(std::max(options_.shortest_memory, options_.memory_share * along), seen.t - last_);
@@ -119,10 +119,10 @@ class Dual {
     mean += parameters_.sensitivity().leftCols(set_.size()) * (logs - old);
     states_.reset(mean, states_.squareRoot());
     const CameraPose pose = parameters_.pose();
-    const double weight = innovation.held_back ? options_.huber / std::sqrt(innovation.nis) : 1.0;
-    const estimation::Lower<3> root = (seen.tip_covariance / weight).llt().matrixL().toDenseMatrix();
+    const estimation::Lower<3> root =
+        (seen.tip_covariance / innovation.weight).llt().matrixL().toDenseMatrix();
     states_.update(TipMeasurement{arm_, pose, centre_}, seen.tip, root);
-    const Matrix3d whole = noise + seen.tip_covariance / weight;
+    const Matrix3d whole = noise + seen.tip_covariance / innovation.weight;
     const Eigen::Matrix<double, 6, 3> gain = whole.llt().solve(by_state * covariance).transpose();
     parameters_.correctSensitivity(gain * by_state);
     retune(logs);

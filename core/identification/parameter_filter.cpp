@@ -138,9 +138,8 @@ ParameterFilter::Innovation ParameterFilter::update(const CameraObservation& see
   out.covariance = seen.tip_covariance + state_noise;
   const Eigen::Matrix3d whole = out.covariance + difference * difference.transpose();
   out.nis = out.value.dot(whole.llt().solve(out.value));
-  out.held_back = out.nis > huber * huber;
-  const double weight = out.held_back ? huber / std::sqrt(out.nis) : 1.0;
-  const estimation::Lower<3> root = (out.covariance / weight).llt().matrixL().toDenseMatrix();
+  out.weight = out.nis > huber * huber ? huber / std::sqrt(out.nis) : 1.0;
+  const estimation::Lower<3> root = (out.covariance / out.weight).llt().matrixL().toDenseMatrix();
   const Eigen::Vector3d y = out.value + measurement.h * filter_.mean();
   filter_.update(measurement, y, root);
   return out;

@@ -47,7 +47,7 @@ class ParameterFilter {
     Eigen::Matrix<double, 3, kUnknowns> by_unknown;  ///< d predicted tip / d unknown, over the sigma points
     Eigen::Matrix3d covariance;                      ///< of the noise, as used [m²]
     double nis = 0.0;                                ///< chi-square with 3 degrees of freedom
-    bool held_back = false;                          ///< beyond `huber`: counted less
+    double weight = 1.0;                             ///< Huber's; below 1 the observation is held back
   };
 
   /// `set` and `arm` must outlive it; `centre` as centreOf().

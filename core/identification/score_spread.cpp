@@ -10,9 +10,8 @@ void ScoreSpread::add(double t, const ParameterFilter::Innovation& innovation) {
   if (count_++ == 0) start_ = t;
   // The score is of the innovation as the filter would have whitened it: covariance R + H P Hᵀ is near R once
   // P is small, and before that blocks say little.
-  const double size = std::sqrt(innovation.nis);
-  const double weight = innovation.held_back ? 3.0 / size : 1.0;
-  const Eigen::Matrix3d inverse = weight * innovation.covariance.llt().solve(Eigen::Matrix3d::Identity());
+  const Eigen::Matrix3d inverse =
+      innovation.weight * innovation.covariance.llt().solve(Eigen::Matrix3d::Identity());
   const auto& h = innovation.by_unknown;
   score_ += h.transpose() * inverse * innovation.value;
   block_information_ += h.transpose() * inverse * h;

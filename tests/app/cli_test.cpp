@@ -16,7 +16,7 @@ using testing::Cli;
 using testing::Ran;
 
 TEST_F(Cli, HelpHasExamplesAndSucceeds) {
-  for (const char* command : {"simulate", "track", "calibrate", "info", "convert", "report"}) {
+  for (const char* command : {"simulate", "track", "identify", "calibrate", "info", "convert", "report"}) {
     const Ran help = run(std::string(command) + " --help");
     EXPECT_EQ(help.exit, 0) << command;
     EXPECT_NE(help.out.find("Examples:"), std::string::npos) << command;

@@ -10,6 +10,7 @@ int main(int argc, char** argv) {
   using namespace capstan::session;
   const int kills = argc > 1 ? std::atoi(argv[1]) : 100;
   const std::filesystem::path root = argc > 2 ? argv[2] : std::filesystem::temp_directory_path();
+  std::filesystem::create_directories(root);
   capstan::base::Random random(1);
   int unopened = 0, torn = 0, late = 0;
   double oldest = 0.0, offered = 0.0, megabytes = 0.0;

@@ -42,7 +42,7 @@ void strokeWithHalo(QPainter& painter, const QPainterPath& path, const QColor& c
 }  // namespace
 
 RoiView::RoiView(const QString& title, QWidget* parent)
-    : QWidget(parent), title_(title), placeholder_("no image yet") {
+    : QWidget(parent), title_(title), message_("no image yet") {
   setAttribute(Qt::WA_OpaquePaintEvent);
   setToolTip(
       "Double click: whole frame or region of interest large.\n"
@@ -63,14 +63,14 @@ void RoiView::showFrame(const cv::Mat& bgr, const vision::MarkerDetection& detec
     bgr.copyTo(frame_);
     region_ = regionToShow(detection_, frame_.size(), side_, region_);
   }
-  placeholder_ = "no image";
+  message_ = "no image";
   update();
 }
 
 void RoiView::clear(const QString& why) {
   frame_.release();
   detection_ = {};
-  placeholder_ = why;
+  message_ = why;
   update();
 }
 
@@ -87,7 +87,7 @@ void RoiView::setWholeFrameLarge(bool large) {
 }
 
 QString RoiView::caption() const {
-  if (frame_.empty()) return placeholder_;
+  if (frame_.empty()) return message_;
   if (!detection_.found()) return text(base::nameOf(detection_.fault));
   return QString("circle %1 px · %2 px σ · ok%3")
       .arg(detection_.radius, 0, 'f', 1)
@@ -121,7 +121,7 @@ void RoiView::paintEvent(QPaintEvent*) {
     painter.fillRect(layout.main, theme_.raised);
     painter.setPen(theme_.muted);
     painter.setFont(textFont(kTextPoints));
-    painter.drawText(layout.main, Qt::AlignCenter | Qt::TextWordWrap, placeholder_);
+    painter.drawText(layout.main, Qt::AlignCenter | Qt::TextWordWrap, message_);
     return;
   }
   drawPicture(painter, mainMap(), true);

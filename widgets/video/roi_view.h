@@ -71,7 +71,7 @@ class RoiView : public QWidget {
   void drawLines(QPainter& painter, const PictureMap& map) const;
   void drawCaption(QPainter& painter, const QRect& area) const;
 
-  QString title_, placeholder_;
+  QString title_, message_;
   Theme theme_ = Theme::dark();
   cv::Mat frame_;
   vision::MarkerDetection detection_;
