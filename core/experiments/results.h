@@ -1,0 +1,175 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/experiments/specification.h"
+#include "core/tracking/snapshot.h"
+
+/// What an experiment found, with everything that is needed to redraw or recompute it. SI units: joints as
+/// rad, rad, m. Not a number: not known. Series are rounded to 1e-9 (joints, errors) and 1e-6 s (times).
+namespace capstan::experiments {
+
+inline constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+inline Eigen::Vector3d noJoints() { return Eigen::Vector3d::Constant(kNone); }
+
+/// Estimators whose errors are compared.
+enum class Estimator {
+  kKinematic,   ///< transmission kinematics of the nominal robot
+  kIdentified,  ///< transmission kinematics of the robot that the estimator believes in
+  kCamera,      ///< stereo vision, where the filter took it, at its own times
+  kUkf
+};
+inline constexpr std::size_t kEstimators = 4;
+
+/// The trajectory, 20 a second.
+struct TrajectoryPoint {
+  double t = 0.0;                               ///< [s]
+  Eigen::Vector3d q_true, q_kin, q_ukf, sigma;  ///< q_kin: of the nominal robot; sigma of q_ukf
+  Eigen::Vector3d q_cam;                        ///< NaN where no camera sample was taken since the last point
+  bool occluded = false;                        ///< the cameras were blocked
+};
+
+/// Errors of one instant, estimate − reference: kinematic, identified and UKF 100 a second.
+struct ErrorPoint {
+  double t = 0.0;  ///< [s]
+  Eigen::Vector3d kinematic, identified, ukf;
+  bool occluded = false;
+};
+
+/// Error of one accepted camera sample, at its time of exposure.
+struct CameraErrorPoint {
+  double t = 0.0;  ///< [s]
+  Eigen::Vector3d error;
+};
+
+/// Names and texts of the files that a trial was made from; empty: none.
+struct TrialInputs {
+  std::string nominal;     ///< robot file: the plant before its truth, and the comparison's kinematics
+  std::string robot;       ///< robot file that the estimator believed in
+  std::string truth;       ///< truth file of a simulation
+  std::string trajectory;  ///< trajectory of a simulation
+  std::string tracking;    ///< filter options
+  std::string recording;   ///< name and checksum of a recorded trial
+};
+
+struct TrialResult {
+  std::string name;
+  bool simulated = true;
+  std::uint64_t seed = 0;         ///< of a simulation
+  OcclusionSpec occlusion;        ///< as asked for
+  bool images = false;            ///< markers were found in pictures
+  bool reference = false;         ///< joint encoders fitted: there are errors
+  double begin = 0.0, end = 0.0;  ///< of the motor samples [s]
+  std::uint64_t motor_samples = 0, camera_samples = 0;
+  std::array<std::uint64_t, 8> gates{};  ///< camera samples by tracking::Gate
+  double occluded_share = 0.0;           ///< of the motor samples
+  std::array<Eigen::Vector3d, kEstimators> rms = {noJoints(), noJoints(), noJoints(),
+                                                  noJoints()};  ///< over every sample, not the thinned series
+  std::array<std::uint64_t, kEstimators> counts{};              ///< samples behind it
+  double nis = kNone;   ///< mean of accepted camera samples over its 3 degrees of freedom
+  double nees = kNone;  ///< mean of the positions over its 3 degrees of freedom
+  std::uint64_t rescues = 0, late_dropped = 0;
+  std::vector<TrajectoryPoint> trajectory;
+  std::vector<ErrorPoint> errors;
+  std::vector<CameraErrorPoint> camera_errors;
+  TrialInputs inputs;
+  double seconds = 0.0;  ///< of computing; in timing.json, as it differs from run to run
+
+  double duration() const { return end - begin; }
+  const Eigen::Vector3d& rmsOf(Estimator which) const { return rms[static_cast<std::size_t>(which)]; }
+  /// |error| of joint 0…2 over the thinned series [rad or m].
+  std::vector<double> absoluteErrors(Estimator which, int joint) const;
+  std::vector<double> errorsOf(Estimator which, int joint) const;
+};
+
+/// What one method found of one parameter, SI.
+struct ParameterEstimate {
+  double value = kNone, sigma = kNone;  ///< standard deviation to first order
+  double low = kNone, high = kNone;     ///< 95 % interval
+  bool seen = false;                    ///< the recording at least halves the prior's sigma
+  std::string advice;                   ///< why not, in words
+};
+
+struct IdentifiedParameter {
+  std::string name, words;  ///< "r_l1", "joint 1's pulley radius"
+  std::string unit;         ///< for people
+  double scale = 1.0;       ///< from SI to that unit
+  double nominal = kNone;   ///< where the methods started
+  double truth = kNone;     ///< of a simulation
+  ParameterEstimate dual_ukf, batch;
+  std::optional<double> settled_at;  ///< since when the dual UKF's value has rested at its goal [s]
+  std::string convergence;           ///< the same in words
+};
+
+/// One line of the dual UKF's trace: value and standard deviation of each parameter, SI.
+struct ParameterTracePoint {
+  double t = 0.0;  ///< from the recording's start [s]
+  std::vector<double> value, sigma;
+};
+
+struct IdentificationResult {
+  std::vector<std::string> recordings;  ///< trials that it was made from
+  Method method = Method::kBatch;       ///< whose robot goes on
+  std::vector<IdentifiedParameter> parameters;
+  std::vector<ParameterTracePoint> trace;
+  Eigen::MatrixXd dual_correlation, batch_correlation;  ///< of the logarithms
+  std::string dual_end, batch_end;                      ///< "recording ended", "converged", …
+  int dual_observations = 0, batch_observations = 0, batch_iterations = 0;
+  double dual_nis = kNone, batch_residual = kNone;  ///< 1: noise only
+  /// CameraPose and its standard deviation: turn [rad], shift [m], delay [s].
+  Eigen::Matrix<double, 7, 1> camera = Eigen::Matrix<double, 7, 1>::Constant(kNone), camera_sigma = camera;
+  double duration = 0.0;                                                  ///< of the motor samples [s]
+  std::uint64_t seed = 0;                                                 ///< of the first trial
+  TrialInputs inputs;                                                     ///< of the first trial
+  std::string robot;                                                      ///< identified robot file
+  double collect_seconds = 0.0, dual_seconds = 0.0, batch_seconds = 0.0;  ///< in timing.json
+
+  /// The method whose robot goes on.
+  const ParameterEstimate& chosen(const IdentifiedParameter& parameter) const {
+    return method == Method::kDualUkf ? parameter.dual_ukf : parameter.batch;
+  }
+};
+
+struct Results {
+  std::string name, title;
+  Work work = Work::kTrack;
+  std::string software;                                ///< program and version that computed them
+  std::string specification;                           ///< its text
+  bool simulated = true;                               ///< no trial is of a real robot
+  std::vector<TrialResult> trials;                     ///< of work: track
+  std::optional<IdentificationResult> identification;  ///< of work: identify
+  double wall_seconds = 0.0;                           ///< in timing.json: of this run
+  int resumed = 0;                                     ///< trials that an earlier run had finished
+  std::vector<std::string> notices;                    ///< damaged files and the like; in no file
+  bool cancelled = false;  ///< incomplete: nothing was written but finished trials
+};
+
+/// Writes into `folder` (created): results.json, series.json, timing.json, and as CSV
+/// <trial>-trajectory.csv, -errors.csv, -camera.csv or parameters.csv, trace.csv; robot.yaml of an
+/// identification. Same results, same bytes, but for timing.json. Each file appears whole or not at all.
+/// Throws base::InputError when one cannot be written.
+void writeResults(const Results& results, const std::filesystem::path& folder);
+
+/// Reads what writeResults() wrote. Throws base::InputError with the remedy for a folder without results, a
+/// damaged file or one of another version.
+Results readResults(const std::filesystem::path& folder);
+
+/// `text` as part of a file's name: letters, digits, - and _.
+std::string fileNameOf(const std::string& text);
+
+}  // namespace capstan::experiments
+
+template <>
+struct capstan::base::NamesOf<capstan::experiments::Estimator> {
+  using E = capstan::experiments::Estimator;
+  static constexpr std::array value = {std::pair{E::kKinematic, "kinematic"},
+                                       std::pair{E::kIdentified, "identified kinematic"},
+                                       std::pair{E::kCamera, "camera"}, std::pair{E::kUkf, "UKF"}};
+};
