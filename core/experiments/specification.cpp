@@ -87,12 +87,12 @@ class Checker {
 
 }  // namespace
 
-std::string Specification::resolved(const std::string& name) const {
-  const std::filesystem::path path(name);
-  if (name.empty() || path.is_absolute()) return name;
+std::string Specification::resolved(const std::string& written) const {
+  const std::filesystem::path path(written);
+  if (written.empty() || path.is_absolute()) return written;
   std::error_code ignored;
   const auto beside = file.parent_path() / path;
-  return std::filesystem::exists(beside, ignored) ? beside.string() : name;
+  return std::filesystem::exists(beside, ignored) ? beside.string() : written;
 }
 
 bool Specification::robotIsFile() const { return robot.size() == 1 && isYaml(robot.front()); }

@@ -99,8 +99,8 @@ struct Specification {
     field(self.trials, {"trials", "", "list of runs", {}, true});
   }
 
-  /// `name` as the specification means it: relative to its folder. Names that are no files of it stay.
-  std::string resolved(const std::string& name) const;
+  /// A name as the specification means it: relative to its folder. Names that are no files of it stay.
+  std::string resolved(const std::string& written) const;
   /// The experiments that `robot` names; empty where it is a robot file or nominal.
   std::vector<std::string> needs() const;
   /// `robot` is a robot file.
