@@ -52,6 +52,7 @@ int run(int argc, char** argv) {
   cli::addInfo(app, exit);
   cli::addConvert(app, exit);
   cli::addReport(app, exit);
+  cli::addStudy(app, exit);
   refuseUnknownCommand(app, argc, argv);
   try {
     app.parse(argc, argv);

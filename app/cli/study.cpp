@@ -1,0 +1,12 @@
+#include "app/cli/study.h"
+
+namespace capstan::cli {
+
+void addStudy(CLI::App& app, ExitCode& exit) {
+  CLI::App* study =
+      app.add_subcommand("study", "Monte-Carlo studies of the method itself, on the simulated robot");
+  study->require_subcommand(1);
+  static_cast<void>(exit);
+}
+
+}  // namespace capstan::cli
