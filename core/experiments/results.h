@@ -30,23 +30,25 @@ inline constexpr std::size_t kEstimators = 4;
 
 /// The trajectory, 20 a second.
 struct TrajectoryPoint {
-  double t = 0.0;                               ///< [s]
-  Eigen::Vector3d q_true, q_kin, q_ukf, sigma;  ///< q_kin: of the nominal robot; sigma of q_ukf
-  Eigen::Vector3d q_cam;                        ///< NaN where no camera sample was taken since the last point
-  bool occluded = false;                        ///< the cameras were blocked
+  double t = 0.0;  ///< [s]
+  Eigen::Vector3d q_true = noJoints();
+  Eigen::Vector3d q_kin = noJoints();  ///< of the nominal robot
+  Eigen::Vector3d q_cam = noJoints();  ///< NaN where the filter took no camera sample since the last point
+  Eigen::Vector3d q_ukf = noJoints(), sigma = noJoints();
+  bool occluded = false;  ///< the cameras were blocked
 };
 
 /// Errors of one instant, estimate − reference: kinematic, identified and UKF 100 a second.
 struct ErrorPoint {
   double t = 0.0;  ///< [s]
-  Eigen::Vector3d kinematic, identified, ukf;
+  Eigen::Vector3d kinematic = noJoints(), identified = noJoints(), ukf = noJoints();
   bool occluded = false;
 };
 
-/// Error of one accepted camera sample, at its time of exposure.
-struct CameraErrorPoint {
+/// One camera sample that the filter took, at its time of exposure.
+struct CameraPoint {
   double t = 0.0;  ///< [s]
-  Eigen::Vector3d error;
+  Eigen::Vector3d q = noJoints(), error = noJoints();
 };
 
 /// Names and texts of the files that a trial was made from; empty: none.
@@ -56,7 +58,7 @@ struct TrialInputs {
   std::string truth;       ///< truth file of a simulation
   std::string trajectory;  ///< trajectory of a simulation
   std::string tracking;    ///< filter options
-  std::string recording;   ///< name and checksum of a recorded trial
+  std::string recording;   ///< name and size of a recorded trial's file
 };
 
 struct TrialResult {
@@ -65,6 +67,7 @@ struct TrialResult {
   std::uint64_t seed = 0;         ///< of a simulation
   OcclusionSpec occlusion;        ///< as asked for
   bool images = false;            ///< markers were found in pictures
+  bool own_kinematics = false;    ///< in place of joint encoders: the robot's own kinematics, no truth
   bool reference = false;         ///< joint encoders fitted: there are errors
   double begin = 0.0, end = 0.0;  ///< of the motor samples [s]
   std::uint64_t motor_samples = 0, camera_samples = 0;
@@ -78,7 +81,7 @@ struct TrialResult {
   std::uint64_t rescues = 0, late_dropped = 0;
   std::vector<TrajectoryPoint> trajectory;
   std::vector<ErrorPoint> errors;
-  std::vector<CameraErrorPoint> camera_errors;
+  std::vector<CameraPoint> camera;
   TrialInputs inputs;
   double seconds = 0.0;  ///< of computing; in timing.json, as it differs from run to run
 
@@ -152,7 +155,7 @@ struct Results {
 };
 
 /// Writes into `folder` (created): results.json, series.json, timing.json, and as CSV
-/// <trial>-trajectory.csv, -errors.csv, -camera.csv or parameters.csv, trace.csv; robot.yaml of an
+/// <trial>-trajectory.csv, -errors.csv and -camera.csv, or parameters.csv, trace.csv; robot.yaml of an
 /// identification. Same results, same bytes, but for timing.json. Each file appears whole or not at all.
 /// Throws base::InputError when one cannot be written.
 void writeResults(const Results& results, const std::filesystem::path& folder);
