@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <utility>
@@ -20,7 +21,8 @@ enum class LateFault { kNotStarted, kTooOld };
 ///
 /// A measurement newer than the newest control is applied at once with that control held, and again with the
 /// interpolated one when the next control is there. `density` is a square root of the process noise per
-/// second: a step of dt adds density densityᵀ dt. Times in seconds; no allocation after construction.
+/// second: a step of dt adds density densityᵀ dt; a model with density(input, density) may change it. Times
+/// in seconds; no allocation after construction.
 template <SampledStateModel Model, class Measurement>
 class DelayedFilter {
  public:
@@ -54,6 +56,11 @@ class DelayedFilter {
   /// The report that update() would give (LinearMeasurement only); nothing changes. What a gate asks first.
   base::Result<Report, LateFault> peek(double t, const Measurement& measurement, const Output& y,
                                        const Lower<kOutputs>& sqrt_r);
+  /// What came at or after `since` was not what it seemed: `control(u)` corrects each control remembered from
+  /// there on, `state(mean, root)` the state before them (what is known then may be less), and everything is
+  /// replayed. Reaches no further back than the memory.
+  template <class ChangeControl, class ChangeState>
+  void revise(double since, ChangeControl control, ChangeState state);
   /// The filter as it stood at time t, with what is known now of the time up to t.
   base::Result<const Filter*, LateFault> at(double t);
 
@@ -144,7 +151,12 @@ template <SampledStateModel Model, class Measurement>
 void DelayedFilter<Model, Measurement>::predictTo(Filter& filter, const Entry& from, double t,
                                                   const Control& control) {
   const double dt = t - from.t;
-  if (dt > 0.0) filter.predict(model_, Model::interval(from.control, control), dt, density_ * std::sqrt(dt));
+  if (!(dt > 0.0)) return;
+  const typename Model::Input input = Model::interval(from.control, control);
+  if constexpr (requires { model_.density(input, density_); })
+    filter.predict(model_, input, dt, model_.density(input, density_) * std::sqrt(dt));
+  else
+    filter.predict(model_, input, dt, density_ * std::sqrt(dt));
 }
 
 /// Control at time t, which lies at or behind entry `before`: between it and the next entry, held behind the
@@ -197,6 +209,17 @@ bool DelayedFilter<Model, Measurement>::advance(double t, const Control& control
   for (int k = place + 1; k < size_; ++k) entry(k).control = control;
   replayFrom(from, -1);
   return true;
+}
+
+template <SampledStateModel Model, class Measurement>
+template <class ChangeControl, class ChangeState>
+void DelayedFilter<Model, Measurement>::revise(double since, ChangeControl control, ChangeState state) {
+  if (!started()) return;
+  const int first = std::max(lastUpTo(since), 0);
+  for (int k = first; k < size_; ++k) control(entry(k).control);
+  state(entry(first).mean, entry(first).root);
+  filter_.reset(entry(first).mean, entry(first).root);
+  if (first + 1 < size_) replayFrom(first + 1, -1);
 }
 
 template <SampledStateModel Model, class Measurement>

@@ -4,17 +4,19 @@
 
 namespace capstan::tracking {
 
-#define CAPSTAN_DECLARE_KERNEL(isa)                                                                  \
-  namespace detail {                                                                                 \
-  void propagateCableArm##isa(const CableArmConstants&, const CableArmDrive&, double, int, double*); \
-  void propagateCableArmVaried##isa(const CableArmConstants&, const CableArmVariation&,              \
-                                    const CableArmDrive&, double, int, double*);                     \
-  void cableArmElementary##isa(const double*, double*, double*, double*, double*);                   \
-  }                                                                                                  \
-  namespace {                                                                                        \
-  constexpr CableArmKernel kKernel##isa = {detail::propagateCableArm##isa,                           \
-                                           detail::propagateCableArmVaried##isa,                     \
-                                           detail::cableArmElementary##isa};                         \
+#define CAPSTAN_DECLARE_KERNEL(isa)                                                                          \
+  namespace detail {                                                                                         \
+  void propagateCableArm##isa(const CableArmConstants&, const CableArmDrive&, double, int, double*);         \
+  void propagateCableArmVaried##isa(const CableArmConstants&, const CableArmVariation&,                      \
+                                    const CableArmDrive&, double, int, double*);                             \
+  void propagateCableArmUnknown##isa(const CableArmConstants&, const CableArmUnknown&, const CableArmDrive&, \
+                                     double, int, double*);                                                  \
+  void cableArmElementary##isa(const double*, double*, double*, double*, double*);                           \
+  }                                                                                                          \
+  namespace {                                                                                                \
+  constexpr CableArmKernel kKernel##isa = {                                                                  \
+      detail::propagateCableArm##isa, detail::propagateCableArmVaried##isa,                                  \
+      detail::propagateCableArmUnknown##isa, detail::cableArmElementary##isa};                               \
   }
 
 CAPSTAN_DECLARE_KERNEL(Baseline)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 
 #include "core/estimation/models.h"
 #include "core/robot/description.h"
@@ -8,10 +9,32 @@
 
 namespace capstan::tracking {
 
+/// A set of motors or joints: bit j for joint j + 1.
+using JointSet = unsigned;
+inline bool contains(JointSet set, int joint) { return ((set >> joint) & 1U) != 0U; }
+
 /// A motor sample as the filter takes it: q_m from the hard stop [rad], dq_m [rad/s].
 struct MotorState {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
+  JointSet unknown = 0;  ///< motors whose encoder says nothing; their numbers are not looked at
+};
+
+/// What drives the model over a step.
+struct CableArmInput : CableArmDrive {
+  JointSet unknown = 0;
+};
+
+/// How a joint moves whose motor is unknown: its speed is an Ornstein–Uhlenbeck process, a random
+/// acceleration that drag keeps bounded (Uhlenbeck and Ornstein, Phys. Rev. 36 (1930)),
+///     d(dq) = −dq / time dt + speed √(2 / time) dW,
+/// so that dq has the standard deviation `speed` [rad/s, rad/s, m/s] and forgets itself over `time` [s].
+struct UnknownMotion {
+  Eigen::Vector3d speed = Eigen::Vector3d::Ones();
+  double time = 1.0;
+
+  /// Density of the process noise on dq [rad/s/√s, rad/s/√s, m/s/√s].
+  Eigen::Vector3d density() const { return std::sqrt(2.0 / time) * speed; }
 };
 
 /// The numbers of `robot` that the kernels need. Throws base::InputError when the arm is not a three-joint
@@ -29,15 +52,20 @@ double cableArmRate(const robot::Description& robot);
 ///
 /// Points beyond a box of believable states (joint limits widened by their own range, ten times the largest
 /// speeds) are put on its face: a filter that starts with metres of uncertainty stays finite and finds back;
-/// otherwise the box is never touched. A StateModel and SampledStateModel; copyable plain data; thread-safe
-/// when const.
+/// otherwise the box is never touched.
+///
+/// A joint whose motor is unknown moves as UnknownMotion says, and the force of its cable follows from that
+/// (CableArmUnknown); the other joints keep their cables, through which, for want of motor 1 or 2, they also
+/// tell what they know of its joint: cable 2 ties C01 q1 + q2, cable 3 ties C02 q1 + C12 q2 + q3. A
+/// StateModel and SampledStateModel; copyable plain data; thread-safe when const.
 class CableArmModel {
  public:
   static constexpr int kStates = 6;
   using Control = MotorState;
-  using Input = CableArmDrive;
+  using Input = CableArmInput;
   using State = Eigen::Matrix<double, 6, 1>;
   using Points = estimation::SigmaPoints<kStates>;
+  using Density = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
 
   /// Throws base::InputError for a robot of another kind.
   explicit CableArmModel(const robot::Description& robot,
@@ -47,6 +75,7 @@ class CableArmModel {
   static Control between(const Control& start, const Control& end, double fraction);
 
   void propagate(Points& points, const Input& input, double dt) const {
+    if (input.unknown != 0) return propagateUnknown(points, input, dt);
     kernel_->propagate(constants_, input, dt, stepsFor(dt), points.data());
   }
   /// One state instead of sigma points.
@@ -66,11 +95,19 @@ class CableArmModel {
   }
   double rate() const { return rate_; }
 
+  void setUnknownMotion(const UnknownMotion& motion) { unknown_motion_ = motion; }
+  /// `density`, a square root of the process noise per second with everything known, with the random
+  /// acceleration of unknown joints in place of theirs.
+  Density density(const Input& input, const Density& density) const;
+
  private:
+  void propagateUnknown(Points& points, const Input& input, double dt) const;
+
   CableArmConstants constants_;
   const CableArmKernel* kernel_;
   double rate_;
   int fixed_steps_ = 0;
+  UnknownMotion unknown_motion_;
 };
 
 }  // namespace capstan::tracking

@@ -21,11 +21,17 @@ class JumpGate {
   /// `nis` of the observation (3 degrees of freedom) at time t, its disagreement d and covariance [rad, rad,
   /// m].
   bool accept(double t, double nis, const Eigen::Vector3d& disagreement, const Eigen::Matrix3d& covariance) {
+    return accept(t, nis, disagreement, covariance, drift_, tolerance_);
+  }
+  /// The same with drift and tolerance of its own (a joint whose motor is unknown).
+  bool accept(double t, double nis, const Eigen::Vector3d& disagreement, const Eigen::Matrix3d& covariance,
+              const Eigen::Vector3d& drift, const Eigen::Vector3d& tolerance) {
     const Seen now{true, t, disagreement, covariance};
-    run_ = agree(newest_, now) ? run_ + 1 : 1;
+    run_ = agree(newest_, now, drift) ? run_ + 1 : 1;
     newest_ = now;
-    const bool believable = (disagreement.cwiseAbs().array() <= tolerance_.array()).all();
-    if (!(nis <= threshold_) && !(believable && (agree(accepted_, now) || run_ >= samples_))) return false;
+    const bool believable = (disagreement.cwiseAbs().array() <= tolerance.array()).all();
+    if (!(nis <= threshold_) && !(believable && (agree(accepted_, now, drift) || run_ >= samples_)))
+      return false;
     accepted_ = now;
     return true;
   }
@@ -38,11 +44,11 @@ class JumpGate {
     Eigen::Vector3d disagreement = Eigen::Vector3d::Zero();
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   };
-  bool agree(const Seen& before, const Seen& now) const {
+  bool agree(const Seen& before, const Seen& now, const Eigen::Vector3d& drift) const {
     if (!before.valid) return false;
     const Eigen::Vector3d change = now.disagreement - before.disagreement;
     Eigen::Matrix3d spread = before.covariance + now.covariance;
-    spread.diagonal() += (drift_ * std::min(now.t - before.t, kLongestDrift)).cwiseAbs2();
+    spread.diagonal() += (drift * std::min(now.t - before.t, kLongestDrift)).cwiseAbs2();
     return change.dot(spread.llt().solve(change)) <= threshold_;
   }
   static constexpr double kLongestDrift = 1.0;  ///< [s]; an older agreement says no more than this

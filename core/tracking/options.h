@@ -28,8 +28,16 @@ struct TrackingOptions {
   bool roi_search = true;              ///< around the kinematic tip; false: always the whole frame
   bool full_frame_search = true;       ///< where the region of interest held no marker
   double differentiation_time = 4e-3;  ///< span of the difference for a missing dq_m [s]
-  double restart_gap = 0.5;            ///< motor silence after which the filter starts anew [s]
-  int nis_window = 150;                ///< camera updates in the running mean of NIS
+  double camera_delay = 0.0;           ///< stamps of camera samples are later than their exposure by this [s]
+  bool detect_frozen = true;           ///< encoders whose count stands still while the camera sees movement
+  Eigen::Vector3d frozen_tolerance{0.02, 0.03, 0.002};  ///< movement that a still motor's cable allows
+  double lost_after = 0.1;                              ///< motor numbers missing this long: failed [s]
+  /// Of a joint whose motor is unknown (UnknownMotion): standard deviation of its speed and how long it
+  /// lasts, as measured in block transfers at the pace of the UKF paper.
+  Eigen::Vector3d unknown_speed{0.15, 0.25, 0.025};
+  double unknown_speed_time = 0.4;  ///< [s]
+  double restart_gap = 0.5;         ///< motor silence after which the filter starts anew [s]
+  int nis_window = 150;             ///< camera updates in the running mean of NIS
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& field) {
@@ -85,6 +93,25 @@ struct TrackingOptions {
                                       "span of the difference for a missing motor velocity",
                                       {1e-4, 1.0},
                                       false});
+    field(
+        self.camera_delay,
+        {"camera_delay", "s", "stamps of the camera minus exposure (identify finds it)", {-0.5, 0.5}, false});
+    field(self.detect_frozen,
+          {"detect_frozen", "", "find motor encoders that stand still while the joint moves", {}, false});
+    field(self.frozen_tolerance, {"frozen_tolerance",
+                                  "rad or m",
+                                  "joint movement that cables allow while the motor stands still",
+                                  {0.0, 1.0},
+                                  false});
+    field(self.lost_after,
+          {"lost_after", "s", "motor position missing for this long: encoder failed", {0.0, 10.0}, false});
+    field(self.unknown_speed, {"unknown_speed",
+                               "rad/s or m/s",
+                               "standard deviation of the speed of a joint whose motor encoder failed",
+                               {1e-6, 10.0},
+                               false});
+    field(self.unknown_speed_time,
+          {"unknown_speed_time", "s", "how long such a speed lasts", {0.01, 100.0}, false});
     field(self.restart_gap,
           {"restart_gap", "s", "motor silence after which the filter starts anew", {1e-2, 100.0}, false});
     field(self.nis_window,

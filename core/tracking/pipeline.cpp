@@ -9,11 +9,13 @@
 #include "core/estimation/delayed_filter.h"
 #include "core/estimation/occlusion_gate.h"
 #include "core/robot/arm_kinematics.h"
-#include "core/robot/cable.h"
 #include "core/tracking/cable_arm_model.h"
+#include "core/tracking/encoder_watch.h"
+#include "core/tracking/estimate_view.h"
 #include "core/tracking/joint_observation.h"
 #include "core/tracking/jump_gate.h"
 #include "core/tracking/motor_side.h"
+#include "core/tracking/partial_kinematics.h"
 #include "core/tracking/stereo_tip.h"
 #include "core/tracking/time_series.h"
 
@@ -23,7 +25,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using estimation::Lower;
-using JointMeasurement = estimation::LinearMeasurement<6, 3>;
 using Filter = estimation::DelayedFilter<CableArmModel, JointMeasurement>;
 
 constexpr double kMotorRate = 1000.0;  // [1/s], sizes the memory
@@ -32,11 +33,10 @@ constexpr double kReferenceHold =
     2.5e-3;  // [s], how long the newest reference stands for what comes after it
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-/// UKF paper (10): states q1 dq1 q2 dq2 q3 dq3, the camera sees positions.
-JointMeasurement positionsOnly() {
-  JointMeasurement measurement;
-  for (int joint = 0; joint < 3; ++joint) measurement.h(joint, 2 * joint) = 1.0;
-  return measurement;
+CableArmModel modelOf(const robot::Description& robot, const TrackingOptions& options) {
+  CableArmModel model(robot);
+  model.setUnknownMotion({options.unknown_speed, options.unknown_speed_time});
+  return model;
 }
 
 Lower<6> diagonalOf(const Vector3d& position, const Vector3d& velocity) {
@@ -54,19 +54,6 @@ std::size_t memorySize(const TrackingOptions& options) {
   return static_cast<std::size_t>(std::ceil(1.25 * kMotorRate * options.memory)) + 64;
 }
 
-Snapshot emptySnapshot() {
-  Snapshot s;
-  for (Vector3d* v :
-       {&s.q_motor, &s.dq_motor, &s.q_link_kin, &s.q_link_cam, &s.q_link_cam_sigma, &s.q_link_ukf,
-        &s.dq_link_ukf, &s.q_link_ukf_sigma, &s.q_link_true, &s.q_link_true_cam, &s.cable_stretch,
-        &s.cable_tension, &s.tip_in_camera, &s.tip_cam, &s.tip_kin_cam, &s.tip_kin, &s.tip_ukf})
-    v->setConstant(kNan);
-  s.tip_in_camera_covariance.setConstant(kNan);
-  s.tip_ukf_covariance.setConstant(kNan);
-  s.t_cam = s.lag = s.nis = s.nis_mean = s.nees = kNan;
-  return s;
-}
-
 }  // namespace
 
 class TrackingPipeline::Impl {
@@ -77,8 +64,11 @@ class TrackingPipeline::Impl {
         rig_(std::move(rig)),
         options_(options),
         arm_(robot),
+        watch_(robot, options),
         motors_(robot, options.differentiation_time, memorySize(options)),
-        filter_(CableArmModel(robot), diagonalOf(options.position_noise, options.velocity_noise),
+        cables_(motors_.transmission()),
+        view_(robot),
+        filter_(modelOf(robot, options), diagonalOf(options.position_noise, options.velocity_noise),
                 static_cast<int>(memorySize(options))),
         jump_(estimation::chiSquareQuantile(3, options.gate_probability), options.jump_samples,
               options.jump_drift, options.jump_tolerance),
@@ -89,12 +79,21 @@ class TrackingPipeline::Impl {
   }
 
   void reset() {
+    watch_.clear();
     motors_.clear();
     reference_.clear();
     jump_.reset();
     nis_.reset();
     started_ = reference_pending_ = false;
     snapshot_ = emptySnapshot();
+    snapshot_.motor_failed = watch_.faults();
+  }
+
+  void declare(int motor, bool failed) {
+    watch_.declare(motor, failed);
+    snapshot_.motor_failed = watch_.faults();
+    if (failed && started_) forget(1U << motor, snapshot_.t);
+    jump_.reset();
   }
 
   const Snapshot& step(const Sample& sample) {
@@ -114,15 +113,18 @@ class TrackingPipeline::Impl {
  private:
   void take(const MotorSample& sample) {
     const double before = snapshot_.t;
-    const MotorSide::Taken taken = motors_.take(sample);
+    const std::optional<MotorSample> known = watch_.take(sample);
+    const MotorSide::Taken taken = known ? motors_.take(*known) : MotorSide::Taken::kRefused;
     if (taken == MotorSide::Taken::kRefused) {
       ++snapshot_.motor_refused;
       return;
     }
     if (taken == MotorSide::Taken::kAnew) {
+      watch_.startAnew();
       reference_.clear();
       started_ = reference_pending_ = false;
     }
+    snapshot_.motor_failed = watch_.faults();
     snapshot_.t = sample.t;
     snapshot_.motor_updated = true;
     ++snapshot_.motor_samples;
@@ -131,7 +133,6 @@ class TrackingPipeline::Impl {
     else
       filter_.advance(sample.t, control());
     if (sample.t - last_camera_ >= options_.missing_after * options_.camera_period) watchSilence(sample.t);
-    showMotors();
     showEstimate();
     pairReference();
   }
@@ -147,7 +148,7 @@ class TrackingPipeline::Impl {
 
   void take(const StereoFrame& frame) {
     if (!stereo_) return;
-    beginCamera(frame.t, frame.t_arrival, true);
+    beginCamera(frame.t - options_.camera_delay, frame.t_arrival, true);
     std::optional<Vector3d> expected;
     if (options_.roi_search && base_from_camera_ && snapshot_.tip_kin_cam.allFinite())
       expected = base_from_camera_->inverse() * snapshot_.tip_kin_cam;
@@ -171,28 +172,66 @@ class TrackingPipeline::Impl {
   }
 
   void take(const TipSample& sample) {
-    beginCamera(sample.t, sample.t_arrival, false);
+    beginCamera(sample.t - options_.camera_delay, sample.t_arrival, false);
     snapshot_.gate = Gate::kBothLost;
     if (sample.position.allFinite())
       observeTip(sample.position, options_.tip_sigma.cwiseAbs2().asDiagonal().toDenseMatrix());
     endCamera();
   }
 
+  /// The joints of unknown motors are anywhere in their range, as far as the motors tell.
   void start(double t) {
     Filter::State mean = Filter::State::Zero();
+    const JointSet unknown = watch_.unknown();
+    const Vector3d q = kinematicGiven(motors_.kinematic(), snapshot_.q_link_ukf);
     const Vector3d speed = motors_.transmission().jointVelocityFromMotor(motors_.velocity());
+    Vector3d position_sigma = options_.initial_position_sigma,
+             velocity_sigma = options_.initial_velocity_sigma;
     for (int joint = 0; joint < 3; ++joint) {
-      mean(2 * joint) = motors_.kinematic()(joint);
-      mean(2 * joint + 1) = speed(joint);
+      mean(2 * joint) = q(joint);
+      mean(2 * joint + 1) = contains(unknown, joint) ? 0.0 : speed(joint);
+      if (!contains(unknown, joint)) continue;
+      const robot::Joint& range = robot_.joints[static_cast<std::size_t>(joint)];
+      position_sigma(joint) = (range.limit_high - range.limit_low) / std::sqrt(12.0);
+      velocity_sigma(joint) = options_.unknown_speed(joint);
     }
-    filter_.reset(t, mean, diagonalOf(options_.initial_position_sigma, options_.initial_velocity_sigma),
-                  control());
+    filter_.reset(t, mean, diagonalOf(position_sigma, velocity_sigma), control());
     jump_.reset();
     last_camera_ = last_kinematic_ = t;
     started_ = true;
   }
 
-  CableArmModel::Control control() const { return {motors_.position(), motors_.velocity()}; }
+  /// What motors `set` said from `since` on was wrong, and so what the filter made of it: their joints'
+  /// estimates begin anew there, with the mean that they had.
+  void forget(JointSet set, double since) {
+    filter_.revise(
+        since, [set](CableArmModel::Control& control) { control.unknown |= set; },
+        [&](Filter::State& mean, Lower<6>& root) {
+          forgetJoints(set, options_.jump_tolerance, options_.unknown_speed, mean, root);
+        });
+    jump_.reset();
+  }
+
+  /// q_kin as the motors that are known say, with `reference` in place of the others.
+  Vector3d kinematicGiven(const Vector3d& kinematic, const Vector3d& reference) const {
+    const JointSet unknown = watch_.unknown();
+    if (unknown == 0 || !reference.allFinite()) return kinematic;
+    return cables_.given(kinematic, unknown, reference);
+  }
+
+  /// The same at an earlier time, with the estimate of that time; nothing outside the memory.
+  std::optional<Vector3d> kinematicAt(double t) {
+    const auto kinematic = motors_.kinematicAt(t, options_.restart_gap);
+    if (!kinematic || watch_.unknown() == 0) return kinematic;
+    const auto state = filter_.at(t);
+    if (!state) return std::nullopt;
+    const auto& mean = (*state)->mean();
+    return kinematicGiven(*kinematic, Vector3d(mean(0), mean(2), mean(4)));
+  }
+
+  CableArmModel::Control control() const {
+    return {motors_.position(), motors_.velocity(), watch_.unknown()};
+  }
 
   /// The camera is silent: q_kin at the camera's rate.
   void watchSilence(double t) {
@@ -200,12 +239,13 @@ class TrackingPipeline::Impl {
     if (t - last_kinematic_ >= options_.camera_period) (void)observeKinematics(t);
   }
 
-  /// UKF paper, section V-D: the hard switch. False for a time outside the memory.
+  /// UKF paper, section V-D: the hard switch, for the motors that are known. False for a time outside the
+  /// memory.
   bool observeKinematics(double t) {
     const auto kinematic = motors_.kinematicAt(t, options_.restart_gap);
     if (!started_ || !kinematic) return false;
-    const Lower<3> root = Lower<3>(options_.kinematic_sigma.asDiagonal());
-    const auto report = filter_.update(t, positions_, *kinematic, root);
+    const KinematicObservation seen = cables_.observe(*kinematic, watch_.unknown(), options_.kinematic_sigma);
+    const auto report = filter_.update(t, seen.measurement, seen.y, seen.root);
     if (!report) return false;
     snapshot_.nis = report->nis;
     last_kinematic_ = snapshot_.t;
@@ -223,7 +263,7 @@ class TrackingPipeline::Impl {
       v->setConstant(kNan);
     snapshot_.tip_in_camera_covariance.setConstant(kNan);
     snapshot_.q_link_true_cam = reference_.at(t, kReferenceHold).value_or(Vector3d::Constant(kNan));
-    const auto kinematic = motors_.kinematicAt(t, options_.restart_gap);
+    const auto kinematic = kinematicAt(t);
     snapshot_.tip_kin_cam = kinematic ? arm_.tip(*kinematic) : Vector3d::Constant(kNan);
   }
 
@@ -231,7 +271,7 @@ class TrackingPipeline::Impl {
   void observeTip(const Vector3d& tip, const Matrix3d& covariance) {
     const double t = snapshot_.t_cam;
     snapshot_.tip_cam = tip;
-    const auto kinematic = motors_.kinematicAt(t, options_.restart_gap);
+    const auto kinematic = kinematicAt(t);
     if (!started_ || !kinematic) {
       snapshot_.gate = Gate::kNoCamera;
       return;
@@ -243,6 +283,8 @@ class TrackingPipeline::Impl {
     }
     snapshot_.q_link_cam = seen->position;
     snapshot_.q_link_cam_sigma = seen->covariance.diagonal().cwiseSqrt();
+    if (const JointSet frozen = watch_.see(t, seen->position, seen->covariance, *kinematic); frozen != 0)
+      forgetFrozen(frozen);
     const Lower<3> root = rootOf(seen->covariance);
     const auto expected = filter_.peek(t, positions_, seen->position, root);
     if (!expected) {
@@ -250,13 +292,35 @@ class TrackingPipeline::Impl {
       return;
     }
     snapshot_.nis = expected->nis;
-    const bool accepted = jump_.accept(t, expected->nis, seen->position - *kinematic, seen->covariance);
+    const bool accepted = accept(t, expected->nis, *seen, *kinematic);
     snapshot_.gate = accepted ? Gate::kOpen : Gate::kJump;
     if (!accepted) return;
     if (filter_.update(t, positions_, seen->position, root))
       nis_.add(expected->nis);
     else
       snapshot_.gate = Gate::kNoCamera;
+  }
+
+  void forgetFrozen(JointSet frozen) {
+    snapshot_.motor_failed = watch_.faults();
+    for (int motor = 0; motor < 3; ++motor)
+      if (contains(frozen, motor)) forget(1U << motor, watch_.stillSince(motor));
+  }
+
+  /// The jump gate's opinion. Without motor j, nothing but the camera knows q_j: its path is judged by
+  /// itself.
+  bool accept(double t, double nis, const JointObservation& seen, const Vector3d& kinematic) {
+    const JointSet unknown = watch_.unknown();
+    if (unknown == 0) return jump_.accept(t, nis, seen.position - kinematic, seen.covariance);
+    Vector3d path = seen.position - kinematicGiven(kinematic, seen.position);
+    Vector3d drift = options_.jump_drift, tolerance = options_.jump_tolerance;
+    for (int joint = 0; joint < 3; ++joint) {
+      if (!contains(unknown, joint)) continue;
+      path(joint) = seen.position(joint);
+      drift(joint) = options_.unknown_speed(joint);
+      tolerance(joint) = std::numeric_limits<double>::infinity();
+    }
+    return jump_.accept(t, nis, path, seen.covariance, drift, tolerance);
   }
 
   /// A sample that could not be observed, nor q_kin at its time, is no sign of life: watchSilence() goes on.
@@ -270,38 +334,9 @@ class TrackingPipeline::Impl {
     if (started_) showEstimate();
   }
 
-  void showMotors() {
-    snapshot_.q_motor = motors_.position();
-    snapshot_.dq_motor = motors_.velocity();
-    snapshot_.q_link_kin = motors_.kinematic();
-    snapshot_.tip_kin = arm_.tip(motors_.kinematic());
-  }
-
   void showEstimate() {
-    const auto& mean = filter_.mean();
-    const auto covariance = filter_.covariance();
-    for (int joint = 0; joint < 3; ++joint) {
-      snapshot_.q_link_ukf(joint) = mean(2 * joint);
-      snapshot_.dq_link_ukf(joint) = mean(2 * joint + 1);
-      for (int other = 0; other < 3; ++other)
-        position_covariance_(joint, other) = covariance(2 * joint, 2 * other);
-    }
-    snapshot_.q_link_ukf_sigma = position_covariance_.diagonal().cwiseSqrt();
     snapshot_.rescues = filter_.rescues();
-    const robot::Transmission& cables = motors_.transmission();
-    snapshot_.cable_stretch =
-        Vector3d(cables.motorTravel(motors_.position())) - Vector3d(cables.linkTravel(snapshot_.q_link_ukf));
-    const Vector3d rate = Vector3d(cables.motorTravel(motors_.velocity())) -
-                          Vector3d(cables.linkTravelRate(snapshot_.dq_link_ukf));
-    for (int joint = 0; joint < 3; ++joint) {
-      const robot::Drive& drive = robot_.drives[static_cast<std::size_t>(joint)];
-      snapshot_.cable_tension(joint) =
-          robot::cableForce(drive.cable_stiffness, drive.cable_exponent, drive.cable_damping,
-                            snapshot_.cable_stretch(joint), rate(joint));
-    }
-    const Matrix3d jacobian = arm_.tipJacobian(snapshot_.q_link_ukf);
-    snapshot_.tip_ukf = arm_.tip(snapshot_.q_link_ukf);
-    snapshot_.tip_ukf_covariance = jacobian * position_covariance_ * jacobian.transpose();
+    view_.show(filter_.mean(), filter_.covariance(), motors_, watch_, snapshot_);
   }
 
   void pairReference() {
@@ -309,11 +344,14 @@ class TrackingPipeline::Impl {
     reference_pending_ = false;
     snapshot_.reference_paired = true;
     const Vector3d error = snapshot_.q_link_ukf - snapshot_.q_link_true;
-    snapshot_.nees = error.dot(position_covariance_.llt().solve(error));
+    snapshot_.nees = error.dot(view_.positionCovariance().llt().solve(error));
   }
 
   robot::ArmKinematics arm_;
+  EncoderWatch watch_;
   MotorSide motors_;
+  PartialKinematics cables_;
+  EstimateView view_;
   std::optional<StereoTip> stereo_;
   Filter filter_;
   const JointMeasurement positions_ = positionsOnly();
@@ -321,7 +359,6 @@ class TrackingPipeline::Impl {
   estimation::ConsistencyWindow nis_;
   TimeSeries reference_;
   Snapshot snapshot_;
-  Matrix3d position_covariance_ = Matrix3d::Zero();
   double last_camera_ = 0.0, last_kinematic_ = 0.0;  ///< by the motors' clock at arrival [s]
   double reference_time_ = 0.0;
   bool started_ = false, reference_pending_ = false;
@@ -340,6 +377,7 @@ void TrackingPipeline::setRegistration(const Eigen::Isometry3d& base_from_camera
 const std::optional<Eigen::Isometry3d>& TrackingPipeline::registration() const {
   return impl_->base_from_camera_;
 }
+void TrackingPipeline::setMotorFailed(int motor, bool failed) { impl_->declare(motor, failed); }
 const Snapshot& TrackingPipeline::step(const Sample& sample) { return impl_->step(sample); }
 const Snapshot& TrackingPipeline::snapshot() const { return impl_->snapshot(); }
 void TrackingPipeline::reset() { impl_->reset(); }

@@ -24,6 +24,12 @@ namespace capstan::tracking {
 /// row agree on q_cam − q_kin up to their noise and `jump_drift`: what moves with the motors is the tip, and
 /// the filter was wrong. With no camera sample for `missing_after` periods, q_kin is observed at the camera's
 /// rate.
+///
+/// A motor encoder may fail (EncoderWatch). Its joint is then estimated from the camera alone: moved by a
+/// random acceleration (UnknownMotion), observed by the camera and, through the coupling, by the other
+/// motors' cables. Nothing of q_kin is observed that came from the failed motor; regions of interest, the
+/// branch of the inverse kinematics and the jump gate take the estimate in its place, and in occlusion sigma
+/// grows as fast as the joint may wander.
 class TrackingPipeline {
  public:
   /// For a three-joint remote-centre arm; frames need `rig`, motor and tip samples do not.
@@ -39,11 +45,14 @@ class TrackingPipeline {
   void setRegistration(const Eigen::Isometry3d& base_from_camera);
   const std::optional<Eigen::Isometry3d>& registration() const;
 
+  /// From now on the encoder of motor 0, 1 or 2 is not believed, or is again, whatever was detected.
+  void setMotorFailed(int motor, bool failed);
+
   /// Takes one sample, in order of arrival. The reference stays valid until the next call. Never throws.
   const Snapshot& step(const Sample& sample);
   const Snapshot& snapshot() const;
 
-  /// Forgets every sample; keeps registration and options.
+  /// Forgets every sample and detected fault; keeps registration, options and declared faults.
   void reset();
 
   const robot::Description& robot() const;

@@ -13,6 +13,9 @@ namespace capstan::tracking {
 /// Why the filter observes transmission kinematics rather than the camera (UKF paper, section V-D).
 enum class Gate { kOpen, kNoCamera, kLeftLost, kRightLost, kBothLost, kUnreachable, kJump, kUnregistered };
 
+/// Why a motor's encoder is not believed; its joint is then estimated from the camera alone.
+enum class MotorFault { kNone, kLost, kFrozen, kDeclared };
+
 inline constexpr std::array<const char*, 3> kJointUnits = {"deg", "deg", "mm"};
 
 /// Everything about one instant, after one sample went through the pipeline. Plain data; joints as rad, rad,
@@ -24,15 +27,20 @@ struct Snapshot {
   std::uint64_t motor_refused = 0;   ///< motor samples not taken: not finite, or a time that does not rise
   std::uint64_t camera_samples = 0;  ///< frames or tip samples taken so far
 
+  /// Encoders that failed, by motor: kLost gave no number for longer than a gap, kFrozen stands still while
+  /// the camera sees the joint move, kDeclared was said to have failed.
+  std::array<MotorFault, 3> motor_failed{};
+
   Eigen::Vector3d q_motor, dq_motor;  ///< q_m [rad], dq_m [rad/s]
-  Eigen::Vector3d q_link_kin;         ///< transmission kinematics
-  Eigen::Vector3d q_link_cam;         ///< newest camera observation, at its own time t_cam
-  Eigen::Vector3d q_link_cam_sigma;   ///< its standard deviation
+  /// Transmission kinematics; NaN for the joint of an unknown motor, q_link_ukf in its place for the others.
+  Eigen::Vector3d q_link_kin;
+  Eigen::Vector3d q_link_cam;        ///< newest camera observation, at its own time t_cam
+  Eigen::Vector3d q_link_cam_sigma;  ///< its standard deviation
   Eigen::Vector3d q_link_ukf, dq_link_ukf;
   Eigen::Vector3d q_link_ukf_sigma;  ///< standard deviation of q_link_ukf
   Eigen::Vector3d q_link_true;       ///< newest reference
   Eigen::Vector3d q_link_true_cam;   ///< reference at t_cam, where it is known
-  Eigen::Vector3d cable_stretch;     ///< delta = s_m − s_l at the estimate [m]
+  Eigen::Vector3d cable_stretch;     ///< delta = s_m − s_l at the estimate [m]; unknown motor: NaN
   Eigen::Vector3d cable_tension;     ///< gamma at the estimate [N]
 
   bool reference_paired = false;  ///< this step made q_link_true and the estimates speak of one time
@@ -44,9 +52,10 @@ struct Snapshot {
   std::array<vision::MarkerDetection, 2> marker;  ///< left, right
   Eigen::Vector3d tip_in_camera;                  ///< triangulated, left camera's frame [m]
   Eigen::Matrix3d tip_in_camera_covariance;       ///< [m²]
-  Eigen::Vector3d tip_kin_cam;                    ///< tip of transmission kinematics at t_cam, in frame 0 [m]
-  Eigen::Vector3d tip_cam, tip_kin, tip_ukf;      ///< in frame 0 [m]
-  Eigen::Matrix3d tip_ukf_covariance;             ///< [m²]
+  /// Tip of transmission kinematics at t_cam, in frame 0 [m]; the estimate's joints for unknown motors.
+  Eigen::Vector3d tip_kin_cam;
+  Eigen::Vector3d tip_cam, tip_kin, tip_ukf;  ///< in frame 0 [m]
+  Eigen::Matrix3d tip_ukf_covariance;         ///< [m²]
   Gate gate = Gate::kNoCamera;
 
   double nis = 0.0;            ///< of the last update
@@ -57,8 +66,21 @@ struct Snapshot {
   std::uint64_t late_dropped = 0;  ///< camera samples outside the filter's memory, as a rule too late
 };
 
+/// An encoder has failed.
+inline bool anyMotorFailed(const Snapshot& s) {
+  for (const MotorFault fault : s.motor_failed)
+    if (fault != MotorFault::kNone) return true;
+  return false;
+}
+
 }  // namespace capstan::tracking
 
+template <>
+struct capstan::base::NamesOf<capstan::tracking::MotorFault> {
+  using F = capstan::tracking::MotorFault;
+  static constexpr std::array value = {std::pair{F::kNone, "none"}, std::pair{F::kLost, "lost"},
+                                       std::pair{F::kFrozen, "frozen"}, std::pair{F::kDeclared, "declared"}};
+};
 template <>
 struct capstan::base::NamesOf<capstan::tracking::Gate> {
   using G = capstan::tracking::Gate;
