@@ -3,3 +3,8 @@ capstan_widget_test(
   SOURCES figures_curve_test.cpp figures_export_test.cpp figures_header_test.cpp figures_history_test.cpp
           figures_joint_test.cpp figures_theme_test.cpp
   LINKS capstan::figures)
+
+capstan_widget_test(
+  NAME figure_sheets_test
+  SOURCES figures/figure_pictures_test.cpp
+  LINKS capstan::figures)

@@ -67,7 +67,8 @@ void JointPlot::setTitle(const QString& title, const QString& unit) {
   header_->setTitle(QStringLiteral("%1 q%2 [%3]").arg(title).arg(joint_ + 1).arg(unit));
 }
 
-void JointPlot::setTheme(const Theme& theme, bool vectors) {
+void JointPlot::setTheme(const Theme& theme, bool vectors, double widths) {
+  widths_ = widths;
   header_->setTheme(theme);
   shade_->setTheme(theme);
   axes_->setBackground(QBrush(theme.surface));
@@ -82,16 +83,17 @@ void JointPlot::setTheme(const Theme& theme, bool vectors) {
     QPen pen = theme.pen(quantity);
     pen.setStyle(Qt::SolidLine);  // the kinematic line's dashes are cut into its points
     pen.setCapStyle(Qt::FlatCap);
+    pen.setWidthF(widths * pen.widthF());
     graph(quantity)->setPen(pen);
   }
   QPen casing = graph(Quantity::kKinematic)->pen();
   casing.setColor(theme.surface);
-  casing.setWidthF(casing.widthF() + 2.0 * kCasing);
+  casing.setWidthF(casing.widthF() + 2.0 * widths * kCasing);
   casing_->setPen(casing);
   const QColor dots = theme.colour(Quantity::kCamera);
   graph(Quantity::kCamera)->setPen(QPen(dots, 0));
   graph(Quantity::kCamera)
-      ->setScatterStyle(vectors ? QCPScatterStyle(QCPScatterStyle::ssDisc, dots, dots, kDotSize)
+      ->setScatterStyle(vectors ? QCPScatterStyle(QCPScatterStyle::ssDisc, dots, dots, widths * kDotSize)
                                 : QCPScatterStyle(dotPicture(dots)));
   band_->setColour(theme.band());
 }
@@ -136,7 +138,7 @@ void JointPlot::fill(double begin, double end, std::size_t most) {
     for (const float value : {low.truth, high.truth, low.kinematic, high.kinematic, low.ukf, high.ukf})
       include(static_cast<double>(value));
   });
-  const double pixel = (end - begin) / std::max(axes_->width(), 1);
+  const double pixel = widths_ * (end - begin) / std::max(axes_->width(), 1);
   cutDashes(kinematic_.points(), kDashPeriod * pixel, kDash * pixel, dashed_);
   graph(Quantity::kTrue)->data()->set(truth_.points(), true);
   graph(Quantity::kKinematic)->data()->set(dashed_, true);

@@ -22,8 +22,9 @@ class JointPlot {
 
   /// As people read them: "shoulder", "deg"; written once, as `shoulder q1 [deg]`.
   void setTitle(const QString& title, const QString& unit);
-  /// `vectors`: dots are drawn as circles, for files; else stamped from a small picture, for speed.
-  void setTheme(const Theme& theme, bool vectors);
+  /// `vectors`: dots are drawn as circles, for files; else stamped from a small picture, for speed. `widths`
+  /// scales lines, dashes and dots.
+  void setTheme(const Theme& theme, bool vectors, double widths = 1.0);
   void setTickPoints(double points);
 
   /// Takes curves of [begin, end] at no more than `most` steps.
@@ -59,6 +60,7 @@ class JointPlot {
   QCPRange drawn_;  ///< of values drawn last
   bool any_ = false;
   bool fitting_ = true;
+  double widths_ = 1.0;
 };
 
 }  // namespace capstan::widgets

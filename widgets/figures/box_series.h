@@ -1,0 +1,52 @@
+#pragma once
+
+#include <qcustomplot.h>
+
+#include <vector>
+
+#include "core/stats/boxplot.h"
+#include "widgets/figures/series_style.h"
+
+namespace capstan::widgets {
+
+/// Tukey boxes in one axis rect: box, median with its number at the top of the axes, whiskers, outliers. What
+/// lies beyond the value axis is counted at its edge.
+class BoxSeries : public QCPLayerable {
+  Q_OBJECT
+ public:
+  struct Box {
+    double x = 0.0, half_width = 0.3;  ///< on the bottom axis
+    stats::Boxplot statistics;         ///< n = 0: nothing is drawn
+    std::vector<double> outliers;      ///< to be drawn, of statistics.outliers
+  };
+
+  explicit BoxSeries(QCPAxisRect* axes);
+
+  void setBoxes(std::vector<Box> boxes) { boxes_ = std::move(boxes); }
+  /// `points`: size of the numbers [typographic points].
+  void setStyle(const SeriesStyle& style, const QColor& text, double line, double points);
+  /// Numbers stand upright where the narrowest of all series' boxes has no room for them.
+  void setUpright(bool upright) { upright_ = upright; }
+  double widestNumber() const;  ///< [px]
+  double numberHeight() const;  ///< [px]
+
+ protected:
+  QRect clipRect() const override { return axes_->rect(); }
+  void applyDefaultAntialiasingHint(QCPPainter* painter) const override { painter->setAntialiasing(true); }
+  void draw(QCPPainter* painter) override;
+
+ private:
+  void drawBox(QCPPainter* painter, const Box& box) const;
+  void drawOutliers(QCPPainter* painter, const Box& box) const;
+  void drawNumber(QCPPainter* painter, const Box& box) const;
+  void drawBeyond(QCPPainter* painter, double x, double y, int direction, int count) const;
+
+  QCPAxisRect* axes_;
+  std::vector<Box> boxes_;
+  SeriesStyle style_;
+  QColor text_;
+  double line_ = 1.0, points_ = 7.0;
+  bool upright_ = false;
+};
+
+}  // namespace capstan::widgets

@@ -1,0 +1,208 @@
+#include "widgets/figures/convergence_figure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "widgets/figures/figure_text.h"
+
+namespace capstan::widgets {
+
+namespace {
+
+constexpr double kBandFrom = 0.2;      ///< of the time from which on the axis shows the whole band
+constexpr int kLeastPanelWidth = 160;  ///< [px] of panels side by side
+constexpr int kFewPanels = 3;          ///< so many stand in one column of a broad figure, below each other
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+bool known(const ConvergencePanel& data, std::size_t i) {
+  return std::isfinite(data.t[i]) && std::isfinite(data.value[i]);
+}
+
+/// Index of the last known value; nothing where there is none.
+std::optional<std::size_t> lastOf(const ConvergencePanel& data) {
+  for (std::size_t i = data.t.size(); i-- > 0;)
+    if (known(data, i)) return i;
+  return std::nullopt;
+}
+
+QCPRange timeOf(const ConvergencePanel& data) {
+  QCPRange range(kNaN, kNaN);
+  for (const double t : data.t) {
+    range.lower = std::fmin(range.lower, t);
+    range.upper = std::fmax(range.upper, t);
+  }
+  if (!(range.lower < range.upper))
+    return {std::isfinite(range.lower) ? range.lower - 0.5 : 0.0,
+            std::isfinite(range.lower) ? range.lower + 0.5 : 1.0};
+  return range;
+}
+
+QCPRange valuesOf(const ConvergencePanel& data, const QCPRange& time) {
+  double low = data.truth ? std::min(data.nominal, *data.truth) : data.nominal;
+  double high = data.truth ? std::max(data.nominal, *data.truth) : data.nominal;
+  for (std::size_t i = 0; i < data.t.size(); ++i) {
+    if (!known(data, i)) continue;
+    const bool late = data.t[i] >= time.lower + kBandFrom * time.size();
+    const double reach = late && std::isfinite(data.sigma[i]) ? 2.0 * data.sigma[i] : 0.0;
+    low = std::min(low, data.value[i] - reach);
+    high = std::max(high, data.value[i] + reach);
+  }
+  const double margin = high > low ? 0.06 * (high - low) : std::max(0.05 * std::abs(low), 1e-6);
+  return {low - margin, high + margin};
+}
+
+QCPItemLine* addLine(QCustomPlot* plot, QCPAxisRect* axes) {
+  auto* line = new QCPItemLine(plot);
+  for (auto* point : {line->start, line->end}) {
+    point->setAxisRect(axes);
+    point->setAxes(axes->axis(QCPAxis::atBottom), axes->axis(QCPAxis::atLeft));
+  }
+  line->setClipAxisRect(axes);
+  line->setVisible(false);
+  return line;
+}
+
+void place(QCPItemLine* line, double x0, double y0, double x1, double y1) {
+  line->start->setCoords(x0, y0);
+  line->end->setCoords(x1, y1);
+  line->setVisible(true);
+}
+
+QPen truthPen(const Theme& theme, double line) { return {theme.truth, 1.0 * line}; }
+
+QPen nominalPen(const Theme& theme, double line) {
+  QPen pen(theme.muted, 1.1 * line);
+  pen.setDashPattern({5.0, 3.0});
+  return pen;
+}
+
+QPen settledPen(const Theme& theme, double line) {
+  QPen pen(theme.text, 1.0 * line);
+  pen.setDashPattern({1.5, 2.5});
+  return pen;
+}
+
+QPen valuePen(const Theme& theme, double line) {
+  return {theme.colour(Quantity::kUkf), 2.0 * line, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin};
+}
+
+LegendEntry lineEntry(const QString& text, const QPen& pen, const QColor& band = {}) {
+  return {text, [pen, band](QCPPainter* painter, const QRectF& box) {
+            if (band.isValid()) painter->fillRect(box, band);
+            painter->setPen(pen);
+            painter->drawLine(QPointF(box.left(), box.center().y()), QPointF(box.right(), box.center().y()));
+          }};
+}
+
+}  // namespace
+
+ConvergenceFigure::ConvergenceFigure(ConvergenceData data, QWidget* parent)
+    : PanelFigure(parent), data_(std::move(data)) {
+  setTitle(data_.title, data_.note);
+  for (const ConvergencePanel& panel : data_.panels) build(panel);
+  fit();
+}
+
+std::unique_ptr<Figure> ConvergenceFigure::copy() const { return std::make_unique<ConvergenceFigure>(data_); }
+
+QString ConvergenceFigure::words(const ConvergencePanel& panel) const {
+  QStringList parts;
+  if (const auto last = lastOf(panel))
+    parts << tr("at the end %1 %2 (2σ)")
+                 .arg(uncertainText(panel.value[*last], 2.0 * panel.sigma[*last]), panel.unit);
+  if (panel.truth) parts << tr("truth %1").arg(significantText(*panel.truth, 4));
+  parts << tr("nominal %1").arg(significantText(panel.nominal, 4));
+  parts << (panel.settled_at ? tr("settled after %1 s").arg(*panel.settled_at, 0, 'f', 0)
+                             : tr("not settled"));
+  for (QString& part : parts) part = unbroken(part);
+  return parts.join(QStringLiteral(", "));
+}
+
+void ConvergenceFigure::build(const ConvergencePanel& data) {
+  const Panel& panel = addPanel({{data.title, true}, {words(data), false}}, tr("time [s]"),
+                                QStringLiteral("[%1]").arg(data.unit));
+  QCPAxis* x = panel.axes->axis(QCPAxis::atBottom);
+  QCPAxis* y = panel.axes->axis(QCPAxis::atLeft);
+  const QCPRange time = timeOf(data), values = valuesOf(data, time);
+  x->setRange(time);
+  y->setRange(values);
+  Curves curves{};
+  curves.band = new SigmaBand(panel.axes);
+  curves.value = addGraph(x, y);
+  curves.value->setAdaptiveSampling(false);
+  curves.band->begin();
+  QVector<double> t, value;
+  for (std::size_t i = 0; i < data.t.size(); ++i) {
+    t << data.t[i];
+    value << (known(data, i) ? data.value[i] : kNaN);
+    // SVG files know no clipping: the band is cut to the axis here.
+    curves.band->add(data.t[i], std::clamp(value.back() - 2.0 * data.sigma[i], values.lower, values.upper),
+                     std::clamp(value.back() + 2.0 * data.sigma[i], values.lower, values.upper));
+  }
+  curves.value->setData(t, value, true);
+  curves.nominal = addLine(this, panel.axes);
+  place(curves.nominal, time.lower, data.nominal, time.upper, data.nominal);
+  curves.truth = addLine(this, panel.axes);
+  if (data.truth) place(curves.truth, time.lower, *data.truth, time.upper, *data.truth);
+  curves.settled = addLine(this, panel.axes);
+  curves.settled_word = new QCPItemText(this);
+  curves.settled_word->position->setAxisRect(panel.axes);
+  curves.settled_word->position->setAxes(x, y);
+  curves.settled_word->setVisible(data.settled_at.has_value());
+  if (data.settled_at) {
+    place(curves.settled, *data.settled_at, values.lower, *data.settled_at, values.upper);
+    const bool left = *data.settled_at < time.center();
+    curves.settled_word->setText(tr(" settled "));
+    curves.settled_word->position->setCoords(*data.settled_at, values.upper);
+    curves.settled_word->setPositionAlignment(Qt::AlignTop | (left ? Qt::AlignLeft : Qt::AlignRight));
+  }
+  panel.empty->setVisible(!lastOf(data));
+  curves_.push_back(curves);
+}
+
+int ConvergenceFigure::columnsFor(QSize size) const {
+  const int panels = static_cast<int>(data_.panels.size());
+  return panels <= kFewPanels ? 1 : std::clamp(size.width() / kLeastPanelWidth, 1, 2);
+}
+
+void ConvergenceFigure::restyle() {
+  const double line = scale().line;
+  bool truth = false, settled = false;
+  for (std::size_t i = 0; i < curves_.size(); ++i) {
+    const Curves& curves = curves_[i];
+    curves.band->setColour(theme().band());
+    curves.value->setPen(valuePen(theme(), line));
+    curves.truth->setPen(truthPen(theme(), line));
+    curves.nominal->setPen(nominalPen(theme(), line));
+    curves.settled->setPen(settledPen(theme(), line));
+    curves.settled_word->setColor(theme().text);
+    curves.settled_word->setFont(textFont(scale().tick));
+    truth = truth || data_.panels[i].truth;
+    settled = settled || data_.panels[i].settled_at;
+  }
+  std::vector<LegendEntry> entries = {
+      lineEntry(tr("estimate ± 2σ"), valuePen(theme(), line), theme().band())};
+  if (truth) entries.push_back(lineEntry(tr("truth"), truthPen(theme(), line)));
+  entries.push_back(lineEntry(tr("nominal"), nominalPen(theme(), line)));
+  if (settled) entries.push_back(lineEntry(tr("settled"), settledPen(theme(), line)));
+  setLegend(std::move(entries));
+}
+
+std::vector<FigureNumbers> ConvergenceFigure::numbers() const {
+  std::string trace = "parameter,unit,t [s],value,sigma\n";
+  std::string summary = "parameter,unit,value,sigma,truth,nominal,settled_at [s]\n";
+  for (const ConvergencePanel& panel : data_.panels) {
+    const std::string name = csvText(panel.title) + "," + csvText(panel.unit) + ",";
+    for (std::size_t i = 0; i < panel.t.size(); ++i)
+      trace += name + csvNumber(panel.t[i]) + "," + csvNumber(panel.value[i]) + "," +
+               csvNumber(panel.sigma[i]) + "\n";
+    const auto last = lastOf(panel);
+    summary += name + csvNumber(last ? panel.value[*last] : kNaN) + "," +
+               csvNumber(last ? panel.sigma[*last] : kNaN) + "," + csvNumber(panel.truth.value_or(kNaN)) +
+               "," + csvNumber(panel.nominal) + "," + csvNumber(panel.settled_at.value_or(kNaN)) + "\n";
+  }
+  return {{"", trace}, {"_summary", summary}};
+}
+
+}  // namespace capstan::widgets

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <qcustomplot.h>
+
+#include <functional>
+#include <vector>
+
+namespace capstan::widgets {
+
+/// One entry: a word and what draws its sample into a box.
+struct LegendEntry {
+  QString text;
+  std::function<void(QCPPainter*, const QRectF&)> draw;
+};
+
+/// Entries side by side above the panels of a figure, on as many lines as the width asks for.
+class FigureLegend : public QCPLayoutElement {
+  Q_OBJECT
+ public:
+  explicit FigureLegend(QCustomPlot* plot);
+
+  void setEntries(std::vector<LegendEntry> entries) { entries_ = std::move(entries); }
+  const std::vector<LegendEntry>& entries() const { return entries_; }
+  void setColour(const QColor& text) { text_ = text; }
+  /// `points` [typographic points], `width` [px].
+  void fit(double points, double width);
+
+ protected:
+  QSize minimumOuterSizeHint() const override { return {10, height_}; }
+  QSize maximumOuterSizeHint() const override { return {QWIDGETSIZE_MAX, height_}; }
+  void applyDefaultAntialiasingHint(QCPPainter* painter) const override { painter->setAntialiasing(true); }
+  void draw(QCPPainter* painter) override;
+
+ private:
+  std::vector<LegendEntry> entries_;
+  std::vector<QPointF> places_;  ///< upper left corners within the element
+  QColor text_;
+  double points_ = 8.0;
+  int height_ = 0;
+};
+
+}  // namespace capstan::widgets

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <QString>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace capstan::widgets {
+
+/// `value` with `digits` significant digits, fixed between 1e-3 and 1e5, powers of ten beyond; a dash where
+/// it is not finite. The minus sign is a real one.
+inline QString significantText(double value, int digits = 3) {
+  if (!std::isfinite(value)) return QStringLiteral("—");
+  const double size = std::abs(value);
+  QString text;
+  if (size == 0.0)
+    text = QStringLiteral("0");
+  else if (size < 1e-3 || size >= 1e5)
+    text = QString::number(value, 'e', digits - 1);
+  else
+    text = QString::number(value, 'f',
+                           std::max(0, digits - 1 - static_cast<int>(std::floor(std::log10(size) + 1e-12))));
+  return text.replace(QLatin1Char('-'), QChar(0x2212));
+}
+
+/// Value and uncertainty with the decimals that two digits of the uncertainty need: 59.02 ± 0.11.
+inline QString uncertainText(double value, double uncertainty) {
+  if (!std::isfinite(value) || !std::isfinite(uncertainty) || uncertainty <= 0.0)
+    return significantText(value, 4);
+  const int decimals = 1 - static_cast<int>(std::floor(std::log10(uncertainty)));
+  if (decimals > 8 || decimals < -6)
+    return significantText(value, 4) + QStringLiteral(" ± ") + significantText(uncertainty, 2);
+  const int shown = std::max(decimals, 0);
+  QString text =
+      QString::number(value, 'f', shown) + QStringLiteral(" ± ") + QString::number(uncertainty, 'f', shown);
+  return text.replace(QLatin1Char('-'), QChar(0x2212));
+}
+
+/// Spaces that do not break, so that a line wraps only between such parts.
+inline QString unbroken(QString text) { return text.replace(QLatin1Char(' '), QChar(0x00A0)); }
+
+/// Text as a CSV cell (RFC 4180).
+std::string csvText(const QString& text);
+/// A number with all its digits; empty where it is not a number.
+std::string csvNumber(double value);
+
+}  // namespace capstan::widgets

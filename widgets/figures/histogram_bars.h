@@ -1,0 +1,38 @@
+#pragma once
+
+#include <qcustomplot.h>
+
+#include <vector>
+
+#include "widgets/figures/series_style.h"
+
+namespace capstan::widgets {
+
+/// One histogram in one axis rect: filled bars under one outline, so that others show through.
+class HistogramBars : public QCPLayerable {
+  Q_OBJECT
+ public:
+  explicit HistogramBars(QCPAxisRect* axes);
+
+  /// `edges` one more than `heights`, in the axes' units.
+  void setBars(std::vector<double> edges, std::vector<double> heights);
+  /// A line at `x` of the whole height; NaN: none.
+  void setMean(double x) { mean_ = x; }
+  void setStyle(const SeriesStyle& style, double line);
+
+ protected:
+  QRect clipRect() const override { return axes_->rect(); }
+  void applyDefaultAntialiasingHint(QCPPainter* painter) const override { painter->setAntialiasing(true); }
+  void draw(QCPPainter* painter) override;
+
+ private:
+  void drawMean(QCPPainter* painter) const;
+
+  QCPAxisRect* axes_;
+  std::vector<double> edges_, heights_;
+  double mean_;
+  SeriesStyle style_;
+  double line_ = 1.0;
+};
+
+}  // namespace capstan::widgets

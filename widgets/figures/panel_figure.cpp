@@ -1,0 +1,164 @@
+#include "widgets/figures/panel_figure.h"
+
+#include <algorithm>
+
+#include "widgets/figures/round_ticker.h"
+
+namespace capstan::widgets {
+
+namespace {
+
+constexpr int kMargin = 6;         ///< about everything [px]
+constexpr int kPanelSpacing = 10;  ///< between panels [px]
+
+}  // namespace
+
+SheetScale SheetScale::of(double width) {
+  const double points = std::clamp(5.2 + width / 240.0, 6.5, 11.5);
+  return {.title = points + 1.0, .text = points, .tick = points - 0.3, .line = points / 7.5};
+}
+
+PanelFigure::PanelFigure(QWidget* parent) : QCustomPlot(parent), theme_(&Theme::light()) {
+  setMinimumSize(140, 120);
+  setNoAntialiasingOnDrag(false);
+  plotLayout()->clear();
+  plotLayout()->setRowSpacing(2);
+  plotLayout()->setMargins(QMargins(kMargin, kMargin, kMargin, kMargin));
+  plotLayout()->setAutoMargins(QCP::msNone);
+  plotLayout()->addElement(0, 0, title_ = new TextRow(this));
+  plotLayout()->addElement(1, 0, legend_ = new FigureLegend(this));
+  plotLayout()->addElement(2, 0, grid_ = new QCPLayoutGrid);
+  grid_->setRowSpacing(kPanelSpacing / 2);
+  grid_->setColumnSpacing(kPanelSpacing);
+}
+
+void PanelFigure::setTitle(const QString& title, const QString& note) {
+  title_->setLines({{title, true}, {note, false}});
+  setAccessibleName(title);
+}
+
+QString PanelFigure::caption() const {
+  QStringList parts;
+  for (const TextRow::Line& line : title_->lines())
+    if (!line.text.isEmpty()) parts << line.text;
+  return parts.join(QStringLiteral(". ")).replace(QChar(0x00A0), QLatin1Char(' '));
+}
+
+PanelFigure::Panel& PanelFigure::addPanel(std::vector<TextRow::Line> header, const QString& x_label,
+                                          const QString& y_label, QCPAxisRect* axes) {
+  Panel panel{new QCPLayoutGrid, new TextRow(this), axes ? axes : new QCPAxisRect(this, true), nullptr};
+  panel.header->setLines(std::move(header));
+  panel.cell->setRowSpacing(1);
+  panel.cell->addElement(0, 0, panel.header);
+  panel.cell->addElement(1, 0, panel.axes);
+  grid_->addElement(grid_->rowCount(), 0, panel.cell);  // until arrange()
+  panel.axes->setLayer("background");
+  panel.axes->setMinimumMargins(QMargins(4, 3, 4, 3));
+  for (QCPAxis* axis : panel.axes->axes()) {
+    axis->setLayer("axes");
+    axis->grid()->setLayer("grid");
+    axis->grid()->setZeroLinePen(Qt::NoPen);
+    axis->setTicker(QSharedPointer<RoundTicker>::create());
+    axis->setTickLengthIn(0);
+    axis->setTickLengthOut(3);
+    axis->setSubTickLength(0);
+  }
+  panel.axes->axis(QCPAxis::atBottom)->setLabel(x_label);
+  panel.axes->axis(QCPAxis::atLeft)->setLabel(y_label);
+  panel.empty = new QCPItemText(this);
+  panel.empty->position->setAxisRect(panel.axes);
+  panel.empty->position->setType(QCPItemPosition::ptAxisRectRatio);
+  panel.empty->position->setCoords(0.5, 0.5);
+  panel.empty->setText(tr("no data"));
+  panel.empty->setVisible(false);
+  panels_.push_back(panel);
+  columns_ = 0;
+  return panels_.back();
+}
+
+void PanelFigure::setTheme(const Theme& theme) {
+  theme_ = &theme;
+  fit();
+}
+
+void PanelFigure::fit() {
+  setViewport(rect());
+  scale_ = SheetScale::of(width());
+  const double inner = width() - 2.0 * kMargin;
+  setBackground(QBrush(theme_->surface));
+  title_->setColours(theme_->text, theme_->muted);
+  title_->fit(scale_.title, scale_.text, inner);
+  restyle();
+  legend_->setColour(theme_->text);
+  legend_->fit(scale_.text, inner);
+  const int columns = std::clamp(columnsFor(size()), 1, std::max(1, static_cast<int>(panels_.size())));
+  arrange(columns);
+  const double wide = (inner - (columns - 1) * kPanelSpacing) / columns;
+  for (const Panel& panel : panels_) {
+    panel.header->setColours(theme_->text, theme_->muted);
+    panel.header->fit(scale_.text, scale_.tick, wide);
+    styleAxes(panel);
+  }
+  chooseTicks();
+  laidOut();
+  replot(rpQueuedReplot);
+}
+
+void PanelFigure::arrange(int columns) {
+  if (columns == columns_ || panels_.empty()) return;
+  columns_ = columns;
+  for (const Panel& panel : panels_) {
+    if (panel.cell->layout()) grid_->take(panel.cell);
+    panel.axes->setMarginGroup(QCP::msLeft | QCP::msRight | QCP::msBottom, nullptr);
+  }
+  grid_->simplify();
+  qDeleteAll(groups_);
+  groups_.clear();
+  const int rows = (static_cast<int>(panels_.size()) + columns - 1) / columns;
+  for (int i = 0; i < columns + rows; ++i) groups_.push_back(new QCPMarginGroup(this));
+  for (std::size_t i = 0; i < panels_.size(); ++i) {
+    const int row = static_cast<int>(i) / columns, column = static_cast<int>(i) % columns;
+    grid_->addElement(row, column, panels_[i].cell);
+    panels_[i].axes->setMarginGroup(QCP::msLeft, groups_[static_cast<std::size_t>(column)]);
+    panels_[i].axes->setMarginGroup(QCP::msBottom, groups_[static_cast<std::size_t>(columns + row)]);
+  }
+}
+
+void PanelFigure::styleAxes(const Panel& panel) const {
+  panel.axes->setBackground(QBrush(theme_->surface));
+  panel.empty->setColor(theme_->muted);
+  panel.empty->setFont(textFont(scale_.text));
+  for (QCPAxis* axis : panel.axes->axes()) {
+    axis->setBasePen(QPen(theme_->muted, 0.8));
+    axis->setTickPen(QPen(theme_->muted, 0.8));
+    axis->setTickLabelColor(theme_->text);
+    axis->setLabelColor(theme_->text);
+    axis->setTickLabelFont(textFont(scale_.tick));
+    axis->setLabelFont(textFont(scale_.tick));
+    axis->setLabelPadding(2);
+    axis->setTickLabelPadding(2);
+    axis->grid()->setPen(QPen(theme_->grid, 0.8));
+  }
+}
+
+void PanelFigure::chooseTicks() {
+  plotLayout()->update(QCPLayoutElement::upPreparation);
+  plotLayout()->update(QCPLayoutElement::upMargins);
+  plotLayout()->update(QCPLayoutElement::upLayout);
+  for (const Panel& panel : panels_) {
+    const double label = QFontMetricsF(textFont(scale_.tick)).height();
+    panel.axes->axis(QCPAxis::atBottom)
+        ->ticker()
+        ->setTickCount(std::clamp(static_cast<int>(panel.axes->width() / (3.6 * label)), 2, 10));
+    panel.axes->axis(QCPAxis::atLeft)
+        ->ticker()
+        ->setTickCount(std::clamp(static_cast<int>(panel.axes->height() / (2.2 * label)), 2, 7));
+  }
+}
+
+void PanelFigure::resizeEvent(QResizeEvent* event) {
+  QCustomPlot::resizeEvent(event);
+  fit();
+}
+
+}  // namespace capstan::widgets

@@ -1,0 +1,73 @@
+#include "widgets/figures/text_row.h"
+
+#include "widgets/figures/theme.h"
+
+namespace capstan::widgets {
+
+namespace {
+
+constexpr double kLineSpacing = 1.08;
+constexpr int kBelow = 2;  ///< under the last line [px]
+
+int lineHeight(const QFont& font) {
+  return static_cast<int>(std::ceil(QFontMetricsF(font).height() * kLineSpacing));
+}
+
+}  // namespace
+
+QStringList wrapText(const QString& text, const QFont& font, double width) {
+  const QFontMetricsF metrics(font);
+  QStringList lines;
+  QString line;
+  for (const QString& word : text.split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
+    const QString longer = line.isEmpty() ? word : line + QLatin1Char(' ') + word;
+    if (!line.isEmpty() && metrics.horizontalAdvance(longer) > width) {
+      lines << line;
+      line = word;
+    } else {
+      line = longer;
+    }
+  }
+  if (!line.isEmpty()) lines << line;
+  return lines;
+}
+
+TextRow::TextRow(QCustomPlot* plot) : QCPLayoutElement(plot) { setLayer("legend"); }
+
+void TextRow::setColours(const QColor& strong, const QColor& quiet) {
+  strong_ = strong;
+  quiet_ = quiet;
+}
+
+QFont TextRow::fontOf(const Line& line) const {
+  return textFont(line.strong ? strong_points_ : points_, line.strong);
+}
+
+void TextRow::fit(double strong_points, double points, double width) {
+  strong_points_ = strong_points;
+  points_ = points;
+  wrapped_.clear();
+  height_ = 0;
+  for (const Line& line : lines_)
+    for (const QString& part : wrapText(line.text, fontOf(line), width - left_)) {
+      wrapped_.push_back({part, line.strong});
+      height_ += lineHeight(fontOf(line));
+    }
+  if (height_ > 0) height_ += kBelow;
+}
+
+void TextRow::draw(QCPPainter* painter) {
+  double top = rect().top();
+  for (const Line& line : wrapped_) {
+    const QFont font = fontOf(line);
+    painter->setFont(font);
+    painter->setPen(line.strong ? strong_ : quiet_);
+    const QFontMetricsF metrics(font);
+    const double width = metrics.horizontalAdvance(line.text);
+    painter->drawText(QRectF(rect().left() + left_, top, width + 2.0, lineHeight(font)),
+                      Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine | Qt::TextDontClip, line.text);
+    top += lineHeight(font);
+  }
+}
+
+}  // namespace capstan::widgets

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <qcustomplot.h>
+
+#include <vector>
+
+namespace capstan::widgets {
+
+/// Lines of text above a plot, wrapped to the width given. Its height is that of the wrapped lines.
+class TextRow : public QCPLayoutElement {
+  Q_OBJECT
+ public:
+  struct Line {
+    QString text;
+    bool strong = false;  ///< bold, in the text colour; else in the muted one
+  };
+
+  explicit TextRow(QCustomPlot* plot);
+
+  void setLines(std::vector<Line> lines) { lines_ = std::move(lines); }
+  const std::vector<Line>& lines() const { return lines_; }
+  void setColours(const QColor& strong, const QColor& quiet);
+  /// `strong_points` and `points`: font sizes [typographic points]; `width` [px].
+  void fit(double strong_points, double points, double width);
+  void setLeftMargin(int pixels) { left_ = pixels; }
+
+ protected:
+  QSize minimumOuterSizeHint() const override { return {10, height_}; }
+  QSize maximumOuterSizeHint() const override { return {QWIDGETSIZE_MAX, height_}; }
+  void applyDefaultAntialiasingHint(QCPPainter* painter) const override { painter->setAntialiasing(true); }
+  void draw(QCPPainter* painter) override;
+
+ private:
+  QFont fontOf(const Line& line) const;
+
+  std::vector<Line> lines_, wrapped_;
+  QColor strong_, quiet_;
+  double strong_points_ = 9.0, points_ = 8.0;
+  int height_ = 0, left_ = 0;
+};
+
+/// `text` cut at its spaces (not at unbreakable ones) so that no line is wider than `width` where a cut can
+/// help.
+QStringList wrapText(const QString& text, const QFont& font, double width);
+
+}  // namespace capstan::widgets
