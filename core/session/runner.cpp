@@ -4,17 +4,19 @@
 #include <atomic>
 #include <condition_variable>
 #include <deque>
-#include <future>
 #include <mutex>
 #include <thread>
 #include <utility>
 
 #include "core/base/yaml.h"
+#include "core/session/arrival.h"
 #include "core/session/blocking.h"
 #include "core/session/due_times.h"
 #include "core/session/pacer.h"
 #include "core/session/publisher.h"
 #include "core/session/rate_meter.h"
+#include "core/session/recording_slot.h"
+#include "core/tracking/make_pipeline.h"
 
 namespace capstan::session {
 namespace {
@@ -25,18 +27,6 @@ constexpr double kStepWithoutCameras = 1.0 / 15.0;  // [s]
 constexpr auto kReportPeriod = std::chrono::milliseconds(100);
 constexpr auto kPicturePeriod = std::chrono::milliseconds(30);
 
-double arrivalOf(const tracking::Sample& sample) {
-  if (const auto* frame = std::get_if<tracking::StereoFrame>(&sample)) return frame->t_arrival;
-  if (const auto* tip = std::get_if<tracking::TipSample>(&sample)) return tip->t_arrival;
-  if (const auto* joint = std::get_if<tracking::JointSample>(&sample)) return joint->t;
-  return std::get<tracking::MotorSample>(sample).t;
-}
-
-bool fromCamera(const tracking::Sample& sample) {
-  return std::holds_alternative<tracking::StereoFrame>(sample) ||
-         std::holds_alternative<tracking::TipSample>(sample);
-}
-
 }  // namespace
 
 class Runner::Impl {
@@ -46,9 +36,10 @@ class Runner::Impl {
         source_(std::move(source)),
         info_(source_->info()),
         pipeline_(std::move(pipeline)),
+        tracking_(pipeline_.options()),
         publisher_(options.history_capacity),
-        registration_(pipeline_.registration()),
-        tracking_text_(base::writeYaml(pipeline_.options())) {
+        robot_(pipeline_.robot()),
+        registration_(pipeline_.registration()) {
     status_.speed = speed_ = options.speed;
     thread_ = std::thread([this] { work(); });
   }
@@ -56,7 +47,6 @@ class Runner::Impl {
   ~Impl() {
     post([this] { quit_ = true; });
     thread_.join();
-    if (recorder_) recorder_->close();
   }
 
   const SourceInfo& info() const { return info_; }
@@ -109,7 +99,36 @@ class Runner::Impl {
     }
     post([this, pose] {
       pipeline_.setRegistration(pose);
-      if (recorder_) recorder_->setRegistration(t_, pose);
+      if (listener_) listener_.begin(pipeline_);
+      recording_.setRegistration(t_, pose);
+    });
+  }
+
+  void setRobot(const robot::Description& robot, const std::string& note) {
+    SourceInfo info = info_;
+    info.robot = robot;
+    auto next = std::make_shared<tracking::TrackingPipeline>(tracking::makePipeline(info, tracking_));
+    {
+      const std::lock_guard lock(mutex_);
+      robot_ = robot;
+    }
+    post([this, next, note] {
+      if (pipeline_.registration()) next->setRegistration(*pipeline_.registration());
+      pipeline_ = std::move(*next);
+      report_ = {};
+      if (listener_) listener_.begin(pipeline_);
+      recording_.note(t_, "robot", note);
+    });
+  }
+  robot::Description robot() const {
+    const std::lock_guard lock(mutex_);
+    return robot_;
+  }
+
+  void listen(Listener listener) {
+    post([this, listener = std::move(listener)] {
+      if (listener) listener.begin(pipeline_);
+      listener_ = listener;
     });
   }
 
@@ -117,9 +136,7 @@ class Runner::Impl {
     post([this] { report_ = {}; });
   }
   void note(std::string text) {
-    post([this, text = std::move(text)] {
-      if (recorder_) recorder_->note(t_, "note", text);
-    });
+    post([this, text = std::move(text)] { recording_.note(t_, "note", text); });
   }
   void command(Command given) {
     post([this, given = std::move(given)] { given(*source_, pipeline_); });
@@ -130,31 +147,26 @@ class Runner::Impl {
     {
       const std::lock_guard lock(mutex_);
       if (registration_) header.base_from_camera = registration_;
+      header.robot = base::writeYaml(robot_);
     }
-    if (header.tracking.empty()) header.tracking = tracking_text_;
+    if (header.tracking.empty()) header.tracking = base::writeYaml(tracking_);
     auto recorder = std::make_shared<Recorder>(path, header, options);
     post([this, recorder] {
-      retireRecorder();
-      recorder_ = recorder;
-      estimates_.restart();
-      if (blocking_.any()) recorder_->note(t_, "occlusion", blocking_.text());
-      const std::lock_guard lock(mutex_);
-      last_recorder_ = recorder;
+      recording_.begin(recorder);
+      if (blocking_.any()) recording_.note(t_, "occlusion", blocking_.text());
     });
   }
   void stopRecording() {
-    post([this] { retireRecorder(); });
+    post([this] { recording_.end(); });
   }
 
   RunStatus status() const {
-    std::shared_ptr<Recorder> recorder;
     RunStatus status;
     {
       const std::lock_guard lock(mutex_);
       status = status_;
-      recorder = last_recorder_;
     }
-    if (recorder) {
+    if (const auto recorder = recording_.newest()) {
       status.recorder = recorder->stats();
       status.recording = recorder->path().string();
     }
@@ -247,10 +259,11 @@ class Runner::Impl {
     const bool motor = std::holds_alternative<tracking::MotorSample>(sample_);
     const bool camera = fromCamera(sample_);
     if (motor) motor_t_ = t_;
-    if (recorder_) recorder_->offer(sample_);
+    recording_.offer(sample_);
     const tracking::Snapshot& snapshot = pipeline_.step(sample_);
     report_.add(snapshot);
-    record(snapshot);
+    if (listener_) listener_.take(sample_, snapshot);
+    recording_.offer(snapshot);
     const bool plotted = snapshot.camera_updated || (snapshot.motor_updated && plots_.due(snapshot.t));
     publisher_.publish(snapshot, plotted);
     publishFrames(snapshot);
@@ -259,12 +272,6 @@ class Runner::Impl {
       mode_ = Mode::kPause;
     camera_seen_ = camera_seen_ || camera;
     publishStatus(mode_ == Mode::kPause);
-  }
-
-  void record(const tracking::Snapshot& snapshot) {
-    if (!recorder_) return;
-    if (snapshot.camera_updated || (snapshot.motor_updated && estimates_.due(snapshot.t)))
-      recorder_->offer(snapshot);
   }
 
   void publishFrames(const tracking::Snapshot& snapshot) {
@@ -278,14 +285,7 @@ class Runner::Impl {
   }
 
   void applyBlocking() {
-    if (blocking_.apply(motor_t_, *source_) && recorder_) recorder_->note(t_, "occlusion", blocking_.text());
-  }
-
-  void retireRecorder() {
-    if (!recorder_) return;
-    closing_.push_back(
-        std::async(std::launch::async, [recorder = std::move(recorder_)] { recorder->close(); }));
-    recorder_ = nullptr;
+    if (blocking_.apply(motor_t_, *source_)) recording_.note(t_, "occlusion", blocking_.text());
   }
 
   void finish(RunState state, std::string error) {
@@ -324,6 +324,7 @@ class Runner::Impl {
   const std::unique_ptr<Source> source_;
   const SourceInfo info_;
   tracking::TrackingPipeline pipeline_;
+  const tracking::TrackingOptions tracking_;
   Publisher publisher_;
 
   // The pipeline's thread.
@@ -331,12 +332,12 @@ class Runner::Impl {
   double speed_ = 1.0;
   double t_ = 0.0, motor_t_ = 0.0;
   double step_end_ = 0.0;
-  DueTimes plots_{options_.history_rate}, estimates_{options_.estimate_rate};
+  DueTimes plots_{options_.history_rate};
   bool quit_ = false, fetched_ = false, camera_seen_ = false;
   tracking::Sample sample_;
   Blocking blocking_;
-  std::shared_ptr<Recorder> recorder_;
-  std::vector<std::future<void>> closing_;
+  RecordingSlot recording_{options_.estimate_rate};
+  Listener listener_;
   tracking::TrackReport report_;
   Pacer pacer_;
   RateMeter meter_;
@@ -350,9 +351,8 @@ class Runner::Impl {
   RunStatus status_;
   RunState done_ = RunState::kEnded;
   tracking::TrackReport published_report_;
+  robot::Description robot_;
   std::optional<Eigen::Isometry3d> registration_;
-  const std::string tracking_text_;
-  std::shared_ptr<Recorder> last_recorder_;
 
   std::thread thread_;
 };
@@ -372,6 +372,11 @@ void Runner::setOcclusion(const OcclusionSchedule& schedule) { impl_->setOcclusi
 void Runner::setRegistration(const Eigen::Isometry3d& base_from_camera) {
   impl_->setRegistration(base_from_camera);
 }
+void Runner::setRobot(const robot::Description& robot, const std::string& note) {
+  impl_->setRobot(robot, note);
+}
+robot::Description Runner::robot() const { return impl_->robot(); }
+void Runner::listen(Listener listener) { impl_->listen(std::move(listener)); }
 void Runner::resetErrors() { impl_->resetErrors(); }
 void Runner::note(std::string text) { impl_->note(std::move(text)); }
 void Runner::post(Command command) { impl_->command(std::move(command)); }

@@ -41,6 +41,15 @@ struct RunStatus {
   std::string recording;                  ///< its path
 };
 
+/// Hears what the pipeline makes of every sample, on the pipeline's thread: must be quick and must not throw.
+struct Listener {
+  /// Before the first sample, and again when robot or registration have changed.
+  std::function<void(const tracking::TrackingPipeline&)> begin;
+  std::function<void(const tracking::Sample&, const tracking::Snapshot&)> take;
+
+  explicit operator bool() const { return static_cast<bool>(take); }
+};
+
 /// Runs a source through a pipeline on a thread of its own: paces it, applies occlusion, records, and
 /// publishes what views want. Every call returns at once (startRecording() creates a file); starts paused.
 class Runner {
@@ -61,6 +70,13 @@ class Runner {
   void block(bool left, bool right);  ///< by hand, from now on
   void setOcclusion(const OcclusionSchedule& schedule);
   void setRegistration(const Eigen::Isometry3d& base_from_camera);
+  /// The pipeline is made anew for `robot`, with options and registration as they are, from the next sample
+  /// on; report() starts anew, recordings carry it, one under way gets `note` as event "robot". Throws
+  /// base::InputError for a robot that the pipeline cannot take; then nothing changes.
+  void setRobot(const robot::Description& robot, const std::string& note);
+  robot::Description robot() const;  ///< in use
+  /// From the next sample on, in place of the one before; {}: nobody, which costs nothing.
+  void listen(Listener listener);
   void resetErrors();  ///< report() starts anew
   void note(std::string text);
 
@@ -68,9 +84,9 @@ class Runner {
   using Command = std::function<void(Source&, tracking::TrackingPipeline&)>;
   void post(Command command);
 
-  /// Creates the file here, records from the next sample on. Adds the registration and the tracking options
-  /// in use to `header`. A recording under way is stopped. Throws base::InputError when the file cannot be
-  /// created.
+  /// Creates the file here, records from the next sample on. Adds the robot, the registration and the
+  /// tracking options in use to `header`. A recording under way is stopped. Throws base::InputError when the
+  /// file cannot be created.
   void startRecording(const std::filesystem::path& path, SessionHeader header,
                       const RecorderOptions& options = {});
   void stopRecording();  ///< the file is closed in the background
