@@ -1,0 +1,111 @@
+#include "core/identification/live_recording.h"
+
+#include <fmt/format.h>
+
+#include "core/base/yaml.h"
+
+namespace capstan::identification {
+namespace {
+
+constexpr double kPatience = 2.0;           // [s] without a camera before that is said
+constexpr std::size_t kReserve = 1U << 14;  // motor samples between two calls of data()
+
+bool same(const std::optional<Eigen::Isometry3d>& a, const std::optional<Eigen::Isometry3d>& b) {
+  return a.has_value() == b.has_value() && (!a || a->matrix() == b->matrix());
+}
+
+}  // namespace
+
+std::string wordsOf(const LiveExtent& extent) {
+  if (extent.motors == 0) return "waiting for the arm's motors";
+  if (!extent.registered) return "the cameras are not registered: nothing can be identified before they are";
+  if (extent.sightings == 0 && extent.seconds < kPatience) return "waiting for the cameras";
+  if (extent.cameras == 0) return "no camera here: nothing can be identified";
+  if (extent.sightings == 0) return "the marker is not seen: nothing can be identified";
+  const auto text = fmt::format("{:.0f} s, tip seen {} times", extent.seconds, extent.sightings);
+  return extent.full ? text + "; that is as much as is kept" : text;
+}
+
+LiveRecording::LiveRecording(std::string title, double longest)
+    : title_(std::move(title)), longest_(longest) {
+  motors_.reserve(kReserve);
+}
+
+void LiveRecording::begin(const tracking::TrackingPipeline& pipeline) {
+  const std::string robot = base::writeYaml(pipeline.robot());
+  const std::lock_guard lock(mutex_);
+  if (blank_ && robot == robot_ && same(registration_, pipeline.registration())) return;
+  robot_ = robot;
+  registration_ = pipeline.registration();
+  blank_.emplace(pipeline, title_);
+  beginAnew();
+}
+
+void LiveRecording::beginAnew() {
+  motors_.clear();
+  cameras_.clear();
+  const std::uint64_t restarts = extent_.motors > 0 ? extent_.restarts + 1 : extent_.restarts;
+  extent_ = {};
+  extent_.restarts = restarts;
+  anew_ = true;
+}
+
+void LiveRecording::take(const tracking::Sample&, const tracking::Snapshot& snapshot) {
+  const std::lock_guard lock(mutex_);
+  if (snapshot.motor_updated) {
+    if (extent_.motors > 0 && snapshot.t <= last_) beginAnew();
+    if (extent_.motors == 0) first_ = snapshot.t;
+    extent_.full = snapshot.t - first_ > longest_;
+    if (extent_.full) return;
+    last_ = snapshot.t;
+    ++extent_.motors;
+    extent_.seconds = last_ - first_;
+    motors_.push_back({snapshot.t, snapshot.q_motor, snapshot.dq_motor});
+  }
+  if (!snapshot.camera_updated || extent_.full) return;
+  ++extent_.cameras;
+  extent_.registered = snapshot.gate != tracking::Gate::kUnregistered;
+  if (!snapshot.tip_cam.allFinite() || !snapshot.q_link_cam.allFinite()) return;
+  ++extent_.sightings;
+  cameras_.push_back(snapshot);
+}
+
+LiveExtent LiveRecording::extent() const {
+  const std::lock_guard lock(mutex_);
+  return extent_;
+}
+
+void LiveRecording::feed(const std::vector<Motor>& motors, const std::vector<tracking::Snapshot>& cameras) {
+  tracking::Snapshot snapshot;
+  for (const Motor& motor : motors) {
+    snapshot.t = motor.t;
+    snapshot.q_motor = motor.position;
+    snapshot.dq_motor = motor.velocity;
+    snapshot.motor_samples = ++fed_;
+    collector_->add(tracking::MotorSample{motor.t, motor.position, motor.velocity, Eigen::Vector3d::Zero()},
+                    snapshot);
+  }
+  for (const tracking::Snapshot& seen : cameras)
+    collector_->add(tracking::TipSample{seen.t_cam, seen.t, seen.tip_cam}, seen);
+}
+
+IdentificationData LiveRecording::data() {
+  std::vector<Motor> motors;
+  motors.reserve(kReserve);
+  std::vector<tracking::Snapshot> cameras;
+  {
+    const std::lock_guard lock(mutex_);
+    motors.swap(motors_);
+    cameras.swap(cameras_);
+    if (anew_) {
+      collector_ = blank_;
+      fed_ = 0;
+    }
+    anew_ = false;
+  }
+  if (!collector_) return {};
+  feed(motors, cameras);
+  return DataCollector(*collector_).finish();
+}
+
+}  // namespace capstan::identification

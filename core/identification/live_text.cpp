@@ -1,0 +1,65 @@
+#include "core/identification/live_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace capstan::identification {
+namespace {
+
+bool inKilonewtons(const Parameter& parameter) {
+  return parameter.quantity == Quantity::kStiffness && parameter.nominal >= 1e3;
+}
+
+/// Decimals at which `sigma` has two digits.
+int decimalsFor(double sigma) {
+  if (!(sigma > 0.0)) return 2;
+  return std::clamp(1 - static_cast<int>(std::floor(std::log10(sigma))), 0, 6);
+}
+
+std::string withMinus(std::string text) {
+  if (text.starts_with('-')) text.replace(0, 1, "−");
+  return text;
+}
+
+}  // namespace
+
+double scaleOf(const Parameter& parameter) { return inKilonewtons(parameter) ? 1e-3 : parameter.scale(); }
+
+std::string unitOf(const Parameter& parameter) { return inKilonewtons(parameter) ? "kN" : parameter.unit(); }
+
+LiveRow rowOf(const Parameter& parameter) {
+  LiveRow row;
+  row.name = parameter.name();
+  row.value = "—";
+  row.unit = unitOf(parameter);
+  row.words = parameter.words() + ": nothing known yet";
+  return row;
+}
+
+LiveRow rowOf(const Estimate& estimate, const Convergence* convergence, double change) {
+  const Parameter& parameter = estimate.parameter;
+  LiveRow row = rowOf(parameter);
+  const double way = std::log(parameter.prior_sigma / parameter.goal);
+  row.share = way > 0.0 ? std::clamp(std::log(parameter.prior_sigma / estimate.sigma) / way, 0.0, 1.0) : 1.0;
+  row.seen = estimate.seen;
+  row.settled = convergence ? convergence->settled : estimate.seen && estimate.sigma <= parameter.goal;
+  if (convergence)
+    row.words = wordsOf(*convergence, estimate);
+  else if (!estimate.advice.empty())
+    row.words = estimate.advice;
+  else
+    row.words = fmt::format("{} is known to ±{:.2g} %", parameter.words(), 100.0 * estimate.sigma);
+  if (!estimate.seen) {
+    row.value = "weak";
+    return row;
+  }
+  const double sigma = scaleOf(parameter) * estimate.valueSigma();
+  row.value = fmt::format("{:.{}f}", scaleOf(parameter) * estimate.value(), decimalsFor(sigma));
+  row.sigma = fmt::format("±{:.{}f}", sigma, decimalsFor(sigma));
+  row.change = withMinus(fmt::format("{:+.1f} %", change));
+  return row;
+}
+
+}  // namespace capstan::identification
