@@ -148,7 +148,7 @@ struct Results {
   bool simulated = true;                               ///< no trial is of a real robot
   std::vector<TrialResult> trials;                     ///< of work: track
   std::optional<IdentificationResult> identification;  ///< of work: identify
-  double wall_seconds = 0.0;                           ///< in timing.json: of this run
+  double wall_seconds = 0.0;                           ///< of the run that computed them; in timing.json
   int resumed = 0;                                     ///< trials that an earlier run had finished
   std::vector<std::string> notices;                    ///< damaged files and the like; in no file
   bool cancelled = false;  ///< incomplete: nothing was written but finished trials

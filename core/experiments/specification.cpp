@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/resource.h"
 #include "core/base/yaml.h"
+#include "core/experiments/results.h"
 
 namespace capstan::experiments {
 namespace {
@@ -37,9 +38,10 @@ class Checker {
     std::set<std::string> names;
     for (std::size_t i = 0; i < specification_.trials.size(); ++i) {
       checkTrial(i);
-      if (!names.insert(specification_.trials[i].name).second)
-        refuse(root_["trials"][i]["name"], trialKey(i, "name"), "is the name of two trials",
-               "Give each its own");
+      if (!names.insert(fileNameOf(specification_.trials[i].name)).second)
+        refuse(root_["trials"][i]["name"], trialKey(i, "name"),
+               "is the name of two trials, or would be that of two files",
+               "Give each its own: only letters, digits and _ tell them apart");
     }
     if (specification_.work == Work::kTrack && root_["identification"].IsDefined())
       refuse(root_["identification"], "identification", "is of no use where work is track",

@@ -56,7 +56,7 @@ struct TrialSpec {
 struct IdentificationSpec {
   std::string parameters = "r_l1,k_e,b_e,f_c";  ///< as identification::ParameterSet takes them
   std::string options;  ///< priors and goals (resources/identification/default.yaml); empty: the defaults
-  Method robot = Method::kBatch;
+  Method robot = Method::kDualUkf;
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& field) {

@@ -1,0 +1,202 @@
+#include "core/experiments/run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <mutex>
+
+#include "core/base/error.h"
+#include "core/experiments/identify_trials.h"
+#include "core/experiments/results_json.h"
+#include "core/experiments/track_trial.h"
+#include "core/experiments/trial_setup.h"
+#include "core/experiments/trial_store.h"
+#include "core/experiments/workers.h"
+
+namespace capstan::experiments {
+namespace {
+
+using nlohmann::json;
+
+/// `specification` behind everything that it needs, each once. Throws base::InputError for a circle and for a
+/// need that identifies nothing.
+void planFor(const Specification& specification, std::vector<std::string>& above,
+             std::vector<Specification>& plan) {
+  const auto same = [&](const Specification& one) { return one.name == specification.name; };
+  if (std::any_of(plan.begin(), plan.end(), same)) return;
+  above.push_back(specification.name);
+  for (const std::string& name : specification.needs()) {
+    const auto refuse = [&](const std::string& reason, const std::string& remedy) {
+      throw base::InputError({specification.file.string(), 0, "robot", name, reason, remedy});
+    };
+    if (std::find(above.begin(), above.end(), name) != above.end())
+      refuse("needs this experiment itself", "Break the circle");
+    const Specification needed = findSpecification(name, specification.file);
+    if (needed.work != Work::kIdentify) refuse("identifies no robot", "Name an experiment of work: identify");
+    if (needed.name != name)
+      refuse(fmt::format("calls itself {} in {}", needed.name, needed.file.string()), "Use one name");
+    planFor(needed, above, plan);
+  }
+  above.pop_back();
+  plan.push_back(specification);
+}
+
+double weightOf(const Specification& specification) {
+  double sum = 0.0;
+  for (const TrialSpec& trial : specification.trials) sum += trial.duration;
+  return specification.work == Work::kIdentify ? 2.0 * sum : sum;
+}
+
+/// One experiment, what it builds on at hand.
+class Experiment {
+ public:
+  Experiment(const Specification& specification, const RunOptions& options,
+             const std::vector<IdentificationResult>& found)
+      : specification_(specification),
+        options_(options),
+        store_(options.out.empty() ? std::filesystem::path() : folder() / "trials") {
+    const RobotBelief belief = beliefOf(specification, found);
+    const bool images = options.images.value_or(specification.images);
+    for (const TrialSpec& trial : specification.trials)
+      setups_.push_back(setUpTrial(specification, trial, belief, images, options.software));
+    results_.name = specification.name;
+    results_.title = specification.title;
+    results_.work = specification.work;
+    results_.software = options.software;
+    results_.specification = specification.text;
+  }
+
+  Results run(const ProgressSlice& progress) {
+    const auto begin = std::chrono::steady_clock::now();
+    if (specification_.work == Work::kTrack)
+      track(progress);
+    else
+      identify(progress);
+    results_.cancelled = progress.whole.cancelled() && !complete_;
+    results_.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    if (!results_.cancelled) finish();
+    return std::move(results_);
+  }
+
+ private:
+  std::filesystem::path folder() const { return options_.out / specification_.name; }
+
+  void track(const ProgressSlice& progress) {
+    std::vector<TrialResult> trials(setups_.size());
+    std::vector<char> done(setups_.size(), 0);
+    std::vector<Job> jobs;
+    for (std::size_t i = 0; i < setups_.size(); ++i) {
+      if (takeKept(setups_[i], trials[i])) {
+        done[i] = 1;
+        continue;
+      }
+      jobs.push_back({setups_[i].spec.name, setups_[i].weight(), [this, &trials, &done, i](auto& own) {
+                        trials[i] = trackTrial(setups_[i], own);
+                        if (own.cancelled()) return;
+                        keep(setups_[i].spec.name, setups_[i].fingerprint, trials[i], trials[i].seconds);
+                        done[i] = 1;
+                      }});
+    }
+    results_.resumed = static_cast<int>(setups_.size() - jobs.size());
+    doAll(jobs, options_.threads, progress);
+    complete_ = std::all_of(done.begin(), done.end(), [](char one) { return one != 0; });
+    for (std::size_t i = 0; i < trials.size(); ++i)
+      if (done[i] != 0) results_.trials.push_back(std::move(trials[i]));
+    for (const TrialResult& trial : results_.trials) results_.simulated &= trial.simulated;
+  }
+
+  void identify(const ProgressSlice& progress) {
+    const IdentificationSetup setup = setUpIdentification(specification_, setups_.front().table_robot);
+    json fingerprint = {{"identification", setup.fingerprint}, {"trials", json::array()}};
+    for (const TrialSetup& trial : setups_) fingerprint["trials"].push_back(trial.fingerprint);
+    IdentificationResult result;
+    if (takeKept("identification", fingerprint, result, [&](const json& seconds) {
+          result.collect_seconds = seconds.at(0);
+          result.dual_seconds = seconds.at(1);
+          result.batch_seconds = seconds.at(2);
+        })) {
+      results_.resumed = static_cast<int>(setups_.size());
+    } else {
+      result = identifyTrials(setups_, setup, options_.threads, progress);
+      if (progress.whole.cancelled()) return;
+      keep("identification", fingerprint, result,
+           json{result.collect_seconds, result.dual_seconds, result.batch_seconds});
+    }
+    complete_ = true;
+    results_.simulated = !result.inputs.truth.empty();
+    results_.identification = std::move(result);
+  }
+
+  bool takeKept(const TrialSetup& setup, TrialResult& trial) {
+    return takeKept(setup.spec.name, setup.fingerprint, trial,
+                    [&](const json& seconds) { trial.seconds = seconds.get<double>(); });
+  }
+
+  template <class Result, class TakeSeconds>
+  bool takeKept(const std::string& name, const json& fingerprint, Result& result, TakeSeconds&& take) {
+    std::string notice;
+    const auto kept = store_.find(name, fingerprint, notice);
+    if (!notice.empty()) results_.notices.push_back(notice);
+    if (!kept) return false;
+    takeNumbers(kept->at("numbers"), result);
+    takeSeries(kept->at("series"), result);
+    take(kept->at("seconds"));
+    return true;
+  }
+
+  template <class Result>
+  void keep(const std::string& name, const json& fingerprint, const Result& result, const json& seconds) {
+    store_.keep(name, fingerprint,
+                {{"numbers", numbersOf(result)}, {"series", seriesOf(result)}, {"seconds", seconds}});
+  }
+
+  /// Writes the results. Where nothing was computed, the time that the computation took stays.
+  void finish() {
+    if (options_.out.empty()) return;
+    if (results_.resumed == static_cast<int>(setups_.size())) {
+      try {
+        results_.wall_seconds = readResults(folder()).wall_seconds;
+      } catch (const base::InputError&) {
+        results_.wall_seconds = kNone;  // the run that computed them was stopped before it had written
+      }
+    }
+    writeResults(results_, folder());
+  }
+
+  const Specification& specification_;
+  const RunOptions& options_;
+  TrialStore store_;
+  std::vector<TrialSetup> setups_;
+  Results results_;
+  bool complete_ = false;
+};
+
+}  // namespace
+
+Results run(const Specification& specification, const RunOptions& options, base::Progress& progress) {
+  std::vector<Specification> plan;
+  std::vector<std::string> above;
+  planFor(specification, above, plan);
+  double total = 0.0, before = 0.0;
+  for (const Specification& one : plan) total += weightOf(one);
+  std::map<std::string, IdentificationResult> found;
+  std::vector<std::string> notices;
+  for (const Specification& one : plan) {
+    std::vector<IdentificationResult> needed;
+    for (const std::string& name : one.needs()) needed.push_back(found.at(name));
+    const double after = before + weightOf(one);
+    Results results = Experiment(one, options, needed).run({progress, before / total, after / total});
+    before = after;
+    notices.insert(notices.end(), results.notices.begin(), results.notices.end());
+    if (results.cancelled || one.name == specification.name) {
+      results.notices = notices;
+      return results;
+    }
+    found[one.name] = *results.identification;
+  }
+  return {};
+}
+
+}  // namespace capstan::experiments

@@ -1,0 +1,235 @@
+#include "core/experiments/tables.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/base/units.h"
+#include "core/base/yaml.h"
+#include "core/stats/boxplot.h"
+#include "core/stats/quantile.h"
+#include "core/stats/rms.h"
+#include "core/stats/t_test.h"
+
+namespace capstan::experiments {
+namespace {
+
+using base::NumberStyle;
+using base::Table;
+using base::TableCell;
+
+bool hasErrors(const TrialResult& trial) {
+  return trial.counts[static_cast<std::size_t>(Estimator::kUkf)] > 0;
+}
+
+double rmsForPeople(const TrialResult& trial, Estimator which, int joint) {
+  return forPeople(trial.rmsOf(which)(joint), joint);
+}
+
+/// The paper's table I stands beside six trials and no others.
+const Published* beside(const Results& results, const Published* published) {
+  return published && results.trials.size() == published->table_1.duration.size() ? published : nullptr;
+}
+
+template <class Test>
+double pOf(Test&& test, const std::vector<double>& first, const std::vector<double>& second) {
+  try {
+    return test(first, second).p_value;
+  } catch (const base::InputError&) {
+    return kNone;  // too few trials, or no spread
+  }
+}
+
+std::string value(const ParameterEstimate& estimate, double scale) {
+  if (!estimate.seen) return "not seen";
+  return fmt::format("{:.5g} ± {:.2g}", scale * estimate.value, scale * estimate.sigma);
+}
+
+double errorPercent(const ParameterEstimate& estimate, double truth) {
+  return estimate.seen ? 100.0 * (estimate.value / truth - 1.0) : kNone;
+}
+
+TableCell covers(const ParameterEstimate& estimate, double truth) {
+  if (!estimate.seen || !std::isfinite(truth)) return {};
+  return estimate.low <= truth && truth <= estimate.high ? "yes" : "no";
+}
+
+std::string simulatedNote(const Results& results) {
+  return results.simulated ? "The robot is simulated." : "";
+}
+
+}  // namespace
+
+double forPeople(double value, int joint) {
+  return joint == 2 ? base::toMillimetres(value) : base::toDegrees(value);
+}
+
+std::string jointName(int joint) {
+  return fmt::format("{} [{}]", joint + 1, tracking::kJointUnits[static_cast<std::size_t>(joint)]);
+}
+
+Improvement improvementOf(const std::vector<double>& before, const std::vector<double>& after) {
+  Improvement result;
+  if (before.empty() || after.empty()) return result;
+  result.mean = stats::mean(after);
+  result.mean_before = stats::mean(before);
+  result.percent = 100.0 * (result.mean_before - result.mean) / result.mean_before;
+  result.p_pooled = pOf([](const auto& a, const auto& b) { return stats::pooledTTest(a, b); }, before, after);
+  result.p_welch = pOf([](const auto& a, const auto& b) { return stats::welchTTest(a, b); }, before, after);
+  return result;
+}
+
+Improvement improvementOf(const Results& results, Estimator before, Estimator after, int joint) {
+  std::vector<double> first, second;
+  for (const TrialResult& trial : results.trials) {
+    if (!hasErrors(trial)) continue;
+    first.push_back(rmsForPeople(trial, before, joint));
+    second.push_back(rmsForPeople(trial, after, joint));
+  }
+  return improvementOf(first, second);
+}
+
+Table trialTable(const Results& results, const Published* published) {
+  published = beside(results, published);
+  Table table;
+  table.title = fmt::format("Experiment {}: RMS errors by trial", results.name);
+  table.columns = {{"trial", ""}, {"duration", "s", 0}, {"joint", ""}};
+  if (published) table.columns.push_back({"kinematic, paper", ""});
+  table.columns.push_back({"kinematic", ""});
+  if (published) table.columns.push_back({"UKF, paper", ""});
+  for (const char* name : {"UKF", "camera", "kinematic, identified robot"})
+    table.columns.push_back({name, ""});
+  for (std::size_t i = 0; i < results.trials.size(); ++i) {
+    const TrialResult& trial = results.trials[i];
+    for (int joint = 0; joint < 3; ++joint) {
+      std::vector<TableCell> row = {joint == 0 ? TableCell(trial.name) : TableCell(" "),
+                                    joint == 0 ? trial.duration() : kNone, jointName(joint)};
+      if (joint > 0) row[1] = TableCell(" ");
+      if (published) row.push_back(publishedScale(joint) * published->table_1.joint(joint).kinematic[i]);
+      row.push_back(rmsForPeople(trial, Estimator::kKinematic, joint));
+      if (published) row.push_back(publishedScale(joint) * published->table_1.joint(joint).ukf[i]);
+      for (const Estimator which : {Estimator::kUkf, Estimator::kCamera, Estimator::kIdentified})
+        row.push_back(rmsForPeople(trial, which, joint));
+      table.rows.push_back(std::move(row));
+    }
+  }
+  table.note = "RMS over all reference samples; camera: over accepted pictures. " + simulatedNote(results);
+  return table;
+}
+
+Table meanTable(const Results& results, const Published* published) {
+  published = beside(results, published);
+  Table table;
+  table.title = fmt::format("Experiment {}: mean RMS errors and improvement", results.name);
+  table.columns = {{"joint", ""}};
+  const auto column = [&](const char* name, const char* unit, int digits,
+                          NumberStyle style = NumberStyle::kFixed) {
+    if (published) table.columns.push_back({std::string(name) + ", paper", unit, digits, style});
+    table.columns.push_back({name, unit, digits, style});
+  };
+  column("kinematic", "", 3);
+  column("UKF", "", 3);
+  column("improvement", "%", 1);
+  column("P, pooled", "", 2, NumberStyle::kSignificant);
+  table.columns.push_back({"P, Welch", "", 2, NumberStyle::kSignificant});
+  table.columns.push_back({"improvement on identified kinematics", "%", 1});
+  for (int joint = 0; joint < 3; ++joint) {
+    const Improvement ours = improvementOf(results, Estimator::kKinematic, Estimator::kUkf, joint);
+    const Improvement rest = improvementOf(results, Estimator::kIdentified, Estimator::kUkf, joint);
+    const auto j = static_cast<std::size_t>(joint);
+    std::vector<TableCell> row = {jointName(joint)};
+    const auto pair = [&](double paper, double own) {
+      if (published) row.push_back(paper);
+      row.push_back(own);
+    };
+    const PublishedMeans paper = published ? published->table_2 : PublishedMeans{};
+    pair(publishedScale(joint) * paper.kinematic[j], ours.mean_before);
+    pair(publishedScale(joint) * paper.ukf[j], ours.mean);
+    pair(paper.improvement[j], ours.percent);
+    pair(paper.p_value[j], ours.p_pooled);
+    row.push_back(ours.p_welch);
+    row.push_back(rest.percent);
+    table.rows.push_back(std::move(row));
+  }
+  table.note = fmt::format(
+      "Means over {} trials; P of equal means, two-sided. Identified kinematics: transmission kinematics of "
+      "the "
+      "identified robot, which is what calibration alone brings. {}",
+      results.trials.size(), simulatedNote(results));
+  return table;
+}
+
+Table parameterTable(const Results& results, const Published* published) {
+  Table table;
+  table.title = fmt::format("Experiment {}: identified parameters", results.name);
+  table.columns = {{"parameter", ""},
+                   {"nominal", "", 5, NumberStyle::kSignificant},
+                   {"truth", "", 5, NumberStyle::kSignificant},
+                   {"paper", "", 5, NumberStyle::kSignificant},
+                   {"dual UKF", ""},
+                   {"error", "%", 2},
+                   {"95 % covers truth", ""},
+                   {"batch", ""},
+                   {"batch error", "%", 2},
+                   {"batch 95 % covers truth", ""},
+                   {"converged after", "s", 0},
+                   {"paper, converged", "s", 0}};
+  if (!results.identification) return table;
+  for (const IdentifiedParameter& p : results.identification->parameters) {
+    const bool in_paper = published && p.name == "r_l1";
+    table.rows.push_back({fmt::format("{} [{}]", p.name, p.unit), p.scale * p.nominal, p.scale * p.truth,
+                          in_paper ? published->radius.identified_mm : kNone, value(p.dual_ukf, p.scale),
+                          errorPercent(p.dual_ukf, p.truth), covers(p.dual_ukf, p.truth),
+                          value(p.batch, p.scale), errorPercent(p.batch, p.truth), covers(p.batch, p.truth),
+                          p.settled_at.value_or(kNone),
+                          in_paper ? published->radius.converged_after : kNone});
+  }
+  table.note =
+      "± is one standard deviation. Converged: since when the dual UKF's standard deviation has been below "
+      "its "
+      "goal and its value has rested. " +
+      simulatedNote(results);
+  return table;
+}
+
+Table boxplotTable(const Results& results) {
+  Table table;
+  table.title = fmt::format("Experiment {}: absolute errors of the UKF", results.name);
+  table.columns = {{"trial", ""},         {"joint", ""},          {"median, kinematic", ""},
+                   {"median", ""},        {"first quartile", ""}, {"third quartile", ""},
+                   {"upper whisker", ""}, {"outliers", "%", 1},   {"RMS", ""},
+                   {"occluded", "%", 1}};
+  for (const TrialResult& trial : results.trials) {
+    if (trial.errors.empty()) continue;
+    for (int joint = 0; joint < 3; ++joint) {
+      const stats::Boxplot box = stats::boxplot(trial.absoluteErrors(Estimator::kUkf, joint));
+      const double kinematic = stats::median(trial.absoluteErrors(Estimator::kKinematic, joint));
+      table.rows.push_back({trial.name, jointName(joint), forPeople(kinematic, joint),
+                            forPeople(box.median, joint), forPeople(box.first_quartile, joint),
+                            forPeople(box.third_quartile, joint), forPeople(box.upper_whisker, joint),
+                            100.0 * static_cast<double>(box.outliers.size()) / static_cast<double>(box.n),
+                            rmsForPeople(trial, Estimator::kUkf, joint), 100.0 * trial.occluded_share});
+    }
+  }
+  table.note = "Of 100 samples a second; whiskers reach 1.5 interquartile ranges. " + simulatedNote(results);
+  return table;
+}
+
+std::vector<NamedTable> tablesOf(const Results& results, const Published* published) {
+  if (results.work == Work::kIdentify) return {{"parameters", parameterTable(results, published)}};
+  return {{"trials", trialTable(results, published)},
+          {"means", meanTable(results, published)},
+          {"boxplot", boxplotTable(results)}};
+}
+
+void writeTables(const std::vector<NamedTable>& tables, const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  for (const NamedTable& one : tables) {
+    base::writeTextFile(folder / (one.name + ".md"), base::markdownOf(one.table));
+    base::writeTextFile(folder / (one.name + ".tex"), base::latexOf(one.table, "tab:" + one.name));
+    base::writeTextFile(folder / (one.name + ".csv"), base::csvOf(one.table));
+  }
+}
+
+}  // namespace capstan::experiments

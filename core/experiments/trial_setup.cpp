@@ -1,0 +1,167 @@
+#include "core/experiments/trial_setup.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <variant>
+
+#include "core/base/error.h"
+#include "core/base/resource.h"
+#include "core/base/yaml.h"
+#include "core/experiments/results_json.h"
+#include "core/identification/parameters.h"
+#include "core/session/table_source.h"
+#include "core/simulation/simulation_request.h"
+#include "core/tracking/options.h"
+#include "core/vision/camera.h"
+
+namespace capstan::experiments {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// Does `work`; what goes wrong in it is put to the specification's key.
+template <class Work>
+auto blaming(const Specification& specification, const std::string& key, const std::string& value,
+             Work&& work) {
+  try {
+    return work();
+  } catch (const base::InputError& error) {
+    if (!error.fault().file.empty()) throw;
+    throw base::InputError(
+        {specification.file.string(), 0, key, value, error.fault().reason, error.fault().remedy});
+  }
+}
+
+robot::Description nominalOf(const Specification& specification) {
+  return robot::readDescription(specification.nominal.empty()
+                                    ? base::resource("robots/raven2_left.yaml")
+                                    : fs::path(specification.resolved(specification.nominal)));
+}
+
+simulation::SimulatedOptions simulationOf(const Specification& specification, const TrialSpec& trial,
+                                          bool images) {
+  simulation::SimulationRequest request;
+  request.trajectory = specification.resolved(trial.trajectory);
+  request.duration = trial.duration;
+  request.truth = specification.resolved(specification.truth);
+  request.seed = trial.seed;
+  request.robot = specification.resolved(specification.nominal);
+  request.images = images;
+  const std::string key = "trials[" + trial.name + "]";
+  return blaming(specification, key, trial.trajectory, [&] { return simulation::optionsOf(request); });
+}
+
+/// Name, size and age: what tells one state of a file from another without reading it all.
+json stateOf(const std::string& file) {
+  std::error_code fault;
+  const auto size = fs::file_size(file, fault);
+  if (fault)
+    throw base::InputError({file, 0, {}, {}, "cannot be read", "Check the path and its permissions"});
+  const auto age = fs::last_write_time(file, fault).time_since_epoch().count();
+  return {{"file", fs::path(file).filename().string()}, {"bytes", size}, {"written", age}};
+}
+
+/// The text of a CSV that a trajectory replays: it is part of what the trial depends on.
+std::string replayedText(const simulation::TrajectorySpec& trajectory) {
+  return trajectory.kind == simulation::TrajectoryKind::kRecorded
+             ? base::readTextFile(trajectory.recorded.file)
+             : std::string();
+}
+
+}  // namespace
+
+robot::Description withIdentified(const robot::Description& robot,
+                                  const IdentificationResult& identification) {
+  std::string names;
+  for (const IdentifiedParameter& parameter : identification.parameters)
+    if (identification.chosen(parameter).seen) names += (names.empty() ? "" : ",") + parameter.name;
+  if (names.empty()) return robot;
+  const identification::ParameterSet set(robot, names);
+  identification::ParameterSet::Logs logs = identification::ParameterSet::Logs::Zero(set.size());
+  for (const IdentifiedParameter& parameter : identification.parameters)
+    for (int i = 0; i < set.size(); ++i)
+      if (set[i].name() == parameter.name)
+        logs(i) = std::log(identification.chosen(parameter).value / set[i].nominal);
+  return set.robot(logs);
+}
+
+RobotBelief beliefOf(const Specification& specification, const std::vector<IdentificationResult>& found) {
+  if (specification.robotIsFile()) {
+    const auto robot = robot::readDescription(specification.resolved(specification.robot.front()));
+    return [robot](const robot::Description&) { return robot; };
+  }
+  return [found](const robot::Description& nominal) {
+    robot::Description robot = nominal;
+    for (const IdentificationResult& one : found) robot = withIdentified(robot, one);
+    return robot;
+  };
+}
+
+double TrialSetup::weight() const { return recording.empty() ? spec.duration : 200.0; }
+
+TrialSetup setUpTrial(const Specification& specification, const TrialSpec& trial, const RobotBelief& belief,
+                      bool images, const std::string& software) {
+  TrialSetup setup;
+  setup.spec = trial;
+  setup.belief = belief;
+  setup.table_robot = nominalOf(specification);
+  if (!specification.tracking.empty()) {
+    const std::string file = specification.resolved(specification.tracking);
+    setup.inputs.tracking = base::writeYaml(tracking::readTrackingOptions(file));
+  }
+  json state;
+  if (trial.recording.empty()) {
+    setup.simulated = simulationOf(specification, trial, images);
+    setup.inputs.truth = simulation::formatTruth(setup.simulated->truth);
+    setup.inputs.trajectory = base::writeYaml(setup.simulated->trajectory);
+    state = {{"images", images}, {"replayed", replayedText(setup.simulated->trajectory)}};
+    if (setup.simulated->rig) state["rig"] = vision::formatStereoRig(*setup.simulated->rig);
+  } else {
+    setup.recording = specification.resolved(trial.recording);
+    state = stateOf(setup.recording);
+    setup.inputs.recording =
+        fmt::format("{}, {} bytes", state["file"].get<std::string>(), state["bytes"].get<std::uint64_t>());
+  }
+  setup.fingerprint = {{"format", 1},
+                       {"software", software},
+                       {"name", trial.name},
+                       {"seed", trial.seed},
+                       {"occlusion", {trial.occlusion.percentage, trial.occlusion.interval}},
+                       {"nominal", robot::formatDescription(setup.table_robot)},
+                       {"robot", robot::formatDescription(belief(setup.table_robot))},
+                       {"truth", setup.inputs.truth},
+                       {"trajectory", setup.inputs.trajectory},
+                       {"tracking", setup.inputs.tracking},
+                       {"source", state}};
+  return setup;
+}
+
+TrialSource::TrialSource(const TrialSetup& setup) : inputs_(setup.inputs) {
+  if (setup.simulated)
+    source_ = std::make_unique<simulation::SimulatedSource>(*setup.simulated);
+  else
+    source_ = session::openRecording(setup.recording, setup.table_robot);
+  info_ = source_->info();
+  nominal_ = info_.robot;
+  info_.robot = setup.belief(nominal_);
+  if (!inputs_.tracking.empty()) info_.tracking = inputs_.tracking;
+  inputs_.nominal = robot::formatDescription(nominal_);
+  inputs_.robot = robot::formatDescription(info_.robot);
+  if (inputs_.truth.empty()) inputs_.truth = info_.truth;
+  if (inputs_.tracking.empty()) inputs_.tracking = info_.tracking;
+  const OcclusionSpec& occlusion = setup.spec.occlusion;
+  blocking_.setSchedule(
+      {.percentage = occlusion.percentage, .interval = occlusion.interval, .start = info_.begin});
+  t_ = info_.begin;
+}
+
+bool TrialSource::next(tracking::Sample& out) {
+  blocking_.apply(t_, *source_);
+  if (!source_->next(out)) return false;
+  if (const auto* motor = std::get_if<tracking::MotorSample>(&out)) t_ = motor->t;
+  return true;
+}
+
+}  // namespace capstan::experiments

@@ -1,0 +1,53 @@
+#include "core/experiments/trial_store.h"
+
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+#include "core/base/yaml.h"
+#include "core/experiments/results.h"
+
+namespace capstan::experiments {
+namespace {
+
+/// FNV-1a, 64 bit: tells a damaged file, not a forged one.
+std::string checksumOf(const std::string& text) {
+  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+  return fmt::format("{:016x}", hash);
+}
+
+}  // namespace
+
+std::filesystem::path TrialStore::fileOf(const std::string& name) const {
+  return folder_ / (fileNameOf(name) + ".json");
+}
+
+std::optional<nlohmann::json> TrialStore::find(const std::string& name, const nlohmann::json& fingerprint,
+                                               std::string& notice) const {
+  std::error_code ignored;
+  const auto file = fileOf(name);
+  if (folder_.empty() || !std::filesystem::exists(file, ignored)) return std::nullopt;
+  try {
+    nlohmann::json document = nlohmann::json::parse(base::readTextFile(file));
+    if (document.at("fingerprint") != fingerprint) return std::nullopt;
+    nlohmann::json result = std::move(document.at("result"));
+    if (document.at("checksum") == checksumOf(result.dump())) return result;
+    notice = fmt::format("{}: is damaged (wrong checksum); this trial is run again", file.string());
+  } catch (const nlohmann::json::exception& error) {
+    notice = fmt::format("{}: is damaged ({}); this trial is run again", file.string(), error.what());
+  } catch (const base::InputError& error) {
+    notice = fmt::format("{}; this trial is run again", error.what());
+  }
+  return std::nullopt;
+}
+
+void TrialStore::keep(const std::string& name, const nlohmann::json& fingerprint,
+                      const nlohmann::json& result) const {
+  if (folder_.empty()) return;
+  std::filesystem::create_directories(folder_);
+  const nlohmann::json document = {
+      {"fingerprint", fingerprint}, {"checksum", checksumOf(result.dump())}, {"result", result}};
+  base::writeTextFile(fileOf(name), document.dump() + "\n");
+}
+
+}  // namespace capstan::experiments
