@@ -22,6 +22,8 @@ struct MotorState {
 
 /// What drives the model over a step.
 struct CableArmInput : CableArmDrive {
+  CableArmInput() : CableArmDrive{} {}
+  CableArmInput(const CableArmDrive& drive) : CableArmDrive(drive) {}  // all motors known
   JointSet unknown = 0;
 };
 
