@@ -14,8 +14,10 @@ namespace capstan::identification {
 
 struct DualUkfOptions {
   CameraPoseOptions camera = {};
-  Eigen::Vector3d position_noise{1e-3, 1e-3, 1e-4};  ///< of the states [rad/√s, rad/√s, m/√s]
-  Eigen::Vector3d velocity_noise{0.1, 0.1, 0.01};    ///< [rad/s/√s, rad/s/√s, m/s/√s]
+  /// Process noise of the states [rad/√s, rad/√s, m/√s] and [rad/s/√s, rad/s/√s, m/s/√s]. Small: speeds that
+  /// wander by as much as v_eps average the friction law, and the filter finds twice the friction.
+  Eigen::Vector3d position_noise{1e-4, 1e-4, 1e-5};
+  Eigen::Vector3d velocity_noise{0.01, 0.01, 0.001};
   double memory_share = 0.5;     ///< r_k of (11): what is older than this share of the time fades
   double shortest_memory = 5.0;  ///< [s]
   double huber = 3.37;           ///< innovation beyond which an observation counts less

@@ -1,14 +1,12 @@
 #include "core/identification/shooting.h"
 
-#include <ceres/jet.h>
-
 #include <Eigen/LU>
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <thread>
 
-#include "core/identification/link_dynamics.h"
+#include "core/identification/link_kernel.h"
 
 namespace capstan::identification {
 namespace {
@@ -17,60 +15,50 @@ constexpr double kWarmUpTimes = 10.0;
 constexpr double kShortestWarmUp = 15.0, kLongestWarmUp = 30.0;  // [s]
 constexpr double kGap = 0.05;                                    // [s] without motor samples: start anew
 
-template <class T>
-struct Seed;
-template <>
-struct Seed<double> {
-  static double of(double value, int) { return value; }
-};
-template <int N>
-struct Seed<ceres::Jet<double, N>> {
-  /// w = nominal exp(log), d w / d log = w.
-  static ceres::Jet<double, N> of(double value, int index) {
-    ceres::Jet<double, N> jet(value);
-    jet.v(index) = value;
-    return jet;
-  }
-};
+/// The tangents of `set`, in its order.
+TangentOrder orderOf(const ParameterSet& set) {
+  TangentOrder order;
+  for (int k = 0; k < set.size(); ++k)
+    order.index[static_cast<std::size_t>(set[k].quantity)][set[k].joint] = k;
+  order.count = set.size();
+  return order;
+}
 
-template <class T>
-LinkParameters<T> seeded(const tracking::CableArmConstants& c, const ParameterSet& set) {
-  LinkParameters<T> p{c, {}, {}, {}, {}};
-  for (std::size_t i = 0; i < 3; ++i) {
-    p.link_radius[i] = T(c.link_radius[i]);
-    p.stiffness[i] = T(c.stiffness[i]);
-    p.damping[i] = T(c.damping[i]);
-    p.coulomb[i] = T(c.coulomb[i]);
+/// Joints and speeds with unstretched cables: A (q − q_hs) = s_m / r_l.
+LinkTangents unstretched(const tracking::CableArmConstants& c, const TangentOrder& order,
+                         const MotorStep& motor) {
+  Eigen::Matrix3d coupling;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) coupling(i, j) = c.coupling[i][j];
+  const Eigen::Matrix3d inverse = coupling.inverse();
+  LinkTangents x;
+  for (int i = 0; i < 3; ++i) {
+    x.value[i] = c.homing[i];
+    for (int j = 0; j < 3; ++j) {
+      const double q = inverse(i, j) * motor.travel[j] / c.link_radius[j];
+      const double dq = inverse(i, j) * motor.rate[j] / c.link_radius[j];
+      x.value[i] += q;
+      x.value[3 + i] += dq;
+      const int tangent = order.index[static_cast<std::size_t>(Quantity::kLinkRadius)][j];
+      if (tangent < 0) continue;
+      x.by_log[i][tangent] -= q;
+      x.by_log[3 + i][tangent] -= dq;
+    }
   }
-  for (int k = 0; k < set.size(); ++k) {
-    T& value = fieldOf(p, set[k].quantity)[static_cast<std::size_t>(set[k].joint)];
-    if constexpr (std::is_same_v<T, double>)
-      value = Seed<T>::of(value, k);
-    else
-      value = Seed<T>::of(value.a, k);
+  return x;
+}
+
+ArmPrediction predictionOf(const LinkTangents& x) {
+  ArmPrediction p;
+  for (int i = 0; i < 3; ++i) {
+    p.q(i) = x.value[i];
+    p.dq(i) = x.value[3 + i];
+    for (int k = 0; k < kMostParameters; ++k) {
+      p.q_by_log(i, k) = x.by_log[i][k];
+      p.dq_by_log(i, k) = x.by_log[3 + i][k];
+    }
   }
   return p;
-}
-
-void keep(const std::array<double, 3>& x, Eigen::Vector3d& value, ArmPrediction::ByParameter&) {
-  value = {x[0], x[1], x[2]};
-}
-template <int N>
-void keep(const std::array<ceres::Jet<double, N>, 3>& x, Eigen::Vector3d& value,
-          ArmPrediction::ByParameter& by_log) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    value(row) = x[i].a;
-    by_log.row(row).template head<N>() = x[i].v.transpose();
-  }
-}
-
-std::array<std::array<double, 3>, 3> inverseCoupling(const tracking::CableArmConstants& c) {
-  Eigen::Matrix3d a;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) a(i, j) = c.coupling[i][j];
-  a = a.inverse().eval();
-  return {{{a(0, 0), a(0, 1), a(0, 2)}, {a(1, 0), a(1, 1), a(1, 2)}, {a(2, 0), a(2, 1), a(2, 2)}}};
 }
 
 /// From motor sample i, `ahead` seconds on, towards sample i + 1.
@@ -79,11 +67,10 @@ MotorStep motorStep(const MotorTrack& motors, const tracking::CableArmConstants&
   MotorStep step;
   const std::size_t next = std::min(i + 1, motors.size() - 1);
   const double dt = motors.t[next] - motors.t[i];
-  for (std::size_t j = 0; j < 3; ++j) {
-    const auto row = static_cast<Eigen::Index>(j);
-    const double change = motors.position[next](row) - motors.position[i](row);
+  for (int j = 0; j < 3; ++j) {
+    const double change = motors.position[next](j) - motors.position[i](j);
     step.rate[j] = dt > 0.0 ? c.motor_scale[j] * change / dt : 0.0;
-    step.travel[j] = c.motor_scale[j] * motors.position[i](row) + ahead * step.rate[j];
+    step.travel[j] = c.motor_scale[j] * motors.position[i](j) + ahead * step.rate[j];
   }
   return step;
 }
@@ -124,28 +111,26 @@ Shooting::Shooting(const IdentificationData& data, const ParameterSet& set, cons
   }
 }
 
-template <class T>
-void Shooting::run(const Piece& piece, const ParameterSet::Logs& logs, double rate,
+void Shooting::run(const Piece& piece, const ParameterSet::Logs& logs, double rate, bool derivatives,
                    std::vector<ArmPrediction>& out) const {
+  static const AdvanceLink advanceLink = advanceLinkKernel();
   const MotorTrack& motors = data_.motors;
   const tracking::CableArmConstants constants = set_.constants(logs);
-  const LinkParameters<T> parameters = seeded<T>(constants, set_);
+  const TangentOrder order = derivatives ? orderOf(set_) : TangentOrder{};
   std::size_t i = piece.start;
   double t = motors.t[i];
-  LinkState<T> x = unstretched(parameters, motorStep(motors, constants, i, 0.0), inverseCoupling(constants));
+  LinkTangents x = unstretched(constants, order, motorStep(motors, constants, i, 0.0));
   const auto advanceTo = [&](double end) {
     if (!(end > t)) return;
     const MotorStep step = motorStep(motors, constants, i, t - motors.t[i]);
-    advanceLink(parameters, step, end - t, stepsFor(rate, end - t), x);
+    advanceLink(constants, order, step, end - t, stepsFor(rate, end - t), x);
     t = end;
   };
   for (std::size_t k = piece.first; k < piece.last; ++k) {
     const double at = data_.cameras[used_[k]].t;
     for (; i + 1 < motors.size() && motors.t[i + 1] <= at; ++i) advanceTo(motors.t[i + 1]);
     advanceTo(at);
-    out[k] = {};
-    keep(x.q, out[k].q, out[k].q_by_log);
-    keep(x.dq, out[k].dq, out[k].dq_by_log);
+    out[k] = predictionOf(x);
   }
 }
 
@@ -159,20 +144,7 @@ bool Shooting::predict(const ParameterSet::Logs& logs, bool derivatives, std::ve
     for (std::size_t piece = next++; piece < pieces_.size(); piece = next++) {
       if (progress && progress->cancelled()) cancelled = true;
       if (cancelled) return;
-      if (!derivatives)
-        run<double>(pieces_[piece], logs, rate, out);
-      else if (set_.size() <= 2)
-        run<ceres::Jet<double, 2>>(pieces_[piece], logs, rate, out);
-      else if (set_.size() <= 4)
-        run<ceres::Jet<double, 4>>(pieces_[piece], logs, rate, out);
-      else if (set_.size() <= 6)
-        run<ceres::Jet<double, 6>>(pieces_[piece], logs, rate, out);
-      else if (set_.size() <= 8)
-        run<ceres::Jet<double, 8>>(pieces_[piece], logs, rate, out);
-      else if (set_.size() <= 10)
-        run<ceres::Jet<double, 10>>(pieces_[piece], logs, rate, out);
-      else
-        run<ceres::Jet<double, kMostParameters>>(pieces_[piece], logs, rate, out);
+      run(pieces_[piece], logs, rate, derivatives, out);
     }
   };
   {

@@ -26,15 +26,14 @@ struct ShootingOptions {
 };
 
 /// Output of the filter's own link dynamics (cable_arm_model.h: UKF paper (5)–(10), RK4, motor angles linear
-/// between samples) as a function of the parameters, with its derivatives by automatic differentiation
-/// through the same templated kernels.
+/// between samples) as a function of the parameters, with its derivatives by forward-mode automatic
+/// differentiation (link_kernel.h).
 ///
 /// The arm forgets: a link settles on its motor within `slowestTime()`. So a piece of the recording needs no
-/// initial state as unknown; it starts `warm_up` early at the unstretched cable, and what
-/// it outputs then is the output of the whole recording. Pieces run in parallel. Motor
-/// speed is the difference quotient of the angles, without the lag of a measured, filtered speed: a cable
-/// damper would take the lag for a force. Observations within a warm-up of the recording's start or of a gap
-/// in the motor samples are left out.
+/// initial state as unknown; it starts `warm_up` early at the unstretched cable, and what it outputs then is
+/// the output of the whole recording. Pieces run in parallel. Motor speed is the difference quotient of the
+/// angles, without the lag of a measured, filtered speed: a cable damper would take the lag for a force.
+/// Observations within a warm-up of the recording's start or of a gap in the motor samples are left out.
 class Shooting {
  public:
   /// `data` and `set` must outlive it.
@@ -53,8 +52,7 @@ class Shooting {
     std::size_t first = 0, last = 0;  ///< of used_
     std::size_t start = 0;            ///< motor sample to run from
   };
-  template <class T>
-  void run(const Piece& piece, const ParameterSet::Logs& logs, double rate,
+  void run(const Piece& piece, const ParameterSet::Logs& logs, double rate, bool derivatives,
            std::vector<ArmPrediction>& out) const;
 
   const IdentificationData& data_;

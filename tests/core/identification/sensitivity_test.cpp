@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/identification/link_kernel.h"
 #include "core/identification/output_error.h"
 #include "core/identification/parameter_filter.h"
 #include "tests/core/identification/matched_recording.h"
@@ -38,6 +39,46 @@ TEST(Sensitivity, AutomaticDerivativesAreThoseOfThePrediction) {
     }
     EXPECT_GT(size, 1e-7) << set[i].name();
     EXPECT_LT(error, 1e-5 * size + 1e-10) << set[i].name();
+  }
+}
+
+TEST(Sensitivity, InstructionSetsAgree) {
+  const ParameterSet set(softRaven(), "all");
+  const tracking::CableArmConstants c = set.constants(ParameterSet::Logs::Zero(set.size()));
+  TangentOrder all, few;
+  for (int i = 0; i < set.size(); ++i) {
+    all.index[static_cast<int>(set[i].quantity)][set[i].joint] = i;
+    if (set[i].joint == 1) few.index[static_cast<int>(set[i].quantity)][1] = few.count++;
+  }
+  all.count = set.size();
+  const auto run = [&](math::InstructionSet isa, const TangentOrder& order) {
+    LinkTangents x;
+    const double q[] = {0.6, 1.7, 0.36};
+    for (int i = 0; i < 3; ++i) x.value[i] = q[i];
+    MotorStep motor{};
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j)
+        motor.travel[i] += c.link_radius[i] * c.coupling[i][j] * (q[j] - c.homing[j]);
+      motor.rate[i] = 0.3 * c.link_radius[i];
+    }
+    const double dt = 0.02;
+    advanceLinkKernel(isa)(c, order, motor, dt, 100, x);
+    return x;
+  };
+  const LinkTangents base = run(math::InstructionSet::kBaseline, all);
+  for (const auto isa : math::kInstructionSets) {
+    if (!math::isAvailable(isa)) continue;
+    const LinkTangents same = run(isa, all), bare = run(isa, {}), eight = run(isa, few);
+    for (int row = 0; row < 6; ++row) {
+      EXPECT_NEAR(same.value[row], base.value[row], 1e-12);
+      EXPECT_NEAR(bare.value[row], base.value[row], 1e-12) << "the value does not depend on its derivatives";
+      for (int i = 0, k = 0; i < set.size(); ++i) {
+        EXPECT_NEAR(same.by_log[row][i], base.by_log[row][i], 1e-10);
+        if (set[i].joint == 1) {
+          EXPECT_NEAR(eight.by_log[row][k++], base.by_log[row][i], 1e-10);
+        }
+      }
+    }
   }
 }
 

@@ -1,0 +1,1 @@
+#include "core/identification/link_kernel.inc"
