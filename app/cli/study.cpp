@@ -1,12 +1,14 @@
 #include "app/cli/study.h"
 
+#include "app/cli/study_worlds.h"
+
 namespace capstan::cli {
 
 void addStudy(CLI::App& app, ExitCode& exit) {
   CLI::App* study =
       app.add_subcommand("study", "Monte-Carlo studies of the method itself, on the simulated robot");
   study->require_subcommand(1);
-  static_cast<void>(exit);
+  addWorldStudy(*study, exit);
 }
 
 }  // namespace capstan::cli
