@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/base/yaml.h"
 #include "core/experiments/identify_trials.h"
 #include "core/experiments/trial_setup.h"
 #include "core/experiments/trial_store.h"
@@ -20,12 +21,16 @@ std::size_t at(Method method) { return method == Method::kDualUkf ? 0 : 1; }
 
 TrialSetup setUpWorld(const WorldStudyOptions& options, std::uint64_t seed) {
   TrialSetup setup;
-  setup.spec = {.name = fmt::format("world {}", seed), .duration = options.duration, .seed = seed};
-  simulation::SimulatedOptions simulated = simulation::optionsOf({.trajectory = options.trajectory,
-                                                                  .duration = options.duration,
-                                                                  .truth = options.truth,
-                                                                  .seed = seed,
-                                                                  .images = false});
+  setup.spec.name = fmt::format("world {}", seed);
+  setup.spec.duration = options.duration;
+  setup.spec.seed = seed;
+  simulation::SimulationRequest request;
+  request.trajectory = options.trajectory;
+  request.duration = options.duration;
+  request.truth = options.truth;
+  request.seed = seed;
+  request.images = false;
+  simulation::SimulatedOptions simulated = simulation::optionsOf(request);
   Eigen::Vector3d radius;
   for (int i = 0; i < 3; ++i) radius(i) = simulated.robot.drives[static_cast<std::size_t>(i)].link_radius;
   simulated.truth.cameras.pixel_sigma = options.pixel_sigma;
@@ -111,7 +116,7 @@ WorldStudy runWorldStudy(const WorldStudyOptions& options, base::Progress& progr
   WorldStudy study;
   Specification specification;
   specification.identification.parameters = options.parameters;
-  const auto nominal = simulation::optionsOf({.trajectory = options.trajectory, .images = false}).robot;
+  const robot::Description nominal = simulation::optionsOf({}).robot;
   const IdentificationSetup setup = setUpIdentification(specification, nominal);
   const identification::ParameterSet set(nominal, options.parameters);
   for (const auto& parameter : set.all()) study.names.push_back(parameter.name());
