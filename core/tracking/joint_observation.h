@@ -14,18 +14,16 @@ struct JointObservation {
 };
 
 /// Joint positions of a tip in frame 0 [m] with covariance [m²], on the branch nearest to `near`:
-///     q = IK(p),  Sigma_q = J⁻¹ Sigma_p J⁻ᵀ + diag(floor²),  J the tip Jacobian at q.
+///     q = IK(p),  Sigma_q = J⁻¹ Sigma_p J⁻ᵀ,  J the tip Jacobian at q.
 /// Fails where the inverse kinematics does, and with kSingular where Sigma_q is not finite.
 inline base::Result<JointObservation, robot::ReachFault> observeJoints(const robot::ArmKinematics& arm,
                                                                        const Eigen::Vector3d& tip,
                                                                        const Eigen::Matrix3d& tip_covariance,
-                                                                       const Eigen::Vector3d& near,
-                                                                       const Eigen::Vector3d& floor) {
+                                                                       const Eigen::Vector3d& near) {
   const auto solved = arm.solvePosition(tip, near);
   if (!solved) return base::failure(solved.error());
   const Eigen::Matrix3d inverse = arm.tipJacobian(*solved).inverse();
-  JointObservation seen{*solved, inverse * tip_covariance * inverse.transpose()};
-  seen.covariance.diagonal() += floor.cwiseAbs2();
+  const JointObservation seen{*solved, inverse * tip_covariance * inverse.transpose()};
   if (!seen.covariance.allFinite()) return base::failure(robot::ReachFault::kSingular);
   return seen;
 }

@@ -1,11 +1,16 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <filesystem>
 
+#include "core/base/names.h"
 #include "core/base/yaml.h"
 
 namespace capstan::tracking {
+
+/// Where the noise of q_cam comes from (CameraNoise): its sources, or a constant, as in the UKF paper.
+enum class CameraNoiseKind { kPixels, kConstant };
 
 /// Every number of the tracking pipeline that is neither the robot's nor the camera's. Joint vectors are in
 /// rad, rad, m (or per second where said). resources/tracking/default.yaml holds the same values.
@@ -14,9 +19,15 @@ struct TrackingOptions {
   Eigen::Vector3d velocity_noise{0.5, 0.5, 0.05};  ///< density on dq [rad/s/√s, rad/s/√s, m/s/√s]
   Eigen::Vector3d initial_position_sigma{0.05, 0.05, 0.005};
   Eigen::Vector3d initial_velocity_sigma{0.1, 0.1, 0.02};
-  Eigen::Vector3d kinematic_sigma{0.02, 0.01, 0.001};    ///< of q_kin where it stands in for the camera
-  Eigen::Vector3d camera_sigma_floor{1e-2, 1e-2, 5e-4};  ///< added (in square) to the noise of q_cam
-  Eigen::Vector3d tip_sigma{2e-3, 2e-3, 2e-3};           ///< of a TipSample, along the axes of frame 0 [m]
+  Eigen::Vector3d kinematic_sigma{0.02, 0.01, 0.001};  ///< of q_kin where it stands in for the camera
+  CameraNoiseKind camera_noise = CameraNoiseKind::kPixels;
+  double registration_turn_sigma = 0.01;   ///< mounting of the cameras about each axis [rad]
+  double registration_shift_sigma = 5e-4;  ///< their place along each axis: sag at the hard stop [m]
+  double camera_clock_sigma = 1e-3;        ///< of a stamp [s]
+  int pixel_noise_memory = 300;            ///< frames that measure the pixels' noise; 0: as detected
+  Eigen::Vector3d camera_sigma_floor{5e-4, 5e-4, 5e-5};     ///< what is left, added (in square)
+  Eigen::Vector3d constant_camera_sigma{1e-2, 1e-2, 5e-4};  ///< of q_cam with camera_noise: constant
+  Eigen::Vector3d tip_sigma{2e-3, 2e-3, 2e-3};              ///< of a TipSample, along the axes of frame 0 [m]
   double epipolar_limit = 3.0;                 ///< farther off, the two pictures show different things [px]
   double gate_probability = 0.999;             ///< of the χ² gate on the innovation
   int jump_samples = 3;                        ///< consistent samples that end a jump
@@ -60,8 +71,26 @@ struct TrackingOptions {
                                  "of transmission kinematics in place of the camera",
                                  {1e-6, 10.0},
                                  false});
-    field(self.camera_sigma_floor,
-          {"camera_sigma_floor", "rad or m", "camera error besides pixel noise", {0.0, 1.0}, false});
+    field(self.camera_noise,
+          {"camera_noise", "", "pixels: from its sources; constant: as in the UKF paper", {}, false});
+    field(self.registration_turn_sigma,
+          {"registration_turn_sigma", "rad", "of the cameras' mounting about each axis", {0.0, 1.0}, false});
+    field(self.registration_shift_sigma,
+          {"registration_shift_sigma", "m", "of the cameras' place along each axis", {0.0, 1.0}, false});
+    field(self.camera_clock_sigma,
+          {"camera_clock_sigma", "s", "of the camera's time stamps", {0.0, 0.1}, false});
+    field(self.pixel_noise_memory,
+          {"pixel_noise_memory", "", "frames that measure pixel noise; 0: as detected", {0, 100000}, false});
+    field(self.camera_sigma_floor, {"camera_sigma_floor",
+                                    "rad or m",
+                                    "camera error besides pixels, registration and clock",
+                                    {0.0, 1.0},
+                                    false});
+    field(self.constant_camera_sigma, {"constant_camera_sigma",
+                                       "rad or m",
+                                       "camera error with camera_noise: constant",
+                                       {1e-6, 10.0},
+                                       false});
     field(self.tip_sigma,
           {"tip_sigma", "m", "of tip positions in recordings without images", {1e-6, 1.0}, false});
     field(self.epipolar_limit, {"epipolar_limit",
@@ -125,3 +154,9 @@ inline TrackingOptions readTrackingOptions(const std::filesystem::path& path) {
 }
 
 }  // namespace capstan::tracking
+
+template <>
+struct capstan::base::NamesOf<capstan::tracking::CameraNoiseKind> {
+  using K = capstan::tracking::CameraNoiseKind;
+  static constexpr std::array value = {std::pair{K::kPixels, "pixels"}, std::pair{K::kConstant, "constant"}};
+};

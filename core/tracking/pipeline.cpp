@@ -10,6 +10,7 @@
 #include "core/estimation/occlusion_gate.h"
 #include "core/robot/arm_kinematics.h"
 #include "core/tracking/cable_arm_model.h"
+#include "core/tracking/camera_noise.h"
 #include "core/tracking/encoder_watch.h"
 #include "core/tracking/estimate_view.h"
 #include "core/tracking/joint_observation.h"
@@ -70,6 +71,7 @@ class TrackingPipeline::Impl {
         view_(robot),
         filter_(modelOf(robot, options), diagonalOf(options.position_noise, options.velocity_noise),
                 static_cast<int>(memorySize(options))),
+        noise_(robot, options),
         jump_(estimation::chiSquareQuantile(3, options.gate_probability), options.jump_samples,
               options.jump_drift, options.jump_tolerance),
         nis_(3, options.nis_window),
@@ -83,6 +85,7 @@ class TrackingPipeline::Impl {
     motors_.clear();
     reference_.clear();
     jump_.reset();
+    noise_.reset();
     nis_.reset();
     started_ = reference_pending_ = false;
     snapshot_ = emptySnapshot();
@@ -162,8 +165,7 @@ class TrackingPipeline::Impl {
         snapshot_.tip_in_camera = tip.position;
         snapshot_.tip_in_camera_covariance = tip.covariance;
         if (base_from_camera_)
-          observeTip(*base_from_camera_ * tip.position,
-                     base_from_camera_->linear() * tip.covariance * base_from_camera_->linear().transpose());
+          observeImagedTip(tip, *base_from_camera_);
         else
           snapshot_.gate = Gate::kUnregistered;
       }
@@ -174,8 +176,7 @@ class TrackingPipeline::Impl {
   void take(const TipSample& sample) {
     beginCamera(sample.t - options_.camera_delay, sample.t_arrival, false);
     snapshot_.gate = Gate::kBothLost;
-    if (sample.position.allFinite())
-      observeTip(sample.position, options_.tip_sigma.cwiseAbs2().asDiagonal().toDenseMatrix());
+    if (sample.position.allFinite()) observeTip(sample.position, noise_.ofTip(sample.position));
     endCamera();
   }
 
@@ -267,36 +268,41 @@ class TrackingPipeline::Impl {
     snapshot_.tip_kin_cam = kinematic ? arm_.tip(*kinematic) : Vector3d::Constant(kNan);
   }
 
+  void observeImagedTip(const vision::Triangulation& found, const Eigen::Isometry3d& base_from_camera) {
+    noise_.pixels().add(found.chi_square);
+    const Vector3d tip = base_from_camera * found.position;
+    const Matrix3d turn = base_from_camera.linear();
+    observeTip(tip, noise_.ofImagedTip(tip, turn * found.covariance * turn.transpose()));
+  }
+
   /// A tip in frame 0 becomes q_cam and passes the gate, or does not.
   void observeTip(const Vector3d& tip, const Matrix3d& covariance) {
     const double t = snapshot_.t_cam;
     snapshot_.tip_cam = tip;
     const auto kinematic = kinematicAt(t);
-    if (!started_ || !kinematic) {
+    const auto state = filter_.at(t);
+    if (!started_ || !kinematic || !state) {
       snapshot_.gate = Gate::kNoCamera;
       return;
     }
-    const auto seen = observeJoints(arm_, tip, covariance, *kinematic, options_.camera_sigma_floor);
+    auto seen = observeJoints(arm_, tip, covariance, *kinematic);
     if (!seen) {
       snapshot_.gate = Gate::kUnreachable;
       return;
     }
+    const auto& mean = (*state)->mean();
+    seen->covariance = noise_.ofJoints(*seen, Vector3d(mean(1), mean(3), mean(5)));
     snapshot_.q_link_cam = seen->position;
     snapshot_.q_link_cam_sigma = seen->covariance.diagonal().cwiseSqrt();
     if (const JointSet frozen = watch_.see(t, seen->position, seen->covariance, *kinematic); frozen != 0)
       forgetFrozen(frozen);
     const Lower<3> root = rootOf(seen->covariance);
-    const auto expected = filter_.peek(t, positions_, seen->position, root);
-    if (!expected) {
-      snapshot_.gate = Gate::kNoCamera;
-      return;
-    }
-    snapshot_.nis = expected->nis;
-    const bool accepted = accept(t, expected->nis, *seen, *kinematic);
+    snapshot_.nis = filter_.peek(t, positions_, seen->position, root)->nis;  // the state at t is there
+    const bool accepted = accept(t, snapshot_.nis, *seen, *kinematic);
     snapshot_.gate = accepted ? Gate::kOpen : Gate::kJump;
     if (!accepted) return;
     if (filter_.update(t, positions_, seen->position, root))
-      nis_.add(expected->nis);
+      nis_.add(snapshot_.nis);
     else
       snapshot_.gate = Gate::kNoCamera;
   }
@@ -355,6 +361,7 @@ class TrackingPipeline::Impl {
   std::optional<StereoTip> stereo_;
   Filter filter_;
   const JointMeasurement positions_ = positionsOnly();
+  CameraNoise noise_;
   JumpGate jump_;
   estimation::ConsistencyWindow nis_;
   TimeSeries reference_;
