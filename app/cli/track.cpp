@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "app/cli/centroid_study.h"
 #include "app/cli/command.h"
@@ -16,6 +17,7 @@
 #include "app/cli/simulation_arguments.h"
 #include "app/cli/track_output.h"
 #include "core/base/error.h"
+#include "core/session/motor_failures.h"
 #include "core/tracking/make_pipeline.h"
 
 namespace capstan::cli {
@@ -26,6 +28,8 @@ struct TrackArguments {
                     save_registration, json;
   bool simulate = false, whole_frame = false;
   double occlude = 0.0;
+  std::vector<std::string> fail_motor;
+  std::vector<int> failed_motors;
   simulation::SimulationRequest simulation;
 };
 
@@ -39,8 +43,18 @@ void check(const TrackArguments& arguments, const CLI::App& command) {
                  "Add --simulate or leave them out");
 }
 
+std::vector<session::MotorFailure> failuresOf(const std::vector<std::string>& texts) {
+  std::vector<session::MotorFailure> all;
+  for (const std::string& text : texts) {
+    const auto failures = session::parseMotorFailure(text, "--fail-motor");
+    all.insert(all.end(), failures.begin(), failures.end());
+  }
+  return all;
+}
+
 ExitCode track(TrackArguments& arguments, const CLI::App& command) {
   check(arguments, command);
+  const std::vector<session::MotorFailure> failures = failuresOf(arguments.fail_motor);
   checkOutputs({{"--out", arguments.out},
                 {"--save-registration", arguments.save_registration},
                 {"--json", arguments.json}},
@@ -71,8 +85,10 @@ ExitCode track(TrackArguments& arguments, const CLI::App& command) {
     writeRegistration(*info.base_from_camera, arguments.save_registration);
 
   tracking::TrackingPipeline pipeline = tracking::makePipeline(info, options);
+  for (const int motor : arguments.failed_motors) pipeline.setMotorFailed(motor - 1, true);
+  session::FailingMotors failing(*source, failures);
   const session::OcclusionSchedule occlusion{.percentage = arguments.occlude};
-  OccludedSource occluded(*source, occlusion);
+  OccludedSource occluded(failing, occlusion);
   EstimateWriter estimates(arguments.out);
   std::optional<CentroidStudy> study;
   if (const auto* simulated = dynamic_cast<const simulation::SimulatedSource*>(source.get());
@@ -134,6 +150,12 @@ void addTrack(CLI::App& app, ExitCode& exit) {
       ->add_option("--occlude", arguments->occlude,
                    "block both cameras for this share of the time, 2 s each [%]")
       ->check(CLI::Range(0.0, 95.0));
+  command->add_option("--fail-motor", arguments->fail_motor,
+                      "motor@seconds[:frozen|lost]: its encoder fails then (motor 1, 2, 3 or all)");
+  command
+      ->add_option("--failed-motor", arguments->failed_motors,
+                   "do not believe this motor's encoder (1, 2, 3): its joint from the camera alone")
+      ->check(CLI::Range(1, 3));
   command->add_option("--out", arguments->out, "estimates as CSV, a row a motor or camera sample");
   command->add_option("--json", arguments->json, "result as JSON, SI: a file, or - for standard output");
   command->add_flag("--whole-frame", arguments->whole_frame,
@@ -148,7 +170,8 @@ void addTrack(CLI::App& app, ExitCode& exit) {
       "  capstan-cli track joints123.csv                 (RAVEN-II motor log, known by its header)\n"
       "  capstan-cli track --simulate --duration 200     (block transfer; add --distractors or "
       "--uneven-light)\n"
-      "  capstan-cli track --simulate --occlude 40       (UKF paper, experiment D)");
+      "  capstan-cli track --simulate --occlude 40       (UKF paper, experiment D)\n"
+      "  capstan-cli track --simulate --fail-motor 2@60  (motor 2's encoder freezes)");
   command->callback([arguments, command, &exit] { exit = track(*arguments, *command); });
 }
 

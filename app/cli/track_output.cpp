@@ -24,6 +24,25 @@ std::string gateText(const TrackReport& report) {
   return text.empty() ? "no camera sample" : text;
 }
 
+std::string failedText(const TrackReport& report) {
+  std::string text;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (report.motor_failed[i] != tracking::MotorFault::kNone)
+      text += fmt::format("motor {}        encoder {} since {:.3f} s: joint {} from the camera alone\n",
+                          i + 1, base::nameOf(report.motor_failed[i]), report.motor_failed_since[i], i + 1);
+  return text;
+}
+
+nlohmann::json failedJson(const TrackReport& report) {
+  nlohmann::json failed = nlohmann::json::array();
+  for (std::size_t i = 0; i < 3; ++i)
+    if (report.motor_failed[i] != tracking::MotorFault::kNone)
+      failed.push_back({{"motor", i + 1},
+                        {"fault", base::nameOf(report.motor_failed[i])},
+                        {"since", report.motor_failed_since[i]}});
+  return failed;
+}
+
 void appendCells(std::string& row, const Eigen::Vector3d& values) {
   for (const double value : values)
     row += std::isfinite(value) ? fmt::format(",{:.17g}", value) : std::string(",");
@@ -75,6 +94,7 @@ std::string textOf(const TrackReport& report, const session::SourceInfo& info, d
   }
   if (!std::isnan(report.neesMean()))
     text += fmt::format("NEES / 3       {:.3f} of positions against the reference\n", report.neesMean());
+  text += failedText(report);
   text += fmt::format("rescues        {}, too late {}\n", report.rescues, report.late_dropped);
   if (seconds > 0.0) text += fmt::format("speed          {:.1f} × real time\n", span / seconds);
   return text;
@@ -105,6 +125,7 @@ nlohmann::json jsonOf(const TrackReport& report, const session::SourceInfo& info
           {"detected", report.detected},
           {"full_frame", report.full_frame},
           {"gates", gates},
+          {"motor_failed", failedJson(report)},
           {"rescues", report.rescues},
           {"late_dropped", report.late_dropped},
           {"first_t", report.first_t},

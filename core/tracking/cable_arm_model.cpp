@@ -99,19 +99,21 @@ CableArmModel::Input CableArmModel::interval(const Control& start, const Control
   Eigen::Map<Vector3d>(input.position1) = end.position;
   Eigen::Map<Vector3d>(input.velocity1) = end.velocity;
   input.unknown = start.unknown | end.unknown;
+  input.blind = end.blind;
   return input;
 }
 
 CableArmModel::Control CableArmModel::between(const Control& start, const Control& end, double fraction) {
   return {start.position + fraction * (end.position - start.position),
-          start.velocity + fraction * (end.velocity - start.velocity), start.unknown | end.unknown};
+          start.velocity + fraction * (end.velocity - start.velocity), start.unknown | end.unknown,
+          start.blind + fraction * (end.blind - start.blind)};
 }
 
 void CableArmModel::propagateUnknown(Points& points, const Input& input, double dt) const {
   CableArmUnknown unknown;
   for (int i = 0; i < 3; ++i) {
     unknown.motor[i] = contains(input.unknown, i);
-    unknown.decay[i] = 1.0 / unknown_motion_.time;
+    unknown.decay[i] = unknown_motion_.decay(input.blind);
   }
   kernel_->propagateUnknown(constants_, unknown, input, dt, stepsFor(dt), points.data());
 }
@@ -119,7 +121,7 @@ void CableArmModel::propagateUnknown(Points& points, const Input& input, double 
 CableArmModel::Density CableArmModel::density(const Input& input, const Density& density) const {
   if (input.unknown == 0) return density;
   Density changed = density;
-  const Vector3d random = unknown_motion_.density();
+  const Vector3d random = unknown_motion_.density(input.blind);
   for (int joint = 0; joint < 3; ++joint) {
     if (!contains(input.unknown, joint)) continue;
     changed.middleRows<2>(2 * joint).setZero();

@@ -18,6 +18,7 @@ struct MotorState {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
   JointSet unknown = 0;  ///< motors whose encoder says nothing; their numbers are not looked at
+  double blind = 0.0;    ///< time since the camera last saw the tip [s]; matters for unknown motors only
 };
 
 /// What drives the model over a step.
@@ -25,18 +26,23 @@ struct CableArmInput : CableArmDrive {
   CableArmInput() : CableArmDrive{} {}
   CableArmInput(const CableArmDrive& drive) : CableArmDrive(drive) {}  // all motors known
   JointSet unknown = 0;
+  double blind = 0.0;
 };
 
-/// How a joint moves whose motor is unknown: its speed is an Ornstein–Uhlenbeck process, a random
-/// acceleration that drag keeps bounded (Uhlenbeck and Ornstein, Phys. Rev. 36 (1930)),
-///     d(dq) = −dq / time dt + speed √(2 / time) dW,
-/// so that dq has the standard deviation `speed` [rad/s, rad/s, m/s] and forgets itself over `time` [s].
+/// How a joint moves whose motor is unknown: by a random acceleration that lets its speed, of standard
+/// deviation `speed` [rad/s, rad/s, m/s], correlate over a lag s as
+///     rho(s) = (1 + s / time) exp(−s / time),
+/// the second-order Gauss–Markov process (Gelb, Applied Optimal Estimation, 1974, table 2.2-1), smooth as
+/// hands are. Of a speed last seen `blind` seconds ago its best prediction shrinks as rho and has the
+/// variance speed² (1 − rho²): with one state for the speed,
+///     d(dq) = −decay dq dt + speed √(2 decay) dW,   decay = −rho' / rho = blind / (time (time + blind)).
 struct UnknownMotion {
   Eigen::Vector3d speed = Eigen::Vector3d::Ones();
-  double time = 1.0;
+  double time = 1.0;  ///< [s]
 
+  double decay(double blind) const { return blind / (time * (time + blind)); }  ///< [1/s]
   /// Density of the process noise on dq [rad/s/√s, rad/s/√s, m/s/√s].
-  Eigen::Vector3d density() const { return std::sqrt(2.0 / time) * speed; }
+  Eigen::Vector3d density(double blind) const { return std::sqrt(2.0 * decay(blind)) * speed; }
 };
 
 /// The numbers of `robot` that the kernels need. Throws base::InputError when the arm is not a three-joint

@@ -12,7 +12,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double kCount = 2e-3;  // [rad], a count of an encoder with 4000 a turn and a little more
-constexpr double kSigmas = 4.0;  // of noise, that chance does not bring three times in a row
+constexpr double kSigmas = 3.0;  // of noise, which chance does not bring several times in a row
 
 Vector3d motorsAtRangeMiddle(const robot::Description& robot) {
   Vector3d middle;

@@ -47,8 +47,6 @@ class EncoderWatch {
   void declare(int motor, bool failed);
   /// Motors not to be believed at the newest sample: those failed and those in a gap.
   JointSet unknown() const { return failed_ | gap_; }
-  /// The newest sample held no number for it.
-  bool inGap(int motor) const { return contains(gap_, motor); }
   const std::array<MotorFault, 3>& faults() const { return faults_; }
   /// When the count of a motor last changed [s].
   double stillSince(int motor) const { return still_[static_cast<std::size_t>(motor)].since; }

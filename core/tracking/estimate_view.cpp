@@ -72,7 +72,6 @@ void EstimateView::showUnknown(const MotorSide& motors, const EncoderWatch& watc
     if (!contains(watch.unknown(), motor)) continue;
     snapshot.q_link_kin(motor) = kNan;
     snapshot.cable_stretch(motor) = snapshot.cable_tension(motor) = kNan;
-    if (watch.inGap(motor)) snapshot.q_motor(motor) = snapshot.dq_motor(motor) = kNan;
   }
 }
 

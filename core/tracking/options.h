@@ -44,9 +44,10 @@ struct TrackingOptions {
   Eigen::Vector3d frozen_tolerance{0.02, 0.03, 0.002};  ///< movement that a still motor's cable allows
   double lost_after = 0.1;                              ///< motor numbers missing this long: failed [s]
   /// Of a joint whose motor is unknown (UnknownMotion): standard deviation of its speed and how long it
-  /// lasts, as measured in block transfers at the pace of the UKF paper.
-  Eigen::Vector3d unknown_speed{0.15, 0.25, 0.025};
-  double unknown_speed_time = 0.4;  ///< [s]
+  /// lasts. Block transfers at the pace of the UKF paper have an RMS of half this, moves and rests taken
+  /// together.
+  Eigen::Vector3d unknown_speed{0.3, 0.5, 0.05};
+  double unknown_speed_time = 0.2;  ///< [s]
   double restart_gap = 0.5;         ///< motor silence after which the filter starts anew [s]
   int nis_window = 150;             ///< camera updates in the running mean of NIS
 

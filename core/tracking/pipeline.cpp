@@ -1,5 +1,6 @@
 #include "core/tracking/pipeline.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <type_traits>
@@ -198,7 +199,7 @@ class TrackingPipeline::Impl {
     }
     filter_.reset(t, mean, diagonalOf(position_sigma, velocity_sigma), control());
     jump_.reset();
-    last_camera_ = last_kinematic_ = t;
+    last_camera_ = last_kinematic_ = last_seen_ = t;
     started_ = true;
   }
 
@@ -231,7 +232,8 @@ class TrackingPipeline::Impl {
   }
 
   CableArmModel::Control control() const {
-    return {motors_.position(), motors_.velocity(), watch_.unknown()};
+    return {motors_.position(), motors_.velocity(), watch_.unknown(),
+            std::max(snapshot_.t - last_seen_, 0.0)};
   }
 
   /// The camera is silent: q_kin at the camera's rate.
@@ -301,10 +303,12 @@ class TrackingPipeline::Impl {
     const bool accepted = accept(t, snapshot_.nis, *seen, *kinematic);
     snapshot_.gate = accepted ? Gate::kOpen : Gate::kJump;
     if (!accepted) return;
-    if (filter_.update(t, positions_, seen->position, root))
-      nis_.add(snapshot_.nis);
-    else
+    if (!filter_.update(t, positions_, seen->position, root)) {
       snapshot_.gate = Gate::kNoCamera;
+      return;
+    }
+    nis_.add(snapshot_.nis);
+    last_seen_ = std::max(last_seen_, t);
   }
 
   void forgetFrozen(JointSet frozen) {
@@ -367,6 +371,7 @@ class TrackingPipeline::Impl {
   TimeSeries reference_;
   Snapshot snapshot_;
   double last_camera_ = 0.0, last_kinematic_ = 0.0;  ///< by the motors' clock at arrival [s]
+  double last_seen_ = 0.0;                           ///< exposure of the newest tip that was accepted [s]
   double reference_time_ = 0.0;
   bool started_ = false, reference_pending_ = false;
 };

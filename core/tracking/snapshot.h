@@ -31,7 +31,7 @@ struct Snapshot {
   /// the camera sees the joint move, kDeclared was said to have failed.
   std::array<MotorFault, 3> motor_failed{};
 
-  Eigen::Vector3d q_motor, dq_motor;  ///< q_m [rad], dq_m [rad/s]
+  Eigen::Vector3d q_motor, dq_motor;  ///< q_m [rad], dq_m [rad/s]; the last known q_m of a lost encoder
   /// Transmission kinematics; NaN for the joint of an unknown motor, q_link_ukf in its place for the others.
   Eigen::Vector3d q_link_kin;
   Eigen::Vector3d q_link_cam;        ///< newest camera observation, at its own time t_cam

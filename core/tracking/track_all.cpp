@@ -16,6 +16,11 @@ void TrackReport::add(const Snapshot& snapshot) {
   errors.add(snapshot);
   if (snapshot.motor_updated && motor_samples++ == 0) first_t = snapshot.t;
   if (motor_samples > 0) last_t = snapshot.t;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (snapshot.motor_failed[i] == motor_failed[i]) continue;
+    motor_failed[i] = snapshot.motor_failed[i];
+    motor_failed_since[i] = snapshot.t;
+  }
   rescues += rescue_rise_.to(snapshot.rescues);
   late_dropped += late_rise_.to(snapshot.late_dropped);
   if (snapshot.reference_paired && std::isfinite(snapshot.nees)) {

@@ -26,6 +26,8 @@ struct TrackReport {
   double nees_sum = 0.0;                      ///< over paired references
   std::uint64_t nees_count = 0;
   std::uint64_t rescues = 0, late_dropped = 0;
+  std::array<MotorFault, 3> motor_failed{};    ///< encoders that failed, at the end
+  std::array<double, 3> motor_failed_since{};  ///< when that was found or declared [s]
   bool cancelled = false;
 
   /// Counts from the first snapshot on, whatever the pipeline had counted before.
