@@ -9,7 +9,9 @@ namespace capstan::widgets {
 
 namespace {
 
-constexpr double kDot = 1.1;  ///< radius of an outlier, in line widths
+constexpr double kDot = 1.1;         ///< radius of an outlier, in line widths
+constexpr double kArrow = 4.0;       ///< height of an arrow, in line widths
+constexpr double kCountShare = 0.9;  ///< size of a count, of a median's
 
 }  // namespace
 
@@ -27,12 +29,37 @@ double BoxSeries::widestNumber() const {
   const QFontMetricsF metrics(textFont(points_));
   double widest = 0.0;
   for (const Box& box : boxes_)
-    if (box.statistics.n > 0)
-      widest = std::max(widest, metrics.horizontalAdvance(significantText(box.statistics.median)));
+    if (box.statistics.n > 0) widest = std::max(widest, metrics.horizontalAdvance(numberOf(box)));
   return widest;
 }
 
 double BoxSeries::numberHeight() const { return QFontMetricsF(textFont(points_)).height(); }
+
+QString BoxSeries::numberOf(const Box& box) const {
+  return QString::number(box.statistics.median, 'f', decimals_).replace(QLatin1Char('-'), QChar(0x2212));
+}
+
+double BoxSeries::stripHeight() const { return 4.0 + (upright_ ? widestNumber() : numberHeight()); }
+
+int BoxSeries::above(const Box& box) const {
+  const auto& all = box.statistics.outliers;
+  return static_cast<int>(std::count_if(all.begin(), all.end(), [&](double v) { return v > seen_.upper; }));
+}
+
+int BoxSeries::below(const Box& box) const {
+  const auto& all = box.statistics.outliers;
+  return static_cast<int>(std::count_if(all.begin(), all.end(), [&](double v) { return v < seen_.lower; }));
+}
+
+double BoxSeries::headroom() const {
+  const bool any = std::any_of(boxes_.begin(), boxes_.end(), [&](const Box& box) { return above(box) > 0; });
+  return stripHeight() + (any ? kCountShare * numberHeight() + kArrow * line_ : 0.0) + 3.0;
+}
+
+double BoxSeries::footroom() const {
+  const bool any = std::any_of(boxes_.begin(), boxes_.end(), [&](const Box& box) { return below(box) > 0; });
+  return any ? kCountShare * numberHeight() + kArrow * line_ + 3.0 : 3.0;
+}
 
 void BoxSeries::draw(QCPPainter* painter) {
   for (const Box& box : boxes_) {
@@ -63,7 +90,7 @@ void BoxSeries::drawBox(QCPPainter* painter, const Box& box) const {
     painter->drawLine(QPointF(middle, y->coordToPixel(from)), QPointF(middle, end));
     painter->drawLine(QPointF(middle - cap, end), QPointF(middle + cap, end));
   }
-  painter->setPen(QPen(text_, 2.0 * line_, Qt::SolidLine, Qt::FlatCap));
+  painter->setPen(QPen(text_, 1.6 * line_, Qt::SolidLine, Qt::FlatCap));
   const double median = y->coordToPixel(s.median);
   painter->drawLine(QPointF(left, median), QPointF(right, median));
 }
@@ -75,20 +102,15 @@ void BoxSeries::drawOutliers(QCPPainter* painter, const Box& box) const {
   painter->setPen(QPen(style_.ink, 0.5 * line_));
   painter->setBrush(style_.filled_mark ? QBrush(style_.ink) : QBrush(Qt::NoBrush));
   for (const double value : box.outliers)
-    if (y->range().contains(value))
-      painter->drawEllipse(QPointF(middle, y->coordToPixel(value)), radius, radius);
+    if (seen_.contains(value)) painter->drawEllipse(QPointF(middle, y->coordToPixel(value)), radius, radius);
   painter->setBrush(Qt::NoBrush);
-  const auto& all = box.statistics.outliers;
-  const auto above = std::count_if(all.begin(), all.end(), [&](double v) { return v > y->range().upper; });
-  const auto below = std::count_if(all.begin(), all.end(), [&](double v) { return v < y->range().lower; });
-  const double numbers = 1.5 * line_ + (upright_ ? widestNumber() : numberHeight());
-  if (above > 0) drawBeyond(painter, middle, axes_->top() + numbers, -1, static_cast<int>(above));
-  if (below > 0) drawBeyond(painter, middle, axes_->bottom() - line_, 1, static_cast<int>(below));
+  if (const int count = above(box)) drawBeyond(painter, middle, axes_->top() + stripHeight(), -1, count);
+  if (const int count = below(box)) drawBeyond(painter, middle, axes_->bottom() - line_, 1, count);
 }
 
 /// An arrow with its tip at (x, y) and beside it how many samples lie that way; `direction` −1: up.
 void BoxSeries::drawBeyond(QCPPainter* painter, double x, double y, int direction, int count) const {
-  const double size = 2.5 * line_;
+  const double size = kArrow / 1.6 * line_;
   painter->setPen(Qt::NoPen);
   painter->setBrush(style_.ink);
   const QPointF arrow[] = {
@@ -96,7 +118,7 @@ void BoxSeries::drawBeyond(QCPPainter* painter, double x, double y, int directio
   painter->drawPolygon(arrow, 3);
   painter->setBrush(Qt::NoBrush);
   painter->setPen(text_);
-  painter->setFont(textFont(0.85 * points_));
+  painter->setFont(textFont(kCountShare * points_));
   const double height = QFontMetricsF(painter->font()).height();
   painter->drawText(QRectF(x - 50.0, direction < 0 ? y + 1.6 * size : y - 1.6 * size - height, 100.0, height),
                     Qt::AlignCenter | Qt::TextSingleLine | Qt::TextDontClip, QString::number(count));
@@ -104,7 +126,7 @@ void BoxSeries::drawBeyond(QCPPainter* painter, double x, double y, int directio
 
 void BoxSeries::drawNumber(QCPPainter* painter, const Box& box) const {
   const double x = axes_->axis(QCPAxis::atBottom)->coordToPixel(box.x);
-  const QString text = significantText(box.statistics.median);
+  const QString text = numberOf(box);
   const QFont font = textFont(points_);
   const QFontMetricsF metrics(font);
   const double wide = metrics.horizontalAdvance(text) + 2.0;

@@ -25,10 +25,17 @@ class BoxSeries : public QCPLayerable {
   void setBoxes(std::vector<Box> boxes) { boxes_ = std::move(boxes); }
   /// `points`: size of the numbers [typographic points].
   void setStyle(const SeriesStyle& style, const QColor& text, double line, double points);
+  /// Only what lies within is drawn; outliers outside are counted.
+  void setSeen(const QCPRange& values) { seen_ = values; }
+  /// Decimals of the medians.
+  void setDecimals(int decimals) { decimals_ = decimals; }
   /// Numbers stand upright where the narrowest of all series' boxes has no room for them.
   void setUpright(bool upright) { upright_ = upright; }
   double widestNumber() const;  ///< [px]
   double numberHeight() const;  ///< [px]
+  /// Room that numbers, and counts of what lies above, take at the top of the axes [px].
+  double headroom() const;
+  double footroom() const;  ///< and counts of what lies below, at the bottom [px]
 
  protected:
   QRect clipRect() const override { return axes_->rect(); }
@@ -38,6 +45,10 @@ class BoxSeries : public QCPLayerable {
  private:
   void drawBox(QCPPainter* painter, const Box& box) const;
   void drawOutliers(QCPPainter* painter, const Box& box) const;
+  int above(const Box& box) const;
+  int below(const Box& box) const;
+  double stripHeight() const;
+  QString numberOf(const Box& box) const;
   void drawNumber(QCPPainter* painter, const Box& box) const;
   void drawBeyond(QCPPainter* painter, double x, double y, int direction, int count) const;
 
@@ -47,6 +58,8 @@ class BoxSeries : public QCPLayerable {
   QColor text_;
   double line_ = 1.0, points_ = 7.0;
   bool upright_ = false;
+  int decimals_ = 2;
+  QCPRange seen_;
 };
 
 }  // namespace capstan::widgets

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kGroupWidth = 0.84;  ///< of the boxes of a group; groups are 1 apart
 constexpr double kBoxShare = 0.78;    ///< of a box in its slot
-constexpr double kFarOutlier = 3.0;   ///< whisker spans beyond which an outlier is only counted
+constexpr double kFarOutlier = 1.0;   ///< whisker spans beyond which an outlier is only counted
 constexpr int kLeastBoxWidth = 24;    ///< [px] where panels stand side by side
 
 std::vector<SeriesKey> keysOf(const std::vector<BoxplotPanel>& panels) {
@@ -42,6 +42,14 @@ std::optional<QCPRange> valuesOf(const BoxplotPanel& panel) {
       for (const double value : box.statistics.outliers)
         if (value >= whiskers->lower - reach && value <= whiskers->upper + reach) include(all, value, value);
   return all;
+}
+
+/// Three significant digits of the largest median.
+int decimalsOf(const BoxplotPanel& panel) {
+  double largest = 0.0;
+  for (const BoxplotGroup& group : panel.groups)
+    for (const BoxplotBox& box : group.boxes) largest = std::max(largest, std::abs(box.statistics.median));
+  return largest > 0.0 ? std::clamp(2 - static_cast<int>(std::floor(std::log10(largest))), 0, 9) : 2;
 }
 
 /// "37600", or both where the boxes of a group differ; with `brief` "38k".
@@ -96,8 +104,9 @@ void BoxplotFigure::build() {
 }
 
 void BoxplotFigure::buildPanel(const BoxplotPanel& data) {
-  const Panel& panel = addPanel({{data.title, true}}, data.x_label + tr(", n below"),
-                                QStringLiteral("%1 [%2]").arg(data_.quantity, data.unit));
+  const Panel& panel =
+      addPanel({{QStringLiteral("%1 [%2]").arg(data.title, data.unit), true}}, data.x_label + tr(", n below"),
+               QStringLiteral("%1 [%2]").arg(data_.quantity, data.unit));
   Drawn drawn;
   const auto values = valuesOf(data);
   panel.empty->setVisible(!values);
@@ -118,6 +127,8 @@ void BoxplotFigure::buildPanel(const BoxplotPanel& data) {
       }
     auto* series = new BoxSeries(panel.axes);
     series->setBoxes(std::move(boxes));
+    series->setSeen(drawn.values);
+    series->setDecimals(decimalsOf(data));
     drawn.series.emplace_back(keys[k], series);
   }
   QCPAxis* x = panel.axes->axis(QCPAxis::atBottom);
@@ -158,20 +169,19 @@ void BoxplotFigure::laidOut() {
     const Drawn& drawn = drawn_[p];
     labelGroups(p);
     const double slot = drawn.slot * axes->width() / axes->axis(QCPAxis::atBottom)->range().size();
-    double widest = 0.0, room = 0.0;
+    double widest = 0.0, top = 3.0, bottom = 3.0;
     for (const auto& [key, series] : drawn.series) widest = std::max(widest, series->widestNumber());
-    const bool upright = widest + 3.0 > slot;
     for (const auto& [key, series] : drawn.series) {
-      series->setUpright(upright);
-      room = std::max(room, 6.0 + (upright ? widest : series->numberHeight()));
+      series->setUpright(widest + 3.0 > slot);
+      top = std::max(top, series->headroom());
+      bottom = std::max(bottom, series->footroom());
     }
-    const double share = std::min(0.5, room / std::max(axes->height(), 1));
+    const double height = std::max(axes->height() - top - bottom, 10.0);
     double span = drawn.values.size();
     if (!(span > 0.0)) span = std::max(0.1 * std::abs(drawn.values.lower), 1e-6);
-    const double below = 0.04 * span;
+    const double middle = drawn.values.center(), pixel = span / height;
     axes->axis(QCPAxis::atLeft)
-        ->setRange(drawn.values.lower - below,
-                   drawn.values.upper + 0.03 * span + (1.07 * span) * share / (1.0 - share));
+        ->setRange(middle - 0.5 * span - bottom * pixel, middle + 0.5 * span + top * pixel);
   }
 }
 

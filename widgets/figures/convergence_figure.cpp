@@ -99,7 +99,8 @@ LegendEntry lineEntry(const QString& text, const QPen& pen, const QColor& band =
 
 ConvergenceFigure::ConvergenceFigure(ConvergenceData data, QWidget* parent)
     : PanelFigure(parent), data_(std::move(data)) {
-  setTitle(data_.title, data_.note);
+  const QString explained = tr("numbers: at the end, ± 2σ");
+  setTitle(data_.title, data_.note.isEmpty() ? explained : data_.note + QStringLiteral("; ") + explained);
   for (const ConvergencePanel& panel : data_.panels) build(panel);
   fit();
 }
@@ -109,10 +110,8 @@ std::unique_ptr<Figure> ConvergenceFigure::copy() const { return std::make_uniqu
 QString ConvergenceFigure::words(const ConvergencePanel& panel) const {
   QStringList parts;
   if (const auto last = lastOf(panel))
-    parts << tr("at the end %1 %2 (2σ)")
-                 .arg(uncertainText(panel.value[*last], 2.0 * panel.sigma[*last]), panel.unit);
+    parts << uncertainText(panel.value[*last], 2.0 * panel.sigma[*last]) + QLatin1Char(' ') + panel.unit;
   if (panel.truth) parts << tr("truth %1").arg(significantText(*panel.truth, 4));
-  parts << tr("nominal %1").arg(significantText(panel.nominal, 4));
   parts << (panel.settled_at ? tr("settled after %1 s").arg(*panel.settled_at, 0, 'f', 0)
                              : tr("not settled"));
   for (QString& part : parts) part = unbroken(part);
@@ -120,8 +119,9 @@ QString ConvergenceFigure::words(const ConvergencePanel& panel) const {
 }
 
 void ConvergenceFigure::build(const ConvergencePanel& data) {
-  const Panel& panel = addPanel({{data.title, true}, {words(data), false}}, tr("time [s]"),
-                                QStringLiteral("[%1]").arg(data.unit));
+  const Panel& panel =
+      addPanel({{QStringLiteral("%1 [%2]").arg(data.title, data.unit), true}, {words(data), false}},
+               tr("time [s]"), data.unit);
   QCPAxis* x = panel.axes->axis(QCPAxis::atBottom);
   QCPAxis* y = panel.axes->axis(QCPAxis::atLeft);
   const QCPRange time = timeOf(data), values = valuesOf(data, time);
@@ -164,6 +164,11 @@ void ConvergenceFigure::build(const ConvergencePanel& data) {
 int ConvergenceFigure::columnsFor(QSize size) const {
   const int panels = static_cast<int>(data_.panels.size());
   return panels <= kFewPanels ? 1 : std::clamp(size.width() / kLeastPanelWidth, 1, 2);
+}
+
+bool ConvergenceFigure::sharesX() const {
+  return std::all_of(data_.panels.begin(), data_.panels.end(),
+                     [&](const ConvergencePanel& panel) { return timeOf(panel) == timeOf(data_.panels[0]); });
 }
 
 void ConvergenceFigure::restyle() {

@@ -37,6 +37,7 @@ class ConvergenceFigure : public PanelFigure {
 
  protected:
   int columnsFor(QSize size) const override;
+  bool sharesX() const override;
   void restyle() override;
 
  private:

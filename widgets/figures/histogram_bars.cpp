@@ -47,7 +47,7 @@ void HistogramBars::draw(QCPPainter* painter) {
   painter->drawPolygon(outline);
   painter->setBrush(Qt::NoBrush);
   if (!hatches.isEmpty()) painter->strokePath(hatches, QPen(style_.ink, 0.5 * line_));
-  painter->setPen(style_.pen(1.2 * line_));
+  painter->setPen(QPen(style_.ink, 1.0 * line_, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
   painter->drawPolyline(outline);
   drawMean(painter);
 }

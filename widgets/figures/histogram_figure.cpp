@@ -68,29 +68,38 @@ void HistogramFigure::compute() {
   }
 }
 
-QString HistogramFigure::words(const HistogramSeries& series, const Result& result) const {
-  QString text =
-      result.n == 0 ? tr("%1 no samples").arg(series.key.name())
-                    : tr("%1 mean %2, σ %3, n %4")
-                          .arg(series.key.name(), significantText(result.mean), significantText(result.sigma))
-                          .arg(result.n);
-  const auto outside = result.histogram.underflow + result.histogram.overflow;
-  if (outside > 0) text += tr(", %1 beyond the axis").arg(outside);
-  if (result.without_value > 0) text += tr(", %1 without a value").arg(result.without_value);
-  return unbroken(text);
+QString HistogramFigure::words(std::size_t panel) const {
+  const auto& results = results_[panel];
+  QStringList parts;
+  std::uint64_t outside = 0;
+  std::size_t without = 0;
+  const bool one_n =
+      std::all_of(results.begin(), results.end(), [&](const Result& r) { return r.n == results[0].n; });
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const Result& result = results[i];
+    QString text = data_.panels[panel].series[i].key.name() + QLatin1Char(' ') +
+                   significantText(result.mean) + QStringLiteral(" ± ") + significantText(result.sigma);
+    if (!one_n) text += tr(" (n %1)").arg(result.n);
+    parts << text;
+    outside += result.histogram.underflow + result.histogram.overflow;
+    without += result.without_value;
+  }
+  if (one_n && !results.empty()) parts << tr("n %1").arg(results[0].n);
+  if (outside > 0) parts << tr("%1 beyond the axis").arg(outside);
+  if (without > 0) parts << tr("%1 without a value").arg(without);
+  for (QString& part : parts) part = unbroken(part);
+  return parts.join(QStringLiteral(", "));
 }
 
 void HistogramFigure::build() {
-  setTitle(data_.title, data_.note);
+  const QString explained = tr("numbers: mean ± standard deviation");
+  setTitle(data_.title, data_.note.isEmpty() ? explained : data_.note + QStringLiteral("; ") + explained);
   for (std::size_t p = 0; p < data_.panels.size(); ++p) {
     const HistogramPanel& data = data_.panels[p];
-    QStringList words_of_series;
-    for (std::size_t i = 0; i < data.series.size(); ++i)
-      words_of_series << words(data.series[i], results_[p][i]);
     const Panel& panel =
-        addPanel({{data.title, true}, {words_of_series.join(QStringLiteral("; ")), false}},
+        addPanel({{QStringLiteral("%1 [%2]").arg(data.title, data.unit), true}, {words(p), false}},
                  QStringLiteral("%1 [%2]").arg(data_.quantity, data.unit),
-                 data_.density ? tr("density [1/%1]").arg(data.unit) : tr("samples in a bin"));
+                 data_.density ? tr("density [1/%1]").arg(data.unit) : tr("samples"));
     double highest = 0.0, low = kNaN, high = kNaN;
     auto& bars = bars_.emplace_back();
     for (const Result& result : results_[p]) {
@@ -120,7 +129,7 @@ void HistogramFigure::restyle() {
     const SeriesStyle style = SeriesStyle::of(key, theme());
     entries.push_back({key.name(), [style, line](QCPPainter* painter, const QRectF& box) {
                          style.fillBox(painter, box, line);
-                         painter->setPen(style.pen(1.2 * line));
+                         painter->setPen(QPen(style.ink, 1.1 * line));
                          painter->drawRect(box);
                        }});
   }

@@ -56,7 +56,7 @@ class HistogramFigure : public PanelFigure {
  private:
   void compute();
   void build();
-  QString words(const HistogramSeries& series, const Result& result) const;
+  QString words(std::size_t panel) const;
 
   HistogramData data_;
   std::vector<std::vector<Result>> results_;

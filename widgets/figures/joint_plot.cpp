@@ -12,7 +12,6 @@ namespace {
 constexpr double kDash = 8.0, kDashPeriod = 15.0;  ///< of the kinematic line, along time [px]
 constexpr double kCasing = 0.8;                    ///< at each side of a dash [px]
 constexpr double kDotSize = 5.0;                   ///< [px]
-constexpr std::size_t kMostDots = 700;             ///< camera dots drawn at once; above it every n-th
 
 QPixmap dotPicture(const QColor& colour) {
   QPixmap picture(static_cast<int>(kDotSize) + 1, static_cast<int>(kDotSize) + 1);
@@ -152,7 +151,7 @@ void JointPlot::fillCamera(double begin, double end) {
   const auto& camera = history_.camera();
   const std::size_t first = camera.partitionPoint([&](const auto& point) { return point.t < begin; });
   const std::size_t last = camera.partitionPoint([&](const auto& point) { return point.t <= end; });
-  const std::size_t stride = (last - first) / kMostDots + 1;
+  const std::size_t stride = (last - first) / most_dots_ + 1;
   const std::uint64_t oldest =
       camera.pushed() - camera.size();  // a dot keeps its place while the plot scrolls
   for (std::size_t i = first; i < last; ++i)

@@ -2,6 +2,7 @@
 
 #include <qcustomplot.h>
 
+#include <algorithm>
 #include <array>
 
 #include "widgets/figures/curve.h"
@@ -26,6 +27,9 @@ class JointPlot {
   /// scales lines, dashes and dots.
   void setTheme(const Theme& theme, bool vectors, double widths = 1.0);
   void setTickPoints(double points);
+
+  /// Camera dots drawn at once; of more, every n-th.
+  void setMostDots(std::size_t most) { most_dots_ = std::max<std::size_t>(most, 1); }
 
   /// Takes curves of [begin, end] at no more than `most` steps.
   void fill(double begin, double end, std::size_t most);
@@ -61,6 +65,7 @@ class JointPlot {
   bool any_ = false;
   bool fitting_ = true;
   double widths_ = 1.0;
+  std::size_t most_dots_ = 700;
 };
 
 }  // namespace capstan::widgets

@@ -28,7 +28,7 @@ PanelFigure::PanelFigure(QWidget* parent) : QCustomPlot(parent), theme_(&Theme::
   plotLayout()->addElement(0, 0, title_ = new TextRow(this));
   plotLayout()->addElement(1, 0, legend_ = new FigureLegend(this));
   plotLayout()->addElement(2, 0, grid_ = new QCPLayoutGrid);
-  grid_->setRowSpacing(kPanelSpacing / 2);
+  grid_->setRowSpacing(3);
   grid_->setColumnSpacing(kPanelSpacing);
 }
 
@@ -46,14 +46,15 @@ QString PanelFigure::caption() const {
 
 PanelFigure::Panel& PanelFigure::addPanel(std::vector<TextRow::Line> header, const QString& x_label,
                                           const QString& y_label, QCPAxisRect* axes) {
-  Panel panel{new QCPLayoutGrid, new TextRow(this), axes ? axes : new QCPAxisRect(this, true), nullptr};
+  Panel panel{new QCPLayoutGrid, new TextRow(this), axes ? axes : new QCPAxisRect(this, true),
+              x_label,           y_label,           nullptr};
   panel.header->setLines(std::move(header));
   panel.cell->setRowSpacing(1);
   panel.cell->addElement(0, 0, panel.header);
   panel.cell->addElement(1, 0, panel.axes);
   grid_->addElement(grid_->rowCount(), 0, panel.cell);  // until arrange()
-  panel.axes->setLayer("background");
-  panel.axes->setMinimumMargins(QMargins(4, 3, 4, 3));
+  if (!axes) panel.axes->setLayer("background");
+  panel.axes->setMinimumSize(30, 20);
   for (QCPAxis* axis : panel.axes->axes()) {
     axis->setLayer("axes");
     axis->grid()->setLayer("grid");
@@ -63,8 +64,6 @@ PanelFigure::Panel& PanelFigure::addPanel(std::vector<TextRow::Line> header, con
     axis->setTickLengthOut(3);
     axis->setSubTickLength(0);
   }
-  panel.axes->axis(QCPAxis::atBottom)->setLabel(x_label);
-  panel.axes->axis(QCPAxis::atLeft)->setLabel(y_label);
   panel.empty = new QCPItemText(this);
   panel.empty->position->setAxisRect(panel.axes);
   panel.empty->position->setType(QCPItemPosition::ptAxisRectRatio);
@@ -99,7 +98,7 @@ void PanelFigure::fit() {
     panel.header->fit(scale_.text, scale_.tick, wide);
     styleAxes(panel);
   }
-  chooseTicks();
+  fitLabels();
   laidOut();
   replot(rpQueuedReplot);
 }
@@ -141,19 +140,34 @@ void PanelFigure::styleAxes(const Panel& panel) const {
   }
 }
 
-void PanelFigure::chooseTicks() {
+void PanelFigure::layOutPanels() {
   plotLayout()->update(QCPLayoutElement::upPreparation);
   plotLayout()->update(QCPLayoutElement::upMargins);
   plotLayout()->update(QCPLayoutElement::upLayout);
-  for (const Panel& panel : panels_) {
-    const double label = QFontMetricsF(textFont(scale_.tick)).height();
-    panel.axes->axis(QCPAxis::atBottom)
-        ->ticker()
-        ->setTickCount(std::clamp(static_cast<int>(panel.axes->width() / (3.6 * label)), 2, 10));
-    panel.axes->axis(QCPAxis::atLeft)
-        ->ticker()
-        ->setTickCount(std::clamp(static_cast<int>(panel.axes->height() / (2.2 * label)), 2, 7));
+}
+
+/// Labels and as many numbers as there is room for. Where panels stand below each other, the x axis is
+/// labelled below the lowest; a value axis too short for its label has it in the panel's header.
+void PanelFigure::fitLabels() {
+  const QFontMetricsF metrics(textFont(scale_.tick));
+  const double label = metrics.height();
+  for (std::size_t i = 0; i < panels_.size(); ++i) {
+    QCPAxis* x = panels_[i].axes->axis(QCPAxis::atBottom);
+    const bool lowest = i + static_cast<std::size_t>(columns_) >= panels_.size();
+    x->setLabel(lowest || panels_[0].x_label != panels_[i].x_label ? panels_[i].x_label : QString());
+    x->setTickLabels(lowest || !sharesX());
+    panels_[i].axes->axis(QCPAxis::atLeft)->setLabel(panels_[i].y_label);
+    panels_[i].axes->setMinimumMargins(QMargins(4, 3, static_cast<int>(0.9 * label), 3));
   }
+  layOutPanels();
+  for (const Panel& panel : panels_) {
+    QCPAxis* x = panel.axes->axis(QCPAxis::atBottom);
+    QCPAxis* y = panel.axes->axis(QCPAxis::atLeft);
+    if (metrics.horizontalAdvance(panel.y_label) > panel.axes->height() + label) y->setLabel({});
+    x->ticker()->setTickCount(std::clamp(static_cast<int>(panel.axes->width() / (2.9 * label)), 2, 10));
+    y->ticker()->setTickCount(std::clamp(static_cast<int>(panel.axes->height() / (1.9 * label)), 2, 7));
+  }
+  layOutPanels();
 }
 
 void PanelFigure::resizeEvent(QResizeEvent* event) {

@@ -28,6 +28,7 @@ class PanelFigure : public QCustomPlot, public Figure {
     QCPLayoutGrid* cell;
     TextRow* header;
     QCPAxisRect* axes;
+    QString x_label, y_label;
     QCPItemText* empty;  ///< says that there is nothing to show, where there is not
   };
 
@@ -52,6 +53,8 @@ class PanelFigure : public QCustomPlot, public Figure {
   /// Lays out anew for the present size and theme; to be called at the end of a figure's constructor.
   void fit();
 
+  /// All panels have one x axis: its numbers stand below the lowest only.
+  virtual bool sharesX() const { return false; }
   /// Panels side by side in a figure of this size.
   virtual int columnsFor(QSize size) const = 0;
   /// Takes theme() and scale() to what is drawn in the panels.
@@ -64,7 +67,8 @@ class PanelFigure : public QCustomPlot, public Figure {
  private:
   void arrange(int columns);
   void styleAxes(const Panel& panel) const;
-  void chooseTicks();
+  void layOutPanels();
+  void fitLabels();
 
   const Theme* theme_;
   SheetScale scale_;

@@ -19,14 +19,21 @@ QStringList wrapText(const QString& text, const QFont& font, double width) {
   const QFontMetricsF metrics(font);
   QStringList lines;
   QString line;
-  for (const QString& word : text.split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
-    const QString longer = line.isEmpty() ? word : line + QLatin1Char(' ') + word;
+  const auto take = [&](const QString& word, QChar space) {
+    const QString longer = line.isEmpty() ? word : line + space + word;
     if (!line.isEmpty() && metrics.horizontalAdvance(longer) > width) {
       lines << line;
       line = word;
     } else {
       line = longer;
     }
+  };
+  for (const QString& word : text.split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
+    if (metrics.horizontalAdvance(word) <= width) {
+      take(word, QLatin1Char(' '));
+      continue;
+    }
+    for (const QString& part : word.split(QChar(0x00A0), Qt::SkipEmptyParts)) take(part, QLatin1Char(' '));
   }
   if (!line.isEmpty()) lines << line;
   return lines;

@@ -39,8 +39,8 @@ class TextRow : public QCPLayoutElement {
   int height_ = 0, left_ = 0;
 };
 
-/// `text` cut at its spaces (not at unbreakable ones) so that no line is wider than `width` where a cut can
-/// help.
+/// `text` cut at its spaces so that no line is wider than `width` where a cut can help; at unbreakable ones
+/// only where nothing else helps.
 QStringList wrapText(const QString& text, const QFont& font, double width);
 
 }  // namespace capstan::widgets

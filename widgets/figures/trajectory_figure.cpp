@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kWidths = 0.5;       ///< of lines on a figure, against the window's
 constexpr double kStepsAPixel = 1.0;  ///< history steps drawn
+constexpr double kDotsAPixel = 0.3;   ///< camera observations drawn
 constexpr std::size_t kLeastRows = 256;
 
 double inScreenUnit(double value, int joint) {
@@ -58,11 +59,10 @@ TrajectoryFigure::TrajectoryFigure(TrajectoryData data, QWidget* parent)
     plots_[joint] = std::make_unique<JointPlot>(this, history_, i);
     plots_[joint]->header()->setVisible(false);  // its numbers are those under a cursor
     const QString unit = tracking::kJointUnits[joint];
-    const Panel& panel = addPanel(
-        {{QStringLiteral("%1 q%2").arg(data_.joint_names[joint]).arg(i + 1), true}, {words(i), false}},
-        i == 2 ? tr("time [s]") : QString(), QStringLiteral("q%1 [%2]").arg(i + 1).arg(unit),
-        plots_[joint]->axes());
-    panel.axes->axis(QCPAxis::atBottom)->setTickLabels(i == 2);
+    const Panel& panel =
+        addPanel({{QStringLiteral("%1 q%2 [%3]").arg(data_.joint_names[joint]).arg(i + 1).arg(unit), true},
+                  {words(i), false}},
+                 tr("time [s]"), QStringLiteral("q%1 [%2]").arg(i + 1).arg(unit), plots_[joint]->axes());
     panel.empty->setVisible(data_.samples.empty());
   }
   fit();
@@ -132,6 +132,7 @@ void TrajectoryFigure::laidOut() {
     plot->axes()->axis(QCPAxis::atBottom)->setRange(begin, end);
     plot->setTickPoints(scale().tick);
     const auto most = static_cast<std::size_t>(std::max(kStepsAPixel * plot->axes()->width(), 200.0));
+    plot->setMostDots(static_cast<std::size_t>(kDotsAPixel * plot->axes()->width()));
     plot->fill(begin, end, most);
     plot->fitValues();
   }

@@ -42,6 +42,7 @@ class TrajectoryFigure : public PanelFigure {
 
  protected:
   int columnsFor(QSize size) const override;
+  bool sharesX() const override { return true; }
   void restyle() override;
   void laidOut() override;
 
