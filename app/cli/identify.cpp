@@ -1,6 +1,3 @@
-#include <fmt/format.h>
-
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -8,6 +5,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/console.h"
+#include "app/cli/identify_drive.h"
 #include "app/cli/identify_output.h"
 #include "app/cli/outputs.h"
 #include "app/cli/recordings.h"
@@ -29,6 +27,7 @@ struct IdentifyArguments {
   int threads = 2;
   bool simulate = false, exact_camera = false;
   simulation::SimulationRequest simulation;
+  IdentifyDriveArguments drive;  ///< of a robot of one joint
 };
 
 void check(const IdentifyArguments& arguments, const CLI::App& command) {
@@ -102,20 +101,33 @@ TrueValues trueValues(const std::string& truth_text, const identification::Param
   return values;
 }
 
-void writeRobot(const identification::ParameterSet& set,
-                const std::vector<identification::Estimate>& estimates, const std::string& path) {
-  const robot::Description robot = identification::identifiedRobot(set, estimates);
-  std::ofstream file(path);
-  file << "# Identified from a recording; differs from " << set.nominal().name << " in:\n";
-  for (const auto& change : identification::differences(set.nominal(), robot))
-    file << fmt::format("#   {}: {:.6g} instead of {:.6g} ({:+.2f} %)\n", change.key, change.identified,
-                        change.nominal, change.percent);
-  file << robot::formatDescription(robot);
-  if (!file.flush()) refuseFile(path, "cannot be written", "Choose a folder that exists and has room");
+/// A robot of one joint has no cameras: its drive is identified from its encoders and its load.
+std::optional<robot::Description> driveOf(const IdentifyArguments& arguments, const CLI::App& command) {
+  std::optional<robot::Description> robot;
+  if (!arguments.robot.empty() && !arguments.simulate) robot = readRobot(arguments.robot);
+  const bool drive = robot && robot->size() == 1;
+  for (const char* option : {"--held-out", "--offsets"})
+    if (!drive && command.count(option) > 0)
+      refuseOption(option, {}, "is for a robot of one joint",
+                   "Give its robot file with --robot, or leave it out");
+  for (const char* option : {"--method", "--options", "--exact-camera", "--trace"})
+    if (drive && command.count(option) > 0)
+      refuseOption(option, {}, "is for recordings with cameras, not for " + robot->name + " of one joint",
+                   "Leave it out");
+  if (!drive) robot.reset();
+  return robot;
 }
 
 ExitCode identify(IdentifyArguments& arguments, const CLI::App& command) {
   check(arguments, command);
+  if (const auto drive = driveOf(arguments, command)) {
+    arguments.drive.files = arguments.files;
+    arguments.drive.robot = arguments.robot;
+    arguments.drive.parameters = command.count("--parameters") > 0 ? arguments.parameters : "all";
+    arguments.drive.out = arguments.out;
+    arguments.drive.json = arguments.json;
+    return identifyDrive(arguments.drive, *drive);
+  }
   checkFiles(arguments);
   const Output output(arguments.json);
   base::Progress progress;
@@ -159,7 +171,8 @@ ExitCode identify(IdentifyArguments& arguments, const CLI::App& command) {
   output.json(document);
   if (!arguments.trace.empty()) writeTrace(*dual, *set, arguments.trace);
   const auto& estimates = batch ? batch->estimates : dual->estimates;
-  if (!arguments.out.empty()) writeRobot(*set, estimates, arguments.out);
+  if (!arguments.out.empty())
+    writeIdentifiedRobot(set->nominal(), identification::identifiedRobot(*set, estimates), arguments.out);
   const bool any = std::any_of(estimates.begin(), estimates.end(), [](const auto& e) { return e.seen; });
   if (!any) notice("no parameter could be seen in this motion");
   return any ? kOk : kFailed;
@@ -190,15 +203,26 @@ void addIdentify(CLI::App& app, ExitCode& exit) {
       ->check(CLI::Range(1, 64));
   command->add_option("--out", arguments->out, "identified robot file; of the batch method where both ran");
   command->add_option("--trace", arguments->trace, "the dual UKF's estimates over time, as CSV");
+  command->add_option("--held-out", arguments->drive.held_out,
+                      "robot of one joint: recordings to judge the result by, not to identify from");
+  command
+      ->add_option("--offsets", arguments->drive.offsets,
+                   "robot of one joint: encoder zeros, one a file or one shared")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"file", "shared"}));
   command->add_option("--json", arguments->json, "result as JSON, SI: a file, or - for standard output");
   command->add_flag("--simulate", arguments->simulate,
                     "identify a simulated session, without a file in between");
   addSimulationOptions(*command, arguments->simulation);
   command->footer(
-      "Joint encoders are never used. Examples:\n"
+      "Cameras are the observation, joint encoders are never used. With a robot file of one joint, whose "
+      "load\n"
+      "was measured, the joint encoder is; parameters are then r_l, k_c, a, b_e, f_c, f_v, tau_c, tau_v.\n"
+      "Examples:\n"
       "  capstan-cli identify trial.capstan --out my_robot.yaml\n"
       "  capstan-cli identify sinusoid.capstan --parameters r_l1 --method dual-ukf --trace r_l1.csv\n"
       "  capstan-cli track recording.csv --robot my_robot.yaml\n"
+      "  capstan-cli identify load0.csv load2.csv --held-out load1.csv --robot jaw.yaml --out my_jaw.yaml\n"
       "  capstan-cli identify --simulate --trajectory sinusoid --duration 200 --parameters r_l1");
   command->callback([arguments, command, &exit] { exit = identify(*arguments, *command); });
 }

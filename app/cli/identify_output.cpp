@@ -188,4 +188,15 @@ void writeTrace(const DualUkfReport& report, const identification::ParameterSet&
     refuseFile(path.string(), "cannot be written", "Choose a folder that exists and has room");
 }
 
+void writeIdentifiedRobot(const robot::Description& nominal, const robot::Description& identified,
+                          const std::string& path) {
+  std::ofstream file(path);
+  file << "# Identified from a recording; differs from " << nominal.name << " in:\n";
+  for (const auto& change : identification::differences(nominal, identified))
+    file << fmt::format("#   {}: {:.6g} instead of {:.6g} ({:+.2f} %)\n", change.key, change.identified,
+                        change.nominal, change.percent);
+  file << robot::formatDescription(identified);
+  if (!file.flush()) refuseFile(path, "cannot be written", "Choose a folder that exists and has room");
+}
+
 }  // namespace capstan::cli

@@ -26,4 +26,9 @@ nlohmann::json jsonOf(const identification::BatchReport& report, const TrueValue
 void writeTrace(const identification::DualUkfReport& report, const identification::ParameterSet& set,
                 const std::filesystem::path& path);
 
+/// The robot file of `identified`, a comment on top saying what differs from `nominal`. Throws
+/// base::InputError when `path` cannot be written.
+void writeIdentifiedRobot(const robot::Description& nominal, const robot::Description& identified,
+                          const std::string& path);
+
 }  // namespace capstan::cli

@@ -1,0 +1,97 @@
+#include "app/cli/identify_drive.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "app/cli/console.h"
+#include "app/cli/identify_drive_output.h"
+#include "app/cli/identify_output.h"
+#include "app/cli/outputs.h"
+#include "app/cli/recordings.h"
+
+namespace capstan::cli {
+namespace {
+
+using identification::DriveRecording;
+using identification::OffsetRule;
+
+std::vector<DriveRecording> readAll(const std::vector<std::string>& files, double step) {
+  std::vector<DriveRecording> all;
+  for (const std::string& file : files) {
+    if (detectFormat(file) != RecordingFormat::kTable)
+      refuseFile(file, "is no measured table, which a robot of one joint needs",
+                 "Give CSV files with the columns t, q_m1, tau_m1, q1, tau_ext1");
+    all.push_back(identification::driveRecording(session::readMeasuredTable(file), step));
+  }
+  return all;
+}
+
+/// A file that is trained on is not held out.
+void checkHeldOut(const IdentifyDriveArguments& arguments) {
+  for (const std::string& held_out : arguments.held_out)
+    for (const std::string& file : arguments.files) {
+      std::error_code fault;
+      if (file == held_out || std::filesystem::equivalent(file, held_out, fault))
+        refuseOption("--held-out", held_out, "is also a recording to identify from", "Leave one of them out");
+    }
+}
+
+DriveFindings judge(const IdentifyDriveArguments& arguments, const robot::Description& nominal,
+                    const std::vector<DriveRecording>& training, const std::vector<DriveRecording>& held_out,
+                    const identification::DriveOptions& options, identification::DriveReport report) {
+  const OffsetRule rule = options.offsets;
+  DriveFindings findings{std::move(report), rule, arguments.files, arguments.held_out, {}, {}, {}, false};
+  findings.sliding = nominal.joints.front().type == robot::JointType::kPrismatic;
+  const auto line = [&](const char* key, const char* words, const identification::LinearDrive& linear) {
+    findings.scores.push_back({key, words, scoreLinear(linear, training, rule, options.skip),
+                               scoreLinear(linear, held_out, rule, options.skip)});
+  };
+  findings.gear = fitLinear(training, false, rule, options.skip);
+  findings.stretch = fitLinear(training, true, rule, options.skip);
+  line("before", "robot file's gear ratio", nominalLine(nominal, training, rule, options.skip));
+  line("gear", "gear ratio, fitted", findings.gear);
+  line("stretch", "and linear stretch, fitted", findings.stretch);
+  findings.scores.push_back({"cable", "cable model, identified",
+                             scoreDrive(findings.report.robot, training, rule, options.skip),
+                             scoreDrive(findings.report.robot, held_out, rule, options.skip)});
+  return findings;
+}
+
+}  // namespace
+
+ExitCode identifyDrive(const IdentifyDriveArguments& arguments, const robot::Description& nominal) {
+  checkHeldOut(arguments);
+  std::vector<std::string> inputs = arguments.files;
+  inputs.insert(inputs.end(), arguments.held_out.begin(), arguments.held_out.end());
+  inputs.push_back(arguments.robot);
+  checkOutputs({{"--out", arguments.out}, {"--json", arguments.json}}, inputs);
+  const identification::DriveParameters parameters(nominal, arguments.parameters);
+  identification::DriveOptions options;
+  options.offsets = base::fromName<OffsetRule>(arguments.offsets).value();
+  const std::vector<DriveRecording> training = readAll(arguments.files, options.step);
+  const std::vector<DriveRecording> held_out = readAll(arguments.held_out, options.step);
+  base::Progress progress;
+  identification::DriveReport report;
+  {
+    const ProgressLine line(progress);
+    report = identification::identifyDrive(training, parameters, options, &progress);
+  }
+  if (progress.cancelled()) {
+    notice("cancelled: nothing was identified");
+    return kFailed;
+  }
+  if (report.end == identification::BatchEnd::kNoData)
+    refuseFile(arguments.files.front(), "has no joint encoder reading after its first second",
+               "Give a longer recording with q1");
+  const DriveFindings findings = judge(arguments, nominal, training, held_out, options, std::move(report));
+  const Output output(arguments.json);
+  output.text(textOf(findings));
+  output.json({{"drive", jsonOf(findings)}});
+  if (!arguments.out.empty()) writeIdentifiedRobot(nominal, findings.report.robot, arguments.out);
+  const auto& estimates = findings.report.estimates;
+  const bool any = std::any_of(estimates.begin(), estimates.end(), [](const auto& e) { return e.seen; });
+  if (!any) notice("no parameter could be seen in this motion");
+  return any ? kOk : kFailed;
+}
+
+}  // namespace capstan::cli
