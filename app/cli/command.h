@@ -15,6 +15,7 @@ enum ExitCode : int {
 void addSimulate(CLI::App& app, ExitCode& exit);
 void addTrack(CLI::App& app, ExitCode& exit);
 void addIdentify(CLI::App& app, ExitCode& exit);
+void addExperiment(CLI::App& app, ExitCode& exit);
 void addCalibrate(CLI::App& app, ExitCode& exit);
 void addInfo(CLI::App& app, ExitCode& exit);
 void addConvert(CLI::App& app, ExitCode& exit);

@@ -38,6 +38,12 @@ std::string markdownEscaped(const std::string& text) {
   return out;
 }
 
+/// Of UTF-8.
+std::size_t charactersIn(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
 std::string csvQuoted(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string out = "\"";
@@ -113,17 +119,27 @@ std::string latexEscaped(const std::string& text) {
 }
 
 std::string markdownOf(const Table& table) {
-  std::string text = table.title.empty() ? "" : "### " + markdownEscaped(table.title) + "\n\n";
-  std::string rule;
-  for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    text += "| " + markdownEscaped(header(table.columns[i])) + " ";
-    rule += isText(table, i) ? "|:---" : "|---:";
-  }
-  text += "|\n" + rule + "|\n";
+  const std::size_t count = table.columns.size();
+  std::vector<std::vector<std::string>> lines(1);
+  for (const TableColumn& column : table.columns) lines[0].push_back(markdownEscaped(header(column)));
   for (const auto& row : table.rows) {
-    for (std::size_t i = 0; i < table.columns.size(); ++i)
-      text += "| " + markdownEscaped(cellText(cellAt(row, i), table.columns[i])) + " ";
+    auto& line = lines.emplace_back();
+    for (std::size_t i = 0; i < count; ++i)
+      line.push_back(markdownEscaped(cellText(cellAt(row, i), table.columns[i])));
+  }
+  std::string text = table.title.empty() ? "" : "### " + markdownEscaped(table.title) + "\n\n";
+  for (std::size_t n = 0; n < lines.size(); ++n) {
+    std::string rule;
+    for (std::size_t i = 0; i < count; ++i) {
+      std::size_t width = 3;
+      for (const auto& line : lines) width = std::max(width, charactersIn(line[i]));
+      const std::string padding(width - charactersIn(lines[n][i]), ' ');
+      const bool left = isText(table, i);
+      text += "| " + (left ? lines[n][i] + padding : padding + lines[n][i]) + " ";
+      rule += left ? "|:" + std::string(width + 1, '-') : "|" + std::string(width + 1, '-') + ":";
+    }
     text += "|\n";
+    if (n == 0) text += rule + "|\n";
   }
   if (!table.note.empty()) text += "\n" + markdownEscaped(table.note) + "\n";
   return text;

@@ -41,7 +41,8 @@ struct Table {
 /// The cell as its column writes it; "–" for an empty one. Powers of ten as in 2.6e-09.
 std::string cellText(const TableCell& cell, const TableColumn& column);
 
-/// A heading, the table and its note. Columns of numbers are set to the right.
+/// A heading, the table and its note; readable as it stands, too: columns are aligned, those of numbers to
+/// the right.
 std::string markdownOf(const Table& table);
 /// A table environment with booktabs rules and, where `label` is given, a \label. No other package is needed.
 std::string latexOf(const Table& table, const std::string& label = {});

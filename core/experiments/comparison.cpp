@@ -126,8 +126,7 @@ std::string comparisonPage(const std::vector<Results>& results, const Published&
   const std::vector<Goal> goals = goalsOf(results, published);
   if (!goals.empty()) page += base::markdownOf(goalTable(goals)) + "\n";
   for (const Results& one : results) {
-    const bool paper = one.name == "A" || one.name == "C";
-    for (const NamedTable& table : tablesOf(one, paper ? &published : nullptr)) {
+    for (const NamedTable& table : tablesOf(one, paperBeside(one, published))) {
       const bool shown = one.name != "C" || table.name != "boxplot";
       if (shown) page += base::markdownOf(table.table) + "\n";
     }

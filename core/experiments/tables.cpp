@@ -65,6 +65,10 @@ double forPeople(double value, int joint) {
   return joint == 2 ? base::toMillimetres(value) : base::toDegrees(value);
 }
 
+const Published* paperBeside(const Results& results, const Published& published) {
+  return results.name == "A" || results.name == "C" ? &published : nullptr;
+}
+
 std::string jointName(int joint) {
   return fmt::format("{} [{}]", joint + 1, tracking::kJointUnits[static_cast<std::size_t>(joint)]);
 }

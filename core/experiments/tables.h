@@ -28,6 +28,9 @@ double forPeople(double value, int joint);
 /// "1 [deg]".
 std::string jointName(int joint);
 
+/// `published` where the paper made the same experiment and gives numbers (A, C), else null.
+const Published* paperBeside(const Results& results, const Published& published);
+
 /// Table I: a row for each trial and joint.
 base::Table trialTable(const Results& results, const Published* published);
 /// Table II: a row for each joint.

@@ -1,0 +1,129 @@
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cli/command.h"
+#include "app/cli/console.h"
+#include "app/cli/experiment_output.h"
+#include "app/cli/outputs.h"
+#include "capstan_revision.h"
+#include "core/base/yaml.h"
+#include "core/experiments/comparison.h"
+#include "core/experiments/published.h"
+#include "core/experiments/run.h"
+#include "core/experiments/tables.h"
+
+namespace capstan::cli {
+namespace {
+
+using experiments::Results;
+using experiments::Specification;
+
+struct ExperimentArguments {
+  std::string name, out = "capstan-experiments", json;
+  int threads = 2;
+  std::optional<bool> images;
+};
+
+std::string software() {
+  const std::string revision = CAPSTAN_REVISION;
+  return "capstan " CAPSTAN_VERSION + (revision.empty() ? std::string() : " (" + revision + ")");
+}
+
+std::vector<Specification> specificationsOf(const std::string& name) {
+  const auto suffix = std::filesystem::path(name).extension();
+  if (suffix == ".yaml" || suffix == ".yml") return {experiments::readSpecification(name)};
+  if (name != "all") return {experiments::findSpecification(name)};
+  std::vector<Specification> all;
+  for (const char* one : {"A", "B", "C", "D"}) all.push_back(experiments::findSpecification(one));
+  return all;
+}
+
+/// One experiment after the other, with a line of progress each. False: cancelled.
+bool runAll(const std::vector<Specification>& specifications, const experiments::RunOptions& options,
+            std::vector<Results>& done) {
+  for (const Specification& specification : specifications) {
+    base::Progress progress;
+    Results results;
+    {
+      const ProgressLine line(progress);
+      results = experiments::run(specification, options, progress);
+    }
+    for (const std::string& text : results.notices) notice(text);
+    if (results.cancelled) return false;
+    done.push_back(std::move(results));
+  }
+  return true;
+}
+
+ExitCode experiment(const ExperimentArguments& arguments) {
+  const std::vector<Specification> specifications = specificationsOf(arguments.name);
+  checkOutputFolder("--out", arguments.out, {}, {});
+  checkOutputs({{"--json", arguments.json}}, {});
+  const Output output(arguments.json);
+  const auto begin = std::chrono::steady_clock::now();
+  std::vector<Results> done;
+  const bool finished = runAll(specifications,
+                               {.out = arguments.out,
+                                .threads = arguments.threads,
+                                .images = arguments.images,
+                                .software = software()},
+                               done);
+  if (!finished) {
+    notice("cancelled: finished trials are kept in " + arguments.out +
+           "; the same command goes on from there");
+    return kFailed;
+  }
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const experiments::Published published = experiments::readPublished();
+  const std::string page = experiments::comparisonPage(done, published);
+  const auto file = std::filesystem::path(arguments.out) /
+                    (arguments.name == "all" ? "comparison.md" : done.front().name + "/comparison.md");
+  base::writeTextFile(file, page);
+  for (const Results& results : done)
+    experiments::writeTables(experiments::tablesOf(results, experiments::paperBeside(results, published)),
+                             std::filesystem::path(arguments.out) / results.name);
+  output.text(page + timesText(done, seconds) + fmt::format("written to {}\n", file.string()));
+  output.json(jsonOf(done, published));
+  return kOk;
+}
+
+}  // namespace
+
+void addExperiment(CLI::App& app, ExitCode& exit) {
+  auto arguments = std::make_shared<ExperimentArguments>();
+  CLI::App* command = app.add_subcommand(
+      "experiment", "Run experiments of the UKF paper, or any specification, and compare with the paper");
+  command
+      ->add_option(
+          "NAME", arguments->name,
+          "A (pulley radius), B (cables), C (errors), D (occlusion), all, or a specification (.yaml)")
+      ->required();
+  command->add_option("--out", arguments->out, "folder of results; finished trials in it are not run again")
+      ->capture_default_str();
+  command->add_option("--threads", arguments->threads, "trials at the same time")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 64));
+  command->add_flag_callback(
+      "--images", [arguments] { arguments->images = true; }, "pictures, whatever the specification says");
+  command->add_flag_callback(
+      "--no-images", [arguments] { arguments->images = false; },
+      "tip positions with pixel noise instead of pictures: faster");
+  command->add_option("--json", arguments->json,
+                      "numbers and goals as JSON, SI: a file, or - for standard output");
+  command->footer(
+      "Ctrl-C stops it; the same command goes on where it was stopped. C and D use the robot that A and B\n"
+      "identified, and run these first. resources/experiments holds A.yaml … D.yaml to copy from. Examples:\n"
+      "  capstan-cli experiment all --out results\n"
+      "  capstan-cli experiment C --no-images --json -\n"
+      "  capstan-cli experiment my_trials.yaml --out results     (simulated, or recorded sessions)");
+  command->callback([arguments, &exit] { exit = experiment(*arguments); });
+}
+
+}  // namespace capstan::cli

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "core/experiments/published.h"
+#include "core/experiments/results.h"
+
+namespace capstan::cli {
+
+/// Wall time of each experiment and of this command.
+std::string timesText(const std::vector<experiments::Results>& done, double seconds);
+
+/// {"experiments": {"C": {"trials": […], …}, …}, "goals": […]}, SI; no times, so that the same input gives
+/// the same document.
+nlohmann::json jsonOf(const std::vector<experiments::Results>& done, const experiments::Published& published);
+
+}  // namespace capstan::cli
