@@ -42,6 +42,17 @@ TEST_F(MeasuredJaw, TheBaselinesAreThoseStated) {
   EXPECT_NEAR(nominalLine(jaw(), training, rule, 1.0).gain, line.gain, 1e-3);
 }
 
+TEST_F(MeasuredJaw, TheMeasuredLoadExplainsTheStandingStretchBetterThanTheSpindlesTorque) {
+  // A straight line in tau_ext in the place of tau_m: the spindle's torque is half its own friction.
+  const auto rule = OffsetRule::kShared;
+  const double torque = degrees(scoreLinear(fitLinear(training, true, rule, 1.0), held_out, rule, 1.0));
+  for (auto* all : {&training, &held_out})
+    for (DriveRecording& recording : *all) recording.tau_m = recording.tau_ext;
+  const double load = degrees(scoreLinear(fitLinear(training, true, rule, 1.0), held_out, rule, 1.0));
+  EXPECT_LT(load, 1.1);
+  EXPECT_GT(torque, 1.7);
+}
+
 TEST_F(MeasuredJaw, OneZeroForAllRecordings) {
   options.offsets = OffsetRule::kShared;
   const DriveReport report = identifyDrive(training, parameters, options);
