@@ -1,5 +1,6 @@
 #include "app/cli/study.h"
 
+#include "app/cli/study_cramer_rao.h"
 #include "app/cli/study_motor_failure.h"
 #include "app/cli/study_worlds.h"
 
@@ -9,6 +10,7 @@ void addStudy(CLI::App& app, ExitCode& exit) {
   CLI::App* study =
       app.add_subcommand("study", "Monte-Carlo studies of the method itself, on the simulated robot");
   study->require_subcommand(1);
+  addCramerRaoStudy(*study, exit);
   addWorldStudy(*study, exit);
   addMotorFailureStudy(*study, exit);
 }

@@ -22,7 +22,7 @@ struct TrackingOptions {
   Eigen::Vector3d kinematic_sigma{0.02, 0.01, 0.001};  ///< of q_kin where it stands in for the camera
   CameraNoiseKind camera_noise = CameraNoiseKind::kPixels;
   double registration_turn_sigma = 0.01;   ///< mounting of the cameras about each axis [rad]
-  double registration_shift_sigma = 5e-4;  ///< their place along each axis: sag at the hard stop [m]
+  double registration_shift_sigma = 1e-3;  ///< their place along each axis: sag at the hard stop [m]
   double camera_clock_sigma = 1e-3;        ///< of a stamp [s]
   int pixel_noise_memory = 300;            ///< frames that measure the pixels' noise; 0: as detected
   Eigen::Vector3d camera_sigma_floor{5e-4, 5e-4, 5e-5};     ///< what is left, added (in square)

@@ -1,0 +1,75 @@
+#include "core/experiments/noise_study.h"
+
+#include <gtest/gtest.h>
+
+#include "core/experiments/cramer_rao_study.h"
+
+namespace capstan::experiments {
+namespace {
+
+CramerRaoOptions few() {
+  CramerRaoOptions options;
+  options.runs = 12;
+  options.duration = 2.5;
+  options.settling = 0.5;
+  return options;
+}
+
+TEST(CramerRaoStudy, DoesNotDependOnTheThreads) {
+  CramerRaoOptions one = few(), two = few();
+  one.threads = 1;
+  two.threads = 2;
+  base::Progress progress;
+  const CramerRaoStudy a = studyCramerRao(one, progress), b = studyCramerRao(two, progress);
+  EXPECT_EQ(a.bound, b.bound);
+  EXPECT_EQ(a.rms[0], b.rms[0]);
+  EXPECT_EQ(a.rms[1], b.rms[1]);
+  EXPECT_EQ(a.interval[0][1].low, b.interval[0][1].low);
+}
+
+/// Without Coulomb friction the model is almost linear, and a UKF then reaches the bound, which is no less
+/// than what any estimator can do.
+TEST(CramerRaoStudy, WithoutFrictionTheFilterReachesTheBound) {
+  CramerRaoOptions options = few();
+  options.runs = 24;
+  options.coulomb_friction = false;
+  base::Progress progress;
+  const CramerRaoStudy study = studyCramerRao(options, progress);
+  for (int joint = 0; joint < 3; ++joint) {
+    const stats::Interval& interval = study.interval[0][static_cast<std::size_t>(joint)];
+    EXPECT_LT(interval.low, 1.05) << joint;
+    EXPECT_GT(interval.high, 0.95) << joint;
+    EXPECT_LT(study.bound(joint), study.camera(joint)) << joint;
+  }
+  EXPECT_EQ(study.updates, 37u);
+}
+
+TEST(CramerRaoStudy, StopsWhenCancelled) {
+  base::Progress progress;
+  progress.cancel();
+  EXPECT_TRUE(studyCramerRao(few(), progress).cancelled);
+}
+
+TEST(NoiseStudy, VariantsSeeTheSameSamples) {
+  NoiseStudyOptions options;
+  options.duration = 3.0;
+  options.trials = 1;
+  options.images = false;
+  base::Progress progress;
+  const NoiseStudy study = studyNoise(options, progress);
+  ASSERT_EQ(study.variants.size(), 8u);
+  for (std::size_t i = 0; i < study.variants.size(); ++i) {
+    const NoiseVariant &variant = study.variants[i], &constant = study.variants[study.constantBeside(i)];
+    EXPECT_EQ(constant.name, "constant");
+    EXPECT_EQ(constant.true_radius, variant.true_radius);
+    EXPECT_EQ(constant.kinematic, variant.kinematic);
+    EXPECT_GT(variant.ukf.minCoeff(), 0.0);
+    if (variant.name == "no camera") {
+      EXPECT_LT(variant.nis, 1e-3);
+    }
+  }
+  EXPECT_GT(study.variants[4].kinematic(0), 10.0 * study.variants[0].kinematic(0)) << "the nominal pulley";
+}
+
+}  // namespace
+}  // namespace capstan::experiments
