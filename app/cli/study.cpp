@@ -10,8 +10,8 @@ void addStudy(CLI::App& app, ExitCode& exit) {
   CLI::App* study =
       app.add_subcommand("study", "Monte-Carlo studies of the method itself, on the simulated robot");
   study->require_subcommand(1);
-  addCramerRaoStudy(*study, exit);
   addWorldStudy(*study, exit);
+  addCramerRaoStudy(*study, exit);
   addMotorFailureStudy(*study, exit);
 }
 
