@@ -39,7 +39,7 @@ QString BoxSeries::numberOf(const Box& box) const {
   return QString::number(box.statistics.median, 'f', decimals_).replace(QLatin1Char('-'), QChar(0x2212));
 }
 
-double BoxSeries::stripHeight() const { return 4.0 + (upright_ ? widestNumber() : numberHeight()); }
+double BoxSeries::stripHeight() const { return upright_ ? 8.0 + widestNumber() : 4.0 + numberHeight(); }
 
 int BoxSeries::above(const Box& box) const {
   const auto& all = box.statistics.outliers;

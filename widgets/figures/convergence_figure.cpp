@@ -146,17 +146,7 @@ void ConvergenceFigure::build(const ConvergencePanel& data) {
   curves.truth = addLine(this, panel.axes);
   if (data.truth) place(curves.truth, time.lower, *data.truth, time.upper, *data.truth);
   curves.settled = addLine(this, panel.axes);
-  curves.settled_word = new QCPItemText(this);
-  curves.settled_word->position->setAxisRect(panel.axes);
-  curves.settled_word->position->setAxes(x, y);
-  curves.settled_word->setVisible(data.settled_at.has_value());
-  if (data.settled_at) {
-    place(curves.settled, *data.settled_at, values.lower, *data.settled_at, values.upper);
-    const bool left = *data.settled_at < time.center();
-    curves.settled_word->setText(tr(" settled "));
-    curves.settled_word->position->setCoords(*data.settled_at, values.upper);
-    curves.settled_word->setPositionAlignment(Qt::AlignTop | (left ? Qt::AlignLeft : Qt::AlignRight));
-  }
+  if (data.settled_at) place(curves.settled, *data.settled_at, values.lower, *data.settled_at, values.upper);
   panel.empty->setVisible(!lastOf(data));
   curves_.push_back(curves);
 }
@@ -181,8 +171,6 @@ void ConvergenceFigure::restyle() {
     curves.truth->setPen(truthPen(theme(), line));
     curves.nominal->setPen(nominalPen(theme(), line));
     curves.settled->setPen(settledPen(theme(), line));
-    curves.settled_word->setColor(theme().text);
-    curves.settled_word->setFont(textFont(scale().tick));
     truth = truth || data_.panels[i].truth;
     settled = settled || data_.panels[i].settled_at;
   }

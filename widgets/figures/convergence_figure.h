@@ -49,7 +49,6 @@ class ConvergenceFigure : public PanelFigure {
     SigmaBand* band;
     QCPGraph* value;
     QCPItemLine *nominal, *truth, *settled;
-    QCPItemText* settled_word;
   };
   std::vector<Curves> curves_;
 };

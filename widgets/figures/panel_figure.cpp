@@ -8,8 +8,9 @@ namespace capstan::widgets {
 
 namespace {
 
-constexpr int kMargin = 6;         ///< about everything [px]
-constexpr int kPanelSpacing = 10;  ///< between panels [px]
+constexpr int kMargin = 6;            ///< about everything [px]
+constexpr int kLeastAxesHeight = 34;  ///< below it headers lose their second rank [px]
+constexpr int kPanelSpacing = 10;     ///< between panels [px]
 
 }  // namespace
 
@@ -93,12 +94,16 @@ void PanelFigure::fit() {
   const int columns = std::clamp(columnsFor(size()), 1, std::max(1, static_cast<int>(panels_.size())));
   arrange(columns);
   const double wide = (inner - (columns - 1) * kPanelSpacing) / columns;
-  for (const Panel& panel : panels_) {
-    panel.header->setColours(theme_->text, theme_->muted);
-    panel.header->fit(scale_.text, scale_.tick, wide);
-    styleAxes(panel);
-  }
+  for (const Panel& panel : panels_) styleAxes(panel);
+  fitHeaders(wide, false);
   fitLabels();
+  const bool crowded = std::any_of(panels_.begin(), panels_.end(), [](const Panel& panel) {
+    return panel.axes->height() < kLeastAxesHeight;
+  });
+  if (crowded) {
+    fitHeaders(wide, true);
+    fitLabels();
+  }
   laidOut();
   replot(rpQueuedReplot);
 }
@@ -137,6 +142,14 @@ void PanelFigure::styleAxes(const Panel& panel) const {
     axis->setLabelPadding(2);
     axis->setTickLabelPadding(2);
     axis->grid()->setPen(QPen(theme_->grid, 0.8));
+  }
+}
+
+void PanelFigure::fitHeaders(double width, bool brief) {
+  for (const Panel& panel : panels_) {
+    panel.header->setBrief(brief);
+    panel.header->setColours(theme_->text, theme_->muted);
+    panel.header->fit(scale_.text, scale_.tick, width);
   }
 }
 

@@ -67,6 +67,7 @@ class PanelFigure : public QCustomPlot, public Figure {
  private:
   void arrange(int columns);
   void styleAxes(const Panel& panel) const;
+  void fitHeaders(double width, bool brief);
   void layOutPanels();
   void fitLabels();
 

@@ -55,11 +55,13 @@ void TextRow::fit(double strong_points, double points, double width) {
   points_ = points;
   wrapped_.clear();
   height_ = 0;
-  for (const Line& line : lines_)
-    for (const QString& part : wrapText(line.text, fontOf(line), width - left_)) {
+  for (const Line& line : lines_) {
+    if (brief_ && !line.strong) continue;
+    for (const QString& part : wrapText(line.text, fontOf(line), width)) {
       wrapped_.push_back({part, line.strong});
       height_ += lineHeight(fontOf(line));
     }
+  }
   if (height_ > 0) height_ += kBelow;
 }
 
@@ -71,7 +73,7 @@ void TextRow::draw(QCPPainter* painter) {
     painter->setPen(line.strong ? strong_ : quiet_);
     const QFontMetricsF metrics(font);
     const double width = metrics.horizontalAdvance(line.text);
-    painter->drawText(QRectF(rect().left() + left_, top, width + 2.0, lineHeight(font)),
+    painter->drawText(QRectF(rect().left(), top, width + 2.0, lineHeight(font)),
                       Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine | Qt::TextDontClip, line.text);
     top += lineHeight(font);
   }

@@ -22,7 +22,8 @@ class TextRow : public QCPLayoutElement {
   void setColours(const QColor& strong, const QColor& quiet);
   /// `strong_points` and `points`: font sizes [typographic points]; `width` [px].
   void fit(double strong_points, double points, double width);
-  void setLeftMargin(int pixels) { left_ = pixels; }
+  /// Strong lines only, where there is no room for the others; until the next call.
+  void setBrief(bool brief) { brief_ = brief; }
 
  protected:
   QSize minimumOuterSizeHint() const override { return {10, height_}; }
@@ -36,7 +37,8 @@ class TextRow : public QCPLayoutElement {
   std::vector<Line> lines_, wrapped_;
   QColor strong_, quiet_;
   double strong_points_ = 9.0, points_ = 8.0;
-  int height_ = 0, left_ = 0;
+  int height_ = 0;
+  bool brief_ = false;
 };
 
 /// `text` cut at its spaces so that no line is wider than `width` where a cut can help; at unbreakable ones

@@ -1,0 +1,248 @@
+#include "widgets/figures/experiment_figures.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/names.h"
+#include "core/experiments/tables.h"
+#include "widgets/figures/boxplot_figure.h"
+#include "widgets/figures/convergence_figure.h"
+#include "widgets/figures/histogram_figure.h"
+#include "widgets/figures/trajectory_figure.h"
+
+namespace capstan::widgets {
+
+namespace {
+
+using experiments::Estimator;
+using experiments::IdentifiedParameter;
+using experiments::Results;
+using experiments::TrialResult;
+
+constexpr double kDetail = 20.0;  ///< length of a detail [s]
+constexpr std::array kJointTitles = {"shoulder q1", "elbow q2", "insertion q3"};
+constexpr std::array kCompared = {std::pair{Estimator::kKinematic, Quantity::kKinematic},
+                                  std::pair{Estimator::kUkf, Quantity::kUkf}};
+
+QString fromUtf8(const std::string& text) { return QString::fromStdString(text); }
+
+QString unitOf(int joint) {
+  return QString::fromLatin1(tracking::kJointUnits[static_cast<std::size_t>(joint)]);
+}
+
+/// "Experiment C, trial 1", or the title alone of something that is no experiment of one letter.
+QString nameOf(const Results& results, const TrialResult* trial = nullptr) {
+  QString name = results.name.size() == 1 ? QStringLiteral("Experiment ") + fromUtf8(results.name)
+                                          : fromUtf8(results.title.empty() ? results.name : results.title);
+  if (trial && results.trials.size() > 1) name += QStringLiteral(", ") + fromUtf8(trial->name);
+  return name;
+}
+
+/// What "error" is here: without joint encoders it is none.
+QString errorWord(const Results& results) {
+  const bool own = std::any_of(results.trials.begin(), results.trials.end(),
+                               [](const TrialResult& trial) { return trial.own_kinematics; });
+  return own ? QObject::tr("difference from the robot's kinematics") : QObject::tr("error");
+}
+
+QString robotWord(const Results& results) {
+  return results.simulated ? QObject::tr("simulated robot") : QObject::tr("recorded robot");
+}
+
+QString noteOf(const Results& results, const TrialResult& trial) {
+  QString note = robotWord(results) + QObject::tr(", %1 s").arg(trial.duration(), 0, 'f', 0);
+  if (trial.occluded_share > 0.0)
+    note += QObject::tr(", %1 % occluded").arg(100.0 * trial.occluded_share, 0, 'f', 0);
+  return note;
+}
+
+std::vector<double> inUnit(std::vector<double> values, int joint) {
+  for (double& value : values) value = experiments::forPeople(value, joint);
+  return values;
+}
+
+std::unique_ptr<Figure> trajectory(const Results& results, const TrialResult& trial, double begin,
+                                   double end) {
+  TrajectoryData data{.title = nameOf(results, &trial) + QObject::tr(": joint positions"),
+                      .note = noteOf(results, trial)};
+  if (begin > trial.begin || end < trial.end)
+    data.note += QObject::tr("; here %1 s to %2 s").arg(begin, 0, 'f', 0).arg(end, 0, 'f', 0);
+  for (const auto& point : trial.trajectory)
+    if (point.t >= begin && point.t <= end)
+      data.samples.push_back(
+          {point.t, point.q_true, point.q_kin, point.q_cam, point.q_ukf, point.sigma, point.occluded});
+  return std::make_unique<TrajectoryFigure>(std::move(data));
+}
+
+/// Where a detail begins: a quarter of it before the first occlusion that the trial has after its first
+/// seconds, else at its middle.
+double detailBegin(const TrialResult& trial) {
+  const auto occluded = std::find_if(
+      trial.trajectory.begin(), trial.trajectory.end(),
+      [&](const auto& point) { return point.occluded && point.t > trial.begin + 0.25 * kDetail; });
+  const double about = occluded == trial.trajectory.end() ? 0.5 * (trial.begin + trial.end) : occluded->t;
+  return std::clamp(about - 0.25 * kDetail, trial.begin, std::max(trial.begin, trial.end - kDetail));
+}
+
+std::unique_ptr<Figure> histogram(const Results& results, const TrialResult& trial) {
+  HistogramData data{.title = nameOf(results, &trial) + QStringLiteral(": ") + errorWord(results),
+                     .note = noteOf(results, trial),
+                     .quantity = QObject::tr("error")};
+  if (trial.own_kinematics) data.quantity = QObject::tr("difference");
+  for (int joint = 0; joint < 3; ++joint) {
+    HistogramPanel panel{kJointTitles[static_cast<std::size_t>(joint)], unitOf(joint), {}};
+    for (const auto& [estimator, quantity] : kCompared)
+      panel.series.push_back({{quantity}, inUnit(trial.errorsOf(estimator, joint), joint)});
+    data.panels.push_back(std::move(panel));
+  }
+  return std::make_unique<HistogramFigure>(std::move(data));
+}
+
+BoxplotGroup groupOf(const TrialResult& trial, const QString& label, int joint, bool absolute) {
+  BoxplotGroup group{label, {}};
+  for (const auto& [estimator, quantity] : kCompared)
+    group.boxes.push_back(
+        {{quantity},
+         boxplotOf(inUnit(
+             absolute ? trial.absoluteErrors(estimator, joint) : trial.errorsOf(estimator, joint), joint))});
+  return group;
+}
+
+/// "trial 3" is "3" over an axis that says "trial".
+QString shortName(const TrialResult& trial) {
+  const QString name = fromUtf8(trial.name);
+  return name.startsWith(QLatin1String("trial ")) ? name.mid(6) : name;
+}
+
+std::unique_ptr<Figure> boxesOfTrials(const Results& results, const std::vector<int>& joints) {
+  BoxplotData data{.title = nameOf(results) + QStringLiteral(": ") + errorWord(results) +
+                            (joints.size() == 1 ? QObject::tr(" of joint %1").arg(joints[0] + 1) : QString()),
+                   .note = robotWord(results)};
+  for (const int joint : joints) {
+    BoxplotPanel panel{.title = kJointTitles[static_cast<std::size_t>(joint)],
+                       .unit = unitOf(joint),
+                       .x_label = QObject::tr("trial")};
+    for (const TrialResult& trial : results.trials)
+      panel.groups.push_back(groupOf(trial, shortName(trial), joint, false));
+    data.panels.push_back(std::move(panel));
+  }
+  return std::make_unique<BoxplotFigure>(std::move(data));
+}
+
+std::unique_ptr<Figure> boxesByOcclusion(const Results& results) {
+  BoxplotData data{.title = nameOf(results) + QObject::tr(": |%1| by occlusion").arg(errorWord(results)),
+                   .note = robotWord(results),
+                   .quantity = QStringLiteral("|error|")};
+  for (int joint = 0; joint < 3; ++joint) {
+    BoxplotPanel panel{.title = kJointTitles[static_cast<std::size_t>(joint)],
+                       .unit = unitOf(joint),
+                       .x_label = QObject::tr("occlusion [%]")};
+    for (const TrialResult& trial : results.trials)
+      panel.groups.push_back(groupOf(trial, QString::number(trial.occlusion.percentage), joint, true));
+    data.panels.push_back(std::move(panel));
+  }
+  return std::make_unique<BoxplotFigure>(std::move(data));
+}
+
+/// "k_e" of "k_e2".
+std::string kindOf(const IdentifiedParameter& parameter) {
+  std::string kind = parameter.name;
+  while (!kind.empty() && kind.back() >= '0' && kind.back() <= '9') kind.pop_back();
+  return kind;
+}
+
+/// Parameters of one figure, and the figure's name: cables' stiffness and damping go together.
+std::string sheetOf(const IdentifiedParameter& parameter) {
+  const std::string kind = kindOf(parameter);
+  return kind == "k_e" || kind == "b_e" ? "cables" : experiments::fileNameOf(kind);
+}
+
+ConvergencePanel panelOf(const Results& results, std::size_t index) {
+  const auto& identification = *results.identification;
+  const IdentifiedParameter& parameter = identification.parameters[index];
+  ConvergencePanel panel{.title = fromUtf8(parameter.words) + QStringLiteral(", ") + fromUtf8(parameter.name),
+                         .unit = fromUtf8(parameter.unit),
+                         .nominal = parameter.nominal * parameter.scale,
+                         .settled_at = parameter.settled_at};
+  if (std::isfinite(parameter.truth)) panel.truth = parameter.truth * parameter.scale;
+  for (const auto& point : identification.trace) {
+    panel.t.push_back(point.t);
+    panel.value.push_back(point.value[index] * parameter.scale);
+    panel.sigma.push_back(point.sigma[index] * parameter.scale);
+  }
+  return panel;
+}
+
+std::unique_ptr<Figure> parametersOver(const Results& results, const std::string& sheet) {
+  const auto& parameters = results.identification->parameters;
+  ConvergenceData data{
+      .title = nameOf(results) + QStringLiteral(": ") + fromUtf8(results.title),
+      .note = robotWord(results) +
+              QObject::tr(", dual UKF, %1 s").arg(results.identification->duration, 0, 'f', 0)};
+  std::vector<std::size_t> members;
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    if (sheetOf(parameters[i]) == sheet) members.push_back(i);
+  // A row a joint: stiffness beside damping.
+  std::stable_sort(members.begin(), members.end(), [&](std::size_t a, std::size_t b) {
+    return parameters[a].name.back() < parameters[b].name.back();
+  });
+  for (const std::size_t i : members) data.panels.push_back(panelOf(results, i));
+  return std::make_unique<ConvergenceFigure>(std::move(data));
+}
+
+bool differInOcclusion(const Results& results) {
+  return std::any_of(results.trials.begin(), results.trials.end(), [&](const TrialResult& trial) {
+    return trial.occlusion.percentage != results.trials[0].occlusion.percentage;
+  });
+}
+
+void addTrial(std::vector<ExperimentFigure>& figures, const Results& results, const TrialResult& trial) {
+  const std::string end = experiments::fileNameOf(trial.name), start = results.name + "-";
+  if (trial.trajectory.size() > 1) {
+    figures.push_back({start + "trajectory-" + end, FigureKind::kTrajectory,
+                       [&] { return trajectory(results, trial, trial.begin, trial.end); }});
+    if (&trial == &results.trials[0] && trial.duration() > 1.5 * kDetail)
+      figures.push_back({start + "detail-" + end, FigureKind::kTrajectory, [&] {
+                           const double begin = detailBegin(trial);
+                           return trajectory(results, trial, begin, begin + kDetail);
+                         }});
+  }
+  if (!trial.errors.empty())
+    figures.push_back(
+        {start + "histogram-" + end, FigureKind::kHistogram, [&] { return histogram(results, trial); }});
+}
+
+void addBoxplots(std::vector<ExperimentFigure>& figures, const Results& results) {
+  const std::string start = results.name + "-boxplot";
+  if (differInOcclusion(results)) {
+    figures.push_back(
+        {start + "-occlusion", FigureKind::kBoxplot, [&] { return boxesByOcclusion(results); }});
+  } else if (results.trials.size() == 1) {
+    figures.push_back({start, FigureKind::kBoxplot, [&] { return boxesOfTrials(results, {0, 1, 2}); }});
+  } else {
+    for (int joint = 0; joint < 3; ++joint)
+      figures.push_back({start + "-joint-" + std::to_string(joint + 1), FigureKind::kBoxplot,
+                         [&, joint] { return boxesOfTrials(results, {joint}); }});
+  }
+}
+
+}  // namespace
+
+std::vector<ExperimentFigure> figuresOf(const Results& results) {
+  std::vector<ExperimentFigure> figures;
+  for (const TrialResult& trial : results.trials) addTrial(figures, results, trial);
+  if (std::any_of(results.trials.begin(), results.trials.end(),
+                  [](const TrialResult& trial) { return !trial.errors.empty(); }))
+    addBoxplots(figures, results);
+  if (!results.identification || results.identification->trace.empty()) return figures;
+  std::vector<std::string> sheets;
+  for (const IdentifiedParameter& parameter : results.identification->parameters)
+    if (std::find(sheets.begin(), sheets.end(), sheetOf(parameter)) == sheets.end())
+      sheets.push_back(sheetOf(parameter));
+  for (const std::string& sheet : sheets)
+    figures.push_back({results.name + "-parameters-" + sheet, FigureKind::kParameters,
+                       [&results, sheet] { return parametersOver(results, sheet); }});
+  return figures;
+}
+
+}  // namespace capstan::widgets

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/experiments/results.h"
+#include "widgets/figures/figure.h"
+
+namespace capstan::widgets {
+
+enum class FigureKind { kTrajectory, kParameters, kHistogram, kBoxplot };
+
+/// A figure that results support, made when it is needed.
+struct ExperimentFigure {
+  std::string name;  ///< for its files: letters, digits and -
+  FigureKind kind = FigureKind::kTrajectory;
+  std::function<std::unique_ptr<Figure>()> make;
+};
+
+/// The UKF paper's figures, as far as `results` hold what they show. It must outlive what is made.
+///   5, 8    NAME-trajectory-TRIAL, and NAME-detail-TRIAL: the 20 s about its first occlusion, of the first
+///   trial 6, 7    NAME-parameters-…: estimates over time, parameters of one kind (r_l; k_e and b_e; f_c) in
+///   one figure 9       NAME-histogram-TRIAL: kinematic and UKF errors 10–12   NAME-boxplot-joint-J: a group
+///   a trial; of a single trial all joints in one figure 13      NAME-boxplot-occlusion: |error| of
+///   kinematics and UKF by occlusion, where trials differ in it
+std::vector<ExperimentFigure> figuresOf(const experiments::Results& results);
+
+}  // namespace capstan::widgets
+
+template <>
+struct capstan::base::NamesOf<capstan::widgets::FigureKind> {
+  using K = capstan::widgets::FigureKind;
+  static constexpr std::array value = {
+      std::pair{K::kTrajectory, "trajectories"}, std::pair{K::kParameters, "parameters"},
+      std::pair{K::kHistogram, "histograms"}, std::pair{K::kBoxplot, "boxplots"}};
+};
