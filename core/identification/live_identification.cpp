@@ -62,10 +62,10 @@ LiveReport runLive(const LiveRequest& request, base::Progress& progress) {
 }
 
 void LiveIdentification::begin(const robot::Description& file, std::string title) {
+  accepted_.reset();
   discard();
   file_ = file;
   title_ = std::move(title);
-  accepted_.reset();
 }
 
 void LiveIdentification::start(const robot::Description& in_use, const std::string& parameters,
@@ -125,7 +125,7 @@ void LiveIdentification::discard() {
   recording_.reset();
   set_.reset();
   restarts_ = 0;
-  phase_ = LivePhase::kIdle;
+  phase_ = accepted_ ? LivePhase::kAccepted : LivePhase::kIdle;
 }
 
 robot::Description LiveIdentification::accept() {
@@ -133,12 +133,14 @@ robot::Description LiveIdentification::accept() {
   recording_.reset();
   phase_ = LivePhase::kAccepted;
   accepted_ = identifiedRobot(*set_, shown_.estimates);
+  origin_ = fmt::format("the {} over {:.0f} s of {}", refined() ? "batch method" : "dual UKF",
+                        shown_.recorded, title_);
   return *accepted_;
 }
 
 robot::Description LiveIdentification::revert() {
-  discard();
   accepted_.reset();
+  discard();
   return file_;
 }
 
@@ -219,10 +221,14 @@ std::vector<LiveRow> LiveIdentification::rows() const {
 }
 
 std::string LiveIdentification::words() const {
-  if (phase_ == LivePhase::kIdle || phase_ == LivePhase::kAccepted) return fault_;
+  if (phase_ == LivePhase::kIdle) return {};
+  if (phase_ == LivePhase::kAccepted) return "in use, found by " + origin_;
   if (!fault_.empty()) return fault_;
   const std::string extent = wordsOf(recording_->extent());
-  if (phase_ == LivePhase::kCollecting) return extent;
+  if (phase_ == LivePhase::kCollecting)
+    return shown_.estimates.empty()
+               ? extent
+               : fmt::format("{}; values of the first {:.0f} s", extent, shown_.recorded);
   if (refining_) return fmt::format("batch method over {:.0f} s", recording_->extent().seconds);
   if (shown_.estimates.empty()) return extent;
   return fmt::format("{} over {:.0f} s, stopped", refined() ? "batch method" : "dual UKF", shown_.recorded);
@@ -243,9 +249,7 @@ std::string LiveIdentification::summary() const {
 
 std::string LiveIdentification::robotFile() const {
   if (!accepted_) return {};
-  std::string text =
-      fmt::format("# Identified by the {} over {:.0f} s of {}; differs from {} in:\n",
-                  refined() ? "batch method" : "dual UKF", shown_.recorded, title_, file_.name);
+  std::string text = fmt::format("# Identified by {}; differs from {} in:\n", origin_, file_.name);
   for (const RobotChange& change : changes())
     text += fmt::format("#   {}: {:.6g} instead of {:.6g} ({:+.2f} %)\n", change.key, change.identified,
                         change.nominal, change.percent);

@@ -54,6 +54,8 @@ struct LiveRow {
   std::string words;   ///< "settled after 41 s", time still needed, or advice
   double share = 0.0;  ///< of the way to the goal's σ: 0…1
   bool seen = false, settled = false;
+
+  bool operator==(const LiveRow&) const = default;
 };
 
 /// Identification beside a running session, without threads or clocks: what the calibration panel thinks.
@@ -78,7 +80,7 @@ class LiveIdentification {
   void resume();  ///< kStopped → kCollecting: the same recording goes on
   void refine();  ///< kCollecting or kStopped → kStopped: the batch method over everything
   void cancelRefinement();
-  void discard();  ///< → kIdle; what is in use stays in use
+  void discard();  ///< → kIdle, or kAccepted where an accepted robot is in use
   /// → kAccepted. The robot to be used from now on. Only if acceptable().
   robot::Description accept();
   /// kAccepted → kIdle: the robot file's own values, to be used again.
@@ -130,6 +132,7 @@ class LiveIdentification {
   Trace trace_;
   std::string fault_;
   std::optional<robot::Description> accepted_;
+  std::string origin_;  ///< of accepted_
 };
 
 }  // namespace capstan::identification

@@ -13,17 +13,18 @@
 
 #include "core/base/error.h"
 #include "core/session/session_file.h"
-#include "core/simulation/camera_mounting.h"
-#include "core/simulation/simulated_source.h"
 #include "widgets/figures/save_figure.h"
+#include "widgets/panels/calibration/calibration_panel.h"
 #include "widgets/panels/errors/errors_panel.h"
 #include "widgets/panels/notes/notes_panel.h"
 #include "widgets/panels/occlusion/occlusion_panel.h"
 #include "widgets/panels/registration/registration_panel.h"
 #include "widgets/panels/status/status_line.h"
 #include "widgets/scene/scene_view.h"
+#include "widgets/shell/calibration_desk.h"
 #include "widgets/shell/help_window.h"
 #include "widgets/shell/message_bar.h"
+#include "widgets/shell/registration_desk.h"
 #include "widgets/shell/session_bar.h"
 #include "widgets/shell/source_menu.h"
 #include "widgets/video/stereo_view.h"
@@ -32,7 +33,8 @@ namespace capstan::widgets {
 
 namespace {
 
-constexpr int kLayoutVersion = 2;
+constexpr int kLayoutVersion = 3;
+constexpr int kRoomForAll = 950;  ///< height below which calibration and notes share a place [px]
 
 QString documents() {
   return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + "/Capstan";
@@ -45,6 +47,7 @@ MainWindow::MainWindow(const QString& settings, QWidget* parent)
       settings_(settings.isEmpty() ? std::make_unique<QSettings>("Capstan", "Capstan")
                                    : std::make_unique<QSettings>(settings, QSettings::IniFormat)) {
   setDockNestingEnabled(true);
+  setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
   auto* middle = new QWidget;
   auto* column = new QVBoxLayout(middle);
   column->setContentsMargins(0, 0, 0, 0);
@@ -63,7 +66,6 @@ MainWindow::MainWindow(const QString& settings, QWidget* parent)
   connectLink();
   connectOcclusion();
   connectNotes();
-  connectRegistration();
   restore();
 }
 
@@ -82,6 +84,8 @@ void MainWindow::addDocks() {
   dock("cameras", tr("Cameras"), video_ = new StereoView, Qt::LeftDockWidgetArea);
   dock("scene", tr("Scene"), scene_ = new SceneView, Qt::LeftDockWidgetArea);
   dock("occlusion", tr("Occlusion"), occlusion_ = new OcclusionPanel, Qt::RightDockWidgetArea);
+  auto* calibration =
+      dock("calibration", tr("Calibration"), calibration_ = new CalibrationPanel, Qt::RightDockWidgetArea);
   dock("errors", tr("Errors (RMS)"), errors_ = new ErrorsPanel, Qt::RightDockWidgetArea);
   dock("notes", tr("Notes"), notes_ = new NotesPanel, Qt::RightDockWidgetArea);
   registration_dock_ = dock("registration", tr("Registration"), registration_ = new RegistrationPanel,
@@ -89,6 +93,8 @@ void MainWindow::addDocks() {
   registration_dock_->setAllowedAreas(Qt::NoDockWidgetArea);  // too wide for a column
   registration_dock_->setFloating(true);
   registration_dock_->hide();
+  new RegistrationDesk(*registration_, *registration_dock_, link_, *bar_, *scene_, *notes_, this);
+  new CalibrationDesk(*calibration_, *calibration, link_, *bar_, *notes_, this);
 }
 
 /// Pictures and panels take their share of the window, unless the user's own layout came back.
@@ -98,7 +104,12 @@ void MainWindow::layOutDocks() {
   const int right = std::clamp(static_cast<int>(0.19 * width()), 290, 380);
   resizeDocks({dock("cameras"), dock("occlusion")}, {left, right}, Qt::Horizontal);
   resizeDocks({dock("cameras"), dock("scene")}, {64 * height() / 100, 36 * height() / 100}, Qt::Vertical);
-  resizeDocks({dock("occlusion"), dock("errors"), dock("notes")}, {230, 190, height()}, Qt::Vertical);
+  if (height() < kRoomForAll) {
+    tabifyDockWidget(dock("calibration"), dock("notes"));
+    dock("calibration")->raise();
+  }
+  resizeDocks({dock("occlusion"), dock("calibration"), dock("errors"), dock("notes")},
+              {230, 450, 190, std::max(150, height() - 900)}, Qt::Vertical);
 }
 
 void MainWindow::showEvent(QShowEvent* event) {
@@ -124,7 +135,9 @@ void MainWindow::connectBar() {
   connect(bar_, &SessionBar::recordToggled, this, [this] { link_.toggleRecording(bar_->recordingFolder()); });
   connect(bar_, &SessionBar::exportRequested, this, &MainWindow::askExport);
   connect(bar_, &SessionBar::noteRequested, this, [this] {
-    findChild<QDockWidget*>("notes")->show();
+    auto* dock = findChild<QDockWidget*>("notes");
+    dock->show();
+    dock->raise();
     notes_->beginNote();
   });
   connect(bar_, &SessionBar::helpRequested, this, &MainWindow::showHelp);
@@ -144,10 +157,7 @@ void MainWindow::connectLink() {
   connect(&link_, &SessionLink::report, this,
           [this](const auto& report) { errors_->showErrors(report.errors); });
   connect(&link_, &SessionLink::history, this, [this](const std::vector<tracking::Snapshot>& snapshots) {
-    for (const auto& snapshot : snapshots) {
-      history_.append(snapshot);
-      if (registration_->active()) registration_->showSnapshot(snapshot);
-    }
+    for (const auto& snapshot : snapshots) history_.append(snapshot);
     figure_->refresh();
   });
   connect(&link_, &SessionLink::snapshot, this, [this](const tracking::Snapshot& snapshot) {
@@ -161,7 +171,6 @@ void MainWindow::connectLink() {
   connect(&link_, &SessionLink::frames, this,
           [this](const tracking::StereoFrame& frame, const tracking::Snapshot& seen) {
             video_->showFrames(frame.left, frame.right, seen);
-            if (registration_->active()) registration_->showFrames(frame.left, frame.right, seen);
           });
 }
 
@@ -202,51 +211,6 @@ void MainWindow::connectNotes() {
   });
 }
 
-void MainWindow::connectRegistration() {
-  auto* action = registration_dock_->toggleViewAction();
-  action->setObjectName("register");
-  action->setText(tr("Register"));
-  action->setShortcut(QKeySequence(QStringLiteral("Ctrl+R")));
-  action->setToolTip(tr("Find the cameras' place at the hard stop (Ctrl+R)"));
-  bar_->setRegistrationAction(action);
-  const auto command = [this](void (simulation::SimulatedSource::*what)()) {
-    if (!link_.runner()) return;
-    link_.runner()->post([what](session::Source& source, tracking::TrackingPipeline&) {
-      if (auto* simulated = dynamic_cast<simulation::SimulatedSource*>(&source)) (simulated->*what)();
-    });
-  };
-  connect(registration_, &RegistrationPanel::driveToHardStopRequested, this, [this, command] {
-    command(&simulation::SimulatedSource::driveToHardStop);
-    link_.setRunning(true);
-  });
-  connect(registration_, &RegistrationPanel::accepted, this,
-          [this, command](const Eigen::Isometry3d& base_from_camera) {
-            if (link_.runner()) link_.runner()->setRegistration(base_from_camera);
-            registration_in_use_ = base_from_camera;
-            scene_->setRegistration(base_from_camera);
-            command(&simulation::SimulatedSource::resume);
-            notes_->addEvent(now_, "registration", tr("accepted"));
-          });
-  connect(registration_, &RegistrationPanel::rejected, this, [this, command](const QString& reason) {
-    command(&simulation::SimulatedSource::resume);
-    notes_->addEvent(now_, "registration", tr("rejected: %1").arg(reason));
-  });
-  connect(registration_, &RegistrationPanel::finished, this, [this, command] {
-    command(&simulation::SimulatedSource::resume);
-    registration_dock_->hide();
-  });
-  connect(action, &QAction::triggered, this, [this](bool shown) {
-    if (shown && link_.runner() && !registration_->active()) beginRegistration();
-  });
-}
-
-void MainWindow::beginRegistration() {
-  const auto& info = link_.runner()->info();
-  auto current = registration_in_use_;
-  if (!current && info.live) current = simulation::nominalBaseFromCamera(info.robot);
-  registration_->begin(info, current);
-}
-
 void MainWindow::open(const SourceChoice& choice) {
   title_ = tr("opening…");
   link_.open(choice);
@@ -263,7 +227,6 @@ void MainWindow::onOpened(const session::SourceInfo& info, const SourceChoice& c
                                                    : tr("joint %1").arg(i + 1);
   figure_->setJointNames(joint_names_);
   figure_->setFollowing(true);
-  registration_in_use_ = info.base_from_camera;
   scene_->setRobot(info.robot, info.rig, info.base_from_camera);
   if (!info.rig) video_->clear(tr("this source has no images"));
   errors_->setReference(info.reference);
@@ -277,7 +240,6 @@ void MainWindow::onOpened(const session::SourceInfo& info, const SourceChoice& c
   link_.runner()->setSpeed(bar_->speed());
   occlusion_->beginSession(info.begin);
   takeOcclusion(info.rig.has_value());
-  if (registration_dock_->isVisible()) beginRegistration();
   link_.setRunning(true);
 }
 
@@ -365,6 +327,7 @@ void MainWindow::setThemeNamed(const QString& name) {
   video_->setTheme(theme_);
   scene_->setTheme(theme_);
   occlusion_->setTheme(theme_);
+  calibration_->setTheme(theme_);
   registration_->setTheme(theme_);
   errors_->setTheme(theme_);
   notes_->setTheme(theme_);

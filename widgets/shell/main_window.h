@@ -11,6 +11,7 @@ class QDockWidget;
 
 namespace capstan::widgets {
 
+class CalibrationPanel;
 class ErrorsPanel;
 class HelpWindow;
 class MessageBar;
@@ -22,9 +23,9 @@ class SessionBar;
 class StatusLine;
 class StereoView;
 
-/// The workstation's window: pictures and scene left, joint plots in the middle, occlusion, errors and notes
-/// right, status below. `settings` (an .ini path) keeps layout, theme, folders and last source; empty: the
-/// user's own.
+/// The workstation's window: pictures and scene left, joint plots in the middle, occlusion, calibration,
+/// errors and notes right, status below. `settings` (an .ini path) keeps layout, theme, folders and last
+/// source; empty: the user's own.
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
@@ -40,6 +41,7 @@ class MainWindow : public QMainWindow {
   NotesPanel& notes() { return *notes_; }
   ErrorsPanel& errors() { return *errors_; }
   SessionBar& bar() { return *bar_; }
+  CalibrationPanel& calibration() { return *calibration_; }
   /// What went wrong, as the message bar says it; empty: nothing, or closed.
   QString message() const;
   QAction* action(const QString& name) const { return findChild<QAction*>(name); }
@@ -57,13 +59,11 @@ class MainWindow : public QMainWindow {
   void connectLink();
   void connectOcclusion();
   void connectNotes();
-  void connectRegistration();
   void onOpened(const session::SourceInfo& info, const SourceChoice& choice);
   void takeOcclusion(bool blockable);
   void onStatus(const session::RunStatus& status);
   void onRecording(bool recording, const session::RunStatus& status);
   void listRecordedEvents();
-  void beginRegistration();
   void askExport();
   void showHelp();
   void retitle(const session::RunStatus& status);
@@ -78,13 +78,13 @@ class MainWindow : public QMainWindow {
   QString title_ = "no source";
   std::array<QString, 3> joint_names_;
   std::optional<double> recording_since_;
-  std::optional<Eigen::Isometry3d> registration_in_use_;
   JointFigure* figure_;
   MessageBar* messages_;
   SessionBar* bar_;
   StereoView* video_;
   SceneView* scene_;
   OcclusionPanel* occlusion_;
+  CalibrationPanel* calibration_;
   RegistrationPanel* registration_;
   ErrorsPanel* errors_;
   NotesPanel* notes_;

@@ -104,7 +104,7 @@ void SessionBar::addRecording() {
   button->setPopupMode(QToolButton::MenuButtonPopup);
 }
 
-void SessionBar::setRegistrationAction(QAction* action) {
+void SessionBar::addPanelAction(QAction* action) {
   insertAction(export_, action);
   if (auto* button = qobject_cast<QToolButton*>(widgetForAction(action))) button->setFocusPolicy(Qt::NoFocus);
 }

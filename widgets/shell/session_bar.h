@@ -11,8 +11,9 @@ namespace capstan::widgets {
 
 class SourceMenu;
 
-/// Everything one does to a session, in a row: run, step, speed, source, record, registration, export, note,
-/// help, theme. Holds no state of its own: showStatus() tells it how things are.
+/// Everything one does to a session, in a row: run, step, speed, source, record, registration,
+/// identification, export, note, help, theme. Holds no state of its own: showStatus() tells it how things
+/// are.
 class SessionBar : public QToolBar {
   Q_OBJECT
 
@@ -25,8 +26,8 @@ class SessionBar : public QToolBar {
   double speed() const;
   void setSpeed(double speed);
   SourceMenu& sources() { return *sources_; }
-  /// Gives the registration's action its place in the row.
-  void setRegistrationAction(QAction* action);
+  /// Gives the action of a panel its place in the row, behind those before it.
+  void addPanelAction(QAction* action);
 
  signals:
   void runToggled();

@@ -47,6 +47,7 @@ void SessionLink::take(std::unique_ptr<session::Source> source) { begin(makeRunn
 void SessionLink::begin(std::unique_ptr<session::Runner> runner, const SourceChoice& choice) {
   retire(std::move(runner_));
   runner_ = std::move(runner);
+  listeners_.clear();
   last_state_ = session::RunState::kPaused;
   command_faults_ = 0;
   Q_EMIT opened(runner_->info(), choice);
@@ -70,6 +71,24 @@ void SessionLink::finishOpening() {
     if (!waiting_) Q_EMIT failed(QString::fromStdString(error.what()));
   }
   if (waiting_ && !opening()) beginOpening(*std::exchange(waiting_, std::nullopt));
+}
+
+void SessionLink::listen(const QObject* who, session::Listener listener) {
+  if (listener)
+    listeners_[who] = std::move(listener);
+  else
+    listeners_.erase(who);
+  if (!runner_) return;
+  if (listeners_.empty()) return runner_->listen({});
+  std::vector<session::Listener> all;
+  for (const auto& [one, hears] : listeners_) all.push_back(hears);
+  runner_->listen({[all](const tracking::TrackingPipeline& pipeline) {
+                     for (const auto& one : all)
+                       if (one.begin) one.begin(pipeline);
+                   },
+                   [all](const tracking::Sample& sample, const tracking::Snapshot& snapshot) {
+                     for (const auto& one : all) one.take(sample, snapshot);
+                   }});
 }
 
 void SessionLink::setRunning(bool on) {

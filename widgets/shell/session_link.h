@@ -3,6 +3,7 @@
 #include <QObject>
 #include <QTimer>
 #include <future>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -33,6 +34,10 @@ class SessionLink : public QObject {
   /// The source has no more samples.
   bool ended() const { return runner_ && last_state_ == session::RunState::kEnded; }
   bool recording() const;
+  /// `who` hears what the running session's pipeline makes of every sample, beside others that listen, with
+  /// the listener given last; {}: no longer. Whenever somebody comes or goes, all that stay hear begin()
+  /// again. A new session begins with nobody.
+  void listen(const QObject* who, session::Listener listener);
   /// Starts or stops; failures come as failed().
   void toggleRecording(const QString& folder);
 
@@ -60,6 +65,7 @@ class SessionLink : public QObject {
   std::optional<SourceChoice> waiting_;      ///< to be opened next
   std::vector<std::future<void>> retiring_;  ///< old runners end in the background
   std::unique_ptr<session::Runner> runner_;
+  std::map<const QObject*, session::Listener> listeners_;
   tracking::Snapshot snapshot_, seen_;
   tracking::StereoFrame frame_;
   std::vector<tracking::Snapshot> history_;

@@ -1,0 +1,64 @@
+#include "widgets/shell/calibration_desk.h"
+
+#include <QAction>
+#include <QDockWidget>
+
+#include "core/base/error.h"
+#include "widgets/panels/calibration/calibration_panel.h"
+#include "widgets/panels/notes/notes_panel.h"
+#include "widgets/shell/session_bar.h"
+#include "widgets/shell/session_link.h"
+
+namespace capstan::widgets {
+
+CalibrationDesk::CalibrationDesk(CalibrationPanel& panel, QDockWidget& dock, SessionLink& link,
+                                 SessionBar& bar, NotesPanel& notes, QObject* parent)
+    : QObject(parent), panel_(panel) {
+  auto* action = new QAction(tr("Identify"), this);
+  action->setObjectName("identify");
+  action->setShortcut(QKeySequence(QStringLiteral("Ctrl+I")));
+  action->setToolTip(tr("Find what the robot file has wrong, while the session runs (Ctrl+I)"));
+  bar.addPanelAction(action);
+  // Behind another tab it comes to the front; in front it goes.
+  connect(action, &QAction::triggered, &dock, [&dock] {
+    const bool in_front = dock.isVisible() && !dock.visibleRegion().isEmpty();
+    dock.setVisible(!in_front);
+    if (!in_front) dock.raise();
+  });
+  connect(&link, &SessionLink::opened, this, [this](const session::SourceInfo& info) { panel_.begin(info); });
+  connect(&link, &SessionLink::status, this, [this](const session::RunStatus& status) {
+    now_ = status.t;
+    panel_.showStatus(status);
+  });
+  listen(link);
+  chooseRobots(link, notes);
+  connect(&panel, &CalibrationPanel::robotSaved, this,
+          [this, &notes](const QString& path) { notes.addFile(now_, "robot", path); });
+}
+
+void CalibrationDesk::listen(SessionLink& link) {
+  connect(&panel_, &CalibrationPanel::listenerWanted, this,
+          [this, &link](const std::shared_ptr<identification::LiveRecording>& sink) {
+            if (!link.runner()) return;
+            if (!sink) return link.listen(this, {});
+            link.listen(this, {[sink](const tracking::TrackingPipeline& pipeline) { sink->begin(pipeline); },
+                               [sink](const tracking::Sample& sample, const tracking::Snapshot& snapshot) {
+                                 sink->take(sample, snapshot);
+                               }});
+          });
+}
+
+void CalibrationDesk::chooseRobots(SessionLink& link, NotesPanel& notes) {
+  connect(&panel_, &CalibrationPanel::robotChosen, this,
+          [this, &link, &notes](const robot::Description& robot, const QString& summary) {
+            if (!link.runner()) return;
+            try {
+              link.runner()->setRobot(robot, summary.toStdString());
+              notes.addEvent(now_, "robot", summary);
+            } catch (const base::InputError& error) {
+              Q_EMIT link.failed(QString::fromStdString(error.what()));
+            }
+          });
+}
+
+}  // namespace capstan::widgets

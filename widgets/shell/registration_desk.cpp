@@ -1,0 +1,88 @@
+#include "widgets/shell/registration_desk.h"
+
+#include <QAction>
+#include <QDockWidget>
+
+#include "core/simulation/camera_mounting.h"
+#include "core/simulation/simulated_source.h"
+#include "widgets/panels/notes/notes_panel.h"
+#include "widgets/panels/registration/registration_panel.h"
+#include "widgets/scene/scene_view.h"
+#include "widgets/shell/session_bar.h"
+#include "widgets/shell/session_link.h"
+
+namespace capstan::widgets {
+
+RegistrationDesk::RegistrationDesk(RegistrationPanel& panel, QDockWidget& dock, SessionLink& link,
+                                   SessionBar& bar, SceneView& scene, NotesPanel& notes, QObject* parent)
+    : QObject(parent), panel_(panel), dock_(dock), link_(link) {
+  addAction(bar);
+  connectPanel(scene, notes);
+  connect(&link, &SessionLink::opened, this, [this](const session::SourceInfo& info) {
+    in_use_ = info.base_from_camera;
+    now_ = info.begin;
+    if (dock_.isVisible()) begin();
+  });
+  connect(&link, &SessionLink::snapshot, this,
+          [this](const tracking::Snapshot& snapshot) { now_ = snapshot.t; });
+  connect(&link, &SessionLink::history, this, [this](const std::vector<tracking::Snapshot>& snapshots) {
+    for (const auto& snapshot : snapshots)
+      if (panel_.active()) panel_.showSnapshot(snapshot);
+  });
+  connect(&link, &SessionLink::frames, this,
+          [this](const tracking::StereoFrame& frame, const tracking::Snapshot& seen) {
+            if (panel_.active()) panel_.showFrames(frame.left, frame.right, seen);
+          });
+}
+
+void RegistrationDesk::addAction(SessionBar& bar) {
+  auto* action = dock_.toggleViewAction();
+  action->setObjectName("register");
+  action->setText(tr("Register"));
+  action->setShortcut(QKeySequence(QStringLiteral("Ctrl+R")));
+  action->setToolTip(tr("Find the cameras' place at the hard stop (Ctrl+R)"));
+  bar.addPanelAction(action);
+  connect(action, &QAction::triggered, this, [this](bool shown) {
+    if (shown && link_.runner() && !panel_.active()) begin();
+  });
+}
+
+void RegistrationDesk::connectPanel(SceneView& scene, NotesPanel& notes) {
+  using simulation::SimulatedSource;
+  connect(&panel_, &RegistrationPanel::driveToHardStopRequested, this, [this] {
+    command(&SimulatedSource::driveToHardStop);
+    link_.setRunning(true);
+  });
+  connect(&panel_, &RegistrationPanel::accepted, this,
+          [this, &scene, &notes](const Eigen::Isometry3d& base_from_camera) {
+            if (link_.runner()) link_.runner()->setRegistration(base_from_camera);
+            in_use_ = base_from_camera;
+            scene.setRegistration(base_from_camera);
+            command(&SimulatedSource::resume);
+            notes.addEvent(now_, "registration", tr("accepted"));
+          });
+  connect(&panel_, &RegistrationPanel::rejected, this, [this, &notes](const QString& reason) {
+    command(&SimulatedSource::resume);
+    notes.addEvent(now_, "registration", tr("rejected: %1").arg(reason));
+  });
+  connect(&panel_, &RegistrationPanel::finished, this, [this] {
+    command(&SimulatedSource::resume);
+    dock_.hide();
+  });
+}
+
+void RegistrationDesk::command(void (simulation::SimulatedSource::*what)()) {
+  if (!link_.runner()) return;
+  link_.runner()->post([what](session::Source& source, tracking::TrackingPipeline&) {
+    if (auto* simulated = dynamic_cast<simulation::SimulatedSource*>(&source)) (simulated->*what)();
+  });
+}
+
+void RegistrationDesk::begin() {
+  const auto& info = link_.runner()->info();
+  auto current = in_use_;
+  if (!current && info.live) current = simulation::nominalBaseFromCamera(info.robot);
+  panel_.begin(info, current);
+}
+
+}  // namespace capstan::widgets

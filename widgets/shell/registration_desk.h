@@ -1,0 +1,46 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <QObject>
+#include <optional>
+
+class QDockWidget;
+
+namespace capstan::session {
+struct SourceInfo;
+}
+namespace capstan::simulation {
+class SimulatedSource;
+}
+
+namespace capstan::widgets {
+
+class NotesPanel;
+class RegistrationPanel;
+class SceneView;
+class SessionBar;
+class SessionLink;
+
+/// Joins the registration panel to the running session: drives the simulated arm, hands the accepted place of
+/// the cameras to the pipeline and the scene, an entry in the bar, lines in the notes.
+class RegistrationDesk : public QObject {
+  Q_OBJECT
+
+ public:
+  RegistrationDesk(RegistrationPanel& panel, QDockWidget& dock, SessionLink& link, SessionBar& bar,
+                   SceneView& scene, NotesPanel& notes, QObject* parent);
+
+ private:
+  void addAction(SessionBar& bar);
+  void connectPanel(SceneView& scene, NotesPanel& notes);
+  void command(void (simulation::SimulatedSource::*what)());
+  void begin();
+
+  RegistrationPanel& panel_;
+  QDockWidget& dock_;
+  SessionLink& link_;
+  double now_ = 0.0;  ///< newest session time [s]
+  std::optional<Eigen::Isometry3d> in_use_;
+};
+
+}  // namespace capstan::widgets
