@@ -32,7 +32,7 @@ TableCell cellAt(const std::vector<TableCell>& row, std::size_t column) {
 std::string markdownEscaped(const std::string& text) {
   std::string out;
   for (const char c : text) {
-    if (c == '|' || c == '\\' || c == '*' || c == '_' || c == '<' || c == '`') out += '\\';
+    if (c == '|' || c == '\\' || c == '*' || c == '<' || c == '`') out += '\\';
     out += c == '\n' ? ' ' : c;
   }
   return out;
