@@ -33,6 +33,7 @@ Goal parameterGoal(const IdentificationResult& result, const IdentifiedParameter
   const double error = 100.0 * (estimate.value / parameter.truth - 1.0);
   goal.measured = fmt::format("{:+.2f} % ± {:.2f} %", error, 100.0 * estimate.sigma / estimate.value);
   goal.met = std::abs(error) <= percent;
+  if (!goal.met && !parameter.convergence.empty()) goal.measured += "; said of it: " + parameter.convergence;
   return goal;
 }
 
@@ -119,10 +120,12 @@ std::string comparisonPage(const std::vector<Results>& results, const Published&
   const bool simulated =
       std::all_of(results.begin(), results.end(), [](const Results& one) { return one.simulated; });
   std::string page = "# Experiments of the UKF paper: published values and ours\n\n";
-  page += simulated
-              ? "The robot of these results is simulated; the paper's was a real RAVEN-II, and its truth "
-                "is not known.\n\n"
-              : "Some of these results are of recordings.\n\n";
+  page +=
+      simulated
+          ? "The robot of these results is simulated: it has hysteresis, Stribeck friction and camera errors "
+            "that the estimator does not know, but the same geometry, so that errors of a real robot will "
+            "be larger; the paper's was a real RAVEN-II.\n\n"
+          : "Some of these results are of recordings.\n\n";
   const std::vector<Goal> goals = goalsOf(results, published);
   if (!goals.empty()) page += base::markdownOf(goalTable(goals)) + "\n";
   for (const Results& one : results) {

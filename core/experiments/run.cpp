@@ -49,6 +49,16 @@ double weightOf(const Specification& specification) {
   return specification.work == Work::kIdentify ? 2.0 * sum : sum;
 }
 
+/// Reads every file of `specification`, so that what is wrong with one shows before hours of other work.
+void checkFiles(const Specification& specification, const RunOptions& options) {
+  const RobotBelief belief = beliefOf(specification, {});
+  const bool images = options.images.value_or(specification.images);
+  for (const TrialSpec& trial : specification.trials) {
+    const TrialSetup setup = setUpTrial(specification, trial, belief, images, options.software);
+    if (specification.work == Work::kIdentify) (void)setUpIdentification(specification, setup.table_robot);
+  }
+}
+
 /// One experiment, what it builds on at hand.
 class Experiment {
  public:
@@ -180,7 +190,10 @@ Results run(const Specification& specification, const RunOptions& options, base:
   std::vector<std::string> above;
   planFor(specification, above, plan);
   double total = 0.0, before = 0.0;
-  for (const Specification& one : plan) total += weightOf(one);
+  for (const Specification& one : plan) {
+    checkFiles(one, options);
+    total += weightOf(one);
+  }
   std::map<std::string, IdentificationResult> found;
   std::vector<std::string> notices;
   for (const Specification& one : plan) {
