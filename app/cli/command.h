@@ -20,6 +20,7 @@ void addCalibrate(CLI::App& app, ExitCode& exit);
 void addInfo(CLI::App& app, ExitCode& exit);
 void addConvert(CLI::App& app, ExitCode& exit);
 void addReport(CLI::App& app, ExitCode& exit);
+void addFigures(CLI::App& app, ExitCode& exit);
 void addStudy(CLI::App& app, ExitCode& exit);
 
 }  // namespace capstan::cli

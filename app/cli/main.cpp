@@ -53,6 +53,7 @@ int run(int argc, char** argv) {
   cli::addInfo(app, exit);
   cli::addConvert(app, exit);
   cli::addReport(app, exit);
+  cli::addFigures(app, exit);
   cli::addStudy(app, exit);
   refuseUnknownCommand(app, argc, argv);
   try {

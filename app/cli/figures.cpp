@@ -1,0 +1,182 @@
+#include <fmt/format.h>
+
+#include <QApplication>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/cli/command.h"
+#include "app/cli/console.h"
+#include "app/cli/outputs.h"
+#include "core/base/error.h"
+#include "core/experiments/run.h"
+#include "widgets/figures/export_all.h"
+
+namespace capstan::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using experiments::Results;
+
+struct FiguresArguments {
+  std::vector<std::string> inputs, only;
+  std::string out = "capstan-figures", size = "180x120", json;
+};
+
+/// Qt's remark on a missing XDG_RUNTIME_DIR concerns nobody who saves files; the rest goes through.
+void passOn(QtMsgType, const QMessageLogContext&, const QString& message) {
+  if (!message.startsWith(QLatin1String("QStandardPaths: XDG_RUNTIME_DIR"))) notice(message.toStdString());
+}
+
+/// What Qt needs to draw into files; no display is asked for, not even a stale one.
+class FileDrawing {
+ public:
+  FileDrawing() {
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    qInstallMessageHandler(passOn);
+    application_ = std::make_unique<QApplication>(count_, arguments_);
+  }
+
+ private:
+  char name_[12] = "capstan-cli";
+  char* arguments_[2] = {name_, nullptr};
+  int count_ = 1;
+  std::unique_ptr<QApplication> application_;
+};
+
+/// The folder's own results, or those of its folders, as `experiment --out` leaves them, by name.
+std::vector<fs::path> resultFolders(const fs::path& folder) {
+  if (fs::exists(folder / "results.json")) return {folder};
+  std::vector<fs::path> found;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.is_directory() && fs::exists(entry.path() / "results.json")) found.push_back(entry.path());
+  std::sort(found.begin(), found.end());
+  if (found.empty())
+    refuseFile(folder.string(), "holds no results.json, nor does a folder in it",
+               "Give the --out folder of capstan-cli experiment, or a recording");
+  return found;
+}
+
+/// A recording is tracked as the only trial of an experiment that keeps nothing. Nothing: cancelled.
+bool track(const fs::path& file, std::vector<Results>& all) {
+  experiments::Specification specification;
+  specification.name = experiments::fileNameOf(file.stem().string());
+  specification.title = file.filename().string();
+  specification.trials.resize(1);
+  specification.trials[0].name = file.stem().string();
+  specification.trials[0].recording = fs::absolute(file).string();
+  base::Progress progress;
+  const ProgressLine line(progress);
+  experiments::RunOptions options;
+  options.threads = 1;
+  options.software = "capstan " CAPSTAN_VERSION;
+  Results results = experiments::run(specification, options, progress);
+  if (results.cancelled) return false;
+  all.push_back(std::move(results));
+  return true;
+}
+
+/// Names of files begin with the results' names, so no two may be alike.
+void refuseTwins(const std::vector<Results>& all) {
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (all[i].name == all[j].name)
+        refuseOption("INPUT", all[i].name, "is the name of two of the results",
+                     "Export them into two folders");
+}
+
+/// False: cancelled.
+bool readInputs(const std::vector<std::string>& inputs, std::vector<Results>& all) {
+  for (const std::string& input : inputs)
+    if (!fs::exists(input))
+      refuseFile(input, "does not exist",
+                 "Give a folder of results (capstan-cli experiment), or a recording");
+  for (const std::string& input : inputs) {
+    if (!fs::is_directory(input)) {
+      if (!track(input, all)) return false;
+      continue;
+    }
+    for (const fs::path& folder : resultFolders(input)) all.push_back(experiments::readResults(folder));
+  }
+  refuseTwins(all);
+  return true;
+}
+
+widgets::ExportOptions optionsOf(const FiguresArguments& arguments) {
+  widgets::ExportOptions options;
+  options.size = widgets::parsePaperSize(arguments.size);
+  if (arguments.only.empty()) return options;
+  options.tables = false;
+  options.kinds.clear();
+  for (const std::string& one : arguments.only) {
+    if (one == "tables") options.tables = true;
+    for (const auto& [kind, name] : base::NamesOf<widgets::FigureKind>::value)
+      if (one == name) options.kinds.push_back(kind);
+  }
+  return options;
+}
+
+widgets::ExportReport draw(const std::vector<Results>& results, const FiguresArguments& arguments,
+                           const widgets::ExportOptions& options) {
+  base::Progress progress;
+  const ProgressLine line(progress);
+  return widgets::exportAll(results, arguments.out, options, &progress);
+}
+
+ExitCode figures(const FiguresArguments& arguments) {
+  const widgets::ExportOptions options = optionsOf(arguments);
+  widgets::checkExportFolder(arguments.out);
+  checkOutputs({{"--json", arguments.json}}, arguments.inputs);
+  const Output output(arguments.json);
+  const FileDrawing drawing;
+  std::vector<Results> results;
+  if (!readInputs(arguments.inputs, results)) {
+    notice("cancelled: nothing was written");
+    return kFailed;
+  }
+  const widgets::ExportReport report = draw(results, arguments, options);
+  for (const std::string& missing : report.missing) notice(missing);
+  output.text(fmt::format("{} figures and {} tables, {} files: {}\n", report.figures, report.tables,
+                          report.files.size(), report.files.back().string()));
+  nlohmann::json files = nlohmann::json::array();
+  for (const fs::path& file : report.files) files.push_back(file.string());
+  output.json({{"figures", report.figures},
+               {"tables", report.tables},
+               {"files", files},
+               {"missing", report.missing},
+               {"cancelled", report.cancelled}});
+  if (report.cancelled) notice("cancelled: the folder holds what was drawn before");
+  return report.cancelled ? kFailed : kOk;
+}
+
+}  // namespace
+
+void addFigures(CLI::App& app, ExitCode& exit) {
+  auto arguments = std::make_shared<FiguresArguments>();
+  CLI::App* command = app.add_subcommand(
+      "figures", "Draw the figures and tables of experiments or recordings into a folder with an index page");
+  command
+      ->add_option("INPUT", arguments->inputs,
+                   "results of capstan-cli experiment (a folder), or recordings (.capstan, .csv)")
+      ->required();
+  command->add_option("--out", arguments->out, "folder: new, empty, or of a former run to write over")
+      ->capture_default_str();
+  command->add_option("--size", arguments->size, "of a figure on paper, WxH [mm]")->capture_default_str();
+  command->add_option("--only", arguments->only, "of trajectories, parameters, histograms, boxplots, tables")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"trajectories", "parameters", "histograms", "boxplots", "tables"}));
+  command->add_option("--json", arguments->json,
+                      "names of all files as JSON: a file, or - for standard output");
+  command->footer(
+      "Each figure is written as PDF, SVG, PNG (300 dpi) and its numbers as CSV, each table as CSV, LaTeX "
+      "and\n"
+      "Markdown. Nothing but files of the same names is written over, and nothing is deleted. Examples:\n"
+      "  capstan-cli figures results --out figures           (all that capstan-cli experiment left there)\n"
+      "  capstan-cli figures results --out column --size 88x90 --only boxplots,histograms\n"
+      "  capstan-cli figures trial.capstan --out trial_figures");
+  command->callback([arguments, &exit] { exit = figures(*arguments); });
+}
+
+}  // namespace capstan::cli
