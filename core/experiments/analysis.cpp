@@ -1,0 +1,165 @@
+#include "core/experiments/analysis.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/experiments/tables.h"
+#include "core/stats/quantile.h"
+#include "core/stats/rms.h"
+#include "core/tracking/snapshot.h"
+
+namespace capstan::experiments {
+namespace {
+
+bool counts(bool occluded, TimeShare share) {
+  return share == TimeShare::kAll || occluded == (share == TimeShare::kOccluded);
+}
+
+const Eigen::Vector3d& errorOf(const ErrorPoint& point, Estimator estimator) {
+  return estimator == Estimator::kUkf          ? point.ukf
+         : estimator == Estimator::kIdentified ? point.identified
+                                               : point.kinematic;
+}
+
+void requireSamples(const ErrorRun& run, const std::vector<ErrorSummary>& summaries,
+                    const AnalysisOptions& options) {
+  for (const ErrorSummary& summary : summaries)
+    if (summary.n > 0) return;
+  throw base::InputError({run.title, 0, "time", std::string(base::nameOf(options.share)),
+                          "leaves no sample of the chosen estimators",
+                          "Choose other estimators or all of the time"});
+}
+
+std::string measureName(Measure measure, bool absolute) {
+  const std::string name(base::nameOf(measure));
+  return absolute && measure != Measure::kRms ? name + " of |error|" : name;
+}
+
+std::string noteOf(const Analysis& analysis) {
+  std::string note = fmt::format("A: {}.", analysis.title_a);
+  if (!analysis.title_b.empty()) note += fmt::format(" B: {}.", analysis.title_b);
+  if (analysis.options.share != TimeShare::kAll)
+    note += fmt::format(" Only {} time.", base::nameOf(analysis.options.share));
+  if (analysis.intervals && analysis.against != Against::kNothing)
+    note += fmt::format(
+        " Intervals: 95 %, circular block bootstrap, {} resamples. P: equal means, two-sided t-test of the "
+        "means of blocks, paired where both sides are of the same instants, else Welch's.",
+        analysis.options.resamples);
+  return note;
+}
+
+}  // namespace
+
+std::vector<int> AnalysisOptions::joints() const {
+  return joint ? std::vector<int>{*joint} : std::vector<int>{0, 1, 2};
+}
+
+SelectedErrors selectedErrors(const ErrorRun& run, Estimator estimator, int joint,
+                              const AnalysisOptions& options) {
+  SelectedErrors selected;
+  const auto add = [&](double t, double error) {
+    if (!std::isfinite(error)) return;
+    const double value = forPeople(error, joint);
+    selected.t.push_back(t);
+    selected.value.push_back(options.absolute ? std::abs(value) : value);
+  };
+  if (estimator == Estimator::kCamera) {
+    if (counts(false, options.share))
+      for (const CameraPoint& point : run.camera) add(point.t, point.error(joint));
+  } else {
+    for (const ErrorPoint& point : run.errors)
+      if (counts(point.occluded, options.share)) add(point.t, errorOf(point, estimator)(joint));
+  }
+  return selected;
+}
+
+ErrorSummary summaryOf(const std::vector<double>& values) {
+  ErrorSummary summary;
+  summary.n = values.size();
+  if (values.empty()) return summary;
+  const double shares[] = {0.25, 0.5, 0.75};
+  const std::vector<double> quartiles = stats::quantiles(values, shares);
+  summary.value = {stats::rms(values), quartiles[1], quartiles[2] - quartiles[0], stats::mean(values)};
+  return summary;
+}
+
+Analysis analyse(const ErrorRun& a, const ErrorRun* b, const AnalysisOptions& options) {
+  Analysis analysis;
+  analysis.options = options;
+  analysis.title_a = a.title;
+  if (b) analysis.title_b = b->title;
+  std::vector<ErrorSummary> of_a, of_b;
+  for (const int joint : options.joints())
+    for (const Estimator estimator : options.estimators) {
+      AnalysisRow row{.joint = joint, .estimator = estimator};
+      row.a = summaryOf(selectedErrors(a, estimator, joint, options).value);
+      if (b) row.b = summaryOf(selectedErrors(*b, estimator, joint, options).value);
+      of_a.push_back(row.a);
+      of_b.push_back(row.b);
+      analysis.rows.push_back(row);
+    }
+  requireSamples(a, of_a, options);
+  if (b) requireSamples(*b, of_b, options);
+  const auto& chosen = options.estimators;
+  const auto has = [&](Estimator one) {
+    return std::find(chosen.begin(), chosen.end(), one) != chosen.end();
+  };
+  analysis.against = b                                                    ? Against::kRun
+                     : has(Estimator::kKinematic) && has(Estimator::kUkf) ? Against::kKinematic
+                                                                          : Against::kNothing;
+  for (AnalysisRow& row : analysis.rows) {
+    const bool against_kinematic =
+        analysis.against == Against::kKinematic && row.estimator == Estimator::kUkf;
+    if (!b && !against_kinematic) continue;
+    const ErrorSummary first =
+        b ? row.a : summaryOf(selectedErrors(a, Estimator::kKinematic, row.joint, options).value);
+    const ErrorSummary& second = b ? row.b : row.a;
+    for (std::size_t i = 0; i < kMeasures.size(); ++i)
+      row.difference[i].value = second.value[i] - first.value[i];
+  }
+  return analysis;
+}
+
+std::string probabilityText(double p, double log10_p) {
+  if (!std::isfinite(log10_p)) return "–";
+  if (p >= 1e-3) return fmt::format("{:.3f}", p);
+  if (p > 0.0) return fmt::format("{:.0e}", p);
+  return fmt::format("1e{:.0f}", log10_p);
+}
+
+base::Table tableOf(const Analysis& analysis) {
+  const bool two = !analysis.title_b.empty();
+  base::Table table;
+  table.title = two ? "Errors of two runs" : "Errors of " + analysis.title_a;
+  table.columns = {
+      {"joint", ""}, {"estimator", ""}, {"measure", ""}, {"unit", ""}, {two ? "A" : "value", ""}};
+  if (two) table.columns.push_back({"B", ""});
+  table.columns.push_back({two ? "n of A" : "n", "", 0});
+  if (two) table.columns.push_back({"n of B", "", 0});
+  const bool differences = analysis.against != Against::kNothing;
+  if (differences)
+    for (const char* name : {two ? "B − A" : "UKF − kinematic", "95 % from", "95 % to"})
+      table.columns.push_back({name, ""});
+  if (differences) table.columns.push_back({"P", "", 2, base::NumberStyle::kSignificant});
+  for (const AnalysisRow& row : analysis.rows)
+    for (const Measure measure : kMeasures) {
+      std::vector<base::TableCell> cells = {
+          fmt::format("q{}", row.joint + 1), std::string(base::nameOf(row.estimator)),
+          measureName(measure, analysis.options.absolute),
+          tracking::kJointUnits[static_cast<std::size_t>(row.joint)], row.a.of(measure)};
+      if (two) cells.emplace_back(row.b.of(measure));
+      cells.emplace_back(static_cast<double>(row.a.n));
+      if (two) cells.emplace_back(static_cast<double>(row.b.n));
+      const Difference& d = row.of(measure);
+      if (differences)
+        cells.insert(cells.end(), {d.value, d.low, d.high, measure == Measure::kMean ? row.p : kNone});
+      table.rows.push_back(std::move(cells));
+    }
+  table.note = noteOf(analysis);
+  return table;
+}
+
+}  // namespace capstan::experiments

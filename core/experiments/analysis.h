@@ -1,0 +1,119 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/base/table.h"
+#include "core/experiments/error_run.h"
+
+/// Errors of one run, or of two beside each other: what is selected, what it comes to, and how sure a
+/// difference is. Angles in degrees, lengths in millimetres: this is what people read.
+namespace capstan::experiments {
+
+/// Which instants count. A camera sample that the filter took is always a seen one.
+enum class TimeShare { kAll, kOccluded, kSeen };
+
+struct AnalysisOptions {
+  std::optional<int> joint;  ///< 0…2; nothing: all
+  std::vector<Estimator> estimators = {Estimator::kKinematic, Estimator::kUkf};
+  bool absolute = false;  ///< |error| in place of error
+  TimeShare share = TimeShare::kAll;
+  std::size_t resamples = 1000;  ///< of the bootstrap
+  std::uint64_t seed = 1;        ///< of the bootstrap
+
+  std::vector<int> joints() const;
+  bool operator==(const AnalysisOptions&) const = default;
+};
+
+/// Finite errors of one estimator and joint at their times.
+struct SelectedErrors {
+  std::vector<double> t;      ///< [s]
+  std::vector<double> value;  ///< [deg or mm]
+};
+SelectedErrors selectedErrors(const ErrorRun& run, Estimator estimator, int joint,
+                              const AnalysisOptions& options);
+
+enum class Measure { kRms, kMedian, kInterquartileRange, kMean };
+inline constexpr std::array kMeasures = {Measure::kRms, Measure::kMedian, Measure::kInterquartileRange,
+                                         Measure::kMean};
+
+/// What a sample comes to [deg or mm]; NaN without one.
+struct ErrorSummary {
+  std::size_t n = 0;
+  std::array<double, kMeasures.size()> value = {kNone, kNone, kNone, kNone};
+
+  double of(Measure measure) const { return value[static_cast<std::size_t>(measure)]; }
+};
+ErrorSummary summaryOf(const std::vector<double>& values);
+
+/// second − first, with the percentile interval of a circular block bootstrap; NaN where it is not known
+/// (yet). The interval says that the difference is not zero.
+struct Difference {
+  double value = kNone, low = kNone, high = kNone;
+
+  bool clear() const { return low > 0.0 || high < 0.0; }
+};
+
+/// One joint and estimator.
+struct AnalysisRow {
+  int joint = 0;
+  Estimator estimator = Estimator::kUkf;
+  ErrorSummary a = {}, b = {};  ///< of runs A and B; without B: b has no samples
+  std::array<Difference, kMeasures.size()> difference = {};
+  bool paired = false;  ///< both sides at the same instants of one motion
+  /// Two-sided P of equal means, of the means of blocks that are about independent: paired or Welch's
+  /// t-test. NaN for fewer than kLeastBlocks of them, or no spread.
+  double p = kNone, log10_p = kNone;
+  std::size_t block_length = 0, blocks = 0;  ///< samples; blocks of the smaller side
+
+  static constexpr std::size_t kLeastBlocks = 10;
+  const Difference& of(Measure measure) const { return difference[static_cast<std::size_t>(measure)]; }
+};
+
+enum class Against {
+  kNothing,
+  kRun,       ///< differences are B − A
+  kKinematic  ///< of a single run: UKF − kinematic, at the same instants
+};
+
+struct Analysis {
+  AnalysisOptions options;
+  std::string title_a, title_b;  ///< title_b empty: one run
+  Against against = Against::kNothing;
+  std::vector<AnalysisRow> rows;  ///< by joint, then estimator
+  bool intervals = false;         ///< addIntervals() has finished
+};
+
+/// All but intervals and P; quick. `b` null: one run. Throws base::InputError where nothing is left of a run.
+Analysis analyse(const ErrorRun& a, const ErrorRun* b, const AnalysisOptions& options);
+
+/// Intervals and P of every difference. Blocks are as long as the correlation of the errors and of their
+/// squares asks for (stats::optimalBlockLength), the longer of both sides; samples beyond kMostResampled are
+/// thinned evenly for it. Seeded: same runs and options, same bytes. False: cancelled, `analysis` unchanged.
+inline constexpr std::size_t kMostResampled = 20000;
+bool addIntervals(Analysis& analysis, const ErrorRun& a, const ErrorRun* b, base::Progress& progress);
+
+/// A row a joint, estimator and measure: A, B, difference, 95 % interval; P beside means.
+base::Table tableOf(const Analysis& analysis);
+
+/// "1.2e-05", "0.034", "< 1e-300"; "–" where it is not known.
+std::string probabilityText(double p, double log10_p);
+
+}  // namespace capstan::experiments
+
+template <>
+struct capstan::base::NamesOf<capstan::experiments::TimeShare> {
+  using S = capstan::experiments::TimeShare;
+  static constexpr std::array value = {std::pair{S::kAll, "all"}, std::pair{S::kOccluded, "occluded"},
+                                       std::pair{S::kSeen, "seen"}};
+};
+template <>
+struct capstan::base::NamesOf<capstan::experiments::Measure> {
+  using M = capstan::experiments::Measure;
+  static constexpr std::array value = {std::pair{M::kRms, "RMS"}, std::pair{M::kMedian, "median"},
+                                       std::pair{M::kInterquartileRange, "IQR"}, std::pair{M::kMean, "mean"}};
+};
