@@ -1,0 +1,115 @@
+#pragma once
+
+#include <QWidget>
+#include <array>
+#include <functional>
+#include <memory>
+
+#include "core/experiments/analysis.h"
+#include "widgets/figures/paper_size.h"
+#include "widgets/figures/theme.h"
+#include "widgets/jobs/job.h"
+#include "widgets/panels/analysis/analysis_figures.h"
+#include "widgets/panels/analysis/run_picker.h"
+
+class QBoxLayout;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QSettings;
+class QToolButton;
+
+namespace capstan::widgets {
+
+class AnalysisTable;
+class FigurePair;
+class OptionsBar;
+
+/// Errors of up to two runs as histogram, box plot and numbers: the running session so far, a recording, a
+/// trial of an experiment. Reading, tracking and counting happen in the background, one piece at a time, and
+/// only while the panel is visible: numbers and figures first, intervals of differences behind them.
+class AnalysisPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit AnalysisPanel(QWidget* parent = nullptr);
+  ~AnalysisPanel() override;
+
+  void setTheme(const Theme& theme);
+  /// Gives the errors of the running session so far; throws base::InputError where there are none.
+  void setSession(std::function<experiments::ErrorRun()> session);
+  /// Another session: the former one's errors are gone.
+  void sessionOpened();
+  void setJointNames(const std::array<QString, 3>& names);
+  void save(QSettings& settings) const;
+  void restore(const QSettings& settings);
+
+  /// Run 0 (A) or 1 (B).
+  void choose(std::size_t run, const RunChoice& choice);
+  /// Reads the runs anew; goes on after a cancel.
+  void refresh();
+  void cancel();
+  /// base-histogram and base-boxplot as .pdf, .svg, .png and .csv, base-table as .md, .tex and .csv. What
+  /// goes wrong is said on the panel.
+  void exportTo(const QString& base, PaperSize size);
+
+  RunPicker& picker(std::size_t run) { return *sides_[run].picker; }
+  OptionsBar& options() { return *options_; }
+  AnalysisTable& table() { return *table_; }
+  FigurePair& figures() { return *figures_; }
+  const experiments::Analysis& analysis() const { return analysis_; }
+  QString words() const;
+  bool busy() const { return job_.busy(); }
+  /// Nothing is left to be done for what was chosen.
+  bool settled() const;
+
+ signals:
+  void exported(const QString& base);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  enum class Work { kNothing, kLoadingA, kLoadingB, kAnalysing, kIntervals };
+  struct Side {
+    RunPicker* picker = nullptr;
+    std::shared_ptr<const experiments::ErrorRun> run;
+    bool stale = true;  ///< `run` is not what was chosen, or not yet
+    QString fault;      ///< why there is none
+  };
+  struct Prepared {
+    experiments::Analysis analysis;
+    AnalysisFigures figures;
+  };
+
+  void addHead(QBoxLayout* column);
+  void addFoot(QBoxLayout* column);
+  void onRunChanged(std::size_t run);
+  void onOptionsChanged();
+  void proceed();
+  bool load(std::size_t run);
+  void took(std::size_t run, experiments::ErrorRun loaded);
+  void prepare();
+  void addIntervals();
+  void onFailed(const QString& why);
+  void say();
+  void askExport(const PaperSize& size);
+
+  std::function<experiments::ErrorRun()> session_;
+  std::array<QString, 3> joint_names_;
+  std::array<Side, 2> sides_;
+  experiments::Analysis analysis_;
+  bool analysis_stale_ = true, intervals_stale_ = true, halted_ = false;
+  QString fault_, said_;
+  Work work_ = Work::kNothing;
+  OptionsBar* options_;
+  FigurePair* figures_;
+  AnalysisTable* table_;
+  QLabel* words_;
+  QProgressBar* progress_;
+  QToolButton* refresh_;
+  QPushButton* cancel_;
+  Job job_;  ///< last: ends before what it reports to
+};
+
+}  // namespace capstan::widgets

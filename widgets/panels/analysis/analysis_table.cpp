@@ -1,0 +1,150 @@
+#include "widgets/panels/analysis/analysis_table.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <cmath>
+
+#include "core/tracking/snapshot.h"
+#include "widgets/panels/analysis/analysis_figures.h"
+
+namespace capstan::widgets {
+
+using namespace experiments;
+
+namespace {
+
+constexpr double kPoints = 9.5;
+constexpr int kRowHeight = 20;  // [px]
+constexpr int kDecimals = 3;    ///< of deg and mm
+
+/// "−0.123"; "…" while it is being computed.
+QString numberText(double value, bool sign = false) {
+  if (!std::isfinite(value)) return QStringLiteral("–");
+  QString text = QString::number(value, 'f', kDecimals);
+  if (sign && value > 0.0) text.prepend('+');
+  return text.replace(QLatin1Char('-'), QChar(0x2212));
+}
+
+QString countText(std::size_t n) { return n > 0 ? QString::number(n) : QStringLiteral("–"); }
+
+}  // namespace
+
+AnalysisTable::AnalysisTable(QWidget* parent) : QTreeWidget(parent) {
+  setColumnCount(kColumns);
+  setRootIsDecorated(false);
+  setIndentation(10);
+  setItemsExpandable(false);
+  setUniformRowHeights(true);
+  setFrameShape(QFrame::NoFrame);
+  setSelectionMode(QAbstractItemView::ExtendedSelection);
+  setAllColumnsShowFocus(true);
+  setAccessibleName(tr("numbers of the analysis"));
+  header()->setMinimumSectionSize(10);
+  header()->setStretchLastSection(false);
+  header()->setSectionsMovable(false);
+  header()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  header()->setSectionResizeMode(kName, QHeaderView::Stretch);
+}
+
+void AnalysisTable::setTheme(const Theme& theme) {
+  theme_ = theme;
+  showAnalysis(analysis_);
+}
+
+void AnalysisTable::showAnalysis(const Analysis& analysis) {
+  analysis_ = analysis;
+  const bool two = !analysis.title_b.empty();
+  const bool differences = analysis.against != Against::kNothing;
+  setHeaderLabels({tr("deg and mm"), two ? QStringLiteral("A") : tr("value"), QStringLiteral("B"),
+                   two ? QStringLiteral("B − A") : tr("UKF − kin."), tr("95 % interval"), QStringLiteral("P"),
+                   two ? tr("n of A") : QStringLiteral("n"), tr("n of B")});
+  headerItem()->setTextAlignment(kName, Qt::AlignLeft | Qt::AlignVCenter);
+  headerItem()->setToolTip(kInterval, tr("Of the difference: circular block bootstrap, blocks as long as the "
+                                         "errors' correlation asks for"));
+  headerItem()->setToolTip(kP,
+                           tr("Of equal means, two-sided: t-test of the means of blocks; paired where both "
+                              "runs are of the same instants, else Welch's"));
+  for (const int column : {static_cast<int>(kB), static_cast<int>(kCountB)}) setColumnHidden(column, !two);
+  for (const int column : {kDifference, kInterval, kP}) setColumnHidden(column, !differences);
+  clear();
+  if (analysis.rows.empty()) return;
+  for (const Measure measure : kMeasures) addGroup(measure);
+  expandAll();
+}
+
+void AnalysisTable::addGroup(Measure measure) {
+  auto* group = new QTreeWidgetItem(this);
+  const bool absolute = analysis_.options.absolute && measure != Measure::kRms;
+  const QString name = QString::fromStdString(std::string(base::nameOf(measure)));
+  group->setText(kName, absolute ? tr("%1 of |error|").arg(name) : name);
+  group->setFont(kName, textFont(kPoints, true));
+  group->setForeground(kName, theme_.text);
+  group->setFlags(Qt::ItemIsEnabled);
+  group->setFirstColumnSpanned(true);
+  group->setSizeHint(kName, QSize(0, kRowHeight));
+  for (const AnalysisRow& row : analysis_.rows) fill(*new QTreeWidgetItem(group), row, measure);
+}
+
+void AnalysisTable::fill(QTreeWidgetItem& item, const AnalysisRow& row, Measure measure) const {
+  const Difference& d = row.of(measure);
+  const bool known = std::isfinite(d.value), pending = known && !analysis_.intervals;
+  const QString interval = pending                ? tr("…")
+                           : std::isfinite(d.low) ? QStringLiteral("%1 … %2").arg(numberText(d.low, true),
+                                                                                  numberText(d.high, true))
+                                                  : QString();
+  const QString p = measure != Measure::kMean || !known ? QString()
+                    : pending                           ? tr("…")
+                              : QString::fromStdString(probabilityText(row.p, row.log10_p));
+  item.setText(kName, QStringLiteral("q%1 %2, %3")
+                          .arg(row.joint + 1)
+                          .arg(nameOf(quantityOf(row.estimator)))
+                          .arg(tracking::kJointUnits[static_cast<std::size_t>(row.joint)]));
+  item.setText(kA, numberText(row.a.of(measure)));
+  item.setText(kB, numberText(row.b.of(measure)));
+  item.setText(kDifference, known ? numberText(d.value, true) : QString());
+  item.setText(kInterval, interval);
+  item.setText(kP, p);
+  item.setText(kCountA, countText(row.a.n));
+  item.setText(kCountB, countText(row.b.n));
+  for (int column = 0; column < kColumns; ++column) {
+    const bool strong = column == kDifference && d.clear();
+    item.setFont(column, column == kName ? textFont(kPoints) : numberFont(kPoints, strong));
+    item.setForeground(column, column == kCountA || column == kCountB ? theme_.muted : theme_.text);
+    if (column > kName) item.setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+  }
+  if (analysis_.intervals && known)
+    item.setToolTip(kInterval, tr("%1 blocks of %2 samples, %3")
+                                   .arg(row.blocks)
+                                   .arg(row.block_length)
+                                   .arg(row.paired ? tr("both sides at the same instants")
+                                                   : tr("sides independent of each other")));
+}
+
+const QTreeWidgetItem* AnalysisTable::line(Measure measure, int joint, Estimator estimator) const {
+  const auto* group = topLevelItem(static_cast<int>(measure));
+  if (!group) return nullptr;
+  for (std::size_t i = 0; i < analysis_.rows.size(); ++i)
+    if (analysis_.rows[i].joint == joint && analysis_.rows[i].estimator == estimator)
+      return group->child(static_cast<int>(i));
+  return nullptr;
+}
+
+/// Copies the chosen lines, cells apart by tabulators.
+void AnalysisTable::keyPressEvent(QKeyEvent* event) {
+  if (!event->matches(QKeySequence::Copy)) return QTreeWidget::keyPressEvent(event);
+  QStringList lines;
+  for (QTreeWidgetItemIterator it(this); *it; ++it) {
+    if (!(*it)->isSelected()) continue;
+    QStringList cells;
+    if ((*it)->parent()) cells << (*it)->parent()->text(kName);
+    for (int column = 0; column < kColumns; ++column)
+      if (!isColumnHidden(column)) cells << (*it)->text(column);
+    lines << cells.join('\t');
+  }
+  QApplication::clipboard()->setText(lines.join('\n'));
+}
+
+}  // namespace capstan::widgets

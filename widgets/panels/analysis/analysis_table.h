@@ -1,0 +1,39 @@
+#pragma once
+
+#include <QTreeWidget>
+
+#include "core/experiments/analysis.h"
+#include "widgets/figures/theme.h"
+
+namespace capstan::widgets {
+
+/// Numbers of an analysis: a group a measure (RMS, median, IQR, mean), a line a joint and estimator, A beside
+/// B, their difference with its 95 % interval, P beside the means, and how many samples there were. A
+/// difference whose interval leaves zero out is bold.
+class AnalysisTable : public QTreeWidget {
+  Q_OBJECT
+
+ public:
+  enum Column { kName, kA, kB, kDifference, kInterval, kP, kCountA, kCountB, kColumns };
+
+  explicit AnalysisTable(QWidget* parent = nullptr);
+  void setTheme(const Theme& theme);
+  void showAnalysis(const experiments::Analysis& analysis);
+  /// The line of a measure, joint (0…2) and estimator; null: not shown.
+  const QTreeWidgetItem* line(experiments::Measure measure, int joint,
+                              experiments::Estimator estimator) const;
+  QSize sizeHint() const override { return {560, 230}; }
+  QSize minimumSizeHint() const override { return {200, 90}; }
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  void addGroup(experiments::Measure measure);
+  void fill(QTreeWidgetItem& item, const experiments::AnalysisRow& row, experiments::Measure measure) const;
+
+  Theme theme_ = Theme::dark();
+  experiments::Analysis analysis_;
+};
+
+}  // namespace capstan::widgets

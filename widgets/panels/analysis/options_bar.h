@@ -1,0 +1,46 @@
+#pragma once
+
+#include <QWidget>
+#include <array>
+
+#include "core/experiments/analysis.h"
+#include "widgets/figures/paper_size.h"
+#include "widgets/figures/theme.h"
+
+class QCheckBox;
+class QComboBox;
+class QSettings;
+class QToolButton;
+
+namespace capstan::widgets {
+
+/// What of the runs is looked at: joint, estimators, error or |error|, which time; and the export.
+class OptionsBar : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit OptionsBar(QWidget* parent = nullptr);
+
+  void setTheme(const Theme& theme);
+  experiments::AnalysisOptions options() const;
+  void setJoint(std::optional<int> joint);
+  void save(QSettings& settings) const;
+  void restore(const QSettings& settings);
+  void setExportEnabled(bool on);
+
+ signals:
+  void changed();
+  void exportRequested(const capstan::widgets::PaperSize& size);
+
+ private:
+  void addChoices();
+  void addEstimators();
+  void addExport();
+  void addKeys();
+
+  QComboBox *joint_, *error_, *share_;
+  std::array<QCheckBox*, 3> estimators_{};
+  QToolButton* export_;
+};
+
+}  // namespace capstan::widgets
