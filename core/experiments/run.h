@@ -13,10 +13,10 @@ namespace capstan::experiments {
 struct RunOptions {
   /// Results of experiment X go to out/X; finished trials are kept in out/X/trials. Empty: nothing is
   /// written.
-  std::filesystem::path out;
-  int threads = 2;             ///< trials at the same time; the result does not depend on it
-  std::optional<bool> images;  ///< in place of the specification's
-  std::string software;        ///< program and version, kept in the results
+  std::filesystem::path out = {};
+  int threads = 2;                  ///< trials at the same time; the result does not depend on it
+  std::optional<bool> images = {};  ///< in place of the specification's
+  std::string software = {};        ///< program and version, kept in the results
 };
 
 /// Runs every trial of `specification`, and before them the experiments whose robot it needs.
