@@ -23,7 +23,7 @@ namespace {
 struct IdentifyArguments {
   std::vector<std::string> files;
   std::string robot, method = "both", parameters = identification::kDefaultParameters, options, out, trace,
-                     json;
+                     tracking_out, json;
   int threads = 2;
   bool simulate = false, exact_camera = false;
   simulation::SimulationRequest simulation;
@@ -38,6 +38,9 @@ void check(const IdentifyArguments& arguments, const CLI::App& command) {
   if (!arguments.simulate && simulationAsked(command))
     refuseOption("--simulate", {}, "is missing, yet simulation options are given",
                  "Add --simulate or leave them out");
+  if (!arguments.tracking_out.empty() && arguments.exact_camera)
+    refuseOption("--tracking-out", arguments.tracking_out,
+                 "needs the camera's delay, which is taken as exact", "Leave --exact-camera out");
   if (!arguments.trace.empty() && arguments.method == "batch")
     refuseOption("--trace", arguments.trace, "needs the dual UKF", "Choose --method dual-ukf or both");
 }
@@ -46,16 +49,29 @@ void check(const IdentifyArguments& arguments, const CLI::App& command) {
 void checkFiles(const IdentifyArguments& arguments) {
   std::vector<std::string> inputs = withFilesOf(arguments.simulation, arguments.files);
   inputs.insert(inputs.end(), {arguments.robot, arguments.options});
-  checkOutputs({{"--out", arguments.out}, {"--trace", arguments.trace}, {"--json", arguments.json}}, inputs);
+  checkOutputs({{"--out", arguments.out},
+                {"--trace", arguments.trace},
+                {"--tracking-out", arguments.tracking_out},
+                {"--json", arguments.json}},
+               inputs);
 }
 
-/// All recordings one behind the other, and the text of the truth file where they are simulated.
+/// The tracking options of the recording, whose stamps are late by `delay` more than they said.
+void writeTrackingOptions(tracking::TrackingOptions options, double delay, const std::string& path) {
+  options.camera_delay += delay;
+  base::writeTextFile(path, "# Tracking options with the camera's delay as identified (track --options).\n" +
+                                base::writeYaml(options));
+}
+
+/// All recordings one behind the other, the text of the truth file where they are simulated, and the tracking
+/// options of the first.
 identification::IdentificationData collectAll(IdentifyArguments& arguments, base::Progress& progress,
-                                              std::string& truth) {
+                                              std::string& truth, tracking::TrackingOptions& tracking) {
   if (arguments.simulate) {
     arguments.simulation.robot = arguments.robot;
     const auto source = makeSimulation(arguments.simulation);
     truth = source->info().truth;
+    tracking = tracking::trackingOptionsOf(source->info());
     return identification::collect(*source, &progress);
   }
   std::optional<identification::IdentificationData> all;
@@ -68,6 +84,7 @@ identification::IdentificationData collectAll(IdentifyArguments& arguments, base
           file, "shows the marker nowhere, or has no registration: nothing can be identified from it",
           "Register the cameras (capstan-cli track --register), or give a recording with tip positions");
     truth = source->info().truth;
+    if (!all) tracking = tracking::trackingOptionsOf(source->info());
     if (all)
       identification::append(*all, data);
     else
@@ -110,7 +127,7 @@ std::optional<robot::Description> driveOf(const IdentifyArguments& arguments, co
     if (!drive && command.count(option) > 0)
       refuseOption(option, {}, "is for a robot of one joint",
                    "Give its robot file with --robot, or leave it out");
-  for (const char* option : {"--method", "--options", "--exact-camera", "--trace"})
+  for (const char* option : {"--method", "--options", "--exact-camera", "--trace", "--tracking-out"})
     if (drive && command.count(option) > 0)
       refuseOption(option, {}, "is for recordings with cameras, not for " + robot->name + " of one joint",
                    "Leave it out");
@@ -132,12 +149,13 @@ ExitCode identify(IdentifyArguments& arguments, const CLI::App& command) {
   const Output output(arguments.json);
   base::Progress progress;
   std::string truth_text;
+  tracking::TrackingOptions tracking;
   std::optional<identification::DualUkfReport> dual;
   std::optional<identification::BatchReport> batch;
   std::optional<identification::ParameterSet> set;
   {
     const ProgressLine line(progress);
-    const identification::IdentificationData data = collectAll(arguments, progress, truth_text);
+    const identification::IdentificationData data = collectAll(arguments, progress, truth_text, tracking);
     if (data.openCount() == 0 && !progress.cancelled())
       refuseOption("REC", data.title, "shows the marker nowhere",
                    "Give a recording in which cameras see the tip");
@@ -173,6 +191,8 @@ ExitCode identify(IdentifyArguments& arguments, const CLI::App& command) {
   const auto& estimates = batch ? batch->estimates : dual->estimates;
   if (!arguments.out.empty())
     writeIdentifiedRobot(set->nominal(), identification::identifiedRobot(*set, estimates), arguments.out);
+  if (!arguments.tracking_out.empty())
+    writeTrackingOptions(tracking, (batch ? batch->camera : dual->camera).delay, arguments.tracking_out);
   const bool any = std::any_of(estimates.begin(), estimates.end(), [](const auto& e) { return e.seen; });
   if (!any) notice("no parameter could be seen in this motion");
   return any ? kOk : kFailed;
@@ -202,6 +222,8 @@ void addIdentify(CLI::App& app, ExitCode& exit) {
       ->capture_default_str()
       ->check(CLI::Range(1, 64));
   command->add_option("--out", arguments->out, "identified robot file; of the batch method where both ran");
+  command->add_option("--tracking-out", arguments->tracking_out,
+                      "options for track --options, with the camera's delay as identified");
   command->add_option("--trace", arguments->trace, "the dual UKF's estimates over time, as CSV");
   command->add_option("--held-out", arguments->drive.held_out,
                       "robot of one joint: recordings to judge the result by, not to identify from");
@@ -221,7 +243,7 @@ void addIdentify(CLI::App& app, ExitCode& exit) {
       "Examples:\n"
       "  capstan-cli identify trial.capstan --out my_robot.yaml\n"
       "  capstan-cli identify sinusoid.capstan --parameters r_l1 --method dual-ukf --trace r_l1.csv\n"
-      "  capstan-cli track recording.csv --robot my_robot.yaml\n"
+      "  capstan-cli track trial.capstan --estimator-robot my_robot.yaml\n"
       "  capstan-cli identify load0.csv load2.csv --held-out load1.csv --robot jaw.yaml --out my_jaw.yaml\n"
       "  capstan-cli identify --simulate --trajectory sinusoid --duration 200 --parameters r_l1");
   command->callback([arguments, command, &exit] { exit = identify(*arguments, *command); });

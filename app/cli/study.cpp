@@ -1,6 +1,7 @@
 #include "app/cli/study.h"
 
 #include "app/cli/study_cramer_rao.h"
+#include "app/cli/study_latency.h"
 #include "app/cli/study_motor_failure.h"
 #include "app/cli/study_worlds.h"
 
@@ -13,6 +14,7 @@ void addStudy(CLI::App& app, ExitCode& exit) {
   addWorldStudy(*study, exit);
   addCramerRaoStudy(*study, exit);
   addMotorFailureStudy(*study, exit);
+  addLatencyStudy(*study, exit);
 }
 
 }  // namespace capstan::cli

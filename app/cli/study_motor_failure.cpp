@@ -36,6 +36,7 @@ nlohmann::json jsonOf(const MotorFailureStudy& study, const MotorFailureStudyOpt
           {"seeds", options.seeds},
           {"seed", options.seed},
           {"truth", options.truth},
+          {"true_radii", options.true_radii},
           {"images", options.images},
           {"cells", cells}};
 }
@@ -85,6 +86,9 @@ void addMotorFailureStudy(CLI::App& study, ExitCode& exit) {
       ->capture_default_str()
       ->check(CLI::IsMember({"lost", "frozen"}));
   command->add_option("--truth", options->truth, "default, matched, or a truth file")->capture_default_str();
+  command->add_flag_callback(
+      "--nominal-radii", [options] { options->true_radii = false; },
+      "the filter knows the nominal pulleys, not the true ones");
   command->add_flag("--images", options->images, "render pictures (slow) instead of tip positions");
   command->add_option("--threads", options->threads, "trials at the same time")
       ->capture_default_str()

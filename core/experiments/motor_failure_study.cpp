@@ -104,7 +104,7 @@ TrialResults runTrial(const MotorFailureStudyOptions& options, double speed, dou
   simulation::SimulatedSource source(simulated);
   session::SourceInfo info = source.info();
   for (std::size_t joint = 0; joint < 3; ++joint)
-    if (const auto& radius = simulated.truth.joints[joint].link_radius)
+    if (const auto& radius = simulated.truth.joints[joint].link_radius; radius && options.true_radii)
       info.robot.drives[joint].link_radius = *radius;
   std::deque<Run> runs;
   runs.push_back({tracking::makePipeline(info), session::MotorFailures({}), {}, {}});
@@ -168,6 +168,15 @@ MotorFailureResult over(const std::vector<MotorFailureResult>& seeds) {
   return all;
 }
 
+std::string rmsText(const MotorFailureResult& cell) {
+  const Vector3d& rms = cell.failed_rms;
+  const std::array<std::string, 3> all = {fmt::format("{:.2f}°", base::toDegrees(rms(0))),
+                                          fmt::format("{:.2f}°", base::toDegrees(rms(1))),
+                                          fmt::format("{:.1f} mm", base::toMillimetres(rms(2)))};
+  if (cell.motor == 3) return all[0] + " " + all[1] + " " + all[2];
+  return all[static_cast<std::size_t>(cell.motor)];
+}
+
 std::string motorName(int motor) { return motor == 3 ? std::string("all") : fmt::format("{}", motor + 1); }
 
 }  // namespace
@@ -207,9 +216,8 @@ MotorFailureStudy runMotorFailureStudy(const MotorFailureStudyOptions& options, 
 
 base::Table mapOf(const MotorFailureStudy& study, const MotorFailureStudyOptions& options) {
   base::Table table;
-  table.title =
-      fmt::format("Motor encoder {}: time within twice the normal error [s], and failed by normal RMS",
-                  base::nameOf(options.fault));
+  table.title = fmt::format("Motor encoder {}: time within twice the normal error, failed by normal RMS, RMS",
+                            base::nameOf(options.fault));
   table.columns = {{"motor", {}, 0}, {"speed", {}, 2}};
   for (const double occlusion : options.occlusions)
     table.columns.push_back({fmt::format("{:g} % occluded", occlusion), {}, 0});
@@ -219,15 +227,16 @@ base::Table mapOf(const MotorFailureStudy& study, const MotorFailureStudyOptions
       const MotorFailureResult& cell = study.cells[i + k];
       row.push_back(
           (cell.whole == options.seeds ? std::string("whole trial") : fmt::format("{:.1f} s", cell.held)) +
-          fmt::format(", ×{:.1f}", cell.ratio()));
+          fmt::format(", ×{:.1f}, {}", cell.ratio(), rmsText(cell)));
     }
     table.rows.push_back(std::move(row));
   }
   table.note = fmt::format(
-      "Simulated robot ({} truth, true radii in the filter), {} seed{} of {:g} s from the failure on; error: "
+      "Simulated robot ({} truth, {} radii in the filter), {} seed{} of {:g} s from the failure on; error: "
       "RMS over the last 2 s of a failed joint, median over seeds; speed: by the pace of a 200 s block "
       "transfer.",
-      options.truth, options.seeds, options.seeds == 1 ? "" : "s", options.duration);
+      options.truth, options.true_radii ? "true" : "nominal", options.seeds, options.seeds == 1 ? "" : "s",
+      options.duration);
   return table;
 }
 

@@ -15,8 +15,7 @@ namespace capstan::experiments {
 /// How long, at which speeds and occlusions, joints whose motor encoder failed are known from the camera
 /// alone as well as twice the normal error: block transfers of the simulated robot, played slower and faster,
 /// tracked side by side with all encoders and with one, or all, failed. The robot goes on to be controlled
-/// with its encoders; only the estimator loses them. The filter knows the true pulley radii, as an identified
-/// robot does.
+/// with its encoders; only the estimator loses them.
 struct MotorFailureStudyOptions {
   double duration = 60.0;                                    ///< of failure [s]
   double warm_up = 5.0;                                      ///< before it, everything in order [s]
@@ -25,9 +24,11 @@ struct MotorFailureStudyOptions {
   int seeds = 3;
   std::uint64_t seed = 1;                                    ///< the first
   tracking::MotorFault fault = tracking::MotorFault::kLost;  ///< or kFrozen, which has to be found first
-  bool images = false;                                       ///< rendered pictures instead of tip positions
-  std::string truth = "default";                             ///< as simulation::SimulationRequest::truth
-  int threads = 2;  ///< trials at the same time; the result does not depend on it
+  /// The filter knows the true pulley radii, as that of an identified robot does; false: the nominal ones.
+  bool true_radii = true;
+  bool images = false;            ///< rendered pictures instead of tip positions
+  std::string truth = "default";  ///< as simulation::SimulationRequest::truth
+  int threads = 2;                ///< trials at the same time; the result does not depend on it
 };
 
 /// One failure in one trial, or over its seeds. The window is the last 2 s.

@@ -1,0 +1,89 @@
+#include "app/cli/study_latency.h"
+
+#include <memory>
+#include <string>
+
+#include "app/cli/console.h"
+#include "app/cli/outputs.h"
+#include "core/base/table.h"
+#include "core/experiments/latency_study.h"
+
+namespace capstan::cli {
+namespace {
+
+using experiments::LatencyStudy;
+using experiments::LatencyStudyOptions;
+
+nlohmann::json rmsJson(const std::array<Eigen::Vector3d, 3>& rms) {
+  return {{"as_stamped", toJson(rms[0])}, {"corrected", toJson(rms[1])}, {"true_delay", toJson(rms[2])}};
+}
+
+nlohmann::json jsonOf(const LatencyStudy& study, const LatencyStudyOptions& options) {
+  nlohmann::json trials = nlohmann::json::array();
+  for (const auto& trial : study.trials)
+    trials.push_back({{"truth", trial.truth},
+                      {"seed", trial.seed},
+                      {"dual_ukf", {{"delay", trial.delay[0]}, {"sigma", trial.sigma[0]}}},
+                      {"batch", {{"delay", trial.delay[1]}, {"sigma", trial.sigma[1]}}},
+                      {"rms",
+                       {{"ukf", rmsJson(trial.rms[0])},
+                        {"camera", rmsJson(trial.rms[1])},
+                        {"ukf_without_motors", rmsJson(trial.rms[2])}}}});
+  return {{"duration", options.duration},
+          {"prior_sigma", options.prior_sigma},
+          {"parameters", options.parameters},
+          {"robot_truth", options.truth},
+          {"trials", trials}};
+}
+
+ExitCode run(const LatencyStudyOptions& options, const std::string& json) {
+  checkOutputs({{"--json", json}}, {});
+  const Output output(json);
+  base::Progress progress;
+  LatencyStudy study;
+  {
+    const ProgressLine line(progress);
+    study = experiments::runLatencyStudy(options, progress);
+  }
+  if (study.cancelled) {
+    notice("cancelled");
+    return kFailed;
+  }
+  output.text(base::markdownOf(experiments::estimatesOf(study, options)) + "\n" +
+              base::markdownOf(experiments::gainOf(study, options)));
+  output.json(jsonOf(study, options));
+  return kOk;
+}
+
+}  // namespace
+
+void addLatencyStudy(CLI::App& study, ExitCode& exit) {
+  auto options = std::make_shared<LatencyStudyOptions>();
+  auto json = std::make_shared<std::string>();
+  CLI::App* command =
+      study.add_subcommand("latency", "The camera's clock delay, estimated and used, against its truth");
+  command->add_option("--delays", options->delays, "true delays of the stamps [s]")
+      ->capture_default_str()
+      ->check(CLI::Range(-0.2, 0.2));
+  command->add_option("--duration", options->duration, "of each recording [s]")
+      ->capture_default_str()
+      ->check(CLI::Range(20.0, 3600.0));
+  command->add_option("--seeds", options->seeds, "recordings a delay")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1000));
+  command->add_option("--seed", options->seed, "the first")->capture_default_str();
+  command->add_option("--truth", options->truth, "default, matched, or a truth file")->capture_default_str();
+  command->add_option("--parameters", options->parameters, "identified beside the delay, as in identify")
+      ->capture_default_str();
+  command->add_option("--threads", options->threads, "recordings at the same time")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 64));
+  command->add_option("--json", *json, "result as JSON, SI: a file, or - for standard output");
+  command->footer(
+      "Examples:\n"
+      "  capstan-cli study latency\n"
+      "  capstan-cli study latency --delays 0.03 --seeds 10 --json latency.json");
+  command->callback([options, json, &exit] { exit = run(*options, *json); });
+}
+
+}  // namespace capstan::cli
