@@ -10,7 +10,7 @@ namespace {
 
 enum Column { kName, kValue, kSigma, kChange, kColumns };
 constexpr double kPoints = 10.0;
-constexpr int kRowHeight = 24, kBar = 3;  // [px]
+constexpr int kRowHeight = 26, kBar = 3;  // [px]
 
 /// Leaves room for the bar.
 class Rows : public QStyledItemDelegate {
@@ -61,7 +61,7 @@ void ParameterTable::fill(QTreeWidgetItem& item, const identification::LiveRow& 
     item.setFont(column, numberFont(kPoints, column == kValue && row.seen));
     item.setForeground(column, column == kValue && row.seen ? theme_.text : theme_.muted);
     item.setTextAlignment(
-        column, (column == kValue || column == kChange ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+        column, (column == kValue || column == kChange ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignTop);
     item.setToolTip(column, shown(row.words));
   }
   item.setForeground(kName, theme_.text);
