@@ -6,5 +6,6 @@ capstan_widget_test(
 
 capstan_widget_test(
   NAME figure_sheets_test
-  SOURCES figures/figure_pictures_test.cpp
+  SOURCES figures/export_all_test.cpp figures/figure_numbers_test.cpp figures/figure_pictures_test.cpp
+          figures/figure_vectors_test.cpp
   LINKS capstan::figures)
