@@ -65,7 +65,7 @@ void errorGoals(const Results& results, const Published& published, std::vector<
     const Improvement ours = improvementOf(results, Estimator::kKinematic, Estimator::kUkf, joint);
     const double paper = published.table_2.improvement[static_cast<std::size_t>(joint)];
     goals.push_back({fmt::format("joint {}: improvement over transmission kinematics better than the paper's "
-                                 "{:.1f} %",
+                                 "{:.2f} %",
                                  joint + 1, paper),
                      fmt::format("{:.1f} %", ours.percent), ours.percent > paper});
   }
