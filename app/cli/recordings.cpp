@@ -63,7 +63,7 @@ std::unique_ptr<session::Source> openSource(const std::string& file, RecordingFo
   if (format == RecordingFormat::kSession) {
     if (!robot_file.empty())
       refuseOption("--robot", robot_file, "the session brings its own robot",
-                   "Leave --robot out, or convert the session to a table first");
+                   "Leave --robot out; what the filter believes is --estimator-robot of track");
     return std::make_unique<session::SessionSource>(file);
   }
   const robot::Description robot = readRobot(robot_file);

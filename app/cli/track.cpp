@@ -24,7 +24,7 @@ namespace capstan::cli {
 namespace {
 
 struct TrackArguments {
-  std::string file, format = "auto", robot, options, registration = "stored", mounting, out,
+  std::string file, format = "auto", robot, estimator_robot, options, registration = "stored", mounting, out,
                     save_registration, json;
   bool simulate = false, whole_frame = false;
   double occlude = 0.0;
@@ -55,11 +55,12 @@ std::vector<session::MotorFailure> failuresOf(const std::vector<std::string>& te
 ExitCode track(TrackArguments& arguments, const CLI::App& command) {
   check(arguments, command);
   const std::vector<session::MotorFailure> failures = failuresOf(arguments.fail_motor);
-  checkOutputs({{"--out", arguments.out},
-                {"--save-registration", arguments.save_registration},
-                {"--json", arguments.json}},
-               withFilesOf(arguments.simulation, {arguments.file, arguments.robot, arguments.options,
-                                                  arguments.registration, arguments.mounting}));
+  checkOutputs(
+      {{"--out", arguments.out},
+       {"--save-registration", arguments.save_registration},
+       {"--json", arguments.json}},
+      withFilesOf(arguments.simulation, {arguments.file, arguments.robot, arguments.estimator_robot,
+                                         arguments.options, arguments.registration, arguments.mounting}));
   const Output output(arguments.json);
   arguments.simulation.robot = arguments.robot;
   const RecordingFormat format =
@@ -71,6 +72,7 @@ ExitCode track(TrackArguments& arguments, const CLI::App& command) {
 
   const auto source = open();
   session::SourceInfo info = source->info();
+  if (!arguments.estimator_robot.empty()) info.robot = readRobot(arguments.estimator_robot);
   auto options = arguments.options.empty() ? tracking::trackingOptionsOf(info)
                                            : tracking::readTrackingOptions(arguments.options);
   if (arguments.whole_frame) options.roi_search = false;
@@ -135,7 +137,10 @@ void addTrack(CLI::App& app, ExitCode& exit) {
   command->add_option("--format", arguments->format, "of FILE: auto, session, table, raven")
       ->capture_default_str()
       ->check(CLI::IsMember({"auto", "session", "table", "raven"}));
-  command->add_option("--robot", arguments->robot, "robot file; a session brings its own");
+  command->add_option("--robot", arguments->robot,
+                      "nominal robot file, of a simulation the plant's too; a session brings its own");
+  command->add_option("--estimator-robot", arguments->estimator_robot,
+                      "what the filter believes, e.g. an identified robot; default: the nominal one");
   command->add_option("--options", arguments->options,
                       "filter options (as resources/tracking/default.yaml); a session brings its own");
   command
@@ -167,6 +172,7 @@ void addTrack(CLI::App& app, ExitCode& exit) {
       "Examples:\n"
       "  capstan-cli track trial.capstan --out estimates.csv\n"
       "  capstan-cli track recording.csv --robot my_robot.yaml --json -\n"
+      "  capstan-cli track trial.capstan --estimator-robot identified.yaml\n"
       "  capstan-cli track joints123.csv                 (RAVEN-II motor log, known by its header)\n"
       "  capstan-cli track --simulate --duration 200     (block transfer; add --distractors or "
       "--uneven-light)\n"
