@@ -7,6 +7,7 @@
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QRegularExpression>
+#include <QStackedWidget>
 #include <QStandardPaths>
 #include <QStatusBar>
 #include <QVBoxLayout>
@@ -14,6 +15,7 @@
 #include "core/base/error.h"
 #include "core/session/session_file.h"
 #include "widgets/figures/save_figure.h"
+#include "widgets/panels/analysis/analysis_panel.h"
 #include "widgets/panels/calibration/calibration_panel.h"
 #include "widgets/panels/errors/errors_panel.h"
 #include "widgets/panels/notes/notes_panel.h"
@@ -21,6 +23,7 @@
 #include "widgets/panels/registration/registration_panel.h"
 #include "widgets/panels/status/status_line.h"
 #include "widgets/scene/scene_view.h"
+#include "widgets/shell/analysis_desk.h"
 #include "widgets/shell/calibration_desk.h"
 #include "widgets/shell/help_window.h"
 #include "widgets/shell/message_bar.h"
@@ -55,7 +58,10 @@ MainWindow::MainWindow(const QString& settings, QWidget* parent)
   messages_ = new MessageBar;
   figure_ = new JointFigure(history_);
   column->addWidget(messages_);
-  column->addWidget(figure_, 1);
+  centre_ = new QStackedWidget;
+  centre_->addWidget(figure_);
+  centre_->addWidget(analysis_ = new AnalysisPanel);
+  column->addWidget(centre_, 1);
   setCentralWidget(middle);
   status_ = new StatusLine;
   statusBar()->addWidget(status_, 1);
@@ -95,6 +101,7 @@ void MainWindow::addDocks() {
   registration_dock_->hide();
   new RegistrationDesk(*registration_, *registration_dock_, link_, *bar_, *scene_, *notes_, this);
   new CalibrationDesk(*calibration_, *calibration, link_, *bar_, *notes_, this);
+  new AnalysisDesk(*analysis_, *centre_, link_, *bar_, *errors_, *notes_, this);
 }
 
 /// Pictures and panels take their share of the window, unless the user's own layout came back.
@@ -328,6 +335,7 @@ void MainWindow::setThemeNamed(const QString& name) {
   scene_->setTheme(theme_);
   occlusion_->setTheme(theme_);
   calibration_->setTheme(theme_);
+  analysis_->setTheme(theme_);
   registration_->setTheme(theme_);
   errors_->setTheme(theme_);
   notes_->setTheme(theme_);
@@ -343,6 +351,7 @@ void MainWindow::restore() {
   bar_->setRecordingFolder(settings_->value("recording/folder", documents()).toString());
   status_->setFolder(bar_->recordingFolder());
   setThemeNamed(settings_->value("theme", "dark").toString());
+  analysis_->restore(*settings_);
   restoreGeometry(settings_->value("geometry").toByteArray());
   laid_out_ = restoreState(settings_->value("layout").toByteArray(), kLayoutVersion);
   registration_dock_->hide();
@@ -356,6 +365,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   settings_->setValue("recording/folder", bar_->recordingFolder());
   settings_->setValue("source/recent", bar_->sources().recentFiles());
   choice_.save(*settings_);
+  analysis_->save(*settings_);
   QMainWindow::closeEvent(event);
 }
 

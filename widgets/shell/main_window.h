@@ -8,9 +8,11 @@
 #include "widgets/shell/session_link.h"
 
 class QDockWidget;
+class QStackedWidget;
 
 namespace capstan::widgets {
 
+class AnalysisPanel;
 class CalibrationPanel;
 class ErrorsPanel;
 class HelpWindow;
@@ -42,6 +44,7 @@ class MainWindow : public QMainWindow {
   ErrorsPanel& errors() { return *errors_; }
   SessionBar& bar() { return *bar_; }
   CalibrationPanel& calibration() { return *calibration_; }
+  AnalysisPanel& analysis() { return *analysis_; }
   /// What went wrong, as the message bar says it; empty: nothing, or closed.
   QString message() const;
   QAction* action(const QString& name) const { return findChild<QAction*>(name); }
@@ -85,6 +88,8 @@ class MainWindow : public QMainWindow {
   SceneView* scene_;
   OcclusionPanel* occlusion_;
   CalibrationPanel* calibration_;
+  AnalysisPanel* analysis_;
+  QStackedWidget* centre_;
   RegistrationPanel* registration_;
   ErrorsPanel* errors_;
   NotesPanel* notes_;

@@ -155,7 +155,7 @@ TEST(Analysis, IntervalsCoverTheTruth) {
   for (const double size : {1.5, 1.0}) {
     int covered = 0, clear = 0;
     for (std::uint64_t seed = 0; seed < 100; ++seed) {
-      const ErrorRun a = runOf(1000 + 2 * seed, 1.0, 3000), b = runOf(1001 + 2 * seed, size, 3000, "two");
+      const ErrorRun a = runOf(1000 + 2 * seed, 1.0, 1500), b = runOf(1001 + 2 * seed, size, 1500, "two");
       AnalysisOptions options;
       options.joint = 2;
       options.estimators = {Estimator::kKinematic};
@@ -168,7 +168,8 @@ TEST(Analysis, IntervalsCoverTheTruth) {
       clear += rms.clear() ? 1 : 0;
     }
     EXPECT_GE(covered, 88) << size;
-    if (size > 1.0) EXPECT_EQ(clear, 100);
+    EXPECT_LE(clear, size > 1.0 ? 100 : 12);
+    EXPECT_GE(clear, size > 1.0 ? 100 : 0);
   }
 }
 

@@ -178,7 +178,7 @@ TEST_F(ErrorRuns, BadRecordingsSaySo) {
   std::ofstream(folder_ / "plain.csv") << "t,q_m1,q_m2,q_m3\n0,1,2,3\n0.001,1,2,3\n";
   EXPECT_THAT(faultOf([&] { trackErrors(folder_ / "plain.csv", {}, progress_); }),
               HasSubstr("holds no joint encoders"));
-  std::ofstream(folder_ / "odd.yaml") << "no robot\n";
+  std::ofstream(folder_ / "odd.yaml") << "name: mine\n";
   EXPECT_THAT(faultOf([&] { trackErrors(session(), folder_ / "odd.yaml", progress_); }),
               HasSubstr("odd.yaml"));
 }

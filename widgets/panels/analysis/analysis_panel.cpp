@@ -55,8 +55,8 @@ AnalysisPanel::AnalysisPanel(QWidget* parent) : QWidget(parent) {
   split->setChildrenCollapsible(false);
   split->addWidget(figures_ = new FigurePair);
   split->addWidget(table_ = new AnalysisTable);
-  split->setStretchFactor(0, 3);
-  split->setStretchFactor(1, 2);
+  split->setStretchFactor(0, 1);
+  split->setSizes({2000, 1000});
   column->addWidget(split, 1);
   addFoot(column);
   connect(&job_, &Job::failed, this, &AnalysisPanel::onFailed);

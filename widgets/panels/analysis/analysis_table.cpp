@@ -19,11 +19,13 @@ constexpr double kPoints = 9.5;
 constexpr int kRowHeight = 20;  // [px]
 constexpr int kDecimals = 3;    ///< of deg and mm
 
-/// "−0.123"; "…" while it is being computed.
+/// "−0.123"; no sign before a zero.
 QString numberText(double value, bool sign = false) {
   if (!std::isfinite(value)) return QStringLiteral("–");
-  QString text = QString::number(value, 'f', kDecimals);
-  if (sign && value > 0.0) text.prepend('+');
+  const double step = std::pow(10.0, -kDecimals);
+  const double shown = std::abs(value) < 0.5 * step ? 0.0 : value;
+  QString text = QString::number(shown, 'f', kDecimals);
+  if (sign && shown > 0.0) text.prepend('+');
   return text.replace(QLatin1Char('-'), QChar(0x2212));
 }
 
@@ -44,6 +46,7 @@ AnalysisTable::AnalysisTable(QWidget* parent) : QTreeWidget(parent) {
   header()->setMinimumSectionSize(10);
   header()->setStretchLastSection(false);
   header()->setSectionsMovable(false);
+  header()->setFont(textFont(kPoints));
   header()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
   header()->setSectionResizeMode(QHeaderView::ResizeToContents);
   header()->setSectionResizeMode(kName, QHeaderView::Stretch);

@@ -8,7 +8,7 @@ namespace capstan::widgets {
 namespace {
 
 constexpr int kLeastWidth = 270;        ///< of a figure beside the other [px]
-constexpr int kLeastPanelHeight = 135;  ///< [px]
+constexpr int kLeastPanelHeight = 115;  ///< [px]
 constexpr int kHeadHeight = 70;         ///< title, note and legend of a figure [px]
 
 /// Columns as the figures choose them.

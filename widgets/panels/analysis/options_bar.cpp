@@ -71,7 +71,7 @@ void OptionsBar::addEstimators() {
 void OptionsBar::addExport() {
   export_ = new QToolButton;
   export_->setObjectName("export_analysis");
-  export_->setText(tr("Export"));
+  export_->setText(tr("Export ▾"));
   export_->setToolTip(tr("Figures as PDF, SVG, PNG and CSV, the table as Markdown, LaTeX and CSV (Alt+E)"));
   export_->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(export_);

@@ -182,7 +182,9 @@ void RunPicker::refresh() {
   browse_->setVisible(file);
   trial_->setVisible(choice_.kind == Kind::kResults && trial_->count() > 0);
   robot_->setVisible(choice_.kind == Kind::kRecording);
-  robot_->setText(choice_.robot.isEmpty() ? tr("own robot") : QFileInfo(choice_.robot).completeBaseName());
+  const QString robot =
+      choice_.robot.isEmpty() ? tr("own robot") : QFileInfo(choice_.robot).completeBaseName();
+  robot_->setText(robot + QStringLiteral(" ▾"));
 }
 
 }  // namespace capstan::widgets

@@ -1,0 +1,85 @@
+#include "widgets/shell/analysis_desk.h"
+
+#include <QAction>
+#include <QStackedWidget>
+
+#include "core/base/error.h"
+#include "widgets/panels/analysis/analysis_panel.h"
+#include "widgets/panels/errors/errors_panel.h"
+#include "widgets/panels/notes/notes_panel.h"
+#include "widgets/shell/session_bar.h"
+#include "widgets/shell/session_link.h"
+
+namespace capstan::widgets {
+
+AnalysisDesk::AnalysisDesk(AnalysisPanel& panel, QStackedWidget& centre, SessionLink& link, SessionBar& bar,
+                           ErrorsPanel& errors, NotesPanel& notes, QObject* parent)
+    : QObject(parent), panel_(panel) {
+  addAction(centre, bar);
+  gather(link);
+  panel_.setSession([this, &link] { return sessionSoFar(link); });
+  connect(&errors, &ErrorsPanel::resetRequested, this, [this] { errors_->restart(); });
+  connect(&panel, &AnalysisPanel::exported, this,
+          [this, &notes](const QString& base) { notes.addFile(now_, "export", base); });
+}
+
+void AnalysisDesk::addAction(QStackedWidget& centre, SessionBar& bar) {
+  auto* action = new QAction(tr("Analyse"), this);
+  action->setObjectName("analyse");
+  action->setCheckable(true);
+  action->setShortcut(QKeySequence(QStringLiteral("Ctrl+L")));
+  action->setToolTip(
+      tr("Histogram, box plot and comparison of runs in the place of the plots, or back (Ctrl+L)"));
+  bar.addPanelAction(action);
+  connect(action, &QAction::toggled, &centre, [this, &centre](bool shown) {
+    centre.setCurrentIndex(shown ? 1 : 0);
+    if (shown) panel_.setFocus();
+  });
+}
+
+/// On the pipeline's thread; a robot that was exchanged begins the errors anew, as it does in their table.
+void AnalysisDesk::gather(SessionLink& link) {
+  connect(&link, &SessionLink::opened, this, [this, &link](const session::SourceInfo& info) {
+    errors_ = std::make_shared<experiments::ErrorCollector>();
+    now_ = info.begin;
+    std::array<QString, 3> names;
+    for (std::size_t i = 0; i < names.size() && i < info.robot.joints.size(); ++i)
+      names[i] = QString::fromStdString(info.robot.joints[i].name);
+    panel_.setJointNames(names);
+    const auto robot = std::make_shared<std::string>(robot::formatDescription(info.robot));
+    link.listen(this, {[errors = errors_, robot](const tracking::TrackingPipeline& pipeline) {
+                         std::string now = robot::formatDescription(pipeline.robot());
+                         if (now != *robot) errors->restart();
+                         *robot = std::move(now);
+                       },
+                       [errors = errors_](const tracking::Sample&, const tracking::Snapshot& snapshot) {
+                         errors->take(snapshot);
+                       }});
+    panel_.sessionOpened();
+  });
+  connect(&link, &SessionLink::status, this, [this](const session::RunStatus& status) { now_ = status.t; });
+}
+
+experiments::ErrorRun AnalysisDesk::sessionSoFar(const SessionLink& link) const {
+  if (!link.runner())
+    throw base::InputError({"this session", 0, {}, {}, "is not open", "Open a source first"});
+  const session::SourceInfo& info = link.runner()->info();
+  experiments::ErrorRun run = errors_->run();
+  if (run.errors.empty()) {
+    const bool ever = info.reference || info.own_kinematics;
+    throw base::InputError({info.title,
+                            0,
+                            {},
+                            {},
+                            ever ? "has no errors yet" : "has no joint encoders, so its errors are not known",
+                            ever ? "Let it run, then Refresh (F5)" : "Choose a recording with a reference"});
+  }
+  run.title = info.title;
+  run.motion = info.title;
+  run.own_kinematics = info.own_kinematics;
+  if (info.own_kinematics)
+    run.notices.push_back("its reference is the robot's own kinematics: these are differences, not errors");
+  return run;
+}
+
+}  // namespace capstan::widgets

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <QObject>
+#include <memory>
+
+#include "core/experiments/error_run.h"
+
+class QStackedWidget;
+
+namespace capstan::widgets {
+
+class AnalysisPanel;
+class ErrorsPanel;
+class NotesPanel;
+class SessionBar;
+class SessionLink;
+
+/// Joins the analysis panel to the running session: gathers its errors since the errors table began, brings
+/// the panel in the place of the plots and back, a line in the notes for what was exported.
+class AnalysisDesk : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `centre`: the plots first, the panel behind them.
+  AnalysisDesk(AnalysisPanel& panel, QStackedWidget& centre, SessionLink& link, SessionBar& bar,
+               ErrorsPanel& errors, NotesPanel& notes, QObject* parent);
+
+ private:
+  void addAction(QStackedWidget& centre, SessionBar& bar);
+  void gather(SessionLink& link);
+  experiments::ErrorRun sessionSoFar(const SessionLink& link) const;
+
+  AnalysisPanel& panel_;
+  std::shared_ptr<experiments::ErrorCollector> errors_ = std::make_shared<experiments::ErrorCollector>();
+  double now_ = 0.0;  ///< newest session time [s]
+};
+
+}  // namespace capstan::widgets
