@@ -32,8 +32,9 @@ QString unitOf(int joint) {
 
 /// "Experiment C, trial 1", or the title alone of something that is no experiment of one letter.
 QString nameOf(const Results& results, const TrialResult* trial = nullptr) {
-  QString name = results.name.size() == 1 ? QStringLiteral("Experiment ") + fromUtf8(results.name)
-                                          : fromUtf8(results.title.empty() ? results.name : results.title);
+  QString name = results.name.size() == 1 && results.name[0] >= 'A' && results.name[0] <= 'Z'
+                     ? QStringLiteral("Experiment ") + fromUtf8(results.name)
+                     : fromUtf8(results.title.empty() ? results.name : results.title);
   if (trial && results.trials.size() > 1) name += QStringLiteral(", ") + fromUtf8(trial->name);
   return name;
 }

@@ -51,7 +51,7 @@ std::vector<experiments::NamedTable> tablesOf(const std::vector<Results>& result
   std::vector<experiments::NamedTable> tables;
   for (const Results& one : results)
     for (auto& table : experiments::tablesOf(one, experiments::paperBeside(one, published)))
-      tables.push_back({one.name + "-" + table.name, std::move(table.table)});
+      tables.push_back({one.name + "-table-" + table.name, std::move(table.table)});
   return tables;
 }
 

@@ -115,6 +115,12 @@ TEST_F(ExportAll, EveryLinkOfTheIndexPageLeadsToAFileAndEveryFileIsLinked) {
   EXPECT_EQ(linked.size() + 1, report.files.size());
 }
 
+TEST_F(ExportAll, NoFileOfASingleTrialIsWrittenTwice) {
+  const ExportReport report = exportAll({trialsSample("C", {0.0})}, at("out"), small_);
+  EXPECT_EQ(std::set<fs::path>(report.files.begin(), report.files.end()).size(), report.files.size());
+  EXPECT_NE(base::readTextFile(at("out") / "C-boxplot.csv").find("lower_whisker"), std::string::npos);
+}
+
 TEST_F(ExportAll, WritesOverItselfAndLeavesWhatOthersPutThere) {
   exportAll(results_, at("out"), small_);
   base::writeTextFile(at("out") / "mine.txt", "mine");

@@ -1,0 +1,50 @@
+/// capstan-cli figures: what it leaves of a recording, and what it refuses.
+#include "tests/app/cli_fixture.h"
+
+namespace capstan {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using testing::Cli;
+using testing::Ran;
+
+TEST_F(Cli, FiguresOfARecordingAreLeftInAFolderThatIsWrittenOverAndNoOther) {
+  const std::string file = simulate("s.capstan", "--trajectory sinusoid --no-images --duration 3");
+  const std::string command = "figures " + file + " --size 88x80 --out " + path("out");
+  const Ran made = run(command + " --json -");
+  ASSERT_EQ(made.exit, 0) << made.err;
+  const json report = json::parse(made.out);
+  EXPECT_EQ(report["figures"], 3) << "trajectory, histogram, boxes: too short for a detail\n" << made.out;
+  for (const auto& name : report["files"]) EXPECT_TRUE(fs::exists(name.get<std::string>())) << name;
+  for (const char* name : {"s-trajectory-s.pdf", "s-histogram-s.svg", "s-boxplot.png", "s-boxplot.csv"})
+    EXPECT_TRUE(fs::exists(path("out/") + name)) << name;
+  EXPECT_NE(textOf("out/index.html").find("s-boxplot.svg"), std::string::npos);
+  EXPECT_EQ(run(command + " --only boxplots").exit, 0) << "its own folder";
+
+  write("mine.txt", "mine");
+  const Ran refused = run("figures " + file + " --out " + folder_.string());
+  EXPECT_EQ(refused.exit, 2);
+  EXPECT_NE(refused.err.find("is not empty and holds no former figures"), std::string::npos) << refused.err;
+  EXPECT_EQ(textOf("mine.txt"), "mine");
+}
+
+TEST_F(Cli, FiguresSayWhatIsWrongWithTheirArguments) {
+  fs::create_directories(path("empty"));
+  const std::pair<std::string, const char*> wrong[] = {
+      {"figures " + path("none.capstan"), "none.capstan: does not exist"},
+      {"figures " + path("empty"), "holds no results.json"},
+      {"figures " + path("empty") + " --size 88", "--size = 88: is no size"},
+      {"figures " + path("empty") + " --size 10x60", "10 mm is not within 40 to 1000 mm"},
+      {"figures " + path("empty") + " --out /proc/nowhere", "nowhere"}};
+  for (const auto& [arguments, words] : wrong) {
+    const Ran result =
+        run(arguments + (arguments.find("--out") == std::string::npos ? " --out " + path("o") : ""));
+    EXPECT_EQ(result.exit, 2) << arguments;
+    EXPECT_NE(result.err.find(words), std::string::npos) << arguments << "\n" << result.err;
+    EXPECT_FALSE(fs::exists(path("o")));
+  }
+}
+
+}  // namespace
+}  // namespace capstan
