@@ -68,10 +68,21 @@ std::unique_ptr<Figure> trajectory(const Results& results, const TrialResult& tr
                       .note = noteOf(results, trial)};
   if (begin > trial.begin || end < trial.end)
     data.note += QObject::tr("; here %1 s to %2 s").arg(begin, 0, 'f', 0).arg(end, 0, 'f', 0);
-  for (const auto& point : trial.trajectory)
-    if (point.t >= begin && point.t <= end)
-      data.samples.push_back(
-          {point.t, point.q_true, point.q_kin, point.q_cam, point.q_ukf, point.sigma, point.occluded});
+  auto camera = trial.camera.begin();
+  for (const auto& point : trial.trajectory) {
+    // Observations stand at their own times of exposure, which a thinned trajectory does not hold.
+    const experiments::CameraPoint* seen = nullptr;
+    for (; camera != trial.camera.end() && camera->t <= point.t; ++camera) seen = &*camera;
+    if (point.t < begin || point.t > end) continue;
+    data.samples.push_back({.t = point.t,
+                            .q_true = point.q_true,
+                            .q_kin = point.q_kin,
+                            .q_cam = seen ? seen->q : experiments::noJoints(),
+                            .q_ukf = point.q_ukf,
+                            .sigma = point.sigma,
+                            .occluded = point.occluded});
+    if (seen) data.samples.back().t_cam = seen->t;
+  }
   return std::make_unique<TrajectoryFigure>(std::move(data));
 }
 

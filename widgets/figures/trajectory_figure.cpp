@@ -22,7 +22,8 @@ double inScreenUnit(double value, int joint) {
 
 tracking::Snapshot snapshotOf(const TrajectorySample& sample) {
   tracking::Snapshot s;
-  s.t = s.t_cam = sample.t;
+  s.t = sample.t;
+  s.t_cam = sample.t_cam.value_or(sample.t);
   s.q_link_true = sample.q_true;
   s.q_link_kin = sample.q_kin;
   s.q_link_ukf = sample.q_ukf;
@@ -144,13 +145,14 @@ std::vector<FigureNumbers> TrajectoryFigure::numbers() const {
     for (const char* what : {"true", "kinematic", "camera", "ukf", "ukf_sigma"})
       csv += ",q" + std::to_string(joint + 1) + "_" + what + " [" +
              tracking::kJointUnits[static_cast<std::size_t>(joint)] + "]";
-  csv += ",occluded\n";
+  csv += ",occluded,t_camera [s]\n";
   for (const TrajectorySample& sample : data_.samples) {
     csv += csvNumber(sample.t);
     for (int joint = 0; joint < 3; ++joint)
       for (const auto* value : {&sample.q_true, &sample.q_kin, &sample.q_cam, &sample.q_ukf, &sample.sigma})
         csv += "," + csvNumber(inScreenUnit((*value)[joint], joint));
-    csv += sample.occluded ? ",1\n" : ",0\n";
+    csv += sample.occluded ? ",1," : ",0,";
+    csv += csvNumber(sample.q_cam.allFinite() ? sample.t_cam.value_or(sample.t) : std::nan("")) + "\n";
   }
   return {{"", csv}};
 }

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "widgets/figures/joint_history.h"
@@ -17,6 +18,7 @@ struct TrajectorySample {
   Eigen::Vector3d q_true, q_kin, q_cam, q_ukf;
   Eigen::Vector3d sigma;  ///< of q_ukf
   bool occluded = false;
+  std::optional<double> t_cam = {};  ///< exposure behind q_cam [s]; none: t
 };
 
 struct TrajectoryData {

@@ -115,6 +115,19 @@ TEST_F(ExportAll, EveryLinkOfTheIndexPageLeadsToAFileAndEveryFileIsLinked) {
   EXPECT_EQ(linked.size() + 1, report.files.size());
 }
 
+TEST_F(ExportAll, CameraObservationsStandAtTheirTimesOfExposure) {
+  auto results = trialsSample("C", {0.0});
+  const Eigen::Vector3d seen(0.8, 1.5, 0.4);
+  results.trials[0].camera = {{1.02, seen, Eigen::Vector3d::Zero()}};
+  const auto figure = figuresOf(results)[0].make();
+  const auto& samples = dynamic_cast<TrajectoryFigure&>(*figure).data().samples;
+  for (const TrajectorySample& s : samples) {
+    EXPECT_EQ(s.q_cam.allFinite(), s.t == 0.05 * 21) << s.t;
+    EXPECT_EQ(s.t_cam.has_value(), s.q_cam.allFinite());
+    EXPECT_EQ(s.t_cam.value_or(1.02), 1.02);
+  }
+}
+
 TEST_F(ExportAll, NoFileOfASingleTrialIsWrittenTwice) {
   const ExportReport report = exportAll({trialsSample("C", {0.0})}, at("out"), small_);
   EXPECT_EQ(std::set<fs::path>(report.files.begin(), report.files.end()).size(), report.files.size());
