@@ -123,6 +123,16 @@ Analysis analyse(const ErrorRun& a, const ErrorRun* b, const AnalysisOptions& op
   return analysis;
 }
 
+int decimalsOf(const Analysis& analysis) {
+  constexpr int kLeast = 3, kMost = 6;
+  double smallest = 1.0;
+  for (const AnalysisRow& row : analysis.rows)
+    for (const ErrorSummary* side : {&row.a, &row.b})
+      if (side->n > 0 && side->of(Measure::kRms) > 0.0)
+        smallest = std::min(smallest, side->of(Measure::kRms));
+  return std::clamp(2 - static_cast<int>(std::floor(std::log10(smallest))), kLeast, kMost);
+}
+
 std::string probabilityText(double p, double log10_p) {
   if (!std::isfinite(log10_p)) return "–";
   if (p >= 1e-3) return fmt::format("{:.3f}", p);
@@ -132,17 +142,18 @@ std::string probabilityText(double p, double log10_p) {
 
 base::Table tableOf(const Analysis& analysis) {
   const bool two = !analysis.title_b.empty();
+  const int digits = decimalsOf(analysis);
   base::Table table;
   table.title = two ? "Errors of two runs" : "Errors of " + analysis.title_a;
   table.columns = {
-      {"joint", ""}, {"estimator", ""}, {"measure", ""}, {"unit", ""}, {two ? "A" : "value", ""}};
-  if (two) table.columns.push_back({"B", ""});
+      {"joint", ""}, {"estimator", ""}, {"measure", ""}, {"unit", ""}, {two ? "A" : "value", "", digits}};
+  if (two) table.columns.push_back({"B", "", digits});
   table.columns.push_back({two ? "n of A" : "n", "", 0});
   if (two) table.columns.push_back({"n of B", "", 0});
   const bool differences = analysis.against != Against::kNothing;
   if (differences)
     for (const char* name : {two ? "B − A" : "UKF − kinematic", "95 % from", "95 % to"})
-      table.columns.push_back({name, ""});
+      table.columns.push_back({name, "", digits});
   if (differences) table.columns.push_back({"P", "", 2, base::NumberStyle::kSignificant});
   for (const AnalysisRow& row : analysis.rows)
     for (const Measure measure : kMeasures) {

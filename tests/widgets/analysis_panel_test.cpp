@@ -77,8 +77,8 @@ class Analysed : public testing::Test {
   AnalysisPanel panel;
 };
 
-QString shown(double value) {
-  return QString::number(value, 'f', 3).replace(QLatin1Char('-'), QChar(0x2212));
+QString shown(double value, int decimals) {
+  return QString::number(value, 'f', decimals).replace(QLatin1Char('-'), QChar(0x2212));
 }
 
 TEST_F(Analysed, OneRecordingHasFiguresAndNumbers) {
@@ -93,7 +93,8 @@ TEST_F(Analysed, OneRecordingHasFiguresAndNumbers) {
     const auto values = experiments::selectedErrors(run, Estimator::kUkf, joint, {}).value;
     ASSERT_GT(values.size(), 700U);
     EXPECT_EQ(results[static_cast<std::size_t>(joint)][1].n, values.size());
-    EXPECT_EQ(cell(Measure::kRms, joint, Estimator::kUkf, AnalysisTable::kA), shown(stats::rms(values)));
+    EXPECT_EQ(cell(Measure::kRms, joint, Estimator::kUkf, AnalysisTable::kA),
+              shown(stats::rms(values), experiments::decimalsOf(panel.analysis())));
     EXPECT_EQ(cell(Measure::kRms, joint, Estimator::kUkf, AnalysisTable::kCountA),
               QString::number(values.size()));
   }
@@ -133,6 +134,13 @@ TEST_F(Analysed, AnotherRobotMakesADifference) {
   EXPECT_TRUE(
       panel.table().line(Measure::kRms, 0, Estimator::kKinematic)->font(AnalysisTable::kDifference).bold());
   test::grab(panel, "analysis_two");
+}
+
+TEST_F(Analysed, FiguresHaveMostOfTheHeight) {
+  for (const int height : {640, 900, 640}) {
+    panel.resize(700, height);
+    EXPECT_GT(panel.figures().height(), 1.4 * panel.table().height()) << height;
+  }
 }
 
 TEST_F(Analysed, OptionsChangeWhatIsShown) {

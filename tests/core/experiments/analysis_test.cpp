@@ -244,6 +244,18 @@ TEST(Analysis, SaysWhereNothingIsLeft) {
   EXPECT_THROW(analyse(run, nullptr, options), base::InputError);
 }
 
+TEST(Analysis, SmallErrorsKeepTheirDigits) {
+  Analysis analysis;
+  EXPECT_EQ(decimalsOf(analysis), 3);
+  analysis.rows.resize(2);
+  analysis.rows[0].a = summaryOf({2.0, -2.0});
+  EXPECT_EQ(decimalsOf(analysis), 3);
+  analysis.rows[1].b = summaryOf({0.0061, -0.0061});
+  EXPECT_EQ(decimalsOf(analysis), 5);
+  analysis.rows[1].b = summaryOf({1e-12});
+  EXPECT_EQ(decimalsOf(analysis), 6);
+}
+
 TEST(Analysis, TableHoldsWhatWasFound) {
   const ErrorRun a = runOf(10, 1.0, 2000), b = runOf(11, 1.5, 2000, "two");
   AnalysisOptions options;

@@ -27,6 +27,8 @@ using Kind = RunChoice::Kind;
 
 namespace {
 
+constexpr int kFigureShare = 64;  ///< of the height that figures and table share [%]
+
 const std::array<QString, 2> kLetters = {QStringLiteral("A"), QStringLiteral("B")};
 
 QString text(const std::string& words) { return QString::fromStdString(words); }
@@ -51,13 +53,12 @@ AnalysisPanel::AnalysisPanel(QWidget* parent) : QWidget(parent) {
   column->setContentsMargins(10, 6, 10, 6);
   column->setSpacing(5);
   addHead(column);
-  auto* split = new QSplitter(Qt::Vertical);
-  split->setChildrenCollapsible(false);
-  split->addWidget(figures_ = new FigurePair);
-  split->addWidget(table_ = new AnalysisTable);
-  split->setStretchFactor(0, 1);
-  split->setSizes({2000, 1000});
-  column->addWidget(split, 1);
+  split_ = new QSplitter(Qt::Vertical);
+  split_->setChildrenCollapsible(false);
+  split_->addWidget(figures_ = new FigurePair);
+  split_->addWidget(table_ = new AnalysisTable);
+  column->addWidget(split_, 1);
+  connect(split_, &QSplitter::splitterMoved, this, [this] { user_split_ = true; });
   addFoot(column);
   connect(&job_, &Job::failed, this, &AnalysisPanel::onFailed);
   connect(&job_, &Job::ended, this, [this] {
@@ -124,7 +125,7 @@ void AnalysisPanel::setTheme(const Theme& theme) {
   figures_->setTheme(theme);
   table_->setTheme(theme);
   QPalette palette = words_->palette();
-  palette.setColor(QPalette::WindowText, theme.muted);
+  palette.setColor(QPalette::WindowText, theme.text);
   words_->setPalette(palette);
 }
 
@@ -191,6 +192,15 @@ void AnalysisPanel::cancel() {
 void AnalysisPanel::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   proceed();
+}
+
+void AnalysisPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  layout()->activate();
+  if (!user_split_) {
+    const int figures = kFigureShare * split_->height() / 100;
+    split_->setSizes({figures, split_->height() - figures});
+  }
 }
 
 bool AnalysisPanel::settled() const {

@@ -17,6 +17,7 @@ class QLabel;
 class QProgressBar;
 class QPushButton;
 class QSettings;
+class QSplitter;
 class QToolButton;
 
 namespace capstan::widgets {
@@ -68,6 +69,7 @@ class AnalysisPanel : public QWidget {
 
  protected:
   void showEvent(QShowEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   enum class Work { kNothing, kLoadingA, kLoadingB, kAnalysing, kIntervals };
@@ -103,6 +105,8 @@ class AnalysisPanel : public QWidget {
   QString fault_, said_;
   Work work_ = Work::kNothing;
   OptionsBar* options_;
+  QSplitter* split_;
+  bool user_split_ = false;  ///< the user's own stays
   FigurePair* figures_;
   AnalysisTable* table_;
   QLabel* words_;

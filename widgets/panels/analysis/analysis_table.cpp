@@ -17,17 +17,6 @@ namespace {
 
 constexpr double kPoints = 9.5;
 constexpr int kRowHeight = 20;  // [px]
-constexpr int kDecimals = 3;    ///< of deg and mm
-
-/// "−0.123"; no sign before a zero.
-QString numberText(double value, bool sign = false) {
-  if (!std::isfinite(value)) return QStringLiteral("–");
-  const double step = std::pow(10.0, -kDecimals);
-  const double shown = std::abs(value) < 0.5 * step ? 0.0 : value;
-  QString text = QString::number(shown, 'f', kDecimals);
-  if (sign && shown > 0.0) text.prepend('+');
-  return text.replace(QLatin1Char('-'), QChar(0x2212));
-}
 
 QString countText(std::size_t n) { return n > 0 ? QString::number(n) : QStringLiteral("–"); }
 
@@ -49,7 +38,6 @@ AnalysisTable::AnalysisTable(QWidget* parent) : QTreeWidget(parent) {
   header()->setFont(textFont(kPoints));
   header()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
   header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  header()->setSectionResizeMode(kName, QHeaderView::Stretch);
 }
 
 void AnalysisTable::setTheme(const Theme& theme) {
@@ -59,6 +47,7 @@ void AnalysisTable::setTheme(const Theme& theme) {
 
 void AnalysisTable::showAnalysis(const Analysis& analysis) {
   analysis_ = analysis;
+  decimals_ = decimalsOf(analysis);
   const bool two = !analysis.title_b.empty();
   const bool differences = analysis.against != Against::kNothing;
   setHeaderLabels({tr("deg and mm"), two ? QStringLiteral("A") : tr("value"), QStringLiteral("B"),
@@ -76,6 +65,15 @@ void AnalysisTable::showAnalysis(const Analysis& analysis) {
   if (analysis.rows.empty()) return;
   for (const Measure measure : kMeasures) addGroup(measure);
   expandAll();
+}
+
+/// "−0.123"; no sign before a zero.
+QString AnalysisTable::numberText(double value, bool sign) const {
+  if (!std::isfinite(value)) return QStringLiteral("–");
+  const double shown = std::abs(value) < 0.5 * std::pow(10.0, -decimals_) ? 0.0 : value;
+  QString text = QString::number(shown, 'f', decimals_);
+  if (sign && shown > 0.0) text.prepend('+');
+  return text.replace(QLatin1Char('-'), QChar(0x2212));
 }
 
 void AnalysisTable::addGroup(Measure measure) {

@@ -33,7 +33,10 @@ class AnalysisTable : public QTreeWidget {
   void fill(QTreeWidgetItem& item, const experiments::AnalysisRow& row, experiments::Measure measure) const;
 
   Theme theme_ = Theme::dark();
+  QString numberText(double value, bool sign = false) const;
+
   experiments::Analysis analysis_;
+  int decimals_ = 3;
 };
 
 }  // namespace capstan::widgets
