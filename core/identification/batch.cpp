@@ -180,31 +180,54 @@ BatchEnd fit(OutputError& error, const ParameterSet& set, const BatchOptions& op
   return end;
 }
 
-/// Covariance of the unknowns at the solution, see identifyBatch().
-MatrixXd covarianceOf(const OutputError& error, const VectorXd& residuals, const MatrixXd& jacobian,
-                      const BatchOptions& options) {
-  const int n = error.unknowns();
-  MatrixXd information = MatrixXd::Identity(n, n), meat = information;
-  VectorXd gradient = VectorXd::Zero(n);
+/// What the observations say at the solution, see identifyBatch().
+struct Information {
+  MatrixXd hessian;  ///< Jᵀ W J + 1
+  MatrixXd meat;     ///< Σ_b g_b g_bᵀ + 1
+  MatrixXd doubt;    ///< Σ_d G_d G_dᵀ
   int blocks = 1;
-  double start = error.observation(0).t;
+};
+
+Information informationOf(const OutputError& error, const ParameterSet& set, const VectorXd& x,
+                          const VectorXd& residuals, const MatrixXd& jacobian, const BatchOptions& options) {
+  const int n = error.unknowns();
+  Information all{MatrixXd::Identity(n, n), MatrixXd::Identity(n, n), MatrixXd::Zero(n, n)};
+  VectorXd gradient = VectorXd::Zero(n);
+  MatrixXd by_doubt = MatrixXd::Zero(n, 3);
+  const Eigen::Matrix3d unknown = errorByDoubt(set.constants(error.logs(x)), options.doubt);
+  double start = error.observation(0).t, doubt_start = start;
   for (int k = 0; k < error.observations(); ++k) {
-    if (error.observation(k).t - start >= options.block) {
-      meat += gradient * gradient.transpose();
+    const double t = error.observation(k).t;
+    if (t - start >= options.block) {
+      all.meat += gradient * gradient.transpose();
       gradient.setZero();
-      start = error.observation(k).t;
-      ++blocks;
+      start = t;
+      ++all.blocks;
+    }
+    if (t - doubt_start >= options.doubt.memory) {
+      all.doubt += by_doubt * by_doubt.transpose();
+      by_doubt.setZero();
+      doubt_start = t;
     }
     const double size = residuals.segment<3>(3 * k).norm();
     const double weight = size > options.huber ? options.huber / size : 1.0;
     const auto rows = jacobian.middleRows<3>(3 * k);
-    information.noalias() += weight * rows.transpose() * rows;
+    all.hessian.noalias() += weight * rows.transpose() * rows;
     gradient += weight * rows.transpose() * residuals.segment<3>(3 * k);
+    by_doubt += weight * rows.transpose() * (error.residualByJoint(x, k) * unknown);
   }
-  meat += gradient * gradient.transpose();
-  const MatrixXd plain = information.inverse();
-  const double few = static_cast<double>(blocks) / std::max(1, blocks - n);
-  MatrixXd covariance = few * plain * meat * plain;
+  all.meat += gradient * gradient.transpose();
+  all.doubt += by_doubt * by_doubt.transpose();
+  return all;
+}
+
+/// Covariance of the unknowns at the solution, see identifyBatch().
+MatrixXd covarianceOf(const Information& found) {
+  const auto n = static_cast<int>(found.hessian.rows());
+  const MatrixXd inverse = found.hessian.inverse();
+  const MatrixXd plain = inverse + inverse * found.doubt * inverse;
+  const double few = static_cast<double>(found.blocks) / std::max(1, found.blocks - n);
+  const MatrixXd covariance = few * inverse * found.meat * inverse;
   VectorXd grow(n);
   for (int i = 0; i < n; ++i) grow(i) = std::sqrt(std::max(1.0, plain(i, i) / covariance(i, i)));
   return grow.asDiagonal() * covariance * grow.asDiagonal();
@@ -258,7 +281,7 @@ BatchReport identifyBatch(const IdentificationData& data, const ParameterSet& se
     }
     report.end = fit(error, set, options, x, residuals, jacobian, report.iterations, progress);
     if (report.end == BatchEnd::kCancelled) return report;
-    covariance = covarianceOf(error, residuals, jacobian, options);
+    covariance = covarianceOf(informationOf(error, set, x, residuals, jacobian, options));
     report.residual_after = rmsOf(residuals);
     for (int k = 0; k < report.observations; ++k)
       report.outliers += residuals.segment<3>(3 * k).norm() > options.huber ? 1.0 / report.observations : 0.0;

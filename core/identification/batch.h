@@ -9,6 +9,7 @@
 #include "core/identification/estimate.h"
 #include "core/identification/identifiability.h"
 #include "core/identification/identification_data.h"
+#include "core/identification/model_doubt.h"
 #include "core/identification/shooting.h"
 
 namespace capstan::identification {
@@ -18,6 +19,7 @@ struct BatchOptions {
   ShootingOptions shooting = {};
   double huber = 3.37;  ///< residual of an observation beyond which it counts less: 99 % of χ with 3
   double block = 2.0;   ///< residuals this close in time may be correlated [s]
+  ModelDoubt doubt = {};
   int max_iterations = 30;
   /// Where to start: logarithms in the set's order, e.g. what the dual UKF found; empty: nominal.
   std::vector<double> start = {};
@@ -43,10 +45,11 @@ struct BatchReport {
 ///     min_x  Σ_k ρ(|r_k(x)|²) + |x|²,   r and x as in output_error.h, ρ Huber's loss,
 /// by Levenberg–Marquardt (Ceres) with bounds. Derivatives are automatic (shooting.h).
 ///
-/// The covariance is the larger, parameter by parameter, of the inverse of H = Jᵀ W J + 1 and of the sandwich
-/// H⁻¹ (Σ_b g_b g_bᵀ + 1) H⁻¹ with g_b the gradient of a block of `block` seconds: what the model does not
-/// know (hysteresis, stiction) makes residuals that are correlated in time, which the first alone would not
-/// show (Liang and Zeger, Biometrika 73 (1986)). Neither knows of a bias.
+/// The covariance is the larger, parameter by parameter, of two. The one is H⁻¹ + H⁻¹ (Σ_d G_d G_dᵀ) H⁻¹ with
+/// H = Jᵀ W J + 1 and G_d = Σ Jᵀ W D what the unknown forces of ModelDoubt, constant over d, do to the
+/// gradient. The other is the sandwich H⁻¹ (Σ_b g_b g_bᵀ + 1) H⁻¹ with g_b the gradient of a block of `block`
+/// seconds: what the model does not know (hysteresis, stiction) makes residuals that are correlated in time
+/// (Liang and Zeger, Biometrika 73 (1986)).
 BatchReport identifyBatch(const IdentificationData& data, const ParameterSet& set,
                           const BatchOptions& options = {}, base::Progress* progress = nullptr);
 

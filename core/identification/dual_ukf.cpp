@@ -72,7 +72,7 @@ class Dual {
         model_(data.robot),
         centre_(centreOf(data)),
         parameters_(set, arm_, options.camera, centre_),
-        spread_(options.block, options.score_memory) {
+        spread_(options.block, options.doubt.memory, options.score_memory) {
     start(0);
   }
 
@@ -105,7 +105,7 @@ class Dual {
     const Matrix3d noise = by_state * covariance * by_state.transpose();
     const ParameterSet::Logs old = parameters_.logs();
     const auto innovation = parameters_.update(seen, noise, options_.huber);
-    spread_.add(seen.t, innovation);
+    spread_.add(seen.t, innovation, tipByDoubt(old));
     tally_.add(innovation, parameters_.sensitivity(), seen);
     nis_ += innovation.nis / 3.0;
     held_back_ += innovation.weight < 1.0 ? 1 : 0;
@@ -196,6 +196,12 @@ class Dual {
       by_state.col(2 * i + 1) = -pose.delay * jacobian.col(i);
     }
     return by_state;
+  }
+
+  /// Tip by an unknown force of one standard deviation on each joint [m].
+  Matrix3d tipByDoubt(const ParameterSet::Logs& logs) const {
+    const State& x = states_.mean();
+    return arm_.tipJacobian({x(0), x(2), x(4)}) * errorByDoubt(set_.constants(logs), options_.doubt);
   }
 
   void retune(const ParameterSet::Logs& logs) {

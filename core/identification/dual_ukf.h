@@ -9,6 +9,7 @@
 #include "core/identification/convergence.h"
 #include "core/identification/estimate.h"
 #include "core/identification/identification_data.h"
+#include "core/identification/model_doubt.h"
 
 namespace capstan::identification {
 
@@ -23,7 +24,8 @@ struct DualUkfOptions {
   double huber = 3.37;           ///< innovation beyond which an observation counts less
   double block = 2.0;            ///< innovations this close in time may be correlated [s]
   double score_memory = 60.0;    ///< over which their correlation is measured [s]
-  double trace_period = 0.5;     ///< [s]
+  ModelDoubt doubt = {};
+  double trace_period = 0.5;  ///< [s]
   bool stop_when_settled = false;
 };
 
@@ -54,7 +56,8 @@ using TraceSink = std::function<void(const TracePoint&)>;
 /// follow the parameters by Φ Δw; and the σ stated is widened to what the innovations show. A filter believes
 /// them white; where hysteresis or stiction, which the model does not know, correlate them over `block`
 /// seconds, the scores g = Hᵀ R⁻¹ ν of blocks vary more than their information I says, and σ grows by that
-/// ratio, measured over the last `memory` seconds.
+/// ratio, measured over the last `score_memory` seconds, or by what the forces of ModelDoubt would make of
+/// them, if that is more.
 ///
 /// `sink`, if given, sees every point of the trace as it is made.
 DualUkfReport identifyDualUkf(const IdentificationData& data, const ParameterSet& set,

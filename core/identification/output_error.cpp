@@ -55,6 +55,13 @@ bool OutputError::evaluate(const Vector& x, Vector& residuals, Eigen::MatrixXd* 
   return true;
 }
 
+Matrix3d OutputError::residualByJoint(const Vector& x, int k) const {
+  const CameraPose camera = pose(x);
+  const ArmPrediction& arm = predictions_[static_cast<std::size_t>(k)];
+  return -whitening_[static_cast<std::size_t>(k)] * (Matrix3d::Identity() + crossMatrix(camera.turn)) *
+         arm_.tipJacobian(arm.q - camera.delay * arm.dq);
+}
+
 void OutputError::compare(const Vector& x, Vector& residuals, Eigen::MatrixXd* jacobian) const {
   const int n = set_.size();
   const CameraPose camera = pose(x);

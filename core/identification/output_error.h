@@ -44,6 +44,8 @@ class OutputError {
     return scale_.head(set_.size()).cwiseProduct(x.head(set_.size()));
   }
   CameraPose pose(const Vector& x) const;
+  /// d r_k / d q of the last evaluate() at x: what joints off by [rad, rad, m] would do to the residual.
+  Eigen::Matrix3d residualByJoint(const Vector& x, int k) const;
   /// Predictions of the last evaluate().
   const std::vector<ArmPrediction>& predictions() const { return predictions_; }
   const CameraObservation& observation(int k) const {

@@ -5,8 +5,13 @@
 
 namespace capstan::identification {
 
-void ScoreSpread::add(double t, const ParameterFilter::Innovation& innovation) {
+void ScoreSpread::add(double t, const ParameterFilter::Innovation& innovation,
+                      const Eigen::Matrix3d& by_doubt) {
   if (count_ > 0 && t - start_ >= block_) close();
+  if (t - doubt_start_ >= doubt_memory_) {
+    closeDoubt();
+    doubt_start_ = t;
+  }
   if (count_++ == 0) start_ = t;
   // The score is of the innovation as the filter would have whitened it: covariance R + H P Hᵀ is near R once
   // P is small, and before that blocks say little.
@@ -15,6 +20,7 @@ void ScoreSpread::add(double t, const ParameterFilter::Innovation& innovation) {
   const auto& h = innovation.by_unknown;
   score_ += h.transpose() * inverse * innovation.value;
   block_information_ += h.transpose() * inverse * h;
+  doubt_score_ += h.transpose() * inverse * by_doubt;
 }
 
 void ScoreSpread::close() {
@@ -27,13 +33,21 @@ void ScoreSpread::close() {
   count_ = 0;
 }
 
+void ScoreSpread::closeDoubt() {
+  doubt_ = std::exp(-doubt_memory_ / memory_) * doubt_ + doubt_score_ * doubt_score_.transpose();
+  doubt_score_.setZero();
+}
+
 ScoreSpread::Unknowns ScoreSpread::factors(const Square& covariance) const {
   constexpr double kFewest = 5.0;
   if (blocks_ < kFewest) return Unknowns::Ones();
-  const Square believed = covariance * information_ * covariance, found = covariance * meat_ * covariance;
+  const Square believed = covariance * information_ * covariance, found = covariance * meat_ * covariance,
+               doubted = covariance * doubt_ * covariance;
   Unknowns factor;
-  for (int i = 0; i < factor.size(); ++i)
-    factor(i) = std::sqrt(std::max(1.0, believed(i, i) > 0.0 ? found(i, i) / believed(i, i) : 1.0));
+  for (int i = 0; i < factor.size(); ++i) {
+    const double noise = believed(i, i), most = std::max(found(i, i), noise + doubted(i, i));
+    factor(i) = noise > 0.0 ? std::sqrt(std::max(1.0, most / noise)) : 1.0;
+  }
   return factor;
 }
 

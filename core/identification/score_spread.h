@@ -6,28 +6,35 @@
 
 namespace capstan::identification {
 
-/// How much more the scores of a filter vary than it believes: the recursive form of the sandwich in batch.h.
-/// Blocks of `block` seconds are taken as independent, and forgotten over `memory`.
+/// How much more the scores of a filter vary than it believes: the recursive form of the covariance in
+/// batch.h, of scores as found over blocks of `block` seconds, and of those that the forces of ModelDoubt
+/// would make. Blocks are taken as independent, and forgotten over `memory`.
 class ScoreSpread {
  public:
   using Unknowns = ParameterFilter::Unknowns;
   using Square = Eigen::Matrix<double, ParameterFilter::kUnknowns, ParameterFilter::kUnknowns>;
 
-  ScoreSpread(double block, double memory) : block_(block), memory_(memory) {}
+  ScoreSpread(double block, double doubt_memory, double memory)
+      : block_(block), doubt_memory_(doubt_memory), memory_(memory) {}
 
-  void add(double t, const ParameterFilter::Innovation& innovation);
+  /// `by_doubt`: tip by an unknown force of one standard deviation on each joint [m].
+  void add(double t, const ParameterFilter::Innovation& innovation, const Eigen::Matrix3d& by_doubt);
   /// Factors >= 1 on the standard deviations of the unknowns whose covariance the filter states as P.
   Unknowns factors(const Square& covariance) const;
 
  private:
   void close();
+  void closeDoubt();
 
-  double block_, memory_;
-  double start_ = 0.0;
+  double block_, doubt_memory_, memory_;
+  double start_ = 0.0, doubt_start_ = 0.0;
   int count_ = 0;
   double blocks_ = 0.0;
   Unknowns score_ = Unknowns::Zero();
   Square block_information_ = Square::Zero(), information_ = Square::Zero(), meat_ = Square::Zero();
+  Eigen::Matrix<double, ParameterFilter::kUnknowns, 3> doubt_score_ =
+      Eigen::Matrix<double, ParameterFilter::kUnknowns, 3>::Zero();
+  Square doubt_ = Square::Zero();
 };
 
 }  // namespace capstan::identification

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+
+#include "core/tracking/cable_arm_kernel.h"
+
+namespace capstan::identification {
+
+/// How far the model itself is trusted: every joint may feel a force that no part of the model knows
+/// (breakaway friction, hysteresis of the cable), a share of its Coulomb friction, which stays for a while
+/// and then is another. Without it a long recording with fine cameras would state a stiffness more closely
+/// than the friction law is known.
+struct ModelDoubt {
+  double friction_share = 0.3;  ///< standard deviation of the force by F_cl: what priors say of friction
+  double memory = 5.0;          ///< how long it stays [s]
+};
+
+/// d q / d tau of a joint held by its cables [rad or m per N·m or N]: (Aᵀ diag(2 k_e a r_l²) A)⁻¹, UKF paper
+/// (5)–(7) about unstretched cables.
+inline Eigen::Matrix3d cableCompliance(const tracking::CableArmConstants& c) {
+  Eigen::Matrix3d coupling;
+  Eigen::Vector3d stiffness;
+  for (int i = 0; i < 3; ++i) {
+    stiffness(i) = 2.0 * c.stiffness[i] * c.exponent[i] * c.link_radius[i] * c.link_radius[i];
+    for (int j = 0; j < 3; ++j) coupling(i, j) = c.coupling[i][j];
+  }
+  return (coupling.transpose() * stiffness.asDiagonal() * coupling).inverse();
+}
+
+/// Joint errors [rad, rad, m] by an unknown force of one standard deviation on each joint, columns.
+inline Eigen::Matrix3d errorByDoubt(const tracking::CableArmConstants& c, const ModelDoubt& doubt) {
+  const Eigen::Vector3d force =
+      doubt.friction_share * Eigen::Vector3d(c.coulomb[0], c.coulomb[1], c.coulomb[2]);
+  return cableCompliance(c) * force.asDiagonal();
+}
+
+}  // namespace capstan::identification
