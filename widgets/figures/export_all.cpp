@@ -106,7 +106,11 @@ void checkExportFolder(const fs::path& folder) {
   if (!there.has_filename()) there = there.parent_path();
   while (!fs::exists(there, fault) && there.has_relative_path()) there = there.parent_path();
   if (!fs::is_directory(there, fault)) refuse(there, "is no folder", "Give another folder");
-  base::checkWritable(there / kIndex);
+  try {
+    base::checkWritable(there / kIndex);
+  } catch (const base::InputError&) {
+    refuse(folder, "cannot be written: " + there.string() + " takes no files", "Give another folder");
+  }
 }
 
 ExportReport exportAll(const std::vector<Results>& results, const fs::path& folder,
