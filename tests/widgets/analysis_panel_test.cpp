@@ -123,6 +123,16 @@ TEST_F(Analysed, ARunAgainstItselfHasNoDifference) {
   EXPECT_EQ(panel.figures().boxplot()->data().panels.at(0).groups.size(), 2U);
 }
 
+TEST(AnalysisSeries, RunsAreToldApartWithoutColour) {
+  for (const Estimator estimator : {Estimator::kKinematic, Estimator::kCamera, Estimator::kUkf}) {
+    const auto a = SeriesStyle::of({quantityOf(estimator), 0, "A"}, Theme::light());
+    const auto b = SeriesStyle::of({quantityOf(estimator), 1, "B"}, Theme::light());
+    EXPECT_NE(b.second_hatch, Hatch::kNone);
+    EXPECT_NE(b.second_hatch, b.hatch);  // crossed
+    EXPECT_EQ(a.second_hatch, Hatch::kNone);
+  }
+}
+
 TEST_F(Analysed, AnotherRobotMakesADifference) {
   panel.choose(0, recording());
   panel.choose(1, recording(path("mine.yaml")));
@@ -130,6 +140,8 @@ TEST_F(Analysed, AnotherRobotMakesADifference) {
   ASSERT_TRUE(settled());
   const auto& row = panel.analysis().rows.at(0);
   EXPECT_TRUE(row.paired);
+  EXPECT_FALSE(panel.table().isColumnHidden(AnalysisTable::kB));
+  EXPECT_TRUE(panel.table().isColumnHidden(AnalysisTable::kCountB));  // as many as of A
   EXPECT_TRUE(row.of(Measure::kRms).clear());
   EXPECT_TRUE(
       panel.table().line(Measure::kRms, 0, Estimator::kKinematic)->font(AnalysisTable::kDifference).bold());

@@ -38,7 +38,7 @@ SeriesStyle SeriesStyle::of(const SeriesKey& key, const Theme& theme) {
   }
   if (key.run > 0) {
     style.fill.setAlpha(style.fill.alpha() / 3);
-    style.second_hatch = Hatch::kFalling;
+    style.second_hatch = style.hatch == Hatch::kFalling ? Hatch::kRising : Hatch::kFalling;
     if (style.hatch == Hatch::kNone) style.hatch = Hatch::kRising;
     style.outline = Qt::DotLine;
   }

@@ -4,6 +4,7 @@
 #include <QClipboard>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <algorithm>
 #include <cmath>
 
 #include "core/tracking/snapshot.h"
@@ -50,16 +51,19 @@ void AnalysisTable::showAnalysis(const Analysis& analysis) {
   decimals_ = decimalsOf(analysis);
   const bool two = !analysis.title_b.empty();
   const bool differences = analysis.against != Against::kNothing;
+  const bool same_counts = std::all_of(analysis.rows.begin(), analysis.rows.end(),
+                                       [](const AnalysisRow& row) { return row.a.n == row.b.n; });
   setHeaderLabels({tr("deg and mm"), two ? QStringLiteral("A") : tr("value"), QStringLiteral("B"),
                    two ? QStringLiteral("B − A") : tr("UKF − kin."), tr("95 % interval"), QStringLiteral("P"),
-                   two ? tr("n of A") : QStringLiteral("n"), tr("n of B")});
+                   two && !same_counts ? tr("n of A") : QStringLiteral("n"), tr("n of B")});
   headerItem()->setTextAlignment(kName, Qt::AlignLeft | Qt::AlignVCenter);
   headerItem()->setToolTip(kInterval, tr("Of the difference: circular block bootstrap, blocks as long as the "
                                          "errors' correlation asks for"));
   headerItem()->setToolTip(kP,
                            tr("Of equal means, two-sided: t-test of the means of blocks; paired where both "
                               "runs are of the same instants, else Welch's"));
-  for (const int column : {static_cast<int>(kB), static_cast<int>(kCountB)}) setColumnHidden(column, !two);
+  setColumnHidden(kB, !two);
+  setColumnHidden(kCountB, !two || same_counts);
   for (const int column : {kDifference, kInterval, kP}) setColumnHidden(column, !differences);
   clear();
   if (analysis.rows.empty()) return;

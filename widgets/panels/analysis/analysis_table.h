@@ -8,8 +8,8 @@
 namespace capstan::widgets {
 
 /// Numbers of an analysis: a group a measure (RMS, median, IQR, mean), a line a joint and estimator, A beside
-/// B, their difference with its 95 % interval, P beside the means, and how many samples there were. A
-/// difference whose interval leaves zero out is bold.
+/// B, their difference with its 95 % interval, P beside the means, and how many samples there were (in one
+/// column where they are as many). A difference whose interval leaves zero out is bold.
 class AnalysisTable : public QTreeWidget {
   Q_OBJECT
 
