@@ -35,9 +35,7 @@ double BoxSeries::widestNumber() const {
 
 double BoxSeries::numberHeight() const { return QFontMetricsF(textFont(points_)).height(); }
 
-QString BoxSeries::numberOf(const Box& box) const {
-  return QString::number(box.statistics.median, 'f', decimals_).replace(QLatin1Char('-'), QChar(0x2212));
-}
+QString BoxSeries::numberOf(const Box& box) const { return significantText(box.statistics.median); }
 
 double BoxSeries::stripHeight() const { return upright_ ? 8.0 + widestNumber() : 4.0 + numberHeight(); }
 

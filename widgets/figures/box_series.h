@@ -27,8 +27,6 @@ class BoxSeries : public QCPLayerable {
   void setStyle(const SeriesStyle& style, const QColor& text, double line, double points);
   /// Only what lies within is drawn; outliers outside are counted.
   void setSeen(const QCPRange& values) { seen_ = values; }
-  /// Decimals of the medians.
-  void setDecimals(int decimals) { decimals_ = decimals; }
   /// Numbers stand upright where the narrowest of all series' boxes has no room for them.
   void setUpright(bool upright) { upright_ = upright; }
   double widestNumber() const;  ///< [px]
@@ -58,7 +56,6 @@ class BoxSeries : public QCPLayerable {
   QColor text_;
   double line_ = 1.0, points_ = 7.0;
   bool upright_ = false;
-  int decimals_ = 2;
   QCPRange seen_;
 };
 

@@ -44,14 +44,6 @@ std::optional<QCPRange> valuesOf(const BoxplotPanel& panel) {
   return all;
 }
 
-/// Three significant digits of the largest median.
-int decimalsOf(const BoxplotPanel& panel) {
-  double largest = 0.0;
-  for (const BoxplotGroup& group : panel.groups)
-    for (const BoxplotBox& box : group.boxes) largest = std::max(largest, std::abs(box.statistics.median));
-  return largest > 0.0 ? std::clamp(2 - static_cast<int>(std::floor(std::log10(largest))), 0, 9) : 2;
-}
-
 /// "37600", or both where the boxes of a group differ; with `brief` "38k".
 QString countText(const BoxplotGroup& group, bool brief) {
   QStringList counts;
@@ -128,7 +120,6 @@ void BoxplotFigure::buildPanel(const BoxplotPanel& data) {
     auto* series = new BoxSeries(panel.axes);
     series->setBoxes(std::move(boxes));
     series->setSeen(drawn.values);
-    series->setDecimals(decimalsOf(data));
     drawn.series.emplace_back(keys[k], series);
   }
   QCPAxis* x = panel.axes->axis(QCPAxis::atBottom);

@@ -97,7 +97,8 @@ double detailBegin(const TrialResult& trial) {
 }
 
 std::unique_ptr<Figure> histogram(const Results& results, const TrialResult& trial) {
-  HistogramData data{.title = nameOf(results, &trial) + QStringLiteral(": ") + errorWord(results),
+  HistogramData data{.title = nameOf(results, &trial) + QStringLiteral(": ") + errorWord(results) +
+                              QObject::tr(" of the joint positions"),
                      .note = noteOf(results, trial),
                      .quantity = QObject::tr("error")};
   if (trial.own_kinematics) data.quantity = QObject::tr("difference");
@@ -110,13 +111,16 @@ std::unique_ptr<Figure> histogram(const Results& results, const TrialResult& tri
   return std::make_unique<HistogramFigure>(std::move(data));
 }
 
+/// Errors of kinematics and UKF; absolute ones of the UKF alone, whose change they are to show.
 BoxplotGroup groupOf(const TrialResult& trial, const QString& label, int joint, bool absolute) {
   BoxplotGroup group{label, {}};
-  for (const auto& [estimator, quantity] : kCompared)
+  for (const auto& [estimator, quantity] : kCompared) {
+    if (absolute && estimator != Estimator::kUkf) continue;
     group.boxes.push_back(
         {{quantity},
          boxplotOf(inUnit(
              absolute ? trial.absoluteErrors(estimator, joint) : trial.errorsOf(estimator, joint), joint))});
+  }
   return group;
 }
 
@@ -142,9 +146,10 @@ std::unique_ptr<Figure> boxesOfTrials(const Results& results, const std::vector<
 }
 
 std::unique_ptr<Figure> boxesByOcclusion(const Results& results) {
-  BoxplotData data{.title = nameOf(results) + QObject::tr(": |%1| by occlusion").arg(errorWord(results)),
-                   .note = robotWord(results),
-                   .quantity = QStringLiteral("|error|")};
+  BoxplotData data{
+      .title = nameOf(results) + QObject::tr(": |%1| of the UKF by occlusion").arg(errorWord(results)),
+      .note = robotWord(results),
+      .quantity = QStringLiteral("|error|")};
   for (int joint = 0; joint < 3; ++joint) {
     BoxplotPanel panel{.title = kJointTitles[static_cast<std::size_t>(joint)],
                        .unit = unitOf(joint),

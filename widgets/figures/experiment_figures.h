@@ -20,11 +20,12 @@ struct ExperimentFigure {
 };
 
 /// The UKF paper's figures, as far as `results` hold what they show. It must outlive what is made.
-///   5, 8    NAME-trajectory-TRIAL, and NAME-detail-TRIAL: the 20 s about its first occlusion, of the first
-///   trial 6, 7    NAME-parameters-…: estimates over time, parameters of one kind (r_l; k_e and b_e; f_c) in
-///   one figure 9       NAME-histogram-TRIAL: kinematic and UKF errors 10–12   NAME-boxplot-joint-J: a group
-///   a trial; of a single trial all joints in one figure 13      NAME-boxplot-occlusion: |error| of
-///   kinematics and UKF by occlusion, where trials differ in it
+/// - 5 and 8, NAME-trajectory-TRIAL; of the first trial also NAME-detail-TRIAL, 20 s about its first
+///   occlusion.
+/// - 6 and 7, NAME-parameters-KIND: estimates over time, those of one kind (r_l; k_e and b_e; f_c) together.
+/// - 9, NAME-histogram-TRIAL: kinematic and UKF errors.
+/// - 10 to 12, NAME-boxplot-joint-J: a group a trial; NAME-boxplot of a single trial.
+/// - 13, NAME-boxplot-occlusion: |error| of the UKF by occlusion, where trials differ in it.
 std::vector<ExperimentFigure> figuresOf(const experiments::Results& results);
 
 }  // namespace capstan::widgets

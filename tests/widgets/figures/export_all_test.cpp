@@ -75,6 +75,12 @@ TEST_F(ExportAll, ResultsHaveThePapersFigures) {
                                       "C-boxplot-joint-2", "C-boxplot-joint-3"}));
   const auto occluded = namesIn(trialsSample("D", {10.0, 80.0}));
   EXPECT_EQ(occluded.back(), "D-boxplot-occlusion");
+  const auto results = trialsSample("D", {10.0, 80.0});
+  const auto boxes = figuresOf(results).back().make();
+  const auto& group = dynamic_cast<BoxplotFigure&>(*boxes).data().panels[2].groups[1];
+  EXPECT_EQ(group.label, "80");
+  ASSERT_EQ(group.boxes.size(), 1U) << "the UKF alone, as in the paper";
+  EXPECT_GE(group.boxes[0].statistics.lower_whisker, 0.0);
   experiments::Results identified;
   identified.name = "B";
   identified.identification.emplace();
