@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -79,6 +82,10 @@ identification::IdentificationData collectAll(IdentifyArguments& arguments, base
     const RecordingFormat format = detectFormat(file);
     const auto source = openSource(file, format, format == RecordingFormat::kSession ? "" : arguments.robot);
     auto data = identification::collect(*source, &progress);
+    if (data.left_out > 0 && data.motors.size() == 0)
+      refuseFile(file,
+                 "has a motor encoder that failed from the beginning: nothing can be identified from it",
+                 "Give a recording with all motor encoders");
     if (data.openCount() == 0)
       refuseFile(
           file, "shows the marker nowhere, or has no registration: nothing can be identified from it",
@@ -153,9 +160,12 @@ ExitCode identify(IdentifyArguments& arguments, const CLI::App& command) {
   std::optional<identification::DualUkfReport> dual;
   std::optional<identification::BatchReport> batch;
   std::optional<identification::ParameterSet> set;
+  std::uint64_t left_out = 0, used = 0;
   {
     const ProgressLine line(progress);
     const identification::IdentificationData data = collectAll(arguments, progress, truth_text, tracking);
+    left_out = data.left_out;
+    used = data.motors.size();
     if (data.openCount() == 0 && !progress.cancelled())
       refuseOption("REC", data.title, "shows the marker nowhere",
                    "Give a recording in which cameras see the tip");
@@ -181,9 +191,12 @@ ExitCode identify(IdentifyArguments& arguments, const CLI::App& command) {
     notice("cancelled: nothing was identified");
     return kFailed;
   }
+  if (left_out > 0)
+    notice(fmt::format("{} of {} motor samples left out: an encoder had failed or gave no number", left_out,
+                       left_out + used));
   const TrueValues truth = trueValues(truth_text, *set);
   output.text(textOf(dual ? &*dual : nullptr, batch ? &*batch : nullptr, truth));
-  nlohmann::json document = nlohmann::json::object();
+  nlohmann::json document = {{"motor_samples_left_out", left_out}};
   if (dual) document["dual_ukf"] = jsonOf(*dual, truth);
   if (batch) document["batch"] = jsonOf(*batch, truth);
   output.json(document);

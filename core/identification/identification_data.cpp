@@ -13,6 +13,8 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr std::size_t kFewestTriples = 30;
+constexpr double kGap = 0.05;    // [s] without motor samples, from which on the methods start anew
+constexpr double kCount = 2e-3;  // [rad], within which an encoder stands still (tracking::EncoderWatch)
 constexpr double kSecondDifference = 6.0;  // variance of n₁ − 2 n₂ + n₃ by that of n
 
 /// Second difference of tip − tip_kin and the observation in its middle.
@@ -98,6 +100,7 @@ void measureNoise(IdentificationData& data) {
 void append(IdentificationData& data, const IdentificationData& more) {
   if (more.motors.t.empty()) return;
   const double shift = data.motors.t.empty() ? 0.0 : data.motors.t.back() + 1.0 - more.motors.t.front();
+  data.left_out += more.left_out;
   for (const double t : more.motors.t) data.motors.t.push_back(t + shift);
   data.motors.position.insert(data.motors.position.end(), more.motors.position.begin(),
                               more.motors.position.end());
@@ -118,16 +121,42 @@ DataCollector::DataCollector(const tracking::TrackingPipeline& pipeline, std::st
   data_.robot = pipeline.robot();
 }
 
+void DataCollector::addMotors(const tracking::Snapshot& snapshot) {
+  MotorTrack& motors = data_.motors;
+  leaveOutFrozen(snapshot);
+  if (!motorsKnown(snapshot)) {
+    ++data_.left_out;
+    return;
+  }
+  motors.t.push_back(snapshot.t);
+  motors.position.push_back(snapshot.q_motor);
+  motors.velocity.push_back(snapshot.dq_motor);
+}
+
+void DataCollector::leaveOutFrozen(const tracking::Snapshot& snapshot) {
+  MotorTrack& motors = data_.motors;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (snapshot.motor_failed[i] == failed_[i]) continue;
+    failed_[i] = snapshot.motor_failed[i];
+    if (failed_[i] != tracking::MotorFault::kFrozen) continue;
+    const auto motor = static_cast<Eigen::Index>(i);
+    while (!motors.t.empty() && std::abs(motors.position.back()(motor) - snapshot.q_motor(motor)) <= kCount) {
+      motors.t.pop_back();
+      motors.position.pop_back();
+      motors.velocity.pop_back();
+      ++data_.left_out;
+    }
+  }
+}
+
 void DataCollector::add(const tracking::Sample& sample, const tracking::Snapshot& snapshot) {
   if (std::holds_alternative<tracking::MotorSample>(sample)) {
-    MotorTrack& motors = data_.motors;
-    if (snapshot.motor_samples == motors.size()) return;  // refused by the pipeline
-    motors.t.push_back(snapshot.t);
-    motors.position.push_back(snapshot.q_motor);
-    motors.velocity.push_back(snapshot.dq_motor);
+    if (snapshot.motor_samples != taken_) addMotors(snapshot);  // else the pipeline refused it
+    taken_ = snapshot.motor_samples;
     return;
   }
   if (!snapshot.camera_updated || !snapshot.tip_cam.allFinite() || !snapshot.q_link_cam.allFinite()) return;
+  if (tracking::anyMotorFailed(snapshot)) return;
   CameraObservation seen;
   seen.t = snapshot.t_cam;
   seen.tip = snapshot.tip_cam;
@@ -157,7 +186,9 @@ IdentificationData DataCollector::finish() {
                    [](const CameraObservation& a, const CameraObservation& b) { return a.t < b.t; });
   const MotorTrack& motors = data_.motors;
   std::erase_if(data_.cameras, [&](const CameraObservation& seen) {
-    return motors.t.empty() || seen.t < motors.t.front() || seen.t > motors.t.back();
+    if (motors.t.empty() || seen.t < motors.t.front() || seen.t > motors.t.back()) return true;
+    const std::size_t before = motors.at(seen.t), after = std::min(before + 1, motors.size() - 1);
+    return motors.t[after] - motors.t[before] > kGap;
   });
   measureNoise(data_);
   return std::move(data_);

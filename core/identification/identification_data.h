@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -47,6 +48,8 @@ struct IdentificationData {
   /// Standard deviation of the observations as found, by the one stated (measureNoise()); 1 where they agree.
   double noise_ratio = 1.0;
   bool images = false;  ///< markers were found in pictures
+  /// Motor samples left out because an encoder gave no number, or had failed (DataCollector).
+  std::uint64_t left_out = 0;
   bool cancelled = false;
 
   std::size_t openCount() const;
@@ -65,7 +68,16 @@ void measureNoise(IdentificationData& data);
 /// the motor samples tells every method to start anew there.
 void append(IdentificationData& data, const IdentificationData& more);
 
+/// Every motor's encoder gives a number that is believed: q_link_kin is all transmission kinematics.
+inline bool motorsKnown(const tracking::Snapshot& s) {
+  return !tracking::anyMotorFailed(s) && s.q_link_kin.allFinite();
+}
+
 /// Takes samples and the pipeline's opinion of them, in order of arrival.
+///
+/// Where a motor is not known, because its encoder failed or gives no number, the recording has a gap: no
+/// motor sample and no camera observation. An encoder that is found frozen stood still before that was known;
+/// the gap begins where its count last moved by more than an encoder's step.
 class DataCollector {
  public:
   DataCollector(const tracking::TrackingPipeline& pipeline, std::string title);
@@ -74,7 +86,12 @@ class DataCollector {
   IdentificationData finish();
 
  private:
+  void addMotors(const tracking::Snapshot& snapshot);
+  void leaveOutFrozen(const tracking::Snapshot& snapshot);
+
   IdentificationData data_;
+  std::uint64_t taken_ = 0;  ///< motor samples, by the pipeline
+  std::array<tracking::MotorFault, 3> failed_{};
   robot::ArmKinematics arm_;
   std::optional<Eigen::Isometry3d> base_from_camera_;
   Eigen::Vector3d tip_sigma_, jump_tolerance_;

@@ -17,12 +17,15 @@ bool same(const std::optional<Eigen::Isometry3d>& a, const std::optional<Eigen::
 }  // namespace
 
 std::string wordsOf(const LiveExtent& extent) {
+  if (extent.motor_failed && extent.motors == 0)
+    return "a motor's encoder has failed: nothing can be identified";
   if (extent.motors == 0) return "waiting for the arm's motors";
   if (!extent.registered) return "the cameras are not registered: nothing can be identified before they are";
   if (extent.sightings == 0 && extent.seconds < kPatience) return "waiting for the cameras";
   if (extent.cameras == 0) return "no camera here: nothing can be identified";
   if (extent.sightings == 0) return "the marker is not seen: nothing can be identified";
   const auto text = fmt::format("{:.0f} s, tip seen {} times", extent.seconds, extent.sightings);
+  if (extent.motor_failed) return text + "; a motor's encoder has failed, nothing more is taken";
   return extent.full ? text + "; that is as much as is kept" : text;
 }
 
@@ -47,22 +50,30 @@ void LiveRecording::beginAnew() {
   const std::uint64_t restarts = extent_.motors > 0 ? extent_.restarts + 1 : extent_.restarts;
   extent_ = {};
   extent_.restarts = restarts;
+  failed_ = {};
   anew_ = true;
+}
+
+void LiveRecording::takeMotors(const tracking::Snapshot& snapshot) {
+  if (extent_.motors > 0 && snapshot.t <= last_) beginAnew();
+  const bool news = snapshot.motor_failed != failed_;
+  failed_ = snapshot.motor_failed;
+  extent_.motor_failed = tracking::anyMotorFailed(snapshot);
+  const bool known = motorsKnown(snapshot);
+  if (known && extent_.motors == 0) first_ = snapshot.t;
+  extent_.full = extent_.motors > 0 && snapshot.t - first_ > longest_;
+  if (extent_.full || !(known || news)) return;
+  motors_.push_back({snapshot.t, snapshot.q_motor, snapshot.dq_motor, snapshot.motor_failed});
+  if (!known) return;  // the collector hears of the failure, no more
+  last_ = snapshot.t;
+  ++extent_.motors;
+  extent_.seconds = last_ - first_;
 }
 
 void LiveRecording::take(const tracking::Sample&, const tracking::Snapshot& snapshot) {
   const std::lock_guard lock(mutex_);
-  if (snapshot.motor_updated) {
-    if (extent_.motors > 0 && snapshot.t <= last_) beginAnew();
-    if (extent_.motors == 0) first_ = snapshot.t;
-    extent_.full = snapshot.t - first_ > longest_;
-    if (extent_.full) return;
-    last_ = snapshot.t;
-    ++extent_.motors;
-    extent_.seconds = last_ - first_;
-    motors_.push_back({snapshot.t, snapshot.q_motor, snapshot.dq_motor});
-  }
-  if (!snapshot.camera_updated || extent_.full) return;
+  if (snapshot.motor_updated) takeMotors(snapshot);
+  if (!snapshot.camera_updated || extent_.full || extent_.motor_failed) return;
   ++extent_.cameras;
   extent_.registered = snapshot.gate != tracking::Gate::kUnregistered;
   if (!snapshot.tip_cam.allFinite() || !snapshot.q_link_cam.allFinite()) return;
@@ -77,10 +88,12 @@ LiveExtent LiveRecording::extent() const {
 
 void LiveRecording::feed(const std::vector<Motor>& motors, const std::vector<tracking::Snapshot>& cameras) {
   tracking::Snapshot snapshot;
+  snapshot.q_link_kin.setZero();  // known unless an encoder failed: those in a gap were not taken
   for (const Motor& motor : motors) {
     snapshot.t = motor.t;
     snapshot.q_motor = motor.position;
     snapshot.dq_motor = motor.velocity;
+    snapshot.motor_failed = motor.failed;
     snapshot.motor_samples = ++fed_;
     collector_->add(tracking::MotorSample{motor.t, motor.position, motor.velocity, Eigen::Vector3d::Zero()},
                     snapshot);

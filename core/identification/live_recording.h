@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <mutex>
 #include <optional>
@@ -19,6 +20,7 @@ struct LiveExtent {
   std::uint64_t cameras = 0;    ///< camera samples, the tip seen or not
   std::uint64_t sightings = 0;  ///< of these, with the tip seen and within reach
   std::uint64_t restarts = 0;   ///< times that what was held became worthless: see LiveRecording::take()
+  bool motor_failed = false;    ///< an encoder has failed; from then on nothing is taken
   bool registered = true;       ///< frames can be turned into joint angles, as far as the newest one tells
   bool full = false;            ///< the longest was reached, nothing more is taken
 };
@@ -51,9 +53,11 @@ class LiveRecording {
   struct Motor {
     double t;
     Eigen::Vector3d position, velocity;
+    std::array<tracking::MotorFault, 3> failed;
   };
 
   void beginAnew();
+  void takeMotors(const tracking::Snapshot& snapshot);
   void feed(const std::vector<Motor>& motors, const std::vector<tracking::Snapshot>& cameras);
 
   const std::string title_;
@@ -66,6 +70,7 @@ class LiveRecording {
   std::string robot_;
   std::optional<Eigen::Isometry3d> registration_;
   double first_ = 0.0, last_ = 0.0;
+  std::array<tracking::MotorFault, 3> failed_{};
   LiveExtent extent_;
 
   std::optional<DataCollector> collector_;  ///< of the thread that calls data()
