@@ -225,10 +225,12 @@ std::string LiveIdentification::words() const {
   if (phase_ == LivePhase::kAccepted) return "in use, found by " + origin_;
   if (!fault_.empty()) return fault_;
   const std::string extent = wordsOf(recording_->extent());
-  if (phase_ == LivePhase::kCollecting)
-    return shown_.estimates.empty()
+  if (phase_ == LivePhase::kCollecting) {
+    const bool lagging = recording_->extent().seconds - shown_.recorded > kLag;
+    return shown_.estimates.empty() || !lagging
                ? extent
                : fmt::format("{}; values of the first {:.0f} s", extent, shown_.recorded);
+  }
   if (refining_) return fmt::format("batch method over {:.0f} s", recording_->extent().seconds);
   if (shown_.estimates.empty()) return extent;
   return fmt::format("{} over {:.0f} s, stopped", refined() ? "batch method" : "dual UKF", shown_.recorded);

@@ -68,6 +68,7 @@ class LiveIdentification {
  public:
   static constexpr double kFirst = 2.0;   ///< recording before the first run [s]
   static constexpr double kPeriod = 0.5;  ///< least time and least new recording between runs [s]
+  static constexpr double kLag = 2.0;  ///< of values behind the recording, from which on words() says so [s]
 
   /// A session: `file` is the robot as its file says, against which changes are shown.
   void begin(const robot::Description& file, std::string title);

@@ -112,6 +112,16 @@ TEST(Live, ARunThatWasOvertakenIsDroppedAndTheLastOneCoversEverything) {
   EXPECT_FALSE(session.live.sink());
 }
 
+TEST(Live, SaysHowOldItsValuesAreOnlyWhereTheyLagBehindTheRecording) {
+  Session session(12.0);
+  session.live.start(session.source.info().robot, "r_l1");
+  session.feedTo(6.0);
+  ASSERT_EQ(session.run(100.0), 1);
+  EXPECT_EQ(session.live.words().find("values of the first"), std::string::npos) << session.live.words();
+  session.feedTo(6.0 + LiveIdentification::kLag + 1.0);
+  EXPECT_NE(session.live.words().find("values of the first 6 s"), std::string::npos) << session.live.words();
+}
+
 TEST(Live, TheNextRunWaitsAsLongAsTheLastOneTook) {
   Session session(10.0);
   session.live.start(session.source.info().robot, "r_l1");
