@@ -58,16 +58,29 @@ ParameterFilter::Innovation innovation(double value) {
 TEST(ScoreSpread, CorrelatedInnovationsWidenSigma) {
   for (const double a : {0.0, 0.6}) {
     base::Random random(3, "scores");
-    ScoreSpread spread(10.0, 1e9);
+    ScoreSpread spread(10.0, 5.0, 1e9);
     double x = 0.0;
     for (int k = 0; k < 300000; ++k) {
       x = a * x + std::sqrt(1.0 - a * a) * random.normal();
-      spread.add(0.1 * k, innovation(x));
+      spread.add(0.1 * k, innovation(x), Eigen::Matrix3d::Zero());
     }
     ScoreSpread::Square covariance = ScoreSpread::Square::Identity();
     EXPECT_NEAR(std::pow(spread.factors(covariance)(0), 2), (1.0 + a) / (1.0 - a),
                 0.12 * (1.0 + a) / (1.0 - a));
   }
+}
+
+/// An unknown force that moves the tip by d over n observations adds n² d² to the variance n of their scores.
+TEST(ScoreSpread, AnUnknownForceWidensSigmaByWhatItWouldDo) {
+  constexpr double kStep = 1.0 / 16.0, kShift = 0.3;
+  Eigen::Matrix3d by_doubt = Eigen::Matrix3d::Zero();
+  by_doubt(0, 1) = kShift;
+  base::Random random(3, "scores");
+  ScoreSpread spread(10.0, 1.0, 1e9);
+  for (int k = 0; k <= 100000; ++k)  // the last one closes both kinds of block
+    spread.add(kStep * k, innovation(random.normal()), by_doubt);
+  const ScoreSpread::Square covariance = ScoreSpread::Square::Identity();
+  EXPECT_NEAR(std::pow(spread.factors(covariance)(0), 2), 1.0 + 16.0 * kShift * kShift, 1e-4);
 }
 
 Trace fallingTrace(double rest_value) {
