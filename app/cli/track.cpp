@@ -155,11 +155,15 @@ void addTrack(CLI::App& app, ExitCode& exit) {
       ->add_option("--occlude", arguments->occlude,
                    "block both cameras for this share of the time, 2 s each [%]")
       ->check(CLI::Range(0.0, 95.0));
-  command->add_option("--fail-motor", arguments->fail_motor,
-                      "motor@seconds[:frozen|lost]: its encoder fails then (motor 1, 2, 3 or all)");
   command
-      ->add_option("--failed-motor", arguments->failed_motors,
-                   "do not believe this motor's encoder (1, 2, 3): its joint from the camera alone")
+      ->add_option("--fail-motor", arguments->fail_motor,
+                   "motor@seconds[:frozen|lost]: its encoder fails then (motor 1, 2, 3 or all); repeatable")
+      ->allow_extra_args(false);  // FILE may come next
+  command
+      ->add_option(
+          "--failed-motor", arguments->failed_motors,
+          "do not believe this motor's encoder (1, 2, 3): its joint from the camera alone; repeatable")
+      ->allow_extra_args(false)
       ->check(CLI::Range(1, 3));
   command->add_option("--out", arguments->out, "estimates as CSV, a row a motor or camera sample");
   command->add_option("--json", arguments->json, "result as JSON, SI: a file, or - for standard output");
