@@ -14,6 +14,8 @@
 #include "core/tracking/partial_kinematics.h"
 #include "tests/core/tracking/cable_arm_scene.h"
 #include "tests/core/tracking/pipeline_scene.h"
+#include "tests/support/counting_malloc.h"
+#include "tests/support/counting_new.h"
 
 namespace capstan::tracking {
 namespace {
@@ -267,6 +269,28 @@ TEST(MotorFailure, AllLostWithoutCameraDriftsWithGrowingSigmaAndStaysFinite) {
   for (std::size_t joint = 0; joint < 3; ++joint)
     EXPECT_GT(outcome.sigma_blind[joint], 5.0 * outcome.sigma_in_sight[joint]);
   EXPECT_EQ(outcome.report.late_dropped, 0u);
+}
+
+TEST(MotorFailure, NothingIsAllocatedWhenEncodersFail) {
+  SimulatedSource source(simulated(simulation::defaultTruth(), 6.0, true));
+  FailingMotors failing(source, {{0, 2.0, MotorFault::kFrozen}, {1, 3.0, MotorFault::kLost}});
+  TrackingPipeline pipeline = makePipeline(source.info());
+  std::size_t news = 0, mallocs = 0;
+  bool blocked = false;
+  Sample sample;
+  while (failing.next(sample)) {
+    const std::size_t new_before = capstan::test::allocations(), malloc_before = capstan::test::mallocs();
+    const Snapshot& s = pipeline.step(sample);
+    if (s.t > 0.5) {
+      news += capstan::test::allocations() - new_before;
+      mallocs += capstan::test::mallocs() - malloc_before;
+    }
+    if (s.t > 5.0 && !blocked) source.block(blocked = true, true);
+  }
+  EXPECT_EQ(pipeline.snapshot().motor_failed[0], MotorFault::kFrozen);
+  EXPECT_EQ(pipeline.snapshot().motor_failed[1], MotorFault::kLost);
+  EXPECT_EQ(news, 0u);
+  EXPECT_EQ(mallocs, 0u);
 }
 
 TEST(CameraDelay, TakingALateClockForWhatItIsRestoresTheEstimate) {
