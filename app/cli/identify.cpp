@@ -13,12 +13,12 @@
 #include "app/cli/outputs.h"
 #include "app/cli/recordings.h"
 #include "app/cli/simulation_arguments.h"
+#include "core/experiments/identify_trials.h"
 #include "core/identification/batch.h"
 #include "core/identification/dual_ukf.h"
 #include "core/identification/identification_data.h"
 #include "core/identification/options.h"
 #include "core/session/source.h"
-#include "core/simulation/truth.h"
 
 namespace capstan::cli {
 namespace {
@@ -100,31 +100,6 @@ identification::IdentificationData collectAll(IdentifyArguments& arguments, base
   return std::move(*all);
 }
 
-TrueValues trueValues(const std::string& truth_text, const identification::ParameterSet& set) {
-  if (truth_text.empty()) return {};
-  const auto truth = base::readYaml<simulation::Truth>(truth_text, "truth");
-  TrueValues values;
-  for (const auto& parameter : set.all()) {
-    const auto joint = static_cast<std::size_t>(parameter.joint);
-    const simulation::JointTruth of =
-        joint < truth.joints.size() ? truth.joints[joint] : simulation::JointTruth{};
-    switch (parameter.quantity) {
-      case identification::Quantity::kLinkRadius:
-        values.push_back(of.link_radius.value_or(parameter.nominal));
-        break;
-      case identification::Quantity::kStiffness:
-        values.push_back(of.stiffness_factor * parameter.nominal);
-        break;
-      case identification::Quantity::kDamping:
-        values.push_back(of.damping_factor * parameter.nominal);
-        break;
-      default:
-        values.push_back(parameter.nominal);
-    }
-  }
-  return values;
-}
-
 /// A robot of one joint has no cameras: its drive is identified from its encoders and its load.
 std::optional<robot::Description> driveOf(const IdentifyArguments& arguments, const CLI::App& command) {
   std::optional<robot::Description> robot;
@@ -160,6 +135,7 @@ ExitCode identify(IdentifyArguments& arguments, const CLI::App& command) {
   std::optional<identification::DualUkfReport> dual;
   std::optional<identification::BatchReport> batch;
   std::optional<identification::ParameterSet> set;
+  robot::Description recorded;  // the plant before its truth
   std::uint64_t left_out = 0, used = 0;
   {
     const ProgressLine line(progress);
@@ -169,6 +145,7 @@ ExitCode identify(IdentifyArguments& arguments, const CLI::App& command) {
     if (data.openCount() == 0 && !progress.cancelled())
       refuseOption("REC", data.title, "shows the marker nowhere",
                    "Give a recording in which cameras see the tip");
+    recorded = data.robot;
     robot::Description nominal = data.robot;
     if (!arguments.robot.empty()) nominal = readRobot(arguments.robot);
     identification::IdentificationOptions options;
@@ -194,7 +171,8 @@ ExitCode identify(IdentifyArguments& arguments, const CLI::App& command) {
   if (left_out > 0)
     notice(fmt::format("{} of {} motor samples left out: an encoder had failed or gave no number", left_out,
                        left_out + used));
-  const TrueValues truth = trueValues(truth_text, *set);
+  const TrueValues truth =
+      truth_text.empty() ? TrueValues{} : experiments::trueValues(truth_text, recorded, *set);
   output.text(textOf(dual ? &*dual : nullptr, batch ? &*batch : nullptr, truth));
   nlohmann::json document = {{"motor_samples_left_out", left_out}};
   if (dual) document["dual_ukf"] = jsonOf(*dual, truth);
