@@ -25,6 +25,8 @@ robot::Description wrongBy(robot::Description robot) {
 }
 
 const char* const kAsked = "r_l1,k_e2,k_e3,b_e2";
+/// Recordings of the filter's own model hold no force that it does not know.
+constexpr ModelDoubt kNoDoubt = {.friction_share = 0.0};
 
 TEST(Recovery, BatchFindsWhatTheRecordingHolds) {
   const auto truth = softRaven(), nominal = wrongBy(truth);
@@ -34,7 +36,7 @@ TEST(Recovery, BatchFindsWhatTheRecordingHolds) {
   pose.delay = 0.003;
   const auto data = matchedRecording(truth, nominal, {.duration = 60.0, .pose = pose});
   const ParameterSet set(nominal, kAsked);
-  const BatchReport report = identifyBatch(data, set);
+  const BatchReport report = identifyBatch(data, set, {.doubt = kNoDoubt});
   ASSERT_EQ(report.end, BatchEnd::kConverged);
   EXPECT_NEAR(report.residual_after, 1.0, 0.05);
   const double wrong[] = {1.05, 1.8, 0.6, 1.5};
@@ -54,7 +56,8 @@ TEST(Recovery, DualFilterFindsTheSame) {
   const auto data = matchedRecording(truth, nominal, {.duration = 60.0});
   const ParameterSet set(nominal, kAsked);
   int points = 0;
-  const DualUkfReport report = identifyDualUkf(data, set, {}, nullptr, [&](const TracePoint&) { ++points; });
+  const DualUkfReport report =
+      identifyDualUkf(data, set, {.doubt = kNoDoubt}, nullptr, [&](const TracePoint&) { ++points; });
   ASSERT_EQ(report.end, DualUkfEnd::kRecordingEnded);
   EXPECT_EQ(points, static_cast<int>(report.trace.size()));
   EXPECT_NEAR(report.nis, 1.0, 0.35);
@@ -75,12 +78,32 @@ TEST(Recovery, StandardDeviationsAreHonestOverManyRecordings) {
   for (int run = 0; run < kRuns; ++run) {
     const auto data =
         matchedRecording(robot, robot, {.duration = 20.0, .seed = 100U + static_cast<unsigned>(run)});
-    const BatchReport report = identifyBatch(data, set, {.shooting = {.warm_up = 3.0}});
+    const BatchReport report = identifyBatch(data, set, {.shooting = {.warm_up = 3.0}, .doubt = kNoDoubt});
     for (const Estimate& found : report.estimates) squares += std::pow(found.log / found.sigma, 2);
   }
   // 24 squares; the two of a run are correlated: between the 0.1 % and 99.9 % points of chi-square with 12.
   EXPECT_GT(squares / 2.0, 2.2);
   EXPECT_LT(squares / 2.0, 32.9);
+}
+
+/// What an unknown force adds to a variance grows with its square, and moves no estimate.
+TEST(Recovery, ForcesThatNoModelKnowsWidenTheIntervals) {
+  const auto truth = softRaven();
+  const auto data = matchedRecording(truth, truth, {.duration = 30.0});
+  const ParameterSet set(truth, "k_e2");
+  for (const bool batch : {true, false}) {
+    std::vector<double> variance, value;
+    for (const double share : {0.5, 1.0, 2.0}) {
+      const ModelDoubt doubt{.friction_share = share};
+      const Estimate found = batch ? identifyBatch(data, set, {.doubt = doubt}).estimates[0]
+                                   : identifyDualUkf(data, set, {.doubt = doubt}).estimates[0];
+      variance.push_back(found.sigma * found.sigma);
+      value.push_back(found.log);
+    }
+    EXPECT_EQ(value[0], value[2]) << batch;
+    EXPECT_GT(variance[1], variance[0]);
+    EXPECT_NEAR((variance[2] - variance[1]) / (variance[1] - variance[0]), 4.0, 1e-6) << batch;
+  }
 }
 
 TEST(Recovery, AnArmAtRestSaysThatNothingCanBeSeen) {
