@@ -104,7 +104,8 @@ TEST(MeasuredTable, HeadersThatCannotBe) {
 
 TEST(TableSource, GivesMotorsReferenceAndTipsOfEachRow) {
   auto table = parseMeasuredTable(
-      "t,q_m1,q_m2,q_m3,q1,q2,q3,p_c1,p_c2,p_c3\n0,1,2,3,4,5,6,7,8,9\n1,1,2,3,,,,,,\n2,,2,3,4,5,6,7,8,9\n",
+      "t,q_m1,q_m2,q_m3,q1,q2,q3,p_c1,p_c2,p_c3\n0,1,2,3,4,5,6,7,8,9\n1,1,2,3,,,,,,\n2,,2,3,4,5,6,7,8,9\n"
+      "3,,,,4,5,6,,,\n",
       "x.csv");
   TableSource source(table, raven());
   EXPECT_TRUE(source.info().reference);
@@ -113,15 +114,19 @@ TEST(TableSource, GivesMotorsReferenceAndTipsOfEachRow) {
     kinds.emplace_back(sample.index(), std::visit([](const auto& s) { return s.t; }, sample));
     if (kinds.size() == 5) source.block(true, false);
     if (const auto* motor = std::get_if<tracking::MotorSample>(&sample)) {
-      EXPECT_EQ(motor->position, Eigen::Vector3d(1, 2, 3));
+      EXPECT_EQ(std::isnan(motor->position(0)), motor->t == 2) << "an empty cell: no number of that motor";
+      if (motor->t != 2) {
+        EXPECT_EQ(motor->position(0), 1);
+      }
+      EXPECT_EQ(motor->position.tail<2>(), Eigen::Vector2d(2, 3));
       EXPECT_TRUE(motor->torque.array().isNaN().all());
     }
     if (const auto* tip = std::get_if<tracking::TipSample>(&sample)) {
       EXPECT_EQ(tip->t == 2, std::isnan(tip->position(0)));
     }
   }
-  const std::vector<std::pair<std::size_t, double>> expected = {{0, 0}, {3, 0}, {2, 0},
-                                                                {0, 1}, {3, 2}, {2, 2}};
+  const std::vector<std::pair<std::size_t, double>> expected = {{0, 0}, {3, 0}, {2, 0}, {0, 1},
+                                                                {0, 2}, {3, 2}, {2, 2}, {3, 3}};
   EXPECT_EQ(kinds, expected);
 }
 
