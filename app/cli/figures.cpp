@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <QApplication>
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -11,7 +10,7 @@
 #include "app/cli/console.h"
 #include "app/cli/outputs.h"
 #include "core/base/error.h"
-#include "core/experiments/run.h"
+#include "core/experiments/results_to_draw.h"
 #include "widgets/figures/export_all.h"
 
 namespace capstan::cli {
@@ -46,33 +45,11 @@ class FileDrawing {
   std::unique_ptr<QApplication> application_;
 };
 
-/// The folder's own results, or those of its folders, as `experiment --out` leaves them, by name.
-std::vector<fs::path> resultFolders(const fs::path& folder) {
-  if (fs::exists(folder / "results.json")) return {folder};
-  std::vector<fs::path> found;
-  for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.is_directory() && fs::exists(entry.path() / "results.json")) found.push_back(entry.path());
-  std::sort(found.begin(), found.end());
-  if (found.empty())
-    refuseFile(folder.string(), "holds no results.json, nor does a folder in it",
-               "Give the --out folder of capstan-cli experiment, or a recording");
-  return found;
-}
-
-/// A recording is tracked as the only trial of an experiment that keeps nothing. Nothing: cancelled.
+/// A recording is tracked as the only trial of an experiment that keeps nothing. False: cancelled.
 bool track(const fs::path& file, std::vector<Results>& all) {
-  experiments::Specification specification;
-  specification.name = experiments::fileNameOf(file.stem().string());
-  specification.title = file.filename().string();
-  specification.trials.resize(1);
-  specification.trials[0].name = file.stem().string();
-  specification.trials[0].recording = fs::absolute(file).string();
   base::Progress progress;
   const ProgressLine line(progress);
-  experiments::RunOptions options;
-  options.threads = 1;
-  options.software = "capstan " CAPSTAN_VERSION;
-  Results results = experiments::run(specification, options, progress);
+  Results results = experiments::resultsOfRecording(file, {}, "capstan " CAPSTAN_VERSION, progress);
   if (results.cancelled) return false;
   all.push_back(std::move(results));
   return true;
@@ -98,7 +75,8 @@ bool readInputs(const std::vector<std::string>& inputs, std::vector<Results>& al
       if (!track(input, all)) return false;
       continue;
     }
-    for (const fs::path& folder : resultFolders(input)) all.push_back(experiments::readResults(folder));
+    for (const fs::path& folder : experiments::resultFolders(input))
+      all.push_back(experiments::readResults(folder));
   }
   refuseTwins(all);
   return true;

@@ -26,6 +26,7 @@ struct ErrorRun {
   std::vector<CameraPoint> camera = {};   ///< samples that the filter took, at their own times
   std::vector<std::string> trials = {};   ///< that the results it was read from have errors of
   std::vector<std::string> notices = {};  ///< for the user, a line each
+  bool simulated = false;                 ///< of a running session: no real robot
 };
 
 /// Gathers the errors of a running pipeline: kinematic and UKF estimates at most `rate` times a second where

@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/yaml.h"
+#include "core/experiments/motion_collector.h"
 #include "core/identification/batch.h"
 #include "core/identification/dual_ukf.h"
 #include "core/identification/identification_data.h"
@@ -21,6 +22,7 @@ double secondsSince(std::chrono::steady_clock::time_point begin) {
 
 struct Collected {
   IdentificationData data;
+  TrialMotion motion;
   TrialInputs inputs;
   robot::Description nominal;
 };
@@ -28,7 +30,12 @@ struct Collected {
 Collected collectTrial(const TrialSetup& setup, base::Progress& progress) {
   TrialSource source(setup);
   Collected collected;
-  collected.data = identification::collect(source, &progress);
+  collected.motion.name = setup.spec.name;
+  MotionCollector motion(source, collected.motion);
+  collected.data = identification::collect(
+      source, &progress,
+      [&](const tracking::Sample&, const tracking::Snapshot& snapshot) { motion.take(snapshot); });
+  motion.finish();
   collected.inputs = source.inputs();
   collected.nominal = source.nominal();
   if (!collected.data.cancelled && collected.data.openCount() == 0)
@@ -133,7 +140,8 @@ IdentificationSetup setUpIdentification(const Specification& specification,
     throw base::InputError({specification.file.string(), 0, "identification.parameters",
                             setup.spec.parameters, error.fault().reason, error.fault().remedy});
   }
-  setup.fingerprint = {{"parameters", setup.spec.parameters},
+  setup.fingerprint = {{"format", 2},
+                       {"parameters", setup.spec.parameters},
                        {"method", std::string(base::nameOf(setup.spec.robot))},
                        {"options", base::writeYaml(setup.options)}};
   return setup;
@@ -180,6 +188,7 @@ IdentificationResult identifyTrials(const std::vector<TrialSetup>& trials, const
   result.seed = trials.front().recording.empty() ? trials.front().spec.seed : 0;
   result.duration = data.duration();
   for (const TrialSetup& trial : trials) result.recordings.push_back(trial.spec.name);
+  for (Collected& one : all) result.motions.push_back(std::move(one.motion));
   const identification::ParameterSet set(data.robot, setup.spec.parameters, setup.options.parameters);
   doAll({{"identification", 1.0,
           [&](base::Progress& own) { identify(data, set, setup, threads, own, result); }}},

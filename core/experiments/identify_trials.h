@@ -23,8 +23,9 @@ IdentificationSetup setUpIdentification(const Specification& specification,
                                         const robot::Description& nominal);
 
 /// Joins all trials and identifies with the dual UKF, UKF paper (11)–(12), and from there with the batch
-/// method. Joint encoders are no input of either. Cancelled: an unfinished result. Throws base::InputError
-/// for a trial in which the cameras see nothing.
+/// method. Joint encoders are no input of either: they enter the motions that the result keeps, and nothing
+/// else. Cancelled: an unfinished result. Throws base::InputError for a trial in which the cameras see
+/// nothing.
 IdentificationResult identifyTrials(const std::vector<TrialSetup>& trials, const IdentificationSetup& setup,
                                     int threads, const ProgressSlice& progress);
 

@@ -61,31 +61,36 @@ struct TrialInputs {
   std::string recording;   ///< name and size of a recorded trial's file
 };
 
-struct TrialResult {
+/// How a robot moved in one trial, and what was made of it.
+struct TrialMotion {
   std::string name;
-  bool simulated = true;
-  std::uint64_t seed = 0;         ///< of a simulation
-  OcclusionSpec occlusion;        ///< as asked for
-  bool images = false;            ///< markers were found in pictures
-  bool own_kinematics = false;    ///< in place of joint encoders: the robot's own kinematics, no truth
-  bool reference = false;         ///< joint encoders fitted: there are errors
   double begin = 0.0, end = 0.0;  ///< of the motor samples [s]
+  double occluded_share = 0.0;    ///< of the motor samples
+  std::vector<TrajectoryPoint> trajectory;
+  std::vector<CameraPoint> camera;
+
+  double duration() const { return end - begin; }
+};
+
+struct TrialResult : TrialMotion {
+  bool simulated = true;
+  std::uint64_t seed = 0;       ///< of a simulation
+  OcclusionSpec occlusion;      ///< as asked for
+  bool images = false;          ///< markers were found in pictures
+  bool own_kinematics = false;  ///< in place of joint encoders: the robot's own kinematics, no truth
+  bool reference = false;       ///< joint encoders fitted: there are errors
   std::uint64_t motor_samples = 0, camera_samples = 0;
   std::array<std::uint64_t, 8> gates{};  ///< camera samples by tracking::Gate
-  double occluded_share = 0.0;           ///< of the motor samples
   std::array<Eigen::Vector3d, kEstimators> rms = {noJoints(), noJoints(), noJoints(),
                                                   noJoints()};  ///< over every sample, not the thinned series
   std::array<std::uint64_t, kEstimators> counts{};              ///< samples behind it
   double nis = kNone;   ///< mean of accepted camera samples over its 3 degrees of freedom
   double nees = kNone;  ///< mean of the positions over its 3 degrees of freedom
   std::uint64_t rescues = 0, late_dropped = 0;
-  std::vector<TrajectoryPoint> trajectory;
   std::vector<ErrorPoint> errors;
-  std::vector<CameraPoint> camera;
   TrialInputs inputs;
   double seconds = 0.0;  ///< of computing; in timing.json, as it differs from run to run
 
-  double duration() const { return end - begin; }
   const Eigen::Vector3d& rmsOf(Estimator which) const { return rms[static_cast<std::size_t>(which)]; }
   /// |error| of joint 0…2 over the thinned series [rad or m].
   std::vector<double> absoluteErrors(Estimator which, int joint) const;
@@ -119,7 +124,9 @@ struct ParameterTracePoint {
 
 struct IdentificationResult {
   std::vector<std::string> recordings;  ///< trials that it was made from
-  Method method = Method::kBatch;       ///< whose robot goes on
+  /// Of each of them, by the filter that collected the data: it believed in the robot from before.
+  std::vector<TrialMotion> motions;
+  Method method = Method::kBatch;  ///< whose robot goes on
   std::vector<IdentifiedParameter> parameters;
   std::vector<ParameterTracePoint> trace;
   Eigen::MatrixXd dual_correlation, batch_correlation;  ///< of the logarithms
@@ -155,9 +162,9 @@ struct Results {
 };
 
 /// Writes into `folder` (created): results.json, series.json, timing.json, and as CSV
-/// <trial>-trajectory.csv, -errors.csv and -camera.csv, or parameters.csv, trace.csv; robot.yaml of an
-/// identification. Same results, same bytes, but for timing.json. Each file appears whole or not at all.
-/// Throws base::InputError when one cannot be written.
+/// <trial>-trajectory.csv and -camera.csv; of a tracked trial -errors.csv, of an identification
+/// parameters.csv, trace.csv and robot.yaml. Same results, same bytes, but for timing.json. Each file appears
+/// whole or not at all. Throws base::InputError when one cannot be written.
 void writeResults(const Results& results, const std::filesystem::path& folder);
 
 /// Reads what writeResults() wrote. Throws base::InputError with the remedy for a folder without results, a

@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr int kFormat = 1;
+constexpr int kFormat = 2;  ///< 2: trajectories of identifications
 constexpr const char* kFormatKey = "capstan_experiment_results";
 
 std::string traceCsv(const IdentificationResult& identification) {
@@ -49,14 +49,19 @@ std::string parametersCsv(const IdentificationResult& identification) {
   return text;
 }
 
+void writeCsv(const TrialMotion& motion, const fs::path& folder) {
+  const std::string stem = fileNameOf(motion.name);
+  base::writeTextFile(folder / (stem + "-trajectory.csv"), csvOfSeries(motion.trajectory));
+  base::writeTextFile(folder / (stem + "-camera.csv"), csvOfSeries(motion.camera));
+}
+
 void writeCsv(const Results& results, const fs::path& folder) {
   for (const TrialResult& trial : results.trials) {
-    const std::string stem = fileNameOf(trial.name);
-    base::writeTextFile(folder / (stem + "-trajectory.csv"), csvOfSeries(trial.trajectory));
-    base::writeTextFile(folder / (stem + "-errors.csv"), csvOfSeries(trial.errors));
-    base::writeTextFile(folder / (stem + "-camera.csv"), csvOfSeries(trial.camera));
+    writeCsv(trial, folder);
+    base::writeTextFile(folder / (fileNameOf(trial.name) + "-errors.csv"), csvOfSeries(trial.errors));
   }
   if (!results.identification) return;
+  for (const TrialMotion& motion : results.identification->motions) writeCsv(motion, folder);
   base::writeTextFile(folder / "trace.csv", traceCsv(*results.identification));
   base::writeTextFile(folder / "parameters.csv", parametersCsv(*results.identification));
   base::writeTextFile(folder / "robot.yaml", results.identification->robot);

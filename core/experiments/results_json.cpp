@@ -61,6 +61,14 @@ void fields(Self& parameter,
 }
 
 template <class Self, class Visitor>
+void fields(Self& motion, Visitor&& field) requires std::is_same_v<std::remove_const_t<Self>, TrialMotion> {
+  field("name", motion.name);
+  field("begin", motion.begin);
+  field("end", motion.end);
+  field("occluded_share", motion.occluded_share);
+}
+
+template <class Self, class Visitor>
 void fields(Self& trial, Visitor&& field) requires std::is_same_v<std::remove_const_t<Self>, TrialResult> {
   field("name", trial.name);
   field("simulated", trial.simulated);
@@ -88,6 +96,7 @@ template <class Self, class Visitor>
 void fields(Self& result,
             Visitor&& field) requires std::is_same_v<std::remove_const_t<Self>, IdentificationResult> {
   field("recordings", result.recordings);
+  field("motions", result.motions);
   field("method", result.method);
   field("parameters", result.parameters);
   field("dual_correlation", result.dual_correlation);
@@ -213,16 +222,28 @@ void takeNumbers(const json& document, IdentificationResult& identification) {
 json headOf(const Results& results) { return write(results); }
 void takeHead(const json& document, Results& results) { read(document, results); }
 
+namespace {
+
+json seriesOfMotion(const TrialMotion& motion) {
+  return {{"trajectory", jsonOfSeries(motion.trajectory)}, {"camera", jsonOfSeries(motion.camera)}};
+}
+
+void takeMotion(const json& document, TrialMotion& motion) {
+  motion.trajectory = seriesOfJson<TrajectoryPoint>(document.at("trajectory"));
+  motion.camera = seriesOfJson<CameraPoint>(document.at("camera"));
+}
+
+}  // namespace
+
 json seriesOf(const TrialResult& trial) {
-  return {{"trajectory", jsonOfSeries(trial.trajectory)},
-          {"errors", jsonOfSeries(trial.errors)},
-          {"camera", jsonOfSeries(trial.camera)}};
+  json series = seriesOfMotion(trial);
+  series["errors"] = jsonOfSeries(trial.errors);
+  return series;
 }
 
 void takeSeries(const json& document, TrialResult& trial) {
-  trial.trajectory = seriesOfJson<TrajectoryPoint>(document.at("trajectory"));
+  takeMotion(document, trial);
   trial.errors = seriesOfJson<ErrorPoint>(document.at("errors"));
-  trial.camera = seriesOfJson<CameraPoint>(document.at("camera"));
 }
 
 json seriesOf(const IdentificationResult& identification) {
@@ -232,7 +253,9 @@ json seriesOf(const IdentificationResult& identification) {
     value.push_back(write(point.value));
     sigma.push_back(write(point.sigma));
   }
-  return {{"trace", {{"t", t}, {"value", value}, {"sigma", sigma}}}};
+  json motions = json::array();
+  for (const TrialMotion& motion : identification.motions) motions.push_back(seriesOfMotion(motion));
+  return {{"trace", {{"t", t}, {"value", value}, {"sigma", sigma}}}, {"motions", motions}};
 }
 
 void takeSeries(const json& document, IdentificationResult& identification) {
@@ -244,6 +267,8 @@ void takeSeries(const json& document, IdentificationResult& identification) {
     read(trace.at("value").at(i), point.value);
     read(trace.at("sigma").at(i), point.sigma);
   }
+  for (std::size_t i = 0; i < identification.motions.size(); ++i)
+    takeMotion(document.at("motions").at(i), identification.motions[i]);
 }
 
 }  // namespace capstan::experiments

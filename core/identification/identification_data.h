@@ -98,10 +98,11 @@ class DataCollector {
 };
 
 /// Runs the tracking pipeline over `source` (session::Source or anything with info() and next()) and keeps
-/// what identification needs: motors and stereo vision. Joint encoder samples are passed over. Throws
-/// base::InputError for a robot that is no three-joint remote-centre arm.
-template <class Source>
-IdentificationData collect(Source& source, base::Progress* progress = nullptr) {
+/// what identification needs: motors and stereo vision. Joint encoder samples are passed over. `each(sample,
+/// snapshot)` sees every step besides. Throws base::InputError for a robot that is no three-joint
+/// remote-centre arm.
+template <class Source, class Each = tracking::IgnoreSnapshots>
+IdentificationData collect(Source& source, base::Progress* progress = nullptr, Each each = {}) {
   const auto& info = source.info();
   tracking::TrackingPipeline pipeline = tracking::makePipeline(info);
   DataCollector collector(pipeline, info.title);
@@ -109,6 +110,7 @@ IdentificationData collect(Source& source, base::Progress* progress = nullptr) {
       tracking::trackAll(source, pipeline, progress, info.duration,
                          [&](const tracking::Sample& sample, const tracking::Snapshot& snapshot) {
                            collector.add(sample, snapshot);
+                           each(sample, snapshot);
                          });
   IdentificationData data = collector.finish();
   data.cancelled = report.cancelled;

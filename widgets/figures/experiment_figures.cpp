@@ -17,6 +17,7 @@ namespace {
 using experiments::Estimator;
 using experiments::IdentifiedParameter;
 using experiments::Results;
+using experiments::TrialMotion;
 using experiments::TrialResult;
 
 constexpr double kDetail = 20.0;  ///< length of a detail [s]
@@ -31,11 +32,13 @@ QString unitOf(int joint) {
 }
 
 /// "Experiment C, trial 1", or the title alone of something that is no experiment of one letter.
-QString nameOf(const Results& results, const TrialResult* trial = nullptr) {
+QString nameOf(const Results& results, const TrialMotion* trial = nullptr) {
   QString name = results.name.size() == 1 && results.name[0] >= 'A' && results.name[0] <= 'Z'
                      ? QStringLiteral("Experiment ") + fromUtf8(results.name)
                      : fromUtf8(results.title.empty() ? results.name : results.title);
-  if (trial && results.trials.size() > 1) name += QStringLiteral(", ") + fromUtf8(trial->name);
+  const std::size_t trials =
+      results.identification ? results.identification->motions.size() : results.trials.size();
+  if (trial && trials > 1) name += QStringLiteral(", ") + fromUtf8(trial->name);
   return name;
 }
 
@@ -50,7 +53,7 @@ QString robotWord(const Results& results) {
   return results.simulated ? QObject::tr("simulated robot") : QObject::tr("recorded robot");
 }
 
-QString noteOf(const Results& results, const TrialResult& trial) {
+QString noteOf(const Results& results, const TrialMotion& trial) {
   QString note = robotWord(results) + QObject::tr(", %1 s").arg(trial.duration(), 0, 'f', 0);
   if (trial.occluded_share > 0.0)
     note += QObject::tr(", %1 % occluded").arg(100.0 * trial.occluded_share, 0, 'f', 0);
@@ -62,7 +65,7 @@ std::vector<double> inUnit(std::vector<double> values, int joint) {
   return values;
 }
 
-std::unique_ptr<Figure> trajectory(const Results& results, const TrialResult& trial, double begin,
+std::unique_ptr<Figure> trajectory(const Results& results, const TrialMotion& trial, double begin,
                                    double end) {
   TrajectoryData data{.title = nameOf(results, &trial) + QObject::tr(": joint positions"),
                       .note = noteOf(results, trial)};
@@ -88,7 +91,7 @@ std::unique_ptr<Figure> trajectory(const Results& results, const TrialResult& tr
 
 /// Where a detail begins: a quarter of it before the first occlusion that the trial has after its first
 /// seconds, else at its middle.
-double detailBegin(const TrialResult& trial) {
+double detailBegin(const TrialMotion& trial) {
   const auto occluded = std::find_if(
       trial.trajectory.begin(), trial.trajectory.end(),
       [&](const auto& point) { return point.occluded && point.t > trial.begin + 0.25 * kDetail; });
@@ -213,20 +216,24 @@ bool differInOcclusion(const Results& results) {
   });
 }
 
-void addTrial(std::vector<ExperimentFigure>& figures, const Results& results, const TrialResult& trial) {
+void addMotion(std::vector<ExperimentFigure>& figures, const Results& results, const TrialMotion& trial,
+               bool first) {
+  if (trial.trajectory.size() < 2) return;
   const std::string end = experiments::fileNameOf(trial.name), start = results.name + "-";
-  if (trial.trajectory.size() > 1) {
-    figures.push_back({start + "trajectory-" + end, FigureKind::kTrajectory,
-                       [&] { return trajectory(results, trial, trial.begin, trial.end); }});
-    if (&trial == &results.trials[0] && trial.duration() > 1.5 * kDetail)
-      figures.push_back({start + "detail-" + end, FigureKind::kTrajectory, [&] {
-                           const double begin = detailBegin(trial);
-                           return trajectory(results, trial, begin, begin + kDetail);
-                         }});
-  }
+  figures.push_back({start + "trajectory-" + end, FigureKind::kTrajectory,
+                     [&] { return trajectory(results, trial, trial.begin, trial.end); }});
+  if (first && trial.duration() > 1.5 * kDetail)
+    figures.push_back({start + "detail-" + end, FigureKind::kTrajectory, [&] {
+                         const double begin = detailBegin(trial);
+                         return trajectory(results, trial, begin, begin + kDetail);
+                       }});
+}
+
+void addTrial(std::vector<ExperimentFigure>& figures, const Results& results, const TrialResult& trial) {
+  addMotion(figures, results, trial, &trial == &results.trials[0]);
   if (!trial.errors.empty())
-    figures.push_back(
-        {start + "histogram-" + end, FigureKind::kHistogram, [&] { return histogram(results, trial); }});
+    figures.push_back({results.name + "-histogram-" + experiments::fileNameOf(trial.name),
+                       FigureKind::kHistogram, [&] { return histogram(results, trial); }});
 }
 
 void addBoxplots(std::vector<ExperimentFigure>& figures, const Results& results) {
@@ -251,7 +258,10 @@ std::vector<ExperimentFigure> figuresOf(const Results& results) {
   if (std::any_of(results.trials.begin(), results.trials.end(),
                   [](const TrialResult& trial) { return !trial.errors.empty(); }))
     addBoxplots(figures, results);
-  if (!results.identification || results.identification->trace.empty()) return figures;
+  if (!results.identification) return figures;
+  const std::vector<TrialMotion>& motions = results.identification->motions;
+  for (const TrialMotion& motion : motions) addMotion(figures, results, motion, &motion == &motions[0]);
+  if (results.identification->trace.empty()) return figures;
   std::vector<std::string> sheets;
   for (const IdentifiedParameter& parameter : results.identification->parameters)
     if (std::find(sheets.begin(), sheets.end(), sheetOf(parameter)) == sheets.end())

@@ -20,8 +20,8 @@ struct ExperimentFigure {
 };
 
 /// The UKF paper's figures, as far as `results` hold what they show. It must outlive what is made.
-/// - 5 and 8, NAME-trajectory-TRIAL; of the first trial also NAME-detail-TRIAL, 20 s about its first
-///   occlusion.
+/// - 5 and 8, NAME-trajectory-TRIAL, of tracked trials and of those that were identified from; of the first
+///   also NAME-detail-TRIAL, 20 s about its first occlusion.
 /// - 6 and 7, NAME-parameters-KIND: estimates over time, those of one kind (r_l; k_e and b_e; f_c) together.
 /// - 9, NAME-histogram-TRIAL: kinematic and UKF errors.
 /// - 10 to 12, NAME-boxplot-joint-J: a group a trial; NAME-boxplot of a single trial.

@@ -77,6 +77,7 @@ experiments::ErrorRun AnalysisDesk::sessionSoFar(const SessionLink& link) const 
   run.title = info.title;
   run.motion = info.title;
   run.own_kinematics = info.own_kinematics;
+  run.simulated = !info.truth.empty();
   if (info.own_kinematics)
     run.notices.push_back("its reference is the robot's own kinematics: these are differences, not errors");
   return run;

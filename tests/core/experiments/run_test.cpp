@@ -13,6 +13,7 @@
 #include "core/base/error.h"
 #include "core/base/yaml.h"
 #include "core/experiments/results_json.h"
+#include "core/experiments/series.h"
 #include "core/session/export.h"
 #include "core/simulation/simulation_request.h"
 
@@ -171,6 +172,44 @@ TEST_F(Experiments, RecordedSessionsGoThroughTheSameRunner) {
   EXPECT_THAT(recorded.trials[0].inputs.recording, HasSubstr("recorded.capstan, "));
 }
 
+// What is identified keeps its motion: that of the filter which collected the data, as if it had been
+// tracked.
+TEST_F(Experiments, IdentificationsKeepTheMotionOfTheirTrials) {
+  const std::string trials =
+      "trials:\n  - {name: free, trajectory: sinusoid, duration: 6, seed: 4}\n"
+      "  - {name: half, trajectory: sinusoid, duration: 6, seed: 5, occlusion: "
+      "{percentage: 50, interval: 1}}\n";
+  const Specification find = parseSpecification(
+      "name: find\nwork: identify\nimages: false\nidentification: {parameters: r_l}\n" + trials,
+      folder_ / "find.yaml");
+  const Results found = runIn("out", find);
+  const Results tracked = runIn(
+      "out", parseSpecification("name: track\nwork: track\nimages: false\n" + trials, folder_ / "t.yaml"));
+  ASSERT_TRUE(found.identification);
+  ASSERT_EQ(found.identification->motions.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const TrialMotion& motion = found.identification->motions[i];
+    const TrialResult& trial = tracked.trials[i];
+    EXPECT_EQ(motion.name, trial.name);
+    EXPECT_EQ(motion.begin, trial.begin);
+    EXPECT_EQ(motion.end, trial.end);
+    EXPECT_EQ(motion.occluded_share, trial.occluded_share);
+    EXPECT_GT(motion.trajectory.size(), 100U);
+    EXPECT_FALSE(motion.camera.empty());
+    EXPECT_TRUE(csvOfSeries(motion.trajectory) == csvOfSeries(trial.trajectory)) << i;
+    EXPECT_TRUE(csvOfSeries(motion.camera) == csvOfSeries(trial.camera)) << i;
+  }
+  EXPECT_TRUE(base::readTextFile(folder_ / "out" / "find" / "half-trajectory.csv") ==
+              csvOfSeries(tracked.trials[1].trajectory));
+
+  const Results read = readResults(folder_ / "out" / "find");
+  EXPECT_EQ(numbersOf(*read.identification).dump(), numbersOf(*found.identification).dump());
+  EXPECT_TRUE(seriesOf(*read.identification).dump() == seriesOf(*found.identification).dump());
+  const auto files = filesOf("out/find");
+  EXPECT_EQ(runIn("out", find).resumed, 2);
+  EXPECT_TRUE(filesOf("out/find") == files);
+}
+
 TEST_F(Experiments, TheIdentifiedRobotIsTrackedAndThePlantStays) {
   std::ofstream(folder_ / "find.yaml") << "name: find\nwork: identify\nimages: false\n"
                                           "identification: {parameters: r_l}\ntrials:\n"
@@ -218,6 +257,21 @@ TEST_F(Experiments, WhatCannotRunIsRefusedBeforehand) {
 TEST_F(Experiments, AFolderWithoutResultsIsRefused) {
   EXPECT_THROW((void)readResults(folder_), base::InputError);
   (void)runIn("one", tracking());
+  const fs::path results = folder_ / "one" / "small" / "results.json";
+  std::string text = base::readTextFile(results);
+  const std::string version = "\"capstan_experiment_results\": 2";
+  ASSERT_NE(text.find(version), std::string::npos);
+  std::ofstream(results, std::ios::binary)
+      << std::string(text).replace(text.find(version), version.size(), "\"capstan_experiment_results\": 1");
+  try {
+    (void)readResults(folder_ / "one" / "small");
+    ADD_FAILURE() << "an older version was read";
+  } catch (const base::InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("results.json"));
+    EXPECT_THAT(error.what(), HasSubstr("is of another version of this program"));
+    EXPECT_THAT(error.what(), HasSubstr("Run the experiment again into that folder"));
+  }
+  std::ofstream(results, std::ios::binary) << text;
   std::ofstream(folder_ / "one" / "small" / "series.json") << "{\"trials\": [";
   EXPECT_THROW((void)readResults(folder_ / "one" / "small"), base::InputError);
 }

@@ -91,6 +91,16 @@ TEST_F(ExportAll, ResultsHaveThePapersFigures) {
   for (const double t : {0.0, 1.0})
     identified.identification->trace.push_back({t, {1, 2, 3, 4, 5}, {1, 1, 1, 1, 1}});
   EXPECT_EQ(namesIn(identified), (std::vector<std::string>{"B-parameters-cables", "B-parameters-f_c"}));
+  identified.identification->motions = {trialSample("sinusoid", 0.0), trialSample("more", 0.0)};
+  EXPECT_EQ(namesIn(identified),
+            (std::vector<std::string>{"B-trajectory-sinusoid", "B-detail-sinusoid", "B-trajectory-more",
+                                      "B-parameters-cables", "B-parameters-f_c"}));
+  const auto motion = figuresOf(identified)[0].make();
+  const TrajectoryData& drawn = dynamic_cast<TrajectoryFigure&>(*motion).data();
+  EXPECT_TRUE(drawn.title.contains("Experiment B, sinusoid")) << drawn.title.toStdString();
+  ASSERT_EQ(drawn.samples.size(), identified.identification->motions[0].trajectory.size());
+  EXPECT_EQ(drawn.samples[7].q_true, identified.identification->motions[0].trajectory[7].q_true);
+  identified.identification->motions.clear();
   const auto cables = figuresOf(identified)[0].make();
   const auto& panels = dynamic_cast<ConvergenceFigure&>(*cables).data().panels;
   ASSERT_EQ(panels.size(), 4U);

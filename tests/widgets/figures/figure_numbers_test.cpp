@@ -193,6 +193,7 @@ TEST(PaperSizes, AreReadAndRefused) {
 TEST(FigureText, HasTheDigitsThatCount) {
   EXPECT_EQ(significantText(0.12345), "0.123");
   EXPECT_EQ(significantText(-12.345), QString::fromUtf8("−12.3"));
+  EXPECT_EQ(significantText(-0.005), QString::fromUtf8("−0.00500")) << "a small median of a box plot";
   EXPECT_EQ(significantText(12345.6), "12346");
   EXPECT_EQ(significantText(kNaN), QString::fromUtf8("—"));
   EXPECT_EQ(uncertainText(59.0213, 0.114), QString::fromUtf8("59.02 ± 0.11"));

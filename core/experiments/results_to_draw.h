@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/experiments/error_run.h"
+#include "core/experiments/results.h"
+
+/// Results of whatever figures and tables are asked of.
+namespace capstan::experiments {
+
+/// `folder`, where it holds results, or those of its folders that do, by name: as `experiment --out` leaves
+/// them. Throws base::InputError for a folder without any.
+std::vector<std::filesystem::path> resultFolders(const std::filesystem::path& folder);
+
+/// Tracks a recording as the only trial of an experiment that keeps nothing; its name is the file's, and the
+/// robot's behind it where `robot` (a file; empty: the recording's own) is believed in. `software`: program
+/// and version. Cancelled: Results::cancelled. Throws base::InputError for files that cannot be used.
+Results resultsOfRecording(const std::filesystem::path& recording, const std::filesystem::path& robot,
+                           const std::string& software, base::Progress& progress);
+
+/// A running session as a trial, as far as its errors go: RMS over what `run` kept, no trajectory.
+Results resultsOfErrors(const ErrorRun& run, const std::string& software);
+
+/// Files begin with the results' names: those that meet a name again get -B, -C, … behind theirs.
+void tellApart(std::vector<Results>& all);
+
+}  // namespace capstan::experiments

@@ -1,0 +1,112 @@
+#include "core/experiments/results_to_draw.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "core/base/error.h"
+#include "core/session/export.h"
+#include "core/simulation/simulation_request.h"
+
+namespace capstan::experiments {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+class ResultsToDraw : public ::testing::Test {
+ protected:
+  ResultsToDraw() : folder_(fs::temp_directory_path() / ("capstan_to_draw_" + std::to_string(getpid()))) {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  ~ResultsToDraw() override { fs::remove_all(folder_); }
+
+  fs::path folder_;
+};
+
+// RMS over three errors of 3, 4 and 0 in each joint: 5/√3.
+TEST_F(ResultsToDraw, ASessionIsATrialWithItsErrors) {
+  ErrorRun run{.title = "live", .begin = 1.0, .end = 3.0, .simulated = true};
+  for (const double e : {3.0, 4.0, 0.0}) {
+    const Eigen::Vector3d error = Eigen::Vector3d::Constant(e);
+    run.errors.push_back(
+        {run.begin + static_cast<double>(run.errors.size()), error, error, 0.1 * error, e == 4.0});
+  }
+  run.camera = {{1.0, noJoints(), Eigen::Vector3d::Constant(2.0)}, {2.0, noJoints(), noJoints()}};
+  const Results results = resultsOfErrors(run, "test");
+  EXPECT_EQ(results.title, "live");
+  EXPECT_TRUE(results.simulated);
+  ASSERT_EQ(results.trials.size(), 1U);
+  const TrialResult& trial = results.trials[0];
+  EXPECT_TRUE(trial.reference);
+  EXPECT_EQ(trial.duration(), 2.0);
+  EXPECT_NEAR(trial.occluded_share, 1.0 / 3.0, 1e-15);
+  EXPECT_NEAR(trial.rmsOf(Estimator::kKinematic)(0), 5.0 / std::sqrt(3.0), 1e-15);
+  EXPECT_NEAR(trial.rmsOf(Estimator::kUkf)(2), 0.5 / std::sqrt(3.0), 1e-15);
+  EXPECT_EQ(trial.rmsOf(Estimator::kCamera)(1), 2.0) << "what is not known does not count";
+  EXPECT_THAT(trial.counts, ElementsAre(3U, 3U, 1U, 3U));
+  EXPECT_EQ(trial.errorsOf(Estimator::kUkf, 1).size(), 3U);
+  run.own_kinematics = true;
+  EXPECT_FALSE(resultsOfErrors(run, "test").trials[0].reference);
+}
+
+TEST_F(ResultsToDraw, NoTwoResultsHaveOneName) {
+  std::vector<Results> all(4);
+  for (std::size_t i = 0; i < 4; ++i) all[i].name = i == 2 ? "D" : "C";
+  tellApart(all);
+  EXPECT_EQ(all[0].name, "C");
+  EXPECT_EQ(all[1].name, "C-B");
+  EXPECT_EQ(all[2].name, "D");
+  EXPECT_EQ(all[3].name, "C-C");
+}
+
+TEST_F(ResultsToDraw, FoldersOfResultsAreFoundByName) {
+  try {
+    (void)resultFolders(folder_);
+    ADD_FAILURE() << "an empty folder holds results";
+  } catch (const base::InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("holds no results.json"));
+  }
+  for (const char* name : {"B", "A"}) {
+    fs::create_directories(folder_ / name);
+    std::ofstream(folder_ / name / "results.json") << "{}";
+  }
+  fs::create_directories(folder_ / "C");
+  EXPECT_THAT(resultFolders(folder_), ElementsAre(folder_ / "A", folder_ / "B"));
+  EXPECT_THAT(resultFolders(folder_ / "B"), ElementsAre(folder_ / "B"));
+}
+
+TEST_F(ResultsToDraw, ARecordingIsTrackedWithItsOwnRobotOrAnother) {
+  simulation::SimulationRequest request;
+  request.trajectory = "sinusoid";
+  request.duration = 3.0;
+  request.images = false;
+  simulation::SimulatedSource source(simulation::optionsOf(request));
+  robot::Description robot = source.info().robot;
+  session::importRecording(source, folder_ / "my trial.capstan", session::headerOf(source.info(), "now"));
+  base::Progress progress;
+  const Results own = resultsOfRecording(folder_ / "my trial.capstan", {}, "test", progress);
+  EXPECT_EQ(own.name, "my-trial");
+  EXPECT_EQ(own.title, "my trial.capstan");
+  EXPECT_TRUE(own.simulated);
+  ASSERT_EQ(own.trials.size(), 1U);
+  EXPECT_GT(own.trials[0].trajectory.size(), 40U);
+  robot.drives[0].link_radius *= 0.97;
+  std::ofstream(folder_ / "mine.yaml") << robot::formatDescription(robot);
+  const Results other =
+      resultsOfRecording(folder_ / "my trial.capstan", folder_ / "mine.yaml", "test", progress);
+  EXPECT_EQ(other.name, "my-trial-mine");
+  EXPECT_EQ(other.title, "my trial.capstan, mine");
+  EXPECT_EQ(other.trials[0].rmsOf(Estimator::kKinematic), own.trials[0].rmsOf(Estimator::kKinematic));
+  EXPECT_NE(other.trials[0].rmsOf(Estimator::kIdentified)(0), own.trials[0].rmsOf(Estimator::kIdentified)(0));
+  progress.cancel();
+  EXPECT_TRUE(resultsOfRecording(folder_ / "my trial.capstan", {}, "test", progress).cancelled);
+}
+
+}  // namespace
+}  // namespace capstan::experiments
