@@ -8,8 +8,6 @@
 #include "core/base/part_file.h"
 #include "core/base/yaml.h"
 #include "core/experiments/published.h"
-#include "core/experiments/tables.h"
-#include "widgets/figures/index_page.h"
 
 namespace capstan::widgets {
 
@@ -113,40 +111,56 @@ void checkExportFolder(const fs::path& folder) {
   }
 }
 
-ExportReport exportAll(const std::vector<Results>& results, const fs::path& folder,
-                       const ExportOptions& options, base::Progress* progress) {
-  checkExportFolder(folder);
-  const auto figures = wanted(results, options.kinds);
-  const auto tables = options.tables ? tablesOf(results) : std::vector<experiments::NamedTable>{};
-  if (figures.empty() && tables.empty())
-    refuse(folder, "would stay empty: the results hold nothing of what was asked for",
+FigureExport::FigureExport(std::vector<Results> results, fs::path folder, const ExportOptions& options)
+    : results_(std::move(results)), folder_(std::move(folder)), size_(options.size) {
+  checkExportFolder(folder_);
+  figures_ = wanted(results_, options.kinds);
+  if (options.tables) tables_ = tablesOf(results_);
+  if (figures_.empty() && tables_.empty())
+    refuse(folder_, "would stay empty: the results hold nothing of what was asked for",
            "Run the experiment whose figures these are");
   std::error_code fault;
-  fs::create_directories(folder, fault);
-  if (fault) refuse(folder, "cannot be made: " + fault.message(), "Give another folder");
-
-  ExportReport report;
-  report.missing = missingOf(results);
-  IndexPage page = pageFor(results);
-  page.missing = report.missing;
+  fs::create_directories(folder_, fault);
+  if (fault) refuse(folder_, "cannot be made: " + fault.message(), "Give another folder");
+  report_.missing = missingOf(results_);
+  page_ = pageFor(results_);
+  page_.missing = report_.missing;
   // The mark first: an export that is interrupted can be repeated into its folder.
-  base::writeTextFile(folder / kIndex,
+  base::writeTextFile(folder_ / kIndex,
                       std::string(kFiguresMark) + "<p>These figures were not finished.</p>\n");
-  for (std::size_t i = 0; i < figures.size() && !report.cancelled; ++i) {
-    if (progress)
-      progress->report(static_cast<double>(i) / static_cast<double>(figures.size()), figures[i].name);
-    const auto figure = figures[i].make();
-    const auto files = exportFigure(*figure, folder / figures[i].name, options.size);
-    report.files.insert(report.files.end(), files.begin(), files.end());
-    page.figures.push_back({figures[i].name, figure->caption().toStdString(), namesOf(files)});
-    ++report.figures;
-    report.cancelled = progress && progress->cancelled();
+}
+
+double FigureExport::fraction() const {
+  return drawn() ? 1.0 : static_cast<double>(report_.figures) / static_cast<double>(figures_.size());
+}
+
+void FigureExport::draw() {
+  const ExperimentFigure& next = figures_[report_.figures];
+  const auto figure = next.make();
+  const auto files = exportFigure(*figure, folder_ / next.name, size_);
+  report_.files.insert(report_.files.end(), files.begin(), files.end());
+  page_.figures.push_back({next.name, figure->caption().toStdString(), namesOf(files)});
+  ++report_.figures;
+}
+
+ExportReport FigureExport::finish() {
+  report_.cancelled = !drawn();
+  for (const auto& table : tables_) page_.tables.push_back(writeTable(table, folder_, report_));
+  if (report_.cancelled) page_.missing.insert(page_.missing.begin(), "Cancelled: not all figures are here.");
+  base::writeTextFile(folder_ / kIndex, indexPage(page_));
+  report_.files.push_back(folder_ / kIndex);
+  return report_;
+}
+
+ExportReport exportAll(const std::vector<Results>& results, const fs::path& folder,
+                       const ExportOptions& options, base::Progress* progress) {
+  FigureExport all(results, folder, options);
+  while (!all.drawn()) {
+    if (progress) progress->report(all.fraction(), all.name());
+    all.draw();
+    if (progress && progress->cancelled()) break;
   }
-  for (const auto& table : tables) page.tables.push_back(writeTable(table, folder, report));
-  if (report.cancelled) page.missing.insert(page.missing.begin(), "Cancelled: not all figures are here.");
-  base::writeTextFile(folder / kIndex, indexPage(page));
-  report.files.push_back(folder / kIndex);
-  return report;
+  return all.finish();
 }
 
 }  // namespace capstan::widgets

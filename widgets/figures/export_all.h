@@ -6,7 +6,9 @@
 
 #include "core/base/progress.h"
 #include "core/experiments/results.h"
+#include "core/experiments/tables.h"
 #include "widgets/figures/experiment_figures.h"
+#include "widgets/figures/index_page.h"
 #include "widgets/figures/save_plot.h"
 
 namespace capstan::widgets {
@@ -31,8 +33,36 @@ void checkExportFolder(const std::filesystem::path& folder);
 
 /// Every figure and table that `results` support, into `folder` (made): figures as PDF, SVG, PNG and CSV,
 /// tables as CSV, LaTeX and Markdown, and index.html with all of them. A former export in the folder is
-/// written over, file by file; nothing is deleted. Throws base::InputError as checkExportFolder, for results
-/// without anything to draw, and for a file that cannot be written.
+/// written over, file by file; nothing is deleted. Figure by figure, so that a window stays alive beside it.
+/// Throws base::InputError as checkExportFolder, for results without anything to draw, and for a file that
+/// cannot be written.
+class FigureExport {
+ public:
+  /// Makes the folder; nothing else is written yet but an index page that says so.
+  FigureExport(std::vector<experiments::Results> results, std::filesystem::path folder,
+               const ExportOptions& options = {});
+  FigureExport(const FigureExport&) = delete;  // figures refer to the results
+  FigureExport& operator=(const FigureExport&) = delete;
+
+  bool drawn() const { return report_.figures == figures_.size(); }           ///< every figure
+  double fraction() const;                                                    ///< 0…1
+  const std::string& name() const { return figures_[report_.figures].name; }  ///< of the next; not if drawn()
+  /// The next figure, on the thread of the application's windows. Throws base::InputError.
+  void draw();
+  /// Tables and index page. Before all is drawn: the report, and the page, say that it was cancelled.
+  ExportReport finish();
+
+ private:
+  const std::vector<experiments::Results> results_;
+  std::filesystem::path folder_;
+  PaperSize size_;
+  std::vector<ExperimentFigure> figures_;
+  std::vector<experiments::NamedTable> tables_;
+  ExportReport report_;
+  IndexPage page_;
+};
+
+/// All of it at once; a `progress` that is cancelled ends it behind the figure under way.
 ExportReport exportAll(const std::vector<experiments::Results>& results, const std::filesystem::path& folder,
                        const ExportOptions& options = {}, base::Progress* progress = nullptr);
 

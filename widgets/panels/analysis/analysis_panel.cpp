@@ -1,20 +1,14 @@
 #include "widgets/panels/analysis/analysis_panel.h"
 
 #include <QBoxLayout>
-#include <QDateTime>
-#include <QFileDialog>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QRegularExpression>
 #include <QShortcut>
 #include <QSplitter>
-#include <QStandardPaths>
 #include <QToolButton>
 
 #include "core/base/error.h"
-#include "core/base/yaml.h"
-#include "widgets/figures/save_plot.h"
 #include "widgets/panels/analysis/analysis_table.h"
 #include "widgets/panels/analysis/figure_pair.h"
 #include "widgets/panels/analysis/options_bar.h"
@@ -40,12 +34,6 @@ ErrorRun readRun(const RunChoice& choice, base::Progress& progress) {
   return experiments::readErrors(choice.path.toStdString(), choice.trial.toStdString());
 }
 
-void writeTable(const base::Table& table, const std::string& path) {
-  base::writeTextFile(path + ".md", base::markdownOf(table));
-  base::writeTextFile(path + ".tex", base::latexOf(table));
-  base::writeTextFile(path + ".csv", base::csvOf(table));
-}
-
 }  // namespace
 
 AnalysisPanel::AnalysisPanel(QWidget* parent) : QWidget(parent) {
@@ -65,9 +53,12 @@ AnalysisPanel::AnalysisPanel(QWidget* parent) : QWidget(parent) {
     work_ = Work::kNothing;
     proceed();
   });
-  connect(&job_, &Job::progressed, this, [this](double fraction, const QString& doing) {
-    progress_->setValue(qRound(100.0 * fraction));
-    progress_->setFormat(doing + QStringLiteral(" %p %"));
+  connect(&job_, &Job::progressed, this, &AnalysisPanel::onProgress);
+  connect(&full_export_, &FullExport::progressed, this, &AnalysisPanel::onProgress);
+  connect(&full_export_, &FullExport::ended, this, [this](const QString& index, const QString& words) {
+    said_ = words;
+    if (!index.isEmpty()) Q_EMIT exported(index);
+    proceed();
   });
   sides_[0].picker->setChoice({.kind = Kind::kSession});
   setTheme(Theme::dark());
@@ -75,6 +66,11 @@ AnalysisPanel::AnalysisPanel(QWidget* parent) : QWidget(parent) {
 }
 
 AnalysisPanel::~AnalysisPanel() = default;
+
+void AnalysisPanel::onProgress(double fraction, const QString& doing) {
+  progress_->setValue(qRound(100.0 * fraction));
+  progress_->setFormat(doing + QStringLiteral(" %p %"));
+}
 
 void AnalysisPanel::addHead(QBoxLayout* column) {
   for (std::size_t i = 0; i < sides_.size(); ++i) {
@@ -86,6 +82,7 @@ void AnalysisPanel::addHead(QBoxLayout* column) {
   column->addWidget(options_);
   connect(options_, &OptionsBar::changed, this, &AnalysisPanel::onOptionsChanged);
   connect(options_, &OptionsBar::exportRequested, this, &AnalysisPanel::askExport);
+  connect(options_, &OptionsBar::exportAllRequested, this, &AnalysisPanel::askExportAll);
 }
 
 void AnalysisPanel::addFoot(QBoxLayout* column) {
@@ -181,6 +178,7 @@ void AnalysisPanel::refresh() {
 }
 
 void AnalysisPanel::cancel() {
+  if (full_export_.busy()) return full_export_.cancel();
   if (!job_.busy()) return;
   halted_ = true;
   if (work_ == Work::kLoadingA || work_ == Work::kLoadingB)
@@ -204,12 +202,12 @@ void AnalysisPanel::resizeEvent(QResizeEvent* event) {
 }
 
 bool AnalysisPanel::settled() const {
-  return !job_.busy() && !sides_[0].stale && !sides_[1].stale && !analysis_stale_ && !intervals_stale_;
+  return !busy() && !sides_[0].stale && !sides_[1].stale && !analysis_stale_ && !intervals_stale_;
 }
 
 /// The next piece of work, when there is one and nothing else is under way.
 void AnalysisPanel::proceed() {
-  if (isVisible() && !halted_ && !job_.busy()) {
+  if (isVisible() && !halted_ && !busy()) {
     bool started = false;
     for (std::size_t i = 0; i < sides_.size() && !started; ++i)
       if (sides_[i].stale) started = load(i);
@@ -331,39 +329,12 @@ void AnalysisPanel::say() {
   if (halted_) lines << tr("Cancelled. Refresh (F5) goes on.");
   if (!said_.isEmpty()) lines << said_;
   words_->setText(lines.join('\n'));
-  const bool busy = job_.busy();
-  progress_->setVisible(busy);
-  cancel_->setVisible(busy);
-  refresh_->setVisible(!busy);
-  options_->setExportEnabled(figures_->histogram() != nullptr && !busy);
-}
-
-void AnalysisPanel::askExport(const PaperSize& size) {
-  const QString name = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + "/Capstan/" +
-                       QDateTime::currentDateTime().toString("yyyy-MM-dd_HHmmss") + "-errors";
-  auto* dialog =
-      new QFileDialog(this, tr("Export figures and table; the name is what the files begin with"), name);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  connect(dialog, &QFileDialog::fileSelected, this,
-          [this, size](const QString& base) { exportTo(base, size); });
-  dialog->show();
-}
-
-void AnalysisPanel::exportTo(const QString& base, PaperSize size) {
-  if (!figures_->histogram()) return;
-  const QString stem = QString(base).remove(QRegularExpression("\\.(pdf|svg|png|csv|md|tex)$"));
-  const std::string path = stem.toStdString();
-  try {
-    exportFigure(*figures_->histogram(), path + "-histogram", size);
-    exportFigure(*figures_->boxplot(), path + "-boxplot", size);
-    writeTable(experiments::tableOf(analysis_), path + "-table");
-    said_ = tr("Exported as %1-histogram, -boxplot and -table.").arg(stem);
-    Q_EMIT exported(stem);
-  } catch (const base::InputError& error) {
-    said_ = text(error.what());
-  }
-  say();
+  const bool working = busy();
+  progress_->setVisible(working);
+  cancel_->setVisible(working);
+  refresh_->setVisible(!working);
+  options_->setExportEnabled(figures_->histogram() != nullptr && !working);
+  options_->setExportAllEnabled((sides_[0].run || sides_[1].run) && !working);
 }
 
 }  // namespace capstan::widgets

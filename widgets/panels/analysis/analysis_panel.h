@@ -10,6 +10,7 @@
 #include "widgets/figures/theme.h"
 #include "widgets/jobs/job.h"
 #include "widgets/panels/analysis/analysis_figures.h"
+#include "widgets/panels/analysis/full_export.h"
 #include "widgets/panels/analysis/run_picker.h"
 
 class QBoxLayout;
@@ -53,6 +54,9 @@ class AnalysisPanel : public QWidget {
   /// base-histogram and base-boxplot as .pdf, .svg, .png and .csv, base-table as .md, .tex and .csv. What
   /// goes wrong is said on the panel.
   void exportTo(const QString& base, PaperSize size);
+  /// Every figure and table of the chosen runs (of results: of the whole experiment) into `folder`, with an
+  /// index page. In the background; how it ends, and why not, is said on the panel.
+  void exportAllTo(const QString& folder, PaperSize size = {});
 
   RunPicker& picker(std::size_t run) { return *sides_[run].picker; }
   OptionsBar& options() { return *options_; }
@@ -60,7 +64,7 @@ class AnalysisPanel : public QWidget {
   FigurePair& figures() { return *figures_; }
   const experiments::Analysis& analysis() const { return analysis_; }
   QString words() const;
-  bool busy() const { return job_.busy(); }
+  bool busy() const { return job_.busy() || full_export_.busy(); }
   /// Nothing is left to be done for what was chosen.
   bool settled() const;
 
@@ -96,6 +100,9 @@ class AnalysisPanel : public QWidget {
   void onFailed(const QString& why);
   void say();
   void askExport(const PaperSize& size);
+  void askExportAll();
+  void onProgress(double fraction, const QString& doing);
+  std::vector<ExportedRun> exportedRuns() const;
 
   std::function<experiments::ErrorRun()> session_;
   std::array<QString, 3> joint_names_;
@@ -113,6 +120,7 @@ class AnalysisPanel : public QWidget {
   QProgressBar* progress_;
   QToolButton* refresh_;
   QPushButton* cancel_;
+  FullExport full_export_;
   Job job_;  ///< last: ends before what it reports to
 };
 

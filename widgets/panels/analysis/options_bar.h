@@ -27,10 +27,12 @@ class OptionsBar : public QWidget {
   void save(QSettings& settings) const;
   void restore(const QSettings& settings);
   void setExportEnabled(bool on);
+  void setExportAllEnabled(bool on);
 
  signals:
   void changed();
   void exportRequested(const capstan::widgets::PaperSize& size);
+  void exportAllRequested();
 
  private:
   void addChoices();
@@ -40,7 +42,7 @@ class OptionsBar : public QWidget {
 
   QComboBox *joint_, *error_, *share_;
   std::array<QCheckBox*, 3> estimators_{};
-  QToolButton* export_;
+  QToolButton *export_, *export_all_;
 };
 
 }  // namespace capstan::widgets

@@ -1,0 +1,89 @@
+// What the analysis panel writes: its two figures and table, or everything that its runs have.
+#include <QDateTime>
+#include <QFileDialog>
+#include <QRegularExpression>
+#include <QStandardPaths>
+
+#include "core/base/error.h"
+#include "core/base/yaml.h"
+#include "widgets/figures/save_plot.h"
+#include "widgets/panels/analysis/analysis_panel.h"
+#include "widgets/panels/analysis/figure_pair.h"
+
+namespace capstan::widgets {
+
+namespace {
+
+void writeTable(const base::Table& table, const std::string& path) {
+  base::writeTextFile(path + ".md", base::markdownOf(table));
+  base::writeTextFile(path + ".tex", base::latexOf(table));
+  base::writeTextFile(path + ".csv", base::csvOf(table));
+}
+
+}  // namespace
+
+void AnalysisPanel::askExport(const PaperSize& size) {
+  const QString name = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + "/Capstan/" +
+                       QDateTime::currentDateTime().toString("yyyy-MM-dd_HHmmss") + "-errors";
+  auto* dialog =
+      new QFileDialog(this, tr("Export figures and table; the name is what the files begin with"), name);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  connect(dialog, &QFileDialog::fileSelected, this,
+          [this, size](const QString& base) { exportTo(base, size); });
+  dialog->show();
+}
+
+void AnalysisPanel::exportTo(const QString& base, PaperSize size) {
+  if (!figures_->histogram()) return;
+  const QString stem = QString(base).remove(QRegularExpression("\\.(pdf|svg|png|csv|md|tex)$"));
+  const std::string path = stem.toStdString();
+  try {
+    exportFigure(*figures_->histogram(), path + "-histogram", size);
+    exportFigure(*figures_->boxplot(), path + "-boxplot", size);
+    writeTable(experiments::tableOf(analysis_), path + "-table");
+    said_ = tr("Exported as %1-histogram, -boxplot and -table.").arg(stem);
+    Q_EMIT exported(stem);
+  } catch (const base::InputError& error) {
+    said_ = QString::fromStdString(error.what());
+  }
+  say();
+}
+
+/// Runs that could be read, session errors as they were then.
+std::vector<ExportedRun> AnalysisPanel::exportedRuns() const {
+  std::vector<ExportedRun> runs;
+  for (const Side& side : sides_) {
+    if (!side.run) continue;
+    runs.push_back({side.picker->choice()});
+    if (runs.back().choice.kind == RunChoice::Kind::kSession) runs.back().session = *side.run;
+  }
+  return runs;
+}
+
+void AnalysisPanel::askExportAll() {
+  auto* dialog =
+      new QFileDialog(this, tr("Folder for all figures and tables: an empty one, or one of a former export"),
+                      QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
+  dialog->setObjectName("ask_export_all");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::Directory);
+  dialog->setOption(QFileDialog::ShowDirsOnly);
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& folder) { exportAllTo(folder); });
+  dialog->show();
+}
+
+void AnalysisPanel::exportAllTo(const QString& folder, PaperSize size) {
+  const auto runs = exportedRuns();
+  if (busy() || runs.empty()) return;
+  said_.clear();
+  try {
+    full_export_.start(runs, folder, size);
+    onProgress(0.0, tr("reading"));
+  } catch (const base::InputError& error) {
+    said_ = QString::fromStdString(error.what());
+  }
+  say();
+}
+
+}  // namespace capstan::widgets

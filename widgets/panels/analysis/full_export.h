@@ -1,0 +1,57 @@
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/experiments/error_run.h"
+#include "widgets/figures/export_all.h"
+#include "widgets/jobs/job.h"
+#include "widgets/panels/analysis/run_picker.h"
+
+namespace capstan::widgets {
+
+/// A chosen run; of a session, its errors so far.
+struct ExportedRun {
+  RunChoice choice;
+  std::optional<experiments::ErrorRun> session = {};
+};
+
+/// All figures and tables of runs into a folder with an index page. Runs are read and tracked in the
+/// background; figures, which are widgets, are drawn on the window's thread, one each time nothing else
+/// waits.
+class FullExport : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit FullExport(QObject* parent = nullptr);
+
+  /// Only if not busy(). Throws base::InputError for a folder that checkExportFolder() refuses.
+  void start(const std::vector<ExportedRun>& runs, const QString& folder, PaperSize size);
+  /// What is drawn already stays, with an index page that says so.
+  void cancel();
+  bool busy() const { return job_.busy() || drawing_ != nullptr; }
+
+ signals:
+  void progressed(double fraction, const QString& doing);
+  /// It is no longer busy. `index`: the page, empty where there is none; `words`: what was written, or why
+  /// not.
+  void ended(const QString& index, const QString& words);
+
+ private:
+  void onRead(std::vector<experiments::Results> all);
+  void drawNext();
+  void finish();
+  void end(const QString& index, const QString& words);
+
+  QString folder_;
+  PaperSize size_;
+  QString fault_;
+  std::unique_ptr<FigureExport> drawing_;
+  QTimer next_;
+  Job job_;  ///< last: ends before what it reports to
+};
+
+}  // namespace capstan::widgets
