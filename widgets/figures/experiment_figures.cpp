@@ -71,6 +71,7 @@ std::unique_ptr<Figure> trajectory(const Results& results, const TrialMotion& tr
                       .note = noteOf(results, trial)};
   if (begin > trial.begin || end < trial.end)
     data.note += QObject::tr("; here %1 s to %2 s").arg(begin, 0, 'f', 0).arg(end, 0, 'f', 0);
+  if (results.identification) data.note += QObject::tr("; UKF with the robot from before the identification");
   auto camera = trial.camera.begin();
   for (const auto& point : trial.trajectory) {
     // Observations stand at their own times of exposure, which a thinned trajectory does not hold.

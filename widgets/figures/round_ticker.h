@@ -3,18 +3,23 @@
 #include <qcustomplot.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace capstan::widgets {
 
-/// Ticks at 1, 2 or 5 times a power of ten, labelled with exactly the decimals that the step needs.
+/// Ticks at 1, 2 or 5 times a power of ten, at least two of them, labelled with exactly the decimals that the
+/// step needs.
 class RoundTicker : public QCPAxisTicker {
  protected:
   double getTickStep(const QCPRange& range) override {
     const double rough = range.size() / std::max(tickCount(), 1);
     const double decade = std::pow(10.0, std::floor(std::log10(rough)));
     const double share = rough / decade;
-    step_ = decade * (share < 1.4 ? 1.0 : share < 3.2 ? 2.0 : share < 7.0 ? 5.0 : 10.0);
+    constexpr std::array kSteps = {10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1};
+    std::size_t chosen = share < 1.4 ? 3 : share < 3.2 ? 2 : share < 7.0 ? 1 : 0;
+    while (chosen + 1 < kSteps.size() && ticksWithin(range, decade * kSteps[chosen]) < 2.0) ++chosen;
+    step_ = decade * kSteps[chosen];
     return step_;
   }
   int getSubTickCount(double) override { return 0; }
@@ -24,6 +29,10 @@ class RoundTicker : public QCPAxisTicker {
   }
 
  private:
+  static double ticksWithin(const QCPRange& range, double step) {
+    return std::floor(range.upper / step) - std::ceil(range.lower / step) + 1.0;
+  }
+
   double step_ = 1.0;
 };
 

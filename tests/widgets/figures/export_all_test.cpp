@@ -98,6 +98,7 @@ TEST_F(ExportAll, ResultsHaveThePapersFigures) {
   const auto motion = figuresOf(identified)[0].make();
   const TrajectoryData& drawn = dynamic_cast<TrajectoryFigure&>(*motion).data();
   EXPECT_TRUE(drawn.title.contains("Experiment B, sinusoid")) << drawn.title.toStdString();
+  EXPECT_TRUE(drawn.note.contains("robot from before the identification")) << drawn.note.toStdString();
   ASSERT_EQ(drawn.samples.size(), identified.identification->motions[0].trajectory.size());
   EXPECT_EQ(drawn.samples[7].q_true, identified.identification->motions[0].trajectory[7].q_true);
   identified.identification->motions.clear();

@@ -11,6 +11,7 @@
 #include "widgets/figures/common_bins.h"
 #include "widgets/figures/figure_text.h"
 #include "widgets/figures/paper_size.h"
+#include "widgets/figures/round_ticker.h"
 
 /// The numbers beside a figure are those of the statistics, and odd data make no odd figure.
 namespace capstan::widgets {
@@ -188,6 +189,25 @@ TEST(PaperSizes, AreReadAndRefused) {
       EXPECT_EQ(error.fault().value, text);
       EXPECT_EQ(error.fault().key, "--size");
     }
+}
+
+// A low axis asks for two ticks; 0 and 100 lie outside, so that steps of 50 would leave one.
+TEST(RoundTicker, LeavesNoAxisWithASingleLabel) {
+  RoundTicker ticker;
+  ticker.setTickCount(2);
+  const auto labels = [&](double lower, double upper) {
+    QVector<double> ticks;
+    QVector<QString> texts;
+    ticker.generate({lower, upper}, QLocale::c(), 'f', 6, ticks, nullptr, &texts);
+    QStringList within;
+    for (int i = 0; i < ticks.size(); ++i)
+      if (ticks[i] >= lower && ticks[i] <= upper) within << texts[i];
+    return within.join(' ').toStdString();
+  };
+  EXPECT_EQ(labels(8.0, 78.0), "20 40 60");
+  EXPECT_EQ(labels(55.0, 118.0), "60 80 100");
+  EXPECT_EQ(labels(-0.3, 0.31), "-0.2 0.0 0.2");
+  EXPECT_EQ(labels(-60.0, 60.0), "-50 0 50") << "enough: as it was";
 }
 
 TEST(FigureText, HasTheDigitsThatCount) {

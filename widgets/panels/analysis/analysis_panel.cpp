@@ -82,7 +82,6 @@ void AnalysisPanel::addHead(QBoxLayout* column) {
   column->addWidget(options_);
   connect(options_, &OptionsBar::changed, this, &AnalysisPanel::onOptionsChanged);
   connect(options_, &OptionsBar::exportRequested, this, &AnalysisPanel::askExport);
-  connect(options_, &OptionsBar::exportAllRequested, this, &AnalysisPanel::askExportAll);
 }
 
 void AnalysisPanel::addFoot(QBoxLayout* column) {
@@ -105,12 +104,21 @@ void AnalysisPanel::addFoot(QBoxLayout* column) {
   row->addWidget(words_, 1);
   row->addWidget(progress_);
   row->addWidget(cancel_);
+  export_all_ = new QToolButton;
+  export_all_->setObjectName("export_all");
+  export_all_->setText(tr("Export all…"));
+  export_all_->setToolTip(
+      tr("Every figure and table of the runs into a folder with an index page (Ctrl+Shift+E)"));
+  row->addWidget(export_all_);
   row->addWidget(refresh_);
   column->addLayout(row);
   connect(cancel_, &QPushButton::clicked, this, &AnalysisPanel::cancel);
   connect(refresh_, &QToolButton::clicked, this, &AnalysisPanel::refresh);
+  connect(export_all_, &QToolButton::clicked, this, &AnalysisPanel::askExportAll);
   connect(new QShortcut(QKeySequence(Qt::Key_F5), this), &QShortcut::activated, this,
           &AnalysisPanel::refresh);
+  connect(new QShortcut(QKeySequence(Qt::CTRL + Qt::SHIFT + Qt::Key_E), this), &QShortcut::activated,
+          export_all_, &QToolButton::click);
   auto* escape = new QShortcut(QKeySequence(Qt::Key_Escape), this);
   escape->setContext(Qt::WidgetWithChildrenShortcut);
   connect(escape, &QShortcut::activated, this, &AnalysisPanel::cancel);
@@ -334,7 +342,8 @@ void AnalysisPanel::say() {
   cancel_->setVisible(working);
   refresh_->setVisible(!working);
   options_->setExportEnabled(figures_->histogram() != nullptr && !working);
-  options_->setExportAllEnabled((sides_[0].run || sides_[1].run) && !working);
+  export_all_->setVisible(!working);
+  export_all_->setEnabled(!working && (sides_[0].run || sides_[1].run));
 }
 
 }  // namespace capstan::widgets

@@ -118,7 +118,7 @@ class AnalysisPanel : public QWidget {
   AnalysisTable* table_;
   QLabel* words_;
   QProgressBar* progress_;
-  QToolButton* refresh_;
+  QToolButton *refresh_, *export_all_;
   QPushButton* cancel_;
   FullExport full_export_;
   Job job_;  ///< last: ends before what it reports to

@@ -84,13 +84,6 @@ void OptionsBar::addExport() {
   }
   export_->setMenu(menu);
   layout()->addWidget(export_);
-  export_all_ = new QToolButton;
-  export_all_->setObjectName("export_all");
-  export_all_->setText(tr("Export all…"));
-  export_all_->setToolTip(
-      tr("Every figure and table of the runs into a folder with an index page (Ctrl+Shift+E)"));
-  layout()->addWidget(export_all_);
-  connect(export_all_, &QToolButton::clicked, this, &OptionsBar::exportAllRequested);
 }
 
 void OptionsBar::addKeys() {
@@ -108,7 +101,6 @@ void OptionsBar::addKeys() {
   key("Alt+E", [this] {
     if (export_->isEnabled()) export_->showMenu();
   });
-  key("Ctrl+Shift+E", [this] { export_all_->click(); });
 }
 
 void OptionsBar::setTheme(const Theme& theme) {
@@ -131,7 +123,6 @@ experiments::AnalysisOptions OptionsBar::options() const {
 void OptionsBar::setJoint(std::optional<int> joint) { joint_->setCurrentIndex(joint ? *joint + 1 : 0); }
 
 void OptionsBar::setExportEnabled(bool on) { export_->setEnabled(on); }
-void OptionsBar::setExportAllEnabled(bool on) { export_all_->setEnabled(on); }
 
 void OptionsBar::save(QSettings& settings) const {
   settings.setValue("analysis/joint", joint_->currentIndex());

@@ -27,12 +27,10 @@ class OptionsBar : public QWidget {
   void save(QSettings& settings) const;
   void restore(const QSettings& settings);
   void setExportEnabled(bool on);
-  void setExportAllEnabled(bool on);
 
  signals:
   void changed();
   void exportRequested(const capstan::widgets::PaperSize& size);
-  void exportAllRequested();
 
  private:
   void addChoices();
@@ -42,7 +40,7 @@ class OptionsBar : public QWidget {
 
   QComboBox *joint_, *error_, *share_;
   std::array<QCheckBox*, 3> estimators_{};
-  QToolButton *export_, *export_all_;
+  QToolButton* export_;
 };
 
 }  // namespace capstan::widgets
