@@ -17,7 +17,8 @@ std::vector<std::filesystem::path> resultFolders(const std::filesystem::path& fo
 
 /// Tracks a recording as the only trial of an experiment that keeps nothing; its name is the file's, and the
 /// robot's behind it where `robot` (a file; empty: the recording's own) is believed in. `software`: program
-/// and version. Cancelled: Results::cancelled. Throws base::InputError for files that cannot be used.
+/// and version. Cancelled before it was done: Results::cancelled. Throws base::InputError for files that
+/// cannot be used.
 Results resultsOfRecording(const std::filesystem::path& recording, const std::filesystem::path& robot,
                            const std::string& software, base::Progress& progress);
 
