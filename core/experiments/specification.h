@@ -54,7 +54,7 @@ struct TrialSpec {
 
 /// What an identifying experiment looks for.
 struct IdentificationSpec {
-  std::string parameters = "r_l1,k_e,b_e,f_c";  ///< as identification::ParameterSet takes them
+  std::string parameters = "r_l,k_e,b_e,f_c";  ///< as identification::ParameterSet takes them
   std::string options;  ///< priors and goals (resources/identification/default.yaml); empty: the defaults
   Method robot = Method::kDualUkf;
 

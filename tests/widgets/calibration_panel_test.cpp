@@ -147,7 +147,7 @@ TEST_F(Calibration, EndsCollectingWithTheSessionAndStartsOnlyWhereThereIsOne) {
 
 TEST(CalibrationChoice, NamesWhatIsTicked) {
   ParameterChoice choice;
-  EXPECT_EQ(choice.names(), "r_l1,k_e1,k_e2,k_e3,b_e1,b_e2,b_e3,f_c1,f_c2,f_c3");
+  EXPECT_EQ(choice.names(), "r_l1,r_l2,r_l3,k_e1,k_e2,k_e3,b_e1,b_e2,b_e3,f_c1,f_c2,f_c3");
   choice.setNames("k_e2,b_e");
   EXPECT_EQ(choice.names(), "k_e2,b_e1,b_e2,b_e3");
 }

@@ -7,6 +7,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSaveFile>
+#include <QScrollArea>
 #include <QShortcut>
 #include <QStackedWidget>
 #include <cmath>
@@ -101,7 +102,13 @@ void CalibrationPanel::addPages(QVBoxLayout* column) {
   changes_->setLineWrapMode(QPlainTextEdit::NoWrap);
   changes_->setMinimumHeight(60);
   changes_->setAccessibleName(tr("what the robot in use has other than the robot file"));
-  for (QWidget* page : {static_cast<QWidget*>(choice_), results_, static_cast<QWidget*>(changes_)})
+  auto* rolled = new QScrollArea;  // a low window does not show every check box
+  rolled->setFrameShape(QFrame::NoFrame);
+  rolled->setWidgetResizable(true);
+  rolled->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  rolled->setMinimumHeight(60);
+  rolled->setWidget(choice_);
+  for (QWidget* page : {static_cast<QWidget*>(rolled), results_, static_cast<QWidget*>(changes_)})
     pages_->addWidget(page);
   column->addWidget(pages_, 1);
 }
