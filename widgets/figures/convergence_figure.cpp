@@ -38,15 +38,21 @@ QCPRange timeOf(const ConvergencePanel& data) {
   return range;
 }
 
+/// value exp(±2 sigma / value): parameters are positive, and it is their logarithm that is uncertain.
+QCPRange bandOf(double value, double sigma) {
+  const double factor = value > 0.0 ? std::exp(2.0 * sigma / value) : 1.0;
+  return {value / factor, value * factor};
+}
+
 QCPRange valuesOf(const ConvergencePanel& data, const QCPRange& time) {
   double low = data.truth ? std::min(data.nominal, *data.truth) : data.nominal;
   double high = data.truth ? std::max(data.nominal, *data.truth) : data.nominal;
   for (std::size_t i = 0; i < data.t.size(); ++i) {
     if (!known(data, i)) continue;
     const bool late = data.t[i] >= time.lower + kBandFrom * time.size();
-    const double reach = late && std::isfinite(data.sigma[i]) ? 2.0 * data.sigma[i] : 0.0;
-    low = std::min(low, data.value[i] - reach);
-    high = std::max(high, data.value[i] + reach);
+    const QCPRange band = bandOf(data.value[i], late && std::isfinite(data.sigma[i]) ? data.sigma[i] : 0.0);
+    low = std::min(low, band.lower);
+    high = std::max(high, band.upper);
   }
   const double margin = high > low ? 0.06 * (high - low) : std::max(0.05 * std::abs(low), 1e-6);
   return {low - margin, high + margin};
@@ -137,8 +143,9 @@ void ConvergenceFigure::build(const ConvergencePanel& data) {
     t << data.t[i];
     value << (known(data, i) ? data.value[i] : kNaN);
     // SVG files know no clipping: the band is cut to the axis here.
-    curves.band->add(data.t[i], std::clamp(value.back() - 2.0 * data.sigma[i], values.lower, values.upper),
-                     std::clamp(value.back() + 2.0 * data.sigma[i], values.lower, values.upper));
+    const QCPRange band = bandOf(value.back(), data.sigma[i]);
+    curves.band->add(data.t[i], std::clamp(band.lower, values.lower, values.upper),
+                     std::clamp(band.upper, values.lower, values.upper));
   }
   curves.value->setData(t, value, true);
   curves.nominal = addLine(this, panel.axes);
