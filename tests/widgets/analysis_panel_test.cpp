@@ -17,6 +17,7 @@
 #include "core/session/export.h"
 #include "core/simulation/simulation_request.h"
 #include "core/stats/rms.h"
+#include "tests/widgets/analysis_recordings.h"
 #include "tests/widgets/picture.h"
 #include "widgets/panels/analysis/analysis_panel.h"
 #include "widgets/panels/analysis/analysis_table.h"
@@ -32,32 +33,6 @@ using Kind = RunChoice::Kind;
 using ::testing::HasSubstr;
 
 constexpr int kPatience = 60000;  // [ms] after which a wait has failed
-
-/// A short simulated recording, made once.
-class Recordings {
- public:
-  Recordings() {
-    simulation::SimulationRequest request;
-    request.trajectory = "sinusoid";
-    request.duration = 8.0;
-    request.images = false;
-    simulation::SimulatedSource source(simulation::optionsOf(request));
-    robot = source.info().robot;
-    session::importRecording(source, path("trial.capstan").toStdString(),
-                             session::headerOf(source.info(), "today"));
-    robot.drives[0].link_radius *= 0.97;
-    std::ofstream(path("mine.yaml").toStdString()) << robot::formatDescription(robot);
-  }
-  QString path(const QString& name) const { return folder_.filePath(name); }
-  static Recordings& get() {
-    static Recordings recordings;
-    return recordings;
-  }
-  robot::Description robot;
-
- private:
-  QTemporaryDir folder_;
-};
 
 class Analysed : public testing::Test {
  protected:
