@@ -9,10 +9,12 @@
 
 #include "core/base/units.h"
 #include "core/experiments/paced_transfer.h"
+#include "core/experiments/true_radii.h"
 #include "core/experiments/workers.h"
 #include "core/session/blocking.h"
 #include "core/session/motor_failures.h"
 #include "core/simulation/simulation_request.h"
+#include "core/stats/quantile.h"
 #include "core/tracking/make_pipeline.h"
 
 namespace capstan::experiments {
@@ -103,9 +105,7 @@ TrialResults runTrial(const MotorFailureStudyOptions& options, double speed, dou
   simulated.joint_decimation = 10;
   simulation::SimulatedSource source(simulated);
   session::SourceInfo info = source.info();
-  for (std::size_t joint = 0; joint < 3; ++joint)
-    if (const auto& radius = simulated.truth.joints[joint].link_radius; radius && options.true_radii)
-      info.robot.drives[joint].link_radius = *radius;
+  if (options.true_radii) info.robot = withTrueRadii(info.robot, simulated.truth);
   std::deque<Run> runs;
   runs.push_back({tracking::makePipeline(info), session::MotorFailures({}), {}, {}});
   for (int which = 0; which < kCases; ++which)
@@ -138,13 +138,6 @@ TrialResults runTrial(const MotorFailureStudyOptions& options, double speed, dou
   return results;
 }
 
-double medianOf(std::vector<double> values) {
-  if (values.empty()) return kNan;
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-}
-
 MotorFailureResult over(const std::vector<MotorFailureResult>& seeds) {
   MotorFailureResult all = seeds.front();
   all.whole = 0;
@@ -163,8 +156,8 @@ MotorFailureResult over(const std::vector<MotorFailureResult>& seeds) {
   }
   all.normal_rms = normal.cwiseSqrt();
   all.failed_rms = failed.cwiseSqrt();
-  all.held = medianOf(held);
-  all.found = found.size() == seeds.size() ? medianOf(found) : kNan;
+  all.held = stats::median(held);
+  all.found = found.size() == seeds.size() ? stats::median(found) : kNan;
   return all;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/experiments/true_radii.h"
 #include "core/experiments/workers.h"
 #include "core/simulation/simulation_request.h"
 #include "core/tracking/make_pipeline.h"
@@ -26,13 +27,6 @@ std::vector<NoiseVariant> allVariants() {
     for (const auto& [name, options] : kinds)
       all.push_back({.name = name, .options = options, .true_radius = true_radius});
   return all;
-}
-
-robot::Description withTrueRadii(robot::Description robot, const simulation::Truth& truth) {
-  for (std::size_t joint = 0; joint < 3; ++joint)
-    robot.drives[joint].link_radius =
-        truth.joints[joint].link_radius.value_or(robot.drives[joint].link_radius);
-  return robot;
 }
 
 using Reports = std::vector<tracking::TrackReport>;

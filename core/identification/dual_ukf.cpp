@@ -18,8 +18,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using State = tracking::CableArmModel::State;
 
-constexpr double kGap = 0.05;              // [s] without motor samples: the arm was lost sight of
-constexpr double kLongestInterval = 0.25;  // [s]
+constexpr double kLongestInterval = 0.25;                   // [s]
 constexpr double kStartPosition = 0.05, kStartSpeed = 0.1;  // σ of the first state [rad or m; per second]
 
 /// h(x): the tip as the camera of `pose` sees it.
@@ -86,7 +85,7 @@ class Dual {
       while (t_ < end) {
         const std::size_t next = std::min(at_ + 1, motors.size() - 1);
         if (next == at_) return;
-        if (motors.t[next] - motors.t[at_] > kGap) {
+        if (motors.t[next] - motors.t[at_] > kMotorGap) {
           start(next);
           if (t_ >= t) return;
           break;

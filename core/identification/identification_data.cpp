@@ -13,7 +13,6 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr std::size_t kFewestTriples = 30;
-constexpr double kGap = 0.05;    // [s] without motor samples, from which on the methods start anew
 constexpr double kCount = 2e-3;  // [rad], within which an encoder stands still (tracking::EncoderWatch)
 constexpr double kSecondDifference = 6.0;  // variance of n₁ − 2 n₂ + n₃ by that of n
 
@@ -188,7 +187,7 @@ IdentificationData DataCollector::finish() {
   std::erase_if(data_.cameras, [&](const CameraObservation& seen) {
     if (motors.t.empty() || seen.t < motors.t.front() || seen.t > motors.t.back()) return true;
     const std::size_t before = motors.at(seen.t), after = std::min(before + 1, motors.size() - 1);
-    return motors.t[after] - motors.t[before] > kGap;
+    return motors.t[after] - motors.t[before] > kMotorGap;
   });
   measureNoise(data_);
   return std::move(data_);

@@ -18,6 +18,9 @@
 
 namespace capstan::identification {
 
+/// Time without motor samples from which on every method starts anew: the arm was lost sight of [s].
+inline constexpr double kMotorGap = 0.05;
+
 /// Motor encoders in rising time: t [s], q_m from the hard stop [rad], dq_m [rad/s].
 struct MotorTrack {
   std::vector<double> t;

@@ -13,7 +13,6 @@ namespace {
 
 constexpr double kWarmUpTimes = 10.0;
 constexpr double kShortestWarmUp = 15.0, kLongestWarmUp = 30.0;  // [s]
-constexpr double kGap = 0.05;                                    // [s] without motor samples: start anew
 
 /// The tangents of `set`, in its order.
 TangentOrder orderOf(const ParameterSet& set) {
@@ -97,10 +96,10 @@ Shooting::Shooting(const IdentificationData& data, const ParameterSet& set, cons
   for (std::size_t i = 0; i < data.cameras.size(); ++i) {
     const CameraObservation& seen = data.cameras[i];
     while (motor + 1 < motors.size() && motors.t[motor + 1] <= seen.t) {
-      if (motors.t[motor + 1] - motors.t[motor] > kGap) unbroken = motor + 1;
+      if (motors.t[motor + 1] - motors.t[motor] > kMotorGap) unbroken = motor + 1;
       ++motor;
     }
-    const bool gap_ahead = motor + 1 < motors.size() && motors.t[motor + 1] - motors.t[motor] > kGap;
+    const bool gap_ahead = motor + 1 < motors.size() && motors.t[motor + 1] - motors.t[motor] > kMotorGap;
     if (!seen.open || gap_ahead || seen.t - motors.t[unbroken] < warm_up_) continue;
     const std::size_t start = motors.at(seen.t - warm_up_);
     const bool fresh = pieces_.empty() || pieces_.back().start < unbroken ||
