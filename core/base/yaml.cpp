@@ -1,6 +1,7 @@
 #include "core/base/yaml.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <fstream>
@@ -25,6 +26,18 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
     }
   }
   return row.back();
+}
+
+/// What may have been meant by the unknown `key`.
+std::string remedyFor(const std::string& key, const std::vector<std::string>& known) {
+  constexpr std::size_t kMisspelt = 2;
+  if (known.empty()) return "Remove it";
+  const auto nearest = std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
+    return editDistance(key, a) < editDistance(key, b);
+  });
+  const std::size_t distance = editDistance(key, *nearest);
+  if (distance <= kMisspelt && distance < nearest->size()) return fmt::format("Did you mean {}?", *nearest);
+  return fmt::format("Use one of: {}", fmt::join(known, ", "));
 }
 
 std::string scalarText(const YAML::Node& node) {
@@ -93,12 +106,8 @@ void refuseUnknownKeys(const YAML::Node& node, const YamlPlace& place,
   for (const auto& entry : node) {
     const std::string key = entry.first.Scalar();
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-    const auto nearest = std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
-      return editDistance(key, a) < editDistance(key, b);
-    });
     const std::string path = place.key.empty() ? key : place.key + "." + key;
-    refuseYaml(entry.first, {place.file, path}, "is not a known key",
-               nearest == known.end() ? "Remove it" : fmt::format("Did you mean {}?", *nearest));
+    refuseYaml(entry.first, {place.file, path}, "is not a known key", remedyFor(key, known));
   }
 }
 

@@ -37,7 +37,8 @@ std::string readTextFile(const std::filesystem::path& path);
 void writeTextFile(const std::filesystem::path& path, const std::string& text);
 /// Parses a number; accepts what YAML does, refuses NaN, infinity and text.
 double yamlNumber(const YAML::Node& node, const YamlPlace& place, const FieldInfo& info);
-/// Throws InputError for keys of the map `node` that are not in `known`, naming the nearest known one.
+/// Throws InputError for keys of the map `node` that are not in `known`. Its remedy names the known key that
+/// is at most two letters away, or else all of them.
 void refuseUnknownKeys(const YAML::Node& node, const YamlPlace& place, const std::vector<std::string>& known);
 /// Shortest decimal text that reads back as the same double.
 std::string yamlText(double value);
@@ -72,21 +73,23 @@ concept FixedMatrix = std::is_base_of_v<Eigen::MatrixBase<T>, T> && T::SizeAtCom
 template <class T>
 void readInto(T& value, const YAML::Node& node, const YamlPlace& place, const FieldInfo& info);
 
+/// Unknown keys come first: a key that is missing may be one that is misspelt.
 template <class T>
 void readFields(T& value, const YAML::Node& node, const YamlPlace& place) {
   if (!node.IsMap()) refuseYaml(node, place, "is not a block of keys");
   std::vector<std::string> known;
+  T::visit(value, [&](const auto&, const FieldInfo& info) { known.emplace_back(info.key); });
+  refuseUnknownKeys(node, place, known);
   T::visit(value, [&](auto& field, const FieldInfo& info) {
-    known.emplace_back(info.key);
-    const YAML::Node child = node[std::string(info.key)];
-    const YamlPlace inner{place.file, place.key.empty() ? known.back() : place.key + "." + known.back()};
+    const std::string key(info.key);
+    const YAML::Node child = node[key];
+    const YamlPlace inner{place.file, place.key.empty() ? key : place.key + "." + key};
     if (child.IsDefined() && !child.IsNull()) {
       readInto(field, child, inner, info);
     } else if (info.required && !IsOptional<std::remove_reference_t<decltype(field)>>::value) {
       refuseYaml(node, inner, "is missing", "Add it: " + std::string(info.meaning));
     }
   });
-  refuseUnknownKeys(node, place, known);
 }
 
 template <class T>

@@ -91,6 +91,18 @@ TEST(Yaml, RefusesWhatItDoesNotUnderstand) {
   EXPECT_EQ(faultOf("name: [x\n").line, 2);
 }
 
+TEST(Yaml, AnUnknownKeyComesBeforeAMissingOneAndIsCompared) {
+  const auto fault = faultOf("nmae: x\nkind: a\nparts: []\n");  // name is missing, too
+  EXPECT_EQ(fault.key, "nmae");
+  EXPECT_EQ(fault.line, 1);
+  EXPECT_EQ(fault.remedy, "Did you mean name?");
+  // Nothing near: no guess, but what there is.
+  EXPECT_EQ(faultOf("name: x\nkind: a\nparts: []\nvelocity: 3\n").remedy,
+            "Use one of: name, kind, parts, extra, count");
+  EXPECT_EQ(faultOf("name: x\nkind: a\nparts:\n  - {stiffness: 2, offset: [0, 0, 0], k_e: 1}\n").remedy,
+            "Use one of: stiffness, offset");
+}
+
 TEST(Yaml, AMissingFileIsAnInputError) {
   EXPECT_THROW(readYamlFile<Outer>("/nowhere/robot.yaml"), InputError);
 }
