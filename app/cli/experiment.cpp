@@ -12,11 +12,11 @@
 #include "app/cli/console.h"
 #include "app/cli/experiment_output.h"
 #include "app/cli/outputs.h"
-#include "capstan_revision.h"
 #include "core/base/yaml.h"
 #include "core/experiments/comparison.h"
 #include "core/experiments/published.h"
 #include "core/experiments/run.h"
+#include "core/experiments/software.h"
 #include "core/experiments/tables.h"
 
 namespace capstan::cli {
@@ -30,11 +30,6 @@ struct ExperimentArguments {
   int threads = 2;
   std::optional<bool> images;
 };
-
-std::string software() {
-  const std::string revision = CAPSTAN_REVISION;
-  return "capstan " CAPSTAN_VERSION + (revision.empty() ? std::string() : " (" + revision + ")");
-}
 
 std::vector<Specification> specificationsOf(const std::string& name) {
   const auto suffix = std::filesystem::path(name).extension();
@@ -73,7 +68,7 @@ ExitCode experiment(const ExperimentArguments& arguments) {
                                {.out = arguments.out,
                                 .threads = arguments.threads,
                                 .images = arguments.images,
-                                .software = software()},
+                                .software = experiments::software()},
                                done);
   if (!finished) {
     notice("cancelled: finished trials are kept in " + arguments.out +

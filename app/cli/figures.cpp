@@ -11,6 +11,7 @@
 #include "app/cli/outputs.h"
 #include "core/base/error.h"
 #include "core/experiments/results_to_draw.h"
+#include "core/experiments/software.h"
 #include "widgets/figures/export_all.h"
 
 namespace capstan::cli {
@@ -49,7 +50,7 @@ class FileDrawing {
 bool track(const fs::path& file, std::vector<Results>& all) {
   base::Progress progress;
   const ProgressLine line(progress);
-  Results results = experiments::resultsOfRecording(file, {}, "capstan " CAPSTAN_VERSION, progress);
+  Results results = experiments::resultsOfRecording(file, {}, experiments::software(), progress);
   if (results.cancelled) return false;
   all.push_back(std::move(results));
   return true;

@@ -10,6 +10,7 @@
 #include "core/base/resource.h"
 #include "core/base/table.h"
 #include "core/base/yaml.h"
+#include "core/experiments/software.h"
 #include "core/experiments/world_study.h"
 #include "core/stats/proportion.h"
 
@@ -101,7 +102,7 @@ void addWorldStudy(CLI::App& study, ExitCode& exit) {
   auto json = std::make_shared<std::string>();
   options->truth = base::resource("truth/laboratory.yaml");
   options->trajectory = base::resource("experiments/fls.yaml");
-  options->software = "capstan " CAPSTAN_VERSION;
+  options->software = experiments::software();
   CLI::App* command = study.add_subcommand(
       "worlds", "Coverage and error of identified parameters in simulated robots drawn at random");
   command->add_option("--count", options->worlds, "worlds")

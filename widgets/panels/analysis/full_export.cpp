@@ -5,6 +5,7 @@
 #include <exception>
 
 #include "core/experiments/results_to_draw.h"
+#include "core/experiments/software.h"
 
 namespace capstan::widgets {
 
@@ -13,14 +14,14 @@ using Kind = RunChoice::Kind;
 
 namespace {
 
-constexpr const char* kSoftware = "capstan " CAPSTAN_VERSION;
 constexpr double kReading = 0.5;  ///< share of the progress
 
 Results resultsOf(const ExportedRun& run, base::Progress& progress) {
-  if (run.session) return experiments::resultsOfErrors(*run.session, kSoftware);
+  if (run.session) return experiments::resultsOfErrors(*run.session, experiments::software());
   const std::string path = run.choice.path.toStdString();
   if (run.choice.kind == Kind::kResults) return experiments::readResults(path);
-  return experiments::resultsOfRecording(path, run.choice.robot.toStdString(), kSoftware, progress);
+  return experiments::resultsOfRecording(path, run.choice.robot.toStdString(), experiments::software(),
+                                         progress);
 }
 
 /// A folder of results is drawn whole, so two of its trials are one export.
