@@ -1,10 +1,11 @@
-#include "app/cli/study.h"
-
+#include "app/cli/command.h"
 #include "app/cli/study_cramer_rao.h"
 #include "app/cli/study_latency.h"
 #include "app/cli/study_motor_failure.h"
 #include "app/cli/study_worlds.h"
 
+/// `capstan-cli study NAME`: Monte-Carlo questions about the method rather than about a recording. A study a
+/// file, study_*.cpp; it adds its own subcommand to `study`.
 namespace capstan::cli {
 
 void addStudy(CLI::App& app, ExitCode& exit) {

@@ -1,7 +1,5 @@
 #include "app/cli/study_worlds.h"
 
-#include <fmt/format.h>
-
 #include <memory>
 #include <string>
 
@@ -22,30 +20,27 @@ using experiments::Recovery;
 using experiments::WorldStudy;
 using experiments::WorldStudyOptions;
 
-constexpr double kCoverageGoal = 0.9;
-
-base::Table tableOf(const WorldStudy& study, const WorldStudyOptions& options) {
-  base::Table table;
-  table.title = fmt::format("Known truth recovered in {} worlds, {:g} s of block transfer each",
-                            study.worlds.size(), options.duration);
-  table.columns = {{"parameter", {}, 0}, {"method", {}, 0},         {"inside 95 % interval", {}, 0},
-                   {"of", {}, 0},        {"coverage, 95 %", {}, 0}, {"goal 90 %", {}, 0},
-                   {"seen in", {}, 0},   {"median error", "%", 3},  {"median half-width", "%", 3}};
+/// By parameter and method. Coverage counts worlds in which the parameter was seen; coverage_of_all all of
+/// them.
+nlohmann::json recoveries(const WorldStudy& study) {
+  nlohmann::json all;
   for (std::size_t i = 0; i < study.names.size(); ++i)
     for (const Method method : {Method::kDualUkf, Method::kBatch}) {
       const Recovery r = study.recovery(i, method);
-      const auto interval = stats::wilsonInterval(r.covered, r.worlds);
-      table.rows.push_back({study.names[i], method == Method::kDualUkf ? "dual UKF" : "batch",
-                            static_cast<double>(r.covered), static_cast<double>(r.worlds),
-                            fmt::format("{:.0f}–{:.0f} %", 100.0 * interval.low, 100.0 * interval.high),
-                            r.covered >= kCoverageGoal * r.worlds ? "met" : "not met",
-                            static_cast<double>(r.seen), 100.0 * r.median_error,
-                            100.0 * r.median_half_width});
+      nlohmann::json& one = all[study.names[i]][method == Method::kDualUkf ? "dual UKF" : "batch"];
+      one = {{"worlds", r.worlds},
+             {"seen", r.seen},
+             {"covered", r.covered},
+             {"coverage", r.coverage()},
+             {"coverage_interval", nullptr},
+             {"covered_of_all", r.covered_of_all},
+             {"coverage_of_all", static_cast<double>(r.covered_of_all) / r.worlds},
+             {"goal", base::nameOf(r.verdict())},
+             {"median_error", r.median_error},
+             {"median_sigma", r.median_sigma}};
+      if (r.seen > 0) one["coverage_interval"] = {r.coverageInterval().low, r.coverageInterval().high};
     }
-  table.note =
-      "Simulated robots. Seen: the recording at least halved what was unknown before; errors and half-widths "
-      "of the interval are of those.";
-  return table;
+  return all;
 }
 
 nlohmann::json jsonOf(const WorldStudy& study, const WorldStudyOptions& options) {
@@ -66,40 +61,31 @@ nlohmann::json jsonOf(const WorldStudy& study, const WorldStudyOptions& options)
           {"duration", options.duration},
           {"pixel_sigma", options.pixel_sigma},
           {"software", options.software},
+          {"coverage_goal", experiments::kCoverageGoal},
+          {"recovery", recoveries(study)},
           {"worlds", worlds}};
 }
 
-ExitCode run(WorldStudyOptions& options, const std::string& json) {
-  checkOutputs({{"--json", json}}, {});
-  if (!options.out.empty()) checkOutputFolder("--out", options.out.string(), {}, {});
-  const Output output(json);
-  base::Progress progress;
-  WorldStudy study;
-  {
-    const ProgressLine line(progress);
-    study = experiments::runWorldStudy(options, progress);
-  }
-  for (const std::string& text : study.notices) notice(text);
-  if (study.worlds.empty()) {
-    notice("cancelled before the first world was done");
-    return kFailed;
-  }
-  const base::Table table = tableOf(study, options);
-  output.text(base::markdownOf(table));
-  output.json(jsonOf(study, options));
-  if (!options.out.empty()) {
-    base::writeTextFile(options.out / "worlds.md", base::markdownOf(table));
-    base::writeTextFile(options.out / "worlds.csv", base::csvOf(table));
-  }
-  if (study.cancelled) notice("cancelled: the table holds the worlds that were done");
-  return study.cancelled ? kFailed : kOk;
+StudyReport reportOf(const WorldStudy& study, const WorldStudyOptions& options) {
+  const base::Table table = experiments::recoveriesOf(study, options);
+  return {base::markdownOf(table), jsonOf(study, options), {{"worlds.csv", base::csvOf(table)}}};
+}
+
+ExitCode run(WorldStudyOptions& options, const StudyArguments& arguments) {
+  checkStudyOutputs(arguments, "worlds", {}, {options.truth});
+  options.out = arguments.out;
+  return runStudy(
+      arguments, "worlds",
+      [&](base::Progress& progress) { return experiments::runWorldStudy(options, progress); },
+      [](const WorldStudy& study) { return !study.worlds.empty(); },
+      [&](const WorldStudy& study) { return reportOf(study, options); });
 }
 
 }  // namespace
 
 void addWorldStudy(CLI::App& study, ExitCode& exit) {
   auto options = std::make_shared<WorldStudyOptions>();
-  auto json = std::make_shared<std::string>();
+  auto arguments = std::make_shared<StudyArguments>();
   options->truth = base::resource("truth/laboratory.yaml");
   options->trajectory = base::resource("experiments/fls.yaml");
   options->software = experiments::software();
@@ -119,16 +105,12 @@ void addWorldStudy(CLI::App& study, ExitCode& exit) {
   command->add_option("--pixel-sigma", options->pixel_sigma, "noise of a marker's position [px]")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 10.0));
-  command->add_option("--threads", options->threads, "worlds at the same time")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 64));
-  command->add_option("--out", options->out, "folder that keeps finished worlds and the table");
-  command->add_option("--json", *json, "result as JSON, SI: a file, or - for standard output");
+  addStudyOptions(*command, *arguments, options->threads, "worlds");
   command->footer(
       "A world takes about half a minute of one core. Examples:\n"
       "  capstan-cli study worlds --out worlds          # goes on where it was stopped\n"
       "  capstan-cli study worlds --count 10 --duration 60");
-  command->callback([options, json, &exit] { exit = run(*options, *json); });
+  command->callback([options, arguments, &exit] { exit = run(*options, *arguments); });
 }
 
 }  // namespace capstan::cli

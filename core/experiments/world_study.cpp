@@ -6,10 +6,10 @@
 
 #include "core/base/yaml.h"
 #include "core/experiments/identify_trials.h"
+#include "core/experiments/kept_trials.h"
 #include "core/experiments/trial_setup.h"
-#include "core/experiments/trial_store.h"
-#include "core/experiments/workers.h"
 #include "core/simulation/simulation_request.h"
+#include "core/stats/proportion.h"
 #include "core/stats/quantile.h"
 
 namespace capstan::experiments {
@@ -19,7 +19,8 @@ using nlohmann::json;
 
 std::size_t at(Method method) { return method == Method::kDualUkf ? 0 : 1; }
 
-TrialSetup setUpWorld(const WorldStudyOptions& options, std::uint64_t seed) {
+TrialSetup setUpWorld(const WorldStudyOptions& options, const IdentificationSetup& identification,
+                      std::uint64_t seed) {
   TrialSetup setup;
   setup.spec.name = fmt::format("world {}", seed);
   setup.spec.duration = options.duration;
@@ -41,40 +42,27 @@ TrialSetup setUpWorld(const WorldStudyOptions& options, std::uint64_t seed) {
   setup.belief = beliefOf({}, {});
   setup.fingerprint = {{"software", options.software},
                        {"seed", seed},
-                       {"parameters", options.parameters},
+                       {"identification", identification.fingerprint},
+                       {"nominal robot", robot::formatDescription(simulated.robot)},
                        {"truth", setup.inputs.truth},
                        {"trajectory", setup.inputs.trajectory}};
   setup.simulated = std::move(simulated);
   return setup;
 }
 
-World worldOf(const IdentificationResult& result, std::uint64_t seed) {
-  World world;
-  world.seed = seed;
-  world.seconds = {result.dual_seconds, result.batch_seconds};
-  for (const IdentifiedParameter& parameter : result.parameters) {
-    WorldEstimate& one = world.parameters.emplace_back();
-    one.truth = parameter.truth;
-    for (std::size_t m = 0; m < 2; ++m) {
-      const ParameterEstimate& estimate = m == 0 ? parameter.dual_ukf : parameter.batch;
-      one.value[m] = estimate.value;
-      one.low[m] = estimate.low;
-      one.high[m] = estimate.high;
-      one.seen[m] = estimate.seen;
-    }
-  }
-  return world;
-}
-
-json jsonOf(const World& world) {
+json jsonOf(const IdentificationResult& result) {
   json parameters = json::array();
-  for (const WorldEstimate& one : world.parameters)
-    parameters.push_back({{"truth", one.truth},
-                          {"value", one.value},
-                          {"low", one.low},
-                          {"high", one.high},
-                          {"seen", one.seen}});
-  return {{"parameters", parameters}, {"seconds", world.seconds}};
+  for (const IdentifiedParameter& parameter : result.parameters) {
+    json one = {{"truth", parameter.truth}};
+    for (const ParameterEstimate* estimate : {&parameter.dual_ukf, &parameter.batch}) {
+      one["value"].push_back(numberOrNull(estimate->value));
+      one["low"].push_back(numberOrNull(estimate->low));
+      one["high"].push_back(numberOrNull(estimate->high));
+      one["seen"].push_back(estimate->seen);
+    }
+    parameters.push_back(std::move(one));
+  }
+  return {{"parameters", parameters}, {"seconds", {result.dual_seconds, result.batch_seconds}}};
 }
 
 World worldOf(const json& document, std::uint64_t seed) {
@@ -84,31 +72,52 @@ World worldOf(const json& document, std::uint64_t seed) {
   for (const json& parameter : document.at("parameters")) {
     WorldEstimate& one = world.parameters.emplace_back();
     parameter.at("truth").get_to(one.truth);
-    parameter.at("value").get_to(one.value);
-    parameter.at("low").get_to(one.low);
-    parameter.at("high").get_to(one.high);
     parameter.at("seen").get_to(one.seen);
+    for (std::size_t m = 0; m < 2; ++m) {
+      one.value[m] = numberOrNan(parameter.at("value").at(m));
+      one.low[m] = numberOrNan(parameter.at("low").at(m));
+      one.high[m] = numberOrNan(parameter.at("high").at(m));
+    }
   }
   return world;
 }
 
+std::string percent(double value) { return fmt::format("{:.0f}", 100.0 * value); }
+
 }  // namespace
+
+double Recovery::coverage() const {
+  return seen == 0 ? kNone : static_cast<double>(covered) / static_cast<double>(seen);
+}
+
+stats::Interval Recovery::coverageInterval() const {
+  return stats::clopperPearsonInterval(static_cast<std::uint64_t>(covered), static_cast<std::uint64_t>(seen));
+}
+
+Recovery::Verdict Recovery::verdict() const {
+  if (seen == 0) return Verdict::kUnseen;
+  const stats::Interval interval = coverageInterval();
+  if (interval.contains(kCoverageGoal)) return Verdict::kTooFew;
+  return interval.low > kCoverageGoal ? Verdict::kMet : Verdict::kMissed;
+}
 
 Recovery WorldStudy::recovery(std::size_t parameter, Method method) const {
   Recovery recovery;
-  std::vector<double> errors, widths;
+  std::vector<double> errors, sigmas;
   const std::size_t m = at(method);
   for (const World& world : worlds) {
     const WorldEstimate& one = world.parameters[parameter];
+    const int covered = one.low[m] <= one.truth && one.truth <= one.high[m] ? 1 : 0;
     ++recovery.worlds;
-    recovery.covered += one.low[m] <= one.truth && one.truth <= one.high[m] ? 1 : 0;
+    recovery.covered_of_all += covered;
     if (!one.seen[m]) continue;
     ++recovery.seen;
+    recovery.covered += covered;
     errors.push_back(std::abs(one.value[m] / one.truth - 1.0));
-    widths.push_back(0.5 * (one.high[m] - one.low[m]) / one.value[m]);
+    sigmas.push_back(std::log(one.high[m] / one.low[m]) / (2.0 * stats::kNormal95));
   }
   recovery.median_error = stats::median(errors);
-  recovery.median_half_width = stats::median(widths);
+  recovery.median_sigma = stats::median(sigmas);
   return recovery;
 }
 
@@ -118,35 +127,55 @@ WorldStudy runWorldStudy(const WorldStudyOptions& options, base::Progress& progr
   specification.identification.parameters = options.parameters;
   const robot::Description nominal = simulation::optionsOf({}).robot;
   const IdentificationSetup setup = setUpIdentification(specification, nominal);
-  const identification::ParameterSet set(nominal, options.parameters);
+  const identification::ParameterSet set(nominal, options.parameters, setup.options.parameters);
   for (const auto& parameter : set.all()) study.names.push_back(parameter.name());
 
-  const TrialStore store(options.out.empty() ? options.out : options.out / "worlds");
-  const auto count = static_cast<std::size_t>(options.worlds);
-  std::vector<std::optional<World>> worlds(count);
-  std::vector<Job> jobs;
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::uint64_t seed = options.seed + k;
-    const TrialSetup trial = setUpWorld(options, seed);
-    std::string notice;
-    const auto kept = store.find(trial.spec.name, trial.fingerprint, notice);
-    if (!notice.empty()) study.notices.push_back(notice);
-    if (kept) {
-      worlds[k] = worldOf(*kept, seed);
-      continue;
-    }
-    jobs.push_back({trial.spec.name, 1.0, [trial, seed, k, &worlds, &store, &setup](base::Progress& own) {
-                      const IdentificationResult result = identifyTrials({trial}, setup, 1, {own});
-                      if (own.cancelled()) return;
-                      worlds[k] = worldOf(result, seed);
-                      store.keep(trial.spec.name, trial.fingerprint, jsonOf(*worlds[k]));
-                    }});
+  std::vector<KeptTrial> trials;
+  for (std::uint64_t seed = options.seed; trials.size() < static_cast<std::size_t>(options.worlds); ++seed) {
+    const TrialSetup world = setUpWorld(options, setup, seed);
+    trials.push_back({world.spec.name, world.fingerprint, [world, &setup](base::Progress& own) {
+                        return jsonOf(identifyTrials({world}, setup, 1, {own}));
+                      }});
   }
-  doAll(jobs, options.threads, {progress});
-  study.cancelled = progress.cancelled();
-  for (std::optional<World>& world : worlds)
-    if (world) study.worlds.push_back(std::move(*world));
+  const TrialStore store(options.out.empty() ? options.out : options.out / "worlds");
+  KeptResults kept = runKept(trials, store, options.threads, progress);
+  study.notices = std::move(kept.notices);
+  study.cancelled = kept.cancelled;
+  for (std::size_t k = 0; k < kept.results.size(); ++k)
+    if (!kept.results[k].is_null()) study.worlds.push_back(worldOf(kept.results[k], options.seed + k));
   return study;
+}
+
+base::Table recoveriesOf(const WorldStudy& study, const WorldStudyOptions& options) {
+  base::Table table;
+  table.title = fmt::format("Known truth recovered in {} worlds, {:g} s of block transfer each",
+                            study.worlds.size(), options.duration);
+  table.columns = {{"parameter", {}, 0},   {"method", {}, 0},        {"seen in", {}, 0},
+                   {"inside 95 %", {}, 0}, {"coverage", {}, 0},      {"95 %", {}, 0},
+                   {"goal 90 %", {}, 0},   {"median error", "%", 3}, {"median sigma", "%", 3}};
+  for (std::size_t i = 0; i < study.names.size(); ++i)
+    for (const Method method : {Method::kDualUkf, Method::kBatch}) {
+      const Recovery r = study.recovery(i, method);
+      std::vector<base::TableCell> row = {study.names[i], method == Method::kDualUkf ? "dual UKF" : "batch",
+                                          fmt::format("{} of {}", r.seen, r.worlds)};
+      if (r.seen > 0) {
+        const stats::Interval interval = r.coverageInterval();
+        row.emplace_back(fmt::format("{} of {}", r.covered, r.seen));
+        row.emplace_back(percent(r.coverage()) + " %");
+        row.emplace_back(percent(interval.low) + "–" + percent(interval.high) + " %");
+      } else {
+        row.insert(row.end(), 3, base::TableCell("–"));
+      }
+      row.emplace_back(std::string(base::nameOf(r.verdict())));
+      row.emplace_back(100.0 * r.median_error);
+      row.emplace_back(100.0 * r.median_sigma);
+      table.rows.push_back(std::move(row));
+    }
+  table.note =
+      "Simulated robots. Seen: the recording at least halved what was unknown before; all that stands behind "
+      "it is of those worlds, so that a prior that holds the truth does not count. 95 %: Clopper and "
+      "Pearson's interval of the coverage; too few: it spans the goal. Sigma: as stated, median.";
+  return table;
 }
 
 }  // namespace capstan::experiments

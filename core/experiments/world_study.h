@@ -6,9 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "core/base/names.h"
 #include "core/base/progress.h"
+#include "core/base/table.h"
+#include "core/experiments/software.h"
 #include "core/experiments/specification.h"
 #include "core/experiments/world.h"
+#include "core/stats/interval.h"
 
 namespace capstan::experiments {
 
@@ -24,9 +28,11 @@ struct WorldStudyOptions {
   std::string truth;       ///< file that worlds are drawn around
   std::string trajectory;  ///< as simulation::SimulationRequest::trajectory
   WorldSpread spread;
-  int threads = 2;            ///< worlds at the same time; the result does not depend on it
-  std::filesystem::path out;  ///< finished worlds are kept here and not run again; empty: nowhere
-  std::string software;       ///< program and version
+  int threads = 2;  ///< worlds at the same time; the result does not depend on it
+  /// Finished worlds are kept here, and not run again unless program, options or robot changed; empty:
+  /// nowhere
+  std::filesystem::path out;
+  std::string software = experiments::software();  ///< the program, which a kept world must come from
 };
 
 /// One parameter of one world, SI.
@@ -42,14 +48,28 @@ struct World {
   std::array<double, 2> seconds{};        ///< of computing: dual UKF, batch
 };
 
-/// How one method did on one parameter.
+/// How one method did on one parameter, over the worlds whose recording showed it: in the others the interval
+/// is the prior's, and that it holds the truth says nothing about the method.
 struct Recovery {
+  /// Decided by Clopper and Pearson's 95 % interval of the coverage, against kCoverageGoal.
+  enum class Verdict { kUnseen, kTooFew, kMet, kMissed };
+
   int worlds = 0;
-  int covered = 0;                 ///< truth inside the 95 % interval that was stated
-  int seen = 0;                    ///< the recording at least halved the prior's sigma
-  double median_error = 0.0;       ///< of |value / truth − 1| where seen; NaN: nowhere
-  double median_half_width = 0.0;  ///< of the interval by the value, where seen
+  int seen = 0;     ///< worlds in which the recording at least halved the prior's sigma
+  int covered = 0;  ///< of those: truth inside the 95 % interval that was stated
+  int covered_of_all = 0;
+  double median_error = 0.0;  ///< of |value / truth − 1| where seen; NaN: nowhere
+  double median_sigma = 0.0;  ///< stated, of the logarithm, where seen; NaN: nowhere
+
+  /// covered / seen; NaN: nowhere seen.
+  double coverage() const;
+  /// Of coverage(), 95 %, Clopper and Pearson's; throws base::InputError where it was seen nowhere.
+  stats::Interval coverageInterval() const;
+  /// Too few worlds were seen while the interval spans the goal.
+  Verdict verdict() const;
 };
+
+inline constexpr double kCoverageGoal = 0.9;
 
 struct WorldStudy {
   std::vector<std::string> names;  ///< r_l1, k_e2, …
@@ -64,4 +84,14 @@ struct WorldStudy {
 /// are unusable.
 WorldStudy runWorldStudy(const WorldStudyOptions& options, base::Progress& progress);
 
+/// A row a parameter and method.
+base::Table recoveriesOf(const WorldStudy& study, const WorldStudyOptions& options);
+
 }  // namespace capstan::experiments
+
+template <>
+struct capstan::base::NamesOf<capstan::experiments::Recovery::Verdict> {
+  using V = capstan::experiments::Recovery::Verdict;
+  static constexpr std::array value = {std::pair{V::kUnseen, "–"}, std::pair{V::kTooFew, "too few"},
+                                       std::pair{V::kMet, "met"}, std::pair{V::kMissed, "not met"}};
+};

@@ -1,13 +1,16 @@
 // Drawn worlds and their study: draws, coverage counted by hand, resumption.
 #include "core/experiments/world_study.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
 #include "core/base/resource.h"
+#include "core/base/yaml.h"
 
 namespace capstan::experiments {
 namespace {
@@ -55,25 +58,70 @@ TEST(Worlds, NoSpreadIsTheCentreAndARadiusLeftOpenIsNominal) {
   EXPECT_EQ(world.cameras.stamp_delay, 0.0);
 }
 
-TEST(Worlds, RecoveryIsCountedOverWorlds) {
+/// Worlds of one parameter of truth 1 whose intervals are value ± half, seen as said, by both methods.
+struct Told {
+  double value, half;
+  bool seen;
+};
+WorldStudy studyOf(const std::vector<Told>& all) {
   WorldStudy study;
   study.names = {"r_l1"};
-  for (const double value : {1.01, 0.98, 1.2, 1.0}) {
+  for (const auto& [value, half, seen] : all) {
     WorldEstimate one;
     one.truth = 1.0;
-    one.value = {value, value};
-    one.low = {value - 0.05, value - 0.001};
-    one.high = {value + 0.05, value + 0.001};
-    one.seen = {true, value < 1.1};
+    one.value.fill(value);
+    one.low.fill(value - half);
+    one.high.fill(value + half);
+    one.seen.fill(seen);
     study.worlds.push_back({.seed = 0, .parameters = {one}, .seconds = {}});
   }
-  const Recovery dual = study.recovery(0, Method::kDualUkf), batch = study.recovery(0, Method::kBatch);
-  EXPECT_EQ(dual.covered, 3);
-  EXPECT_EQ(dual.seen, 4);
-  EXPECT_NEAR(dual.median_error, 0.015, 1e-12);
-  EXPECT_EQ(batch.covered, 1);
-  EXPECT_EQ(batch.seen, 3);
-  EXPECT_NEAR(batch.median_error, 0.01, 1e-12);
+  return study;
+}
+
+TEST(Worlds, OnlyWorldsThatShowTheParameterCount) {
+  const WorldStudy study = studyOf(
+      {{1.01, 0.05, true}, {0.98, 0.001, true}, {1.2, 0.05, true}, {1.0, 0.9, false}, {1.3, 0.9, false}});
+  const Recovery r = study.recovery(0, Method::kBatch);
+  EXPECT_EQ(r.worlds, 5);
+  EXPECT_EQ(r.seen, 3);
+  EXPECT_EQ(r.covered, 1) << "the two priors hold the truth, and say nothing";
+  EXPECT_EQ(r.covered_of_all, 3);
+  EXPECT_NEAR(r.coverage(), 1.0 / 3.0, 1e-12);
+  EXPECT_NEAR(r.median_error, 0.02, 1e-12);
+  // of ln(high / low) / 3.92: 0.0253, 0.00052, 0.0213
+  EXPECT_NEAR(r.median_sigma, std::log(1.25 / 1.15) / 3.919928, 1e-6);
+}
+
+/// scipy.stats.beta.ppf, 95 %: 99 of 100 from 0.9455, 95 of 100 from 0.8872, 29 of 30 from 0.8278, 20 of 30
+/// to 0.8271.
+TEST(Worlds, TheGoalIsDecidedByTheIntervalOfTheCoverage) {
+  const auto verdictOf = [](int hits, int of, int unseen) {
+    std::vector<Told> all(static_cast<std::size_t>(hits), {1.0, 0.1, true});
+    all.resize(static_cast<std::size_t>(of), {2.0, 0.1, true});
+    all.resize(static_cast<std::size_t>(of + unseen), {1.0, 0.9, false});
+    return studyOf(all).recovery(0, Method::kDualUkf).verdict();
+  };
+  using Verdict = Recovery::Verdict;
+  EXPECT_EQ(verdictOf(99, 100, 0), Verdict::kMet);
+  EXPECT_EQ(verdictOf(95, 100, 0), Verdict::kTooFew);
+  EXPECT_EQ(verdictOf(29, 30, 70), Verdict::kTooFew) << "99 of 100 intervals hold the truth, 70 say nothing";
+  EXPECT_EQ(verdictOf(20, 30, 70), Verdict::kMissed);
+  EXPECT_EQ(verdictOf(0, 0, 100), Verdict::kUnseen);
+}
+
+TEST(Worlds, TheTableSaysWhatWasSeenNowhere) {
+  WorldStudyOptions options;
+  const auto rowOf = [&](const std::vector<Told>& all) {
+    const base::Table table = recoveriesOf(studyOf(all), options);
+    EXPECT_EQ(table.rows.size(), 2U);
+    std::string row;
+    for (std::size_t i = 0; i < table.columns.size(); ++i)
+      row += base::cellText(table.rows[0][i], table.columns[i]) + "|";
+    return row;
+  };
+  EXPECT_EQ(rowOf({{1.0, 0.9, false}}), "r_l1|dual UKF|0 of 1|–|–|–|–|–|–|");
+  EXPECT_EQ(rowOf({{1.0, 0.9, false}, {1.01, 0.05, true}}),
+            "r_l1|dual UKF|1 of 2|1 of 1|100 %|2–100 %|too few|1.000|2.527|");
 }
 
 TEST(Worlds, AStudyGoesOnWhereItWasStoppedAndFindsThePulley) {
@@ -94,6 +142,32 @@ TEST(Worlds, AStudyGoesOnWhereItWasStoppedAndFindsThePulley) {
     const WorldEstimate& radius = world.parameters.at(0);
     EXPECT_NE(radius.truth, 0.063095);
     for (const double value : radius.value) EXPECT_NEAR(value / radius.truth, 1.0, 0.01);
+  }
+  fs::remove_all(folder);
+}
+
+TEST(Worlds, AWorldOfAnotherProgramIsRunAgain) {
+  const fs::path folder = fs::path(testing::TempDir()) / "capstan_worlds_again";
+  fs::remove_all(folder);
+  WorldStudyOptions options = shortStudy();
+  options.out = folder;
+  options.worlds = 1;
+  options.duration = 20.0;
+  base::Progress first;
+  EXPECT_TRUE(runWorldStudy(options, first).notices.empty());
+  const fs::path file = folder / "worlds" / "world-5.json";
+  const auto document = nlohmann::json::parse(base::readTextFile(file));
+  EXPECT_THAT(document.at("fingerprint").at("software"), testing::StartsWith("capstan "));
+  for (const char* part : {"software", "identification", "nominal robot"}) {
+    auto other = document;
+    other["fingerprint"][part] = "another";
+    base::writeTextFile(file, other.dump());
+    base::Progress again;
+    const WorldStudy study = runWorldStudy(options, again);
+    ASSERT_EQ(study.notices.size(), 1U) << part;
+    EXPECT_THAT(study.notices[0], testing::HasSubstr(part));
+    EXPECT_THAT(study.notices[0], testing::HasSubstr("world-5.json"));
+    EXPECT_EQ(nlohmann::json::parse(base::readTextFile(file)).at("fingerprint"), document.at("fingerprint"));
   }
   fs::remove_all(folder);
 }
