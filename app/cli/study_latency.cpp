@@ -3,8 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "app/cli/console.h"
-#include "app/cli/outputs.h"
+#include "app/cli/study_frame.h"
 #include "core/base/table.h"
 #include "core/experiments/latency_study.h"
 
@@ -36,30 +35,28 @@ nlohmann::json jsonOf(const LatencyStudy& study, const LatencyStudyOptions& opti
           {"trials", trials}};
 }
 
-ExitCode run(const LatencyStudyOptions& options, const std::string& json) {
-  checkOutputs({{"--json", json}}, {});
-  const Output output(json);
-  base::Progress progress;
-  LatencyStudy study;
-  {
-    const ProgressLine line(progress);
-    study = experiments::runLatencyStudy(options, progress);
-  }
-  if (study.cancelled) {
-    notice("cancelled");
-    return kFailed;
-  }
-  output.text(base::markdownOf(experiments::estimatesOf(study, options)) + "\n" +
-              base::markdownOf(experiments::gainOf(study, options)));
-  output.json(jsonOf(study, options));
-  return kOk;
+ExitCode run(LatencyStudyOptions& options, const StudyArguments& arguments) {
+  checkStudyOutputs(arguments, "latency", {}, {options.truth});
+  if (!arguments.out.empty()) options.out = std::filesystem::path(arguments.out) / "recordings";
+  return runStudy(
+      arguments, "latency",
+      [&](base::Progress& progress) { return experiments::runLatencyStudy(options, progress); },
+      [](const LatencyStudy&) { return false; },
+      [&](const LatencyStudy& study) {
+        const base::Table estimates = experiments::estimatesOf(study, options),
+                          gain = experiments::gainOf(study, options);
+        return StudyReport{
+            base::markdownOf(estimates) + "\n" + base::markdownOf(gain),
+            jsonOf(study, options),
+            {{"latency-estimates.csv", base::csvOf(estimates)}, {"latency-errors.csv", base::csvOf(gain)}}};
+      });
 }
 
 }  // namespace
 
 void addLatencyStudy(CLI::App& study, ExitCode& exit) {
   auto options = std::make_shared<LatencyStudyOptions>();
-  auto json = std::make_shared<std::string>();
+  auto arguments = std::make_shared<StudyArguments>();
   CLI::App* command =
       study.add_subcommand("latency", "The camera's clock delay, estimated and used, against its truth");
   command->add_option("--delays", options->delays, "true delays of the stamps [s]")
@@ -75,15 +72,15 @@ void addLatencyStudy(CLI::App& study, ExitCode& exit) {
   command->add_option("--truth", options->truth, "default, matched, or a truth file")->capture_default_str();
   command->add_option("--parameters", options->parameters, "identified beside the delay, as in identify")
       ->capture_default_str();
-  command->add_option("--threads", options->threads, "recordings at the same time")
+  command->add_option("--prior-sigma", options->prior_sigma, "prior of the delay about zero [s]")
       ->capture_default_str()
-      ->check(CLI::Range(1, 64));
-  command->add_option("--json", *json, "result as JSON, SI: a file, or - for standard output");
+      ->check(CLI::Range(1e-4, 1.0));
+  addStudyOptions(*command, *arguments, options->threads, "recordings");
   command->footer(
       "Examples:\n"
       "  capstan-cli study latency\n"
       "  capstan-cli study latency --delays 0.03 --seeds 10 --json latency.json");
-  command->callback([options, json, &exit] { exit = run(*options, *json); });
+  command->callback([options, arguments, &exit] { exit = run(*options, *arguments); });
 }
 
 }  // namespace capstan::cli

@@ -4,8 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "app/cli/console.h"
-#include "app/cli/outputs.h"
+#include "app/cli/study_frame.h"
 #include "core/base/table.h"
 #include "core/base/yaml.h"
 #include "core/experiments/motor_failure_study.h"
@@ -15,6 +14,21 @@ namespace {
 
 using experiments::MotorFailureStudy;
 using experiments::MotorFailureStudyOptions;
+using experiments::NormalError;
+
+/// Beside each normal error: how long the failed joints stay within twice of it.
+nlohmann::json normalsOf(const experiments::MotorFailureResult& cell) {
+  nlohmann::json all;
+  for (const auto& [normal, name] : base::NamesOf<NormalError>::value) {
+    const experiments::Endurance& endurance = cell.endurance(normal);
+    all[std::string(name)] = {{"rms", toJson(cell.normal(normal))},
+                              {"held", endurance.held},
+                              {"share", endurance.share},
+                              {"whole", endurance.whole},
+                              {"ratio", cell.ratio(normal)}};
+  }
+  return all;
+}
 
 nlohmann::json jsonOf(const MotorFailureStudy& study, const MotorFailureStudyOptions& options) {
   nlohmann::json cells = nlohmann::json::array();
@@ -22,13 +36,9 @@ nlohmann::json jsonOf(const MotorFailureStudy& study, const MotorFailureStudyOpt
     cells.push_back({{"motor", cell.motor == 3 ? nlohmann::json("all") : nlohmann::json(cell.motor + 1)},
                      {"speed", cell.speed},
                      {"occlusion", cell.occlusion},
-                     {"held", cell.held},
-                     {"share", cell.share},
-                     {"whole", cell.whole},
                      {"found", std::isnan(cell.found) ? nlohmann::json() : nlohmann::json(cell.found)},
-                     {"normal_rms", toJson(cell.normal_rms)},
                      {"failed_rms", toJson(cell.failed_rms)},
-                     {"ratio", cell.ratio()},
+                     {"normal", normalsOf(cell)},
                      {"nees", cell.nees}});
   return {{"fault", base::nameOf(options.fault)},
           {"duration", options.duration},
@@ -41,23 +51,26 @@ nlohmann::json jsonOf(const MotorFailureStudy& study, const MotorFailureStudyOpt
           {"cells", cells}};
 }
 
-ExitCode run(const MotorFailureStudyOptions& options, const std::string& csv, const std::string& json) {
-  checkOutputs({{"--csv", csv}, {"--json", json}}, {});
-  const Output output(json);
-  base::Progress progress;
-  MotorFailureStudy study;
-  {
-    const ProgressLine line(progress);
-    study = experiments::runMotorFailureStudy(options, progress);
-  }
-  if (study.cancelled) {
-    notice("cancelled");
-    return kFailed;
-  }
-  output.text(base::markdownOf(experiments::mapOf(study, options)));
-  output.json(jsonOf(study, options));
-  if (!csv.empty()) base::writeTextFile(csv, base::csvOf(experiments::detailsOf(study, options)));
-  return kOk;
+ExitCode run(MotorFailureStudyOptions& options, const std::string& csv, const StudyArguments& arguments) {
+  checkStudyOutputs(arguments, "motor-failure", {{"--csv", csv}}, {options.truth});
+  if (!arguments.out.empty()) options.out = std::filesystem::path(arguments.out) / "trials";
+  return runStudy(
+      arguments, "motor-failure",
+      [&](base::Progress& progress) { return experiments::runMotorFailureStudy(options, progress); },
+      [](const MotorFailureStudy&) { return false; },
+      [&](const MotorFailureStudy& study) {
+        StudyReport report;
+        for (const NormalError normal : {NormalError::kOwn, NormalError::kNominal}) {
+          if (normal == NormalError::kNominal && !options.true_radii) continue;  // the same
+          report.text += (report.text.empty() ? "" : "\n") +
+                         base::markdownOf(experiments::mapOf(study, options, normal));
+        }
+        const std::string details = base::csvOf(experiments::detailsOf(study, options));
+        if (!csv.empty()) base::writeTextFile(csv, details);
+        report.json = jsonOf(study, options);
+        report.files = {{"motor-failure.csv", details}};
+        return report;
+      });
 }
 
 }  // namespace
@@ -65,7 +78,8 @@ ExitCode run(const MotorFailureStudyOptions& options, const std::string& csv, co
 void addMotorFailureStudy(CLI::App& study, ExitCode& exit) {
   auto options = std::make_shared<MotorFailureStudyOptions>();
   auto fault = std::make_shared<std::string>("lost");
-  auto csv = std::make_shared<std::string>(), json = std::make_shared<std::string>();
+  auto csv = std::make_shared<std::string>();
+  auto arguments = std::make_shared<StudyArguments>();
   CLI::App* command = study.add_subcommand(
       "motor-failure", "How long joints without motor encoder are known from the camera alone");
   command->add_option("--duration", options->duration, "of each trial, from the failure on [s]")
@@ -90,19 +104,17 @@ void addMotorFailureStudy(CLI::App& study, ExitCode& exit) {
       "--nominal-radii", [options] { options->true_radii = false; },
       "the filter knows the nominal pulleys, not the true ones");
   command->add_flag("--images", options->images, "render pictures (slow) instead of tip positions");
-  command->add_option("--threads", options->threads, "trials at the same time")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 64));
   command->add_option("--csv", *csv, "every number of every cell, as CSV");
-  command->add_option("--json", *json, "result as JSON, SI: a file, or - for standard output");
+  addStudyOptions(*command, *arguments, options->threads, "trials");
   command->footer(
       "Examples:\n"
-      "  capstan-cli study motor-failure                          # the whole map\n"
+      "  capstan-cli study motor-failure --out failures           # the whole map; goes on where it was "
+      "stopped\n"
       "  capstan-cli study motor-failure --fault frozen --csv map.csv\n"
       "  capstan-cli study motor-failure --images --seeds 1 --speeds 1 --occlusions 20");
-  command->callback([options, fault, csv, json, &exit] {
+  command->callback([options, fault, csv, arguments, &exit] {
     options->fault = *fault == "lost" ? tracking::MotorFault::kLost : tracking::MotorFault::kFrozen;
-    exit = run(*options, *csv, *json);
+    exit = run(*options, *csv, *arguments);
   });
 }
 

@@ -4,13 +4,13 @@
 
 #include <cmath>
 
-#include "core/base/units.h"
 #include "core/base/yaml.h"
-#include "core/experiments/workers.h"
-#include "core/identification/batch.h"
-#include "core/identification/dual_ukf.h"
+#include "core/experiments/kept_trials.h"
+#include "core/experiments/tables.h"
+#include "core/identification/delay_passes.h"
 #include "core/identification/identification_data.h"
 #include "core/simulation/simulation_request.h"
+#include "core/stats/interval.h"
 #include "core/tracking/make_pipeline.h"
 #include "core/tracking/track_all.h"
 
@@ -18,6 +18,7 @@ namespace capstan::experiments {
 namespace {
 
 using Eigen::Vector3d;
+using nlohmann::json;
 
 /// Samples in memory, as often as wanted.
 struct Replay {
@@ -33,11 +34,7 @@ struct Replay {
   }
 };
 
-LatencyTrial runTrial(const LatencyStudyOptions& options, double delay, std::uint64_t seed,
-                      base::Progress& progress) {
-  LatencyTrial trial;
-  trial.truth = delay;
-  trial.seed = seed;
+simulation::SimulatedOptions lateRobot(const LatencyStudyOptions& options, double delay, std::uint64_t seed) {
   simulation::SimulationRequest request;
   request.truth = options.truth;
   request.duration = options.duration;
@@ -46,6 +43,13 @@ LatencyTrial runTrial(const LatencyStudyOptions& options, double delay, std::uin
   simulation::SimulatedOptions simulated = simulation::optionsOf(request);
   simulated.truth.cameras.stamp_delay = delay;
   simulated.joint_decimation = 10;
+  return simulated;
+}
+
+LatencyTrial runTrial(const LatencyStudyOptions& options, const simulation::SimulatedOptions& simulated,
+                      base::Progress& progress) {
+  LatencyTrial trial;
+  const double delay = trial.truth = simulated.truth.cameras.stamp_delay;
   simulation::SimulatedSource source(simulated);
   session::SourceInfo info = source.info();
   std::vector<tracking::Sample> samples;
@@ -54,22 +58,15 @@ LatencyTrial runTrial(const LatencyStudyOptions& options, double delay, std::uin
   const identification::ParameterSet set(info.robot, options.parameters);
   identification::CameraPoseOptions camera;
   camera.delay_sigma = options.prior_sigma;
-  identification::DualUkfReport dual;
-  identification::BatchReport batch;
-  for (int pass = 0; pass < 2; ++pass) {  // the delay acts to first order only: again from where it led
-    tracking::TrackingOptions tracking;
-    tracking.camera_delay = trial.delay[1];
-    info.tracking = base::writeYaml(tracking);
-    Replay recording{info, samples};
-    const auto data = identification::collect(recording, &progress);
-    dual = identification::identifyDualUkf(data, set, {.camera = camera}, &progress);
-    identification::BatchOptions batch_options{.camera = camera, .shooting = {.threads = 1}};
-    for (const auto& estimate : dual.estimates) batch_options.start.push_back(estimate.log);
-    batch = identification::identifyBatch(data, set, batch_options, &progress);
-    if (progress.cancelled()) return trial;
-    trial.delay = {tracking.camera_delay + dual.camera.delay, tracking.camera_delay + batch.camera.delay};
-    trial.sigma = {dual.camera_sigma.delay, batch.camera_sigma.delay};
-  }
+  Replay recording{info, samples};
+  const auto data = identification::collect(recording, &progress);
+  const auto dual = identification::identifyDualUkfInPasses(data, set, {.camera = camera}, &progress);
+  identification::BatchOptions batch_options{.camera = camera, .shooting = {.threads = 1}};
+  for (const auto& estimate : dual.estimates) batch_options.start.push_back(estimate.log);
+  const auto batch = identification::identifyBatchInPasses(data, set, batch_options, &progress);
+  if (progress.cancelled()) return trial;
+  trial.delay = {dual.camera.delay, batch.camera.delay};
+  trial.sigma = {dual.camera_sigma.delay, batch.camera_sigma.delay};
 
   info.robot = identification::identifiedRobot(set, batch.estimates);
   const std::array<double, 3> corrections = {0.0, trial.delay[1], delay};
@@ -88,6 +85,26 @@ LatencyTrial runTrial(const LatencyStudyOptions& options, double delay, std::uin
   return trial;
 }
 
+json jsonOf(const LatencyTrial& trial) {
+  json rms = json::array();
+  for (const auto& what : trial.rms)
+    for (const Vector3d& of : what) rms.push_back({of(0), of(1), of(2)});
+  return {{"truth", trial.truth}, {"delay", trial.delay}, {"sigma", trial.sigma}, {"rms", rms}};
+}
+
+LatencyTrial trialOf(const json& document, std::uint64_t seed) {
+  LatencyTrial trial;
+  trial.seed = seed;
+  document.at("truth").get_to(trial.truth);
+  document.at("delay").get_to(trial.delay);
+  document.at("sigma").get_to(trial.sigma);
+  for (std::size_t i = 0; i < 9; ++i)
+    for (int joint = 0; joint < 3; ++joint)
+      trial.rms[i / 3][i % 3](joint) =
+          numberOrNan(document.at("rms").at(i).at(static_cast<std::size_t>(joint)));
+  return trial;
+}
+
 /// Trials by delay, in the order of the options.
 std::vector<std::vector<LatencyTrial>> byDelay(const LatencyStudy& study) {
   std::vector<std::vector<LatencyTrial>> groups;
@@ -102,23 +119,35 @@ std::vector<std::vector<LatencyTrial>> byDelay(const LatencyStudy& study) {
 
 bool LatencyTrial::covered(Method method) const {
   const auto at = static_cast<std::size_t>(method);
-  return std::abs(delay[at] - truth) <= 1.959964 * sigma[at];
+  return std::abs(delay[at] - truth) <= stats::kNormal95 * sigma[at];
 }
 
 LatencyStudy runLatencyStudy(const LatencyStudyOptions& options, base::Progress& progress) {
-  const auto seeds = static_cast<std::size_t>(options.seeds);
+  const auto seeds = static_cast<std::uint64_t>(options.seeds);
+  std::vector<KeptTrial> trials;
+  for (const double delay : options.delays)
+    for (std::uint64_t seed = options.seed; seed < options.seed + seeds; ++seed) {
+      const simulation::SimulatedOptions robot = lateRobot(options, delay, seed);
+      const json fingerprint = {{"software", options.software},
+                                {"seed", seed},
+                                {"parameters", options.parameters},
+                                {"prior of the delay", options.prior_sigma},
+                                {"nominal robot", robot::formatDescription(robot.robot)},
+                                {"truth", simulation::formatTruth(robot.truth)},
+                                {"trajectory", base::writeYaml(robot.trajectory)}};
+      trials.push_back({fmt::format("stamps {:g} ms {}, seed {}", 1e3 * std::abs(delay),
+                                    delay < 0.0 ? "early" : "late", seed),
+                        fingerprint, [&options, robot](base::Progress& own) {
+                          return jsonOf(runTrial(options, robot, own));
+                        }});
+    }
   LatencyStudy study;
-  study.trials.resize(options.delays.size() * seeds);
-  std::vector<Job> jobs;
-  for (std::size_t i = 0; i < study.trials.size(); ++i)
-    jobs.push_back({fmt::format("stamps {:+g} ms late", 1e3 * options.delays[i / seeds]), 1.0,
-                    [&, i](base::Progress& own) {
-                      study.trials[i] =
-                          runTrial(options, options.delays[i / seeds], options.seed + i % seeds, own);
-                    }});
-  doAll(jobs, options.threads, {progress});
-  study.cancelled = progress.cancelled();
-  if (study.cancelled) study.trials.clear();
+  KeptResults kept = runKept(trials, TrialStore(options.out), options.threads, progress);
+  study.notices = std::move(kept.notices);
+  study.cancelled = kept.cancelled;
+  if (study.cancelled) return study;
+  for (std::size_t i = 0; i < kept.results.size(); ++i)
+    study.trials.push_back(trialOf(kept.results[i], options.seed + i % seeds));
   return study;
 }
 
@@ -146,8 +175,9 @@ base::Table estimatesOf(const LatencyStudy& study, const LatencyStudyOptions& op
   }
   table.note = fmt::format(
       "Simulated block transfers of {:g} s ({} truth), means over {} seed{}; nothing but motors and cameras "
-      "is "
-      "used; prior of the delay: 0 ± {:g} ms.",
+      "is used. Prior of the delay: 0 ± {:g} ms; each method goes on from the delay that it found itself "
+      "where "
+      "that is long.",
       options.duration, options.truth, options.seeds, options.seeds == 1 ? "" : "s",
       1e3 * options.prior_sigma);
   return table;
@@ -169,8 +199,7 @@ base::Table gainOf(const LatencyStudy& study, const LatencyStudyOptions&) {
         for (const LatencyTrial& trial : group)
           square += trial.rms[what][i].cwiseAbs2() / static_cast<double>(group.size());
         const Vector3d rms = square.cwiseSqrt();
-        for (int joint = 0; joint < 3; ++joint)
-          row.emplace_back(joint == 2 ? base::toMillimetres(rms(joint)) : base::toDegrees(rms(joint)));
+        for (int joint = 0; joint < 3; ++joint) row.emplace_back(forPeople(rms(joint), joint));
       }
       table.rows.push_back(std::move(row));
     }

@@ -8,9 +8,10 @@
 #include <limits>
 
 #include "core/base/units.h"
+#include "core/experiments/kept_trials.h"
 #include "core/experiments/paced_transfer.h"
+#include "core/experiments/tables.h"
 #include "core/experiments/true_radii.h"
-#include "core/experiments/workers.h"
 #include "core/session/blocking.h"
 #include "core/session/motor_failures.h"
 #include "core/simulation/simulation_request.h"
@@ -21,6 +22,7 @@ namespace capstan::experiments {
 namespace {
 
 using Eigen::Vector3d;
+using nlohmann::json;
 using tracking::MotorFault;
 
 constexpr int kCases = 4;        // motor 1, 2, 3, all
@@ -66,8 +68,8 @@ std::vector<session::MotorFailure> failuresOf(int which, const MotorFailureStudy
   return failures;
 }
 
-/// Time and share within kFactor of the normal RMS, over a sliding window.
-void judge(const Run& run, double failure, double end, MotorFailureResult& result) {
+/// Time and share of `motor`'s joints within kFactor of the RMS `normal`, over a sliding window.
+Endurance judge(const Run& run, double failure, double end, int motor, const Vector3d& normal) {
   Vector3d sum = Vector3d::Zero();
   std::size_t oldest = 0;
   std::uint64_t within = 0, all = 0;
@@ -79,25 +81,28 @@ void judge(const Run& run, double failure, double end, MotorFailureResult& resul
     const Vector3d rms = (sum / static_cast<double>(i - oldest + 1)).cwiseMax(0.0).cwiseSqrt();
     bool exceeded = false;
     for (int joint = 0; joint < 3; ++joint)
-      exceeded |= concerns(result.motor, joint) && rms(joint) > kFactor * result.normal_rms(joint);
+      exceeded |= concerns(motor, joint) && rms(joint) > kFactor * normal(joint);
     if (exceeded && std::isnan(first)) first = run.t[i] - failure;
     within += exceeded ? 0 : 1;
     ++all;
   }
-  result.whole = std::isnan(first) ? 1 : 0;
-  result.held = std::isnan(first) ? end - failure : first;
-  result.share = all == 0 ? kNan : static_cast<double>(within) / static_cast<double>(all);
+  return {.held = std::isnan(first) ? end - failure : first,
+          .share = all == 0 ? kNan : static_cast<double>(within) / static_cast<double>(all),
+          .whole = std::isnan(first) ? 1 : 0};
 }
 
 using TrialResults = std::array<MotorFailureResult, kCases>;
 
-TrialResults runTrial(const MotorFailureStudyOptions& options, double speed, double occlusion,
-                      std::uint64_t seed, base::Progress& progress) {
+simulation::SimulatedOptions robotOf(const MotorFailureStudyOptions& options, std::uint64_t seed) {
   simulation::SimulationRequest request;
   request.truth = options.truth;
   request.seed = seed;
   request.images = options.images;
-  simulation::SimulatedOptions simulated = simulation::optionsOf(request);
+  return simulation::optionsOf(request);
+}
+
+TrialResults runTrial(const MotorFailureStudyOptions& options, simulation::SimulatedOptions simulated,
+                      double speed, double occlusion, std::uint64_t seed, base::Progress& progress) {
   const double length = options.warm_up + options.duration;
   const PacedTransfer path(simulated.robot, speed, length, seed);
   simulated.trajectory.kind = simulation::TrajectoryKind::kRecorded;
@@ -105,12 +110,14 @@ TrialResults runTrial(const MotorFailureStudyOptions& options, double speed, dou
   simulated.joint_decimation = 10;
   simulation::SimulatedSource source(simulated);
   session::SourceInfo info = source.info();
+  Run nominal{tracking::makePipeline(info), session::MotorFailures({}), {}, {}};
   if (options.true_radii) info.robot = withTrueRadii(info.robot, simulated.truth);
   std::deque<Run> runs;
   runs.push_back({tracking::makePipeline(info), session::MotorFailures({}), {}, {}});
   for (int which = 0; which < kCases; ++which)
     runs.push_back(
         {tracking::makePipeline(info), session::MotorFailures(failuresOf(which, options)), {}, {}});
+  runs.push_back(std::move(nominal));
   session::Blocking blocking;
   blocking.setSchedule({.percentage = occlusion, .interval = kWindow, .start = options.warm_up});
   tracking::Sample sample;
@@ -129,34 +136,47 @@ TrialResults runTrial(const MotorFailureStudyOptions& options, double speed, dou
     result.motor = which;
     result.speed = speed;
     result.occlusion = occlusion;
-    result.normal_rms = runs.front().rmsFrom(options.warm_up);
+    result.normal_rms = {runs.front().rmsFrom(options.warm_up), runs.back().rmsFrom(options.warm_up)};
     result.failed_rms = run.rmsFrom(options.warm_up);
     result.found = run.found;
     result.nees = run.paired == 0 ? kNan : run.nees / static_cast<double>(run.paired);
-    judge(run, options.warm_up, t, result);
+    for (std::size_t i = 0; i < kNormalErrors; ++i)
+      result.within[i] = judge(run, options.warm_up, t, which, result.normal_rms[i]);
   }
   return results;
 }
 
+Vector3d rootMeanSquare(const std::vector<MotorFailureResult>& seeds, auto part) {
+  Vector3d sum = Vector3d::Zero();
+  for (const MotorFailureResult& one : seeds) sum += part(one).cwiseAbs2();
+  return (sum / static_cast<double>(seeds.size())).cwiseSqrt();
+}
+
+Endurance over(const std::vector<MotorFailureResult>& seeds, std::size_t normal) {
+  Endurance all;
+  std::vector<double> held;
+  for (const MotorFailureResult& one : seeds) {
+    all.share += one.within[normal].share / static_cast<double>(seeds.size());
+    all.whole += one.within[normal].whole;
+    held.push_back(one.within[normal].held);
+  }
+  all.held = stats::median(held);
+  return all;
+}
+
 MotorFailureResult over(const std::vector<MotorFailureResult>& seeds) {
   MotorFailureResult all = seeds.front();
-  all.whole = 0;
-  all.share = all.nees = 0.0;
-  Vector3d normal = Vector3d::Zero(), failed = Vector3d::Zero();
-  std::vector<double> held, found;
+  all.nees = 0.0;
+  std::vector<double> found;
   for (const MotorFailureResult& one : seeds) {
-    const double weight = 1.0 / static_cast<double>(seeds.size());
-    normal += weight * one.normal_rms.cwiseAbs2();
-    failed += weight * one.failed_rms.cwiseAbs2();
-    all.share += weight * one.share;
-    all.nees += weight * one.nees;
-    all.whole += one.whole;
-    held.push_back(one.held);
+    all.nees += one.nees / static_cast<double>(seeds.size());
     if (!std::isnan(one.found)) found.push_back(one.found);
   }
-  all.normal_rms = normal.cwiseSqrt();
-  all.failed_rms = failed.cwiseSqrt();
-  all.held = stats::median(held);
+  for (std::size_t i = 0; i < kNormalErrors; ++i) {
+    all.normal_rms[i] = rootMeanSquare(seeds, [i](const auto& one) { return one.normal_rms[i]; });
+    all.within[i] = over(seeds, i);
+  }
+  all.failed_rms = rootMeanSquare(seeds, [](const auto& one) { return one.failed_rms; });
   all.found = found.size() == seeds.size() ? stats::median(found) : kNan;
   return all;
 }
@@ -172,45 +192,106 @@ std::string rmsText(const MotorFailureResult& cell) {
 
 std::string motorName(int motor) { return motor == 3 ? std::string("all") : fmt::format("{}", motor + 1); }
 
+json fingerprintOf(const MotorFailureStudyOptions& options, const simulation::SimulatedOptions& robot,
+                   double speed, double occlusion, std::uint64_t seed) {
+  return {{"software", options.software},
+          {"seed", seed},
+          {"times", {options.warm_up, options.duration}},
+          {"speed", speed},
+          {"occlusion", occlusion},
+          {"fault", base::nameOf(options.fault)},
+          {"true radii", options.true_radii},
+          {"images", options.images},
+          {"nominal robot", robot::formatDescription(robot.robot)},
+          {"truth", simulation::formatTruth(robot.truth)}};
+}
+
+json vectorJson(const Vector3d& v) { return {numberOrNull(v(0)), numberOrNull(v(1)), numberOrNull(v(2))}; }
+Vector3d vectorOf(const json& of) {
+  return {numberOrNan(of.at(0)), numberOrNan(of.at(1)), numberOrNan(of.at(2))};
+}
+
+json jsonOf(const TrialResults& results) {
+  json all = json::array();
+  for (const MotorFailureResult& one : results) {
+    json document = {{"speed", one.speed},
+                     {"occlusion", one.occlusion},
+                     {"failed", vectorJson(one.failed_rms)},
+                     {"found", numberOrNull(one.found)},
+                     {"nees", numberOrNull(one.nees)}};
+    for (std::size_t i = 0; i < kNormalErrors; ++i)
+      document["normal"].push_back({{"rms", vectorJson(one.normal_rms[i])},
+                                    {"held", one.within[i].held},
+                                    {"share", numberOrNull(one.within[i].share)},
+                                    {"whole", one.within[i].whole}});
+    all.push_back(std::move(document));
+  }
+  return all;
+}
+
+MotorFailureResult resultOf(const json& trial, int which) {
+  const json& document = trial.at(static_cast<std::size_t>(which));
+  MotorFailureResult one;
+  one.motor = which;
+  document.at("speed").get_to(one.speed);
+  document.at("occlusion").get_to(one.occlusion);
+  one.failed_rms = vectorOf(document.at("failed"));
+  one.found = numberOrNan(document.at("found"));
+  one.nees = numberOrNan(document.at("nees"));
+  for (std::size_t i = 0; i < kNormalErrors; ++i) {
+    const json& normal = document.at("normal").at(i);
+    one.normal_rms[i] = vectorOf(normal.at("rms"));
+    one.within[i] = {.held = normal.at("held").get<double>(),
+                     .share = numberOrNan(normal.at("share")),
+                     .whole = normal.at("whole").get<int>()};
+  }
+  return one;
+}
+
 }  // namespace
 
-double MotorFailureResult::ratio() const {
+double MotorFailureResult::ratio(NormalError which) const {
   double largest = 0.0;
   for (int joint = 0; joint < 3; ++joint)
-    if (concerns(motor, joint)) largest = std::max(largest, failed_rms(joint) / normal_rms(joint));
+    if (concerns(motor, joint)) largest = std::max(largest, failed_rms(joint) / normal(which)(joint));
   return largest;
 }
 
 MotorFailureStudy runMotorFailureStudy(const MotorFailureStudyOptions& options, base::Progress& progress) {
-  const auto seeds = static_cast<std::size_t>(options.seeds);
-  const std::size_t places = options.speeds.size() * options.occlusions.size();
-  std::vector<TrialResults> trials(places * seeds);
-  std::vector<Job> jobs;
-  for (std::size_t i = 0; i < trials.size(); ++i) {
-    const double speed = options.speeds[i / seeds / options.occlusions.size()];
-    const double occlusion = options.occlusions[i / seeds % options.occlusions.size()];
-    jobs.push_back({fmt::format("speed {:g}, {:g} % occluded", speed, occlusion), 1.0,
-                    [&, i, speed, occlusion](base::Progress& own) {
-                      trials[i] = runTrial(options, speed, occlusion, options.seed + i % seeds, own);
-                    }});
-  }
-  doAll(jobs, options.threads, {progress});
+  const auto seeds = static_cast<std::uint64_t>(options.seeds);
+  std::vector<KeptTrial> trials;
+  for (const double speed : options.speeds)
+    for (const double occlusion : options.occlusions)
+      for (std::uint64_t seed = options.seed; seed < options.seed + seeds; ++seed) {
+        const simulation::SimulatedOptions robot = robotOf(options, seed);
+        trials.push_back({fmt::format("{}, speed {:g}, {:g} % occluded, seed {}", base::nameOf(options.fault),
+                                      speed, occlusion, seed),
+                          fingerprintOf(options, robot, speed, occlusion, seed),
+                          [&options, robot, speed, occlusion, seed](base::Progress& own) {
+                            return jsonOf(runTrial(options, robot, speed, occlusion, seed, own));
+                          }});
+      }
   MotorFailureStudy study;
-  study.cancelled = progress.cancelled();
+  KeptResults kept = runKept(trials, TrialStore(options.out), options.threads, progress);
+  study.notices = std::move(kept.notices);
+  study.cancelled = kept.cancelled;
   if (study.cancelled) return study;
-  for (std::size_t which = 0; which < kCases; ++which)
-    for (std::size_t place = 0; place < places; ++place) {
+  for (int which = 0; which < kCases; ++which)
+    for (std::size_t place = 0; place < trials.size() / seeds; ++place) {
       std::vector<MotorFailureResult> of;
-      for (std::size_t s = 0; s < seeds; ++s) of.push_back(trials[place * seeds + s][which]);
+      for (std::size_t s = 0; s < seeds; ++s) of.push_back(resultOf(kept.results[place * seeds + s], which));
       study.cells.push_back(over(of));
     }
   return study;
 }
 
-base::Table mapOf(const MotorFailureStudy& study, const MotorFailureStudyOptions& options) {
+base::Table mapOf(const MotorFailureStudy& study, const MotorFailureStudyOptions& options,
+                  NormalError normal) {
   base::Table table;
-  table.title = fmt::format("Motor encoder {}: time within twice the normal error, failed by normal RMS, RMS",
-                            base::nameOf(options.fault));
+  const bool own = normal == NormalError::kOwn;
+  table.title = fmt::format("Motor encoder {}: time within twice {}, failed by normal RMS, RMS",
+                            base::nameOf(options.fault),
+                            own ? "the normal error" : "the normal error with the nominal robot");
   table.columns = {{"motor", {}, 0}, {"speed", {}, 2}};
   for (const double occlusion : options.occlusions)
     table.columns.push_back({fmt::format("{:g} % occluded", occlusion), {}, 0});
@@ -218,18 +299,22 @@ base::Table mapOf(const MotorFailureStudy& study, const MotorFailureStudyOptions
     std::vector<base::TableCell> row = {motorName(study.cells[i].motor), study.cells[i].speed};
     for (std::size_t k = 0; k < options.occlusions.size(); ++k) {
       const MotorFailureResult& cell = study.cells[i + k];
-      row.push_back(
-          (cell.whole == options.seeds ? std::string("whole trial") : fmt::format("{:.1f} s", cell.held)) +
-          fmt::format(", ×{:.1f}, {}", cell.ratio(), rmsText(cell)));
+      const Endurance& endurance = cell.endurance(normal);
+      row.push_back((endurance.whole == options.seeds ? std::string("whole trial")
+                                                      : fmt::format("{:.1f} s", endurance.held)) +
+                    fmt::format(", ×{:.1f}, {}", cell.ratio(normal), rmsText(cell)));
     }
     table.rows.push_back(std::move(row));
   }
   table.note = fmt::format(
-      "Simulated robot ({} truth, {} radii in the filter), {} seed{} of {:g} s from the failure on; error: "
-      "RMS over the last 2 s of a failed joint, median over seeds; speed: by the pace of a 200 s block "
-      "transfer.",
-      options.truth, options.true_radii ? "true" : "nominal", options.seeds, options.seeds == 1 ? "" : "s",
-      options.duration);
+      "Simulated robot ({} truth, {}), {} seed{} of {:g} s from the failure on. The failed filter knows {} "
+      "pulley radii; normal is {}. Error: RMS over the last 2 s of a failed joint, median over seeds; speed: "
+      "by "
+      "the pace of a 200 s block transfer.",
+      options.truth, options.images ? "rendered pictures" : "tip positions", options.seeds,
+      options.seeds == 1 ? "" : "s", options.duration, options.true_radii ? "true" : "nominal",
+      own ? "its own error with all encoders"
+          : "the error of a filter with all encoders and nominal radii, as in the UKF paper");
   return table;
 }
 
@@ -237,23 +322,30 @@ base::Table detailsOf(const MotorFailureStudy& study, const MotorFailureStudyOpt
   base::Table table;
   table.title = "Motor encoder failure, all numbers";
   table.columns = {
-      {"motor", {}, 0},        {"speed", {}, 2},        {"occluded", "%", 0},   {"held", "s", 2},
-      {"share within", {}, 3}, {"whole trials", {}, 0}, {"seeds", {}, 0},       {"found after", "s", 3},
-      {"normal q1", "deg", 4}, {"normal q2", "deg", 4}, {"normal q3", "mm", 4}, {"failed q1", "deg", 4},
-      {"failed q2", "deg", 4}, {"failed q3", "mm", 4},  {"ratio", {}, 2},       {"NEES / 3", {}, 3}};
+      {"motor", {}, 0}, {"speed", {}, 2}, {"occluded", "%", 0}, {"seeds", {}, 0}, {"found after", "s", 3}};
+  const auto rmsColumns = [&](const std::string& of) {
+    for (int joint = 0; joint < 3; ++joint)
+      table.columns.push_back({fmt::format("{} q{}", of, joint + 1), joint == 2 ? "mm" : "deg", 4});
+  };
+  rmsColumns("failed");
+  for (const auto& [normal, name] : base::NamesOf<NormalError>::value) {
+    rmsColumns(fmt::format("normal ({})", name));
+    table.columns.push_back({fmt::format("held ({})", name), "s", 2});
+    table.columns.push_back({fmt::format("share within ({})", name), {}, 3});
+    table.columns.push_back({fmt::format("whole trials ({})", name), {}, 0});
+    table.columns.push_back({fmt::format("ratio ({})", name), {}, 2});
+  }
+  table.columns.push_back({"NEES / 3", {}, 3});
   for (const MotorFailureResult& cell : study.cells) {
-    std::vector<base::TableCell> row = {motorName(cell.motor),
-                                        cell.speed,
-                                        cell.occlusion,
-                                        cell.held,
-                                        cell.share,
-                                        static_cast<double>(cell.whole),
-                                        static_cast<double>(options.seeds),
-                                        cell.found};
-    for (const Vector3d& rms : {cell.normal_rms, cell.failed_rms})
-      for (int joint = 0; joint < 3; ++joint)
-        row.emplace_back(joint == 2 ? base::toMillimetres(rms(joint)) : base::toDegrees(rms(joint)));
-    row.emplace_back(cell.ratio());
+    std::vector<base::TableCell> row = {motorName(cell.motor), cell.speed, cell.occlusion,
+                                        static_cast<double>(options.seeds), cell.found};
+    for (int joint = 0; joint < 3; ++joint) row.emplace_back(forPeople(cell.failed_rms(joint), joint));
+    for (const auto& [normal, name] : base::NamesOf<NormalError>::value) {
+      for (int joint = 0; joint < 3; ++joint) row.emplace_back(forPeople(cell.normal(normal)(joint), joint));
+      const Endurance& endurance = cell.endurance(normal);
+      row.insert(row.end(),
+                 {endurance.held, endurance.share, static_cast<double>(endurance.whole), cell.ratio(normal)});
+    }
     row.emplace_back(cell.nees);
     table.rows.push_back(std::move(row));
   }

@@ -3,11 +3,14 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "core/base/names.h"
 #include "core/base/progress.h"
 #include "core/base/table.h"
+#include "core/experiments/software.h"
 #include "core/tracking/snapshot.h"
 
 namespace capstan::experiments {
@@ -15,7 +18,8 @@ namespace capstan::experiments {
 /// How long, at which speeds and occlusions, joints whose motor encoder failed are known from the camera
 /// alone as well as twice the normal error: block transfers of the simulated robot, played slower and faster,
 /// tracked side by side with all encoders and with one, or all, failed. The robot goes on to be controlled
-/// with its encoders; only the estimator loses them.
+/// with its encoders; only the estimator loses them. Two normal errors stand for comparison: the estimator's
+/// own, and that of one which knows the nominal robot only, as the UKF paper's does.
 struct MotorFailureStudyOptions {
   double duration = 60.0;                                    ///< of failure [s]
   double warm_up = 5.0;                                      ///< before it, everything in order [s]
@@ -29,36 +33,63 @@ struct MotorFailureStudyOptions {
   bool images = false;            ///< rendered pictures instead of tip positions
   std::string truth = "default";  ///< as simulation::SimulationRequest::truth
   int threads = 2;                ///< trials at the same time; the result does not depend on it
+  std::filesystem::path out;      ///< finished trials are kept here and not run again; empty: nowhere
+  std::string software = experiments::software();  ///< the program, which a kept trial must come from
+};
+
+/// The error, all encoders in order, that a failed joint is compared with.
+enum class NormalError {
+  kOwn,     ///< of the same estimator
+  kNominal  ///< of one that knows nominal pulley radii only: the UKF paper's setting
+};
+inline constexpr std::size_t kNormalErrors = 2;
+
+/// How long a failed joint's error stays within twice a normal one.
+struct Endurance {
+  /// From the failure until the RMS over the window first exceeds it [s]; the trial's end where it never
+  /// does. Over seeds: the median.
+  double held = 0.0;
+  double share = 0.0;  ///< of the time in which it does not exceed it
+  int whole = 0;       ///< trials in which it never did
 };
 
 /// One failure in one trial, or over its seeds. The window is the last 2 s.
 struct MotorFailureResult {
   int motor = 0;  ///< 0, 1, 2; 3: all
   double speed = 1.0, occlusion = 0.0;
-  Eigen::Vector3d normal_rms, failed_rms;  ///< of q_ukf from the failure on [rad, rad, m]
-  /// From the failure until the RMS over the window of a failed joint first exceeds twice its normal RMS
-  /// [s]; the trial's end where it never does. Over seeds: the median.
-  double held = 0.0;
-  double share = 0.0;  ///< of the time in which it does not exceed it
-  int whole = 0;       ///< trials in which it never did
+  std::array<Eigen::Vector3d, kNormalErrors> normal_rms;  ///< of q_ukf from the failure on [rad, rad, m]
+  Eigen::Vector3d failed_rms;                             ///< the same with the failure
+  std::array<Endurance, kNormalErrors> within;            ///< twice each normal error
   double found = 0.0;  ///< from the failure until the pipeline knew [s]; NaN: it never did
   double nees = 0.0;   ///< mean of the failed run over its 3 degrees of freedom
 
+  const Eigen::Vector3d& normal(NormalError which) const {
+    return normal_rms[static_cast<std::size_t>(which)];
+  }
+  const Endurance& endurance(NormalError which) const { return within[static_cast<std::size_t>(which)]; }
   /// Largest ratio of failed to normal RMS among the failed joints.
-  double ratio() const;
+  double ratio(NormalError which) const;
 };
 
 struct MotorFailureStudy {
   std::vector<MotorFailureResult> cells;  ///< by motor, speed, occlusion
-  bool cancelled = false;
+  std::vector<std::string> notices;
+  bool cancelled = false;  ///< there are no cells then; trials that were done are kept in options.out
 };
 
 /// Throws base::InputError as the truth file's reader does.
 MotorFailureStudy runMotorFailureStudy(const MotorFailureStudyOptions& options, base::Progress& progress);
 
-/// A row a motor and speed, and for each occlusion how long the error stays within twice the normal one.
-base::Table mapOf(const MotorFailureStudy& study, const MotorFailureStudyOptions& options);
+/// A row a motor and speed, and for each occlusion how long the error stays within twice `normal`.
+base::Table mapOf(const MotorFailureStudy& study, const MotorFailureStudyOptions& options,
+                  NormalError normal);
 /// Every number of every cell.
 base::Table detailsOf(const MotorFailureStudy& study, const MotorFailureStudyOptions& options);
 
 }  // namespace capstan::experiments
+
+template <>
+struct capstan::base::NamesOf<capstan::experiments::NormalError> {
+  using E = capstan::experiments::NormalError;
+  static constexpr std::array value = {std::pair{E::kOwn, "own"}, std::pair{E::kNominal, "nominal"}};
+};
