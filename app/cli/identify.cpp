@@ -14,8 +14,7 @@
 #include "app/cli/recordings.h"
 #include "app/cli/simulation_arguments.h"
 #include "core/experiments/identify_trials.h"
-#include "core/identification/batch.h"
-#include "core/identification/dual_ukf.h"
+#include "core/identification/delay_passes.h"
 #include "core/identification/identification_data.h"
 #include "core/identification/options.h"
 #include "core/session/source.h"
@@ -155,13 +154,13 @@ ExitCode identify(IdentifyArguments& arguments, const CLI::App& command) {
     identification::CameraPoseOptions& camera = options.camera;
     if (arguments.exact_camera) camera = {0.0, 0.0, 0.0};
     if (arguments.method != "batch" && !progress.cancelled())
-      dual = identification::identifyDualUkf(data, *set, {.camera = camera}, &progress);
+      dual = identification::identifyDualUkfInPasses(data, *set, {.camera = camera}, &progress);
     if (arguments.method != "dual-ukf" && !progress.cancelled()) {
       identification::BatchOptions batch_options{.camera = camera,
                                                  .shooting = {.threads = arguments.threads}};
       if (dual)
         for (const auto& estimate : dual->estimates) batch_options.start.push_back(estimate.log);
-      batch = identification::identifyBatch(data, *set, batch_options, &progress);
+      batch = identification::identifyBatchInPasses(data, *set, batch_options, &progress);
     }
   }
   if (progress.cancelled()) {
