@@ -3,14 +3,9 @@
 #include <memory>
 #include <string>
 
-#include "app/cli/console.h"
-#include "app/cli/outputs.h"
+#include "app/cli/study_frame.h"
 #include "core/base/resource.h"
-#include "core/base/table.h"
-#include "core/base/yaml.h"
-#include "core/experiments/software.h"
 #include "core/experiments/world_study.h"
-#include "core/stats/proportion.h"
 
 namespace capstan::cli {
 namespace {
