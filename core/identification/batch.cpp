@@ -183,28 +183,30 @@ BatchEnd fit(OutputError& error, const ParameterSet& set, const BatchOptions& op
 /// What the observations say at the solution, see identifyBatch().
 struct Information {
   MatrixXd hessian;  ///< Jᵀ W J + 1
-  MatrixXd meat;     ///< Σ_b g_b g_bᵀ + 1
-  MatrixXd doubt;    ///< Σ_d G_d G_dᵀ
+  MatrixXd meat;     ///< Σ_b g_b g_bᵀ
+  MatrixXd doubt;    ///< Σ_d G_d G_dᵀ + G_h G_hᵀ
   int blocks = 1;
 };
 
 Information informationOf(const OutputError& error, const ParameterSet& set, const VectorXd& x,
                           const VectorXd& residuals, const MatrixXd& jacobian, const BatchOptions& options) {
   const int n = error.unknowns();
-  Information all{MatrixXd::Identity(n, n), MatrixXd::Identity(n, n), MatrixXd::Zero(n, n)};
+  Information all{MatrixXd::Identity(n, n), MatrixXd::Zero(n, n), MatrixXd::Zero(n, n)};
   VectorXd gradient = VectorXd::Zero(n);
-  MatrixXd by_doubt = MatrixXd::Zero(n, 3);
-  const Eigen::Matrix3d unknown = errorByDoubt(set.constants(error.logs(x)), options.doubt);
+  MatrixXd by_doubt = MatrixXd::Zero(n, 3), by_hysteresis = by_doubt;
+  const tracking::CableArmConstants constants = set.constants(error.logs(x));
+  const Eigen::Matrix3d unknown = errorByDoubt(constants, options.doubt);
   double start = error.observation(0).t, doubt_start = start;
   for (int k = 0; k < error.observations(); ++k) {
     const double t = error.observation(k).t;
-    if (t - start >= options.block) {
+    const bool fresh = k > 0 && !error.shooting().continues(static_cast<std::size_t>(k));
+    if (fresh || t - start >= options.block) {
       all.meat += gradient * gradient.transpose();
       gradient.setZero();
       start = t;
       ++all.blocks;
     }
-    if (t - doubt_start >= options.doubt.memory) {
+    if (fresh || t - doubt_start >= options.doubt.memory) {
       all.doubt += by_doubt * by_doubt.transpose();
       by_doubt.setZero();
       doubt_start = t;
@@ -214,10 +216,13 @@ Information informationOf(const OutputError& error, const ParameterSet& set, con
     const auto rows = jacobian.middleRows<3>(3 * k);
     all.hessian.noalias() += weight * rows.transpose() * rows;
     gradient += weight * rows.transpose() * residuals.segment<3>(3 * k);
-    by_doubt += weight * rows.transpose() * (error.residualByJoint(x, k) * unknown);
+    const MatrixXd by_joint = weight * rows.transpose() * error.residualByJoint(x, k);
+    by_doubt += by_joint * unknown;
+    const auto& arm = error.predictions()[static_cast<std::size_t>(k)];
+    by_hysteresis += by_joint * errorByHysteresis(constants, options.doubt, arm.hysteresis);
   }
   all.meat += gradient * gradient.transpose();
-  all.doubt += by_doubt * by_doubt.transpose();
+  all.doubt += by_doubt * by_doubt.transpose() + by_hysteresis * by_hysteresis.transpose();
   return all;
 }
 
@@ -227,13 +232,13 @@ MatrixXd covarianceOf(const Information& found) {
   const MatrixXd inverse = found.hessian.inverse();
   const MatrixXd plain = inverse + inverse * found.doubt * inverse;
   const double few = static_cast<double>(found.blocks) / std::max(1, found.blocks - n);
-  const MatrixXd covariance = few * inverse * found.meat * inverse;
+  const MatrixXd covariance = inverse * (few * found.meat + MatrixXd::Identity(n, n)) * inverse;
   VectorXd grow(n);
   for (int i = 0; i < n; ++i) grow(i) = std::sqrt(std::max(1.0, plain(i, i) / covariance(i, i)));
   return grow.asDiagonal() * covariance * grow.asDiagonal();
 }
 
-void describe(const OutputError& error, const ParameterSet& set, const VectorXd& x,
+void describe(const OutputError& error, const ParameterSet& set, const VectorXd& x, const MatrixXd& jacobian,
               const MatrixXd& covariance, BatchReport& report) {
   const int n = set.size();
   const VectorXd sigma = error.scale().cwiseProduct(covariance.diagonal().cwiseSqrt());
@@ -243,9 +248,15 @@ void describe(const OutputError& error, const ParameterSet& set, const VectorXd&
   report.correlation = inverse.asDiagonal() * covariance.topLeftCorner(n, n) * inverse.asDiagonal();
   report.camera = error.pose(x);
   report.camera_sigma = cameraPoseOf(sigma.tail<CameraPose::kSize>());
+  const Identifiability after = assess(error, set, jacobian);
   for (int i = 0; i < n; ++i) {
-    const Visibility& visibility = report.before.parameters[static_cast<std::size_t>(i)];
-    Estimate estimate{set[i], error.scale()(i) * x(i), sigma(i), visibility.seen, visibility.advice};
+    Visibility visibility = after.parameters[static_cast<std::size_t>(i)];
+    visibility.sigma = sigma(i);
+    visibility.seen = sigma(i) < kSeenShare * set[i].prior_sigma;
+    findPartner(covariance, i, error.unknowns(), visibility);
+    Estimate estimate{set[i], error.scale()(i) * x(i), sigma(i), visibility.seen, {}};
+    if (!estimate.seen || estimate.sigma > set[i].goal)
+      estimate.advice = adviceFor(set, i, visibility, report.observations);
     if (estimate.seen && std::abs(estimate.log) > 0.999 * set[i].bound)
       estimate.advice = set[i].words() + " ran into its bound: the model does not explain this recording";
     report.estimates.push_back(estimate);
@@ -286,7 +297,7 @@ BatchReport identifyBatch(const IdentificationData& data, const ParameterSet& se
     for (int k = 0; k < report.observations; ++k)
       report.outliers += residuals.segment<3>(3 * k).norm() > options.huber ? 1.0 / report.observations : 0.0;
   }
-  describe(error, set, x, covariance, report);
+  describe(error, set, x, jacobian, covariance, report);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return report;
 }

@@ -45,11 +45,15 @@ struct BatchReport {
 ///     min_x  Σ_k ρ(|r_k(x)|²) + |x|²,   r and x as in output_error.h, ρ Huber's loss,
 /// by Levenberg–Marquardt (Ceres) with bounds. Derivatives are automatic (shooting.h).
 ///
-/// The covariance is the larger, parameter by parameter, of two. The one is H⁻¹ + H⁻¹ (Σ_d G_d G_dᵀ) H⁻¹ with
-/// H = Jᵀ W J + 1 and G_d = Σ Jᵀ W D what the unknown forces of ModelDoubt, constant over d, do to the
-/// gradient. The other is the sandwich H⁻¹ (Σ_b g_b g_bᵀ + 1) H⁻¹ with g_b the gradient of a block of `block`
-/// seconds: what the model does not know (hysteresis, stiction) makes residuals that are correlated in time
-/// (Liang and Zeger, Biometrika 73 (1986)).
+/// The covariance is the larger, parameter by parameter, of two. The one is
+/// H⁻¹ + H⁻¹ (Σ_d G_d G_dᵀ + G_h G_hᵀ) H⁻¹ with H = Jᵀ W J + 1, and G_d and G_h = Σ Jᵀ W D what the unknown
+/// forces of ModelDoubt, constant over d or against the cables' stretch rate all along, do to the gradient.
+/// The other is the sandwich H⁻¹ (B / (B − n) Σ_b g_b g_bᵀ + 1) H⁻¹ with g_b the gradient of one of B blocks
+/// of `block` seconds: what the model does not know (hysteresis, stiction) makes residuals that are
+/// correlated in time (Liang and Zeger, Biometrika 73 (1986)). B / (B − n) with n unknowns is the usual
+/// correction for few blocks. Blocks end at gaps of the motor samples.
+///
+/// `seen` and `advice` of an estimate are by the σ that is stated; `before` is by noise alone.
 BatchReport identifyBatch(const IdentificationData& data, const ParameterSet& set,
                           const BatchOptions& options = {}, base::Progress* progress = nullptr);
 

@@ -73,6 +73,7 @@ class Dual {
         parameters_(set, arm_, options.camera, centre_),
         spread_(options.block, options.doubt.memory, options.score_memory) {
     start(0);
+    last_ = t_;
   }
 
   /// On to `t`, in intervals that end with what the points can remember.

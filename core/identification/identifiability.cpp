@@ -12,6 +12,8 @@
 namespace capstan::identification {
 namespace {
 
+constexpr double kBoundUp = 0.7;  // correlation from which on two unknowns are hard to tell apart
+
 /// An angle or a length of joint 0…2, for people.
 std::string shown(int joint, double value) {
   return joint < 2 ? fmt::format("{:.2g} deg", base::toDegrees(value))
@@ -52,11 +54,17 @@ std::string adviceFor(const ParameterSet& set, int i, const Visibility& v, int o
         "is {} in each of {} frames; {}",
         parameter.words(), change, parameter.joint + 1, shown(parameter.joint, v.moved),
         shown(parameter.joint, v.noise), observations, remedyFor(parameter.quantity));
-  return fmt::format("{} cannot be told from {} in this motion (correlation {:.2f}); {}", parameter.words(),
-                     wordsOf(set, v.partner), v.correlation, remedyFor(parameter.quantity));
+  if (v.partner >= 0 && std::abs(v.correlation) > kBoundUp)
+    return fmt::format("{} cannot be told from {} in this motion (correlation {:.2f}); {}", parameter.words(),
+                       wordsOf(set, v.partner), v.correlation, remedyFor(parameter.quantity));
+  return fmt::format(
+      "{} is known to {:.2g} % (1 sigma) only, for friction and hysteresis that the model does not know move "
+      "joint {} as well; {}",
+      parameter.words(), 100.0 * std::expm1(v.sigma), parameter.joint + 1, remedyFor(parameter.quantity));
 }
 
 void findPartner(const Eigen::MatrixXd& covariance, int i, int count, Visibility& visibility) {
+  visibility.partner = -1;
   for (int j = 0; j < count; ++j) {
     const double correlation = covariance(i, j) / std::sqrt(covariance(i, i) * covariance(j, j));
     if (j == i || (visibility.partner >= 0 && std::abs(correlation) <= std::abs(visibility.correlation)))

@@ -32,13 +32,15 @@ struct Identifiability {
 /// `jacobian` of `problem` at its last evaluate().
 Identifiability assess(const OutputError& problem, const ParameterSet& set, const Eigen::MatrixXd& jacobian);
 
-/// Sets the unknown, of the `count` first, that i is most correlated with.
+/// Sets the unknown, of the `count` first, that i is most correlated with, whatever it held before.
 void findPartner(const Eigen::MatrixXd& covariance, int i, int count, Visibility& visibility);
 
 /// Unknown i of OutputError in words: "joint 1's damping", "the camera's turn about y".
 std::string wordsOf(const ParameterSet& set, int unknown);
 
-/// Why parameter i cannot be seen, and what would help.
+/// Why parameter i is not known better than `visibility.sigma`, and what would help: it moves the output by
+/// less than noise, or it is bound up with another unknown (|correlation| beyond 0.7), or what the model does
+/// not know of friction and hysteresis hides it.
 std::string adviceFor(const ParameterSet& set, int i, const Visibility& visibility, int observations);
 
 }  // namespace capstan::identification

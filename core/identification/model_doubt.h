@@ -7,13 +7,14 @@
 
 namespace capstan::identification {
 
-/// How far the model itself is trusted: every joint may feel a force that no part of the model knows
-/// (breakaway friction, hysteresis of the cable), a share of its Coulomb friction, which stays for a while
-/// and then is another. Without it a long recording with fine cameras would state a stiffness more closely
-/// than the friction law is known.
+/// How far the model itself is trusted: every joint may feel forces that no part of the model knows, of a
+/// standard deviation that is a share of its Coulomb friction. One (breakaway friction, load) stays for a
+/// while and then is another. One (hysteresis of the cable) follows the cable's stretch and slips, the
+/// same all through a recording: half a spring, half a damper. Without them a long recording with fine
+/// cameras would state a stiffness or a damping more closely than the friction law is known.
 struct ModelDoubt {
-  double friction_share = 0.3;  ///< standard deviation of the force by F_cl: what priors say of friction
-  double memory = 5.0;          ///< how long it stays [s]
+  double friction_share = 0.3;  ///< standard deviation of each force by F_cl: what priors say of friction
+  double memory = 5.0;          ///< how long the first one stays [s]
 };
 
 /// d q / d tau of a joint held by its cables [rad or m per N·m or N]: (Aᵀ diag(2 k_e a r_l²) A)⁻¹, UKF paper
@@ -33,6 +34,18 @@ inline Eigen::Matrix3d errorByDoubt(const tracking::CableArmConstants& c, const 
   const Eigen::Vector3d force =
       doubt.friction_share * Eigen::Vector3d(c.coulomb[0], c.coulomb[1], c.coulomb[2]);
   return cableCompliance(c) * force.asDiagonal();
+}
+
+/// The same by an unknown hysteresis of one standard deviation in each cable, columns, `hysteresis` as in
+/// ArmPrediction: a joint feels it through the transpose of the coupling.
+inline Eigen::Matrix3d errorByHysteresis(const tracking::CableArmConstants& c, const ModelDoubt& doubt,
+                                         const Eigen::Vector3d& hysteresis) {
+  Eigen::Matrix3d by_cable;
+  for (int cable = 0; cable < 3; ++cable)
+    for (int joint = 0; joint < 3; ++joint)
+      by_cable(joint, cable) =
+          c.coupling[cable][joint] * doubt.friction_share * c.coulomb[cable] * hysteresis(cable);
+  return cableCompliance(c) * by_cable;
 }
 
 }  // namespace capstan::identification

@@ -7,12 +7,10 @@ namespace capstan::identification {
 
 void ScoreSpread::add(double t, const ParameterFilter::Innovation& innovation,
                       const Eigen::Matrix3d& by_doubt) {
-  if (count_ > 0 && t - start_ >= block_) close();
-  if (t - doubt_start_ >= doubt_memory_) {
-    closeDoubt();
-    doubt_start_ = t;
-  }
-  if (count_++ == 0) start_ = t;
+  if (!started_) start_ = doubt_start_ = t;
+  started_ = true;
+  if (t - start_ >= block_) close(t);
+  if (t - doubt_start_ >= doubt_memory_) closeDoubt(t);
   // The score is of the innovation as the filter would have whitened it: covariance R + H P Hᵀ is near R once
   // P is small, and before that blocks say little.
   const Eigen::Matrix3d inverse =
@@ -23,19 +21,20 @@ void ScoreSpread::add(double t, const ParameterFilter::Innovation& innovation,
   doubt_score_ += h.transpose() * inverse * by_doubt;
 }
 
-void ScoreSpread::close() {
-  const double kept = std::exp(-block_ / memory_);
+void ScoreSpread::close(double t) {
+  const double kept = std::exp(-(t - start_) / memory_);
   information_ = kept * information_ + block_information_;
   meat_ = kept * meat_ + score_ * score_.transpose();
   blocks_ = kept * blocks_ + 1.0;
   score_.setZero();
   block_information_.setZero();
-  count_ = 0;
+  start_ = t;
 }
 
-void ScoreSpread::closeDoubt() {
-  doubt_ = std::exp(-doubt_memory_ / memory_) * doubt_ + doubt_score_ * doubt_score_.transpose();
+void ScoreSpread::closeDoubt(double t) {
+  doubt_ = std::exp(-(t - doubt_start_) / memory_) * doubt_ + doubt_score_ * doubt_score_.transpose();
   doubt_score_.setZero();
+  doubt_start_ = t;
 }
 
 ScoreSpread::Unknowns ScoreSpread::factors(const Square& covariance) const {

@@ -8,7 +8,8 @@ namespace capstan::identification {
 
 /// How much more the scores of a filter vary than it believes: the recursive form of the covariance in
 /// batch.h, of scores as found over blocks of `block` seconds, and of those that the forces of ModelDoubt
-/// would make. Blocks are taken as independent, and forgotten over `memory`.
+/// would make. Blocks are taken as independent, and forgotten over `memory`. Times count from the first
+/// observation.
 class ScoreSpread {
  public:
   using Unknowns = ParameterFilter::Unknowns;
@@ -23,12 +24,12 @@ class ScoreSpread {
   Unknowns factors(const Square& covariance) const;
 
  private:
-  void close();
-  void closeDoubt();
+  void close(double t);
+  void closeDoubt(double t);
 
   double block_, doubt_memory_, memory_;
+  bool started_ = false;
   double start_ = 0.0, doubt_start_ = 0.0;
-  int count_ = 0;
   double blocks_ = 0.0;
   Unknowns score_ = Unknowns::Zero();
   Square block_information_ = Square::Zero(), information_ = Square::Zero(), meat_ = Square::Zero();

@@ -47,8 +47,33 @@ LinkTangents unstretched(const tracking::CableArmConstants& c, const TangentOrde
   return x;
 }
 
-ArmPrediction predictionOf(const LinkTangents& x) {
+/// A hysteresis of each cable that the model does not know (model_doubt.h): a force that grows with the
+/// stretch and slips where it would exceed what Coulomb friction holds, Prandtl's stop operator
+///     z ← clamp(z + Δ stretch / yield, −1, 1),
+/// and the link's first-order way there, held back by its damping and by friction that creeps,
+///     τ(dq) = (2 b_e r_l² + F_vl + F_cl / v_eps (1 − tanh²(dq / v_eps))) / (2 k_e a r_l²).
+struct UnknownHysteresis {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero(), response = Eigen::Vector3d::Zero();
+
+  void advance(const tracking::CableArmConstants& c, const MotorStep& motor, const LinkTangents& x,
+               double dt) {
+    for (int i = 0; i < 3; ++i) {
+      if (!(c.coulomb[i] > 0.0)) continue;
+      const double r = c.link_radius[i], stiffness = 2.0 * c.stiffness[i] * c.exponent[i] * r * r;
+      double rate = motor.rate[i];  // of the stretch [m/s]
+      for (int j = 0; j < 3; ++j) rate -= r * c.coupling[i][j] * x.value[3 + j];
+      force(i) = std::clamp(force(i) + dt * rate * stiffness / (r * c.coulomb[i]), -1.0, 1.0);
+      const double sign = std::tanh(x.value[3 + i] * c.inverse_smoothing[i]);
+      const double creep = c.coulomb[i] * c.inverse_smoothing[i] * (1.0 - sign * sign);
+      const double time = (2.0 * c.damping[i] * r * r + c.viscous[i] + creep) / stiffness;
+      response(i) += -std::expm1(-dt / time) * (force(i) - response(i));
+    }
+  }
+};
+
+ArmPrediction predictionOf(const LinkTangents& x, const Eigen::Vector3d& hysteresis) {
   ArmPrediction p;
+  p.hysteresis = hysteresis;
   for (int i = 0; i < 3; ++i) {
     p.q(i) = x.value[i];
     p.dq(i) = x.value[3 + i];
@@ -76,37 +101,46 @@ MotorStep motorStep(const MotorTrack& motors, const tracking::CableArmConstants&
 
 int stepsFor(double rate, double dt) { return std::max(1, static_cast<int>(std::ceil(0.5 * rate * dt))); }
 
-/// A short recording gives at most a third of itself.
-double warmUpFor(const ParameterSet& set, double duration) {
-  return std::min(std::clamp(kWarmUpTimes * set.slowestTime(), kShortestWarmUp, kLongestWarmUp),
-                  duration / 3.0);
+/// Motor samples without a gap, and the warm-up within them.
+struct Stretch {
+  std::size_t first = 0, last = 0;
+  double warm_up = 0.0;
+};
+
+std::vector<Stretch> stretchesOf(const MotorTrack& motors, const ParameterSet& set, double warm_up) {
+  const double forgotten = std::clamp(kWarmUpTimes * set.slowestTime(), kShortestWarmUp, kLongestWarmUp);
+  std::vector<Stretch> all;
+  for (std::size_t i = 0; i < motors.size(); ++i) {
+    if (all.empty() || motors.t[i] - motors.t[i - 1] > kMotorGap) all.push_back({i, i});
+    all.back().last = i;
+  }
+  for (Stretch& stretch : all) {
+    const double third = (motors.t[stretch.last] - motors.t[stretch.first]) / 3.0;
+    stretch.warm_up = warm_up > 0.0 ? warm_up : std::min(forgotten, third);
+  }
+  return all;
 }
 
 }  // namespace
 
 Shooting::Shooting(const IdentificationData& data, const ParameterSet& set, const ShootingOptions& options)
-    : data_(data),
-      set_(set),
-      options_(options),
-      warm_up_(options.warm_up > 0.0 ? options.warm_up : warmUpFor(set, data.duration())) {
+    : data_(data), set_(set), options_(options) {
   const MotorTrack& motors = data.motors;
   if (motors.size() < 2) return;
-  std::size_t unbroken = 0;  // motor sample since when there was no gap
-  std::size_t motor = 0;
-  for (std::size_t i = 0; i < data.cameras.size(); ++i) {
-    const CameraObservation& seen = data.cameras[i];
-    while (motor + 1 < motors.size() && motors.t[motor + 1] <= seen.t) {
-      if (motors.t[motor + 1] - motors.t[motor] > kMotorGap) unbroken = motor + 1;
-      ++motor;
+  std::size_t i = 0;
+  for (const Stretch& stretch : stretchesOf(motors, set, options.warm_up)) {
+    const double from = motors.t[stretch.first] + stretch.warm_up, to = motors.t[stretch.last];
+    bool fresh = true;
+    for (; i < data.cameras.size() && data.cameras[i].t <= to; ++i) {
+      const CameraObservation& seen = data.cameras[i];
+      if (!seen.open || seen.t < from) continue;
+      if (fresh || seen.t - data.cameras[used_[pieces_.back().first]].t >= options.segment)
+        pieces_.push_back({used_.size(), used_.size(), motors.at(seen.t - stretch.warm_up)});
+      fresh = false;
+      used_.push_back(i);
+      stretch_.push_back(stretch.first);
+      pieces_.back().last = used_.size();
     }
-    const bool gap_ahead = motor + 1 < motors.size() && motors.t[motor + 1] - motors.t[motor] > kMotorGap;
-    if (!seen.open || gap_ahead || seen.t - motors.t[unbroken] < warm_up_) continue;
-    const std::size_t start = motors.at(seen.t - warm_up_);
-    const bool fresh = pieces_.empty() || pieces_.back().start < unbroken ||
-                       seen.t - data.cameras[used_[pieces_.back().first]].t >= options.segment;
-    if (fresh) pieces_.push_back({used_.size(), used_.size(), start});
-    used_.push_back(i);
-    pieces_.back().last = used_.size();
   }
 }
 
@@ -119,17 +153,19 @@ void Shooting::run(const Piece& piece, const ParameterSet::Logs& logs, double ra
   std::size_t i = piece.start;
   double t = motors.t[i];
   LinkTangents x = unstretched(constants, order, motorStep(motors, constants, i, 0.0));
+  UnknownHysteresis hysteresis;
   const auto advanceTo = [&](double end) {
     if (!(end > t)) return;
     const MotorStep step = motorStep(motors, constants, i, t - motors.t[i]);
     advanceLink(constants, order, step, end - t, stepsFor(rate, end - t), x);
+    hysteresis.advance(constants, step, x, end - t);
     t = end;
   };
   for (std::size_t k = piece.first; k < piece.last; ++k) {
     const double at = data_.cameras[used_[k]].t;
     for (; i + 1 < motors.size() && motors.t[i + 1] <= at; ++i) advanceTo(motors.t[i + 1]);
     advanceTo(at);
-    out[k] = predictionOf(x);
+    out[k] = predictionOf(x, hysteresis.response);
   }
 }
 

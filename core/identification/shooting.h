@@ -16,12 +16,14 @@ struct ArmPrediction {
   Eigen::Vector3d dq = Eigen::Vector3d::Zero();                   ///< per second
   ByParameter q_by_log = ByParameter::Zero();                     ///< d q / d ln w
   ByParameter dq_by_log = ByParameter::Zero();
+  /// What the link has followed of a hysteresis of its cable, by the greatest it could: −1…1 (shooting.cpp).
+  Eigen::Vector3d hysteresis = Eigen::Vector3d::Zero();
 };
 
 struct ShootingOptions {
   double segment = 100.0;  ///< recording is cut into pieces of this length [s]
   double warm_up = 0.0;  ///< run before a piece, in which the arm forgets its start [s]; 0: 15…30 s by its
-                         ///< slowest time, at most a third of the recording
+                         ///< slowest time, at most a third of the stretch without a gap that it stands in
   int threads = 2;       ///< pieces at the same time; the result does not depend on it
 };
 
@@ -41,7 +43,8 @@ class Shooting {
 
   /// Indices into data.cameras of the observations in use: gate open, warmed up.
   const std::vector<std::size_t>& used() const { return used_; }
-  double warmUp() const { return warm_up_; }
+  /// used()[k] stands in the same stretch of motor samples as used()[k − 1]: no gap between them.
+  bool continues(std::size_t k) const { return k > 0 && stretch_[k] == stretch_[k - 1]; }
 
   /// One prediction per used() observation. False: cancelled.
   bool predict(const ParameterSet::Logs& logs, bool derivatives, std::vector<ArmPrediction>& out,
@@ -58,8 +61,8 @@ class Shooting {
   const IdentificationData& data_;
   const ParameterSet& set_;
   ShootingOptions options_;
-  double warm_up_;
   std::vector<std::size_t> used_;
+  std::vector<std::size_t> stretch_;  ///< motor sample that the stretch of a used() observation begins with
   std::vector<Piece> pieces_;
 };
 

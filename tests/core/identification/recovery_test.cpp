@@ -106,6 +106,87 @@ TEST(Recovery, ForcesThatNoModelKnowsWidenTheIntervals) {
   }
 }
 
+/// Each is warmed up by itself: together they say what one long recording would.
+TEST(Recovery, ManyShortRecordingsAreAsGoodAsALongOne) {
+  const auto truth = softRaven(), nominal = wrongBy(truth);
+  auto data = matchedRecording(truth, nominal, {.duration = 10.0, .seed = 11});
+  for (const std::uint64_t seed : {12U, 13U})
+    append(data, matchedRecording(truth, nominal, {.duration = 10.0, .seed = seed}));
+  const ParameterSet set(nominal, kAsked);
+  const Shooting shooting(data, set);
+  EXPECT_GT(shooting.used().size(), data.openCount() / 2);
+  int joins = 0;
+  for (std::size_t k = 1; k < shooting.used().size(); ++k) joins += shooting.continues(k) ? 0 : 1;
+  EXPECT_EQ(joins, 2);
+  const BatchReport report = identifyBatch(data, set, {.doubt = kNoDoubt});
+  ASSERT_EQ(report.end, BatchEnd::kConverged);
+  const double wrong[] = {1.05, 1.8, 0.6, 1.5};
+  for (int i = 0; i < set.size(); ++i) {
+    const Estimate& found = report.estimates[static_cast<std::size_t>(i)];
+    EXPECT_TRUE(found.seen) << found.advice;
+    EXPECT_LT(std::abs(found.log + std::log(wrong[i])), 4.0 * found.sigma) << found.parameter.name();
+  }
+}
+
+/// What is stated decides, not what noise alone would allow; and the words do not blame a bystander.
+TEST(Recovery, SeenMeansByTheStatedSigma) {
+  const auto truth = softRaven();
+  const auto data = matchedRecording(truth, truth, {.duration = 30.0});
+  const ParameterSet set(truth, "k_e2");
+  const BatchReport sure = identifyBatch(data, set, {.doubt = kNoDoubt});
+  const BatchReport unsure = identifyBatch(data, set, {.doubt = {.friction_share = 20.0}});
+  EXPECT_TRUE(sure.estimates[0].seen);
+  EXPECT_EQ(sure.estimates[0].advice, "");
+  EXPECT_TRUE(unsure.before.parameters[0].seen) << "by noise alone";
+  EXPECT_GT(unsure.estimates[0].sigma, kSeenShare * set[0].prior_sigma);
+  EXPECT_FALSE(unsure.estimates[0].seen);
+  EXPECT_NE(unsure.estimates[0].advice.find("friction and hysteresis"), std::string::npos)
+      << unsure.estimates[0].advice;
+  EXPECT_EQ(identifiedRobot(set, unsure.estimates).drives[1].cable_stiffness,
+            truth.drives[1].cable_stiffness);
+}
+
+/// A recording may begin at any time of the clock.
+TEST(Recovery, TheClocksOriginDoesNotMatter) {
+  const auto robot = softRaven();
+  auto data = matchedRecording(robot, wrongBy(robot), {.duration = 20.0});
+  const ParameterSet set(data.robot, kAsked);
+  const DualUkfReport early = identifyDualUkf(data, set);
+  for (double& t : data.motors.t) t += 8192.0;  // a power of two: times stay as exact as they are
+  for (CameraObservation& seen : data.cameras) seen.t += 8192.0;
+  const DualUkfReport late = identifyDualUkf(data, set);
+  for (std::size_t i = 0; i < early.estimates.size(); ++i) {
+    EXPECT_NEAR(late.estimates[i].log, early.estimates[i].log, 1e-6);
+    EXPECT_NEAR(late.estimates[i].sigma, early.estimates[i].sigma, 1e-6);
+  }
+}
+
+/// Half a spring and half a damper in the cable of joint 2, which the model does not have, one standard
+/// deviation of ModelDoubt strong: noise alone would be too sure of the damping.
+TEST(Recovery, HysteresisOfACableIsInTheIntervals) {
+  simulation::SimulationRequest request;
+  request.trajectory = "fls";
+  request.duration = 60.0;
+  request.images = false;
+  auto options = simulation::optionsOf(request);
+  options.truth = simulation::Truth{};
+  options.truth.cameras.pixel_sigma = 0.01;  // it is not noise that hides the damping
+  const robot::Drive& drive = options.robot.drives[1];
+  constexpr double kYield = 5e-5;
+  const double force =
+      ModelDoubt{}.friction_share * options.robot.joints[1].friction.coulomb / drive.link_radius;
+  options.truth.joints[1].hysteresis = {.stiffness = force / kYield, .yield = kYield};
+  simulation::SimulatedSource source(options);
+  const IdentificationData data = collect(source);
+  const ParameterSet set(data.robot, "r_l,k_e2,b_e2,f_c2");
+  const BatchReport report = identifyBatch(data, set);
+  const Estimate& found = report.estimates[4];
+  ASSERT_EQ(found.parameter.name(), "b_e2");
+  EXPECT_GT(std::abs(found.log), 1.96 * report.before.parameters[4].sigma) << "noise alone explains it";
+  EXPECT_LT(std::abs(found.log), 1.96 * found.sigma) << found.log << " ± " << found.sigma;
+  EXPECT_LT(found.sigma, 0.5) << "wide enough to hold anything";
+}
+
 TEST(Recovery, AnArmAtRestSaysThatNothingCanBeSeen) {
   const auto robot = softRaven();
   const auto data = matchedRecording(robot, robot, {.duration = 15.0, .moves = false});
