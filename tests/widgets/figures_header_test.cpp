@@ -83,7 +83,7 @@ TEST(NumberText, StaysWithinItsColumn) {
     EXPECT_LE(valueText(-size).size(), kWidestValue.size()) << size;
     EXPECT_LE(sigmaText(size).size(), kWidestSigma.size()) << size;
   }
-  EXPECT_EQ(valueText(-27.414), "-27.41");
+  EXPECT_EQ(valueText(-27.414), QString::fromUtf8("−27.41")) << "a real minus sign";
   EXPECT_EQ(sigmaText(0.084), QString::fromUtf8("±0.08"));
   EXPECT_EQ(valueText(nan), QString::fromUtf8("—"));
   EXPECT_EQ(sigmaText(nan), QString::fromUtf8("—"));

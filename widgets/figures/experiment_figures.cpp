@@ -5,6 +5,7 @@
 
 #include "core/base/names.h"
 #include "core/experiments/tables.h"
+#include "core/stats/running_rms.h"
 #include "widgets/figures/boxplot_figure.h"
 #include "widgets/figures/convergence_figure.h"
 #include "widgets/figures/histogram_figure.h"
@@ -42,11 +43,20 @@ QString nameOf(const Results& results, const TrialMotion* trial = nullptr) {
   return name;
 }
 
+/// The reference is the robot's own kinematics, not joint encoders.
+bool withoutEncoders(const Results& results) {
+  return std::any_of(results.trials.begin(), results.trials.end(),
+                     [](const TrialResult& trial) { return trial.own_kinematics; });
+}
+
 /// What "error" is here: without joint encoders it is none.
 QString errorWord(const Results& results) {
-  const bool own = std::any_of(results.trials.begin(), results.trials.end(),
-                               [](const TrialResult& trial) { return trial.own_kinematics; });
-  return own ? QObject::tr("difference from the robot's kinematics") : QObject::tr("error");
+  return withoutEncoders(results) ? QObject::tr("difference from the robot's kinematics")
+                                  : QObject::tr("error");
+}
+
+QString shortErrorWord(const Results& results) {
+  return withoutEncoders(results) ? QObject::tr("difference") : QObject::tr("error");
 }
 
 QString robotWord(const Results& results) {
@@ -65,10 +75,28 @@ std::vector<double> inUnit(std::vector<double> values, int joint) {
   return values;
 }
 
-std::unique_ptr<Figure> trajectory(const Results& results, const TrialMotion& trial, double begin,
-                                   double end) {
+/// RMS as the tables have it of the whole trial; of a part of it, over the thinned series.
+TrajectoryRms rmsOf(const TrialResult& trial, double begin, double end) {
+  const auto at = [](Estimator which) { return static_cast<std::size_t>(which); };
+  if (begin <= trial.begin && end >= trial.end)
+    return {trial.rmsOf(Estimator::kKinematic), trial.rmsOf(Estimator::kUkf),
+            trial.counts[at(Estimator::kKinematic)], trial.counts[at(Estimator::kUkf)]};
+  stats::RunningRms<3> kinematic, ukf;
+  for (const experiments::ErrorPoint& point : trial.errors) {
+    if (point.t < begin || point.t > end) continue;
+    kinematic.add(point.kinematic);
+    ukf.add(point.ukf);
+  }
+  return {kinematic.value(), ukf.value(), kinematic.count(), ukf.count()};
+}
+
+/// `result`: what is known of a tracked trial; null: of what was identified from only its motion is kept.
+std::unique_ptr<Figure> trajectory(const Results& results, const TrialMotion& trial,
+                                   const TrialResult* result, double begin, double end) {
   TrajectoryData data{.title = nameOf(results, &trial) + QObject::tr(": joint positions"),
                       .note = noteOf(results, trial)};
+  if (result && result->own_kinematics) data.error = QObject::tr("difference");
+  if (result && !result->errors.empty()) data.rms = rmsOf(*result, begin, end);
   if (begin > trial.begin || end < trial.end)
     data.note += QObject::tr("; here %1 s to %2 s").arg(begin, 0, 'f', 0).arg(end, 0, 'f', 0);
   if (results.identification) data.note += QObject::tr("; UKF with the robot from before the identification");
@@ -135,9 +163,10 @@ QString shortName(const TrialResult& trial) {
 }
 
 std::unique_ptr<Figure> boxesOfTrials(const Results& results, const std::vector<int>& joints) {
-  BoxplotData data{.title = nameOf(results) + QStringLiteral(": ") + errorWord(results) +
+  BoxplotData data{.title = nameOf(results) + QObject::tr(": signed ") + errorWord(results) +
                             (joints.size() == 1 ? QObject::tr(" of joint %1").arg(joints[0] + 1) : QString()),
-                   .note = robotWord(results)};
+                   .note = robotWord(results),
+                   .quantity = QObject::tr("signed %1").arg(shortErrorWord(results))};
   for (const int joint : joints) {
     BoxplotPanel panel{.title = kJointTitles[static_cast<std::size_t>(joint)],
                        .unit = unitOf(joint),
@@ -151,9 +180,9 @@ std::unique_ptr<Figure> boxesOfTrials(const Results& results, const std::vector<
 
 std::unique_ptr<Figure> boxesByOcclusion(const Results& results) {
   BoxplotData data{
-      .title = nameOf(results) + QObject::tr(": |%1| of the UKF by occlusion").arg(errorWord(results)),
+      .title = nameOf(results) + QObject::tr(": absolute %1 of the UKF by occlusion").arg(errorWord(results)),
       .note = robotWord(results),
-      .quantity = QStringLiteral("|error|")};
+      .quantity = QStringLiteral("|%1|").arg(shortErrorWord(results))};
   for (int joint = 0; joint < 3; ++joint) {
     BoxplotPanel panel{.title = kJointTitles[static_cast<std::size_t>(joint)],
                        .unit = unitOf(joint),
@@ -218,20 +247,20 @@ bool differInOcclusion(const Results& results) {
 }
 
 void addMotion(std::vector<ExperimentFigure>& figures, const Results& results, const TrialMotion& trial,
-               bool first) {
+               const TrialResult* result, bool first) {
   if (trial.trajectory.size() < 2) return;
   const std::string end = experiments::fileNameOf(trial.name), start = results.name + "-";
   figures.push_back({start + "trajectory-" + end, FigureKind::kTrajectory,
-                     [&] { return trajectory(results, trial, trial.begin, trial.end); }});
+                     [&, result] { return trajectory(results, trial, result, trial.begin, trial.end); }});
   if (first && trial.duration() > 1.5 * kDetail)
-    figures.push_back({start + "detail-" + end, FigureKind::kTrajectory, [&] {
+    figures.push_back({start + "detail-" + end, FigureKind::kTrajectory, [&, result] {
                          const double begin = detailBegin(trial);
-                         return trajectory(results, trial, begin, begin + kDetail);
+                         return trajectory(results, trial, result, begin, begin + kDetail);
                        }});
 }
 
 void addTrial(std::vector<ExperimentFigure>& figures, const Results& results, const TrialResult& trial) {
-  addMotion(figures, results, trial, &trial == &results.trials[0]);
+  addMotion(figures, results, trial, &trial, &trial == &results.trials[0]);
   if (!trial.errors.empty())
     figures.push_back({results.name + "-histogram-" + experiments::fileNameOf(trial.name),
                        FigureKind::kHistogram, [&] { return histogram(results, trial); }});
@@ -261,7 +290,8 @@ std::vector<ExperimentFigure> figuresOf(const Results& results) {
     addBoxplots(figures, results);
   if (!results.identification) return figures;
   const std::vector<TrialMotion>& motions = results.identification->motions;
-  for (const TrialMotion& motion : motions) addMotion(figures, results, motion, &motion == &motions[0]);
+  for (const TrialMotion& motion : motions)
+    addMotion(figures, results, motion, nullptr, &motion == &motions[0]);
   if (results.identification->trace.empty()) return figures;
   std::vector<std::string> sheets;
   for (const IdentifiedParameter& parameter : results.identification->parameters)

@@ -88,7 +88,9 @@ void FigureHeader::draw(QCPPainter* painter) {
   bool title = !title_.isEmpty();
   for (const Text& text : texts()) {
     painter->setFont(title ? titleFont(points_) : columnFont());
-    painter->setPen(title && role_ != Role::kValues ? theme_->muted : theme_->text);
+    painter->setPen(title && fault_ ? (theme_->isDark() ? theme_->fault : theme_->fault.darker(150))
+                    : title && role_ != Role::kValues ? theme_->muted
+                                                      : theme_->text);
     // A pixel wider than the text, which rounding would else clip.
     painter->drawText(title ? text.box.adjusted(0, 0, 1, 0) : text.box.adjusted(-1, 0, 0, 0),
                       (title ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter | Qt::TextSingleLine,

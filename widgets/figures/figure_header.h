@@ -25,6 +25,8 @@ class FigureHeader : public QCPLayoutElement {
   void setLayout(const HeaderLayout& layout, const HeaderPoints& points);
   void setTitle(const QString& title) { title_ = title; }
   QString title() const { return title_; }
+  /// The title in the colour of faults: it says one.
+  void setFault(bool fault) { fault_ = fault; }
   /// Width of a title in this row's font at `points` [px].
   double titleWidth(const QString& title, const HeaderPoints& points) const;
   /// Number of a column of a value row; right-aligned, so equal decimals stand below each other.
@@ -61,6 +63,7 @@ class FigureHeader : public QCPLayoutElement {
   HeaderLayout layout_;
   HeaderPoints points_;
   QString title_;
+  bool fault_ = false;
   std::array<QString, HeaderLayout::kColumns> texts_;
 };
 

@@ -5,6 +5,8 @@
 #include <limits>
 #include <string>
 
+#include "widgets/figures/number_text.h"
+
 namespace capstan::widgets {
 
 /// `value` with `digits` significant digits, fixed between 1e-3 and 1e5, powers of ten beyond; a dash where
@@ -20,7 +22,7 @@ inline QString significantText(double value, int digits = 3) {
   else
     text = QString::number(value, 'f',
                            std::max(0, digits - 1 - static_cast<int>(std::floor(std::log10(size) + 1e-12))));
-  return text.replace(QLatin1Char('-'), QChar(0x2212));
+  return withMinus(text);
 }
 
 /// Value and uncertainty with the decimals that two digits of the uncertainty need: 59.02 ± 0.11.
@@ -31,9 +33,8 @@ inline QString uncertainText(double value, double uncertainty) {
   if (decimals > 8 || decimals < -6)
     return significantText(value, 4) + QStringLiteral(" ± ") + significantText(uncertainty, 2);
   const int shown = std::max(decimals, 0);
-  QString text =
-      QString::number(value, 'f', shown) + QStringLiteral(" ± ") + QString::number(uncertainty, 'f', shown);
-  return text.replace(QLatin1Char('-'), QChar(0x2212));
+  return withMinus(QString::number(value, 'f', shown) + QStringLiteral(" ± ") +
+                   QString::number(uncertainty, 'f', shown));
 }
 
 /// Spaces that do not break, so that a line wraps only between such parts.

@@ -3,6 +3,8 @@
 #include <QPushButton>
 #include <algorithm>
 
+#include "widgets/figures/number_text.h"
+
 namespace capstan::widgets {
 
 namespace {
@@ -84,9 +86,19 @@ void JointFigure::setTheme(const Theme& theme) {
 }
 
 void JointFigure::setJointNames(const std::array<QString, 3>& names) {
-  for (int i = 0; i < 3; ++i)
-    plots_[static_cast<std::size_t>(i)]->setTitle(names[static_cast<std::size_t>(i)],
-                                                  tracking::kJointUnits[static_cast<std::size_t>(i)]);
+  names_ = names;
+  setTitles();
+}
+
+void JointFigure::setRemarks(const std::array<QString, 3>& remarks) {
+  remarks_ = remarks;
+  setTitles();
+  replot(rpQueuedReplot);
+}
+
+void JointFigure::setTitles() {
+  for (std::size_t i = 0; i < plots_.size(); ++i)
+    plots_[i]->setTitle(names_[i], tracking::kJointUnits[i], remarks_[i]);
   fitHeaders();
 }
 
@@ -137,7 +149,8 @@ void JointFigure::refresh(bool at_once) {
   const QCPRange time(end_ - span_, end_);
   const std::size_t most = static_cast<std::size_t>(std::max(kStepsAPixel * width(), 200.0));
   const double readout = cursor_.value_or(following_ ? history_.end() : std::min(end_, history_.end()));
-  legend_->setTitle(history_.empty() ? QString() : QStringLiteral("t %1 s").arg(readout, 0, 'f', 3));
+  legend_->setTitle(history_.empty() ? QString()
+                                     : withMinus(QStringLiteral("t %1 s").arg(readout, 0, 'f', 3)));
   if (note_) note_->setTitle(noteText(time));
   for (std::size_t i = 0; i < plots_.size(); ++i) {
     plots_[i]->axes()->axis(QCPAxis::atBottom)->setRange(time);

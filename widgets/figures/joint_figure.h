@@ -28,6 +28,8 @@ class JointFigure : public QCustomPlot {
   void setTheme(const Theme& theme);
   /// Names of the three joints from the robot file.
   void setJointNames(const std::array<QString, 3>& names);
+  /// What is wrong with a joint's values, beside its title in the colour of faults; empty: nothing.
+  void setRemarks(const std::array<QString, 3>& remarks);
 
   /// Draws what the history holds now. `at_once`: inside this call, else when the event loop is next idle.
   void refresh(bool at_once = false);
@@ -67,6 +69,7 @@ class JointFigure : public QCustomPlot {
 
  private:
   void layOut();
+  void setTitles();
   void fitHeaders();
   QString noteText(const QCPRange& time) const;
   void placeLiveButton();
@@ -81,6 +84,7 @@ class JointFigure : public QCustomPlot {
   FigureHeader* legend_;
   QPushButton* live_;  ///< back to the newest sample; seen while looking back
   std::array<std::unique_ptr<JointPlot>, 3> plots_;
+  std::array<QString, 3> names_, remarks_;
   std::vector<QCPItemStraightLine*> cursor_lines_;
   bool following_ = true;
   double span_ = 20.0;

@@ -62,8 +62,10 @@ JointPlot::JointPlot(QCustomPlot* plot, const JointHistory& history, int joint)
   graph(Quantity::kCamera)->setLineStyle(QCPGraph::lsNone);
 }
 
-void JointPlot::setTitle(const QString& title, const QString& unit) {
-  header_->setTitle(QStringLiteral("%1 q%2 [%3]").arg(title).arg(joint_ + 1).arg(unit));
+void JointPlot::setTitle(const QString& title, const QString& unit, const QString& fault) {
+  const QString words = QStringLiteral("%1 q%2 [%3]").arg(title).arg(joint_ + 1).arg(unit);
+  header_->setTitle(fault.isEmpty() ? words : words + QStringLiteral(" · ") + fault);
+  header_->setFault(!fault.isEmpty());
 }
 
 void JointPlot::setTheme(const Theme& theme, bool vectors, double widths) {

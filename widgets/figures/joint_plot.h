@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "widgets/figures/curve.h"
 #include "widgets/figures/figure_header.h"
@@ -21,8 +22,9 @@ class JointPlot {
   /// `joint` 0…2.
   JointPlot(QCustomPlot* plot, const JointHistory& history, int joint);
 
-  /// As people read them: "shoulder", "deg"; written once, as `shoulder q1 [deg]`.
-  void setTitle(const QString& title, const QString& unit);
+  /// As people read them: "shoulder", "deg"; written once, as `shoulder q1 [deg]`. `fault`: what is wrong
+  /// with its values, behind the title.
+  void setTitle(const QString& title, const QString& unit, const QString& fault = {});
   /// `vectors`: dots are drawn as circles, for files; else stamped from a small picture, for speed. `widths`
   /// scales lines, dashes and dots.
   void setTheme(const Theme& theme, bool vectors, double widths = 1.0);
@@ -39,6 +41,8 @@ class JointPlot {
   void fitValues();
   void setFitting(bool on) { fitting_ = on; }
   bool fitting() const { return fitting_; }
+  /// Of what fill() took last, without bands; nothing: no value.
+  std::optional<QCPRange> drawn() const { return any_ ? std::optional(drawn_) : std::nullopt; }
 
   QCPAxisRect* axes() const { return axes_; }
   const OcclusionShade& shade() const { return *shade_; }

@@ -6,16 +6,20 @@
 namespace capstan::widgets {
 
 /// Widest texts that valueText and sigmaText give.
-inline const QString kWidestValue = QStringLiteral("-000.00"), kWidestSigma = QStringLiteral("±00.00");
+inline const QString kWidestValue = QStringLiteral("−000.00"), kWidestSigma = QStringLiteral("±00.00");
 inline const QString kSigmaName = QStringLiteral("±2σ");
+
+/// A number as people read it: its minus signs are real ones (U+2212), as wide as a digit.
+inline QString withMinus(QString number) { return number.replace(QLatin1Char('-'), QChar(0x2212)); }
 
 /// `value` with two decimals while its whole part fits three digits; whole, then in powers of ten beyond; a
 /// dash where it is not known. At most seven characters.
 inline QString valueText(double value) {
   if (!std::isfinite(value)) return QStringLiteral("—");
   const double size = std::abs(value);
-  if (size < 999.995) return QString::number(value, 'f', 2);
-  return size < 99999.5 ? QString::number(value, 'f', 0) : QString::number(value, 'e', 0);
+  return withMinus(size < 999.995   ? QString::number(value, 'f', 2)
+                   : size < 99999.5 ? QString::number(value, 'f', 0)
+                                    : QString::number(value, 'e', 0));
 }
 
 /// ± two standard deviations, in the same way. At most six characters below 1e100.

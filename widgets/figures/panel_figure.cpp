@@ -118,6 +118,7 @@ void PanelFigure::arrange(int columns) {
   grid_->simplify();
   qDeleteAll(groups_);
   groups_.clear();
+  for (int row = 0; row < grid_->rowCount(); ++row) grid_->setRowStretchFactor(row, 1.0);
   const int rows = (static_cast<int>(panels_.size()) + columns - 1) / columns;
   for (int i = 0; i < columns + rows; ++i) groups_.push_back(new QCPMarginGroup(this));
   for (std::size_t i = 0; i < panels_.size(); ++i) {
@@ -160,7 +161,7 @@ void PanelFigure::layOutPanels() {
 }
 
 /// Labels and as many numbers as there is room for. Where panels stand below each other, the x axis is
-/// labelled below the lowest; a value axis too short for its label has it in the panel's header.
+/// labelled below the lowest; a value axis too short for its label has its unit in the panel's header.
 void PanelFigure::fitLabels() {
   const QFontMetricsF metrics(textFont(scale_.tick));
   const double label = metrics.height();
@@ -176,10 +177,27 @@ void PanelFigure::fitLabels() {
   for (const Panel& panel : panels_) {
     QCPAxis* x = panel.axes->axis(QCPAxis::atBottom);
     QCPAxis* y = panel.axes->axis(QCPAxis::atLeft);
-    if (metrics.horizontalAdvance(panel.y_label) > panel.axes->height() + label) y->setLabel({});
+    const double room = panel.axes->height() + label;
+    for (const QString& words : {panel.y_label, panel.y_label.section(QLatin1String(" ["), 0, 0), QString()})
+      if (y->setLabel(words); metrics.horizontalAdvance(words) <= room) break;
     x->ticker()->setTickCount(std::clamp(static_cast<int>(panel.axes->width() / (2.9 * label)), 2, 10));
     y->ticker()->setTickCount(std::clamp(static_cast<int>(panel.axes->height() / (1.9 * label)), 2, 7));
   }
+  layOutPanels();
+  if (columns_ == 1 && sharesX()) balanceRows();
+}
+
+/// Axes below each other become equally high, whatever stands above and below them.
+void PanelFigure::balanceRows() {
+  const auto rows = static_cast<int>(panels_.size());
+  double axes = 0.0;
+  std::vector<double> beside;
+  for (const Panel& panel : panels_) {
+    beside.push_back(panel.cell->outerRect().height() - panel.axes->height());
+    axes += panel.axes->height();
+  }
+  for (int row = 0; row < rows; ++row)
+    grid_->setRowStretchFactor(row, std::max(1.0, beside[static_cast<std::size_t>(row)] + axes / rows));
   layOutPanels();
 }
 

@@ -28,8 +28,8 @@ class PanelFigure : public QCustomPlot, public Figure {
     QCPLayoutGrid* cell;
     TextRow* header;
     QCPAxisRect* axes;
-    QString x_label, y_label;
-    QCPItemText* empty;  ///< says that there is nothing to show, where there is not
+    QString x_label, y_label;  ///< too long for its axis, y_label loses its unit, then all
+    QCPItemText* empty;        ///< says that there is nothing to show, where there is not
   };
 
   QCustomPlot& canvas() override { return *this; }
@@ -69,6 +69,7 @@ class PanelFigure : public QCustomPlot, public Figure {
   void styleAxes(const Panel& panel) const;
   void fitHeaders(double width, bool brief);
   void layOutPanels();
+  void balanceRows();
   void fitLabels();
 
   const Theme* theme_;

@@ -6,34 +6,86 @@
 #include <array>
 #include <cmath>
 
+#include "widgets/figures/number_text.h"
+
 namespace capstan::widgets {
 
 /// Ticks at 1, 2 or 5 times a power of ten, at least two of them, labelled with exactly the decimals that the
-/// step needs.
+/// step needs and with a real minus sign.
 class RoundTicker : public QCPAxisTicker {
- protected:
-  double getTickStep(const QCPRange& range) override {
-    const double rough = range.size() / std::max(tickCount(), 1);
+ public:
+  /// The step for about `count` ticks.
+  static double stepFor(const QCPRange& range, int count) {
+    const double rough = range.size() / std::max(count, 1);
     const double decade = std::pow(10.0, std::floor(std::log10(rough)));
     const double share = rough / decade;
     constexpr std::array kSteps = {10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1};
     std::size_t chosen = share < 1.4 ? 3 : share < 3.2 ? 2 : share < 7.0 ? 1 : 0;
     while (chosen + 1 < kSteps.size() && ticksWithin(range, decade * kSteps[chosen]) < 2.0) ++chosen;
-    step_ = decade * kSteps[chosen];
-    return step_;
+    return decade * kSteps[chosen];
+  }
+  /// What a range of values becomes where ticks are to stand at its ends.
+  struct Ends {
+    QCPRange range;
+    double step = 1.0;
+  };
+  /// The narrowest range about `values` that takes at most `most` steps of 1 to 5 times a power of ten from
+  /// its first tick to its last. Values may reach a little beyond these.
+  static Ends endsFor(const QCPRange& values, int most) {
+    constexpr double kBeyond = 0.15;  // of a step
+    const double least = std::pow(10.0, std::floor(std::log10(values.size() / std::max(most, 1))) - 1.0);
+    Ends best;
+    for (double decade = least; decade < 1e4 * least; decade *= 10.0)
+      for (const double share : {1.0, 2.0, 3.0, 4.0, 5.0}) {
+        const double step = share * decade;
+        const double first = std::floor(values.lower / step + kBeyond),
+                     last = std::ceil(values.upper / step - kBeyond);
+        if (last <= first || last - first > std::max(most, 1)) continue;
+        const QCPRange range(std::min(step * first, values.lower), std::max(step * last, values.upper));
+        if (best.range.size() == 0.0 || range.size() < 0.999 * best.range.size()) best = {range, step};
+      }
+    return best;
+  }
+  /// From now on; 0: as stepFor() has it.
+  void setFixedStep(double step) { fixed_step_ = step; }
+
+ protected:
+  double getTickStep(const QCPRange& range) override {
+    return step_ = fixed_step_ > 0.0 ? fixed_step_ : stepFor(range, tickCount());
   }
   int getSubTickCount(double) override { return 0; }
   QString getTickLabel(double tick, const QLocale& locale, QChar, int) override {
-    const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step_) + 1e-9)));
-    return locale.toString(std::abs(tick) < 1e-9 * step_ ? 0.0 : tick, 'f', decimals);
+    return withMinus(locale.toString(std::abs(tick) < 1e-9 * step_ ? 0.0 : tick, 'f', decimals()));
   }
+  /// That the step needs.
+  int decimals() const { return std::max(0, -static_cast<int>(std::floor(std::log10(step_) + 1e-9))); }
 
  private:
   static double ticksWithin(const QCPRange& range, double step) {
     return std::floor(range.upper / step) - std::ceil(range.lower / step) + 1.0;
   }
 
-  double step_ = 1.0;
+  double step_ = 1.0, fixed_step_ = 0.0;
+};
+
+/// The same, with the ends of the axis among them (inwards to the last decimal of the others), in place of
+/// what stands closer to one than most of a step: where an axis ends with its data, it says where that is.
+class EndTicker : public RoundTicker {
+ protected:
+  QVector<double> createTickVector(double step, const QCPRange& range) override {
+    constexpr double kClose = 0.7;  // of a step
+    const double unit = std::pow(10.0, -decimals());
+    const double first = unit * std::ceil(range.lower / unit - 1e-9);
+    const double last = unit * std::floor(range.upper / unit + 1e-9);
+    QVector<double> ticks = RoundTicker::createTickVector(step, range);
+    const auto near = [&](double tick) {
+      return tick < first + kClose * step || tick > last - kClose * step;
+    };
+    ticks.erase(std::remove_if(ticks.begin(), ticks.end(), near), ticks.end());
+    ticks.prepend(first);
+    if (last > first) ticks.append(last);
+    return ticks;
+  }
 };
 
 }  // namespace capstan::widgets

@@ -7,7 +7,8 @@ namespace capstan::widgets {
 namespace {
 
 constexpr double kLineSpacing = 1.08;
-constexpr int kBelow = 2;  ///< under the last line [px]
+constexpr int kBelow = 2;      ///< under the last line [px]
+constexpr double kGap = 10.0;  ///< before a line that stands beside another [px]
 
 int lineHeight(const QFont& font) {
   return static_cast<int>(std::ceil(QFontMetricsF(font).height() * kLineSpacing));
@@ -50,15 +51,23 @@ QFont TextRow::fontOf(const Line& line) const {
   return textFont(line.strong ? strong_points_ : points_, line.strong);
 }
 
+double TextRow::widthOf(const Line& line) const {
+  return QFontMetricsF(fontOf(line)).horizontalAdvance(line.text);
+}
+
 void TextRow::fit(double strong_points, double points, double width) {
   strong_points_ = strong_points;
   points_ = points;
   wrapped_.clear();
   height_ = 0;
   for (const Line& line : lines_) {
+    if (line.beside && !wrapped_.empty() && widthOf(wrapped_.back()) + kGap + widthOf(line) <= width) {
+      wrapped_.push_back(line);
+      continue;
+    }
     if (brief_ && !line.strong) continue;
     for (const QString& part : wrapText(line.text, fontOf(line), width)) {
-      wrapped_.push_back({part, line.strong});
+      wrapped_.push_back({part, line.strong, false});
       height_ += lineHeight(fontOf(line));
     }
   }
@@ -66,16 +75,21 @@ void TextRow::fit(double strong_points, double points, double width) {
 }
 
 void TextRow::draw(QCPPainter* painter) {
-  double top = rect().top();
+  double below = rect().top(), right = rect().left();
+  double top = below, height = 0.0;
   for (const Line& line : wrapped_) {
     const QFont font = fontOf(line);
     painter->setFont(font);
     painter->setPen(line.strong ? strong_ : quiet_);
-    const QFontMetricsF metrics(font);
-    const double width = metrics.horizontalAdvance(line.text);
-    painter->drawText(QRectF(rect().left(), top, width + 2.0, lineHeight(font)),
+    if (!line.beside) {
+      top = below;
+      height = lineHeight(font);
+    }
+    const double left = line.beside ? right + kGap : rect().left(), width = widthOf(line);
+    painter->drawText(QRectF(left, top, width + 2.0, height),
                       Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine | Qt::TextDontClip, line.text);
-    top += lineHeight(font);
+    right = left + width;
+    below = top + height;
   }
 }
 

@@ -13,6 +13,7 @@ class TextRow : public QCPLayoutElement {
   struct Line {
     QString text;
     bool strong = false;  ///< bold, in the text colour; else in the muted one
+    bool beside = false;  ///< behind the line before it, where both fit the width
   };
 
   explicit TextRow(QCustomPlot* plot);
@@ -22,7 +23,7 @@ class TextRow : public QCPLayoutElement {
   void setColours(const QColor& strong, const QColor& quiet);
   /// `strong_points` and `points`: font sizes [typographic points]; `width` [px].
   void fit(double strong_points, double points, double width);
-  /// Strong lines only, where there is no room for the others; until the next call.
+  /// Strong lines only and those beside them, where there is no room for the others; until the next call.
   void setBrief(bool brief) { brief_ = brief; }
 
  protected:
@@ -33,6 +34,7 @@ class TextRow : public QCPLayoutElement {
 
  private:
   QFont fontOf(const Line& line) const;
+  double widthOf(const Line& line) const;
 
   std::vector<Line> lines_, wrapped_;
   QColor strong_, quiet_;

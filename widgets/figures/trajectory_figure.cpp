@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "core/base/units.h"
 #include "widgets/figures/figure_text.h"
+#include "widgets/figures/round_ticker.h"
 
 namespace capstan::widgets {
 
@@ -14,6 +16,7 @@ constexpr double kWidths = 0.5;       ///< of lines on a figure, against the win
 constexpr double kStepsAPixel = 1.0;  ///< history steps drawn
 constexpr double kDotsAPixel = 0.3;   ///< camera observations drawn
 constexpr std::size_t kLeastRows = 256;
+constexpr double kLeastSpan = 1e-3;  ///< of a value axis [deg or mm]
 
 double inScreenUnit(double value, int joint) {
   return tracking::kJointUnits[static_cast<std::size_t>(joint)][0] == 'm' ? base::toMillimetres(value)
@@ -35,37 +38,60 @@ tracking::Snapshot snapshotOf(const TrajectorySample& sample) {
   return s;
 }
 
-/// RMS of `which` − true in the screen unit, and how many instants know both.
-std::pair<double, std::size_t> rmsOf(const std::vector<TrajectorySample>& samples,
-                                     Eigen::Vector3d TrajectorySample::*which, int joint) {
-  double sum = 0.0;
-  std::size_t n = 0;
-  for (const TrajectorySample& sample : samples) {
-    const double error = inScreenUnit((sample.*which)[joint] - sample.q_true[joint], joint);
-    if (!std::isfinite(error)) continue;
-    sum += error * error;
-    ++n;
+/// Estimates − true in the place of the estimates, zero in that of the true values.
+tracking::Snapshot errorsOf(const TrajectorySample& sample) {
+  tracking::Snapshot s = snapshotOf(sample);
+  s.q_link_true = sample.q_true - sample.q_true;
+  s.q_link_kin = sample.q_kin - sample.q_true;
+  s.q_link_ukf = sample.q_ukf - sample.q_true;
+  s.camera_updated = false;
+  return s;
+}
+
+/// RMS of `which` − true, joint by joint, and how many instants know a joint at least.
+std::pair<Eigen::Vector3d, std::uint64_t> rmsOf(const std::vector<TrajectorySample>& samples,
+                                                Eigen::Vector3d TrajectorySample::*which) {
+  Eigen::Vector3d rms = Eigen::Vector3d::Constant(std::nan(""));
+  std::uint64_t most = 0;
+  for (int joint = 0; joint < 3; ++joint) {
+    double sum = 0.0;
+    std::uint64_t n = 0;
+    for (const TrajectorySample& sample : samples) {
+      const double error = (sample.*which)[joint] - sample.q_true[joint];
+      if (!std::isfinite(error)) continue;
+      sum += error * error;
+      ++n;
+    }
+    if (n > 0) rms[joint] = std::sqrt(sum / static_cast<double>(n));
+    most = std::max(most, n);
   }
-  return {n > 0 ? std::sqrt(sum / static_cast<double>(n)) : std::nan(""), n};
+  return {rms, most};
+}
+
+TrajectoryRms rmsOf(const TrajectoryData& data) {
+  if (data.rms) return *data.rms;
+  TrajectoryRms rms;
+  std::tie(rms.kinematic, rms.kinematic_n) = rmsOf(data.samples, &TrajectorySample::q_kin);
+  std::tie(rms.ukf, rms.ukf_n) = rmsOf(data.samples, &TrajectorySample::q_ukf);
+  return rms;
+}
+
+bool knowsTruth(const std::vector<TrajectorySample>& samples, int joint) {
+  return std::any_of(samples.begin(), samples.end(),
+                     [&](const TrajectorySample& sample) { return std::isfinite(sample.q_true[joint]); });
 }
 
 }  // namespace
 
 TrajectoryFigure::TrajectoryFigure(TrajectoryData data, QWidget* parent)
-    : PanelFigure(parent), data_(std::move(data)), history_(std::max(data_.samples.size(), kLeastRows)) {
-  fillHistory();
+    : PanelFigure(parent),
+      data_(std::move(data)),
+      rms_(rmsOf(data_)),
+      history_(std::max(data_.samples.size(), kLeastRows)),
+      errors_(std::max(data_.samples.size(), kLeastRows)) {
+  fillHistories();
   setTitle(data_.title, data_.note);
-  for (int i = 0; i < 3; ++i) {
-    const auto joint = static_cast<std::size_t>(i);
-    plots_[joint] = std::make_unique<JointPlot>(this, history_, i);
-    plots_[joint]->header()->setVisible(false);  // its numbers are those under a cursor
-    const QString unit = tracking::kJointUnits[joint];
-    const Panel& panel =
-        addPanel({{QStringLiteral("%1 q%2 [%3]").arg(data_.joint_names[joint]).arg(i + 1).arg(unit), true},
-                  {words(i), false}},
-                 tr("time [s]"), QStringLiteral("q%1 [%2]").arg(i + 1).arg(unit), plots_[joint]->axes());
-    panel.empty->setVisible(data_.samples.empty());
-  }
+  for (int joint = 0; joint < 3; ++joint) addJoint(joint);
   fit();
 }
 
@@ -73,26 +99,57 @@ TrajectoryFigure::~TrajectoryFigure() = default;
 
 std::unique_ptr<Figure> TrajectoryFigure::copy() const { return std::make_unique<TrajectoryFigure>(data_); }
 
-void TrajectoryFigure::fillHistory() {
-  for (const TrajectorySample& sample : data_.samples) history_.append(snapshotOf(sample));
+void TrajectoryFigure::fillHistories() {
+  for (const TrajectorySample& sample : data_.samples) {
+    history_.append(snapshotOf(sample));
+    errors_.append(errorsOf(sample));
+  }
+}
+
+void TrajectoryFigure::addJoint(int joint) {
+  const auto i = static_cast<std::size_t>(joint);
+  const QString unit = tracking::kJointUnits[i];
+  const auto add = [&](std::unique_ptr<JointPlot>& plot, const JointHistory& history,
+                       std::vector<TextRow::Line> header, const QString& quantity) {
+    plot = std::make_unique<JointPlot>(this, history, joint);
+    plot->header()->setVisible(false);  // its numbers are those under a cursor
+    const Panel& panel = addPanel(std::move(header), tr("time [s]"),
+                                  QStringLiteral("%1 [%2]").arg(quantity, unit), plot->axes());
+    plot->axes()->axis(QCPAxis::atBottom)->setTicker(QSharedPointer<EndTicker>::create());
+    panel.empty->setVisible(data_.samples.empty());
+  };
+  add(plots_[i], history_,
+      {{QStringLiteral("%1 q%2 [%3]").arg(data_.joint_names[i]).arg(joint + 1).arg(unit), true},
+       {words(joint), false, true}},
+      QStringLiteral("q%1").arg(joint + 1));
+  if (!knowsTruth(data_.samples, joint)) return;
+  add(error_plots_[i], errors_, {}, data_.error);
 }
 
 QString TrajectoryFigure::words(int joint) const {
-  const QString unit = tracking::kJointUnits[static_cast<std::size_t>(joint)];
   QStringList parts;
-  const auto [kin, kin_n] = rmsOf(data_.samples, &TrajectorySample::q_kin, joint);
-  const auto [ukf, ukf_n] = rmsOf(data_.samples, &TrajectorySample::q_ukf, joint);
-  if (kin_n > 0) parts << tr("kinematic %1 %2").arg(significantText(kin), unit);
-  if (ukf_n > 0) parts << tr("UKF %1 %2").arg(significantText(ukf), unit);
-  if (parts.isEmpty()) return unbroken(tr("n %1, no reference").arg(data_.samples.size()));
-  return unbroken(
-      tr("RMS error: %1, n %2").arg(parts.join(QStringLiteral(", "))).arg(std::max(kin_n, ukf_n)));
+  if (std::isfinite(rms_.kinematic[joint]))
+    parts << tr("kinematic %1").arg(significantText(inScreenUnit(rms_.kinematic[joint], joint)));
+  if (std::isfinite(rms_.ukf[joint]))
+    parts << tr("UKF %1").arg(significantText(inScreenUnit(rms_.ukf[joint], joint)));
+  if (parts.isEmpty()) return unbroken(tr("no reference, n %1").arg(data_.samples.size()));
+  return unbroken(tr("RMS %1: %2; n %3")
+                      .arg(data_.error, parts.join(QStringLiteral(", ")))
+                      .arg(std::max(rms_.kinematic_n, rms_.ukf_n)));
+}
+
+std::vector<JointPlot*> TrajectoryFigure::all() const {
+  std::vector<JointPlot*> plots;
+  for (const auto* some : {&plots_, &error_plots_})
+    for (const auto& plot : *some)
+      if (plot) plots.push_back(plot.get());
+  return plots;
 }
 
 int TrajectoryFigure::columnsFor(QSize) const { return 1; }
 
 void TrajectoryFigure::restyle() {
-  for (auto& plot : plots_) plot->setTheme(theme(), true, kWidths * scale().line);
+  for (JointPlot* plot : all()) plot->setTheme(theme(), true, kWidths * scale().line);
   setEntries();
 }
 
@@ -126,17 +183,46 @@ void TrajectoryFigure::setEntries() {
   setLegend(std::move(entries));
 }
 
+/// As many numbers as there is room for, the first and the last at the axis' ends.
+void TrajectoryFigure::endOnTicks(JointPlot& plot) const {
+  constexpr double kPitch = 1.2;     // of numbers, in their heights
+  constexpr double kPadding = 0.04;  // beyond the values, so that no line is cut
+  if (!plot.drawn()) return;
+  QCPAxis* axis = plot.axes()->axis(QCPAxis::atLeft);
+  const double height = QFontMetricsF(axis->tickLabelFont()).height();
+  QCPRange values = *plot.drawn();
+  const double missing = 0.5 * std::max(kLeastSpan - values.size(), 0.0);
+  values = QCPRange(values.lower - missing, values.upper + missing);
+  const auto ends = RoundTicker::endsFor(values, static_cast<int>(plot.axes()->height() / (kPitch * height)));
+  const auto ticker = QSharedPointer<RoundTicker>::create();
+  ticker->setFixedStep(ends.step);
+  axis->setTicker(ticker);
+  const double padding = kPadding * values.size();
+  axis->setRange(std::min(ends.range.lower, values.lower - padding),
+                 std::max(ends.range.upper, values.upper + padding));
+}
+
 void TrajectoryFigure::laidOut() {
   const bool some = !history_.empty() && history_.end() > history_.begin();
   const double begin = history_.begin(), end = some ? history_.end() : begin + 1.0;
-  for (auto& plot : plots_) {
+  for (JointPlot* plot : all()) {
     plot->axes()->axis(QCPAxis::atBottom)->setRange(begin, end);
     plot->setTickPoints(scale().tick);
     const auto most = static_cast<std::size_t>(std::max(kStepsAPixel * plot->axes()->width(), 200.0));
     plot->setMostDots(static_cast<std::size_t>(kDotsAPixel * plot->axes()->width()));
     plot->fill(begin, end, most);
-    plot->fitValues();
+    endOnTicks(*plot);
   }
+}
+
+std::string TrajectoryFigure::rmsCsv() const {
+  std::string csv = "joint,unit,estimator,rms,n\n";
+  for (int joint = 0; joint < 3; ++joint)
+    for (const auto& [name, rms, n] : {std::tuple{"kinematic", rms_.kinematic[joint], rms_.kinematic_n},
+                                       std::tuple{"ukf", rms_.ukf[joint], rms_.ukf_n}})
+      csv += "q" + std::to_string(joint + 1) + "," + tracking::kJointUnits[static_cast<std::size_t>(joint)] +
+             "," + name + "," + csvNumber(inScreenUnit(rms, joint)) + "," + std::to_string(n) + "\n";
+  return csv;
 }
 
 std::vector<FigureNumbers> TrajectoryFigure::numbers() const {
@@ -154,7 +240,7 @@ std::vector<FigureNumbers> TrajectoryFigure::numbers() const {
     csv += sample.occluded ? ",1," : ",0,";
     csv += csvNumber(sample.q_cam.allFinite() ? sample.t_cam.value_or(sample.t) : std::nan("")) + "\n";
   }
-  return {{"", csv}};
+  return {{"", csv}, {"_rms", rmsCsv()}};
 }
 
 }  // namespace capstan::widgets

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -21,16 +22,26 @@ struct TrajectorySample {
   std::optional<double> t_cam = {};  ///< exposure behind q_cam [s]; none: t
 };
 
+/// RMS differences from the true joints over every sample of a run, as rad, rad, m, and how many they are.
+struct TrajectoryRms {
+  Eigen::Vector3d kinematic, ukf;
+  std::uint64_t kinematic_n = 0, ukf_n = 0;
+};
+
 struct TrajectoryData {
   QString title = {}, note = {};
+  QString error = QStringLiteral("error");  ///< what a difference from the true values is called
   std::array<QString, 3> joint_names = {QStringLiteral("shoulder"), QStringLiteral("elbow"),
                                         QStringLiteral("insertion")};
   std::vector<TrajectorySample> samples = {};
+  /// Of the run that `samples` were thinned from, as tables have it; none: it is taken over `samples`.
+  std::optional<TrajectoryRms> rms = {};
 };
 
 /// Three joints over time: true, kinematic, camera, UKF with its ±2σ, occluded time shaded (UKF paper,
-/// figures 5 and 8), drawn by the same joint plots as on screen. Above each joint the RMS difference from the
-/// true values over these samples.
+/// figures 5 and 8), drawn by the same joint plots as on screen. Beneath each the differences of the
+/// kinematic and UKF estimates from the true values, where these are known, in a scale of their own; above
+/// each the RMS differences.
 class TrajectoryFigure : public PanelFigure {
   Q_OBJECT
  public:
@@ -41,6 +52,9 @@ class TrajectoryFigure : public PanelFigure {
   std::vector<FigureNumbers> numbers() const override;
   const TrajectoryData& data() const { return data_; }
   JointPlot& plot(int joint) { return *plots_[static_cast<std::size_t>(joint)]; }
+  /// Estimates − true; null where no true values are known.
+  JointPlot* errorPlot(int joint) { return error_plots_[static_cast<std::size_t>(joint)].get(); }
+  const TrajectoryRms& rms() const { return rms_; }
 
  protected:
   int columnsFor(QSize size) const override;
@@ -49,13 +63,18 @@ class TrajectoryFigure : public PanelFigure {
   void laidOut() override;
 
  private:
-  void fillHistory();
+  void fillHistories();
+  void addJoint(int joint);
   QString words(int joint) const;
+  std::string rmsCsv() const;
   void setEntries();
+  void endOnTicks(JointPlot& plot) const;
+  std::vector<JointPlot*> all() const;
 
   TrajectoryData data_;
-  JointHistory history_;
-  std::array<std::unique_ptr<JointPlot>, 3> plots_;
+  TrajectoryRms rms_;
+  JointHistory history_, errors_;
+  std::array<std::unique_ptr<JointPlot>, 3> plots_, error_plots_;
 };
 
 }  // namespace capstan::widgets

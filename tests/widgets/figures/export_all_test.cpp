@@ -145,6 +145,37 @@ TEST_F(ExportAll, CameraObservationsStandAtTheirTimesOfExposure) {
   }
 }
 
+// The series are thinned, the tables' numbers are not: figures say the same as the tables.
+TEST_F(ExportAll, TrajectoriesTellTheTablesRms) {
+  experiments::Results results = trialsSample("C", {0.0});
+  results.trials[0].rms[0] = Eigen::Vector3d(0.1, 0.2, 0.03);
+  results.trials[0].counts[0] = 40'000;
+  for (experiments::ErrorPoint& point : results.trials[0].errors)
+    point.ukf = Eigen::Vector3d::Constant(point.t < 20.0 ? 0.5 : 0.001);
+  const auto rmsOf = [&](std::size_t i) {
+    const auto figure = figuresOf(results)[i].make();
+    return dynamic_cast<TrajectoryFigure&>(*figure).rms();
+  };
+  EXPECT_EQ(rmsOf(0).kinematic, results.trials[0].rms[0]);
+  EXPECT_EQ(rmsOf(0).kinematic_n, 40'000U);
+  EXPECT_EQ(rmsOf(0).ukf, results.trials[0].rmsOf(experiments::Estimator::kUkf));
+  ASSERT_EQ(namesIn(results)[1], "C-detail-trial-1");
+  EXPECT_EQ(rmsOf(1).ukf_n, 401U) << "a part of 20 s";
+  EXPECT_LT(rmsOf(1).ukf[0], 0.5);
+}
+
+TEST_F(ExportAll, BoxPlotsSayWhetherErrorsAreSigned) {
+  const auto boxes = [](const experiments::Results& results) {
+    const auto figure = figuresOf(results).back().make();
+    return dynamic_cast<BoxplotFigure&>(*figure).data();
+  };
+  EXPECT_EQ(boxes(results_[0]).quantity, "signed error");
+  EXPECT_TRUE(boxes(results_[0]).title.contains("signed error of joint 3"));
+  const BoxplotData absolute = boxes(trialsSample("D", {10.0, 80.0}));
+  EXPECT_EQ(absolute.quantity, "|error|");
+  EXPECT_TRUE(absolute.title.contains("absolute error"));
+}
+
 TEST_F(ExportAll, NoFileOfASingleTrialIsWrittenTwice) {
   const ExportReport report = exportAll({trialsSample("C", {0.0})}, at("out"), small_);
   EXPECT_EQ(std::set<fs::path>(report.files.begin(), report.files.end()).size(), report.files.size());

@@ -103,6 +103,61 @@ TEST(TrajectoryNumbers, AreInDegreesAndMillimetresWithEmptyCellsForTheUnknown) {
   EXPECT_EQ(rows[0][16], "0");
 }
 
+TEST(TrajectoryNumbers, RmsIsThatOfTheRunWhereItIsGiven) {
+  TrajectoryData data = trajectorySample(30.0);
+  const auto headerOf = [](const TrajectoryFigure& figure) {
+    return figure.panels()[0].header->lines()[1].text;
+  };
+  const TrajectoryFigure of_samples(data);
+  EXPECT_TRUE(headerOf(of_samples).contains(unbroken("kinematic 1.72"))) << "0.03 rad";
+  EXPECT_TRUE(headerOf(of_samples).endsWith(unbroken("n 601")));
+  data.rms = {
+      .kinematic = {0.05, 0.06, 0.007}, .ukf = {0.01, 0.02, 0.003}, .kinematic_n = 30'000, .ukf_n = 30'000};
+  const TrajectoryFigure of_run(data);
+  EXPECT_EQ(headerOf(of_run), unbroken("RMS error: kinematic 2.86, UKF 0.573; n 30000"));
+  const auto rows = rowsOf(of_run, "_rms");
+  ASSERT_EQ(rows.size(), 6U);
+  EXPECT_EQ(rows[5], (QStringList{"q3", "mm", "ukf", "3", "30000"}));
+}
+
+TEST(TrajectoryPanels, ShowTheErrorsInTheirOwnScaleBeneathEachJoint) {
+  TrajectoryFigure figure(trajectorySample(30.0));
+  figure.canvas().resize(680, 454);
+  ASSERT_EQ(figure.panels().size(), 6U);
+  for (int joint = 0; joint < 3; ++joint) {
+    ASSERT_NE(figure.errorPlot(joint), nullptr);
+    const QCPAxisRect *above = figure.plot(joint).axes(), *below = figure.errorPlot(joint)->axes();
+    EXPECT_GT(below->top(), above->bottom());
+    EXPECT_NEAR(below->height(), above->height(), 3) << "none is squeezed for another's header";
+    EXPECT_LT(2.0 * below->axis(QCPAxis::atLeft)->range().size(),
+              above->axis(QCPAxis::atLeft)->range().size());
+  }
+  const auto zero = figure.errorPlot(1)->graph(Quantity::kTrue)->data();
+  EXPECT_EQ(zero->at(zero->size() / 2)->value, 0.0);
+  const auto error = figure.errorPlot(1)->graph(Quantity::kKinematic)->data();
+  EXPECT_NEAR(error->at(error->size() / 2)->value, base::toDegrees(-0.04), 1e-4);
+
+  TrajectoryData unknown = trajectorySample(30.0);
+  for (TrajectorySample& s : unknown.samples) s.q_true.setConstant(kNaN);
+  EXPECT_EQ(TrajectoryFigure(unknown).panels().size(), 3U) << "no truth, no errors";
+}
+
+TEST(TrajectoryPanels, EndTheirAxesOnTicks) {
+  TrajectoryFigure figure(trajectorySample(30.0));
+  figure.canvas().resize(680, 600);
+  figure.canvas().replot();
+  for (const auto& panel : figure.panels()) {
+    const QCPAxis *value = panel.axes->axis(QCPAxis::atLeft), *time = panel.axes->axis(QCPAxis::atBottom);
+    const QVector<double> ticks = value->tickVector();
+    ASSERT_GE(ticks.size(), 2);
+    const double step = ticks[1] - ticks[0];
+    EXPECT_NEAR(ticks.first(), value->range().lower, 0.25 * step);
+    EXPECT_NEAR(ticks.last(), value->range().upper, 0.25 * step);
+    EXPECT_EQ(time->tickVector().first(), 0.0);
+    EXPECT_EQ(time->tickVector().last(), 30.0);
+  }
+}
+
 TEST(ConvergenceNumbers, EqualTheTraceAndItsEnd) {
   const ConvergenceFigure figure(radiusSample());
   const ConvergencePanel& panel = figure.data().panels[0];
@@ -206,8 +261,27 @@ TEST(RoundTicker, LeavesNoAxisWithASingleLabel) {
   };
   EXPECT_EQ(labels(8.0, 78.0), "20 40 60");
   EXPECT_EQ(labels(55.0, 118.0), "60 80 100");
-  EXPECT_EQ(labels(-0.3, 0.31), "-0.2 0.0 0.2");
-  EXPECT_EQ(labels(-60.0, 60.0), "-50 0 50") << "enough: as it was";
+  EXPECT_EQ(labels(-0.3, 0.31), "−0.2 0.0 0.2") << "real minus signs";
+  EXPECT_EQ(labels(-60.0, 60.0), "−50 0 50") << "enough: as it was";
+}
+
+TEST(RoundTicker, EndsTakeTheNarrowestRangeOfRoundSteps) {
+  const auto ends = [](double lower, double upper, int most) {
+    const auto found = RoundTicker::endsFor({lower, upper}, most);
+    return std::tuple(found.range.lower, found.range.upper, found.step);
+  };
+  EXPECT_EQ(ends(5.0, 37.0, 2), std::tuple(0.0, 40.0, 20.0));
+  EXPECT_EQ(ends(303.0, 359.0, 2), std::tuple(300.0, 360.0, 30.0));
+  EXPECT_EQ(ends(-0.1, 3.8, 2), std::tuple(-0.1, 4.0, 2.0)) << "a little beyond the first tick";
+}
+
+TEST(RoundTicker, NamesTheEndsOfAnAxisOfData) {
+  EndTicker ticker;
+  ticker.setTickCount(8);
+  QVector<double> ticks;
+  QVector<QString> texts;
+  ticker.generate({0.0, 188.26}, QLocale::c(), 'f', 6, ticks, nullptr, &texts);
+  EXPECT_EQ(texts.toList().join(' ').toStdString(), "0 20 40 60 80 100 120 140 160 188");
 }
 
 TEST(FigureText, HasTheDigitsThatCount) {

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/tracking/snapshot.h"
+#include "widgets/figures/number_text.h"
 #include "widgets/panels/analysis/analysis_figures.h"
 
 namespace capstan::widgets {
@@ -77,7 +78,7 @@ QString AnalysisTable::numberText(double value, bool sign) const {
   const double shown = std::abs(value) < 0.5 * std::pow(10.0, -decimals_) ? 0.0 : value;
   QString text = QString::number(shown, 'f', decimals_);
   if (sign && shown > 0.0) text.prepend('+');
-  return text.replace(QLatin1Char('-'), QChar(0x2212));
+  return withMinus(text);
 }
 
 void AnalysisTable::addGroup(Measure measure) {
@@ -102,7 +103,7 @@ void AnalysisTable::fill(QTreeWidgetItem& item, const AnalysisRow& row, Measure 
                                                   : QString();
   const QString p = measure != Measure::kMean || !known ? QString()
                     : pending                           ? tr("…")
-                              : QString::fromStdString(probabilityText(row.p, row.log10_p));
+                              : withMinus(QString::fromStdString(probabilityText(row.p, row.log10_p)));
   item.setText(kName, QStringLiteral("q%1 %2, %3")
                           .arg(row.joint + 1)
                           .arg(nameOf(quantityOf(row.estimator)))

@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 
 #include "core/base/units.h"
+#include "widgets/figures/round_ticker.h"
 
 namespace capstan::widgets {
 
@@ -54,7 +55,10 @@ ScatterPlot::ScatterPlot(QWidget* parent)
   across_->yAxis->setRangeReversed(true);
   depth_->xAxis->setLabel("frame");
   depth_->yAxis->setLabel("camera z − median [mm]");
-  for (auto* plot : {across_, depth_}) plot->axisRect()->setupFullAxesBox(false);
+  for (auto* plot : {across_, depth_}) {
+    plot->axisRect()->setupFullAxesBox(false);
+    for (auto* axis : {plot->xAxis, plot->yAxis}) axis->setTicker(QSharedPointer<RoundTicker>::create());
+  }
   ellipse_ = new QCPItemEllipse(across_);
   depth_low_ = new QCPItemLine(depth_);
   depth_high_ = new QCPItemLine(depth_);
