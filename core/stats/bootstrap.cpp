@@ -20,16 +20,18 @@ namespace {
 /// Draws the indices of resamples of n samples.
 class BlockSampler {
  public:
-  BlockSampler(std::size_t n, const BootstrapOptions& options)
+  BlockSampler(std::size_t n, const BootstrapOptions& options, const Pieces& pieces)
       : n_(n), length_(options.block_length == 0 ? defaultBlockLength(n) : options.block_length) {
     if (length_ > n)
       refuse("block length", fmt::format("{}", length_), fmt::format("is longer than the {} samples", n),
              "Give a shorter one, or 0 for the default");
     starts_ = options.blocks == Blocks::kCircular ? n : n - length_ + 1;
     indices_.resize(n);
+    if (pieces.size() > 1) cutAt(pieces);
   }
 
   void draw(base::Random& random) {
+    if (!pieces_.empty()) return drawWithin(random);
     for (std::size_t filled = 0; filled < n_;) {
       const std::size_t start = random.bits() % starts_;  // bias below n/2^64
       for (std::size_t k = 0; k < length_ && filled < n_; ++k) indices_[filled++] = (start + k) % n_;
@@ -44,8 +46,43 @@ class BlockSampler {
   }
 
  private:
+  struct Piece {
+    std::size_t begin, end;  ///< samples
+    std::size_t starts;      ///< starts of blocks in this piece and in those before it
+  };
+
+  void cutAt(const Pieces& lengths) {
+    std::size_t begin = 0;
+    starts_ = 0;
+    for (const std::size_t length : lengths) {
+      if (length == 0)
+        refuse("pieces", "an empty one", "holds no sample", "Leave out pieces without samples");
+      starts_ += length + length_ - 1;
+      pieces_.push_back({begin, begin + length, starts_});
+      begin += length;
+    }
+    if (begin != n_)
+      refuse("pieces", fmt::format("{} samples", begin), fmt::format("are not the recording's {}", n_),
+             "Give the length of each piece");
+  }
+
+  void drawWithin(base::Random& random) {
+    for (std::size_t filled = 0; filled < n_;) {
+      const std::size_t start = random.bits() % starts_;
+      const Piece& piece = *std::upper_bound(pieces_.begin(), pieces_.end(), start,
+                                             [](std::size_t s, const Piece& one) { return s < one.starts; });
+      // One behind the block's end, counted from the piece's begin: 1 … its length + l − 1.
+      const std::size_t behind = piece.starts - start;
+      const std::size_t end = std::min(piece.begin + behind, piece.end);
+      for (std::size_t k = behind > length_ ? piece.begin + behind - length_ : piece.begin;
+           k < end && filled < n_; ++k)
+        indices_[filled++] = k;
+    }
+  }
+
   std::size_t n_;
   std::size_t length_;
+  std::vector<Piece> pieces_;  ///< none: no gap
   std::size_t starts_ = 1;
   std::vector<std::size_t> indices_;
 };
@@ -84,7 +121,7 @@ std::size_t defaultBlockLength(std::size_t n) {
 BootstrapReport bootstrap(std::span<const double> values, const Statistic& statistic,
                           const BootstrapOptions& options, base::Random& random) {
   requireSamples(values, 1, "bootstrap");
-  BlockSampler sampler(values.size(), options);
+  BlockSampler sampler(values.size(), options, options.pieces);
   std::vector<double> chosen;
   return reportOf(statistic(values), options, [&] {
     sampler.draw(random);
@@ -98,8 +135,8 @@ BootstrapReport bootstrapDifference(std::span<const double> first, std::span<con
                                     base::Random& random) {
   requireSamples(first, 1, "first sample");
   requireSamples(second, 1, "second sample");
-  BlockSampler of_first(first.size(), options);
-  BlockSampler of_second(second.size(), options);
+  BlockSampler of_first(first.size(), options, options.pieces);
+  BlockSampler of_second(second.size(), options, options.second_pieces);
   std::vector<double> chosen;
   return reportOf(statistic(first) - statistic(second), options, [&] {
     of_first.draw(random);
@@ -119,7 +156,7 @@ BootstrapReport bootstrapPairedDifference(std::span<const double> first, std::sp
            "every sample needs its partner", "Give two signals of one recording");
   requireSamples(first, 1, "first sample");
   requireSamples(second, 1, "second sample");
-  BlockSampler sampler(first.size(), options);
+  BlockSampler sampler(first.size(), options, options.pieces);
   std::vector<double> chosen;
   return reportOf(statistic(first) - statistic(second), options, [&] {
     sampler.draw(random);

@@ -19,12 +19,17 @@ enum class Blocks {
               ///< often
 };
 
+/// Lengths of the pieces of a recording with gaps, in order: they add up to its samples. Empty: no gap.
+using Pieces = std::vector<std::size_t>;
+
 struct BootstrapOptions {
-  Blocks blocks = Blocks::kCircular;
+  Blocks blocks = Blocks::kCircular;  ///< of a recording without gaps
   std::size_t block_length =
       0;  ///< samples, up to the recording's; 0: defaultBlockLength; 1: independent samples
   std::size_t resamples = 2000;  ///< at least 2
   double confidence = 0.95;
+  Pieces pieces = {};         ///< of the recording, or of a difference's first one
+  Pieces second_pieces = {};  ///< of bootstrapDifference's second one; a pair's are alike
 };
 
 struct BootstrapReport {
@@ -39,9 +44,11 @@ struct BootstrapReport {
 std::size_t defaultBlockLength(std::size_t n);
 
 /// Block bootstrap of a statistic of one recording of equally spaced, dependent samples: ⌈n/l⌉ blocks of
-/// length l with starts drawn uniformly, cut to n samples, for each resample. Same samples, options and state
+/// length l with starts drawn uniformly, cut to n samples, for each resample. Across gaps no block reaches:
+/// starts are drawn from l − 1 samples before each piece on, blocks are what of them lies in the piece, and
+/// every sample is drawn equally often. Same samples, options and state
 /// of `random`, same report. base::InputError: no samples, one not finite, an option out of range, a
-/// statistic not finite.
+/// statistic not finite, pieces that are empty or do not add up.
 BootstrapReport bootstrap(std::span<const double> values, const Statistic& statistic,
                           const BootstrapOptions& options, base::Random& random);
 

@@ -104,6 +104,41 @@ TEST(Bootstrap, BlocksKeepNeighboursTogetherAndTheLastIsCut) {
   bootstrap(values, neighbours, {.block_length = 4, .resamples = 100}, random);
 }
 
+// Of 7 + 3 + 10 samples and blocks of 4 there are 29 starts, 4 of which begin at a piece's first sample: the
+// pair of samples about a gap comes by chance, 4/29 of the time, and never in a block.
+TEST(Bootstrap, NoBlockReachesAcrossAGap) {
+  std::vector<double> values(20);
+  std::iota(values.begin(), values.end(), 0.0);
+  double before = 0.0, across = 0.0, inside = 0.0, together = 0.0;
+  const auto count = [&](std::span<const double> chosen) {
+    for (std::size_t i = 0; i + 1 < chosen.size(); ++i) {
+      before += chosen[i] == 6.0 ? 1.0 : 0.0;
+      across += chosen[i] == 6.0 && chosen[i + 1] == 7.0 ? 1.0 : 0.0;
+      inside += chosen[i] == 14.0 ? 1.0 : 0.0;
+      together += chosen[i] == 14.0 && chosen[i + 1] == 15.0 ? 1.0 : 0.0;
+    }
+    return chosen[0];
+  };
+  base::Random random(3);
+  bootstrap(values, count, {.block_length = 4, .resamples = 20000, .pieces = {7, 3, 10}}, random);
+  EXPECT_NEAR(across / before, 4.0 / 29.0, 0.01);
+  EXPECT_GT(together / inside, 0.7);
+}
+
+// The end of a resample cuts its last block, one of about 22: so much, and no more, may be missing.
+TEST(Bootstrap, SamplesBesideAGapAreDrawnAsOftenAsOthers) {
+  std::vector<double> values(200), times(200);
+  std::iota(values.begin(), values.end(), 0.0);
+  const auto count = [&](std::span<const double> chosen) {
+    for (const double x : chosen) times[static_cast<std::size_t>(x)] += 1.0;
+    return chosen[0];
+  };
+  base::Random random(4);
+  constexpr std::size_t kResamples = 20000;
+  bootstrap(values, count, {.block_length = 10, .resamples = kResamples, .pieces = {70, 30, 100}}, random);
+  for (std::size_t i = 0; i < times.size(); ++i) EXPECT_NEAR(times[i] / (kResamples + 1.0), 1.0, 0.06) << i;
+}
+
 TEST(Bootstrap, DifferenceOfIndependentRecordingsAddsTheirVariances) {
   base::Random random(9, "bootstrap");
   const std::vector<double> one = autoregression(0.3, 600, random);
@@ -152,6 +187,8 @@ TEST(Bootstrap, RefusesWhatHasNoAnswer) {
   EXPECT_THROW(bootstrap(three, none, {}, random), base::InputError);
   EXPECT_THROW(bootstrap(three, mean, {.block_length = 4}, random), base::InputError);
   EXPECT_THROW(bootstrap(three, mean, {.resamples = 1}, random), base::InputError);
+  EXPECT_THROW(bootstrap(three, mean, {.pieces = {1, 1}}, random), base::InputError);
+  EXPECT_THROW(bootstrap(three, mean, {.pieces = {3, 0}}, random), base::InputError);
   EXPECT_THROW(bootstrap(three, mean, {.confidence = 1.5}, random), base::InputError);
   EXPECT_THROW(bootstrapDifference(three, broken, mean, {}, random), base::InputError);
   EXPECT_THROW(bootstrapPairedDifference(three, kMichelson, mean, {}, random), base::InputError);
