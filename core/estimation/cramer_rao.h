@@ -41,7 +41,8 @@ class PosteriorInformation {
 };
 
 /// Gathers the expectations of PosteriorInformation from Monte-Carlo runs of equal length, step by step. Each
-/// run gives every step its transition; a measurement where there is one. Memory: 3 N² doubles a step.
+/// run gives every step its transition; a measurement where there is one. Memory: 3 N² doubles a step; for
+/// long runs one average after the other, each of a stretch of time, and bounds() going on from the last.
 template <int N>
 class CramerRaoAverage {
  public:
@@ -71,10 +72,14 @@ class CramerRaoAverage {
 
   /// Diagonal of the bound at the end of each step, from the prior's information on. At least one run.
   std::vector<Eigen::Matrix<double, N, 1>> bounds(const Matrix& initial) const {
+    PosteriorInformation<N> posterior(initial);
+    return bounds(posterior);
+  }
+  /// The same from `posterior` on, which is then that at the end of the last step.
+  std::vector<Eigen::Matrix<double, N, 1>> bounds(PosteriorInformation<N>& posterior) const {
     assert(runs_ > 0);
     std::vector<Eigen::Matrix<double, N, 1>> all;
     all.reserve(sums_.size());
-    PosteriorInformation<N> posterior(initial);
     const double share = 1.0 / static_cast<double>(runs_);
     for (const Sums& at : sums_) {
       posterior.predict(share * at.transition, share * at.weighted, inverse_q_);

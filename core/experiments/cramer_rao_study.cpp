@@ -1,7 +1,10 @@
 #include "core/experiments/cramer_rao_study.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <optional>
 #include <span>
 #include <string>
@@ -20,6 +23,7 @@
 #include "core/stats/bootstrap.h"
 #include "core/tracking/cable_arm_model.h"
 #include "core/tracking/camera_noise.h"
+#include "core/tracking/partial_kinematics.h"
 #include "core/vision/camera.h"
 #include "core/vision/triangulation.h"
 
@@ -31,7 +35,6 @@ using Eigen::Vector3d;
 using estimation::Lower;
 using tracking::CableArmModel;
 using Filter = estimation::SquareRootUkf<6>;
-using Joints = estimation::LinearMeasurement<6, 3>;
 using State = CableArmModel::State;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Pixels = Eigen::Vector4d;
@@ -179,27 +182,32 @@ class Run {
         random_(options.seed, "cramer-rao " + std::to_string(index)),
         truth_(scene.start) {
     roots_[1] = constant.cwiseSqrt().asDiagonal();
-    for (int joint = 0; joint < 3; ++joint) positions_.h(joint, 2 * joint) = 1.0;
     for (Filter& filter : filters_) filter.reset(scene.start, Lower<6>(scene.start_sigma.asDiagonal()));
     truth_ += drawn(scene.start_sigma);
   }
 
-  RunResult follow(estimation::CramerRaoAverage<6>& average) {
+  /// Steps `from` to before `to`, which `average` begins and ends with.
+  void follow(std::size_t from, std::size_t to, estimation::CramerRaoAverage<6>& average) {
     const State width = statesOf(Vector3d(1e-6, 1e-6, 1e-7), Vector3d(1e-5, 1e-5, 1e-6));
     const Lower<6> noise = scene_.noise_sigma.asDiagonal();
     const auto settled = static_cast<std::size_t>(std::lround(options_.settling / kStep));
-    for (std::size_t k = 0; k < scene_.steps(); ++k) {
+    for (std::size_t k = from; k < to; ++k) {
       const CableArmModel::Input& input = scene_.inputs[k];
-      average.addTransition(k, estimation::transitionJacobian(scene_.model, truth_, input, kStep, width));
+      average.addTransition(k - from,
+                            estimation::transitionJacobian(scene_.model, truth_, input, kStep, width));
       truth_ = scene_.model.propagateOne(truth_, input, kStep) + drawn(scene_.noise_sigma);
       for (Filter& filter : filters_) filter.predict(scene_.model, input, kStep, noise);
-      if (scene_.seenAfter(k)) observe(k, average);
+      if (scene_.seenAfter(k)) observe(k - from, average);
       if (k < settled) continue;
       for (std::size_t i = 0; i < kNoisesTold; ++i)
         result_.mean_square[i] += positionsOf(filters_[i].mean() - truth_).cwiseAbs2() /
                                   static_cast<double>(scene_.steps() - settled);
     }
     average.endRun();
+  }
+
+  /// After the last step.
+  RunResult result() {
     for (std::size_t i = 0; i < kNoisesTold; ++i) {
       result_.nees[i] = estimation::nees<6>(filters_[i].mean() - truth_, filters_[i].squareRoot());
       result_.rescues += filters_[i].rescues();
@@ -212,10 +220,10 @@ class Run {
     return State::NullaryExpr([&](Eigen::Index i) { return random_.normal(0.0, sigma(i)); });
   }
 
-  void observe(std::size_t k, estimation::CramerRaoAverage<6>& average) {
+  void observe(std::size_t step, estimation::CramerRaoAverage<6>& average) {
     const Vector3d q = positionsOf(truth_);
     const Eigen::Matrix<double, 4, 6> h = scene_.seeingJacobian(q) * positions_.h;
-    average.addMeasurement(k, h.transpose() * h / (options_.pixel_sigma * options_.pixel_sigma));
+    average.addMeasurement(step, h.transpose() * h / (options_.pixel_sigma * options_.pixel_sigma));
     Pixels pixels = scene_.see(q);
     for (int i = 0; i < 4; ++i) pixels(i) += random_.normal(0.0, options_.pixel_sigma);
     const auto seen = scene_.joints(pixels, positionsOf(filters_[0].mean()));
@@ -231,21 +239,11 @@ class Run {
   const CramerRaoOptions& options_;
   base::Random random_;
   State truth_;
-  Joints positions_;
+  tracking::JointMeasurement positions_ = tracking::positionsOnly();
   std::array<Filter, kNoisesTold> filters_;
   std::array<Lower<3>, kNoisesTold> roots_{Lower<3>::Identity(), Lower<3>::Identity()};
   RunResult result_;
 };
-
-/// √ of the bound's mean over the time that counts.
-Vector3d meanBound(const Scene& scene, const CramerRaoOptions& options,
-                   const estimation::CramerRaoAverage<6>& average) {
-  const auto bounds = average.bounds(scene.start_sigma.cwiseAbs2().cwiseInverse().asDiagonal());
-  const auto settled = static_cast<std::size_t>(std::lround(options.settling / kStep));
-  Vector3d sum = Vector3d::Zero();
-  for (std::size_t k = settled; k < bounds.size(); ++k) sum += positionsOf(bounds[k]);
-  return (sum / static_cast<double>(bounds.size() - settled)).cwiseSqrt();
-}
 
 CramerRaoStudy summarise(const std::vector<RunResult>& all, const CramerRaoOptions& options,
                          const Vector3d& bound) {
@@ -286,35 +284,78 @@ CramerRaoStudy summarise(const std::vector<RunResult>& all, const CramerRaoOptio
   return study;
 }
 
+/// All runs side by side, a stretch of time after the other.
+class Ensemble {
+ public:
+  Ensemble(const Scene& scene, const CramerRaoOptions& options, const Vector3d& constant)
+      : scene_(scene),
+        options_(options),
+        inverse_q_(scene.noise_sigma.cwiseAbs2().cwiseInverse().asDiagonal()),
+        posterior_(Matrix6(scene.start_sigma.cwiseAbs2().cwiseInverse().asDiagonal())) {
+    for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(options.runs); ++i)
+      runs_.emplace_back(scene, options, constant, i);
+  }
+
+  /// Steps `from` to before `to`. Batches are summed in order, whatever the threads.
+  void follow(std::size_t from, std::size_t to, const ProgressSlice& progress) {
+    const std::size_t batches = std::min(kBatches, runs_.size());
+    std::vector<estimation::CramerRaoAverage<6>> averages(batches, {to - from, inverse_q_});
+    std::vector<Job> jobs;
+    for (std::size_t batch = 0; batch < batches; ++batch)
+      jobs.push_back({fmt::format("{:g} s of {:g} s", static_cast<double>(to) * kStep, options_.duration),
+                      1.0, [&, batch](base::Progress& own) {
+                        const std::size_t end = runs_.size() * (batch + 1) / batches;
+                        for (std::size_t i = runs_.size() * batch / batches; i < end && !own.cancelled(); ++i)
+                          runs_[i].follow(from, to, averages[batch]);
+                      }});
+    doAll(jobs, options_.threads, progress);
+    if (progress.whole.cancelled()) return;
+    for (std::size_t batch = 1; batch < batches; ++batch) averages[0].merge(averages[batch]);
+    const auto bounds = averages[0].bounds(posterior_);
+    const auto settled = static_cast<std::size_t>(std::lround(options_.settling / kStep));
+    for (std::size_t k = std::max(from, settled); k < to; ++k) bounds_ += positionsOf(bounds[k - from]);
+  }
+
+  /// √ of the bound's mean over the time that counts.
+  Vector3d meanBound() const {
+    const auto settled = static_cast<std::size_t>(std::lround(options_.settling / kStep));
+    return (bounds_ / static_cast<double>(scene_.steps() - settled)).cwiseSqrt();
+  }
+  std::vector<RunResult> results() {
+    std::vector<RunResult> all;
+    for (Run& run : runs_) all.push_back(run.result());
+    return all;
+  }
+
+ private:
+  const Scene& scene_;
+  const CramerRaoOptions& options_;
+  Matrix6 inverse_q_;
+  estimation::PosteriorInformation<6> posterior_;
+  std::deque<Run> runs_;
+  Vector3d bounds_ = Vector3d::Zero();  // sum
+};
+
 }  // namespace
 
 CramerRaoStudy studyCramerRao(const CramerRaoOptions& options, base::Progress& progress) {
   const Scene scene(options);
   const Vector3d constant = meanVariance(scene);
-  const Matrix6 inverse_q = scene.noise_sigma.cwiseAbs2().cwiseInverse().asDiagonal();
-  const auto runs = static_cast<std::size_t>(options.runs);
-  const std::size_t batches = std::min(kBatches, runs);
-  std::vector<RunResult> results(runs);
-  std::vector<estimation::CramerRaoAverage<6>> averages(batches, {scene.steps(), inverse_q});
-  std::vector<Job> jobs;
-  for (std::size_t batch = 0; batch < batches; ++batch) {
-    const std::size_t from = runs * batch / batches, to = runs * (batch + 1) / batches;
-    jobs.push_back({"runs " + std::to_string(from + 1) + " to " + std::to_string(to),
-                    static_cast<double>(to - from), [&, batch, from, to](base::Progress& own) {
-                      for (std::size_t i = from; i < to && !own.cancelled(); ++i) {
-                        own.report(static_cast<double>(i - from) / static_cast<double>(to - from), {});
-                        results[i] = Run(scene, options, constant, i).follow(averages[batch]);
-                      }
-                    }});
+  Ensemble ensemble(scene, options, constant);
+  const auto stretch = static_cast<std::size_t>(std::max(1L, std::lround(options.stretch / kStep)));
+  const auto share = [&](std::size_t step) {
+    return static_cast<double>(step) / static_cast<double>(scene.steps());
+  };
+  for (std::size_t from = 0; from < scene.steps() && !progress.cancelled(); from += stretch) {
+    const std::size_t to = std::min(from + stretch, scene.steps());
+    ensemble.follow(from, to, {progress, share(from), share(to)});
   }
-  doAll(jobs, options.threads, {progress});
   if (progress.cancelled()) {
     CramerRaoStudy nothing;
     nothing.cancelled = true;
     return nothing;
   }
-  for (std::size_t batch = 1; batch < batches; ++batch) averages[0].merge(averages[batch]);
-  CramerRaoStudy study = summarise(results, options, meanBound(scene, options, averages[0]));
+  CramerRaoStudy study = summarise(ensemble.results(), options, ensemble.meanBound());
   study.constant_sigma = constant.cwiseSqrt();
   return study;
 }

@@ -25,6 +25,9 @@ struct CramerRaoOptions {
   bool coulomb_friction = true;  ///< false: joints without it, in truth and filter
   std::uint64_t seed = 1;
   int threads = 2;  ///< the result does not depend on it
+  /// Time that all runs go through before any goes on [s]: the memory held for the bound, 7 kB a step of it;
+  /// the result does not depend on it.
+  double stretch = 1.0;
 };
 
 /// The measurement noise that a filter is told.

@@ -51,6 +51,29 @@ TEST(CramerRao, OfALinearGaussianModelIsTheKalmanCovariance) {
   }
 }
 
+TEST(CramerRao, StretchesOfTimeOneAfterTheOtherAreTheWhole) {
+  Eigen::Matrix2d a;
+  a << 0.98, 0.1, -0.15, 0.95;
+  const Eigen::Matrix2d inverse_q = Eigen::Vector2d(50.0, 30.0).asDiagonal(),
+                        start = Eigen::Matrix2d::Identity();
+  const Eigen::RowVector2d h(1.0, 0.4);
+  CramerRaoAverage<2> whole(30, inverse_q), first(20, inverse_q), second(10, inverse_q);
+  for (std::size_t k = 0; k < 30; ++k) {
+    auto& part = k < 20 ? first : second;
+    whole.addTransition(k, a);
+    part.addTransition(k % 20, a);
+    if (k % 4 != 3) continue;
+    whole.addMeasurement(k, h.transpose() * h);
+    part.addMeasurement(k % 20, h.transpose() * h);
+  }
+  for (auto* average : {&whole, &first, &second}) average->endRun();
+  PosteriorInformation<2> posterior(start);
+  auto bounds = first.bounds(posterior);
+  const auto later = second.bounds(posterior);
+  bounds.insert(bounds.end(), later.begin(), later.end());
+  EXPECT_EQ(bounds, whole.bounds(start));
+}
+
 /// Random walk seen through a sine: x_k ~ N(m, s²), s² = P0 + k Q, so that E[cos² x] has a closed form and
 /// the scalar recursion is J' = 1 / (Q + 1 / J) + (1 + exp(−2 s²) cos 2m) / (2 R).
 TEST(CramerRao, OfAPhaseSeenThroughASineIsTheClosedForm) {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/experiments/cramer_rao_study.h"
+#include "core/experiments/cramer_rao_tables.h"
 
 namespace capstan::experiments {
 namespace {
@@ -27,6 +27,20 @@ TEST(CramerRaoStudy, DoesNotDependOnTheThreads) {
   EXPECT_EQ(a.interval[0][1].low, b.interval[0][1].low);
 }
 
+/// Memory is that of a stretch of time; where one ends changes nothing but the last bits of the bound's sum.
+TEST(CramerRaoStudy, DoesNotDependOnTheStretchesOfTime) {
+  CramerRaoOptions whole = few(), parts = few();
+  whole.stretch = whole.duration;
+  parts.stretch = 0.3;
+  base::Progress progress;
+  const CramerRaoStudy a = studyCramerRao(whole, progress), b = studyCramerRao(parts, progress);
+  EXPECT_LT((a.bound - b.bound).cwiseQuotient(a.bound).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_EQ(a.rms[0], b.rms[0]);
+  EXPECT_EQ(a.rms[1], b.rms[1]);
+  EXPECT_EQ(a.nees, b.nees);
+  EXPECT_EQ(a.updates, b.updates);
+}
+
 /// Without Coulomb friction the model is almost linear, and a UKF then reaches the bound, which is no less
 /// than what any estimator can do.
 TEST(CramerRaoStudy, WithoutFrictionTheFilterReachesTheBound) {
@@ -48,6 +62,20 @@ TEST(CramerRaoStudy, StopsWhenCancelled) {
   base::Progress progress;
   progress.cancel();
   EXPECT_TRUE(studyCramerRao(few(), progress).cancelled);
+}
+
+TEST(CramerRaoStudy, TheTableJudgesByTheGoal) {
+  CramerRaoStudy study;
+  study.bound = study.camera = Eigen::Vector3d(0.01, 0.02, 1e-3);
+  study.rms = {1.05 * study.bound, 1.2 * study.bound};
+  study.ratio = {Eigen::Vector3d::Constant(1.05), Eigen::Vector3d::Constant(1.2)};
+  const base::Table table = closenessOf(study, few());
+  ASSERT_EQ(table.rows.size(), 6u);
+  EXPECT_EQ(table.rows[0].back().text, "met");
+  EXPECT_EQ(table.rows[1].back().text, "not met");
+  EXPECT_NEAR(table.rows[2][3].number, 1.1459156, 1e-6) << "0.02 rad in degrees";
+  EXPECT_NEAR(table.rows[5][4].number, 1.2, 1e-12) << "1.2 mm";
+  for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size());
 }
 
 TEST(NoiseStudy, VariantsSeeTheSameSamples) {

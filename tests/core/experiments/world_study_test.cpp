@@ -120,8 +120,9 @@ TEST(Worlds, TheTableSaysWhatWasSeenNowhere) {
     return row;
   };
   EXPECT_EQ(rowOf({{1.0, 0.9, false}}), "r_l1|dual UKF|0 of 1|–|–|–|–|–|–|");
-  EXPECT_EQ(rowOf({{1.0, 0.9, false}, {1.01, 0.05, true}}),
-            "r_l1|dual UKF|1 of 2|1 of 1|100 %|2–100 %|too few|1.000|2.527|");
+  // Clopper and Pearson of 2 of 2: from √0.025; ln(1.06 / 0.96) / 3.92 = 0.02528.
+  EXPECT_EQ(rowOf({{1.0, 0.9, false}, {1.01, 0.05, true}, {1.01, 0.05, true}}),
+            "r_l1|dual UKF|2 of 3|2 of 2|100 %|16–100 %|too few|1.000|2.528|");
 }
 
 TEST(Worlds, AStudyGoesOnWhereItWasStoppedAndFindsThePulley) {
