@@ -68,7 +68,7 @@ struct AnalysisRow {
   /// Two-sided P of equal means, of the means of blocks that are about independent: paired or Welch's
   /// t-test. NaN for fewer than kLeastBlocks of them, or no spread.
   double p = kNone, log10_p = kNone;
-  std::size_t block_length = 0, blocks = 0;  ///< samples; blocks of the smaller side
+  std::size_t block_length = 0, blocks = 0;  ///< samples at the common spacing; blocks of the smaller side
 
   static constexpr std::size_t kLeastBlocks = 10;
   const Difference& of(Measure measure) const { return difference[static_cast<std::size_t>(measure)]; }
@@ -92,8 +92,9 @@ struct Analysis {
 Analysis analyse(const ErrorRun& a, const ErrorRun* b, const AnalysisOptions& options);
 
 /// Intervals and P of every difference. Blocks are as long as the correlation of the errors and of their
-/// squares asks for (stats::optimalBlockLength), the longer of both sides; samples beyond kMostResampled are
-/// thinned evenly for it. Seeded: same runs and options, same bytes. False: cancelled, `analysis` unchanged.
+/// squares asks for (stats::optimalBlockLength), the longer of both sides, which are taken at the wider
+/// spacing of the two (wider still beyond kMostResampled samples); none reaches across a gap in time. Seeded:
+/// same runs and options, same bytes. False: cancelled, `analysis` unchanged.
 inline constexpr std::size_t kMostResampled = 20000;
 bool addIntervals(Analysis& analysis, const ErrorRun& a, const ErrorRun* b, base::Progress& progress);
 

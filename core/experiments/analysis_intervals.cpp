@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/experiments/analysis.h"
+#include "core/experiments/analysis_sides.h"
 #include "core/stats/block_length.h"
 #include "core/stats/bootstrap.h"
 #include "core/stats/rms.h"
@@ -16,46 +17,43 @@ namespace {
 
 struct Cancelled {};
 
-/// Both sides of one difference.
-struct Sides {
-  std::vector<double> first, second;
-  bool paired = false;
-};
-
-/// Every k-th so that at most kMostResampled remain.
-std::vector<double> thinned(const std::vector<double>& values) {
-  const std::size_t stride = (values.size() + kMostResampled - 1) / kMostResampled;
-  if (stride <= 1) return values;
-  std::vector<double> kept;
-  for (std::size_t i = 0; i < values.size(); i += stride) kept.push_back(values[i]);
-  return kept;
-}
-
-bool sameInstants(const std::vector<double>& a, const std::vector<double>& b) {
-  constexpr double kSame = 2e-6;  // times of results are rounded to 1e-6 s
-  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(),
-                                            [](double x, double y) { return std::abs(x - y) < kSame; });
-}
-
-Sides sidesOf(const AnalysisRow& row, const ErrorRun& a, const ErrorRun* b, const AnalysisOptions& options) {
-  const Estimator before = b ? row.estimator : Estimator::kKinematic;
-  const SelectedErrors first = selectedErrors(a, before, row.joint, options);
-  const SelectedErrors second = selectedErrors(b ? *b : a, row.estimator, row.joint, options);
-  const bool one_motion = !b || (!a.motion.empty() && a.motion == b->motion);
-  return {thinned(first.value), thinned(second.value), one_motion && sameInstants(first.t, second.t)};
-}
-
-std::size_t lengthFor(const std::vector<double>& values) {
+std::size_t lengthFor(std::span<const double> values) {
   std::vector<double> squares(values.size());
   std::transform(values.begin(), values.end(), squares.begin(), [](double x) { return x * x; });
   return std::max(stats::optimalBlockLength(values), stats::optimalBlockLength(squares));
 }
 
-/// Means of as many whole blocks as there are.
-std::vector<double> blockMeans(const std::vector<double>& values, std::size_t length) {
+/// Calls `take` with the samples of each piece.
+template <class Take>
+void forEachPiece(const SpacedErrors& errors, Take&& take) {
+  std::size_t begin = 0;
+  for (const std::size_t length : errors.pieces) {
+    take(std::span(errors.value).subspan(begin, length));
+    begin += length;
+  }
+}
+
+/// For all samples, and for the longest piece: gaps hide correlation from the former.
+std::size_t lengthFor(const SpacedErrors& errors) {
+  std::span<const double> longest;
+  forEachPiece(errors, [&](std::span<const double> piece) {
+    if (piece.size() > longest.size()) longest = piece;
+  });
+  return std::max(lengthFor(std::span<const double>(errors.value)), lengthFor(longest));
+}
+
+/// Means of as many whole blocks as each piece has; of a piece that is one or less its own mean, as what lies
+/// beyond the gap is another block anyhow, if it has half of a block's samples or of the longest piece's.
+std::vector<double> blockMeans(const SpacedErrors& errors, std::size_t length) {
+  const std::size_t longest = *std::max_element(errors.pieces.begin(), errors.pieces.end());
+  const std::size_t least = (std::min(length, longest) + 1) / 2;
   std::vector<double> means;
-  for (std::size_t begin = 0; begin + length <= values.size(); begin += length)
-    means.push_back(stats::mean(std::span(values).subspan(begin, length)));
+  forEachPiece(errors, [&](std::span<const double> piece) {
+    if (piece.size() < least) return;
+    const std::size_t blocks = std::max<std::size_t>(1, piece.size() / length);
+    const std::size_t size = blocks > 1 ? length : piece.size();
+    for (std::size_t i = 0; i < blocks; ++i) means.push_back(stats::mean(piece.subspan(i * size, size)));
+  });
   return means;
 }
 
@@ -128,17 +126,20 @@ stats::Statistic statisticOf(Measure measure, std::vector<double>& room, const s
 void addIntervalsTo(AnalysisRow& row, const Sides& sides, const AnalysisOptions& options,
                     const std::function<void()>& tick) {
   row.paired = sides.paired;
-  row.block_length = std::min(
-      {std::max(lengthFor(sides.first), lengthFor(sides.second)), sides.first.size(), sides.second.size()});
-  const stats::BootstrapOptions bootstrap{.block_length = row.block_length, .resamples = options.resamples};
+  const auto &first = sides.first.value, &second = sides.second.value;
+  row.block_length =
+      std::min({std::max(lengthFor(sides.first), lengthFor(sides.second)), first.size(), second.size()});
+  const stats::BootstrapOptions bootstrap{.block_length = row.block_length,
+                                          .resamples = options.resamples,
+                                          .pieces = sides.second.pieces,
+                                          .second_pieces = sides.first.pieces};
   std::vector<double> room;
   for (std::size_t i = 0; i < kMeasures.size(); ++i) {
     base::Random random(options.seed, "analysis");
     const auto statistic = statisticOf(kMeasures[i], room, tick);
-    const auto report =
-        sides.paired
-            ? stats::bootstrapPairedDifference(sides.second, sides.first, statistic, bootstrap, random)
-            : stats::bootstrapDifference(sides.second, sides.first, statistic, bootstrap, random);
+    const auto report = sides.paired
+                            ? stats::bootstrapPairedDifference(second, first, statistic, bootstrap, random)
+                            : stats::bootstrapDifference(second, first, statistic, bootstrap, random);
     row.difference[i].low = report.interval.low;
     row.difference[i].high = report.interval.high;
   }

@@ -149,6 +149,65 @@ TEST(Analysis, IntervalsAreThoseOfTheBlockBootstrap) {
   }
 }
 
+ErrorRun everyOther(const ErrorRun& run) {
+  ErrorRun half = run;
+  half.errors.clear();
+  for (std::size_t i = 0; i < run.errors.size(); i += 2) half.errors.push_back(run.errors[i]);
+  return half;
+}
+
+// A session that ran for long keeps every other sample: at those instants the two are one.
+TEST(Analysis, RunsOfOneMotionPairAtTheInstantsThatBothHave) {
+  const ErrorRun a = runOf(11, 1.0), b = everyOther(a);
+  AnalysisOptions options;
+  options.resamples = 50;
+  base::Progress progress;
+  for (const bool swapped : {false, true}) {
+    const ErrorRun &first = swapped ? b : a, &second = swapped ? a : b;
+    Analysis analysis = analyse(first, &second, options);
+    ASSERT_TRUE(addIntervals(analysis, first, &second, progress));
+    for (const AnalysisRow& row : analysis.rows) {
+      EXPECT_TRUE(row.paired);
+      for (const Difference& one : row.difference) {
+        EXPECT_EQ(one.low, 0.0);
+        EXPECT_EQ(one.high, 0.0);
+      }
+    }
+  }
+}
+
+// The oracle is the bootstrap of both sides by hand: every other sample of the quicker run, cut where time
+// was not selected (a second in two, so that pieces have 50 samples).
+TEST(Analysis, SidesHaveOneSpacingAndNoBlockAcrossGaps) {
+  const ErrorRun a = runOf(12, 1.0, 4000), thinned = everyOther(a);
+  const ErrorRun b = everyOther(runOf(13, 1.3, 3600, "two"));
+  AnalysisOptions options;
+  options.joint = 0;
+  options.resamples = 60;
+  options.estimators = {Estimator::kKinematic};
+  options.share = TimeShare::kOccluded;
+  Analysis analysis = analyse(a, &b, options);
+  base::Progress progress;
+  ASSERT_TRUE(addIntervals(analysis, a, &b, progress));
+  const AnalysisRow& row = analysis.rows.at(0);
+  EXPECT_FALSE(row.paired);
+  EXPECT_LT(row.block_length, 50U);
+  const auto first = selectedErrors(thinned, Estimator::kKinematic, 0, options).value;
+  const auto second = selectedErrors(b, Estimator::kKinematic, 0, options).value;
+  ASSERT_EQ(first.size(), 20U * 50U);
+  ASSERT_EQ(second.size(), 18U * 50U);
+  base::Random random(options.seed, "analysis");
+  const auto report = stats::bootstrapDifference(second, first, stats::rms,
+                                                 {.block_length = row.block_length,
+                                                  .resamples = 60,
+                                                  .pieces = stats::Pieces(18, 50),
+                                                  .second_pieces = stats::Pieces(20, 50)},
+                                                 random);
+  EXPECT_NEAR(row.of(Measure::kRms).low, report.interval.low, 1e-12);
+  EXPECT_NEAR(row.of(Measure::kRms).high, report.interval.high, 1e-12);
+  EXPECT_EQ(row.blocks, 18U * (50U / row.block_length)) << "no block of the test of means straddles, too";
+}
+
 // Of two independent runs whose true RMS differ by 0.5 and by nothing: 95 % intervals that hold the truth in
 // fewer than 88 of 100 draws have a probability below 0.002.
 TEST(Analysis, IntervalsCoverTheTruth) {
