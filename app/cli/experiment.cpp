@@ -51,8 +51,9 @@ bool runAll(const std::vector<Specification>& specifications, const experiments:
       results = experiments::run(specification, options, progress);
     }
     for (const std::string& text : results.notices) notice(text);
-    if (results.cancelled) return false;
+    const bool cancelled = results.cancelled;
     done.push_back(std::move(results));
+    if (cancelled) return false;
   }
   return true;
 }
@@ -71,8 +72,7 @@ ExitCode experiment(const ExperimentArguments& arguments) {
                                 .software = experiments::software()},
                                done);
   if (!finished) {
-    notice("cancelled: finished trials are kept in " + arguments.out +
-           "; the same command goes on from there");
+    notice(cancelledText(done, arguments.out));
     return kFailed;
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

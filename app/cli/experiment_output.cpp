@@ -14,12 +14,20 @@ std::string timesText(const std::vector<experiments::Results>& done, double seco
   for (const auto& results : done) {
     const std::size_t trials =
         results.identification ? results.identification->recordings.size() : results.trials.size();
-    text += fmt::format("{:<12} {} trials", results.name, trials);
+    text += fmt::format("{:<12} {} {}", results.name, trials, trials == 1 ? "trial" : "trials");
     if (results.resumed > 0) text += fmt::format(", {} of them from an earlier run", results.resumed);
     if (std::isfinite(results.wall_seconds)) text += fmt::format(", {:.1f} s", results.wall_seconds);
     text += "\n";
   }
   return text + fmt::format("wall time    {:.1f} s\n", seconds);
+}
+
+std::string cancelledText(const std::vector<experiments::Results>& done, const std::string& out) {
+  int kept = 0;
+  for (const auto& results : done) kept += results.kept;
+  if (kept == 0) return "cancelled before the first trial was finished: nothing is kept";
+  return fmt::format("cancelled: {} finished {} kept in {}; the same command goes on from there", kept,
+                     kept == 1 ? "trial is" : "trials are", out);
 }
 
 nlohmann::json jsonOf(const std::vector<experiments::Results>& done,
@@ -40,7 +48,10 @@ nlohmann::json jsonOf(const std::vector<experiments::Results>& done,
     document["experiments"][results.name] = std::move(one);
   }
   for (const auto& goal : experiments::goalsOf(done, published))
-    document["goals"].push_back({{"goal", goal.what}, {"measured", goal.measured}, {"met", goal.met}});
+    document["goals"].push_back({{"goal", goal.what},
+                                 {"measured", goal.measured},
+                                 {"met", goal.verdict == experiments::Verdict::kMet},
+                                 {"verdict", base::nameOf(goal.verdict)}});
   return document;
 }
 

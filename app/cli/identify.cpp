@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,7 +15,10 @@
 #include "app/cli/outputs.h"
 #include "app/cli/recordings.h"
 #include "app/cli/simulation_arguments.h"
+#include "core/base/yaml.h"
+#include "core/experiments/identified.h"
 #include "core/experiments/identify_trials.h"
+#include "core/experiments/software.h"
 #include "core/identification/delay_passes.h"
 #include "core/identification/identification_data.h"
 #include "core/identification/options.h"
@@ -116,6 +121,117 @@ std::optional<robot::Description> driveOf(const IdentifyArguments& arguments, co
   return robot;
 }
 
+/// What the methods found, and in what.
+struct Findings {
+  std::string truth;  ///< text of the truth file; empty: not simulated
+  tracking::TrackingOptions tracking;
+  robot::Description recorded;  ///< the plant before its truth
+  double duration = 0.0;        ///< of the motor samples [s]
+  std::uint64_t left_out = 0, used = 0;
+  std::optional<identification::ParameterSet> set;
+  std::optional<identification::DualUkfReport> dual;
+  std::optional<identification::BatchReport> batch;
+  experiments::Choice choice;
+
+  const std::vector<identification::Estimate>& estimates() const {
+    return *choice.method == experiments::Method::kBatch ? batch->estimates : dual->estimates;
+  }
+  double delay() const {
+    return (*choice.method == experiments::Method::kBatch ? batch->camera : dual->camera).delay;
+  }
+};
+
+/// Chooses among the methods that ran; one without usable estimates shows none.
+void choose(Findings& found) {
+  using experiments::Method;
+  const auto* dual = found.dual ? &*found.dual : nullptr;
+  const auto* batch = found.batch ? &*found.batch : nullptr;
+  found.choice = experiments::choose(batch ? Method::kBatch : Method::kDualUkf, dual, batch);
+  if (dual && !experiments::choose(Method::kDualUkf, dual, nullptr).method) found.dual->estimates.clear();
+  if (batch && !experiments::choose(Method::kBatch, nullptr, batch).method) found.batch->estimates.clear();
+}
+
+void runMethods(const IdentifyArguments& arguments, const identification::IdentificationData& data,
+                base::Progress& progress, Findings& found) {
+  robot::Description nominal = data.robot;
+  if (!arguments.robot.empty()) nominal = readRobot(arguments.robot);
+  identification::IdentificationOptions options;
+  if (!arguments.options.empty())
+    options = base::readYamlFile<identification::IdentificationOptions>(arguments.options);
+  found.set.emplace(nominal, arguments.parameters, options.parameters);
+  identification::CameraPoseOptions& camera = options.camera;
+  if (arguments.exact_camera) camera = {0.0, 0.0, 0.0};
+  if (arguments.method != "batch" && !progress.cancelled())
+    found.dual = identification::identifyDualUkfInPasses(data, *found.set, {.camera = camera}, &progress);
+  if (arguments.method == "dual-ukf" || progress.cancelled()) return;
+  identification::BatchOptions batch{.camera = camera, .shooting = {.threads = arguments.threads}};
+  if (found.dual && experiments::choose(experiments::Method::kDualUkf, &*found.dual, nullptr).method)
+    for (const auto& estimate : found.dual->estimates) batch.start.push_back(estimate.log);
+  found.batch = identification::identifyBatchInPasses(data, *found.set, batch, &progress);
+}
+
+/// Everything that takes long. None: cancelled.
+std::optional<Findings> find(IdentifyArguments& arguments) {
+  base::Progress progress;
+  const ProgressLine line(progress);
+  Findings found;
+  const identification::IdentificationData data =
+      collectAll(arguments, progress, found.truth, found.tracking);
+  if (data.openCount() == 0 && !progress.cancelled())
+    refuseOption("REC", data.title, "shows the marker nowhere",
+                 "Give a recording in which cameras see the tip");
+  found.left_out = data.left_out;
+  found.used = data.motors.size();
+  found.recorded = data.robot;
+  found.duration = data.duration();
+  runMethods(arguments, data, progress, found);
+  if (progress.cancelled()) return std::nullopt;
+  choose(found);
+  return found;
+}
+
+void writeReport(const IdentifyArguments& arguments, const Findings& found) {
+  if (found.left_out > 0)
+    notice(fmt::format("{} of {} motor samples left out: an encoder had failed or gave no number",
+                       found.left_out, found.left_out + found.used));
+  const TrueValues truth =
+      found.truth.empty() ? TrueValues{} : experiments::trueValues(found.truth, found.recorded, *found.set);
+  const Output output(arguments.json);
+  output.text(textOf(found.dual ? &*found.dual : nullptr, found.batch ? &*found.batch : nullptr, truth));
+  nlohmann::json document = {{"motor_samples_left_out", found.left_out}};
+  if (found.dual) document["dual_ukf"] = jsonOf(*found.dual, truth);
+  if (found.batch) document["batch"] = jsonOf(*found.batch, truth);
+  document["result"] =
+      found.choice.method ? nlohmann::json(base::nameOf(*found.choice.method)) : nlohmann::json();
+  output.json(document);
+  if (!arguments.trace.empty()) writeTrace(*found.dual, *found.set, arguments.trace);
+}
+
+void writeRobot(const IdentifyArguments& arguments, const Findings& found) {
+  experiments::RobotOrigin origin;
+  for (const std::string& file : arguments.files)
+    origin.recordings.push_back(std::filesystem::path(file).filename().string());
+  if (arguments.simulate)
+    origin.recordings.push_back(fmt::format("a simulation (seed {})", arguments.simulation.seed));
+  origin.duration = found.duration;
+  origin.method = base::nameOf(*found.choice.method);
+  origin.values = valueLines(found.estimates());
+  origin.software = experiments::software();
+  base::writeTextFile(
+      arguments.out,
+      experiments::identifiedRobotText(
+          found.set->nominal(), identification::identifiedRobot(*found.set, found.estimates()), origin));
+}
+
+/// Says that nothing came of it, and that no file was written.
+ExitCode fail(const std::string& why, const IdentifyArguments& arguments) {
+  std::string files;
+  for (const std::string& file : {arguments.out, arguments.tracking_out})
+    if (!file.empty()) files += (files.empty() ? "" : ", ") + file;
+  notice(files.empty() ? why : why + "; not written: " + files);
+  return kFailed;
+}
+
 ExitCode identify(IdentifyArguments& arguments, const CLI::App& command) {
   check(arguments, command);
   if (const auto drive = driveOf(arguments, command)) {
@@ -127,65 +243,21 @@ ExitCode identify(IdentifyArguments& arguments, const CLI::App& command) {
     return identifyDrive(arguments.drive, *drive);
   }
   checkFiles(arguments);
-  const Output output(arguments.json);
-  base::Progress progress;
-  std::string truth_text;
-  tracking::TrackingOptions tracking;
-  std::optional<identification::DualUkfReport> dual;
-  std::optional<identification::BatchReport> batch;
-  std::optional<identification::ParameterSet> set;
-  robot::Description recorded;  // the plant before its truth
-  std::uint64_t left_out = 0, used = 0;
-  {
-    const ProgressLine line(progress);
-    const identification::IdentificationData data = collectAll(arguments, progress, truth_text, tracking);
-    left_out = data.left_out;
-    used = data.motors.size();
-    if (data.openCount() == 0 && !progress.cancelled())
-      refuseOption("REC", data.title, "shows the marker nowhere",
-                   "Give a recording in which cameras see the tip");
-    recorded = data.robot;
-    robot::Description nominal = data.robot;
-    if (!arguments.robot.empty()) nominal = readRobot(arguments.robot);
-    identification::IdentificationOptions options;
-    if (!arguments.options.empty())
-      options = base::readYamlFile<identification::IdentificationOptions>(arguments.options);
-    set.emplace(nominal, arguments.parameters, options.parameters);
-    identification::CameraPoseOptions& camera = options.camera;
-    if (arguments.exact_camera) camera = {0.0, 0.0, 0.0};
-    if (arguments.method != "batch" && !progress.cancelled())
-      dual = identification::identifyDualUkfInPasses(data, *set, {.camera = camera}, &progress);
-    if (arguments.method != "dual-ukf" && !progress.cancelled()) {
-      identification::BatchOptions batch_options{.camera = camera,
-                                                 .shooting = {.threads = arguments.threads}};
-      if (dual)
-        for (const auto& estimate : dual->estimates) batch_options.start.push_back(estimate.log);
-      batch = identification::identifyBatchInPasses(data, *set, batch_options, &progress);
-    }
-  }
-  if (progress.cancelled()) {
+  const std::optional<Findings> found = find(arguments);
+  if (!found) {
     notice("cancelled: nothing was identified");
     return kFailed;
   }
-  if (left_out > 0)
-    notice(fmt::format("{} of {} motor samples left out: an encoder had failed or gave no number", left_out,
-                       left_out + used));
-  const TrueValues truth =
-      truth_text.empty() ? TrueValues{} : experiments::trueValues(truth_text, recorded, *set);
-  output.text(textOf(dual ? &*dual : nullptr, batch ? &*batch : nullptr, truth));
-  nlohmann::json document = {{"motor_samples_left_out", left_out}};
-  if (dual) document["dual_ukf"] = jsonOf(*dual, truth);
-  if (batch) document["batch"] = jsonOf(*batch, truth);
-  output.json(document);
-  if (!arguments.trace.empty()) writeTrace(*dual, *set, arguments.trace);
-  const auto& estimates = batch ? batch->estimates : dual->estimates;
-  if (!arguments.out.empty())
-    writeIdentifiedRobot(set->nominal(), identification::identifiedRobot(*set, estimates), arguments.out);
+  writeReport(arguments, *found);
+  if (!found->choice.method) return fail("nothing was identified: " + found->choice.words, arguments);
+  if (!found->choice.words.empty()) notice(found->choice.words);
+  const auto& estimates = found->estimates();
+  if (std::none_of(estimates.begin(), estimates.end(), [](const auto& e) { return e.seen; }))
+    return fail("no parameter could be seen in this motion", arguments);
+  if (!arguments.out.empty()) writeRobot(arguments, *found);
   if (!arguments.tracking_out.empty())
-    writeTrackingOptions(tracking, (batch ? batch->camera : dual->camera).delay, arguments.tracking_out);
-  const bool any = std::any_of(estimates.begin(), estimates.end(), [](const auto& e) { return e.seen; });
-  if (!any) notice("no parameter could be seen in this motion");
-  return any ? kOk : kFailed;
+    writeTrackingOptions(found->tracking, found->delay(), arguments.tracking_out);
+  return kOk;
 }
 
 }  // namespace
@@ -211,7 +283,8 @@ void addIdentify(CLI::App& app, ExitCode& exit) {
   command->add_option("--threads", arguments->threads, "of the batch method")
       ->capture_default_str()
       ->check(CLI::Range(1, 64));
-  command->add_option("--out", arguments->out, "identified robot file; of the batch method where both ran");
+  command->add_option("--out", arguments->out,
+                      "identified robot file; of the batch method where both ran and it found something");
   command->add_option("--tracking-out", arguments->tracking_out,
                       "options for track --options, with the camera's delay as identified");
   command->add_option("--trace", arguments->trace, "the dual UKF's estimates over time, as CSV");

@@ -8,6 +8,9 @@
 #include "app/cli/identify_output.h"
 #include "app/cli/outputs.h"
 #include "app/cli/recordings.h"
+#include "core/base/yaml.h"
+#include "core/experiments/identified.h"
+#include "core/experiments/software.h"
 
 namespace capstan::cli {
 namespace {
@@ -57,6 +60,19 @@ DriveFindings judge(const IdentifyDriveArguments& arguments, const robot::Descri
   return findings;
 }
 
+void writeRobot(const robot::Description& nominal, const DriveFindings& findings,
+                const std::vector<DriveRecording>& training, const std::string& path) {
+  experiments::RobotOrigin origin;
+  for (const std::string& file : findings.training)
+    origin.recordings.push_back(std::filesystem::path(file).filename().string());
+  for (const DriveRecording& recording : training)
+    if (!recording.t.empty()) origin.duration += recording.t.back() - recording.t.front();
+  origin.method = "output-error";
+  origin.values = valueLines(findings.report.estimates);
+  origin.software = experiments::software();
+  base::writeTextFile(path, experiments::identifiedRobotText(nominal, findings.report.robot, origin));
+}
+
 }  // namespace
 
 ExitCode identifyDrive(const IdentifyDriveArguments& arguments, const robot::Description& nominal) {
@@ -87,11 +103,18 @@ ExitCode identifyDrive(const IdentifyDriveArguments& arguments, const robot::Des
   const Output output(arguments.json);
   output.text(textOf(findings));
   output.json({{"drive", jsonOf(findings)}});
-  if (!arguments.out.empty()) writeIdentifiedRobot(nominal, findings.report.robot, arguments.out);
+  const std::string not_written = arguments.out.empty() ? "" : "; not written: " + arguments.out;
+  if (findings.report.end == identification::BatchEnd::kFailed) {
+    notice("nothing was identified: the solution did not converge on finite numbers" + not_written);
+    return kFailed;
+  }
   const auto& estimates = findings.report.estimates;
-  const bool any = std::any_of(estimates.begin(), estimates.end(), [](const auto& e) { return e.seen; });
-  if (!any) notice("no parameter could be seen in this motion");
-  return any ? kOk : kFailed;
+  if (std::none_of(estimates.begin(), estimates.end(), [](const auto& e) { return e.seen; })) {
+    notice("no parameter could be seen in this motion" + not_written);
+    return kFailed;
+  }
+  if (!arguments.out.empty()) writeRobot(nominal, findings, training, arguments.out);
+  return kOk;
 }
 
 }  // namespace capstan::cli

@@ -4,9 +4,11 @@
 
 #include <cmath>
 #include <fstream>
+#include <sstream>
 
 #include "app/cli/console.h"
 #include "core/base/units.h"
+#include "core/experiments/identified.h"
 
 namespace capstan::cli {
 namespace {
@@ -52,11 +54,32 @@ std::string table(const std::vector<std::pair<std::string, const std::vector<Est
   return text;
 }
 
-std::string advice(const std::vector<Estimate>& estimates) {
+/// "  name: words", broken at spaces so that no line is longer than a terminal is wide.
+std::string said(const std::string& name, const std::string& words) {
+  constexpr std::size_t kWidth = 100;
+  std::string text, line = "  " + name + ":";
+  std::istringstream in(words);
+  for (std::string word; in >> word;) {
+    if (line.size() + 1 + word.size() > kWidth) {
+      text += line + "\n";
+      line = "     ";
+    }
+    line += " " + word;
+  }
+  return text + line + "\n";
+}
+
+/// A paragraph each. Why a parameter is not seen is the same for both methods, but for digits: where the dual
+/// UKF's paragraph has said it, it is not said again.
+std::string advice(const std::vector<Estimate>& estimates, const DualUkfReport* dual) {
   std::string text;
-  for (const Estimate& estimate : estimates)
-    if (!estimate.advice.empty())
-      text += fmt::format("  {}: {}\n", estimate.parameter.name(), estimate.advice);
+  for (std::size_t i = 0; i < estimates.size(); ++i) {
+    const Estimate& estimate = estimates[i];
+    if (estimate.advice.empty()) continue;
+    const bool again =
+        dual && i < dual->estimates.size() && !dual->estimates[i].advice.empty() && !estimate.seen;
+    text += said(estimate.parameter.name(), again ? "not seen, as above" : estimate.advice);
+  }
   return text;
 }
 
@@ -78,18 +101,19 @@ std::string dualText(const DualUkfReport& report) {
       base::nameOf(report.end), report.used, report.observations, report.nis, 100.0 * report.outliers,
       report.seconds);
   for (std::size_t i = 0; i < report.estimates.size(); ++i)
-    text += fmt::format("  {}: {}\n", report.estimates[i].parameter.name(),
-                        identification::wordsOf(report.convergence[i], report.estimates[i]));
-  return text + poseText(report.camera, report.camera_sigma);
+    text += said(report.estimates[i].parameter.name(),
+                 experiments::progressWords(report.convergence[i], report.estimates[i]));
+  return report.estimates.empty() ? text : text + poseText(report.camera, report.camera_sigma);
 }
 
-std::string batchText(const BatchReport& report) {
+std::string batchText(const BatchReport& report, const DualUkfReport* dual) {
   return fmt::format(
              "batch: {} after {} iterations, {} observations, residual {:.2f} → {:.2f} σ, {:.1f} % held "
              "back, {:.1f} s of computing\n",
              base::nameOf(report.end), report.iterations, report.observations, report.residual_before,
              report.residual_after, 100.0 * report.outliers, report.seconds) +
-         advice(report.estimates) + poseText(report.camera, report.camera_sigma);
+         advice(report.estimates, dual) +
+         (report.estimates.empty() ? std::string() : poseText(report.camera, report.camera_sigma));
 }
 
 nlohmann::json estimatesJson(const std::vector<Estimate>& estimates, const TrueValues& truth) {
@@ -129,7 +153,7 @@ std::string textOf(const DualUkfReport* dual, const BatchReport* batch, const Tr
   if (batch && !batch->estimates.empty()) methods.emplace_back("batch", &batch->estimates);
   std::string text = methods.empty() ? std::string() : table(methods, truth) + "\n";
   if (dual) text += dualText(*dual);
-  if (batch) text += batchText(*batch);
+  if (batch) text += batchText(*batch, dual);
   return text;
 }
 
@@ -186,17 +210,6 @@ void writeTrace(const DualUkfReport& report, const identification::ParameterSet&
   }
   if (!file.flush())
     refuseFile(path.string(), "cannot be written", "Choose a folder that exists and has room");
-}
-
-void writeIdentifiedRobot(const robot::Description& nominal, const robot::Description& identified,
-                          const std::string& path) {
-  std::ofstream file(path);
-  file << "# Identified from a recording; differs from " << nominal.name << " in:\n";
-  for (const auto& change : identification::differences(nominal, identified))
-    file << fmt::format("#   {}: {:.6g} instead of {:.6g} ({:+.2f} %)\n", change.key, change.identified,
-                        change.nominal, change.percent);
-  file << robot::formatDescription(identified);
-  if (!file.flush()) refuseFile(path, "cannot be written", "Choose a folder that exists and has room");
 }
 
 }  // namespace capstan::cli

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/experiments/identified.h"
 #include "core/identification/batch.h"
 #include "core/identification/dual_ukf.h"
 
@@ -26,9 +27,17 @@ nlohmann::json jsonOf(const identification::BatchReport& report, const TrueValue
 void writeTrace(const identification::DualUkfReport& report, const identification::ParameterSet& set,
                 const std::filesystem::path& path);
 
-/// The robot file of `identified`, a comment on top saying what differs from `nominal`. Throws
-/// base::InputError when `path` cannot be written.
-void writeIdentifiedRobot(const robot::Description& nominal, const robot::Description& identified,
-                          const std::string& path);
+/// A line for each estimate, in units for people (experiments::valueLine()).
+template <class Estimates>
+std::vector<std::string> valueLines(const Estimates& estimates) {
+  std::vector<std::string> lines;
+  for (const auto& estimate : estimates) {
+    const auto& parameter = estimate.parameter;
+    lines.push_back(experiments::valueLine(parameter.name(), parameter.scale() * estimate.value(),
+                                           parameter.scale() * estimate.valueSigma(), parameter.unit(),
+                                           estimate.seen));
+  }
+  return lines;
+}
 
 }  // namespace capstan::cli

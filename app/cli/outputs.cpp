@@ -50,8 +50,16 @@ void checkOutputFolder(const std::string& option, const fs::path& path, const st
   std::error_code fault;
   fs::path there = fs::absolute(path, fault).lexically_normal();
   while (!fs::exists(there, fault) && there.has_relative_path()) there = there.parent_path();
-  if (!fs::is_directory(there, fault)) refuseFile(there.string(), "is no folder", "Give another " + option);
-  base::checkWritable(there / "capstan");
+  if (!fs::is_directory(there, fault))
+    refuseOption(option, path.string(),
+                 there == fs::absolute(path, fault) ? "is no folder"
+                                                    : "cannot be made: " + there.string() + " is no folder",
+                 "Give a folder that exists or can be made");
+  try {
+    base::checkWritable(there / "capstan");
+  } catch (const base::InputError& error) {
+    refuseOption(option, path.string(), error.fault().reason, "Give a folder that files can be written into");
+  }
 }
 
 std::vector<std::string> withFilesOf(const simulation::SimulationRequest& request,

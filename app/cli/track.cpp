@@ -52,6 +52,16 @@ std::vector<session::MotorFailure> failuresOf(const std::vector<std::string>& te
   return all;
 }
 
+/// Which robot the filter believed in, and where it is from.
+std::string robotText(const TrackArguments& arguments, const robot::Description& robot) {
+  const bool session = !arguments.simulate && detectFormat(arguments.file) == RecordingFormat::kSession;
+  const std::string from = !arguments.estimator_robot.empty() ? "of " + arguments.estimator_robot
+                           : !arguments.robot.empty()         ? "of " + arguments.robot
+                           : session                          ? "of the session"
+                                                              : "nominal";
+  return fmt::format("robot          {} ({})\n", robot.name, from);
+}
+
 ExitCode track(TrackArguments& arguments, const CLI::App& command) {
   check(arguments, command);
   const std::vector<session::MotorFailure> failures = failuresOf(arguments.fail_motor);
@@ -119,6 +129,11 @@ ExitCode track(TrackArguments& arguments, const CLI::App& command) {
     text += study->text();
     document["centroid"] = study->json();
   }
+  text += robotText(arguments, info.robot);
+  document["robot"] = {
+      {"name", info.robot.name},
+      {"file",
+       arguments.estimator_robot.empty() ? nlohmann::json() : nlohmann::json(arguments.estimator_robot)}};
   output.text(text);
   output.json(document);
   if (report.cancelled) notice("cancelled: the numbers are of what came before");

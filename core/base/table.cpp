@@ -29,6 +29,19 @@ TableCell cellAt(const std::vector<TableCell>& row, std::size_t column) {
   return column < row.size() ? row[column] : TableCell{};
 }
 
+bool alike(const TableCell& a, const TableCell& b) {
+  return a.text == b.text && (a.number == b.number || (std::isnan(a.number) && std::isnan(b.number)));
+}
+
+/// The cell says again what stands above it (TableColumn::grouped).
+bool isRepeated(const Table& table, std::size_t row, std::size_t column) {
+  if (row == 0 || !table.columns[column].grouped) return false;
+  for (std::size_t i = 0; i <= column; ++i)
+    if (table.columns[i].grouped && !alike(cellAt(table.rows[row], i), cellAt(table.rows[row - 1], i)))
+      return false;
+  return true;
+}
+
 std::string markdownEscaped(const std::string& text) {
   std::string out;
   for (const char c : text) {
@@ -122,10 +135,12 @@ std::string markdownOf(const Table& table) {
   const std::size_t count = table.columns.size();
   std::vector<std::vector<std::string>> lines(1);
   for (const TableColumn& column : table.columns) lines[0].push_back(markdownEscaped(header(column)));
-  for (const auto& row : table.rows) {
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
     auto& line = lines.emplace_back();
     for (std::size_t i = 0; i < count; ++i)
-      line.push_back(markdownEscaped(cellText(cellAt(row, i), table.columns[i])));
+      line.push_back(isRepeated(table, row, i)
+                         ? std::string()
+                         : markdownEscaped(cellText(cellAt(table.rows[row], i), table.columns[i])));
   }
   std::string text = table.title.empty() ? "" : "### " + markdownEscaped(table.title) + "\n\n";
   for (std::size_t n = 0; n < lines.size(); ++n) {
@@ -155,11 +170,11 @@ std::string latexOf(const Table& table, const std::string& label) {
     names += (i == 0 ? "    " : " & ") + latexEscaped(header(table.columns[i]));
   }
   text += "  \\begin{tabular}{" + alignment + "}\n    \\toprule\n" + names + " \\\\\n    \\midrule\n";
-  for (const auto& row : table.rows) {
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
-      const TableCell cell = cellAt(row, i);
-      const std::string shown = cellText(cell, table.columns[i]);
-      const bool number = cell.text.empty() && !isEmpty(cell);
+      const TableCell cell = cellAt(table.rows[row], i);
+      const std::string shown = isRepeated(table, row, i) ? std::string() : cellText(cell, table.columns[i]);
+      const bool number = !shown.empty() && cell.text.empty() && !isEmpty(cell);
       text += (i == 0 ? "    " : " & ") + (number ? latexNumber(shown) : latexEscaped(shown));
     }
     text += " \\\\\n";

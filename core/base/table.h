@@ -17,6 +17,9 @@ struct TableColumn {
   std::string unit;  ///< as people read it; empty: none
   int digits = 3;
   NumberStyle style = NumberStyle::kFixed;
+  /// Of rows that belong together, readers see the cell in the first only; in a CSV it stands in each. Rows
+  /// belong together where the cells of this column and the grouped ones before it are alike.
+  bool grouped = false;
 };
 
 /// A number or a text. A number that is not finite is an empty cell: a dash for readers, nothing in a CSV.

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
+#include "core/base/error.h"
 #include "core/experiments/tables.h"
+#include "core/simulation/truth.h"
 
 namespace capstan::experiments {
 namespace {
@@ -15,9 +18,17 @@ constexpr double kKinematicGoal = 15.0;                                         
 constexpr double kOcclusionGoal = 1.10;
 
 const Results* find(const std::vector<Results>& results, const std::string& name) {
-  const auto found =
-      std::find_if(results.begin(), results.end(), [&](const Results& one) { return one.name == name; });
+  const auto found = std::find_if(results.begin(), results.end(),
+                                  [&](const Results& one) { return one.name == name && isPapers(one); });
   return found == results.end() ? nullptr : &*found;
+}
+
+Verdict verdictOf(bool met) { return met ? Verdict::kMet : Verdict::kMissed; }
+
+/// What the result itself says of a parameter that it does not know well: the method's advice, or how far the
+/// dual UKF has come.
+const std::string& wordsOf(const IdentifiedParameter& parameter, const ParameterEstimate& estimate) {
+  return estimate.advice.empty() ? parameter.convergence : estimate.advice;
 }
 
 Goal parameterGoal(const IdentificationResult& result, const IdentifiedParameter& parameter, double percent) {
@@ -27,13 +38,18 @@ Goal parameterGoal(const IdentificationResult& result, const IdentifiedParameter
       fmt::format("{} within {:g} % of the truth, or said to be out of sight", parameter.name, percent);
   if (!estimate.seen) {
     goal.measured = "not seen: " + estimate.advice;
-    goal.met = !estimate.advice.empty();
+    goal.verdict = verdictOf(!estimate.advice.empty());
     return goal;
   }
   const double error = 100.0 * (estimate.value / parameter.truth - 1.0);
-  goal.measured = fmt::format("{:+.2f} % ± {:.2f} %", error, 100.0 * estimate.sigma / estimate.value);
-  goal.met = std::abs(error) <= percent;
-  if (!goal.met && !parameter.convergence.empty()) goal.measured += "; said of it: " + parameter.convergence;
+  const double sigma = 100.0 * estimate.sigma / estimate.value;
+  goal.measured = fmt::format("{:+.2f} % ± {:.2f} %", error, sigma);
+  goal.verdict = verdictOf(std::abs(error) <= percent);
+  if (goal.verdict == Verdict::kMet) return goal;
+  const std::string& words = wordsOf(parameter, estimate);
+  if (!words.empty()) goal.measured += "; said of it: " + words;
+  const bool inside = estimate.low <= parameter.truth && parameter.truth <= estimate.high;
+  if (!words.empty() && sigma > percent && inside) goal.verdict = Verdict::kSaid;
   return goal;
 }
 
@@ -59,7 +75,7 @@ void errorGoals(const Results& results, const Published& published, std::vector<
     goals.push_back({fmt::format("joint {}: mean kinematic error within {:g} % of the paper's {:.3f} {}",
                                  joint + 1, kKinematicGoal, paper, tracking::kJointUnits[j]),
                      fmt::format("{:.3f} {} ({:+.1f} %)", ours.mean_before, tracking::kJointUnits[j], off),
-                     std::abs(off) <= kKinematicGoal});
+                     verdictOf(std::abs(off) <= kKinematicGoal)});
   }
   for (int joint = 0; joint < 3; ++joint) {
     const Improvement ours = improvementOf(results, Estimator::kKinematic, Estimator::kUkf, joint);
@@ -67,7 +83,7 @@ void errorGoals(const Results& results, const Published& published, std::vector<
     goals.push_back({fmt::format("joint {}: improvement over transmission kinematics better than the paper's "
                                  "{:.2f} %",
                                  joint + 1, paper),
-                     fmt::format("{:.1f} %", ours.percent), ours.percent > paper});
+                     fmt::format("{:.1f} %", ours.percent), verdictOf(ours.percent > paper)});
   }
 }
 
@@ -81,19 +97,70 @@ void occlusionGoals(const Results& results, std::vector<Goal>& goals) {
     goals.push_back(
         {fmt::format("joint {}: RMS at {:g} % occlusion at most {:.2f} times that at {:g} %", joint + 1,
                      most->occlusion.percentage, kOcclusionGoal, least->occlusion.percentage),
-         fmt::format("{:.3f} times", ratio), ratio <= kOcclusionGoal});
+         fmt::format("{:.3f} times", ratio), verdictOf(ratio <= kOcclusionGoal)});
   }
 }
 
+/// "seed 101", or the recording; empty: neither is known.
+std::string originOf(const TrialSpec& trial) {
+  return trial.recording.empty() ? fmt::format("seed {}", trial.seed)
+                                 : std::filesystem::path(trial.recording).filename().string();
+}
+
+std::string originOf(const TrialResult& trial) {
+  return trial.simulated && trial.inputs.recording.empty() ? fmt::format("seed {}", trial.seed)
+                                                           : trial.inputs.recording;
+}
+
+/// Of every trial: its name and what it was made from.
+std::string trialsOf(const Results& results) {
+  std::string text;
+  const auto add = [&](const std::string& name, const std::string& origin) {
+    text += (text.empty() ? "" : ", ") + name + (origin.empty() ? "" : " (" + origin + ")");
+  };
+  for (const TrialResult& trial : results.trials) add(trial.name, originOf(trial));
+  if (!results.identification) return text;
+  try {  // an identification keeps the inputs of its first trial only
+    for (const TrialSpec& trial : parseSpecification(results.specification, results.name).trials)
+      add(trial.name, originOf(trial));
+  } catch (const base::InputError&) {  // of another version of this program
+    const IdentificationResult& found = *results.identification;
+    for (const std::string& name : found.recordings)
+      add(name, name != found.recordings.front()  ? std::string()
+                : !found.inputs.recording.empty() ? found.inputs.recording
+                                                  : fmt::format("seed {}", found.seed));
+  }
+  return text;
+}
+
 std::string originOf(const Results& results) {
-  std::string text = fmt::format("- {}: {}", results.name, results.title);
-  std::string seeds;
-  if (results.identification && results.simulated) seeds = std::to_string(results.identification->seed);
-  for (const TrialResult& trial : results.trials)
-    if (trial.simulated) seeds += (seeds.empty() ? "" : ", ") + std::to_string(trial.seed);
-  if (!seeds.empty()) text += "; seeds " + seeds;
+  std::string text = "- " + results.name;
+  if (!results.title.empty()) text += ": " + results.title;
+  const std::string trials = trialsOf(results);
+  if (!trials.empty()) text += "; " + trials;
+  const TrialInputs* inputs = results.identification    ? &results.identification->inputs
+                              : !results.trials.empty() ? &results.trials.front().inputs
+                                                        : nullptr;
+  if (results.simulated && inputs && !inputs->truth.empty())
+    text += "; truth " + simulation::parseTruth(inputs->truth, "truth").name;
   if (std::isfinite(results.wall_seconds)) text += fmt::format("; wall time {:.1f} s", results.wall_seconds);
-  return text + "; " + results.software + "\n";
+  return text + (results.software.empty() ? "" : "; " + results.software) + "\n";
+}
+
+/// The page's heading and its first sentence.
+std::string headOf(const std::vector<Results>& results, bool paper) {
+  std::string page =
+      paper ? "# Experiments of the UKF paper: published values and ours\n\n" : "# Experiments\n\n";
+  const auto simulated =
+      std::count_if(results.begin(), results.end(), [](const Results& one) { return one.simulated; });
+  if (simulated == 0) return page + "These results are of recordings.\n\n";
+  if (simulated < std::ssize(results)) return page + "Some of these results are of recordings.\n\n";
+  if (!paper)
+    return page + "The robot of these results is simulated: errors of a real robot will be larger.\n\n";
+  return page +
+         "The robot of these results is simulated: it has hysteresis, Stribeck friction and camera errors "
+         "that the estimator does not know, but the same geometry, so that errors of a real robot will "
+         "be larger; the paper's was a real RAVEN-II.\n\n";
 }
 
 }  // namespace
@@ -112,31 +179,23 @@ base::Table goalTable(const std::vector<Goal>& goals) {
   table.title = "Goals";
   table.columns = {{"goal", ""}, {"measured", ""}, {"", ""}};
   for (const Goal& goal : goals)
-    table.rows.push_back({goal.what, goal.measured, goal.met ? "met" : "not met"});
+    table.rows.push_back({goal.what, goal.measured, std::string(base::nameOf(goal.verdict))});
   return table;
 }
 
 std::string comparisonPage(const std::vector<Results>& results, const Published& published) {
-  const bool simulated =
-      std::all_of(results.begin(), results.end(), [](const Results& one) { return one.simulated; });
-  std::string page = "# Experiments of the UKF paper: published values and ours\n\n";
-  page +=
-      simulated
-          ? "The robot of these results is simulated: it has hysteresis, Stribeck friction and camera errors "
-            "that the estimator does not know, but the same geometry, so that errors of a real robot will "
-            "be larger; the paper's was a real RAVEN-II.\n\n"
-          : "Some of these results are of recordings.\n\n";
+  std::string page = headOf(results, std::any_of(results.begin(), results.end(), isPapers));
   const std::vector<Goal> goals = goalsOf(results, published);
   if (!goals.empty()) page += base::markdownOf(goalTable(goals)) + "\n";
-  for (const Results& one : results) {
-    for (const NamedTable& table : tablesOf(one, paperBeside(one, published))) {
-      const bool shown = one.name != "C" || table.name != "boxplot";
-      if (shown) page += base::markdownOf(table.table) + "\n";
-    }
-  }
-  page +=
-      "The paper gives figures 7 and 13 as drawings: there are no numbers of it to put beside k_e, b_e and "
-      "the medians under occlusion. Units are deg, deg, mm.\n\n### Where it comes from\n\n";
+  for (const Results& one : results)
+    for (const NamedTable& table : tablesOf(one, paperBeside(one, published)))
+      if (table.name != "boxplot" || one.name != "C" || !isPapers(one))  // figure 13 is of D
+        page += base::markdownOf(table.table) + "\n";
+  if (find(results, "B") || find(results, "D"))
+    page +=
+        "The paper gives figures 7 and 13 as drawings: there are no numbers of it to put beside k_e, b_e and "
+        "the medians under occlusion. ";
+  page += "Units are deg, deg, mm.\n\n### Where it comes from\n\n";
   for (const Results& one : results) page += originOf(one);
   return page;
 }

@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/resource.h"
+#include "core/experiments/checksum.h"
 #include "core/session/table_source.h"
 #include "core/tracking/make_pipeline.h"
 #include "core/tracking/track_all.h"
@@ -34,15 +35,12 @@ void dropEveryOther(std::vector<T>& points) {
   throw base::InputError({file, 0, std::move(key), std::move(value), std::move(reason), std::move(remedy)});
 }
 
-/// As in TrialInputs::recording.
-std::string motionOf(const fs::path& recording) {
-  std::error_code fault;
-  const auto size = fs::file_size(recording, fault);
-  return fault ? std::string() : fmt::format("{}, {} bytes", recording.filename().string(), size);
-}
+/// The bytes of a recording, whatever it is called: as at the end of TrialInputs::recording.
+std::string motionOf(const fs::path& recording) { return "checksum " + checksumOfFile(recording); }
 
 std::string motionOf(const TrialResult& trial) {
-  if (!trial.inputs.recording.empty()) return trial.inputs.recording;
+  const std::string& recording = trial.inputs.recording;
+  if (!recording.empty()) return recording.substr(recording.rfind(", ") + 2);
   return fmt::format("seed {}\n{}\n{}", trial.seed, trial.inputs.truth, trial.inputs.trajectory);
 }
 
@@ -149,6 +147,7 @@ ErrorRun trackErrors(const fs::path& recording, const fs::path& robot, base::Pro
   progress.report(0.0, "opening");
   const robot::Description believed =
       robot::readDescription(robot.empty() ? base::resource("robots/raven2_left.yaml") : robot);
+  std::string motion = motionOf(recording);  // before it is opened: closing a file takes SQLite's locks away
   const auto source = session::openRecording(recording, believed);
   ErrorRun run = trackErrors(*source, robot.empty() ? source->info().robot : believed, progress);
   if (!progress.cancelled() && run.errors.empty())
@@ -157,7 +156,7 @@ ErrorRun trackErrors(const fs::path& recording, const fs::path& robot, base::Pro
            "Choose a recording whose reference was sampled with the motors");
   run.title = recording.filename().string();
   if (!robot.empty()) run.title += ", " + robot.stem().string();
-  run.motion = motionOf(recording);
+  run.motion = std::move(motion);
   return run;
 }
 

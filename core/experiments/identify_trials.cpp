@@ -1,10 +1,13 @@
 #include "core/experiments/identify_trials.h"
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <optional>
 
 #include "core/base/error.h"
 #include "core/base/yaml.h"
+#include "core/experiments/identified.h"
 #include "core/experiments/motion_collector.h"
 #include "core/identification/batch.h"
 #include "core/identification/dual_ukf.h"
@@ -68,20 +71,36 @@ Eigen::Matrix<double, 7, 1> poseVector(const identification::CameraPose& pose) {
   return all;
 }
 
-void take(const identification::DualUkfReport& report, const identification::ParameterSet& set, double start,
-          IdentificationResult& result) {
-  for (int i = 0; i < set.size(); ++i) {
-    const auto index = static_cast<std::size_t>(i);
-    const identification::Parameter& parameter = set[i];
+/// The estimates of a method, or that it has none.
+template <class Report>
+void takeEstimates(const Report& report, bool usable, ParameterEstimate IdentifiedParameter::*which,
+                   IdentificationResult& result) {
+  for (std::size_t i = 0; i < result.parameters.size(); ++i) {
+    ParameterEstimate& estimate = result.parameters[i].*which;
+    if (usable)
+      estimate = estimateOf(report.estimates[i]);
+    else
+      estimate.advice = fmt::format("the method found nothing ({})", base::nameOf(report.end));
+  }
+}
+
+void take(const identification::ParameterSet& set, IdentificationResult& result) {
+  for (const identification::Parameter& parameter : set.all()) {
     IdentifiedParameter& one = result.parameters.emplace_back();
     one.name = parameter.name();
     one.words = parameter.words();
     one.unit = parameter.unit();
     one.scale = parameter.scale();
     one.nominal = parameter.nominal;
-    one.dual_ukf = estimateOf(report.estimates[index]);
+  }
+}
+
+void take(const identification::DualUkfReport& report, const identification::ParameterSet& set, double start,
+          IdentificationResult& result) {
+  for (std::size_t index = 0; index < report.estimates.size(); ++index) {
+    IdentifiedParameter& one = result.parameters[index];
     one.settled_at = report.convergence[index].settled_at;
-    one.convergence = identification::wordsOf(report.convergence[index], report.estimates[index]);
+    one.convergence = progressWords(report.convergence[index], report.estimates[index]);
   }
   for (const identification::TracePoint& point : report.trace) {
     ParameterTracePoint& line = result.trace.emplace_back();
@@ -99,8 +118,6 @@ void take(const identification::DualUkfReport& report, const identification::Par
 }
 
 void take(const identification::BatchReport& report, IdentificationResult& result) {
-  for (std::size_t i = 0; i < result.parameters.size(); ++i)
-    result.parameters[i].batch = estimateOf(report.estimates[i]);
   result.batch_correlation = report.correlation;
   result.batch_end = base::nameOf(report.end);
   result.batch_observations = report.observations;
@@ -114,15 +131,44 @@ void identify(const IdentificationData& data, const identification::ParameterSet
               IdentificationResult& result) {
   const auto dual = identification::identifyDualUkf(data, set, {.camera = setup.options.camera}, &progress);
   if (progress.cancelled()) return;
+  take(set, result);
   take(dual, set, data.motors.t.empty() ? 0.0 : data.motors.t.front(), result);
   identification::BatchOptions options{.camera = setup.options.camera, .shooting = {.threads = threads}};
-  for (const auto& estimate : dual.estimates) options.start.push_back(estimate.log);
+  const bool dual_usable = choose(Method::kDualUkf, &dual, nullptr).method.has_value();
+  if (dual_usable)
+    for (const auto& estimate : dual.estimates) options.start.push_back(estimate.log);
   const auto batch = identification::identifyBatch(data, set, options, &progress);
   if (progress.cancelled()) return;
   take(batch, result);
-  const bool by_dual = setup.spec.robot == Method::kDualUkf;
+  const bool batch_usable = choose(Method::kBatch, nullptr, &batch).method.has_value();
+  takeEstimates(dual, dual_usable, &IdentifiedParameter::dual_ukf, result);
+  takeEstimates(batch, batch_usable, &IdentifiedParameter::batch, result);
+  const Choice choice = choose(setup.spec.robot, &dual, &batch);
+  result.method = choice.method.value_or(setup.spec.robot);
+  result.found = choice.method.has_value();
+  result.choice = choice.words;
+  const bool by_dual = result.method == Method::kDualUkf;
   result.camera = poseVector(by_dual ? dual.camera : batch.camera);
   result.camera_sigma = poseVector(by_dual ? dual.camera_sigma : batch.camera_sigma);
+}
+
+RobotOrigin originOf(const std::vector<TrialSetup>& trials, const std::string& software,
+                     const IdentificationResult& result) {
+  RobotOrigin origin;
+  for (const TrialSetup& trial : trials)
+    origin.recordings.push_back(
+        trial.recording.empty()
+            ? fmt::format("trial {} (simulated, seed {})", trial.spec.name, trial.spec.seed)
+            : fmt::format("trial {} ({})", trial.spec.name, trial.inputs.recording));
+  origin.duration = result.duration;
+  origin.method = base::nameOf(result.method);
+  origin.software = software;
+  for (const IdentifiedParameter& parameter : result.parameters) {
+    const ParameterEstimate& estimate = result.chosen(parameter);
+    origin.values.push_back(valueLine(parameter.name, parameter.scale * estimate.value,
+                                      parameter.scale * estimate.sigma, parameter.unit, estimate.seen));
+  }
+  return origin;
 }
 
 }  // namespace
@@ -137,10 +183,12 @@ IdentificationSetup setUpIdentification(const Specification& specification,
   try {
     (void)identification::ParameterSet(nominal, setup.spec.parameters, setup.options.parameters);
   } catch (const base::InputError& error) {
-    throw base::InputError({specification.file.string(), 0, "identification.parameters",
-                            setup.spec.parameters, error.fault().reason, error.fault().remedy});
+    if (specification.file.empty()) throw;  // asked for by an option, which has that name
+    throw base::InputError({specification.file.string(), specification.lineOf({}, "identification"),
+                            "identification.parameters", setup.spec.parameters, error.fault().reason,
+                            error.fault().remedy});
   }
-  setup.fingerprint = {{"format", 2},
+  setup.fingerprint = {{"format", 3},
                        {"parameters", setup.spec.parameters},
                        {"method", std::string(base::nameOf(setup.spec.robot))},
                        {"options", base::writeYaml(setup.options)}};
@@ -196,7 +244,9 @@ IdentificationResult identifyTrials(const std::vector<TrialSetup>& trials, const
   if (progress.whole.cancelled()) return result;
   const std::vector<double> truth = trueValues(result.inputs.truth, all.front().nominal, set);
   for (std::size_t i = 0; i < result.parameters.size(); ++i) result.parameters[i].truth = truth[i];
-  result.robot = robot::formatDescription(withIdentified(data.robot, result));
+  if (result.found)
+    result.robot = identifiedRobotText(data.robot, withIdentified(data.robot, result),
+                                       originOf(trials, setup.software, result));
   return result;
 }
 

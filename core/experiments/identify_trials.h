@@ -15,6 +15,7 @@ namespace capstan::experiments {
 struct IdentificationSetup {
   IdentificationSpec spec;
   identification::IdentificationOptions options;
+  std::string software = {};   ///< program and version, for the robot file
   nlohmann::json fingerprint;  ///< of this part; the trials' own come on top
 };
 
@@ -24,8 +25,8 @@ IdentificationSetup setUpIdentification(const Specification& specification,
 
 /// Joins all trials and identifies with the dual UKF, UKF paper (11)–(12), and from there with the batch
 /// method. Joint encoders are no input of either: they enter the motions that the result keeps, and nothing
-/// else. Cancelled: an unfinished result. Throws base::InputError for a trial in which the cameras see
-/// nothing.
+/// else. Where the method whose robot should go on found nothing, that of the other one does. Cancelled: an
+/// unfinished result. Throws base::InputError for a trial in which the cameras see nothing.
 IdentificationResult identifyTrials(const std::vector<TrialSetup>& trials, const IdentificationSetup& setup,
                                     int threads, const ProgressSlice& progress);
 

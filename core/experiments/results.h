@@ -58,7 +58,7 @@ struct TrialInputs {
   std::string truth;       ///< truth file of a simulation
   std::string trajectory;  ///< trajectory of a simulation
   std::string tracking;    ///< filter options
-  std::string recording;   ///< name and size of a recorded trial's file
+  std::string recording;   ///< name, size and checksum (checksumOfFile()) of a recorded trial's file
 };
 
 /// How a robot moved in one trial, and what was made of it.
@@ -135,10 +135,12 @@ struct IdentificationResult {
   double dual_nis = kNone, batch_residual = kNone;  ///< 1: noise only
   /// CameraPose and its standard deviation: turn [rad], shift [m], delay [s].
   Eigen::Matrix<double, 7, 1> camera = Eigen::Matrix<double, 7, 1>::Constant(kNone), camera_sigma = camera;
-  double duration = 0.0;                                                  ///< of the motor samples [s]
-  std::uint64_t seed = 0;                                                 ///< of the first trial
-  TrialInputs inputs;                                                     ///< of the first trial
-  std::string robot;                                                      ///< identified robot file
+  double duration = 0.0;   ///< of the motor samples [s]
+  std::uint64_t seed = 0;  ///< of the first trial
+  TrialInputs inputs;      ///< of the first trial
+  std::string robot;       ///< identified robot file, its origin in comments on top
+  bool found = true;       ///< a method left estimates; in no file: without any there is no result
+  std::string choice;      ///< why `method` is not the one asked for; empty: it is; in no file
   double collect_seconds = 0.0, dual_seconds = 0.0, batch_seconds = 0.0;  ///< in timing.json
 
   /// The method whose robot goes on.
@@ -157,18 +159,21 @@ struct Results {
   std::optional<IdentificationResult> identification;  ///< of work: identify
   double wall_seconds = 0.0;                           ///< of the run that computed them; in timing.json
   int resumed = 0;                                     ///< trials that an earlier run had finished
-  std::vector<std::string> notices;                    ///< damaged files and the like; in no file
-  bool cancelled = false;  ///< incomplete: nothing was written but finished trials
+  /// Finished trials that are kept, of the experiments that it needs, too: the next run goes on from them.
+  int kept = 0;
+  std::vector<std::string> notices;  ///< damaged files and the like; in no file
+  bool cancelled = false;            ///< incomplete: nothing was written but finished trials
 };
 
 /// Writes into `folder` (created): results.json, series.json, timing.json, and as CSV
 /// <trial>-trajectory.csv and -camera.csv; of a tracked trial -errors.csv, of an identification
 /// parameters.csv, trace.csv and robot.yaml. Same results, same bytes, but for timing.json. Each file appears
-/// whole or not at all. Throws base::InputError when one cannot be written.
+/// whole or not at all; results.json and series.json carry one stamp, so that a mixture of two runs is
+/// recognised. Throws base::InputError when one cannot be written.
 void writeResults(const Results& results, const std::filesystem::path& folder);
 
 /// Reads what writeResults() wrote. Throws base::InputError with the remedy for a folder without results, a
-/// damaged file or one of another version.
+/// damaged file, one of another version, or numbers and series of two runs.
 Results readResults(const std::filesystem::path& folder);
 
 /// `text` as part of a file's name: letters, digits, - and _.

@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/base/yaml.h"
+#include "core/experiments/checksum.h"
 #include "core/experiments/results.h"
 #include "core/experiments/results_json.h"
 #include "core/experiments/series.h"
@@ -16,6 +17,7 @@ using nlohmann::json;
 
 constexpr int kFormat = 2;  ///< 2: trajectories of identifications
 constexpr const char* kFormatKey = "capstan_experiment_results";
+constexpr const char* kStampKey = "stamp";  ///< checksum of both files without it; the same in both
 
 std::string traceCsv(const IdentificationResult& identification) {
   std::string text = "t";
@@ -118,6 +120,9 @@ void writeResults(const Results& results, const fs::path& folder) {
     document["identification"] = numbersOf(*results.identification);
     series["identification"] = seriesOf(*results.identification);
   }
+  const std::string stamp = checksumOf(document.dump() + series.dump());
+  document[kStampKey] = stamp;
+  series[kStampKey] = stamp;
   writeCsv(results, folder);
   base::writeTextFile(folder / "series.json", series.dump() + "\n");
   base::writeTextFile(folder / "timing.json", timingOf(results).dump(1) + "\n");
@@ -126,17 +131,21 @@ void writeResults(const Results& results, const fs::path& folder) {
 
 Results readResults(const fs::path& folder) {
   Results results;
+  std::string stamp;
   const fs::path file = folder / "results.json";
   if (!fs::exists(file)) refuse(file, "does not exist");
   readJson(file, [&](const json& document) {
     if (!document.contains(kFormatKey)) refuse(file, "holds no results of an experiment");
     if (document.at(kFormatKey) != kFormat) refuse(file, "is of another version of this program");
+    stamp = document.value(kStampKey, std::string());
     takeHead(document, results);
     for (const json& trial : document.at("trials")) takeNumbers(trial, results.trials.emplace_back());
     if (document.contains("identification"))
       takeNumbers(document.at("identification"), results.identification.emplace());
   });
   readJson(folder / "series.json", [&](const json& series) {
+    if (series.value(kStampKey, std::string()) != stamp)
+      refuse(folder / "series.json", "is of another run than results.json beside it");
     for (std::size_t i = 0; i < results.trials.size(); ++i)
       takeSeries(series.at("trials").at(i), results.trials[i]);
     if (results.identification) takeSeries(series.at("identification"), *results.identification);

@@ -29,7 +29,8 @@ void planFor(const Specification& specification, std::vector<std::string>& above
   above.push_back(specification.name);
   for (const std::string& name : specification.needs()) {
     const auto refuse = [&](const std::string& reason, const std::string& remedy) {
-      throw base::InputError({specification.file.string(), 0, "robot", name, reason, remedy});
+      throw base::InputError(
+          {specification.file.string(), specification.lineOf({}, "robot"), "robot", name, reason, remedy});
     };
     if (std::find(above.begin(), above.end(), name) != above.end())
       refuse("needs this experiment itself", "Break the circle");
@@ -86,6 +87,9 @@ class Experiment {
       identify(progress);
     results_.cancelled = progress.whole.cancelled() && !complete_;
     results_.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    if (!options_.out.empty())
+      results_.kept = results_.identification ? static_cast<int>(setups_.size())
+                                              : static_cast<int>(results_.trials.size());
     if (!results_.cancelled) finish();
     return std::move(results_);
   }
@@ -118,7 +122,8 @@ class Experiment {
   }
 
   void identify(const ProgressSlice& progress) {
-    const IdentificationSetup setup = setUpIdentification(specification_, setups_.front().table_robot);
+    IdentificationSetup setup = setUpIdentification(specification_, setups_.front().table_robot);
+    setup.software = options_.software;
     json fingerprint = {{"identification", setup.fingerprint}, {"trials", json::array()}};
     for (const TrialSetup& trial : setups_) fingerprint["trials"].push_back(trial.fingerprint);
     IdentificationResult result;
@@ -131,9 +136,24 @@ class Experiment {
     } else {
       result = identifyTrials(setups_, setup, options_.threads, progress);
       if (progress.whole.cancelled()) return;
+      if (!result.found)
+        throw base::InputError({specification_.file.string(),
+                                specification_.lineOf({}, "trials"),
+                                "trials",
+                                {},
+                                result.choice,
+                                "Give trials in which the robot moves before the cameras, and look at their "
+                                "motor encoders (capstan-cli info)"});
       keep("identification", fingerprint, result,
            json{result.collect_seconds, result.dual_seconds, result.batch_seconds});
     }
+    if (result.method != specification_.identification.robot)
+      results_.notices.push_back(fmt::format(
+          "{}: {}", specification_.name,
+          result.choice.empty() ? fmt::format("an earlier run found nothing by the method asked for: "
+                                              "the result is that of {}",
+                                              base::nameOf(result.method))
+                                : result.choice));
     complete_ = true;
     results_.simulated = !result.inputs.truth.empty();
     results_.identification = std::move(result);
@@ -196,6 +216,7 @@ Results run(const Specification& specification, const RunOptions& options, base:
   }
   std::map<std::string, IdentificationResult> found;
   std::vector<std::string> notices;
+  int kept = 0;
   for (const Specification& one : plan) {
     std::vector<IdentificationResult> needed;
     for (const std::string& name : one.needs()) needed.push_back(found.at(name));
@@ -203,6 +224,7 @@ Results run(const Specification& specification, const RunOptions& options, base:
     Results results = Experiment(one, options, needed).run({progress, before / total, after / total});
     before = after;
     notices.insert(notices.end(), results.notices.begin(), results.notices.end());
+    results.kept = kept += results.kept;
     if (results.cancelled || one.name == specification.name) {
       results.notices = notices;
       return results;

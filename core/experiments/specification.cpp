@@ -57,7 +57,8 @@ class Checker {
         refuse(root_["robot"][i], key, "is a robot file beside others",
                "Give one robot file, or experiments");
       if (!isYaml(robot[i]) && !isPlainName(robot[i]))
-        refuse(root_["robot"][i], key, "is neither a robot file (.yaml) nor the name of an experiment");
+        refuse(root_["robot"][i], key, "is neither a robot file (.yaml) nor the name of an experiment",
+               "Give a path that ends in .yaml, or names as A, B");
       if (robot[i] == specification_.name)
         refuse(root_["robot"][i], key, "is this experiment itself", "Name the one that identifies the robot");
     }
@@ -95,6 +96,16 @@ std::string Specification::resolved(const std::string& written) const {
   std::error_code ignored;
   const auto beside = file.parent_path() / path;
   return std::filesystem::exists(beside, ignored) ? beside.string() : written;
+}
+
+int Specification::lineOf(const std::string& trial, const std::string& key) const {
+  if (text.empty()) return 0;
+  const YAML::Node root = base::parseYamlText(text, file.string());
+  YAML::Node block = root;
+  for (std::size_t i = 0; !trial.empty() && i < trials.size(); ++i)
+    if (trials[i].name == trial) block.reset(root["trials"][i]);
+  const YAML::Node node = block[key];
+  return (node.IsDefined() ? node : block).Mark().line + 1;
 }
 
 bool Specification::robotIsFile() const { return robot.size() == 1 && isYaml(robot.front()); }

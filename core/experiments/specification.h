@@ -105,6 +105,9 @@ struct Specification {
   std::vector<std::string> needs() const;
   /// `robot` is a robot file.
   bool robotIsFile() const;
+  /// Line of `key` in the text, of the trial called `trial` where that is not empty, or of the trial's begin
+  /// where it leaves the key out; 0: not known.
+  int lineOf(const std::string& trial, const std::string& key) const;
 };
 
 /// Throws base::InputError naming file, line, key, value and remedy.

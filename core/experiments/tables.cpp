@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/base/yaml.h"
+#include "core/experiments/identified.h"
 #include "core/stats/boxplot.h"
 #include "core/stats/quantile.h"
 #include "core/stats/rms.h"
@@ -18,9 +20,17 @@ namespace {
 using base::NumberStyle;
 using base::Table;
 using base::TableCell;
+using base::TableColumn;
 
 bool hasErrors(const TrialResult& trial) {
   return trial.counts[static_cast<std::size_t>(Estimator::kUkf)] > 0;
+}
+
+/// What the trial is, by whatever seed and under whatever name.
+std::string textOf(TrialSpec trial) {
+  trial.name.clear();
+  trial.seed = 0;
+  return base::writeYaml(trial);
 }
 
 double rmsForPeople(const TrialResult& trial, Estimator which, int joint) {
@@ -30,6 +40,14 @@ double rmsForPeople(const TrialResult& trial, Estimator which, int joint) {
 /// The paper's table I stands beside six trials and no others.
 const Published* beside(const Results& results, const Published* published) {
   return published && results.trials.size() == published->table_1.duration.size() ? published : nullptr;
+}
+
+/// The estimator believed in another robot than the nominal one: kinematics of the two differ.
+bool anotherRobot(const Results& results) {
+  return std::any_of(results.trials.begin(), results.trials.end(), [](const TrialResult& trial) {
+    const Eigen::Vector3d& identified = trial.rmsOf(Estimator::kIdentified);
+    return identified.allFinite() && identified != trial.rmsOf(Estimator::kKinematic);
+  });
 }
 
 template <class Test>
@@ -55,8 +73,59 @@ TableCell covers(const ParameterEstimate& estimate, double truth) {
   return estimate.low <= truth && truth <= estimate.high ? "yes" : "no";
 }
 
+/// "Means over 6 trials; P of equal means, two-sided. " Trials without joint encoders are not among them.
+std::string meansNote(const Results& results) {
+  const auto with = std::count_if(results.trials.begin(), results.trials.end(), hasErrors);
+  const auto without = results.trials.size() - static_cast<std::size_t>(with);
+  std::string text = fmt::format("Means over {} {}", with, with == 1 ? "trial" : "trials");
+  if (without > 0) text += fmt::format(", {} without joint encoders left out", without);
+  return text + (with > 1 ? "; P of equal means, two-sided. " : ". ");
+}
+
 std::string simulatedNote(const Results& results) {
   return results.simulated ? "The robot is simulated." : "";
+}
+
+/// Where the methods began is the nominal robot, not one that was identified before.
+bool startsNominal(const Results& results) {
+  return !results.identification ||
+         results.identification->inputs.robot == results.identification->inputs.nominal;
+}
+
+std::string startNote(const Results& results) {
+  if (startsNominal(results)) return {};
+  std::string from;
+  try {
+    for (const std::string& name : parseSpecification(results.specification, results.name).robot)
+      from += (from.empty() ? "" : ", ") + name;
+  } catch (const base::InputError&) {
+    // of another version of this program: it cannot be told
+  }
+  return fmt::format("Start: where both methods began, the robot of {}. ",
+                     from.empty() ? "an identification before" : from);
+}
+
+/// What a method that found nothing says of it.
+std::string endNote(const IdentificationResult& result) {
+  std::string text;
+  if (!foundSomething(result.dual_end)) text += fmt::format("Dual UKF: {}. ", result.dual_end);
+  if (!foundSomething(result.batch_end)) text += fmt::format("Batch: {}. ", result.batch_end);
+  return text;
+}
+
+std::vector<TableCell> parameterRow(const IdentifiedParameter& p, const Published* published) {
+  const bool in_paper = published && p.name == "r_l1";
+  std::vector<TableCell> row = {fmt::format("{} [{}]", p.name, p.unit), p.scale * p.nominal,
+                                p.scale * p.truth};
+  if (published) row.push_back(in_paper ? published->radius.identified_mm : kNone);
+  for (const ParameterEstimate* estimate : {&p.dual_ukf, &p.batch}) {
+    row.push_back(value(*estimate, p.scale));
+    row.push_back(errorPercent(*estimate, p.truth));
+    row.push_back(covers(*estimate, p.truth));
+  }
+  row.push_back(p.settled_at.value_or(kNone));
+  if (published) row.push_back(in_paper ? published->radius.converged_after : kNone);
+  return row;
 }
 
 }  // namespace
@@ -65,8 +134,23 @@ double forPeople(double value, int joint) {
   return joint == 2 ? base::toMillimetres(value) : base::toDegrees(value);
 }
 
+bool isPapers(const Results& results) {
+  constexpr std::array kNames = {"A", "B", "C", "D"};
+  if (std::find(kNames.begin(), kNames.end(), results.name) == kNames.end() || results.specification.empty())
+    return false;
+  try {
+    const Specification paper = findSpecification(results.name);
+    const Specification ours = parseSpecification(results.specification, paper.file);
+    return ours.work == paper.work && ours.trials.size() == paper.trials.size() &&
+           std::equal(ours.trials.begin(), ours.trials.end(), paper.trials.begin(),
+                      [](const TrialSpec& a, const TrialSpec& b) { return textOf(a) == textOf(b); });
+  } catch (const base::InputError&) {
+    return false;  // of another version of this program
+  }
+}
+
 const Published* paperBeside(const Results& results, const Published& published) {
-  return results.name == "A" || results.name == "C" ? &published : nullptr;
+  return isPapers(results) && (results.name == "A" || results.name == "C") ? &published : nullptr;
 }
 
 std::string jointName(int joint) {
@@ -98,23 +182,25 @@ Table trialTable(const Results& results, const Published* published) {
   published = beside(results, published);
   Table table;
   table.title = fmt::format("Experiment {}: RMS errors by trial", results.name);
-  table.columns = {{"trial", ""}, {"duration", "s", 0}, {"joint", ""}};
+  table.columns = {{"trial", "", 3, NumberStyle::kFixed, true},
+                   {"duration", "s", 0, NumberStyle::kFixed, true},
+                   {"joint", ""}};
   if (published) table.columns.push_back({"kinematic, paper", ""});
   table.columns.push_back({"kinematic", ""});
   if (published) table.columns.push_back({"UKF, paper", ""});
-  for (const char* name : {"UKF", "camera", "kinematic, identified robot"})
-    table.columns.push_back({name, ""});
+  for (const char* name : {"UKF", "camera"}) table.columns.push_back({name, ""});
+  const bool identified = anotherRobot(results);
+  if (identified) table.columns.push_back({"kinematic, identified robot", ""});
   for (std::size_t i = 0; i < results.trials.size(); ++i) {
     const TrialResult& trial = results.trials[i];
     for (int joint = 0; joint < 3; ++joint) {
-      std::vector<TableCell> row = {joint == 0 ? TableCell(trial.name) : TableCell(" "),
-                                    joint == 0 ? trial.duration() : kNone, jointName(joint)};
-      if (joint > 0) row[1] = TableCell(" ");
+      std::vector<TableCell> row = {trial.name, trial.duration(), jointName(joint)};
       if (published) row.push_back(publishedScale(joint) * published->table_1.joint(joint).kinematic[i]);
       row.push_back(rmsForPeople(trial, Estimator::kKinematic, joint));
       if (published) row.push_back(publishedScale(joint) * published->table_1.joint(joint).ukf[i]);
-      for (const Estimator which : {Estimator::kUkf, Estimator::kCamera, Estimator::kIdentified})
+      for (const Estimator which : {Estimator::kUkf, Estimator::kCamera})
         row.push_back(rmsForPeople(trial, which, joint));
+      if (identified) row.push_back(rmsForPeople(trial, Estimator::kIdentified, joint));
       table.rows.push_back(std::move(row));
     }
   }
@@ -137,7 +223,8 @@ Table meanTable(const Results& results, const Published* published) {
   column("improvement", "%", 1);
   column("P, pooled", "", 2, NumberStyle::kSignificant);
   table.columns.push_back({"P, Welch", "", 2, NumberStyle::kSignificant});
-  table.columns.push_back({"improvement on identified kinematics", "%", 1});
+  const bool identified = anotherRobot(results);
+  if (identified) table.columns.push_back({"improvement on identified kinematics", "%", 1});
   for (int joint = 0; joint < 3; ++joint) {
     const Improvement ours = improvementOf(results, Estimator::kKinematic, Estimator::kUkf, joint);
     const Improvement rest = improvementOf(results, Estimator::kIdentified, Estimator::kUkf, joint);
@@ -153,47 +240,41 @@ Table meanTable(const Results& results, const Published* published) {
     pair(paper.improvement[j], ours.percent);
     pair(paper.p_value[j], ours.p_pooled);
     row.push_back(ours.p_welch);
-    row.push_back(rest.percent);
+    if (identified) row.push_back(rest.percent);
     table.rows.push_back(std::move(row));
   }
-  table.note = fmt::format(
-      "Means over {} trials; P of equal means, two-sided. Identified kinematics: transmission kinematics of "
-      "the "
-      "identified robot, which is what calibration alone brings. {}",
-      results.trials.size(), simulatedNote(results));
+  table.note = meansNote(results) +
+               (identified ? "Identified kinematics: transmission kinematics of the identified robot, which "
+                             "is what calibration alone brings. "
+                           : "") +
+               simulatedNote(results);
   return table;
 }
 
 Table parameterTable(const Results& results, const Published* published) {
   Table table;
   table.title = fmt::format("Experiment {}: identified parameters", results.name);
+  const bool nominal = startsNominal(results);
   table.columns = {{"parameter", ""},
-                   {"nominal", "", 5, NumberStyle::kSignificant},
-                   {"truth", "", 5, NumberStyle::kSignificant},
-                   {"paper", "", 5, NumberStyle::kSignificant},
-                   {"dual UKF", ""},
-                   {"error", "%", 2},
-                   {"95 % covers truth", ""},
-                   {"batch", ""},
-                   {"batch error", "%", 2},
-                   {"batch 95 % covers truth", ""},
-                   {"converged after", "s", 0},
-                   {"paper, converged", "s", 0}};
+                   {nominal ? "nominal" : "start", "", 5, NumberStyle::kSignificant},
+                   {"truth", "", 5, NumberStyle::kSignificant}};
+  if (published) table.columns.push_back({"paper", "", 5, NumberStyle::kSignificant});
+  for (const TableColumn& column : std::initializer_list<TableColumn>{{"dual UKF", ""},
+                                                                      {"error", "%", 2},
+                                                                      {"95 % covers truth", ""},
+                                                                      {"batch", ""},
+                                                                      {"batch error", "%", 2},
+                                                                      {"batch 95 % covers truth", ""},
+                                                                      {"converged after", "s", 0}})
+    table.columns.push_back(column);
+  if (published) table.columns.push_back({"paper, converged", "s", 0});
   if (!results.identification) return table;
-  for (const IdentifiedParameter& p : results.identification->parameters) {
-    const bool in_paper = published && p.name == "r_l1";
-    table.rows.push_back({fmt::format("{} [{}]", p.name, p.unit), p.scale * p.nominal, p.scale * p.truth,
-                          in_paper ? published->radius.identified_mm : kNone, value(p.dual_ukf, p.scale),
-                          errorPercent(p.dual_ukf, p.truth), covers(p.dual_ukf, p.truth),
-                          value(p.batch, p.scale), errorPercent(p.batch, p.truth), covers(p.batch, p.truth),
-                          p.settled_at.value_or(kNone),
-                          in_paper ? published->radius.converged_after : kNone});
-  }
+  for (const IdentifiedParameter& p : results.identification->parameters)
+    table.rows.push_back(parameterRow(p, published));
   table.note =
       "± is one standard deviation. Converged: since when the dual UKF's standard deviation has been below "
-      "its "
-      "goal and its value has rested. " +
-      simulatedNote(results);
+      "its goal and its value has rested. " +
+      startNote(results) + endNote(*results.identification) + simulatedNote(results);
   return table;
 }
 

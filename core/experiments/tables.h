@@ -28,15 +28,19 @@ double forPeople(double value, int joint);
 /// "1 [deg]".
 std::string jointName(int joint);
 
+/// An experiment of the UKF paper: named A to D, with the work and the trials (but for names and seeds) of
+/// resources/experiments.
+bool isPapers(const Results& results);
 /// `published` where the paper made the same experiment and gives numbers (A, C), else null.
 const Published* paperBeside(const Results& results, const Published& published);
 
-/// Table I: a row for each trial and joint.
+/// Table I: a row for each trial and joint. Kinematics of the identified robot only where it is not the
+/// nominal one.
 base::Table trialTable(const Results& results, const Published* published);
-/// Table II: a row for each joint.
+/// Table II: a row for each joint, over the trials that have joint encoders.
 base::Table meanTable(const Results& results, const Published* published);
-/// Parameters of experiments A and B: truth, both methods' value ± σ, whether the 95 % interval covers the
-/// truth, time to converge.
+/// Identified parameters: where the methods began (nominal, or the robot of an identification before), truth,
+/// both methods' value ± σ, whether the 95 % interval covers the truth, time to converge.
 base::Table parameterTable(const Results& results, const Published* published);
 /// Figure 13: quartiles, whiskers and outliers of |error| of the UKF, beside the median of the kinematics.
 base::Table boxplotTable(const Results& results);

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/resource.h"
 #include "core/base/yaml.h"
+#include "core/experiments/checksum.h"
 #include "core/experiments/results_json.h"
 #include "core/identification/parameters.h"
 #include "core/session/table_source.h"
@@ -21,23 +22,31 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// Does `work`; what goes wrong in it is put to the specification's key.
+/// Does `work`; what goes wrong in it without a file, or with one that is not there, is put to the line of
+/// the specification, in the trial called `trial` where that is not empty, whose `key` is `value`.
 template <class Work>
-auto blaming(const Specification& specification, const std::string& key, const std::string& value,
-             Work&& work) {
+auto blaming(const Specification& specification, const std::string& trial, const std::string& key,
+             const std::string& value, Work&& work) {
   try {
     return work();
   } catch (const base::InputError& error) {
-    if (!error.fault().file.empty()) throw;
-    throw base::InputError(
-        {specification.file.string(), 0, key, value, error.fault().reason, error.fault().remedy});
+    const base::InputFault& fault = error.fault();
+    std::error_code ignored;
+    if (specification.file.empty() || (!fault.file.empty() && fs::exists(fault.file, ignored))) throw;
+    const std::string reason =
+        fault.file.empty() ? fault.reason : fmt::format("names {}, which does not exist", fault.file);
+    throw base::InputError({specification.file.string(), specification.lineOf(trial, key),
+                            trial.empty() ? key : fmt::format("trial {}: {}", trial, key), value, reason,
+                            fault.file.empty() && !fault.remedy.empty()
+                                ? fault.remedy
+                                : "Give a path relative to the specification's folder, or an absolute one"});
   }
 }
 
 robot::Description nominalOf(const Specification& specification) {
-  return robot::readDescription(specification.nominal.empty()
-                                    ? base::resource("robots/raven2_left.yaml")
-                                    : fs::path(specification.resolved(specification.nominal)));
+  if (specification.nominal.empty()) return robot::readDescription(base::resource("robots/raven2_left.yaml"));
+  return blaming(specification, {}, "nominal", specification.nominal,
+                 [&] { return robot::readDescription(specification.resolved(specification.nominal)); });
 }
 
 simulation::SimulatedOptions simulationOf(const Specification& specification, const TrialSpec& trial,
@@ -49,8 +58,12 @@ simulation::SimulatedOptions simulationOf(const Specification& specification, co
   request.seed = trial.seed;
   request.robot = specification.resolved(specification.nominal);
   request.images = images;
-  const std::string key = "trials[" + trial.name + "]";
-  return blaming(specification, key, trial.trajectory, [&] { return simulation::optionsOf(request); });
+  const auto make = [&] { return simulation::optionsOf(request); };
+  simulation::SimulationRequest without = request;  // its truth alone
+  without.trajectory = "hold";
+  without.images = false;
+  blaming(specification, {}, "truth", specification.truth, [&] { return simulation::optionsOf(without); });
+  return blaming(specification, trial.name, "trajectory", trial.trajectory, make);
 }
 
 /// Name, size and age: what tells one state of a file from another without reading it all.
@@ -89,7 +102,9 @@ robot::Description withIdentified(const robot::Description& robot,
 
 RobotBelief beliefOf(const Specification& specification, const std::vector<IdentificationResult>& found) {
   if (specification.robotIsFile()) {
-    const auto robot = robot::readDescription(specification.resolved(specification.robot.front()));
+    const std::string& file = specification.robot.front();
+    const auto robot = blaming(specification, {}, "robot", file,
+                               [&] { return robot::readDescription(specification.resolved(file)); });
     return [robot](const robot::Description&) { return robot; };
   }
   return [found](const robot::Description& nominal) {
@@ -108,8 +123,9 @@ TrialSetup setUpTrial(const Specification& specification, const TrialSpec& trial
   setup.belief = belief;
   setup.table_robot = nominalOf(specification);
   if (!specification.tracking.empty()) {
-    const std::string file = specification.resolved(specification.tracking);
-    setup.inputs.tracking = base::writeYaml(tracking::readTrackingOptions(file));
+    setup.inputs.tracking = blaming(specification, {}, "tracking", specification.tracking, [&] {
+      return base::writeYaml(tracking::readTrackingOptions(specification.resolved(specification.tracking)));
+    });
   }
   json state;
   if (trial.recording.empty()) {
@@ -120,11 +136,12 @@ TrialSetup setUpTrial(const Specification& specification, const TrialSpec& trial
     if (setup.simulated->rig) state["rig"] = vision::formatStereoRig(*setup.simulated->rig);
   } else {
     setup.recording = specification.resolved(trial.recording);
-    state = stateOf(setup.recording);
+    state = blaming(specification, trial.name, "recording", trial.recording,
+                    [&] { return stateOf(setup.recording); });
     setup.inputs.recording =
         fmt::format("{}, {} bytes", state["file"].get<std::string>(), state["bytes"].get<std::uint64_t>());
   }
-  setup.fingerprint = {{"format", 1},
+  setup.fingerprint = {{"format", 2},
                        {"software", software},
                        {"name", trial.name},
                        {"seed", trial.seed},
@@ -139,6 +156,8 @@ TrialSetup setUpTrial(const Specification& specification, const TrialSpec& trial
 }
 
 TrialSource::TrialSource(const TrialSetup& setup) : inputs_(setup.inputs) {
+  // Before it is opened: closing a file takes SQLite's locks on it away.
+  if (!setup.recording.empty()) inputs_.recording += ", checksum " + checksumOfFile(setup.recording);
   if (setup.simulated)
     source_ = std::make_unique<simulation::SimulatedSource>(*setup.simulated);
   else

@@ -2,18 +2,25 @@
 
 #include <fmt/format.h>
 
+#include <string>
+#include <vector>
+
 #include "core/base/error.h"
 #include "core/base/yaml.h"
+#include "core/experiments/checksum.h"
 #include "core/experiments/results.h"
 
 namespace capstan::experiments {
 namespace {
 
-/// FNV-1a, 64 bit: tells a damaged file, not a forged one.
-std::string checksumOf(const std::string& text) {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
-  return fmt::format("{:016x}", hash);
+/// Keys that stand in one only, or with another value, each once.
+std::string differencesOf(const nlohmann::json& kept, const nlohmann::json& wanted) {
+  std::vector<std::string> names;
+  for (const auto& [key, value] : wanted.items())
+    if (!kept.contains(key) || kept.at(key) != value) names.push_back(key);
+  for (const auto& [key, value] : kept.items())
+    if (!wanted.contains(key)) names.push_back(key);
+  return fmt::format("{}", fmt::join(names, ", "));
 }
 
 }  // namespace
@@ -29,7 +36,11 @@ std::optional<nlohmann::json> TrialStore::find(const std::string& name, const nl
   if (folder_.empty() || !std::filesystem::exists(file, ignored)) return std::nullopt;
   try {
     nlohmann::json document = nlohmann::json::parse(base::readTextFile(file));
-    if (document.at("fingerprint") != fingerprint) return std::nullopt;
+    if (const nlohmann::json& of = document.at("fingerprint"); of != fingerprint) {
+      notice = fmt::format("{}: was made from something else ({}); this trial is run again", file.string(),
+                           differencesOf(of, fingerprint));
+      return std::nullopt;
+    }
     nlohmann::json result = std::move(document.at("result"));
     if (document.at("checksum") == checksumOf(result.dump())) return result;
     notice = fmt::format("{}: is damaged (wrong checksum); this trial is run again", file.string());

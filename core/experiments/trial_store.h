@@ -15,8 +15,9 @@ class TrialStore {
   /// `folder`: created at the first write; empty: keeps nothing.
   explicit TrialStore(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  /// The result kept under `name`; nothing where there is none, it was made from something else, or its file
-  /// is damaged: then `notice` says so.
+  /// The result kept under `name`; nothing where there is none, and nothing, with a word in `notice`, where
+  /// it was made from something else (the parts of the fingerprint that differ are named) or its file is
+  /// damaged.
   std::optional<nlohmann::json> find(const std::string& name, const nlohmann::json& fingerprint,
                                      std::string& notice) const;
   /// Throws base::InputError when the file cannot be written.

@@ -17,11 +17,12 @@ namespace {
 
 /// What the jobs and the thread that watches them share.
 struct Board {
-  explicit Board(const std::vector<Job>& jobs)
+  Board(const std::vector<Job>& jobs, int threads)
       : order(jobs.size()), progress(jobs.size()), faults(jobs.size()), state(jobs.size()) {
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return jobs[a].weight > jobs[b].weight; });
+    if (threads > 1)
+      std::stable_sort(order.begin(), order.end(),
+                       [&](std::size_t a, std::size_t b) { return jobs[a].weight > jobs[b].weight; });
     for (auto& one : progress) one = std::make_unique<base::Progress>();
   }
 
@@ -79,7 +80,7 @@ void show(const std::vector<Job>& jobs, const Board& board, const ProgressSlice&
 }  // namespace
 
 void doAll(const std::vector<Job>& jobs, int threads, const ProgressSlice& progress) {
-  Board board(jobs);
+  Board board(jobs, threads);
   board.workers = std::min(static_cast<std::size_t>(std::max(threads, 1)), jobs.size());
   {
     std::vector<std::jthread> pool;

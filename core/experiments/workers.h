@@ -29,9 +29,9 @@ struct ProgressSlice {
   }
 };
 
-/// Does all jobs, `threads` at a time, the longest first; each has a progress of its own, whose weighted sum
-/// is shown. A cancellation reaches every job. When a job throws, the others are cancelled and the exception
-/// of the first in the list that threw leaves here.
+/// Does all jobs: one thread in their order, several at a time the longest first; each has a progress of its
+/// own, whose weighted sum is shown. A cancellation reaches every job. When a job throws, the others are
+/// cancelled and the exception of the first in the list that threw leaves here.
 void doAll(const std::vector<Job>& jobs, int threads, const ProgressSlice& progress);
 
 }  // namespace capstan::experiments

@@ -60,5 +60,21 @@ TEST(Table, CsvKeepsEveryBitAndQuotes) {
   EXPECT_EQ(csvOf(table), "joint,RMS [deg],P\n\"a,\"\"b\"\"\",0.30000000000000004,\n");
 }
 
+TEST(Table, GroupedCellsStandOnceForReadersAndAlwaysInACsv) {
+  Table table;
+  table.columns = {{"trial", "", 3, NumberStyle::kFixed, true},
+                   {"duration", "s", 0, NumberStyle::kFixed, true},
+                   {"joint", ""}};
+  for (const char* trial : {"a", "b"})
+    for (const char* joint : {"1", "2"}) table.rows.push_back({trial, 200.0, joint});
+  EXPECT_EQ(csvOf(table), "trial,duration [s],joint\na,200,1\na,200,2\nb,200,1\nb,200,2\n");
+  const std::string text = markdownOf(table);
+  EXPECT_NE(text.find("| a     |          200 | 1     |\n|       |              | 2     |\n"
+                      "| b     |          200 | 1     |\n|       |              | 2     |\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(latexOf(table).find("a & 200 & 1 \\\\\n     &  & 2"), std::string::npos) << latexOf(table);
+}
+
 }  // namespace
 }  // namespace capstan::base

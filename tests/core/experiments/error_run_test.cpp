@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/resource.h"
+#include "core/experiments/checksum.h"
 #include "core/session/export.h"
 #include "core/session/table_source.h"
 #include "core/simulation/simulation_request.h"
@@ -131,7 +132,7 @@ TEST_F(ErrorRuns, OfARecordingAreThoseOfThePipeline) {
   const fs::path file = session();
   const ErrorRun run = trackErrors(file, {}, progress_);
   EXPECT_EQ(run.title, "trial.capstan");
-  EXPECT_EQ(run.motion, "trial.capstan, " + std::to_string(fs::file_size(file)) + " bytes");
+  EXPECT_EQ(run.motion, "checksum " + checksumOfFile(file));
   EXPECT_GT(run.camera.size(), 30U);
   // The oracle: the pipeline itself, sample by sample.
   const auto source = session::openRecording(file, robot::Description());
@@ -164,6 +165,24 @@ TEST_F(ErrorRuns, OfAnotherRobotAreOthers) {
   EXPECT_EQ(other.motion, own.motion);
   ASSERT_EQ(other.errors.size(), own.errors.size());
   EXPECT_GT((other.errors[50].kinematic - own.errors[50].kinematic).norm(), 1e-3);
+}
+
+// The same bytes are the same motion, whatever the file is called and wherever they were tracked; no others
+// are.
+TEST_F(ErrorRuns, AMotionIsKnownByItsBytes) {
+  const fs::path file = session();
+  fs::copy_file(file, folder_ / "copy.capstan");
+  const std::string motion = trackErrors(file, {}, progress_).motion;
+  EXPECT_EQ(trackErrors(folder_ / "copy.capstan", {}, progress_).motion, motion);
+  Results results;
+  TrialResult& trial = results.trials.emplace_back();
+  trial.name = "recorded";
+  trial.inputs.recording = "trial.capstan, 7 bytes, " + motion;
+  trial.errors.push_back({0.5, {1, 2, 3}, {1, 2, 3}, {4, 5, 6}, true});
+  writeResults(results, folder_ / "R");
+  EXPECT_EQ(readErrors(folder_ / "R").motion, motion);
+  EXPECT_EQ(checksumOf(""), "cbf29ce484222325");  // the reference values of FNV-1a, 64 bit
+  EXPECT_EQ(checksumOf("foobar"), "85944171f73967e8");
 }
 
 TEST_F(ErrorRuns, CancelEndsIt) {

@@ -12,6 +12,7 @@
 
 #include "core/base/error.h"
 #include "core/base/yaml.h"
+#include "core/experiments/checksum.h"
 #include "core/experiments/results_json.h"
 #include "core/experiments/series.h"
 #include "core/session/export.h"
@@ -94,6 +95,22 @@ TEST_F(Experiments, TrialsAreTrackedAndKept) {
   }
 }
 
+// The README's specification is the one that people copy.
+TEST_F(Experiments, TheReadmesExampleRuns) {
+  const std::string readme = base::readTextFile(CAPSTAN_SOURCE_DIR "/README.md");
+  const std::string fence = "```yaml\n";
+  const std::size_t begin = readme.find(fence);
+  ASSERT_NE(begin, std::string::npos);
+  const std::size_t end = readme.find("```", begin + fence.size());
+  const std::string text = readme.substr(begin + fence.size(), end - begin - fence.size());
+  const Results results = runIn("out", parseSpecification(text, folder_ / "mine.yaml"));
+  ASSERT_EQ(results.trials.size(), 2U);
+  EXPECT_NEAR(results.trials[0].duration(), 20.0, 1.0);
+  EXPECT_NEAR(results.trials[1].occluded_share, 0.5, 0.06);
+  EXPECT_TRUE(results.trials[0].reference);
+  EXPECT_TRUE(fs::exists(folder_ / "out" / "mine" / "results.json"));
+}
+
 TEST_F(Experiments, ThreadsDoNotChangeTheResult) {
   (void)runIn("one", tracking(), 1);
   (void)runIn("two", tracking(), 2);
@@ -110,7 +127,7 @@ TEST_F(Experiments, AnInterruptedRunGoesOnToTheSameBytes) {
   base::Progress progress;
   const RunOptions options{.out = folder_ / "parts", .threads = 1, .software = "test"};
   {
-    // The longest trial comes first; once it is kept, cancel.
+    // One thread takes trials in their order; once the third is kept, cancel.
     std::jthread stopper([&](const std::stop_token& stop) {
       while (!fs::exists(options.out / "small" / "trials" / "t2.json") && !stop.stop_requested())
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -119,10 +136,13 @@ TEST_F(Experiments, AnInterruptedRunGoesOnToTheSameBytes) {
     const Results stopped = run(many, options, progress);
     stopper.request_stop();
     ASSERT_TRUE(stopped.cancelled);
+    EXPECT_GE(stopped.kept, 3);
+    for (const char* first : {"t0.json", "t1.json"})
+      EXPECT_TRUE(fs::exists(options.out / "small" / "trials" / first)) << first;
   }
   EXPECT_FALSE(fs::exists(options.out / "small" / "results.json"));
   const Results resumed = runIn("parts", many);
-  EXPECT_GE(resumed.resumed, 1);
+  EXPECT_GE(resumed.resumed, 3);
   EXPECT_LT(resumed.resumed, 6);
   EXPECT_EQ(filesOf("parts/small"), filesOf("whole/small"));
 }
@@ -169,7 +189,9 @@ TEST_F(Experiments, RecordedSessionsGoThroughTheSameRunner) {
   for (std::size_t i = 0; i < kEstimators; ++i)
     EXPECT_EQ(recorded.trials[0].rms[i], simulated.trials[0].rms[i]);
   EXPECT_TRUE(seriesOf(recorded.trials[0]).dump() == seriesOf(simulated.trials[0]).dump());
-  EXPECT_THAT(recorded.trials[0].inputs.recording, HasSubstr("recorded.capstan, "));
+  EXPECT_THAT(recorded.trials[0].inputs.recording,
+              ::testing::MatchesRegex("recorded.capstan, [0-9]+ bytes, checksum " +
+                                      checksumOfFile(folder_ / "recorded.capstan")));
 }
 
 // What is identified keeps its motion: that of the filter which collected the data, as if it had been
@@ -226,6 +248,11 @@ TEST_F(Experiments, TheIdentifiedRobotIsTrackedAndThePlantStays) {
   EXPECT_NEAR(radius.dual_ukf.value, radius.truth, 0.005 * radius.truth);
   EXPECT_NEAR(radius.batch.value, radius.truth, 0.005 * radius.truth);
   EXPECT_FALSE(found.identification->trace.empty());
+  EXPECT_THAT(found.identification->robot,
+              HasSubstr("# Identified from trial sinusoid (simulated, seed 1), 2"));
+  EXPECT_THAT(found.identification->robot, HasSubstr("by the dual-ukf method of test; value"));
+  EXPECT_THAT(found.identification->robot, HasSubstr("#   r_l1 5"));
+  (void)robot::readDescription(folder_ / "out" / "find" / "robot.yaml");
   EXPECT_NEAR(found.identification->trace.back().value[0], radius.dual_ukf.value, 1e-4 * radius.truth);
 
   const Results nominal = runIn("nominal", tracking());
@@ -235,6 +262,60 @@ TEST_F(Experiments, TheIdentifiedRobotIsTrackedAndThePlantStays) {
   EXPECT_LT(with.rmsOf(Estimator::kIdentified)(0), 0.3 * with.rmsOf(Estimator::kKinematic)(0));
   EXPECT_LT(with.rmsOf(Estimator::kUkf)(0), without.rmsOf(Estimator::kUkf)(0));
   EXPECT_THAT(with.inputs.robot, HasSubstr(base::yamlText(radius.dual_ukf.value).substr(0, 12)));
+}
+
+TEST_F(Experiments, ACancelBeforeTheFirstTrialKeepsNothing) {
+  base::Progress progress;
+  progress.cancel();
+  const Results stopped = run(tracking(), {.out = folder_ / "none", .software = "test"}, progress);
+  EXPECT_TRUE(stopped.cancelled);
+  EXPECT_EQ(stopped.kept, 0);
+}
+
+TEST_F(Experiments, AFileThatIsNotThereIsNamedByTheSpecificationsLine) {
+  const auto faultOf = [&](const std::string& text) {
+    try {
+      (void)runIn("bad", parseSpecification(text, folder_ / "bad.yaml"));
+    } catch (const base::InputError& error) {
+      return error.fault();
+    }
+    ADD_FAILURE() << "accepted:\n" << text;
+    return base::InputFault{};
+  };
+  const std::string head = "name: bad\nwork: track\nimages: false\n";
+  const auto check = [&](const std::string& text, int line, const std::string& key,
+                         const std::string& value) {
+    const base::InputFault fault = faultOf(head + text);
+    EXPECT_EQ(fault.file, (folder_ / "bad.yaml").string()) << text;
+    EXPECT_EQ(fault.line, line) << text;
+    EXPECT_EQ(fault.key, key) << text;
+    EXPECT_EQ(fault.value, value) << text;
+    EXPECT_FALSE(fault.remedy.empty()) << text;
+  };
+  check("trials:\n  - {name: a, trajectory: hold}\n  - name: b\n    recording: none.capstan\n", 7,
+        "trial b: recording", "none.capstan");
+  check("truth: nowhere.yaml\ntrials:\n  - {name: a}\n", 4, "truth", "nowhere.yaml");
+  check("nominal: nowhere.yaml\ntrials:\n  - {name: a}\n", 4, "nominal", "nowhere.yaml");
+  check("robot: [nowhere.yaml]\ntrials:\n  - {name: a}\n", 4, "robot", "nowhere.yaml");
+  check("tracking: nowhere.yaml\ntrials:\n  - {name: a}\n", 4, "tracking", "nowhere.yaml");
+  check("trials:\n  - {name: a, trajectory: nowhere.yaml}\n", 5, "trial a: trajectory", "nowhere.yaml");
+}
+
+TEST_F(Experiments, NumbersAndSeriesOfTwoRunsAreRefused) {
+  std::string text = kTracking;
+  text.replace(text.find("seed: 4"), 7, "seed: 6");
+  (void)runIn("one", tracking());
+  (void)runIn("two", parseSpecification(text, folder_ / "small.yaml"));
+  fs::copy_file(folder_ / "one/small/series.json", folder_ / "two/small/series.json",
+                fs::copy_options::overwrite_existing);
+  try {
+    (void)readResults(folder_ / "two" / "small");
+    ADD_FAILURE() << "a mixture was read";
+  } catch (const base::InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("series.json"));
+    EXPECT_THAT(error.what(), HasSubstr("is of another run than results.json"));
+    EXPECT_THAT(error.what(), HasSubstr("Run the experiment again"));
+  }
 }
 
 TEST_F(Experiments, WhatCannotRunIsRefusedBeforehand) {

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -20,6 +21,7 @@ double toSi(double shown, int joint) { return joint == 2 ? shown * 1e-3 : shown 
 Results paperTrials(const Published& published, double third) {
   Results results;
   results.name = "C";
+  results.specification = findSpecification("C").text;
   for (std::size_t i = 0; i < 6; ++i) {
     TrialResult& trial = results.trials.emplace_back();
     trial.name = "trial " + std::to_string(i + 1);
@@ -74,6 +76,10 @@ TEST(Tables, PaperStandsBesideOurs) {
   }
   EXPECT_NEAR(table.rows[5][5].number, 0.989, 1e-12);  // as printed, in mm
   EXPECT_EQ(trialTable(results, nullptr).columns.size(), table.columns.size() - 2);
+  for (std::size_t row = 0; row < 18; ++row) {  // each row of a CSV is whole
+    EXPECT_EQ(table.rows[row][0].text, results.trials[row / 3].name);
+    EXPECT_EQ(table.rows[row][1].number, results.trials[row / 3].duration());
+  }
   EXPECT_THAT(base::markdownOf(meanTable(results, &published)), HasSubstr("2.6e-09"));
 }
 
@@ -104,10 +110,40 @@ TEST(Tables, ABoxplotRowIsOfAbsoluteErrors) {
   EXPECT_NEAR(table.rows[0][6].number, 8.0, 1e-12);
 }
 
+TEST(Tables, TrialsWithoutEncodersAreNotCounted) {
+  const Published published = readPublished();
+  Results results = paperTrials(published, 0.0899);
+  EXPECT_THAT(meanTable(results, &published).note, HasSubstr("Means over 6 trials; P"));
+  results.trials[1].counts.fill(0);
+  EXPECT_THAT(meanTable(results, &published).note,
+              HasSubstr("Means over 5 trials, 1 without joint encoders left out; P"));
+  results.trials.resize(1);
+  EXPECT_THAT(meanTable(results, nullptr).note, HasSubstr("Means over 1 trial. "));
+}
+
+TEST(Tables, IdentifiedKinematicsAreAColumnOnlyWhereTheRobotIsAnother) {
+  Results results = paperTrials(readPublished(), 0.0899);
+  const auto has = [&](const base::Table& table, const std::string& name) {
+    return std::any_of(table.columns.begin(), table.columns.end(),
+                       [&](const base::TableColumn& column) { return column.name == name; });
+  };
+  EXPECT_TRUE(has(trialTable(results, nullptr), "kinematic, identified robot"));  // zero in the fixture
+  EXPECT_TRUE(has(meanTable(results, nullptr), "improvement on identified kinematics"));
+  for (TrialResult& trial : results.trials)
+    trial.rms[static_cast<std::size_t>(Estimator::kIdentified)] = trial.rmsOf(Estimator::kKinematic);
+  for (const base::Table& table : {trialTable(results, nullptr), meanTable(results, nullptr)}) {
+    EXPECT_FALSE(has(table, "kinematic, identified robot"));
+    EXPECT_FALSE(has(table, "improvement on identified kinematics"));
+    EXPECT_THAT(table.note, ::testing::Not(HasSubstr("Identified kinematics")));
+    for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size());
+  }
+}
+
 Results identified(const std::string& name, const std::string& parameter, double truth, double value,
                    bool seen) {
   Results results;
   results.name = name;
+  results.specification = findSpecification(name).text;
   results.work = Work::kIdentify;
   IdentifiedParameter& one = results.identification.emplace().parameters.emplace_back();
   one.name = parameter;
@@ -118,7 +154,9 @@ Results identified(const std::string& name, const std::string& parameter, double
 
 TEST(Comparison, GoalsAreComputed) {
   const Published published = readPublished();
-  const auto met = [&](const Results& results) { return goalsOf({results}, published).at(0).met; };
+  const auto met = [&](const Results& results) {
+    return goalsOf({results}, published).at(0).verdict == Verdict::kMet;
+  };
   EXPECT_TRUE(met(identified("A", "r_l1", 0.059, 0.05910, true)));
   EXPECT_FALSE(met(identified("A", "r_l1", 0.059, 0.05925, true)));
   EXPECT_TRUE(met(identified("B", "k_e2", 100.0, 104.9, true)));
@@ -129,12 +167,13 @@ TEST(Comparison, GoalsAreComputed) {
 
   const std::vector<Goal> c = goalsOf({paperTrials(published, 0.0899)}, published);
   ASSERT_EQ(c.size(), 6U);  // the paper's errors are the paper's
-  for (int i = 0; i < 3; ++i) EXPECT_TRUE(c[static_cast<std::size_t>(i)].met);
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(c[static_cast<std::size_t>(i)].verdict, Verdict::kMet);
 }
 
 TEST(Comparison, OcclusionIsLeastAgainstMost) {
   Results d;
   d.name = "D";
+  d.specification = findSpecification("D").text;
   for (const double share : {80.0, 10.0}) {
     TrialResult& trial = d.trials.emplace_back();
     trial.occlusion.percentage = share;
@@ -143,9 +182,97 @@ TEST(Comparison, OcclusionIsLeastAgainstMost) {
   }
   const std::vector<Goal> goals = goalsOf({d}, readPublished());
   ASSERT_EQ(goals.size(), 3U);
-  EXPECT_TRUE(goals[0].met);
-  EXPECT_FALSE(goals[1].met);
+  EXPECT_EQ(goals[0].verdict, Verdict::kMet);
+  EXPECT_EQ(goals[1].verdict, Verdict::kMissed);
   EXPECT_EQ(goals[1].measured, "1.200 times");
+}
+
+TEST(Comparison, WhatMissesItsGoalMayHaveSaidSo) {
+  const Published published = readPublished();
+  Results results = identified("B", "k_e1", 100.0, 109.0, true);
+  ParameterEstimate& estimate = results.identification->parameters[0].batch;
+  const auto goal = [&] { return goalsOf({results}, published).at(0); };
+  EXPECT_EQ(goal().verdict, Verdict::kMissed);  // σ 1 %, and nothing said
+  estimate.advice = "joint 1 moves too little";
+  EXPECT_EQ(goal().verdict, Verdict::kMissed);  // σ 1 %: words alone are no doubt
+  estimate.sigma = 0.06 * estimate.value;
+  estimate.low = 97.0;
+  EXPECT_EQ(goal().verdict, Verdict::kSaid);
+  EXPECT_THAT(goal().measured, HasSubstr("± 6.00 %; said of it: joint 1 moves too little"));
+  EXPECT_THAT(base::markdownOf(goalTable({goal()})), HasSubstr("| not met, said so |"));
+  estimate.low = 100.5;  // the truth is outside what it says
+  EXPECT_EQ(goal().verdict, Verdict::kMissed);
+  estimate.low = 97.0;
+  estimate.advice.clear();
+  EXPECT_EQ(goal().verdict, Verdict::kMissed);  // nothing is said
+  results.identification->parameters[0].convergence = "about 90 s more of this motion";
+  EXPECT_EQ(goal().verdict, Verdict::kSaid);
+}
+
+TEST(Comparison, TheParameterTableSaysWhereTheMethodsBegan) {
+  Results b = identified("B", "k_e1", 100.0, 103.0, true);
+  EXPECT_EQ(parameterTable(b, nullptr).columns[1].name, "nominal");
+  for (const base::TableColumn& column : parameterTable(b, nullptr).columns)
+    EXPECT_THAT(column.name, ::testing::Not(HasSubstr("paper")));
+  b.identification->inputs.nominal = "name: drawing\n";
+  b.identification->inputs.robot = "name: found\n";
+  const base::Table table = parameterTable(b, nullptr);
+  EXPECT_EQ(table.columns[1].name, "start");
+  EXPECT_THAT(table.note, HasSubstr("Start: where both methods began, the robot of A."));
+  const Published published = readPublished();
+  const base::Table a = parameterTable(identified("A", "r_l1", 0.059, 0.059, true), &published);
+  EXPECT_EQ(a.columns.size(), table.columns.size() + 2);
+  EXPECT_EQ(a.rows[0].size(), a.columns.size());
+}
+
+TEST(Comparison, AMethodThatFoundNothingIsSaid) {
+  Results b = identified("B", "k_e1", 100.0, 103.0, true);
+  EXPECT_THAT(parameterTable(b, nullptr).note, ::testing::Not(HasSubstr("Batch")));
+  b.identification->batch_end = "failed";
+  EXPECT_THAT(parameterTable(b, nullptr).note, HasSubstr("Batch: failed."));
+}
+
+TEST(Comparison, ThePaperIsSpokenOfWhereTheExperimentIsThePapers) {
+  const Published published = readPublished();
+  Results results = paperTrials(published, 0.0899);
+  EXPECT_THAT(comparisonPage({results}, published), HasSubstr("kinematic, paper"));
+  EXPECT_THAT(comparisonPage({results}, published), ::testing::Not(HasSubstr("figures 7 and 13")));
+  const std::string paper = results.specification;
+  results.specification = std::string(paper).replace(paper.find("seed: 301"), 9, "seed: 999");
+  EXPECT_TRUE(isPapers(results));
+  const auto duration = paper.find("duration: 188");
+  for (const std::string& other :
+       {std::string(paper).replace(duration, 13, "duration: 187"), std::string()}) {
+    results.specification = other;  // of the same name, with six trials
+    EXPECT_FALSE(isPapers(results));
+    const std::string page = comparisonPage({results}, published);
+    EXPECT_THAT(page, ::testing::Not(HasSubstr("paper")));
+    EXPECT_THAT(page, HasSubstr("RMS errors by trial"));
+    EXPECT_TRUE(goalsOf({results}, published).empty());
+  }
+  results.name = "mine";
+  results.specification = paper;
+  EXPECT_FALSE(isPapers(results));
+}
+
+TEST(Comparison, ThePageSaysWhatItsNumbersWereMadeFrom) {
+  const Published published = readPublished();
+  Results mine;
+  mine.name = "mine";
+  mine.software = "capstan 9.9.9";
+  mine.wall_seconds = kNone;
+  TrialResult& simulated = mine.trials.emplace_back();
+  simulated.name = "free";
+  simulated.seed = 42;
+  TrialResult& recorded = mine.trials.emplace_back();
+  recorded.name = "real";
+  recorded.simulated = false;
+  recorded.inputs.recording = "monday.capstan, 17 bytes";
+  EXPECT_THAT(comparisonPage({mine}, published),
+              HasSubstr("\n- mine; free (seed 42), real (monday.capstan, 17 bytes); capstan 9.9.9\n"));
+  Results b = identified("B", "k_e1", 100.0, 103.0, true);
+  b.title = "Cables";
+  EXPECT_THAT(comparisonPage({b}, published), HasSubstr("\n- B: Cables; block transfer (seed 201)"));
 }
 
 TEST(Comparison, ThePageSaysThatTheRobotIsSimulated) {
