@@ -20,13 +20,14 @@ struct ErrorRun {
   /// Names the motion that was measured: runs of one recording, or of one simulated trial, have the same, so
   /// that their samples pair. Empty: unknown.
   std::string motion = {};
-  bool own_kinematics = false;            ///< differences from the robot's own kinematics, no errors
-  double begin = 0.0, end = 0.0;          ///< of the errors [s]
-  std::vector<ErrorPoint> errors = {};    ///< equally spaced in time, but for gaps
-  std::vector<CameraPoint> camera = {};   ///< samples that the filter took, at their own times
-  std::vector<std::string> trials = {};   ///< that the results it was read from have errors of
-  std::vector<std::string> notices = {};  ///< for the user, a line each
-  bool simulated = false;                 ///< of a running session: no real robot
+  bool own_kinematics = false;                   ///< differences from the robot's own kinematics, no errors
+  double begin = 0.0, end = 0.0;                 ///< of the errors [s]
+  std::vector<ErrorPoint> errors = {};           ///< equally spaced in time, but for gaps
+  std::vector<CameraPoint> camera = {};          ///< samples that the filter took, at their own times
+  std::vector<std::string> trials = {};          ///< that the results it was read from have errors of
+  std::vector<std::string> notices = {};         ///< for the user, a line each
+  bool simulated = false;                        ///< of a running session: no real robot
+  std::vector<TrajectoryPoint> trajectory = {};  ///< of a running session (SessionMotion)
 };
 
 /// Gathers the errors of a running pipeline: kinematic and UKF estimates at most `rate` times a second where

@@ -50,4 +50,37 @@ void MotionCollector::takePoint(const tracking::Snapshot& s) {
   seen_ = noJoints();
 }
 
+SessionMotion::SessionMotion(std::size_t capacity) : capacity_(capacity) { points_.reserve(capacity_); }
+
+void SessionMotion::take(const tracking::Snapshot& s) {
+  const std::lock_guard lock(mutex_);
+  if (s.camera_updated && s.gate == tracking::Gate::kOpen) seen_ = s.q_link_cam;
+  if (!s.reference_paired || !due_.due(s.t)) return;
+  if (points_.size() == capacity_) {
+    for (std::size_t i = 0; 2 * i < points_.size(); ++i) points_[i] = points_[2 * i];
+    points_.resize((points_.size() + 1) / 2);
+    rate_ *= 0.5;
+    due_ = session::DueTimes(rate_);
+    (void)due_.due(points_.back().t);
+    if (!due_.due(s.t)) return;
+  }
+  const bool silent = s.camera_samples > 0 && s.gate == tracking::Gate::kNoCamera;
+  points_.push_back({s.t, s.q_link_true, s.q_link_kin, seen_, s.q_link_ukf, s.q_link_ukf_sigma,
+                     tracking::markerLost(s) || silent});
+  seen_ = noJoints();
+}
+
+void SessionMotion::restart() {
+  const std::lock_guard lock(mutex_);
+  points_.clear();
+  rate_ = kRate;
+  due_ = session::DueTimes(rate_);
+  seen_ = noJoints();
+}
+
+std::vector<TrajectoryPoint> SessionMotion::trajectory() const {
+  const std::lock_guard lock(mutex_);
+  return points_;
+}
+
 }  // namespace capstan::experiments

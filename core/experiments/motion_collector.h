@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <mutex>
+#include <vector>
 
 #include "core/experiments/results.h"
 #include "core/experiments/trial_setup.h"
@@ -43,6 +46,31 @@ class MotionCollector {
   session::DueTimes due_{kRate};
   Eigen::Vector3d seen_ = noJoints();
   std::uint64_t samples_ = 0, blocked_ = 0;
+};
+
+/// Gathers the trajectory of a running session, at most kRate times a second where a reference meets a motor
+/// sample, kinematics of the robot in use. `occluded` as in ErrorCollector. May be read from another thread.
+/// Its memory is fixed: when `capacity` points are held, every other goes and the rate is halved.
+class SessionMotion {
+ public:
+  static constexpr double kRate = MotionCollector::kRate;
+  static constexpr std::size_t kCapacity = std::size_t{1} << 15;  ///< 27 min at kRate
+
+  explicit SessionMotion(std::size_t capacity = kCapacity);
+
+  /// Every snapshot, in order. Allocates nothing.
+  void take(const tracking::Snapshot& snapshot);
+  /// Forgets everything.
+  void restart();
+  std::vector<TrajectoryPoint> trajectory() const;
+
+ private:
+  const std::size_t capacity_;
+  mutable std::mutex mutex_;
+  double rate_ = kRate;
+  session::DueTimes due_{kRate};
+  std::vector<TrajectoryPoint> points_;
+  Eigen::Vector3d seen_ = noJoints();
 };
 
 }  // namespace capstan::experiments

@@ -75,6 +75,7 @@ Results resultsOfErrors(const ErrorRun& run, const std::string& software) {
   trial.end = run.end;
   trial.errors = run.errors;
   trial.camera = run.camera;
+  trial.trajectory = run.trajectory;
   const auto occluded = std::count_if(run.errors.begin(), run.errors.end(),
                                       [](const ErrorPoint& point) { return point.occluded; });
   if (!run.errors.empty())

@@ -22,7 +22,7 @@ std::vector<std::filesystem::path> resultFolders(const std::filesystem::path& fo
 Results resultsOfRecording(const std::filesystem::path& recording, const std::filesystem::path& robot,
                            const std::string& software, base::Progress& progress);
 
-/// A running session as a trial, as far as its errors go: RMS over what `run` kept, no trajectory.
+/// A running session as a trial: errors, RMS over what `run` kept of them, and its trajectory.
 Results resultsOfErrors(const ErrorRun& run, const std::string& software);
 
 /// Files begin with the results' names: those that meet a name again get -B, -C, … behind theirs.

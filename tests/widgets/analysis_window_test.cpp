@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QFile>
 #include <QTemporaryDir>
 #include <QtTest/QTest>
 
@@ -89,6 +90,18 @@ TEST_F(AnalysisWindow, BeginsAnewWithTheErrorTable) {
   window_->action("analyse")->trigger();
   ASSERT_TRUE(waitFor([&] { return panel().settled(); }));
   EXPECT_TRUE(panel().words().contains("no errors yet")) << panel().words().toStdString();
+}
+
+TEST_F(AnalysisWindow, ExportsTheTrajectoryOfTheRunningSession) {
+  open(1280, 800);
+  ASSERT_TRUE(reaches(6.0));
+  window_->action("analyse")->trigger();
+  ASSERT_TRUE(waitFor([&] { return panel().settled(); }));
+  panel().exportAllTo(folder_.filePath("all"), {60.0, 60.0});
+  ASSERT_TRUE(waitFor([&] { return !panel().busy(); }));
+  QFile csv(folder_.filePath("all/session-trajectory-session.csv"));
+  ASSERT_TRUE(csv.open(QIODevice::ReadOnly)) << panel().words().toStdString();
+  EXPECT_GT(csv.readAll().count('\n'), 100) << "5 s and more, 20 a second";
 }
 
 // What else listens to the session neither ends the gathering nor is ended by it.

@@ -18,7 +18,7 @@ AnalysisDesk::AnalysisDesk(AnalysisPanel& panel, QStackedWidget& centre, Session
   addAction(centre, bar);
   gather(link);
   panel_.setSession([this, &link] { return sessionSoFar(link); });
-  connect(&errors, &ErrorsPanel::resetRequested, this, [this] { errors_->restart(); });
+  connect(&errors, &ErrorsPanel::resetRequested, this, [this] { gathered_->restart(); });
   connect(&panel, &AnalysisPanel::exported, this,
           [this, &notes](const QString& base) { notes.addFile(now_, "export", base); });
 }
@@ -40,20 +40,21 @@ void AnalysisDesk::addAction(QStackedWidget& centre, SessionBar& bar) {
 /// On the pipeline's thread; a robot that was exchanged begins the errors anew, as it does in their table.
 void AnalysisDesk::gather(SessionLink& link) {
   connect(&link, &SessionLink::opened, this, [this, &link](const session::SourceInfo& info) {
-    errors_ = std::make_shared<experiments::ErrorCollector>();
+    gathered_ = std::make_shared<Gathered>();
     now_ = info.begin;
     std::array<QString, 3> names;
     for (std::size_t i = 0; i < names.size() && i < info.robot.joints.size(); ++i)
       names[i] = QString::fromStdString(info.robot.joints[i].name);
     panel_.setJointNames(names);
     const auto robot = std::make_shared<std::string>(robot::formatDescription(info.robot));
-    link.listen(this, {[errors = errors_, robot](const tracking::TrackingPipeline& pipeline) {
+    link.listen(this, {[gathered = gathered_, robot](const tracking::TrackingPipeline& pipeline) {
                          std::string now = robot::formatDescription(pipeline.robot());
-                         if (now != *robot) errors->restart();
+                         if (now != *robot) gathered->restart();
                          *robot = std::move(now);
                        },
-                       [errors = errors_](const tracking::Sample&, const tracking::Snapshot& snapshot) {
-                         errors->take(snapshot);
+                       [gathered = gathered_](const tracking::Sample&, const tracking::Snapshot& snapshot) {
+                         gathered->errors.take(snapshot);
+                         gathered->motion.take(snapshot);
                        }});
     panel_.sessionOpened();
   });
@@ -64,7 +65,7 @@ experiments::ErrorRun AnalysisDesk::sessionSoFar(const SessionLink& link) const 
   if (!link.runner())
     throw base::InputError({"this session", 0, {}, {}, "is not open", "Open a source first"});
   const session::SourceInfo& info = link.runner()->info();
-  experiments::ErrorRun run = errors_->run();
+  experiments::ErrorRun run = gathered_->errors.run();
   if (run.errors.empty()) {
     const bool ever = info.reference || info.own_kinematics;
     throw base::InputError({info.title,
@@ -74,6 +75,7 @@ experiments::ErrorRun AnalysisDesk::sessionSoFar(const SessionLink& link) const 
                             ever ? "has no errors yet" : "has no joint encoders, so its errors are not known",
                             ever ? "Let it run, then Refresh (F5)" : "Choose a recording with a reference"});
   }
+  run.trajectory = gathered_->motion.trajectory();
   run.title = info.title;
   run.motion = info.title;
   run.own_kinematics = info.own_kinematics;

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "core/experiments/error_run.h"
+#include "core/experiments/motion_collector.h"
 
 class QStackedWidget;
 
@@ -15,8 +16,8 @@ class NotesPanel;
 class SessionBar;
 class SessionLink;
 
-/// Joins the analysis panel to the running session: gathers its errors since the errors table began, brings
-/// the panel in the place of the plots and back, a line in the notes for what was exported.
+/// Joins the analysis panel to the running session: gathers its errors and its motion since the errors table
+/// began, brings the panel in the place of the plots and back, a line in the notes for what was exported.
 class AnalysisDesk : public QObject {
   Q_OBJECT
 
@@ -31,7 +32,16 @@ class AnalysisDesk : public QObject {
   experiments::ErrorRun sessionSoFar(const SessionLink& link) const;
 
   AnalysisPanel& panel_;
-  std::shared_ptr<experiments::ErrorCollector> errors_ = std::make_shared<experiments::ErrorCollector>();
+  /// What is gathered on the pipeline's thread.
+  struct Gathered {
+    experiments::ErrorCollector errors;
+    experiments::SessionMotion motion;
+    void restart() {
+      errors.restart();
+      motion.restart();
+    }
+  };
+  std::shared_ptr<Gathered> gathered_ = std::make_shared<Gathered>();
   double now_ = 0.0;  ///< newest session time [s]
 };
 

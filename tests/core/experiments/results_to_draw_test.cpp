@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "core/base/error.h"
+#include "core/experiments/motion_collector.h"
 #include "core/session/export.h"
 #include "core/simulation/simulation_request.h"
 
@@ -38,6 +39,8 @@ TEST_F(ResultsToDraw, ASessionIsATrialWithItsErrors) {
         {run.begin + static_cast<double>(run.errors.size()), error, error, 0.1 * error, e == 4.0});
   }
   run.camera = {{1.0, noJoints(), Eigen::Vector3d::Constant(2.0)}, {2.0, noJoints(), noJoints()}};
+  run.trajectory.resize(2);
+  run.trajectory[1].t = 2.5;
   const Results results = resultsOfErrors(run, "test");
   EXPECT_EQ(results.title, "live");
   EXPECT_TRUE(results.simulated);
@@ -45,6 +48,8 @@ TEST_F(ResultsToDraw, ASessionIsATrialWithItsErrors) {
   const TrialResult& trial = results.trials[0];
   EXPECT_TRUE(trial.reference);
   EXPECT_EQ(trial.duration(), 2.0);
+  ASSERT_EQ(trial.trajectory.size(), 2U);
+  EXPECT_EQ(trial.trajectory[1].t, 2.5);
   EXPECT_NEAR(trial.occluded_share, 1.0 / 3.0, 1e-15);
   EXPECT_NEAR(trial.rmsOf(Estimator::kKinematic)(0), 5.0 / std::sqrt(3.0), 1e-15);
   EXPECT_NEAR(trial.rmsOf(Estimator::kUkf)(2), 0.5 / std::sqrt(3.0), 1e-15);
@@ -53,6 +58,47 @@ TEST_F(ResultsToDraw, ASessionIsATrialWithItsErrors) {
   EXPECT_EQ(trial.errorsOf(Estimator::kUkf, 1).size(), 3U);
   run.own_kinematics = true;
   EXPECT_FALSE(resultsOfErrors(run, "test").trials[0].reference);
+}
+
+TEST(SessionMotion, KeepsTwentyPointsASecondWithTheCameraSampleBeforeEach) {
+  SessionMotion motion;
+  tracking::Snapshot s{};
+  s.q_link_true = s.q_link_kin = s.q_link_ukf = s.q_link_ukf_sigma = Eigen::Vector3d::Zero();
+  s.reference_paired = s.motor_updated = true;
+  for (int ms = 0; ms <= 1000; ++ms) {
+    s.t = 1e-3 * ms;
+    s.q_link_ukf(0) = s.t;
+    s.camera_updated = ms == 480;
+    s.gate = ms < 600 ? tracking::Gate::kOpen : tracking::Gate::kBothLost;
+    s.q_link_cam = Eigen::Vector3d::Constant(0.5);
+    motion.take(s);
+  }
+  const auto points = motion.trajectory();
+  ASSERT_EQ(points.size(), 21U);
+  for (const TrajectoryPoint& point : points) {
+    EXPECT_EQ(point.q_ukf(0), point.t);
+    EXPECT_EQ(point.q_cam.allFinite(), std::abs(point.t - 0.5) < 0.01) << point.t;
+    EXPECT_EQ(point.occluded, point.t > 0.599) << point.t;
+  }
+  motion.restart();
+  EXPECT_TRUE(motion.trajectory().empty());
+}
+
+TEST(SessionMotion, HalvesItsRateWhenItIsFull) {
+  SessionMotion motion(16);
+  tracking::Snapshot s{};
+  s.reference_paired = true;
+  for (int ms = 0; ms < 5000; ms += 10) {
+    s.t = 1e-3 * ms;
+    motion.take(s);
+  }
+  const auto points = motion.trajectory();
+  EXPECT_LE(points.size(), 16U);
+  EXPECT_GE(points.size(), 8U);
+  EXPECT_EQ(points.front().t, 0.0);
+  EXPECT_GT(points.back().t, 4.0);
+  for (std::size_t i = 2; i < points.size(); ++i)
+    EXPECT_NEAR(points[i].t - points[i - 1].t, points[1].t - points[0].t, 0.011);
 }
 
 TEST_F(ResultsToDraw, NoTwoResultsHaveOneName) {
