@@ -41,6 +41,17 @@ TEST(StatusLine, ReadsAsOneLine) {
   test::grab(line, "status_line");
 }
 
+TEST(StatusLine, NamesMotorsWhoseEncoderFailed) {
+  StatusLine line;
+  auto snapshot = calm();
+  snapshot.motor_failed = {tracking::MotorFault::kNone, tracking::MotorFault::kFrozen,
+                           tracking::MotorFault::kDeclared};
+  line.showSnapshot(snapshot);
+  EXPECT_TRUE(line.text().contains("motor 2 frozen, motor 3 failed")) << line.text().toStdString();
+  line.showSnapshot(calm());
+  EXPECT_FALSE(line.text().contains("motor"));
+}
+
 TEST(StatusLine, SaysWhatIsWrong) {
   StatusLine line;
   auto snapshot = calm();

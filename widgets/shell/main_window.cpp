@@ -27,6 +27,7 @@
 #include "widgets/shell/calibration_desk.h"
 #include "widgets/shell/help_window.h"
 #include "widgets/shell/message_bar.h"
+#include "widgets/shell/motor_desk.h"
 #include "widgets/shell/registration_desk.h"
 #include "widgets/shell/session_bar.h"
 #include "widgets/shell/source_menu.h"
@@ -102,6 +103,7 @@ void MainWindow::addDocks() {
   new RegistrationDesk(*registration_, *registration_dock_, link_, *bar_, *scene_, *notes_, this);
   new CalibrationDesk(*calibration_, *calibration, link_, *bar_, *notes_, this);
   new AnalysisDesk(*analysis_, *centre_, link_, *bar_, *errors_, *notes_, this);
+  new MotorDesk(*figure_, link_, *bar_, *messages_, *notes_, this);
 }
 
 /// Pictures and panels take their share of the window, unless the user's own layout came back.

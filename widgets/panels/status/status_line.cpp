@@ -25,6 +25,20 @@ QString diskText(std::uint64_t bytes) {
 
 }  // namespace
 
+QString faultWords(tracking::MotorFault fault) {
+  switch (fault) {
+    case tracking::MotorFault::kLost:
+      return QObject::tr("lost");
+    case tracking::MotorFault::kFrozen:
+      return QObject::tr("frozen");
+    case tracking::MotorFault::kDeclared:
+      return QObject::tr("failed");
+    case tracking::MotorFault::kNone:
+      break;
+  }
+  return {};
+}
+
 QString clockText(double seconds) {
   const auto whole = static_cast<long>(std::max(0.0, std::floor(seconds)));
   const QString tail = QStringLiteral("%1:%2")
@@ -46,6 +60,7 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   row->addStretch(1);
   labels_[kNis]->setToolTip(
       tr("Normalised innovation squared over its degrees of freedom; pass: inside the 95 % χ² band"));
+  labels_[kMotors]->setToolTip(tr("An encoder that failed: its joint is estimated from the cameras alone"));
   labels_[kLag]->setToolTip(tr("From exposure to arrival of the newest camera sample"));
   labels_[kRescues]->setToolTip(tr("Cholesky down-dates that fell back to a safe path"));
   clear();
@@ -106,6 +121,7 @@ void StatusLine::showSnapshot(const tracking::Snapshot& snapshot) {
     set(kGate, tr("gate open"), Tone::kGood);
   else
     set(kGate, tr("gate shut: %1").arg(reason), cameras ? Tone::kWarning : Tone::kPlain);
+  showMotors(snapshot);
   if (!std::isfinite(snapshot.nis_mean))
     set(kNis, {});
   else
@@ -118,6 +134,14 @@ void StatusLine::showSnapshot(const tracking::Snapshot& snapshot) {
   if (snapshot.motor_refused > 0)
     troubles += tr(", %1 motor samples refused").arg(static_cast<qulonglong>(snapshot.motor_refused));
   set(kRescues, troubles, snapshot.rescues + snapshot.motor_refused > 0 ? Tone::kWarning : Tone::kPlain);
+}
+
+void StatusLine::showMotors(const tracking::Snapshot& snapshot) {
+  QStringList failed;
+  for (std::size_t i = 0; i < snapshot.motor_failed.size(); ++i)
+    if (snapshot.motor_failed[i] != tracking::MotorFault::kNone)
+      failed << tr("motor %1 %2").arg(i + 1).arg(faultWords(snapshot.motor_failed[i]));
+  set(kMotors, failed.join(QStringLiteral(", ")), Tone::kFault);
 }
 
 void StatusLine::showStatus(const session::RunStatus& status, double recorded_seconds) {

@@ -13,8 +13,8 @@ class QLabel;
 
 namespace capstan::widgets {
 
-/// One line about the session: rates, lag, gate, consistency, rescues, recording, disk. A verdict that is not
-/// good carries the warning or fault colour and says so in a word.
+/// One line about the session: rates, lag, gate, motor encoders that failed, consistency, rescues, recording,
+/// disk. A verdict that is not good carries the warning or fault colour and says so in a word.
 class StatusLine : public QWidget {
   Q_OBJECT
  public:
@@ -30,8 +30,22 @@ class StatusLine : public QWidget {
   QString text() const;
 
  private:
-  enum Part { kState, kSpeed, kMotor, kFrames, kLag, kGate, kNis, kRescues, kRecording, kDisk, kParts };
+  enum Part {
+    kState,
+    kSpeed,
+    kMotor,
+    kFrames,
+    kLag,
+    kGate,
+    kMotors,
+    kNis,
+    kRescues,
+    kRecording,
+    kDisk,
+    kParts
+  };
   enum class Tone { kPlain, kGood, kWarning, kFault };
+  void showMotors(const tracking::Snapshot& snapshot);
   void showRecorder(const session::RecorderStats& recorder, double recorded_seconds);
   void showDisk(std::optional<std::uint64_t> recorder_says);
   void separate();
@@ -45,6 +59,9 @@ class StatusLine : public QWidget {
   bool tips_ = false;  ///< the camera samples are tips, not pictures
   QElapsedTimer disk_age_;
 };
+
+/// "lost", "frozen" or "failed", as of an encoder.
+QString faultWords(tracking::MotorFault fault);
 
 /// Minutes and seconds as 03:12, or 1:03:12 from an hour on.
 QString clockText(double seconds);
