@@ -41,7 +41,10 @@ void checkForTracking(const MeasuredTable& table, const robot::Description& robo
          {},
          fmt::format("the table has {} joint{}, {} has {}, and tracking is made for three", table.joints(),
                      table.joints() == 1 ? "" : "s", robot.name, robot.size()),
-         "Choose a recording of a three-joint arm and its robot file"});
+         table.joints() == 1 ? "Choose a recording of a three-joint arm and its robot file; one drive alone "
+                               "can be identified: "
+                               "capstan-cli identify TABLE --robot FILE"
+                             : "Choose a recording of a three-joint arm and its robot file"});
 }
 
 std::string firstBytes(const std::filesystem::path& path) {

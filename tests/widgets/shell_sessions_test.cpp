@@ -25,6 +25,24 @@ TEST_F(Shell, SaysWhatIsWrongWithAFileAndKeepsTheSession) {
   EXPECT_TRUE(window->bar().sources().recentFiles().isEmpty());
 }
 
+TEST_F(Shell, SaysThatADriveOfOneJointIsForTheCommandLine) {
+  QFile table(file("jaw.csv"));
+  ASSERT_TRUE(table.open(QIODevice::WriteOnly));
+  table.write("t,q_m1,q1\n0.000,1.0,0.3\n0.004,1.0,0.3\n");
+  table.close();
+  auto window = makeWindow();
+  window->open(atRest());
+  ASSERT_TRUE(opened(*window));
+  SourceChoice jaw = SourceChoice::ofFile(table.fileName());
+  jaw.robot = QStringLiteral(CAPSTAN_SOURCE_DIR "/tests/core/identification/data/davinci_jaw.yaml");
+  window->open(jaw);
+  ASSERT_TRUE(waitFor([&] { return !window->message().isEmpty(); }));
+  EXPECT_TRUE(window->message().contains("da Vinci jaw has 1")) << window->message().toStdString();
+  EXPECT_TRUE(window->message().contains("tracking is made for three"));
+  EXPECT_TRUE(window->message().contains("capstan-cli identify"));
+  EXPECT_EQ(stateOf(*window), session::RunState::kRunning) << "the session before goes on";
+}
+
 TEST_F(Shell, DoubtsAboutATableStandAmongTheNotes) {
   QFile table(file("mm.csv"));
   ASSERT_TRUE(table.open(QIODevice::WriteOnly));
