@@ -15,6 +15,7 @@
 #include "app/cli/outputs.h"
 #include "app/cli/recordings.h"
 #include "app/cli/simulation_arguments.h"
+#include "core/base/error.h"
 #include "core/base/yaml.h"
 #include "core/experiments/identified.h"
 #include "core/experiments/identify_trials.h"
@@ -158,7 +159,11 @@ void runMethods(const IdentifyArguments& arguments, const identification::Identi
   identification::IdentificationOptions options;
   if (!arguments.options.empty())
     options = base::readYamlFile<identification::IdentificationOptions>(arguments.options);
-  found.set.emplace(nominal, arguments.parameters, options.parameters);
+  try {
+    found.set.emplace(nominal, arguments.parameters, options.parameters);
+  } catch (const base::InputError& error) {
+    refuseOption("--parameters", error.fault().value, error.fault().reason, error.fault().remedy);
+  }
   identification::CameraPoseOptions& camera = options.camera;
   if (arguments.exact_camera) camera = {0.0, 0.0, 0.0};
   if (arguments.method != "batch" && !progress.cancelled())

@@ -20,6 +20,29 @@ namespace {
 
 using nlohmann::json;
 
+[[noreturn]] void refuseNeed(const Specification& specification, const std::string& name,
+                             const std::string& reason, const std::string& remedy) {
+  throw base::InputError(
+      {specification.file.string(), specification.lineOf({}, "robot"), "robot", name, reason, remedy});
+}
+
+/// The experiment `name` that identifies the robot of `specification`.
+Specification neededBy(const Specification& specification, const std::string& name) {
+  Specification needed;
+  try {
+    needed = findSpecification(name, specification.file);
+  } catch (const base::InputError& error) {
+    if (error.fault().key != "experiment") throw;
+    refuseNeed(specification, name, error.fault().reason, error.fault().remedy);
+  }
+  if (needed.work != Work::kIdentify)
+    refuseNeed(specification, name, "identifies no robot", "Name an experiment of work: identify");
+  if (needed.name != name)
+    refuseNeed(specification, name, fmt::format("calls itself {} in {}", needed.name, needed.file.string()),
+               "Use one name");
+  return needed;
+}
+
 /// `specification` behind everything that it needs, each once. Throws base::InputError for a circle and for a
 /// need that identifies nothing.
 void planFor(const Specification& specification, std::vector<std::string>& above,
@@ -28,16 +51,9 @@ void planFor(const Specification& specification, std::vector<std::string>& above
   if (std::any_of(plan.begin(), plan.end(), same)) return;
   above.push_back(specification.name);
   for (const std::string& name : specification.needs()) {
-    const auto refuse = [&](const std::string& reason, const std::string& remedy) {
-      throw base::InputError(
-          {specification.file.string(), specification.lineOf({}, "robot"), "robot", name, reason, remedy});
-    };
     if (std::find(above.begin(), above.end(), name) != above.end())
-      refuse("needs this experiment itself", "Break the circle");
-    const Specification needed = findSpecification(name, specification.file);
-    if (needed.work != Work::kIdentify) refuse("identifies no robot", "Name an experiment of work: identify");
-    if (needed.name != name)
-      refuse(fmt::format("calls itself {} in {}", needed.name, needed.file.string()), "Use one name");
+      refuseNeed(specification, name, "needs this experiment itself", "Break the circle");
+    const Specification needed = neededBy(specification, name);
     planFor(needed, above, plan);
   }
   above.pop_back();

@@ -281,9 +281,15 @@ Table parameterTable(const Results& results, const Published* published) {
 Table boxplotTable(const Results& results) {
   Table table;
   table.title = fmt::format("Experiment {}: absolute errors of the UKF", results.name);
-  table.columns = {{"trial", ""},         {"joint", ""},          {"median, kinematic", ""},
-                   {"median", ""},        {"first quartile", ""}, {"third quartile", ""},
-                   {"upper whisker", ""}, {"outliers", "%", 1},   {"RMS", ""},
+  table.columns = {{"trial", "", 3, NumberStyle::kFixed, true},
+                   {"joint", ""},
+                   {"median, kinematic", ""},
+                   {"median", ""},
+                   {"first quartile", ""},
+                   {"third quartile", ""},
+                   {"upper whisker", ""},
+                   {"outliers", "%", 1},
+                   {"RMS", ""},
                    {"occluded", "%", 1}};
   for (const TrialResult& trial : results.trials) {
     if (trial.errors.empty()) continue;
