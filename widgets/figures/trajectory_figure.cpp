@@ -90,7 +90,11 @@ TrajectoryFigure::TrajectoryFigure(TrajectoryData data, QWidget* parent)
       history_(std::max(data_.samples.size(), kLeastRows)),
       errors_(std::max(data_.samples.size(), kLeastRows)) {
   fillHistories();
-  setTitle(data_.title, data_.note);
+  QStringList note;
+  if (!data_.note.isEmpty()) note << data_.note;
+  if (const auto n = std::max(rms_.kinematic_n, rms_.ukf_n); n > 0)
+    note << unbroken(tr("RMS over n %1").arg(n));
+  setTitle(data_.title, note.join(QStringLiteral("; ")));
   for (int joint = 0; joint < 3; ++joint) addJoint(joint);
   fit();
 }
@@ -133,9 +137,7 @@ QString TrajectoryFigure::words(int joint) const {
   if (std::isfinite(rms_.ukf[joint]))
     parts << tr("UKF %1").arg(significantText(inScreenUnit(rms_.ukf[joint], joint)));
   if (parts.isEmpty()) return unbroken(tr("no reference, n %1").arg(data_.samples.size()));
-  return unbroken(tr("RMS %1: %2; n %3")
-                      .arg(data_.error, parts.join(QStringLiteral(", ")))
-                      .arg(std::max(rms_.kinematic_n, rms_.ukf_n)));
+  return unbroken(tr("RMS %1: %2").arg(data_.error, parts.join(QStringLiteral(", "))));
 }
 
 std::vector<JointPlot*> TrajectoryFigure::all() const {

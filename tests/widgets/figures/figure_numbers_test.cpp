@@ -110,11 +110,12 @@ TEST(TrajectoryNumbers, RmsIsThatOfTheRunWhereItIsGiven) {
   };
   const TrajectoryFigure of_samples(data);
   EXPECT_TRUE(headerOf(of_samples).contains(unbroken("kinematic 1.72"))) << "0.03 rad";
-  EXPECT_TRUE(headerOf(of_samples).endsWith(unbroken("n 601")));
+  EXPECT_TRUE(of_samples.caption().endsWith("RMS over n 601"));
   data.rms = {
       .kinematic = {0.05, 0.06, 0.007}, .ukf = {0.01, 0.02, 0.003}, .kinematic_n = 30'000, .ukf_n = 30'000};
   const TrajectoryFigure of_run(data);
-  EXPECT_EQ(headerOf(of_run), unbroken("RMS error: kinematic 2.86, UKF 0.573; n 30000"));
+  EXPECT_EQ(headerOf(of_run), unbroken("RMS error: kinematic 2.86, UKF 0.573"));
+  EXPECT_TRUE(of_run.caption().endsWith("RMS over n 30000"));
   const auto rows = rowsOf(of_run, "_rms");
   ASSERT_EQ(rows.size(), 6U);
   EXPECT_EQ(rows[5], (QStringList{"q3", "mm", "ukf", "3", "30000"}));
