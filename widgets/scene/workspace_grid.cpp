@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/figures/number_text.h"
+
 namespace capstan::widgets {
 
 namespace {
@@ -12,7 +14,7 @@ using Eigen::Vector3d;
 constexpr double kCell = 0.05;
 constexpr double kNumberEvery = 0.1;
 
-QString millimetres(double metres) { return QString::number(std::lround(metres * 1e3)); }
+QString millimetres(double metres) { return withMinus(QString::number(std::lround(metres * 1e3))); }
 
 bool numbered(double metres) { return std::abs(std::remainder(metres, kNumberEvery)) < 1e-6; }
 

@@ -108,6 +108,8 @@ void CalibrationPanel::addPages(QVBoxLayout* column) {
   rolled->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   rolled->setMinimumHeight(60);
   rolled->setWidget(choice_);
+  for (QWidget* ground : {rolled->viewport(), static_cast<QWidget*>(choice_)})
+    ground->setAutoFillBackground(false);  // the panel's own shows
   for (QWidget* page : {static_cast<QWidget*>(rolled), results_, static_cast<QWidget*>(changes_)})
     pages_->addWidget(page);
   column->addWidget(pages_, 1);
