@@ -133,16 +133,22 @@ std::string trialsOf(const Results& results) {
   return text;
 }
 
+/// Name of the truth of a simulation; empty: none, or not known.
+std::string truthOf(const Results& results) {
+  const TrialInputs* inputs = results.identification    ? &results.identification->inputs
+                              : !results.trials.empty() ? &results.trials.front().inputs
+                                                        : nullptr;
+  if (!results.simulated || !inputs || inputs->truth.empty()) return {};
+  return simulation::parseTruth(inputs->truth, "truth").name;
+}
+
 std::string originOf(const Results& results) {
   std::string text = "- " + results.name;
   if (!results.title.empty()) text += ": " + results.title;
   const std::string trials = trialsOf(results);
   if (!trials.empty()) text += "; " + trials;
-  const TrialInputs* inputs = results.identification    ? &results.identification->inputs
-                              : !results.trials.empty() ? &results.trials.front().inputs
-                                                        : nullptr;
-  if (results.simulated && inputs && !inputs->truth.empty())
-    text += "; truth " + simulation::parseTruth(inputs->truth, "truth").name;
+  const std::string truth = truthOf(results);
+  if (!truth.empty()) text += "; truth " + truth;
   if (std::isfinite(results.wall_seconds)) text += fmt::format("; wall time {:.1f} s", results.wall_seconds);
   return text + (results.software.empty() ? "" : "; " + results.software) + "\n";
 }
@@ -157,6 +163,13 @@ std::string headOf(const std::vector<Results>& results, bool paper) {
   if (simulated < std::ssize(results)) return page + "Some of these results are of recordings.\n\n";
   if (!paper)
     return page + "The robot of these results is simulated: errors of a real robot will be larger.\n\n";
+  const bool laboratory = std::all_of(results.begin(), results.end(),
+                                      [](const Results& one) { return truthOf(one) == "laboratory"; });
+  if (!laboratory)
+    return page +
+           "The robot of these results is simulated: errors of a real robot will be larger; the paper's was "
+           "a "
+           "real RAVEN-II.\n\n";
   return page +
          "The robot of these results is simulated: it has hysteresis, Stribeck friction and camera errors "
          "that the estimator does not know, but the same geometry, so that errors of a real robot will "

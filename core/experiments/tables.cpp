@@ -20,7 +20,6 @@ namespace {
 using base::NumberStyle;
 using base::Table;
 using base::TableCell;
-using base::TableColumn;
 
 bool hasErrors(const TrialResult& trial) {
   return trial.counts[static_cast<std::size_t>(Estimator::kUkf)] > 0;
@@ -113,13 +112,21 @@ std::string endNote(const IdentificationResult& result) {
   return text;
 }
 
-std::vector<TableCell> parameterRow(const IdentifiedParameter& p, const Published* published) {
+/// A truth is known: of a simulation.
+bool knowsTruth(const Results& results) {
+  const auto known = [](const IdentifiedParameter& p) { return std::isfinite(p.truth); };
+  return results.identification && std::any_of(results.identification->parameters.begin(),
+                                               results.identification->parameters.end(), known);
+}
+
+std::vector<TableCell> parameterRow(const IdentifiedParameter& p, const Published* published, bool truth) {
   const bool in_paper = published && p.name == "r_l1";
-  std::vector<TableCell> row = {fmt::format("{} [{}]", p.name, p.unit), p.scale * p.nominal,
-                                p.scale * p.truth};
+  std::vector<TableCell> row = {fmt::format("{} [{}]", p.name, p.unit), p.scale * p.nominal};
+  if (truth) row.push_back(p.scale * p.truth);
   if (published) row.push_back(in_paper ? published->radius.identified_mm : kNone);
   for (const ParameterEstimate* estimate : {&p.dual_ukf, &p.batch}) {
     row.push_back(value(*estimate, p.scale));
+    if (!truth) continue;
     row.push_back(errorPercent(*estimate, p.truth));
     row.push_back(covers(*estimate, p.truth));
   }
@@ -254,23 +261,22 @@ Table meanTable(const Results& results, const Published* published) {
 Table parameterTable(const Results& results, const Published* published) {
   Table table;
   table.title = fmt::format("Experiment {}: identified parameters", results.name);
-  const bool nominal = startsNominal(results);
+  const bool truth = knowsTruth(results);
   table.columns = {{"parameter", ""},
-                   {nominal ? "nominal" : "start", "", 5, NumberStyle::kSignificant},
-                   {"truth", "", 5, NumberStyle::kSignificant}};
+                   {startsNominal(results) ? "nominal" : "start", "", 5, NumberStyle::kSignificant}};
+  if (truth) table.columns.push_back({"truth", "", 5, NumberStyle::kSignificant});
   if (published) table.columns.push_back({"paper", "", 5, NumberStyle::kSignificant});
-  for (const TableColumn& column : std::initializer_list<TableColumn>{{"dual UKF", ""},
-                                                                      {"error", "%", 2},
-                                                                      {"95 % covers truth", ""},
-                                                                      {"batch", ""},
-                                                                      {"batch error", "%", 2},
-                                                                      {"batch 95 % covers truth", ""},
-                                                                      {"converged after", "s", 0}})
-    table.columns.push_back(column);
+  for (const std::string method : {"", "batch "}) {
+    table.columns.push_back({method.empty() ? "dual UKF" : "batch", ""});
+    if (!truth) continue;
+    table.columns.push_back({method + "error", "%", 2});
+    table.columns.push_back({method + "95 % covers truth", ""});
+  }
+  table.columns.push_back({"converged after", "s", 0});
   if (published) table.columns.push_back({"paper, converged", "s", 0});
   if (!results.identification) return table;
   for (const IdentifiedParameter& p : results.identification->parameters)
-    table.rows.push_back(parameterRow(p, published));
+    table.rows.push_back(parameterRow(p, published, truth));
   table.note =
       "± is one standard deviation. Converged: since when the dual UKF's standard deviation has been below "
       "its goal and its value has rested. " +

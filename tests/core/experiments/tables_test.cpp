@@ -225,6 +225,15 @@ TEST(Comparison, TheParameterTableSaysWhereTheMethodsBegan) {
   EXPECT_EQ(a.rows[0].size(), a.columns.size());
 }
 
+TEST(Comparison, WithoutATruthThereIsNoColumnOfIt) {
+  Results b = identified("B", "k_e1", kNone, 103.0, true);
+  const base::Table table = parameterTable(b, nullptr);
+  for (const base::TableColumn& column : table.columns)
+    EXPECT_THAT(column.name, ::testing::Not(::testing::AnyOf(HasSubstr("truth"), HasSubstr("error"))));
+  EXPECT_EQ(table.rows[0].size(), table.columns.size());
+  EXPECT_THAT(table.rows[0][3].text, HasSubstr("103 ± "));
+}
+
 TEST(Comparison, AMethodThatFoundNothingIsSaid) {
   Results b = identified("B", "k_e1", 100.0, 103.0, true);
   EXPECT_THAT(parameterTable(b, nullptr).note, ::testing::Not(HasSubstr("Batch")));
@@ -278,6 +287,9 @@ TEST(Comparison, ThePageSaysWhatItsNumbersWereMadeFrom) {
 TEST(Comparison, ThePageSaysThatTheRobotIsSimulated) {
   Results results = paperTrials(readPublished(), 0.0899);
   EXPECT_THAT(comparisonPage({results}, readPublished()), HasSubstr("is simulated"));
+  EXPECT_THAT(comparisonPage({results}, readPublished()), ::testing::Not(HasSubstr("hysteresis")));
+  results.trials.front().inputs.truth = "name: laboratory\n";
+  EXPECT_THAT(comparisonPage({results}, readPublished()), HasSubstr("it has hysteresis"));
   results.simulated = false;
   EXPECT_THAT(comparisonPage({results}, readPublished()), ::testing::Not(HasSubstr("robot is simulated")));
 }
