@@ -24,7 +24,8 @@ void addSimulationOptions(CLI::App& command, simulation::SimulationRequest& requ
   grouped(command.add_option("--seed", request.seed, "surgeon, noise and texture"))->capture_default_str();
   grouped(command.add_option("--cameras", request.cameras, "folder with left.yaml and right.yaml"));
   grouped(command.add_flag_callback(
-      "--no-images", [&request] { request.images = false; }, "tip positions instead of pictures"));
+      "--no-images", [&request] { request.images = false; },
+      "tip positions instead of pictures, as exact as the truth's pixel_sigma"));
   grouped(command.add_flag_callback(
       "--no-cameras", [&request] { request.cameras_fitted = false; }, "motors only"));
   grouped(command.add_flag("--distractors", request.distractors, "objects of nearly the marker's colour"));

@@ -21,8 +21,8 @@ struct WorldStudyOptions {
   int worlds = 100;
   double duration = 200.0;  ///< of each recording [s]
   std::uint64_t seed = 1;   ///< world k has seed + k
-  /// Noise of a marker's position [px]: recordings hold tip positions instead of pictures. What the detector
-  /// leaves on rendered pictures, 0.03 px on average and 0.06 px at most in 95 of 100.
+  /// Noise of each of a marker's image coordinates [px]: recordings hold tip positions instead of pictures. A
+  /// little more than the 0.025 that the detector leaves on rendered pictures (truth files).
   double pixel_sigma = 0.04;
   std::string parameters = "r_l,k_e,b_e,f_c";
   std::string truth;       ///< file that worlds are drawn around

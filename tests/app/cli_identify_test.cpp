@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/resource.h"
+#include "core/base/yaml.h"
 #include "tests/app/cli_fixture.h"
 
 namespace capstan {
@@ -69,9 +71,15 @@ TEST_F(Cli, WhatCannotBeSeenLeavesNoRobot) {
 
 class CliTable : public Cli {
  protected:
-  /// Lines of a simulated sinusoid as a measured table, the header first.
+  /// Lines of a simulated sinusoid as a measured table, the header first; a tracking system ten times as
+  /// noisy as the cameras measured it.
   std::vector<std::string> tableOf(double seconds) const {
-    const std::string file = simulate("s.capstan", kMotion + ("--duration " + std::to_string(seconds)));
+    std::string truth = base::readTextFile(base::resource("truth/default.yaml"));
+    const std::string detector = "pixel_sigma: 0.025";
+    truth.replace(truth.find(detector), detector.size(), "pixel_sigma: 0.3");
+    write("noisy.yaml", truth);
+    const std::string file = simulate(
+        "s.capstan", kMotion + ("--truth " + path("noisy.yaml") + " --duration " + std::to_string(seconds)));
     EXPECT_EQ(run("convert " + file + " " + path("t.csv")).exit, 0);
     return split(textOf("t.csv"), '\n');
   }
