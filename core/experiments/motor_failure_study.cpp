@@ -264,12 +264,13 @@ MotorFailureStudy runMotorFailureStudy(const MotorFailureStudyOptions& options, 
     for (const double occlusion : options.occlusions)
       for (std::uint64_t seed = options.seed; seed < options.seed + seeds; ++seed) {
         const simulation::SimulatedOptions robot = robotOf(options, seed);
-        trials.push_back({fmt::format("{}, speed {:g}, {:g} % occluded, seed {}", base::nameOf(options.fault),
-                                      speed, occlusion, seed),
-                          fingerprintOf(options, robot, speed, occlusion, seed),
-                          [&options, robot, speed, occlusion, seed](base::Progress& own) {
-                            return jsonOf(runTrial(options, robot, speed, occlusion, seed, own));
-                          }});
+        trials.push_back(
+            {fmt::format("{}{}, speed {:g}, {:g} % occluded, seed {}", base::nameOf(options.fault),
+                         options.images ? ", pictures" : "", speed, occlusion, seed),
+             fingerprintOf(options, robot, speed, occlusion, seed),
+             [&options, robot, speed, occlusion, seed](base::Progress& own) {
+               return jsonOf(runTrial(options, robot, speed, occlusion, seed, own));
+             }});
       }
   MotorFailureStudy study;
   KeptResults kept = runKept(trials, TrialStore(options.out), options.threads, progress);
