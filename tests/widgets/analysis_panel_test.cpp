@@ -136,6 +136,7 @@ TEST_F(Analysed, FiguresHaveMostOfTheHeight) {
 TEST_F(Analysed, OptionsChangeWhatIsShown) {
   panel.choose(0, recording());
   ASSERT_TRUE(settled());
+  EXPECT_EQ(panel.figures().boxplot()->data().quantity, "signed error");
   panel.findChild<QCheckBox*>("camera")->click();
   panel.findChild<QCheckBox*>("kinematic")->click();
   panel.findChild<QComboBox*>("error")->setCurrentIndex(1);

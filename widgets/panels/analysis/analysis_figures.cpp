@@ -74,7 +74,8 @@ AnalysisFigures analysisFigures(const Analysis& analysis, const ErrorRun& a, con
   figures.histogram.title = QObject::tr("Histogram of errors, %1").arg(of);
   figures.boxplot.title = QObject::tr("Box plot of errors, %1").arg(of);
   figures.histogram.note = figures.boxplot.note = noteOf(analysis);
-  const QString quantity = analysis.options.absolute ? QStringLiteral("|error|") : QStringLiteral("error");
+  const QString quantity =
+      analysis.options.absolute ? QStringLiteral("|error|") : QObject::tr("signed error");
   figures.histogram.quantity = figures.boxplot.quantity = quantity;
   const auto& chosen = analysis.options.estimators;
   // Where sample counts differ, shares are what can be compared.
