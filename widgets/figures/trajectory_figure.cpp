@@ -187,8 +187,8 @@ void TrajectoryFigure::setEntries() {
 
 /// As many numbers as there is room for, the first and the last at the axis' ends.
 void TrajectoryFigure::endOnTicks(JointPlot& plot) const {
-  constexpr double kPitch = 1.2;     // of numbers, in their heights
-  constexpr double kPadding = 0.04;  // beyond the values, so that no line is cut
+  constexpr double kPitch = 1.2;    // of numbers, in their heights
+  constexpr double kPadding = 4.0;  // beyond the values, so that no line is cut or lies on the axis [px]
   if (!plot.drawn()) return;
   QCPAxis* axis = plot.axes()->axis(QCPAxis::atLeft);
   const double height = QFontMetricsF(axis->tickLabelFont()).height();
@@ -199,7 +199,7 @@ void TrajectoryFigure::endOnTicks(JointPlot& plot) const {
   const auto ticker = QSharedPointer<RoundTicker>::create();
   ticker->setFixedStep(ends.step);
   axis->setTicker(ticker);
-  const double padding = kPadding * values.size();
+  const double padding = kPadding * ends.range.size() / std::max(plot.axes()->height(), 1);
   axis->setRange(std::min(ends.range.lower, values.lower - padding),
                  std::max(ends.range.upper, values.upper + padding));
 }
