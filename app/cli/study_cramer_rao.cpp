@@ -138,6 +138,7 @@ void addCramerRaoStudy(CLI::App& study, ExitCode& exit) {
   command->add_flag_callback(
       "--no-images", [options] { options->noise.images = false; }, "tip positions instead of pictures");
   command->add_option("--seed", bound.seed, "of runs and trials")->capture_default_str();
+  arguments->keeps = false;
   addStudyOptions(*command, *arguments, bound.threads, "runs");
   command->footer(
       "Examples:\n"

@@ -10,7 +10,9 @@ void addStudyOptions(CLI::App& command, StudyArguments& arguments, int& threads,
   command.add_option("--threads", threads, trials + " at the same time")
       ->capture_default_str()
       ->check(CLI::Range(1, 64));
-  command.add_option("--out", arguments.out, "folder that keeps finished " + trials + " and the tables");
+  command.add_option(
+      "--out", arguments.out,
+      arguments.keeps ? "folder that keeps finished " + trials + " and the tables" : "folder for the tables");
   command.add_option("--json", arguments.json, "result as JSON, SI: a file, or - for standard output");
 }
 

@@ -13,8 +13,9 @@ namespace capstan::cli {
 
 /// What every study's command is asked beside its own options.
 struct StudyArguments {
-  std::string out;   ///< --out: a folder that keeps finished trials and the tables; empty: none
-  std::string json;  ///< --json
+  std::string out;    ///< --out: a folder for the tables, and for finished trials; empty: none
+  std::string json;   ///< --json
+  bool keeps = true;  ///< finished trials are kept in `out`, so that a study goes on where it was stopped
 };
 
 /// Declares --threads, --out and --json. `trials`: what runs side by side and is kept, as in "worlds".
@@ -48,7 +49,8 @@ ExitCode runStudy(const StudyArguments& arguments, const std::string& name, Run&
   }();
   for (const std::string& text : study.notices) notice(text);
   if (study.cancelled)
-    notice(arguments.out.empty() ? "cancelled" : "cancelled: the same command goes on from here");
+    notice(arguments.out.empty() || !arguments.keeps ? "cancelled"
+                                                     : "cancelled: the same command goes on from here");
   if (study.cancelled && !done(study)) return kFailed;
   writeStudy(arguments, name, report(study));
   return study.cancelled ? kFailed : kOk;
