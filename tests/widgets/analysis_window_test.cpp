@@ -74,8 +74,11 @@ TEST_F(AnalysisWindow, TakesInTheSessionSoFar) {
   }
   for (const char* theme : {"dark", "light"}) {
     window_->setThemeNamed(theme);
-    QTest::qWait(300);
-    test::grab(*window_, QStringLiteral("analysis_window_%1").arg(theme));
+    for (const QSize& size : {QSize(1280, 800), QSize(1920, 1080)}) {
+      window_->resize(size);
+      QTest::qWait(300);
+      test::grab(*window_, QStringLiteral("analysis_window_%1_%2").arg(size.width()).arg(theme));
+    }
   }
   window_->action("analyse")->trigger();
   EXPECT_TRUE(window_->figure().isVisible());
