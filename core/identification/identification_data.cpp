@@ -5,6 +5,7 @@
 
 #include "core/estimation/occlusion_gate.h"
 #include "core/stats/quantile.h"
+#include "core/tracking/encoder_watch.h"
 
 namespace capstan::identification {
 namespace {
@@ -13,7 +14,6 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr std::size_t kFewestTriples = 30;
-constexpr double kCount = 2e-3;  // [rad], within which an encoder stands still (tracking::EncoderWatch)
 constexpr double kSecondDifference = 6.0;  // variance of n₁ − 2 n₂ + n₃ by that of n
 
 /// Second difference of tip − tip_kin and the observation in its middle.
@@ -139,7 +139,8 @@ void DataCollector::leaveOutFrozen(const tracking::Snapshot& snapshot) {
     failed_[i] = snapshot.motor_failed[i];
     if (failed_[i] != tracking::MotorFault::kFrozen) continue;
     const auto motor = static_cast<Eigen::Index>(i);
-    while (!motors.t.empty() && std::abs(motors.position.back()(motor) - snapshot.q_motor(motor)) <= kCount) {
+    const double still = tracking::stillWithin(data_.robot.drives[i]);
+    while (!motors.t.empty() && std::abs(motors.position.back()(motor) - snapshot.q_motor(motor)) <= still) {
       motors.t.pop_back();
       motors.position.pop_back();
       motors.velocity.pop_back();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/robot/transmission.h"
 
@@ -11,7 +12,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kCount = 2e-3;  // [rad], a count of an encoder with 4000 a turn and a little more
 constexpr double kSigmas = 3.0;  // of noise, which chance does not bring several times in a row
 
 Vector3d motorsAtRangeMiddle(const robot::Description& robot) {
@@ -25,9 +25,15 @@ Vector3d motorsAtRangeMiddle(const robot::Description& robot) {
 
 }  // namespace
 
+double stillWithin(const robot::Drive& drive) {
+  constexpr double kCounts = 1.25;
+  return kCounts * 2.0 * std::numbers::pi / drive.encoder_counts;
+}
+
 EncoderWatch::EncoderWatch(const robot::Description& robot, const TrackingOptions& options)
     : coupling_(robot::Transmission(robot).coupling()),
       held_(motorsAtRangeMiddle(robot)),
+      still_within_(stillWithin(robot.drives[0]), stillWithin(robot.drives[1]), stillWithin(robot.drives[2])),
       tolerance_(options.frozen_tolerance),
       believable_(options.jump_tolerance),
       speed_(options.unknown_speed),
@@ -67,7 +73,7 @@ void EncoderWatch::declare(int motor, bool failed) {
 
 void EncoderWatch::watchStill(int motor, double t, double position) {
   Still& still = still_[static_cast<std::size_t>(motor)];
-  if (still.valid && std::abs(position - still.position) <= kCount) return;
+  if (still.valid && std::abs(position - still.position) <= still_within_(motor)) return;
   still = {};
   still.valid = true;
   still.position = position;

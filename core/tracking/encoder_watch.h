@@ -12,6 +12,9 @@
 
 namespace capstan::tracking {
 
+/// A motor that has moved by less stands still [rad]: a count of its encoder and a quarter.
+double stillWithin(const robot::Drive& drive);
+
 /// Tells motor encoders that can be believed from those that cannot.
 ///
 /// Lost: the sample holds no finite position. Up to `lost_after` seconds that is a gap, and the encoder is
@@ -70,7 +73,8 @@ class EncoderWatch {
   bool isContinuous(const Seen& now) const;
 
   Eigen::Matrix3d coupling_;
-  Eigen::Vector3d held_;  ///< last known q_m [rad]
+  Eigen::Vector3d held_;          ///< last known q_m [rad]
+  Eigen::Vector3d still_within_;  ///< [rad]
   Eigen::Vector3d tolerance_, believable_, speed_;
   bool detect_;
   double lost_after_, restart_gap_, longest_gap_;
