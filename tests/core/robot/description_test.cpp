@@ -87,10 +87,11 @@ TEST(RobotFile, numberOutOfRangeNamesFileLineKeyValueAndRange) {
 }
 
 TEST(RobotFile, unknownAndMissingKeysAreRefused) {
-  EXPECT_THAT(faultOf(replaced(leftText(), "    max_speed:", "    top_speed:")).key, HasSubstr("joints[0]."));
-  const base::InputFault missing =
-      faultOf(replaced(leftText(), "gravity: [-9.81, 0.0, 0.0]", "name_of_gravity: 1"));
-  EXPECT_EQ(missing.key, "gravity");
+  EXPECT_EQ(faultOf(replaced(leftText(), "    max_speed:", "    top_speed:")).key, "joints[0].top_speed");
+  const base::InputFault misspelt = faultOf(replaced(leftText(), "gravity: [", "gravty: ["));
+  EXPECT_EQ(misspelt.key, "gravty");
+  EXPECT_EQ(misspelt.remedy, "Did you mean gravity?");
+  EXPECT_EQ(faultOf(replaced(leftText(), "gravity: [-9.81, 0.0, 0.0]", "")).key, "gravity");
 }
 
 TEST(RobotFile, jointTypeIsSpelled) {

@@ -155,7 +155,9 @@ TEST(StereoRig, RefusesBrokenFilesWithPlaceAndRemedy) {
   EXPECT_EQ(fault.key, "image_width");
   EXPECT_EQ(fault.line, 1);
 
-  EXPECT_EQ(faultOf(left, replaced(right, "camera_matrix", "kamera_matrix")).key, "camera_matrix");
+  fault = faultOf(left, replaced(right, "camera_matrix", "kamera_matrix"));
+  EXPECT_EQ(fault.key, "kamera_matrix");
+  EXPECT_EQ(fault.remedy, "Did you mean camera_matrix?");
   EXPECT_EQ(faultOf(left, replaced(right, "image_height: 480", "image_height: 240")).key, "image_width");
 
   fault = faultOf(right, left);
