@@ -53,12 +53,15 @@ Goal parameterGoal(const IdentificationResult& result, const IdentifiedParameter
   return goal;
 }
 
+/// What the pulley is, where it was not known before: an experiment on top of another's robot leaves it
+/// there.
 void identificationGoals(const Results& results, std::vector<Goal>& goals) {
   if (!results.identification) return;
+  const bool from_nominal = results.identification->inputs.robot == results.identification->inputs.nominal;
   for (const IdentifiedParameter& parameter : results.identification->parameters) {
     if (!std::isfinite(parameter.truth)) continue;
     const std::string kind = parameter.name.substr(0, 3);
-    if (parameter.name == "r_l1")
+    if (parameter.name == "r_l1" && from_nominal)
       goals.push_back(parameterGoal(*results.identification, parameter, kRadiusGoal));
     else if (kind == "k_e" || kind == "b_e")
       goals.push_back(

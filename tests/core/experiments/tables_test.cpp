@@ -164,6 +164,9 @@ TEST(Comparison, GoalsAreComputed) {
   EXPECT_TRUE(met(identified("B", "b_e2", 100.0, 114.9, true)));
   EXPECT_FALSE(met(identified("B", "b_e2", 100.0, 115.1, true)));
   EXPECT_TRUE(met(identified("B", "b_e1", 100.0, 300.0, false)));
+  Results known = identified("B", "r_l1", 0.059, 0.05910, false);
+  known.identification->inputs.robot = "identified before";
+  EXPECT_TRUE(goalsOf({known}, published).empty()) << "its pulley was A's affair";
 
   const std::vector<Goal> c = goalsOf({paperTrials(published, 0.0899)}, published);
   ASSERT_EQ(c.size(), 6U);  // the paper's errors are the paper's
