@@ -59,7 +59,8 @@ struct JointTruth {
   static void visit(Self& self, Visitor&& field) {
     field(self.link_radius,
           {"link_radius", "m/rad or m/m", "effective r_l; absent: nominal", {1e-4, 10.0}, false});
-    field(self.stiffness_factor, {"stiffness_factor", "", "cable stiffness by nominal", {0.005, 10.0}, false});
+    field(self.stiffness_factor,
+          {"stiffness_factor", "", "cable stiffness by nominal", {0.005, 10.0}, false});
     field(self.damping_factor, {"damping_factor", "", "cable damping by nominal", {0.05, 10.0}, false});
     field(self.hysteresis, {"hysteresis", "", "Bouc-Wen hysteresis of the cable", {}, false});
     field(self.stribeck, {"stribeck", "", "Stribeck friction of the joint", {}, false});
