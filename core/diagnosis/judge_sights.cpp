@@ -1,0 +1,70 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/diagnosis/channel_noise.h"
+#include "core/diagnosis/recorded_tracks.h"
+#include "core/robot/kinematics.h"
+#include "core/robot/transmission.h"
+#include "core/stats/quantile.h"
+
+namespace capstan::diagnosis {
+namespace {
+
+constexpr std::size_t kAbout = 3;  // sights on either side
+constexpr double kFarthest = 8.0;
+constexpr double kNeverAnOutlier = 1e-3;  // [m]
+
+robot::JointVector vectorAt(const Columns& columns, double row) {
+  robot::JointVector values(static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t j = 0; j < columns.size(); ++j)
+    values(static_cast<Eigen::Index>(j)) = Evidence::at(columns[j], row);
+  return values;
+}
+
+/// Where the joints put the tip; the origin where nothing tells them.
+Eigen::Vector3d tipOfJoints(const Evidence& evidence, const robot::Chain& chain,
+                            const robot::Transmission* transmission, double row) {
+  if (evidence.hasEncoders()) {
+    const robot::JointVector q = vectorAt(evidence.q, row);
+    if (q.allFinite()) return chain.marker(q);
+  }
+  if (!transmission) return Eigen::Vector3d::Zero();
+  return chain.marker(transmission->jointFromMotor(vectorAt(evidence.q_m, row)));
+}
+
+/// Deviations of each sight from the median of those about it.
+std::vector<double> deviations(const std::vector<double>& distance) {
+  std::vector<double> result;
+  for (std::size_t i = 0; i < distance.size(); ++i) {
+    const std::size_t begin = i - std::min(i, kAbout), end = std::min(distance.size(), i + kAbout + 1);
+    result.push_back(distance[i] - stats::median(std::span(distance).subspan(begin, end - begin)));
+  }
+  return result;
+}
+
+}  // namespace
+
+void judgeSights(Evidence& evidence, const robot::Description& robot) {
+  const robot::Chain chain(robot);
+  const bool motors = evidence.drive == DriveKind::kCable && !robot.drives.empty();
+  const std::optional<robot::Transmission> transmission =
+      motors ? std::optional<robot::Transmission>(robot) : std::nullopt;
+  std::array<std::vector<double>, 3> distance;
+  for (const TipSight& sight : evidence.tip) {
+    const Eigen::Vector3d d =
+        sight.position - tipOfJoints(evidence, chain, transmission ? &*transmission : nullptr, sight.row);
+    for (int axis = 0; axis < 3; ++axis) distance[static_cast<std::size_t>(axis)].push_back(d(axis));
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    evidence.noise.tip[axis] = {0.0, whiteNoise(distance[axis])};
+    const std::vector<double> away = deviations(distance[axis]);
+    std::vector<double> sizes(away);
+    for (double& x : sizes) x = std::abs(x);
+    const double spread = std::max(evidence.noise.tip[axis].sigma, stats::median(sizes) / 0.6745);
+    const double farthest = std::max(kNeverAnOutlier, kFarthest * spread);
+    for (std::size_t i = 0; i < sizes.size(); ++i)
+      if (sizes[i] > farthest) evidence.tip[i].counts = false;
+  }
+}
+
+}  // namespace capstan::diagnosis
