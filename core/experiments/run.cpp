@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/experiments/identify_trials.h"
 #include "core/experiments/results_json.h"
+#include "core/experiments/same_recording.h"
 #include "core/experiments/track_trial.h"
 #include "core/experiments/trial_setup.h"
 #include "core/experiments/trial_store.h"
@@ -66,6 +67,25 @@ double weightOf(const Specification& specification) {
   return specification.work == Work::kIdentify ? 2.0 * sum : sum;
 }
 
+/// A recording counts once: in an identification at all, among trials that are tracked with one occlusion.
+void checkRepeats(const Specification& specification) {
+  const std::vector<TrialSpec>& trials = specification.trials;
+  const auto counted = [&](const TrialSpec& a, const TrialSpec& b) {
+    const bool alike = a.occlusion.percentage == b.occlusion.percentage &&
+                       (a.occlusion.percentage == 0.0 || a.occlusion.interval == b.occlusion.interval);
+    return (specification.work == Work::kIdentify || alike) && !a.recording.empty() && !b.recording.empty() &&
+           sameRecording(specification.resolved(a.recording), specification.resolved(b.recording));
+  };
+  for (std::size_t i = 0; i < trials.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (counted(trials[j], trials[i]))
+        throw base::InputError(
+            {specification.file.string(), specification.lineOf(trials[i].name, "recording"),
+             fmt::format("trial {}: recording", trials[i].name), trials[i].recording,
+             fmt::format("is the recording of trial {}, too: it would count twice", trials[j].name),
+             "Give each recording once"});
+}
+
 /// Reads every file of `specification`, so that what is wrong with one shows before hours of other work.
 void checkFiles(const Specification& specification, const RunOptions& options) {
   const RobotBelief belief = beliefOf(specification, {});
@@ -74,6 +94,7 @@ void checkFiles(const Specification& specification, const RunOptions& options) {
     const TrialSetup setup = setUpTrial(specification, trial, belief, images, options.software);
     if (specification.work == Work::kIdentify) (void)setUpIdentification(specification, setup.table_robot);
   }
+  checkRepeats(specification);
 }
 
 /// One experiment, what it builds on at hand.

@@ -304,6 +304,38 @@ TEST_F(Experiments, AFileThatIsNotThereIsNamedByTheSpecificationsLine) {
   check("trials:\n  - {name: a, trajectory: nowhere.yaml}\n", 5, "trial a: trajectory", "nowhere.yaml");
 }
 
+// The same motion again says nothing new: an identification, or the mean of trials, would be too sure of
+// itself.
+TEST_F(Experiments, ARecordingThatIsGivenTwiceIsRefused) {
+  for (const char* name : {"a.csv", "copy.csv"}) base::writeTextFile(folder_ / name, "t,q_m1,q_m2,q_m3\n");
+  base::writeTextFile(folder_ / "other.csv", "t,q_m1,q_m2,q_m4\n");  // as many bytes
+  fs::create_symlink(folder_ / "a.csv", folder_ / "link.csv");
+  const auto faultOf = [&](const std::string& work, const std::string& second) {
+    const std::string text =
+        "name: bad\nwork: " + work +
+        "\ntrials:\n  - {name: one, recording: a.csv}\n  - {name: two, recording: " + second + "}\n";
+    try {
+      (void)runIn("bad", parseSpecification(text, folder_ / "bad.yaml"));
+    } catch (const base::InputError& error) {
+      return error.fault();
+    }
+    return base::InputFault{};
+  };
+  for (const char* work : {"identify", "track"})
+    for (const char* second : {"a.csv", "copy.csv", "link.csv"}) {
+      const base::InputFault fault = faultOf(work, second);
+      EXPECT_EQ(fault.reason, "is the recording of trial one, too: it would count twice") << work << second;
+      EXPECT_EQ(fault.key, "trial two: recording");
+      EXPECT_EQ(fault.value, second);
+      EXPECT_EQ(fault.line, 5);
+      EXPECT_FALSE(fault.remedy.empty());
+    }
+  const auto accepted = ::testing::Not(HasSubstr("twice"));
+  EXPECT_THAT(faultOf("track", "a.csv, occlusion: {percentage: 20}").reason, accepted);  // as experiment D
+  EXPECT_THAT(faultOf("identify", "a.csv, occlusion: {percentage: 20}").reason, HasSubstr("twice"));
+  EXPECT_THAT(faultOf("identify", "other.csv").reason, accepted);
+}
+
 TEST_F(Experiments, NumbersAndSeriesOfTwoRunsAreRefused) {
   std::string text = kTracking;
   text.replace(text.find("seed: 4"), 7, "seed: 6");
