@@ -1,0 +1,49 @@
+#pragma once
+
+#include "tests/support/planted/planted_sensors.h"
+
+namespace capstan::test {
+
+/// `effect` on joint i (from 0) as large as a robot that still works could have it; direction, phase, speed,
+/// time constant and so on drawn. `p`: the aged robot without effects.
+Planted largestPlausible(Effect effect, int i, const PlantParameters& p, const robot::Description& nominal,
+                         base::Random& random);
+
+/// Everyday texture of every joint: friction a few per cent stronger one way, in a cable drive a capstan
+/// some micrometres out of centre, a trace of Stribeck.
+std::vector<Planted> everydayTexture(const PlantParameters& p, base::Random& random);
+
+/// How much of an effect a reference would show: open-loop simulations over the motion of the robot without
+/// it.
+class Visibility {
+ public:
+  Visibility(const robot::Description& nominal, const PlantParameters& parameters,
+             const std::vector<Planted>& texture, const SensorOptions& sensors, PlantedMotion motion);
+
+  /// RMS of what the effect changes over RMS of noise and texture, of the channel (a joint encoder, the
+  /// cameras) that shows most of it.
+  double of(const Planted& planted);
+
+ private:
+  struct Change {
+    Joints joints{};   ///< RMS [rad or m]
+    double tip = 0.0;  ///< RMS [m]
+  };
+
+  PlantedMotion replayWith(const std::vector<Planted>& effects) const;
+  Change changeBy(const std::vector<Planted>& effects);
+
+  robot::Description nominal_;
+  PlantParameters parameters_;
+  SensorOptions sensors_;
+  PlantedMotion recorded_, plain_;
+  Change level_;
+};
+
+/// Visibility at size 1; just visible is a tenth of it.
+inline constexpr double kLargeVisibility = 10.0;
+
+/// `largest` with the magnitude at which it is kLargeVisibility visible, or as it is where it never is.
+Planted scaledToLarge(Planted largest, Visibility& visibility);
+
+}  // namespace capstan::test

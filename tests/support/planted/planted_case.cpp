@@ -1,0 +1,193 @@
+#include "tests/support/planted/planted_case.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "tests/support/planted/excitation.h"
+
+namespace capstan::test {
+namespace {
+
+constexpr double kCalibrationTime = 10.0;  // [s]
+
+/// The robot of one case and everything that moves it.
+class CaseRobot {
+ public:
+  explicit CaseRobot(const PlantedCase& from)
+      : case_(from),
+        ageing_(from.seed, "ageing"),
+        robot_(from.is_aged ? aged(from.robot, ageing_) : from.robot) {
+    base::Random texture(from.seed, "texture");
+    if (from.textured) texture_ = everydayTexture(PlantParameters(robot_, from.rigid), texture);
+    for (std::size_t k = 0; k < from.effects.size(); ++k) truth_.items.push_back(plant(k));
+    truth_.robot = robot_;
+    truth_.textured = from.textured;
+  }
+
+  const Truth& truth() const { return truth_; }
+
+  Recording record() const {
+    std::vector<Planted> effects = texture_;
+    PlantParameters parameters(robot_, case_.rigid);
+    for (const Truth::Item& item : truth_.items) {
+      effects.push_back(item.planted);
+      plantInParameters(item.planted, case_.robot, parameters);
+    }
+    Plant plant(parameters, effects);
+    const PlantedMotion motion = moved(plant, effects, case_.duration);
+    base::Random noise(case_.seed, "sensors");
+    return {sense(motion, case_.robot, effects, case_.sensors, noise), case_.robot, case_.rigid};
+  }
+
+ private:
+  PlantedMotion moved(Plant& plant, const std::vector<Planted>& effects, double duration) const {
+    base::Random way(case_.seed, "excitation"), push(case_.seed, "load");
+    const Excitation excitation(case_.robot, case_.duration, way);
+    const ExternalLoad load(case_.load, push);
+    return drive(
+        plant, case_.robot, effects, [&](double t) { return excitation.at(t); },
+        [&](double t) { return load.at(t); }, {duration, 1.0, case_.refinement});
+  }
+
+  Visibility& visibility() {
+    if (!visibility_) {
+      const PlantParameters parameters(robot_, case_.rigid);
+      Plant plain(parameters, {});
+      visibility_.emplace(case_.robot, parameters, texture_, case_.sensors,
+                          moved(plain, {}, std::min(kCalibrationTime, case_.duration)));
+    }
+    return *visibility_;
+  }
+
+  Truth::Item plant(std::size_t k) {
+    const ChosenEffect& chosen = case_.effects[k];
+    base::Random random(case_.seed, k == 0 ? "first effect" : "second effect");
+    Truth::Item item;
+    item.effect = factsOf(chosen.effect).name;
+    item.joint = chosen.joint;
+    item.size = chosen.size;
+    const int joint = std::max(chosen.joint - 1, 0);
+    const PlantParameters parameters(robot_, case_.rigid);
+    item.planted = largestPlausible(chosen.effect, joint, parameters, case_.robot, random);
+    item.planted = scaledToLarge(item.planted, visibility());
+    item.visibility = visibility().of(item.planted);
+    if (chosen.effect == Effect::kSensorSign)
+      item.planted.magnitude = chosen.size > 0.0 ? 1.0 : 0.0;
+    else
+      item.planted.magnitude *= chosen.size;
+    return item;
+  }
+
+  PlantedCase case_;
+  base::Random ageing_;
+  robot::Description robot_;
+  std::vector<Planted> texture_;
+  std::optional<Visibility> visibility_;
+  Truth truth_;
+};
+
+/// Coulomb friction moves a joint on its cable by so many RMS of its encoder's noise.
+double softness(const DrawOptions& options, int i) {
+  const PlantParameters p(options.robot, options.rigid);
+  const bool turns = options.robot.joints[static_cast<std::size_t>(i)].type == robot::JointType::kRevolute;
+  const double noise = (turns ? options.sensors.turn_count : options.sensors.slide_count) / std::sqrt(12.0);
+  return frictionStretch(p, i) / p.radius[i] / noise;
+}
+
+bool needsForce(Place place) {
+  return place == Place::kCable || place == Place::kFriction || place == Place::kOutside;
+}
+
+Effect drawEffect(const DrawOptions& options, bool covered, base::Random& random) {
+  std::vector<Effect> possible;
+  for (const EffectFacts& facts : allEffects())
+    if (facts.covered == covered && !jointsFor(facts.effect, options).empty())
+      possible.push_back(facts.effect);
+  return possible[random.bits() % possible.size()];
+}
+
+int drawJoint(Effect effect, const DrawOptions& options, base::Random& random) {
+  const std::vector<int> joints = jointsFor(effect, options);
+  if (joints.empty())
+    throw std::invalid_argument("effect " + std::string(factsOf(effect).name) +
+                                " makes no sense on this robot");
+  return joints[random.bits() % joints.size()];
+}
+
+double drawSize(base::Random& random) { return std::exp(random.uniform(std::log(0.1), 0.0)); }
+
+/// Loads of a case without sensor_sign say nothing about the effect: some have them, most have not.
+void drawLoad(PlantedCase& to, base::Random& random) {
+  const PlantParameters p(to.robot, to.rigid);
+  const double any = random.uniform(0.0, 1.0);
+  const double most = to.rigid ? 0.6 : 3.0;  // of Coulomb friction
+  for (int i = 0; i < p.size; ++i) {
+    const double size = drawSize(random);
+    if (any < 0.25) to.load[i] = most * size * p.coulomb[i];
+  }
+  to.sensors.load_cells = any < 0.25;
+  for (const ChosenEffect& chosen : to.effects)
+    if (chosen.effect == Effect::kSensorSign) {
+      to.sensors.load_cells = true;
+      to.load[chosen.joint - 1] = most * chosen.size * p.coulomb[chosen.joint - 1];
+    }
+}
+
+}  // namespace
+
+std::vector<int> jointsFor(Effect effect, const DrawOptions& options) {
+  const EffectFacts& facts = factsOf(effect);
+  if (options.rigid ? !facts.rigid : !facts.cable) return {};
+  if (facts.place == Place::kCamera && !options.sensors.cameras) return {};
+  if (effect == Effect::kEncoderDrift && !options.sensors.joint_encoders) return {};
+  if (effect == Effect::kGravityTilt && options.robot.gravity.norm() == 0.0) return {};
+  if (facts.whole) return {0};
+  std::vector<int> joints;
+  for (int i = 0; i < options.robot.size(); ++i) {
+    if (effect == Effect::kCableCoupling && i == 0) continue;
+    const bool of_force = needsForce(facts.place) || facts.place == Place::kBody;
+    if (!options.rigid && of_force && softness(options, i) < 5.0) continue;
+    joints.push_back(i + 1);
+  }
+  return joints;
+}
+
+PlantedCase draw(std::uint64_t seed, const DrawOptions& options) {
+  base::Random random(seed, "case");
+  PlantedCase drawn;
+  drawn.seed = seed;
+  drawn.robot = options.robot;
+  drawn.rigid = options.rigid;
+  drawn.sensors = options.sensors;
+  if (options.rigid) drawn.sensors.motor_encoders = drawn.sensors.motor_velocity = false;
+  const int count = options.effects.value_or(1);
+  for (int k = 0; k < count; ++k) {
+    ChosenEffect chosen;
+    const Effect free = drawEffect(options, !(options.uncovered && k == 0), random);
+    chosen.effect = k == 0 ? options.effect.value_or(free) : free;
+    if (k == 1 && free == drawn.effects.front().effect) chosen.effect = drawEffect(options, true, random);
+    chosen.joint = drawJoint(chosen.effect, options, random);
+    chosen.size = drawSize(random);
+    if (k == 0) {
+      chosen.joint = options.joint.value_or(chosen.joint);
+      chosen.size = options.size.value_or(chosen.size);
+    }
+    drawn.effects.push_back(chosen);
+  }
+  drawn.textured = options.textured.value_or(random.bits() % 2 == 0);
+  drawn.duration = options.duration.value_or(std::round(random.uniform(20.0, 40.0)));
+  drawLoad(drawn, random);
+  return drawn;
+}
+
+Recording record(const PlantedCase& planted_case) { return CaseRobot(planted_case).record(); }
+
+Truth truthOf(const PlantedCase& planted_case) { return CaseRobot(planted_case).truth(); }
+
+std::pair<Recording, Truth> recordWithTruth(const PlantedCase& planted_case) {
+  const CaseRobot robot(planted_case);
+  return {robot.record(), robot.truth()};
+}
+
+}  // namespace capstan::test
