@@ -27,7 +27,7 @@ class BlockSampler {
              "Give a shorter one, or 0 for the default");
     starts_ = options.blocks == Blocks::kCircular ? n : n - length_ + 1;
     indices_.resize(n);
-    if (pieces.size() > 1) cutAt(pieces);
+    if (!pieces.empty()) cutAt(pieces);
   }
 
   void draw(base::Random& random) {
@@ -51,19 +51,23 @@ class BlockSampler {
     std::size_t starts;      ///< starts of blocks in this piece and in those before it
   };
 
+  /// A single piece is the whole recording: it has no gap.
   void cutAt(const Pieces& lengths) {
-    std::size_t begin = 0;
-    starts_ = 0;
+    std::size_t begin = 0, starts = 0;
     for (const std::size_t length : lengths) {
       if (length == 0)
         refuse("pieces", "an empty one", "holds no sample", "Leave out pieces without samples");
-      starts_ += length + length_ - 1;
-      pieces_.push_back({begin, begin + length, starts_});
+      starts += length + length_ - 1;
+      pieces_.push_back({begin, begin + length, starts});
       begin += length;
     }
     if (begin != n_)
       refuse("pieces", fmt::format("{} samples", begin), fmt::format("are not the recording's {}", n_),
              "Give the length of each piece");
+    if (lengths.size() > 1)
+      starts_ = starts;
+    else
+      pieces_.clear();
   }
 
   void drawWithin(base::Random& random) {

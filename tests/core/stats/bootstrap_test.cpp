@@ -170,6 +170,14 @@ TEST(Bootstrap, SameSeedSameReport) {
   EXPECT_NE(run(1), run(2));
 }
 
+TEST(Bootstrap, OnePieceIsARecordingWithoutGaps) {
+  const auto replicates = [](const Pieces& pieces) {
+    base::Random random(7);
+    return bootstrap(kMichelson, mean, {.resamples = 50, .pieces = pieces}, random).replicates;
+  };
+  EXPECT_EQ(replicates({std::size(kMichelson)}), replicates({}));
+}
+
 TEST(Bootstrap, DefaultBlockLengthIsTheCubeRoot) {
   EXPECT_EQ(defaultBlockLength(1), 1U);
   EXPECT_EQ(defaultBlockLength(8), 2U);
@@ -189,6 +197,8 @@ TEST(Bootstrap, RefusesWhatHasNoAnswer) {
   EXPECT_THROW(bootstrap(three, mean, {.resamples = 1}, random), base::InputError);
   EXPECT_THROW(bootstrap(three, mean, {.pieces = {1, 1}}, random), base::InputError);
   EXPECT_THROW(bootstrap(three, mean, {.pieces = {3, 0}}, random), base::InputError);
+  for (const std::size_t length : {0U, 2U, 5U})
+    EXPECT_THROW(bootstrap(three, mean, {.pieces = {length}}, random), base::InputError) << length;
   EXPECT_THROW(bootstrap(three, mean, {.confidence = 1.5}, random), base::InputError);
   EXPECT_THROW(bootstrapDifference(three, broken, mean, {}, random), base::InputError);
   EXPECT_THROW(bootstrapPairedDifference(three, kMichelson, mean, {}, random), base::InputError);
