@@ -32,12 +32,16 @@ Eigen::Vector3d tipOfJoints(const Evidence& evidence, const robot::Chain& chain,
   return chain.marker(transmission->jointFromMotor(vectorAt(evidence.q_m, row)));
 }
 
-/// Deviations of each sight from the median of those about it.
-std::vector<double> deviations(const std::vector<double>& distance) {
+/// |Distance of each sight from the median of those about it|, but no more than from the cubic through the
+/// two on either side, which a smooth motion under a camera that lags obeys.
+std::vector<double> strayings(const std::vector<double>& d) {
   std::vector<double> result;
-  for (std::size_t i = 0; i < distance.size(); ++i) {
-    const std::size_t begin = i - std::min(i, kAbout), end = std::min(distance.size(), i + kAbout + 1);
-    result.push_back(distance[i] - stats::median(std::span(distance).subspan(begin, end - begin)));
+  for (std::size_t i = 0; i < d.size(); ++i) {
+    const std::size_t begin = i - std::min(i, kAbout), end = std::min(d.size(), i + kAbout + 1);
+    result.push_back(std::abs(d[i] - stats::median(std::span(d).subspan(begin, end - begin))));
+    if (i < 2 || i + 2 >= d.size()) continue;
+    const double cubic = (4.0 * (d[i - 1] + d[i + 1]) - d[i - 2] - d[i + 2]) / 6.0;
+    result.back() = std::min(result.back(), std::abs(d[i] - cubic));
   }
   return result;
 }
@@ -57,13 +61,11 @@ void judgeSights(Evidence& evidence, const robot::Description& robot) {
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
     evidence.noise.tip[axis] = {0.0, whiteNoise(distance[axis])};
-    const std::vector<double> away = deviations(distance[axis]);
-    std::vector<double> sizes(away);
-    for (double& x : sizes) x = std::abs(x);
-    const double spread = std::max(evidence.noise.tip[axis].sigma, stats::median(sizes) / 0.6745);
+    const std::vector<double> away = strayings(distance[axis]);
+    const double spread = std::max(evidence.noise.tip[axis].sigma, stats::median(away) / 0.6745);
     const double farthest = std::max(kNeverAnOutlier, kFarthest * spread);
-    for (std::size_t i = 0; i < sizes.size(); ++i)
-      if (sizes[i] > farthest) evidence.tip[i].counts = false;
+    for (std::size_t i = 0; i < away.size(); ++i)
+      if (away[i] > farthest) evidence.tip[i].counts = false;
   }
 }
 

@@ -32,8 +32,9 @@ std::vector<std::uint8_t> standsAtEnd(const std::vector<double>& column, const s
                                       double noise);
 
 /// Noise of the tips from their distance to where joints (encoders, or else the motors' transmission
-/// kinematics) put them, which takes the motion out; sights farther from the median of seven about them than
-/// eight times the spread (and a millimetre) no longer count.
+/// kinematics) put them, which takes the motion out; sights farther than eight times the spread (and a
+/// millimetre) from both the median of seven about them and the cubic through their neighbours no longer
+/// count.
 void judgeSights(Evidence& evidence, const robot::Description& robot);
 
 }  // namespace capstan::diagnosis
