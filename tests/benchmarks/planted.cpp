@@ -51,7 +51,7 @@ nlohmann::json jsonOf(const test::Truth& truth, std::uint64_t seed) {
         {{"effect", item.effect},
          {"joint", item.joint},
          {"size", item.size},
-         {"visibility_at_1", item.visibility},
+         {"visibility", item.visibility},
          {"magnitude", item.planted.magnitude},
          {"unit", test::factsOf(item.planted.effect).magnitude},
          {"signature", item.planted.signature},
@@ -74,7 +74,9 @@ int main(int argc, char** argv) {
   CLI::App app("Recordings of a robot with a planted fault");
   app.add_option("--effect", wanted.effect, "name of the effect, or none; unset: drawn");
   app.add_option("--joint", wanted.joint, "from 1; 0: the whole arm or a camera");
-  app.add_option("--size", wanted.size, "0 none, 0.1 just visible, 1 large")->check(CLI::Range(0.0, 1.0));
+  app.add_option("--size", wanted.size,
+                 "0 none, 0.1 just visible, 1 large, above: up to the largest plausible")
+      ->check(CLI::Range(0.0, 1e4));
   app.add_option("--seed", wanted.seed);
   app.add_option("--effects", wanted.effects, "how many")->check(CLI::Range(0, 2));
   app.add_option("--duration", wanted.duration, "s")->check(CLI::Range(1.0, 3600.0));

@@ -40,6 +40,20 @@ double inertiaAtRest(const PlantParameters& p, int i) {
   return chain.massMatrix()[i][i];
 }
 
+/// Largest stretch that gravity in any pose and twice the Coulomb friction make together [m].
+double peakStretch(const PlantParameters& p, int i) {
+  RigidChain chain = p.chain;
+  double gravity = 0.0;
+  for (int pose = 0; pose < 64; ++pose) {  // every joint walks over its range at a step of its own
+    Joints q{};
+    for (int j = 0; j < p.size; ++j)
+      q[j] = p.middle[j] + p.half_range[j] * std::cos(0.7 + pose * (1.0 + 0.37 * j));
+    chain.pose(q);
+    gravity = std::max(gravity, std::abs(chain.bias(Joints{})[i]));
+  }
+  return frictionStretch(p, i) * (2.0 + gravity / p.coulomb[i]);
+}
+
 double topSpeed(const robot::Description& robot, int i) {
   return robot.joints[static_cast<std::size_t>(i)].max_speed;
 }
@@ -93,7 +107,7 @@ void plausibleCable(Planted& e, const PlantParameters& p, base::Random& random) 
       break;
     case Effect::kSlack:
       e.magnitude = 1.3;
-      e.signature = 3.0 * stretch;  // pretension stretch of the sound pair
+      e.signature = 1.5 * peakStretch(p, i);  // pretension stretch of the sound pair
       break;
     case Effect::kCableHysteresis:
       e.magnitude = 2.0 * p.coulomb[i] / p.radius[i];
@@ -233,24 +247,34 @@ std::vector<Planted> everydayTexture(const PlantParameters& p, base::Random& ran
   return texture;
 }
 
-Planted scaledToLarge(Planted largest, Visibility& visibility) {
-  const double cap = std::abs(largest.magnitude);
-  if (largest.effect == Effect::kSensorSign || cap == 0.0) return largest;
-  double high = 1.0, seen_high = visibility.of(largest);  // as shares of the cap
-  if (seen_high <= kLargeVisibility) return largest;
-  const double top = largest.magnitude;
-  double share = kLargeVisibility / seen_high, power = 1.0;
-  for (int round = 0; round < 3; ++round) {  // secant on logarithms
-    largest.magnitude = top * share;
-    const double seen = visibility.of(largest);
-    if (seen > 0.7 * kLargeVisibility && seen < 1.4 * kLargeVisibility) break;
-    if (seen > 0.0 && share != high)
-      power = std::clamp(std::log(seen_high / seen) / std::log(high / share), 0.3, 4.0);
-    high = share;
-    seen_high = std::max(seen, 1e-3);
-    share = std::clamp(share * std::pow(kLargeVisibility / seen_high, 1.0 / power), 1e-5, 1.0);
+Sized sizedTo(double size, const Planted& largest, Visibility& visibility) {
+  if (size == 0.0) {
+    Planted none = largest;
+    none.magnitude = 0.0;
+    return {none, 0.0};
   }
-  return largest;
+  const double most = visibility.of(largest);
+  if (largest.effect == Effect::kSensorSign) return {largest, most};
+  const double wanted = size <= 1.0 ? size * std::min(kLargeVisibility, most) : size * kLargeVisibility;
+  if (wanted >= most) return {largest, most};
+  // Regula falsi on logarithms between shares of the largest that show too little and too much.
+  double low = 0.0, high = 1.0, seen_low = 0.0, seen_high = most;
+  Sized sized{largest, most};
+  for (int round = 0; round < 6 && !(sized.visibility > 0.8 * wanted && sized.visibility < 1.25 * wanted);
+       ++round) {
+    double share = high * wanted / seen_high;
+    if (seen_low > 0.0) {
+      const double power = std::log(high / low) / std::max(std::log(seen_high / seen_low), 1e-3);
+      share = low * std::pow(wanted / seen_low, power);
+    }
+    if (!(share > low + 0.02 * (high - low) && share < high - 0.02 * (high - low)))
+      share = low > 0.0 ? std::sqrt(low * high) : 0.5 * high;
+    sized.planted.magnitude = largest.magnitude * share;
+    sized.visibility = visibility.of(sized.planted);
+    (sized.visibility < wanted ? low : high) = share;
+    (sized.visibility < wanted ? seen_low : seen_high) = sized.visibility;
+  }
+  return sized;
 }
 
 }  // namespace capstan::test

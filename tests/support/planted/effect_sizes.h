@@ -40,10 +40,17 @@ class Visibility {
   Change level_;
 };
 
-/// Visibility at size 1; just visible is a tenth of it.
+/// Visibility at size 1; just visible, 1, is a tenth of it.
 inline constexpr double kLargeVisibility = 10.0;
 
-/// `largest` with the magnitude at which it is kLargeVisibility visible, or as it is where it never is.
-Planted scaledToLarge(Planted largest, Visibility& visibility);
+struct Sized {
+  Planted planted;
+  double visibility = 0.0;
+};
+
+/// `largest` made so much smaller that its visibility is `size` times kLargeVisibility, within a quarter;
+/// where the largest plausible one shows less than that, up to size 1 `size` times what it shows. Nothing is
+/// left of it at size 0. sensor_sign stays as it is.
+Sized sizedTo(double size, const Planted& largest, Visibility& visibility);
 
 }  // namespace capstan::test

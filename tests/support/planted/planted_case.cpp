@@ -9,7 +9,7 @@
 namespace capstan::test {
 namespace {
 
-constexpr double kCalibrationTime = 10.0;  // [s]
+constexpr double kCalibrationTime = 8.0;  // [s]
 
 /// The robot of one case and everything that moves it.
 class CaseRobot {
@@ -19,7 +19,7 @@ class CaseRobot {
         ageing_(from.seed, "ageing"),
         robot_(from.is_aged ? aged(from.robot, ageing_) : from.robot) {
     base::Random texture(from.seed, "texture");
-    if (from.textured) texture_ = everydayTexture(PlantParameters(robot_, from.rigid), texture);
+    texture_ = everydayTexture(PlantParameters(robot_, from.rigid), texture);
     for (std::size_t k = 0; k < from.effects.size(); ++k) truth_.items.push_back(plant(k));
     truth_.robot = robot_;
     truth_.textured = from.textured;
@@ -28,7 +28,8 @@ class CaseRobot {
   const Truth& truth() const { return truth_; }
 
   Recording record() const {
-    std::vector<Planted> effects = texture_;
+    std::vector<Planted> effects;
+    if (case_.textured) effects = texture_;
     PlantParameters parameters(robot_, case_.rigid);
     for (const Truth::Item& item : truth_.items) {
       effects.push_back(item.planted);
@@ -69,20 +70,17 @@ class CaseRobot {
     item.size = chosen.size;
     const int joint = std::max(chosen.joint - 1, 0);
     const PlantParameters parameters(robot_, case_.rigid);
-    item.planted = largestPlausible(chosen.effect, joint, parameters, case_.robot, random);
-    item.planted = scaledToLarge(item.planted, visibility());
-    item.visibility = visibility().of(item.planted);
-    if (chosen.effect == Effect::kSensorSign)
-      item.planted.magnitude = chosen.size > 0.0 ? 1.0 : 0.0;
-    else
-      item.planted.magnitude *= chosen.size;
+    const Sized sized = sizedTo(
+        chosen.size, largestPlausible(chosen.effect, joint, parameters, case_.robot, random), visibility());
+    item.planted = sized.planted;
+    item.visibility = sized.visibility;
     return item;
   }
 
   PlantedCase case_;
   base::Random ageing_;
   robot::Description robot_;
-  std::vector<Planted> texture_;
+  std::vector<Planted> texture_;  ///< the measure of sizes, whether this case has it or not
   std::optional<Visibility> visibility_;
   Truth truth_;
 };
@@ -93,6 +91,15 @@ double softness(const DrawOptions& options, int i) {
   const bool turns = options.robot.joints[static_cast<std::size_t>(i)].type == robot::JointType::kRevolute;
   const double noise = (turns ? options.sensors.turn_count : options.sensors.slide_count) / std::sqrt(12.0);
   return frictionStretch(p, i) / p.radius[i] / noise;
+}
+
+/// Three times the inertia shows three times the noise in the stretch of the cable.
+bool inertiaShows(const DrawOptions& options, int i) {
+  const PlantParameters p(options.robot, options.rigid);
+  RigidChain chain = p.chain;
+  chain.pose(p.middle);
+  const double acceleration = 0.4 * options.robot.joints[static_cast<std::size_t>(i)].max_speed;  // times 1/s
+  return 3.0 * chain.massMatrix()[i][i] * acceleration / p.coulomb[i] * softness(options, i) > 3.0;
 }
 
 bool needsForce(Place place) {
@@ -121,7 +128,7 @@ double drawSize(base::Random& random) { return std::exp(random.uniform(std::log(
 void drawLoad(PlantedCase& to, base::Random& random) {
   const PlantParameters p(to.robot, to.rigid);
   const double any = random.uniform(0.0, 1.0);
-  const double most = to.rigid ? 0.6 : 3.0;  // of Coulomb friction
+  const double most = to.rigid ? 0.3 : 1.0;  // of Coulomb friction
   for (int i = 0; i < p.size; ++i) {
     const double size = drawSize(random);
     if (any < 0.25) to.load[i] = most * size * p.coulomb[i];
@@ -130,7 +137,7 @@ void drawLoad(PlantedCase& to, base::Random& random) {
   for (const ChosenEffect& chosen : to.effects)
     if (chosen.effect == Effect::kSensorSign) {
       to.sensors.load_cells = true;
-      to.load[chosen.joint - 1] = most * chosen.size * p.coulomb[chosen.joint - 1];
+      to.load[chosen.joint - 1] = 0.3 * most * chosen.size * p.coulomb[chosen.joint - 1];
     }
 }
 
@@ -148,6 +155,7 @@ std::vector<int> jointsFor(Effect effect, const DrawOptions& options) {
     if (effect == Effect::kCableCoupling && i == 0) continue;
     const bool of_force = needsForce(facts.place) || facts.place == Place::kBody;
     if (!options.rigid && of_force && softness(options, i) < 5.0) continue;
+    if (!options.rigid && effect == Effect::kInertia && !inertiaShows(options, i)) continue;
     joints.push_back(i + 1);
   }
   return joints;

@@ -45,8 +45,9 @@ struct Truth {
     std::string effect;
     int joint = 0;  ///< counts from 1; 0: the whole arm or a camera
     double size = 0.0;
-    double visibility = 0.0;  ///< at size 1, in RMS of noise and texture
-    Planted planted;          ///< planted.joint and planted.other count from 0
+    double visibility =
+        0.0;          ///< RMS of what it changes in an open-loop simulation over that of noise and texture
+    Planted planted;  ///< planted.joint and planted.other count from 0
   };
   std::vector<Item> items;
   robot::Description robot;  ///< aged

@@ -66,11 +66,29 @@ Joints RigidChain::recursion(const Joints& dq, const Joints& ddq, const Vector3d
 
 RigidChain::Matrix RigidChain::massMatrix() const {
   Matrix m{};
-  for (int j = 0; j < size_; ++j) {
-    Joints unit{};
-    unit[j] = 1.0;
-    const Joints column = recursion(Joints{}, unit, Vector3d::Zero());
-    for (int i = 0; i <= j; ++i) m[i][j] = m[j][i] = column[i];
+  std::array<Vector3d, kMostJoints> force, moment;
+  for (int j = 0; j < size_; ++j) {  // unit acceleration of joint j alone: links before it stand still
+    Vector3d a = Vector3d::Zero(), dw = Vector3d::Zero();
+    (bodies_[j].turns ? dw : a).z() = 1.0;
+    for (int i = j; i < size_; ++i) {
+      const Body& b = bodies_[i];
+      if (i > j) {
+        a = rotation_[i].transpose() * (a + dw.cross(origin_[i]));
+        dw = rotation_[i].transpose() * dw;
+      }
+      force[i] = b.mass * (a + dw.cross(b.centre));
+      moment[i] = b.inertia * dw + b.centre.cross(force[i]);
+    }
+    Vector3d f = Vector3d::Zero(), n = Vector3d::Zero();
+    for (int i = size_ - 1; i >= 0; --i) {
+      if (i >= j) {
+        f += force[i];
+        n += moment[i];
+      }
+      if (i <= j) m[i][j] = m[j][i] = bodies_[i].turns ? n.z() : f.z();
+      f = rotation_[i] * f;
+      n = rotation_[i] * n + origin_[i].cross(f);
+    }
   }
   return m;
 }
