@@ -41,6 +41,21 @@ BetweenBins betweenBins(const std::vector<BinMean>& means, double of_block) {
   return between;
 }
 
+/// A bin that the fitted half never visited goes with the nearest one that it did.
+void takeFromNeighbours(const std::vector<BinMean>& means, Prediction& prediction) {
+  const std::size_t n = means.size();
+  for (std::size_t b = 0; b < n; ++b)
+    for (std::size_t away = 1; away < n && means[b].worth == 0.0; ++away) {
+      const bool below = b >= away && means[b - away].worth > 0.0;
+      const bool above = b + away < n && means[b + away].worth > 0.0;
+      if (!below && !above) continue;
+      const double low = prediction.bins[below ? b - away : b + away];
+      const double high = prediction.bins[above ? b + away : b - away];
+      prediction.bins[b] = 0.5 * (low + high);
+      break;
+    }
+}
+
 Prediction fit(const BlockTable& table, const std::vector<bool>& member) {
   const std::vector<BinMean> means = binMeans(table, member);
   Cell all;
@@ -57,6 +72,7 @@ Prediction fit(const BlockTable& table, const std::vector<bool>& member) {
     const double centre = between.variance > 0.0 ? between.centre : prediction.mean;
     prediction.bins[b] = exact ? means[b].mean : centre + keep * (means[b].mean - centre);
   }
+  takeFromNeighbours(means, prediction);
   return prediction;
 }
 

@@ -8,12 +8,11 @@
 
 #include "core/base/error.h"
 #include "core/diagnosis/block_table.h"
-#include "core/stats/quantile.h"
 
 namespace capstan::diagnosis {
 namespace {
 
-constexpr std::size_t kForQuantiles = 5000;  // samples that edges are taken from
+constexpr std::size_t kForEdges = 5000;  // samples that bins are laid out by
 
 std::vector<double> equallyWide(double low, double high, std::size_t bins) {
   std::vector<double> edges;
@@ -22,17 +21,31 @@ std::vector<double> equallyWide(double low, double high, std::size_t bins) {
   return edges;
 }
 
-std::vector<double> equallyFull(const std::vector<double>& values, std::size_t bins) {
-  std::vector<double> some, shares;
-  const std::size_t stride = std::max<std::size_t>(1, values.size() / kForQuantiles);
+/// Half by width and half by filling: equal steps of the mean of (x − low) / (high − low) and the share of
+/// samples below x.
+std::vector<double> balanced(const std::vector<double>& values, std::size_t bins) {
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  const double low = *least, high = *most;
+  if (!(low < high)) return {low, low + 1.0};
+  std::vector<double> some;
+  const std::size_t stride = std::max<std::size_t>(1, values.size() / kForEdges);
   for (std::size_t i = 0; i < values.size(); i += stride) some.push_back(values[i]);
-  for (std::size_t b = 0; b <= bins; ++b)
-    shares.push_back(static_cast<double>(b) / static_cast<double>(bins));
-  std::vector<double> edges = stats::quantiles(some, shares);
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  edges.front() = *low, edges.back() = *high;
+  std::sort(some.begin(), some.end());
+  std::vector<double> edges{low};
+  double x = low, reached = 0.0;
+  for (std::size_t i = 0; i <= some.size(); ++i) {
+    const double next = i < some.size() ? some[i] : high;
+    const double share = 0.5 * (next - low) / (high - low) +
+                         0.5 * std::min(1.0, static_cast<double>(i + 1) / static_cast<double>(some.size()));
+    for (double due; (due = static_cast<double>(edges.size()) / static_cast<double>(bins)) < 1.0 - 1e-9 &&
+                     due <= share;) {
+      const double part = share > reached ? (due - reached) / (share - reached) : 1.0;
+      edges.push_back(x + part * (next - x));
+    }
+    x = next, reached = share;
+  }
+  edges.push_back(high);
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  if (edges.size() < 2) edges.push_back(edges.front() + 1.0);
   return edges;
 }
 
@@ -43,7 +56,7 @@ std::vector<double> edgesOf(const Variable& variable, const std::vector<double>&
     const double low = values.front(), high = values.back();
     return equallyWide(low, high > low ? high : low + 1.0, bins);
   }
-  return equallyFull(values, bins);
+  return balanced(values, bins);
 }
 
 /// Which stretch of the recording a block lies in.

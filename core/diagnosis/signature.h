@@ -35,7 +35,8 @@ struct Signature {
   ///     1 − Σ (e − p)² / Σ (e − ē)²,
   /// p the bins' means and ē the mean of every other stretch of time, scored on those between, both ways
   /// round. Means are drawn towards their common one by what the spread of the blocks makes of them (random
-  /// effects, DerSimonian and Laird 1986), so that noise alone gives about 0, at times a little less.
+  /// effects, DerSimonian and Laird 1986), and a bin never visited there takes its neighbours', so that noise
+  /// alone gives about 0, at times a little less.
   double share = 0.0;
   double share_sigma = 0.0;  ///< standard deviation of `share`, from stretch to stretch
 };
@@ -44,10 +45,11 @@ struct SignatureOptions {
   std::size_t bins = 24;  ///< at most; directions have three
 };
 
-/// The signature of `channel` against `variable`, whose bins hold equally many samples; those of an angle and
-/// of time are equally wide. `blocks` of timeBlocks(channel). Scored in stretches of a block or a
-/// kStretches-th of the recording, whichever is longer; time in as many bins as pairs of these.
-/// base::InputError: fewer than two bins asked for. A channel without samples gives no bins and share 0.
+/// The signature of `channel` against `variable`. Bins of angles and of time are equally wide; the others
+/// stand half way between equally wide and equally full. `blocks` of timeBlocks(channel). Scored in stretches
+/// of a block or a kStretches-th of the recording, whichever is longer; time in as many bins as pairs of
+/// these. base::InputError: fewer than two bins asked for. A channel without samples gives no bins and share
+/// 0.
 Signature signatureOf(const Channel& channel, const TimeBlocks& blocks, const Variable& variable,
                       const SignatureOptions& options = {});
 inline constexpr double kStretches = 12.0;
