@@ -115,6 +115,12 @@ std::unique_ptr<Figure> ConvergenceFigure::copy() const { return std::make_uniqu
 
 QString ConvergenceFigure::words(const ConvergencePanel& panel) const {
   QStringList parts;
+  if (!panel.seen) {
+    parts << tr("not seen");
+    if (panel.truth)
+      parts << tr("truth %1").arg(significantText(*panel.truth, 4)) + QLatin1Char(' ') + panel.unit;
+    return unbroken(parts.join(QStringLiteral(", ")));
+  }
   if (const auto last = lastOf(panel))
     parts << uncertainText(panel.value[*last], 2.0 * panel.sigma[*last]) + QLatin1Char(' ') + panel.unit;
   if (panel.truth) parts << tr("truth %1").arg(significantText(*panel.truth, 4));

@@ -16,6 +16,7 @@ struct ConvergencePanel {
   double nominal = 0.0;
   std::optional<double> truth = {};       ///< where it is known
   std::optional<double> settled_at = {};  ///< [s]; none: it did not settle
+  bool seen = true;                       ///< false: the motion does not show it, its value says nothing
 };
 
 struct ConvergenceData {

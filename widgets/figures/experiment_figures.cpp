@@ -213,7 +213,8 @@ ConvergencePanel panelOf(const Results& results, std::size_t index) {
   ConvergencePanel panel{.title = fromUtf8(parameter.words) + QStringLiteral(", ") + fromUtf8(parameter.name),
                          .unit = fromUtf8(parameter.unit),
                          .nominal = parameter.nominal * parameter.scale,
-                         .settled_at = parameter.settled_at};
+                         .settled_at = parameter.settled_at,
+                         .seen = parameter.dual_ukf.seen};
   if (std::isfinite(parameter.truth)) panel.truth = parameter.truth * parameter.scale;
   for (const auto& point : identification.trace) {
     panel.t.push_back(point.t);
@@ -223,10 +224,16 @@ ConvergencePanel panelOf(const Results& results, std::size_t index) {
   return panel;
 }
 
+/// The paper's experiments have a title that says more than their letter.
+QString whatIsIdentified(const Results& results) {
+  return results.title.empty() || !experiments::isPapers(results) ? QObject::tr("identified parameters")
+                                                                  : fromUtf8(results.title);
+}
+
 std::unique_ptr<Figure> parametersOver(const Results& results, const std::string& sheet) {
   const auto& parameters = results.identification->parameters;
   ConvergenceData data{
-      .title = nameOf(results) + QStringLiteral(": ") + fromUtf8(results.title),
+      .title = nameOf(results) + QStringLiteral(": ") + whatIsIdentified(results),
       .note = robotWord(results) +
               QObject::tr(", dual UKF, %1 s").arg(results.identification->duration, 0, 'f', 0)};
   std::vector<std::size_t> members;

@@ -9,15 +9,17 @@
 
 namespace capstan::widgets {
 
-/// `value` with `digits` significant digits, fixed between 1e-3 and 1e5, powers of ten beyond; a dash where
-/// it is not finite. The minus sign is a real one.
+inline constexpr double kPowersFrom = 1e7;  ///< from here on numbers are written with powers of ten
+
+/// `value` with `digits` significant digits, fixed between 1e-3 and kPowersFrom, powers of ten beyond; a dash
+/// where it is not finite. The minus sign is a real one.
 inline QString significantText(double value, int digits = 3) {
   if (!std::isfinite(value)) return QStringLiteral("—");
   const double size = std::abs(value);
   QString text;
   if (size == 0.0)
     text = QStringLiteral("0");
-  else if (size < 1e-3 || size >= 1e5)
+  else if (size < 1e-3 || size >= kPowersFrom)
     text = QString::number(value, 'e', digits - 1);
   else
     text = QString::number(value, 'f',
@@ -30,7 +32,7 @@ inline QString uncertainText(double value, double uncertainty) {
   if (!std::isfinite(value) || !std::isfinite(uncertainty) || uncertainty <= 0.0)
     return significantText(value, 4);
   const int decimals = 1 - static_cast<int>(std::floor(std::log10(uncertainty)));
-  if (decimals > 8 || decimals < -6)
+  if (decimals > 8 || std::max(std::abs(value), uncertainty) >= kPowersFrom)
     return significantText(value, 4) + QStringLiteral(" ± ") + significantText(uncertainty, 2);
   const int shown = std::max(decimals, 0);
   return withMinus(QString::number(value, 'f', shown) + QStringLiteral(" ± ") +

@@ -140,7 +140,7 @@ void PanelFigure::styleAxes(const Panel& panel) const {
     axis->setLabelColor(theme_->text);
     axis->setTickLabelFont(textFont(scale_.tick));
     axis->setLabelFont(textFont(scale_.tick));
-    axis->setLabelPadding(2);
+    axis->setLabelPadding(axis->axisType() == QCPAxis::atLeft ? 4 : 2);  // beside numbers, below them
     axis->setTickLabelPadding(2);
     axis->grid()->setPen(QPen(theme_->grid, 0.8));
   }
@@ -161,7 +161,9 @@ void PanelFigure::layOutPanels() {
 }
 
 /// Labels and as many numbers as there is room for. Where panels stand below each other, the x axis is
-/// labelled below the lowest; a value axis too short for its label has its unit in the panel's header.
+/// labelled below the lowest; a value axis too short for its label has its unit in the panel's header. A
+/// label with a unit stays beside its axis: beyond it, it would stand between the topmost number and the
+/// header.
 void PanelFigure::fitLabels() {
   const QFontMetricsF metrics(textFont(scale_.tick));
   const double label = metrics.height();
@@ -177,9 +179,12 @@ void PanelFigure::fitLabels() {
   for (const Panel& panel : panels_) {
     QCPAxis* x = panel.axes->axis(QCPAxis::atBottom);
     QCPAxis* y = panel.axes->axis(QCPAxis::atLeft);
-    const double room = panel.axes->height() + label;
-    for (const QString& words : {panel.y_label, panel.y_label.section(QLatin1String(" ["), 0, 0), QString()})
-      if (y->setLabel(words); metrics.horizontalAdvance(words) <= room) break;
+    const QString name = panel.y_label.section(QLatin1String(" ["), 0, 0);
+    for (const QString& words : {panel.y_label, name, QString()}) {
+      y->setLabel(words);
+      const double room = panel.axes->height() + (words == name ? label : 0.0);
+      if (metrics.horizontalAdvance(words) <= room) break;
+    }
     x->ticker()->setTickCount(std::clamp(static_cast<int>(panel.axes->width() / (2.9 * label)), 2, 10));
     y->ticker()->setTickCount(std::clamp(static_cast<int>(panel.axes->height() / (1.9 * label)), 2, 7));
   }

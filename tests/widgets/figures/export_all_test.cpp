@@ -107,6 +107,28 @@ TEST_F(ExportAll, ResultsHaveThePapersFigures) {
   ASSERT_EQ(panels.size(), 4U);
   EXPECT_TRUE(panels[1].title.contains("b_e1")) << "stiffness beside damping, a row a joint";
   EXPECT_EQ(panels[1].value, (std::vector<double>{3, 3}));
+  EXPECT_FALSE(panels[1].seen);
+  identified.identification->parameters[2].dual_ukf.seen = true;  // b_e1
+  const auto seen = figuresOf(identified)[0].make();
+  EXPECT_TRUE(dynamic_cast<ConvergenceFigure&>(*seen).data().panels[1].seen);
+}
+
+TEST_F(ExportAll, ConvergenceIsHeadedByNameOrTitle) {
+  experiments::Results results;
+  results.identification.emplace().parameters.emplace_back().name = "r_l1";
+  results.identification->trace = {{0.0, {1}, {1}}, {1.0, {1}, {1}}};
+  const auto heading = [&](const std::string& name, const std::string& title, const std::string& text) {
+    results.name = name;
+    results.title = title;
+    results.specification = text;
+    const auto figure = figuresOf(results)[0].make();
+    return dynamic_cast<ConvergenceFigure&>(*figure).data().title.toStdString();
+  };
+  EXPECT_EQ(heading("ident", "", ""), "ident: identified parameters");
+  EXPECT_EQ(heading("ident", "Pulley day", ""), "Pulley day: identified parameters");
+  EXPECT_EQ(heading("A", "Pulley day", ""), "Experiment A: identified parameters");
+  const auto paper = experiments::findSpecification("A");
+  EXPECT_EQ(heading("A", paper.title, paper.text), "Experiment A: " + paper.title);
 }
 
 TEST_F(ExportAll, EveryLinkOfTheIndexPageLeadsToAFileAndEveryFileIsLinked) {

@@ -143,6 +143,25 @@ TEST(TrajectoryPanels, ShowTheErrorsInTheirOwnScaleBeneathEachJoint) {
   EXPECT_EQ(TrajectoryFigure(unknown).panels().size(), 3U) << "no truth, no errors";
 }
 
+TEST(TrajectoryPanels, KeepAxisLabelsClearOfNumbersAndHeaders) {
+  TrajectoryFigure figure(trajectorySample(30.0));
+  int with_unit = 0;
+  for (const PaperSize size : {PaperSize{88.0, 100.0}, PaperSize{180.0, 120.0}, PaperSize{180.0, 240.0}}) {
+    figure.canvas().resize(size.dots());
+    figure.setTheme(Theme::light());  // fits it: no resize event comes to what is not shown
+    for (const auto& panel : figure.panels()) {
+      const QCPAxis* axis = panel.axes->axis(QCPAxis::atLeft);
+      const QFontMetricsF metrics(axis->labelFont());
+      EXPECT_FALSE(axis->label().isEmpty());
+      EXPECT_GE(axis->labelPadding(), 4) << "beside the widest number";
+      if (!axis->label().contains('[')) continue;
+      ++with_unit;
+      EXPECT_LE(metrics.horizontalAdvance(axis->label()), panel.axes->height()) << size.width_mm;
+    }
+  }
+  EXPECT_GE(with_unit, 6) << "where there is room";
+}
+
 TEST(TrajectoryPanels, EndTheirAxesOnTicks) {
   TrajectoryFigure figure(trajectorySample(30.0));
   figure.canvas().resize(680, 600);
@@ -174,6 +193,21 @@ TEST(ConvergenceNumbers, EqualTheTraceAndItsEnd) {
   EXPECT_EQ(summary[0][3].toDouble(), panel.value.back());
   EXPECT_EQ(summary[0][5].toDouble(), 59.0);
   EXPECT_EQ(summary[0][7].toDouble(), 41.0);
+}
+
+TEST(ConvergencePanels, SayOfAParameterThatIsNotSeenNoValue) {
+  ConvergenceData data = cableSample();
+  for (ConvergencePanel& panel : data.panels) panel.seen = false;
+  data.panels[0].truth = 612000.0;
+  data.panels[0].unit = "N";
+  data.panels[1].truth.reset();
+  const ConvergenceFigure figure(data);
+  const auto wordsOf = [&](std::size_t i) {
+    QString words = figure.panels()[i].header->lines()[1].text;
+    return words.replace(QChar(0x00A0), ' ').toStdString();
+  };
+  EXPECT_EQ(wordsOf(0), "not seen, truth 612000 N");
+  EXPECT_EQ(wordsOf(1), "not seen");
 }
 
 TEST(OddData, NothingAtAllSaysSo) {
@@ -294,6 +328,9 @@ TEST(FigureText, HasTheDigitsThatCount) {
   EXPECT_EQ(significantText(12345.6), "12346");
   EXPECT_EQ(significantText(kNaN), QString::fromUtf8("—"));
   EXPECT_EQ(uncertainText(59.0213, 0.114), QString::fromUtf8("59.02 ± 0.11"));
+  EXPECT_EQ(significantText(611999.7, 4), "612000") << "as the tables have it";
+  EXPECT_EQ(significantText(2.5e7, 3), "2.50e+07");
+  EXPECT_EQ(uncertainText(2.5e7, 3e5), QString::fromUtf8("2.500e+07 ± 300000"));
   EXPECT_EQ(csvText("a,\"b\""), "\"a,\"\"b\"\"\"");
   EXPECT_EQ(csvNumber(kNaN), "");
 }
