@@ -211,7 +211,9 @@ std::string comparisonPage(const std::vector<Results>& results, const Published&
     page +=
         "The paper gives figures 7 and 13 as drawings: there are no numbers of it to put beside k_e, b_e and "
         "the medians under occlusion. ";
-  page += "Units are deg, deg, mm.\n\n### Where it comes from\n\n";
+  if (std::any_of(results.begin(), results.end(), [](const Results& one) { return !one.trials.empty(); }))
+    page += "Units are deg, deg, mm.";
+  page += "\n\n### Where it comes from\n\n";
   for (const Results& one : results) page += originOf(one);
   return page;
 }

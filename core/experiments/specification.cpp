@@ -135,7 +135,9 @@ Specification findSpecification(const std::string& name, const std::filesystem::
   } catch (const base::InputError& error) {
     if (error.fault().file != "experiments/" + name + ".yaml") throw;
     throw base::InputError({beside.string(), 0, "experiment", name, "is not known",
-                            "Give A, B, C, D, or put " + name + ".yaml beside the specification"});
+                            beside.empty()
+                                ? "Give A, B, C, D, all, or a specification (" + name + ".yaml)"
+                                : "Give A, B, C, D, or put " + name + ".yaml beside the specification"});
   }
 }
 

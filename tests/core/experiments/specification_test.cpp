@@ -87,7 +87,18 @@ TEST(Specification, NamesOfFilesAreRelativeToItsFolder) {
 }
 
 TEST(Specification, AnUnknownExperimentIsRefused) {
-  EXPECT_THROW((void)findSpecification("E"), base::InputError);
+  const auto remedyOf = [](const std::string& name, const std::filesystem::path& beside) {
+    try {
+      (void)findSpecification(name, beside);
+    } catch (const base::InputError& error) {
+      EXPECT_EQ(error.fault().value, name);
+      return error.fault().remedy;
+    }
+    ADD_FAILURE() << "found " << name;
+    return std::string();
+  };
+  EXPECT_EQ(remedyOf("mine", {}), "Give A, B, C, D, all, or a specification (mine.yaml)");
+  EXPECT_EQ(remedyOf("E", "/nowhere/c.yaml"), "Give A, B, C, D, or put E.yaml beside the specification");
 }
 
 }  // namespace

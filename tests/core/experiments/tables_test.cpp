@@ -285,6 +285,9 @@ TEST(Comparison, ThePageSaysWhatItsNumbersWereMadeFrom) {
   Results b = identified("B", "k_e1", 100.0, 103.0, true);
   b.title = "Cables";
   EXPECT_THAT(comparisonPage({b}, published), HasSubstr("\n- B: Cables; block transfer (seed 201)"));
+  EXPECT_THAT(comparisonPage({b}, published),
+              ::testing::Not(HasSubstr("Units are")));  // of joints: none here
+  EXPECT_THAT(comparisonPage({b, mine}, published), HasSubstr("Units are deg, deg, mm.\n\n### Where"));
 }
 
 TEST(Comparison, ThePageSaysThatTheRobotIsSimulated) {
