@@ -92,7 +92,7 @@ void plausibleCable(Planted& e, const PlantParameters& p, base::Random& random) 
   const double stretch = frictionStretch(p, i);
   switch (e.effect) {
     case Effect::kCableCompliance: {
-      const double slowest = kTurn * 6.0;  // of the link on its cable [rad/s]
+      const double slowest = kTurn * 2.5;  // of the link on its cable [rad/s]
       e.magnitude = p.radius[i] * p.radius[i] / (inertiaAtRest(p, i) * slowest * slowest);
       break;
     }
@@ -140,7 +140,7 @@ void plausibleFriction(Planted& e, const PlantParameters& p, double top_speed, b
       break;
     case Effect::kPositionFriction:
       e.magnitude = 0.9;
-      e.signature = 2.0 * p.half_range[i] * random.uniform(0.5, 1.1);
+      e.signature = 2.0 * p.half_range[i] * random.uniform(0.3, 0.7);
       e.phase = random.uniform(0.0, kTurn);
       break;
     default:
@@ -262,13 +262,14 @@ Sized sizedTo(double size, const Planted& largest, Visibility& visibility) {
   Sized sized{largest, most};
   for (int round = 0; round < 6 && !(sized.visibility > 0.8 * wanted && sized.visibility < 1.25 * wanted);
        ++round) {
-    double share = high * wanted / seen_high;
+    double share = std::min(high * wanted / seen_high, 0.98 * high);
     if (seen_low > 0.0) {
-      const double power = std::log(high / low) / std::max(std::log(seen_high / seen_low), 1e-3);
-      share = low * std::pow(wanted / seen_low, power);
+      const double width = std::log(high / low);
+      const double power = width / std::max(std::log(seen_high / seen_low), 1e-3);
+      share = low * std::exp(std::clamp(power * std::log(wanted / seen_low), 0.05 * width, 0.95 * width));
+    } else if (low > 0.0) {
+      share = std::sqrt(low * high);
     }
-    if (!(share > low + 0.02 * (high - low) && share < high - 0.02 * (high - low)))
-      share = low > 0.0 ? std::sqrt(low * high) : 0.5 * high;
     sized.planted.magnitude = largest.magnitude * share;
     sized.visibility = visibility.of(sized.planted);
     (sized.visibility < wanted ? low : high) = share;

@@ -37,7 +37,7 @@ class Visibility {
   PlantParameters parameters_;
   SensorOptions sensors_;
   PlantedMotion recorded_, plain_;
-  Change level_;
+  Change noise_, level_;
 };
 
 /// Visibility at size 1; just visible, 1, is a tenth of it.

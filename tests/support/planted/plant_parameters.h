@@ -18,6 +18,7 @@ struct PlantParameters {
 
   int size = 0;
   bool rigid = false;  ///< motor torque drives the joint directly
+  int refinement = 1;  ///< times as many integration steps as stability asks for
   RigidChain chain;
   Joints gear{}, capstan{}, radius{}, homing{}, stiffness{}, damping{}, exponent{}, motor_inertia{};
   Joints motor_coulomb{}, motor_viscous{}, motor_smoothing{}, coulomb{}, viscous{}, smoothing{};

@@ -96,8 +96,8 @@ int Plant::stepsFor(double duration, const Joints& q) {
     for (int i = 0; i < p_.size; ++i) fastest = std::max(fastest, fastestRate(i, s));
   }
   const double limit = 1.4;  // half of what RK4 bears on the negative real axis, 2.78
-  return std::max(static_cast<int>(std::ceil(duration / 0.5e-3)),
-                  static_cast<int>(std::ceil(duration * fastest / limit)));
+  const double steps = std::max(std::ceil(duration / 0.5e-3), std::ceil(duration * fastest / limit));
+  return p_.refinement * static_cast<int>(steps);
 }
 
 double Plant::energy(const PlantState& s) {

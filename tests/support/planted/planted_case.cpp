@@ -35,6 +35,7 @@ class CaseRobot {
       effects.push_back(item.planted);
       plantInParameters(item.planted, case_.robot, parameters);
     }
+    parameters.refinement = case_.refinement;
     Plant plant(parameters, effects);
     const PlantedMotion motion = moved(plant, effects, case_.duration);
     base::Random noise(case_.seed, "sensors");
@@ -48,7 +49,7 @@ class CaseRobot {
     const ExternalLoad load(case_.load, push);
     return drive(
         plant, case_.robot, effects, [&](double t) { return excitation.at(t); },
-        [&](double t) { return load.at(t); }, {duration, 1.0, case_.refinement});
+        [&](double t) { return load.at(t); }, {duration, 1.0});
   }
 
   Visibility& visibility() {
@@ -114,12 +115,16 @@ Effect drawEffect(const DrawOptions& options, bool covered, base::Random& random
   return possible[random.bits() % possible.size()];
 }
 
-int drawJoint(Effect effect, const DrawOptions& options, base::Random& random) {
-  const std::vector<int> joints = jointsFor(effect, options);
+/// `wanted`, or any that makes sense; the draw is spent in both cases.
+int drawJoint(Effect effect, const DrawOptions& options, std::optional<int> wanted, base::Random& random) {
+  std::vector<int> joints = jointsFor(effect, options);
+  const std::uint64_t bits = random.bits();
+  if (wanted && std::find(joints.begin(), joints.end(), *wanted) == joints.end()) joints.clear();
   if (joints.empty())
     throw std::invalid_argument("effect " + std::string(factsOf(effect).name) +
+                                (wanted ? " on joint " + std::to_string(*wanted) : "") +
                                 " makes no sense on this robot");
-  return joints[random.bits() % joints.size()];
+  return wanted ? *wanted : joints[bits % joints.size()];
 }
 
 double drawSize(base::Random& random) { return std::exp(random.uniform(std::log(0.1), 0.0)); }
@@ -137,7 +142,7 @@ void drawLoad(PlantedCase& to, base::Random& random) {
   for (const ChosenEffect& chosen : to.effects)
     if (chosen.effect == Effect::kSensorSign) {
       to.sensors.load_cells = true;
-      to.load[chosen.joint - 1] = 0.3 * most * chosen.size * p.coulomb[chosen.joint - 1];
+      to.load[chosen.joint - 1] = (to.rigid ? 0.15 : 1.2) * chosen.size * p.coulomb[chosen.joint - 1];
     }
 }
 
@@ -174,13 +179,11 @@ PlantedCase draw(std::uint64_t seed, const DrawOptions& options) {
     ChosenEffect chosen;
     const Effect free = drawEffect(options, !(options.uncovered && k == 0), random);
     chosen.effect = k == 0 ? options.effect.value_or(free) : free;
-    if (k == 1 && free == drawn.effects.front().effect) chosen.effect = drawEffect(options, true, random);
-    chosen.joint = drawJoint(chosen.effect, options, random);
+    while (k == 1 && chosen.effect == drawn.effects.front().effect)
+      chosen.effect = drawEffect(options, true, random);
+    chosen.joint = drawJoint(chosen.effect, options, k == 0 ? options.joint : std::nullopt, random);
     chosen.size = drawSize(random);
-    if (k == 0) {
-      chosen.joint = options.joint.value_or(chosen.joint);
-      chosen.size = options.size.value_or(chosen.size);
-    }
+    if (k == 0) chosen.size = options.size.value_or(chosen.size);
     drawn.effects.push_back(chosen);
   }
   drawn.textured = options.textured.value_or(random.bits() % 2 == 0);

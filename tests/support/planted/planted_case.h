@@ -73,7 +73,8 @@ struct DrawOptions {
 /// moves them by less than five counts' noise have no effects of force.
 std::vector<int> jointsFor(Effect effect, const DrawOptions& options);
 
-/// A case from a seed. Throws std::invalid_argument when the wanted effect makes no sense on this robot.
+/// A case from a seed. Throws std::invalid_argument when the wanted effect makes no sense on this robot or
+/// joint.
 PlantedCase draw(std::uint64_t seed, const DrawOptions& options);
 
 Recording record(const PlantedCase& planted_case);

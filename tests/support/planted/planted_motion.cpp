@@ -115,7 +115,7 @@ PlantedMotion drive(Plant& plant, const robot::Description& nominal, const std::
   const int n = plant.size();
   const Joints first = wanted(0.0);
   PlantState s = plant.rest(first);
-  const int steps = options.refinement * plant.stepsFor(kPeriod, first);
+  const int steps = plant.stepsFor(kPeriod, first);
   Controller controller(plant, nominal);
   const auto readings = [&](double t) {
     Joints reading{};

@@ -23,7 +23,6 @@ using JointPath = std::function<Joints(double t)>;
 struct DriveOptions {
   double duration = 30.0;  ///< [s]
   double settling = 1.0;   ///< the robot stands so long before the first row [s]
-  int refinement = 1;      ///< times as many Runge–Kutta steps as stability asks for
 };
 
 /// The robot under its own controller, 1 kHz: tau = K_p (wanted − read) + K_d (its rate − filtered rate), on

@@ -11,12 +11,13 @@ Visibility::Visibility(const robot::Description& nominal, const PlantParameters&
     : nominal_(nominal), parameters_(parameters), sensors_(sensors), recorded_(std::move(motion)) {
   plain_ = replayWith({});
   level_ = changeBy(texture);
+  noise_.tip = StereoPair(Eigen::Vector3d::Zero(), sensors_).sigma();
   for (int i = 0; i < parameters_.size; ++i) {
     const bool turns = nominal_.joints[static_cast<std::size_t>(i)].type == robot::JointType::kRevolute;
-    const double noise = (turns ? sensors_.turn_count : sensors_.slide_count) / std::sqrt(12.0);
-    level_.joints[i] = std::hypot(level_.joints[i], noise);
+    noise_.joints[i] = (turns ? sensors_.turn_count : sensors_.slide_count) / std::sqrt(12.0);
+    level_.joints[i] = std::hypot(level_.joints[i], noise_.joints[i]);
   }
-  level_.tip = std::hypot(level_.tip, StereoPair(Eigen::Vector3d::Zero(), sensors_).sigma());
+  level_.tip = std::hypot(level_.tip, noise_.tip);
 }
 
 PlantedMotion Visibility::replayWith(const std::vector<Planted>& effects) const {
@@ -53,9 +54,13 @@ Visibility::Change Visibility::changeBy(const std::vector<Planted>& effects) {
 
 double Visibility::of(const Planted& planted) {
   const Change change = changeBy({planted});
-  double most = sensors_.cameras ? change.tip / level_.tip : 0.0;
+  const Place place = factsOf(planted.effect).place;
+  const bool drifts = place != Place::kCamera && planted.effect != Effect::kEncoderDrift &&
+                      planted.effect != Effect::kCableCompliance;
+  const Change& level = parameters_.rigid && !drifts ? noise_ : level_;
+  double most = sensors_.cameras ? change.tip / level.tip : 0.0;
   if (sensors_.joint_encoders)
-    for (int i = 0; i < parameters_.size; ++i) most = std::max(most, change.joints[i] / level_.joints[i]);
+    for (int i = 0; i < parameters_.size; ++i) most = std::max(most, change.joints[i] / level.joints[i]);
   return most;
 }
 
