@@ -1,0 +1,61 @@
+#pragma once
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "core/base/progress.h"
+
+namespace capstan::diagnosis {
+
+/// Points of d variables: n×d, each variable of about unit spread; angles [rad] as they are.
+struct ProcessInputs {
+  Eigen::MatrixXd x;
+  std::vector<bool> angle;  ///< of each variable: the same after a turn
+
+  Eigen::Index size() const { return x.rows(); }
+  Eigen::Index variables() const { return x.cols(); }
+};
+
+/// Squared distance of two values: (a − b)², of angles that of the points on the unit circle, 4 sin²((a −
+/// b)/2).
+double squaredDistance(double a, double b, bool angle);
+
+/// Logarithms of what the process has to learn: [ln σ_f, ln σ_n, ln ℓ_1 … ln ℓ_d].
+using ProcessParameters = Eigen::VectorXd;
+
+/// Gaussian process with automatic relevance determination (Rasmussen and Williams, Gaussian Processes for
+/// Machine Learning, 2006, (5.1)),
+///     k(x, x') = σ_f² exp(−½ Σ_i D_i(x, x') / ℓ_i²) + σ_n² δ,   D_i the squared distance of variable i,
+/// of targets y with mean 0 and variance 1.
+class ArdProcess {
+ public:
+  ArdProcess(const ProcessInputs& inputs, Eigen::VectorXd y);
+
+  /// −ln p(y | x, θ) − ln p(θ), (2.30) and its gradient (5.9); the prior is normal and wide: ln σ_f about 0
+  /// and ln σ_n about ln 0.3 with deviation 2, ln ℓ about ln 4 with deviation 1.5. It keeps what the data
+  /// leave open finite. Nothing where K is not positive definite.
+  std::optional<double> objective(const ProcessParameters& parameters, Eigen::VectorXd* gradient) const;
+
+  /// Least objective from `start` by BFGS with line search (Ceres), at most `iterations`; `start` itself
+  /// where nothing better is found. Stops early when `progress` is cancelled.
+  ProcessParameters fit(const ProcessParameters& start, int iterations, const base::Progress* progress) const;
+
+  /// Weights α = K⁻¹ y of the predictions Σ_n α_n k(x, x_n); zero where K is not positive definite.
+  Eigen::VectorXd weights(const ProcessParameters& parameters) const;
+
+  Eigen::Index parameters() const { return 2 + static_cast<Eigen::Index>(distances_.size()); }
+
+ private:
+  Eigen::MatrixXd signalCovariance(const ProcessParameters& parameters) const;
+
+  std::vector<Eigen::MatrixXd> distances_;  ///< D_i
+  Eigen::VectorXd y_;
+};
+
+/// Σ_i D_i(a_r, b_c) / ℓ_i²: rows of `at` by rows of `known`.
+Eigen::MatrixXd scaledDistances(const ProcessInputs& at, const ProcessInputs& known,
+                                const ProcessParameters& parameters);
+
+}  // namespace capstan::diagnosis
