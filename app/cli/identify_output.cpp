@@ -69,15 +69,21 @@ std::string said(const std::string& name, const std::string& words) {
   return text + line + "\n";
 }
 
-/// A paragraph each. Why a parameter is not seen is the same for both methods, but for digits: where the dual
-/// UKF's paragraph has said it, it is not said again.
+/// What a text says, whatever its numbers are.
+std::string withoutNumbers(std::string text) {
+  std::erase_if(text, [](char c) { return (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '+'; });
+  return text;
+}
+
+/// A paragraph each. Why a parameter is not seen is often the same for both methods, but for digits: where
+/// the dual UKF's paragraph has said it, it is not said again.
 std::string advice(const std::vector<Estimate>& estimates, const DualUkfReport* dual) {
   std::string text;
   for (std::size_t i = 0; i < estimates.size(); ++i) {
     const Estimate& estimate = estimates[i];
     if (estimate.advice.empty()) continue;
-    const bool again =
-        dual && i < dual->estimates.size() && !dual->estimates[i].advice.empty() && !estimate.seen;
+    const bool again = !estimate.seen && dual && i < dual->estimates.size() && !dual->estimates[i].seen &&
+                       withoutNumbers(dual->estimates[i].advice) == withoutNumbers(estimate.advice);
     text += said(estimate.parameter.name(), again ? "not seen, as above" : estimate.advice);
   }
   return text;
