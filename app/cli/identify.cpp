@@ -19,6 +19,7 @@
 #include "core/base/yaml.h"
 #include "core/experiments/identified.h"
 #include "core/experiments/identify_trials.h"
+#include "core/experiments/same_recording.h"
 #include "core/experiments/software.h"
 #include "core/identification/delay_passes.h"
 #include "core/identification/identification_data.h"
@@ -53,8 +54,15 @@ void check(const IdentifyArguments& arguments, const CLI::App& command) {
     refuseOption("--trace", arguments.trace, "needs the dual UKF", "Choose --method dual-ukf or both");
 }
 
-/// Before the long computation: outputs that can be written and are no inputs.
+/// Before the long computation: recordings that are each another, outputs that can be written and are no
+/// inputs.
 void checkFiles(const IdentifyArguments& arguments) {
+  const std::vector<std::string>& files = arguments.files;
+  for (std::size_t i = 0; i < files.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (experiments::sameRecording(files[j], files[i]))
+        refuseFile(files[i], "is the same recording as " + files[j] + ": it would count twice",
+                   "Give each recording once");
   std::vector<std::string> inputs = withFilesOf(arguments.simulation, arguments.files);
   inputs.insert(inputs.end(), {arguments.robot, arguments.options});
   checkOutputs({{"--out", arguments.out},

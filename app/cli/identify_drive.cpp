@@ -10,6 +10,7 @@
 #include "app/cli/recordings.h"
 #include "core/base/yaml.h"
 #include "core/experiments/identified.h"
+#include "core/experiments/same_recording.h"
 #include "core/experiments/software.h"
 
 namespace capstan::cli {
@@ -29,13 +30,17 @@ std::vector<DriveRecording> readAll(const std::vector<std::string>& files, doubl
   return all;
 }
 
-/// A file that is trained on is not held out.
-void checkHeldOut(const IdentifyDriveArguments& arguments) {
-  for (const std::string& held_out : arguments.held_out)
-    for (const std::string& file : arguments.files) {
-      std::error_code fault;
-      if (file == held_out || std::filesystem::equivalent(file, held_out, fault))
-        refuseOption("--held-out", held_out, "is also a recording to identify from", "Leave one of them out");
+/// No recording counts twice, and one that is trained on is not held out.
+void checkRepeats(const IdentifyDriveArguments& arguments) {
+  std::vector<std::string> all = arguments.files;
+  all.insert(all.end(), arguments.held_out.begin(), arguments.held_out.end());
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      if (all[j] != all[i] && !experiments::sameRecording(all[j], all[i])) continue;
+      if (j < arguments.files.size() && i >= arguments.files.size())
+        refuseOption("--held-out", all[i], "is also a recording to identify from", "Leave one of them out");
+      refuseFile(all[i], "is the same recording as " + all[j] + ": it would count twice",
+                 "Give each recording once");
     }
 }
 
@@ -76,7 +81,7 @@ void writeRobot(const robot::Description& nominal, const DriveFindings& findings
 }  // namespace
 
 ExitCode identifyDrive(const IdentifyDriveArguments& arguments, const robot::Description& nominal) {
-  checkHeldOut(arguments);
+  checkRepeats(arguments);
   std::vector<std::string> inputs = arguments.files;
   inputs.insert(inputs.end(), arguments.held_out.begin(), arguments.held_out.end());
   inputs.push_back(arguments.robot);

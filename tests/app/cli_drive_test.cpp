@@ -105,6 +105,9 @@ TEST_F(CliDrive, RefusesWithFileColumnAndRemedy) {
   expectRefused(path("short.csv") + robot, {"short.csv", "Give a longer recording"});
   expectRefused(good + robot + " --held-out " + path("unloaded.csv"), {"unloaded.csv", "tau_ext1"});
   expectRefused(good + robot + " --held-out " + good, {"--held-out", "also a recording"});
+  std::filesystem::copy_file(good, path("copy.csv"));
+  expectRefused(good + " " + path("copy.csv") + robot, {"copy.csv", "it would count twice", "once"});
+  expectRefused(good + robot + " --held-out " + path("copy.csv"), {"--held-out", "copy.csv", "also"});
   expectRefused(good + robot + " --parameters stiffness", {"--parameters", "stiffness", "r_l,k_c"});
   expectRefused(good + robot + " --trace " + path("t.csv"), {"--trace", "da Vinci jaw"});
   expectRefused(good + robot + " --out " + good, {"--out", "a.csv"});

@@ -69,6 +69,17 @@ TEST_F(Cli, WhatCannotBeSeenLeavesNoRobot) {
     }
 }
 
+TEST_F(Cli, ARecordingGivenTwiceIsRefused) {
+  const std::string file = simulate("s.capstan", std::string(kMotion) + "--duration 3");
+  fs::copy_file(file, path("copy.capstan"));
+  for (const std::string& again : {file, path("copy.capstan"), path("./s.capstan")}) {
+    const Ran ran = run("identify " + file + " " + again + " --out " + path("none.yaml"));
+    EXPECT_EQ(ran.exit, 2) << again;
+    EXPECT_THAT(ran.err, HasSubstr(again + ": is the same recording as " + file + ": it would count twice"));
+    EXPECT_THAT(ran.err, HasSubstr("Give each recording once"));
+  }
+}
+
 class CliTable : public Cli {
  protected:
   /// Lines of a simulated sinusoid as a measured table, the header first; a tracking system ten times as
