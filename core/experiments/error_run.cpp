@@ -40,7 +40,10 @@ std::string motionOf(const fs::path& recording) { return "checksum " + checksumO
 
 std::string motionOf(const TrialResult& trial) {
   const std::string& recording = trial.inputs.recording;
-  if (!recording.empty()) return recording.substr(recording.rfind(", ") + 2);
+  if (!recording.empty()) {
+    const auto at = recording.rfind(", checksum ");
+    return at == std::string::npos ? std::string() : recording.substr(at + 2);  // older results have none
+  }
   return fmt::format("seed {}\n{}\n{}", trial.seed, trial.inputs.truth, trial.inputs.trajectory);
 }
 
