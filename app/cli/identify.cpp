@@ -178,8 +178,11 @@ void runMethods(const IdentifyArguments& arguments, const identification::Identi
     found.dual = identification::identifyDualUkfInPasses(data, *found.set, {.camera = camera}, &progress);
   if (arguments.method == "dual-ukf" || progress.cancelled()) return;
   identification::BatchOptions batch{.camera = camera, .shooting = {.threads = arguments.threads}};
-  if (found.dual && experiments::choose(experiments::Method::kDualUkf, &*found.dual, nullptr).method)
-    for (const auto& estimate : found.dual->estimates) batch.start.push_back(estimate.log);
+  const identification::DualUkfReport start =
+      found.dual ? *found.dual
+                 : identification::identifyDualUkfInPasses(data, *found.set, {.camera = camera}, &progress);
+  if (experiments::choose(experiments::Method::kDualUkf, &start, nullptr).method)
+    for (const auto& estimate : start.estimates) batch.start.push_back(estimate.log);
   found.batch = identification::identifyBatchInPasses(data, *found.set, batch, &progress);
 }
 

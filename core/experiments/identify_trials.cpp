@@ -10,6 +10,7 @@
 #include "core/experiments/identified.h"
 #include "core/experiments/motion_collector.h"
 #include "core/identification/batch.h"
+#include "core/identification/delay_passes.h"
 #include "core/identification/dual_ukf.h"
 #include "core/identification/identification_data.h"
 #include "core/simulation/truth.h"
@@ -129,7 +130,8 @@ void take(const identification::BatchReport& report, IdentificationResult& resul
 void identify(const IdentificationData& data, const identification::ParameterSet& set,
               const IdentificationSetup& setup, int threads, base::Progress& progress,
               IdentificationResult& result) {
-  const auto dual = identification::identifyDualUkf(data, set, {.camera = setup.options.camera}, &progress);
+  const auto dual =
+      identification::identifyDualUkfInPasses(data, set, {.camera = setup.options.camera}, &progress);
   if (progress.cancelled()) return;
   take(set, result);
   take(dual, set, data.motors.t.empty() ? 0.0 : data.motors.t.front(), result);
@@ -137,7 +139,7 @@ void identify(const IdentificationData& data, const identification::ParameterSet
   const bool dual_usable = choose(Method::kDualUkf, &dual, nullptr).method.has_value();
   if (dual_usable)
     for (const auto& estimate : dual.estimates) options.start.push_back(estimate.log);
-  const auto batch = identification::identifyBatch(data, set, options, &progress);
+  const auto batch = identification::identifyBatchInPasses(data, set, options, &progress);
   if (progress.cancelled()) return;
   take(batch, result);
   const bool batch_usable = choose(Method::kBatch, nullptr, &batch).method.has_value();

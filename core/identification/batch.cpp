@@ -231,11 +231,18 @@ MatrixXd covarianceOf(const Information& found) {
   const auto n = static_cast<int>(found.hessian.rows());
   const MatrixXd inverse = found.hessian.inverse();
   const MatrixXd plain = inverse + inverse * found.doubt * inverse;
-  const double few = static_cast<double>(found.blocks) / std::max(1, found.blocks - n);
-  const MatrixXd covariance = inverse * (few * found.meat + MatrixXd::Identity(n, n)) * inverse;
-  VectorXd grow(n);
-  for (int i = 0; i < n; ++i) grow(i) = std::sqrt(std::max(1.0, plain(i, i) / covariance(i, i)));
-  return grow.asDiagonal() * covariance * grow.asDiagonal();
+  const double few = found.blocks / std::max(0.5 * found.blocks, static_cast<double>(found.blocks - n));
+  const MatrixXd sandwich = inverse * (few * found.meat + MatrixXd::Identity(n, n)) * inverse;
+  const auto byPlain = [&](int i) { return plain(i, i) >= sandwich(i, i); };
+  VectorXd sigma(n);
+  for (int i = 0; i < n; ++i) sigma(i) = std::sqrt(std::min(1.0, std::max(plain(i, i), sandwich(i, i))));
+  MatrixXd covariance(n, n);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const MatrixXd& from = byPlain(i) && byPlain(j) ? plain : sandwich;
+      covariance(i, j) = sigma(i) * sigma(j) * from(i, j) / std::sqrt(from(i, i) * from(j, j));
+    }
+  return covariance;
 }
 
 void describe(const OutputError& error, const ParameterSet& set, const VectorXd& x, const MatrixXd& jacobian,
@@ -251,9 +258,8 @@ void describe(const OutputError& error, const ParameterSet& set, const VectorXd&
   const Identifiability after = assess(error, set, jacobian);
   for (int i = 0; i < n; ++i) {
     Visibility visibility = after.parameters[static_cast<std::size_t>(i)];
-    visibility.sigma = sigma(i);
+    visibility.stated = sigma(i);
     visibility.seen = sigma(i) < kSeenShare * set[i].prior_sigma;
-    findPartner(covariance, i, error.unknowns(), visibility);
     Estimate estimate{set[i], error.scale()(i) * x(i), sigma(i), visibility.seen, {}};
     if (!estimate.seen || estimate.sigma > set[i].goal)
       estimate.advice = adviceFor(set, i, visibility, report.observations);
@@ -292,7 +298,9 @@ BatchReport identifyBatch(const IdentificationData& data, const ParameterSet& se
     }
     report.end = fit(error, set, options, x, residuals, jacobian, report.iterations, progress);
     if (report.end == BatchEnd::kCancelled) return report;
-    covariance = covarianceOf(informationOf(error, set, x, residuals, jacobian, options));
+    const Information found = informationOf(error, set, x, residuals, jacobian, options);
+    covariance = covarianceOf(found);
+    report.delay_noise = error.scale()(n - 1) * std::sqrt(found.hessian.inverse()(n - 1, n - 1));
     report.residual_after = rmsOf(residuals);
     for (int k = 0; k < report.observations; ++k)
       report.outliers += residuals.segment<3>(3 * k).norm() > options.huber ? 1.0 / report.observations : 0.0;

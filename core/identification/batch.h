@@ -21,7 +21,8 @@ struct BatchOptions {
   double block = 2.0;   ///< residuals this close in time may be correlated [s]
   ModelDoubt doubt = {};
   int max_iterations = 30;
-  /// Where to start: logarithms in the set's order, e.g. what the dual UKF found; empty: nominal.
+  /// Where to start: logarithms in the set's order, as the dual UKF found them; empty: nominal. From pulleys
+  /// that are per cents off, through a camera that may be turned, least squares may end in another minimum.
   std::vector<double> start = {};
 };
 
@@ -33,6 +34,7 @@ struct BatchReport {
   Eigen::MatrixXd covariance;       ///< of the logarithms
   Eigen::MatrixXd correlation;      ///< of the logarithms
   CameraPose camera, camera_sigma;  ///< nuisance parameters and their standard deviations
+  double delay_noise = 0.0;         ///< σ of camera.delay by noise and prior alone [s]
   Identifiability before;           ///< at the nominal parameters, before the solve
   int observations = 0;
   int iterations = 0;
@@ -48,10 +50,12 @@ struct BatchReport {
 /// The covariance is the larger, parameter by parameter, of two. The one is
 /// H⁻¹ + H⁻¹ (Σ_d G_d G_dᵀ + G_h G_hᵀ) H⁻¹ with H = Jᵀ W J + 1, and G_d and G_h = Σ Jᵀ W D what the unknown
 /// forces of ModelDoubt, constant over d or against the cables' stretch rate all along, do to the gradient.
-/// The other is the sandwich H⁻¹ (B / (B − n) Σ_b g_b g_bᵀ + 1) H⁻¹ with g_b the gradient of one of B blocks
-/// of `block` seconds: what the model does not know (hysteresis, stiction) makes residuals that are
-/// correlated in time (Liang and Zeger, Biometrika 73 (1986)). B / (B − n) with n unknowns is the usual
-/// correction for few blocks. Blocks end at gaps of the motor samples.
+/// The other is the sandwich H⁻¹ (c Σ_b g_b g_bᵀ + 1) H⁻¹ with g_b the gradient of one of B blocks of `block`
+/// seconds: what the model does not know (hysteresis, stiction) makes residuals that are correlated in time
+/// (Liang and Zeger, Biometrika 73 (1986)). c = B / (B − n) with n unknowns is the usual correction for few
+/// blocks, 2 at most: with fewer than 2 n the sandwich says little, and the first counts. Blocks end at gaps
+/// of the motor samples. A variance is never more than the prior's. Correlations are those of the one that
+/// both variances come from, else the sandwich's.
 ///
 /// `seen` and `advice` of an estimate are by the σ that is stated; `before` is by noise alone.
 BatchReport identifyBatch(const IdentificationData& data, const ParameterSet& set,

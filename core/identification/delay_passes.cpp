@@ -11,7 +11,7 @@ namespace {
 /// `second` found what `first` left; together they are the whole delay, by the prior about zero.
 template <class Report>
 void join(const Report& first, const CameraPoseOptions& prior, Report& second) {
-  const double shrink = second.camera_sigma.delay / prior.delay_sigma;
+  const double shrink = second.delay_noise / prior.delay_sigma;
   second.camera.delay += first.camera.delay * (1.0 - shrink * shrink);
   second.seconds += first.seconds;
 }

@@ -13,9 +13,9 @@ namespace capstan::identification {
 ///
 /// The prior is that of CameraPoseOptions, 0 ± delay_sigma for the whole delay: the second pass has its own
 /// about what the first found, which is put right afterwards, for the delay, by delay_before · σ² /
-/// delay_sigma² with σ the delay's standard deviation (exact where the estimate is Gaussian); what that would
-/// do to the other unknowns, less than delay_before · σ / delay_sigma² of their own standard deviations, is
-/// left out.
+/// delay_sigma² with σ = delay_noise, what the delay's estimate itself went by (exact where it is Gaussian;
+/// the σ that is stated counts more); what that would do to the other unknowns, less than delay_before · σ /
+/// delay_sigma² of their own standard deviations, is left out.
 inline constexpr double kOnePassDelay = 0.005;  // [s], bent by 0.06 ms
 
 /// `data` with cameras that exposed `delay` [s] before they say so: times, and tip_kin by the motors then.

@@ -248,12 +248,15 @@ void describe(const Dual& dual, const ParameterSet& set, DualUkfReport& report) 
   report.correlation = inverse.asDiagonal() * covariance.topLeftCorner(n, n) * inverse.asDiagonal();
   report.camera = filter.pose();
   report.camera_sigma = cameraPoseOf(sigma.segment<CameraPose::kSize>(n));
+  const int delay = n + CameraPose::kSize - 1;
+  report.delay_noise = filter.scale()(delay) * std::sqrt(covariance(delay, delay));
   const TracePoint last = dual.tracePoint();
   for (int i = 0; i < n; ++i) {
     const bool seen = last.sigma(i) < kSeenShare * set[i].prior_sigma;
     Estimate estimate{set[i], last.log(i), last.sigma(i), seen, {}};
     Visibility visibility = dual.tally().of(set[i], i, report.observations);
-    visibility.sigma = last.sigma(i);
+    visibility.sigma = filter.scale()(i) * std::sqrt(covariance(i, i));
+    visibility.stated = last.sigma(i);
     findPartner(covariance, i, n + CameraPose::kSize, visibility);
     if (!seen) estimate.advice = adviceFor(set, i, visibility, report.observations);
     report.estimates.push_back(estimate);

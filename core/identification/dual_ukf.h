@@ -38,6 +38,7 @@ struct DualUkfReport {
   Trace trace;
   Eigen::MatrixXd correlation;      ///< of the logarithms
   CameraPose camera, camera_sigma;  ///< nuisance parameters and their standard deviations
+  double delay_noise = 0.0;         ///< σ of camera.delay as the filter believed it, not widened [s]
   double nis = 0.0;                 ///< mean over its 3 degrees of freedom
   double outliers = 0.0;            ///< share of observations held back
   int observations = 0;
@@ -56,8 +57,8 @@ using TraceSink = std::function<void(const TracePoint&)>;
 /// follow the parameters by Φ Δw; and the σ stated is widened to what the innovations show. A filter believes
 /// them white; where hysteresis or stiction, which the model does not know, correlate them over `block`
 /// seconds, the scores g = Hᵀ R⁻¹ ν of blocks vary more than their information I says, and σ grows by that
-/// ratio, measured over the last `score_memory` seconds, or by what the forces of ModelDoubt would make of
-/// them, if that is more.
+/// ratio, measured over the last `score_memory` seconds, or by what the passing forces of ModelDoubt would
+/// make of them, if that is more. (Its lasting one, hysteresis, is the batch method's to count.)
 ///
 /// `sink`, if given, sees every point of the trace as it is made.
 DualUkfReport identifyDualUkf(const IdentificationData& data, const ParameterSet& set,

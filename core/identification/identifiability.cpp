@@ -20,6 +20,12 @@ std::string shown(int joint, double value) {
                    : fmt::format("{:.2g} mm", base::toMillimetres(value));
 }
 
+/// Of a logarithm's σ: two digits, or all before the point.
+std::string perCent(double sigma) {
+  const double value = 100.0 * std::expm1(sigma);
+  return value < 10.0 ? fmt::format("{:.2g}", value) : fmt::format("{:.0f}", value);
+}
+
 const char* remedyFor(Quantity quantity) {
   switch (quantity) {
     case Quantity::kLinkRadius:
@@ -47,20 +53,25 @@ std::string adviceFor(const ParameterSet& set, int i, const Visibility& v, int o
   const Parameter& parameter = set[i];
   if (observations == 0) return "no camera observation can be used: " + parameter.words() + " stays as it is";
   const std::string change = fmt::format("{:.0f} %", 100.0 * std::expm1(parameter.prior_sigma));
-  if (v.sigma_alone > kSeenShare * parameter.prior_sigma)
+  const double seen = kSeenShare * parameter.prior_sigma;
+  const double wanted = v.stated < seen ? std::min(seen, parameter.goal) : seen;
+  if (v.sigma_alone > wanted)
     return fmt::format(
         "{} moves the output by less than its noise: {} more of it moves joint {} by {} RMS, the camera's "
         "noise "
         "is {} in each of {} frames; {}",
         parameter.words(), change, parameter.joint + 1, shown(parameter.joint, v.moved),
         shown(parameter.joint, v.noise), observations, remedyFor(parameter.quantity));
-  if (v.partner >= 0 && std::abs(v.correlation) > kBoundUp)
+  if (v.sigma > wanted && v.partner >= 0 && std::abs(v.correlation) > kBoundUp)
     return fmt::format("{} cannot be told from {} in this motion (correlation {:.2f}); {}", parameter.words(),
                        wordsOf(set, v.partner), v.correlation, remedyFor(parameter.quantity));
+  if (v.stated >= parameter.prior_sigma)
+    return fmt::format("{} is no better known than before; {}", parameter.words(),
+                       remedyFor(parameter.quantity));
   return fmt::format(
-      "{} is known to {:.2g} % (1 sigma) only, for friction and hysteresis that the model does not know move "
+      "{} is known to {} % (1 sigma) only, for friction and hysteresis that the model does not know move "
       "joint {} as well; {}",
-      parameter.words(), 100.0 * std::expm1(v.sigma), parameter.joint + 1, remedyFor(parameter.quantity));
+      parameter.words(), perCent(v.stated), parameter.joint + 1, remedyFor(parameter.quantity));
 }
 
 void findPartner(const Eigen::MatrixXd& covariance, int i, int count, Visibility& visibility) {
@@ -90,7 +101,8 @@ Identifiability assess(const OutputError& problem, const ParameterSet& set, cons
     const double prior = set[i].prior_sigma;
     v.sigma_alone = prior / std::sqrt(1.0 + normal(i, i));
     v.sigma = prior * std::sqrt(posterior(i, i));
-    v.seen = v.sigma < kSeenShare * prior;
+    v.stated = v.sigma;
+    v.seen = v.stated < kSeenShare * prior;
     double moved = 0.0, noise = 0.0;
     for (int k = 0; k < problem.observations(); ++k) {
       const double change =

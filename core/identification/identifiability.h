@@ -16,7 +16,8 @@ struct Visibility {
   double noise = 0.0;        ///< RMS camera noise of that joint [rad or m]
   int partner = -1;          ///< unknown it is most correlated with (behind the set: CameraPose)
   double correlation = 0.0;  ///< with it
-  bool seen = false;         ///< sigma is below kSeenShare of the prior's
+  double stated = 0.0;       ///< sigma of the estimate with all that it counts; `sigma` before there is one
+  bool seen = false;         ///< stated is below kSeenShare of the prior's
   std::string advice;        ///< why not, and what to do; empty when seen
 };
 
@@ -38,9 +39,9 @@ void findPartner(const Eigen::MatrixXd& covariance, int i, int count, Visibility
 /// Unknown i of OutputError in words: "joint 1's damping", "the camera's turn about y".
 std::string wordsOf(const ParameterSet& set, int unknown);
 
-/// Why parameter i is not known better than `visibility.sigma`, and what would help: it moves the output by
-/// less than noise, or it is bound up with another unknown (|correlation| beyond 0.7), or what the model does
-/// not know of friction and hysteresis hides it.
+/// Why parameter i is not seen, or seen but not known to its goal, and what would help: it moves the output
+/// by less than noise, or noise alone would leave it bound up with another unknown (|correlation| beyond
+/// 0.7), or what the model does not know of friction and hysteresis hides it.
 std::string adviceFor(const ParameterSet& set, int i, const Visibility& visibility, int observations);
 
 }  // namespace capstan::identification

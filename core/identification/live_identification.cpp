@@ -6,8 +6,7 @@
 #include <cmath>
 #include <thread>
 
-#include "core/identification/batch.h"
-#include "core/identification/dual_ukf.h"
+#include "core/identification/delay_passes.h"
 #include "core/identification/live_text.h"
 
 namespace capstan::identification {
@@ -22,7 +21,7 @@ ShootingOptions shootingBesideASession() {
 
 void runDual(const IdentificationData& data, const LiveRequest& request, base::Progress& progress,
              LiveReport& report) {
-  DualUkfReport found = identifyDualUkf(data, request.set, {.camera = request.camera}, &progress);
+  DualUkfReport found = identifyDualUkfInPasses(data, request.set, {.camera = request.camera}, &progress);
   report.cancelled = found.end == DualUkfEnd::kCancelled;
   if (report.cancelled || found.observations == 0) return;
   report.estimates = std::move(found.estimates);
@@ -36,7 +35,7 @@ void runBatch(const IdentificationData& data, const LiveRequest& request, base::
               LiveReport& report) {
   const BatchOptions options{
       .camera = request.camera, .shooting = shootingBesideASession(), .start = request.start};
-  BatchReport found = identifyBatch(data, request.set, options, &progress);
+  BatchReport found = identifyBatchInPasses(data, request.set, options, &progress);
   report.cancelled = found.end == BatchEnd::kCancelled;
   report.seconds = found.seconds;
   if (found.end == BatchEnd::kFailed)

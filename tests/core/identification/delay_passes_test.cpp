@@ -83,9 +83,22 @@ TEST(DelayPasses, ThePriorStaysThatOfTheWholeDelay) {
     return identifyDualUkfInPasses(data, set, {.camera = {.delay_sigma = prior}, .doubt = kNoDoubt});
   };
   const DualUkfReport free = with(0.05), held = with(0.0015);
-  const double lost = kLate * std::pow(held.camera_sigma.delay / 0.0015, 2);
+  const double lost = kLate * std::pow(held.delay_noise / 0.0015, 2);
   EXPECT_GT(lost, 3.0 * free.camera_sigma.delay) << "else nothing is tested";
   EXPECT_NEAR(held.camera.delay, free.camera.delay - lost, 0.2 * lost);
+}
+
+/// However much the σ that is stated counts: the prior pulls by what the estimate went by.
+TEST(DelayPasses, DoubtInTheModelDoesNotPullTheDelay) {
+  const auto data = lateRecording(0.03);
+  const ParameterSet set(data.robot, "r_l");
+  const auto with = [&](const ModelDoubt& doubt) {
+    return identifyDualUkfInPasses(data, set, {.doubt = doubt});
+  };
+  const DualUkfReport sure = with(kNoDoubt), unsure = with({});
+  EXPECT_GT(unsure.camera_sigma.delay, 2.0 * sure.camera_sigma.delay) << "else nothing is tested";
+  EXPECT_DOUBLE_EQ(unsure.camera.delay, sure.camera.delay);
+  EXPECT_NEAR(unsure.camera.delay, 0.03, 4.0 * sure.camera_sigma.delay + 1e-4);
 }
 
 TEST(DelayPasses, ASmallDelayTakesOnePass) {

@@ -109,22 +109,26 @@ TEST(Recovery, ForcesThatNoModelKnowsWidenTheIntervals) {
 /// Each is warmed up by itself: together they say what one long recording would.
 TEST(Recovery, ManyShortRecordingsAreAsGoodAsALongOne) {
   const auto truth = softRaven(), nominal = wrongBy(truth);
-  auto data = matchedRecording(truth, nominal, {.duration = 10.0, .seed = 11});
+  auto data = matchedRecording(truth, nominal, {.duration = 20.0, .seed = 11});
   for (const std::uint64_t seed : {12U, 13U})
-    append(data, matchedRecording(truth, nominal, {.duration = 10.0, .seed = seed}));
+    append(data, matchedRecording(truth, nominal, {.duration = 20.0, .seed = seed}));
   const ParameterSet set(nominal, kAsked);
   const Shooting shooting(data, set);
   EXPECT_GT(shooting.used().size(), data.openCount() / 2);
   int joins = 0;
   for (std::size_t k = 1; k < shooting.used().size(); ++k) joins += shooting.continues(k) ? 0 : 1;
   EXPECT_EQ(joins, 2);
-  const BatchReport report = identifyBatch(data, set, {.doubt = kNoDoubt});
+  const BatchReport report = identifyBatch(data, set, {.doubt = kNoDoubt}),
+                    one = identifyBatch(matchedRecording(truth, nominal, {.duration = 20.0}), set,
+                                        {.doubt = kNoDoubt});
   ASSERT_EQ(report.end, BatchEnd::kConverged);
   const double wrong[] = {1.05, 1.8, 0.6, 1.5};
   for (int i = 0; i < set.size(); ++i) {
     const Estimate& found = report.estimates[static_cast<std::size_t>(i)];
     EXPECT_TRUE(found.seen) << found.advice;
     EXPECT_LT(std::abs(found.log + std::log(wrong[i])), 4.0 * found.sigma) << found.parameter.name();
+    const double of_one = one.estimates[static_cast<std::size_t>(i)].sigma;
+    EXPECT_LT(found.sigma, 0.8 * of_one) << found.parameter.name() << ": more of a motion does not say less";
   }
 }
 
@@ -134,7 +138,9 @@ TEST(Recovery, SeenMeansByTheStatedSigma) {
   const auto data = matchedRecording(truth, truth, {.duration = 30.0});
   const ParameterSet set(truth, "k_e2");
   const BatchReport sure = identifyBatch(data, set, {.doubt = kNoDoubt});
-  const BatchReport unsure = identifyBatch(data, set, {.doubt = {.friction_share = 20.0}});
+  const double by_one = identifyBatch(data, set, {.doubt = {.friction_share = 1.0}}).estimates[0].sigma;
+  const double share = 0.7 * set[0].prior_sigma / by_one;  // beyond kSeenShare, within the prior
+  const BatchReport unsure = identifyBatch(data, set, {.doubt = {.friction_share = share}});
   EXPECT_TRUE(sure.estimates[0].seen);
   EXPECT_EQ(sure.estimates[0].advice, "");
   EXPECT_TRUE(unsure.before.parameters[0].seen) << "by noise alone";
