@@ -75,7 +75,7 @@ void plausibleTransmission(Planted& e, const PlantParameters& p, base::Random& r
       break;
     case Effect::kEncoderSlip:
       e.magnitude = 0.03 * range * p.radius[i] * p.gear[i] / p.capstan[i] * eitherSign(random);
-      e.signature = 0.03;  // it slips within so many seconds
+      e.signature = 0.05;  // it slips within so many seconds
       e.phase = random.uniform(0.25, 0.75);
       break;
     case Effect::kCapstanEccentricity:
@@ -248,11 +248,6 @@ std::vector<Planted> everydayTexture(const PlantParameters& p, base::Random& ran
 }
 
 Sized sizedTo(double size, const Planted& largest, Visibility& visibility) {
-  if (size == 0.0) {
-    Planted none = largest;
-    none.magnitude = 0.0;
-    return {none, 0.0};
-  }
   const double most = visibility.of(largest);
   if (largest.effect == Effect::kSensorSign) return {largest, most};
   const double wanted = size <= 1.0 ? size * std::min(kLargeVisibility, most) : size * kLargeVisibility;
@@ -260,7 +255,7 @@ Sized sizedTo(double size, const Planted& largest, Visibility& visibility) {
   // Regula falsi on logarithms between shares of the largest that show too little and too much.
   double low = 0.0, high = 1.0, seen_low = 0.0, seen_high = most;
   Sized sized{largest, most};
-  for (int round = 0; round < 6 && !(sized.visibility > 0.8 * wanted && sized.visibility < 1.25 * wanted);
+  for (int round = 0; round < 10 && !(sized.visibility > 0.8 * wanted && sized.visibility < 1.25 * wanted);
        ++round) {
     double share = std::min(high * wanted / seen_high, 0.98 * high);
     if (seen_low > 0.0) {

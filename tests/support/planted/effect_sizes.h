@@ -49,8 +49,8 @@ struct Sized {
 };
 
 /// `largest` made so much smaller that its visibility is `size` times kLargeVisibility, within a quarter;
-/// where the largest plausible one shows less than that, up to size 1 `size` times what it shows. Nothing is
-/// left of it at size 0. sensor_sign stays as it is.
+/// where the largest plausible one shows less than that, up to size 1 `size` times what it shows. size > 0.
+/// sensor_sign stays as it is.
 Sized sizedTo(double size, const Planted& largest, Visibility& visibility);
 
 }  // namespace capstan::test

@@ -9,25 +9,24 @@ namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
-/// 0 to 1 with zero velocity and acceleration at both ends.
+}  // namespace
+
 double smoothStep(double x) {
   x = std::clamp(x, 0.0, 1.0);
   return x * x * x * (10.0 + x * (6.0 * x - 15.0));
 }
 
-}  // namespace
-
 Excitation::Excitation(const robot::Description& robot, double duration, base::Random& random) {
   for (const robot::Joint& joint : robot.joints) {
     const bool turns = joint.type == robot::JointType::kRevolute;
-    const double range = joint.limit_high - joint.limit_low, speed = 0.6 * joint.max_speed;
-    const double sway = 0.06 * range;
-    const double low = joint.limit_low + (turns ? 0.13 : 0.10) * range;
-    const double high = joint.limit_low + (turns ? 0.85 : 0.45) * range;
+    const double range = joint.limit_high - joint.limit_low, speed = 0.85 * joint.max_speed;
+    const double sway = 0.08 * range;
+    const double low = joint.limit_low + (turns ? 0.12 : 0.10) * range;
+    const double high = joint.limit_low + (turns ? 0.87 : 0.50) * range;
     Axis axis;
     axis.start = random.uniform(low + sway, high - sway);
-    addMoves(axis, low + sway, high - sway, 0.75 * speed, duration, random);
-    addSwells(axis, sway, 0.25 * speed, duration, random);
+    addMoves(axis, low + sway, high - sway, 0.7 * speed, duration, random);
+    addSwells(axis, sway, 0.3 * speed, duration, random);
     axes_.push_back(std::move(axis));
   }
 }
@@ -37,19 +36,19 @@ void Excitation::addMoves(Axis& axis, double low, double high, double speed, dou
   const double range = high - low;
   double at = axis.start, t = random.uniform(0.2, 0.8), way = 1.0;
   while (t < duration) {
-    const bool back = random.uniform(0.0, 1.0) < 0.45;  // a short move against the one before
+    const bool back = random.uniform(0.0, 1.0) < 0.5;  // a short move against the one before
     const double step = random.uniform(0.03, 0.2) * range;
     double to = back ? at - way * step : random.uniform(low, high);
     to = std::clamp(to, low, high);
     if (std::abs(to - at) < 0.01 * range) to = at > low + 0.5 * range ? at - step : at + step;
     const double distance = std::abs(to - at);
-    const double fastest = speed * std::exp(random.uniform(std::log(0.12), 0.0));
+    const double fastest = speed * std::exp(random.uniform(std::log(0.15), 0.0));
     const double time =
         std::max({1.875 * distance / fastest, std::sqrt(5.78 * distance / (6.0 * speed)), 0.15});
     axis.moves.push_back({t, t + time, at, to});
     way = to > at ? 1.0 : -1.0;
     at = to;
-    t += time + (random.uniform(0.0, 1.0) < 0.5 ? random.uniform(0.3, 1.5) : random.uniform(0.0, 0.1));
+    t += time + (random.uniform(0.0, 1.0) < 0.4 ? random.uniform(0.3, 1.3) : random.uniform(0.0, 0.1));
   }
 }
 
@@ -57,14 +56,14 @@ void Excitation::addSwells(Axis& axis, double amplitude, double speed, double du
                            base::Random& random) {
   double t = random.uniform(0.5, 3.0);
   while (t < duration) {
-    Swell swell{t, t + random.uniform(3.0, 7.0), {}};
+    Swell swell{t, t + random.uniform(4.0, 8.0), {}};
     for (int k = 0; k < 3; ++k) {
-      const double f = std::exp(random.uniform(std::log(0.2), std::log(2.0)));
+      const double f = std::exp(random.uniform(std::log(0.3), std::log(2.5)));
       const double most = std::min(amplitude, speed / (kTurn * f)) / 3.0;
       swell.sines.push_back({most * random.uniform(0.4, 1.0), f, random.uniform(0.0, kTurn)});
     }
     axis.swells.push_back(std::move(swell));
-    t = axis.swells.back().end + random.uniform(1.0, 4.0);
+    t = axis.swells.back().end + random.uniform(0.5, 3.0);
   }
 }
 

@@ -8,9 +8,12 @@
 
 namespace capstan::test {
 
+/// 0 to 1 over x from 0 to 1, velocity and acceleration zero at both ends.
+double smoothStep(double x);
+
 /// What the joints are asked to do: moves at all speeds to all places with dwells between them, many of them
 /// short and back again, and sums of sines that come and go. Twice continuously differentiable, inside the
-/// joint limits, below three fifths of the joints' highest speed.
+/// joint limits, below 0.85 of the joints' highest speed.
 class Excitation {
  public:
   Excitation(const robot::Description& robot, double duration, base::Random& random);

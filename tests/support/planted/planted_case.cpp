@@ -71,8 +71,12 @@ class CaseRobot {
     item.size = chosen.size;
     const int joint = std::max(chosen.joint - 1, 0);
     const PlantParameters parameters(robot_, case_.rigid);
-    const Sized sized = sizedTo(
-        chosen.size, largestPlausible(chosen.effect, joint, parameters, case_.robot, random), visibility());
+    item.planted = largestPlausible(chosen.effect, joint, parameters, case_.robot, random);
+    if (chosen.size == 0.0) {
+      item.planted.magnitude = 0.0;
+      return item;
+    }
+    const Sized sized = sizedTo(chosen.size, item.planted, visibility());
     item.planted = sized.planted;
     item.visibility = sized.visibility;
     return item;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/support/planted/excitation.h"
+
 namespace capstan::test {
 namespace {
 
@@ -100,7 +102,7 @@ double slipOf(const std::vector<Planted>& effects, int i, double t, double durat
   double slip = 0.0;
   for (const Planted& e : effects)
     if (e.effect == Effect::kEncoderSlip && e.joint == i)
-      slip += e.magnitude * std::clamp((t - e.phase * duration) / e.signature, 0.0, 1.0);
+      slip += e.magnitude * smoothStep((t - e.phase * duration) / e.signature);
   return slip;
 }
 
@@ -153,6 +155,13 @@ PlantedMotion replay(Plant& plant, const PlantedMotion& recorded, const std::vec
     for (int i = 0; i < n; ++i) motor[i] += slipOf(effects, i, recorded.t[k], duration);
     return motor;
   };
+  const auto rateAt = [&](std::size_t k) {
+    Joints rate = recorded.motor_rate[k];
+    const double t = recorded.t[k], h = 1e-5;
+    for (int i = 0; i < n; ++i)
+      rate[i] += (slipOf(effects, i, t + h, duration) - slipOf(effects, i, t - h, duration)) / (2.0 * h);
+    return rate;
+  };
   PlantState s = plant.rest(recorded.q.front());
   if (!rigid) s[kMotor] = motorAt(0);
   PlantedMotion motion;
@@ -164,12 +173,12 @@ PlantedMotion replay(Plant& plant, const PlantedMotion& recorded, const std::vec
       if (tellsNoSign(effects, i)) input.load[i] = std::abs(input.load[i]);
     keep(motion, recorded.t[k], s, input);
     const std::size_t next = std::min(k + 1, recorded.t.size() - 1);
-    const Joints motor = motorAt(k), motor_end = motorAt(next);
+    const Joints motor = motorAt(k), motor_end = motorAt(next), rate = rateAt(k), rate_end = rateAt(next);
     if (!rigid) {
       input.motor = &motor;
       input.motor_end = &motor_end;
-      input.motor_rate = &recorded.motor_rate[k];
-      input.motor_rate_end = &recorded.motor_rate[next];
+      input.motor_rate = &rate;
+      input.motor_rate_end = &rate_end;
     }
     plant.advance(s, recorded.t[k], kPeriod, steps, input);
   }
