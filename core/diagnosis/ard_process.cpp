@@ -9,17 +9,23 @@
 namespace capstan::diagnosis {
 namespace {
 
-constexpr double kWideSigma = 2.0, kWideLength = 1.5;  // deviations of the prior, of logarithms
+struct Prior {
+  double centre, width;
+};
+Prior priorOf(Eigen::Index parameter) {
+  if (parameter == kSignal) return {0.0, 2.0};
+  if (parameter < kMemory) return {std::log(0.3), 2.0};
+  return {parameter == kMemory ? std::log(0.3) : std::log(4.0), 1.5};
+}
 
 /// Adds −ln of the prior and its gradient.
 double addPrior(const ProcessParameters& parameters, Eigen::VectorXd* gradient) {
   double sum = 0.0;
   for (Eigen::Index i = 0; i < parameters.size(); ++i) {
-    const double centre = i == 0 ? 0.0 : i == 1 ? std::log(0.3) : std::log(4.0);
-    const double width = i < 2 ? kWideSigma : kWideLength;
-    const double away = (parameters(i) - centre) / width;
+    const Prior prior = priorOf(i);
+    const double away = (parameters(i) - prior.centre) / prior.width;
     sum += 0.5 * away * away;
-    if (gradient) (*gradient)(i) += away / width;
+    if (gradient) (*gradient)(i) += away / prior.width;
   }
   return sum;
 }
@@ -61,21 +67,27 @@ ArdProcess::ArdProcess(const ProcessInputs& inputs, Eigen::VectorXd y) : y_(std:
     for (Eigen::Index c = 0; c < n; ++c)
       for (Eigen::Index r = 0; r < n; ++r) d(r, c) = squaredDistance(inputs.x(r, v), inputs.x(c, v), angle);
   }
+  apart_.resize(n, n);
+  for (Eigen::Index c = 0; c < n; ++c) apart_.col(c) = (inputs.t.array() - inputs.t(c)).abs();
 }
 
 Eigen::MatrixXd ArdProcess::signalCovariance(const ProcessParameters& parameters) const {
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(y_.size(), y_.size());
   for (std::size_t v = 0; v < distances_.size(); ++v)
-    sum += std::exp(-2.0 * parameters(2 + static_cast<Eigen::Index>(v))) * distances_[v];
-  return (std::exp(2.0 * parameters(0)) * (-0.5 * sum.array()).exp()).matrix();
+    sum += std::exp(-2.0 * parameters(kLengths + static_cast<Eigen::Index>(v))) * distances_[v];
+  return (std::exp(2.0 * parameters(kSignal)) * (-0.5 * sum.array()).exp()).matrix();
+}
+
+Eigen::MatrixXd ArdProcess::slowCovariance(const ProcessParameters& parameters) const {
+  return std::exp(2.0 * parameters(kSlow)) * (-std::exp(-parameters(kMemory)) * apart_.array()).exp();
 }
 
 std::optional<double> ArdProcess::objective(const ProcessParameters& parameters,
                                             Eigen::VectorXd* gradient) const {
   const auto n = static_cast<double>(y_.size());
-  const double noise = std::exp(2.0 * parameters(1));
-  const Eigen::MatrixXd signal = signalCovariance(parameters);
-  Eigen::MatrixXd k = signal;
+  const double noise = std::exp(2.0 * parameters(kWhite));
+  const Eigen::MatrixXd signal = signalCovariance(parameters), slow = slowCovariance(parameters);
+  Eigen::MatrixXd k = signal + slow;
   k.diagonal().array() += noise;
   const Eigen::LLT<Eigen::MatrixXd> root(k);
   if (root.info() != Eigen::Success) return std::nullopt;
@@ -87,11 +99,14 @@ std::optional<double> ArdProcess::objective(const ProcessParameters& parameters,
     Eigen::MatrixXd w = root.solve(Eigen::MatrixXd::Identity(y_.size(), y_.size()));
     w.noalias() -= alpha * alpha.transpose();
     gradient->setZero(parameters.size());
-    (*gradient)(1) = noise * w.trace();
+    (*gradient)(kWhite) = noise * w.trace();
+    const Eigen::MatrixXd w_slow = w.cwiseProduct(slow);
+    (*gradient)(kSlow) = w_slow.sum();
+    (*gradient)(kMemory) = 0.5 * std::exp(-parameters(kMemory)) * w_slow.cwiseProduct(apart_).sum();
     w.array() *= signal.array();
-    (*gradient)(0) = w.sum();
+    (*gradient)(kSignal) = w.sum();
     for (std::size_t v = 0; v < distances_.size(); ++v) {
-      const auto i = 2 + static_cast<Eigen::Index>(v);
+      const auto i = kLengths + static_cast<Eigen::Index>(v);
       (*gradient)(i) = 0.5 * std::exp(-2.0 * parameters(i)) * w.cwiseProduct(distances_[v]).sum();
     }
   }
@@ -114,8 +129,8 @@ ProcessParameters ArdProcess::fit(const ProcessParameters& start, int iterations
 }
 
 Eigen::VectorXd ArdProcess::weights(const ProcessParameters& parameters) const {
-  Eigen::MatrixXd k = signalCovariance(parameters);
-  k.diagonal().array() += std::exp(2.0 * parameters(1));
+  Eigen::MatrixXd k = signalCovariance(parameters) + slowCovariance(parameters);
+  k.diagonal().array() += std::exp(2.0 * parameters(kWhite));
   const Eigen::LLT<Eigen::MatrixXd> root(k);
   if (root.info() != Eigen::Success) return Eigen::VectorXd::Zero(y_.size());
   return root.solve(y_);
@@ -125,7 +140,7 @@ Eigen::MatrixXd scaledDistances(const ProcessInputs& at, const ProcessInputs& kn
                                 const ProcessParameters& parameters) {
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(at.size(), known.size());
   for (Eigen::Index v = 0; v < at.variables(); ++v) {
-    const double scale = std::exp(-2.0 * parameters(2 + v));
+    const double scale = std::exp(-2.0 * parameters(kLengths + v));
     const bool angle = at.angle[static_cast<std::size_t>(v)];
     for (Eigen::Index c = 0; c < known.size(); ++c)
       for (Eigen::Index r = 0; r < at.size(); ++r)

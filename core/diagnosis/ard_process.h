@@ -11,6 +11,7 @@ namespace capstan::diagnosis {
 
 /// Points of d variables: n×d, each variable of about unit spread; angles [rad] as they are.
 struct ProcessInputs {
+  Eigen::VectorXd t;  ///< when [s]
   Eigen::MatrixXd x;
   std::vector<bool> angle;  ///< of each variable: the same after a turn
 
@@ -22,34 +23,40 @@ struct ProcessInputs {
 /// b)/2).
 double squaredDistance(double a, double b, bool angle);
 
-/// Logarithms of what the process has to learn: [ln σ_f, ln σ_n, ln ℓ_1 … ln ℓ_d].
+/// Logarithms of what the process has to learn: [ln σ_f, ln σ_n, ln σ_c, ln τ, ln ℓ_1 … ln ℓ_d].
 using ProcessParameters = Eigen::VectorXd;
+inline constexpr Eigen::Index kSignal = 0, kWhite = 1, kSlow = 2, kMemory = 3, kLengths = 4;
 
 /// Gaussian process with automatic relevance determination (Rasmussen and Williams, Gaussian Processes for
-/// Machine Learning, 2006, (5.1)),
-///     k(x, x') = σ_f² exp(−½ Σ_i D_i(x, x') / ℓ_i²) + σ_n² δ,   D_i the squared distance of variable i,
-/// of targets y with mean 0 and variance 1.
+/// Machine Learning, 2006, (5.1)) under noise that has a memory (Ornstein and Uhlenbeck, their (4.18) with
+/// ν = 1/2),
+///     k = σ_f² exp(−½ Σ_i D_i(x, x') / ℓ_i²) + σ_c² exp(−|t − t'| / τ) + σ_n² δ,
+/// D_i the squared distance of variable i, of targets y with mean 0 and variance 1. Without the noise's
+/// memory what merely lasts a while would seem to depend on whatever is slow.
 class ArdProcess {
  public:
   ArdProcess(const ProcessInputs& inputs, Eigen::VectorXd y);
 
-  /// −ln p(y | x, θ) − ln p(θ), (2.30) and its gradient (5.9); the prior is normal and wide: ln σ_f about 0
-  /// and ln σ_n about ln 0.3 with deviation 2, ln ℓ about ln 4 with deviation 1.5. It keeps what the data
-  /// leave open finite. Nothing where K is not positive definite.
+  /// −ln p(y | x, θ) − ln p(θ), (2.30) and its gradient (5.9); the prior is normal and wide: ln σ_f about 0,
+  /// ln σ_n and ln σ_c about ln 0.3 with deviation 2, ln τ about ln 0.3 (seconds) and ln ℓ about ln 4 with
+  /// deviation 1.5. It keeps what the data leave open finite. Nothing where K is not positive definite.
   std::optional<double> objective(const ProcessParameters& parameters, Eigen::VectorXd* gradient) const;
 
   /// Least objective from `start` by BFGS with line search (Ceres), at most `iterations`; `start` itself
   /// where nothing better is found. Stops early when `progress` is cancelled.
   ProcessParameters fit(const ProcessParameters& start, int iterations, const base::Progress* progress) const;
 
-  /// Weights α = K⁻¹ y of the predictions Σ_n α_n k(x, x_n); zero where K is not positive definite.
+  /// Weights α = K⁻¹ y of the predictions Σ_n α_n σ_f² exp(−½ Σ_i D_i(x, x_n) / ℓ_i²), what the variables
+  /// tell without the noise; zero where K is not positive definite.
   Eigen::VectorXd weights(const ProcessParameters& parameters) const;
 
-  Eigen::Index parameters() const { return 2 + static_cast<Eigen::Index>(distances_.size()); }
+  Eigen::Index parameters() const { return kLengths + static_cast<Eigen::Index>(distances_.size()); }
 
  private:
   Eigen::MatrixXd signalCovariance(const ProcessParameters& parameters) const;
+  Eigen::MatrixXd slowCovariance(const ProcessParameters& parameters) const;
 
+  Eigen::MatrixXd apart_;                   ///< |t − t'| [s]
   std::vector<Eigen::MatrixXd> distances_;  ///< D_i
   Eigen::VectorXd y_;
 };

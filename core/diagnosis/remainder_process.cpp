@@ -69,7 +69,8 @@ Points pointsOf(const Channel& channel, const std::vector<Variable>& variables, 
   const double length = std::max(timeBlocks(channel).length, (kept.t.back() - kept.t.front()) / kStretches);
   for (const double t : kept.t)
     points.stretch.push_back(static_cast<std::size_t>((t - kept.t.front()) / length + 1e-9));
-  points.inputs.x.resize(static_cast<Eigen::Index>(kept.size()), 0);
+  points.inputs.t = Eigen::Map<const Eigen::VectorXd>(kept.t.data(), points.e.size());
+  points.inputs.x.resize(points.e.size(), 0);
   for (const Variable& variable : variables)
     if (concerns(variable, channel)) addVariable(points, variable, variable.at(kept));
   return points;
@@ -86,11 +87,13 @@ Half halfOf(const Points& points, std::size_t parity) {
   for (std::size_t i = 0; i < points.stretch.size(); ++i)
     if (points.stretch[i] % 2 == parity) half.rows.push_back(static_cast<Eigen::Index>(i));
   const auto n = static_cast<Eigen::Index>(half.rows.size());
+  half.inputs.t.resize(n);
   half.inputs.x.resize(n, points.inputs.variables());
   half.inputs.angle = points.inputs.angle;
   half.e.resize(n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const Eigen::Index row = half.rows[static_cast<std::size_t>(i)];
+    half.inputs.t(i) = points.inputs.t(row);
     half.inputs.x.row(i) = points.inputs.x.row(row);
     half.e(i) = points.e(row);
   }
@@ -100,14 +103,15 @@ Half halfOf(const Points& points, std::size_t parity) {
 /// Long lengths all alike, and short ones where a signature shows something.
 std::array<ProcessParameters, 2> startsOf(const Points& points, const Channel& channel) {
   const Eigen::Index d = points.inputs.variables();
-  ProcessParameters alike(2 + d);
+  ProcessParameters alike(kLengths + d);
   alike.setConstant(std::log(std::max(1.5, std::sqrt(static_cast<double>(d)))));
-  alike(0) = std::log(0.7), alike(1) = std::log(0.7);
+  alike(kSignal) = alike(kWhite) = std::log(0.6), alike(kSlow) = std::log(0.4);
+  alike(kMemory) = std::log(0.3);
   ProcessParameters shown = alike;
   const TimeBlocks blocks = timeBlocks(channel);
   for (Eigen::Index v = 0; v < d; ++v) {
     const double share = signatureOf(channel, blocks, *points.variables[static_cast<std::size_t>(v)]).share;
-    shown(2 + v) = std::log(share > kShows ? kShort : kLong);
+    shown(kLengths + v) = std::log(share > kShows ? kShort : kLong);
   }
   return {alike, shown};
 }
@@ -132,7 +136,7 @@ struct Score {
 
 Eigen::VectorXd predict(const Eigen::MatrixXd& distances, const Eigen::VectorXd& alpha,
                         const ProcessParameters& parameters) {
-  return std::exp(2.0 * parameters(0)) * ((-0.5 * distances.array()).exp().matrix() * alpha);
+  return std::exp(2.0 * parameters(kSignal)) * ((-0.5 * distances.array()).exp().matrix() * alpha);
 }
 
 /// Scores half `tested` by the process fitted to `fitted`.
@@ -153,7 +157,7 @@ void score(const Half& fitted, double mean, const ProcessParameters& parameters,
   std::iota(order.begin(), order.end(), Eigen::Index{0});
   for (Eigen::Index v = 0; v < tested.inputs.variables(); ++v) {
     const bool angle = tested.inputs.angle[static_cast<std::size_t>(v)];
-    const double scale = std::exp(-2.0 * parameters(2 + v));
+    const double scale = std::exp(-2.0 * parameters(kLengths + v));
     for (int shuffle = 0; shuffle < options.shuffles; ++shuffle) {
       std::shuffle(order.begin(), order.end(), random.engine());
       Eigen::MatrixXd moved = distances;
@@ -173,7 +177,9 @@ void score(const Half& fitted, double mean, const ProcessParameters& parameters,
 std::string wordsOf(const RemainderProcess& process) {
   std::string words;
   for (const ProcessVariable& variable : process.variables) {
-    if (variable.relevance < kWeakly || variable.relevance < 2.0 * variable.sigma) continue;
+    if (process.explained < kWeakly || variable.relevance < kWeakly ||
+        variable.relevance < 2.0 * variable.sigma)
+      continue;
     const char* how = variable.relevance >= kStrongly  ? "strongly"
                       : variable.relevance >= kClearly ? "clearly"
                                                        : "weakly";
@@ -187,8 +193,10 @@ void judge(RemainderProcess& result, const Points& points, const ProcessParamete
   double variance = 0.0, error = 0.0;
   for (const Score& s : scores) variance += s.variance, error += s.error;
   result.explained = 1.0 - error / variance;
-  result.amplitude = points.scale * std::exp(parameters(0));
-  result.noise = points.scale * std::exp(parameters(1));
+  result.amplitude = points.scale * std::exp(parameters(kSignal));
+  result.noise = points.scale * std::hypot(std::exp(parameters(kWhite)), std::exp(parameters(kSlow)));
+  result.lasting = points.scale * std::exp(parameters(kSlow));
+  result.memory = std::exp(parameters(kMemory));
   for (Eigen::Index v = 0; v < points.inputs.variables(); ++v) {
     const Variable& variable = *points.variables[static_cast<std::size_t>(v)];
     double gain = 0.0, scatter = 0.0;
@@ -196,7 +204,7 @@ void judge(RemainderProcess& result, const Points& points, const ProcessParamete
     const double relevance = gain / variance;
     for (const Score& s : scores) scatter += std::pow(s.gain(v) - relevance * s.variance, 2);
     result.variables.push_back({variable.kind, variable.joint, variable.name, variable.unit,
-                                points.spread(v) * std::exp(parameters(2 + v)), relevance,
+                                points.spread(v) * std::exp(parameters(kLengths + v)), relevance,
                                 std::sqrt(scatter) / variance});
   }
   std::stable_sort(

@@ -41,7 +41,9 @@ struct RemainderProcess {
   std::string channel;
   std::size_t points = 0;
   double amplitude = 0.0;  ///< standard deviation of what depends on the variables [the channel's unit]
-  double noise = 0.0;      ///< and of what does not [the channel's unit]
+  double noise = 0.0;      ///< and of what does not, white or lasting [the channel's unit]
+  double lasting = 0.0;    ///< of this, what lasts a while, whatever the variables do [the channel's unit]
+  double memory = 0.0;     ///< for how long, to a 1/e-th [s]
   double explained = 0.0;  ///< share of the variance predicted on stretches that were not fitted
   std::vector<ProcessVariable> variables;  ///< most relevant first
   /// "depends on position of joint 2, strongly; on time, weakly", or that it depends on none of them.
@@ -57,7 +59,8 @@ RemainderProcess remainderProcess(const Channel& channel, const std::vector<Vari
                                   const ProcessOptions& options = {}, base::Progress* progress = nullptr);
 inline constexpr std::size_t kFewestForProcess = 60;
 
-/// Relevance from which on it is said: strongly, clearly, weakly; and only beyond two sigmas.
+/// Relevance from which on it is said: strongly, clearly, weakly; and only beyond two sigmas, of a process
+/// that explains at least the least of these on stretches that were not fitted.
 inline constexpr double kStrongly = 0.25, kClearly = 0.08, kWeakly = 0.02;
 
 }  // namespace capstan::diagnosis

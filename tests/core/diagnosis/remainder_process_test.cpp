@@ -16,10 +16,12 @@ namespace {
 ProcessInputs someInputs(Eigen::Index n, std::uint64_t seed) {
   base::Random random(seed, "inputs");
   ProcessInputs inputs;
+  inputs.t.resize(n);
   inputs.x.resize(n, 3);
   inputs.angle = {false, true, false};
   for (Eigen::Index i = 0; i < n; ++i)
-    inputs.x.row(i) << random.normal(), random.uniform(0.0, 2.0 * std::numbers::pi), random.normal();
+    inputs.t(i) = 0.1 * static_cast<double>(i), inputs.x.row(i) << random.normal(),
+    random.uniform(0.0, 2.0 * std::numbers::pi), random.normal();
   return inputs;
 }
 
@@ -36,11 +38,11 @@ TEST(ArdProcess, GradientAgreesWithDifferences) {
   const ArdProcess process(inputs, someTargets(inputs));
   base::Random random(3, "parameters");
   for (int trial = 0; trial < 5; ++trial) {
-    ProcessParameters at(5);
-    for (Eigen::Index i = 0; i < 5; ++i) at(i) = random.uniform(-1.0, 1.5);
+    ProcessParameters at(7);
+    for (Eigen::Index i = 0; i < 7; ++i) at(i) = random.uniform(-1.0, 1.5);
     Eigen::VectorXd gradient;
     ASSERT_TRUE(process.objective(at, &gradient).has_value());
-    for (Eigen::Index i = 0; i < 5; ++i) {
+    for (Eigen::Index i = 0; i < 7; ++i) {
       const double h = 1e-5;
       ProcessParameters more = at, less = at;
       more(i) += h, less(i) -= h;
@@ -51,21 +53,24 @@ TEST(ArdProcess, GradientAgreesWithDifferences) {
   }
 }
 
-/// With all points in one place K = σ_f² 1 1ᵀ + σ_n² I, whose inverse and determinant are known.
+/// With all points at one place and time K = (σ_f² + σ_c²) 1 1ᵀ + σ_n² I, whose inverse and determinant are
+/// known.
 TEST(ArdProcess, LikelihoodAgreesWithAClosedForm) {
   const Eigen::Index n = 12;
   ProcessInputs inputs;
+  inputs.t = Eigen::VectorXd::Constant(n, 7.0);
   inputs.x = Eigen::MatrixXd::Constant(n, 1, 0.4);
   inputs.angle = {false};
   Eigen::VectorXd y(n);
   for (Eigen::Index i = 0; i < n; ++i) y(i) = std::cos(3.0 * static_cast<double>(i)) + 0.2;
-  const double f = 0.8, s = 0.5, count = static_cast<double>(n);
-  ProcessParameters at(3);
-  at << std::log(f), std::log(s), std::log(4.0);
-  const double whole = s * s + count * f * f;
-  const double quadratic = (y.squaredNorm() - f * f / whole * y.sum() * y.sum()) / (s * s);
+  const double f = 0.8, s = 0.5, c = 0.4, count = static_cast<double>(n);
+  ProcessParameters at(5);
+  at << std::log(f), std::log(s), std::log(c), std::log(0.3), std::log(4.0);
+  const double shared = f * f + c * c, whole = s * s + count * shared;
+  const double quadratic = (y.squaredNorm() - shared / whole * y.sum() * y.sum()) / (s * s);
   const double determinant = std::log(whole) + (count - 1.0) * std::log(s * s);
-  const double prior = 0.5 * std::pow(std::log(f) / 2.0, 2) + 0.5 * std::pow(std::log(s / 0.3) / 2.0, 2);
+  const double prior =
+      0.125 * (std::pow(std::log(f), 2) + std::pow(std::log(s / 0.3), 2) + std::pow(std::log(c / 0.3), 2));
   const double expected =
       0.5 * quadratic + 0.5 * determinant + 0.5 * count * std::log(2.0 * std::numbers::pi) + prior;
   const ArdProcess process(inputs, y);
@@ -75,12 +80,12 @@ TEST(ArdProcess, LikelihoodAgreesWithAClosedForm) {
 TEST(ArdProcess, FitLengthensWhatDoesNotMatter) {
   const ProcessInputs inputs = someInputs(200, 2);
   const ArdProcess process(inputs, someTargets(inputs));
-  const ProcessParameters start = ProcessParameters::Zero(5);
+  const ProcessParameters start = ProcessParameters::Zero(7);
   const ProcessParameters found = process.fit(start, 60, nullptr);
   EXPECT_LT(process.objective(found, nullptr).value(), process.objective(start, nullptr).value() - 10.0);
-  EXPECT_GT(found(4), found(2) + 1.0);
-  EXPECT_GT(found(4), found(3) + 1.0);
-  EXPECT_NEAR(std::exp(found(1)), 0.3, 0.06);
+  EXPECT_GT(found(kLengths + 2), found(kLengths) + 1.0);
+  EXPECT_GT(found(kLengths + 2), found(kLengths + 1) + 1.0);
+  EXPECT_NEAR(std::hypot(std::exp(found(kWhite)), std::exp(found(kSlow))), 0.3, 0.06);
   Eigen::VectorXd gradient;
   process.objective(found, &gradient);
   EXPECT_LT(gradient.norm(), 1.0);
@@ -162,7 +167,7 @@ TEST(RemainderProcess, FindsTheMotorAngle) {
 }
 
 TEST(RemainderProcess, SaysThatNoiseDependsOnNothing) {
-  for (const double memory : {1e-6, 0.2}) {
+  for (const double memory : {1e-6, 0.2, 0.5}) {
     Scene s = scene(2, 60.0, 45, 4e-3);
     base::Random random(6, "noise");
     const auto e = slowNoise(random, s.evidence.rows(), 4e-3, memory, 1e-3);
