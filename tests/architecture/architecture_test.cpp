@@ -124,6 +124,18 @@ TEST(Architecture, TheSimulatedPlantIsNotTheFilterModel) {
       EXPECT_EQ(capstan::base::readTextFile(file).find(model), std::string::npos) << file;
 }
 
+/// The plant that hides faults from the diagnosis shares no model with anybody: it knows the robot file, the
+/// measured table and random numbers.
+TEST(Architecture, ThePlantedPlantIsNobodysModel) {
+  const auto files = sourcesUnder(kRoot / "tests" / "support" / "planted");
+  ASSERT_FALSE(files.empty());
+  const std::set<std::string> allowed = {"robot/description.h", "session/measured_table.h", "base/random.h"};
+  for (const auto& file : files)
+    for (const auto& used :
+         matches(capstan::base::readTextFile(file), std::regex("#include \"core/([a-z_/]+\\.h)\"")))
+      EXPECT_TRUE(allowed.contains(used)) << file << " includes core/" << used;
+}
+
 TEST(Architecture, AFileHoldsOneIdea) {
   for (const char* top : {"core", "widgets", "app", "tests"})
     for (const auto& file : sourcesUnder(kRoot / top)) {
