@@ -165,6 +165,16 @@ TEST(PlantedCase, ATenthOfLargeIsJustVisible) {
   }
 }
 
+TEST(PlantedCase, SizesRunFromJustVisibleToLarge) {
+  EXPECT_NEAR(visibilityOf(0.1, 1e4), 1.0, 1e-12);
+  EXPECT_NEAR(visibilityOf(0.5, 1e4), 5.0, 1e-12);
+  EXPECT_NEAR(visibilityOf(1.0, 1e4), 10.0, 1e-12);
+  EXPECT_NEAR(visibilityOf(30.0, 1e4), 300.0, 1e-12);
+  EXPECT_NEAR(visibilityOf(0.1, 4.0), 1.0, 1e-12);  // never more than 4 times noise and texture
+  EXPECT_NEAR(visibilityOf(1.0, 4.0), 4.0, 1e-12);
+  EXPECT_NEAR(visibilityOf(0.5, 0.6), 0.3, 1e-12);
+}
+
 TEST(PlantedCase, RecordingAndTruthAreOfOneCase) {
   DrawOptions options = optionsFor(raven(), false);
   options.effect = Effect::kPulleyRadius;

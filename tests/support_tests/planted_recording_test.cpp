@@ -105,6 +105,17 @@ TEST(PlantedRobot, HalvingTheStepChangesNothingThatMatters) {
   }
 }
 
+double spreadOf(const std::vector<double>& values) {
+  double sum = 0.0, squares = 0.0, count = 0.0;
+  for (const double x : values) {
+    if (std::isnan(x)) continue;
+    sum += x;
+    squares += x * x;
+    count += 1.0;
+  }
+  return std::sqrt(squares / count - sum * sum / (count * count));
+}
+
 /// To the last bit, empty cells too.
 bool sameBytes(const session::MeasuredTable& a, const session::MeasuredTable& b) {
   using session::MeasuredTable;
@@ -186,6 +197,54 @@ TEST(PlantedRecording, CamerasErrMostInDepthAsTheirGeometrySays) {
   EXPECT_NEAR(std::sqrt(along.dot(spread * along)), depth, 0.05 * depth);
 }
 
+/// `n` joints, every axis across the one before; light links on stout cables.
+robot::Description chainOf(int n) {
+  robot::Description robot;
+  robot.name = "chain";
+  robot.gravity = {0.0, 0.0, -9.81};
+  robot.marker = {0.1, 0.0, 0.0};
+  for (int i = 0; i < n; ++i) {
+    robot::Joint joint;
+    joint.name = std::to_string(i + 1);
+    joint.dh = {i % 2 == 0 ? 0.0 : 1.5707963267948966, i == 0 ? 0.0 : 0.12, 0.0, 0.0};
+    joint.limit_low = -0.8;
+    joint.limit_high = 0.8;
+    joint.max_speed = 1.0;
+    joint.link = {0.2, {0.06, 0.0, 0.0}, {1e-4, 4e-4, 4e-4}};
+    joint.friction = {0.05, 0.02, 0.01};
+    robot.joints.push_back(joint);
+    robot.drives.push_back({20.0, 5e-3, 0.03, 5e4, 300.0, 1.0, 1e-4, {5e-3, 1e-4, 0.5}, 2.0, 4000.0});
+    robot.coupling.emplace_back(static_cast<std::size_t>(n), 0.0);
+    robot.coupling.back()[static_cast<std::size_t>(i)] = 1.0;
+    if (i > 0) robot.coupling.back()[static_cast<std::size_t>(i - 1)] = 0.2;
+  }
+  return robot;
+}
+
+/// What its controller was asked for is what a robot of any length does, but for stretch and lag.
+TEST(PlantedRecording, ChainsOfOneToSevenJointsFollowTheirController) {
+  for (int n = 1; n <= 7; ++n)
+    for (const bool rigid : {false, true}) {
+      PlantedCase plain;
+      plain.seed = 3;
+      plain.robot = chainOf(n);
+      plain.rigid = rigid;
+      plain.duration = 2.0;
+      const session::MeasuredTable table = record(plain).table;
+      ASSERT_EQ(table.joints(), n);
+      base::Random way(plain.seed, "excitation");
+      const Excitation wanted(plain.robot, plain.duration, way);
+      for (int i = 0; i < n; ++i) {
+        const auto& q = table.q[static_cast<std::size_t>(i)];
+        double worst = 0.0;
+        for (std::size_t k = 0; k < q.size(); ++k)
+          worst = std::max(worst, std::abs(q[k] - wanted.at(table.t[k])[static_cast<std::size_t>(i)]));
+        EXPECT_LT(worst, 0.06) << n << (rigid ? " rigid" : " cable") << " joint " << i + 1;
+        EXPECT_GT(spreadOf(q), 1e-3);
+      }
+    }
+}
+
 TEST(PlantedRecording, SensorsThatAreAbsentLeaveNoColumns) {
   PlantedCase plain = caseOf(Effect::kBacklash, 0.0, 0.5);
   plain.sensors = {};
@@ -195,17 +254,6 @@ TEST(PlantedRecording, SensorsThatAreAbsentLeaveNoColumns) {
   EXPECT_FALSE(table.q_m.empty());
   EXPECT_TRUE(table.dq_m.empty() && table.tau_m.empty() && table.q.empty() && table.p_c.empty());
   EXPECT_TRUE(table.tau_ext.empty());
-}
-
-double spreadOf(const std::vector<double>& values) {
-  double sum = 0.0, squares = 0.0, count = 0.0;
-  for (const double x : values) {
-    if (std::isnan(x)) continue;
-    sum += x;
-    squares += x * x;
-    count += 1.0;
-  }
-  return std::sqrt(squares / count - sum * sum / (count * count));
 }
 
 /// Ranges, speeds and torques of the order of recordings that somebody else's simulator made.

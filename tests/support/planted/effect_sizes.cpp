@@ -186,7 +186,7 @@ void plausibleRest(Planted& e, const PlantParameters& p, const robot::Descriptio
       e.phase = random.uniform(0.0, kTurn);
       break;
     case Effect::kNonlinearSpring:
-      e.magnitude = 6.0 * p.coulomb[i];
+      e.magnitude = 12.0 * p.coulomb[i];
       break;
     case Effect::kJointDetent:
       e.magnitude = 4.0 * p.coulomb[i];
@@ -247,10 +247,16 @@ std::vector<Planted> everydayTexture(const PlantParameters& p, base::Random& ran
   return texture;
 }
 
+double visibilityOf(double size, double most) {
+  if (size > 1.0) return size * kLargeVisibility;
+  const double large = std::min(kLargeVisibility, most);
+  return large > 1.0 ? std::pow(large, 1.0 + std::log10(size)) : size * large;
+}
+
 Sized sizedTo(double size, const Planted& largest, Visibility& visibility) {
   const double most = visibility.of(largest);
   if (largest.effect == Effect::kSensorSign) return {largest, most};
-  const double wanted = size <= 1.0 ? size * std::min(kLargeVisibility, most) : size * kLargeVisibility;
+  const double wanted = visibilityOf(size, most);
   if (wanted >= most) return {largest, most};
   // Regula falsi on logarithms between shares of the largest that show too little and too much.
   double low = 0.0, high = 1.0, seen_low = 0.0, seen_high = most;

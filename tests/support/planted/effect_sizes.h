@@ -48,9 +48,13 @@ struct Sized {
   double visibility = 0.0;
 };
 
-/// `largest` made so much smaller that its visibility is `size` times kLargeVisibility, within a quarter;
-/// where the largest plausible one shows less than that, up to size 1 `size` times what it shows. size > 0.
-/// sensor_sign stays as it is.
+/// Visibility at `size` of an effect that shows at most `most`: on a logarithmic scale from 1 at size 0.1 to
+/// kLargeVisibility at 1, or to `most` where that is less; size times `most` where that is not even 1; above
+/// size 1 size times kLargeVisibility.
+double visibilityOf(double size, double most);
+
+/// `largest` made so much smaller that its visibility is visibilityOf(size, its own), within a quarter; as it
+/// is where that is more than it has. size > 0. sensor_sign stays as it is.
 Sized sizedTo(double size, const Planted& largest, Visibility& visibility);
 
 }  // namespace capstan::test

@@ -90,11 +90,14 @@ class CaseRobot {
   Truth truth_;
 };
 
-/// Coulomb friction moves a joint on its cable by so many RMS of its encoder's noise.
+/// Coulomb friction moves a joint on its cable by so many RMS of the noise of what sees the joint.
 double softness(const DrawOptions& options, int i) {
   const PlantParameters p(options.robot, options.rigid);
   const bool turns = options.robot.joints[static_cast<std::size_t>(i)].type == robot::JointType::kRevolute;
-  const double noise = (turns ? options.sensors.turn_count : options.sensors.slide_count) / std::sqrt(12.0);
+  const SensorOptions& sensors = options.sensors;
+  double noise = (turns ? sensors.turn_count : sensors.slide_count) / std::sqrt(12.0);
+  if (!sensors.joint_encoders)  // some dozens of pictures in every place, 0.3 m from the axis
+    noise = 0.2 * StereoPair(Eigen::Vector3d::Zero(), sensors).sigma() / (turns ? 0.3 : 1.0);
   return frictionStretch(p, i) / p.radius[i] / noise;
 }
 

@@ -70,7 +70,7 @@ struct DrawOptions {
 
 /// Joints, counted from 1, on which `effect` makes sense on this robot; {0} for one of the whole arm; none
 /// when the drive or the sensors do not have it. Joints whose cable is so stiff that its Coulomb friction
-/// moves them by less than five counts' noise have no effects of force.
+/// moves them by less than five times the sensors' noise have no effects of force.
 std::vector<int> jointsFor(Effect effect, const DrawOptions& options);
 
 /// A case from a seed. Throws std::invalid_argument when the wanted effect makes no sense on this robot or
