@@ -46,8 +46,13 @@ void checkSensors(const RecordedTracks& tracks, const EvidenceOptions& options) 
     refuse(tracks, "tau_m1", {}, "is missing: motor torques drive the simulation of a rigid robot",
            "Add the motor torques (or forces) [N*m or N] as columns tau_m1 …");
   if (tracks.q.empty() && tracks.tip.empty())
-    refuse(tracks, "q1, p_c1", {}, "are missing: neither joint encoders nor cameras say what the robot did",
-           "Add joint encoders [rad or m] as q1 … or the tip seen by cameras [m] as p_c1, p_c2, p_c3");
+    refuse(
+        tracks, "q1, p_c1", {},
+        tracks.own_kinematics
+            ? "are missing: neither joint encoders nor cameras say what the robot did (joint positions are "
+              "what it computed from its motors)"
+            : "are missing: neither joint encoders nor cameras say what the robot did",
+        "Add joint encoders [rad or m] as q1 … or the tip seen by cameras [m] as p_c1, p_c2, p_c3");
 }
 
 /// Times of the rows in which every motor has what drives.
@@ -152,6 +157,27 @@ void placeSights(Evidence& evidence, const EvenGrid& grid, const RecordedTracks&
   }
 }
 
+/// The motor side and the joint encoders on the rows of the grid.
+void placeChannels(Evidence& evidence, const EvenGrid& grid, const RecordedTracks& tracks,
+                   const EvidenceOptions& options) {
+  const double whole = 3.5 * grid.period, reach = std::max(options.longest_gap, whole) * (1.0 + 1e-9);
+  const bool cable = options.drive == DriveKind::kCable;
+  std::vector<std::uint8_t> missing;
+  const auto place = [&](const Columns& columns, Columns& out, std::vector<ChannelNoise>& noise, double over,
+                         bool drives) {
+    Placed placed = placeDrive(grid, tracks.t, columns, over, drives ? &missing : nullptr);
+    out = std::move(placed.columns), noise = std::move(placed.noise);
+  };
+  place(tracks.q_m, evidence.q_m, evidence.noise.q_m, reach, cable);
+  place(tracks.dq_m, evidence.dq_m, evidence.noise.dq_m, whole, false);
+  place(tracks.tau_m, evidence.tau_m, evidence.noise.tau_m, reach, !cable);
+  place(tracks.tau_ext, evidence.tau_ext, evidence.noise.tau_ext, reach, false);
+  Placed reference = placeReference(grid, tracks);
+  evidence.q = std::move(reference.columns);
+  evidence.noise.q = std::move(reference.noise);
+  mark(evidence.doubts, missing, kGap);
+}
+
 void noticeLosses(Evidence& evidence, const RecordedTracks& tracks) {
   if (evidence.segments.size() > 1)
     evidence.notices.push_back(fmt::format("{}: {} pieces with gaps between them: simulated one by one",
@@ -235,23 +261,8 @@ Evidence assembleEvidence(const RecordedTracks& tracks, const robot::Description
   evidence.t = grid.t;
   evidence.segments = grid.segments;
   evidence.doubts.assign(grid.t.size(), 0);
-  const double reach = std::max(options.longest_gap, 3.5 * grid.period) * (1.0 + 1e-9);
-  const bool cable = options.drive == DriveKind::kCable;
-  std::vector<std::uint8_t> missing;
-  const auto place = [&](const Columns& columns, Columns& out, std::vector<ChannelNoise>& noise, double over,
-                         bool drives) {
-    Placed placed = placeDrive(grid, tracks.t, columns, over, drives ? &missing : nullptr);
-    out = std::move(placed.columns), noise = std::move(placed.noise);
-  };
-  place(tracks.q_m, evidence.q_m, evidence.noise.q_m, reach, cable);
-  place(tracks.dq_m, evidence.dq_m, evidence.noise.dq_m, 3.5 * grid.period, false);
-  place(tracks.tau_m, evidence.tau_m, evidence.noise.tau_m, reach, !cable);
-  place(tracks.tau_ext, evidence.tau_ext, evidence.noise.tau_ext, reach, false);
-  Placed reference = placeReference(grid, tracks);
-  evidence.q = std::move(reference.columns);
-  evidence.noise.q = std::move(reference.noise);
+  placeChannels(evidence, grid, tracks, options);
   if (!evidence.q_m.empty()) differentiate(evidence, options.smoothing);
-  mark(evidence.doubts, missing, kGap);
   markSaturated(evidence, robot);
   for (std::size_t i = 0; i < evidence.rows(); ++i)
     if (evidence.t[i] < evidence.t.front() + options.skip_start) evidence.doubts[i] |= kStart;

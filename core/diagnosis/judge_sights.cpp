@@ -11,6 +11,7 @@ namespace capstan::diagnosis {
 namespace {
 
 constexpr std::size_t kAbout = 3;  // sights on either side
+constexpr std::size_t kForCubic = 6;
 constexpr double kFarthest = 8.0;
 constexpr double kNeverAnOutlier = 1e-3;  // [m]
 
@@ -32,16 +33,24 @@ Eigen::Vector3d tipOfJoints(const Evidence& evidence, const robot::Chain& chain,
   return chain.marker(transmission->jointFromMotor(vectorAt(evidence.q_m, row)));
 }
 
-/// |Distance of each sight from the median of those about it|, but no more than from the cubic through the
-/// two on either side, which a smooth motion under a camera that lags obeys.
+/// The cubic through four others at sight i: two on either side, at the ends the four next.
+double cubicAt(const std::vector<double>& d, std::size_t i) {
+  const auto outside = [&](std::size_t a, std::size_t b, std::size_t c, std::size_t e) {
+    return 4.0 * (d[a] + d[c]) - 6.0 * d[b] - d[e];
+  };
+  if (i < 2) return outside(i + 1, i + 2, i + 3, i + 4);
+  if (i + 2 >= d.size()) return outside(i - 1, i - 2, i - 3, i - 4);
+  return (4.0 * (d[i - 1] + d[i + 1]) - d[i - 2] - d[i + 2]) / 6.0;
+}
+
+/// |Distance of each sight from the median of those about it|, but no more than from the cubic through its
+/// neighbours, which a smooth motion under a camera that lags obeys.
 std::vector<double> strayings(const std::vector<double>& d) {
   std::vector<double> result;
   for (std::size_t i = 0; i < d.size(); ++i) {
     const std::size_t begin = i - std::min(i, kAbout), end = std::min(d.size(), i + kAbout + 1);
     result.push_back(std::abs(d[i] - stats::median(std::span(d).subspan(begin, end - begin))));
-    if (i < 2 || i + 2 >= d.size()) continue;
-    const double cubic = (4.0 * (d[i - 1] + d[i + 1]) - d[i - 2] - d[i + 2]) / 6.0;
-    result.back() = std::min(result.back(), std::abs(d[i] - cubic));
+    if (d.size() >= kForCubic) result.back() = std::min(result.back(), std::abs(d[i] - cubicAt(d, i)));
   }
   return result;
 }

@@ -24,8 +24,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr const char* kOwnKinematics =
-    "joint positions are what the robot computed from its motors: left out, they are no reference";
+void leaveOutJoints(RecordedTracks& tracks) {
+  tracks.t_q.clear(), tracks.q.clear();
+  tracks.own_kinematics = true;
+  tracks.notices.push_back(fmt::format(
+      "{}: joint positions are what the robot computed from its motors: left out, they are no reference",
+      tracks.title));
+}
 
 bool hasNumbers(const Columns& columns) {
   return std::any_of(columns.begin(), columns.end(), [](const std::vector<double>& column) {
@@ -71,10 +76,7 @@ class TrackCollector {
   RecordedTracks finish(const session::SourceInfo& info) {
     tracks_.title = tracks_.file = info.title;
     tracks_.notices = info.notices;
-    if (info.own_kinematics) {
-      tracks_.q.clear(), tracks_.t_q.clear();
-      tracks_.notices.push_back(fmt::format("{}: {}", info.title, kOwnKinematics));
-    }
+    if (info.own_kinematics) leaveOutJoints(tracks_);
     for (Columns* columns : {&tracks_.dq_m, &tracks_.tau_m, &tracks_.q})
       if (!hasNumbers(*columns)) columns->clear();
     const std::vector<std::size_t> joints = risingOrder(tracks_.t_q), tips = risingOrder(tracks_.t_tip);
@@ -106,8 +108,8 @@ RecordedTracks tracksOf(const session::MeasuredTable& table, const robot::Descri
        {std::pair{&table.q_m, &tracks.q_m}, std::pair{&table.dq_m, &tracks.dq_m},
         std::pair{&table.tau_m, &tracks.tau_m}, std::pair{&table.tau_ext, &tracks.tau_ext}})
     if (hasNumbers(*from)) *to = *from;
-  if (hasNumbers(table.q) && !table.own_kinematics) tracks.t_q = table.t, tracks.q = table.q;
-  if (table.own_kinematics) tracks.notices.push_back(fmt::format("{}: {}", tracks.title, kOwnKinematics));
+  if (hasNumbers(table.q)) tracks.t_q = table.t, tracks.q = table.q;
+  if (table.own_kinematics) leaveOutJoints(tracks);
   for (std::size_t i = 0; i < table.rows() && !table.p_c.empty(); ++i) {
     const Vector3d tip(table.p_c[0][i], table.p_c[1][i], table.p_c[2][i]);
     if (tip.allFinite()) tracks.t_tip.push_back(table.t[i]), tracks.tip.push_back(tip);

@@ -74,6 +74,18 @@ TEST(MeasuredSignature, AnEccentricCapstanShowsAgainstItsAngle) {
   EXPECT_LT(signatures[1].share, 0.5);
 }
 
+TEST(MeasuredProcess, FindsTheEccentricCapstanToo) {
+  const std::filesystem::path file = dataFolder() / "plant" / "rec108.csv";
+  REQUIRE_DATA(file);
+  const Arm arm = armOf(file);
+  ProcessOptions options;
+  options.points = 400;
+  const RemainderProcess process = remainderProcess(arm.channels[2], arm.variables, options);
+  EXPECT_EQ(process.channel, "q3");
+  EXPECT_GT(process.explained, 0.8);
+  EXPECT_EQ(process.words, "depends on capstan angle of joint 3, strongly");
+}
+
 TEST(MeasuredSignature, AWrongPulleyShowsAgainstThePosition) {
   const std::filesystem::path file = dataFolder() / "plant" / "rec102.csv";
   REQUIRE_DATA(file);
