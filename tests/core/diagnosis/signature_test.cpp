@@ -182,11 +182,15 @@ TEST(Signature, IntervalsKnowThatSamplesDepend) {
   base::Random random(9, "noise");
   const auto e = slowNoise(random, s.evidence.rows(), 1e-3, 0.4, 1e-3);
   for (std::size_t i = 0; i < e.size(); ++i) s.evidence.q[0][i] += e[i];
-  for (const SignatureBin& bin : signaturesIn(s).signatures.at("position of joint 1").bins) {
+  const Signature signature = signaturesIn(s).signatures.at("position of joint 1");
+  std::size_t known = 0;
+  for (const SignatureBin& bin : signature.bins) {
     if (std::isnan(bin.interval.low)) continue;
+    ++known;
     const double naive = 2.0 * 1.96 * 1e-3 / std::sqrt(static_cast<double>(bin.samples));
     EXPECT_GT(bin.interval.high - bin.interval.low, 4.0 * naive);
   }
+  EXPECT_GT(known, 15U);
 }
 
 TEST(Signature, OfCamerasIsTakenAtTheirOwnInstants) {
