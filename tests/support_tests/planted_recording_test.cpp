@@ -245,6 +245,13 @@ TEST(PlantedRecording, ChainsOfOneToSevenJointsFollowTheirController) {
     }
 }
 
+TEST(PlantedRobot, ARobotThatIsTooStiffIsRefused) {
+  robot::Description robot = slider();
+  robot.joints[0].friction = {5.0, 0.0, 1e-7};  // 2.5e7 1/s about rest
+  Plant plant(PlantParameters(robot, false), {});
+  EXPECT_THROW(plant.stepsFor(1e-3, Joints{}), std::invalid_argument);
+}
+
 TEST(PlantedRecording, SensorsThatAreAbsentLeaveNoColumns) {
   PlantedCase plain = caseOf(Effect::kBacklash, 0.0, 0.5);
   plain.sensors = {};

@@ -40,6 +40,7 @@ class Plant {
   /// Motor positions that hold a rigid cable at `q` [rad].
   Joints motorsAt(const Joints& q) const;
   /// Steps of equal length into which `duration` [s] has to be cut; never fewer than two a millisecond.
+  /// Throws std::invalid_argument where that would be more than a thousand a millisecond.
   int stepsFor(double duration, const Joints& q);
   /// State at t + duration from that at t, in `steps` steps.
   void advance(PlantState& state, double t, double duration, int steps, const PlantInput& input);
