@@ -182,7 +182,7 @@ void runMethods(const IdentifyArguments& arguments, const identification::Identi
       found.dual ? *found.dual
                  : identification::identifyDualUkfInPasses(data, *found.set, {.camera = camera}, &progress);
   if (experiments::choose(experiments::Method::kDualUkf, &start, nullptr).method)
-    for (const auto& estimate : start.estimates) batch.start.push_back(estimate.log);
+    batch.start = identification::logsOf(start.estimates);
   found.batch = identification::identifyBatchInPasses(data, *found.set, batch, &progress);
 }
 

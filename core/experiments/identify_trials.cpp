@@ -137,8 +137,7 @@ void identify(const IdentificationData& data, const identification::ParameterSet
   take(dual, set, data.motors.t.empty() ? 0.0 : data.motors.t.front(), result);
   identification::BatchOptions options{.camera = setup.options.camera, .shooting = {.threads = threads}};
   const bool dual_usable = choose(Method::kDualUkf, &dual, nullptr).method.has_value();
-  if (dual_usable)
-    for (const auto& estimate : dual.estimates) options.start.push_back(estimate.log);
+  if (dual_usable) options.start = identification::logsOf(dual.estimates);
   const auto batch = identification::identifyBatchInPasses(data, set, options, &progress);
   if (progress.cancelled()) return;
   take(batch, result);

@@ -62,7 +62,7 @@ LatencyTrial runTrial(const LatencyStudyOptions& options, const simulation::Simu
   const auto data = identification::collect(recording, &progress);
   const auto dual = identification::identifyDualUkfInPasses(data, set, {.camera = camera}, &progress);
   identification::BatchOptions batch_options{.camera = camera, .shooting = {.threads = 1}};
-  for (const auto& estimate : dual.estimates) batch_options.start.push_back(estimate.log);
+  batch_options.start = identification::logsOf(dual.estimates);
   const auto batch = identification::identifyBatchInPasses(data, set, batch_options, &progress);
   if (progress.cancelled()) return trial;
   trial.delay = {dual.camera.delay, batch.camera.delay};

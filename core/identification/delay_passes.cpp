@@ -57,8 +57,7 @@ BatchReport identifyBatchInPasses(const IdentificationData& data, const Paramete
   const BatchReport first = identifyBatch(data, set, options, progress);
   if (!again(first, options.camera, progress)) return first;
   BatchOptions from = options;
-  from.start.clear();
-  for (const Estimate& estimate : first.estimates) from.start.push_back(estimate.log);
+  from.start = logsOf(first.estimates);
   BatchReport second = identifyBatch(withExposuresEarlier(data, first.camera.delay), set, from, progress);
   join(first, options.camera, second);
   second.iterations += first.iterations;

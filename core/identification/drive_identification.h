@@ -9,6 +9,7 @@
 #include "core/identification/drive_parameters.h"
 #include "core/identification/drive_recording.h"
 #include "core/identification/drive_score.h"
+#include "core/stats/interval.h"
 
 namespace capstan::identification {
 
@@ -33,8 +34,10 @@ struct DriveEstimate {
   double value() const { return parameter.nominal * std::exp(log); }  ///< SI
   double valueSigma() const { return value() * sigma; }               ///< SI, to first order
   double percent() const { return 100.0 * std::expm1(log); }          ///< change from nominal
-  double low() const { return parameter.nominal * std::exp(log - 1.959964 * sigma); }  ///< 95 % interval
-  double high() const { return parameter.nominal * std::exp(log + 1.959964 * sigma); }
+  double low() const {
+    return parameter.nominal * std::exp(log - stats::kNormal95 * sigma);
+  }  ///< 95 % interval
+  double high() const { return parameter.nominal * std::exp(log + stats::kNormal95 * sigma); }
 };
 
 /// Where the encoder of one recording (or of all) has its zero, beside the robot file's [rad or m].

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/identification/parameters.h"
+#include "core/stats/interval.h"
 
 namespace capstan::identification {
 
@@ -20,12 +21,21 @@ struct Estimate {
   double value() const { return parameter.nominal * std::exp(log); }  ///< SI
   double valueSigma() const { return value() * sigma; }               ///< SI, to first order
   double percent() const { return 100.0 * std::expm1(log); }          ///< change from nominal
-  double low() const { return parameter.nominal * std::exp(log - 1.959964 * sigma); }  ///< 95 % interval
-  double high() const { return parameter.nominal * std::exp(log + 1.959964 * sigma); }
+  double low() const {
+    return parameter.nominal * std::exp(log - stats::kNormal95 * sigma);
+  }  ///< 95 % interval
+  double high() const { return parameter.nominal * std::exp(log + stats::kNormal95 * sigma); }
 };
 
 /// σ of what a recording leaves of a prior of σ = 1, below which a parameter counts as seen.
 inline constexpr double kSeenShare = 0.5;
+
+/// Logarithms of the values, in their order.
+inline std::vector<double> logsOf(const std::vector<Estimate>& estimates) {
+  std::vector<double> logs;
+  for (const Estimate& estimate : estimates) logs.push_back(estimate.log);
+  return logs;
+}
 
 /// The nominal robot with every parameter that was seen; the others keep their nominal value.
 inline robot::Description identifiedRobot(const ParameterSet& set, const std::vector<Estimate>& estimates) {

@@ -150,8 +150,7 @@ std::shared_ptr<LiveRecording> LiveIdentification::sink() const {
 LiveRequest LiveIdentification::request(LiveMethod method) {
   running_ = true;
   LiveRequest request{++serial_, recording_, *set_, options_.camera, method, {}};
-  if (method == LiveMethod::kBatch)
-    for (const Estimate& estimate : shown_.estimates) request.start.push_back(estimate.log);
+  if (method == LiveMethod::kBatch) request.start = logsOf(shown_.estimates);
   return request;
 }
 

@@ -158,7 +158,7 @@ void Shooting::run(const Piece& piece, const ParameterSet::Logs& logs, double ra
     if (!(end > t)) return;
     const MotorStep step = motorStep(motors, constants, i, t - motors.t[i]);
     advanceLink(constants, order, step, end - t, stepsFor(rate, end - t), x);
-    hysteresis.advance(constants, step, x, end - t);
+    if (derivatives) hysteresis.advance(constants, step, x, end - t);
     t = end;
   };
   for (std::size_t k = piece.first; k < piece.last; ++k) {

@@ -16,7 +16,8 @@ struct ArmPrediction {
   Eigen::Vector3d dq = Eigen::Vector3d::Zero();                   ///< per second
   ByParameter q_by_log = ByParameter::Zero();                     ///< d q / d ln w
   ByParameter dq_by_log = ByParameter::Zero();
-  /// What the link has followed of a hysteresis of its cable, by the greatest it could: −1…1 (shooting.cpp).
+  /// What the link has followed of a hysteresis of its cable, by the greatest it could: −1…1 (shooting.cpp);
+  /// with derivatives only, as it is asked for with them.
   Eigen::Vector3d hysteresis = Eigen::Vector3d::Zero();
 };
 

@@ -7,6 +7,7 @@
 
 #include "core/base/units.h"
 #include "core/robot/arm_kinematics.h"
+#include "core/stats/interval.h"
 #include "core/stats/quantile.h"
 
 namespace capstan::session {
@@ -15,7 +16,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kNormal95 = 1.959963984540054;  // 97.5 % quantile of the standard normal distribution
 constexpr double kMadToSigma = 1.4826;  // median absolute deviation of a normal distribution, inverted
 constexpr double kLeastScale = 1e-5;    // [m] below this a spread is rounding, not noise
 constexpr int kLeastToJudge = 5;        // points before a median means something
@@ -181,7 +181,7 @@ void RegistrationGuide::finish() {
   const Vector3d marker = arm.tip(collect_pose_);
   RegistrationProposal proposal;
   proposal.registration = vision::registerAtHardStop(used_, current_->linear(), marker).value();
-  proposal.half_width = kNormal95 * proposal.registration.sigma;
+  proposal.half_width = stats::kNormal95 * proposal.registration.sigma;
   proposal.shift = proposal.registration.base_from_camera * scatter_.mean - *current_ * scatter_.mean;
   Vector3d corner;
   double farthest = 0.0;
