@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/diagnosis/evidence.h"
+#include "core/diagnosis/report.h"
+#include "core/robot/description.h"
+
+namespace capstan::diagnosis {
+
+struct DiagnosisOptions {
+  int threads = 2;
+  int most_causes = 4;   ///< forward selection ends there
+  int refits = 8;        ///< most promising (effect, joint) pairs that are refitted in a round
+  double horizon = 2.0;  ///< a rigid drive's simulation starts anew so often in the fits [s]; 0: never
+  bool zero_per_recording = true;  ///< of joint encoders, where there are several recordings
+  bool filter = true;  ///< also what the Kalman filter gains (three-joint cable arms with both sensors)
+  std::vector<std::string> only;  ///< names of hypotheses to consider; empty: all
+  std::uint64_t seed = 1;         ///< of the bootstraps
+};
+
+/// Shows what the nominal robot's simulation gets wrong in recordings of one robot, names the cause, extends
+/// the model and measures the gain; see the stages in the folder's README-like order: refit, screen, select,
+/// judge. Deterministic: the same evidence and options give the same report, whatever the threads.
+/// base::InputError: no recordings; recordings of different drives or joints; an unknown name in `only`.
+/// Cancelled through `progress`: Report::cancelled, with what there is.
+Report diagnose(const std::vector<Evidence>& recordings, const robot::Description& nominal,
+                const DiagnosisOptions& options = {}, base::Progress* progress = nullptr);
+
+}  // namespace capstan::diagnosis
