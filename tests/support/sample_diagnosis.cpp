@@ -1,0 +1,171 @@
+#include "tests/support/sample_diagnosis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/resource.h"
+#include "core/diagnosis/decimated_remainder.h"
+#include "tests/support/sample_motion.h"
+
+namespace capstan::testing {
+
+namespace {
+
+using namespace diagnosis;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+robot::Description leftRaven() { return robot::readDescription(base::resource("robots/raven2_left.yaml")); }
+
+stats::Interval about(double value, double share) { return {value * (1.0 - share), value * (1.0 + share)}; }
+
+Gain gainOf(const ChannelStatistics& before, const ChannelStatistics& after) {
+  Gain gain{before.name, before.unit, before.rms, after.rms, {}, {}, {}};
+  gain.before = about(before.rms, 0.07), gain.after = about(after.rms, 0.05);
+  gain.interval = about(after.rms / before.rms, 0.09);
+  return gain;
+}
+
+std::vector<Signature> strongestFirst(const Channel& channel, const std::vector<Variable>& variables) {
+  std::vector<Signature> all = signaturesOf(channel, variables);
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Signature& a, const Signature& b) { return a.share > b.share; });
+  return all;
+}
+
+void addChannels(Report& report, const SampleMotion& motion, const robot::Description& robot, int recording) {
+  const auto nominal = remainderOf(motion.evidence, motion.nominal, robot);
+  const auto refitted = remainderOf(motion.evidence, motion.refitted, robot);
+  const auto extended = remainderOf(motion.evidence, motion.extended, robot);
+  const auto before = variablesOf(motion.evidence, motion.refitted, robot);
+  const auto after = variablesOf(motion.evidence, motion.extended, robot);
+  for (std::size_t i = 0; i < nominal.size(); ++i) {
+    ChannelReport channel;
+    channel.recording = recording;
+    channel.nominal = nominal[i], channel.refitted = refitted[i], channel.extended = extended[i];
+    channel.nominal_statistics = statisticsOf(nominal[i]);
+    channel.refitted_statistics = statisticsOf(refitted[i]);
+    channel.extended_statistics = statisticsOf(extended[i]);
+    channel.before = strongestFirst(refitted[i], before);
+    channel.after = strongestFirst(extended[i], after);
+    channel.gain = gainOf(channel.refitted_statistics, channel.extended_statistics);
+    report.channels.push_back(std::move(channel));
+    if (report.verdict == Verdict::kUnexplained && recording == 0 && refitted[i].joint == 1)
+      report.processes.push_back(
+          remainderProcess(refitted[i], before, {.points = 200, .iterations = 15, .shuffles = 2}));
+  }
+}
+
+const Gain& gainOn(const Report& report, const std::string& channel) {
+  return std::find_if(report.channels.begin(), report.channels.end(),
+                      [&](const ChannelReport& one) { return one.gain.channel == channel; })
+      ->gain;
+}
+
+Cause backlash(const Report& report, double probability) {
+  return {"backlash", 2, {{"half_width", "m", 0.93e-3, 0.03e-3}}, probability, gainOn(report, "q2")};
+}
+
+Cause hysteresis(const Report& report, double probability) {
+  return {"cable_hysteresis",
+          2,
+          {{"force", "N", 31.0, 4.0}, {"yield", "m", 1.1e-4, 0.6e-4}},
+          probability,
+          gainOn(report, "q2")};
+}
+
+Cause eccentricity(const Report& report, double probability) {
+  return {"capstan_eccentricity",
+          1,
+          {{"sine", "m", 2e-5, 1e-5}, {"cosine", "m", 0.41e-3, 0.012e-3}},
+          probability,
+          gainOn(report, "q1")};
+}
+
+void addCauses(Report& report) {
+  switch (report.verdict) {
+    case Verdict::kFound:
+      report.causes = {backlash(report, 0.97)};
+      report.summary =
+          "Backlash of joint 2: half a width of 0.93 ± 0.03 mm takes most of what the simulation of q2 gets "
+          "wrong off.";
+      break;
+    case Verdict::kSeveral:
+      report.causes = {backlash(report, 0.97), eccentricity(report, 0.91)};
+      report.summary = "Two effects: backlash of joint 2 and an eccentric capstan of joint 1.";
+      break;
+    case Verdict::kTie:
+      report.causes = {backlash(report, 0.55)};
+      report.ties = {{{backlash(report, 0.55), hysteresis(report, 0.43)},
+                      "Reverse joint 2 after strokes of different lengths, slowly and under two loads."}};
+      report.summary = "Backlash or cable hysteresis of joint 2: this recording cannot tell them apart.";
+      break;
+    case Verdict::kNothing:
+      report.summary = "Nothing worth naming: what remains after the refit is close to the sensors' noise.";
+      break;
+    case Verdict::kUnexplained:
+      report.summary =
+          "Something is there that no hypothesis explains: it goes with the position of joint 1, and joint 3 "
+          "vibrates at 7.3 Hz.";
+      report.lines = {{"q3", kSampleVibration, 4e-4, 3e-9}};
+      break;
+  }
+  report.explained = report.causes.empty() ? 0.0 : 0.9;
+}
+
+void addCandidates(Report& report) {
+  const bool some = !report.causes.empty();
+  report.candidates = {
+      {"backlash", 2, 1, some ? 0.93 : 0.004, true, some ? 0.91 : 0.001, some ? 412.0 : -1.2,
+       some ? 0.97 : 0.02},
+      {"cable_hysteresis", 2, 1, some ? 0.81 : 0.003, true, some ? 0.74 : 0.0, some ? 260.0 : -2.0, 0.02},
+      {"asymmetric_friction", 1, 1, 0.02, true, 0.011, 0.8, 0.01},
+      {"gravity_tilt", 0, 1, 0.01, false, kNaN, kNaN, 0.0}};
+  if (report.verdict == Verdict::kSeveral) {
+    report.candidates.push_back({"capstan_eccentricity", 1, 2, 0.88, true, 0.83, 190.0, 0.91});
+    report.candidates.push_back({"pulley_radius", 1, 2, 0.05, true, 0.02, 1.5, 0.03});
+  }
+}
+
+void addRefit(Report& report, const robot::Description& nominal) {
+  const double stiffness = nominal.drives[1].cable_stiffness;
+  const double coulomb = nominal.joints[0].friction.coulomb;
+  report.refit = {
+      {"cable_stiffness of joint 2", "N", stiffness, 0.82 * stiffness, 0.01 * stiffness, false, true},
+      {"coulomb friction of joint 1", "N*m", coulomb, 1.02 * coulomb, 0.02 * coulomb, false, false},
+      {"mass of link 3", "kg", nominal.joints[2].link.mass, 1.3 * nominal.joints[2].link.mass,
+       0.01 * nominal.joints[2].link.mass, true, true}};
+  report.refitted = report.extended = nominal;
+  for (robot::Description* robot : {&report.refitted, &report.extended})
+    robot->drives[1].cable_stiffness = 0.82 * stiffness;
+}
+
+}  // namespace
+
+diagnosis::Evidence sampleEvidence(const SampleDiagnosis& sample, int recording) {
+  return sampleMotion(sample, recording, leftRaven()).evidence;
+}
+
+diagnosis::Report sampleReport(const SampleDiagnosis& sample) {
+  const robot::Description robot = leftRaven();
+  Report report;
+  report.verdict = sample.verdict;
+  for (int recording = 0; recording < sample.recordings; ++recording) {
+    const SampleMotion motion = sampleMotion(sample, recording, robot);
+    report.recordings.push_back(motion.evidence.title);
+    addChannels(report, motion, robot, recording);
+  }
+  addRefit(report, robot);
+  addCauses(report);
+  addCandidates(report);
+  if (!report.causes.empty())
+    report.filter = {{"q1", "rad", 0.012, 0.011, 0.0108},
+                     {"q2", "rad", 0.021, 0.019, 0.0079},
+                     {"q3", "m", 1.6e-3, 1.5e-3, 1.5e-3}};
+  report.stages = {{"refit", 3.1}, {"screening", 1.4}, {"selection", 6.2}, {"judging", 2.0}};
+  report.notices = {"slow.csv: 12 rows were interpolated over"};
+  return report;
+}
+
+}  // namespace capstan::testing
