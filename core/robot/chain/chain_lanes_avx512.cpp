@@ -1,0 +1,1 @@
+#include "core/robot/chain/chain_lanes.inc"

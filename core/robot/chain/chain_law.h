@@ -1,0 +1,154 @@
+#pragma once
+
+#include <cmath>
+
+#include "core/robot/chain/chain_bodies.h"
+#include "core/robot/chain/chain_numbers.h"
+
+/// Transmission, cable and friction of a joint with every effect that a robot file can have, for any scalar. The
+/// one place where these laws stand: plant, filter and diagnosis run them all.
+namespace capstan::robot {
+
+CAPSTAN_CHAIN_INLINE double whereGreater(double x, double y, double yes, double no) { return x > y ? yes : no; }
+CAPSTAN_CHAIN_INLINE double constantLike(double, double value) { return value; }
+
+template <class S>
+CAPSTAN_CHAIN_INLINE S positivePart(const S& x) {
+  const S zero = constantLike(x, 0.0);
+  return whereGreater(x, zero, x, zero);
+}
+/// x kept within ±limit.
+template <class S>
+CAPSTAN_CHAIN_INLINE S clipped(const S& x, double limit) {
+  const S high = constantLike(x, limit), low = constantLike(x, -limit);
+  const S below = whereGreater(x, high, high, x);
+  return whereGreater(low, below, low, below);
+}
+
+/// Motor's side of a cable.
+template <class S>
+struct MotorTravel {
+  S position;  ///< s_m [m]
+  S velocity;  ///< [m/s]
+  S lever;     ///< d s_m / d q_m [m/rad]
+};
+
+/// s_m = r_mc q_m / N + e_c sin φ + e_s (cos φ − 1), φ = q_m / N: a capstan whose axis is off its centre by
+/// (e_c, e_s) has the effective radius r_mc + e_c cos φ − e_s sin φ.
+template <class S>
+CAPSTAN_CHAIN_INLINE MotorTravel<S> motorTravel(const JointNumbers<S>& p, unsigned laws, const S& angle,
+                                                const S& rate) {
+  using std::cos, std::sin;
+  MotorTravel<S> m{p.lever * angle, p.lever * rate, p.lever};
+  if (laws & kLawEccentricity) {
+    const S phi = angle * p.inverse_gear, c = cos(phi), s = sin(phi);
+    m.position = m.position + p.eccentric_cosine * s + p.eccentric_sine * (c - 1.0);
+    m.lever = m.lever + (p.eccentric_cosine * c - p.eccentric_sine * s) * p.inverse_gear;
+    m.velocity = m.lever * rate;
+  }
+  return m;
+}
+
+/// How far a reading has fallen short: slip times a smooth step of kSlipTime from slip_time on.
+inline constexpr double kSlipTime = 0.05;  // [s]
+template <class S>
+CAPSTAN_CHAIN_INLINE S slipAt(const JointNumbers<S>& p, double t) {
+  const S one = constantLike(p.slip, 1.0);
+  const S x = positivePart((t - p.slip_time) * (1.0 / kSlipTime));
+  const S y = whereGreater(x, one, one, x);
+  return p.slip * (y * y * (3.0 - 2.0 * y));
+}
+
+/// One of the two cables of a pair [N]: nothing while it sags.
+template <class S>
+CAPSTAN_CHAIN_INLINE S oneCable(const JointNumbers<S>& p, const S& stretch, const S& rate) {
+  const S pull = p.stiffness * (p.exponent * stretch) + p.damping * rate;
+  return whereGreater(stretch, constantLike(stretch, 0.0), positivePart(pull), constantLike(stretch, 0.0));
+}
+
+/// What a cable does at one instant.
+template <class S>
+struct CablePull {
+  S force;            ///< gamma [N]
+  S hysteresis_rate;  ///< dz/dt [m/s]
+  S creep_rate;       ///< [m/s]
+};
+
+/// gamma = 2 k_e sinh(a x) + 2 b_e dδ with x = δ less creep, beyond a play; the stiffness over 1 + m ρ (free
+/// length over the range ρ = −1…1); Duffing's cubic; a pair with one cable sagging; Bouc–Wen (n = 1,
+/// β = γ = 1 / 2 y) beside it. A spring and damper behind a play press and never pull.
+template <class S>
+CAPSTAN_CHAIN_INLINE CablePull<S> cablePull(const JointNumbers<S>& p, unsigned laws, const S& stretch,
+                                            const S& rate, const S& range, const S& z, const S& creep) {
+  using std::abs, std::sinh;
+  CablePull<S> pull;
+  S x = stretch, stiffness = 2.0 * p.stiffness, extra = constantLike(stretch, 0.0);
+  if (laws & kLawCreep) {
+    x = x - creep;
+    pull.creep_rate = (p.creep_share * x - creep) * p.creep_rate;
+  }
+  if (laws & kLawHysteresis) {
+    extra = extra + p.hysteresis_force * p.inverse_yield * z;
+    pull.hysteresis_rate = rate - 0.5 * p.inverse_yield * (abs(rate) * z + rate * abs(z));
+  }
+  if (laws & kLawStiffening) extra = extra + stiffness * p.exponent * p.stiffening * x * x * x;
+  S share = constantLike(stretch, 1.0);
+  if (laws & kLawPositionStiffness) share = 1.0 / (1.0 + p.position_stiffness * clipped(range, 1.2));
+  if (laws & kLawPlay) {
+    const S magnitude = positivePart(abs(x) - p.play);
+    x = whereGreater(x, constantLike(x, 0.0), magnitude, -magnitude);
+  }
+  if (laws & kLawSlack) {
+    const S pair = oneCable(p, p.pretension + x, rate) - oneCable(p, p.pretension - x, -rate);
+    pull.force = share * pair + extra;
+    return pull;
+  }
+  S force = share * stiffness * sinh(p.exponent * x) + (2.0 * p.damping) * rate;
+  if (laws & kLawPlay) {
+    const S zero = constantLike(x, 0.0);
+    const S towards = whereGreater(x, zero, positivePart(force), whereGreater(zero, x, -positivePart(-force), zero));
+    force = whereGreater(p.play, zero, towards, force);
+  }
+  pull.force = force + extra;
+  return pull;
+}
+
+/// F_c (1 + excess e^{−(v/v_s)²} + asymmetry sgn v + wave) sgn v + μ |drive| sgn v + F_v v, sgn v smoothed as
+/// tanh(v / v_eps); `drive` is the torque of cable or motor at the joint.
+template <class S>
+CAPSTAN_CHAIN_INLINE S jointFriction(const JointNumbers<S>& p, unsigned laws, const S& q, const S& dq,
+                                     const S& drive) {
+  using std::abs, std::cos, std::exp, std::sin, std::tanh;
+  const S sign = tanh(dq * p.inverse_smoothing);
+  S force = p.coulomb;
+  if (laws & (kLawStribeck | kLawAsymmetry | kLawWave)) {
+    S share = constantLike(q, 1.0);
+    if (laws & kLawStribeck) {
+      const S v = dq * p.inverse_stribeck;
+      share = share + p.stribeck_excess * exp(-(v * v));
+    }
+    if (laws & kLawAsymmetry) share = share + p.asymmetry * sign;
+    if (laws & kLawWave)
+      share = share + p.wave_sine * sin(p.wave_number * q) + p.wave_cosine * cos(p.wave_number * q);
+    force = force * share;
+  }
+  if (laws & kLawLoadFriction) force = force + p.load_friction * abs(drive);
+  return force * sign + p.viscous * dq;
+}
+
+/// tau_cm tanh(dq_m / v_eps) + tau_vm dq_m [N·m].
+template <class S>
+CAPSTAN_CHAIN_INLINE S motorFriction(const JointNumbers<S>& p, const S& rate) {
+  using std::tanh;
+  return p.motor_coulomb * tanh(rate * p.inverse_motor_smoothing) + p.motor_viscous * rate;
+}
+
+/// The hidden cable of a rigid drive [N]: linear, with 10 % of the critical damping of the motor on it.
+template <class S>
+CAPSTAN_CHAIN_INLINE S complianceForce(const JointNumbers<S>& p, const S& stretch, const S& rate) {
+  using std::sqrt;
+  const S k = 1.0 / p.compliance;
+  return k * stretch + (0.2 / p.lever) * sqrt(k * p.motor_inertia) * rate;
+}
+
+}  // namespace capstan::robot
