@@ -81,8 +81,7 @@ CAPSTAN_CHAIN_INLINE Triple<S> inertiaTimes(const LinkNumbers<S>& link, const Tr
 template <class S>
 CAPSTAN_CHAIN_INLINE Wrench<S> wrenchOf(const LinkNumbers<S>& link, const LinkMotion<S>& m) {
   const Triple<S> moment = {link.moment[0], link.moment[1], link.moment[2]};
-  return {scaled(link.mass, m.acceleration) + cross(m.alpha, moment) +
-              cross(m.omega, cross(m.omega, moment)),
+  return {scaled(link.mass, m.acceleration) + cross(m.alpha, moment) + cross(m.omega, cross(m.omega, moment)),
           inertiaTimes(link, m.alpha) + cross(m.omega, inertiaTimes(link, m.omega)) +
               cross(moment, m.acceleration)};
 }
@@ -120,8 +119,8 @@ CAPSTAN_CHAIN_INLINE void biasOf(const ChainShape& shape, const ChainNumbers<S>&
   Wrench<S> wrenches[kChainJoints];
   for (int i = 0; i < shape.joints; ++i) {
     const LinkPlace<S>& place = places[i];
-    acceleration = place.out(acceleration + cross(alpha, place.origin) +
-                             cross(omega, cross(omega, place.origin)));
+    acceleration =
+        place.out(acceleration + cross(alpha, place.origin) + cross(omega, cross(omega, place.origin)));
     omega = place.out(omega);
     alpha = place.out(alpha);
     const Triple<S> spin = {zero, zero, dq[i]};

@@ -4,10 +4,10 @@
 
 namespace capstan::robot {
 
-#define CAPSTAN_DECLARE_KERNEL(isa)                                                                   \
-  namespace detail {                                                                                  \
-  void simulateChain##isa(const ChainShape&, const ChainNumbers<ChainLane>&, const ChainRows&,        \
-                          const ChainRun&, ChainState<ChainLane>&);                                   \
+#define CAPSTAN_DECLARE_KERNEL(isa)                                                            \
+  namespace detail {                                                                           \
+  void simulateChain##isa(const ChainShape&, const ChainNumbers<ChainLane>&, const ChainRows&, \
+                          const ChainRun&, ChainState<ChainLane>&);                            \
   }
 CAPSTAN_DECLARE_KERNEL(Baseline)
 CAPSTAN_DECLARE_KERNEL(Avx2)

@@ -15,9 +15,9 @@ struct alignas(64) ChainLane {
 
 /// Rows of a recording as the kernels read them: joint j's row k at column[j][k].
 struct ChainRows {
-  const double* t = nullptr;                ///< [s]
-  const double* drive[kChainJoints] = {};   ///< q_m [rad], or torque of rigid drives
-  const double* load[kChainJoints] = {};    ///< tau_ext; null: none
+  const double* t = nullptr;                     ///< [s]
+  const double* drive[kChainJoints] = {};        ///< q_m [rad], or torque of rigid drives
+  const double* load[kChainJoints] = {};         ///< tau_ext; null: none
   const double* signed_load[kChainJoints] = {};  ///< null: as `load`
 };
 

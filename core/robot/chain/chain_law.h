@@ -5,11 +5,13 @@
 #include "core/robot/chain/chain_bodies.h"
 #include "core/robot/chain/chain_numbers.h"
 
-/// Transmission, cable and friction of a joint with every effect that a robot file can have, for any scalar. The
-/// one place where these laws stand: plant, filter and diagnosis run them all.
+/// Transmission, cable and friction of a joint with every effect that a robot file can have, for any scalar.
+/// The one place where these laws stand: plant, filter and diagnosis run them all.
 namespace capstan::robot {
 
-CAPSTAN_CHAIN_INLINE double whereGreater(double x, double y, double yes, double no) { return x > y ? yes : no; }
+CAPSTAN_CHAIN_INLINE double whereGreater(double x, double y, double yes, double no) {
+  return x > y ? yes : no;
+}
 CAPSTAN_CHAIN_INLINE double constantLike(double, double value) { return value; }
 
 template <class S>
@@ -106,7 +108,8 @@ CAPSTAN_CHAIN_INLINE CablePull<S> cablePull(const JointNumbers<S>& p, unsigned l
   S force = share * stiffness * sinh(p.exponent * x) + (2.0 * p.damping) * rate;
   if (laws & kLawPlay) {
     const S zero = constantLike(x, 0.0);
-    const S towards = whereGreater(x, zero, positivePart(force), whereGreater(zero, x, -positivePart(-force), zero));
+    const S towards =
+        whereGreater(x, zero, positivePart(force), whereGreater(zero, x, -positivePart(-force), zero));
     force = whereGreater(p.play, zero, towards, force);
   }
   pull.force = force + extra;

@@ -28,43 +28,43 @@ enum ChainLaw : unsigned {
 /// Motor, cable and friction of one joint. Neutral where a number says so.
 template <class S>
 struct JointNumbers {
-  S lever;              ///< r_mc / N [m/rad]
-  S inverse_gear;       ///< 1 / N: angle of the capstan by that of the motor
-  S eccentric_sine;     ///< [m], neutral 0
-  S eccentric_cosine;   ///< [m], neutral 0
-  S slip;               ///< counts lost, as an angle of the motor [rad], neutral 0
-  S slip_time;          ///< [s]
-  S link_radius;        ///< r_l [m/rad or m/m]
-  S homing;             ///< q_hs [rad or m]
-  S stiffness;          ///< k_e [N]
-  S exponent;           ///< a [1/m]
-  S damping;            ///< b_e [N·s/m]
-  S stiffening;         ///< [1/m²], neutral 0
-  S position_stiffness; ///< share at the ends of the range, neutral 0
-  S play;               ///< half-width [m], neutral 0
-  S pretension;         ///< stretch at which one cable sags [m], neutral kSound
-  S hysteresis_force;   ///< [N], neutral 0
-  S inverse_yield;      ///< [1/m]
-  S creep_share;        ///< neutral 0
-  S creep_rate;         ///< 1 / time constant [1/s]
-  S coulomb;            ///< F_cl [N·m or N]
-  S viscous;            ///< F_vl
-  S inverse_smoothing;  ///< 1 / v_eps
-  S stribeck_excess;    ///< share of Coulomb, neutral 0
-  S inverse_stribeck;   ///< 1 / Stribeck speed
-  S asymmetry;          ///< share of Coulomb, neutral 0
-  S load_friction;      ///< share of the driving torque, neutral 0
-  S wave_sine;          ///< share of Coulomb, neutral 0
-  S wave_cosine;        ///< share of Coulomb, neutral 0
-  S wave_number;        ///< 2π / period [1/rad or 1/m]
-  S armature;           ///< added to the diagonal of the mass matrix, neutral 0
-  S load_sign;          ///< 0: loads as measured; 1: as their signs have been told (ChainInput::signed_load)
-  S gain;               ///< torque that arrives over torque asked for, neutral 1
-  S motor_inertia;      ///< I_m [kg·m²]
-  S motor_coulomb;      ///< tau_cm [N·m]
-  S motor_viscous;      ///< tau_vm
+  S lever;               ///< r_mc / N [m/rad]
+  S inverse_gear;        ///< 1 / N: angle of the capstan by that of the motor
+  S eccentric_sine;      ///< [m], neutral 0
+  S eccentric_cosine;    ///< [m], neutral 0
+  S slip;                ///< counts lost, as an angle of the motor [rad], neutral 0
+  S slip_time;           ///< [s]
+  S link_radius;         ///< r_l [m/rad or m/m]
+  S homing;              ///< q_hs [rad or m]
+  S stiffness;           ///< k_e [N]
+  S exponent;            ///< a [1/m]
+  S damping;             ///< b_e [N·s/m]
+  S stiffening;          ///< [1/m²], neutral 0
+  S position_stiffness;  ///< share at the ends of the range, neutral 0
+  S play;                ///< half-width [m], neutral 0
+  S pretension;          ///< stretch at which one cable sags [m], neutral kSound
+  S hysteresis_force;    ///< [N], neutral 0
+  S inverse_yield;       ///< [1/m]
+  S creep_share;         ///< neutral 0
+  S creep_rate;          ///< 1 / time constant [1/s]
+  S coulomb;             ///< F_cl [N·m or N]
+  S viscous;             ///< F_vl
+  S inverse_smoothing;   ///< 1 / v_eps
+  S stribeck_excess;     ///< share of Coulomb, neutral 0
+  S inverse_stribeck;    ///< 1 / Stribeck speed
+  S asymmetry;           ///< share of Coulomb, neutral 0
+  S load_friction;       ///< share of the driving torque, neutral 0
+  S wave_sine;           ///< share of Coulomb, neutral 0
+  S wave_cosine;         ///< share of Coulomb, neutral 0
+  S wave_number;         ///< 2π / period [1/rad or 1/m]
+  S armature;            ///< added to the diagonal of the mass matrix, neutral 0
+  S load_sign;           ///< 0: loads as measured; 1: as their signs have been told (ChainInput::signed_load)
+  S gain;                ///< torque that arrives over torque asked for, neutral 1
+  S motor_inertia;       ///< I_m [kg·m²]
+  S motor_coulomb;       ///< tau_cm [N·m]
+  S motor_viscous;       ///< tau_vm
   S inverse_motor_smoothing;
-  S compliance;         ///< of a rigid drive [m/N]; looked at with kLawCompliance alone, and then above 0
+  S compliance;  ///< of a rigid drive [m/N]; looked at with kLawCompliance alone, and then above 0
 };
 inline constexpr double kSound = 1e3;  ///< pretension stretch of a pair that never sags [m]
 
@@ -100,16 +100,16 @@ struct ChainShape {
 template <class S>
 struct ChainState {
   S q[kChainJoints], dq[kChainJoints];
-  S hysteresis[kChainJoints];                     ///< Bouc–Wen z [m]
-  S creep[kChainJoints];                          ///< elongation [m]
+  S hysteresis[kChainJoints];                       ///< Bouc–Wen z [m]
+  S creep[kChainJoints];                            ///< elongation [m]
   S motor[kChainJoints], motor_rate[kChainJoints];  ///< of compliant rigid drives [rad, rad/s]
 };
 
 /// What drives the chain from one row to the next: arrays by joint, the same for all lanes.
 struct ChainInput {
   double t = 0.0, dt = 0.0;
-  double motor[kChainJoints] = {}, motor_end[kChainJoints] = {};  ///< q_m at both ends [rad], linear between
-  double torque[kChainJoints] = {};                               ///< of rigid drives, held
+  double motor[kChainJoints] = {}, motor_end[kChainJoints] = {};   ///< q_m at both ends [rad], linear between
+  double torque[kChainJoints] = {};                                ///< of rigid drives, held
   double load[kChainJoints] = {}, signed_load[kChainJoints] = {};  ///< tau_ext, held
 };
 

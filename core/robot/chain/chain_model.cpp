@@ -1,0 +1,307 @@
+#include "core/robot/chain/chain_model.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/base/error.h"
+#include "core/robot/chain/chain_bodies.h"
+#include "core/robot/chain/chain_law.h"
+
+namespace capstan::robot {
+namespace {
+
+static_assert(kChainJoints == kMaxJoints);
+
+LinkNumbers<double> linkNumbers(const Link& link) {
+  LinkNumbers<double> numbers{};
+  const Eigen::Vector3d& c = link.centre_of_mass;
+  const double m = link.mass;
+  numbers.mass = m;
+  for (int k = 0; k < 3; ++k) {
+    numbers.moment[k] = m * c[k];
+    numbers.inertia[k] = link.inertia[k] + m * (c.squaredNorm() - c[k] * c[k]);  // parallel axes
+  }
+  numbers.inertia[3] = -m * c[0] * c[1];
+  numbers.inertia[4] = -m * c[0] * c[2];
+  numbers.inertia[5] = -m * c[1] * c[2];
+  return numbers;
+}
+
+JointNumbers<double> jointNumbers(const Joint& joint, const Drive& drive) {
+  JointNumbers<double> p{};
+  p.lever = drive.motor_capstan_radius / drive.gear_ratio;
+  p.inverse_gear = 1.0 / drive.gear_ratio;
+  p.link_radius = drive.link_radius;
+  p.homing = joint.homing;
+  p.stiffness = drive.cable_stiffness;
+  p.exponent = drive.cable_exponent;
+  p.damping = drive.cable_damping;
+  p.pretension = kSound;
+  p.inverse_yield = p.creep_rate = p.inverse_stribeck = p.wave_number = 1.0;
+  p.coulomb = joint.friction.coulomb;
+  p.viscous = joint.friction.viscous;
+  p.inverse_smoothing = 1.0 / joint.friction.smoothing;
+  p.gain = 1.0;
+  p.motor_inertia = drive.motor_inertia;
+  p.motor_coulomb = drive.motor_friction.coulomb;
+  p.motor_viscous = drive.motor_friction.viscous;
+  p.inverse_motor_smoothing = 1.0 / drive.motor_friction.smoothing;
+  return p;
+}
+
+void fillShape(const Description& description, bool rigid, ChainShape& shape) {
+  shape.joints = description.size();
+  shape.rigid = rigid;
+  for (int i = 0; i < shape.joints; ++i) {
+    const Joint& joint = description.joints[static_cast<std::size_t>(i)];
+    shape.revolute[i] = joint.type == JointType::kRevolute;
+    shape.sin_alpha[i] = std::sin(joint.dh.alpha);
+    shape.cos_alpha[i] = std::cos(joint.dh.alpha);
+    shape.a[i] = joint.dh.a;
+    shape.d[i] = joint.dh.d;
+    shape.theta[i] = joint.dh.theta;
+    const double half = 0.5 * (joint.limit_high - joint.limit_low);
+    shape.middle[i] = 0.5 * (joint.limit_high + joint.limit_low);
+    shape.inverse_half_range[i] = 1.0 / half;
+    shape.farthest[i] = 20.0 * half;
+    shape.fastest[i] = 20.0 * joint.max_speed;
+  }
+}
+
+Eigen::Vector3d vectorOf(const Effect& effect) { return {effect["x"], effect["y"], effect["z"]}; }
+
+Eigen::Matrix3d rotationOf(const Eigen::Vector3d& vector) {
+  const double angle = vector.norm();
+  if (angle == 0.0) return Eigen::Matrix3d::Identity();
+  return Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix();
+}
+
+void addPayload(const Effect& effect, ChainModel& model) {
+  Link point;
+  point.mass = effect["mass"];
+  point.centre_of_mass = model.marker;
+  const LinkNumbers<double> more = linkNumbers(point);
+  LinkNumbers<double>& last = model.numbers.links[model.shape.joints - 1];
+  last.mass += more.mass;
+  for (int k = 0; k < 3; ++k) last.moment[k] += more.moment[k];
+  for (int k = 0; k < 6; ++k) last.inertia[k] += more.inertia[k];
+}
+
+void tiltGravity(const Effect& effect, ChainModel& model) {
+  Eigen::Map<Eigen::Vector3d> gravity(model.numbers.gravity);
+  gravity = rotationOf(vectorOf(effect)) * Eigen::Vector3d(gravity);
+}
+
+/// Effects of the whole arm and of cameras. False: it is none of these.
+bool addWhole(const Effect& effect, ChainModel& model) {
+  const std::string& name = effect.effect;
+  if (name == "gravity_tilt") {
+    tiltGravity(effect, model);
+  } else if (name == "payload") {
+    addPayload(effect, model);
+  } else if (name == "camera_latency") {
+    model.camera.delay += effect["delay"];
+  } else if (name == "camera_rotation") {
+    model.camera.rotation += vectorOf(effect);
+  } else if (name == "camera_offset") {
+    model.camera.offset += vectorOf(effect);
+  } else if (name == "camera_scale") {
+    model.camera.scale += effect["share"];
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void addToTransmission(const Effect& e, JointNumbers<double>& p) {
+  const std::string& name = e.effect;
+  if (name == "pulley_radius") p.link_radius *= 1.0 + e["share"];
+  if (name == "homing_offset") p.homing += e["offset"];
+  if (name == "encoder_slip") p.slip += e["slip"], p.slip_time = e["time"];
+  if (name == "capstan_eccentricity") p.eccentric_sine += e["sine"], p.eccentric_cosine += e["cosine"];
+}
+
+void addToCable(const Effect& e, bool rigid, JointNumbers<double>& p) {
+  const std::string& name = e.effect;
+  if (name == "cable_compliance") {
+    p.compliance += e["compliance"];
+    if (!rigid) p.stiffness /= 1.0 + 2.0 * p.stiffness * p.exponent * e["compliance"];  // springs in series
+  }
+  if (name == "cable_stiffening") p.stiffening += e["cubic"];
+  if (name == "position_stiffness") p.position_stiffness += e["share"];
+  if (name == "backlash") p.play += e["half_width"];
+  if (name == "slack") p.pretension = e["pretension"];
+  if (name == "cable_hysteresis") p.hysteresis_force += e["force"], p.inverse_yield = 1.0 / e["yield"];
+  if (name == "cable_creep") p.creep_share += e["share"], p.creep_rate = 1.0 / e["time_constant"];
+}
+
+void addToFriction(const Effect& e, JointNumbers<double>& p) {
+  const std::string& name = e.effect;
+  if (name == "stribeck_friction") p.stribeck_excess += e["excess"], p.inverse_stribeck = 1.0 / e["speed"];
+  if (name == "asymmetric_friction") p.asymmetry += e["share"];
+  if (name == "viscous_friction") p.viscous += e["added"];
+  if (name == "load_friction") p.load_friction += e["share"];
+  if (name == "position_friction") {
+    p.wave_sine += e["sine"], p.wave_cosine += e["cosine"];
+    p.wave_number = 2.0 * std::numbers::pi / e["period"];
+  }
+  if (name == "inertia") p.armature += e["added"];
+  if (name == "actuator_gain") p.gain *= 1.0 + e["share"];
+  if (name == "sensor_sign") p.load_sign = e["present"];
+}
+
+}  // namespace
+
+Eigen::Vector3d CameraNumbers::tell(const Eigen::Vector3d& point) const {
+  return (1.0 + scale) * (rotationOf(rotation) * point) + offset;
+}
+
+ChainModel::ChainModel(const Description& description, bool rigid) : marker(description.marker) {
+  fillShape(description, rigid, shape);
+  for (int i = 0; i < shape.joints; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    numbers.joints[i] = jointNumbers(description.joints[at], description.drives[at]);
+    numbers.links[i] = linkNumbers(description.joints[at].link);
+    for (int j = 0; j < shape.joints; ++j)
+      numbers.coupling[i][j] = description.coupling[at][static_cast<std::size_t>(j)];
+  }
+  for (int k = 0; k < 3; ++k) numbers.gravity[k] = description.gravity[k];
+}
+
+void ChainModel::add(const Effect& effect) {
+  if (addWhole(effect, *this)) return;
+  if (!effectNamed(effect.effect))
+    throw base::InputError(
+        {"", 0, "effect", effect.effect, "is none that is known", "See the list of effects"});
+  const auto joint = [&](double number, const char* key) {
+    if (number >= 1 && number <= shape.joints) return static_cast<int>(std::lround(number)) - 1;
+    throw base::InputError({"", 0, key, fmt::format("{:g}", number),
+                            fmt::format("is no joint of the robot, for {}", effect.effect),
+                            fmt::format("Choose 1 to {}", shape.joints)});
+  };
+  const int i = joint(effect.joint, "joint");
+  if (effect.effect == "cable_coupling")
+    numbers.coupling[i][joint(effect["other"], "other")] += effect["added"];
+  addToTransmission(effect, numbers.joints[i]);
+  addToCable(effect, shape.rigid, numbers.joints[i]);
+  addToFriction(effect, numbers.joints[i]);
+  const bool series = effect.effect == "cable_compliance" && !shape.rigid;
+  if (!series) shape.laws[i] |= lawOf(effect.effect);
+}
+
+unsigned lawOf(std::string_view effect) {
+  static constexpr std::pair<std::string_view, unsigned> kLaws[] = {
+      {"capstan_eccentricity", kLawEccentricity},
+      {"encoder_slip", kLawSlip},
+      {"cable_stiffening", kLawStiffening},
+      {"position_stiffness", kLawPositionStiffness},
+      {"backlash", kLawPlay},
+      {"slack", kLawSlack},
+      {"cable_hysteresis", kLawHysteresis},
+      {"cable_creep", kLawCreep},
+      {"stribeck_friction", kLawStribeck},
+      {"asymmetric_friction", kLawAsymmetry},
+      {"load_friction", kLawLoadFriction},
+      {"position_friction", kLawWave},
+      {"cable_compliance", kLawCompliance}};
+  const auto* found =
+      std::find_if(std::begin(kLaws), std::end(kLaws), [&](const auto& law) { return law.first == effect; });
+  return found == std::end(kLaws) ? 0u : found->second;
+}
+
+namespace {
+
+/// Slope of a joint's friction at rest [N·m·s/rad or N·s/m]; `weight` that gravity puts on it.
+double steepestFriction(const JointNumbers<double>& p, double weight) {
+  const double wave = std::hypot(p.wave_sine, p.wave_cosine);
+  const double coulomb = p.coulomb * (1.0 + p.stribeck_excess + std::abs(p.asymmetry) + wave);
+  const double load = p.load_friction * (std::abs(weight) + 2.0 * p.coulomb);
+  return (coulomb + load) * p.inverse_smoothing + p.viscous;
+}
+
+struct CableRates {
+  double stiffness = 0.0, damping = 0.0;  ///< of the cable [N/m, N·s/m]
+  double motor = 0.0;                     ///< of the motor on it [1/s]
+};
+
+CableRates cableRates(const JointNumbers<double>& p, bool rigid, unsigned laws) {
+  if (!rigid) {
+    constexpr double kHarder = 4.0;  // times, where a stiffening cable bears most
+    const double harder = p.stiffening > 0.0 ? kHarder : 1.0;
+    return {2.0 * p.stiffness * p.exponent * harder + p.hysteresis_force * p.inverse_yield, 2.0 * p.damping};
+  }
+  if (!(laws & kLawCompliance)) return {};
+  const double k = 1.0 / p.compliance, b = 0.2 / p.lever * std::sqrt(k * p.motor_inertia);
+  const double friction = p.motor_coulomb * p.inverse_motor_smoothing + p.motor_viscous;
+  return {k, b,
+          (friction + p.lever * p.lever * b) / p.motor_inertia + p.lever * std::sqrt(k / p.motor_inertia)};
+}
+
+}  // namespace
+
+double chainRate(const ChainModel& model, const JointVector& q) {
+  const int n = model.shape.joints;
+  double at[kChainJoints] = {}, still[kChainJoints] = {};
+  for (int i = 0; i < n; ++i) at[i] = q[i];
+  ChainBodies<double> bodies;
+  chainBodies<double>(model.shape, model.numbers, at, still, bodies);
+  JointMatrix mass(n, n);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      mass(i, j) = bodies.mass[i][j] + (i == j ? model.numbers.joints[i].armature : 0.0);
+  const JointMatrix inverse = mass.inverse();
+  double fastest = 0.0;
+  for (int i = 0; i < n; ++i) {
+    double damping = steepestFriction(model.numbers.joints[i], bodies.bias[i]), spring = 0.0;
+    for (int j = 0; j < n; ++j) {
+      const JointNumbers<double>& drive = model.numbers.joints[j];
+      const double lever = drive.link_radius * model.numbers.coupling[j][i];
+      const CableRates cable = cableRates(drive, model.shape.rigid, model.shape.laws[j]);
+      spring += lever * lever * cable.stiffness;
+      damping += lever * lever * cable.damping;
+      fastest = std::max(fastest, cable.motor);
+    }
+    fastest = std::max(fastest, damping * inverse(i, i) + std::sqrt(spring * inverse(i, i)));
+  }
+  return fastest;
+}
+
+ChainState<double> stateAt(const ChainModel& model, const JointVector& q, const JointVector& dq) {
+  ChainState<double> state{};
+  const int n = model.shape.joints;
+  for (int i = 0; i < n; ++i) {
+    state.q[i] = q[i];
+    state.dq[i] = dq[i];
+  }
+  for (int i = 0; i < n; ++i) {
+    if (!(model.shape.laws[i] & kLawCompliance)) continue;
+    const JointNumbers<double>& p = model.numbers.joints[i];
+    double travel = 0.0, speed = 0.0;
+    for (int j = 0; j < n; ++j) {
+      travel += model.numbers.coupling[i][j] * (q[j] - model.numbers.joints[j].homing);
+      speed += model.numbers.coupling[i][j] * dq[j];
+    }
+    state.motor[i] = p.link_radius * travel / p.lever;
+    state.motor_rate[i] = p.link_radius * speed / p.lever;
+  }
+  return state;
+}
+
+JointVector jointsFromMotors(const ChainModel& model, const JointVector& q_m) {
+  const int n = model.shape.joints;
+  JointMatrix coupling(n, n);
+  JointVector travel(n), homing(n);
+  for (int i = 0; i < n; ++i) {
+    const JointNumbers<double>& p = model.numbers.joints[i];
+    travel[i] = p.lever * q_m[i] / p.link_radius;
+    homing[i] = p.homing;
+    for (int j = 0; j < n; ++j) coupling(i, j) = model.numbers.coupling[i][j];
+  }
+  return homing + coupling.inverse() * travel;
+}
+
+}  // namespace capstan::robot

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "core/robot/chain/chain_numbers.h"
+#include "core/robot/description.h"
+#include "core/robot/effects.h"
+#include "core/robot/joint_vector.h"
+
+namespace capstan::robot {
+
+/// How the cameras tell a point p of frame 0: scale · R p + offset, of an instant `delay` earlier (a
+/// similarity, Horn, JOSA A 4, 1987).
+struct CameraNumbers {
+  Eigen::Vector3d rotation = Eigen::Vector3d::Zero();  ///< rotation vector [rad]
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();    ///< [m]
+  double scale = 0.0;                                  ///< share beyond 1
+  double delay = 0.0;                                  ///< [s]
+
+  Eigen::Vector3d tell(const Eigen::Vector3d& point) const;
+};
+
+/// A chain in the form that ChainStep runs: the nominal numbers of a robot file, and effects put into them.
+struct ChainModel {
+  ChainShape shape;
+  ChainNumbers<double> numbers{};
+  CameraNumbers camera;
+  Eigen::Vector3d marker = Eigen::Vector3d::Zero();  ///< in the last driven joint's frame [m]
+
+  /// `rigid`: motor torque drives the joints. Effects of the description are put in.
+  ChainModel(const Description& description, bool rigid);
+  /// base::InputError: an unknown effect, joint or parameter.
+  void add(const Effect& effect);
+};
+
+/// Law that an effect needs at its joint; 0: it changes numbers alone.
+unsigned lawOf(std::string_view effect);
+
+/// Upper bound [1/s] on the chain's eigenvalues, of pose `q` and at rest: damping over inertia plus the root
+/// of stiffness over inertia, joint by joint, friction at its steepest. Runge–Kutta steps shorter than 2.7
+/// over it are stable.
+double chainRate(const ChainModel& model, const JointVector& q);
+
+/// State at rest at q with the cables carrying gravity (cable drives keep the given q; the compliant motors
+/// of rigid ones are placed).
+ChainState<double> stateAt(const ChainModel& model, const JointVector& q, const JointVector& dq);
+
+/// q that the motors would give with rigid cables, with the model's own radii, coupling and zero [rad or m].
+JointVector jointsFromMotors(const ChainModel& model, const JointVector& q_m);
+
+}  // namespace capstan::robot
