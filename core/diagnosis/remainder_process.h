@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/names.h"
 #include "core/base/progress.h"
 #include "core/diagnosis/remainder.h"
 #include "core/diagnosis/variables.h"
@@ -64,3 +65,10 @@ inline constexpr std::size_t kFewestForProcess = 60;
 inline constexpr double kStrongly = 0.25, kClearly = 0.08, kWeakly = 0.02;
 
 }  // namespace capstan::diagnosis
+
+template <>
+struct capstan::base::NamesOf<capstan::diagnosis::ProcessEnd> {
+  using E = capstan::diagnosis::ProcessEnd;
+  static constexpr std::array value = {std::pair{E::kDone, "done"}, std::pair{E::kTooFew, "too_few"},
+                                       std::pair{E::kCancelled, "cancelled"}};
+};

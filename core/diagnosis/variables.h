@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/names.h"
 #include "core/diagnosis/evidence.h"
 #include "core/diagnosis/remainder.h"
 
@@ -50,3 +51,19 @@ inline constexpr double kRest = 0.02;
 bool concerns(const Variable& variable, const Channel& channel);
 
 }  // namespace capstan::diagnosis
+
+template <>
+struct capstan::base::NamesOf<capstan::diagnosis::VariableKind> {
+  using K = capstan::diagnosis::VariableKind;
+  static constexpr std::array value = {std::pair{K::kPosition, "position"},
+                                       std::pair{K::kDirection, "direction"},
+                                       std::pair{K::kVelocity, "velocity"},
+                                       std::pair{K::kAcceleration, "acceleration"},
+                                       std::pair{K::kMotorTorque, "motor_torque"},
+                                       std::pair{K::kJointTorque, "joint_torque"},
+                                       std::pair{K::kLoad, "load"},
+                                       std::pair{K::kMotorAngle, "motor_angle"},
+                                       std::pair{K::kCapstanAngle, "capstan_angle"},
+                                       std::pair{K::kStretch, "stretch"},
+                                       std::pair{K::kTime, "time"}};
+};
