@@ -33,7 +33,7 @@ struct JointScales {
   double radius = 0.0;     ///< r_l [m/rad or m/m]
   double capstan = 0.0;    ///< r_mc [m]
   double gear = 1.0;       ///< N
-  double stiffness = 0.0;  ///< 2 k_e a [N/m]
+  double stiffness = 0.0;  ///< 2 k_e a [N/m]; 0: a rigid drive
   double stretch = 0.0;    ///< largest of the cable in the recording, simulated [m]
   double duration = 0.0;   ///< of the recording [s]
   int joints = 1;

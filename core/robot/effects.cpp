@@ -43,7 +43,7 @@ std::vector<EffectFacts> transmissionEffects() {
 std::vector<EffectFacts> cableEffects() {
   return {
       factsOf("cable_compliance", kAnyDrive,
-              {{"compliance", "m/N", 0.0, 1.0, "stretch by force, in series with the nominal cable"}}),
+              {{"compliance", "m/N", 0.0, 1e3, "stretch by force, in series with the nominal cable"}}),
       factsOf("cable_stiffening", kCableDrive,
               {{"cubic", "1/m^2", -1e7, 1e10, "c in the added force 2 k_e a c delta^3"}}),
       factsOf("position_stiffness", kCableDrive,

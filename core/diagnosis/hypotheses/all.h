@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/diagnosis/hypothesis.h"
+
+/// The hypotheses one by one, each in the file of its name; hypotheses() lists them.
+namespace capstan::diagnosis::library {
+
+const Hypothesis& pulleyRadius();
+const Hypothesis& cableCoupling();
+const Hypothesis& homingOffset();
+const Hypothesis& encoderSlip();
+const Hypothesis& capstanEccentricity();
+const Hypothesis& cableCompliance();
+const Hypothesis& cableStiffening();
+const Hypothesis& positionStiffness();
+const Hypothesis& backlash();
+const Hypothesis& slack();
+const Hypothesis& cableHysteresis();
+const Hypothesis& cableCreep();
+const Hypothesis& stribeckFriction();
+const Hypothesis& asymmetricFriction();
+const Hypothesis& viscousFriction();
+const Hypothesis& loadFriction();
+const Hypothesis& positionFriction();
+const Hypothesis& gravityTilt();
+const Hypothesis& payload();
+const Hypothesis& inertia();
+const Hypothesis& actuatorGain();
+const Hypothesis& cameraLatency();
+const Hypothesis& cameraRotation();
+const Hypothesis& cameraOffset();
+const Hypothesis& cameraScale();
+const Hypothesis& sensorSign();
+
+}  // namespace capstan::diagnosis::library
