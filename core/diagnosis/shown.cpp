@@ -104,11 +104,11 @@ std::string shareWords(double share) {
     double from;
     std::string_view words;
   };
-  constexpr std::array kWords = {Words{0.95, "nearly all of it"}, Words{0.8, "most of it"},
-                                 Words{0.6, "two thirds of it"},  Words{0.42, "about half of it"},
-                                 Words{0.29, "a third of it"},    Words{0.18, "a fifth to a quarter of it"},
-                                 Words{0.08, "a tenth of it"},    Words{0.03, "a twentieth of it"},
-                                 Words{0.01, "hardly any of it"}};
+  constexpr std::array kWords = {Words{0.95, "nearly all of it"},  Words{0.8, "most of it"},
+                                 Words{0.6, "two thirds of it"},   Words{0.42, "about half of it"},
+                                 Words{0.29, "a third of it"},     Words{0.23, "a quarter of it"},
+                                 Words{0.16, "a fifth of it"},     Words{0.08, "a tenth of it"},
+                                 Words{0.03, "a twentieth of it"}, Words{0.01, "hardly any of it"}};
   const auto found = std::ranges::find_if(kWords, [share](const Words& w) { return share >= w.from; });
   return std::string(found == kWords.end() ? "none of it" : found->words);
 }

@@ -9,3 +9,8 @@ capstan_widget_test(
   SOURCES figures/export_all_test.cpp figures/figure_numbers_test.cpp figures/figure_pictures_test.cpp
           figures/figure_vectors_test.cpp
   LINKS capstan::figures)
+
+capstan_widget_test(
+  NAME diagnosis_figures_test
+  SOURCES figures/diagnosis_figures_test.cpp
+  LINKS capstan::figures capstan_sample_diagnosis)

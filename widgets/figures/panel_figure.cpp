@@ -160,17 +160,19 @@ void PanelFigure::layOutPanels() {
   plotLayout()->update(QCPLayoutElement::upLayout);
 }
 
-/// Labels and as many numbers as there is room for. Where panels stand below each other, the x axis is
-/// labelled below the lowest; a value axis too short for its label has its unit in the panel's header. A
-/// label with a unit stays beside its axis: beyond it, it would stand between the topmost number and the
-/// header.
+/// Labels and as many numbers as there is room for. Where panels of one x label stand below each other, the
+/// x axis is labelled below the lowest; a value axis too short for its label has its unit in the panel's
+/// header. A label with a unit stays beside its axis: beyond it, it would stand between the topmost number
+/// and the header.
 void PanelFigure::fitLabels() {
   const QFontMetricsF metrics(textFont(scale_.tick));
   const double label = metrics.height();
+  const bool one_label = std::all_of(panels_.begin(), panels_.end(),
+                                     [&](const Panel& panel) { return panel.x_label == panels_[0].x_label; });
   for (std::size_t i = 0; i < panels_.size(); ++i) {
     QCPAxis* x = panels_[i].axes->axis(QCPAxis::atBottom);
     const bool lowest = i + static_cast<std::size_t>(columns_) >= panels_.size();
-    x->setLabel(lowest || panels_[0].x_label != panels_[i].x_label ? panels_[i].x_label : QString());
+    x->setLabel(lowest || !one_label ? panels_[i].x_label : QString());
     x->setTickLabels(lowest || !sharesX());
     panels_[i].axes->axis(QCPAxis::atLeft)->setLabel(panels_[i].y_label);
     panels_[i].axes->setMinimumMargins(QMargins(4, 3, static_cast<int>(0.9 * label), 3));
