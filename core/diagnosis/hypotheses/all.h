@@ -2,7 +2,9 @@
 
 #include "core/diagnosis/hypothesis.h"
 
-/// The hypotheses one by one, each in the file of its name; hypotheses() lists them.
+/// The hypotheses one by one, each in the file of its name; hypotheses() lists them. A new one has its facts
+/// in core/robot/effects.cpp, its law in core/robot/chain/chain_law.h, and its file, its line here and its
+/// line in hypotheses.cpp.
 namespace capstan::diagnosis::library {
 
 const Hypothesis& pulleyRadius();

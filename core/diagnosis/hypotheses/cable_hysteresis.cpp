@@ -12,7 +12,7 @@ constexpr HypothesisWords kWords{
     .equation = "γ = γ_nominal + force z / yield, dz/dt = dδ/dt − (|dδ/dt| z + dδ/dt |z|) / (2 yield)",
     .source =
         "Wen, Method for random vibration of hysteretic systems, Journal of the Engineering "
-        "Mechanics Division, ASCE 102 (1976), with n = 1 and β = γ = 1 / (2 yield)",
+        "Mechanics Division, ASCE 102 (1976), with his n = 1, A = 1 and β = γ = 1 / (2 yield)",
     .changes = "Cable: a Bouc–Wen element beside the nominal cable, with one state more.",
     .signature =
         "A loop against stretch or torque that is as wide at low speed as at high; after a "

@@ -10,8 +10,8 @@ constexpr HypothesisWords kWords{
         "The free length of the cable grows as the joint moves over its range, and a longer "
         "cable is softer.",
     .equation =
-        "γ = γ_nominal / (1 + share x), x = −1 … 1 from the lower to the upper limit, |x| ≤ "
-        "1.2",
+        "γ = 2 k_e sinh(a δ) / (1 + share x) + 2 b_e dδ/dt, x = −1 … 1 from the lower to the "
+        "upper limit, |x| ≤ 1.2",
     .source =
         "Werkmeister and Slocum, Theoretical and experimental determination of capstan drive "
         "stiffness, Precision Engineering 31 (2007): stiffness E A / L of the free length L",
