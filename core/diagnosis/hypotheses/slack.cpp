@@ -28,7 +28,7 @@ constexpr HypothesisWords kWords{
 };
 
 constexpr double kNone = 1e3;    // a pretension that no load uses up [m]
-constexpr double kLeast = 1e-5;  // below it 1 / pretension goes on along its tangent [m]
+constexpr double kLeast = 1e-6;  // below it 1 / pretension goes on along its tangent [m]
 
 /// Its size is 1 / pretension [1/m] less that of the neutral one: it rises as pretension falls, through 0
 /// into what is too long.
