@@ -23,13 +23,13 @@ class CaseRobot {
     for (std::size_t k = 0; k < from.effects.size(); ++k) truth_.items.push_back(plant(k));
     truth_.robot = robot_;
     truth_.textured = from.textured;
+    if (from.textured) truth_.texture = texture_;
   }
 
   const Truth& truth() const { return truth_; }
 
   Recording record() const {
-    std::vector<Planted> effects;
-    if (case_.textured) effects = texture_;
+    std::vector<Planted> effects = truth_.texture;
     PlantParameters parameters(robot_, case_.rigid);
     for (const Truth::Item& item : truth_.items) {
       effects.push_back(item.planted);

@@ -50,7 +50,8 @@ struct Truth {
     Planted planted;  ///< planted.joint and planted.other count from 0
   };
   std::vector<Item> items;
-  robot::Description robot;  ///< aged
+  std::vector<Planted> texture;  ///< everyday texture in the recording; empty: it has none
+  robot::Description robot;      ///< aged
   bool textured = false;
 };
 

@@ -1,0 +1,49 @@
+#include "tests/support/planted_study/run_case.h"
+
+#include <chrono>
+#include <limits>
+
+#include "core/diagnosis/read_evidence.h"
+#include "tests/support/planted_study/ideal_limit.h"
+
+namespace capstan::study {
+namespace {
+
+Answer diagnosed(const test::Recording& recording, const Diagnoser& diagnoser) {
+  const auto begin = std::chrono::steady_clock::now();
+  const auto seconds = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  };
+  try {
+    diagnosis::EvidenceOptions options;
+    options.drive = recording.rigid ? diagnosis::DriveKind::kRigid : diagnosis::DriveKind::kCable;
+    const diagnosis::Report report =
+        diagnoser({diagnosis::evidenceOf(recording.table, recording.robot, options)}, recording.robot);
+    return answerOf(report, seconds());
+  } catch (const std::exception& error) {
+    Answer answer;
+    answer.verdict = "error";
+    answer.summary = error.what();
+    answer.seconds = seconds();
+    return answer;
+  }
+}
+
+}  // namespace
+
+CaseOutcome runCase(const StudyCase& one, const Diagnoser& diagnoser, const RunOptions& options) {
+  return runCase(one, planned(one), diagnoser, options);
+}
+
+CaseOutcome runCase(const StudyCase& one, const test::PlantedCase& drawn, const Diagnoser& diagnoser,
+                    const RunOptions& options) {
+  const auto [recording, truth] = test::recordWithTruth(drawn);
+  CaseOutcome outcome;
+  outcome.of = one;
+  outcome.truth = {truth.items, truth.texture, drawn.duration, std::numeric_limits<double>::quiet_NaN()};
+  if (options.deflection && one.kind == Kind::kOne) outcome.truth.deflection = deflectionOf(drawn, truth);
+  outcome.answer = diagnosed(recording, diagnoser);
+  return outcome;
+}
+
+}  // namespace capstan::study
