@@ -15,7 +15,8 @@ using diagnosis::ShownUnit;
 using diagnosis::shownUnit;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kGap = 5.0;  ///< periods without a sample that part a line
+constexpr double kGap = 5.0;       ///< periods without a sample that part a line
+constexpr int kMostSmooth = 6000;  ///< points of a line that is not drawn pixel by pixel
 
 QString fromUtf8(const std::string& text) { return QString::fromStdString(text); }
 
@@ -144,6 +145,7 @@ void RemainderFigure::addLine(QCPAxisRect* axes, Line line, const RemainderTrace
     t << trace.t[i];
     value << scale * values[i];
   }
+  graph->setAdaptiveSampling(t.size() > kMostSmooth);
   graph->setData(t, value, true);
   curves_.push_back({line, graph, remainder});
 }

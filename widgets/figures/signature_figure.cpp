@@ -177,9 +177,11 @@ std::unique_ptr<Figure> SignatureFigure::copy() const { return std::make_unique<
 void SignatureFigure::build(const SignaturePanel& data) {
   const Signature& signature = data.before;
   const QString variable = fromUtf8(signature.variable), channel = fromUtf8(signature.channel);
-  const Panel& panel = addPanel({{tr("%1 against %2").arg(channel, variable), true}, {words(data), false}},
-                                withUnit(variable, fromUtf8(shownUnit(signature.unit).unit)),
-                                withUnit(tr("measured − simulated"), fromUtf8(shownUnit(data.unit).unit)));
+  const Panel& panel = addPanel(
+      {{tr("%1 against %2").arg(withUnit(channel, fromUtf8(shownUnit(data.unit).unit)), variable), true},
+       {words(data), false}},
+      withUnit(variable, fromUtf8(shownUnit(signature.unit).unit)),
+      withUnit(tr("measured − simulated"), fromUtf8(shownUnit(data.unit).unit)));
   QCPAxis* x = panel.axes->axis(QCPAxis::atBottom);
   QCPAxis* y = panel.axes->axis(QCPAxis::atLeft);
   x->setRange(variableOf(data));

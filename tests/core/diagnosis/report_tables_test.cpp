@@ -1,0 +1,121 @@
+// Tables and robot file of a report say its numbers, in units for people.
+#include "core/diagnosis/report_tables.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "core/diagnosis/extended_robot.h"
+#include "core/diagnosis/hypothesis.h"
+#include "tests/support/sample_diagnosis.h"
+
+namespace capstan::diagnosis {
+namespace {
+
+using base::Table;
+using testing::sampleReport;
+
+std::size_t columnOf(const Table& table, const std::string& name) {
+  for (std::size_t i = 0; i < table.columns.size(); ++i)
+    if (table.columns[i].name == name) return i;
+  ADD_FAILURE() << "no column " << name;
+  return 0;
+}
+
+void expectWhole(const Table& table) {
+  for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size()) << table.title;
+}
+
+TEST(ReportTables, ChannelsInDegreesAndMillimetres) {
+  const Report report = sampleReport({.recordings = 2, .duration = 12.0});
+  const Table table = channelTable(report);
+  expectWhole(table);
+  ASSERT_EQ(table.rows.size(), 6U);
+  EXPECT_EQ(table.rows[1][1].text, "q2 [deg]");
+  EXPECT_EQ(table.rows[2][1].text, "q3 [mm]");
+  EXPECT_EQ(table.rows[4][0].text, "fast1.csv");
+  EXPECT_NEAR(table.rows[1][columnOf(table, "refitted")].number,
+              report.channels[1].refitted_statistics.rms * 180.0 / std::numbers::pi, 1e-12);
+  EXPECT_NEAR(table.rows[2][columnOf(table, "extended")].number,
+              report.channels[2].extended_statistics.rms * 1e3, 1e-12);
+  const std::string left = table.rows[1][columnOf(table, "left of the RMS, held out [%]")].text;
+  EXPECT_NE(left.find('('), std::string::npos) << left;
+  const Table quiet = channelTable(sampleReport({.verdict = Verdict::kNothing, .duration = 12.0}));
+  expectWhole(quiet);
+  for (const auto& column : quiet.columns) EXPECT_NE(column.name, "extended") << "nothing was added";
+}
+
+TEST(ReportTables, RefitShowsFirstWhatMoved) {
+  Report report = sampleReport({.duration = 12.0});
+  std::swap(report.refit[0], report.refit[1]);
+  const Table table = refitTable(report);
+  expectWhole(table);
+  EXPECT_EQ(table.rows[0][0].text, "cable stiffness of joint 2");
+  EXPECT_EQ(table.rows[0][3].text, "-18.0 %");
+  EXPECT_EQ(table.rows[0][4].text, "moved");
+  EXPECT_NE(table.rows[1][4].text.find("bound"), std::string::npos);
+  EXPECT_EQ(table.rows[2][4].text, "");
+  report.refit[0].nominal = 0.0;
+  expectWhole(refitTable(report));
+}
+
+TEST(ReportTables, RankingIsByRoundAndLikelihoodAndSaysWhatItLeavesOut) {
+  const Report report = sampleReport({.verdict = Verdict::kSeveral, .duration = 12.0});
+  const Table table = rankingTable(report);
+  expectWhole(table);
+  ASSERT_EQ(table.rows.size(), report.candidates.size());
+  EXPECT_EQ(table.rows[0][1].text, titleOf("backlash"));
+  EXPECT_EQ(table.rows[3][2].text, "whole arm") << "not refitted: last of its round";
+  EXPECT_TRUE(std::isnan(table.rows[3][columnOf(table, "score")].number));
+  EXPECT_EQ(table.rows[4][0].number, 2.0);
+  const Table brief = rankingTable(report, 1);
+  EXPECT_EQ(brief.rows.size(), 2U) << "one a round";
+  EXPECT_NE(brief.note.find("4 more"), std::string::npos) << brief.note;
+}
+
+TEST(ReportTables, LinesProcessesAndFilter) {
+  const Report report = sampleReport({.verdict = Verdict::kUnexplained});
+  const Table lines = lineTable(report);
+  expectWhole(lines);
+  EXPECT_EQ(lines.rows[0][2].text, "0.400 mm");
+  const Table process = processTable(report.processes[0]);
+  expectWhole(process);
+  EXPECT_EQ(process.rows.size(), report.processes[0].variables.size());
+  EXPECT_TRUE(filterTable(report).rows.empty());
+  const Table filter = filterTable(sampleReport({.duration = 12.0}));
+  expectWhole(filter);
+  EXPECT_NEAR(filter.rows[2][1].number, 1.6, 1e-12) << "[mm]";
+}
+
+TEST(ReportTables, CausesInWords) {
+  const Report report = sampleReport({.verdict = Verdict::kTie, .duration = 12.0});
+  EXPECT_EQ(causeText(report.causes[0]), titleOf("backlash") + ", joint 2: half width 0.930 ± 0.030 mm");
+  EXPECT_EQ(causeText(report.ties[0].causes[1]),
+            titleOf("cable_hysteresis") + ", joint 2: force 31.0 ± 4.0 N, yield 0.110 ± 0.060 mm");
+  EXPECT_EQ(titleOf("backlash"), hypothesisNamed("backlash")->words().title);
+  EXPECT_EQ(titleOf("no such effect"), "no such effect");
+  Gain gain{"q3", "m", 2e-3, 1e-3, {}, {}, {0.4, 0.6}};
+  EXPECT_EQ(
+      gainText(gain),
+      "q3: RMS 2.00 mm becomes 1.00 mm, 50.0 % of it (95 %: 40.0 to 60.0 %), on data that were not fitted");
+  gain.rms_before = 0.0;
+  EXPECT_EQ(gainText(gain).find("%"), std::string::npos) << "no share of nothing";
+}
+
+TEST(ExtendedRobot, IsARobotFileThatSaysWhereItIsFrom) {
+  Report report = sampleReport({.duration = 12.0});
+  report.recordings[0] = "two\nlines.csv";
+  const std::string text = extendedRobotText(report, "capstan 9");
+  EXPECT_EQ(text.rfind("# Extended by a diagnosis of two lines.csv, by capstan 9", 0), 0U)
+      << text.substr(0, 90);
+  EXPECT_NE(text.find("#   " + causeText(report.causes[0]) + "; probability 97 %\n"), std::string::npos);
+  EXPECT_NE(text.find("cable stiffness of joint 2: "), std::string::npos);
+  EXPECT_EQ(text.find("coulomb friction of joint 1: "), std::string::npos) << "it did not move";
+  EXPECT_EQ(robot::formatDescription(robot::parseDescription(text, "text")),
+            robot::formatDescription(report.extended));
+  const Report quiet = sampleReport({.verdict = Verdict::kNothing, .duration = 12.0});
+  EXPECT_NE(extendedRobotText(quiet, "").find("no missing effect was named"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace capstan::diagnosis
