@@ -12,5 +12,5 @@ capstan_widget_test(
 
 capstan_widget_test(
   NAME diagnosis_figures_test
-  SOURCES figures/diagnosis_figures_test.cpp
-  LINKS capstan::figures capstan_sample_diagnosis)
+  SOURCES figures/diagnosis_export_test.cpp figures/diagnosis_figures_test.cpp
+  LINKS capstan::figures capstan_sample_diagnosis nlohmann_json::nlohmann_json)

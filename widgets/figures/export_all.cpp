@@ -1,11 +1,8 @@
 #include "widgets/figures/export_all.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
 #include "core/base/error.h"
-#include "core/base/part_file.h"
 #include "core/base/yaml.h"
 #include "core/experiments/published.h"
 
@@ -16,16 +13,8 @@ namespace {
 namespace fs = std::filesystem;
 using experiments::Results;
 
-constexpr const char* kIndex = "index.html";
-
 [[noreturn]] void refuse(const fs::path& folder, const std::string& reason, const std::string& remedy) {
   throw base::InputError({folder.string(), 0, {}, {}, reason, remedy});
-}
-
-bool holdsExport(const fs::path& folder) {
-  std::ifstream file(folder / kIndex);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  return text.find(kFiguresMark) != std::string::npos;
 }
 
 std::vector<std::string> namesOf(const std::vector<fs::path>& files) {
@@ -94,23 +83,6 @@ IndexPage pageFor(const std::vector<Results>& results) {
 
 }  // namespace
 
-void checkExportFolder(const fs::path& folder) {
-  std::error_code fault;
-  if (fs::exists(folder, fault) && !fs::is_directory(folder, fault))
-    refuse(folder, "is a file", "Give a folder");
-  if (fs::is_directory(folder, fault) && !fs::is_empty(folder, fault) && !holdsExport(folder))
-    refuse(folder, "is not empty and holds no former figures", "Give another folder");
-  fs::path there = fs::absolute(folder, fault).lexically_normal();
-  if (!there.has_filename()) there = there.parent_path();
-  while (!fs::exists(there, fault) && there.has_relative_path()) there = there.parent_path();
-  if (!fs::is_directory(there, fault)) refuse(there, "is no folder", "Give another folder");
-  try {
-    base::checkWritable(there / kIndex);
-  } catch (const base::InputError&) {
-    refuse(folder, "cannot be written: " + there.string() + " takes no files", "Give another folder");
-  }
-}
-
 FigureExport::FigureExport(std::vector<Results> results, fs::path folder, const ExportOptions& options)
     : results_(std::move(results)), folder_(std::move(folder)), size_(options.size) {
   checkExportFolder(folder_);
@@ -119,15 +91,10 @@ FigureExport::FigureExport(std::vector<Results> results, fs::path folder, const 
   if (figures_.empty() && tables_.empty())
     refuse(folder_, "would stay empty: the results hold nothing of what was asked for",
            "Run the experiment whose figures these are");
-  std::error_code fault;
-  fs::create_directories(folder_, fault);
-  if (fault) refuse(folder_, "cannot be made: " + fault.message(), "Give another folder");
   report_.missing = missingOf(results_);
   page_ = pageFor(results_);
   page_.missing = report_.missing;
-  // The mark first: an export that is interrupted can be repeated into its folder.
-  base::writeTextFile(folder_ / kIndex,
-                      std::string(kFiguresMark) + "<p>These figures were not finished.</p>\n");
+  makeExportFolder(folder_, kFiguresMark);
 }
 
 double FigureExport::fraction() const {
@@ -147,8 +114,8 @@ ExportReport FigureExport::finish() {
   report_.cancelled = !drawn();
   for (const auto& table : tables_) page_.tables.push_back(writeTable(table, folder_, report_));
   if (report_.cancelled) page_.missing.insert(page_.missing.begin(), "Cancelled: not all figures are here.");
-  base::writeTextFile(folder_ / kIndex, indexPage(page_));
-  report_.files.push_back(folder_ / kIndex);
+  base::writeTextFile(folder_ / kIndexFile, indexPage(page_));
+  report_.files.push_back(folder_ / kIndexFile);
   return report_;
 }
 

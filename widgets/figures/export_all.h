@@ -8,6 +8,7 @@
 #include "core/experiments/results.h"
 #include "core/experiments/tables.h"
 #include "widgets/figures/experiment_figures.h"
+#include "widgets/figures/export_folder.h"
 #include "widgets/figures/index_page.h"
 #include "widgets/figures/save_plot.h"
 
@@ -26,10 +27,6 @@ struct ExportReport {
   std::size_t figures = 0, tables = 0;
   bool cancelled = false;  ///< the index page speaks of what came before
 };
-
-/// Throws base::InputError where exportAll() would not write into `folder`: it is a file, cannot be written,
-/// or holds files and no former export.
-void checkExportFolder(const std::filesystem::path& folder);
 
 /// Every figure and table that `results` support, into `folder` (made): figures as PDF, SVG, PNG and CSV,
 /// tables as CSV, LaTeX and Markdown, and index.html with all of them. A former export in the folder is

@@ -1,0 +1,189 @@
+#include "widgets/figures/diagnosis_page.h"
+
+#include <fmt/format.h>
+
+#include "core/diagnosis/hypothesis.h"
+#include "core/diagnosis/report_tables.h"
+#include "core/diagnosis/shown.h"
+#include "widgets/figures/html_parts.h"
+
+namespace capstan::widgets {
+
+namespace {
+
+using diagnosis::Cause;
+using diagnosis::Report;
+using diagnosis::Verdict;
+
+constexpr const char* kStyle =
+    R"(.verdict { border-left: 6px solid #009e73; margin: 1.5em 0; padding: 0.4em 1.2em; }
+.verdict.tie, .verdict.unexplained { border-color: #e69f00; }
+.verdict.nothing { border-color: var(--line); }
+.verdict h2 { margin: 0 0 0.3em; }
+.verdict p { font-size: 1.15em; margin: 0.2em 0; }
+.cause { border: 1px solid var(--line); border-radius: 6px; margin: 1em 0; padding: 0.4em 1.2em 0.8em; }
+.cause h3 { margin: 0.4em 0; }
+.size { font-size: 1.15em; font-variant-numeric: tabular-nums; margin: 0.3em 0; }
+dl { display: grid; gap: 0.2em 1.2em; grid-template-columns: max-content 1fr; }
+dt { color: var(--quiet); }
+dd { margin: 0; }
+figure { margin: 1em 0; }
+)";
+
+std::string paragraph(const std::string& text, const char* kind = nullptr) {
+  return (kind ? fmt::format("<p class=\"{}\">", kind) : std::string("<p>")) + htmlEscaped(text) + "</p>\n";
+}
+
+std::string term(const char* name, std::string_view text) {
+  if (text.empty()) return {};
+  return fmt::format("<dt>{}</dt><dd>{}</dd>\n", name, htmlEscaped(std::string(text)));
+}
+
+std::string verdictHtml(const Report& report) {
+  std::string html = fmt::format("<div class=\"verdict {}\"><h2>{}</h2>\n", base::nameOf(report.verdict),
+                                 htmlEscaped(verdictText(report.verdict)));
+  html += paragraph(report.summary);
+  if (!report.causes.empty())
+    html += paragraph(
+        fmt::format("Of what the refitted model gets wrong beyond the sensors' noise, {:.0f} % goes "
+                    "with what was named.",
+                    100.0 * report.explained));
+  if (report.cancelled) html += "<p><strong>Cancelled: this is what there was until then.</strong></p>\n";
+  return html + "</div>\n";
+}
+
+/// What people are told of it: where it is, how large, how sure, what it is worth, and what it is.
+std::string causeHtml(const Cause& cause) {
+  std::string html = "<section class=\"cause\"><h3>" +
+                     htmlEscaped(diagnosis::titleOf(cause.effect) + ", " +
+                                 diagnosis::shownJoint(cause.effect, cause.joint)) +
+                     "</h3>\n";
+  std::string size;
+  for (const diagnosis::FoundParameter& parameter : cause.parameters)
+    size += (size.empty() ? "" : ", ") + diagnosis::shownParameter(parameter);
+  html += paragraph(size, "size");
+  html += "<dl>\n" + term("Probability", fmt::format("{:.0f} %", 100.0 * cause.probability));
+  if (!cause.gain.channel.empty()) html += term("Worth", diagnosis::gainText(cause.gain));
+  if (const diagnosis::Hypothesis* hypothesis = diagnosis::hypothesisNamed(cause.effect)) {
+    const diagnosis::HypothesisWords& words = hypothesis->words();
+    html += term("What it is", words.what) + term("Equation", words.equation) +
+            term("In the model", words.changes) + term("How it shows", words.signature) +
+            term("Shown best by", words.experiment) + term("Source", words.source);
+  }
+  return html + "</dl></section>\n";
+}
+
+std::string causesHtml(const Report& report) {
+  std::string html;
+  if (!report.causes.empty() && report.ties.empty()) html += "<h2>Causes</h2>\n";
+  if (report.ties.empty())
+    for (const Cause& cause : report.causes) html += causeHtml(cause);
+  for (const diagnosis::Tie& tie : report.ties) {
+    html += "<h2>As good as each other</h2>\n";
+    for (const Cause& cause : tie.causes) html += causeHtml(cause);
+    if (!tie.separate.empty()) html += "<h3>What would tell them apart</h3>\n" + paragraph(tie.separate);
+  }
+  // Beside a tie, what is no part of one.
+  for (const Cause& cause : report.causes) {
+    bool tied = report.ties.empty();
+    for (const diagnosis::Tie& tie : report.ties)
+      for (const Cause& one : tie.causes)
+        tied = tied || (one.effect == cause.effect && one.joint == cause.joint);
+    if (!tied) html += causeHtml(cause);
+  }
+  return html;
+}
+
+std::string unexplainedHtml(const Report& report) {
+  if (report.processes.empty() && report.lines.empty()) return {};
+  std::string html = "<h2>What stays unexplained</h2>\n";
+  for (const diagnosis::RemainderProcess& process : report.processes) {
+    html += paragraph(process.channel + " " + process.words + ".");
+    if (!process.variables.empty()) html += htmlTable(diagnosis::processTable(process));
+  }
+  if (!report.lines.empty()) html += htmlTable(diagnosis::lineTable(report));
+  return html;
+}
+
+std::string links(const std::vector<std::string>& files) {
+  std::string html = "<div class=\"files\">";
+  for (const std::string& file : files)
+    html += "<a href=\"" + htmlAddress(file) + "\">" + htmlEscaped(file) + "</a> ";
+  return html + "</div>\n";
+}
+
+std::string pictureHtml(const DiagnosisPicture& picture) {
+  std::string html = "<figure>";
+  for (const std::string& file : picture.files)
+    if (file.ends_with(".svg"))
+      html += "<a href=\"" + htmlAddress(file) + "\"><img src=\"" + htmlAddress(file) +
+              "\" loading=\"lazy\" alt=\"" + htmlEscaped(picture.caption) + "\"></a>";
+  return html + "\n<figcaption>" + htmlEscaped(picture.caption) + "</figcaption>" + links(picture.files) +
+         "</figure>\n";
+}
+
+std::string numbersHtml(const Report& report) {
+  std::string html;
+  if (!report.refit.empty()) html += htmlTable(diagnosis::refitTable(report));
+  if (!report.candidates.empty()) {
+    const base::Table ranking = diagnosis::rankingTable(report);
+    html += htmlTable(ranking, ranking.columns.size() - 1);
+  }
+  if (!report.filter.empty()) html += htmlTable(diagnosis::filterTable(report));
+  return html;
+}
+
+std::string endHtml(const Report& report, const std::vector<std::string>& files) {
+  std::string html;
+  if (!report.notices.empty()) html += "<h2>Notices</h2>\n<ul>\n";
+  for (const std::string& notice : report.notices) html += "<li>" + htmlEscaped(notice) + "</li>\n";
+  if (!report.notices.empty()) html += "</ul>\n";
+  html += "<h2>Files</h2>\n" + links(files);
+  std::string stages;
+  for (const diagnosis::Stage& stage : report.stages)
+    stages += (stages.empty() ? "" : ", ") + fmt::format("{} {:.1f} s", stage.name, stage.seconds);
+  if (!stages.empty()) html += paragraph("Computed in: " + stages + ".", "note");
+  return html;
+}
+
+}  // namespace
+
+std::string verdictText(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kFound:
+      return "One cause found";
+    case Verdict::kSeveral:
+      return "Several causes found";
+    case Verdict::kTie:
+      return "These recordings cannot tell";
+    case Verdict::kNothing:
+      return "Nothing worth naming";
+    case Verdict::kUnexplained:
+      return "Something is there that no hypothesis explains";
+  }
+  return {};
+}
+
+std::string diagnosisPage(const Report& report, const DiagnosisOrigin& origin,
+                          const std::vector<DiagnosisChannel>& channels,
+                          const std::vector<std::string>& files) {
+  std::string recordings;
+  for (const std::string& title : report.recordings) recordings += (recordings.empty() ? "" : ", ") + title;
+  const std::string title =
+      "What the simulation of " + (origin.robot.empty() ? "the robot" : origin.robot) + " gets wrong";
+  std::string html = htmlHead(title, kDiagnosisMark, kStyle) + "<h1>" + htmlEscaped(title) + "</h1>\n";
+  html += paragraph(origin.software + (origin.created.empty() ? "" : ", " + origin.created) +
+                        ". Recordings: " + recordings + ".",
+                    "note");
+  html += verdictHtml(report) + causesHtml(report) + unexplainedHtml(report);
+  html += "<h2>What the simulation gets wrong</h2>\n";
+  if (!report.channels.empty()) html += htmlTable(diagnosis::channelTable(report));
+  for (const DiagnosisChannel& channel : channels) {
+    html += "<h3>" + htmlEscaped(channel.title) + "</h3>\n";
+    for (const DiagnosisPicture& picture : channel.pictures) html += pictureHtml(picture);
+  }
+  html += "<h2>Numbers</h2>\n" + numbersHtml(report) + endHtml(report, files);
+  return html + "</body></html>\n";
+}
+
+}  // namespace capstan::widgets

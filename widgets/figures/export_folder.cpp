@@ -1,0 +1,57 @@
+#include "widgets/figures/export_folder.h"
+
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/base/part_file.h"
+#include "core/base/yaml.h"
+
+namespace capstan::widgets {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const fs::path& folder, const std::string& reason, const std::string& remedy) {
+  throw base::InputError({folder.string(), 0, {}, {}, reason, remedy});
+}
+
+bool holdsExport(const fs::path& folder, std::string_view mark) {
+  std::ifstream file(folder / kIndexFile);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  return text.find(mark) != std::string::npos;
+}
+
+}  // namespace
+
+void checkExportFolder(const fs::path& folder, std::string_view mark) {
+  std::error_code fault;
+  if (fs::exists(folder, fault) && !fs::is_directory(folder, fault))
+    refuse(folder, "is a file", "Give a folder");
+  if (fs::is_directory(folder, fault) && !fs::is_empty(folder, fault) && !holdsExport(folder, mark))
+    refuse(folder,
+           mark == kFiguresMark ? "is not empty and holds no former figures"
+                                : "is not empty and holds no former report",
+           "Give another folder");
+  fs::path there = fs::absolute(folder, fault).lexically_normal();
+  if (!there.has_filename()) there = there.parent_path();
+  while (!fs::exists(there, fault) && there.has_relative_path()) there = there.parent_path();
+  if (!fs::is_directory(there, fault)) refuse(there, "is no folder", "Give another folder");
+  try {
+    base::checkWritable(there / kIndexFile);
+  } catch (const base::InputError&) {
+    refuse(folder, "cannot be written: " + there.string() + " takes no files", "Give another folder");
+  }
+}
+
+void makeExportFolder(const fs::path& folder, std::string_view mark) {
+  checkExportFolder(folder, mark);
+  std::error_code fault;
+  fs::create_directories(folder, fault);
+  if (fault) refuse(folder, "cannot be made: " + fault.message(), "Give another folder");
+  base::writeTextFile(folder / kIndexFile, std::string(mark) + "<p>This page was not finished.</p>\n");
+}
+
+}  // namespace capstan::widgets
