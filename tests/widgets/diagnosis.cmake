@@ -1,0 +1,2 @@
+capstan_widget_test(NAME diagnosis_panel_test SOURCES diagnosis_panel_test.cpp LINKS capstan::diagnosis_panel
+                    capstan_sample_diagnosis)

@@ -1,0 +1,261 @@
+// The diagnosis panel without a window around it: reports handed in or made by a job of the test's own.
+#include "widgets/panels/diagnosis/diagnosis_panel.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QComboBox>
+#include <QFile>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTabWidget>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <QtTest/QTest>
+#include <atomic>
+
+#include "core/base/error.h"
+#include "tests/support/sample_diagnosis.h"
+#include "tests/widgets/picture.h"
+#include "widgets/panels/diagnosis/cause_tree.h"
+#include "widgets/panels/diagnosis/hypothesis_card.h"
+#include "widgets/panels/diagnosis/ranking_table.h"
+#include "widgets/panels/diagnosis/recording_picker.h"
+#include "widgets/panels/diagnosis/signature_view.h"
+#include "widgets/panels/diagnosis/time_view.h"
+
+namespace capstan::widgets {
+namespace {
+
+using diagnosis::Report;
+using diagnosis::Verdict;
+using ::testing::HasSubstr;
+
+/// Each made once: they take a moment.
+const Report& sample(Verdict verdict) {
+  static std::map<Verdict, Report> made;
+  if (!made.contains(verdict))
+    made[verdict] = testing::sampleReport({.verdict = verdict, .cameras = verdict == Verdict::kSeveral});
+  return made.at(verdict);
+}
+
+template <class Condition>
+bool waitFor(Condition&& condition) {
+  return QTest::qWaitFor(condition, 60000);
+}
+
+class Diagnosis : public ::testing::Test {
+ protected:
+  void SetUp() override { show(nullptr); }
+  /// A panel whose job is `run`.
+  void show(DiagnosisRun run) {
+    panel = std::make_unique<DiagnosisPanel>(std::move(run));
+    panel->resize(1000, 860);
+    panel->show();
+    QApplication::setActiveWindow(panel.get());  // for its keys
+  }
+  QPushButton* button(const char* name) { return panel->findChild<QPushButton*>(name); }
+  std::string headline() { return panel->headline().toStdString(); }
+  std::string causes() { return panel->causes().text().toStdString(); }
+  QString card() { return panel->findChild<HypothesisCard*>()->toPlainText(); }
+
+  std::unique_ptr<DiagnosisPanel> panel;
+};
+
+TEST_F(Diagnosis, BeginsWithAQuestionAndNothingToPress) {
+  EXPECT_THAT(headline(), HasSubstr("What does the simulation get wrong?"));
+  EXPECT_FALSE(button("diagnose_now")->isEnabled()) << "no recording";
+  EXPECT_FALSE(button("save_extended")->isVisible());
+  panel->choose({.recordings = {"/somewhere/one.csv"}});
+  EXPECT_TRUE(button("diagnose_now")->isEnabled());
+  EXPECT_THAT(headline(), HasSubstr("Ready"));
+  test::grab(*panel, "diagnosis_panel_empty");
+}
+
+TEST_F(Diagnosis, AFoundCauseHasANamePlaceSizeAndWorth) {
+  panel->showReport(sample(Verdict::kFound));
+  EXPECT_THAT(headline(), HasSubstr("Found"));
+  EXPECT_THAT(headline(), HasSubstr("joint 2"));
+  EXPECT_THAT(causes(), HasSubstr("half width 0.930 ± 0.030 mm"));
+  EXPECT_THAT(causes(), HasSubstr("97 %"));
+  EXPECT_THAT(causes(), HasSubstr("q2 on data not fitted: 0.894"));
+  EXPECT_TRUE(card().contains("What would show it best:")) << card().toStdString();
+  for (int page = 0; page < panel->pages().count(); ++page) {
+    panel->pages().setCurrentIndex(page);
+    QTest::qWait(50);
+    test::grab(*panel, QStringLiteral("diagnosis_panel_found_%1").arg(page));
+  }
+}
+
+// What is shown is what the report has: of the channel that gains most by the cause, the strongest first.
+TEST_F(Diagnosis, TheSignatureOfTheCauseStandsInFront) {
+  const Report& report = sample(Verdict::kFound);
+  panel->showReport(report);
+  const auto channel = std::find_if(report.channels.begin(), report.channels.end(),
+                                    [](const auto& one) { return one.refitted.name == "q2"; });
+  ASSERT_NE(channel, report.channels.end());
+  SignatureView& view = panel->signatures();
+  EXPECT_THAT(view.channels().currentText().toStdString(), HasSubstr("q2"));
+  ASSERT_EQ(view.variables().topLevelItemCount(), static_cast<int>(channel->before.size()));
+  EXPECT_EQ(view.variables().topLevelItem(0)->toolTip(0).toStdString(), channel->before[0].variable);
+  ASSERT_TRUE(view.figure());
+  EXPECT_EQ(view.figure()->data().panels.at(0).before.share, channel->before[0].share);
+  ASSERT_TRUE(view.figure()->data().panels.at(0).after);
+  EXPECT_LT(view.figure()->data().panels.at(0).after->share, 0.5 * channel->before[0].share);
+  EXPECT_TRUE(view.words().contains(QString::fromStdString(channel->before[0].variable)))
+      << view.words().toStdString();
+  EXPECT_GT(view.figure()->height(), 300) << "large enough to be read across a room";
+  EXPECT_GT(view.figure()->width(), 500);
+
+  view.variables().setCurrentItem(view.variables().topLevelItem(1));
+  EXPECT_EQ(view.figure()->data().panels.at(0).before.variable, channel->before[1].variable);
+  view.channels().setCurrentIndex(0);
+  EXPECT_EQ(view.figure()->data().panels.at(0).before.variable, report.channels[0].before[0].variable);
+}
+
+TEST_F(Diagnosis, TheCourseShowsThreeModelsOfTheSameChannel) {
+  panel->showReport(sample(Verdict::kFound));
+  EXPECT_FALSE(panel->course().figure()) << "nobody looks";
+  panel->pages().setCurrentIndex(1);
+  ASSERT_TRUE(panel->course().figure());
+  const auto& trace = panel->course().figure()->data().traces.at(0);
+  EXPECT_EQ(trace.channel, "q2");
+  EXPECT_EQ(trace.extended.size(), trace.t.size());
+  EXPECT_GT(trace.refitted_statistics.rms, 2.0 * trace.extended_statistics.rms);
+  EXPECT_THAT(panel->course().words().toStdString(), HasSubstr("with the causes found"));
+}
+
+TEST_F(Diagnosis, CandidatesStandByRoundAndScoreAndShowTheirWords) {
+  panel->showReport(sample(Verdict::kSeveral));
+  EXPECT_THAT(headline(), HasSubstr("Several"));
+  const QStringList lines = panel->ranking().lines();
+  ASSERT_EQ(lines.size(), 6);
+  EXPECT_THAT(lines[0].toStdString(), HasSubstr("91 % | 412 | 97 %"));
+  EXPECT_THAT(lines[3].toStdString(), HasSubstr("1.0 % | — | —")) << "only screened";
+  EXPECT_THAT(lines[4].toStdString(), HasSubstr("190"));
+  panel->pages().setCurrentIndex(2);
+  auto* round = panel->ranking().topLevelItem(0);
+  panel->ranking().setCurrentItem(round->child(2));
+  EXPECT_EQ(panel->ranking().chosen()->effect, "asymmetric_friction");
+  EXPECT_TRUE(card().contains("candidate")) << card().toStdString();
+  test::grab(*panel, "diagnosis_panel_several");
+}
+
+TEST_F(Diagnosis, ATieSaysWhatWouldPartIt) {
+  panel->showReport(sample(Verdict::kTie));
+  EXPECT_THAT(headline(), HasSubstr("Cannot be told apart"));
+  EXPECT_THAT(causes(), HasSubstr("cannot tell which"));
+  EXPECT_THAT(causes(), HasSubstr("To tell them apart: Reverse joint 2"));
+  EXPECT_EQ(QString::fromStdString(causes()).count("half width"), 1) << "the tied cause is listed once";
+  test::grab(*panel, "diagnosis_panel_tie");
+}
+
+TEST_F(Diagnosis, NothingAndUnexplainedHaveNoCauseButPictures) {
+  panel->showReport(sample(Verdict::kNothing));
+  EXPECT_THAT(headline(), HasSubstr("Nothing worth naming"));
+  ASSERT_TRUE(panel->signatures().figure());
+  EXPECT_FALSE(panel->signatures().figure()->data().panels.at(0).after) << "no cause, no after";
+  test::grab(*panel, "diagnosis_panel_nothing");
+  panel->showReport(sample(Verdict::kUnexplained));
+  EXPECT_THAT(headline(), HasSubstr("no hypothesis explains"));
+  EXPECT_TRUE(card().contains("7.3 Hz")) << card().toStdString();
+  EXPECT_TRUE(card().contains("q1: depends on")) << card().toStdString();
+  EXPECT_FALSE(panel->causes().chosen());
+  test::grab(*panel, "diagnosis_panel_unexplained");
+}
+
+TEST_F(Diagnosis, RunsInTheBackgroundWithWhatWasChosen) {
+  const auto release = std::make_shared<std::atomic<bool>>(false);
+  DiagnosisChoice asked;
+  show([&asked, release](const DiagnosisChoice& choice, base::Progress& progress) {
+    asked = choice;
+    progress.report(0.4, "screening");
+    while (!*release && !progress.cancelled()) QThread::msleep(5);
+    return sample(Verdict::kFound);
+  });
+  const DiagnosisChoice choice{.recordings = {"/a/one.csv", "/a/two.csv"}, .robot = "/a/mine.yaml"};
+  panel->choose(choice);
+  QTest::keyClick(panel.get(), Qt::Key_F5);
+  EXPECT_TRUE(panel->busy());
+  EXPECT_EQ(button("diagnose_now")->text(), "Cancel");
+  *release = true;
+  ASSERT_TRUE(waitFor([&] { return !panel->busy(); }));
+  EXPECT_EQ(asked, choice);
+  ASSERT_TRUE(panel->report());
+  EXPECT_THAT(panel->words().toStdString(), HasSubstr("Of one.csv, two.csv."));
+  EXPECT_EQ(button("diagnose_now")->text(), "Diagnose");
+}
+
+TEST_F(Diagnosis, IsCancelledAndKeepsWhatWasThere) {
+  show([](const DiagnosisChoice&, base::Progress& progress) {
+    while (!progress.cancelled()) QThread::msleep(5);
+    return Report{};
+  });
+  panel->showReport(sample(Verdict::kFound));
+  panel->choose({.recordings = {"/a/one.csv"}});
+  panel->diagnose();
+  ASSERT_TRUE(panel->busy());
+  QTest::keyClick(panel.get(), Qt::Key_Escape);
+  ASSERT_TRUE(waitFor([&] { return !panel->busy(); }));
+  EXPECT_THAT(panel->words().toStdString(), HasSubstr("Cancelled"));
+  EXPECT_THAT(headline(), HasSubstr("Found")) << "the report before";
+}
+
+TEST_F(Diagnosis, SaysWhyThereIsNoReport) {
+  show([](const DiagnosisChoice&, base::Progress&) -> Report {
+    throw base::InputError({"one.csv", 0, "q_m", {}, "is missing", "Record the motors"});
+  });
+  panel->choose({.recordings = {"/a/one.csv"}});
+  panel->diagnose();
+  ASSERT_TRUE(waitFor([&] { return !panel->busy(); }));
+  EXPECT_THAT(panel->words().toStdString(), HasSubstr("one.csv: q_m: is missing. Record the motors"));
+  EXPECT_FALSE(panel->report());
+}
+
+TEST_F(Diagnosis, TheExtendedRobotIsSavedAndUsedWhereItFits) {
+  const Report& report = sample(Verdict::kFound);
+  panel->showReport(report);
+  EXPECT_FALSE(button("use_extended")->isEnabled()) << "no session";
+  panel->setSessionJoints(1);
+  EXPECT_FALSE(button("use_extended")->isEnabled()) << "another robot";
+  panel->setSessionJoints(3);
+  ASSERT_TRUE(button("use_extended")->isEnabled());
+  robot::Description used;
+  QObject::connect(panel.get(), &DiagnosisPanel::robotChosen, panel.get(),
+                   [&](const robot::Description& robot, const QString&) { used = robot; });
+  button("use_extended")->click();
+  EXPECT_EQ(robot::formatDescription(used), robot::formatDescription(report.extended));
+
+  const QTemporaryDir folder;
+  QSignalSpy saved(panel.get(), &DiagnosisPanel::robotSaved);
+  panel->saveRobot(folder.filePath("nowhere/robot.yaml"));
+  EXPECT_EQ(saved.count(), 0);
+  EXPECT_THAT(panel->words().toStdString(), HasSubstr("nowhere/robot.yaml cannot be written"));
+  panel->saveRobot(folder.filePath("robot.yaml"));
+  EXPECT_EQ(saved.count(), 1);
+  EXPECT_EQ(robot::formatDescription(robot::readDescription(folder.filePath("robot.yaml").toStdString())),
+            robot::formatDescription(report.extended));
+}
+
+TEST_F(Diagnosis, TheChoiceIsKeptAndTheJustRecordedTakesItsPlace) {
+  const QTemporaryDir folder;
+  auto* latest = panel->findChild<QToolButton*>("offered");
+  EXPECT_FALSE(latest->isVisible());
+  panel->choose({.recordings = {"/a/one.csv"}, .robot = "/a/mine.yaml"});
+  QSettings settings(folder.filePath("settings.ini"), QSettings::IniFormat);
+  panel->save(settings);
+  panel->offer("/a/session.capstan", "Just recorded");
+  ASSERT_TRUE(latest->isVisible());
+  latest->click();
+  EXPECT_EQ(panel->choice().recordings, QStringList{"/a/session.capstan"});
+  EXPECT_EQ(panel->choice().robot, "/a/mine.yaml");
+  EXPECT_FALSE(latest->isVisible()) << "it is chosen";
+  panel->restore(settings);
+  EXPECT_EQ(panel->choice().recordings, QStringList{"/a/one.csv"});
+}
+
+}  // namespace
+}  // namespace capstan::widgets

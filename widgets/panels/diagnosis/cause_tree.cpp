@@ -1,0 +1,167 @@
+#include "widgets/panels/diagnosis/cause_tree.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QTreeWidgetItemIterator>
+#include <algorithm>
+
+#include "core/diagnosis/shown.h"
+#include "widgets/panels/diagnosis/diagnosis_text.h"
+#include "widgets/panels/diagnosis/share_bar.h"
+
+namespace capstan::widgets {
+
+namespace {
+
+using diagnosis::Cause;
+
+enum Column { kWords, kProbability, kColumns };
+constexpr int kCauseRole = Qt::UserRole + 1;
+constexpr double kPoints = 10.0;
+
+QString shown(const std::string& words) { return QString::fromStdString(words); }
+
+bool sameCause(const Cause& a, const Cause& b) { return a.effect == b.effect && a.joint == b.joint; }
+
+/// "q2 on data not fitted: 1.31 → 0.62 deg, 45 … 50 % left"
+QString gainWords(const diagnosis::Gain& gain) {
+  if (gain.channel.empty()) return {};
+  const diagnosis::ShownUnit unit = diagnosis::shownUnit(gain.unit);
+  return QObject::tr("%1 on data not fitted: %2 → %3 %4, %5 … %6 left")
+      .arg(shown(gain.channel))
+      .arg(unit.scale * gain.rms_before, 0, 'g', 3)
+      .arg(unit.scale * gain.rms_after, 0, 'g', 3)
+      .arg(shown(unit.unit), percentText(gain.interval.low, 1), percentText(gain.interval.high, 1));
+}
+
+}  // namespace
+
+CauseTree::CauseTree(QWidget* parent) : QTreeWidget(parent) {
+  setObjectName("causes");
+  setColumnCount(kColumns);
+  setHeaderLabels({tr("cause"), tr("probability")});
+  setItemDelegateForColumn(kProbability, new ShareBar(this));
+  setIndentation(14);
+  setRootIsDecorated(false);
+  setItemsExpandable(false);
+  setFrameShape(QFrame::NoFrame);
+  setWordWrap(true);
+  setSelectionMode(QAbstractItemView::SingleSelection);
+  setAccessibleName(tr("causes found"));
+  header()->setStretchLastSection(false);
+  header()->setMinimumSectionSize(10);
+  header()->setSectionResizeMode(kWords, QHeaderView::Stretch);
+  header()->setSectionResizeMode(kProbability, QHeaderView::Fixed);
+  header()->resizeSection(kProbability, 92);
+  header()->setFont(textFont(9.0));
+  connect(this, &QTreeWidget::currentItemChanged, this, [this] { Q_EMIT chosenChanged(); });
+}
+
+void CauseTree::setTheme(const Theme& theme) {
+  theme_ = theme;
+  setStyleSheet(QStringLiteral("QTreeWidget::item { padding: 1px 0; } "
+                               "QTreeWidget::item:selected { background: %1; color: %2; } "
+                               "QTreeWidget::branch { image: none; border-image: none; background: %3; }")
+                    .arg(theme.raised.name(), theme.text.name(), theme.surface.name()));
+  fill();
+}
+
+void CauseTree::showReport(const diagnosis::Report& report) {
+  verdict_ = report.verdict;
+  robot_ = report.extended;
+  ties_ = report.ties;
+  causes_.clear();
+  const auto tied = [&](const Cause& cause) {
+    return std::any_of(ties_.begin(), ties_.end(), [&](const diagnosis::Tie& tie) {
+      return std::any_of(tie.causes.begin(), tie.causes.end(),
+                         [&](const Cause& other) { return sameCause(cause, other); });
+    });
+  };
+  for (const Cause& cause : report.causes)
+    if (!tied(cause)) causes_.push_back(cause);
+  alone_ = causes_.size();
+  for (const diagnosis::Tie& tie : ties_) causes_.insert(causes_.end(), tie.causes.begin(), tie.causes.end());
+  fill();
+}
+
+void CauseTree::fill() {
+  const QSignalBlocker quiet(this);
+  clear();
+  for (std::size_t i = 0; i < alone_; ++i) addCause(nullptr, causes_[i]);
+  for (const diagnosis::Tie& tie : ties_) {
+    QTreeWidgetItem* group = addLine(nullptr, tr("One of these; the recordings cannot tell which:"));
+    for (const Cause& cause : tie.causes) addCause(group, cause);
+    if (!tie.separate.empty()) addLine(group, tr("To tell them apart: %1").arg(shown(tie.separate)));
+  }
+  if (causes_.empty())
+    addLine(nullptr, verdict_ == diagnosis::Verdict::kUnexplained
+                         ? tr("No hypothesis explains what is there; see what it depends on.")
+                         : tr("No cause worth naming."));
+  expandAll();
+  QTreeWidgetItemIterator it(this);
+  while (*it && !(*it)->data(0, kCauseRole).isValid()) ++it;
+  setCurrentItem(*it);
+}
+
+QTreeWidgetItem* CauseTree::addLine(QTreeWidgetItem* parent, const QString& words) {
+  auto* item = new QTreeWidgetItem;
+  item->setText(kWords, words);
+  item->setFont(kWords, textFont(kPoints - 0.5));
+  item->setForeground(kWords, theme_.muted);
+  item->setFlags(Qt::ItemIsEnabled);
+  item->setToolTip(kWords, words);
+  parent ? parent->addChild(item) : addTopLevelItem(item);
+  item->setFirstColumnSpanned(true);
+  return item;
+}
+
+void CauseTree::addCause(QTreeWidgetItem* parent, const Cause& cause) {
+  auto* item = new QTreeWidgetItem;
+  item->setText(kWords,
+                titleOf(cause.effect) + QStringLiteral(", ") + placeOf(cause.effect, cause.joint, robot_));
+  item->setFont(kWords, textFont(kPoints, true));
+  item->setText(kProbability, percentText(cause.probability));
+  item->setFont(kProbability, numberFont(kPoints));
+  item->setTextAlignment(kProbability, Qt::AlignRight | Qt::AlignVCenter);
+  item->setToolTip(kProbability, tr("Share of resampled recordings in which it comes first, or is needed"));
+  const auto found = std::find_if(causes_.begin(), causes_.end(),
+                                  [&](const Cause& other) { return sameCause(other, cause); });
+  item->setData(0, kCauseRole, static_cast<int>(found - causes_.begin()));
+  ShareBar::set(*item, kProbability, cause.probability, theme_.accent);
+  parent ? parent->addChild(item) : addTopLevelItem(item);
+  for (const diagnosis::FoundParameter& parameter : cause.parameters) {
+    QTreeWidgetItem* line = addLine(item, shown(diagnosis::shownParameter(parameter)));
+    line->setFont(kWords, numberFont(kPoints - 0.5));
+    line->setForeground(kWords, theme_.text);
+  }
+  if (const QString gain = gainWords(cause.gain); !gain.isEmpty()) addLine(item, gain);
+}
+
+const Cause* CauseTree::chosen() const {
+  for (const QTreeWidgetItem* item = currentItem(); item; item = item->parent())
+    if (const QVariant index = item->data(0, kCauseRole); index.isValid())
+      return &causes_[static_cast<std::size_t>(index.toInt())];
+  return nullptr;
+}
+
+QString CauseTree::text() const {
+  QStringList lines;
+  for (QTreeWidgetItemIterator it(const_cast<CauseTree*>(this)); *it; ++it) {
+    int depth = 0;
+    for (const QTreeWidgetItem* up = (*it)->parent(); up; up = up->parent()) ++depth;
+    lines << (QString(2 * depth, QLatin1Char(' ')) + (*it)->text(kWords) + QLatin1Char(' ') +
+              (*it)->text(kProbability))
+                 .trimmed()
+                 .prepend(QString(2 * depth, QLatin1Char(' ')));
+  }
+  return lines.join('\n');
+}
+
+void CauseTree::keyPressEvent(QKeyEvent* event) {
+  if (!event->matches(QKeySequence::Copy)) return QTreeWidget::keyPressEvent(event);
+  QApplication::clipboard()->setText(text());
+}
+
+}  // namespace capstan::widgets

@@ -1,0 +1,361 @@
+#include "widgets/panels/diagnosis/diagnosis_panel.h"
+
+#include <QBoxLayout>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSaveFile>
+#include <QShortcut>
+#include <QSplitter>
+#include <QTabBar>
+#include <QTabWidget>
+
+#include "widgets/panels/diagnosis/cause_tree.h"
+#include "widgets/panels/diagnosis/diagnosis_text.h"
+#include "widgets/panels/diagnosis/gain_table.h"
+#include "widgets/panels/diagnosis/hypothesis_card.h"
+#include "widgets/panels/diagnosis/ranking_table.h"
+#include "widgets/panels/diagnosis/recording_picker.h"
+#include "widgets/panels/diagnosis/refit_table.h"
+#include "widgets/panels/diagnosis/signature_view.h"
+#include "widgets/panels/diagnosis/time_view.h"
+
+namespace capstan::widgets {
+
+using diagnosis::Report;
+using diagnosis::Verdict;
+
+namespace {
+
+constexpr int kCauseShare = 27;  ///< of the height that causes and pictures share [%]
+
+QString namesOf(const QStringList& paths) {
+  QStringList names;
+  for (const QString& path : paths) names << QFileInfo(path).fileName();
+  return names.join(QStringLiteral(", "));
+}
+
+/// A word, with a mark that tells it apart from the others in grey too.
+QString markOf(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kNothing:
+      return QStringLiteral("○ ");
+    case Verdict::kTie:
+    case Verdict::kUnexplained:
+      return QStringLiteral("◐ ");
+    default:
+      return QStringLiteral("● ");
+  }
+}
+
+}  // namespace
+
+DiagnosisPanel::DiagnosisPanel(DiagnosisRun run, QWidget* parent) : QWidget(parent), run_(std::move(run)) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(10, 6, 10, 6);
+  column->setSpacing(5);
+  addHead(column);
+  addBody(column);
+  addFoot(column);
+  addKeys();
+  connect(picker_, &RecordingPicker::changed, this, [this] {
+    said_.clear();
+    refresh();
+  });
+  connect(causes_, &CauseTree::chosenChanged, this, &DiagnosisPanel::onCause);
+  connect(ranking_, &RankingTable::chosenChanged, this, &DiagnosisPanel::onCandidate);
+  connect(&job_, &Job::failed, this, [this](const QString& why) { said_ = why; });
+  connect(&job_, &Job::ended, this, &DiagnosisPanel::refresh);
+  connect(&job_, &Job::progressed, this, [this](double fraction, const QString& doing) {
+    progress_->setValue(qRound(100.0 * fraction));
+    progress_->setFormat(doing + QStringLiteral(" %p %"));
+  });
+  setTheme(theme_);
+  refresh();
+}
+
+DiagnosisPanel::~DiagnosisPanel() = default;
+
+QPushButton* DiagnosisPanel::button(const QString& name, const QString& words, const QString& tip,
+                                    void (DiagnosisPanel::*pressed)()) {
+  auto* made = new QPushButton(words);
+  made->setObjectName(name);
+  made->setToolTip(tip);
+  made->setStyleSheet("padding: 4px 8px;");
+  connect(made, &QPushButton::clicked, this, pressed);
+  return made;
+}
+
+void DiagnosisPanel::addHead(QBoxLayout* column) {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(8);
+  row->addWidget(picker_ = new RecordingPicker, 1);
+  diagnose_ = button("diagnose_now", tr("Diagnose"), QString(), &DiagnosisPanel::diagnoseOrCancel);
+  row->addWidget(diagnose_);
+  column->addLayout(row);
+  headline_ = new QLabel;
+  headline_->setObjectName("headline");
+  headline_->setFont(textFont(14.0, true));
+  headline_->setAccessibleName(tr("verdict"));
+  summary_ = new QLabel;
+  for (QLabel* label : {headline_, summary_}) {
+    label->setWordWrap(true);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    column->addWidget(label);
+  }
+}
+
+void DiagnosisPanel::addBody(QBoxLayout* column) {
+  split_ = new QSplitter(Qt::Vertical);
+  split_->setChildrenCollapsible(false);
+  top_ = new QSplitter(Qt::Horizontal);
+  top_->setChildrenCollapsible(false);
+  top_->addWidget(causes_ = new CauseTree);
+  top_->addWidget(card_ = new HypothesisCard);
+  split_->addWidget(top_);
+  split_->addWidget(pages_ = new QTabWidget);
+  addPages();
+  column->addWidget(split_, 1);
+  column->addWidget(rest_ = new QWidget, 1);
+  connect(split_, &QSplitter::splitterMoved, this, [this] { user_split_ = true; });
+}
+
+void DiagnosisPanel::addPages() {
+  pages_->setDocumentMode(true);
+  pages_->tabBar()->setDrawBase(false);
+  pages_->addTab(signatures_ = new SignatureView, tr("Signatures"));
+  pages_->addTab(course_ = new TimeView, tr("Over time"));
+  pages_->addTab(ranking_ = new RankingTable, tr("Ranking"));
+  pages_->addTab(refit_ = new RefitTable, tr("Refit"));
+  pages_->addTab(gain_ = new GainTable, tr("Gain"));
+  const QString tips[] = {tr("What the remainder goes with (Alt+1)"),
+                          tr("Measured, simulated, and what is left, over time (Alt+2)"),
+                          tr("Every candidate, and how much it takes off (Alt+3)"),
+                          tr("Numbers of the robot that moved before any cause was looked for (Alt+4)"),
+                          tr("What the extended model is worth on data not fitted (Alt+5)")};
+  for (int i = 0; i < pages_->count(); ++i) pages_->setTabToolTip(i, tips[i]);
+}
+
+void DiagnosisPanel::addFoot(QBoxLayout* column) {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(6);
+  words_ = new QLabel;
+  words_->setWordWrap(true);
+  words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  words_->setAccessibleName(tr("state of the diagnosis"));
+  progress_ = new QProgressBar;
+  progress_->setMinimumWidth(260);
+  row->addWidget(words_, 1);
+  row->addWidget(progress_);
+  save_ = button("save_extended", tr("Save extended robot…"),
+                 tr("The robot with the refit and the causes found, as a robot file (Ctrl+Shift+S)"),
+                 &DiagnosisPanel::askFile);
+  use_ = button("use_extended", tr("Use this robot"),
+                tr("The running session uses it from now on; errors begin anew (Ctrl+Shift+Return)"),
+                &DiagnosisPanel::useRobot);
+  row->addWidget(save_);
+  row->addWidget(use_);
+  column->addLayout(row);
+}
+
+/// Keys act as their buttons do: only where these are shown and enabled.
+void DiagnosisPanel::addKeys() {
+  const auto key = [this](const QString& sequence, auto act) {
+    auto* shortcut = new QShortcut(QKeySequence(sequence), this);
+    shortcut->setAutoRepeat(false);
+    connect(shortcut, &QShortcut::activated, this, act);
+  };
+  const auto press = [](QPushButton* pressed) {
+    return [pressed] {
+      if (pressed->isVisible()) pressed->click();
+    };
+  };
+  key("F5", [this] {
+    if (!busy()) diagnose_->click();
+  });
+  key("Ctrl+Shift+S", press(save_));
+  key("Ctrl+Shift+Return", press(use_));
+  for (int i = 0; i < pages_->count(); ++i)
+    key(QStringLiteral("Alt+%1").arg(i + 1), [this, i] { pages_->setCurrentIndex(i); });
+  auto* escape = new QShortcut(QKeySequence(Qt::Key_Escape), this);
+  escape->setContext(Qt::WidgetWithChildrenShortcut);
+  connect(escape, &QShortcut::activated, this, &DiagnosisPanel::cancel);
+}
+
+void DiagnosisPanel::setTheme(const Theme& theme) {
+  theme_ = theme;
+  picker_->setTheme(theme);
+  causes_->setTheme(theme);
+  card_->setTheme(theme);
+  signatures_->setTheme(theme);
+  course_->setTheme(theme);
+  ranking_->setTheme(theme);
+  refit_->setTheme(theme);
+  gain_->setTheme(theme);
+  QPalette palette = words_->palette();
+  palette.setColor(QPalette::WindowText, theme.muted);
+  words_->setPalette(palette);
+}
+
+void DiagnosisPanel::offer(const QString& path, const QString& words) { picker_->offer(path, words); }
+
+void DiagnosisPanel::setSessionJoints(int joints) {
+  session_joints_ = joints;
+  refresh();
+}
+
+void DiagnosisPanel::save(QSettings& settings) const { picker_->choice().save(settings); }
+
+void DiagnosisPanel::restore(const QSettings& settings) { choose(DiagnosisChoice::restore(settings)); }
+
+void DiagnosisPanel::choose(const DiagnosisChoice& choice) {
+  picker_->setChoice(choice);
+  said_.clear();
+  refresh();
+}
+
+const DiagnosisChoice& DiagnosisPanel::choice() const { return picker_->choice(); }
+
+void DiagnosisPanel::diagnoseOrCancel() { busy() ? cancel() : diagnose(); }
+
+void DiagnosisPanel::diagnose() {
+  if (busy() || choice().recordings.isEmpty()) return;
+  said_.clear();
+  progress_->setValue(0);
+  progress_->setFormat(tr("reading"));
+  job_.start([run = run_, choice = choice()](base::Progress& progress) { return run(choice, progress); },
+             [this, of = choice().recordings](Report report) {
+               of_ = of;
+               showReport(std::move(report));
+             });
+  refresh();
+}
+
+void DiagnosisPanel::cancel() {
+  if (!busy()) return;
+  said_ = report_ ? tr("Cancelled; what is shown is of the run before.") : tr("Cancelled.");
+  job_.cancel();
+  refresh();
+}
+
+void DiagnosisPanel::showReport(Report report) {
+  report_ = std::make_shared<const Report>(std::move(report));
+  causes_->showReport(*report_);
+  ranking_->showReport(*report_);
+  refit_->showReport(*report_);
+  gain_->showReport(*report_);
+  signatures_->showReport(report_);
+  course_->showReport(report_);
+  onCause();
+  refresh();
+}
+
+/// Words and pictures follow the cause: the channel that gains most by it.
+void DiagnosisPanel::onCause() {
+  const diagnosis::Cause* cause = causes_->chosen();
+  if (!report_) return;
+  if (!cause) return card_->showRemains(*report_);
+  card_->showEffect(cause->effect, placeOf(cause->effect, cause->joint, report_->extended));
+  signatures_->showChannel(cause->gain.channel);
+  course_->showChannel(cause->gain.channel);
+}
+
+void DiagnosisPanel::onCandidate() {
+  const diagnosis::Candidate* candidate = ranking_->chosen();
+  if (candidate)
+    card_->showEffect(candidate->effect, placeOf(candidate->effect, candidate->joint, report_->extended),
+                      tr("A candidate of the ranking."));
+}
+
+void DiagnosisPanel::useRobot() {
+  if (!report_) return;
+  Q_EMIT robotChosen(report_->extended,
+                     tr("extended robot in use, errors anew: %1").arg(headlineOf(*report_)));
+}
+
+void DiagnosisPanel::askFile() {
+  auto* dialog = new QFileDialog(this, tr("Save the extended robot"), "extended.yaml",
+                                 tr("Robot files (*.yaml);;All files (*)"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix("yaml");
+  connect(dialog, &QFileDialog::fileSelected, this, &DiagnosisPanel::saveRobot);
+  dialog->show();
+}
+
+void DiagnosisPanel::saveRobot(const QString& path) {
+  if (!report_) return;
+  const QString head =
+      tr("# Extended by diagnosis of %1\n# %2\n").arg(namesOf(of_), headlineOf(*report_).replace('\n', ' '));
+  const QByteArray content =
+      head.toUtf8() + QByteArray::fromStdString(robot::formatDescription(report_->extended));
+  QSaveFile file(path);
+  const bool saved =
+      file.open(QIODevice::WriteOnly) && file.write(content) == content.size() && file.commit();
+  said_ = saved ? tr("Saved as %1.").arg(path)
+                : tr("%1 cannot be written (%2). Choose a folder that exists and has room.")
+                      .arg(path, file.errorString());
+  if (saved) Q_EMIT robotSaved(path);
+  refresh();
+}
+
+void DiagnosisPanel::showVerdict() {
+  QString head, below;
+  if (report_) {
+    head = markOf(report_->verdict) + headlineOf(*report_);
+    below = QString::fromStdString(report_->summary);
+  } else if (choice().recordings.isEmpty()) {
+    head = tr("What does the simulation get wrong?");
+    below =
+        tr("Choose one or more recordings of the robot moving: 20 s with all joints in motion, fast and "
+           "slow, back and forth. Diagnosis names what the model lacks, and what it is worth.");
+  } else {
+    head = tr("Ready to diagnose");
+    below = tr("Press Diagnose (F5).");
+  }
+  headline_->setText(head);
+  summary_->setText(below);
+  split_->setVisible(report_ != nullptr);
+  rest_->setVisible(!report_);
+}
+
+void DiagnosisPanel::refresh() {
+  showVerdict();
+  QStringList lines;
+  if (!said_.isEmpty()) lines << said_;
+  if (report_ && said_.isEmpty()) {
+    if (!of_.isEmpty()) lines << tr("Of %1.").arg(namesOf(of_));
+    for (const std::string& notice : report_->notices) lines << QString::fromStdString(notice);
+  }
+  words_->setToolTip(lines.join('\n'));
+  constexpr int kMostLines = 3;
+  if (lines.size() > kMostLines) {
+    const auto more = lines.size() - kMostLines + 1;
+    lines = lines.mid(0, kMostLines - 1) << tr("… and %1 more remarks").arg(more);
+  }
+  words_->setText(lines.join('\n'));
+  const bool working = busy();
+  progress_->setVisible(working);
+  diagnose_->setText(working ? tr("Cancel") : tr("Diagnose"));
+  diagnose_->setToolTip(working ? tr("Stop what is being computed (Esc)")
+                                : tr("Find what the simulation gets wrong, and why (F5)"));
+  diagnose_->setEnabled(working || !choice().recordings.isEmpty());
+  for (QPushButton* one : {save_, use_}) one->setVisible(report_ != nullptr && !working);
+  use_->setEnabled(report_ && session_joints_ > 0 && report_->extended.size() == session_joints_);
+}
+
+void DiagnosisPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  layout()->activate();
+  if (user_split_) return;
+  const int top = kCauseShare * split_->height() / 100;
+  split_->setSizes({top, split_->height() - top});
+  top_->setSizes({top_->width() / 2, top_->width() / 2});
+}
+
+QString DiagnosisPanel::headline() const { return headline_->text(); }
+QString DiagnosisPanel::words() const { return words_->text(); }
+
+}  // namespace capstan::widgets

@@ -1,0 +1,119 @@
+#pragma once
+
+#include <QWidget>
+#include <memory>
+#include <optional>
+
+#include "core/diagnosis/report.h"
+#include "widgets/figures/theme.h"
+#include "widgets/jobs/job.h"
+#include "widgets/panels/diagnosis/diagnosis_choice.h"
+
+class QBoxLayout;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QSettings;
+class QSplitter;
+class QTabWidget;
+
+namespace capstan::widgets {
+
+class CauseTree;
+class GainTable;
+class HypothesisCard;
+class RankingTable;
+class RecordingPicker;
+class RefitTable;
+class SignatureView;
+class TimeView;
+
+/// What the simulation of a robot gets wrong in recordings, why, and what it is worth to know: verdict and
+/// causes on top, below them what they look like. Everything is thought by core/diagnosis, in the background.
+class DiagnosisPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `run` makes the reports: runDiagnosis, or what a test has in its place.
+  explicit DiagnosisPanel(DiagnosisRun run, QWidget* parent = nullptr);
+  ~DiagnosisPanel() override;
+
+  void setTheme(const Theme& theme);
+  /// A recording of the session, once it is complete: `words` on the button that takes it. Empty: none.
+  void offer(const QString& path, const QString& words);
+  /// Joints of the running session's robot, which may take the extended robot's place; 0: no session.
+  void setSessionJoints(int joints);
+  void save(QSettings& settings) const;
+  void restore(const QSettings& settings);
+
+  void choose(const DiagnosisChoice& choice);
+  const DiagnosisChoice& choice() const;
+  /// Begins; what was under way is given up.
+  void diagnose();
+  void cancel();
+  bool busy() const { return job_.busy(); }
+  /// Shows a report, as diagnose() does when it is done.
+  void showReport(diagnosis::Report report);
+  /// The one shown; null: none yet.
+  const diagnosis::Report* report() const { return report_.get(); }
+  /// The extended robot as a robot file; what goes wrong is said on the panel.
+  void saveRobot(const QString& path);
+
+  RecordingPicker& picker() { return *picker_; }
+  CauseTree& causes() { return *causes_; }
+  SignatureView& signatures() { return *signatures_; }
+  TimeView& course() { return *course_; }
+  RankingTable& ranking() { return *ranking_; }
+  QTabWidget& pages() { return *pages_; }
+  QString headline() const;
+  QString words() const;
+
+ signals:
+  /// The session is to use `robot`; `summary` says what it has beyond the former one.
+  void robotChosen(const capstan::robot::Description& robot, const QString& summary);
+  void robotSaved(const QString& path);
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  QPushButton* button(const QString& name, const QString& words, const QString& tip,
+                      void (DiagnosisPanel::*pressed)());
+  void addHead(QBoxLayout* column);
+  void addBody(QBoxLayout* column);
+  void addPages();
+  void addFoot(QBoxLayout* column);
+  void addKeys();
+  void diagnoseOrCancel();
+  void useRobot();
+  void askFile();
+  void onCause();
+  void onCandidate();
+  void showVerdict();
+  void refresh();
+
+  Theme theme_ = Theme::dark();
+  DiagnosisRun run_;
+  std::shared_ptr<const diagnosis::Report> report_;
+  QStringList of_;  ///< recordings that the report is of
+  QString said_;
+  int session_joints_ = 0;
+  bool user_split_ = false;
+  RecordingPicker* picker_;
+  QLabel *headline_, *summary_, *words_;
+  QSplitter *split_, *top_;
+  QWidget* rest_;  ///< takes the room of `split_` while there is nothing to show
+  CauseTree* causes_;
+  HypothesisCard* card_;
+  QTabWidget* pages_;
+  SignatureView* signatures_;
+  TimeView* course_;
+  RankingTable* ranking_;
+  RefitTable* refit_;
+  GainTable* gain_;
+  QProgressBar* progress_;
+  QPushButton *diagnose_, *save_, *use_;
+  Job job_;  ///< last: ends before what it reports to
+};
+
+}  // namespace capstan::widgets

@@ -1,0 +1,88 @@
+#include "widgets/panels/diagnosis/diagnosis_text.h"
+
+#include <QObject>
+#include <QStringList>
+#include <cmath>
+
+#include "core/diagnosis/hypothesis.h"
+#include "core/diagnosis/shown.h"
+#include "widgets/figures/number_text.h"
+
+namespace capstan::widgets {
+
+namespace {
+
+using diagnosis::Verdict;
+
+QString text(std::string_view words) {
+  return QString::fromUtf8(words.data(), static_cast<int>(words.size()));
+}
+
+QString jointName(const robot::Description& robot, int joint) {
+  const bool known = joint > 0 && joint <= robot.size();
+  return known ? text(robot.joints[static_cast<std::size_t>(joint - 1)].name) : QString();
+}
+
+/// A title within a sentence; abbreviations and names stay as they are.
+QString within(QString title) {
+  if (title.size() > 1 && title[1].isLower()) title[0] = title[0].toLower();
+  return title;
+}
+
+QStringList namesOf(const std::vector<diagnosis::Cause>& causes, const robot::Description& robot) {
+  QStringList names;
+  for (const diagnosis::Cause& cause : causes)
+    names << within(titleOf(cause.effect)) + QStringLiteral(", ") + placeOf(cause.effect, cause.joint, robot);
+  return names;
+}
+
+}  // namespace
+
+QString titleOf(const std::string& effect) {
+  const diagnosis::Hypothesis* hypothesis = diagnosis::hypothesisNamed(effect);
+  return text(hypothesis ? std::string(hypothesis->words().title) : diagnosis::shownName(effect));
+}
+
+QString placeOf(const std::string& effect, int joint, const robot::Description& robot) {
+  const QString name = jointName(robot, joint), place = text(diagnosis::shownJoint(effect, joint));
+  return name.isEmpty() ? place : QStringLiteral("%1 (%2)").arg(place, name);
+}
+
+QString headlineOf(const diagnosis::Report& report) {
+  const QStringList causes = namesOf(report.causes, report.extended);
+  switch (report.verdict) {
+    case Verdict::kFound:
+      return QObject::tr("Found: %1").arg(causes.join(QString()));
+    case Verdict::kSeveral:
+      return QObject::tr("Several causes: %1").arg(causes.join(QStringLiteral("; ")));
+    case Verdict::kTie: {
+      const QStringList tied = report.ties.empty() ? causes : namesOf(report.ties[0].causes, report.extended);
+      return QObject::tr("Cannot be told apart: %1").arg(tied.join(QObject::tr(" — or ")));
+    }
+    case Verdict::kUnexplained:
+      return causes.isEmpty() ? QObject::tr("Something is there that no hypothesis explains")
+                              : QObject::tr("%1; and something that no hypothesis explains")
+                                    .arg(causes.join(QStringLiteral("; ")));
+    case Verdict::kNothing:
+      break;
+  }
+  return QObject::tr("Nothing worth naming");
+}
+
+QString channelTitle(const diagnosis::Report& report, const diagnosis::ChannelReport& channel) {
+  QString title = text(channel.refitted.name);
+  const QString name = jointName(report.refitted, channel.refitted.joint);
+  if (!name.isEmpty()) title += QStringLiteral(" (%1)").arg(name);
+  const auto recording = static_cast<std::size_t>(channel.recording);
+  if (report.recordings.size() < 2 || recording >= report.recordings.size()) return title;
+  return text(report.recordings[recording]) + QStringLiteral(" · ") + title;
+}
+
+QString percentText(double share, int decimals, bool sign) {
+  if (!std::isfinite(share)) return QStringLiteral("—");
+  QString number = withMinus(QString::number(100.0 * share, 'f', decimals));
+  if (sign && share > 0.0) number.prepend(QLatin1Char('+'));
+  return number + QStringLiteral(" %");
+}
+
+}  // namespace capstan::widgets

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QTreeWidget>
+
+#include "core/diagnosis/report.h"
+#include "widgets/figures/theme.h"
+
+namespace capstan::widgets {
+
+/// What the extended model is worth on data not fitted: RMS of every channel's remainder before and after
+/// with 95 % intervals, drawn to one scale for angles and one for lengths; below it what the Kalman filter
+/// gains.
+class GainTable : public QTreeWidget {
+  Q_OBJECT
+
+ public:
+  enum Column { kName, kNominal, kBefore, kAfter, kLeft, kDrawn, kColumns };
+
+  explicit GainTable(QWidget* parent = nullptr);
+  void setTheme(const Theme& theme);
+  void showReport(const diagnosis::Report& report);
+
+ private:
+  void fill();
+  QTreeWidgetItem* addGroup(const QString& words, const QString& tip);
+  void addChannel(QTreeWidgetItem* group, const diagnosis::ChannelReport& channel);
+  void addFilter(QTreeWidgetItem* group, const diagnosis::FilterGain& gain);
+  void addRow(QTreeWidgetItem* group, const QStringList& cells);
+  double reachOf(const std::string& unit) const;
+
+  Theme theme_ = Theme::dark();
+  std::vector<diagnosis::ChannelReport> channels_;  ///< without samples and signatures
+  std::vector<QString> titles_;                     ///< of these
+  std::vector<diagnosis::FilterGain> filter_;
+};
+
+}  // namespace capstan::widgets

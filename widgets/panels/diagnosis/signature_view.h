@@ -1,0 +1,52 @@
+#pragma once
+
+#include <QWidget>
+#include <memory>
+
+#include "core/diagnosis/report.h"
+#include "widgets/figures/signature_figure.h"
+
+class QComboBox;
+class QLabel;
+class QSplitter;
+class QTreeWidget;
+class QVBoxLayout;
+
+namespace capstan::widgets {
+
+/// What the remainder of one channel goes with: its variables in a list, the strongest first, the share of
+/// variance of each as bars before and after the causes were added; beside it the chosen one large, and in a
+/// sentence what it says.
+class SignatureView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SignatureView(QWidget* parent = nullptr);
+
+  void setTheme(const Theme& theme);
+  void showReport(std::shared_ptr<const diagnosis::Report> report);
+  /// The first recording's channel of this name, its strongest signature; nothing where there is none.
+  void showChannel(const std::string& name);
+  QComboBox& channels() { return *channels_; }
+  QTreeWidget& variables() { return *variables_; }
+  const SignatureFigure* figure() const { return figure_; }
+  QString words() const;
+  QSize minimumSizeHint() const override { return {300, 160}; }
+
+ private:
+  const diagnosis::ChannelReport* channel() const;
+  bool extended() const { return report_ && !report_->causes.empty(); }
+  void fillVariables();
+  void draw();
+
+  const Theme* theme_ = &Theme::dark();
+  std::shared_ptr<const diagnosis::Report> report_;
+  QComboBox* channels_;
+  QSplitter* split_;
+  QTreeWidget* variables_;
+  QLabel* words_;
+  QVBoxLayout* sheet_;
+  SignatureFigure* figure_ = nullptr;
+};
+
+}  // namespace capstan::widgets
