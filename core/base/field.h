@@ -29,13 +29,15 @@ inline constexpr Range kNotNegative{0.0, std::numeric_limits<double>::infinity()
 ///
 /// Field types: bool, int, double, std::string, enums with a NamesOf specialisation, fixed-size Eigen vectors
 /// and matrices, std::array, std::vector, std::optional, std::map<std::string, T> and structs that have
-/// visit() themselves.
+/// visit() themselves. A std::vector of structs with `static constexpr bool kMapEntry = true` and two fields,
+/// a text and something else, is a map in files, in the order of the list.
 struct FieldInfo {
   std::string_view key;
   std::string_view unit;     ///< SI symbol; empty: none
   std::string_view meaning;  ///< one line, shown in forms and written as a comment
   Range range = {};          ///< of every number in the field
   bool required = true;      ///< absent: error; not required and absent: the default stays
+  bool sparing = false;      ///< of an enum or a list: not written while it is the first, or empty
 };
 
 }  // namespace capstan::base

@@ -28,18 +28,6 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-/// What may have been meant by the unknown `key`.
-std::string remedyFor(const std::string& key, const std::vector<std::string>& known) {
-  constexpr std::size_t kMisspelt = 2;
-  if (known.empty()) return "Remove it";
-  const auto nearest = std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
-    return editDistance(key, a) < editDistance(key, b);
-  });
-  const std::size_t distance = editDistance(key, *nearest);
-  if (distance <= kMisspelt && distance < nearest->size()) return fmt::format("Did you mean {}?", *nearest);
-  return fmt::format("Use one of: {}", fmt::join(known, ", "));
-}
-
 std::string scalarText(const YAML::Node& node) {
   return node.IsDefined() && node.IsScalar() ? node.Scalar() : "";
 }
@@ -101,13 +89,24 @@ double yamlNumber(const YAML::Node& node, const YamlPlace& place, const FieldInf
   return value;
 }
 
+std::string remedyForUnknown(const std::string& key, const std::vector<std::string>& known) {
+  constexpr std::size_t kMisspelt = 2;
+  if (known.empty()) return "Remove it";
+  const auto nearest = std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
+    return editDistance(key, a) < editDistance(key, b);
+  });
+  const std::size_t distance = editDistance(key, *nearest);
+  if (distance <= kMisspelt && distance < nearest->size()) return fmt::format("Did you mean {}?", *nearest);
+  return fmt::format("Use one of: {}", fmt::join(known, ", "));
+}
+
 void refuseUnknownKeys(const YAML::Node& node, const YamlPlace& place,
                        const std::vector<std::string>& known) {
   for (const auto& entry : node) {
     const std::string key = entry.first.Scalar();
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
     const std::string path = place.key.empty() ? key : place.key + "." + key;
-    refuseYaml(entry.first, {place.file, path}, "is not a known key", remedyFor(key, known));
+    refuseYaml(entry.first, {place.file, path}, "is not a known key", remedyForUnknown(key, known));
   }
 }
 

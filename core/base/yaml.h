@@ -37,9 +37,10 @@ std::string readTextFile(const std::filesystem::path& path);
 void writeTextFile(const std::filesystem::path& path, const std::string& text);
 /// Parses a number; accepts what YAML does, refuses NaN, infinity and text.
 double yamlNumber(const YAML::Node& node, const YamlPlace& place, const FieldInfo& info);
-/// Throws InputError for keys of the map `node` that are not in `known`. Its remedy names the known key that
-/// is at most two letters away, or else all of them.
+/// Throws InputError for keys of the map `node` that are not in `known`; remedy as remedyForUnknown().
 void refuseUnknownKeys(const YAML::Node& node, const YamlPlace& place, const std::vector<std::string>& known);
+/// What may have been meant by `key`: the known one that is at most two letters away, else all of them.
+std::string remedyForUnknown(const std::string& key, const std::vector<std::string>& known);
 /// Shortest decimal text that reads back as the same double.
 std::string yamlText(double value);
 
@@ -69,6 +70,13 @@ struct IsMap<std::map<std::string, T>> : std::true_type {};
 template <class T>
 concept FixedMatrix = std::is_base_of_v<Eigen::MatrixBase<T>, T> && T::SizeAtCompileTime >
 0;
+template <class T>
+struct IsMapEntry : std::false_type {};
+template <class T>
+  requires T::kMapEntry
+struct IsMapEntry<T> : std::true_type {};
+template <class T>
+concept EntryList = IsVector<T>::value && IsMapEntry<typename T::value_type>::value;
 
 template <class T>
 void readInto(T& value, const YAML::Node& node, const YamlPlace& place, const FieldInfo& info);
@@ -92,10 +100,27 @@ void readFields(T& value, const YAML::Node& node, const YamlPlace& place) {
   });
 }
 
+template <EntryList T>
+void readEntries(T& value, const YAML::Node& node, const YamlPlace& place) {
+  if (!node.IsMap()) refuseYaml(node, place, "is not a block of keys");
+  value.clear();
+  for (const auto& entry : node) {
+    const std::string key = entry.first.Scalar();
+    T::value_type::visit(value.emplace_back(), [&](auto& field, const FieldInfo& info) {
+      if constexpr (std::is_same_v<std::remove_cvref_t<decltype(field)>, std::string>)
+        field = key;
+      else
+        readInto(field, entry.second, {place.file, place.key + "." + key}, info);
+    });
+  }
+}
+
 template <class T>
 void readInto(T& value, const YAML::Node& node, const YamlPlace& place, const FieldInfo& info) {
   if constexpr (Visitable<T>) {
     readFields(value, node, place);
+  } else if constexpr (EntryList<T>) {
+    readEntries(value, node, place);
   } else if constexpr (IsOptional<T>::value) {
     value.emplace();
     readInto(*value, node, place, info);
@@ -150,13 +175,38 @@ void readInto(T& value, const YAML::Node& node, const YamlPlace& place, const Fi
   }
 }
 
+/// Is the field left out of a file that is written?
+template <class T>
+bool leftOut(const T& field, const FieldInfo& info) {
+  if constexpr (IsOptional<T>::value) return !field;
+  if constexpr (IsVector<T>::value) return info.sparing && field.empty();
+  if constexpr (std::is_enum_v<T>) return info.sparing && field == T{};
+  return false;
+}
+
+template <class T>
+void emitYaml(YAML::Emitter& out, const T& value);
+
+template <EntryList T>
+void emitEntries(YAML::Emitter& out, const T& value) {
+  out << YAML::BeginMap;
+  for (const auto& item : value)
+    T::value_type::visit(item, [&](const auto& field, const FieldInfo&) {
+      if constexpr (std::is_same_v<std::remove_cvref_t<decltype(field)>, std::string>) {
+        out << YAML::Key << field << YAML::Value;
+      } else {
+        emitYaml(out, field);
+      }
+    });
+  out << YAML::EndMap;
+}
+
 template <class T>
 void emitYaml(YAML::Emitter& out, const T& value) {
   if constexpr (Visitable<T>) {
     out << YAML::BeginMap;
     T::visit(value, [&](const auto& field, const FieldInfo& info) {
-      if constexpr (IsOptional<std::remove_cvref_t<decltype(field)>>::value)
-        if (!field) return;
+      if (leftOut(field, info)) return;
       out << YAML::Key << std::string(info.key) << YAML::Value;
       emitYaml(out, field);
       if (!info.unit.empty()) out << YAML::Comment(std::string(info.unit));
@@ -179,6 +229,8 @@ void emitYaml(YAML::Emitter& out, const T& value) {
       }
     }
     out << YAML::EndSeq;
+  } else if constexpr (EntryList<T>) {
+    emitEntries(out, value);
   } else if constexpr (IsArray<T>::value || IsVector<T>::value) {
     out << YAML::BeginSeq;
     for (const auto& item : value) emitYaml(out, item);

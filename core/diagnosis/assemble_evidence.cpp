@@ -37,12 +37,16 @@ void checkJoints(const RecordedTracks& tracks, const robot::Description& robot) 
              "Give the robot file that the recording was made with, or columns for each of its joints");
 }
 
-void checkSensors(const RecordedTracks& tracks, const EvidenceOptions& options) {
-  if (options.drive == DriveKind::kCable && tracks.q_m.empty())
+DriveKind driveOf(const robot::Description& robot, const EvidenceOptions& options) {
+  return options.drive.value_or(robot.drive);
+}
+
+void checkSensors(const RecordedTracks& tracks, DriveKind drive) {
+  if (drive == DriveKind::kCable && tracks.q_m.empty())
     refuse(tracks, "q_m1", {}, "is missing: motor positions drive the simulation of a cable-driven robot",
            "Add the motor encoders [rad, from the hard stop] as columns q_m1 …, or give a robot file whose "
            "drive is rigid");
-  if (options.drive == DriveKind::kRigid && tracks.tau_m.empty())
+  if (drive == DriveKind::kRigid && tracks.tau_m.empty())
     refuse(tracks, "tau_m1", {}, "is missing: motor torques drive the simulation of a rigid robot",
            "Add the motor torques (or forces) [N*m or N] as columns tau_m1 …");
   if (tracks.q.empty() && tracks.tip.empty())
@@ -65,8 +69,7 @@ std::vector<double> drivenTimes(const RecordedTracks& tracks, const Columns& dri
   return times;
 }
 
-EvenGrid gridOf(const RecordedTracks& tracks, const EvidenceOptions& options) {
-  const bool cable = options.drive == DriveKind::kCable;
+EvenGrid gridOf(const RecordedTracks& tracks, bool cable, const EvidenceOptions& options) {
   const std::vector<double> times = drivenTimes(tracks, cable ? tracks.q_m : tracks.tau_m);
   const double period = ownPeriod(times, options.longest_gap);
   if (options.step > 0.0 && options.step < 0.999 * period)
@@ -160,8 +163,8 @@ void placeSights(Evidence& evidence, const EvenGrid& grid, const RecordedTracks&
 /// The motor side and the joint encoders on the rows of the grid.
 void placeChannels(Evidence& evidence, const EvenGrid& grid, const RecordedTracks& tracks,
                    const EvidenceOptions& options) {
+  const bool cable = evidence.drive == DriveKind::kCable;
   const double whole = 3.5 * grid.period, reach = std::max(options.longest_gap, whole) * (1.0 + 1e-9);
-  const bool cable = options.drive == DriveKind::kCable;
   std::vector<std::uint8_t> missing;
   const auto place = [&](const Columns& columns, Columns& out, std::vector<ChannelNoise>& noise, double over,
                          bool drives) {
@@ -248,14 +251,15 @@ std::vector<std::uint8_t> standsAtEnd(const std::vector<double>& column, const s
 
 Evidence assembleEvidence(const RecordedTracks& tracks, const robot::Description& robot,
                           const EvidenceOptions& options) {
-  checkSensors(tracks, options);
+  const DriveKind drive = driveOf(robot, options);
+  checkSensors(tracks, drive);
   checkJoints(tracks, robot);
-  const EvenGrid grid = gridOf(tracks, options);
+  const EvenGrid grid = gridOf(tracks, drive == DriveKind::kCable, options);
   Evidence evidence;
   evidence.title = tracks.title;
   evidence.file = tracks.file;
   evidence.notices = tracks.notices;
-  evidence.drive = options.drive;
+  evidence.drive = drive;
   evidence.joints = robot.size();
   evidence.step = grid.step;
   evidence.t = grid.t;

@@ -15,11 +15,7 @@ namespace capstan::diagnosis {
 /// One number a row for each joint (or axis): columns[joint][row]. Empty: there is none of it.
 using Columns = std::vector<std::vector<double>>;
 
-/// What drives the simulation.
-enum class DriveKind {
-  kCable,  ///< motor positions, through transmission and cables
-  kRigid,  ///< motor torques, at the joints themselves
-};
+using DriveKind = robot::DriveType;  ///< what drives the simulation
 
 /// What a channel cannot tell apart, estimated from its own samples (channel_noise.h).
 struct ChannelNoise {
@@ -88,9 +84,9 @@ struct Evidence {
 };
 
 struct EvidenceOptions {
-  DriveKind drive = DriveKind::kCable;
-  double step = 0.0;          ///< of the grid [s]; 0: the recording's own
-  double skip_start = 0.0;    ///< at the recording's begin, simulated but not compared [s]
+  std::optional<DriveKind> drive;  ///< none: the robot file's
+  double step = 0.0;               ///< of the grid [s]; 0: the recording's own
+  double skip_start = 0.0;         ///< at the recording's begin, simulated but not compared [s]
   double longest_gap = 0.05;  ///< missing rows that the drive is interpolated over; longer ones part segments
                               ///< [s]; at least three steps
   double smoothing = 0.01;    ///< half width of the window that dq_m is differentiated in, where no velocity

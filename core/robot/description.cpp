@@ -7,6 +7,7 @@
 
 #include "core/base/yaml.h"
 #include "core/robot/arm_kinematics.h"
+#include "core/robot/check_effects.h"
 #include "core/robot/joint_vector.h"
 
 namespace capstan::robot {
@@ -83,6 +84,7 @@ Description parseDescription(const std::string& text, const std::string& name) {
   for (std::size_t i = 0; i < description.joints.size(); ++i)
     checkJoint(root["joints"][i], name, i, description.joints[i]);
   checkCoupling(root, name, description);
+  checkEffects(root, name, description);
   return description;
 }
 

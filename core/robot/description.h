@@ -7,10 +7,17 @@
 
 #include "core/base/field.h"
 #include "core/base/names.h"
+#include "core/robot/effects.h"
 
 namespace capstan::robot {
 
 enum class JointType { kRevolute, kPrismatic };
+
+/// What drives the joints, in a simulation by the robot's model.
+enum class DriveType {
+  kCable,  ///< motor positions, through transmission and cables
+  kRigid,  ///< motor torques, at the joints themselves
+};
 
 /// One row of the modified (Craig) Denavit–Hartenberg table: RotX(alpha) TransX(a) RotZ(theta) TransZ(d).
 /// A revolute joint's q adds to theta, a prismatic joint's to d.
@@ -115,10 +122,12 @@ struct Drive {
 
 /// A robot file. Joints and drives correspond one to one; `coupling` is the n×n matrix A of
 /// s_l = r_l ∘ (A (q − q_hs)); wrist rows continue the DH table behind the last driven joint (tool roll,
-/// wrist, jaw).
+/// wrist, jaw). `effects` are what is in the robot beyond this nominal model; none may name a joint that is
+/// not there or be one that the drive cannot have.
 struct Description {
   std::string name;
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< in frame 0 [m/s²]
+  DriveType drive = DriveType::kCable;
   std::vector<Joint> joints;
   std::vector<Drive> drives;
   std::vector<std::vector<double>> coupling;  ///< A, rows; unit lower triangular for RAVEN-II
@@ -126,6 +135,7 @@ struct Description {
       Eigen::Vector3d::Zero();  ///< marker centre in the frame of the last driven joint [m]
   double marker_radius = 0.0;   ///< [m]
   std::vector<DhRow> wrist;
+  std::vector<Effect> effects;
 
   int size() const { return static_cast<int>(joints.size()); }
 
@@ -133,6 +143,7 @@ struct Description {
   static void visit(Self& self, Visitor&& field) {
     field(self.name, {"name", "", "what screens call the robot"});
     field(self.gravity, {"gravity", "m/s^2", "gravity in frame 0", {-100.0, 100.0}});
+    field(self.drive, {"drive", "", "what drives the joints: cable or rigid", {}, false, true});
     field(self.joints, {"joints", "", "driven joints, base first"});
     field(self.drives, {"drives", "", "motor, gear and cable of each joint"});
     field(self.coupling,
@@ -140,11 +151,13 @@ struct Description {
     field(self.marker, {"marker", "m", "marker centre in the frame of the last driven joint", {-10.0, 10.0}});
     field(self.marker_radius, {"marker_radius", "m", "radius of the marker sphere", {1e-5, 1.0}});
     field(self.wrist, {"wrist", "", "passive DH rows behind the driven joints", {}, false});
+    field(self.effects, {"effects", "", "what is in the robot beyond the nominal model", {}, false, true});
   }
 };
 
 /// Reads and checks a robot file: one to seven joints, as many drives, a square invertible coupling, ordered
-/// limits. Throws base::InputError naming file, line, key, value and remedy.
+/// limits, effects that are known, complete and within their bounds. Throws base::InputError naming file,
+/// line, key, value and remedy.
 Description readDescription(const std::filesystem::path& path);
 /// The same from text; `name` stands for the file in errors.
 Description parseDescription(const std::string& text, const std::string& name);
@@ -160,4 +173,9 @@ template <>
 struct capstan::base::NamesOf<capstan::robot::JointType> {
   static constexpr std::array value = {std::pair{capstan::robot::JointType::kRevolute, "revolute"},
                                        std::pair{capstan::robot::JointType::kPrismatic, "prismatic"}};
+};
+template <>
+struct capstan::base::NamesOf<capstan::robot::DriveType> {
+  static constexpr std::array value = {std::pair{capstan::robot::DriveType::kCable, "cable"},
+                                       std::pair{capstan::robot::DriveType::kRigid, "rigid"}};
 };

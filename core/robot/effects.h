@@ -32,6 +32,7 @@ const std::vector<EffectFacts>& effectFacts();
 const EffectFacts* effectNamed(std::string_view name);
 
 struct EffectValue {
+  static constexpr bool kMapEntry = true;  ///< `half_width: 4.5e-4` in a file
   std::string parameter;
   double value = 0.0;
 

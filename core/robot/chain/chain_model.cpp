@@ -53,9 +53,9 @@ JointNumbers<double> jointNumbers(const Joint& joint, const Drive& drive) {
   return p;
 }
 
-void fillShape(const Description& description, bool rigid, ChainShape& shape) {
+void fillShape(const Description& description, ChainShape& shape) {
   shape.joints = description.size();
-  shape.rigid = rigid;
+  shape.rigid = description.drive == DriveType::kRigid;
   for (int i = 0; i < shape.joints; ++i) {
     const Joint& joint = description.joints[static_cast<std::size_t>(i)];
     shape.revolute[i] = joint.type == JointType::kRevolute;
@@ -160,8 +160,8 @@ Eigen::Vector3d CameraNumbers::tell(const Eigen::Vector3d& point) const {
   return (1.0 + scale) * (rotationOf(rotation) * point) + offset;
 }
 
-ChainModel::ChainModel(const Description& description, bool rigid) : marker(description.marker) {
-  fillShape(description, rigid, shape);
+ChainModel::ChainModel(const Description& description) : marker(description.marker) {
+  fillShape(description, shape);
   for (int i = 0; i < shape.joints; ++i) {
     const auto at = static_cast<std::size_t>(i);
     numbers.joints[i] = jointNumbers(description.joints[at], description.drives[at]);
@@ -170,6 +170,7 @@ ChainModel::ChainModel(const Description& description, bool rigid) : marker(desc
       numbers.coupling[i][j] = description.coupling[at][static_cast<std::size_t>(j)];
   }
   for (int k = 0; k < 3; ++k) numbers.gravity[k] = description.gravity[k];
+  for (const Effect& effect : description.effects) add(effect);
 }
 
 void ChainModel::add(const Effect& effect) {
@@ -223,6 +224,23 @@ double steepestFriction(const JointNumbers<double>& p, double weight) {
   return (coulomb + load) * p.inverse_smoothing + p.viscous;
 }
 
+ChainBodies<double> bodiesAtRest(const ChainModel& model, const JointVector& q) {
+  double at[kChainJoints] = {}, still[kChainJoints] = {};
+  for (int i = 0; i < model.shape.joints; ++i) at[i] = q[i];
+  ChainBodies<double> bodies{};
+  chainBodies<double>(model.shape, model.numbers, at, still, bodies);
+  return bodies;
+}
+
+JointMatrix massWithArmature(const ChainModel& model, const ChainBodies<double>& bodies) {
+  const int n = model.shape.joints;
+  JointMatrix mass(n, n);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      mass(i, j) = bodies.mass[i][j] + (i == j ? model.numbers.joints[i].armature : 0.0);
+  return mass;
+}
+
 struct CableRates {
   double stiffness = 0.0, damping = 0.0;  ///< of the cable [N/m, N·s/m]
   double motor = 0.0;                     ///< of the motor on it [1/s]
@@ -243,17 +261,14 @@ CableRates cableRates(const JointNumbers<double>& p, bool rigid, unsigned laws) 
 
 }  // namespace
 
+JointMatrix massMatrix(const ChainModel& model, const JointVector& q) {
+  return massWithArmature(model, bodiesAtRest(model, q));
+}
+
 double chainRate(const ChainModel& model, const JointVector& q) {
   const int n = model.shape.joints;
-  double at[kChainJoints] = {}, still[kChainJoints] = {};
-  for (int i = 0; i < n; ++i) at[i] = q[i];
-  ChainBodies<double> bodies;
-  chainBodies<double>(model.shape, model.numbers, at, still, bodies);
-  JointMatrix mass(n, n);
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j)
-      mass(i, j) = bodies.mass[i][j] + (i == j ? model.numbers.joints[i].armature : 0.0);
-  const JointMatrix inverse = mass.inverse();
+  const ChainBodies<double> bodies = bodiesAtRest(model, q);
+  const JointMatrix inverse = massWithArmature(model, bodies).inverse();
   double fastest = 0.0;
   for (int i = 0; i < n; ++i) {
     double damping = steepestFriction(model.numbers.joints[i], bodies.bias[i]), spring = 0.0;

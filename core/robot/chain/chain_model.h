@@ -28,14 +28,18 @@ struct ChainModel {
   CameraNumbers camera;
   Eigen::Vector3d marker = Eigen::Vector3d::Zero();  ///< in the last driven joint's frame [m]
 
-  /// `rigid`: motor torque drives the joints. Effects of the description are put in.
-  ChainModel(const Description& description, bool rigid);
+  /// Effects of the description are put in.
+  explicit ChainModel(const Description& description);
   /// base::InputError: an unknown effect, joint or parameter.
   void add(const Effect& effect);
 };
 
 /// Law that an effect needs at its joint; 0: it changes numbers alone.
 unsigned lawOf(std::string_view effect);
+
+/// M(q) of the bodies and of inertia that was added at the joints [kg·m², kg·m, kg]; motors of rigid drives
+/// are not in it.
+JointMatrix massMatrix(const ChainModel& model, const JointVector& q);
 
 /// Upper bound [1/s] on the chain's eigenvalues, of pose `q` and at rest: damping over inertia plus the root
 /// of stiffness over inertia, joint by joint, friction at its steepest. Runge–Kutta steps shorter than 2.7

@@ -17,6 +17,27 @@ struct Inner {
   }
 };
 
+struct Entry {
+  static constexpr bool kMapEntry = true;
+  std::string name;
+  double size = 0.0;
+  template <class Self, class Visitor>
+  static void visit(Self& self, Visitor&& field) {
+    field(self.name, {"name", "", "its name"});
+    field(self.size, {"size", "m", "how large", {0.0, 10.0}});
+  }
+};
+
+struct Sparing {
+  Kind kind = Kind::kA;
+  std::vector<Entry> entries;
+  template <class Self, class Visitor>
+  static void visit(Self& self, Visitor&& field) {
+    field(self.kind, {"kind", "", "which kind", {}, false, true});
+    field(self.entries, {"entries", "", "sizes by name", {}, false, true});
+  }
+};
+
 struct Outer {
   std::string name;
   Kind kind = Kind::kA;
@@ -101,6 +122,30 @@ TEST(Yaml, AnUnknownKeyComesBeforeAMissingOneAndIsCompared) {
             "Use one of: name, kind, parts, extra, count");
   EXPECT_EQ(faultOf("name: x\nkind: a\nparts:\n  - {stiffness: 2, offset: [0, 0, 0], k_e: 1}\n").remedy,
             "Use one of: stiffness, offset");
+}
+
+TEST(Yaml, AListOfEntriesIsAMapInItsOrder) {
+  const auto read = readYaml<Sparing>("kind: b\nentries: {zeta: 2.5, alpha: 0.1}\n", "sizes.yaml");
+  ASSERT_EQ(read.entries.size(), 2U);
+  EXPECT_EQ(read.entries[0].name, "zeta");
+  EXPECT_EQ(read.entries[0].size, 2.5);
+  EXPECT_EQ(read.entries[1].name, "alpha");
+  EXPECT_EQ(writeYaml(read), "kind: b\nentries:\n  zeta: 2.5\n  alpha: 0.1\n");
+  try {
+    readYaml<Sparing>("entries:\n  zeta: 2.5\n  alpha: 11\n", "sizes.yaml");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.fault().key, "entries.alpha");
+    EXPECT_EQ(error.fault().line, 3);
+    EXPECT_EQ(error.fault().value, "11");
+  }
+  EXPECT_THROW(readYaml<Sparing>("entries: [1, 2]\n", "sizes.yaml"), InputError);
+}
+
+TEST(Yaml, WhatIsWrittenSparinglyIsLeftOutWherePlain) {
+  EXPECT_EQ(writeYaml(Sparing{}), "{}\n");
+  EXPECT_EQ(writeYaml(Sparing{Kind::kB, {}}), "kind: b\n");
+  EXPECT_EQ(readYaml<Sparing>("{}", "sizes.yaml").kind, Kind::kA);
 }
 
 TEST(Yaml, AMissingFileIsAnInputError) {
