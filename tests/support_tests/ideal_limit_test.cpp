@@ -30,7 +30,9 @@ Drawn drawnCase(test::Effect effect, int joint, double magnitude, bool textured 
   return drawn;
 }
 
-double deflectionOf(const Drawn& drawn) { return study::deflectionOf(drawn.of, drawn.truth, 3.0); }
+double deflectionOf(const Drawn& drawn) {
+  return IdealObserver(drawn.of, drawn.truth, 3.0).deflection(drawn.truth.items[0].planted);
+}
 
 /// The encoders tell where the arm is, whatever has aged: an offset of what n pictures show is found like the
 /// mean of 3 n numbers, D² = n |offset|² / (σ²/3), σ² the summed variances of the axes.
@@ -65,8 +67,29 @@ TEST(IdealLimit, GrowsWithTheEffectAndShrinksWithTexture) {
 }
 
 TEST(IdealLimit, IsWhereTheDeflectionIsSignificant) {
-  EXPECT_NEAR(idealLimit(0.5, kHalfFound), 0.5, 1e-15);
-  EXPECT_NEAR(idealLimit(0.5, 10.0 * kHalfFound), 0.05, 1e-15);
+  const Drawn offset = drawnCase(test::Effect::kCameraOffset, 0, 1e-3);
+  IdealObserver observer(offset.of, offset.truth, 3.0);
+  test::Planted planted = offset.truth.items[0].planted;
+  // Linear: the size goes with the deflection.
+  const double whole = observer.deflection(planted);
+  EXPECT_NEAR(observer.limit(planted, 0.5).size, 0.5 * kHalfFound / whole, 0.05 * 0.5 * kHalfFound / whole);
+  planted.magnitude *= 2.0 / whole;  // not significant
+  EXPECT_NEAR(observer.limit(planted, 0.5).size, 0.5 * kHalfFound / 2.0, 1e-3);
+  planted.magnitude = 0.0;
+  EXPECT_TRUE(std::isnan(observer.limit(planted, 0.5).size));
+}
+
+/// Lost pretension shows by what it leaves: no multiple of less lost, which is looked for.
+TEST(IdealLimit, OfSlackIsThatOfLessSlack) {
+  const Drawn drawn = drawnCase(test::Effect::kSlack, 2, 1.0);
+  IdealObserver observer(drawn.of, drawn.truth, 3.0);
+  test::Planted planted = drawn.truth.items[0].planted;
+  const IdealObserver::Limit limit = observer.limit(planted, 0.5);
+  const double whole = observer.deflection(planted);
+  planted.magnitude *= limit.share;
+  EXPECT_NEAR(observer.deflection(planted), kHalfFound, 0.05 * kHalfFound);
+  EXPECT_GT(limit.share, 2.0 * kHalfFound / whole);
+  EXPECT_LT(limit.size, 0.1);  // just visible beside texture and noise
 }
 
 }  // namespace

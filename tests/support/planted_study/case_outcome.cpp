@@ -54,7 +54,7 @@ json jsonOf(const HiddenTruth& truth) {
   return {{"effects", std::move(items)},
           {"texture", std::move(texture)},
           {"duration", truth.duration},
-          {"deflection", numberOrNull(truth.deflection)}};
+          {"ideal_limit", numberOrNull(truth.ideal_limit)}};
 }
 
 HiddenTruth truthFrom(const json& from) {
@@ -65,7 +65,7 @@ HiddenTruth truthFrom(const json& from) {
                            plantedFrom(one.at("planted"))});
   for (const json& one : from.at("texture")) truth.texture.push_back(plantedFrom(one));
   from.at("duration").get_to(truth.duration);
-  truth.deflection = numberOrNan(from.at("deflection"));
+  truth.ideal_limit = numberOrNan(from.at("ideal_limit"));
   return truth;
 }
 

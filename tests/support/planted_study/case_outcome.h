@@ -13,8 +13,9 @@ struct HiddenTruth {
   std::vector<test::Truth::Item> items;
   std::vector<test::Planted> texture;  ///< everyday texture of the recording; empty: it has none
   double duration = 0.0;               ///< of the recording [s]
-  /// Of the first item: its change against what noise and ageing make, ideal_limit.h; NaN: not asked for.
-  double deflection = 0.0;
+  /// Size at which the true model would find half of the first item's like, IdealObserver::limit; NaN: not
+  /// asked for.
+  double ideal_limit = 0.0;
 };
 
 /// One case, what was hidden in it and what was said of it.

@@ -41,7 +41,10 @@ CaseOutcome runCase(const StudyCase& one, const test::PlantedCase& drawn, const 
   CaseOutcome outcome;
   outcome.of = one;
   outcome.truth = {truth.items, truth.texture, drawn.duration, std::numeric_limits<double>::quiet_NaN()};
-  if (options.deflection && one.kind == Kind::kOne) outcome.truth.deflection = deflectionOf(drawn, truth);
+  if (options.ideal_limit && one.kind == Kind::kOne) {
+    const auto& item = truth.items.front();
+    outcome.truth.ideal_limit = IdealObserver(drawn, truth).limit(item.planted, item.size).size;
+  }
   outcome.answer = diagnosed(recording, diagnoser);
   return outcome;
 }

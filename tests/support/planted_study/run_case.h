@@ -12,7 +12,7 @@ using Diagnoser = std::function<diagnosis::Report(const std::vector<diagnosis::E
                                                   const robot::Description& nominal)>;
 
 struct RunOptions {
-  bool deflection = true;  ///< also HiddenTruth::deflection, of cases with one effect
+  bool ideal_limit = true;  ///< also HiddenTruth::ideal_limit, of cases with one effect
 };
 
 /// Draws the case, records it and has it diagnosed. The diagnosis sees the recording's table, the nominal

@@ -7,7 +7,6 @@
 
 #include "core/stats/proportion.h"
 #include "core/stats/quantile.h"
-#include "tests/support/planted_study/ideal_limit.h"
 
 namespace capstan::study {
 namespace {
@@ -42,7 +41,7 @@ Group groupOf(std::string name, const std::vector<const CaseOutcome*>& outcomes,
     ++group.hits[static_cast<std::size_t>(score.hit)];
     for (const NumberCheck& number : score.numbers) group.numbers.add(number.inside());
     trials.push_back({item.size, score.hit == Hit::kRight || score.hit == Hit::kTie});
-    ideal.push_back(idealLimit(item.size, outcome->truth.deflection));
+    ideal.push_back(outcome->truth.ideal_limit);
   }
   group.limit = detectionLimit(std::move(trials));
   group.ideal = stats::median(ideal);
@@ -129,10 +128,14 @@ Confusion confusionOf(const std::vector<CaseOutcome>& outcomes) {
         outcome.of.kind == Kind::kOne ? scoreOne(outcome).named : firstNamed(outcome.answer);
     ++confusion.counts[{outcome.of.kind == Kind::kNone ? "nothing" : outcome.of.effect, named}];
   }
-  std::erase_if(confusion.planted, [&](const std::string& planted) {
-    return std::none_of(confusion.counts.begin(), confusion.counts.end(),
-                        [&](const auto& entry) { return entry.first.first == planted; });
-  });
+  const auto drop = [&](std::vector<std::string>& names, auto&& nameOf) {
+    std::erase_if(names, [&](const std::string& name) {
+      return std::none_of(confusion.counts.begin(), confusion.counts.end(),
+                          [&](const auto& entry) { return nameOf(entry.first) == name; });
+    });
+  };
+  drop(confusion.planted, [](const auto& pair) { return pair.first; });
+  drop(confusion.named, [](const auto& pair) { return pair.second; });
   return confusion;
 }
 

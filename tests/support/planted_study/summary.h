@@ -34,12 +34,13 @@ struct Group {
   std::array<int, base::NamesOf<Hit>::value.size()> hits{};  ///< by Hit
   Proportion numbers;                                        ///< inside their 95 %
   DetectionLimit limit;                                      ///< found: right, or a tie with it
-  double ideal = 0.0;  ///< median of idealLimit over the cases; NaN: none
+  double ideal = 0.0;  ///< median of HiddenTruth::ideal_limit; NaN: none
   int cases() const;
   int count(Hit hit) const { return hits[static_cast<std::size_t>(hit)]; }
 };
 
-/// Planted × first named; a case that was named on the wrong joint counts under its name.
+/// Planted × first named, what never occurs left out; a case that was named on the wrong joint counts under
+/// its name.
 struct Confusion {
   std::vector<std::string> planted, named;
   std::map<std::pair<std::string, std::string>, int> counts;
