@@ -116,9 +116,10 @@ std::vector<StudyCase> casesOf(const StudyOptions& options) {
   return cases;
 }
 
-test::PlantedCase planned(const StudyCase& one) {
+test::PlantedCase planned(const StudyCase& one, std::optional<double> size) {
   test::DrawOptions options = drawOptions(one.robot);
   options.effects = one.kind == Kind::kNone ? 0 : one.kind == Kind::kTwo ? 2 : 1;
+  options.size = size;
   if (!one.effect.empty()) options.effect = test::effectNamed(one.effect)->effect;
   return test::draw(one.seed, options);
 }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,9 +44,9 @@ struct StudyOptions {
 /// unknown name in `only`, or nothing left.
 std::vector<StudyCase> casesOf(const StudyOptions& options);
 
-/// Everything drawn: joint, size (0.1–1, evenly on a logarithmic scale), length (20–40 s), texture (half of
-/// all), loads.
-test::PlantedCase planned(const StudyCase& one);
+/// Everything drawn: joint, size (of the first effect, where it is not given: 0.1–1, evenly on a logarithmic
+/// scale), length (20–40 s), texture (half of all), loads.
+test::PlantedCase planned(const StudyCase& one, std::optional<double> size = std::nullopt);
 
 /// The nominal robot of cases on it.
 robot::Description robotOf(Robot which);
