@@ -22,7 +22,7 @@ struct ChainRows {
 };
 
 /// A stretch of rows to simulate, begin to end, and where every `stride`-th row of it goes, the first one
-/// included: q and dq of joint j at output k in q[(k n + j) kChainLanes + lane].
+/// included: q and dq of joint j at output k in q[(k n + j) kChainLanes + lane], both 64-byte aligned.
 struct ChainRun {
   std::size_t begin = 0, end = 0;
   int steps = 1;  ///< Runge–Kutta steps a row

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -241,22 +242,40 @@ JointMatrix massWithArmature(const ChainModel& model, const ChainBodies<double>&
   return mass;
 }
 
-struct CableRates {
-  double stiffness = 0.0, damping = 0.0;  ///< of the cable [N/m, N·s/m]
-  double motor = 0.0;                     ///< of the motor on it [1/s]
+/// What the drive of a joint is to the joints [N/m, N·s/m, kg] along its cable, and to a motor of its own.
+struct DriveRates {
+  double stiffness = 0.0, damping = 0.0, inertia = 0.0;
+  double motor_spring = 0.0, motor_damping = 0.0;  ///< by the motor's inertia [1/s², 1/s]
 };
 
-CableRates cableRates(const JointNumbers<double>& p, bool rigid, unsigned laws) {
+DriveRates driveRates(const JointNumbers<double>& p, bool rigid, unsigned laws) {
+  DriveRates rates;
   if (!rigid) {
     constexpr double kHarder = 4.0;  // times, where a stiffening cable bears most
     const double harder = p.stiffening > 0.0 ? kHarder : 1.0;
-    return {2.0 * p.stiffness * p.exponent * harder + p.hysteresis_force * p.inverse_yield, 2.0 * p.damping};
+    const double shorter = 1.0 / std::max(1.0 - 1.2 * std::abs(p.position_stiffness), 0.04);
+    rates.stiffness =
+        2.0 * p.stiffness * p.exponent * harder * shorter + p.hysteresis_force * p.inverse_yield;
+    rates.damping = 2.0 * p.damping;
+    return rates;
   }
-  if (!(laws & kLawCompliance)) return {};
-  const double k = 1.0 / p.compliance, b = 0.2 / p.lever * std::sqrt(k * p.motor_inertia);
   const double friction = p.motor_coulomb * p.inverse_motor_smoothing + p.motor_viscous;
-  return {k, b,
-          (friction + p.lever * p.lever * b) / p.motor_inertia + p.lever * std::sqrt(k / p.motor_inertia)};
+  if (!(laws & kLawCompliance)) {
+    rates.damping = friction / (p.lever * p.lever);
+    rates.inertia = p.motor_inertia / (p.lever * p.lever);
+    return rates;
+  }
+  rates.stiffness = 1.0 / p.compliance;
+  rates.damping = 0.2 / p.lever * std::sqrt(rates.stiffness * p.motor_inertia);
+  rates.motor_spring = p.lever * p.lever * rates.stiffness / p.motor_inertia;
+  rates.motor_damping = (friction + p.lever * p.lever * rates.damping) / p.motor_inertia;
+  return rates;
+}
+
+double largestEigenvalue(const JointMatrix& a, const JointMatrix& mass) {
+  return Eigen::GeneralizedSelfAdjointEigenSolver<JointMatrix>(a, mass, Eigen::EigenvaluesOnly)
+      .eigenvalues()
+      .maxCoeff();
 }
 
 }  // namespace
@@ -268,21 +287,23 @@ JointMatrix massMatrix(const ChainModel& model, const JointVector& q) {
 double chainRate(const ChainModel& model, const JointVector& q) {
   const int n = model.shape.joints;
   const ChainBodies<double> bodies = bodiesAtRest(model, q);
-  const JointMatrix inverse = massWithArmature(model, bodies).inverse();
-  double fastest = 0.0;
+  JointMatrix mass = massWithArmature(model, bodies), spring = JointMatrix::Zero(n, n), damping = spring;
+  double motor_spring = 0.0, motor_damping = 0.0;
   for (int i = 0; i < n; ++i) {
-    double damping = steepestFriction(model.numbers.joints[i], bodies.bias[i]), spring = 0.0;
-    for (int j = 0; j < n; ++j) {
-      const JointNumbers<double>& drive = model.numbers.joints[j];
-      const double lever = drive.link_radius * model.numbers.coupling[j][i];
-      const CableRates cable = cableRates(drive, model.shape.rigid, model.shape.laws[j]);
-      spring += lever * lever * cable.stiffness;
-      damping += lever * lever * cable.damping;
-      fastest = std::max(fastest, cable.motor);
-    }
-    fastest = std::max(fastest, damping * inverse(i, i) + std::sqrt(spring * inverse(i, i)));
+    const JointNumbers<double>& p = model.numbers.joints[i];
+    const DriveRates drive = driveRates(p, model.shape.rigid, model.shape.laws[i]);
+    JointVector row(n);
+    for (int j = 0; j < n; ++j) row[j] = p.link_radius * model.numbers.coupling[i][j];
+    const JointMatrix lever = row * row.transpose();
+    spring += drive.stiffness * lever;
+    damping += drive.damping * lever;
+    mass += drive.inertia * lever;
+    damping(i, i) += steepestFriction(p, bodies.bias[i]);
+    motor_spring = std::max(motor_spring, drive.motor_spring);
+    motor_damping = std::max(motor_damping, drive.motor_damping);
   }
-  return fastest;
+  return std::max(largestEigenvalue(damping, mass) + motor_damping,
+                  std::sqrt(largestEigenvalue(spring, mass) + motor_spring));
 }
 
 ChainState<double> stateAt(const ChainModel& model, const JointVector& q, const JointVector& dq) {

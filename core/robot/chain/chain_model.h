@@ -41,8 +41,9 @@ unsigned lawOf(std::string_view effect);
 /// are not in it.
 JointMatrix massMatrix(const ChainModel& model, const JointVector& q);
 
-/// Upper bound [1/s] on the chain's eigenvalues, of pose `q` and at rest: damping over inertia plus the root
-/// of stiffness over inertia, joint by joint, friction at its steepest. Runge–Kutta steps shorter than 2.7
+/// Upper bound [1/s] on the chain's eigenvalues λ, of pose `q` and at rest, friction at its steepest,
+/// gravity's own stiffness left out: for M λ² + D λ + K with symmetric parts |λ| is at most the largest
+/// eigenvalue of M⁻¹ D or the root of that of M⁻¹ K, whichever is larger. Runge–Kutta steps shorter than 2.7
 /// over it are stable.
 double chainRate(const ChainModel& model, const JointVector& q);
 

@@ -10,6 +10,8 @@
 
 #include "core/robot/arm_dynamics.h"
 #include "core/robot/arm_kinematics.h"
+#include "core/robot/chain/chain_bodies.h"
+#include "core/robot/chain/chain_model.h"
 #include "core/robot/chain_dynamics.h"
 #include "tests/core/robot/robot_files.h"
 
@@ -131,6 +133,27 @@ TEST(CheckTable, bothDynamicsAndBothKinematicsAgreeWithTheIndependentImplementat
                                },
                                [&](const Vector3d& q) -> Matrix3d { return chain.massMatrix(q); },
                                [&](const Vector3d& q) { return links.marker(q); }));
+
+  const ChainModel model(robot);
+  const auto bodies = [&](const Vector3d& q, const Vector3d& dq) {
+    ChainBodies<double> now;
+    chainBodies<double>(model.shape, model.numbers, q.data(), dq.data(), now);
+    return now;
+  };
+  const auto massOfKernel = [&](const Vector3d& q) -> Matrix3d {
+    const ChainBodies<double> now = bodies(q, Vector3d::Zero());
+    Matrix3d mass;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) mass(i, j) = now.mass[i][j];
+    return mass;
+  };
+  expectSmall("kernels'", compare(
+                              table,
+                              [&](const Vector3d& q, const Vector3d& dq, const Vector3d& ddq) -> Vector3d {
+                                const ChainBodies<double> now = bodies(q, dq);
+                                return massOfKernel(q) * ddq + Vector3d(now.bias);
+                              },
+                              massOfKernel, [&](const Vector3d& q) { return links.marker(q); }));
 }
 
 }  // namespace
