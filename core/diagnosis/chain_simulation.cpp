@@ -1,0 +1,289 @@
+#include "core/diagnosis/chain_simulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/robot/chain/chain_step.h"
+
+namespace capstan::diagnosis {
+namespace {
+
+using robot::kChainLanes;
+
+constexpr double kOutputStep = 5e-3;    // of what the kernel hands out [s]
+constexpr double kStability = 2.2;      // rate times step; Runge–Kutta bears 2.78
+constexpr int kMostSteps = 80;          // a row
+constexpr double kAfterRestart = 0.12;  // sights so soon after a restart may look behind it [s]
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+
+/// Position and slope of a column around row k, from a line through the rows within ±reach of it in the window.
+std::pair<double, double> lineAround(const std::vector<double>& column, std::size_t begin, std::size_t end,
+                                     double step) {
+  double n = 0, st = 0, stt = 0, sx = 0, stx = 0;
+  for (std::size_t k = begin; k < end; ++k) {
+    if (!std::isfinite(column[k])) continue;
+    const double t = static_cast<double>(k - begin) * step;
+    n += 1, st += t, stt += t * t, sx += column[k], stx += t * column[k];
+  }
+  const double det = n * stt - st * st;
+  if (n < 2 || det <= 0.0) return {n > 0 ? sx / n : kNothing, 0.0};
+  const double slope = (n * stx - st * sx) / det;
+  return {(sx - slope * st) / n, slope};
+}
+
+/// Lane `lane` of a structure of lanes.
+template <template <class> class Of>
+void put(const Of<double>& from, int lane, Of<robot::ChainLane>& to) {
+  constexpr std::size_t kCount = sizeof(Of<double>) / sizeof(double);
+  static_assert(sizeof(Of<robot::ChainLane>) == kCount * sizeof(robot::ChainLane));
+  const double* numbers = reinterpret_cast<const double*>(&from);
+  auto* lanes = reinterpret_cast<robot::ChainLane*>(&to);
+  for (std::size_t k = 0; k < kCount; ++k) lanes[k].value[lane] = numbers[k];
+}
+
+}  // namespace
+
+ChainSimulation::ChainSimulation(const Evidence& evidence, const robot::Description& robot, double horizon)
+    : evidence_(evidence), chain_(robot), joints_(evidence.joints) {
+  stride_ = std::max(1, static_cast<int>(std::lround(kOutputStep / evidence.step)));
+  const Columns& drive = evidence.drive == DriveKind::kRigid ? evidence.tau_m : evidence.q_m;
+  rows_.t = evidence.t.data();
+  for (int j = 0; j < joints_; ++j) {
+    const auto at = static_cast<std::size_t>(j);
+    rows_.drive[j] = drive[at].data();
+    if (evidence.tau_ext.empty()) continue;
+    rows_.load[j] = evidence.tau_ext[at].data();
+    signed_load_.push_back(withSigns(evidence.tau_ext[at]));
+  }
+  for (std::size_t j = 0; j < signed_load_.size(); ++j) rows_.signed_load[j] = signed_load_[j].data();
+  findWindows(evidence.drive == DriveKind::kRigid ? horizon : 0.0);
+  findInitialStates(robot);
+  findSamples(robot);
+}
+
+void ChainSimulation::findWindows(double horizon) {
+  const auto most = horizon > 0.0 ? static_cast<std::size_t>(std::lround(horizon / evidence_.step))
+                                  : std::numeric_limits<std::size_t>::max();
+  for (const Segment& segment : evidence_.segments) {
+    const std::size_t pieces = std::max<std::size_t>(1, (segment.size() + most / 2) / most);
+    for (std::size_t k = 0; k < pieces; ++k)
+      windows_.push_back({segment.begin + k * segment.size() / pieces,
+                          segment.begin + (k + 1) * segment.size() / pieces});
+  }
+}
+
+void ChainSimulation::findInitialStates(const robot::Description& robot) {
+  const bool rigid = evidence_.drive == DriveKind::kRigid;
+  initial_.setZero(2 * joints_, static_cast<Eigen::Index>(windows_.size()));
+  const robot::ChainModel nominal(robot, rigid);
+  const auto reach = std::max<std::size_t>(4, static_cast<std::size_t>(0.02 / evidence_.step));
+  for (std::size_t w = 0; w < windows_.size(); ++w) {
+    const Window& window = windows_[w];
+    robot::JointVector q_m = robot::JointVector::Zero(joints_);
+    for (int j = 0; j < joints_ && !rigid; ++j) q_m[j] = evidence_.q_m[static_cast<std::size_t>(j)][window.begin];
+    const robot::JointVector from_motors = rigid ? q_m : robot::jointsFromMotors(nominal, q_m);
+    for (int j = 0; j < joints_; ++j) {
+      std::pair<double, double> line{kNothing, 0.0};
+      if (evidence_.hasEncoders())
+        line = lineAround(evidence_.q[static_cast<std::size_t>(j)], window.begin,
+                          std::min(window.end, window.begin + reach), evidence_.step);
+      if (!std::isfinite(line.first)) line.first = rigid ? nominal.shape.middle[j] : from_motors[j];
+      const auto at = static_cast<Eigen::Index>(w);
+      initial_(j, at) = line.first;
+      initial_(joints_ + j, at) = rigid ? line.second : 0.0;
+    }
+  }
+}
+
+void ChainSimulation::findSamples(const robot::Description& robot) {
+  const Evidence& e = evidence_;
+  std::vector<int> encoder_channel(static_cast<std::size_t>(joints_), -1);
+  for (int j = 0; j < joints_ && e.hasEncoders(); ++j) {
+    const auto at = static_cast<std::size_t>(j);
+    const bool turns = robot.joints[at].type == robot::JointType::kRevolute;
+    encoder_channel[at] = static_cast<int>(compared_.channels.size());
+    compared_.channels.push_back({"q" + std::to_string(j + 1), turns ? "rad" : "m", j + 1, -1, e.noise.q[at].floor()});
+  }
+  const int first_tip = static_cast<int>(compared_.channels.size());
+  for (int axis = 0; axis < 3 && e.hasCameras(); ++axis)
+    compared_.channels.push_back({std::string("tip ") + "xyz"[axis], "m", 0, axis,
+                                  e.noise.tip[static_cast<std::size_t>(axis)].floor()});
+  const int thin = std::max(1, static_cast<int>(std::lround(1.0 / (kComparedRate * e.step * stride_))));
+  const double skip = e.hasEncoders() ? 0.0 : kSettling;
+  std::vector<double> measured;
+  const auto add = [&](int channel, double t, double value) {
+    compared_.channel.push_back(channel);
+    compared_.t.push_back(t);
+    measured.push_back(value);
+    return measured.size() - 1;
+  };
+  for (const Window& window : windows_) {
+    compared_.window_begin.push_back(measured.size());
+    samples_.emplace_back();
+    sights_.emplace_back();
+    const std::size_t outputs = (window.end - window.begin - 1) / static_cast<std::size_t>(stride_) + 1;
+    for (int j = 0; j < joints_ && e.hasEncoders(); ++j)
+      for (std::size_t k = 0; k < outputs; k += static_cast<std::size_t>(thin)) {
+        const std::size_t row = window.begin + k * static_cast<std::size_t>(stride_);
+        const double q = e.q[static_cast<std::size_t>(j)][row];
+        if (!e.counts(row) || !std::isfinite(q)) continue;
+        const std::size_t number = add(encoder_channel[static_cast<std::size_t>(j)], e.t[row], q);
+        samples_.back().push_back({number, k, j});
+      }
+    std::vector<const TipSight*> seen;
+    const bool restarts = windows_.size() > e.segments.size();
+    const double from = std::max(skip, restarts ? kAfterRestart : 0.0) / e.step + static_cast<double>(window.begin);
+    for (const TipSight& sight : e.tip)
+      if (sight.counts && sight.row >= from && sight.row <= static_cast<double>(window.end - 1)) seen.push_back(&sight);
+    const std::size_t first = measured.size();
+    for (int axis = 0; axis < 3; ++axis)
+      for (const TipSight* sight : seen) add(first_tip + axis, sight->t, sight->position[axis]);
+    for (std::size_t k = 0; k < seen.size(); ++k)
+      sights_.back().push_back({first + k, seen.size(), (seen[k]->row - static_cast<double>(window.begin)) / stride_});
+  }
+  compared_.window_begin.push_back(measured.size());
+  compared_.measured = Eigen::Map<Eigen::VectorXd>(measured.data(), static_cast<Eigen::Index>(measured.size()));
+}
+
+robot::ChainShape ChainSimulation::shapeOf(std::span<const Robot> robots) const {
+  robot::ChainShape shape = robots.front().model->shape;
+  for (const Robot& robot : robots)
+    for (int j = 0; j < joints_; ++j) shape.laws[j] |= robot.model->shape.laws[j];
+  return shape;
+}
+
+int ChainSimulation::stepsFor(const robot::ChainModel& model) const {
+  double rate = 0.0;
+  for (const double share : {-0.5, 0.0, 0.5}) {
+    robot::JointVector q(joints_);
+    for (int j = 0; j < joints_; ++j) q[j] = model.shape.middle[j] + share / model.shape.inverse_half_range[j];
+    rate = std::max(rate, robot::chainRate(model, q));
+  }
+  if (!std::isfinite(rate)) return kMostSteps;
+  return std::clamp(static_cast<int>(std::ceil(rate * evidence_.step / kStability)), 1, kMostSteps);
+}
+
+robot::ChainState<double> ChainSimulation::initialState(const robot::ChainModel& model,
+                                                        const Eigen::MatrixXd* beyond, std::size_t window) const {
+  const auto at = static_cast<Eigen::Index>(window);
+  Eigen::VectorXd x = initial_.col(at);
+  if (!evidence_.hasEncoders() && !model.shape.rigid) {
+    robot::JointVector q_m(joints_);
+    for (int j = 0; j < joints_; ++j) q_m[j] = evidence_.q_m[static_cast<std::size_t>(j)][windows_[window].begin];
+    x.head(joints_) = robot::jointsFromMotors(model, q_m);
+  }
+  if (beyond) x += beyond->col(at);
+  return robot::stateAt(model, x.head(joints_), x.tail(joints_));
+}
+
+void ChainSimulation::simulate(std::span<const Robot> robots, Eigen::Ref<Eigen::MatrixXd> told) const {
+  static const robot::SimulateChain kernel = robot::simulateChainKernel();
+  const robot::ChainShape shape = shapeOf(robots);
+  const auto numbers = std::make_unique<robot::ChainNumbers<robot::ChainLane>>();
+  const auto state = std::make_unique<robot::ChainState<robot::ChainLane>>();
+  robot::ChainRun run;
+  run.stride = stride_;
+  for (int lane = 0; lane < kChainLanes; ++lane) {
+    const Robot& robot = robots[std::min<std::size_t>(static_cast<std::size_t>(lane), robots.size() - 1)];
+    put<robot::ChainNumbers>(robot.model->numbers, lane, *numbers);
+    if (static_cast<std::size_t>(lane) < robots.size()) run.steps = std::max(run.steps, stepsFor(*robot.model));
+  }
+  Lanes q, dq;
+  for (std::size_t w = 0; w < windows_.size(); ++w) {
+    for (int lane = 0; lane < kChainLanes; ++lane) {
+      const Robot& robot = robots[std::min<std::size_t>(static_cast<std::size_t>(lane), robots.size() - 1)];
+      put<robot::ChainState>(initialState(*robot.model, robot.initial, w), lane, *state);
+    }
+    run.begin = windows_[w].begin;
+    run.end = windows_[w].end;
+    const std::size_t outputs = (run.end - run.begin - 1) / static_cast<std::size_t>(stride_) + 1;
+    const std::size_t count = outputs * static_cast<std::size_t>(joints_);
+    if (q.size() < count) q.resize(count), dq.resize(count);
+    run.q = q.front().value;
+    run.dq = dq.front().value;
+    kernel(shape, *numbers, rows_, run, *state);
+    tell(w, robots, q, dq, told);
+  }
+}
+
+void ChainSimulation::tell(std::size_t window, std::span<const Robot> robots, const Lanes& q,
+                           const Lanes& dq, Eigen::Ref<Eigen::MatrixXd> told) const {
+  const std::size_t outputs = (windows_[window].end - windows_[window].begin - 1) / static_cast<std::size_t>(stride_) + 1;
+  for (std::size_t lane = 0; lane < robots.size(); ++lane) {
+    const auto column = static_cast<Eigen::Index>(lane);
+    for (const Sample& sample : samples_[window])
+      told(static_cast<Eigen::Index>(sample.number), column) =
+          q[sample.output * static_cast<std::size_t>(joints_) + static_cast<std::size_t>(sample.joint)].value[lane];
+    const robot::ChainModel& model = *robots[lane].model;
+    const double late = model.camera.delay / (evidence_.step * stride_);
+    for (const Sight& sight : sights_[window]) {
+      const Eigen::Vector3d tip =
+          model.camera.tell(tipAt(sight.output - late, outputs, lane, q, dq));
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        told(static_cast<Eigen::Index>(sight.number + axis * sight.stride), column) = tip[static_cast<Eigen::Index>(axis)];
+    }
+  }
+}
+
+Eigen::Vector3d ChainSimulation::tipAt(double output, std::size_t outputs, std::size_t lane,
+                                       const Lanes& q, const Lanes& dq) const {
+  const double x = std::clamp(output, 0.0, static_cast<double>(outputs - 1));
+  const auto k = std::min(static_cast<std::size_t>(x), outputs >= 2 ? outputs - 2 : 0);
+  const double s = outputs >= 2 ? x - static_cast<double>(k) : 0.0, h = evidence_.step * stride_;
+  const double s2 = s * s, s3 = s2 * s;
+  robot::JointVector at(joints_);
+  for (int j = 0; j < joints_; ++j) {  // cubic through both ends and their velocities
+    const std::size_t here = k * static_cast<std::size_t>(joints_) + static_cast<std::size_t>(j);
+    const std::size_t next = outputs >= 2 ? here + static_cast<std::size_t>(joints_) : here;
+    at[j] = (2 * s3 - 3 * s2 + 1) * q[here].value[lane] + (s3 - 2 * s2 + s) * h * dq[here].value[lane] +
+            (3 * s2 - 2 * s3) * q[next].value[lane] + (s3 - s2) * h * dq[next].value[lane];
+  }
+  return chain_.marker(at);
+}
+
+SimulatedMotion ChainSimulation::motion(const robot::ChainModel& model) const {
+  const auto n = static_cast<std::size_t>(joints_);
+  SimulatedMotion motion;
+  for (Columns* columns : {&motion.q, &motion.dq, &motion.ddq, &motion.tau, &motion.stretch})
+    columns->assign(n, std::vector<double>(evidence_.rows(), 0.0));
+  const int steps = stepsFor(model);
+  robot::ChainStep<double> step(model.shape, model.numbers);
+  std::size_t w = 0;
+  for (const Segment& segment : evidence_.segments) {
+    while (w + 1 < windows_.size() && windows_[w].begin < segment.begin) ++w;
+    robot::ChainState<double> state = initialState(model, nullptr, w);
+    for (std::size_t k = segment.begin; k < segment.end; ++k) {
+      robot::ChainInput input;
+      const std::size_t next = std::min(k + 1, segment.end - 1);
+      input.t = evidence_.t[k];
+      input.dt = next > k ? evidence_.t[next] - evidence_.t[k] : evidence_.step;
+      for (int j = 0; j < joints_; ++j) {
+        input.torque[j] = input.motor[j] = rows_.drive[j][k];
+        input.motor_end[j] = rows_.drive[j][next];
+        input.load[j] = rows_.load[j] ? rows_.load[j][k] : 0.0;
+        input.signed_load[j] = rows_.signed_load[j] ? rows_.signed_load[j][k] : input.load[j];
+      }
+      step.look(input, state);
+      for (std::size_t j = 0; j < n; ++j) {
+        motion.q[j][k] = state.q[j];
+        motion.dq[j][k] = state.dq[j];
+        motion.ddq[j][k] = step.acceleration()[j];
+        motion.tau[j][k] = step.torque()[j];
+        motion.stretch[j][k] = step.stretch()[j];
+      }
+      if (next > k) step.advance(input, steps, state);
+    }
+  }
+  if (evidence_.hasCameras()) {
+    for (const TipSight& sight : evidence_.tip) {
+      const double row = std::max(sight.row - model.camera.delay / evidence_.step, 0.0);
+      robot::JointVector q(joints_);
+      for (int j = 0; j < joints_; ++j) q[j] = Evidence::at(motion.q[static_cast<std::size_t>(j)], row);
+      motion.tip.push_back(model.camera.tell(chain_.marker(q)));
+    }
+  }
+  return motion;
+}
+
+}  // namespace capstan::diagnosis
