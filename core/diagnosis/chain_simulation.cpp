@@ -12,12 +12,11 @@ namespace {
 using robot::kChainLanes;
 
 constexpr double kOutputStep = 5e-3;    // of what the kernel hands out [s]
-constexpr double kStability = 2.2;      // rate times step; Runge–Kutta bears 2.78
-constexpr int kMostSteps = 80;          // a row
 constexpr double kAfterRestart = 0.12;  // sights so soon after a restart may look behind it [s]
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
-/// Position and slope of a column around row k, from a line through the rows within ±reach of it in the window.
+/// Position and slope of a column around row k, from a line through the rows within ±reach of it in the
+/// window.
 std::pair<double, double> lineAround(const std::vector<double>& column, std::size_t begin, std::size_t end,
                                      double step) {
   double n = 0, st = 0, stt = 0, sx = 0, stx = 0;
@@ -68,21 +67,22 @@ void ChainSimulation::findWindows(double horizon) {
   for (const Segment& segment : evidence_.segments) {
     const std::size_t pieces = std::max<std::size_t>(1, (segment.size() + most / 2) / most);
     for (std::size_t k = 0; k < pieces; ++k)
-      windows_.push_back({segment.begin + k * segment.size() / pieces,
-                          segment.begin + (k + 1) * segment.size() / pieces});
+      windows_.push_back(
+          {segment.begin + k * segment.size() / pieces, segment.begin + (k + 1) * segment.size() / pieces});
   }
 }
 
 void ChainSimulation::findInitialStates(const robot::Description& robot) {
   const bool rigid = evidence_.drive == DriveKind::kRigid;
   initial_.setZero(2 * joints_, static_cast<Eigen::Index>(windows_.size()));
-  const robot::ChainModel nominal(robot, rigid);
+  const robot::ChainModel nominal(robot);
   const auto reach = std::max<std::size_t>(4, static_cast<std::size_t>(0.02 / evidence_.step));
   for (std::size_t w = 0; w < windows_.size(); ++w) {
     const Window& window = windows_[w];
     robot::JointVector q_m = robot::JointVector::Zero(joints_);
-    for (int j = 0; j < joints_ && !rigid; ++j) q_m[j] = evidence_.q_m[static_cast<std::size_t>(j)][window.begin];
-    const robot::JointVector from_motors = rigid ? q_m : robot::jointsFromMotors(nominal, q_m);
+    for (int j = 0; j < joints_ && !rigid; ++j)
+      q_m[j] = evidence_.q_m[static_cast<std::size_t>(j)][window.begin];
+    const robot::JointVector from_motors = robot::jointsFromMotors(nominal, q_m);
     for (int j = 0; j < joints_; ++j) {
       std::pair<double, double> line{kNothing, 0.0};
       if (evidence_.hasEncoders())
@@ -103,7 +103,8 @@ void ChainSimulation::findSamples(const robot::Description& robot) {
     const auto at = static_cast<std::size_t>(j);
     const bool turns = robot.joints[at].type == robot::JointType::kRevolute;
     encoder_channel[at] = static_cast<int>(compared_.channels.size());
-    compared_.channels.push_back({"q" + std::to_string(j + 1), turns ? "rad" : "m", j + 1, -1, e.noise.q[at].floor()});
+    compared_.channels.push_back(
+        {"q" + std::to_string(j + 1), turns ? "rad" : "m", j + 1, -1, e.noise.q[at].floor()});
   }
   const int first_tip = static_cast<int>(compared_.channels.size());
   for (int axis = 0; axis < 3 && e.hasCameras(); ++axis)
@@ -133,17 +134,21 @@ void ChainSimulation::findSamples(const robot::Description& robot) {
       }
     std::vector<const TipSight*> seen;
     const bool restarts = windows_.size() > e.segments.size();
-    const double from = std::max(skip, restarts ? kAfterRestart : 0.0) / e.step + static_cast<double>(window.begin);
+    const double from =
+        std::max(skip, restarts ? kAfterRestart : 0.0) / e.step + static_cast<double>(window.begin);
     for (const TipSight& sight : e.tip)
-      if (sight.counts && sight.row >= from && sight.row <= static_cast<double>(window.end - 1)) seen.push_back(&sight);
+      if (sight.counts && sight.row >= from && sight.row <= static_cast<double>(window.end - 1))
+        seen.push_back(&sight);
     const std::size_t first = measured.size();
     for (int axis = 0; axis < 3; ++axis)
       for (const TipSight* sight : seen) add(first_tip + axis, sight->t, sight->position[axis]);
     for (std::size_t k = 0; k < seen.size(); ++k)
-      sights_.back().push_back({first + k, seen.size(), (seen[k]->row - static_cast<double>(window.begin)) / stride_});
+      sights_.back().push_back(
+          {first + k, seen.size(), (seen[k]->row - static_cast<double>(window.begin)) / stride_});
   }
   compared_.window_begin.push_back(measured.size());
-  compared_.measured = Eigen::Map<Eigen::VectorXd>(measured.data(), static_cast<Eigen::Index>(measured.size()));
+  compared_.measured =
+      Eigen::Map<Eigen::VectorXd>(measured.data(), static_cast<Eigen::Index>(measured.size()));
 }
 
 robot::ChainShape ChainSimulation::shapeOf(std::span<const Robot> robots) const {
@@ -153,28 +158,29 @@ robot::ChainShape ChainSimulation::shapeOf(std::span<const Robot> robots) const 
   return shape;
 }
 
-int ChainSimulation::stepsFor(const robot::ChainModel& model) const {
+double ChainSimulation::rateOf(const robot::ChainModel& model) const {
   double rate = 0.0;
   for (const double share : {-0.5, 0.0, 0.5}) {
     robot::JointVector q(joints_);
-    for (int j = 0; j < joints_; ++j) q[j] = model.shape.middle[j] + share / model.shape.inverse_half_range[j];
+    for (int j = 0; j < joints_; ++j)
+      q[j] = model.shape.middle[j] + share / model.shape.inverse_half_range[j];
     rate = std::max(rate, robot::chainRate(model, q));
   }
-  if (!std::isfinite(rate)) return kMostSteps;
-  return std::clamp(static_cast<int>(std::ceil(rate * evidence_.step / kStability)), 1, kMostSteps);
+  return rate;
 }
 
 robot::ChainState<double> ChainSimulation::initialState(const robot::ChainModel& model,
-                                                        const Eigen::MatrixXd* beyond, std::size_t window) const {
+                                                        const Eigen::MatrixXd* beyond,
+                                                        std::size_t window) const {
   const auto at = static_cast<Eigen::Index>(window);
-  Eigen::VectorXd x = initial_.col(at);
-  if (!evidence_.hasEncoders() && !model.shape.rigid) {
-    robot::JointVector q_m(joints_);
-    for (int j = 0; j < joints_; ++j) q_m[j] = evidence_.q_m[static_cast<std::size_t>(j)][windows_[window].begin];
-    x.head(joints_) = robot::jointsFromMotors(model, q_m);
+  robot::JointVector q(joints_), dq(joints_), q_m(joints_);
+  for (int j = 0; j < joints_; ++j) {
+    q[j] = initial_(j, at) + (beyond ? (*beyond)(j, at) : 0.0);
+    dq[j] = initial_(joints_ + j, at) + (beyond ? (*beyond)(joints_ + j, at) : 0.0);
+    q_m[j] = rows_.drive[j][windows_[window].begin];
   }
-  if (beyond) x += beyond->col(at);
-  return robot::stateAt(model, x.head(joints_), x.tail(joints_));
+  if (!evidence_.hasEncoders() && !model.shape.rigid) q = robot::jointsFromMotors(model, q_m);
+  return robot::stateAt(model, q, dq);
 }
 
 void ChainSimulation::simulate(std::span<const Robot> robots, Eigen::Ref<Eigen::MatrixXd> told) const {
@@ -184,11 +190,13 @@ void ChainSimulation::simulate(std::span<const Robot> robots, Eigen::Ref<Eigen::
   const auto state = std::make_unique<robot::ChainState<robot::ChainLane>>();
   robot::ChainRun run;
   run.stride = stride_;
+  double rate = 0.0;
   for (int lane = 0; lane < kChainLanes; ++lane) {
     const Robot& robot = robots[std::min<std::size_t>(static_cast<std::size_t>(lane), robots.size() - 1)];
     put<robot::ChainNumbers>(robot.model->numbers, lane, *numbers);
-    if (static_cast<std::size_t>(lane) < robots.size()) run.steps = std::max(run.steps, stepsFor(*robot.model));
+    if (static_cast<std::size_t>(lane) < robots.size()) rate = std::max(rate, rateOf(*robot.model));
   }
+  run.stages = robot::chainStages(rate, evidence_.step);
   Lanes q, dq;
   for (std::size_t w = 0; w < windows_.size(); ++w) {
     for (int lane = 0; lane < kChainLanes; ++lane) {
@@ -207,27 +215,29 @@ void ChainSimulation::simulate(std::span<const Robot> robots, Eigen::Ref<Eigen::
   }
 }
 
-void ChainSimulation::tell(std::size_t window, std::span<const Robot> robots, const Lanes& q,
-                           const Lanes& dq, Eigen::Ref<Eigen::MatrixXd> told) const {
-  const std::size_t outputs = (windows_[window].end - windows_[window].begin - 1) / static_cast<std::size_t>(stride_) + 1;
+void ChainSimulation::tell(std::size_t window, std::span<const Robot> robots, const Lanes& q, const Lanes& dq,
+                           Eigen::Ref<Eigen::MatrixXd> told) const {
+  const std::size_t outputs =
+      (windows_[window].end - windows_[window].begin - 1) / static_cast<std::size_t>(stride_) + 1;
   for (std::size_t lane = 0; lane < robots.size(); ++lane) {
     const auto column = static_cast<Eigen::Index>(lane);
     for (const Sample& sample : samples_[window])
       told(static_cast<Eigen::Index>(sample.number), column) =
-          q[sample.output * static_cast<std::size_t>(joints_) + static_cast<std::size_t>(sample.joint)].value[lane];
+          q[sample.output * static_cast<std::size_t>(joints_) + static_cast<std::size_t>(sample.joint)]
+              .value[lane];
     const robot::ChainModel& model = *robots[lane].model;
     const double late = model.camera.delay / (evidence_.step * stride_);
     for (const Sight& sight : sights_[window]) {
-      const Eigen::Vector3d tip =
-          model.camera.tell(tipAt(sight.output - late, outputs, lane, q, dq));
+      const Eigen::Vector3d tip = model.camera.tell(tipAt(sight.output - late, outputs, lane, q, dq));
       for (std::size_t axis = 0; axis < 3; ++axis)
-        told(static_cast<Eigen::Index>(sight.number + axis * sight.stride), column) = tip[static_cast<Eigen::Index>(axis)];
+        told(static_cast<Eigen::Index>(sight.number + axis * sight.stride), column) =
+            tip[static_cast<Eigen::Index>(axis)];
     }
   }
 }
 
-Eigen::Vector3d ChainSimulation::tipAt(double output, std::size_t outputs, std::size_t lane,
-                                       const Lanes& q, const Lanes& dq) const {
+Eigen::Vector3d ChainSimulation::tipAt(double output, std::size_t outputs, std::size_t lane, const Lanes& q,
+                                       const Lanes& dq) const {
   const double x = std::clamp(output, 0.0, static_cast<double>(outputs - 1));
   const auto k = std::min(static_cast<std::size_t>(x), outputs >= 2 ? outputs - 2 : 0);
   const double s = outputs >= 2 ? x - static_cast<double>(k) : 0.0, h = evidence_.step * stride_;
@@ -247,7 +257,7 @@ SimulatedMotion ChainSimulation::motion(const robot::ChainModel& model) const {
   SimulatedMotion motion;
   for (Columns* columns : {&motion.q, &motion.dq, &motion.ddq, &motion.tau, &motion.stretch})
     columns->assign(n, std::vector<double>(evidence_.rows(), 0.0));
-  const int steps = stepsFor(model);
+  const robot::ChainStages stages = robot::chainStages(rateOf(model), evidence_.step);
   robot::ChainStep<double> step(model.shape, model.numbers);
   std::size_t w = 0;
   for (const Segment& segment : evidence_.segments) {
@@ -272,7 +282,7 @@ SimulatedMotion ChainSimulation::motion(const robot::ChainModel& model) const {
         motion.tau[j][k] = step.torque()[j];
         motion.stretch[j][k] = step.stretch()[j];
       }
-      if (next > k) step.advance(input, steps, state);
+      if (next > k) step.advance(input, stages, state);
     }
   }
   if (evidence_.hasCameras()) {

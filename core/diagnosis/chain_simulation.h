@@ -19,8 +19,8 @@ struct Window {
   std::size_t begin = 0, end = 0;
 };
 
-/// What measured and simulated are compared by: numbers in one order, window by window and in a window channel by
-/// channel.
+/// What measured and simulated are compared by: numbers in one order, window by window and in a window
+/// channel by channel.
 struct ComparedChannel {
   std::string name, unit;
   int joint = 0;  ///< from 1; 0: a camera's
@@ -30,8 +30,8 @@ struct ComparedChannel {
 struct Compared {
   std::vector<ComparedChannel> channels;
   Eigen::VectorXd measured;
-  std::vector<int> channel;              ///< of each number
-  std::vector<double> t;                 ///< of each number [s]
+  std::vector<int> channel;               ///< of each number
+  std::vector<double> t;                  ///< of each number [s]
   std::vector<std::size_t> window_begin;  ///< first number of each window, and their total at the end
 };
 
@@ -44,10 +44,11 @@ struct Robot {
 
 /// Open-loop simulations of one recording, 16 robots at a time.
 ///
-/// Cable drives start at each segment from the joints where the encoders saw them (without encoders from where
-/// rigid cables would put them, and what is seen within kSettling is not compared). Rigid drives start anew after
-/// each `horizon` seconds too, from encoders and their slope, since a torque that is wrong by little leads
-/// far astray in time. Joint encoders are compared kComparedRate times a second, cameras at every sight.
+/// Cable drives start at each segment from the joints where the encoders saw them (without encoders from
+/// where rigid cables would put them, and what is seen within kSettling is not compared). Rigid drives start
+/// anew after each `horizon` seconds too, from encoders and their slope, since a torque that is wrong by
+/// little leads far astray in time. Joint encoders are compared kComparedRate times a second, cameras at
+/// every sight.
 class ChainSimulation {
  public:
   /// Keeps a reference to `evidence`.
@@ -59,8 +60,8 @@ class ChainSimulation {
   /// q then dq of each joint at the begin of each window, 2n × windows.
   const Eigen::MatrixXd& initialStates() const { return initial_; }
 
-  /// What each robot's sensors would tell, a column each, as Compared::measured. At most 16 robots. NaN where a
-  /// simulation ran away.
+  /// What each robot's sensors would tell, a column each, as Compared::measured. At most 16 robots. NaN where
+  /// a simulation ran away.
   void simulate(std::span<const Robot> robots, Eigen::Ref<Eigen::MatrixXd> told) const;
 
   /// One robot through whole segments, all rows.
@@ -72,12 +73,13 @@ class ChainSimulation {
   void findInitialStates(const robot::Description& robot);
   void findSamples(const robot::Description& robot);
   robot::ChainShape shapeOf(std::span<const Robot> robots) const;
-  int stepsFor(const robot::ChainModel& model) const;
+  double rateOf(const robot::ChainModel& model) const;
   robot::ChainState<double> initialState(const robot::ChainModel& model, const Eigen::MatrixXd* beyond,
                                          std::size_t window) const;
-  void tell(std::size_t window, std::span<const Robot> robots, const Lanes& q,
-            const Lanes& dq, Eigen::Ref<Eigen::MatrixXd> told) const;
-  Eigen::Vector3d tipAt(double output, std::size_t outputs, std::size_t lane, const Lanes& q, const Lanes& dq) const;
+  void tell(std::size_t window, std::span<const Robot> robots, const Lanes& q, const Lanes& dq,
+            Eigen::Ref<Eigen::MatrixXd> told) const;
+  Eigen::Vector3d tipAt(double output, std::size_t outputs, std::size_t lane, const Lanes& q,
+                        const Lanes& dq) const;
 
   struct Sample {
     std::size_t number;  ///< in Compared::measured
@@ -105,8 +107,8 @@ class ChainSimulation {
 inline constexpr double kSettling = 0.5;        ///< [s]
 inline constexpr double kComparedRate = 100.0;  ///< [Hz]
 
-/// Loads whose sensor told magnitude alone, with the sign that lets them pass smoothly through zero: it changes
-/// wherever the magnitude touches zero, |x| < reach, at a kink. The first stretch keeps its sign.
+/// Loads whose sensor told magnitude alone, with the sign that lets them pass smoothly through zero: it
+/// changes wherever the magnitude touches zero, |x| < reach, at a kink. The first stretch keeps its sign.
 std::vector<double> withSigns(std::span<const double> magnitude);
 
 }  // namespace capstan::diagnosis

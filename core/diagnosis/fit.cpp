@@ -85,7 +85,8 @@ System systemAt(const FitData& data, const FitModel& model, const VectorXd& u, c
       starts.push_back(shifted(initial, s, h[s]));
     }
   const MatrixXd told = data.simulate(robots, starts);
-  System system{{model, u, initial, data.measured() - told.col(0), MatrixXd(data.size(), p), {}, {}, 0.0, 0}, {}, {}};
+  System system{
+      {model, u, initial, data.measured() - told.col(0), MatrixXd(data.size(), p), {}, {}, 0.0, 0}, {}, {}};
   for (int k = 0; k < p; ++k)
     system.at.jacobian.col(k) = (told.col(k + 1) - told.col(0)) / step[static_cast<std::size_t>(k)];
   if (data.rigid()) {

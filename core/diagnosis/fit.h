@@ -31,12 +31,12 @@ class FitData {
   /// Sensor channels of all recordings, in order; channel()[i] is that of number i.
   const std::vector<ComparedChannel>& channels() const { return channels_; }
   const std::vector<int>& channel() const { return channel_; }
-  /// Blocks of time, kBlock seconds or more (a rigid drive's windows): what cross-validation and bootstrap leave
-  /// out and draw. block()[i] is that of number i.
+  /// Blocks of time, kBlock seconds or more (a rigid drive's windows): what cross-validation and bootstrap
+  /// leave out and draw. block()[i] is that of number i.
   int blocks() const { return blocks_; }
   const std::vector<int>& block() const { return block_; }
-  /// Stretches that have nuisances of their own (initial states of rigid drives; encoder zeros of a recording):
-  /// numbers [begin, end) of each.
+  /// Stretches that have nuisances of their own (initial states of rigid drives; encoder zeros of a
+  /// recording): numbers [begin, end) of each.
   const std::vector<std::pair<Eigen::Index, Eigen::Index>>& stretches() const { return stretches_; }
 
   /// What the robots of several models tell, a column each. `initial`: of each robot; empty: none beyond the
@@ -86,25 +86,26 @@ struct FitOptions {
 
 /// Least squares on the simulation error with priors,
 ///     Σ (w_i e_i)² + Σ (u_k / prior_k)²:
-/// Gauss–Newton on forward differences, 16 robots side by side; each step is tried in 16 dampings and lengths at
-/// once (Levenberg–Marquardt) and kept inside the bounds. Initial states of rigid drives and encoder zeros are
-/// solved for stretch by stretch. Ends early, with what it has, when `progress` is cancelled.
+/// Gauss–Newton on forward differences, 16 robots side by side; each step is tried in 16 dampings and lengths
+/// at once (Levenberg–Marquardt) and kept inside the bounds. Initial states of rigid drives and encoder zeros
+/// are solved for stretch by stretch. Ends early, with what it has, when `progress` is cancelled.
 Fit fit(const FitData& data, const FitModel& model, const Eigen::VectorXd& u, const InitialStates& initial,
         const Trust& trust, const FitOptions& options = {}, const base::Progress* progress = nullptr);
 
 /// Residuals and derivatives at `u` without a step.
-Fit linearise(const FitData& data, const FitModel& model, const Eigen::VectorXd& u, const InitialStates& initial,
-              const Trust& trust);
+Fit linearise(const FitData& data, const FitModel& model, const Eigen::VectorXd& u,
+              const InitialStates& initial, const Trust& trust);
 
 /// What each of `changed` tells beyond what the fit's robot tells, one column each, nuisances taken off.
 Eigen::MatrixXd responses(const FitData& data, const Fit& at, const std::vector<robot::ChainModel>& changed,
                           const Trust& trust);
 
 /// Σ (w e)² over the numbers used, and priors.
-double objectiveOf(const FitModel& model, const Eigen::VectorXd& u, const Eigen::VectorXd& e, const Trust& trust);
+double objectiveOf(const FitModel& model, const Eigen::VectorXd& u, const Eigen::VectorXd& e,
+                   const Trust& trust);
 
-/// 1 over max(noise, RMS of e), channel by channel, and over the root of the number of samples that it takes for
-/// e to forget itself.
+/// 1 over max(noise, RMS of e), channel by channel, and over the root of the number of samples that it takes
+/// for e to forget itself.
 Eigen::VectorXd weightsFor(const FitData& data, const Eigen::VectorXd& e, const std::vector<bool>& used = {});
 
 }  // namespace capstan::diagnosis

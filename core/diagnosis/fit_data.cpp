@@ -48,8 +48,8 @@ void FitData::stack(const ChainSimulation& simulation) {
 
 namespace {
 
-/// Robots that can stand side by side: at most 16, and all or none of them compliant at a joint, since that law
-/// has no neutral number.
+/// Robots that can stand side by side: at most 16, and all or none of them compliant at a joint, since that
+/// law has no neutral number.
 std::vector<std::vector<std::size_t>> groupsOf(const std::vector<robot::ChainModel>& models) {
   std::map<unsigned, std::vector<std::size_t>> kinds;
   for (std::size_t k = 0; k < models.size(); ++k) {
@@ -78,12 +78,14 @@ Eigen::MatrixXd FitData::simulate(const std::vector<robot::ChainModel>& models,
     const std::size_t r = task % files;
     const std::vector<std::size_t>& members = groups[task / files];
     std::vector<Robot> robots;
-    for (const std::size_t k : members) robots.push_back({&models[k], initial.empty() ? nullptr : &initial[k][r]});
+    for (const std::size_t k : members)
+      robots.push_back({&models[k], initial.empty() ? nullptr : &initial[k][r]});
     const Eigen::Index rows = simulations_[r]->compared().measured.size();
     Eigen::MatrixXd columns(rows, static_cast<Eigen::Index>(members.size()));
     simulations_[r]->simulate(robots, columns);
     for (std::size_t k = 0; k < members.size(); ++k)
-      told.col(static_cast<Eigen::Index>(members[k])).segment(first_[r], rows) = columns.col(static_cast<Eigen::Index>(k));
+      told.col(static_cast<Eigen::Index>(members[k])).segment(first_[r], rows) =
+          columns.col(static_cast<Eigen::Index>(k));
   });
   return told;
 }
@@ -91,7 +93,8 @@ Eigen::MatrixXd FitData::simulate(const std::vector<robot::ChainModel>& models,
 Eigen::VectorXd weightsFor(const FitData& data, const Eigen::VectorXd& e, const std::vector<bool>& used) {
   const std::size_t channels = data.channels().size();
   std::vector<double> squares(channels, 0.0), count(channels, 0.0);
-  std::vector<std::vector<double>> sums(channels, std::vector<double>(static_cast<std::size_t>(data.blocks()), 0.0));
+  std::vector<std::vector<double>> sums(channels,
+                                        std::vector<double>(static_cast<std::size_t>(data.blocks()), 0.0));
   const auto uses = [&](std::size_t i) { return used.empty() || used[i]; };
   for (std::size_t i = 0; i < data.channel().size(); ++i) {
     if (!uses(i)) continue;
@@ -107,12 +110,14 @@ Eigen::VectorXd weightsFor(const FitData& data, const Eigen::VectorXd& e, const 
     const double scale = std::max({rms, data.channels()[c].noise, 1e-12});
     double between = 0.0;
     for (const double sum : sums[c]) between += sum * sum;
-    const double inflation = squares[c] > 0.0 ? std::clamp(between / squares[c], 1.0, count[c] / 10.0 + 1.0) : 1.0;
+    const double inflation =
+        squares[c] > 0.0 ? std::clamp(between / squares[c], 1.0, count[c] / 10.0 + 1.0) : 1.0;
     weight[c] = 1.0 / (scale * std::sqrt(inflation));
   }
   Eigen::VectorXd weights(data.size());
   for (std::size_t i = 0; i < data.channel().size(); ++i)
-    weights[static_cast<Eigen::Index>(i)] = uses(i) ? weight[static_cast<std::size_t>(data.channel()[i])] : 0.0;
+    weights[static_cast<Eigen::Index>(i)] =
+        uses(i) ? weight[static_cast<std::size_t>(data.channel()[i])] : 0.0;
   return weights;
 }
 

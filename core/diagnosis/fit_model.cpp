@@ -34,13 +34,13 @@ const JointScales& scalesOf(const std::vector<JointScales>& scales, int joint) {
   return joint == 0 ? scales.back() : scales[static_cast<std::size_t>(joint - 1)];
 }
 
-FitModel::FitModel(const robot::Description& nominal, bool rigid, const std::vector<JointScales>& scales)
-    : nominal_(nominal), rigid_(rigid), scales_(scales) {
+FitModel::FitModel(const robot::Description& nominal, const std::vector<JointScales>& scales)
+    : nominal_(nominal), rigid_(nominal.drive == robot::DriveKind::kRigid), scales_(scales) {
   addBase();
   for (const Hypothesis* hypothesis : hypotheses())
     for (int joint = 1; joint <= nominal.size(); ++joint) {
       const robot::EffectFacts& facts = hypothesis->facts();
-      if (facts.whole || !(rigid ? facts.rigid : facts.cable)) continue;
+      if (facts.whole || !(rigid_ ? facts.rigid : facts.cable)) continue;
       if (hypothesis->everyday(scalesOf(scales_, joint)) > 0.0) addTerm(everydayTerm(*hypothesis, joint));
     }
 }
@@ -93,8 +93,15 @@ void FitModel::addTerm(EffectTerm term) {
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     const double start = term.start.value[k], scale = term.start.scale[k];
     if (scale == 0.0) continue;
-    FitParameter p{fmt::format("{}.{}", term.hypothesis->name(), numbers[k].name), std::string(numbers[k].unit),
-                   term.joint, start, scale, false, numbers[k].low, numbers[k].high, kEffectPrior};
+    FitParameter p{fmt::format("{}.{}", term.hypothesis->name(), numbers[k].name),
+                   std::string(numbers[k].unit),
+                   term.joint,
+                   start,
+                   scale,
+                   false,
+                   numbers[k].low,
+                   numbers[k].high,
+                   kEffectPrior};
     if (term.everyday) {
       p.low = std::max(p.low, -scale);
       p.high = std::min(p.high, scale);
@@ -168,7 +175,8 @@ robot::Description FitModel::refitted(const Eigen::VectorXd& u) const {
       case Number::kCentreX:
       case Number::kCentreY:
       case Number::kCentreZ:
-        joint.link.centre_of_mass[static_cast<int>(base_[k].first) - static_cast<int>(Number::kCentreX)] = value;
+        joint.link.centre_of_mass[static_cast<int>(base_[k].first) - static_cast<int>(Number::kCentreX)] =
+            value;
         break;
     }
   }
@@ -194,7 +202,7 @@ robot::Effect FitModel::effect(std::size_t k, const Eigen::VectorXd& u) const {
 }
 
 robot::ChainModel FitModel::chain(const Eigen::VectorXd& u) const {
-  robot::ChainModel model(refitted(u), rigid_);
+  robot::ChainModel model(refitted(u));
   for (std::size_t k = 0; k < effects_.size(); ++k) model.add(effect(k, u));
   return model;
 }
@@ -207,6 +215,16 @@ Eigen::VectorXd FitModel::carry(const FitModel& other, const Eigen::VectorXd& u_
       const FitParameter& o = other.parameters_[static_cast<std::size_t>(j)];
       if (o.name == p.name && o.joint == p.joint) u[k] = p.u(o.value(u_other[j]));
     }
+  }
+  return u;
+}
+
+Eigen::VectorXd FitModel::startFrom(const FitModel& other, const Eigen::VectorXd& u_other) const {
+  Eigen::VectorXd u = carry(other, u_other);
+  for (const EffectTerm& term : effects_) {
+    if (term.everyday || other.has(*term.hypothesis, term.joint)) continue;
+    for (const int at : term.index)
+      if (at >= 0) u[at] = 0.0;
   }
   return u;
 }

@@ -13,11 +13,11 @@ namespace capstan::diagnosis {
 
 /// One number that a fit moves, by way of a dimensionless u whose prior is N(0, prior²).
 struct FitParameter {
-  std::string name, unit;    ///< "cable_stiffness"; of an effect "backlash.half_width"
-  int joint = 0;             ///< from 1; 0: whole arm
-  double start = 0.0;        ///< value at u = 0
-  double scale = 1.0;        ///< d value / du, or d ln value / du
-  bool logarithmic = false;  ///< value = start exp(scale u), else start + scale u
+  std::string name, unit;        ///< "cable_stiffness"; of an effect "backlash.half_width"
+  int joint = 0;                 ///< from 1; 0: whole arm
+  double start = 0.0;            ///< value at u = 0
+  double scale = 1.0;            ///< d value / du, or d ln value / du
+  bool logarithmic = false;      ///< value = start exp(scale u), else start + scale u
   double low = 0.0, high = 0.0;  ///< bounds of the value
   double prior = 1.0;
 
@@ -35,16 +35,17 @@ struct EffectTerm {
   std::vector<int> index;  ///< of its numbers among the model's parameters; −1: stays as in `start`
 };
 
-/// A structure to fit: the numbers of the nominal robot that may be mistuned, what every robot has some of, and
-/// effects.
+/// A structure to fit: the numbers of the nominal robot that may be mistuned, what every robot has some of,
+/// and effects.
 ///
 /// Mistuned may be stiffness and damping of cables, joint friction and masses with their inertia, each by a
-/// factor, ln N(0, 0.3²), at most kMostMistuned either way; and centres of mass, by 0.15 of their distance from
-/// the joint (σ) and 0.3 at most along each axis. What goes beyond has a cause, for a hypothesis to name.
+/// factor, ln N(0, 0.3²), at most kMostMistuned either way; and centres of mass, by 0.15 of their distance
+/// from the joint (σ) and 0.3 at most along each axis. What goes beyond has a cause, for a hypothesis to
+/// name.
 class FitModel {
  public:
   /// `scales`: of each joint.
-  FitModel(const robot::Description& nominal, bool rigid, const std::vector<JointScales>& scales);
+  FitModel(const robot::Description& nominal, const std::vector<JointScales>& scales);
 
   int size() const { return static_cast<int>(parameters_.size()); }
   const std::vector<FitParameter>& parameters() const { return parameters_; }
@@ -67,6 +68,8 @@ class FitModel {
 
   /// u of this model that has the values of `other` at `u_other` where both have a parameter, else 0.
   Eigen::VectorXd carry(const FitModel& other, const Eigen::VectorXd& u_other) const;
+  /// The same, with effects that `other` has not, or as everyday ones only, where they start.
+  Eigen::VectorXd startFrom(const FitModel& other, const Eigen::VectorXd& u_other) const;
   Eigen::VectorXd clipped(const Eigen::VectorXd& u) const;
 
  private:

@@ -4,6 +4,7 @@
 
 #include "core/math/instruction_set.h"
 #include "core/robot/chain/chain_numbers.h"
+#include "core/robot/chain/chain_stages.h"
 
 namespace capstan::robot {
 
@@ -25,7 +26,7 @@ struct ChainRows {
 /// included: q and dq of joint j at output k in q[(k n + j) kChainLanes + lane], both 64-byte aligned.
 struct ChainRun {
   std::size_t begin = 0, end = 0;
-  int steps = 1;  ///< Runge–Kutta steps a row
+  ChainStages stages;  ///< of each row
   int stride = 1;
   double* q = nullptr;
   double* dq = nullptr;

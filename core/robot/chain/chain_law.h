@@ -27,28 +27,19 @@ CAPSTAN_CHAIN_INLINE S clipped(const S& x, double limit) {
   return whereGreater(low, below, low, below);
 }
 
-/// Motor's side of a cable.
+/// Travel of a cable on the motor's side [m],
+///     s_m = r_mc q_m / N + e_c sin φ + e_s (cos φ − 1), φ = q_m / N:
+/// a capstan whose axis is off its centre by (e_c, e_s) has the effective radius r_mc + e_c cos φ − e_s sin
+/// φ.
 template <class S>
-struct MotorTravel {
-  S position;  ///< s_m [m]
-  S velocity;  ///< [m/s]
-  S lever;     ///< d s_m / d q_m [m/rad]
-};
-
-/// s_m = r_mc q_m / N + e_c sin φ + e_s (cos φ − 1), φ = q_m / N: a capstan whose axis is off its centre by
-/// (e_c, e_s) has the effective radius r_mc + e_c cos φ − e_s sin φ.
-template <class S>
-CAPSTAN_CHAIN_INLINE MotorTravel<S> motorTravel(const JointNumbers<S>& p, unsigned laws, const S& angle,
-                                                const S& rate) {
+CAPSTAN_CHAIN_INLINE S motorTravel(const JointNumbers<S>& p, unsigned laws, const S& angle) {
   using std::cos, std::sin;
-  MotorTravel<S> m{p.lever * angle, p.lever * rate, p.lever};
+  S travel = p.lever * angle;
   if (laws & kLawEccentricity) {
-    const S phi = angle * p.inverse_gear, c = cos(phi), s = sin(phi);
-    m.position = m.position + p.eccentric_cosine * s + p.eccentric_sine * (c - 1.0);
-    m.lever = m.lever + (p.eccentric_cosine * c - p.eccentric_sine * s) * p.inverse_gear;
-    m.velocity = m.lever * rate;
+    const S phi = angle * p.inverse_gear;
+    travel = travel + p.eccentric_cosine * sin(phi) + p.eccentric_sine * (cos(phi) - 1.0);
   }
-  return m;
+  return travel;
 }
 
 /// How far a reading has fallen short: slip times a smooth step of kSlipTime from slip_time on.
@@ -105,7 +96,9 @@ CAPSTAN_CHAIN_INLINE CablePull<S> cablePull(const JointNumbers<S>& p, unsigned l
     pull.force = share * pair + extra;
     return pull;
   }
-  S force = share * stiffness * sinh(p.exponent * x) + (2.0 * p.damping) * rate;
+  const S y = p.exponent * x;
+  const S bent = laws & kLawExponential ? sinh(y) : y + y * y * y * (1.0 / 6);
+  S force = share * stiffness * bent + (2.0 * p.damping) * rate;
   if (laws & kLawPlay) {
     const S zero = constantLike(x, 0.0);
     const S towards =

@@ -15,6 +15,8 @@
 namespace capstan::robot {
 namespace {
 
+constexpr double kGentle = 5.0;  // exponent of a cable [1/m]: 1 cm of stretch bends its law by 4e-4
+
 static_assert(kChainJoints == kMaxJoints);
 
 LinkNumbers<double> linkNumbers(const Link& link) {
@@ -166,6 +168,7 @@ ChainModel::ChainModel(const Description& description) : marker(description.mark
   for (int i = 0; i < shape.joints; ++i) {
     const auto at = static_cast<std::size_t>(i);
     numbers.joints[i] = jointNumbers(description.joints[at], description.drives[at]);
+    if (numbers.joints[i].exponent > kGentle) shape.laws[i] |= kLawExponential;
     numbers.links[i] = linkNumbers(description.joints[at].link);
     for (int j = 0; j < shape.joints; ++j)
       numbers.coupling[i][j] = description.coupling[at][static_cast<std::size_t>(j)];

@@ -22,7 +22,8 @@ enum ChainLaw : unsigned {
   kLawAsymmetry = 1u << 9,
   kLawLoadFriction = 1u << 10,
   kLawWave = 1u << 11,
-  kLawCompliance = 1u << 12,  ///< of a rigid drive: motor and joint move apart
+  kLawExponential = 1u << 13,  ///< cables stretch so far that sinh y is not y + y³ / 6
+  kLawCompliance = 1u << 12,   ///< of a rigid drive: motor and joint move apart
 };
 
 /// Motor, cable and friction of one joint. Neutral where a number says so.

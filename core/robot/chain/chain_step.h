@@ -1,26 +1,37 @@
 #pragma once
 
 #include "core/robot/chain/chain_law.h"
+#include "core/robot/chain/chain_stages.h"
 
 /// How a chain goes from one row of its drive to the next, for any scalar.
 namespace capstan::robot {
 
 /// One row's step: the mass matrix and C dq + G are those of the middle of the row, as the start's velocity
-/// foretells it; the rest is classical Runge–Kutta in sub-steps, for cables and friction are far faster than
-/// bodies turn.
+/// foretells it, and motors go from one end of the row to the other at a constant speed of their cables;
+/// cables and friction, far faster than bodies turn, by a stabilised Runge–Kutta method of second order
+/// (chain_stages.h).
 template <class S>
 class ChainStep {
  public:
   CAPSTAN_CHAIN_INLINE ChainStep(const ChainShape& shape, const ChainNumbers<S>& numbers)
       : shape_(shape), p_(numbers) {}
 
-  CAPSTAN_CHAIN_INLINE void advance(const ChainInput& input, int steps, ChainState<S>& state) {
+  CAPSTAN_CHAIN_INLINE void advance(const ChainInput& input, const ChainStages& stages,
+                                    ChainState<S>& state) {
     prepare(input, state);
-    const double part = 1.0 / steps, h = input.dt * part;
-    for (int step = 0; step < steps; ++step) {
-      substep(input, step * part, part, h, state);
-      keepInBox(state);
+    const double h = input.dt;
+    ChainState<S> first, before = state, here = state;  // Y_{j−2} and Y_{j−1}
+    slopes(input, 0.0, state, first);
+    move(state, stages.first * h, first, here);
+#pragma GCC unroll 1
+    for (int j = 2; j <= stages.count; ++j) {
+      ChainState<S> slope;
+      slopes(input, stages.instant[j - 1], here, slope);
+      combine(stages, j, h, state, first, slope, here, before);
+      swapStates(before, here);
     }
+    state = here;
+    keepInBox(state);
   }
 
   /// Torque of drive or cable at the joints [N·m or N] and stretch of the cables [m], of the last slope.
@@ -46,6 +57,7 @@ class ChainStep {
       bodies_.mass[i][i] = bodies_.mass[i][i] + p_.joints[i].armature;
       const JointNumbers<S>& joint = p_.joints[i];
       load_[i] = input.load[i] + joint.load_sign * (input.signed_load[i] - input.load[i]);
+      if (!shape_.rigid) prepareTravel(input, i);
       if (!shape_.rigid || compliant(i)) continue;
       const S ratio = joint.link_radius / joint.lever;
       const S inertia = joint.motor_inertia * ratio * ratio;
@@ -56,21 +68,28 @@ class ChainStep {
     factorise<S>(shape_.joints, bodies_.mass);
   }
 
-  CAPSTAN_CHAIN_INLINE S cableDrive(const ChainInput& input, int i, double fraction, const S& travel,
-                                    const S& speed, const ChainState<S>& x, ChainState<S>& slope) {
+  /// Motor's side of a cable over the row.
+  CAPSTAN_CHAIN_INLINE void prepareTravel(const ChainInput& input, int i) {
     const JointNumbers<S>& p = p_.joints[i];
     const unsigned laws = shape_.laws[i];
-    S angle = constantLike(travel, input.motor[i] + fraction * (input.motor_end[i] - input.motor[i]));
-    S rate = constantLike(travel, (input.motor_end[i] - input.motor[i]) / input.dt);
+    S begin = constantLike(p.lever, input.motor[i]), end = constantLike(p.lever, input.motor_end[i]);
     if (laws & kLawSlip) {
-      const S before = slipAt(p, input.t), after = slipAt(p, input.t + input.dt);
-      angle = angle + before + fraction * (after - before);
-      rate = rate + (after - before) * (1.0 / input.dt);
+      begin = begin + slipAt(p, input.t);
+      end = end + slipAt(p, input.t + input.dt);
     }
-    const MotorTravel<S> motor = motorTravel(p, laws, angle, rate);
+    travel_[i] = motorTravel(p, laws, begin);
+    travel_change_[i] = motorTravel(p, laws, end) - travel_[i];
+    travel_rate_[i] = travel_change_[i] * (1.0 / input.dt);
+  }
+
+  CAPSTAN_CHAIN_INLINE S cableDrive(int i, double fraction, const S& travel, const S& speed,
+                                    const ChainState<S>& x, ChainState<S>& slope) {
+    const JointNumbers<S>& p = p_.joints[i];
+    const unsigned laws = shape_.laws[i];
+    const S position = travel_[i] + fraction * travel_change_[i];
     const S range = (x.q[i] - shape_.middle[i]) * shape_.inverse_half_range[i];
-    stretch_[i] = motor.position - p.link_radius * travel;
-    const CablePull<S> pull = cablePull(p, laws, stretch_[i], motor.velocity - p.link_radius * speed, range,
+    stretch_[i] = position - p.link_radius * travel;
+    const CablePull<S> pull = cablePull(p, laws, stretch_[i], travel_rate_[i] - p.link_radius * speed, range,
                                         x.hysteresis[i], x.creep[i]);
     if (laws & kLawHysteresis) slope.hysteresis[i] = pull.hysteresis_rate;
     if (laws & kLawCreep) slope.creep[i] = pull.creep_rate;
@@ -103,7 +122,7 @@ class ChainStep {
         speed = speed + p_.coupling[i][j] * x.dq[j];
       }
       const S pull = shape_.rigid ? motorDrive(input, i, travel, speed, x, slope)
-                                  : cableDrive(input, i, fraction, travel, speed, x, slope);
+                                  : cableDrive(i, fraction, travel, speed, x, slope);
       const S force = p_.joints[i].link_radius * pull;
       for (int j = 0; j < n; ++j) torque_[j] = torque_[j] + p_.coupling[i][j] * force;
     }
@@ -131,20 +150,33 @@ class ChainStep {
     }
   }
 
-  CAPSTAN_CHAIN_INLINE void substep(const ChainInput& input, double at, double part, double h,
-                                    ChainState<S>& state) {
-    constexpr double kInstant[] = {0.0, 0.5, 0.5, 1.0};
-    constexpr double kReach[] = {0.5, 0.5, 1.0, 0.0};
-    constexpr double kWeight[] = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
-    const ChainState<S> start = state;
-    ChainState<S> stage = state;
-#pragma GCC unroll 1
-    for (int k = 0; k < 4; ++k) {
-      ChainState<S> slope;
-      slopes(input, at + kInstant[k] * part, stage, slope);
-      move(state, kWeight[k] * h, slope, state);
-      move(start, kReach[k] * h, slope, stage);
+  /// Y_j in place of Y_{j−2}.
+  CAPSTAN_CHAIN_INLINE void combine(const ChainStages& k, int j, double h, const ChainState<S>& start,
+                                    const ChainState<S>& first, const ChainState<S>& slope,
+                                    const ChainState<S>& here, ChainState<S>& before) const {
+    const double rest = 1.0 - k.mu[j] - k.nu[j], by = k.mu_slope[j] * h, by_first = k.gamma[j] * h;
+    const auto mix = [&](const S& y0, const S& f0, const S& f, const S& y1, S& y2) {
+      y2 = rest * y0 + k.mu[j] * y1 + k.nu[j] * y2 + by * f + by_first * f0;
+    };
+    for (int i = 0; i < shape_.joints; ++i) {
+      mix(start.q[i], first.q[i], slope.q[i], here.q[i], before.q[i]);
+      mix(start.dq[i], first.dq[i], slope.dq[i], here.dq[i], before.dq[i]);
+      if (shape_.laws[i] & kLawHysteresis)
+        mix(start.hysteresis[i], first.hysteresis[i], slope.hysteresis[i], here.hysteresis[i],
+            before.hysteresis[i]);
+      if (shape_.laws[i] & kLawCreep)
+        mix(start.creep[i], first.creep[i], slope.creep[i], here.creep[i], before.creep[i]);
+      if (!compliant(i)) continue;
+      mix(start.motor[i], first.motor[i], slope.motor[i], here.motor[i], before.motor[i]);
+      mix(start.motor_rate[i], first.motor_rate[i], slope.motor_rate[i], here.motor_rate[i],
+          before.motor_rate[i]);
     }
+  }
+
+  CAPSTAN_CHAIN_INLINE void swapStates(ChainState<S>& a, ChainState<S>& b) const {
+    const ChainState<S> kept = a;
+    a = b;
+    b = kept;
   }
 
   CAPSTAN_CHAIN_INLINE void keepInBox(ChainState<S>& x) const {
@@ -157,6 +189,7 @@ class ChainStep {
   const ChainShape& shape_;
   const ChainNumbers<S>& p_;
   ChainBodies<S> bodies_;
+  S travel_[kChainJoints], travel_change_[kChainJoints], travel_rate_[kChainJoints];
   S load_[kChainJoints], torque_[kChainJoints], stretch_[kChainJoints], acceleration_[kChainJoints];
 };
 

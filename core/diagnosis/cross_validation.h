@@ -1,0 +1,55 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "core/diagnosis/fit.h"
+
+namespace capstan::diagnosis {
+
+/// Squares of what a fit leaves, by channel and block of time.
+struct BlockSquares {
+  Eigen::MatrixXd sum;    ///< Σ e², channels × blocks [unit²]
+  Eigen::MatrixXd count;  ///< numbers in it
+  /// Numbers in which e forgets itself, by channel: ≥ 1.
+  Eigen::VectorXd inflation;
+};
+BlockSquares squaresOf(const FitData& data, const Eigen::VectorXd& e);
+
+/// Residuals that every block would have in a fit without it, one Gauss–Newton step from the fit to all:
+///     e_k + J_k (A − J_kᵀ J_k)⁻¹ J_kᵀ e_k,   A = Jᵀ J + priors,
+/// exact where the simulation is linear in its numbers (PRESS, Allen 1974, of blocks). Parameters at a bound
+/// stay there.
+Eigen::VectorXd leftOut(const FitData& data, const Fit& fit, const Trust& trust);
+
+/// Covariance of u: the larger, number by number of its diagonal, of the model's (weights taken for true) and
+/// the sandwich of the blocks' scores (Liang and Zeger 1986), which knows dependent and unequal errors. Rows
+/// of parameters at a bound are zero.
+Eigen::MatrixXd covarianceOf(const FitData& data, const Fit& fit, const Trust& trust);
+
+/// Compares models by what they leave in blocks that they were not fitted to: Gaussian log likelihood with
+/// each channel's scale free,  −½ Σ_c N_c ln (S_c / n_c),  N_c = n_c / inflation.
+class Comparison {
+ public:
+  /// `draws` block bootstraps, the same for all models.
+  Comparison(const FitData& data, int draws, std::uint64_t seed);
+
+  /// Score of `better` above `worse` [nats]: of all blocks, then of each draw.
+  std::vector<double> gain(const BlockSquares& worse, const BlockSquares& better) const;
+
+ private:
+  Eigen::MatrixXd times_;  ///< blocks × (1 + draws): how often each is drawn; the first column is ones
+};
+
+/// 1 − S_c(better) / S_c(worse) of the channel where it is largest, and that channel.
+struct Reduction {
+  double share = 0.0;
+  int channel = 0;
+};
+Reduction largestReduction(const BlockSquares& worse, const BlockSquares& better);
+
+/// `p`-quantile of draws 1 … of gain().
+double lowerOf(const std::vector<double>& gain, double p);
+
+}  // namespace capstan::diagnosis

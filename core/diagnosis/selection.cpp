@@ -1,0 +1,208 @@
+#include "core/diagnosis/selection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace capstan::diagnosis {
+namespace {
+
+constexpr int kDraws = 400;
+constexpr int kFirstIterations = 3;  // of a refit before the poorest are left behind
+constexpr int kLastIterations = 8;   // of those that go on
+constexpr std::size_t kGoOn = 3;     // refits that do
+
+bool cancelled(const base::Progress* progress) { return progress && progress->cancelled(); }
+
+/// The nominal structure's fit, from the nominal numbers, weights by what it leaves.
+Fit fitBase(const FitData& data, const FitModel& model, Trust& trust, const base::Progress* progress) {
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(model.size());
+  InitialStates initial = noneBeyond(data);
+  trust.weights =
+      weightsFor(data, linearise(data, model, u, initial, {Eigen::VectorXd::Ones(data.size()), {}}).e);
+  Fit found = fit(data, model, u, initial, trust, {15, 1e-2}, progress);
+  for (int pass = 0; pass < 2 && !cancelled(progress); ++pass) {
+    trust.weights = weightsFor(data, found.e);
+    found = fit(data, model, found.u, found.initial, trust, {10, 2e-3}, progress);
+  }
+  return found;
+}
+
+class Rounds {
+ public:
+  Rounds(const FitData& data, const std::vector<Evidence>& recordings, const SelectionOptions& options,
+         base::Progress* progress)
+      : data_(data),
+        recordings_(recordings),
+        options_(options),
+        progress_(progress),
+        comparison_(data, kDraws, options.seed) {}
+
+  Selection run(const FitModel& base) {
+    Selection s{{base, {}, {}, {}, {}, {}, {}, 0.0, 0},
+                {},
+                {base, {}, {}, {}, {}, {}, {}, 0.0, 0},
+                {},
+                {},
+                {},
+                {},
+                {},
+                {{}, {base, {}, {}, {}, {}, {}, {}, 0.0, 0}, {}, {}, {}, 0.0}};
+    s.base = s.best = fitBase(data_, base, s.trust, progress_);
+    s.base_squares = s.best_squares = squaresOf(data_, leftOut(data_, s.best, s.trust));
+    for (int round = 1; round <= options_.most_causes && !cancelled(progress_); ++round)
+      if (!addOne(s, round)) break;
+    dropSuperfluous(s);
+    return s;
+  }
+
+ private:
+  Contender contend(const Selection& s, const Promise& promise, int iterations, const Fit* from) const {
+    const FitModel model = s.best.model.with(*promise.hypothesis, promise.joint, promise.start);
+    const Eigen::VectorXd u = from ? from->u : model.startFrom(s.best.model, s.best.u);
+    Contender c{{promise.hypothesis, promise.joint},
+                fit(data_, from ? from->model : model, u, from ? from->initial : s.best.initial, s.trust,
+                    {iterations, 2e-3}, progress_),
+                {},
+                {},
+                {},
+                0.0};
+    judge(s, c);
+    return c;
+  }
+
+  void judge(const Selection& s, Contender& c) const {
+    if (!c.fit.e.allFinite()) {
+      c.gain.assign(kDraws + 1, -1e9);
+      c.squares = s.best_squares;
+      return;
+    }
+    c.squares = squaresOf(data_, leftOut(data_, c.fit, s.trust));
+    c.gain = comparison_.gain(s.best_squares, c.squares);
+    c.reduction = largestReduction(s.best_squares, c.squares);
+  }
+
+  /// Refits the most promising: all a little, the best of these to the end.
+  std::vector<Contender> contendersOf(const Selection& s, const std::vector<Promise>& promises) const {
+    std::vector<Contender> contenders;
+    const std::size_t count = std::min(promises.size(), static_cast<std::size_t>(options_.refits));
+    for (std::size_t k = 0; k < count && !cancelled(progress_); ++k)
+      contenders.push_back(contend(s, promises[k], kFirstIterations, nullptr));
+    const auto better = [](const Contender& a, const Contender& b) {
+      return a.gain.front() > b.gain.front();
+    };
+    std::stable_sort(contenders.begin(), contenders.end(), better);
+    for (std::size_t k = 0; k < std::min(kGoOn, contenders.size()) && !cancelled(progress_); ++k) {
+      const Promise none{contenders[k].added.hypothesis, contenders[k].added.joint, {}, 0.0, 0.0};
+      (void)none;
+      Contender& c = contenders[k];
+      c.fit = fit(data_, c.fit.model, c.fit.u, c.fit.initial, s.trust, {kLastIterations, 1e-3}, progress_);
+      judge(s, c);
+    }
+    std::stable_sort(contenders.begin(), contenders.end(), better);
+    shareOut(contenders);
+    return contenders;
+  }
+
+  /// In how many draws each is the best.
+  static void shareOut(std::vector<Contender>& contenders) {
+    for (int d = 1; d <= kDraws; ++d) {
+      std::size_t best = 0;
+      for (std::size_t k = 1; k < contenders.size(); ++k)
+        if (contenders[k].gain[static_cast<std::size_t>(d)] >
+            contenders[best].gain[static_cast<std::size_t>(d)])
+          best = k;
+      if (!contenders.empty()) contenders[best].share += 1.0 / kDraws;
+    }
+  }
+
+  static bool worthNaming(const Contender& c) {
+    return c.reduction.share > kWorthNaming && c.gain.front() > kLeastScore && lowerOf(c.gain, kSure) > 0.0;
+  }
+
+  bool addOne(Selection& s, int round) {
+    const std::vector<Suspect> suspects = suspectsOf(recordings_, s.best.model, options_.only);
+    const std::vector<Promise> promises = screen(data_, s.best, s.trust, suspects);
+    std::vector<Contender> contenders = contendersOf(s, promises);
+    note(s, promises, contenders, round);
+    if (contenders.empty() || cancelled(progress_)) return false;
+    s.almost = contenders.front();
+    if (!worthNaming(contenders.front())) return false;
+    Rivals rivals{contenders.front().added, {}, {contenders.front().share}};
+    for (std::size_t k = 1; k < contenders.size(); ++k)
+      if (contenders[k].share > kRival && worthNaming(contenders[k])) {
+        rivals.others.push_back(contenders[k].added);
+        rivals.shares.push_back(contenders[k].share);
+      }
+    s.rivals.push_back(std::move(rivals));
+    take(s, std::move(contenders.front()));
+    return true;
+  }
+
+  void take(Selection& s, Contender c) {
+    s.best = c.fit;
+    s.trust.weights = weightsFor(data_, s.best.e);
+    s.best = fit(data_, s.best.model, s.best.u, s.best.initial, s.trust, {kLastIterations, 1e-3}, progress_);
+    s.best_squares = squaresOf(data_, leftOut(data_, s.best, s.trust));
+    s.taken.push_back(std::move(c));
+    s.almost.added = {};
+  }
+
+  /// An effect taken early may have stood for later ones: without it nothing is lost.
+  void dropSuperfluous(Selection& s) {
+    for (std::size_t k = 0; s.taken.size() > 1 && k + 1 < s.taken.size() && !cancelled(progress_);) {
+      const Suspect suspect = s.taken[k].added;
+      const FitModel model = s.best.model.without(*suspect.hypothesis, suspect.joint);
+      const Fit less = fit(data_, model, model.carry(s.best.model, s.best.u), s.best.initial, s.trust,
+                           {kLastIterations, 1e-3}, progress_);
+      const BlockSquares squares = squaresOf(data_, leftOut(data_, less, s.trust));
+      const std::vector<double> gain = comparison_.gain(squares, s.best_squares);
+      const Reduction reduction = largestReduction(squares, s.best_squares);
+      if (reduction.share > kWorthNaming && gain.front() > kLeastScore && lowerOf(gain, kSure) > 0.0) {
+        ++k;
+        continue;
+      }
+      s.best = less;
+      s.best_squares = squares;
+      s.taken.erase(s.taken.begin() + static_cast<std::ptrdiff_t>(k));
+      s.rivals.erase(s.rivals.begin() + static_cast<std::ptrdiff_t>(k));
+    }
+  }
+
+  static void note(Selection& s, const std::vector<Promise>& promises,
+                   const std::vector<Contender>& contenders, int round) {
+    for (const Promise& promise : promises) {
+      Candidate candidate{std::string(promise.hypothesis->name()),
+                          promise.joint,
+                          round,
+                          promise.share,
+                          false,
+                          std::numeric_limits<double>::quiet_NaN(),
+                          std::numeric_limits<double>::quiet_NaN(),
+                          0.0};
+      for (const Contender& c : contenders) {
+        if (c.added.hypothesis != promise.hypothesis || c.added.joint != promise.joint) continue;
+        candidate.refitted = true;
+        candidate.reduction = c.reduction.share;
+        candidate.score = c.gain.front();
+        candidate.probability = c.share;
+      }
+      s.candidates.push_back(std::move(candidate));
+    }
+  }
+
+  const FitData& data_;
+  const std::vector<Evidence>& recordings_;
+  const SelectionOptions& options_;
+  base::Progress* progress_;
+  Comparison comparison_;
+};
+
+}  // namespace
+
+Selection select(const FitData& data, const std::vector<Evidence>& recordings, const FitModel& base,
+                 const SelectionOptions& options, base::Progress* progress) {
+  return Rounds(data, recordings, options, progress).run(base);
+}
+
+}  // namespace capstan::diagnosis

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/diagnosis/cross_validation.h"
+#include "core/diagnosis/report.h"
+#include "core/diagnosis/screening.h"
+
+namespace capstan::diagnosis {
+
+/// A model that was fitted, and how it does on blocks left out.
+struct Contender {
+  Suspect added;  ///< to the model of the round; none for the base itself
+  Fit fit;
+  BlockSquares squares;
+  std::vector<double> gain;  ///< Comparison::gain above the round's model
+  Reduction reduction;       ///< on the round's model
+  double share = 0.0;        ///< share of draws in which it is the best of its round
+};
+
+/// Effects that one recording cannot tell from the one that was taken.
+struct Rivals {
+  Suspect taken;
+  std::vector<Suspect> others;
+  std::vector<double> shares;  ///< of taken, then of the others
+};
+
+struct SelectionOptions {
+  int most_causes = 4;
+  int refits = 8;
+  std::vector<std::string> only;
+  std::uint64_t seed = 1;
+};
+
+struct Selection {
+  Fit base;  ///< nominal structure, refitted
+  BlockSquares base_squares;
+  Fit best;  ///< with the effects that were taken
+  BlockSquares best_squares;
+  Trust trust;                   ///< of `best`
+  std::vector<Contender> taken;  ///< in the order in which they came
+  std::vector<Rivals> rivals;
+  std::vector<Candidate> candidates;  ///< of all rounds, for the report
+  Contender almost;  ///< the best of the last round, not taken; its hypothesis is null where there was none
+};
+
+/// What an effect must bring before it is named: a share of a channel's mean square, and a score that block
+/// bootstraps leave above zero.
+inline constexpr double kWorthNaming = 0.06;
+inline constexpr double kLeastScore = 6.0;  ///< [nats]: against some hundred hypotheses
+inline constexpr double kSure = 0.02;       ///< quantile of the bootstrap that must be above zero
+inline constexpr double kRival = 0.08;  ///< share of draws from which another effect counts as not told apart
+
+/// Refits the nominal structure, then adds effects one at a time, the best by blocked cross-validation of the
+/// refits of the most promising, and drops again what later ones make superfluous.
+Selection select(const FitData& data, const std::vector<Evidence>& recordings, const FitModel& base,
+                 const SelectionOptions& options, base::Progress* progress);
+
+}  // namespace capstan::diagnosis
