@@ -35,7 +35,7 @@ const JointScales& scalesOf(const std::vector<JointScales>& scales, int joint) {
 }
 
 FitModel::FitModel(const robot::Description& nominal, const std::vector<JointScales>& scales)
-    : nominal_(nominal), rigid_(nominal.drive == robot::DriveKind::kRigid), scales_(scales) {
+    : nominal_(nominal), rigid_(nominal.drive == robot::DriveType::kRigid), scales_(scales) {
   addBase();
   for (const Hypothesis* hypothesis : hypotheses())
     for (int joint = 1; joint <= nominal.size(); ++joint) {
