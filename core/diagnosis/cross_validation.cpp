@@ -14,6 +14,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// The instant of something that happens once: one block alone knows it.
+bool isEvent(const FitParameter& parameter) { return parameter.name.ends_with(".time"); }
+
 /// Weighted Jacobian and residual of the free parameters, and which rows each block has.
 struct FreeSystem {
   std::vector<Index> free;
@@ -22,9 +25,12 @@ struct FreeSystem {
   MatrixXd normal;  ///< Jᵀ J + priors
   std::vector<std::vector<Index>> rows;
 
-  FreeSystem(const FitData& data, const Fit& fit, const Trust& trust) {
-    for (Index k = 0; k < fit.u.size(); ++k)
-      if (fit.bound.empty() || !fit.bound[static_cast<std::size_t>(k)]) free.push_back(k);
+  FreeSystem(const FitData& data, const Fit& fit, const Trust& trust, bool hold_events) {
+    for (Index k = 0; k < fit.u.size(); ++k) {
+      const bool held = !fit.bound.empty() && fit.bound[static_cast<std::size_t>(k)];
+      if (!held && !(hold_events && isEvent(fit.model.parameters()[static_cast<std::size_t>(k)])))
+        free.push_back(k);
+    }
     VectorXd w = trust.weights;
     for (std::size_t i = 0; i < trust.used.size(); ++i)
       if (!trust.used[i]) w[static_cast<Index>(i)] = 0.0;
@@ -64,21 +70,31 @@ BlockSquares squaresOf(const FitData& data, const VectorXd& e) {
 }
 
 VectorXd leftOut(const FitData& data, const Fit& fit, const Trust& trust) {
-  const FreeSystem system(data, fit, trust);
-  VectorXd left = fit.e;
-  for (const std::vector<Index>& rows : system.rows) {
-    if (rows.empty()) continue;
-    const MatrixXd part = system.jacobian(rows, Eigen::all);
-    const VectorXd score = part.transpose() * system.e(rows);
-    const MatrixXd others = system.normal - part.transpose() * part;
-    const VectorXd step = others.ldlt().solve(score);
-    for (const Index i : rows) left[i] += fit.jacobian(i, system.free).dot(step);
+  const FreeSystem system(data, fit, trust, true);
+  const int folds = std::min(kFolds, data.blocks());
+  std::vector<robot::ChainModel> robots;
+  for (int f = 0; f < folds; ++f) {
+    MatrixXd others = system.normal;
+    VectorXd score = VectorXd::Zero(system.jacobian.cols());
+    for (int b = f; b < data.blocks(); b += folds) {
+      const std::vector<Index>& rows = system.rows[static_cast<std::size_t>(b)];
+      const MatrixXd part = system.jacobian(rows, Eigen::all);
+      others -= part.transpose() * part;
+      score += part.transpose() * system.e(rows);
+    }
+    const VectorXd step = others.ldlt().solve(-score).cwiseMax(-kLongestWay).cwiseMin(kLongestWay);
+    VectorXd u = fit.u;
+    for (std::size_t k = 0; k < system.free.size(); ++k) u[system.free[k]] += step[static_cast<Index>(k)];
+    robots.push_back(fit.model.chain(fit.model.clipped(u)));
   }
+  const MatrixXd e = residualsOf(data, fit, robots, trust);
+  VectorXd left(data.size());
+  for (Index i = 0; i < left.size(); ++i) left[i] = e(i, data.block()[static_cast<std::size_t>(i)] % folds);
   return left;
 }
 
 MatrixXd covarianceOf(const FitData& data, const Fit& fit, const Trust& trust) {
-  const FreeSystem system(data, fit, trust);
+  const FreeSystem system(data, fit, trust, false);
   const auto p = static_cast<Index>(system.free.size());
   const MatrixXd model = system.normal.ldlt().solve(MatrixXd::Identity(p, p));
   MatrixXd meat = MatrixXd::Zero(p, p);

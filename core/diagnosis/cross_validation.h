@@ -17,11 +17,15 @@ struct BlockSquares {
 };
 BlockSquares squaresOf(const FitData& data, const Eigen::VectorXd& e);
 
-/// Residuals that every block would have in a fit without it, one Gauss–Newton step from the fit to all:
-///     e_k + J_k (A − J_kᵀ J_k)⁻¹ J_kᵀ e_k,   A = Jᵀ J + priors,
-/// exact where the simulation is linear in its numbers (PRESS, Allen 1974, of blocks). Parameters at a bound
-/// stay there.
+/// Residuals in blocks that the fit has not seen. The blocks fall into kFolds folds, one block in kFolds to
+/// each; without a fold the fit goes, by one Gauss–Newton step,
+///     −(A − J_fᵀ J_f)⁻¹ J_fᵀ e_f,   A = Jᵀ J + priors
+/// (what PRESS, Allen 1974, takes for exact), at most kLongestWay in any u and within the bounds; there the
+/// robot is simulated anew, and the fold's residuals are those. Parameters at a bound stay there, and so do
+/// instants of events, which one block alone knows. Costs one simulation of kFolds robots side by side.
 Eigen::VectorXd leftOut(const FitData& data, const Fit& fit, const Trust& trust);
+inline constexpr int kFolds = 16;
+inline constexpr double kLongestWay = 1.0;
 
 /// Covariance of u: the larger, number by number of its diagonal, of the model's (weights taken for true) and
 /// the sandwich of the blocks' scores (Liang and Zeger 1986), which knows dependent and unequal errors. Rows

@@ -65,34 +65,60 @@ struct System {
   std::vector<MatrixXd> off_residual, off_jacobian;  ///< by stretch: coefficients of e and of the Jacobian
 };
 
+/// Place of the parameter in another model that has it in the same terms; −1: none.
+int placeIn(const FitModel& other, const FitParameter& parameter) {
+  for (int k = 0; k < other.size(); ++k) {
+    const FitParameter& p = other.parameters()[static_cast<std::size_t>(k)];
+    if (p.name == parameter.name && p.joint == parameter.joint && p.scale == parameter.scale &&
+        p.logarithmic == parameter.logarithmic)
+      return k;
+  }
+  return -1;
+}
+
+/// u with number k moved a little, away from a bound.
+VectorXd moved(const FitModel& model, const VectorXd& u, int k) {
+  VectorXd to = u;
+  to[k] += kDifference;
+  if ((model.clipped(to) - to).cwiseAbs().maxCoeff() > 1e-12) to[k] -= 2.0 * kDifference;
+  return to;
+}
+
 System systemAt(const FitData& data, const FitModel& model, const VectorXd& u, const InitialStates& initial,
-                const Trust& trust) {
+                const Trust& trust, const Fit* known = nullptr) {
   const int p = model.size();
   std::vector<robot::ChainModel> robots(1, model.chain(u));
-  std::vector<double> step(static_cast<std::size_t>(p), kDifference);
+  MatrixXd jacobian(data.size(), p);
+  std::vector<std::pair<int, double>> steps;  // parameters to simulate, and how far they move
   for (int k = 0; k < p; ++k) {
-    VectorXd moved = u;
-    moved[k] += kDifference;
-    if ((model.clipped(moved) - moved).cwiseAbs().maxCoeff() > 1e-12) moved[k] -= 2.0 * kDifference;
-    step[static_cast<std::size_t>(k)] = moved[k] - u[k];
-    robots.push_back(model.chain(moved));
+    const int place = known ? placeIn(known->model, model.parameters()[static_cast<std::size_t>(k)]) : -1;
+    if (place >= 0) {
+      jacobian.col(k) = known->jacobian.col(place);
+      continue;
+    }
+    const VectorXd to = moved(model, u, k);
+    steps.emplace_back(k, to[k] - u[k]);
+    robots.push_back(model.chain(to));
   }
   std::vector<InitialStates> starts(robots.size(), initial);
   const VectorXd h = initialDifferences(robots.front());
-  if (data.rigid())
-    for (Index s = 0; s < h.size(); ++s) {
-      robots.push_back(robots.front());
-      starts.push_back(shifted(initial, s, h[s]));
-    }
+  const bool states = data.rigid() && !(known && known->nuisance.cols() == h.size());
+  for (Index s = 0; states && s < h.size(); ++s) {
+    robots.push_back(robots.front());
+    starts.push_back(shifted(initial, s, h[s]));
+  }
   const MatrixXd told = data.simulate(robots, starts);
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    jacobian.col(steps[i].first) = (told.col(static_cast<Index>(i) + 1) - told.col(0)) / steps[i].second;
   System system{
-      {model, u, initial, data.measured() - told.col(0), MatrixXd(data.size(), p), {}, {}, 0.0, 0}, {}, {}};
-  for (int k = 0; k < p; ++k)
-    system.at.jacobian.col(k) = (told.col(k + 1) - told.col(0)) / step[static_cast<std::size_t>(k)];
-  if (data.rigid()) {
+      {model, u, initial, data.measured() - told.col(0), std::move(jacobian), {}, {}, 0.0, 0}, {}, {}};
+  if (states) {
     system.at.nuisance.resize(data.size(), h.size());
+    const auto first = static_cast<Index>(steps.size()) + 1;
     for (Index s = 0; s < h.size(); ++s)
-      system.at.nuisance.col(s) = (told.col(p + 1 + s) - told.col(0)) / h[s];
+      system.at.nuisance.col(s) = (told.col(first + s) - told.col(0)) / h[s];
+  } else if (data.rigid()) {
+    system.at.nuisance = known->nuisance;
   } else if (data.zeroPerRecording()) {
     system.at.nuisance = encoderZeros(data, robots.front().shape.joints);
   }
@@ -244,7 +270,7 @@ Fit linearise(const FitData& data, const FitModel& model, const VectorXd& u, con
 
 Fit fit(const FitData& data, const FitModel& model, const VectorXd& u, const InitialStates& initial,
         const Trust& trust, const FitOptions& options, const base::Progress* progress) {
-  System system = systemAt(data, model, model.clipped(u), initial, trust);
+  System system = systemAt(data, model, model.clipped(u), initial, trust, options.known);
   const VectorXd weights = usedWeights(trust);
   for (int iteration = 1; iteration <= options.iterations; ++iteration) {
     if (progress && progress->cancelled()) break;
@@ -259,30 +285,25 @@ Fit fit(const FitData& data, const FitModel& model, const VectorXd& u, const Ini
     const Trial best = bestOf(data, system, stepFor, trust);
     const double gain = system.at.objective - best.objective;
     if (!(gain > 0.0)) break;
-    const double before = system.at.objective;
-    const bool last = gain < options.tolerance * before || iteration == options.iterations;
+    const bool last = gain < options.tolerance || iteration == options.iterations;
     if (last) {  // the linearisation of a step before serves
       system.at.u = best.u, system.at.e = best.e, system.at.initial = best.initial;
       system.at.objective = best.objective;
       system.at.iterations = iteration;
       break;
     }
-    system = systemAt(data, model, best.u, best.initial, trust);
+    system = systemAt(data, model, best.u, best.initial, trust, options.known);
     system.at.iterations = iteration;
   }
   return system.at;
 }
 
-MatrixXd responses(const FitData& data, const Fit& at, const std::vector<robot::ChainModel>& changed,
-                   const Trust& trust) {
-  std::vector<robot::ChainModel> robots(1, at.model.chain(at.u));
-  robots.insert(robots.end(), changed.begin(), changed.end());
-  const MatrixXd told = data.simulate(robots, std::vector<InitialStates>(robots.size(), at.initial));
-  MatrixXd change = told.rightCols(static_cast<Index>(changed.size())).colwise() - told.col(0);
-  for (Index k = 0; k < change.cols(); ++k)
-    if (!change.col(k).allFinite()) change.col(k).setZero();  // ran away: promises nothing
-  takeOffNuisances(data, at.nuisance, trust.weights, change);
-  return change;
+MatrixXd residualsOf(const FitData& data, const Fit& at, const std::vector<robot::ChainModel>& robots,
+                     const Trust& trust) {
+  MatrixXd e = data.simulate(robots, std::vector<InitialStates>(robots.size(), at.initial));
+  e = -(e.colwise() - data.measured());
+  takeOffNuisances(data, at.nuisance, trust.weights, e);
+  return e;
 }
 
 }  // namespace capstan::diagnosis

@@ -81,7 +81,10 @@ struct Trust {
 
 struct FitOptions {
   int iterations = 12;
-  double tolerance = 1e-3;  ///< relative change of the objective that counts as standing still
+  double tolerance = 0.1;  ///< fall of the objective that counts as standing still
+  /// Derivatives by the parameters that this fit has as well are taken from there instead of anew: rougher
+  /// and faster, for a first look.
+  const Fit* known = nullptr;
 };
 
 /// Least squares on the simulation error with priors,
@@ -96,9 +99,10 @@ Fit fit(const FitData& data, const FitModel& model, const Eigen::VectorXd& u, co
 Fit linearise(const FitData& data, const FitModel& model, const Eigen::VectorXd& u,
               const InitialStates& initial, const Trust& trust);
 
-/// What each of `changed` tells beyond what the fit's robot tells, one column each, nuisances taken off.
-Eigen::MatrixXd responses(const FitData& data, const Fit& at, const std::vector<robot::ChainModel>& changed,
-                          const Trust& trust);
+/// Measured less what each of `robots` tells, a column each, from the fit's initial states and with its
+/// nuisances taken off.
+Eigen::MatrixXd residualsOf(const FitData& data, const Fit& at, const std::vector<robot::ChainModel>& robots,
+                            const Trust& trust);
 
 /// Σ (w e)² over the numbers used, and priors.
 double objectiveOf(const FitModel& model, const Eigen::VectorXd& u, const Eigen::VectorXd& e,

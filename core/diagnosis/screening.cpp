@@ -13,6 +13,7 @@ using Eigen::VectorXd;
 
 constexpr double kLittle = 0.1;     // of a size that would be large
 constexpr double kFarthest = 3.0;   // of it, where a refit may start
+constexpr double kOwn = 1e-6;       // share of a response that the fit cannot make itself: less is none
 constexpr double kEventStep = 0.1;  // between instants of an event that are tried [s]
 
 /// One start of one suspect and its columns among the responses.
@@ -108,25 +109,32 @@ class Projection {
 
   /// Sizes of the columns d (weighted) that take most off the remainder, and how much they take.
   std::pair<VectorXd, double> best(const MatrixXd& d) const {
-    const MatrixXd own = jacobian_.transpose() * d;
-    MatrixXd s = d.transpose() * d - own.transpose() * normal_.solve(own);
-    s.diagonal() *= 1.0 + 1e-9;
-    const VectorXd g = d.transpose() * e_ - own.transpose() * normal_.solve(jacobian_.transpose() * e_);
+    const auto [s, g] = ownDirections(d);
+    std::vector<Index> seen;  // not those that the fit's own numbers could make as well
     for (Index k = 0; k < s.rows(); ++k)
-      if (!(s(k, k) > 1e-6 * d.col(k).squaredNorm()) || !(s(k, k) > 0.0))
-        return {VectorXd::Zero(g.size()), 0.0};
-    const VectorXd size = s.ldlt().solve(g);
+      if (s(k, k) > kOwn * d.col(k).squaredNorm()) seen.push_back(k);
+    VectorXd size = VectorXd::Zero(g.size());
+    if (seen.empty()) return {size, 0.0};
+    MatrixXd seen_s = s(seen, seen);
+    seen_s.diagonal() *= 1.0 + 1e-9;
+    const VectorXd solved = seen_s.ldlt().solve(g(seen));
+    for (std::size_t k = 0; k < seen.size(); ++k) size[seen[k]] = solved[static_cast<Index>(k)];
     return {size, 2.0 * size.dot(g) - size.dot(s * size)};
   }
   /// What given sizes would take off.
   double gain(const MatrixXd& d, const VectorXd& size) const {
-    const MatrixXd own = jacobian_.transpose() * d;
-    const MatrixXd s = d.transpose() * d - own.transpose() * normal_.solve(own);
-    const VectorXd g = d.transpose() * e_ - own.transpose() * normal_.solve(jacobian_.transpose() * e_);
+    const auto [s, g] = ownDirections(d);
     return 2.0 * size.dot(g) - size.dot(s * size);
   }
 
  private:
+  /// Curvature and slope of the misfit along d, the fit's own numbers following.
+  std::pair<MatrixXd, VectorXd> ownDirections(const MatrixXd& d) const {
+    const MatrixXd own = jacobian_.transpose() * d;
+    return {d.transpose() * d - own.transpose() * normal_.solve(own),
+            d.transpose() * e_ - own.transpose() * normal_.solve(jacobian_.transpose() * e_)};
+  }
+
   VectorXd weights_, e_;
   MatrixXd jacobian_;
   Eigen::LDLT<MatrixXd> normal_;
@@ -145,6 +153,15 @@ MatrixXd columnsOf(const FitData& data, const Probe& probe, const MatrixXd& resp
       if (t[i] - begin < probe.from) d.row(data.first(r) + static_cast<Index>(i)).setZero();
   }
   return d;
+}
+
+/// What each robot tells beyond what the fit's tells; those that run away promise nothing.
+MatrixXd responsesOf(const FitData& data, const Fit& fit, const std::vector<robot::ChainModel>& robots,
+                     const Trust& trust) {
+  MatrixXd change = -(residualsOf(data, fit, robots, trust).colwise() - fit.e);
+  for (Index k = 0; k < change.cols(); ++k)
+    if (!change.col(k).allFinite()) change.col(k).setZero();
+  return change;
 }
 
 /// The promise of one probe.
@@ -197,7 +214,7 @@ std::vector<Promise> screen(const FitData& data, const Fit& fit, const Trust& tr
   std::vector<Probe> probes;
   std::vector<robot::ChainModel> robots;
   for (const Suspect& suspect : suspects) addProbes(fit, suspect, probes, robots);
-  const MatrixXd response = responses(data, fit, robots, trust);
+  const MatrixXd response = responsesOf(data, fit, robots, trust);
   const Projection projection(fit, trust);
   std::vector<Promise> promises;
   for (const Probe& probe : probes) {

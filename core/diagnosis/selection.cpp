@@ -10,7 +10,8 @@ namespace {
 constexpr int kDraws = 400;
 constexpr int kFirstIterations = 3;  // of a refit before the poorest are left behind
 constexpr int kLastIterations = 8;   // of those that go on
-constexpr std::size_t kGoOn = 3;     // refits that do
+constexpr std::size_t kGoOn = 3;    // refits that do, at most
+constexpr double kHopeless = 0.02;  // reduction after a first look
 
 bool cancelled(const base::Progress* progress) { return progress && progress->cancelled(); }
 
@@ -20,10 +21,10 @@ Fit fitBase(const FitData& data, const FitModel& model, Trust& trust, const base
   InitialStates initial = noneBeyond(data);
   trust.weights =
       weightsFor(data, linearise(data, model, u, initial, {Eigen::VectorXd::Ones(data.size()), {}}).e);
-  Fit found = fit(data, model, u, initial, trust, {15, 1e-2}, progress);
+  Fit found = fit(data, model, u, initial, trust, {15, 5.0, nullptr}, progress);
   for (int pass = 0; pass < 2 && !cancelled(progress); ++pass) {
     trust.weights = weightsFor(data, found.e);
-    found = fit(data, model, found.u, found.initial, trust, {10, 2e-3}, progress);
+    found = fit(data, model, found.u, found.initial, trust, {12, 0.3, nullptr}, progress);
   }
   return found;
 }
@@ -57,12 +58,12 @@ class Rounds {
   }
 
  private:
-  Contender contend(const Selection& s, const Promise& promise, int iterations, const Fit* from) const {
+  /// A first look at a promise, with the derivatives of the round's fit.
+  Contender contend(const Selection& s, const Promise& promise) const {
     const FitModel model = s.best.model.with(*promise.hypothesis, promise.joint, promise.start);
-    const Eigen::VectorXd u = from ? from->u : model.startFrom(s.best.model, s.best.u);
     Contender c{{promise.hypothesis, promise.joint},
-                fit(data_, from ? from->model : model, u, from ? from->initial : s.best.initial, s.trust,
-                    {iterations, 2e-3}, progress_),
+                fit(data_, model, model.startFrom(s.best.model, s.best.u), s.best.initial, s.trust,
+                    {kFirstIterations, 0.5, &s.best}, progress_),
                 {},
                 {},
                 {},
@@ -87,16 +88,16 @@ class Rounds {
     std::vector<Contender> contenders;
     const std::size_t count = std::min(promises.size(), static_cast<std::size_t>(options_.refits));
     for (std::size_t k = 0; k < count && !cancelled(progress_); ++k)
-      contenders.push_back(contend(s, promises[k], kFirstIterations, nullptr));
+      contenders.push_back(contend(s, promises[k]));
     const auto better = [](const Contender& a, const Contender& b) {
       return a.gain.front() > b.gain.front();
     };
     std::stable_sort(contenders.begin(), contenders.end(), better);
     for (std::size_t k = 0; k < std::min(kGoOn, contenders.size()) && !cancelled(progress_); ++k) {
-      const Promise none{contenders[k].added.hypothesis, contenders[k].added.joint, {}, 0.0, 0.0};
-      (void)none;
       Contender& c = contenders[k];
-      c.fit = fit(data_, c.fit.model, c.fit.u, c.fit.initial, s.trust, {kLastIterations, 1e-3}, progress_);
+      if (c.reduction.share < kHopeless) break;
+      c.fit = fit(data_, c.fit.model, c.fit.u, c.fit.initial, s.trust, {kLastIterations, 0.5, nullptr},
+                  progress_);
       judge(s, c);
     }
     std::stable_sort(contenders.begin(), contenders.end(), better);
@@ -142,7 +143,8 @@ class Rounds {
   void take(Selection& s, Contender c) {
     s.best = c.fit;
     s.trust.weights = weightsFor(data_, s.best.e);
-    s.best = fit(data_, s.best.model, s.best.u, s.best.initial, s.trust, {kLastIterations, 1e-3}, progress_);
+    s.best = fit(data_, s.best.model, s.best.u, s.best.initial, s.trust, {kLastIterations, 0.1, nullptr},
+                 progress_);
     s.best_squares = squaresOf(data_, leftOut(data_, s.best, s.trust));
     s.taken.push_back(std::move(c));
     s.almost.added = {};
@@ -154,7 +156,7 @@ class Rounds {
       const Suspect suspect = s.taken[k].added;
       const FitModel model = s.best.model.without(*suspect.hypothesis, suspect.joint);
       const Fit less = fit(data_, model, model.carry(s.best.model, s.best.u), s.best.initial, s.trust,
-                           {kLastIterations, 1e-3}, progress_);
+                           {kLastIterations, 0.1, nullptr}, progress_);
       const BlockSquares squares = squaresOf(data_, leftOut(data_, less, s.trust));
       const std::vector<double> gain = comparison_.gain(squares, s.best_squares);
       const Reduction reduction = largestReduction(squares, s.best_squares);
