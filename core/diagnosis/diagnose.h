@@ -15,6 +15,8 @@ struct DiagnosisOptions {
   int refits = 8;        ///< most promising (effect, joint) pairs that are refitted in a round
   double horizon = 2.0;  ///< a rigid drive's simulation starts anew so often in the fits [s]; 0: never
   bool zero_per_recording = true;  ///< of joint encoders, where there are several recordings
+  bool show =
+      true;  ///< also traces and signatures of every channel; false: verdict, causes and ranking alone
   bool filter = true;  ///< also what the Kalman filter gains (three-joint cable arms with both sensors)
   std::vector<std::string> only;  ///< names of hypotheses to consider; empty: all
   std::uint64_t seed = 1;         ///< of the bootstraps

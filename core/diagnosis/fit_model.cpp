@@ -13,6 +13,7 @@ constexpr double kCentreSigma = 0.15;  // of a centre of mass, by its distance f
 constexpr double kMostCentre = 0.3;    // likewise, at most
 constexpr double kEffectPrior = 3.0;   // in sizes that would be large
 constexpr double kEverydayPrior = 0.5;
+constexpr double kFarShape = 8.0;  // times a start that speeds, times and lengths may go
 
 }  // namespace
 
@@ -109,6 +110,8 @@ void FitModel::addTerm(EffectTerm term) {
     } else if (start > 0.0 && numbers[k].low > 0.0) {  // a speed, time or length: no zero within reach
       p.logarithmic = true;
       p.scale = scale / start;
+      p.low = std::max(p.low, start / kFarShape);
+      p.high = std::min(p.high, start * kFarShape);
     }
     term.index[k] = size();
     parameters_.push_back(std::move(p));

@@ -10,8 +10,8 @@ namespace {
 constexpr int kDraws = 400;
 constexpr int kFirstIterations = 3;  // of a refit before the poorest are left behind
 constexpr int kLastIterations = 8;   // of those that go on
-constexpr std::size_t kGoOn = 3;    // refits that do, at most
-constexpr double kHopeless = 0.02;  // reduction after a first look
+constexpr std::size_t kGoOn = 3;     // refits that do, at most
+constexpr double kHopeless = 0.02;   // reduction after a first look
 
 bool cancelled(const base::Progress* progress) { return progress && progress->cancelled(); }
 
@@ -73,12 +73,12 @@ class Rounds {
   }
 
   void judge(const Selection& s, Contender& c) const {
-    if (!c.fit.e.allFinite()) {
+    if (c.fit.e.allFinite()) c.squares = squaresOf(data_, leftOut(data_, c.fit, s.trust));
+    if (c.squares.sum.size() == 0 || !c.squares.sum.allFinite()) {  // a simulation that ran away
       c.gain.assign(kDraws + 1, -1e9);
       c.squares = s.best_squares;
       return;
     }
-    c.squares = squaresOf(data_, leftOut(data_, c.fit, s.trust));
     c.gain = comparison_.gain(s.best_squares, c.squares);
     c.reduction = largestReduction(s.best_squares, c.squares);
   }
@@ -160,7 +160,9 @@ class Rounds {
       const BlockSquares squares = squaresOf(data_, leftOut(data_, less, s.trust));
       const std::vector<double> gain = comparison_.gain(squares, s.best_squares);
       const Reduction reduction = largestReduction(squares, s.best_squares);
-      if (reduction.share > kWorthNaming && gain.front() > kLeastScore && lowerOf(gain, kSure) > 0.0) {
+      const bool ran_away = !squares.sum.allFinite();
+      if (ran_away ||
+          (reduction.share > kWorthNaming && gain.front() > kLeastScore && lowerOf(gain, kSure) > 0.0)) {
         ++k;
         continue;
       }

@@ -1,0 +1,207 @@
+#include "core/diagnosis/diagnose.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/diagnosis/gains.h"
+#include "core/diagnosis/joint_scales.h"
+#include "core/diagnosis/selection.h"
+#include "core/diagnosis/spectral_line.h"
+#include "core/diagnosis/verdict.h"
+
+namespace capstan::diagnosis {
+namespace {
+
+constexpr double kMoved = 2.0;     // sigmas from nominal that count as moved
+constexpr double kAtBound = 1e-6;  // of u
+
+class Clock {
+ public:
+  explicit Clock(std::vector<Stage>& stages) : stages_(stages) {}
+  void lap(const char* name) {
+    const auto now = std::chrono::steady_clock::now();
+    stages_.push_back({name, std::chrono::duration<double>(now - last_).count()});
+    last_ = now;
+  }
+
+ private:
+  std::vector<Stage>& stages_;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+void check(const std::vector<Evidence>& recordings, const robot::Description& robot,
+           const DiagnosisOptions& options) {
+  if (recordings.empty())
+    throw base::InputError({"", 0, "recordings", "", "there are none", "Give at least one recording"});
+  for (const Evidence& evidence : recordings) {
+    const std::string& name = evidence.file.empty() ? evidence.title : evidence.file;
+    if (evidence.joints != robot.size())
+      throw base::InputError({name, 0, "joints", std::to_string(evidence.joints),
+                              fmt::format("the robot has {}", robot.size()),
+                              "Give the robot file of this robot"});
+    if (evidence.drive != robot.drive)
+      throw base::InputError({name, 0, "drive", "", "was read for another kind of drive than the robot's",
+                              "Read it with the robot file's drive"});
+  }
+  for (const std::string& name : options.only)
+    if (!hypothesisNamed(name))
+      throw base::InputError(
+          {"", 0, "only", name, "is the name of no hypothesis", "Choose one of the library"});
+}
+
+void addRefit(const FitData& data, const Selection& s, Report& report) {
+  const Eigen::MatrixXd covariance = covarianceOf(data, s.best, s.trust);
+  const FitModel& model = s.best.model;
+  for (int k = 0; k < model.baseSize(); ++k) {
+    const FitParameter& p = model.parameters()[static_cast<std::size_t>(k)];
+    const double u = s.best.u[k], value = p.value(u);
+    RefitNumber number{fmt::format("{} of joint {}", p.name, p.joint), p.unit, p.start, value,
+                       p.valueSigma(u, std::sqrt(covariance(k, k))),   false,  false};
+    number.at_bound = std::abs(u - p.u(p.low)) < kAtBound || std::abs(u - p.u(p.high)) < kAtBound;
+    number.moved = std::abs(value - p.start) > kMoved * number.sigma;
+    report.refit.push_back(std::move(number));
+  }
+}
+
+/// Strongest first.
+std::vector<Signature> sortedSignatures(const Channel& channel, const std::vector<Variable>& variables) {
+  std::vector<Signature> signatures = signaturesOf(channel, variables);
+  std::stable_sort(signatures.begin(), signatures.end(),
+                   [](const Signature& a, const Signature& b) { return a.share > b.share; });
+  return signatures;
+}
+
+class Assembly {
+ public:
+  Assembly(const std::vector<Evidence>& recordings, const robot::Description& nominal, const FitData& data,
+           const Selection& selection, Report& report)
+      : recordings_(recordings), nominal_(nominal), data_(data), s_(selection), report_(report) {}
+
+  void addChannels() {
+    const robot::ChainModel nominal(nominal_), base = s_.base.model.chain(s_.base.u),
+                                               best = s_.best.model.chain(s_.best.u);
+    for (int r = 0; r < data_.recordings(); ++r) {
+      const ChainSimulation& simulation = data_.simulation(r);
+      const Evidence& evidence = simulation.evidence();
+      report_.recordings.push_back(evidence.title);
+      const SimulatedMotion before = simulation.motion(base), after = simulation.motion(best);
+      const auto first = remaindersOf(evidence, simulation.motion(nominal));
+      const auto refitted = remaindersOf(evidence, before), extended = remaindersOf(evidence, after);
+      const auto variables_before = variablesOf(evidence, before, nominal_);
+      const auto variables_after = variablesOf(evidence, after, nominal_);
+      for (std::size_t c = 0; c < refitted.size() && c < first.size() && c < extended.size(); ++c) {
+        ChannelReport channel{r, first[c], refitted[c], extended[c], {}, {}, {}, {}, {}, {}};
+        channel.nominal_statistics = statisticsOf(channel.nominal);
+        channel.refitted_statistics = statisticsOf(channel.refitted);
+        channel.extended_statistics = statisticsOf(channel.extended);
+        channel.before = sortedSignatures(channel.refitted, variables_before);
+        channel.after = sortedSignatures(channel.extended, variables_after);
+        channel.gain = gainOf(data_, s_.base_squares, s_.best_squares, placeOf(r, channel.refitted));
+        report_.channels.push_back(std::move(channel));
+      }
+    }
+  }
+
+  /// Lines of what the best model leaves, as it is on the simulation's own horizon.
+  void addLines() {
+    for (int r = 0; r < data_.recordings(); ++r) {
+      const Compared& compared = data_.simulation(r).compared();
+      for (std::size_t c = 0; c < compared.channels.size(); ++c) {
+        Channel channel;
+        channel.name = compared.channels[c].name;
+        double squares = 0.0;
+        for (std::size_t i = 0; i < compared.channel.size(); ++i) {
+          if (static_cast<std::size_t>(compared.channel[i]) != c) continue;
+          channel.t.push_back(compared.t[i]);
+          channel.remainder.push_back(s_.best.e[data_.first(r) + static_cast<Eigen::Index>(i)]);
+          squares += channel.remainder.back() * channel.remainder.back();
+        }
+        if (channel.t.empty()) continue;
+        const double rms = std::sqrt(squares / static_cast<double>(channel.t.size()));
+        if (rms < kBeyondNoise * compared.channels[c].noise) continue;
+        if (auto line = spectralLine(channel)) report_.lines.push_back(*line);
+      }
+    }
+  }
+
+  /// What the remainder of the channel with most beyond noise depends on.
+  void addProcess(base::Progress* progress) {
+    const ChannelReport* most = nullptr;
+    for (const ChannelReport& channel : report_.channels) {
+      const auto beyond = [](const ChannelReport& c) {
+        return c.extended_statistics.rms / std::max(c.extended_statistics.noise, 1e-12);
+      };
+      if (!most || beyond(channel) > beyond(*most)) most = &channel;
+    }
+    if (!most) return;
+    const ChainSimulation& simulation = data_.simulation(most->recording);
+    const SimulatedMotion motion = simulation.motion(s_.best.model.chain(s_.best.u));
+    std::vector<Variable> variables = variablesOf(simulation.evidence(), motion, nominal_);
+    std::erase_if(variables, [&](const Variable& v) { return !concerns(v, most->extended); });
+    report_.processes.push_back(remainderProcess(most->extended, variables, {}, progress));
+  }
+
+ private:
+  std::vector<Channel> remaindersOf(const Evidence& evidence, const SimulatedMotion& motion) const {
+    return remainderOf(evidence, motion, nominal_);
+  }
+
+  /// The channel's place among FitData::channels().
+  int placeOf(int recording, const Channel& channel) const {
+    std::size_t place = 0;
+    for (int r = 0; r < recording; ++r) place += data_.simulation(r).compared().channels.size();
+    const auto& own = data_.simulation(recording).compared().channels;
+    for (std::size_t c = 0; c < own.size(); ++c)
+      if (own[c].joint == channel.joint && own[c].axis == channel.axis) return static_cast<int>(place + c);
+    return static_cast<int>(place);
+  }
+
+  const std::vector<Evidence>& recordings_;
+  const robot::Description& nominal_;
+  const FitData& data_;
+  const Selection& s_;
+  Report& report_;
+};
+
+void addRobots(const Selection& s, Report& report) {
+  report.refitted = s.base.model.refitted(s.base.u);
+  report.extended = s.best.model.refitted(s.best.u);
+  for (std::size_t k = 0; k < s.best.model.effects().size(); ++k)
+    report.extended.effects.push_back(s.best.model.effect(k, s.best.u));
+}
+
+}  // namespace
+
+Report diagnose(const std::vector<Evidence>& recordings, const robot::Description& nominal,
+                const DiagnosisOptions& options, base::Progress* progress) {
+  check(recordings, nominal, options);
+  Report report;
+  Clock clock(report.stages);
+  if (progress) progress->report(0.0, "Preparing");
+  const FitData data(recordings, nominal, options.horizon, options.zero_per_recording, options.threads);
+  const FitModel base(nominal, jointScales(recordings, nominal));
+  clock.lap("prepare");
+  const Selection selection = select(
+      data, recordings, base, {options.most_causes, options.refits, options.only, options.seed}, progress);
+  clock.lap("refit, screen and select");
+  Assembly assembly(recordings, nominal, data, selection, report);
+  report.candidates = selection.candidates;
+  addRobots(selection, report);
+  addRefit(data, selection, report);
+  if (options.show) assembly.addChannels();
+  clock.lap("show");
+  assembly.addLines();
+  judge(data, selection, report);
+  if (options.show && report.verdict == Verdict::kUnexplained) assembly.addProcess(progress);
+  clock.lap("judge");
+  for (const Evidence& evidence : recordings)
+    report.notices.insert(report.notices.end(), evidence.notices.begin(), evidence.notices.end());
+  report.cancelled = progress && progress->cancelled();
+  return report;
+}
+
+}  // namespace capstan::diagnosis

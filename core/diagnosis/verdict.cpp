@@ -1,0 +1,156 @@
+#include "core/diagnosis/verdict.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/diagnosis/gains.h"
+
+namespace capstan::diagnosis {
+namespace {
+
+double meanSquare(const BlockSquares& squares, Eigen::Index c) {
+  const double n = squares.count.row(c).sum();
+  return n > 0.0 ? squares.sum.row(c).sum() / n : 0.0;
+}
+
+double noiseSquare(const FitData& data, Eigen::Index c) {
+  const double noise = data.channels()[static_cast<std::size_t>(c)].noise;
+  return noise * noise;
+}
+
+std::vector<FoundParameter> parametersOf(const FitModel& model, std::size_t effect, const Eigen::VectorXd& u,
+                                         const Eigen::MatrixXd& covariance) {
+  const EffectTerm& term = model.effects()[effect];
+  const std::vector<double> values = model.effectValues(effect, u);
+  const double everyday =
+      term.joint > 0 ? term.hypothesis->everyday(scalesOf(model.scales(), term.joint)) : 0.0;
+  const std::vector<double> neutral = term.hypothesis->neutral();
+  std::vector<FoundParameter> found;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto& number = term.hypothesis->facts().parameters[i];
+    double sigma = 0.0;
+    if (const int at = term.index[i]; at >= 0)
+      sigma =
+          model.parameters()[static_cast<std::size_t>(at)].valueSigma(u[at], std::sqrt(covariance(at, at)));
+    if (neutral[i] == 0.0) sigma = std::hypot(sigma, 0.5 * everyday);  // every robot has some of it
+    found.push_back({std::string(number.name), std::string(number.unit), values[i], sigma});
+  }
+  return found;
+}
+
+std::string nameOf(const Suspect& suspect) {
+  const std::string name(suspect.hypothesis->name());
+  return suspect.joint > 0 ? fmt::format("{} of joint {}", name, suspect.joint) : name;
+}
+
+Cause causeOf(const FitData& data, const Selection& s, const Suspect& suspect, double probability,
+              const BlockSquares& before, const BlockSquares& after, const Fit& fit,
+              const Eigen::MatrixXd& covariance) {
+  Cause cause;
+  cause.effect = suspect.hypothesis->name();
+  cause.joint = suspect.joint;
+  cause.probability = probability;
+  for (std::size_t k = 0; k < fit.model.effects().size(); ++k) {
+    const EffectTerm& term = fit.model.effects()[k];
+    if (!term.everyday && term.hypothesis == suspect.hypothesis && term.joint == suspect.joint)
+      cause.parameters = parametersOf(fit.model, k, fit.u, covariance);
+  }
+  (void)s;
+  cause.gain = gainOf(data, before, after, largestReduction(before, after).channel);
+  return cause;
+}
+
+std::string summaryOf(const Report& report, const Selection& s) {
+  std::vector<std::string> names;
+  for (const Contender& c : s.taken) names.push_back(nameOf(c.added));
+  switch (report.verdict) {
+    case Verdict::kNothing:
+      return "Nothing worth naming: the refitted nominal robot explains the recording down to noise and what "
+             "every "
+             "robot has some of.";
+    case Verdict::kUnexplained:
+      return names.empty()
+                 ? "Something is there that no hypothesis explains."
+                 : fmt::format("Something is there that no hypothesis explains; {} takes off {:.0f} % of it.",
+                               fmt::join(names, " and "), 100.0 * report.explained);
+    case Verdict::kTie: {
+      std::vector<std::string> tied;
+      for (const Cause& cause : report.ties.front().causes)
+        tied.push_back(cause.joint > 0 ? fmt::format("{} of joint {}", cause.effect, cause.joint)
+                                       : cause.effect);
+      return fmt::format("This recording cannot tell {} apart.", fmt::join(tied, " and "));
+    }
+    default:
+      return fmt::format("{} {} the recording ({:.0f} % of what is beyond noise).", fmt::join(names, " and "),
+                         names.size() > 1 ? "explain" : "explains", 100.0 * report.explained);
+  }
+}
+
+void addTies(const Selection& s, const FitData& data, const Eigen::MatrixXd& covariance, Report& report) {
+  for (const Rivals& rivals : s.rivals) {
+    if (rivals.others.empty()) continue;
+    Tie tie;
+    tie.causes.push_back(causeOf(data, s, rivals.taken, rivals.shares.front(), s.base_squares, s.best_squares,
+                                 s.best, covariance));
+    for (std::size_t k = 0; k < rivals.others.size(); ++k) {
+      Cause cause;
+      cause.effect = rivals.others[k].hypothesis->name();
+      cause.joint = rivals.others[k].joint;
+      cause.probability = rivals.shares[k + 1];
+      tie.causes.push_back(std::move(cause));
+    }
+    tie.separate = fmt::format("For {}: {} For {}: {}", nameOf(rivals.taken),
+                               rivals.taken.hypothesis->words().experiment, nameOf(rivals.others.front()),
+                               rivals.others.front().hypothesis->words().experiment);
+    report.ties.push_back(std::move(tie));
+  }
+}
+
+}  // namespace
+
+double explainedShare(const FitData& data, const Selection& s) {
+  double most = 0.0, share = 0.0;
+  for (Eigen::Index c = 0; c < s.base_squares.sum.rows(); ++c) {
+    const double noise = noiseSquare(data, c), before = meanSquare(s.base_squares, c) - noise;
+    const double beyond = noise > 0.0 ? before / noise : before;
+    if (!(beyond > most)) continue;
+    most = beyond;
+    share = 1.0 - std::max(0.0, meanSquare(s.best_squares, c) - noise) / before;
+  }
+  return std::clamp(share, 0.0, 1.0);
+}
+
+bool somethingLeft(const FitData& data, const Selection& s) {
+  for (Eigen::Index c = 0; c < s.best_squares.sum.rows(); ++c)
+    if (meanSquare(s.best_squares, c) > kBeyondNoise * kBeyondNoise * noiseSquare(data, c) &&
+        s.best_squares.inflation[c] > 2.0)
+      return true;
+  return false;
+}
+
+void judge(const FitData& data, const Selection& s, Report& report) {
+  const Eigen::MatrixXd covariance = covarianceOf(data, s.best, s.trust);
+  report.explained = explainedShare(data, s);
+  const BlockSquares* before = &s.base_squares;
+  for (std::size_t k = 0; k < s.taken.size(); ++k) {
+    const Contender& c = s.taken[k];
+    const BlockSquares& after = k + 1 == s.taken.size() ? s.best_squares : c.squares;
+    report.causes.push_back(causeOf(data, s, c.added, c.share, *before, after, s.best, covariance));
+    before = &after;
+  }
+  addTies(s, data, covariance, report);
+  const bool explains = !s.taken.empty() && report.explained >= kExplains;
+  if (explains)
+    report.verdict = !report.ties.empty() ? Verdict::kTie
+                     : s.taken.size() > 1 ? Verdict::kSeveral
+                                          : Verdict::kFound;
+  else if (!report.lines.empty() || somethingLeft(data, s) || !s.taken.empty())
+    report.verdict = Verdict::kUnexplained;
+  else
+    report.verdict = Verdict::kNothing;
+  report.summary = summaryOf(report, s);
+}
+
+}  // namespace capstan::diagnosis

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "core/diagnosis/report.h"
+#include "core/diagnosis/selection.h"
+
+namespace capstan::diagnosis {
+
+/// How much of what is beyond noise the named effects take off: of the channel that had most of it,
+/// 1 − (S_after − n noise²) / (S_before − n noise²), between 0 and 1.
+double explainedShare(const FitData& data, const Selection& selection);
+
+/// Whether the remainder of the selection's best model has more than noise and chance in it: some channel's
+/// RMS on blocks left out is kBeyondNoise times its noise, and it lasts from sample to sample.
+bool somethingLeft(const FitData& data, const Selection& selection);
+inline constexpr double kBeyondNoise = 1.5;
+/// Share that effects must explain before they, and not something unknown, are the verdict.
+inline constexpr double kExplains = 0.5;
+
+/// Fills verdict, causes, ties, explained and summary of the report.
+void judge(const FitData& data, const Selection& selection, Report& report);
+
+}  // namespace capstan::diagnosis
