@@ -10,7 +10,6 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
-#include <QTabWidget>
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -24,6 +23,7 @@
 #include "widgets/panels/diagnosis/hypothesis_card.h"
 #include "widgets/panels/diagnosis/ranking_table.h"
 #include "widgets/panels/diagnosis/recording_picker.h"
+#include "widgets/panels/diagnosis/report_pages.h"
 #include "widgets/panels/diagnosis/signature_view.h"
 #include "widgets/panels/diagnosis/time_view.h"
 
@@ -97,7 +97,7 @@ TEST_F(Diagnosis, TheSignatureOfTheCauseStandsInFront) {
   const auto channel = std::find_if(report.channels.begin(), report.channels.end(),
                                     [](const auto& one) { return one.refitted.name == "q2"; });
   ASSERT_NE(channel, report.channels.end());
-  SignatureView& view = panel->signatures();
+  SignatureView& view = panel->pages().signatures();
   EXPECT_THAT(view.channels().currentText().toStdString(), HasSubstr("q2"));
   ASSERT_EQ(view.variables().topLevelItemCount(), static_cast<int>(channel->before.size()));
   EXPECT_EQ(view.variables().topLevelItem(0)->toolTip(0).toStdString(), channel->before[0].variable);
@@ -118,28 +118,28 @@ TEST_F(Diagnosis, TheSignatureOfTheCauseStandsInFront) {
 
 TEST_F(Diagnosis, TheCourseShowsThreeModelsOfTheSameChannel) {
   panel->showReport(sample(Verdict::kFound));
-  EXPECT_FALSE(panel->course().figure()) << "nobody looks";
+  EXPECT_FALSE(panel->pages().course().figure()) << "nobody looks";
   panel->pages().setCurrentIndex(1);
-  ASSERT_TRUE(panel->course().figure());
-  const auto& trace = panel->course().figure()->data().traces.at(0);
+  ASSERT_TRUE(panel->pages().course().figure());
+  const auto& trace = panel->pages().course().figure()->data().traces.at(0);
   EXPECT_EQ(trace.channel, "q2");
   EXPECT_EQ(trace.extended.size(), trace.t.size());
   EXPECT_GT(trace.refitted_statistics.rms, 2.0 * trace.extended_statistics.rms);
-  EXPECT_THAT(panel->course().words().toStdString(), HasSubstr("with the causes found"));
+  EXPECT_THAT(panel->pages().course().words().toStdString(), HasSubstr("with the causes found"));
 }
 
 TEST_F(Diagnosis, CandidatesStandByRoundAndScoreAndShowTheirWords) {
   panel->showReport(sample(Verdict::kSeveral));
   EXPECT_THAT(headline(), HasSubstr("Several"));
-  const QStringList lines = panel->ranking().lines();
+  const QStringList lines = panel->pages().ranking().lines();
   ASSERT_EQ(lines.size(), 6);
   EXPECT_THAT(lines[0].toStdString(), HasSubstr("91 % | 412 | 97 %"));
   EXPECT_THAT(lines[3].toStdString(), HasSubstr("1.0 % | — | —")) << "only screened";
   EXPECT_THAT(lines[4].toStdString(), HasSubstr("190"));
   panel->pages().setCurrentIndex(2);
-  auto* round = panel->ranking().topLevelItem(0);
-  panel->ranking().setCurrentItem(round->child(2));
-  EXPECT_EQ(panel->ranking().chosen()->effect, "asymmetric_friction");
+  auto* round = panel->pages().ranking().topLevelItem(0);
+  panel->pages().ranking().setCurrentItem(round->child(2));
+  EXPECT_EQ(panel->pages().ranking().chosen()->effect, "asymmetric_friction");
   EXPECT_TRUE(card().contains("candidate")) << card().toStdString();
   test::grab(*panel, "diagnosis_panel_several");
 }
@@ -156,8 +156,8 @@ TEST_F(Diagnosis, ATieSaysWhatWouldPartIt) {
 TEST_F(Diagnosis, NothingAndUnexplainedHaveNoCauseButPictures) {
   panel->showReport(sample(Verdict::kNothing));
   EXPECT_THAT(headline(), HasSubstr("Nothing worth naming"));
-  ASSERT_TRUE(panel->signatures().figure());
-  EXPECT_FALSE(panel->signatures().figure()->data().panels.at(0).after) << "no cause, no after";
+  ASSERT_TRUE(panel->pages().signatures().figure());
+  EXPECT_FALSE(panel->pages().signatures().figure()->data().panels.at(0).after) << "no cause, no after";
   test::grab(*panel, "diagnosis_panel_nothing");
   panel->showReport(sample(Verdict::kUnexplained));
   EXPECT_THAT(headline(), HasSubstr("no hypothesis explains"));
@@ -238,6 +238,24 @@ TEST_F(Diagnosis, TheExtendedRobotIsSavedAndUsedWhereItFits) {
   EXPECT_EQ(saved.count(), 1);
   EXPECT_EQ(robot::formatDescription(robot::readDescription(folder.filePath("robot.yaml").toStdString())),
             robot::formatDescription(report.extended));
+}
+
+TEST_F(Diagnosis, TheReportIsExportedFigureByFigure) {
+  panel->showReport(sample(Verdict::kFound));
+  const QTemporaryDir folder;
+  QSignalSpy exported(panel.get(), &DiagnosisPanel::exported);
+  panel->exportTo(folder.filePath("report"));
+  EXPECT_TRUE(panel->busy());
+  ASSERT_TRUE(waitFor([&] { return !panel->busy(); }));
+  ASSERT_EQ(exported.count(), 1) << panel->words().toStdString();
+  for (const char* file : {"index.html", "report.json", "robot.yaml", "q2-signatures.svg"})
+    EXPECT_TRUE(QFile::exists(folder.filePath("report/") + file)) << file;
+  QFile blocked(folder.filePath("blocked"));
+  ASSERT_TRUE(blocked.open(QIODevice::WriteOnly));
+  panel->exportTo(blocked.fileName());
+  EXPECT_FALSE(panel->busy());
+  EXPECT_THAT(panel->words().toStdString(), HasSubstr("blocked"));
+  EXPECT_EQ(exported.count(), 1);
 }
 
 TEST_F(Diagnosis, TheChoiceIsKeptAndTheJustRecordedTakesItsPlace) {

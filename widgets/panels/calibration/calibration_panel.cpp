@@ -178,7 +178,8 @@ void CalibrationPanel::setTheme(const Theme& theme) {
 
 void CalibrationPanel::begin(const session::SourceInfo& source) {
   job_.cancel();
-  live_.begin(source.robot, source.title);
+  title_ = source.title;
+  live_.begin(source.robot, title_);
   in_use_ = source.robot;
   said_.clear();
   sink_.reset();  // the new runner listens to nobody
@@ -186,6 +187,13 @@ void CalibrationPanel::begin(const session::SourceInfo& source) {
   ended_ = false;
   polls_.stop();
   refresh();
+}
+
+void CalibrationPanel::useRobot(const robot::Description& robot) {
+  live_.begin(robot, title_);
+  in_use_ = robot;
+  said_.clear();
+  overtake();
 }
 
 void CalibrationPanel::showStatus(const session::RunStatus& status) {

@@ -9,18 +9,16 @@
 #include <QSaveFile>
 #include <QShortcut>
 #include <QSplitter>
-#include <QTabBar>
-#include <QTabWidget>
 
+#include "core/base/error.h"
+#include "core/diagnosis/extended_robot.h"
+#include "core/experiments/software.h"
 #include "widgets/panels/diagnosis/cause_tree.h"
 #include "widgets/panels/diagnosis/diagnosis_text.h"
-#include "widgets/panels/diagnosis/gain_table.h"
 #include "widgets/panels/diagnosis/hypothesis_card.h"
 #include "widgets/panels/diagnosis/ranking_table.h"
 #include "widgets/panels/diagnosis/recording_picker.h"
-#include "widgets/panels/diagnosis/refit_table.h"
-#include "widgets/panels/diagnosis/signature_view.h"
-#include "widgets/panels/diagnosis/time_view.h"
+#include "widgets/panels/diagnosis/report_pages.h"
 
 namespace capstan::widgets {
 
@@ -65,12 +63,15 @@ DiagnosisPanel::DiagnosisPanel(DiagnosisRun run, QWidget* parent) : QWidget(pare
     refresh();
   });
   connect(causes_, &CauseTree::chosenChanged, this, &DiagnosisPanel::onCause);
-  connect(ranking_, &RankingTable::chosenChanged, this, &DiagnosisPanel::onCandidate);
+  connect(pages_, &ReportPages::candidateChosen, this, &DiagnosisPanel::onCandidate);
   connect(&job_, &Job::failed, this, [this](const QString& why) { said_ = why; });
   connect(&job_, &Job::ended, this, &DiagnosisPanel::refresh);
-  connect(&job_, &Job::progressed, this, [this](double fraction, const QString& doing) {
-    progress_->setValue(qRound(100.0 * fraction));
-    progress_->setFormat(doing + QStringLiteral(" %p %"));
+  connect(&job_, &Job::progressed, this, &DiagnosisPanel::onProgress);
+  connect(&export_, &ReportExport::progressed, this, &DiagnosisPanel::onProgress);
+  connect(&export_, &ReportExport::ended, this, [this](const QString& index, const QString& words) {
+    said_ = words;
+    if (!index.isEmpty()) Q_EMIT exported(index);
+    refresh();
   });
   setTheme(theme_);
   refresh();
@@ -115,27 +116,10 @@ void DiagnosisPanel::addBody(QBoxLayout* column) {
   top_->addWidget(causes_ = new CauseTree);
   top_->addWidget(card_ = new HypothesisCard);
   split_->addWidget(top_);
-  split_->addWidget(pages_ = new QTabWidget);
-  addPages();
+  split_->addWidget(pages_ = new ReportPages);
   column->addWidget(split_, 1);
   column->addWidget(rest_ = new QWidget, 1);
   connect(split_, &QSplitter::splitterMoved, this, [this] { user_split_ = true; });
-}
-
-void DiagnosisPanel::addPages() {
-  pages_->setDocumentMode(true);
-  pages_->tabBar()->setDrawBase(false);
-  pages_->addTab(signatures_ = new SignatureView, tr("Signatures"));
-  pages_->addTab(course_ = new TimeView, tr("Over time"));
-  pages_->addTab(ranking_ = new RankingTable, tr("Ranking"));
-  pages_->addTab(refit_ = new RefitTable, tr("Refit"));
-  pages_->addTab(gain_ = new GainTable, tr("Gain"));
-  const QString tips[] = {tr("What the remainder goes with (Alt+1)"),
-                          tr("Measured, simulated, and what is left, over time (Alt+2)"),
-                          tr("Every candidate, and how much it takes off (Alt+3)"),
-                          tr("Numbers of the robot that moved before any cause was looked for (Alt+4)"),
-                          tr("What the extended model is worth on data not fitted (Alt+5)")};
-  for (int i = 0; i < pages_->count(); ++i) pages_->setTabToolTip(i, tips[i]);
 }
 
 void DiagnosisPanel::addFoot(QBoxLayout* column) {
@@ -155,8 +139,10 @@ void DiagnosisPanel::addFoot(QBoxLayout* column) {
   use_ = button("use_extended", tr("Use this robot"),
                 tr("The running session uses it from now on; errors begin anew (Ctrl+Shift+Return)"),
                 &DiagnosisPanel::useRobot);
-  row->addWidget(save_);
-  row->addWidget(use_);
+  page_ = button("export_report", tr("Export report…"),
+                 tr("A page with all figures, the report as JSON and the robot file (Ctrl+Shift+E)"),
+                 &DiagnosisPanel::askFolder);
+  for (QPushButton* one : {save_, use_, page_}) row->addWidget(one);
   column->addLayout(row);
 }
 
@@ -177,8 +163,7 @@ void DiagnosisPanel::addKeys() {
   });
   key("Ctrl+Shift+S", press(save_));
   key("Ctrl+Shift+Return", press(use_));
-  for (int i = 0; i < pages_->count(); ++i)
-    key(QStringLiteral("Alt+%1").arg(i + 1), [this, i] { pages_->setCurrentIndex(i); });
+  key("Ctrl+Shift+E", press(page_));
   auto* escape = new QShortcut(QKeySequence(Qt::Key_Escape), this);
   escape->setContext(Qt::WidgetWithChildrenShortcut);
   connect(escape, &QShortcut::activated, this, &DiagnosisPanel::cancel);
@@ -189,11 +174,7 @@ void DiagnosisPanel::setTheme(const Theme& theme) {
   picker_->setTheme(theme);
   causes_->setTheme(theme);
   card_->setTheme(theme);
-  signatures_->setTheme(theme);
-  course_->setTheme(theme);
-  ranking_->setTheme(theme);
-  refit_->setTheme(theme);
-  gain_->setTheme(theme);
+  pages_->setTheme(theme);
   QPalette palette = words_->palette();
   palette.setColor(QPalette::WindowText, theme.muted);
   words_->setPalette(palette);
@@ -233,8 +214,14 @@ void DiagnosisPanel::diagnose() {
   refresh();
 }
 
+void DiagnosisPanel::onProgress(double fraction, const QString& doing) {
+  progress_->setValue(qRound(100.0 * fraction));
+  progress_->setFormat(doing + QStringLiteral(" %p %"));
+}
+
 void DiagnosisPanel::cancel() {
-  if (!busy()) return;
+  if (export_.busy()) return export_.cancel();
+  if (!job_.busy()) return;
   said_ = report_ ? tr("Cancelled; what is shown is of the run before.") : tr("Cancelled.");
   job_.cancel();
   refresh();
@@ -243,11 +230,7 @@ void DiagnosisPanel::cancel() {
 void DiagnosisPanel::showReport(Report report) {
   report_ = std::make_shared<const Report>(std::move(report));
   causes_->showReport(*report_);
-  ranking_->showReport(*report_);
-  refit_->showReport(*report_);
-  gain_->showReport(*report_);
-  signatures_->showReport(report_);
-  course_->showReport(report_);
+  pages_->showReport(report_);
   onCause();
   refresh();
 }
@@ -258,12 +241,11 @@ void DiagnosisPanel::onCause() {
   if (!report_) return;
   if (!cause) return card_->showRemains(*report_);
   card_->showEffect(cause->effect, placeOf(cause->effect, cause->joint, report_->extended));
-  signatures_->showChannel(cause->gain.channel);
-  course_->showChannel(cause->gain.channel);
+  pages_->showChannel(cause->gain.channel);
 }
 
 void DiagnosisPanel::onCandidate() {
-  const diagnosis::Candidate* candidate = ranking_->chosen();
+  const diagnosis::Candidate* candidate = pages_->ranking().chosen();
   if (candidate)
     card_->showEffect(candidate->effect, placeOf(candidate->effect, candidate->joint, report_->extended),
                       tr("A candidate of the ranking."));
@@ -287,10 +269,8 @@ void DiagnosisPanel::askFile() {
 
 void DiagnosisPanel::saveRobot(const QString& path) {
   if (!report_) return;
-  const QString head =
-      tr("# Extended by diagnosis of %1\n# %2\n").arg(namesOf(of_), headlineOf(*report_).replace('\n', ' '));
   const QByteArray content =
-      head.toUtf8() + QByteArray::fromStdString(robot::formatDescription(report_->extended));
+      QByteArray::fromStdString(diagnosis::extendedRobotText(*report_, experiments::software()));
   QSaveFile file(path);
   const bool saved =
       file.open(QIODevice::WriteOnly) && file.write(content) == content.size() && file.commit();
@@ -298,6 +278,26 @@ void DiagnosisPanel::saveRobot(const QString& path) {
                 : tr("%1 cannot be written (%2). Choose a folder that exists and has room.")
                       .arg(path, file.errorString());
   if (saved) Q_EMIT robotSaved(path);
+  refresh();
+}
+
+void DiagnosisPanel::askFolder() {
+  auto* dialog = new QFileDialog(this, tr("Folder for the page with all figures"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::Directory);
+  dialog->setOption(QFileDialog::ShowDirsOnly);
+  connect(dialog, &QFileDialog::fileSelected, this, &DiagnosisPanel::exportTo);
+  dialog->show();
+}
+
+void DiagnosisPanel::exportTo(const QString& folder) {
+  if (!report_ || busy()) return;
+  said_.clear();
+  try {
+    export_.start(*report_, report_->extended.name, folder);
+  } catch (const base::InputError& error) {
+    said_ = QString::fromStdString(error.what());
+  }
   refresh();
 }
 
@@ -342,7 +342,7 @@ void DiagnosisPanel::refresh() {
   diagnose_->setToolTip(working ? tr("Stop what is being computed (Esc)")
                                 : tr("Find what the simulation gets wrong, and why (F5)"));
   diagnose_->setEnabled(working || !choice().recordings.isEmpty());
-  for (QPushButton* one : {save_, use_}) one->setVisible(report_ != nullptr && !working);
+  for (QPushButton* one : {save_, use_, page_}) one->setVisible(report_ != nullptr && !working);
   use_->setEnabled(report_ && session_joints_ > 0 && report_->extended.size() == session_joints_);
 }
 

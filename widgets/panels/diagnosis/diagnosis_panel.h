@@ -8,6 +8,7 @@
 #include "widgets/figures/theme.h"
 #include "widgets/jobs/job.h"
 #include "widgets/panels/diagnosis/diagnosis_choice.h"
+#include "widgets/panels/diagnosis/report_export.h"
 
 class QBoxLayout;
 class QLabel;
@@ -15,18 +16,13 @@ class QProgressBar;
 class QPushButton;
 class QSettings;
 class QSplitter;
-class QTabWidget;
 
 namespace capstan::widgets {
 
 class CauseTree;
-class GainTable;
 class HypothesisCard;
-class RankingTable;
 class RecordingPicker;
-class RefitTable;
-class SignatureView;
-class TimeView;
+class ReportPages;
 
 /// What the simulation of a robot gets wrong in recordings, why, and what it is worth to know: verdict and
 /// causes on top, below them what they look like. Everything is thought by core/diagnosis, in the background.
@@ -51,20 +47,20 @@ class DiagnosisPanel : public QWidget {
   /// Begins; what was under way is given up.
   void diagnose();
   void cancel();
-  bool busy() const { return job_.busy(); }
+  bool busy() const { return job_.busy() || export_.busy(); }
   /// Shows a report, as diagnose() does when it is done.
   void showReport(diagnosis::Report report);
   /// The one shown; null: none yet.
   const diagnosis::Report* report() const { return report_.get(); }
   /// The extended robot as a robot file; what goes wrong is said on the panel.
   void saveRobot(const QString& path);
+  /// A page with figures, report.json and robot.yaml in `folder`; how it ends, and why not, is said on the
+  /// panel.
+  void exportTo(const QString& folder);
 
   RecordingPicker& picker() { return *picker_; }
   CauseTree& causes() { return *causes_; }
-  SignatureView& signatures() { return *signatures_; }
-  TimeView& course() { return *course_; }
-  RankingTable& ranking() { return *ranking_; }
-  QTabWidget& pages() { return *pages_; }
+  ReportPages& pages() { return *pages_; }
   QString headline() const;
   QString words() const;
 
@@ -72,6 +68,7 @@ class DiagnosisPanel : public QWidget {
   /// The session is to use `robot`; `summary` says what it has beyond the former one.
   void robotChosen(const capstan::robot::Description& robot, const QString& summary);
   void robotSaved(const QString& path);
+  void exported(const QString& index);
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -81,12 +78,13 @@ class DiagnosisPanel : public QWidget {
                       void (DiagnosisPanel::*pressed)());
   void addHead(QBoxLayout* column);
   void addBody(QBoxLayout* column);
-  void addPages();
   void addFoot(QBoxLayout* column);
   void addKeys();
   void diagnoseOrCancel();
   void useRobot();
   void askFile();
+  void askFolder();
+  void onProgress(double fraction, const QString& doing);
   void onCause();
   void onCandidate();
   void showVerdict();
@@ -105,14 +103,10 @@ class DiagnosisPanel : public QWidget {
   QWidget* rest_;  ///< takes the room of `split_` while there is nothing to show
   CauseTree* causes_;
   HypothesisCard* card_;
-  QTabWidget* pages_;
-  SignatureView* signatures_;
-  TimeView* course_;
-  RankingTable* ranking_;
-  RefitTable* refit_;
-  GainTable* gain_;
+  ReportPages* pages_;
   QProgressBar* progress_;
-  QPushButton *diagnose_, *save_, *use_;
+  QPushButton *diagnose_, *save_, *use_, *page_;
+  ReportExport export_;
   Job job_;  ///< last: ends before what it reports to
 };
 

@@ -4,7 +4,7 @@
 #include <QStringList>
 #include <cmath>
 
-#include "core/diagnosis/hypothesis.h"
+#include "core/diagnosis/report_tables.h"
 #include "core/diagnosis/shown.h"
 #include "widgets/figures/number_text.h"
 
@@ -38,10 +38,7 @@ QStringList namesOf(const std::vector<diagnosis::Cause>& causes, const robot::De
 
 }  // namespace
 
-QString titleOf(const std::string& effect) {
-  const diagnosis::Hypothesis* hypothesis = diagnosis::hypothesisNamed(effect);
-  return text(hypothesis ? std::string(hypothesis->words().title) : diagnosis::shownName(effect));
-}
+QString titleOf(const std::string& effect) { return text(diagnosis::titleOf(effect)); }
 
 QString placeOf(const std::string& effect, int joint, const robot::Description& robot) {
   const QString name = jointName(robot, joint), place = text(diagnosis::shownJoint(effect, joint));

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <QTabWidget>
+#include <memory>
+
+#include "core/diagnosis/report.h"
+#include "widgets/figures/theme.h"
+
+namespace capstan::widgets {
+
+class GainTable;
+class RankingTable;
+class RefitTable;
+class SignatureView;
+class TimeView;
+
+/// The pages of a report: signatures, course over time, ranking, refit, gain; Alt+1 to Alt+5.
+class ReportPages : public QTabWidget {
+  Q_OBJECT
+
+ public:
+  explicit ReportPages(QWidget* parent = nullptr);
+
+  void setTheme(const Theme& theme);
+  void showReport(const std::shared_ptr<const diagnosis::Report>& report);
+  /// The pictures' channel.
+  void showChannel(const std::string& name);
+  SignatureView& signatures() { return *signatures_; }
+  TimeView& course() { return *course_; }
+  RankingTable& ranking() { return *ranking_; }
+
+ signals:
+  /// Of the ranking.
+  void candidateChosen();
+
+ private:
+  SignatureView* signatures_;
+  TimeView* course_;
+  RankingTable* ranking_;
+  RefitTable* refit_;
+  GainTable* gain_;
+};
+
+}  // namespace capstan::widgets
