@@ -7,6 +7,7 @@
 #include <QTreeWidgetItemIterator>
 #include <algorithm>
 
+#include "core/diagnosis/report_tables.h"
 #include "core/diagnosis/shown.h"
 #include "widgets/panels/diagnosis/diagnosis_text.h"
 #include "widgets/panels/diagnosis/share_bar.h"
@@ -25,15 +26,15 @@ QString shown(const std::string& words) { return QString::fromStdString(words); 
 
 bool sameCause(const Cause& a, const Cause& b) { return a.effect == b.effect && a.joint == b.joint; }
 
-/// "q2 on data not fitted: 1.31 → 0.62 deg, 45 … 50 % left"
+/// "q2 on other data: 1.31 → 0.62 deg"
 QString gainWords(const diagnosis::Gain& gain) {
   if (gain.channel.empty()) return {};
   const diagnosis::ShownUnit unit = diagnosis::shownUnit(gain.unit);
-  return QObject::tr("%1 on data not fitted: %2 → %3 %4, %5 … %6 left")
+  return QObject::tr("%1 on other data: %2 → %3 %4")
       .arg(shown(gain.channel))
       .arg(unit.scale * gain.rms_before, 0, 'g', 3)
       .arg(unit.scale * gain.rms_after, 0, 'g', 3)
-      .arg(shown(unit.unit), percentText(gain.interval.low, 1), percentText(gain.interval.high, 1));
+      .arg(shown(unit.unit));
 }
 
 }  // namespace
@@ -54,7 +55,7 @@ CauseTree::CauseTree(QWidget* parent) : QTreeWidget(parent) {
   header()->setMinimumSectionSize(10);
   header()->setSectionResizeMode(kWords, QHeaderView::Stretch);
   header()->setSectionResizeMode(kProbability, QHeaderView::Fixed);
-  header()->resizeSection(kProbability, 92);
+  header()->resizeSection(kProbability, 84);
   header()->setFont(textFont(9.0));
   connect(this, &QTreeWidget::currentItemChanged, this, [this] { Q_EMIT chosenChanged(); });
 }
@@ -91,9 +92,8 @@ void CauseTree::fill() {
   clear();
   for (std::size_t i = 0; i < alone_; ++i) addCause(nullptr, causes_[i]);
   for (const diagnosis::Tie& tie : ties_) {
-    QTreeWidgetItem* group = addLine(nullptr, tr("One of these; the recordings cannot tell which:"));
+    QTreeWidgetItem* group = addLine(nullptr, tr("One of these:"));
     for (const Cause& cause : tie.causes) addCause(group, cause);
-    if (!tie.separate.empty()) addLine(group, tr("To tell them apart: %1").arg(shown(tie.separate)));
   }
   if (causes_.empty())
     addLine(nullptr, verdict_ == diagnosis::Verdict::kUnexplained
@@ -120,7 +120,9 @@ QTreeWidgetItem* CauseTree::addLine(QTreeWidgetItem* parent, const QString& word
 void CauseTree::addCause(QTreeWidgetItem* parent, const Cause& cause) {
   auto* item = new QTreeWidgetItem;
   item->setText(kWords,
-                titleOf(cause.effect) + QStringLiteral(", ") + placeOf(cause.effect, cause.joint, robot_));
+                titleOf(cause.effect) + QStringLiteral(", ") + placeOf(cause.effect, cause.joint, {}));
+  item->setToolTip(kWords,
+                   titleOf(cause.effect) + QStringLiteral(", ") + placeOf(cause.effect, cause.joint, robot_));
   item->setFont(kWords, textFont(kPoints, true));
   item->setText(kProbability, percentText(cause.probability));
   item->setFont(kProbability, numberFont(kPoints));
@@ -136,7 +138,8 @@ void CauseTree::addCause(QTreeWidgetItem* parent, const Cause& cause) {
     line->setFont(kWords, numberFont(kPoints - 0.5));
     line->setForeground(kWords, theme_.text);
   }
-  if (const QString gain = gainWords(cause.gain); !gain.isEmpty()) addLine(item, gain);
+  if (const QString gain = gainWords(cause.gain); !gain.isEmpty())
+    addLine(item, gain)->setToolTip(kWords, shown(diagnosis::gainText(cause.gain)));
 }
 
 const Cause* CauseTree::chosen() const {

@@ -27,7 +27,7 @@ using diagnosis::Verdict;
 
 namespace {
 
-constexpr int kCauseShare = 27;  ///< of the height that causes and pictures share [%]
+constexpr int kCauseShare = 25;  ///< of the height that causes and pictures share [%]
 
 QString namesOf(const QStringList& paths) {
   QStringList names;
@@ -94,6 +94,7 @@ void DiagnosisPanel::addHead(QBoxLayout* column) {
   row->setSpacing(8);
   row->addWidget(picker_ = new RecordingPicker, 1);
   diagnose_ = button("diagnose_now", tr("Diagnose"), QString(), &DiagnosisPanel::diagnoseOrCancel);
+  diagnose_->setProperty("primary", true);
   row->addWidget(diagnose_);
   column->addLayout(row);
   headline_ = new QLabel;
@@ -123,16 +124,16 @@ void DiagnosisPanel::addBody(QBoxLayout* column) {
 }
 
 void DiagnosisPanel::addFoot(QBoxLayout* column) {
-  auto* row = new QHBoxLayout;
-  row->setSpacing(6);
   words_ = new QLabel;
   words_->setWordWrap(true);
   words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   words_->setAccessibleName(tr("state of the diagnosis"));
+  column->addWidget(words_);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(6);
   progress_ = new QProgressBar;
-  progress_->setMinimumWidth(260);
-  row->addWidget(words_, 1);
-  row->addWidget(progress_);
+  row->addWidget(progress_, 1);
+  row->addStretch();
   save_ = button("save_extended", tr("Save extended robot…"),
                  tr("The robot with the refit and the causes found, as a robot file (Ctrl+Shift+S)"),
                  &DiagnosisPanel::askFile);
@@ -306,6 +307,9 @@ void DiagnosisPanel::showVerdict() {
   if (report_) {
     head = markOf(report_->verdict) + headlineOf(*report_);
     below = QString::fromStdString(report_->summary);
+    for (const diagnosis::Tie& tie : report_->ties)
+      if (!tie.separate.empty())
+        below += QLatin1Char('\n') + tr("To tell them apart: %1").arg(QString::fromStdString(tie.separate));
   } else if (choice().recordings.isEmpty()) {
     head = tr("What does the simulation get wrong?");
     below =
@@ -330,12 +334,13 @@ void DiagnosisPanel::refresh() {
     for (const std::string& notice : report_->notices) lines << QString::fromStdString(notice);
   }
   words_->setToolTip(lines.join('\n'));
-  constexpr int kMostLines = 3;
+  constexpr int kMostLines = 2;
   if (lines.size() > kMostLines) {
     const auto more = lines.size() - kMostLines + 1;
     lines = lines.mid(0, kMostLines - 1) << tr("… and %1 more remarks").arg(more);
   }
   words_->setText(lines.join('\n'));
+  words_->setVisible(!lines.isEmpty());
   const bool working = busy();
   progress_->setVisible(working);
   diagnose_->setText(working ? tr("Cancel") : tr("Diagnose"));
@@ -352,10 +357,11 @@ void DiagnosisPanel::resizeEvent(QResizeEvent* event) {
   if (user_split_) return;
   const int top = kCauseShare * split_->height() / 100;
   split_->setSizes({top, split_->height() - top});
-  top_->setSizes({top_->width() / 2, top_->width() / 2});
+  top_->setSizes({top_->width() * 11 / 20, top_->width() * 9 / 20});
 }
 
 QString DiagnosisPanel::headline() const { return headline_->text(); }
+QString DiagnosisPanel::summary() const { return summary_->text(); }
 QString DiagnosisPanel::words() const { return words_->text(); }
 
 }  // namespace capstan::widgets

@@ -62,6 +62,7 @@ class DiagnosisPanel : public QWidget {
   CauseTree& causes() { return *causes_; }
   ReportPages& pages() { return *pages_; }
   QString headline() const;
+  QString summary() const;
   QString words() const;
 
  signals:

@@ -56,7 +56,8 @@ GainTable::GainTable(QWidget* parent) : QTreeWidget(parent) {
   setObjectName("gain");
   setColumnCount(kColumns);
   setHeaderLabels({tr("RMS error of"), tr("robot file"), tr("refitted"), tr("extended"), tr("left"),
-                   tr("■ refitted  ● extended, 95 %")});
+                   tr("■ refitted ● extended")});
+  headerItem()->setToolTip(kDrawn, tr("With their 95 % intervals, angles and lengths each to one scale"));
   headerItem()->setToolTip(kLeft, tr("Of the refitted model's error, with its 95 % interval"));
   setItemDelegateForColumn(kDrawn, new IntervalCell(this));
   setRootIsDecorated(false);

@@ -52,10 +52,17 @@ RankingTable::RankingTable(QWidget* parent) : QTreeWidget(parent) {
   header()->setMinimumSectionSize(10);
   header()->setFont(textFont(9.0));
   header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  header()->setSectionResizeMode(kTaken, QHeaderView::Stretch);
+  header()->setSectionResizeMode(kName, QHeaderView::Stretch);
+  header()->setSectionResizeMode(kTaken, QHeaderView::Fixed);
   for (const int column : {kTaken, kScore, kProbability})
     headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
   connect(this, &QTreeWidget::currentItemChanged, this, [this] { Q_EMIT chosenChanged(); });
+}
+
+void RankingTable::resizeEvent(QResizeEvent* event) {
+  constexpr int kBarShare = 36;  // of the width [%]
+  QTreeWidget::resizeEvent(event);
+  header()->resizeSection(kTaken, kBarShare * viewport()->width() / 100);
 }
 
 void RankingTable::setTheme(const Theme& theme) {
@@ -97,7 +104,9 @@ void RankingTable::addCandidate(QTreeWidgetItem* round, std::size_t index) {
   const double taken = candidate.refitted ? candidate.reduction : candidate.screened;
   auto* item = new QTreeWidgetItem;
   item->setText(kName, titleOf(candidate.effect) + QStringLiteral(", ") +
-                           placeOf(candidate.effect, candidate.joint, robot_));
+                           placeOf(candidate.effect, candidate.joint, {}));
+  item->setToolTip(kName, titleOf(candidate.effect) + QStringLiteral(", ") +
+                              placeOf(candidate.effect, candidate.joint, robot_));
   item->setText(kTaken, percentText(taken, std::abs(taken) < 0.1 ? 1 : 0));
   item->setText(kScore, scoreText(candidate.score));
   item->setText(kProbability, candidate.refitted ? percentText(candidate.probability) : QStringLiteral("—"));

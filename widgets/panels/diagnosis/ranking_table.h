@@ -28,6 +28,9 @@ class RankingTable : public QTreeWidget {
  signals:
   void chosenChanged();
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void fill();
   void addCandidate(QTreeWidgetItem* round, std::size_t index);

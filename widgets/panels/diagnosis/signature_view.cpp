@@ -22,6 +22,7 @@ using diagnosis::Signature;
 
 enum Column { kVariable, kBefore, kAfter, kColumns };
 constexpr double kPoints = 9.5;
+constexpr int kNarrow = 720, kList = 250, kLeastList = 190;  ///< widths [px]
 constexpr double kSeen = 2.0;  ///< sigmas of a share from which on it is more than nothing
 
 /// Null: not among them.
@@ -58,7 +59,7 @@ QTreeWidget* variableList() {
   list->setUniformRowHeights(true);
   list->setFrameShape(QFrame::NoFrame);
   list->setAllColumnsShowFocus(true);
-  list->setMinimumWidth(190);
+  list->setMinimumWidth(kLeastList);
   list->setAccessibleName(QObject::tr("variables, the strongest first"));
   list->header()->setStretchLastSection(false);
   list->header()->setMinimumSectionSize(10);
@@ -86,7 +87,7 @@ SignatureView::SignatureView(QWidget* parent) : QWidget(parent) {
   channels_->setAccessibleName(tr("channel of the signatures"));
   words_ = new QLabel;
   words_->setWordWrap(true);
-  words_->setFont(textFont(10.5, true));
+  words_->setFont(textFont(10.0, true));
   words_->setAccessibleName(tr("what the signature says"));
   row->addWidget(channels_, 0, Qt::AlignTop);
   row->addWidget(words_, 1);
@@ -100,7 +101,7 @@ SignatureView::SignatureView(QWidget* parent) : QWidget(parent) {
   split_->addWidget(sheet);
   split_->setStretchFactor(0, 0);
   split_->setStretchFactor(1, 1);
-  split_->setSizes({250, 400});
+  split_->setSizes({kList, 400});
   column->addWidget(split_, 1);
   connect(channels_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
           &SignatureView::fillVariables);
@@ -151,7 +152,6 @@ void SignatureView::fillVariables() {
   {
     const QSignalBlocker quiet(variables_);
     variables_->clear();
-    variables_->setColumnHidden(kAfter, !extended());
     if (const ChannelReport* shown = channel())
       for (const Signature& signature : shown->before) {
         auto* item = new QTreeWidgetItem(
@@ -171,7 +171,21 @@ void SignatureView::fillVariables() {
       }
     variables_->setCurrentItem(variables_->topLevelItem(0));
   }
+  fitList();
   draw();
+}
+
+void SignatureView::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fitList();
+}
+
+/// The picture has what room there is: where it is scarce, it alone shows what comes after.
+void SignatureView::fitList() {
+  const bool narrow = width() < kNarrow;
+  variables_->setColumnHidden(kAfter, narrow || !extended());
+  if (narrow != narrow_) split_->setSizes({narrow ? kLeastList : kList, width()});
+  narrow_ = narrow;
 }
 
 /// The chosen one anew: a figure's data are given once.
@@ -186,9 +200,9 @@ void SignatureView::draw() {
   const Signature* after = extended() ? against(shown->after, before.variable) : nullptr;
   const QString variable = QString::fromStdString(before.variable);
   const QString name = QString::fromStdString(before.channel);
-  words_->setText(
-      tr("What the simulation gets wrong in %1: %2 goes with %3.").arg(name, shareText(before), variable) +
-      (after ? QLatin1Char(' ') + tr("With the causes found: %1.").arg(shareText(*after)) : QString()));
+  QString words = tr("What is wrong in %1: %2 goes with %3").arg(name, shareText(before), variable);
+  if (after) words += tr("; with the causes in the model %1").arg(shareText(*after));
+  words_->setText(words + QLatin1Char('.'));
   SignatureData drawn;
   drawn.panels = {signaturePanel(*shown, static_cast<std::size_t>(which), extended())};
   figure_ = new SignatureFigure(std::move(drawn));

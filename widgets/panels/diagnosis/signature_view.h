@@ -33,11 +33,15 @@ class SignatureView : public QWidget {
   QString words() const;
   QSize minimumSizeHint() const override { return {300, 160}; }
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   const diagnosis::ChannelReport* channel() const;
   bool extended() const { return report_ && !report_->causes.empty(); }
   void fillVariables();
   void draw();
+  void fitList();
 
   const Theme* theme_ = &Theme::dark();
   std::shared_ptr<const diagnosis::Report> report_;
@@ -47,6 +51,7 @@ class SignatureView : public QWidget {
   QLabel* words_;
   QVBoxLayout* sheet_;
   SignatureFigure* figure_ = nullptr;
+  bool narrow_ = false;
 };
 
 }  // namespace capstan::widgets

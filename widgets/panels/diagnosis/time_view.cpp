@@ -41,7 +41,7 @@ TimeView::TimeView(QWidget* parent) : QWidget(parent) {
   channels_->setAccessibleName(tr("channel over time"));
   words_ = new QLabel;
   words_->setWordWrap(true);
-  words_->setFont(textFont(10.5, true));
+  words_->setFont(textFont(10.0, true));
   words_->setAccessibleName(tr("how far off each model is"));
   row->addWidget(channels_, 0, Qt::AlignTop);
   row->addWidget(words_, 1);
@@ -89,7 +89,11 @@ void TimeView::draw() {
   if (stale_ || !report_ || index < 0) return;
   const ChannelReport& channel = report_->channels[static_cast<std::size_t>(index)];
   words_->setText(wordsOf(channel, !report_->causes.empty()));
-  figure_ = new RemainderFigure(remainderData(*report_, channel));
+  RemainderData drawn = remainderData(*report_, channel);
+  drawn.title.clear();  // the box above says it
+  drawn.note.clear();
+  figure_ = new RemainderFigure(std::move(drawn));
+  figure_->setAccessibleName(words_->text());
   figure_->setToolTip(tr("Drag and wheel move and stretch the time; a double click shows all of it"));
   figure_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
   for (const PanelFigure::Panel& panel : figure_->panels()) {
