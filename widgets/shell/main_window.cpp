@@ -1,6 +1,7 @@
 #include "widgets/shell/main_window.h"
 
 #include <QAction>
+#include <QActionGroup>
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDateTime>
@@ -17,6 +18,7 @@
 #include "widgets/figures/save_figure.h"
 #include "widgets/panels/analysis/analysis_panel.h"
 #include "widgets/panels/calibration/calibration_panel.h"
+#include "widgets/panels/diagnosis/diagnosis_panel.h"
 #include "widgets/panels/errors/errors_panel.h"
 #include "widgets/panels/notes/notes_panel.h"
 #include "widgets/panels/occlusion/occlusion_panel.h"
@@ -25,6 +27,7 @@
 #include "widgets/scene/scene_view.h"
 #include "widgets/shell/analysis_desk.h"
 #include "widgets/shell/calibration_desk.h"
+#include "widgets/shell/diagnosis_desk.h"
 #include "widgets/shell/help_window.h"
 #include "widgets/shell/message_bar.h"
 #include "widgets/shell/motor_desk.h"
@@ -62,6 +65,7 @@ MainWindow::MainWindow(const QString& settings, QWidget* parent)
   centre_ = new QStackedWidget;
   centre_->addWidget(figure_);
   centre_->addWidget(analysis_ = new AnalysisPanel);
+  centre_->addWidget(diagnosis_ = new DiagnosisPanel(runDiagnosis));
   column->addWidget(centre_, 1);
   setCentralWidget(middle);
   status_ = new StatusLine;
@@ -103,6 +107,10 @@ void MainWindow::addDocks() {
   new RegistrationDesk(*registration_, *registration_dock_, link_, *bar_, *scene_, *notes_, this);
   new CalibrationDesk(*calibration_, *calibration, link_, *bar_, *notes_, this);
   new AnalysisDesk(*analysis_, *centre_, link_, *bar_, *errors_, *notes_, this);
+  new DiagnosisDesk(*diagnosis_, *centre_, link_, *bar_, *calibration_, *notes_, this);
+  auto* in_the_centre = new QActionGroup(this);  // one at a time, or the plots
+  in_the_centre->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
+  for (const char* name : {"analyse", "diagnose"}) in_the_centre->addAction(action(name));
   new MotorDesk(*figure_, link_, *bar_, *messages_, *notes_, this);
 }
 
@@ -338,6 +346,7 @@ void MainWindow::setThemeNamed(const QString& name) {
   occlusion_->setTheme(theme_);
   calibration_->setTheme(theme_);
   analysis_->setTheme(theme_);
+  diagnosis_->setTheme(theme_);
   registration_->setTheme(theme_);
   errors_->setTheme(theme_);
   notes_->setTheme(theme_);
@@ -354,6 +363,7 @@ void MainWindow::restore() {
   status_->setFolder(bar_->recordingFolder());
   setThemeNamed(settings_->value("theme", "dark").toString());
   analysis_->restore(*settings_);
+  diagnosis_->restore(*settings_);
   restoreGeometry(settings_->value("geometry").toByteArray());
   laid_out_ = restoreState(settings_->value("layout").toByteArray(), kLayoutVersion);
   registration_dock_->hide();
@@ -368,6 +378,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   settings_->setValue("source/recent", bar_->sources().recentFiles());
   choice_.save(*settings_);
   analysis_->save(*settings_);
+  diagnosis_->save(*settings_);
   QMainWindow::closeEvent(event);
 }
 

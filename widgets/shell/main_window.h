@@ -14,6 +14,7 @@ namespace capstan::widgets {
 
 class AnalysisPanel;
 class CalibrationPanel;
+class DiagnosisPanel;
 class ErrorsPanel;
 class HelpWindow;
 class MessageBar;
@@ -45,6 +46,7 @@ class MainWindow : public QMainWindow {
   SessionBar& bar() { return *bar_; }
   CalibrationPanel& calibration() { return *calibration_; }
   AnalysisPanel& analysis() { return *analysis_; }
+  DiagnosisPanel& diagnosis() { return *diagnosis_; }
   /// What went wrong, as the message bar says it; empty: nothing, or closed.
   QString message() const;
   QAction* action(const QString& name) const { return findChild<QAction*>(name); }
@@ -89,6 +91,7 @@ class MainWindow : public QMainWindow {
   OcclusionPanel* occlusion_;
   CalibrationPanel* calibration_;
   AnalysisPanel* analysis_;
+  DiagnosisPanel* diagnosis_;
   QStackedWidget* centre_;
   RegistrationPanel* registration_;
   ErrorsPanel* errors_;

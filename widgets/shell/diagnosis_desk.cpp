@@ -1,0 +1,75 @@
+#include "widgets/shell/diagnosis_desk.h"
+
+#include <QAction>
+#include <QStackedWidget>
+
+#include "core/base/error.h"
+#include "widgets/panels/calibration/calibration_panel.h"
+#include "widgets/panels/diagnosis/diagnosis_panel.h"
+#include "widgets/panels/notes/notes_panel.h"
+#include "widgets/shell/session_bar.h"
+#include "widgets/shell/session_link.h"
+
+namespace capstan::widgets {
+
+DiagnosisDesk::DiagnosisDesk(DiagnosisPanel& panel, QStackedWidget& centre, SessionLink& link,
+                             SessionBar& bar, CalibrationPanel& calibration, NotesPanel& notes,
+                             QObject* parent)
+    : QObject(parent), panel_(panel) {
+  addAction(centre, bar);
+  offerRecordings(link);
+  useRobots(link, calibration, notes);
+  connect(&panel, &DiagnosisPanel::robotSaved, this,
+          [this, &notes](const QString& path) { notes.addFile(now_, "robot", path); });
+  connect(&panel, &DiagnosisPanel::exported, this,
+          [this, &notes](const QString& index) { notes.addFile(now_, "export", index); });
+}
+
+void DiagnosisDesk::addAction(QStackedWidget& centre, SessionBar& bar) {
+  auto* action = new QAction(tr("Diagnose"), this);
+  action->setObjectName("diagnose");
+  action->setCheckable(true);
+  action->setShortcut(QKeySequence(QStringLiteral("Ctrl+D")));
+  action->setToolTip(tr(
+      "What the simulation gets wrong in recordings, and why, in the place of the plots, or back (Ctrl+D)"));
+  bar.addPanelAction(action);
+  connect(action, &QAction::toggled, &centre, [this, &centre](bool shown) {
+    centre.setCurrentIndex(shown ? centre.indexOf(&panel_) : 0);
+    if (shown) panel_.setFocus();
+  });
+}
+
+void DiagnosisDesk::offerRecordings(SessionLink& link) {
+  connect(&link, &SessionLink::opened, this,
+          [this](const session::SourceInfo& info, const SourceChoice& choice) {
+            now_ = info.begin;
+            panel_.setSessionJoints(info.robot.size());
+            if (!choice.simulated) panel_.offer(choice.file, tr("Open recording"));
+          });
+  connect(&link, &SessionLink::status, this, &DiagnosisDesk::onStatus);
+}
+
+/// A recording is offered when its file is whole.
+void DiagnosisDesk::onStatus(const session::RunStatus& status) {
+  now_ = status.t;
+  const bool recording = status.recorder && status.recorder->state == session::RecorderState::kRecording;
+  const bool failed = status.recorder && status.recorder->state == session::RecorderState::kFailed;
+  if (!recording_.isEmpty() && !recording && !failed) panel_.offer(recording_, tr("Just recorded"));
+  recording_ = recording ? QString::fromStdString(status.recording) : QString();
+}
+
+void DiagnosisDesk::useRobots(SessionLink& link, CalibrationPanel& calibration, NotesPanel& notes) {
+  connect(&panel_, &DiagnosisPanel::robotChosen, this,
+          [this, &link, &calibration, &notes](const robot::Description& robot, const QString& summary) {
+            if (!link.runner()) return;
+            try {
+              link.runner()->setRobot(robot, summary.toStdString());
+              calibration.useRobot(robot);
+              notes.addEvent(now_, "robot", summary);
+            } catch (const base::InputError& error) {
+              Q_EMIT link.failed(QString::fromStdString(error.what()));
+            }
+          });
+}
+
+}  // namespace capstan::widgets
