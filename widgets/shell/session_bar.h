@@ -12,8 +12,8 @@ namespace capstan::widgets {
 class SourceMenu;
 
 /// Everything one does to a session, in a row: run, step, speed, source, record, registration,
-/// identification, export, note, help, theme. Holds no state of its own: showStatus() tells it how things
-/// are.
+/// identification, analysis, diagnosis, export, note, help, theme. Holds no state of its own: showStatus()
+/// tells it how things are.
 class SessionBar : public QToolBar {
   Q_OBJECT
 

@@ -2,6 +2,7 @@
 #include "core/base/resource.h"
 #include "core/diagnosis/diagnose.h"
 #include "core/diagnosis/read_evidence.h"
+#include "core/experiments/same_recording.h"
 #include "core/robot/description.h"
 #include "widgets/panels/diagnosis/diagnosis_choice.h"
 
@@ -29,12 +30,27 @@ robot::Description nominalOf(const std::vector<diagnosis::Evidence>& recordings,
   return first ? *first->robot : otherwise;
 }
 
+/// base::InputError: one that comes twice, under another path.
+void checkRecordings(const QStringList& files) {
+  for (int i = 0; i < files.size(); ++i)
+    for (int j = 0; j < i; ++j)
+      if (experiments::sameRecording(files[j].toStdString(), files[i].toStdString()))
+        throw base::InputError(
+            {files[i].toStdString(),
+             0,
+             {},
+             {},
+             "is the same recording as " + files[j].toStdString() + ": it would count twice",
+             "Choose each recording once"});
+}
+
 }  // namespace
 
 diagnosis::Report runDiagnosis(const DiagnosisChoice& choice, base::Progress& progress) {
   const robot::Description robot =
       robot::readDescription(choice.robot.isEmpty() ? base::resource("robots/raven2_left.yaml")
                                                     : std::filesystem::path(choice.robot.toStdString()));
+  checkRecordings(choice.recordings);
   std::vector<diagnosis::Evidence> recordings;
   for (const QString& file : choice.recordings) {
     progress.report(
