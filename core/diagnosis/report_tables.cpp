@@ -87,17 +87,18 @@ std::string gainText(const Gain& gain) {
 Table channelTable(const Report& report) {
   const bool extended = !report.causes.empty();
   Table table;
-  table.title = "What each model's simulation gets wrong";
+  table.title = "RMS of measured − simulated, model by model";
   table.columns = {text("recording"), text("channel"),
                    number("RMS nominal", "", 3, NumberStyle::kSignificant),
                    number("refitted", "", 3, NumberStyle::kSignificant)};
   table.columns.front().grouped = true;
+  if (report.recordings.size() < 2) table.columns.erase(table.columns.begin());
   if (extended) table.columns.push_back(number("extended", "", 3, NumberStyle::kSignificant));
   table.columns.push_back(number("noise", "", 2, NumberStyle::kSignificant));
   table.columns.push_back(number("fit before", "%", 2, NumberStyle::kFixed));
   if (extended) {
     table.columns.push_back(number("fit after", "%", 2, NumberStyle::kFixed));
-    table.columns.push_back(text("left of the RMS, held out [%]"));
+    table.columns.push_back(text("left, held out [%]"));
   }
   for (const ChannelReport& channel : report.channels) {
     const double scale = shownUnit(channel.refitted.unit).scale;
@@ -111,12 +112,13 @@ Table channelTable(const Report& report) {
       row.emplace_back(channel.extended_statistics.fit);
       row.emplace_back(percentages(ratioOf(channel.gain), channel.gain.interval));
     }
+    if (report.recordings.size() < 2) row.erase(row.begin());
     table.rows.push_back(std::move(row));
   }
-  table.note = "RMS of measured − simulated; noise is the sensor's own, and fit 100 (1 − ‖e‖ / ‖y − mean‖).";
+  table.note = "Noise is the sensor's own, and fit 100 (1 − ‖e‖ / ‖y − mean‖).";
   if (extended)
     table.note +=
-        " Held out: on stretches that were not fitted, with the 95 % interval of a block bootstrap.";
+        " Left: of the RMS, on stretches that were not fitted, with the 95 % interval of a block bootstrap.";
   return table;
 }
 
@@ -131,7 +133,7 @@ Table refitTable(const Report& report) {
                           shownNumber(one.value, one.sigma, one.unit), changeOf(one),
                           one.at_bound ? "at its bound: it would go further"
                           : one.moved  ? "moved"
-                                       : ""});
+                                       : "not moved"});
   table.note =
       "Moved: by more than two standard deviations. A number that is only mistuned is no missing effect.";
   return table;
@@ -206,13 +208,21 @@ Table processTable(const RemainderProcess& process) {
   Table table;
   table.title = "What the remainder of " + process.channel + " depends on";
   table.columns = {text("variable"), text("share of the variance [%]"), text("changes over")};
-  for (const ProcessVariable& one : process.variables)
+  std::size_t left_out = 0;
+  for (const ProcessVariable& one : process.variables) {
+    if (!table.rows.empty() && one.relevance < kWeakly) {
+      ++left_out;
+      continue;
+    }
+    const bool has_length = one.kind != VariableKind::kDirection;
     table.rows.push_back({one.name, fmt::format("{:.1f} ± {:.1f}", 100.0 * one.relevance, 100.0 * one.sigma),
-                          shownNumber(one.length, 0.0, one.unit)});
+                          has_length ? shownNumber(one.length, 0.0, one.unit) : std::string()});
+  }
   table.note = fmt::format(
-      "A Gaussian process on {} points predicts {:.0f} % of the variance of stretches that it "
-      "was not fitted to.",
+      "A Gaussian process on {} points predicts {:.0f} % of the variance of stretches that it was not fitted "
+      "to.",
       process.points, 100.0 * process.explained);
+  if (left_out > 0) table.note += fmt::format(" {} more variables hardly matter.", left_out);
   return table;
 }
 

@@ -18,7 +18,8 @@ std::string causeText(const Cause& cause);
 std::string gainText(const Gain& gain);
 
 /// A row a channel: RMS of measured − simulated of the three models, the sensor's noise, fit, and what is
-/// left of the RMS on data held out with its 95 % interval; the last columns only where there are causes.
+/// left of the RMS on data held out with its 95 % interval; the last columns only where there are causes, the
+/// recording only where there are several.
 base::Table channelTable(const Report& report);
 /// The nominal model's numbers before and after the refit, those that moved first.
 base::Table refitTable(const Report& report);
@@ -29,7 +30,8 @@ base::Table rankingTable(const Report& report, std::size_t most = 12);
 base::Table filterTable(const Report& report);
 /// Lines of the remainder's spectrum.
 base::Table lineTable(const Report& report);
-/// What a Gaussian process found the remainder to depend on.
+/// What a Gaussian process found the remainder to depend on: the first variable, and what is weakly relevant
+/// at least.
 base::Table processTable(const RemainderProcess& process);
 
 }  // namespace capstan::diagnosis

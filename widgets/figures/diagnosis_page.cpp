@@ -98,7 +98,7 @@ std::string unexplainedHtml(const Report& report) {
   if (report.processes.empty() && report.lines.empty()) return {};
   std::string html = "<h2>What stays unexplained</h2>\n";
   for (const diagnosis::RemainderProcess& process : report.processes) {
-    html += paragraph(process.channel + " " + process.words + ".");
+    html += paragraph("The remainder of " + process.channel + " " + process.words + ".");
     if (!process.variables.empty()) html += htmlTable(diagnosis::processTable(process));
   }
   if (!report.lines.empty()) html += htmlTable(diagnosis::lineTable(report));
@@ -118,8 +118,7 @@ std::string pictureHtml(const DiagnosisPicture& picture) {
     if (file.ends_with(".svg"))
       html += "<a href=\"" + htmlAddress(file) + "\"><img src=\"" + htmlAddress(file) +
               "\" loading=\"lazy\" alt=\"" + htmlEscaped(picture.caption) + "\"></a>";
-  return html + "\n<figcaption>" + htmlEscaped(picture.caption) + "</figcaption>" + links(picture.files) +
-         "</figure>\n";
+  return html + links(picture.files) + "</figure>\n";
 }
 
 std::string numbersHtml(const Report& report) {

@@ -50,12 +50,13 @@ QString words(const RemainderTrace& trace) {
   return parts.join(QStringLiteral("; "));
 }
 
-QString nameOf(RemainderFigure::Line line) {
+QString nameOf(RemainderFigure::Line line, bool extended) {
   using Line = RemainderFigure::Line;
   return line == Line::kMeasured   ? QObject::tr("measured")
          : line == Line::kNominal  ? QObject::tr("nominal")
-         : line == Line::kRefitted ? QObject::tr("refitted (before)")
-                                   : QObject::tr("extended (after)");
+         : line == Line::kExtended ? QObject::tr("extended (after)")
+         : extended                ? QObject::tr("refitted (before)")
+                                   : QObject::tr("refitted");
 }
 
 }  // namespace
@@ -184,7 +185,8 @@ void RemainderFigure::restyle() {
   std::sort(lines.begin(), lines.end());
   std::vector<LegendEntry> entries;
   for (const Line line : lines)
-    entries.push_back({nameOf(line), [pen = penOf(line, false)](QCPPainter* painter, const QRectF& box) {
+    entries.push_back({nameOf(line, lines.back() == Line::kExtended),
+                       [pen = penOf(line, false)](QCPPainter* painter, const QRectF& box) {
                          painter->setPen(pen);
                          painter->drawLine(QPointF(box.left(), box.center().y()),
                                            QPointF(box.right(), box.center().y()));

@@ -18,7 +18,7 @@ using diagnosis::VariableKind;
 
 constexpr int kLeastPanelWidth = 270;  ///< [px] of panels side by side
 constexpr int kMostColumns = 3;
-constexpr double kBarsBeyond = 0.6;     ///< so far beyond the means the axis follows their bars, in spreads
+constexpr double kBarsBeyond = 0.25;    ///< so far beyond the means the axis follows their bars, in spreads
 constexpr double kWorthShowing = 0.02;  ///< share of the variance
 
 QString fromUtf8(const std::string& text) { return QString::fromStdString(text); }
@@ -113,9 +113,11 @@ QPen linePen(const Theme& theme, bool after, double line) {
   return pen;
 }
 
+/// A circle about a disc: where both stand in one place, both are seen.
 QCPScatterStyle markStyle(const Theme& theme, bool after, double line) {
   const QColor ink = theme.colour(after ? Quantity::kUkf : Quantity::kKinematic);
-  return {QCPScatterStyle::ssCircle, QPen(ink, 1.2 * line), QBrush(after ? ink : theme.surface), 5.0 * line};
+  return {QCPScatterStyle::ssCircle, QPen(ink, 1.2 * line), QBrush(after ? ink : theme.surface),
+          (after ? 4.0 : 7.0) * line};
 }
 
 /// Torques of motor and joint and the stretch between them go together.

@@ -38,7 +38,7 @@ TEST(ReportTables, ChannelsInDegreesAndMillimetres) {
               report.channels[1].refitted_statistics.rms * 180.0 / std::numbers::pi, 1e-12);
   EXPECT_NEAR(table.rows[2][columnOf(table, "extended")].number,
               report.channels[2].extended_statistics.rms * 1e3, 1e-12);
-  const std::string left = table.rows[1][columnOf(table, "left of the RMS, held out [%]")].text;
+  const std::string left = table.rows[1][columnOf(table, "left, held out [%]")].text;
   EXPECT_NE(left.find('('), std::string::npos) << left;
   const Table quiet = channelTable(sampleReport({.verdict = Verdict::kNothing, .duration = 12.0}));
   expectWhole(quiet);
@@ -54,7 +54,7 @@ TEST(ReportTables, RefitShowsFirstWhatMoved) {
   EXPECT_EQ(table.rows[0][3].text, "-18.0 %");
   EXPECT_EQ(table.rows[0][4].text, "moved");
   EXPECT_NE(table.rows[1][4].text.find("bound"), std::string::npos);
-  EXPECT_EQ(table.rows[2][4].text, "");
+  EXPECT_EQ(table.rows[2][4].text, "not moved");
   report.refit[0].nominal = 0.0;
   expectWhole(refitTable(report));
 }
@@ -80,7 +80,12 @@ TEST(ReportTables, LinesProcessesAndFilter) {
   EXPECT_EQ(lines.rows[0][2].text, "0.400 mm");
   const Table process = processTable(report.processes[0]);
   expectWhole(process);
-  EXPECT_EQ(process.rows.size(), report.processes[0].variables.size());
+  EXPECT_EQ(process.rows[0][0].text, report.processes[0].variables[0].name);
+  EXPECT_LT(process.rows.size(), report.processes[0].variables.size());
+  EXPECT_NE(process.note.find("more variables hardly matter"), std::string::npos) << process.note;
+  RemainderProcess nothing = report.processes[0];
+  for (ProcessVariable& variable : nothing.variables) variable.relevance = -0.01;
+  EXPECT_EQ(processTable(nothing).rows.size(), 1U);
   EXPECT_TRUE(filterTable(report).rows.empty());
   const Table filter = filterTable(sampleReport({.duration = 12.0}));
   expectWhole(filter);
