@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <QApplication>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -8,6 +7,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/console.h"
+#include "app/cli/file_drawing.h"
 #include "app/cli/outputs.h"
 #include "core/base/error.h"
 #include "core/experiments/results_to_draw.h"
@@ -23,27 +23,6 @@ using experiments::Results;
 struct FiguresArguments {
   std::vector<std::string> inputs, only;
   std::string out = "capstan-figures", size = "180x120", json;
-};
-
-/// Qt's remark on a missing XDG_RUNTIME_DIR concerns nobody who saves files; the rest goes through.
-void passOn(QtMsgType, const QMessageLogContext&, const QString& message) {
-  if (!message.startsWith(QLatin1String("QStandardPaths: XDG_RUNTIME_DIR"))) notice(message.toStdString());
-}
-
-/// What Qt needs to draw into files; no display is asked for, not even a stale one.
-class FileDrawing {
- public:
-  FileDrawing() {
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    qInstallMessageHandler(passOn);
-    application_ = std::make_unique<QApplication>(count_, arguments_);
-  }
-
- private:
-  char name_[12] = "capstan-cli";
-  char* arguments_[2] = {name_, nullptr};
-  int count_ = 1;
-  std::unique_ptr<QApplication> application_;
 };
 
 /// A recording is tracked as the only trial of an experiment that keeps nothing. False: cancelled.

@@ -48,6 +48,7 @@ int run(int argc, char** argv) {
   cli::addSimulate(app, exit);
   cli::addTrack(app, exit);
   cli::addIdentify(app, exit);
+  cli::addDiagnose(app, exit);
   cli::addExperiment(app, exit);
   cli::addCalibrate(app, exit);
   cli::addInfo(app, exit);

@@ -1,8 +1,6 @@
 #include "app/cli/report_figures.h"
 
-#include <QApplication>
-
-#include "app/cli/console.h"
+#include "app/cli/file_drawing.h"
 #include "widgets/figures/joint_history.h"
 #include "widgets/figures/save_figure.h"
 
@@ -10,11 +8,6 @@ namespace capstan::cli {
 namespace {
 
 constexpr double kStep = 0.005;  ///< between rows that no camera sample asks for [s]
-
-/// Qt's remark on a missing XDG_RUNTIME_DIR concerns nobody who saves files; the rest goes through.
-void passOn(QtMsgType, const QMessageLogContext&, const QString& message) {
-  if (!message.startsWith(QLatin1String("QStandardPaths: XDG_RUNTIME_DIR"))) notice(message.toStdString());
-}
 
 }  // namespace
 
@@ -45,13 +38,7 @@ double ReportFigures::end() const { return impl_->history.end(); }
 bool ReportFigures::save(const std::array<std::string, 3>& joint_names,
                          const std::filesystem::path& folder) const {
   if (impl_->history.empty()) return false;
-  qputenv("QT_QPA_PLATFORM",
-          "offscreen");  // nothing is shown, so no display is asked for, not even a stale one
-  qInstallMessageHandler(passOn);
-  int count = 1;
-  char name[] = "capstan-cli";
-  char* arguments[] = {name, nullptr};
-  const QApplication application(count, arguments);
+  const FileDrawing drawing;
   std::array<QString, 3> names;
   for (std::size_t i = 0; i < names.size(); ++i) names[i] = QString::fromStdString(joint_names[i]);
   widgets::exportJointFigure(impl_->history, names, begin(), end(), folder / "joints");

@@ -1,0 +1,50 @@
+#include <memory>
+
+#include "app/cli/command.h"
+#include "app/cli/diagnose_run.h"
+
+namespace capstan::cli {
+
+void addDiagnose(CLI::App& app, ExitCode& exit) {
+  auto arguments = std::make_shared<DiagnoseArguments>();
+  CLI::App* command = app.add_subcommand(
+      "diagnose", "Say what the simulation of a robot gets wrong, why, and what it is worth");
+  command
+      ->add_option("REC", arguments->files,
+                   "recordings of one robot: session (.capstan), measured table or RAVEN-II motor log (.csv)")
+      ->required();
+  command->add_option("--robot", arguments->robot, "nominal robot file; a session brings its own");
+  command->add_option("--only", arguments->options.only, "effects to consider, by their names in robot files")
+      ->delimiter(',');
+  command
+      ->add_option("--skip-start", arguments->skip_start, "of each recording, simulated but not compared [s]")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1e6));
+  command->add_option("--threads", arguments->options.threads, "that compute")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 64));
+  command->add_option("--seed", arguments->options.seed, "of the bootstraps")->capture_default_str();
+  command->add_flag("!--no-filter", arguments->options.filter, "leave out what the Kalman filter gains");
+  command->add_option("--out", arguments->out,
+                      "extended robot file, for simulator, identification and filter");
+  command->add_option("--report", arguments->report,
+                      "folder for a page with figures, JSON and robot file: new, empty, or of a former run");
+  command->add_option("--json", arguments->json, "result as JSON, SI: a file, or - for standard output");
+  command->footer(
+      "The nominal model is refitted first, so that a mistuned number is not called a missing effect. The\n"
+      "reference is the joint encoder where fitted, else the tip that cameras see. Verdicts: found, "
+      "several,\n"
+      "tie (with the motion that would tell apart), nothing, unexplained; each is an answer: exit code 0.\n"
+      "Examples:\n"
+      "  capstan-cli diagnose trial.capstan\n"
+      "  capstan-cli diagnose slow.csv fast.csv --robot arm.yaml --report diagnosis --out arm_extended.yaml\n"
+      "  capstan-cli diagnose trial.capstan --only backlash,cable_hysteresis --json -");
+  command->callback([arguments, &exit] {
+    exit = runDiagnose(*arguments, [](const auto& recordings, const auto& robot, const auto& options,
+                                      base::Progress* progress) {
+      return diagnosis::diagnose(recordings, robot, options, progress);
+    });
+  });
+}
+
+}  // namespace capstan::cli

@@ -1,0 +1,134 @@
+#include "app/cli/diagnose_output.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+#include <vector>
+
+#include "core/diagnosis/hypothesis.h"
+#include "core/diagnosis/report_tables.h"
+#include "core/diagnosis/shown.h"
+
+namespace capstan::cli {
+namespace {
+
+using diagnosis::Cause;
+using diagnosis::Report;
+
+constexpr std::size_t kWidth = 100;
+constexpr std::size_t kRanked = 6;  ///< candidates of a round
+
+/// Of UTF-8.
+std::size_t charactersIn(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+std::string headerOf(const base::TableColumn& column) {
+  return column.unit.empty() ? column.name : column.name + " [" + column.unit + "]";
+}
+
+std::vector<std::vector<std::string>> cellsOf(const base::Table& table) {
+  std::vector<std::vector<std::string>> cells(1);
+  for (const base::TableColumn& column : table.columns) cells.front().push_back(headerOf(column));
+  for (const auto& row : table.rows) {
+    cells.emplace_back();
+    for (std::size_t i = 0; i < table.columns.size(); ++i)
+      cells.back().push_back(base::cellText(i < row.size() ? row[i] : base::TableCell{}, table.columns[i]));
+  }
+  return cells;
+}
+
+bool isWords(const base::Table& table, std::size_t column) {
+  return std::any_of(table.rows.begin(), table.rows.end(),
+                     [&](const auto& row) { return column < row.size() && !row[column].text.empty(); });
+}
+
+std::string told(const char* name, std::string_view words) {
+  return words.empty() ? std::string() : wrapped(fmt::format("{}: {}", name, words), 2);
+}
+
+std::string causeBlock(const Cause& cause) {
+  std::string text = wrapped(diagnosis::causeText(cause));
+  text += wrapped(fmt::format("probability {:.0f} %", 100.0 * cause.probability), 2);
+  if (!cause.gain.channel.empty()) text += wrapped(diagnosis::gainText(cause.gain), 2);
+  if (const diagnosis::Hypothesis* hypothesis = diagnosis::hypothesisNamed(cause.effect))
+    text +=
+        told("what it is", hypothesis->words().what) + told("shown best by", hypothesis->words().experiment);
+  return text + "\n";
+}
+
+/// A tie's causes stand with the tie.
+bool isTied(const Report& report, const Cause& cause) {
+  for (const diagnosis::Tie& tie : report.ties)
+    for (const Cause& one : tie.causes)
+      if (one.effect == cause.effect && one.joint == cause.joint) return true;
+  return false;
+}
+
+std::string causesText(const Report& report) {
+  std::string text;
+  for (const Cause& cause : report.causes)
+    if (!isTied(report, cause)) text += causeBlock(cause);
+  for (const diagnosis::Tie& tie : report.ties) {
+    text += "One of these, which the recordings cannot tell apart:\n\n";
+    for (const Cause& cause : tie.causes) text += causeBlock(cause);
+    if (!tie.separate.empty()) text += wrapped("What would tell them apart: " + tie.separate) + "\n";
+  }
+  return text;
+}
+
+std::string unexplainedText(const Report& report) {
+  std::string text;
+  for (const diagnosis::RemainderProcess& process : report.processes)
+    text += wrapped("The remainder of " + process.channel + " " + process.words + ".") + "\n";
+  if (!report.lines.empty()) text += plainText(diagnosis::lineTable(report)) + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string wrapped(const std::string& text, std::size_t indent) {
+  const std::string margin(indent, ' ');
+  std::string all, line;
+  std::istringstream in(text);
+  for (std::string word; in >> word;) {
+    if (!line.empty() && indent + charactersIn(line) + 1 + charactersIn(word) > kWidth) {
+      all += margin + line + "\n";
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + word;
+  }
+  return line.empty() ? all : all + margin + line + "\n";
+}
+
+std::string plainText(const base::Table& table) {
+  const auto cells = cellsOf(table);
+  std::vector<std::size_t> widths(table.columns.size(), 0);
+  for (const auto& row : cells)
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], charactersIn(row[i]));
+  std::string text = table.title + "\n";
+  for (const auto& row : cells) {
+    std::string line = "  ";
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const std::string space(widths[i] - charactersIn(row[i]), ' ');
+      line += (isWords(table, i) ? row[i] + space : space + row[i]) + "  ";
+    }
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  return text + wrapped(table.note, 2);
+}
+
+std::string textOf(const Report& report) {
+  std::string text = wrapped(report.summary) + "\n" + causesText(report) + unexplainedText(report);
+  if (!report.channels.empty()) text += plainText(diagnosis::channelTable(report)) + "\n";
+  if (!report.refit.empty()) text += plainText(diagnosis::refitTable(report)) + "\n";
+  if (!report.candidates.empty()) text += plainText(diagnosis::rankingTable(report, kRanked)) + "\n";
+  if (!report.filter.empty()) text += plainText(diagnosis::filterTable(report)) + "\n";
+  double seconds = 0.0;
+  for (const diagnosis::Stage& stage : report.stages) seconds += stage.seconds;
+  return text + fmt::format("verdict: {}, in {:.1f} s of computing\n", base::nameOf(report.verdict), seconds);
+}
+
+}  // namespace capstan::cli

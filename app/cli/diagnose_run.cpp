@@ -1,0 +1,132 @@
+#include "app/cli/diagnose_run.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+#include "app/cli/console.h"
+#include "app/cli/diagnose_output.h"
+#include "app/cli/file_drawing.h"
+#include "app/cli/outputs.h"
+#include "app/cli/recordings.h"
+#include "core/base/error.h"
+#include "core/base/yaml.h"
+#include "core/diagnosis/extended_robot.h"
+#include "core/diagnosis/read_evidence.h"
+#include "core/diagnosis/report_json.h"
+#include "core/experiments/same_recording.h"
+#include "core/experiments/software.h"
+#include "core/robot/effects.h"
+#include "widgets/figures/diagnosis_export.h"
+
+namespace capstan::cli {
+namespace {
+
+using diagnosis::Evidence;
+using diagnosis::Report;
+
+void checkNames(const std::vector<std::string>& only) {
+  std::string all;
+  for (const robot::EffectFacts& facts : robot::effectFacts())
+    all += (all.empty() ? "" : ", ") + std::string(facts.name);
+  for (const std::string& name : only)
+    if (!robot::effectNamed(name)) refuseOption("--only", name, "is no effect", "Effects: " + all);
+}
+
+/// Recordings that are each another, and outputs that can be written and are no inputs.
+void checkFiles(const DiagnoseArguments& arguments) {
+  const std::vector<std::string>& files = arguments.files;
+  for (std::size_t i = 0; i < files.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (experiments::sameRecording(files[j], files[i]))
+        refuseFile(files[i], "is the same recording as " + files[j] + ": it would count twice",
+                   "Give each recording once");
+  for (const std::string& file : files)
+    if (detectFormat(file) == RecordingFormat::kRobot)
+      refuseFile(file, "is a robot file and no recording", "Give it as --robot");
+  std::vector<std::string> inputs = files;
+  inputs.push_back(arguments.robot);
+  checkOutputs({{"--out", arguments.out}, {"--json", arguments.json}}, inputs);
+  if (arguments.report.empty()) return;
+  checkOutputFolder("--report", arguments.report, {"index.html", "report.json", "robot.yaml"}, inputs);
+  widgets::checkExportFolder(arguments.report, widgets::kDiagnosisMark);
+}
+
+/// Cancelled: those that were read until then.
+std::vector<Evidence> readAll(const DiagnoseArguments& arguments, const robot::Description& robot,
+                              base::Progress& progress) {
+  diagnosis::EvidenceOptions options;
+  options.skip_start = arguments.skip_start;
+  std::vector<Evidence> all;
+  for (const std::string& file : arguments.files) {
+    try {
+      all.push_back(diagnosis::readEvidence(file, robot, options, &progress));
+    } catch (const base::InputError&) {
+      if (!progress.cancelled()) throw;  // what was read until then may hold too little
+    }
+    if (progress.cancelled()) break;
+  }
+  return all;
+}
+
+/// None: cancelled before there was anything to say.
+std::optional<Report> find(const DiagnoseArguments& arguments, const Diagnose& diagnose,
+                           robot::Description& nominal) {
+  base::Progress progress;
+  const ProgressLine line(progress);
+  const std::vector<Evidence> recordings = readAll(arguments, nominal, progress);
+  if (progress.cancelled()) return std::nullopt;
+  if (arguments.robot.empty() && recordings.front().robot) nominal = *recordings.front().robot;
+  Report report = diagnose(recordings, nominal, arguments.options, &progress);
+  if (report.cancelled && report.channels.empty()) return std::nullopt;
+  return report;
+}
+
+void writeRobot(const DiagnoseArguments& arguments, const Report& report) {
+  base::writeTextFile(arguments.out, diagnosis::extendedRobotText(report, experiments::software()));
+  if (report.causes.empty()) notice("nothing was named: " + arguments.out + " is the refitted robot");
+}
+
+/// False: cancelled while it was drawn.
+bool writePage(const DiagnoseArguments& arguments, const Report& report, const robot::Description& nominal) {
+  const FileDrawing drawing;
+  base::Progress progress;
+  const ProgressLine line(progress);
+  widgets::exportDiagnosis(report, {nominal.name, experiments::software(), isoNow()}, arguments.report,
+                           &progress);
+  return !progress.cancelled();
+}
+
+/// Says what was not written.
+ExitCode cancelled(const DiagnoseArguments& arguments, const std::string& what) {
+  std::string files;
+  for (const std::string& file : {arguments.out, arguments.report})
+    if (!file.empty()) files += (files.empty() ? "" : ", ") + file;
+  notice("cancelled: " + what + (files.empty() ? "" : "; not written: " + files));
+  return kFailed;
+}
+
+}  // namespace
+
+ExitCode runDiagnose(const DiagnoseArguments& arguments, const Diagnose& diagnose) {
+  checkNames(arguments.options.only);
+  checkFiles(arguments);
+  robot::Description nominal = readRobot(arguments.robot);
+  const std::optional<Report> report = find(arguments, diagnose, nominal);
+  if (!report) return cancelled(arguments, "nothing was diagnosed");
+  for (const std::string& line : report->notices) notice(line);
+  const Output output(arguments.json);
+  output.text(textOf(*report));
+  output.json(diagnosis::jsonOf(*report));
+  if (report->cancelled) return cancelled(arguments, "this is what there was until then");
+  if (!arguments.out.empty()) writeRobot(arguments, *report);
+  if (!arguments.report.empty() && !writePage(arguments, *report, nominal)) {
+    notice("cancelled: " + arguments.report + " lacks figures");
+    return kFailed;
+  }
+  if (!arguments.report.empty())
+    output.text("report: " + (std::filesystem::path(arguments.report) / "index.html").string() + "\n");
+  return kOk;
+}
+
+}  // namespace capstan::cli

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/cli/command.h"
+#include "core/diagnosis/diagnose.h"
+
+namespace capstan::cli {
+
+struct DiagnoseArguments {
+  std::vector<std::string> files;
+  std::string robot, json, report, out;  ///< empty: not given
+  double skip_start = 0.0;               ///< [s]
+  diagnosis::DiagnosisOptions options;
+};
+
+/// diagnosis::diagnose, or what stands in for it.
+using Diagnose =
+    std::function<diagnosis::Report(const std::vector<diagnosis::Evidence>&, const robot::Description&,
+                                    const diagnosis::DiagnosisOptions&, base::Progress*)>;
+
+/// The command behind its options: reads, diagnoses and writes. kFailed: cancelled. Throws base::InputError
+/// for files, options and outputs that will not do, before anything is computed.
+ExitCode runDiagnose(const DiagnoseArguments& arguments, const Diagnose& diagnose);
+
+}  // namespace capstan::cli

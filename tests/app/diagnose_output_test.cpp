@@ -1,0 +1,86 @@
+// What people read of a diagnosis in a terminal.
+#include "app/cli/diagnose_output.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "core/diagnosis/hypothesis.h"
+#include "core/diagnosis/report_tables.h"
+#include "tests/support/sample_diagnosis.h"
+
+namespace capstan::cli {
+namespace {
+
+using diagnosis::Report;
+using diagnosis::Verdict;
+using testing::sampleReport;
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+std::string flat(std::string text) {
+  std::string out;
+  for (const char c : text)
+    if (c != '\n' && (c != ' ' || out.empty() || out.back() != ' '))
+      out += c;
+    else if (c == '\n' && !out.empty() && out.back() != ' ')
+      out += ' ';
+  return out;
+}
+
+TEST(DiagnoseText, BeginsWithTheVerdictThenCausesThenNumbers) {
+  const Report report = sampleReport({.recordings = 2, .duration = 12.0});
+  const std::string text = textOf(report), line = flat(text);
+  EXPECT_EQ(flat(text).rfind(report.summary, 0), 0U) << text;
+  const std::size_t cause = line.find("Backlash, joint 2: half width 0.930 ± 0.030 mm"),
+                    gain = line.find("q2: RMS "), channels = line.find("model by model"),
+                    refit = line.find("cable stiffness of joint 2"),
+                    ranking = line.find("Which effects were weighed"),
+                    filter = line.find("Kalman filter gains");
+  for (const std::size_t at : {cause, gain, channels, refit, ranking, filter})
+    ASSERT_NE(at, std::string::npos) << text;
+  EXPECT_TRUE(cause < gain && gain < channels && channels < refit && refit < ranking && ranking < filter);
+  EXPECT_TRUE(has(line, std::string(diagnosis::hypothesisNamed("backlash")->words().experiment)));
+  EXPECT_TRUE(has(line, "probability 97 %"));
+  EXPECT_TRUE(has(line, "verdict: found"));
+}
+
+TEST(DiagnoseText, TiesStandTogetherWithWhatWouldTellThemApart) {
+  const Report report = sampleReport({.verdict = Verdict::kTie, .duration = 12.0});
+  const std::string text = flat(textOf(report));
+  EXPECT_TRUE(has(text, "cannot tell apart"));
+  EXPECT_TRUE(has(text, "What would tell them apart: " + report.ties[0].separate));
+  const std::size_t first = text.find(diagnosis::causeText(report.causes[0]));
+  ASSERT_NE(first, std::string::npos);
+  EXPECT_EQ(text.find(diagnosis::causeText(report.causes[0]), first + 1), std::string::npos) << "once";
+}
+
+TEST(DiagnoseText, SaysWhatStaysUnexplained) {
+  const Report report = sampleReport({.verdict = Verdict::kUnexplained});
+  const std::string text = flat(textOf(report));
+  EXPECT_TRUE(has(text, "The remainder of q1 " + report.processes[0].words));
+  EXPECT_TRUE(has(text, "7.30"));
+  EXPECT_FALSE(has(text, "Kalman"));
+}
+
+TEST(DiagnoseText, TablesAreAlignedAndNoLineIsEndless) {
+  base::Table table{
+      "Title", {{"name", {}, 0, {}, false}, {"value", "mm", 2, {}, false}}, {{"µ", 1.0}, {"long", 10.0}}, {}};
+  EXPECT_EQ(plainText(table), "Title\n  name  value [mm]\n  µ           1.00\n  long       10.00\n");
+  table.rows[0].pop_back();
+  EXPECT_TRUE(has(plainText(table), "–")) << "a cell that is missing is an empty one";
+  std::istringstream lines(
+      textOf(sampleReport({.verdict = Verdict::kSeveral, .recordings = 2, .duration = 12.0})));
+  for (std::string line; std::getline(lines, line);) EXPECT_LT(line.size(), 160U) << line;
+}
+
+TEST(DiagnoseText, WrapsAtSpaces) {
+  const std::string words = "one two three";
+  EXPECT_EQ(wrapped(words, 2), "  one two three\n");
+  EXPECT_EQ(wrapped(""), "");
+  const std::string text = wrapped(std::string(60, 'a') + " " + std::string(60, 'b'), 1);
+  EXPECT_EQ(text, " " + std::string(60, 'a') + "\n " + std::string(60, 'b') + "\n");
+}
+
+}  // namespace
+}  // namespace capstan::cli
