@@ -164,6 +164,9 @@ TEST_F(Diagnosis, NothingAndUnexplainedHaveNoCauseButPictures) {
   EXPECT_TRUE(card().contains("7.3 Hz")) << card().toStdString();
   EXPECT_TRUE(card().contains("q1: depends on")) << card().toStdString();
   EXPECT_FALSE(panel->causes().chosen());
+  EXPECT_THAT(panel->pages().signatures().channels().currentText().toStdString(), HasSubstr("q1"))
+      << "where something is to be seen";
+  EXPECT_THAT(panel->pages().signatures().words().toStdString(), HasSubstr("position of joint 1"));
   test::grab(*panel, "diagnosis_panel_unexplained");
 }
 

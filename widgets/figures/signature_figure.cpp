@@ -19,6 +19,7 @@ using diagnosis::VariableKind;
 constexpr int kLeastPanelWidth = 270;  ///< [px] of panels side by side
 constexpr int kMostColumns = 3;
 constexpr double kBarsBeyond = 0.25;    ///< so far beyond the means the axis follows their bars, in spreads
+constexpr int kNoiseShade = 60;         ///< opacity of 255
 constexpr double kWorthShowing = 0.02;  ///< share of the variance
 
 QString fromUtf8(const std::string& text) { return QString::fromStdString(text); }
@@ -60,8 +61,8 @@ std::vector<const Signature*> signaturesOf(const SignaturePanel& panel) {
   return all;
 }
 
-/// Of the value axis that the panels of `channel` share, in units for people: zero, all means, and their bars
-/// unless these reach far.
+/// Of the value axis that the panels of `channel` share, in units for people: zero, all means, the sensor's
+/// noise, and the means' bars unless these reach far.
 QCPRange valuesOf(const SignatureData& data, const std::string& channel) {
   QCPRange means(0.0, 0.0);
   const auto each = [&](const auto& take) {
@@ -78,6 +79,9 @@ QCPRange valuesOf(const SignatureData& data, const std::string& channel) {
     all.expand(std::clamp(scale * bin.interval.low, means.lower - reach, means.upper + reach));
     all.expand(std::clamp(scale * bin.interval.high, means.lower - reach, means.upper + reach));
   });
+  for (const SignaturePanel& panel : data.panels)
+    if (panel.before.channel == channel)
+      for (const double sigma : {-panel.noise, panel.noise}) all.expand(shownUnit(panel.unit).scale * sigma);
   if (all.size() <= 0.0) return {-1.0, 1.0};
   return {all.lower - 0.06 * all.size(), all.upper + 0.06 * all.size()};
 }
@@ -145,7 +149,7 @@ LegendEntry entry(const QString& text, const Theme& theme, bool after, double li
 }  // namespace
 
 SignaturePanel signaturePanel(const diagnosis::ChannelReport& channel, std::size_t which, bool extended) {
-  SignaturePanel panel{channel.before[which], {}, channel.refitted.unit};
+  SignaturePanel panel{channel.before[which], {}, channel.refitted.unit, channel.refitted.noise};
   for (const Signature& after : channel.after)
     if (extended && after.variable == panel.before.variable) panel.after = after;
   return panel;
@@ -191,6 +195,12 @@ void SignatureFigure::build(const SignaturePanel& data) {
   const QCPRange values = valuesOf(data_, signature.channel);
   y->setRange(values);
   Curves curves;
+  if (data.noise > 0.0) {
+    const double sigma = shownUnit(data.unit).scale * data.noise;
+    curves.noise = new SigmaBand(panel.axes);
+    curves.noise->begin();
+    for (const double end : {x->range().lower, x->range().upper}) curves.noise->add(end, -sigma, sigma);
+  }
   curves.before = addCurve(panel, signature, data.unit, values);
   if (data.after) curves.after = addCurve(panel, *data.after, data.unit, values);
   panel.empty->setVisible(signature.bins.empty());
@@ -231,8 +241,12 @@ int SignatureFigure::columnsFor(QSize size) const {
 
 void SignatureFigure::restyle() {
   const double line = scale().line;
-  bool after = false;
+  bool after = false, noise = false;
+  QColor shade = theme().muted;
+  shade.setAlpha(kNoiseShade);
   for (std::size_t i = 0; i < curves_.size(); ++i) {
+    if (curves_[i].noise) curves_[i].noise->setColour(shade);
+    noise = noise || curves_[i].noise;
     panels()[i].axes->axis(QCPAxis::atLeft)->grid()->setZeroLinePen(QPen(theme().muted, 1.0 * line));
     for (const auto& [curve, is_after] : {std::pair{curves_[i].before, false}, {curves_[i].after, true}}) {
       if (!curve.means) continue;
@@ -247,6 +261,9 @@ void SignatureFigure::restyle() {
       entry(after ? tr("before: refitted model, mean ± 95 %") : tr("refitted model, mean ± 95 %"), theme(),
             false, line)};
   if (after) entries.push_back(entry(tr("after: with the causes in the model"), theme(), true, line));
+  if (noise)
+    entries.push_back({tr("sensor noise ± σ"),
+                       [shade](QCPPainter* painter, const QRectF& box) { painter->fillRect(box, shade); }});
   setLegend(std::move(entries));
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/diagnosis/report.h"
 #include "widgets/figures/panel_figure.h"
+#include "widgets/figures/sigma_band.h"
 
 namespace capstan::widgets {
 
@@ -13,6 +14,7 @@ struct SignaturePanel {
   diagnosis::Signature before;                     ///< of the refitted model
   std::optional<diagnosis::Signature> after = {};  ///< of the extended one, against the same variable
   std::string unit;                                ///< of the remainder: "rad" or "m"
+  double noise = 0.0;                              ///< standard deviation of the sensor; 0: not shown
 };
 
 struct SignatureData {
@@ -31,7 +33,8 @@ SignatureData strongestSignatures(const diagnosis::Report& report, const diagnos
 /// What a simulation gets wrong against what it may depend on: the remainder's mean in bins of a variable
 /// with its 95 % interval, before and after causes were added to the model. Above each panel the share of the
 /// remainder's variance that the variable explains, in words and numbers. Panels of one channel have one
-/// value axis, so that a strong signature looks strong beside a weak one.
+/// value axis, so that a strong signature looks strong beside a weak one, and the sensor's noise, ± σ, is
+/// shaded and always within it, so that nothing does not look like something.
 ///     SignatureFigure figure({"q2", {}, {signaturePanel(channel, 0, !report.causes.empty())}});
 ///     SignatureFigure sheet(strongestSignatures(report, channel));
 class SignatureFigure : public PanelFigure {
@@ -57,6 +60,7 @@ class SignatureFigure : public PanelFigure {
   };
   struct Curves {
     Curve before, after;
+    SigmaBand* noise = nullptr;
   };
   void build(const SignaturePanel& data);
   Curve addCurve(const Panel& panel, const diagnosis::Signature& signature, const std::string& unit,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/diagnosis/shown.h"
 #include "core/stats/rms.h"
 #include "tests/support/sample_diagnosis.h"
 #include "tests/widgets/picture.h"
@@ -100,7 +101,11 @@ TEST(SignatureFigures, StrongestFirstOnOneScaleAndNothingAfterWithoutACause) {
   const SignatureFigure quiet(strongestSignatures(none, none.channels[kElbow], 4));
   ASSERT_GE(quiet.data().panels.size(), 1U);
   EXPECT_EQ(quiet.after(0), nullptr);
-  EXPECT_EQ(quiet.legend().entries().size(), 1U);
+  EXPECT_EQ(quiet.legend().entries().size(), 2U) << "before, and the sensor's noise";
+  const double noise = diagnosis::shownUnit("rad").scale * none.channels[kElbow].refitted.noise;
+  ASSERT_GT(noise, 0.0);
+  const QCPRange axis = quiet.panels()[0].axes->axis(QCPAxis::atLeft)->range();
+  EXPECT_TRUE(axis.contains(noise) && axis.contains(-noise)) << "nothing does not fill the picture";
 }
 
 TEST(SignatureFigures, BarsStayWithinTheAxisAndUnknownIntervalsHaveNone) {

@@ -240,7 +240,10 @@ void DiagnosisPanel::showReport(Report report) {
 void DiagnosisPanel::onCause() {
   const diagnosis::Cause* cause = causes_->chosen();
   if (!report_) return;
-  if (!cause) return card_->showRemains(*report_);
+  if (!cause) {
+    card_->showRemains(*report_);
+    return pages_->showChannel(channelWorthSeeing(*report_));
+  }
   card_->showEffect(cause->effect, placeOf(cause->effect, cause->joint, report_->extended));
   pages_->showChannel(cause->gain.channel);
 }

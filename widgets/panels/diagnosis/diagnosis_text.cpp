@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <QStringList>
+#include <algorithm>
 #include <cmath>
 
 #include "core/diagnosis/report_tables.h"
@@ -73,6 +74,19 @@ QString channelTitle(const diagnosis::Report& report, const diagnosis::ChannelRe
   const auto recording = static_cast<std::size_t>(channel.recording);
   if (report.recordings.size() < 2 || recording >= report.recordings.size()) return title;
   return text(report.recordings[recording]) + QStringLiteral(" · ") + title;
+}
+
+std::string channelWorthSeeing(const diagnosis::Report& report) {
+  if (!report.processes.empty()) return report.processes.front().channel;
+  if (!report.lines.empty()) return report.lines.front().channel;
+  std::string worth;
+  double most = -1.0;
+  for (const diagnosis::ChannelReport& channel : report.channels) {
+    const double share = channel.before.empty() ? 0.0 : std::max(channel.before.front().share, 0.0);
+    const double told = share * channel.refitted_statistics.beyond_noise;
+    if (told > most) most = told, worth = channel.refitted.name;
+  }
+  return worth;
 }
 
 QString percentText(double share, int decimals, bool sign) {

@@ -18,6 +18,10 @@ QString headlineOf(const diagnosis::Report& report);
 /// Which of a report's channels these are: "q2 (elbow)", behind the recording where there are several.
 QString channelTitle(const diagnosis::Report& report, const diagnosis::ChannelReport& channel);
 
+/// The channel to look at where no cause says which: that of the process that goes on where something stays
+/// unexplained, else the one in which a single variable explains most of what is beyond the sensor's noise.
+std::string channelWorthSeeing(const diagnosis::Report& report);
+
 /// "+3.1 %"; a dash where it is not known.
 QString percentText(double share, int decimals = 0, bool sign = false);
 
