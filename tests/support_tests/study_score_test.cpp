@@ -23,6 +23,20 @@ TEST(StudyScore, EveryWayToBeRightAndWrong) {
   EXPECT_EQ(hitOf(answer("error")), Hit::kError);
 }
 
+TEST(StudyScore, CandidatesAreKeptByScore) {
+  diagnosis::Report report;
+  const auto candidate = [&](const char* effect, int round, double score) {
+    diagnosis::Candidate& one = report.candidates.emplace_back();
+    one.effect = effect, one.round = round, one.score = score;
+  };
+  for (const double score : {1.0, NAN, 5.0, 3.0, -2.0, 4.0}) candidate("slack", 1, score);
+  candidate("payload", 2, 9.0);
+  const Answer said = answerOf(report, 1.0);
+  ASSERT_EQ(said.candidates.size(), kRanked);
+  EXPECT_EQ(said.candidates.front().score, 5.0);
+  EXPECT_EQ(said.candidates.back().score, -2.0);
+}
+
 TEST(StudyScore, WhatIsNamedOfATie) {
   const Answer with = answer("tie", {}, {{cause("slack", 2), cause("backlash", 2)}});
   EXPECT_EQ(scoreOne(backlashCase(with)).named, "backlash");

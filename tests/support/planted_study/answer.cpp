@@ -66,8 +66,12 @@ Answer answerOf(const diagnosis::Report& report, double seconds) {
     for (const auto& cause : tie.causes) causes.push_back(namedFrom(cause));
   }
   for (const auto& candidate : report.candidates)
-    if (candidate.round == 1 && answer.candidates.size() < kRanked)
+    if (candidate.round == 1)
       answer.candidates.push_back({candidate.effect, candidate.joint, candidate.reduction, candidate.score});
+  const auto rank = [](const RankedCause& one) { return std::isfinite(one.score) ? one.score : -HUGE_VAL; };
+  std::stable_sort(answer.candidates.begin(), answer.candidates.end(),
+                   [&](const RankedCause& a, const RankedCause& b) { return rank(a) > rank(b); });
+  answer.candidates.resize(std::min(answer.candidates.size(), kRanked));
   return answer;
 }
 

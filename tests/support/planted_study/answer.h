@@ -34,7 +34,7 @@ struct Answer {
   std::string summary;                        ///< what the report says of itself; the error's words
   std::vector<NamedCause> causes;             ///< first named first
   std::vector<std::vector<NamedCause>> ties;  ///< each best first
-  std::vector<RankedCause> candidates;        ///< the first kRanked
+  std::vector<RankedCause> candidates;        ///< the kRanked of best score, refitted ones first
   double explained = 0.0;
   double seconds = 0.0;  ///< that the diagnosis took
 };
