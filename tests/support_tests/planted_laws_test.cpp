@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/robot/chain/chain_model.h"
+#include "core/robot/chain/chain_stages.h"
 #include "core/robot/chain/chain_step.h"
 #include "tests/support/planted/excitation.h"
 #include "tests/support/planted_study/planted_numbers.h"
@@ -21,6 +22,7 @@ using test::Planted;
 constexpr double kTime = 4.0;      // [s]
 constexpr std::size_t kSeen = 10;  // rows from one that is compared to the next
 constexpr double kSlipAt = 0.4;    // of the time
+constexpr int kParts = 8;          // of a row in the chain's steps: laws are compared here, not steps
 
 /// The numbers of `planted` in the order in which core's effect has them.
 std::vector<double> valuesOf(const Planted& e) {
@@ -98,11 +100,14 @@ struct Bench {
     return told;
   }
 
-  robot::ChainInput inputAt(std::size_t k) const {
+  /// Of the part'th of kParts pieces of a row.
+  robot::ChainInput inputAt(std::size_t k, int part) const {
     robot::ChainInput input;
-    input.t = motion.t[k], input.dt = motion.t[k + 1] - motion.t[k];
+    input.dt = (motion.t[k + 1] - motion.t[k]) / kParts;
+    input.t = motion.t[k] + part * input.dt;
     for (int i = 0; i < robot.size(); ++i) {
-      input.motor[i] = motion.motor[k][i], input.motor_end[i] = motion.motor[k + 1][i];
+      const double from = motion.motor[k][i], way = motion.motor[k + 1][i] - from;
+      input.motor[i] = from + way * part / kParts, input.motor_end[i] = from + way * (part + 1) / kParts;
       input.torque[i] = motion.torque[k][i];
       input.load[i] = motion.load[k][i], input.signed_load[i] = std::abs(motion.load[k][i]);
     }
@@ -114,7 +119,7 @@ struct Bench {
     for (const Planted& one : effects) model.add(inWords(one));
     robot::JointVector q(robot.size());
     for (int i = 0; i < robot.size(); ++i) q[i] = motion.q.front()[i];
-    const int steps = 1 + static_cast<int>(1e-3 * robot::chainRate(model, q));
+    const robot::ChainStages stages = robot::chainStages(robot::chainRate(model, q), 1e-3 / kParts);
     robot::ChainState<double> state = robot::stateAt(model, q, robot::JointVector::Zero(robot.size()));
     robot::ChainStep<double> step(model.shape, model.numbers);
     for (int i = 0; i < robot.size(); ++i) {  // as the plant has it: its cable carries gravity
@@ -125,7 +130,7 @@ struct Bench {
     test::PlantedMotion moved;
     for (std::size_t k = 0; k + 1 < motion.t.size(); ++k) {
       std::copy_n(state.q, robot::kChainJoints, moved.q.emplace_back().begin());
-      step.advance(inputAt(k), steps, state);
+      for (int part = 0; part < kParts; ++part) step.advance(inputAt(k, part), stages, state);
     }
     test::RigidChain chain(robot);
     Told told;

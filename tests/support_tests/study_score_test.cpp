@@ -29,7 +29,7 @@ TEST(StudyScore, CandidatesAreKeptByScore) {
     diagnosis::Candidate& one = report.candidates.emplace_back();
     one.effect = effect, one.round = round, one.score = score;
   };
-  for (const double score : {1.0, NAN, 5.0, 3.0, -2.0, 4.0}) candidate("slack", 1, score);
+  for (const double score : std::vector<double>{1.0, NAN, 5.0, 3.0, -2.0, 4.0}) candidate("slack", 1, score);
   candidate("payload", 2, 9.0);
   const Answer said = answerOf(report, 1.0);
   ASSERT_EQ(said.candidates.size(), kRanked);
