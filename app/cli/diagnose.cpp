@@ -24,7 +24,9 @@ void addDiagnose(CLI::App& app, ExitCode& exit) {
       ->capture_default_str()
       ->check(CLI::Range(1, 64));
   command->add_option("--seed", arguments->options.seed, "of the bootstraps")->capture_default_str();
-  command->add_flag("!--no-filter", arguments->options.filter, "leave out what the Kalman filter gains");
+  command->add_flag_callback(
+      "--no-filter", [arguments] { arguments->options.filter = false; },
+      "leave out what the Kalman filter gains");
   command->add_option("--out", arguments->out,
                       "extended robot file, for simulator, identification and filter");
   command->add_option("--report", arguments->report,

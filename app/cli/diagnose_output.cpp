@@ -82,7 +82,8 @@ std::string causesText(const Report& report) {
 std::string unexplainedText(const Report& report) {
   std::string text;
   for (const diagnosis::RemainderProcess& process : report.processes)
-    text += wrapped("The remainder of " + process.channel + " " + process.words + ".") + "\n";
+    if (process.end == diagnosis::ProcessEnd::kDone)
+      text += wrapped("The remainder of " + process.channel + " " + process.words + ".") + "\n";
   if (!report.lines.empty()) text += plainText(diagnosis::lineTable(report)) + "\n";
   return text;
 }
@@ -121,11 +122,14 @@ std::string plainText(const base::Table& table) {
 }
 
 std::string textOf(const Report& report) {
-  std::string text = wrapped(report.summary) + "\n" + causesText(report) + unexplainedText(report);
+  std::string text = report.cancelled
+                         ? "Cancelled: no verdict. What was known until then:\n\n"
+                         : wrapped(report.summary) + "\n" + causesText(report) + unexplainedText(report);
   if (!report.channels.empty()) text += plainText(diagnosis::channelTable(report)) + "\n";
   if (!report.refit.empty()) text += plainText(diagnosis::refitTable(report)) + "\n";
   if (!report.candidates.empty()) text += plainText(diagnosis::rankingTable(report, kRanked)) + "\n";
   if (!report.filter.empty()) text += plainText(diagnosis::filterTable(report)) + "\n";
+  if (report.cancelled) return text;
   double seconds = 0.0;
   for (const diagnosis::Stage& stage : report.stages) seconds += stage.seconds;
   return text + fmt::format("verdict: {}, in {:.1f} s of computing\n", base::nameOf(report.verdict), seconds);

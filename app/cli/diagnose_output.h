@@ -8,7 +8,8 @@
 namespace capstan::cli {
 
 /// A report for a terminal: the verdict first, then causes and ties in words and units for people, what each
-/// model gets wrong, the refit, the ranking, what stays unexplained and what the filter gains.
+/// model gets wrong, the refit, the ranking, what stays unexplained and what the filter gains. One that was
+/// cancelled has no verdict, only what was known until then.
 std::string textOf(const diagnosis::Report& report);
 
 /// A table for a terminal: columns aligned, those of numbers to the right; its note below, wrapped.

@@ -143,7 +143,7 @@ json jsonOf(const Cause& cause) {
 }
 
 json jsonOf(const Report& report) {
-  return {{"verdict", base::nameOf(report.verdict)},
+  return {{"verdict", report.cancelled ? json() : json(base::nameOf(report.verdict))},
           {"summary", report.summary},
           {"explained", number(report.explained)},
           {"cancelled", report.cancelled},

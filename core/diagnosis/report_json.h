@@ -6,7 +6,8 @@
 
 namespace capstan::diagnosis {
 
-/// A report as JSON: numbers in SI to the last bit, not a number as null; without the samples of channels and
+/// A report as JSON: numbers in SI to the last bit, not a number as null, as is the verdict of a report that
+/// was cancelled; without the samples of channels and
 /// without the robots, which are robot files.
 ///     {"verdict": "found|several|tie|nothing|unexplained", "summary", "explained", "cancelled",
 ///     "recordings",

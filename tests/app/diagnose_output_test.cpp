@@ -61,6 +61,10 @@ TEST(DiagnoseText, SaysWhatStaysUnexplained) {
   EXPECT_TRUE(has(text, "The remainder of q1 " + report.processes[0].words));
   EXPECT_TRUE(has(text, "7.30"));
   EXPECT_FALSE(has(text, "Kalman"));
+  Report short_one = report;
+  short_one.processes[0].end = diagnosis::ProcessEnd::kTooFew;
+  EXPECT_FALSE(has(flat(textOf(short_one)), "The remainder of q1"))
+      << "a process that could not run says nothing";
 }
 
 TEST(DiagnoseText, TablesAreAlignedAndNoLineIsEndless) {

@@ -148,7 +148,9 @@ TEST_F(DiagnoseRun, CancelledWritesNoRobotAndNoPage) {
   EXPECT_FALSE(fs::exists(path("page")));
   EXPECT_NE(err_.find("not written: " + path("extended.yaml") + ", " + path("page")), std::string::npos)
       << err_;
-  EXPECT_NE(out_.find("verdict"), std::string::npos) << "what there was is said";
+  EXPECT_NE(out_.find("no verdict"), std::string::npos) << out_;
+  EXPECT_NE(out_.find("model by model"), std::string::npos) << "what there was is said";
+  EXPECT_EQ(out_.find(report_.summary.substr(0, 40)), std::string::npos) << "half of the work is no answer";
   report_ = {};
   report_.cancelled = true;
   EXPECT_EQ(run(), kFailed);

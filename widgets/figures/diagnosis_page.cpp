@@ -39,16 +39,14 @@ std::string term(const char* name, std::string_view text) {
   return fmt::format("<dt>{}</dt><dd>{}</dd>\n", name, htmlEscaped(std::string(text)));
 }
 
+/// What was cancelled has none.
 std::string verdictHtml(const Report& report) {
+  if (report.cancelled)
+    return "<div class=\"verdict nothing\"><h2>Cancelled</h2>\n" +
+           paragraph("There is no verdict: this is what was known until then.") + "</div>\n";
   std::string html = fmt::format("<div class=\"verdict {}\"><h2>{}</h2>\n", base::nameOf(report.verdict),
                                  htmlEscaped(verdictText(report.verdict)));
   html += paragraph(report.summary);
-  if (!report.causes.empty())
-    html += paragraph(
-        fmt::format("Of what the refitted model gets wrong beyond the sensors' noise, {:.0f} % goes "
-                    "with what was named.",
-                    100.0 * report.explained));
-  if (report.cancelled) html += "<p><strong>Cancelled: this is what there was until then.</strong></p>\n";
   return html + "</div>\n";
 }
 
@@ -95,14 +93,14 @@ std::string causesHtml(const Report& report) {
 }
 
 std::string unexplainedHtml(const Report& report) {
-  if (report.processes.empty() && report.lines.empty()) return {};
-  std::string html = "<h2>What stays unexplained</h2>\n";
+  std::string html;
   for (const diagnosis::RemainderProcess& process : report.processes) {
+    if (process.end != diagnosis::ProcessEnd::kDone) continue;
     html += paragraph("The remainder of " + process.channel + " " + process.words + ".");
     if (!process.variables.empty()) html += htmlTable(diagnosis::processTable(process));
   }
   if (!report.lines.empty()) html += htmlTable(diagnosis::lineTable(report));
-  return html;
+  return html.empty() ? html : "<h2>What stays unexplained</h2>\n" + html;
 }
 
 std::string links(const std::vector<std::string>& files) {

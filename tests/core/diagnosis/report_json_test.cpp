@@ -68,6 +68,13 @@ TEST(ReportJson, HasTiesLinesAndProcesses) {
   EXPECT_EQ(unexplained.at("processes")[0].at("variables").size(), report.processes[0].variables.size());
 }
 
+TEST(ReportJson, WhatWasCancelledHasNoVerdict) {
+  Report report;
+  report.verdict = Verdict::kUnexplained;
+  report.cancelled = true;
+  EXPECT_TRUE(jsonOf(report).at("verdict").is_null());
+}
+
 TEST(ReportJson, EveryVerdictIsSpelledAsTheCommandSaysItIs) {
   for (const char* name : {"found", "several", "tie", "nothing", "unexplained"}) {
     Report report;
