@@ -184,6 +184,7 @@ TEST_F(Diagnosis, RunsInTheBackgroundWithWhatWasChosen) {
   QTest::keyClick(panel.get(), Qt::Key_F5);
   EXPECT_TRUE(panel->busy());
   EXPECT_EQ(button("diagnose_now")->text(), "Cancel");
+  EXPECT_THAT(headline(), HasSubstr("Looking for"));
   *release = true;
   ASSERT_TRUE(waitFor([&] { return !panel->busy(); }));
   EXPECT_EQ(asked, choice);

@@ -313,6 +313,9 @@ void DiagnosisPanel::showVerdict() {
     for (const diagnosis::Tie& tie : report_->ties)
       if (!tie.separate.empty())
         below += QLatin1Char('\n') + tr("To tell them apart: %1").arg(QString::fromStdString(tie.separate));
+  } else if (busy()) {
+    head = tr("Looking for what the simulation gets wrong…");
+    below = tr("The longer the recordings, the longer it takes; Esc cancels it.");
   } else if (choice().recordings.isEmpty()) {
     head = tr("What does the simulation get wrong?");
     below =
