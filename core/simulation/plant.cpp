@@ -1,36 +1,34 @@
 #include "core/simulation/plant.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
+#include <string_view>
 
+#include "core/base/error.h"
 #include "core/math/rk4.h"
+#include "core/simulation/truth_laws.h"
 
 namespace capstan::simulation {
 namespace {
 
-/// Coulomb and viscous friction with a Stribeck excess (truth.h).
-double frictionForce(const robot::Friction& friction, const Stribeck& stribeck, double speed) {
-  double coulomb = friction.coulomb;
-  if (stribeck.excess > 0.0) {
-    const double fade = speed / stribeck.speed;
-    coulomb *= 1.0 + stribeck.excess * std::exp(-fade * fade);
-  }
-  return coulomb * std::tanh(speed / friction.smoothing) + friction.viscous * speed;
+const robot::Description& checked(const robot::Description& robot) {
+  if (robot.drive == robot::DriveType::kCable) return robot;
+  throw base::InputError({robot.name, 0, "drive", "rigid", "has no cables that could be simulated here",
+                          "Give a robot file with drive: cable"});
 }
 
-/// dz/dt of Bouc–Wen (truth.h).
-double hysteresisRate(const Hysteresis& law, double z, double stretch_rate) {
-  if (law.stiffness <= 0.0) return 0.0;
-  const double load = std::abs(z) / law.yield;
-  const double slip = law.exponent == 1.0 ? load : std::pow(load, law.exponent);
-  const double sign = z * stretch_rate >= 0.0 ? 1.0 : -1.0;
-  return stretch_rate * (1.0 - slip * (law.shape * sign + 1.0 - law.shape));
+/// Not of sensors alone.
+bool isOfTheArm(const robot::Effect& effect) {
+  constexpr std::string_view kSensors[] = {"camera_latency", "camera_rotation", "camera_offset",
+                                           "camera_scale",   "encoder_slip",    "sensor_sign"};
+  return std::ranges::find(kSensors, effect.effect) == std::end(kSensors);
 }
 
 }  // namespace
 
 Plant::Plant(const robot::Description& nominal, const Truth& truth)
-    : dynamics_(nominal), substep_(1e-3 / truth.substeps) {
+    : dynamics_(checked(nominal)), substep_(1e-3 / truth.substeps) {
   for (int i = 0; i < 3; ++i) {
     const auto at = static_cast<std::size_t>(i);
     const robot::Drive& drive = nominal.drives[at];
@@ -50,13 +48,21 @@ Plant::Plant(const robot::Description& nominal, const Truth& truth)
       travel_by_joint_(i, j) =
           joint.link_radius.value_or(drive.link_radius) * nominal.coupling[at][static_cast<std::size_t>(j)];
   }
+  if (std::ranges::any_of(nominal.effects, isOfTheArm)) {
+    extended_.emplace(nominal, truth);
+    constexpr double kShortest = 1e-6;  // [s]; what is faster needs another robot file
+    substep_ = std::max(std::min(substep_, 1.0 / robot::chainRate(extended_->model(), homing_)), kShortest);
+  }
   reset(Eigen::Vector3d::Zero());
 }
 
 void Plant::reset(const Eigen::Vector3d& q_motor) {
   state_ = PlantState{};
   state_.q_motor = q_motor;
-  state_.q_link = homing_ + travel_by_joint_.inverse() * motor_radius_.cwiseProduct(q_motor);
+  if (extended_)
+    state_.q_link = extended_->jointsFromMotors(q_motor);
+  else
+    state_.q_link = homing_ + travel_by_joint_.inverse() * motor_radius_.cwiseProduct(q_motor);
 }
 
 double Plant::force(int joint, double stretch, double stretch_rate, double z) const {
@@ -65,7 +71,15 @@ double Plant::force(int joint, double stretch, double stretch_rate, double z) co
   return elastic + 2.0 * damping_[joint] * stretch_rate + branch * z;
 }
 
+ExtendedArm::Vector Plant::extendedState() const {
+  ExtendedArm::Vector x;
+  x << state_.q_motor, state_.dq_motor, state_.q_link, state_.dq_link, state_.hysteresis, state_.loop,
+      state_.creep;
+  return x;
+}
+
 Eigen::Vector3d Plant::cableForce() const {
+  if (extended_) return extended_->cableForce(extendedState());
   const Eigen::Vector3d stretch =
       motor_radius_.cwiseProduct(state_.q_motor) - travel_by_joint_ * (state_.q_link - homing_);
   const Eigen::Vector3d rate =
@@ -102,6 +116,14 @@ void Plant::step(const Eigen::Vector3d& torque, double dt) {
   const Eigen::Vector3d cut = torque.cwiseMax(-torque_limit_).cwiseMin(torque_limit_);
   const int steps = std::max(1, static_cast<int>(std::lround(dt / substep_)));
   const double h = dt / steps;
+  if (extended_) {
+    ExtendedArm::Vector x = extendedState();
+    const auto motion = [&](double, const ExtendedArm::Vector& at) { return extended_->derivative(at, cut); };
+    for (int i = 0; i < steps; ++i) x = math::rk4Step(motion, 0.0, x, h);
+    state_ = {x.segment<3>(0),  x.segment<3>(3),  x.segment<3>(6), x.segment<3>(9),
+              x.segment<3>(12), x.segment<3>(15), x.segment<3>(18)};
+    return;
+  }
   Vector x;
   x << state_.q_motor, state_.dq_motor, state_.q_link, state_.dq_link, state_.hysteresis;
   const auto motion = [&](double, const Vector& at) { return derivative(at, cut); };

@@ -4,6 +4,8 @@
 
 #include "core/base/yaml.h"
 #include "core/robot/arm_kinematics.h"
+#include "core/robot/chain/chain_law.h"
+#include "core/robot/chain/chain_model.h"
 #include "core/simulation/camera_mounting.h"
 #include "core/simulation/commander.h"
 #include "core/simulation/controller.h"
@@ -27,6 +29,9 @@ struct SimulatedSource::Parts {
   void advance();
   void exposeDue();
   ToolPose toolAt(const Eigen::Vector3d& q, const Eigen::Vector3d& dq) const;
+  std::optional<ToolPose> toldOf(const ToolPose& tool) const;
+  Eigen::Vector3d slipped(double t) const;
+  void readEncoders();
   bool jointDue() const { return options.joint_decimation > 0 && tick % options.joint_decimation == 0; }
   tracking::MotorSample motorSample() const;
   tracking::JointSample jointSample() const;
@@ -34,6 +39,7 @@ struct SimulatedSource::Parts {
   SimulatedOptions options;
   session::SourceInfo info;
   robot::ArmKinematics kinematics;
+  std::optional<robot::ChainModel> effects;  // of the robot file
   std::unique_ptr<Trajectory> trajectory;
   Plant plant;
   MotorEncoders encoders;
@@ -60,6 +66,7 @@ SimulatedSource::Parts::Parts(SimulatedOptions chosen)
       controller(options.robot, options.truth.controller),
       commander(*trajectory, robot::homingOf(options.robot)),
       base_from_camera(simulation::trueBaseFromCamera(options.robot, options.truth.cameras)) {
+  if (!options.robot.effects.empty()) effects.emplace(options.robot);
   info.title = "simulated " + options.robot.name;
   info.robot = options.robot;
   info.truth = formatTruth(options.truth);
@@ -70,8 +77,10 @@ SimulatedSource::Parts::Parts(SimulatedOptions chosen)
   if (options.rig) {
     SceneSizes sizes;
     sizes.marker_radius = options.robot.marker_radius;
-    cameras.emplace(*options.rig, base_from_camera, sizes, options.truth, options.images,
-                    options.frame_buffers, options.seed);
+    Truth truth = options.truth;
+    if (effects) truth.cameras.stamp_delay += effects->camera.delay;
+    cameras.emplace(*options.rig, base_from_camera, sizes, truth, options.images, options.frame_buffers,
+                    options.seed);
     if (options.images) info.rig = options.rig;
     if (options.registered || !options.images) {
       settleAt(robot::homingOf(options.robot));
@@ -85,8 +94,23 @@ SimulatedSource::Parts::Parts(SimulatedOptions chosen)
   joint_due = jointDue();
 }
 
+/// How far the encoders have fallen behind the motors [rad].
+Eigen::Vector3d SimulatedSource::Parts::slipped(double t) const {
+  Eigen::Vector3d slip = Eigen::Vector3d::Zero();
+  for (int i = 0; i < 3; ++i)
+    if (effects->shape.laws[i] & robot::kLawSlip) slip[i] = robot::slipAt(effects->numbers.joints[i], t);
+  return slip;
+}
+
+void SimulatedSource::Parts::readEncoders() {
+  const PlantState& state = plant.state();
+  if (!effects) return encoders.read(state.q_motor, state.dq_motor);
+  const Eigen::Vector3d slip = slipped(now);
+  encoders.read(state.q_motor - slip, state.dq_motor - (slip - slipped(now - kTick)) / kTick);
+}
+
 void SimulatedSource::Parts::control(const JointTarget& target) {
-  encoders.read(plant.state().q_motor, plant.state().dq_motor);
+  readEncoders();
   torque = controller.torque(target, encoders);
 }
 
@@ -104,6 +128,15 @@ void SimulatedSource::Parts::settleAt(const Eigen::Vector3d& joints) {
 
 ToolPose SimulatedSource::Parts::toolAt(const Eigen::Vector3d& q, const Eigen::Vector3d& dq) const {
   return {kinematics.tip(q), kinematics.tipJacobian(q) * dq, kinematics.frame(3, q).linear().col(2)};
+}
+
+/// What cameras that mislead tell of the tool.
+std::optional<ToolPose> SimulatedSource::Parts::toldOf(const ToolPose& tool) const {
+  if (!effects) return std::nullopt;
+  const robot::CameraNumbers& camera = effects->camera;
+  const Eigen::Vector3d origin = camera.tell(Eigen::Vector3d::Zero());
+  return ToolPose{camera.tell(tool.tip), camera.tell(tool.velocity) - origin,
+                  (camera.tell(tool.axis) - origin).normalized()};
 }
 
 void SimulatedSource::Parts::advance() {
@@ -124,7 +157,8 @@ void SimulatedSource::Parts::exposeDue() {
     const PlantState& after = plant.state();
     const Eigen::Vector3d q = before.q_link + share * (after.q_link - before.q_link);
     const Eigen::Vector3d dq = before.dq_link + share * (after.dq_link - before.dq_link);
-    cameras->expose({t, q, toolAt(q, dq), {block_left.load(), block_right.load()}});
+    const ToolPose tool = toolAt(q, dq);
+    cameras->expose({t, q, tool, {block_left.load(), block_right.load()}, toldOf(tool)});
   }
 }
 

@@ -14,7 +14,7 @@
 namespace capstan::simulation {
 
 struct SimulatedOptions {
-  robot::Description robot;  ///< nominal: plant = this + truth
+  robot::Description robot;  ///< nominal: plant = this, its effects + truth
   Truth truth = defaultTruth();
   TrajectorySpec trajectory;
   std::uint64_t seed = 1;                ///< surgeon, noise, texture: same seed, same bytes
@@ -29,6 +29,8 @@ struct SimulatedOptions {
 };
 
 /// A RAVEN-II that is not there: plant, encoders, 1 kHz controller, trajectory and cameras as a Source.
+/// Effects in the robot file act in the plant; encoder_slip on what the encoders tell, the cameras' on every
+/// exposure, but not on the registration that is made before.
 /// MotorSample (and JointSample) at 1 kHz; StereoFrame at the camera's rate, delivered when it arrives. Ends
 /// when the trajectory has. The commands and block() may come from any thread while another calls next().
 class SimulatedSource final : public session::Source {

@@ -52,10 +52,11 @@ StereoCameras::Picture& StereoCameras::freePicture() {
 
 void StereoCameras::expose(const Exposure& exposure) {
   Flight flight;
+  const ToolPose& shown = exposure.told ? *exposure.told : exposure.tool;
   flight.truth = {exposure.t,
                   exposure.joints,
                   exposure.tool.tip,
-                  {renderers_[0].outline(exposure.tool), renderers_[1].outline(exposure.tool)}};
+                  {renderers_[0].outline(shown), renderers_[1].outline(shown)}};
   flight.stamp =
       std::max(exposure.t + timing_.stamp_delay + jitter(timing_.clock_jitter), last_stamp_ + 1e-6);
   const double arrival = exposure.t + std::max(0.0, timing_.latency + jitter(timing_.latency_jitter));
@@ -65,7 +66,7 @@ void StereoCameras::expose(const Exposure& exposure) {
   if (images_) {
     Picture& picture = freePicture();
     for (std::size_t side = 0; side < 2; ++side) {
-      renderers_[side].render(exposure.tool, picture[side]);
+      renderers_[side].render(shown, picture[side]);
       if (exposure.blocked[side]) session::coverImage(picture[side], exposure.t, static_cast<int>(side));
     }
     flight.left = picture[0];

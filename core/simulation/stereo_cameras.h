@@ -29,7 +29,8 @@ struct Exposure {
   double t = 0.0;  ///< true mid exposure [s]
   Eigen::Vector3d joints;
   ToolPose tool;
-  std::array<bool, 2> blocked{};  ///< left, right
+  std::array<bool, 2> blocked{};   ///< left, right
+  std::optional<ToolPose> told{};  ///< where the pictures show it, of cameras that mislead; absent: at `tool`
 };
 
 /// The rig: exposes at its own rate, stamps by its own clock, delivers after its latency, in order. Pictures

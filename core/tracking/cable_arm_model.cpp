@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/error.h"
 #include "core/robot/arm_dynamics.h"
+#include "core/robot/fold_effects.h"
 
 namespace capstan::tracking {
 namespace {
@@ -90,7 +92,16 @@ double cableArmRate(const robot::Description& robot) {
 }
 
 CableArmModel::CableArmModel(const robot::Description& robot, math::InstructionSet set)
-    : constants_(cableArmConstants(robot)), kernel_(&cableArmKernel(set)), rate_(cableArmRate(robot)) {}
+    : constants_(cableArmConstants(robot::foldEffects(robot))),
+      kernel_(&cableArmKernel(set)),
+      rate_(cableArmRate(robot::foldEffects(robot))) {
+  if (robot.drive != robot::DriveType::kCable)
+    throw base::InputError({robot.name, 0, "drive", "rigid", "has no cables that the filter could follow",
+                            "Give a robot file with drive: cable"});
+  if (!ExtendedArmModel::isNeededFor(robot)) return;
+  extended_ = std::make_shared<const ExtendedArmModel>(robot, constants_.low, constants_.high, set);
+  rate_ = std::max(rate_, extended_->rate());
+}
 
 CableArmModel::Input CableArmModel::interval(const Control& start, const Control& end) {
   Input input;
@@ -100,13 +111,17 @@ CableArmModel::Input CableArmModel::interval(const Control& start, const Control
   Eigen::Map<Vector3d>(input.velocity1) = end.velocity;
   input.unknown = start.unknown | end.unknown;
   input.blind = end.blind;
+  input.memory = start.memory;
   return input;
 }
 
 CableArmModel::Control CableArmModel::between(const Control& start, const Control& end, double fraction) {
   return {start.position + fraction * (end.position - start.position),
-          start.velocity + fraction * (end.velocity - start.velocity), start.unknown | end.unknown,
-          start.blind + fraction * (end.blind - start.blind)};
+          start.velocity + fraction * (end.velocity - start.velocity),
+          start.unknown | end.unknown,
+          start.blind + fraction * (end.blind - start.blind),
+          {start.memory.hysteresis + fraction * (end.memory.hysteresis - start.memory.hysteresis),
+           start.memory.creep + fraction * (end.memory.creep - start.memory.creep)}};
 }
 
 void CableArmModel::propagateUnknown(Points& points, const Input& input, double dt) const {
@@ -134,6 +149,11 @@ int CableArmModel::stepsFor(double dt) const {
   constexpr double kMost = 1000.0;  // a gap in the samples must not stall the pipeline
   if (fixed_steps_ > 0) return fixed_steps_;
   return static_cast<int>(std::clamp(std::ceil(0.5 * dt * rate_), 1.0, kMost));
+}
+
+CableMemory CableArmModel::remember(const State& x, const Input& input, double dt) const {
+  if (!extended_ || input.unknown != 0) return input.memory;
+  return extended_->remember(x, input, input.memory, dt, stepsFor(dt));
 }
 
 CableArmModel::State CableArmModel::propagateOne(const State& x, const Input& input, double dt) const {

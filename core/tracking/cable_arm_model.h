@@ -1,11 +1,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cassert>
 #include <cmath>
+#include <memory>
 
 #include "core/estimation/models.h"
 #include "core/robot/description.h"
 #include "core/tracking/cable_arm_kernel.h"
+#include "core/tracking/extended_arm_model.h"
 
 namespace capstan::tracking {
 
@@ -19,6 +22,7 @@ struct MotorState {
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
   JointSet unknown = 0;  ///< motors whose encoder says nothing; their numbers are not looked at
   double blind = 0.0;    ///< time since the camera last saw the tip [s]; matters for unknown motors only
+  CableMemory memory{};  ///< of the cables at that time; matters for robots with effects only
 };
 
 /// What drives the model over a step.
@@ -27,6 +31,7 @@ struct CableArmInput : CableArmDrive {
   CableArmInput(const CableArmDrive& drive) : CableArmDrive(drive) {}  // all motors known
   JointSet unknown = 0;
   double blind = 0.0;
+  CableMemory memory;  ///< at the start
 };
 
 /// How a joint moves whose motor is unknown: by a random acceleration that lets its speed, of standard
@@ -64,8 +69,12 @@ double cableArmRate(const robot::Description& robot);
 ///
 /// A joint whose motor is unknown moves as UnknownMotion says, and the force of its cable follows from that
 /// (CableArmUnknown); the other joints keep their cables, through which, for want of motor 1 or 2, they also
-/// tell what they know of its joint: cable 2 ties C01 q1 + q2, cable 3 ties C02 q1 + C12 q2 + q3. A
-/// StateModel and SampledStateModel; copyable plain data; thread-safe when const.
+/// tell what they know of its joint: cable 2 ties C01 q1 + q2, cable 3 ties C02 q1 + C12 q2 + q3.
+///
+/// A robot file's effects act: those that the model's numbers can hold (robot::foldEffects()) in them, others
+/// through the laws of robot/chain (ExtendedArmModel). What cables remember comes with the control, and
+/// remember() tells what it is next. While a motor is unknown, the numbers alone act. encoder_slip and the
+/// cameras' effects are not the arm's. A StateModel and SampledStateModel; copyable; thread-safe when const.
 class CableArmModel {
  public:
   static constexpr int kStates = 6;
@@ -75,7 +84,7 @@ class CableArmModel {
   using Points = estimation::SigmaPoints<kStates>;
   using Density = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
 
-  /// Throws base::InputError for a robot of another kind.
+  /// Throws base::InputError for a robot of another kind, also one that is not cable-driven.
   explicit CableArmModel(const robot::Description& robot,
                          math::InstructionSet set = math::bestInstructionSet());
 
@@ -84,10 +93,16 @@ class CableArmModel {
 
   void propagate(Points& points, const Input& input, double dt) const {
     if (input.unknown != 0) return propagateUnknown(points, input, dt);
+    if (extended_) return extended_->propagate(points, input, input.memory, dt, stepsFor(dt));
     kernel_->propagate(constants_, input, dt, stepsFor(dt), points.data());
   }
   /// One state instead of sigma points.
   State propagateOne(const State& x, const Input& input, double dt) const;
+
+  /// What the cables of a robot with effects remember behind a step of the state x.
+  CableMemory remember(const State& x, const Input& input, double dt) const;
+  /// Null: the robot has no effects beyond numbers.
+  const ExtendedArmModel* extended() const { return extended_.get(); }
 
   /// Sub-steps taken for dt, at least 1.
   int stepsFor(double dt) const;
@@ -96,8 +111,10 @@ class CableArmModel {
 
   const CableArmConstants& constants() const { return constants_; }
   /// Parameters changed at run time (identification): radius, stiffness, damping and the rest are plain
-  /// fields. `rate` bounds the eigenvalues with the new values, as cableArmRate() does.
+  /// fields. `rate` bounds the eigenvalues with the new values, as cableArmRate() does. Only of a model whose
+  /// robot has no extended().
   void setConstants(const CableArmConstants& constants, double rate) {
+    assert(!extended_);
     constants_ = constants;
     rate_ = rate;
   }
@@ -113,9 +130,29 @@ class CableArmModel {
 
   CableArmConstants constants_;
   const CableArmKernel* kernel_;
+  std::shared_ptr<const ExtendedArmModel> extended_;
   double rate_;
   int fixed_steps_ = 0;
   UnknownMotion unknown_motion_;
+};
+
+/// Carries what cables remember from motor sample to motor sample, along the filter's mean.
+class RememberedCables {
+ public:
+  RememberedCables() = default;
+  explicit RememberedCables(const MotorState& first) : driven_(first) {}
+
+  /// What they remember at the sample `now`, `dt` after the one before, where the mean was x.
+  CableMemory advance(const CableArmModel& model, const CableArmModel::State& x, const MotorState& now,
+                      double dt) {
+    const CableMemory memory = model.remember(x, CableArmModel::interval(driven_, now), dt);
+    driven_ = now;
+    driven_.memory = memory;
+    return memory;
+  }
+
+ private:
+  MotorState driven_;
 };
 
 }  // namespace capstan::tracking

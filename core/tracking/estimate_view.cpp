@@ -27,13 +27,13 @@ Snapshot emptySnapshot() {
   return s;
 }
 
-EstimateView::EstimateView(const robot::Description& robot)
-    : robot_(robot), arm_(robot), cables_(robot::Transmission(robot)) {}
+EstimateView::EstimateView(const robot::Description& robot, const ExtendedArmModel* extended)
+    : robot_(robot), extended_(extended), arm_(robot), cables_(robot::Transmission(robot)) {}
 
 void EstimateView::show(const CableArmModel::State& mean, const Eigen::Matrix<double, 6, 6>& covariance,
                         const MotorSide& motors, const EncoderWatch& watch, Snapshot& snapshot) {
-  snapshot.q_motor = motors.position();
-  snapshot.dq_motor = motors.velocity();
+  snapshot.q_motor = motors.told().position;
+  snapshot.dq_motor = motors.told().velocity;
   snapshot.q_link_kin = motors.kinematic();
   snapshot.tip_kin = arm_.tip(motors.kinematic());
   for (int joint = 0; joint < 3; ++joint) {
@@ -59,8 +59,10 @@ void EstimateView::showCables(const MotorSide& motors, Snapshot& snapshot) const
   for (int joint = 0; joint < 3; ++joint) {
     const robot::Drive& drive = robot_.drives[static_cast<std::size_t>(joint)];
     snapshot.cable_tension(joint) =
-        robot::cableForce(drive.cable_stiffness, drive.cable_exponent, drive.cable_damping,
-                          snapshot.cable_stretch(joint), rate(joint));
+        extended_ ? extended_->tension(joint, snapshot.cable_stretch(joint), rate(joint),
+                                       snapshot.q_link_ukf(joint), memory_)
+                  : robot::cableForce(drive.cable_stiffness, drive.cable_exponent, drive.cable_damping,
+                                      snapshot.cable_stretch(joint), rate(joint));
   }
 }
 

@@ -19,11 +19,14 @@ Snapshot emptySnapshot();
 /// stretch and tension, tips. No allocation.
 class EstimateView {
  public:
-  explicit EstimateView(const robot::Description& robot);
+  /// `extended`: the filter's model of a robot with effects, else null; outlives the view.
+  explicit EstimateView(const robot::Description& robot, const ExtendedArmModel* extended = nullptr);
 
   /// `mean` and `covariance` of q1 dq1 q2 dq2 q3 dq3.
   void show(const CableArmModel::State& mean, const Eigen::Matrix<double, 6, 6>& covariance,
             const MotorSide& motors, const EncoderWatch& watch, Snapshot& snapshot);
+  /// What the cables of a robot with effects remember at that instant.
+  void setMemory(const CableMemory& memory) { memory_ = memory; }
   /// Of the joint positions last shown [rad², rad², m²].
   const Eigen::Matrix3d& positionCovariance() const { return position_covariance_; }
 
@@ -32,6 +35,8 @@ class EstimateView {
   void showUnknown(const MotorSide& motors, const EncoderWatch& watch, Snapshot& snapshot) const;
 
   robot::Description robot_;
+  const ExtendedArmModel* extended_;
+  CableMemory memory_;
   robot::ArmKinematics arm_;
   PartialKinematics cables_;
   Eigen::Matrix3d position_covariance_ = Eigen::Matrix3d::Zero();

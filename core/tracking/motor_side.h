@@ -5,14 +5,17 @@
 #include <cstddef>
 #include <optional>
 
+#include "core/robot/fold_effects.h"
 #include "core/robot/transmission.h"
+#include "core/tracking/motor_reading.h"
 #include "core/tracking/sample.h"
 #include "core/tracking/time_series.h"
 
 namespace capstan::tracking {
 
 /// What the motor encoders say: q_m, dq_m (differentiated over `span` seconds where none is measured), q_kin
-/// and its past.
+/// and its past. Of a robot with eccentric capstans or slipped encoders, position() and velocity() are
+/// corrected for them (MotorReading), told() is not.
 class MotorSide {
  public:
   /// What became of a sample; kAnew: taken as the first of a new time line.
@@ -21,7 +24,11 @@ class MotorSide {
 
   /// Keeps `capacity` samples of the past.
   MotorSide(const robot::Description& robot, double span, std::size_t capacity)
-      : transmission_(robot), span_(span), motors_(capacity), joints_(capacity) {}
+      : reading_(robot),
+        transmission_(robot::foldEffects(robot)),
+        span_(span),
+        motors_(capacity),
+        joints_(capacity) {}
 
   void clear() {
     motors_.clear();
@@ -45,13 +52,18 @@ class MotorSide {
     rising_ = 0;
     const double before = motors_.empty() ? sample.t : motors_.newestTime();
     motors_.push(sample.t, sample.position);
-    position_ = sample.position;
-    velocity_ = sample.velocity.allFinite() ? sample.velocity : difference(sample.t, before);
+    told_ = sample;
+    if (!sample.velocity.allFinite()) told_.velocity = difference(sample.t, before);
+    const MotorSample round = reading_.asRound(told_);
+    position_ = round.position;
+    velocity_ = round.velocity;
     kinematic_ = transmission_.jointFromMotor(position_);
     joints_.push(sample.t, kinematic_);
     return taken;
   }
 
+  /// The newest sample as the encoders gave it, its velocity differentiated where they gave none.
+  const MotorSample& told() const { return told_; }
   const robot::Transmission& transmission() const { return transmission_; }
   const Eigen::Vector3d& position() const { return position_; }
   const Eigen::Vector3d& velocity() const { return velocity_; }
@@ -64,14 +76,16 @@ class MotorSide {
   Eigen::Vector3d difference(double t, double before) const {
     const double from = motors_.at(t - span_, 0.0) ? t - span_ : before;
     if (!(from < t)) return Eigen::Vector3d::Zero();
-    return (position_ - *motors_.at(from, 0.0)) / (t - from);
+    return (told_.position - *motors_.at(from, 0.0)) / (t - from);
   }
 
+  MotorReading reading_;
   robot::Transmission transmission_;
   double span_;
   TimeSeries motors_, joints_;
   int rising_ = 0;  ///< refused samples in a row whose times rise
   double last_refused_ = 0.0;
+  MotorSample told_;
   Eigen::Vector3d position_ = Eigen::Vector3d::Zero(), velocity_ = Eigen::Vector3d::Zero(),
                   kinematic_ = Eigen::Vector3d::Zero();
 };

@@ -10,14 +10,17 @@
 #include "core/estimation/delayed_filter.h"
 #include "core/estimation/occlusion_gate.h"
 #include "core/robot/arm_kinematics.h"
+#include "core/robot/fold_effects.h"
 #include "core/tracking/cable_arm_model.h"
 #include "core/tracking/camera_noise.h"
+#include "core/tracking/camera_reading.h"
 #include "core/tracking/encoder_watch.h"
 #include "core/tracking/estimate_view.h"
 #include "core/tracking/joint_observation.h"
 #include "core/tracking/jump_gate.h"
 #include "core/tracking/motor_side.h"
 #include "core/tracking/partial_kinematics.h"
+#include "core/tracking/pipeline_parts.h"
 #include "core/tracking/stereo_tip.h"
 #include "core/tracking/time_series.h"
 
@@ -29,32 +32,10 @@ using Eigen::Vector3d;
 using estimation::Lower;
 using Filter = estimation::DelayedFilter<CableArmModel, JointMeasurement>;
 
-constexpr double kMotorRate = 1000.0;  // [1/s], sizes the memory
-constexpr double kSameTime = 0.5e-3;   // [s], a reference and a motor sample this close speak of one time
+constexpr double kSameTime = 0.5e-3;  // [s], a reference and a motor sample this close speak of one time
 constexpr double kReferenceHold =
     2.5e-3;  // [s], how long the newest reference stands for what comes after it
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-CableArmModel modelOf(const robot::Description& robot, const TrackingOptions& options) {
-  CableArmModel model(robot);
-  model.setUnknownMotion({options.unknown_speed, options.unknown_speed_time});
-  return model;
-}
-
-Lower<6> diagonalOf(const Vector3d& position, const Vector3d& velocity) {
-  Lower<6> root = Lower<6>::Zero();
-  for (int joint = 0; joint < 3; ++joint) {
-    root(2 * joint, 2 * joint) = position(joint);
-    root(2 * joint + 1, 2 * joint + 1) = velocity(joint);
-  }
-  return root;
-}
-
-Lower<3> rootOf(const Matrix3d& covariance) { return Lower<3>(covariance.llt().matrixL()); }
-
-std::size_t memorySize(const TrackingOptions& options) {
-  return static_cast<std::size_t>(std::ceil(1.25 * kMotorRate * options.memory)) + 64;
-}
 
 }  // namespace
 
@@ -65,14 +46,16 @@ class TrackingPipeline::Impl {
       : robot_(robot),
         rig_(std::move(rig)),
         options_(options),
-        arm_(robot),
-        watch_(robot, options),
+        numbers_(robot::foldEffects(robot)),
+        cameras_(robot),
+        arm_(numbers_),
+        watch_(numbers_, options),
         motors_(robot, options.differentiation_time, memorySize(options)),
         cables_(motors_.transmission()),
-        view_(robot),
         filter_(modelOf(robot, options), diagonalOf(options.position_noise, options.velocity_noise),
                 static_cast<int>(memorySize(options))),
-        noise_(robot, options),
+        view_(numbers_, filter_.model().extended()),
+        noise_(numbers_, options),
         jump_(estimation::chiSquareQuantile(3, options.gate_probability), options.jump_samples,
               options.jump_drift, options.jump_tolerance),
         nis_(3, options.nis_window),
@@ -135,10 +118,17 @@ class TrackingPipeline::Impl {
     if (!started_ || sample.t - before > options_.restart_gap)
       start(sample.t);
     else
-      filter_.advance(sample.t, control());
+      advance(sample.t, sample.t - before);
     if (sample.t - last_camera_ >= options_.missing_after * options_.camera_period) watchSilence(sample.t);
     showEstimate();
     pairReference();
+  }
+
+  void advance(double t, double dt) {
+    CableArmModel::Control now = control();
+    now.memory = cables_before_.advance(filter_.model(), filter_.mean(), now, dt);
+    view_.setMemory(now.memory);
+    filter_.advance(t, now);
   }
 
   void take(const JointSample& sample) {
@@ -152,10 +142,10 @@ class TrackingPipeline::Impl {
 
   void take(const StereoFrame& frame) {
     if (!stereo_) return;
-    beginCamera(frame.t - options_.camera_delay, frame.t_arrival, true);
+    beginCamera(cameras_.time(frame.t) - options_.camera_delay, frame.t_arrival, true);
     std::optional<Vector3d> expected;
     if (options_.roi_search && base_from_camera_ && snapshot_.tip_kin_cam.allFinite())
-      expected = base_from_camera_->inverse() * snapshot_.tip_kin_cam;
+      expected = base_from_camera_->inverse() * cameras_.told(snapshot_.tip_kin_cam);
     stereo_->find(frame, expected);
     snapshot_.marker = stereo_->markers();
     if ((snapshot_.gate = stereo_->gate()) == Gate::kOpen) {
@@ -175,9 +165,12 @@ class TrackingPipeline::Impl {
   }
 
   void take(const TipSample& sample) {
-    beginCamera(sample.t - options_.camera_delay, sample.t_arrival, false);
+    beginCamera(cameras_.time(sample.t) - options_.camera_delay, sample.t_arrival, false);
     snapshot_.gate = Gate::kBothLost;
-    if (sample.position.allFinite()) observeTip(sample.position, noise_.ofTip(sample.position));
+    if (sample.position.allFinite()) {
+      const Vector3d tip = cameras_.point(sample.position);
+      observeTip(tip, noise_.ofTip(tip));
+    }
     endCamera();
   }
 
@@ -197,6 +190,7 @@ class TrackingPipeline::Impl {
       position_sigma(joint) = (range.limit_high - range.limit_low) / std::sqrt(12.0);
       velocity_sigma(joint) = options_.unknown_speed(joint);
     }
+    cables_before_ = RememberedCables(control());
     filter_.reset(t, mean, diagonalOf(position_sigma, velocity_sigma), control());
     jump_.reset();
     last_camera_ = last_kinematic_ = last_seen_ = t;
@@ -272,9 +266,10 @@ class TrackingPipeline::Impl {
 
   void observeImagedTip(const vision::Triangulation& found, const Eigen::Isometry3d& base_from_camera) {
     noise_.pixels().add(found.chi_square);
-    const Vector3d tip = base_from_camera * found.position;
+    const Vector3d tip = cameras_.point(base_from_camera * found.position);
     const Matrix3d turn = base_from_camera.linear();
-    observeTip(tip, noise_.ofImagedTip(tip, turn * found.covariance * turn.transpose()));
+    const Matrix3d covariance = cameras_.covariance(turn * found.covariance * turn.transpose());
+    observeTip(tip, noise_.ofImagedTip(tip, covariance));
   }
 
   /// A tip in frame 0 becomes q_cam and passes the gate, or does not.
@@ -357,19 +352,22 @@ class TrackingPipeline::Impl {
     snapshot_.nees = error.dot(view_.positionCovariance().llt().solve(error));
   }
 
+  robot::Description numbers_;  ///< robot_ with those effects that are numbers in them
+  CameraReading cameras_;
   robot::ArmKinematics arm_;
   EncoderWatch watch_;
   MotorSide motors_;
   PartialKinematics cables_;
-  EstimateView view_;
   std::optional<StereoTip> stereo_;
   Filter filter_;
+  EstimateView view_;
   const JointMeasurement positions_ = positionsOnly();
   CameraNoise noise_;
   JumpGate jump_;
   estimation::ConsistencyWindow nis_;
   TimeSeries reference_;
   Snapshot snapshot_;
+  RememberedCables cables_before_;
   double last_camera_ = 0.0, last_kinematic_ = 0.0;  ///< by the motors' clock at arrival [s]
   double last_seen_ = 0.0;                           ///< exposure of the newest tip that was accepted [s]
   double reference_time_ = 0.0;

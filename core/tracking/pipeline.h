@@ -30,6 +30,9 @@ namespace capstan::tracking {
 /// motors' cables. Nothing of q_kin is observed that came from the failed motor; regions of interest, the
 /// branch of the inverse kinematics and the jump gate take the estimate in its place, and in occlusion sigma
 /// grows as fast as the joint may wander.
+///
+/// Effects of a robot file are taken into account: those of motor readings and of cameras are undone where
+/// samples come in (MotorReading, robot::CameraNumbers), the others act in the filter's model.
 class TrackingPipeline {
  public:
   /// For a three-joint remote-centre arm; frames need `rig`, motor and tip samples do not.

@@ -163,6 +163,15 @@ Eigen::Vector3d CameraNumbers::tell(const Eigen::Vector3d& point) const {
   return (1.0 + scale) * (rotationOf(rotation) * point) + offset;
 }
 
+Eigen::Vector3d CameraNumbers::understand(const Eigen::Vector3d& told) const {
+  return rotationOf(rotation).transpose() * (told - offset) / (1.0 + scale);
+}
+
+Eigen::Matrix3d CameraNumbers::understand(const Eigen::Matrix3d& covariance) const {
+  const Eigen::Matrix3d turn = rotationOf(rotation);
+  return turn.transpose() * covariance * turn / ((1.0 + scale) * (1.0 + scale));
+}
+
 ChainModel::ChainModel(const Description& description) : marker(description.marker) {
   fillShape(description, shape);
   for (int i = 0; i < shape.joints; ++i) {
@@ -336,7 +345,7 @@ JointVector jointsFromMotors(const ChainModel& model, const JointVector& q_m) {
   JointVector travel(n), homing(n);
   for (int i = 0; i < n; ++i) {
     const JointNumbers<double>& p = model.numbers.joints[i];
-    travel[i] = p.lever * q_m[i] / p.link_radius;
+    travel[i] = motorTravel(p, model.shape.laws[i], q_m[i], 0.0).position / p.link_radius;
     homing[i] = p.homing;
     for (int j = 0; j < n; ++j) coupling(i, j) = model.numbers.coupling[i][j];
   }

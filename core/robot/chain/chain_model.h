@@ -19,6 +19,10 @@ struct CameraNumbers {
   double delay = 0.0;                                  ///< [s]
 
   Eigen::Vector3d tell(const Eigen::Vector3d& point) const;
+  /// The point that was told of.
+  Eigen::Vector3d understand(const Eigen::Vector3d& told) const;
+  /// Covariance of the point by that of what was told.
+  Eigen::Matrix3d understand(const Eigen::Matrix3d& covariance) const;
 };
 
 /// A chain in the form that ChainStep runs: the nominal numbers of a robot file, and effects put into them.

@@ -164,6 +164,11 @@ TEST(ChainNumbers, camerasTellASimilarity) {
   EXPECT_NEAR(told[1], 1.01 * 0.2 + 2e-3, 1e-15);
   EXPECT_NEAR(told[2], 1.01 * (std::cos(0.2) * 0.3 - std::sin(0.2) * 0.1) + 3e-3, 1e-15);
   EXPECT_EQ(model.camera.delay, 0.03);
+  EXPECT_LT((model.camera.understand(told) - Eigen::Vector3d(0.1, 0.2, 0.3)).norm(), 1e-15);
+  // A covariance of what is told, that of the point turned and scaled, comes back.
+  const Eigen::Vector3d along = model.camera.tell({0.0, 0.0, 1.0}) - model.camera.tell({0.0, 0.0, 0.0});
+  const Eigen::Matrix3d back = model.camera.understand(Eigen::Matrix3d(along * along.transpose()));
+  EXPECT_LT((back - Eigen::Vector3d::UnitZ() * Eigen::RowVector3d(0.0, 0.0, 1.0)).norm(), 1e-14);
 }
 
 TEST(ChainNumbers, whatItCannotHaveIsRefused) {

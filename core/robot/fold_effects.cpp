@@ -1,0 +1,63 @@
+#include "core/robot/fold_effects.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace capstan::robot {
+namespace {
+
+using Eigen::Vector3d;
+
+/// False: products of inertia would arise.
+bool addPayload(double mass, const Vector3d& at, Link& link) {
+  const Vector3d apart = at - link.centre_of_mass;
+  const double whole = link.mass + mass, reduced = link.mass * mass / whole;
+  const double products =
+      std::abs(apart.x() * apart.y()) + std::abs(apart.x() * apart.z()) + std::abs(apart.y() * apart.z());
+  if (products > 1e-12 * apart.squaredNorm() || whole <= 0.0) return false;
+  link.centre_of_mass += mass / whole * apart;
+  link.mass = whole;
+  for (int k = 0; k < 3; ++k) link.inertia[k] += reduced * (apart.squaredNorm() - apart[k] * apart[k]);
+  return true;
+}
+
+bool foldOne(const Effect& effect, Description& robot) {
+  const std::string& name = effect.effect;
+  if (name == "gravity_tilt") {
+    const Vector3d vector(effect["x"], effect["y"], effect["z"]);
+    if (vector.norm() > 0.0)
+      robot.gravity = Eigen::AngleAxisd(vector.norm(), vector.normalized()) * robot.gravity;
+    return true;
+  }
+  if (name == "payload") return addPayload(effect["mass"], robot.marker, robot.joints.back().link);
+  if (effect.joint < 1 || effect.joint > robot.size()) return false;
+  const auto i = static_cast<std::size_t>(effect.joint - 1);
+  Drive& drive = robot.drives[i];
+  if (name == "pulley_radius") {
+    drive.link_radius *= 1.0 + effect["share"];
+  } else if (name == "cable_coupling") {
+    robot.coupling[i][static_cast<std::size_t>(std::lround(effect["other"])) - 1] += effect["added"];
+  } else if (name == "homing_offset") {
+    robot.joints[i].homing += effect["offset"];
+  } else if (name == "viscous_friction") {
+    robot.joints[i].friction.viscous += effect["added"];
+  } else if (name == "cable_compliance" && robot.drive == DriveType::kCable) {
+    drive.cable_stiffness /= 1.0 + 2.0 * drive.cable_stiffness * drive.cable_exponent * effect["compliance"];
+  } else {
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Description foldEffects(Description description) {
+  std::vector<Effect> effects;
+  effects.swap(description.effects);
+  for (Effect& effect : effects)
+    if (!foldOne(effect, description)) description.effects.push_back(std::move(effect));
+  return description;
+}
+
+}  // namespace capstan::robot

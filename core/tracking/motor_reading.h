@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/robot/chain/chain_law.h"
+#include "core/robot/chain/chain_model.h"
+#include "core/tracking/sample.h"
+
+namespace capstan::tracking {
+
+/// What motor encoders tell, as those of a robot with round capstans and encoders that never slipped would
+/// tell it: the same cable travel at the motor (motorTravel and slipAt in robot/chain/chain_law.h) over
+/// r_mc / N.
+class MotorReading {
+ public:
+  explicit MotorReading(const robot::Description& robot) {
+    const robot::ChainModel model(robot);
+    for (int i = 0; i < 3; ++i)
+      if (model.shape.laws[i] & kLaws) model_ = model;
+  }
+
+  MotorSample asRound(MotorSample sample) const {
+    if (!model_) return sample;
+    for (int i = 0; i < 3; ++i) {
+      const robot::JointNumbers<double>& p = model_->numbers.joints[i];
+      const unsigned laws = model_->shape.laws[i];
+      if (!(laws & kLaws)) continue;
+      double slip = 0.0, rate = 0.0;
+      if (laws & robot::kLawSlip) {
+        slip = robot::slipAt(p, sample.t);
+        rate = (slip - robot::slipAt(p, sample.t - kStep)) / kStep;
+      }
+      const robot::MotorTravel<double> travel =
+          robot::motorTravel(p, laws, sample.position[i] + slip, sample.velocity[i] + rate);
+      sample.position[i] = travel.position / p.lever;
+      sample.velocity[i] = travel.velocity / p.lever;
+    }
+    return sample;
+  }
+
+  /// The robot without what is dealt with here.
+  static robot::Description undone(robot::Description robot) {
+    std::erase_if(robot.effects,
+                  [](const robot::Effect& effect) { return (robot::lawOf(effect.effect) & kLaws) != 0; });
+    return robot;
+  }
+
+  /// Laws that are dealt with here.
+  static constexpr unsigned kLaws = robot::kLawEccentricity | robot::kLawSlip;
+
+ private:
+  static constexpr double kStep = 1e-3;  // [s]
+  std::optional<robot::ChainModel> model_;
+};
+
+}  // namespace capstan::tracking
