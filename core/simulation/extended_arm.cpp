@@ -41,14 +41,15 @@ ExtendedArm::Cables ExtendedArm::cablesOf(const Vector& x) const {
       travel += p.coupling[i][j] * (x[6 + j] - p.joints[j].homing);
       speed += p.coupling[i][j] * x[9 + j];
     }
-    const robot::MotorTravel<double> motor = robot::motorTravel(joint, laws, x[i], x[3 + i]);
-    const double rate = motor.velocity - joint.link_radius * speed;
+    const double lever = robot::motorLever(joint, laws, x[i]);
+    const double stretch = robot::motorTravel(joint, laws, x[i]) - joint.link_radius * travel;
+    const double rate = lever * x[3 + i] - joint.link_radius * speed;
     const double range = (x[6 + i] - model_.shape.middle[i]) * model_.shape.inverse_half_range[i];
-    const robot::CablePull<double> pull = robot::cablePull(
-        joint, laws, motor.position - joint.link_radius * travel, rate, range, x[15 + i], x[18 + i]);
+    const robot::CablePull<double> pull =
+        robot::cablePull(joint, laws, stretch, rate, range, x[15 + i], x[18 + i]);
     const Hysteresis& loop = hysteresis_[static_cast<std::size_t>(i)];
     cables.force[i] = pull.force + loop.stiffness * x[12 + i];
-    cables.lever[i] = motor.lever;
+    cables.lever[i] = lever;
     cables.rate[i] = rate;
     cables.loop_rate[i] = laws & robot::kLawHysteresis ? pull.hysteresis_rate : 0.0;
     cables.creep_rate[i] = laws & robot::kLawCreep ? pull.creep_rate : 0.0;

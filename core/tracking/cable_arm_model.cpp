@@ -153,7 +153,7 @@ int CableArmModel::stepsFor(double dt) const {
 
 CableMemory CableArmModel::remember(const State& x, const Input& input, double dt) const {
   if (!extended_ || input.unknown != 0) return input.memory;
-  return extended_->remember(x, input, input.memory, dt, stepsFor(dt));
+  return extended_->remember(x, input, input.memory, dt);
 }
 
 CableArmModel::State CableArmModel::propagateOne(const State& x, const Input& input, double dt) const {

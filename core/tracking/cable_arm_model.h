@@ -93,7 +93,7 @@ class CableArmModel {
 
   void propagate(Points& points, const Input& input, double dt) const {
     if (input.unknown != 0) return propagateUnknown(points, input, dt);
-    if (extended_) return extended_->propagate(points, input, input.memory, dt, stepsFor(dt));
+    if (extended_) return extended_->propagate(points, input, input.memory, dt);
     kernel_->propagate(constants_, input, dt, stepsFor(dt), points.data());
   }
   /// One state instead of sigma points.

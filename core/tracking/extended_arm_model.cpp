@@ -1,6 +1,7 @@
 #include "core/tracking/extended_arm_model.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "core/robot/chain/chain_law.h"
@@ -68,22 +69,33 @@ ExtendedArmModel::ExtendedArmModel(const robot::Description& robot, const double
   rate_ = rateWithinLimits(model_, robot);
 }
 
-void ExtendedArmModel::run(ChainState<ChainLane>& state, const CableArmDrive& drive, double dt,
-                           int steps) const {
-  const double t[2] = {0.0, dt};
-  double motors[3][2];
-  robot::ChainRows rows;
-  rows.t = t;
-  for (int i = 0; i < 3; ++i) {
-    motors[i][0] = drive.position0[i], motors[i][1] = drive.position1[i];
-    rows.drive[i] = motors[i];
-  }
+/// Rows of a few milliseconds, over which bodies stand still.
+void ExtendedArmModel::run(ChainState<ChainLane>& state, const CableArmDrive& drive, double dt) const {
+  constexpr double kRow = 2e-3;     // [s]
+  constexpr double kMost = 1000.0;  // a gap in the samples must not stall the pipeline
+  const int rows = static_cast<int>(std::clamp(std::ceil(dt / kRow), 1.0, kMost));
+  const double step = dt / rows;
+  robot::ChainRun run;
+  run.end = 2, run.stride = 2;
+  run.stages = robot::chainStages(rate_, step);
   ChainLane q[3], dq[3];  // of the first row: not looked at
-  kernel_(model_.shape, lanes_, rows, {0, 2, steps, 2, q[0].value, dq[0].value}, state);
+  run.q = q[0].value, run.dq = dq[0].value;
+  for (int row = 0; row < rows; ++row) {
+    const double t[2] = {row * step, (row + 1) * step};
+    double motors[3][2];
+    robot::ChainRows driven;
+    driven.t = t;
+    for (int i = 0; i < 3; ++i) {
+      const double way = (drive.position1[i] - drive.position0[i]) / rows;
+      motors[i][0] = drive.position0[i] + row * way, motors[i][1] = motors[i][0] + way;
+      driven.drive[i] = motors[i];
+    }
+    kernel_(model_.shape, lanes_, driven, run, state);
+  }
 }
 
 void ExtendedArmModel::propagate(Points& points, const CableArmDrive& drive, const CableMemory& memory,
-                                 double dt, int steps) const {
+                                 double dt) const {
   ChainState<ChainLane> state{};
   for (int i = 0; i < 3; ++i)
     for (int lane = 0; lane < kChainLanes; ++lane) {
@@ -92,7 +104,7 @@ void ExtendedArmModel::propagate(Points& points, const CableArmDrive& drive, con
       state.hysteresis[i].value[lane] = memory.hysteresis[i];
       state.creep[i].value[lane] = memory.creep[i];
     }
-  run(state, drive, dt, steps);
+  run(state, drive, dt);
   for (int i = 0; i < 3; ++i)
     for (int lane = 0; lane < kChainLanes; ++lane) {
       points(2 * i, lane) = state.q[i].value[lane];
@@ -101,7 +113,7 @@ void ExtendedArmModel::propagate(Points& points, const CableArmDrive& drive, con
 }
 
 CableMemory ExtendedArmModel::remember(const Eigen::Matrix<double, 6, 1>& x, const CableArmDrive& drive,
-                                       const CableMemory& memory, double dt, int steps) const {
+                                       const CableMemory& memory, double dt) const {
   if (!has_memory_) return memory;
   ChainState<ChainLane> state{};
   for (int i = 0; i < 3; ++i) {
@@ -110,7 +122,7 @@ CableMemory ExtendedArmModel::remember(const Eigen::Matrix<double, 6, 1>& x, con
     std::fill_n(state.hysteresis[i].value, kChainLanes, memory.hysteresis[i]);
     std::fill_n(state.creep[i].value, kChainLanes, memory.creep[i]);
   }
-  run(state, drive, dt, steps);
+  run(state, drive, dt);
   CableMemory after;
   for (int i = 0; i < 3; ++i) {
     after.hysteresis[i] = state.hysteresis[i].value[0];

@@ -28,11 +28,10 @@ class ExtendedArmModel {
   /// True: `robot` has effects that the nominal model's numbers cannot hold (robot::foldEffects()).
   static bool isNeededFor(const robot::Description& robot);
 
-  void propagate(Points& points, const CableArmDrive& drive, const CableMemory& memory, double dt,
-                 int steps) const;
+  void propagate(Points& points, const CableArmDrive& drive, const CableMemory& memory, double dt) const;
   /// The memory behind a step of the state `x`.
   CableMemory remember(const Eigen::Matrix<double, 6, 1>& x, const CableArmDrive& drive,
-                       const CableMemory& memory, double dt, int steps) const;
+                       const CableMemory& memory, double dt) const;
   /// Force gamma of joint 0, 1 or 2's cable [N] at a stretch [m] and its rate, the joint at q [rad or m].
   double tension(int joint, double stretch, double rate, double q, const CableMemory& memory) const;
   /// Cables have any.
@@ -43,8 +42,7 @@ class ExtendedArmModel {
   const robot::ChainModel& model() const { return model_; }
 
  private:
-  void run(robot::ChainState<robot::ChainLane>& state, const CableArmDrive& drive, double dt,
-           int steps) const;
+  void run(robot::ChainState<robot::ChainLane>& state, const CableArmDrive& drive, double dt) const;
 
   robot::ChainModel model_;
   robot::ChainNumbers<robot::ChainLane> lanes_;

@@ -31,10 +31,9 @@ class MotorReading {
         slip = robot::slipAt(p, sample.t);
         rate = (slip - robot::slipAt(p, sample.t - kStep)) / kStep;
       }
-      const robot::MotorTravel<double> travel =
-          robot::motorTravel(p, laws, sample.position[i] + slip, sample.velocity[i] + rate);
-      sample.position[i] = travel.position / p.lever;
-      sample.velocity[i] = travel.velocity / p.lever;
+      const double angle = sample.position[i] + slip;
+      sample.position[i] = robot::motorTravel(p, laws, angle) / p.lever;
+      sample.velocity[i] = robot::motorLever(p, laws, angle) * (sample.velocity[i] + rate) / p.lever;
     }
     return sample;
   }

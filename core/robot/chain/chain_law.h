@@ -42,6 +42,16 @@ CAPSTAN_CHAIN_INLINE S motorTravel(const JointNumbers<S>& p, unsigned laws, cons
   return travel;
 }
 
+/// d s_m / d q_m [m/rad]: velocity of the cable by that of the motor, torque on the motor by the cable's
+/// force.
+template <class S>
+CAPSTAN_CHAIN_INLINE S motorLever(const JointNumbers<S>& p, unsigned laws, const S& angle) {
+  using std::cos, std::sin;
+  if (!(laws & kLawEccentricity)) return p.lever;
+  const S phi = angle * p.inverse_gear;
+  return p.lever + (p.eccentric_cosine * cos(phi) - p.eccentric_sine * sin(phi)) * p.inverse_gear;
+}
+
 /// How far a reading has fallen short: slip times a smooth step of kSlipTime from slip_time on.
 inline constexpr double kSlipTime = 0.05;  // [s]
 template <class S>

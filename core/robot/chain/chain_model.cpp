@@ -345,7 +345,7 @@ JointVector jointsFromMotors(const ChainModel& model, const JointVector& q_m) {
   JointVector travel(n), homing(n);
   for (int i = 0; i < n; ++i) {
     const JointNumbers<double>& p = model.numbers.joints[i];
-    travel[i] = motorTravel(p, model.shape.laws[i], q_m[i], 0.0).position / p.link_radius;
+    travel[i] = motorTravel(p, model.shape.laws[i], q_m[i]) / p.link_radius;
     homing[i] = p.homing;
     for (int j = 0; j < n; ++j) coupling(i, j) = model.numbers.coupling[i][j];
   }

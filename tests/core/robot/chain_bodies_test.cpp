@@ -146,8 +146,8 @@ TEST(ChainNumbers, effectsGoWhereTheyBelong) {
   EXPECT_DOUBLE_EQ(is.wave_number, 4.0 * 3.14159265358979323846);
   EXPECT_EQ(is.armature, 0.01);
   EXPECT_EQ(is.load_sign, 1.0);
-  EXPECT_EQ(model.shape.laws[1], static_cast<unsigned>(kLawSlack | kLawCreep | kLawWave));
-  EXPECT_EQ(model.shape.laws[0], 0U);
+  EXPECT_EQ(model.shape.laws[1], static_cast<unsigned>(kLawSlack | kLawCreep | kLawWave | kLawExponential));
+  EXPECT_EQ(model.shape.laws[0], static_cast<unsigned>(kLawExponential));
   EXPECT_EQ(model.numbers.joints[0].stiffness, ChainModel(robot).numbers.joints[0].stiffness);
   const JointVector q = JointVector::Zero(3);
   EXPECT_NEAR(massMatrix(model, q)(1, 1), massMatrix(ChainModel(robot), q)(1, 1) + 0.01, 1e-14);
