@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "core/base/error.h"
+#include "core/robot/fold_effects.h"
 #include "core/tracking/cable_arm_model.h"
 
 namespace capstan::identification {
@@ -56,6 +57,18 @@ std::vector<std::pair<Quantity, int>> named(const std::string& name) {
   return found;
 }
 
+/// The robot with its effects in the numbers that are identified around. Those of the cameras are undone
+/// where recordings are tracked.
+robot::Description foldedRobot(const robot::Description& nominal) {
+  robot::Description robot = robot::foldEffects(nominal);
+  for (const robot::Effect& effect : robot.effects)
+    if (!effect.effect.starts_with("camera_") && effect.effect != "sensor_sign")
+      throw base::InputError({nominal.name, 0, "effects", effect.effect,
+                              "is no number of the model that is identified",
+                              "Take it out of the robot file, or identify the nominal robot"});
+  return robot;
+}
+
 }  // namespace
 
 std::string Parameter::name() const {
@@ -80,7 +93,7 @@ std::string Parameter::unit() const {
 
 ParameterSet::ParameterSet(const robot::Description& nominal, const std::string& names,
                            const ParameterOptions& options)
-    : nominal_(nominal), constants_(tracking::cableArmConstants(nominal)) {
+    : nominal_(foldedRobot(nominal)), constants_(tracking::cableArmConstants(nominal_)) {
   std::istringstream list(names);
   for (std::string name; std::getline(list, name, ',');) {
     std::erase(name, ' ');

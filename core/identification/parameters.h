@@ -72,7 +72,8 @@ class ParameterSet {
 
   /// `names`, separated by commas: r_l1…3, k_e1…3, b_e1…3, f_c1…3 (Coulomb friction F_cl), or r_l, k_e, b_e,
   /// f_c for all three joints, or "all". Throws base::InputError for anything else, a name that comes twice,
-  /// or a robot that is no three-joint remote-centre arm.
+  /// or a robot that is no three-joint remote-centre arm. Effects of the robot file that its numbers can hold
+  /// are in nominal() (robot::foldEffects()); one that they cannot hold is refused, but for the cameras'.
   ParameterSet(const robot::Description& nominal, const std::string& names,
                const ParameterOptions& options = {});
 

@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/base/yaml.h"
 #include "core/identification/parameters.h"
+#include "core/robot/fold_effects.h"
 
 namespace capstan::identification {
 namespace {
@@ -34,8 +35,8 @@ void gather(const T& value, const std::string& key, Numbers& numbers) {
 std::vector<RobotChange> differences(const robot::Description& nominal,
                                      const robot::Description& identified) {
   Numbers before, after;
-  gather(nominal, {}, before);
-  gather(identified, {}, after);
+  gather(robot::foldEffects(nominal), {}, before);
+  gather(robot::foldEffects(identified), {}, after);
   if (before.size() != after.size())
     throw base::InputError({{},
                             0,

@@ -63,6 +63,28 @@ TEST(Parameters, AnIdentifiedRobotIsARobotFile) {
   EXPECT_NEAR(changes[0].percent, -6.4902, 1e-3);
 }
 
+TEST(Parameters, EffectsAreIdentifiedAroundOrRefused) {
+  robot::Description extended = raven();
+  extended.effects = {{"pulley_radius", 1, {{"share", 0.1}}}, {"camera_latency", 0, {{"delay", 0.01}}}};
+  const ParameterSet set(extended, "r_l1");
+  const double widened = 1.1 * raven().drives[0].link_radius;
+  EXPECT_DOUBLE_EQ(set.constants(ParameterSet::Logs::Zero(1)).link_radius[0], widened);
+  const robot::Description found = set.robot(ParameterSet::Logs::Constant(1, std::log(1.02)));
+  EXPECT_DOUBLE_EQ(found.drives[0].link_radius, 1.02 * widened);
+  ASSERT_EQ(found.effects.size(), 1U);  // the cameras'
+  const std::vector<RobotChange> changes = differences(extended, found);
+  ASSERT_EQ(changes.size(), 1U);
+  EXPECT_NEAR(changes[0].percent, 2.0, 1e-9);
+  extended.effects.push_back({"backlash", 2, {{"half_width", 1e-4}}});
+  try {
+    const ParameterSet refused(extended, "r_l1");
+    FAIL();
+  } catch (const base::InputError& error) {
+    EXPECT_EQ(error.fault().key, "effects");
+    EXPECT_EQ(error.fault().value, "backlash");
+  }
+}
+
 TEST(Parameters, TheFileOfDefaultsHoldsTheDefaults) {
   const auto read = base::readYamlFile<IdentificationOptions>(base::resource("identification/default.yaml"));
   const IdentificationOptions built_in;
