@@ -11,6 +11,9 @@ namespace {
 
 using robot::kChainLanes;
 
+constexpr double kLongestStep = 1e-3;   // of the integration [s]
+constexpr double kFastestTurn = 0.7;    // of an oscillation in one step [rad]
+constexpr int kMostSteps = 80;          // a row
 constexpr double kOutputStep = 5e-3;    // of what the kernel hands out [s]
 constexpr double kAfterRestart = 0.12;  // sights so soon after a restart may look behind it [s]
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
@@ -158,15 +161,17 @@ robot::ChainShape ChainSimulation::shapeOf(std::span<const Robot> robots) const 
   return shape;
 }
 
-double ChainSimulation::rateOf(const robot::ChainModel& model) const {
-  double rate = 0.0;
+int ChainSimulation::stepsFor(const robot::ChainModel& model) const {
+  double rate = 1.0 / kLongestStep;
   for (const double share : {-0.5, 0.0, 0.5}) {
     robot::JointVector q(joints_);
     for (int j = 0; j < joints_; ++j)
       q[j] = model.shape.middle[j] + share / model.shape.inverse_half_range[j];
-    rate = std::max(rate, robot::chainRate(model, q));
+    rate = std::max(rate, robot::chainOscillation(model, q) / kFastestTurn);
   }
-  return rate;
+  return std::isfinite(rate)
+             ? std::clamp(static_cast<int>(std::ceil(evidence_.step * rate - 1e-9)), 1, kMostSteps)
+             : kMostSteps;
 }
 
 robot::ChainState<double> ChainSimulation::initialState(const robot::ChainModel& model,
@@ -190,13 +195,12 @@ void ChainSimulation::simulate(std::span<const Robot> robots, Eigen::Ref<Eigen::
   const auto state = std::make_unique<robot::ChainState<robot::ChainLane>>();
   robot::ChainRun run;
   run.stride = stride_;
-  double rate = 0.0;
   for (int lane = 0; lane < kChainLanes; ++lane) {
     const Robot& robot = robots[std::min<std::size_t>(static_cast<std::size_t>(lane), robots.size() - 1)];
     put<robot::ChainNumbers>(robot.model->numbers, lane, *numbers);
-    if (static_cast<std::size_t>(lane) < robots.size()) rate = std::max(rate, rateOf(*robot.model));
+    if (static_cast<std::size_t>(lane) < robots.size())
+      run.steps = std::max(run.steps, stepsFor(*robot.model));
   }
-  run.stages = robot::chainStages(rate, evidence_.step);
   Lanes q, dq;
   for (std::size_t w = 0; w < windows_.size(); ++w) {
     for (int lane = 0; lane < kChainLanes; ++lane) {
@@ -257,7 +261,7 @@ SimulatedMotion ChainSimulation::motion(const robot::ChainModel& model) const {
   SimulatedMotion motion;
   for (Columns* columns : {&motion.q, &motion.dq, &motion.ddq, &motion.tau, &motion.stretch})
     columns->assign(n, std::vector<double>(evidence_.rows(), 0.0));
-  const robot::ChainStages stages = robot::chainStages(rateOf(model), evidence_.step);
+  const int steps = stepsFor(model);
   robot::ChainStep<double> step(model.shape, model.numbers);
   std::size_t w = 0;
   for (const Segment& segment : evidence_.segments) {
@@ -282,7 +286,7 @@ SimulatedMotion ChainSimulation::motion(const robot::ChainModel& model) const {
         motion.tau[j][k] = step.torque()[j];
         motion.stretch[j][k] = step.stretch()[j];
       }
-      if (next > k) step.advance(input, stages, state);
+      if (next > k) step.advance(input, steps, state);
     }
   }
   if (evidence_.hasCameras()) {

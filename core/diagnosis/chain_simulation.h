@@ -73,7 +73,7 @@ class ChainSimulation {
   void findInitialStates(const robot::Description& robot);
   void findSamples(const robot::Description& robot);
   robot::ChainShape shapeOf(std::span<const Robot> robots) const;
-  double rateOf(const robot::ChainModel& model) const;
+  int stepsFor(const robot::ChainModel& model) const;
   robot::ChainState<double> initialState(const robot::ChainModel& model, const Eigen::MatrixXd* beyond,
                                          std::size_t window) const;
   void tell(std::size_t window, std::span<const Robot> robots, const Lanes& q, const Lanes& dq,

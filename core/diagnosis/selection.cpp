@@ -118,7 +118,16 @@ class Rounds {
   }
 
   static bool worthNaming(const Contender& c) {
-    return c.reduction.share > kWorthNaming && c.gain.front() > kLeastScore && lowerOf(c.gain, kSure) > 0.0;
+    return c.reduction.share > kWorthNaming && c.gain.front() > kLeastScore && lowerOf(c.gain, kSure) > 0.0 &&
+           beyondEveryday(c);
+  }
+
+  /// Every robot has some of some effects: these have a name when there is clearly more.
+  static bool beyondEveryday(const Contender& c) {
+    if (c.added.joint == 0) return true;
+    const double everyday = c.added.hypothesis->everyday(scalesOf(c.fit.model.scales(), c.added.joint));
+    const std::size_t last = c.fit.model.effects().size() - 1;  // where `with` puts it
+    return c.added.hypothesis->size(c.fit.model.effectValues(last, c.fit.u)) > kMoreThanEveryday * everyday;
   }
 
   bool addOne(Selection& s, int round) {

@@ -51,6 +51,7 @@ struct Selection {
 inline constexpr double kWorthNaming = 0.06;
 inline constexpr double kLeastScore = 6.0;  ///< [nats]: against some hundred hypotheses
 inline constexpr double kSure = 0.02;       ///< quantile of the bootstrap that must be above zero
+inline constexpr double kMoreThanEveryday = 1.5;  ///< times Hypothesis::everyday
 inline constexpr double kRival = 0.08;  ///< share of draws from which another effect counts as not told apart
 
 /// Refits the nominal structure, then adds effects one at a time, the best by blocked cross-validation of the

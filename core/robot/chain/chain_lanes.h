@@ -4,7 +4,6 @@
 
 #include "core/math/instruction_set.h"
 #include "core/robot/chain/chain_numbers.h"
-#include "core/robot/chain/chain_stages.h"
 
 namespace capstan::robot {
 
@@ -26,7 +25,7 @@ struct ChainRows {
 /// included: q and dq of joint j at output k in q[(k n + j) kChainLanes + lane], both 64-byte aligned.
 struct ChainRun {
   std::size_t begin = 0, end = 0;
-  ChainStages stages;  ///< of each row
+  int steps = 1;  ///< a row
   int stride = 1;
   double* q = nullptr;
   double* dq = nullptr;

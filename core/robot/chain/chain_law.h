@@ -62,17 +62,20 @@ CAPSTAN_CHAIN_INLINE S slipAt(const JointNumbers<S>& p, double t) {
   return p.slip * (y * y * (3.0 - 2.0 * y));
 }
 
-/// One of the two cables of a pair [N]: nothing while it sags.
+/// One of the two cables of a pair [N]: nothing while it sags. `taut`: 1 or 0.
 template <class S>
-CAPSTAN_CHAIN_INLINE S oneCable(const JointNumbers<S>& p, const S& stretch, const S& rate) {
+CAPSTAN_CHAIN_INLINE S oneCable(const JointNumbers<S>& p, const S& stretch, const S& rate, S& taut) {
+  const S none = constantLike(stretch, 0.0);
   const S pull = p.stiffness * (p.exponent * stretch) + p.damping * rate;
-  return whereGreater(stretch, constantLike(stretch, 0.0), positivePart(pull), constantLike(stretch, 0.0));
+  taut = whereGreater(stretch, none, whereGreater(pull, none, constantLike(stretch, 1.0), none), none);
+  return taut * pull;
 }
 
 /// What a cable does at one instant.
 template <class S>
 struct CablePull {
   S force;            ///< gamma [N]
+  S damping;          ///< d gamma / d rate [N·s/m]
   S hysteresis_rate;  ///< dz/dt [m/s]
   S creep_rate;       ///< [m/s]
 };
@@ -102,28 +105,39 @@ CAPSTAN_CHAIN_INLINE CablePull<S> cablePull(const JointNumbers<S>& p, unsigned l
     x = whereGreater(x, constantLike(x, 0.0), magnitude, -magnitude);
   }
   if (laws & kLawSlack) {
-    const S pair = oneCable(p, p.pretension + x, rate) - oneCable(p, p.pretension - x, -rate);
+    S one, other;
+    const S pair = oneCable(p, p.pretension + x, rate, one) - oneCable(p, p.pretension - x, -rate, other);
     pull.force = share * pair + extra;
+    pull.damping = share * p.damping * (one + other);
     return pull;
   }
   const S y = p.exponent * x;
   const S bent = laws & kLawExponential ? sinh(y) : y + y * y * y * (1.0 / 6);
   S force = share * stiffness * bent + (2.0 * p.damping) * rate;
+  pull.damping = 2.0 * p.damping;
   if (laws & kLawPlay) {
     const S zero = constantLike(x, 0.0);
     const S towards =
         whereGreater(x, zero, positivePart(force), whereGreater(zero, x, -positivePart(-force), zero));
+    const S pressed = whereGreater(abs(towards), zero, pull.damping, zero);
+    pull.damping = whereGreater(p.play, zero, pressed, pull.damping);
     force = whereGreater(p.play, zero, towards, force);
   }
   pull.force = force + extra;
   return pull;
 }
 
-/// F_c (1 + excess e^{−(v/v_s)²} + asymmetry sgn v + wave) sgn v + μ |drive| sgn v + F_v v, sgn v smoothed as
-/// tanh(v / v_eps); `drive` is the torque of cable or motor at the joint.
+/// Friction that opposes a motion, and its slope by the speed where that is positive.
 template <class S>
-CAPSTAN_CHAIN_INLINE S jointFriction(const JointNumbers<S>& p, unsigned laws, const S& q, const S& dq,
-                                     const S& drive) {
+struct Opposing {
+  S force, slope;
+};
+
+/// F_c (1 + excess e^{−(v/v_s)²} + asymmetry sgn v + wave) sgn v + μ |drive| sgn v + F_v v, sgn v smoothed as
+/// tanh(v / v_eps); `drive` is the torque of cable or motor at the joint. The slope is that of sgn v alone.
+template <class S>
+CAPSTAN_CHAIN_INLINE Opposing<S> jointFriction(const JointNumbers<S>& p, unsigned laws, const S& q,
+                                               const S& dq, const S& drive) {
   using std::abs, std::cos, std::exp, std::sin, std::tanh;
   const S sign = tanh(dq * p.inverse_smoothing);
   S force = p.coulomb;
@@ -139,14 +153,17 @@ CAPSTAN_CHAIN_INLINE S jointFriction(const JointNumbers<S>& p, unsigned laws, co
     force = force * share;
   }
   if (laws & kLawLoadFriction) force = force + p.load_friction * abs(drive);
-  return force * sign + p.viscous * dq;
+  return {force * sign + p.viscous * dq,
+          positivePart(force) * p.inverse_smoothing * (1.0 - sign * sign) + p.viscous};
 }
 
 /// tau_cm tanh(dq_m / v_eps) + tau_vm dq_m [N·m].
 template <class S>
-CAPSTAN_CHAIN_INLINE S motorFriction(const JointNumbers<S>& p, const S& rate) {
+CAPSTAN_CHAIN_INLINE Opposing<S> motorFriction(const JointNumbers<S>& p, const S& rate) {
   using std::tanh;
-  return p.motor_coulomb * tanh(rate * p.inverse_motor_smoothing) + p.motor_viscous * rate;
+  const S sign = tanh(rate * p.inverse_motor_smoothing);
+  return {p.motor_coulomb * sign + p.motor_viscous * rate,
+          p.motor_coulomb * p.inverse_motor_smoothing * (1.0 - sign * sign) + p.motor_viscous};
 }
 
 /// The hidden cable of a rigid drive [N]: linear, with 10 % of the critical damping of the motor on it.

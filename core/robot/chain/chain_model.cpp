@@ -296,7 +296,15 @@ JointMatrix massMatrix(const ChainModel& model, const JointVector& q) {
   return massWithArmature(model, bodiesAtRest(model, q));
 }
 
-double chainRate(const ChainModel& model, const JointVector& q) {
+namespace {
+
+struct ChainRates {
+  double damping = 0.0;  ///< of joints and cables [1/s]
+  double turning = 0.0;  ///< of springs
+  double motor = 0.0;    ///< damping of compliant motors
+};
+
+ChainRates chainRates(const ChainModel& model, const JointVector& q) {
   const int n = model.shape.joints;
   const ChainBodies<double> bodies = bodiesAtRest(model, q);
   JointMatrix mass = massWithArmature(model, bodies), spring = JointMatrix::Zero(n, n), damping = spring;
@@ -314,8 +322,20 @@ double chainRate(const ChainModel& model, const JointVector& q) {
     motor_spring = std::max(motor_spring, drive.motor_spring);
     motor_damping = std::max(motor_damping, drive.motor_damping);
   }
-  return std::max(largestEigenvalue(damping, mass) + motor_damping,
-                  std::sqrt(largestEigenvalue(spring, mass) + motor_spring));
+  return {largestEigenvalue(damping, mass), std::sqrt(largestEigenvalue(spring, mass) + motor_spring),
+          motor_damping};
+}
+
+}  // namespace
+
+double chainRate(const ChainModel& model, const JointVector& q) {
+  const ChainRates rates = chainRates(model, q);
+  return std::max(rates.damping + rates.motor, rates.turning);
+}
+
+double chainOscillation(const ChainModel& model, const JointVector& q) {
+  const ChainRates rates = chainRates(model, q);
+  return std::max(rates.turning, rates.motor);
 }
 
 ChainState<double> stateAt(const ChainModel& model, const JointVector& q, const JointVector& dq) {

@@ -50,6 +50,9 @@ JointMatrix massMatrix(const ChainModel& model, const JointVector& q);
 /// eigenvalue of M⁻¹ D or the root of that of M⁻¹ K, whichever is larger. Runge–Kutta steps shorter than 2.7
 /// over it are stable.
 double chainRate(const ChainModel& model, const JointVector& q);
+/// The same of what ChainStep's Jacobian does not have: springs, and the damping of compliant motors. Its
+/// steps should be shorter than 0.7 over it.
+double chainOscillation(const ChainModel& model, const JointVector& q);
 
 /// State at rest at q with the cables carrying gravity (cable drives keep the given q; the compliant motors
 /// of rigid ones are placed).

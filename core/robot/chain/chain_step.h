@@ -1,37 +1,29 @@
 #pragma once
 
 #include "core/robot/chain/chain_law.h"
-#include "core/robot/chain/chain_stages.h"
 
 /// How a chain goes from one row of its drive to the next, for any scalar.
 namespace capstan::robot {
 
 /// One row's step: the mass matrix and C dq + G are those of the middle of the row, as the start's velocity
-/// foretells it, and motors go from one end of the row to the other at a constant speed of their cables;
-/// cables and friction, far faster than bodies turn, by a stabilised Runge–Kutta method of second order
-/// (chain_stages.h).
+/// foretells it, and motors go from one end of the row to the other at a constant speed of their cables. In
+/// between ROS2 (Verwer, Spee, Blom, Hundsdorfer, A second-order Rosenbrock method applied to photochemical
+/// dispersion problems, SIAM J. Sci. Comput. 20, 1999), of second order whatever stands for the Jacobian W,
+/// and L-stable for the damping of cables and friction, D, which is all that W has: with γ = 1 − 1/√2, f the
+/// sum of forces,
+///     (M + γ h D) k_1 = f(t, x),   (M + γ h D) k_2 = f(t + h, x + h k_1) − 2 M k_1,   x += h (3 k_1 + k_2)
+///     / 2.
 template <class S>
 class ChainStep {
  public:
   CAPSTAN_CHAIN_INLINE ChainStep(const ChainShape& shape, const ChainNumbers<S>& numbers)
       : shape_(shape), p_(numbers) {}
 
-  CAPSTAN_CHAIN_INLINE void advance(const ChainInput& input, const ChainStages& stages,
-                                    ChainState<S>& state) {
+  CAPSTAN_CHAIN_INLINE void advance(const ChainInput& input, int steps, ChainState<S>& state) {
     prepare(input, state);
-    const double h = input.dt;
-    ChainState<S> first, before = state, here = state;  // Y_{j−2} and Y_{j−1}
-    slopes(input, 0.0, state, first);
-    move(state, stages.first * h, first, here);
+    const double part = 1.0 / steps;
 #pragma GCC unroll 1
-    for (int j = 2; j <= stages.count; ++j) {
-      ChainState<S> slope;
-      slopes(input, stages.instant[j - 1], here, slope);
-      combine(stages, j, h, state, first, slope, here, before);
-      swapStates(before, here);
-    }
-    state = here;
-    keepInBox(state);
+    for (int step = 0; step < steps; ++step) substep(input, step * part, part, state);
   }
 
   /// Torque of drive or cable at the joints [N·m or N] and stretch of the cables [m], of the last slope.
@@ -39,11 +31,14 @@ class ChainStep {
   const S* stretch() const { return stretch_; }
   const S* acceleration() const { return acceleration_; }
 
-  /// Slopes at the row's start: fills torque(), stretch() and acceleration().
+  /// Looks at the row's start: fills torque(), stretch() and acceleration().
   CAPSTAN_CHAIN_INLINE void look(const ChainInput& input, const ChainState<S>& state) {
     prepare(input, state);
     ChainState<S> slope;
-    slopes(input, 0.0, state, slope);
+    forces(input, 0.0, state, slope);
+    for (int i = 0; i < shape_.joints; ++i) acceleration_[i] = force_[i];
+    factorise<S>(shape_.joints, bodies_.mass);
+    solve<S>(shape_.joints, bodies_.mass, acceleration_);
   }
 
  private:
@@ -65,7 +60,6 @@ class ChainStep {
         for (int k = 0; k < shape_.joints; ++k)
           bodies_.mass[j][k] = bodies_.mass[j][k] + p_.coupling[i][j] * p_.coupling[i][k] * inertia;
     }
-    factorise<S>(shape_.joints, bodies_.mass);
   }
 
   /// Motor's side of a cable over the row.
@@ -91,6 +85,7 @@ class ChainStep {
     stretch_[i] = position - p.link_radius * travel;
     const CablePull<S> pull = cablePull(p, laws, stretch_[i], travel_rate_[i] - p.link_radius * speed, range,
                                         x.hysteresis[i], x.creep[i]);
+    damping_[i] = pull.damping * p.link_radius * p.link_radius;
     if (laws & kLawHysteresis) slope.hysteresis[i] = pull.hysteresis_rate;
     if (laws & kLawCreep) slope.creep[i] = pull.creep_rate;
     return pull.force;
@@ -100,18 +95,24 @@ class ChainStep {
                                     const ChainState<S>& x, ChainState<S>& slope) {
     const JointNumbers<S>& p = p_.joints[i];
     const S torque = p.gain * input.torque[i];
+    damping_[i] = constantLike(travel, 0.0);
     if (!compliant(i)) {
       stretch_[i] = constantLike(travel, 0.0);
-      return (torque - motorFriction(p, speed * p.link_radius / p.lever)) / p.lever;
+      const S ratio = p.link_radius / p.lever;
+      const Opposing<S> friction = motorFriction(p, speed * ratio);
+      damping_[i] = friction.slope * ratio * ratio;
+      return (torque - friction.force) / p.lever;
     }
     stretch_[i] = p.lever * x.motor[i] - p.link_radius * travel;
     const S force = complianceForce(p, stretch_[i], p.lever * x.motor_rate[i] - p.link_radius * speed);
     slope.motor[i] = x.motor_rate[i];
-    slope.motor_rate[i] = (torque - motorFriction(p, x.motor_rate[i]) - p.lever * force) / p.motor_inertia;
+    slope.motor_rate[i] =
+        (torque - motorFriction(p, x.motor_rate[i]).force - p.lever * force) / p.motor_inertia;
     return force;
   }
 
-  CAPSTAN_CHAIN_INLINE void slopes(const ChainInput& input, double fraction, const ChainState<S>& x,
+  /// Sum of forces at the joints, damping of drives and joints, and how fast hidden states change.
+  CAPSTAN_CHAIN_INLINE void forces(const ChainInput& input, double fraction, const ChainState<S>& x,
                                    ChainState<S>& slope) {
     const int n = shape_.joints;
     for (int j = 0; j < n; ++j) torque_[j] = constantLike(x.q[0], 0.0);
@@ -126,57 +127,66 @@ class ChainStep {
       const S force = p_.joints[i].link_radius * pull;
       for (int j = 0; j < n; ++j) torque_[j] = torque_[j] + p_.coupling[i][j] * force;
     }
-    for (int i = 0; i < n; ++i)
-      acceleration_[i] = torque_[i] + load_[i] - bodies_.bias[i] -
-                         jointFriction(p_.joints[i], shape_.laws[i], x.q[i], x.dq[i], torque_[i]);
-    solve<S>(n, bodies_.mass, acceleration_);
     for (int i = 0; i < n; ++i) {
-      slope.q[i] = x.dq[i];
-      slope.dq[i] = acceleration_[i];
+      const Opposing<S> friction = jointFriction(p_.joints[i], shape_.laws[i], x.q[i], x.dq[i], torque_[i]);
+      force_[i] = torque_[i] + load_[i] - bodies_.bias[i] - friction.force;
+      joint_damping_[i] = friction.slope;
     }
   }
 
-  /// to = from + h by, of what takes part.
-  CAPSTAN_CHAIN_INLINE void move(const ChainState<S>& from, double h, const ChainState<S>& by,
-                                 ChainState<S>& to) const {
-    for (int i = 0; i < shape_.joints; ++i) {
-      to.q[i] = from.q[i] + h * by.q[i];
-      to.dq[i] = from.dq[i] + h * by.dq[i];
-      if (shape_.laws[i] & kLawHysteresis) to.hysteresis[i] = from.hysteresis[i] + h * by.hysteresis[i];
-      if (shape_.laws[i] & kLawCreep) to.creep[i] = from.creep[i] + h * by.creep[i];
-      if (!compliant(i)) continue;
-      to.motor[i] = from.motor[i] + h * by.motor[i];
-      to.motor_rate[i] = from.motor_rate[i] + h * by.motor_rate[i];
-    }
+  /// M + share D, factorised.
+  CAPSTAN_CHAIN_INLINE void factoriseDamped(double share, S (&w)[kChainJoints][kChainJoints]) const {
+    const int n = shape_.joints;
+    for (int j = 0; j < n; ++j)
+      for (int k = 0; k < n; ++k) {
+        w[j][k] = bodies_.mass[j][k];
+        for (int i = 0; i < n; ++i)
+          w[j][k] = w[j][k] + share * damping_[i] * p_.coupling[i][j] * p_.coupling[i][k];
+      }
+    for (int j = 0; j < n; ++j) w[j][j] = w[j][j] + share * joint_damping_[j];
+    factorise<S>(n, w);
   }
 
-  /// Y_j in place of Y_{j−2}.
-  CAPSTAN_CHAIN_INLINE void combine(const ChainStages& k, int j, double h, const ChainState<S>& start,
-                                    const ChainState<S>& first, const ChainState<S>& slope,
-                                    const ChainState<S>& here, ChainState<S>& before) const {
-    const double rest = 1.0 - k.mu[j] - k.nu[j], by = k.mu_slope[j] * h, by_first = k.gamma[j] * h;
-    const auto mix = [&](const S& y0, const S& f0, const S& f, const S& y1, S& y2) {
-      y2 = rest * y0 + k.mu[j] * y1 + k.nu[j] * y2 + by * f + by_first * f0;
-    };
-    for (int i = 0; i < shape_.joints; ++i) {
-      mix(start.q[i], first.q[i], slope.q[i], here.q[i], before.q[i]);
-      mix(start.dq[i], first.dq[i], slope.dq[i], here.dq[i], before.dq[i]);
-      if (shape_.laws[i] & kLawHysteresis)
-        mix(start.hysteresis[i], first.hysteresis[i], slope.hysteresis[i], here.hysteresis[i],
-            before.hysteresis[i]);
-      if (shape_.laws[i] & kLawCreep)
-        mix(start.creep[i], first.creep[i], slope.creep[i], here.creep[i], before.creep[i]);
-      if (!compliant(i)) continue;
-      mix(start.motor[i], first.motor[i], slope.motor[i], here.motor[i], before.motor[i]);
-      mix(start.motor_rate[i], first.motor_rate[i], slope.motor_rate[i], here.motor_rate[i],
-          before.motor_rate[i]);
+  CAPSTAN_CHAIN_INLINE void substep(const ChainInput& input, double at, double part, ChainState<S>& state) {
+    constexpr double kGamma = 0.29289321881345254;  // 1 − 1/√2
+    const int n = shape_.joints;
+    const double h = input.dt * part;
+    ChainState<S> slope, second_slope, end;
+    forces(input, at, state, slope);
+    S w[kChainJoints][kChainJoints], first[kChainJoints], second[kChainJoints], way[kChainJoints];
+    factoriseDamped(kGamma * h, w);
+    for (int i = 0; i < n; ++i) first[i] = force_[i];
+    solve<S>(n, w, first);
+    for (int i = 0; i < n; ++i) {
+      way[i] = state.dq[i] + (kGamma * h) * first[i];
+      end.q[i] = state.q[i] + h * way[i];
+      end.dq[i] = state.dq[i] + h * first[i];
+      moveHidden(i, state, h, slope, end);
     }
+    forces(input, at + part, end, second_slope);
+    for (int i = 0; i < n; ++i) {
+      second[i] = force_[i];
+      for (int k = 0; k < n; ++k) second[i] = second[i] - 2.0 * bodies_.mass[i][k] * first[k];
+    }
+    solve<S>(n, w, second);
+    for (int i = 0; i < n; ++i) {
+      const S second_way = end.dq[i] - 2.0 * way[i] + (kGamma * h) * second[i];
+      state.q[i] = state.q[i] + (0.5 * h) * (3.0 * way[i] + second_way);
+      state.dq[i] = state.dq[i] + (0.5 * h) * (3.0 * first[i] + second[i]);
+      moveHidden(i, state, 0.5 * h, slope, state);
+      moveHidden(i, state, 0.5 * h, second_slope, state);
+    }
+    keepInBox(state);
   }
 
-  CAPSTAN_CHAIN_INLINE void swapStates(ChainState<S>& a, ChainState<S>& b) const {
-    const ChainState<S> kept = a;
-    a = b;
-    b = kept;
+  /// to = from + h by, of the hidden states that take part.
+  CAPSTAN_CHAIN_INLINE void moveHidden(int i, const ChainState<S>& from, double h, const ChainState<S>& by,
+                                       ChainState<S>& to) const {
+    if (shape_.laws[i] & kLawHysteresis) to.hysteresis[i] = from.hysteresis[i] + h * by.hysteresis[i];
+    if (shape_.laws[i] & kLawCreep) to.creep[i] = from.creep[i] + h * by.creep[i];
+    if (!compliant(i)) return;
+    to.motor[i] = from.motor[i] + h * by.motor[i];
+    to.motor_rate[i] = from.motor_rate[i] + h * by.motor_rate[i];
   }
 
   CAPSTAN_CHAIN_INLINE void keepInBox(ChainState<S>& x) const {
@@ -190,6 +200,7 @@ class ChainStep {
   const ChainNumbers<S>& p_;
   ChainBodies<S> bodies_;
   S travel_[kChainJoints], travel_change_[kChainJoints], travel_rate_[kChainJoints];
+  S damping_[kChainJoints], joint_damping_[kChainJoints], force_[kChainJoints];
   S load_[kChainJoints], torque_[kChainJoints], stretch_[kChainJoints], acceleration_[kChainJoints];
 };
 
