@@ -27,7 +27,7 @@ JointNumbers<double> plainNumbers() {
 
 double pullOf(const JointNumbers<double>& p, unsigned laws, double x, double rate = 0.0, double range = 0.0,
               double z = 0.0, double creep = 0.0) {
-  return cablePull(p, laws | kLawExponential, x, rate, range, z, creep).force;
+  return cablePull(p, laws, x, rate, range, z, creep).force;
 }
 
 TEST(ChainLaw, aCableIsAnExponentialPairWithDamping) {
@@ -35,22 +35,16 @@ TEST(ChainLaw, aCableIsAnExponentialPairWithDamping) {
   EXPECT_NEAR(pullOf(p, 0, 2e-3, 0.1), 1000.0 * (std::exp(0.2) - std::exp(-0.2)) + 2.0 * 20.0 * 0.1, 1e-9);
 }
 
-TEST(ChainLaw, aGentleCableIsItsSeries) {
-  JointNumbers<double> p = plainNumbers();
-  p.exponent = 5.0;
-  const double x = 1e-2;
-  EXPECT_NEAR(cablePull(p, 0, x, 0.0, 0.0, 0.0, 0.0).force, 2000.0 * std::sinh(5.0 * x), 1e-8 * 2000.0);
-}
-
 TEST(ChainLaw, anEccentricCapstanHasARadiusThatTurnsWithIt) {
   JointNumbers<double> p = plainNumbers();
   p.eccentric_cosine = 3e-4, p.eccentric_sine = -2e-4;
-  const auto travel = [&](double angle) { return motorTravel(p, kLawEccentricity, angle); };
-  EXPECT_NEAR(travel(7.0), 3.5e-3 + 3e-4 * std::sin(0.7) - 2e-4 * (std::cos(0.7) - 1.0), 1e-15);  // phi = 0.7
-  const double lever = motorLever(p, kLawEccentricity, 7.0), h = 1e-5;
-  EXPECT_NEAR(lever, 5e-4 + 0.1 * (3e-4 * std::cos(0.7) + 2e-4 * std::sin(0.7)), 1e-15);
-  EXPECT_NEAR(lever, (travel(7.0 + h) - travel(7.0 - h)) / (2.0 * h), 1e-9 * lever);
-  EXPECT_EQ(travel(0.0), 0.0);  // counted from the stop
+  EXPECT_NEAR(motorTravel(p, kLawEccentricity, 7.0),  // phi = 0.7
+              3.5e-3 + 3e-4 * std::sin(0.7) - 2e-4 * (std::cos(0.7) - 1.0), 1e-15);
+  const double h = 1e-5;
+  const double slope =
+      (motorTravel(p, kLawEccentricity, 7.0 + h) - motorTravel(p, kLawEccentricity, 7.0 - h)) / (2.0 * h);
+  EXPECT_NEAR(slope, 5e-4 + 0.1 * (3e-4 * std::cos(0.7) + 2e-4 * std::sin(0.7)), 1e-9 * slope);
+  EXPECT_EQ(motorTravel(p, kLawEccentricity, 0.0), 0.0);  // counted from the stop
 }
 
 TEST(ChainLaw, slipComesAtItsTimeAndStays) {
@@ -122,7 +116,7 @@ TEST(ChainLaw, hysteresisLoadsUnloadsAndSaturates) {
 TEST(ChainLaw, creepLengthensTheCableUnderLoad) {
   JointNumbers<double> p = plainNumbers();
   p.creep_share = 0.5, p.creep_rate = 0.1;
-  const CablePull<double> pull = cablePull(p, kLawCreep | kLawExponential, 3e-3, 0.0, 0.0, 0.0, 1e-3);
+  const CablePull<double> pull = cablePull(p, kLawCreep, 3e-3, 0.0, 0.0, 0.0, 1e-3);
   EXPECT_NEAR(pull.force, 2000.0 * std::sinh(0.2), 1e-9);
   EXPECT_NEAR(pull.creep_rate, (0.5 * 2e-3 - 1e-3) * 0.1, 1e-18);  // in balance at share times the rest
 }
@@ -130,18 +124,18 @@ TEST(ChainLaw, creepLengthensTheCableUnderLoad) {
 TEST(ChainLaw, frictionHasAllItsParts) {
   JointNumbers<double> p = plainNumbers();
   const double v = 0.03, sign = std::tanh(3.0);
-  EXPECT_NEAR(jointFriction(p, 0, 0.2, v, 4.0), 0.5 * sign + 0.1 * v, 1e-15);
+  EXPECT_NEAR(jointFriction(p, 0, 0.2, v, 4.0).force, 0.5 * sign + 0.1 * v, 1e-15);
   p.stribeck_excess = 0.8, p.inverse_stribeck = 50.0;
-  EXPECT_NEAR(jointFriction(p, kLawStribeck, 0.2, v, 4.0),
+  EXPECT_NEAR(jointFriction(p, kLawStribeck, 0.2, v, 4.0).force,
               0.5 * (1.0 + 0.8 * std::exp(-2.25)) * sign + 0.1 * v, 1e-15);
   p.asymmetry = 0.3;
-  EXPECT_NEAR(jointFriction(p, kLawAsymmetry, 0.2, -v, 4.0), -0.5 * (1.0 - 0.3 * sign) * sign - 0.1 * v,
+  EXPECT_NEAR(jointFriction(p, kLawAsymmetry, 0.2, -v, 4.0).force, -0.5 * (1.0 - 0.3 * sign) * sign - 0.1 * v,
               1e-15);
   p.wave_sine = 0.2, p.wave_cosine = -0.1, p.wave_number = 10.0;
-  EXPECT_NEAR(jointFriction(p, kLawWave, 0.2, v, 4.0),
+  EXPECT_NEAR(jointFriction(p, kLawWave, 0.2, v, 4.0).force,
               0.5 * (1.0 + 0.2 * std::sin(2.0) - 0.1 * std::cos(2.0)) * sign + 0.1 * v, 1e-15);
   p.load_friction = 0.05;
-  EXPECT_NEAR(jointFriction(p, kLawLoadFriction, 0.2, v, -4.0), (0.5 + 0.2) * sign + 0.1 * v, 1e-15);
+  EXPECT_NEAR(jointFriction(p, kLawLoadFriction, 0.2, v, -4.0).force, (0.5 + 0.2) * sign + 0.1 * v, 1e-15);
 }
 
 TEST(ChainLaw, frictionNeverDrives) {
@@ -154,13 +148,13 @@ TEST(ChainLaw, frictionNeverDrives) {
     p.wave_sine = random.uniform(-0.3, 0.3), p.wave_cosine = random.uniform(-0.3, 0.3);
     p.load_friction = random.uniform(0.0, 1.0);
     const double v = random.uniform(-1.0, 1.0);
-    EXPECT_GE(v * jointFriction(p, kAll, random.uniform(-2.0, 2.0), v, random.uniform(-5.0, 5.0)), 0.0);
+    EXPECT_GE(v * jointFriction(p, kAll, random.uniform(-2.0, 2.0), v, random.uniform(-5.0, 5.0)).force, 0.0);
   }
 }
 
 TEST(ChainLaw, motorsRubAndHiddenCablesGive) {
   JointNumbers<double> p = plainNumbers();
-  EXPECT_NEAR(motorFriction(p, 0.7), 0.02 * std::tanh(1.4) + 1e-4 * 0.7, 1e-18);
+  EXPECT_NEAR(motorFriction(p, 0.7).force, 0.02 * std::tanh(1.4) + 1e-4 * 0.7, 1e-18);
   p.compliance = 2e-5;
   EXPECT_NEAR(complianceForce(p, 1e-3, 0.0), 50.0, 1e-12);
   EXPECT_NEAR(complianceForce(p, 0.0, 0.1), 0.2 / 5e-4 * std::sqrt(5e4 * 3e-5) * 0.1, 1e-9);
@@ -179,7 +173,7 @@ TEST(ChainLaw, withNeutralNumbersALawChangesNothing) {
     EXPECT_NEAR(pullOf(p, kLawSlack, x, v, 0.5), 2e5 * x + 40.0 * v, 1e-6);
     EXPECT_EQ(motorTravel(p, kLawEccentricity, 1e3 * x), motorTravel(p, 0, 1e3 * x));
     for (const unsigned law : {kLawStribeck, kLawAsymmetry, kLawWave, kLawLoadFriction})
-      EXPECT_EQ(jointFriction(p, law, x, v, 3.0), jointFriction(p, 0, x, v, 3.0)) << law;
+      EXPECT_EQ(jointFriction(p, law, x, v, 3.0).force, jointFriction(p, 0, x, v, 3.0).force) << law;
   }
   EXPECT_EQ(slipAt(p, 5.0), 0.0);
 }
