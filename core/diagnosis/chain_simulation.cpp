@@ -11,11 +11,13 @@ namespace {
 
 using robot::kChainLanes;
 
-constexpr double kLongestStep = 1e-3;   // of the integration [s]
-constexpr double kFastestTurn = 0.7;    // of an oscillation in one step [rad]
-constexpr int kMostSteps = 80;          // a row
-constexpr double kOutputStep = 5e-3;    // of what the kernel hands out [s]
-constexpr double kAfterRestart = 0.12;  // sights so soon after a restart may look behind it [s]
+constexpr double kLongestStep = 1e-3;        // of the integration [s]
+constexpr double kLongestFreeStep = 0.5e-3;  // of a rigid drive, whose errors add up [s]
+constexpr double kContactStep = 0.25e-3;     // likewise, where contacts open and close [s]
+constexpr double kFastestTurn = 0.7;         // of an oscillation in one step [rad]
+constexpr int kMostSteps = 80;               // a row
+constexpr double kOutputStep = 5e-3;         // of what the kernel hands out [s]
+constexpr double kAfterRestart = 0.12;       // sights so soon after a restart may look behind it [s]
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 /// Position and slope of a column around row k, from a line through the rows within ±reach of it in the
@@ -162,7 +164,9 @@ robot::ChainShape ChainSimulation::shapeOf(std::span<const Robot> robots) const 
 }
 
 int ChainSimulation::stepsFor(const robot::ChainModel& model) const {
-  double rate = 1.0 / kLongestStep;
+  double rate = 1.0 / (model.shape.rigid ? kLongestFreeStep : kLongestStep);
+  for (int j = 0; j < joints_; ++j)
+    if (model.shape.laws[j] & (robot::kLawPlay | robot::kLawSlack)) rate = 1.0 / kContactStep;
   for (const double share : {-0.5, 0.0, 0.5}) {
     robot::JointVector q(joints_);
     for (int j = 0; j < joints_; ++j)
@@ -185,7 +189,13 @@ robot::ChainState<double> ChainSimulation::initialState(const robot::ChainModel&
     q_m[j] = rows_.drive[j][windows_[window].begin];
   }
   if (!evidence_.hasEncoders() && !model.shape.rigid) q = robot::jointsFromMotors(model, q_m);
-  return robot::stateAt(model, q, dq);
+  robot::ChainState<double> state = robot::stateAt(model, q, dq);
+  for (int j = 0; j < joints_; ++j) {  // compliant motors stand where their torque has wound the cable up
+    const robot::JointNumbers<double>& p = model.numbers.joints[j];
+    if (model.shape.laws[j] & robot::kLawCompliance)
+      state.motor[j] += p.compliance * p.gain * rows_.drive[j][windows_[window].begin] / (p.lever * p.lever);
+  }
+  return state;
 }
 
 void ChainSimulation::simulate(std::span<const Robot> robots, Eigen::Ref<Eigen::MatrixXd> told) const {

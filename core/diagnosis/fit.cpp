@@ -1,7 +1,6 @@
 #include "core/diagnosis/fit.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,16 +18,37 @@ constexpr double kLongestStep = 3.0;  // of any u in one iteration
 /// Weights of one stretch, of all its numbers.
 MatrixXd weighted(const MatrixXd& x, const VectorXd& weights) { return weights.asDiagonal() * x; }
 
+/// Precision of the nuisances' own estimates: initial positions are known to some counts of the encoder,
+/// speeds to a tenth of the largest; encoder zeros not at all.
+VectorXd nuisancePrecision(const FitData& data, const robot::ChainModel& model) {
+  const int n = model.shape.joints;
+  if (!data.rigid()) return VectorXd::Zero(n);
+  VectorXd precision(2 * n);
+  for (int j = 0; j < n; ++j) {
+    double noise = 0.0;
+    for (const ComparedChannel& channel : data.channels())
+      if (channel.joint == j + 1) noise = std::max(noise, channel.noise);
+    const double position = noise > 0.0 ? 4.0 * noise : 0.1 / model.shape.inverse_half_range[j];
+    const double speed = 0.1 * model.shape.fastest[j] / 20.0;
+    precision[j] = 1.0 / (position * position);
+    precision[n + j] = 1.0 / (speed * speed);
+  }
+  return precision;
+}
+
 /// Coefficients of each stretch's nuisances that explain the columns of x best, subtracted from x in place.
-std::vector<MatrixXd> takeOffNuisances(const FitData& data, const MatrixXd& nuisance, const VectorXd& weights,
+std::vector<MatrixXd> takeOffNuisances(const FitData& data, const MatrixXd& nuisance,
+                                       const VectorXd& precision, const VectorXd& weights,
                                        Eigen::Ref<MatrixXd> x) {
   std::vector<MatrixXd> coefficients;
   if (nuisance.cols() == 0) return coefficients;
   for (const auto& [begin, end] : data.stretches()) {
-    const VectorXd w = weights.segment(begin, end - begin);
     const MatrixXd part = nuisance.middleRows(begin, end - begin);
-    const Eigen::ColPivHouseholderQR<MatrixXd> qr(weighted(part, w));
-    coefficients.push_back(qr.solve(weighted(x.middleRows(begin, end - begin), w)));
+    const MatrixXd heavy = weighted(part, weights.segment(begin, end - begin).cwiseAbs2());
+    MatrixXd normal = heavy.transpose() * part;
+    normal.diagonal() += precision;
+    normal.diagonal() *= 1.0 + 1e-12;
+    coefficients.push_back(normal.ldlt().solve(heavy.transpose() * x.middleRows(begin, end - begin)));
     x.middleRows(begin, end - begin) -= part * coefficients.back();
   }
   return coefficients;
@@ -122,8 +142,10 @@ System systemAt(const FitData& data, const FitModel& model, const VectorXd& u, c
   } else if (data.zeroPerRecording()) {
     system.at.nuisance = encoderZeros(data, robots.front().shape.joints);
   }
-  system.off_residual = takeOffNuisances(data, system.at.nuisance, trust.weights, system.at.e);
-  system.off_jacobian = takeOffNuisances(data, system.at.nuisance, trust.weights, system.at.jacobian);
+  const VectorXd precision = nuisancePrecision(data, robots.front());
+  system.off_residual = takeOffNuisances(data, system.at.nuisance, precision, trust.weights, system.at.e);
+  system.off_jacobian =
+      takeOffNuisances(data, system.at.nuisance, precision, trust.weights, system.at.jacobian);
   system.at.objective = objectiveOf(model, u, system.at.e, trust);
   return system;
 }
@@ -239,7 +261,7 @@ Trial bestOf(const FitData& data, const System& system, const BoundedStep& stepF
     Trial& trial = trials[k];
     trial.e = data.measured() - told.col(static_cast<Index>(k));
     if (!trial.e.allFinite()) continue;
-    takeOffNuisances(data, system.at.nuisance, trust.weights, trial.e);
+    takeOffNuisances(data, system.at.nuisance, nuisancePrecision(data, robots[k]), trust.weights, trial.e);
     trial.objective = objectiveOf(model, trial.u, trial.e, trust);
     if (trial.objective < trials[best].objective) best = k;
   }
@@ -302,7 +324,7 @@ MatrixXd residualsOf(const FitData& data, const Fit& at, const std::vector<robot
                      const Trust& trust) {
   MatrixXd e = data.simulate(robots, std::vector<InitialStates>(robots.size(), at.initial));
   e = -(e.colwise() - data.measured());
-  takeOffNuisances(data, at.nuisance, trust.weights, e);
+  takeOffNuisances(data, at.nuisance, nuisancePrecision(data, at.model.chain(at.u)), trust.weights, e);
   return e;
 }
 

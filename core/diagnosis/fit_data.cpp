@@ -103,11 +103,15 @@ Eigen::VectorXd weightsFor(const FitData& data, const Eigen::VectorXd& e, const 
     squares[c] += x * x, count[c] += 1.0;
     sums[c][static_cast<std::size_t>(data.block()[i])] += x;
   }
+  const auto noiseOf = [&](std::size_t c) { return std::max(data.channels()[c].noise, 1e-12); };
+  double worst = 1.0;  // of all channels, RMS by noise
+  for (std::size_t c = 0; c < channels; ++c)
+    if (count[c] > 0.0) worst = std::max(worst, std::sqrt(squares[c] / count[c]) / noiseOf(c));
   std::vector<double> weight(channels, 0.0);
   for (std::size_t c = 0; c < channels; ++c) {
     if (count[c] < 1.0) continue;
     const double rms = std::sqrt(squares[c] / count[c]);
-    const double scale = std::max({rms, data.channels()[c].noise, 1e-12});
+    const double scale = std::max(rms, noiseOf(c) * std::sqrt(worst));
     double between = 0.0;
     for (const double sum : sums[c]) between += sum * sum;
     const double inflation =

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kDraws = 400;
 constexpr int kFirstIterations = 3;  // of a refit before the poorest are left behind
-constexpr int kLastIterations = 8;   // of those that go on
+constexpr int kLastIterations = 12;  // of those that go on
 constexpr std::size_t kGoOn = 3;     // refits that do, at most
 constexpr double kHopeless = 0.02;   // reduction after a first look
 
@@ -21,10 +21,10 @@ Fit fitBase(const FitData& data, const FitModel& model, Trust& trust, const base
   InitialStates initial = noneBeyond(data);
   trust.weights =
       weightsFor(data, linearise(data, model, u, initial, {Eigen::VectorXd::Ones(data.size()), {}}).e);
-  Fit found = fit(data, model, u, initial, trust, {15, 5.0, nullptr}, progress);
-  for (int pass = 0; pass < 2 && !cancelled(progress); ++pass) {
+  Fit found = fit(data, model, u, initial, trust, {20, 0.05, nullptr}, progress);
+  for (int pass = 0; pass < 3 && !cancelled(progress); ++pass) {
     trust.weights = weightsFor(data, found.e);
-    found = fit(data, model, found.u, found.initial, trust, {12, 0.3, nullptr}, progress);
+    found = fit(data, model, found.u, found.initial, trust, {12, 0.05, nullptr}, progress);
   }
   return found;
 }
@@ -63,7 +63,7 @@ class Rounds {
     const FitModel model = s.best.model.with(*promise.hypothesis, promise.joint, promise.start);
     Contender c{{promise.hypothesis, promise.joint},
                 fit(data_, model, model.startFrom(s.best.model, s.best.u), s.best.initial, s.trust,
-                    {kFirstIterations, 0.5, &s.best}, progress_),
+                    {kFirstIterations, 0.1, &s.best}, progress_),
                 {},
                 {},
                 {},
@@ -92,11 +92,15 @@ class Rounds {
     const auto better = [](const Contender& a, const Contender& b) {
       return a.gain.front() > b.gain.front();
     };
+    const Suspect promised = contenders.empty() ? Suspect{} : contenders.front().added;
     std::stable_sort(contenders.begin(), contenders.end(), better);
-    for (std::size_t k = 0; k < std::min(kGoOn, contenders.size()) && !cancelled(progress_); ++k) {
+    for (std::size_t k = 0; k < contenders.size() && !cancelled(progress_); ++k) {
       Contender& c = contenders[k];
-      if (c.reduction.share < kHopeless) break;
-      c.fit = fit(data_, c.fit.model, c.fit.u, c.fit.initial, s.trust, {kLastIterations, 0.5, nullptr},
+      const bool first_in_tests =
+          c.added.hypothesis == promised.hypothesis && c.added.joint == promised.joint;
+      if (!first_in_tests && (k >= kGoOn || c.reduction.share < kHopeless)) continue;
+      if (promises.front().share < kHopeless && c.reduction.share < kHopeless) continue;
+      c.fit = fit(data_, c.fit.model, c.fit.u, c.fit.initial, s.trust, {kLastIterations, 0.1, nullptr},
                   progress_);
       judge(s, c);
     }
@@ -151,9 +155,11 @@ class Rounds {
 
   void take(Selection& s, Contender c) {
     s.best = c.fit;
-    s.trust.weights = weightsFor(data_, s.best.e);
-    s.best = fit(data_, s.best.model, s.best.u, s.best.initial, s.trust, {kLastIterations, 0.1, nullptr},
-                 progress_);
+    for (int pass = 0; pass < 2 && !cancelled(progress_); ++pass) {
+      s.trust.weights = weightsFor(data_, s.best.e);
+      s.best = fit(data_, s.best.model, s.best.u, s.best.initial, s.trust, {kLastIterations, 0.05, nullptr},
+                   progress_);
+    }
     s.best_squares = squaresOf(data_, leftOut(data_, s.best, s.trust));
     s.taken.push_back(std::move(c));
     s.almost.added = {};

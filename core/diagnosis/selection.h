@@ -49,8 +49,8 @@ struct Selection {
 /// What an effect must bring before it is named: a share of a channel's mean square, and a score that block
 /// bootstraps leave above zero.
 inline constexpr double kWorthNaming = 0.06;
-inline constexpr double kLeastScore = 6.0;  ///< [nats]: against some hundred hypotheses
-inline constexpr double kSure = 0.02;       ///< quantile of the bootstrap that must be above zero
+inline constexpr double kLeastScore = 6.0;        ///< [nats]: against some hundred hypotheses
+inline constexpr double kSure = 0.02;             ///< quantile of the bootstrap that must be above zero
 inline constexpr double kMoreThanEveryday = 1.5;  ///< times Hypothesis::everyday
 inline constexpr double kRival = 0.08;  ///< share of draws from which another effect counts as not told apart
 

@@ -28,7 +28,8 @@ ChainNumbers<ChainLane> sameInAllLanes(const ChainNumbers<double>& numbers) {
   return lanes;
 }
 
-double rateWithinLimits(const robot::ChainModel& model, const robot::Description& robot) {
+double largestWithinLimits(const robot::ChainModel& model, const robot::Description& robot,
+                           double (*rateOf)(const robot::ChainModel&, const robot::JointVector&)) {
   constexpr int kGrid = 6;
   double rate = 0.0;
   robot::JointVector q(3);
@@ -40,7 +41,7 @@ double rateWithinLimits(const robot::ChainModel& model, const robot::Description
         return of.limit_low + (of.limit_high - of.limit_low) * k / kGrid;
       };
       q[1] = at(1, i), q[2] = at(2, j);
-      rate = std::max(rate, robot::chainRate(model, q));
+      rate = std::max(rate, rateOf(model, q));
     }
   return rate;
 }
@@ -66,18 +67,19 @@ ExtendedArmModel::ExtendedArmModel(const robot::Description& robot, const double
     model_.shape.fastest[i] = high[2 * i + 1];
     has_memory_ |= (model_.shape.laws[i] & (robot::kLawHysteresis | robot::kLawCreep)) != 0;
   }
-  rate_ = rateWithinLimits(model_, robot);
+  rate_ = largestWithinLimits(model_, robot, robot::chainRate);
+  oscillation_ = largestWithinLimits(model_, robot, robot::chainOscillation);
 }
 
-/// Rows of a few milliseconds, over which bodies stand still.
+/// Rows of a millisecond, over which bodies stand still.
 void ExtendedArmModel::run(ChainState<ChainLane>& state, const CableArmDrive& drive, double dt) const {
-  constexpr double kRow = 2e-3;     // [s]
+  constexpr double kRow = 1e-3;     // [s]
   constexpr double kMost = 1000.0;  // a gap in the samples must not stall the pipeline
   const int rows = static_cast<int>(std::clamp(std::ceil(dt / kRow), 1.0, kMost));
   const double step = dt / rows;
   robot::ChainRun run;
   run.end = 2, run.stride = 2;
-  run.stages = robot::chainStages(rate_, step);
+  run.steps = std::max(1, static_cast<int>(std::ceil(oscillation_ * step / 0.7)));
   ChainLane q[3], dq[3];  // of the first row: not looked at
   run.q = q[0].value, run.dq = dq[0].value;
   for (int row = 0; row < rows; ++row) {

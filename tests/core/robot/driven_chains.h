@@ -6,7 +6,6 @@
 
 #include "core/robot/chain/chain_lanes.h"
 #include "core/robot/chain/chain_model.h"
-#include "core/robot/chain/chain_stages.h"
 #include "tests/core/robot/robot_files.h"
 
 namespace capstan::robot::testing {
@@ -129,8 +128,8 @@ struct DrivenRows {
   }
 };
 
-inline ChainStages stagesOf(const ChainModel& model, const JointVector& q, double step = 1e-3) {
-  return chainStages(chainRate(model, q), step);
+inline int stableSteps(const ChainModel& model, const JointVector& q) {
+  return 1 + static_cast<int>(1e-3 * chainRate(model, q));
 }
 
 }  // namespace capstan::robot::testing
