@@ -13,7 +13,7 @@ using robot::kChainLanes;
 
 constexpr double kLongestStep = 1e-3;        // of the integration [s]
 constexpr double kLongestFreeStep = 0.5e-3;  // of a rigid drive, whose errors add up [s]
-constexpr double kContactStep = 0.25e-3;     // likewise, where contacts open and close [s]
+constexpr double kContactStep = 0.25e-3;     // likewise, where contacts open or cables yield [s]
 constexpr double kFastestTurn = 0.7;         // of an oscillation in one step [rad]
 constexpr int kMostSteps = 80;               // a row
 constexpr double kOutputStep = 5e-3;         // of what the kernel hands out [s]
@@ -166,7 +166,8 @@ robot::ChainShape ChainSimulation::shapeOf(std::span<const Robot> robots) const 
 int ChainSimulation::stepsFor(const robot::ChainModel& model) const {
   double rate = 1.0 / (model.shape.rigid ? kLongestFreeStep : kLongestStep);
   for (int j = 0; j < joints_; ++j)
-    if (model.shape.laws[j] & (robot::kLawPlay | robot::kLawSlack)) rate = 1.0 / kContactStep;
+    if (model.shape.laws[j] & (robot::kLawPlay | robot::kLawSlack | robot::kLawHysteresis))
+      rate = 1.0 / kContactStep;
   for (const double share : {-0.5, 0.0, 0.5}) {
     robot::JointVector q(joints_);
     for (int j = 0; j < joints_; ++j)

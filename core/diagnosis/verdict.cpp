@@ -141,12 +141,13 @@ void judge(const FitData& data, const Selection& s, Report& report) {
     before = &after;
   }
   addTies(s, data, covariance, report);
-  const bool explains = !s.taken.empty() && report.explained >= kExplains;
+  const bool left = !report.lines.empty() || somethingLeft(data, s);
+  const bool explains = !s.taken.empty() && (report.explained >= kExplains || !left);
   if (explains)
     report.verdict = !report.ties.empty() ? Verdict::kTie
                      : s.taken.size() > 1 ? Verdict::kSeveral
                                           : Verdict::kFound;
-  else if (!report.lines.empty() || somethingLeft(data, s) || !s.taken.empty())
+  else if (left)
     report.verdict = Verdict::kUnexplained;
   else
     report.verdict = Verdict::kNothing;

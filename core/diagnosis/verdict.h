@@ -15,8 +15,9 @@ double explainedShare(const FitData& data, const Selection& selection);
 /// RMS on blocks left out is kBeyondNoise times its noise, and it lasts from sample to sample.
 bool somethingLeft(const FitData& data, const Selection& selection);
 inline constexpr double kBeyondNoise = 1.5;
-/// Share that effects must explain before they, and not something unknown, are the verdict.
-inline constexpr double kExplains = 0.5;
+/// Share that effects must explain before they, and not something unknown, are the verdict, where something
+/// is left.
+inline constexpr double kExplains = 0.9;
 
 /// Fills verdict, causes, ties, explained and summary of the report.
 void judge(const FitData& data, const Selection& selection, Report& report);

@@ -59,7 +59,8 @@ ExtendedArm::Cables ExtendedArm::cablesOf(const Vector& x) const {
 
 double ExtendedArm::friction(int joint, const Vector& x, double drive) const {
   const robot::JointNumbers<double>& p = model_.numbers.joints[joint];
-  const double force = robot::jointFriction(p, model_.shape.laws[joint], x[6 + joint], x[9 + joint], drive);
+  const double force =
+      robot::jointFriction(p, model_.shape.laws[joint], x[6 + joint], x[9 + joint], drive).force;
   const Stribeck& excess = stribeck_[static_cast<std::size_t>(joint)];
   if (excess.excess <= 0.0) return force;
   const robot::Friction coulomb{p.coulomb, 0.0, 1.0 / p.inverse_smoothing};
@@ -84,8 +85,9 @@ ExtendedArm::Vector ExtendedArm::derivative(const Vector& x, const Vector3d& tor
   for (int i = 0; i < 3; ++i) {
     const robot::JointNumbers<double>& joint = p.joints[i];
     dx[i] = x[3 + i];
-    dx[3 + i] = (torque[i] - robot::motorFriction(joint, x[3 + i]) - cables.lever[i] * cables.force[i]) /
-                joint.motor_inertia;
+    dx[3 + i] =
+        (torque[i] - robot::motorFriction(joint, x[3 + i]).force - cables.lever[i] * cables.force[i]) /
+        joint.motor_inertia;
     dx[6 + i] = x[9 + i];
     dx[9 + i] = acceleration[i];
     dx[12 + i] = hysteresisRate(hysteresis_[static_cast<std::size_t>(i)], x[12 + i], cables.rate[i]);
