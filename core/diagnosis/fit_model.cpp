@@ -79,11 +79,12 @@ void FitModel::addBase() {
 EffectTerm FitModel::everydayTerm(const Hypothesis& hypothesis, int joint) const {
   const JointScales& scales = scalesOf(scales_, joint);
   const std::vector<double> neutral = hypothesis.neutral();
-  EffectTerm term{&hypothesis, joint, hypothesis.starts(scales, joint).front(), true, {}};
+  const std::vector<EffectStart> starts = hypothesis.starts(scales, joint);
+  EffectTerm term{&hypothesis, joint, starts[starts.size() / 2], true, {}};
   for (std::size_t k = 0; k < neutral.size(); ++k) {
-    const bool free = neutral[k] == 0.0;  // numbers of shape stay where the fit of the effect would start
-    if (free) term.start.value[k] = 0.0;
-    term.start.scale[k] = free ? hypothesis.everyday(scales) : 0.0;
+    if (neutral[k] != 0.0) continue;  // a shape: free, as in the effect
+    term.start.value[k] = 0.0;
+    term.start.scale[k] = hypothesis.everyday(scales);
   }
   return term;
 }
@@ -103,7 +104,7 @@ void FitModel::addTerm(EffectTerm term) {
                    numbers[k].low,
                    numbers[k].high,
                    kEffectPrior};
-    if (term.everyday) {
+    if (term.everyday && start == 0.0) {
       p.low = std::max(p.low, -scale);
       p.high = std::min(p.high, scale);
       p.prior = kEverydayPrior;

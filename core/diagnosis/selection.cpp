@@ -141,10 +141,12 @@ class Rounds {
     note(s, promises, contenders, round);
     if (contenders.empty() || cancelled(progress_)) return false;
     s.almost = contenders.front();
-    if (!worthNaming(contenders.front())) return false;
+    std::erase_if(contenders, [](const Contender& c) { return !worthNaming(c); });
+    if (contenders.empty()) return false;
     Rivals rivals{contenders.front().added, {}, {contenders.front().share}};
     for (std::size_t k = 1; k < contenders.size(); ++k)
-      if (contenders[k].share > kRival && worthNaming(contenders[k])) {
+      if (contenders[k].share > kRival ||
+          contenders[k].gain.front() > kAsGood * contenders.front().gain.front()) {
         rivals.others.push_back(contenders[k].added);
         rivals.shares.push_back(contenders[k].share);
       }

@@ -1,0 +1,238 @@
+// The parts of the engine on recordings of planted robots: fits, score tests, cross-validation, verdicts.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/base/error.h"
+#include "core/base/random.h"
+#include "core/base/resource.h"
+#include "core/diagnosis/diagnose.h"
+#include "core/diagnosis/joint_scales.h"
+#include "core/diagnosis/read_evidence.h"
+#include "core/diagnosis/selection.h"
+#include "core/diagnosis/spectral_line.h"
+#include "tests/support/planted/planted_case.h"
+
+namespace capstan::diagnosis {
+namespace {
+
+robot::Description raven() { return robot::readDescription(base::resource("robots/raven2_left.yaml")); }
+
+/// A short recording of the RAVEN-II, aged but without texture, with or without an effect.
+struct Planted {
+  robot::Description robot = raven();
+  test::Truth truth;
+  std::vector<Evidence> evidence;
+
+  explicit Planted(std::uint64_t seed, std::optional<test::Effect> effect = {}, int joint = 0,
+                   double duration = 12.0) {
+    test::DrawOptions options;
+    options.robot = robot;
+    options.effects = effect ? 1 : 0;
+    if (effect) options.effect = effect;
+    if (effect && joint > 0) options.joint = joint;
+    options.size = 0.6;
+    options.textured = false;
+    options.duration = duration;
+    auto [recording, told] = test::recordWithTruth(test::draw(seed, options));
+    truth = told;
+    evidence.push_back(evidenceOf(recording.table, robot));
+  }
+};
+
+double ratio(double value, double nominal) { return std::log(value / nominal); }
+
+TEST(FitModel, carriesNumbersFromModelToModel) {
+  const Planted planted(1);
+  const FitModel base(planted.robot, jointScales(planted.evidence, planted.robot));
+  const Hypothesis& backlash = *hypothesisNamed("backlash");
+  const JointScales& scales = scalesOf(base.scales(), 2);
+  const FitModel more = base.with(backlash, 2, backlash.starts(scales, 2).front());
+  EXPECT_TRUE(more.has(backlash, 2));
+  EXPECT_FALSE(more.has(backlash, 1));
+  EXPECT_EQ(more.size(), base.size() + 1);
+  Eigen::VectorXd u = Eigen::VectorXd::LinSpaced(base.size(), -0.3, 0.4);
+  EXPECT_LT((more.carry(base, u).head(base.size()) - u).norm(), 1e-12);
+  EXPECT_LT((more.without(backlash, 2).carry(base, u) - u).norm(), 1e-12);
+  u.setConstant(1e3);
+  for (int k = 0; k < base.size(); ++k) {
+    const FitParameter& p = base.parameters()[static_cast<std::size_t>(k)];
+    EXPECT_LE(p.value(base.clipped(u)[k]), p.high + 1e-12 * std::abs(p.high)) << p.name;
+  }
+}
+
+TEST(FitModel, everydayEffectsGiveWayToTheSameEffectAsACause) {
+  const Planted planted(1);
+  const FitModel base(planted.robot, jointScales(planted.evidence, planted.robot));
+  const Hypothesis& asymmetric = *hypothesisNamed("asymmetric_friction");
+  const auto count = [&](const FitModel& model) {
+    return std::count_if(model.effects().begin(), model.effects().end(), [&](const EffectTerm& term) {
+      return term.hypothesis == &asymmetric && term.joint == 1;
+    });
+  };
+  const FitModel more = base.with(asymmetric, 1, asymmetric.starts(scalesOf(base.scales(), 1), 1).front());
+  EXPECT_EQ(count(base), 1);
+  EXPECT_EQ(count(more), 1);
+  EXPECT_TRUE(more.has(asymmetric, 1));
+  EXPECT_FALSE(more.without(asymmetric, 1).has(asymmetric, 1));
+  EXPECT_EQ(count(more.without(asymmetric, 1)), 1);
+}
+
+TEST(ChainSimulation, tellsWhatTheWholeMotionDoes) {
+  const Planted planted(2);
+  const ChainSimulation simulation(planted.evidence.front(), planted.robot, 2.0);
+  const robot::ChainModel model(planted.robot);
+  const std::vector<Robot> robots(3, Robot{&model, nullptr});
+  Eigen::MatrixXd told(simulation.compared().measured.size(), 3);
+  simulation.simulate(robots, told);
+  EXPECT_EQ((told.col(0) - told.col(2)).norm(), 0.0);
+  const SimulatedMotion motion = simulation.motion(model);
+  const auto channels = remainderOf(planted.evidence.front(), motion, planted.robot);
+  const Compared& compared = simulation.compared();
+  for (std::size_t i = 0; i < compared.channel.size(); i += 37) {
+    const ComparedChannel& own = compared.channels[static_cast<std::size_t>(compared.channel[i])];
+    const auto same = std::find_if(channels.begin(), channels.end(), [&](const Channel& c) {
+      return c.joint == own.joint && c.axis == own.axis;
+    });
+    ASSERT_NE(same, channels.end());
+    const auto at = std::lower_bound(same->t.begin(), same->t.end(), compared.t[i] - 1e-9) - same->t.begin();
+    // Between outputs 5 ms apart the tip is a cubic, in the whole motion a line from row to row.
+    EXPECT_NEAR(told(static_cast<Eigen::Index>(i), 0), same->simulated[static_cast<std::size_t>(at)],
+                own.joint > 0 ? 1e-9 : 2e-6)
+        << own.name;
+  }
+}
+
+TEST(Fit, findsTheAgedRobotsNumbers) {
+  const Planted planted(3, {}, 0, 20.0);
+  const FitData data(planted.evidence, planted.robot, 2.0, true, 2);
+  const Selection s =
+      select(data, planted.evidence, FitModel(planted.robot, jointScales(planted.evidence, planted.robot)),
+             {.most_causes = 0, .refits = 0, .only = {}, .seed = 1}, nullptr);
+  const robot::Description found = s.base.model.refitted(s.base.u);
+  // Stretch tells ratios: friction by stiffness; gravity's by stiffness where a cable carries it.
+  double off = 0.0;
+  for (std::size_t j = 0; j < 3; ++j) {
+    const auto compliance = [&](const robot::Description& robot) {
+      return robot.joints[j].friction.coulomb / robot.drives[j].cable_stiffness;
+    };
+    EXPECT_NEAR(ratio(compliance(found), compliance(planted.truth.robot)), 0.0, 0.03) << j;
+    off = std::max(off, std::abs(ratio(compliance(planted.truth.robot), compliance(planted.robot))));
+  }
+  EXPECT_GT(off, 0.1);  // there was something to find
+  for (Eigen::Index c = 0; c < s.base_squares.sum.rows(); ++c) {
+    const double rms = std::sqrt(s.base_squares.sum.row(c).sum() / s.base_squares.count.row(c).sum());
+    EXPECT_LT(rms, 1.25 * data.channels()[static_cast<std::size_t>(c)].noise)
+        << data.channels()[static_cast<std::size_t>(c)].name;
+  }
+}
+
+TEST(LeftOut, isWorseThanTheFitAndNearIt) {
+  const Planted planted(4);
+  const FitData data(planted.evidence, planted.robot, 2.0, true, 2);
+  const FitModel model(planted.robot, jointScales(planted.evidence, planted.robot));
+  Trust trust;
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(model.size());
+  trust.weights = weightsFor(data, data.measured() - data.simulate({model.chain(none)}).col(0));
+  const Fit found = fit(data, model, none, noneBeyond(data), trust, {20, 0.05, nullptr});
+  const Eigen::VectorXd left = leftOut(data, found, trust);
+  const double inside = trust.weights.cwiseProduct(found.e).squaredNorm();
+  const double outside = trust.weights.cwiseProduct(left).squaredNorm();
+  EXPECT_GT(outside, inside);
+  EXPECT_LT(outside, 1.5 * inside);
+}
+
+TEST(Screening, putsWhatIsHiddenFirst) {
+  const Planted planted(5, test::Effect::kLoadFriction, 2);
+  const FitData data(planted.evidence, planted.robot, 2.0, true, 2);
+  const Selection s =
+      select(data, planted.evidence, FitModel(planted.robot, jointScales(planted.evidence, planted.robot)),
+             {.most_causes = 1, .refits = 3, .only = {}, .seed = 1}, nullptr);
+  ASSERT_FALSE(s.candidates.empty());
+  EXPECT_EQ(s.candidates.front().effect, "load_friction");
+  EXPECT_EQ(s.candidates.front().joint, 2);
+  ASSERT_EQ(s.taken.size(), 1U);
+  EXPECT_EQ(s.taken.front().added.hypothesis->name(), "load_friction");
+}
+
+TEST(WithSigns, turnsTheSignWhereTheMagnitudeTouchesZero) {
+  std::vector<double> magnitude, load;
+  base::Random random(7);
+  for (int k = 0; k < 20000; ++k) {
+    const double x = std::sin(2.0 * std::numbers::pi * k / 6000.0 + 0.7) +
+                     0.2 * std::sin(2.0 * std::numbers::pi * k / 2300.0);
+    load.push_back(x);
+    magnitude.push_back(std::abs(x + random.normal(0.0, 0.002)));
+  }
+  const std::vector<double> told = withSigns(magnitude);
+  int wrong = 0;
+  for (std::size_t k = 0; k < load.size(); ++k) wrong += std::abs(load[k]) > 0.1 && told[k] * load[k] < 0.0;
+  EXPECT_EQ(wrong, 0);
+}
+
+Channel channelOf(double line, double frequency) {
+  Channel channel;
+  channel.name = "q1";
+  base::Random random(9);
+  double slow = 0.0;
+  for (int k = 0; k < 3000; ++k) {
+    slow = 0.98 * slow + random.normal(0.0, 1.0);
+    channel.t.push_back(0.01 * k);
+    channel.remainder.push_back(slow + random.normal(0.0, 1.0) +
+                                line * std::sin(2.0 * std::numbers::pi * frequency * 0.01 * k));
+  }
+  return channel;
+}
+
+TEST(SpectralLine, findsAVibrationInColouredNoiseAndNoneWhereThereIsNone) {
+  EXPECT_FALSE(spectralLine(channelOf(0.0, 0.0)));
+  const auto line = spectralLine(channelOf(1.5, 7.3));
+  ASSERT_TRUE(line);
+  EXPECT_NEAR(line->frequency, 7.3, 0.05);
+  EXPECT_NEAR(line->amplitude, 1.5, 0.4);
+  EXPECT_LT(line->p_value, kLineChance);
+}
+
+TEST(Diagnose, isTheSameWhateverTheThreads) {
+  const Planted planted(6, test::Effect::kLoadFriction, 2, 8.0);
+  DiagnosisOptions options;
+  options.filter = false;
+  options.only = {"load_friction", "pulley_radius", "viscous_friction"};
+  options.threads = 1;
+  const Report one = diagnose(planted.evidence, planted.robot, options);
+  options.threads = 2;
+  const Report two = diagnose(planted.evidence, planted.robot, options);
+  ASSERT_FALSE(one.causes.empty());
+  ASSERT_EQ(one.causes.size(), two.causes.size());
+  EXPECT_EQ(one.causes.front().effect, "load_friction");
+  EXPECT_EQ(one.causes.front().parameters.front().value, two.causes.front().parameters.front().value);
+  EXPECT_EQ(robot::formatDescription(one.extended), robot::formatDescription(two.extended));
+  EXPECT_EQ(
+      robot::formatDescription(robot::parseDescription(robot::formatDescription(one.extended), "extended")),
+      robot::formatDescription(one.extended));
+  EXPECT_FALSE(one.channels.empty());
+}
+
+TEST(Diagnose, refusesWhatItCannotUse) {
+  const Planted planted(6, {}, 0, 8.0);
+  EXPECT_THROW(diagnose({}, planted.robot), base::InputError);
+  DiagnosisOptions options;
+  options.only = {"gremlins"};
+  EXPECT_THROW(diagnose(planted.evidence, planted.robot, options), base::InputError);
+  robot::Description shorter = planted.robot;
+  shorter.joints.pop_back(), shorter.drives.pop_back(), shorter.coupling.pop_back();
+  for (auto& row : shorter.coupling) row.pop_back();
+  EXPECT_THROW(diagnose(planted.evidence, shorter), base::InputError);
+}
+
+TEST(Diagnose, cancelledItSaysSo) {
+  const Planted planted(6, {}, 0, 8.0);
+  base::Progress progress;
+  progress.cancel();
+  EXPECT_TRUE(diagnose(planted.evidence, planted.robot, {}, &progress).cancelled);
+}
+
+}  // namespace
+}  // namespace capstan::diagnosis

@@ -1,0 +1,80 @@
+// A short study of planted effects in every test run: what is hidden is drawn here, from a seed that is
+// printed, and nothing but the recording reaches the diagnosis. CAPSTAN_PLANTED_SEED draws others; the whole
+// study is tests/benchmarks/diagnosis_study.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "core/diagnosis/diagnose.h"
+#include "tests/support/planted_study/run_study.h"
+#include "tests/support/planted_study/study_tables.h"
+
+namespace capstan::study {
+namespace {
+
+constexpr std::size_t kPlanted = 12;
+constexpr int kSound = 3;
+
+std::uint64_t seedOfThisRun() {
+  const char* given = std::getenv("CAPSTAN_PLANTED_SEED");
+  return given ? std::strtoull(given, nullptr, 10) : 11;
+}
+
+/// Twelve effects, each another one, and three sound robots.
+std::vector<StudyCase> drawnCases(std::uint64_t seed) {
+  StudyOptions options;
+  options.seeds = 1;
+  options.none = kSound;
+  options.two = options.uncovered = 0;
+  options.first_seed = seed;
+  std::vector<StudyCase> cases = casesOf(options);
+  const auto sound = std::stable_partition(cases.begin(), cases.end(),
+                                           [](const StudyCase& one) { return one.kind == Kind::kOne; });
+  base::Random random(seed, "short study");
+  std::shuffle(cases.begin(), sound, random.engine());
+  cases.erase(cases.begin() + kPlanted, sound);
+  return cases;
+}
+
+/// Medium to large, 20 s.
+test::PlantedCase drawn(const StudyCase& one) {
+  base::Random random(one.seed, "short study");
+  test::PlantedCase drawn = planned(one, std::exp(random.uniform(std::log(0.4), 0.0)));
+  drawn.duration = 20.0;
+  return drawn;
+}
+
+diagnosis::Report diagnosed(const std::vector<diagnosis::Evidence>& recordings,
+                            const robot::Description& nominal) {
+  diagnosis::DiagnosisOptions options;
+  options.threads = 1;
+  options.show = false;
+  options.filter = false;
+  return diagnosis::diagnose(recordings, nominal, options);
+}
+
+TEST(PlantedStudy, NamesWhatIsHiddenAndAccusesNoSoundRobot) {
+  const std::uint64_t seed = seedOfThisRun();
+  std::printf("CAPSTAN_PLANTED_SEED=%llu\n", static_cast<unsigned long long>(seed));
+  const std::vector<StudyCase> cases = drawnCases(seed);
+  ASSERT_EQ(cases.size(), kPlanted + kSound);
+  std::vector<CaseOutcome> outcomes(cases.size());
+  inParallel(cases.size(), 2, [&](std::size_t k) {
+    outcomes[k] = runCase(cases[k], drawn(cases[k]), diagnosed, {.ideal_limit = false});
+  });
+  const Summary summary = summaryOf(outcomes);
+  std::size_t named = 0;
+  for (const Group& group : summary.effects)
+    named += static_cast<std::size_t>(group.count(Hit::kRight) + group.count(Hit::kTie));
+  EXPECT_GE(named, kPlanted - 1) << markdownOf(summary);
+  for (const CaseOutcome& outcome : outcomes) {
+    EXPECT_NE(outcome.answer.verdict, "error") << outcome.of.name() << ": " << outcome.answer.summary;
+    EXPECT_FALSE(outcome.of.kind == Kind::kNone && isAlarm(outcome.answer))
+        << outcome.of.name() << ": " << outcome.answer.summary;
+  }
+}
+
+}  // namespace
+}  // namespace capstan::study
