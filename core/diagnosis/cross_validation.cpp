@@ -116,8 +116,7 @@ MatrixXd covarianceOf(const FitData& data, const Fit& fit, const Trust& trust) {
   return covariance;
 }
 
-Comparison::Comparison(const FitData& data, int draws, std::uint64_t seed) {
-  const Index blocks = data.blocks();
+Comparison::Comparison(Index blocks, int draws, std::uint64_t seed) {
   times_ = MatrixXd::Zero(blocks, draws + 1);
   times_.col(0).setOnes();
   base::Random random(seed, "block bootstrap");

@@ -37,7 +37,8 @@ Eigen::MatrixXd covarianceOf(const FitData& data, const Fit& fit, const Trust& t
 class Comparison {
  public:
   /// `draws` block bootstraps, the same for all models.
-  Comparison(const FitData& data, int draws, std::uint64_t seed);
+  Comparison(Eigen::Index blocks, int draws, std::uint64_t seed);
+  Comparison(const FitData& data, int draws, std::uint64_t seed) : Comparison(data.blocks(), draws, seed) {}
 
   /// Score of `better` above `worse` [nats]: of all blocks, then of each draw.
   std::vector<double> gain(const BlockSquares& worse, const BlockSquares& better) const;

@@ -23,7 +23,10 @@ stats::Interval middle95(std::vector<double>& draws) {
 }  // namespace
 
 Gain gainOf(const FitData& data, const BlockSquares& before, const BlockSquares& after, int c) {
-  const ComparedChannel& channel = data.channels()[static_cast<std::size_t>(c)];
+  return gainOf(data.channels()[static_cast<std::size_t>(c)], before, after, c);
+}
+
+Gain gainOf(const ComparedChannel& channel, const BlockSquares& before, const BlockSquares& after, int c) {
   Gain gain;
   gain.channel = channel.name;
   gain.unit = channel.unit;

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/diagnosis/hypothesis.h"
+#include "core/diagnosis/pose_hypotheses.h"
 #include "core/diagnosis/shown.h"
 
 namespace capstan::diagnosis {
@@ -59,8 +59,8 @@ std::string changeOf(const RefitNumber& one) {
 }  // namespace
 
 std::string titleOf(std::string_view effect) {
-  const Hypothesis* hypothesis = hypothesisNamed(effect);
-  return std::string(hypothesis ? hypothesis->words().title : effect);
+  const HypothesisWords* words = wordsOf(effect);
+  return std::string(words ? words->title : effect);
 }
 
 std::string causeText(const Cause& cause) {

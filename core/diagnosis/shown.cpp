@@ -96,7 +96,7 @@ std::string shownParameter(const FoundParameter& parameter) {
 
 std::string shownJoint(std::string_view effect, int joint) {
   if (joint > 0) return fmt::format("joint {}", joint);
-  return effect.starts_with("camera") ? "cameras" : "whole arm";
+  return effect.starts_with("camera") || effect.starts_with("marker") ? "cameras" : "whole arm";
 }
 
 std::string shareWords(double share) {
