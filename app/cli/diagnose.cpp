@@ -10,12 +10,18 @@ void addDiagnose(CLI::App& app, ExitCode& exit) {
   CLI::App* command = app.add_subcommand(
       "diagnose", "Say what the simulation of a robot gets wrong, why, and what it is worth");
   command
-      ->add_option("REC", arguments->files,
-                   "recordings of one robot: session (.capstan), measured table or RAVEN-II motor log (.csv)")
+      ->add_option(
+          "REC", arguments->files,
+          "recordings of one robot: session (.capstan), measured table or RAVEN-II motor log (.csv); "
+          "or one table of tip poses (.csv with traj, t_cam_s, cam_x …)")
       ->required();
   command->add_option("--robot", arguments->robot, "nominal robot file; a session brings its own");
   command->add_option("--only", arguments->options.only, "effects to consider, by their names in robot files")
       ->delimiter(',');
+  command
+      ->add_option("--towards", arguments->towards,
+                   "of tip poses: what the cameras are compared with, the kinematics where there are any")
+      ->check(CLI::IsMember({"kinematics", "command"}));
   command
       ->add_option("--skip-start", arguments->skip_start, "of each recording, simulated but not compared [s]")
       ->capture_default_str()

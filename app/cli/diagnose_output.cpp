@@ -6,7 +6,7 @@
 #include <sstream>
 #include <vector>
 
-#include "core/diagnosis/hypothesis.h"
+#include "core/diagnosis/pose_hypotheses.h"
 #include "core/diagnosis/report_tables.h"
 #include "core/diagnosis/shown.h"
 
@@ -53,9 +53,8 @@ std::string causeBlock(const Cause& cause) {
   std::string text = wrapped(diagnosis::causeText(cause));
   text += wrapped(fmt::format("probability {:.0f} %", 100.0 * cause.probability), 2);
   if (!cause.gain.channel.empty()) text += wrapped(diagnosis::gainText(cause.gain), 2);
-  if (const diagnosis::Hypothesis* hypothesis = diagnosis::hypothesisNamed(cause.effect))
-    text +=
-        told("what it is", hypothesis->words().what) + told("shown best by", hypothesis->words().experiment);
+  if (const diagnosis::HypothesisWords* words = diagnosis::wordsOf(cause.effect))
+    text += told("what it is", words->what) + told("shown best by", words->experiment);
   return text + "\n";
 }
 

@@ -6,6 +6,7 @@
 
 #include "app/cli/console.h"
 #include "app/cli/diagnose_output.h"
+#include "app/cli/diagnose_poses.h"
 #include "app/cli/file_drawing.h"
 #include "app/cli/outputs.h"
 #include "app/cli/recordings.h"
@@ -25,11 +26,13 @@ namespace {
 using diagnosis::Evidence;
 using diagnosis::Report;
 
-void checkNames(const std::vector<std::string>& only) {
+void checkOptions(const DiagnoseArguments& arguments) {
+  if (!arguments.towards.empty())
+    refuseOption("--towards", arguments.towards, "is for tables of tip poses", "Leave it out");
   std::string all;
   for (const robot::EffectFacts& facts : robot::effectFacts())
     all += (all.empty() ? "" : ", ") + std::string(facts.name);
-  for (const std::string& name : only)
+  for (const std::string& name : arguments.options.only)
     if (!robot::effectNamed(name)) refuseOption("--only", name, "is no effect", "Effects: " + all);
 }
 
@@ -69,9 +72,16 @@ std::vector<Evidence> readAll(const DiagnoseArguments& arguments, const robot::D
   return all;
 }
 
+/// A report, as people and programs read it.
+struct Found {
+  Report report;
+  std::string text;
+  nlohmann::json json;
+};
+
 /// None: cancelled before there was anything to say.
-std::optional<Report> find(const DiagnoseArguments& arguments, const Diagnose& diagnose,
-                           robot::Description& nominal) {
+std::optional<Found> find(const DiagnoseArguments& arguments, const Diagnose& diagnose,
+                          robot::Description& nominal) {
   base::Progress progress;
   const ProgressLine line(progress);
   const std::vector<Evidence> recordings = readAll(arguments, nominal, progress);
@@ -79,7 +89,16 @@ std::optional<Report> find(const DiagnoseArguments& arguments, const Diagnose& d
   if (arguments.robot.empty() && recordings.front().robot) nominal = *recordings.front().robot;
   Report report = diagnose(recordings, nominal, arguments.options, &progress);
   if (report.cancelled && report.channels.empty()) return std::nullopt;
-  return report;
+  std::string text = textOf(report);
+  nlohmann::json json = diagnosis::jsonOf(report);
+  return Found{std::move(report), std::move(text), std::move(json)};
+}
+
+Found findInPoses(const DiagnoseArguments& arguments, const robot::Description& nominal) {
+  diagnosis::PoseReport poses = diagnosePoseTable(arguments, nominal);
+  std::string text = textOf(poses.report) + "\n" + plainText(diagnosis::poseStepTable(poses));
+  nlohmann::json json = diagnosis::jsonOf(poses);
+  return {std::move(poses.report), std::move(text), std::move(json)};
 }
 
 void writeRobot(const DiagnoseArguments& arguments, const Report& report) {
@@ -109,15 +128,18 @@ ExitCode cancelled(const DiagnoseArguments& arguments, const std::string& what) 
 }  // namespace
 
 ExitCode runDiagnose(const DiagnoseArguments& arguments, const Diagnose& diagnose) {
-  checkNames(arguments.options.only);
+  const bool poses = arePoses(arguments.files);
+  if (!poses) checkOptions(arguments);
   checkFiles(arguments);
   robot::Description nominal = readRobot(arguments.robot);
-  const std::optional<Report> report = find(arguments, diagnose, nominal);
-  if (!report) return cancelled(arguments, "nothing was diagnosed");
+  const std::optional<Found> found =
+      poses ? findInPoses(arguments, nominal) : find(arguments, diagnose, nominal);
+  if (!found) return cancelled(arguments, "nothing was diagnosed");
+  const Report* report = &found->report;
   for (const std::string& line : report->notices) notice(line);
   const Output output(arguments.json);
-  output.text(textOf(*report));
-  output.json(diagnosis::jsonOf(*report));
+  output.text(found->text);
+  output.json(found->json);
   if (report->cancelled) return cancelled(arguments, "this is what there was until then");
   if (!arguments.out.empty()) writeRobot(arguments, *report);
   if (!arguments.report.empty() && !writePage(arguments, *report, nominal)) {

@@ -12,6 +12,7 @@ namespace capstan::cli {
 struct DiagnoseArguments {
   std::vector<std::string> files;
   std::string robot, json, report, out;  ///< empty: not given
+  std::string towards;                   ///< of tip poses: kinematics, command; empty: what there is
   double skip_start = 0.0;               ///< [s]
   diagnosis::DiagnosisOptions options;
 };

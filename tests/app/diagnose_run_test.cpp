@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/base/yaml.h"
 #include "tests/app/diagnose_recording.h"
+#include "tests/core/diagnosis/pose_world.h"
 
 namespace capstan::cli {
 namespace {
@@ -211,6 +212,39 @@ TEST_F(DiagnoseRun, RefusesUnknownEffectsAndOutputsThatWillNotDo) {
   base::writeTextFile(path("mine/notes.txt"), "mine");
   arguments_.report = path("mine");
   expectRefusal({"mine", "former report"});
+}
+
+TEST_F(DiagnoseRun, TipPosesAreDiagnosedWithoutMotors) {
+  diagnosis::testing::PoseWorld world{.trajectories = 30};
+  world.offset.z() = 0.004;
+  base::writeTextFile(path("poses.csv"), diagnosis::testing::poseTable(world));
+  arguments_.files = {path("poses.csv")};
+  arguments_.out = path("extended.yaml");
+  arguments_.report = path("page");
+  EXPECT_EQ(run(), kOk);
+  EXPECT_EQ(asked_, 0) << "there is nothing to simulate";
+  for (const char* part : {"Cameras registered with an offset", "step by step", "verdict: found"})
+    EXPECT_NE(out_.find(part), std::string::npos) << part << " in\n" << out_;
+  EXPECT_NE(err_.find("poses.csv: "), std::string::npos) << err_;
+  EXPECT_EQ(robot::readDescription(path("extended.yaml")).effects.at(0).effect, "camera_offset");
+  EXPECT_TRUE(fs::exists(folder_ / "page" / "tip-z-remainder.svg"));
+  arguments_.out = arguments_.report = {};
+  arguments_.towards = "command";
+  arguments_.json = "-";
+  EXPECT_EQ(run(), kOk);
+  EXPECT_EQ(nlohmann::json::parse(out_).at("towards"), "command");
+}
+
+TEST_F(DiagnoseRun, RefusesWhatPosesAndOtherRecordingsDoNotShare) {
+  base::writeTextFile(path("poses.csv"), diagnosis::testing::poseTable({.trajectories = 2}));
+  arguments_.files = {path("slow.csv"), path("poses.csv")};
+  expectRefusal({"poses.csv", "tip poses", "by itself"});
+  arguments_.files = {path("poses.csv")};
+  arguments_.skip_start = 1.0;
+  expectRefusal({"--skip-start"});
+  arguments_.files = {path("slow.csv")};
+  arguments_.towards = "command";
+  expectRefusal({"--towards", "tip poses"});
 }
 
 }  // namespace

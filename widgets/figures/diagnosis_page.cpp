@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "core/diagnosis/hypothesis.h"
+#include "core/diagnosis/pose_hypotheses.h"
 #include "core/diagnosis/report_tables.h"
 #include "core/diagnosis/shown.h"
 #include "widgets/figures/html_parts.h"
@@ -62,12 +62,10 @@ std::string causeHtml(const Cause& cause) {
   html += paragraph(size, "size");
   html += "<dl>\n" + term("Probability", fmt::format("{:.0f} %", 100.0 * cause.probability));
   if (!cause.gain.channel.empty()) html += term("Worth", diagnosis::gainText(cause.gain));
-  if (const diagnosis::Hypothesis* hypothesis = diagnosis::hypothesisNamed(cause.effect)) {
-    const diagnosis::HypothesisWords& words = hypothesis->words();
-    html += term("What it is", words.what) + term("Equation", words.equation) +
-            term("In the model", words.changes) + term("How it shows", words.signature) +
-            term("Shown best by", words.experiment) + term("Source", words.source);
-  }
+  if (const diagnosis::HypothesisWords* words = diagnosis::wordsOf(cause.effect))
+    html += term("What it is", words->what) + term("Equation", words->equation) +
+            term("In the model", words->changes) + term("How it shows", words->signature) +
+            term("Shown best by", words->experiment) + term("Source", words->source);
   return html + "</dl></section>\n";
 }
 
