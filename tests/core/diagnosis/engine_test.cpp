@@ -196,7 +196,7 @@ TEST(SpectralLine, findsAVibrationInColouredNoiseAndNoneWhereThereIsNone) {
 }
 
 TEST(Diagnose, isTheSameWhateverTheThreads) {
-  const Planted planted(6, test::Effect::kLoadFriction, 2, 8.0);
+  const Planted planted(5, test::Effect::kLoadFriction, 2);
   DiagnosisOptions options;
   options.filter = false;
   options.only = {"load_friction", "pulley_radius", "viscous_friction"};
