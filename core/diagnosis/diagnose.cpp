@@ -94,7 +94,11 @@ class Assembly {
       const auto variables_before = variablesOf(evidence, before, nominal_);
       const auto variables_after = variablesOf(evidence, after, nominal_);
       for (std::size_t c = 0; c < refitted.size() && c < first.size() && c < extended.size(); ++c) {
-        ChannelReport channel{r, first[c], refitted[c], extended[c], {}, {}, {}, {}, {}, {}};
+        ChannelReport channel;
+        channel.recording = r;
+        channel.nominal = first[c];
+        channel.refitted = refitted[c];
+        channel.extended = extended[c];
         channel.nominal_statistics = statisticsOf(channel.nominal);
         channel.refitted_statistics = statisticsOf(channel.refitted);
         channel.extended_statistics = statisticsOf(channel.extended);

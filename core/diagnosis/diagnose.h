@@ -23,10 +23,10 @@ struct DiagnosisOptions {
 };
 
 /// Shows what the nominal robot's simulation gets wrong in recordings of one robot, names the cause, extends
-/// the model and measures the gain; see the stages in the folder's README-like order: refit, screen, select,
-/// judge. Deterministic: the same evidence and options give the same report, whatever the threads.
-/// base::InputError: no recordings; recordings of different drives or joints; an unknown name in `only`.
-/// Cancelled through `progress`: Report::cancelled, with what there is.
+/// the model and measures the gain: refit, screen, select (selection.h), judge (verdict.h). Deterministic:
+/// the same evidence and options give the same report, whatever the threads. base::InputError: no recordings;
+/// recordings of different drives or joints; an unknown name in `only`. Cancelled through `progress`:
+/// Report::cancelled, with what there is.
 Report diagnose(const std::vector<Evidence>& recordings, const robot::Description& nominal,
                 const DiagnosisOptions& options = {}, base::Progress* progress = nullptr);
 

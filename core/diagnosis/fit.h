@@ -63,12 +63,12 @@ InitialStates noneBeyond(const FitData& data);
 /// Where a fit stands, and its linearisation.
 struct Fit {
   FitModel model;
-  Eigen::VectorXd u;
-  InitialStates initial;
-  Eigen::VectorXd e;         ///< measured − simulated, nuisances taken off
-  Eigen::MatrixXd jacobian;  ///< d simulated / du, nuisances taken off; columns of `model`
-  Eigen::MatrixXd nuisance;  ///< d simulated / d nuisance of the number's own stretch
-  std::vector<bool> bound;   ///< parameters that stand at a bound and would go on
+  Eigen::VectorXd u = {};
+  InitialStates initial = {};
+  Eigen::VectorXd e = {};         ///< measured − simulated, nuisances taken off
+  Eigen::MatrixXd jacobian = {};  ///< d simulated / du, nuisances taken off; columns of `model`
+  Eigen::MatrixXd nuisance = {};  ///< d simulated / d nuisance of the number's own stretch
+  std::vector<bool> bound = {};   ///< parameters that stand at a bound and would go on
   double objective = 0.0;
   int iterations = 0;
 };

@@ -40,15 +40,7 @@ class Rounds {
         comparison_(data, kDraws, options.seed) {}
 
   Selection run(const FitModel& base) {
-    Selection s{{base, {}, {}, {}, {}, {}, {}, 0.0, 0},
-                {},
-                {base, {}, {}, {}, {}, {}, {}, 0.0, 0},
-                {},
-                {},
-                {},
-                {},
-                {},
-                {{}, {base, {}, {}, {}, {}, {}, {}, 0.0, 0}, {}, {}, {}, 0.0}};
+    Selection s{.base = {.model = base}, .best = {.model = base}, .almost = {.fit = {.model = base}}};
     s.base = s.best = fitBase(data_, base, s.trust, progress_);
     s.base_squares = s.best_squares = squaresOf(data_, leftOut(data_, s.best, s.trust));
     for (int round = 1; round <= options_.most_causes && !cancelled(progress_); ++round)
@@ -61,13 +53,9 @@ class Rounds {
   /// A first look at a promise, with the derivatives of the round's fit.
   Contender contend(const Selection& s, const Promise& promise) const {
     const FitModel model = s.best.model.with(*promise.hypothesis, promise.joint, promise.start);
-    Contender c{{promise.hypothesis, promise.joint},
-                fit(data_, model, model.startFrom(s.best.model, s.best.u), s.best.initial, s.trust,
-                    {kFirstIterations, 0.1, &s.best}, progress_),
-                {},
-                {},
-                {},
-                0.0};
+    Contender c{.added = {promise.hypothesis, promise.joint},
+                .fit = fit(data_, model, model.startFrom(s.best.model, s.best.u), s.best.initial, s.trust,
+                           {kFirstIterations, 0.1, &s.best}, progress_)};
     judge(s, c);
     return c;
   }

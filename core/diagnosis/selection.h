@@ -12,12 +12,12 @@ namespace capstan::diagnosis {
 
 /// A model that was fitted, and how it does on blocks left out.
 struct Contender {
-  Suspect added;  ///< to the model of the round; none for the base itself
+  Suspect added = {};  ///< to the model of the round; none for the base itself
   Fit fit;
-  BlockSquares squares;
-  std::vector<double> gain;  ///< Comparison::gain above the round's model
-  Reduction reduction;       ///< on the round's model
-  double share = 0.0;        ///< share of draws in which it is the best of its round
+  BlockSquares squares = {};
+  std::vector<double> gain = {};  ///< Comparison::gain above the round's model
+  Reduction reduction = {};       ///< on the round's model
+  double share = 0.0;             ///< share of draws in which it is the best of its round
 };
 
 /// Effects that one recording cannot tell from the one that was taken.
@@ -36,13 +36,13 @@ struct SelectionOptions {
 
 struct Selection {
   Fit base;  ///< nominal structure, refitted
-  BlockSquares base_squares;
+  BlockSquares base_squares = {};
   Fit best;  ///< with the effects that were taken
-  BlockSquares best_squares;
-  Trust trust;                   ///< of `best`
-  std::vector<Contender> taken;  ///< in the order in which they came
-  std::vector<Rivals> rivals;
-  std::vector<Candidate> candidates;  ///< of all rounds, for the report
+  BlockSquares best_squares = {};
+  Trust trust = {};                   ///< of `best`
+  std::vector<Contender> taken = {};  ///< in the order in which they came
+  std::vector<Rivals> rivals = {};
+  std::vector<Candidate> candidates = {};  ///< of all rounds, for the report
   Contender almost;  ///< the best of the last round, not taken; its hypothesis is null where there was none
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/diagnosis/gains.h"
+#include "core/diagnosis/report_tables.h"
 
 namespace capstan::diagnosis {
 namespace {
@@ -40,14 +41,29 @@ std::vector<FoundParameter> parametersOf(const FitModel& model, std::size_t effe
   return found;
 }
 
-std::string nameOf(const Suspect& suspect) {
-  const std::string name(suspect.hypothesis->name());
-  return suspect.joint > 0 ? fmt::format("{} of joint {}", name, suspect.joint) : name;
+std::string nameOf(const std::string& effect, int joint) {
+  std::string title = titleOf(effect);
+  return joint > 0 ? fmt::format("{} (joint {})", title, joint) : title;
 }
 
-Cause causeOf(const FitData& data, const Selection& s, const Suspect& suspect, double probability,
-              const BlockSquares& before, const BlockSquares& after, const Fit& fit,
-              const Eigen::MatrixXd& covariance) {
+std::string nameOf(const Suspect& suspect) {
+  return nameOf(std::string(suspect.hypothesis->name()), suspect.joint);
+}
+
+/// Where a cause shows: on the encoder of its joint if that gains, else where most is gained.
+int channelOf(const FitData& data, const Suspect& suspect, const BlockSquares& before,
+              const BlockSquares& after) {
+  for (std::size_t c = 0; c < data.channels().size() && suspect.joint > 0; ++c) {
+    const auto row = static_cast<Eigen::Index>(c);
+    if (data.channels()[c].joint == suspect.joint &&
+        after.sum.row(row).sum() < 0.9 * before.sum.row(row).sum())
+      return static_cast<int>(c);
+  }
+  return largestReduction(before, after).channel;
+}
+
+Cause causeOf(const FitData& data, const Suspect& suspect, double probability, const BlockSquares& before,
+              const BlockSquares& after, const Fit& fit, const Eigen::MatrixXd& covariance) {
   Cause cause;
   cause.effect = suspect.hypothesis->name();
   cause.joint = suspect.joint;
@@ -57,8 +73,7 @@ Cause causeOf(const FitData& data, const Selection& s, const Suspect& suspect, d
     if (!term.everyday && term.hypothesis == suspect.hypothesis && term.joint == suspect.joint)
       cause.parameters = parametersOf(fit.model, k, fit.u, covariance);
   }
-  (void)s;
-  cause.gain = gainOf(data, before, after, largestReduction(before, after).channel);
+  cause.gain = gainOf(data, before, after, channelOf(data, suspect, before, after));
   return cause;
 }
 
@@ -77,9 +92,7 @@ std::string summaryOf(const Report& report, const Selection& s) {
                                fmt::join(names, " and "), 100.0 * report.explained);
     case Verdict::kTie: {
       std::vector<std::string> tied;
-      for (const Cause& cause : report.ties.front().causes)
-        tied.push_back(cause.joint > 0 ? fmt::format("{} of joint {}", cause.effect, cause.joint)
-                                       : cause.effect);
+      for (const Cause& cause : report.ties.front().causes) tied.push_back(nameOf(cause.effect, cause.joint));
       return fmt::format("This recording cannot tell {} apart.", fmt::join(tied, " and "));
     }
     default:
@@ -92,7 +105,7 @@ void addTies(const Selection& s, const FitData& data, const Eigen::MatrixXd& cov
   for (const Rivals& rivals : s.rivals) {
     if (rivals.others.empty()) continue;
     Tie tie;
-    tie.causes.push_back(causeOf(data, s, rivals.taken, rivals.shares.front(), s.base_squares, s.best_squares,
+    tie.causes.push_back(causeOf(data, rivals.taken, rivals.shares.front(), s.base_squares, s.best_squares,
                                  s.best, covariance));
     for (std::size_t k = 0; k < rivals.others.size(); ++k) {
       Cause cause;
@@ -137,7 +150,7 @@ void judge(const FitData& data, const Selection& s, Report& report) {
   for (std::size_t k = 0; k < s.taken.size(); ++k) {
     const Contender& c = s.taken[k];
     const BlockSquares& after = k + 1 == s.taken.size() ? s.best_squares : c.squares;
-    report.causes.push_back(causeOf(data, s, c.added, c.share, *before, after, s.best, covariance));
+    report.causes.push_back(causeOf(data, c.added, c.share, *before, after, s.best, covariance));
     before = &after;
   }
   addTies(s, data, covariance, report);
