@@ -151,13 +151,15 @@ class Rounds {
                    progress_);
     }
     s.best_squares = squaresOf(data_, leftOut(data_, s.best, s.trust));
+    c.squares = s.best_squares;
     s.taken.push_back(std::move(c));
     s.almost.added = {};
   }
 
-  /// An effect taken early may have stood for later ones: without it nothing is lost.
+  /// An effect taken early may have stood for later ones, and a later one only have helped a fit on its way:
+  /// without them nothing is lost.
   void dropSuperfluous(Selection& s) {
-    for (std::size_t k = 0; s.taken.size() > 1 && k + 1 < s.taken.size() && !cancelled(progress_);) {
+    for (std::size_t k = 0; s.taken.size() > 1 && k < s.taken.size() && !cancelled(progress_);) {
       const Suspect suspect = s.taken[k].added;
       const FitModel model = s.best.model.without(*suspect.hypothesis, suspect.joint);
       const Fit less = fit(data_, model, model.carry(s.best.model, s.best.u), s.best.initial, s.trust,
