@@ -143,14 +143,38 @@ class Rounds {
     return true;
   }
 
-  void take(Selection& s, Contender c) {
-    s.best = c.fit;
-    for (int pass = 0; pass < 2 && !cancelled(progress_); ++pass) {
-      s.trust.weights = weightsFor(data_, s.best.e);
-      s.best = fit(data_, s.best.model, s.best.u, s.best.initial, s.trust, {kLastIterations, 0.05, nullptr},
-                   progress_);
+  /// A fit to its end, with weights by what it leaves.
+  struct Settled {
+    Fit fit;
+    Trust trust;
+    BlockSquares squares;
+  };
+  Settled settled(Fit from) const {
+    Settled s{std::move(from), {}, {}};
+    for (int pass = 0; pass < 3 && !cancelled(progress_); ++pass) {
+      s.trust.weights = weightsFor(data_, s.fit.e);
+      s.fit = fit(data_, s.fit.model, s.fit.u, s.fit.initial, s.trust, {kLastIterations, 0.05, nullptr},
+                  progress_);
     }
-    s.best_squares = squaresOf(data_, leftOut(data_, s.best, s.trust));
+    s.squares = squaresOf(data_, leftOut(data_, s.fit, s.trust));
+    return s;
+  }
+
+  /// The contender's model settled, from where it stands and from the nominal numbers: the base had bent them
+  /// to stand for the effect, at times too far to find back.
+  void take(Selection& s, Contender c) {
+    Settled best = settled(c.fit);
+    Eigen::VectorXd fresh = c.fit.u;
+    fresh.head(c.fit.model.baseSize()).setZero();
+    Trust trust = best.trust;
+    Settled other = settled(linearise(data_, c.fit.model, fresh, c.fit.initial, trust));
+    const bool finite = other.squares.sum.allFinite();
+    if (finite &&
+        (!best.squares.sum.allFinite() || comparison_.gain(best.squares, other.squares).front() > 0.0))
+      best = std::move(other);
+    s.best = std::move(best.fit);
+    s.trust = std::move(best.trust);
+    s.best_squares = std::move(best.squares);
     c.squares = s.best_squares;
     s.taken.push_back(std::move(c));
     s.almost.added = {};
