@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/diagnosis/filter_gain.h"
 #include "core/diagnosis/gains.h"
 #include "core/diagnosis/joint_scales.h"
 #include "core/diagnosis/selection.h"
@@ -171,6 +172,17 @@ class Assembly {
   Report& report_;
 };
 
+void addFilter(const std::vector<Evidence>& recordings, const robot::Description& nominal,
+               const DiagnosisOptions& options, Report& report, base::Progress* progress) {
+  FilterGainOptions filter;
+  filter.threads = options.threads;
+  filter.zero_per_recording = options.zero_per_recording && recordings.size() > 1;
+  const FilterGainReport gain =
+      filterGain(recordings, {nominal, report.refitted, report.extended}, filter, progress);
+  report.filter = gain.joints;
+  report.notices.insert(report.notices.end(), gain.notices.begin(), gain.notices.end());
+}
+
 void addRobots(const Selection& s, Report& report) {
   report.refitted = s.base.model.refitted(s.base.u);
   report.extended = s.best.model.refitted(s.best.u);
@@ -204,6 +216,10 @@ Report diagnose(const std::vector<Evidence>& recordings, const robot::Descriptio
   clock.lap("judge");
   for (const Evidence& evidence : recordings)
     report.notices.insert(report.notices.end(), evidence.notices.begin(), evidence.notices.end());
+  if (options.show && options.filter) {
+    addFilter(recordings, nominal, options, report, progress);
+    clock.lap("filter");
+  }
   report.cancelled = progress && progress->cancelled();
   return report;
 }

@@ -1,0 +1,185 @@
+#include "core/diagnosis/filter_gain.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/robot/chain/chain_model.h"
+#include "core/stats/quantile.h"
+#include "core/tracking/extended_arm_model.h"
+#include "core/tracking/motor_reading.h"
+#include "core/tracking/track_all.h"
+
+namespace capstan::diagnosis {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kLongestMemory = 2.0;  // that TrackingOptions may have [s]
+
+Vector3d rowOf(const Columns& columns, std::size_t row) {
+  if (columns.empty()) return Vector3d::Constant(kNaN);
+  return {columns[0][row], columns[1][row], columns[2][row]};
+}
+
+/// Motors and tips of a recording, without its joint encoders.
+class EvidenceSource {
+ public:
+  /// Sights are known `wait` after their stamp [s].
+  EvidenceSource(const Evidence& evidence, double wait, base::Progress* progress)
+      : evidence_(evidence), wait_(wait), progress_(progress) {}
+
+  bool next(tracking::Sample& out) {
+    if (row_ > 0 && nextSight(row_ - 1, out)) return true;
+    if (row_ == evidence_.rows() || (progress_ && progress_->cancelled())) return false;
+    out = tracking::MotorSample{evidence_.t[row_], rowOf(evidence_.q_m, row_), rowOf(evidence_.dq_m, row_),
+                                rowOf(evidence_.tau_m, row_)};
+    ++row_;
+    return true;
+  }
+  /// Of the newest motor sample.
+  std::size_t row() const { return row_ - 1; }
+
+ private:
+  /// A sight that is known at `row`. Times of rows may be rounded otherwise than those of sights.
+  bool nextSight(std::size_t row, tracking::Sample& out) {
+    if (sight_ == evidence_.tip.size()) return false;
+    const TipSight& sight = evidence_.tip[sight_];
+    const double now = evidence_.t[row], known = sight.t + wait_;
+    if (known > now + 1e-6 * evidence_.step) return false;
+    out = tracking::TipSample{std::min(sight.t, now), std::min(known, now), sight.position};
+    ++sight_;
+    return true;
+  }
+
+  const Evidence& evidence_;
+  double wait_;
+  base::Progress* progress_;
+  std::size_t row_ = 0, sight_ = 0;
+};
+
+/// Errors of one recording: sums of each joint.
+struct ErrorSums {
+  std::array<double, 3> count{}, sum{}, squares{};
+
+  void add(const Vector3d& error) {
+    for (int j = 0; j < 3; ++j) {
+      if (!std::isfinite(error[j])) continue;
+      const auto k = static_cast<std::size_t>(j);
+      count[k] += 1.0, sum[k] += error[j], squares[k] += error[j] * error[j];
+    }
+  }
+  double squaresOf(std::size_t j, bool about_mean) const {
+    return about_mean && count[j] > 0.0 ? squares[j] - sum[j] * sum[j] / count[j] : squares[j];
+  }
+};
+
+double delayOf(const robot::Description& robot) { return robot::ChainModel(robot).camera.delay; }
+
+tracking::TrackingOptions optionsFor(const Evidence& evidence, const robot::Description& robot,
+                                     tracking::TrackingOptions options) {
+  std::vector<double> between;
+  for (std::size_t i = 1; i < evidence.tip.size(); ++i)
+    between.push_back(evidence.tip[i].t - evidence.tip[i - 1].t);
+  if (!between.empty()) options.camera_period = std::max(stats::median(between), evidence.step);
+  options.memory = std::min(options.memory + std::max(delayOf(robot), 0.0), kLongestMemory);
+  return options;
+}
+
+ErrorSums errorsOf(const Evidence& evidence, const robot::Description& robot, double wait,
+                   const tracking::TrackingOptions& options, base::Progress* progress) {
+  tracking::TrackingPipeline pipeline(robot, std::nullopt, {}, optionsFor(evidence, robot, options));
+  EvidenceSource source(evidence, wait, progress);
+  ErrorSums sums;
+  tracking::trackAll(source, pipeline, nullptr, 0.0,
+                     [&](const tracking::Sample&, const tracking::Snapshot& snapshot) {
+                       if (!snapshot.motor_updated || !evidence.counts(source.row())) return;
+                       sums.add(snapshot.q_link_ukf - rowOf(evidence.q, source.row()));
+                     });
+  return sums;
+}
+
+double rmsOf(const std::vector<ErrorSums>& recordings, std::size_t joint, bool about_mean) {
+  double squares = 0.0, count = 0.0;
+  for (const ErrorSums& sums : recordings)
+    squares += sums.squaresOf(joint, about_mean), count += sums.count[joint];
+  return count > 0.0 ? std::sqrt(std::max(squares, 0.0) / count) : kNaN;
+}
+
+bool needsChainKernel(const robot::Description& robot) {
+  return tracking::ExtendedArmModel::isNeededFor(tracking::MotorReading::undone(robot));
+}
+
+/// All in the kernel of effects where one of them needs it, by an effect of size 0.
+std::array<robot::Description, 3> inOneKernel(std::array<robot::Description, 3> robots) {
+  if (std::ranges::none_of(robots, needsChainKernel)) return robots;
+  for (robot::Description& robot : robots)
+    if (!needsChainKernel(robot)) robot.effects.push_back({"asymmetric_friction", 1, {{"share", 0.0}}});
+  return robots;
+}
+
+/// Why the filter cannot follow this robot; empty: it can.
+std::string refusal(const FilterRobots& robots) {
+  const robot::Description& robot = robots.nominal;
+  if (robot.drive != robot::DriveType::kCable) return "it follows cable-driven arms";
+  if (robot.size() != 3) return fmt::format("it follows arms of three joints, this one has {}", robot.size());
+  try {
+    for (const robot::Description* one : {&robots.nominal, &robots.refitted, &robots.extended})
+      tracking::TrackingPipeline(*one, std::nullopt, {}, {});
+  } catch (const base::InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+std::vector<const Evidence*> followed(const std::vector<Evidence>& recordings,
+                                      std::vector<std::string>& notices) {
+  std::vector<const Evidence*> kept;
+  for (const Evidence& evidence : recordings) {
+    if (evidence.hasEncoders() && evidence.hasCameras())
+      kept.push_back(&evidence);
+    else
+      notices.push_back(fmt::format("{}: no {}: what the Kalman filter gains is not measured here",
+                                    evidence.title, evidence.hasEncoders() ? "cameras" : "joint encoders"));
+  }
+  return kept;
+}
+
+}  // namespace
+
+FilterGainReport filterGain(const std::vector<Evidence>& recordings, const FilterRobots& robots,
+                            const FilterGainOptions& options, base::Progress* progress) {
+  FilterGainReport report;
+  if (const std::string why = refusal(robots); !why.empty()) {
+    report.notices.push_back("What the Kalman filter gains is not measured: " + why);
+    return report;
+  }
+  const std::vector<const Evidence*> files = followed(recordings, report.notices);
+  if (files.empty()) return report;
+  std::array<robot::Description, 3> three = {robots.nominal, robots.refitted, robots.extended};
+  if (options.one_kernel) three = inOneKernel(three);
+  double wait = 0.0;
+  for (const robot::Description& robot : three) wait = std::max(wait, -delayOf(robot));
+  std::array<std::vector<ErrorSums>, 3> sums;
+  for (std::vector<ErrorSums>& of : sums) of.resize(files.size());
+  if (progress) progress->report(0.0, "Running the Kalman filter");
+  base::parallelFor(3 * files.size(), options.threads, [&](std::size_t task) {
+    const std::size_t robot = task % 3, file = task / 3;
+    sums[robot][file] = errorsOf(*files[file], three[robot], wait, options.tracking, progress);
+  });
+  report.cancelled = progress && progress->cancelled();
+  if (report.cancelled) return report;
+  for (std::size_t j = 0; j < 3; ++j) {
+    const auto rms = [&](std::size_t robot) { return rmsOf(sums[robot], j, options.zero_per_recording); };
+    const bool slides = robots.nominal.joints[j].type == robot::JointType::kPrismatic;
+    report.joints.push_back({fmt::format("q{}", j + 1), slides ? "m" : "rad", rms(0), rms(1), rms(2)});
+  }
+  return report;
+}
+
+}  // namespace capstan::diagnosis
