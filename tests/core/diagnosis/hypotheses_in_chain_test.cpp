@@ -47,12 +47,12 @@ std::vector<double> seen(const robot::ChainModel& model) {
   const int n = model.shape.joints;
   robot::JointVector q(n);
   for (int j = 0; j < n; ++j) q[j] = model.numbers.joints[j].homing;
-  const robot::ChainStages stages = robot::chainStages(robot::chainRate(model, q), kStep);
+  const int steps = 1 + static_cast<int>(kStep * robot::chainOscillation(model, q) / 0.7);
   robot::ChainState<double> state = robot::stateAt(model, q, robot::JointVector::Zero(n));
   robot::ChainStep<double> step(model.shape, model.numbers);
   std::vector<double> result;
   for (int row = 0; row < kRows; ++row) {
-    step.advance(inputAt(row, model), stages, state);
+    step.advance(inputAt(row, model), steps, state);
     for (int j = 0; j < n; ++j) result.push_back(state.q[j]);
   }
   const Eigen::Vector3d point = model.camera.tell({0.1, -0.2, 0.3});
