@@ -40,7 +40,7 @@ class Rounds {
         comparison_(data, kDraws, options.seed) {}
 
   Selection run(const FitModel& base) {
-    Selection s{.base = {.model = base}, .best = {.model = base}, .almost = {.fit = {.model = base}}};
+    Selection s{.base = {.model = base}, .best = {.model = base}};
     s.base = s.best = fitBase(data_, base, s.trust, progress_);
     s.base_squares = s.best_squares = squaresOf(data_, leftOut(data_, s.best, s.trust));
     for (int round = 1; round <= options_.most_causes && !cancelled(progress_); ++round)
@@ -128,7 +128,6 @@ class Rounds {
     std::vector<Contender> contenders = contendersOf(s, promises);
     note(s, promises, contenders, round);
     if (contenders.empty() || cancelled(progress_)) return false;
-    s.almost = contenders.front();
     std::erase_if(contenders, [](const Contender& c) { return !worthNaming(c); });
     if (contenders.empty()) return false;
     Rivals rivals{contenders.front().added, {}, {contenders.front().share}};
@@ -177,7 +176,6 @@ class Rounds {
     s.best_squares = std::move(best.squares);
     c.squares = s.best_squares;
     s.taken.push_back(std::move(c));
-    s.almost.added = {};
   }
 
   /// An effect taken early may have stood for later ones, and a later one only have helped a fit on its way:

@@ -43,7 +43,6 @@ struct Selection {
   std::vector<Contender> taken = {};  ///< in the order in which they came
   std::vector<Rivals> rivals = {};
   std::vector<Candidate> candidates = {};  ///< of all rounds, for the report
-  Contender almost;  ///< the best of the last round, not taken; its hypothesis is null where there was none
 };
 
 /// What an effect must bring before it is named: a share of a channel's mean square, and a score that block

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "core/base/parallel.h"
 #include "core/diagnosis/diagnose.h"
 #include "tests/support/planted_study/run_study.h"
 #include "tests/support/planted_study/study_tables.h"
@@ -62,7 +63,7 @@ TEST(PlantedStudy, NamesWhatIsHiddenAndAccusesNoSoundRobot) {
   const std::vector<StudyCase> cases = drawnCases(seed);
   ASSERT_EQ(cases.size(), kPlanted + kSound);
   std::vector<CaseOutcome> outcomes(cases.size());
-  inParallel(cases.size(), 2, [&](std::size_t k) {
+  base::parallelFor(cases.size(), 2, [&](std::size_t k) {
     outcomes[k] = runCase(cases[k], drawn(cases[k]), diagnosed, {.ideal_limit = false});
   });
   const Summary summary = summaryOf(outcomes);

@@ -8,10 +8,6 @@
 
 namespace capstan::study {
 
-/// work(0) … work(count − 1), begun in this order by `threads` at a time. What one throws lets the others end
-/// and no more begin, and is thrown on.
-void inParallel(std::size_t count, int threads, const std::function<void(std::size_t)>& work);
-
 /// A case that was just done.
 struct Step {
   const CaseOutcome& outcome;
