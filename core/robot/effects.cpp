@@ -68,6 +68,8 @@ std::vector<EffectFacts> frictionEffects() {
                {"speed", "rad/s or m/s", 1e-6, 1e2, "Stribeck's, at which 1/e of the excess is left"}}),
       factsOf("asymmetric_friction", kAnyDrive,
               {{"share", "", -1.0, 1.0, "Coulomb friction is 1 + share forwards, 1 - share backwards"}}),
+      factsOf("asymmetric_viscosity", kRigidDrive,
+              {{"share", "", -1.0, 1.0, "viscous friction is 1 + share forwards, 1 - share backwards"}}),
       factsOf("viscous_friction", kAnyDrive,
               {{"added", "N*m*s/rad or N*s/m", -1e4, 1e4, "to the nominal viscous friction"}}),
       factsOf("load_friction", kAnyDrive,
@@ -90,6 +92,8 @@ std::vector<EffectFacts> bodyEffects() {
               {{"added", "kg*m^2 or kg", -1e3, 1e3, "to the joint's diagonal of the mass matrix"}}),
       factsOf("actuator_gain", kRigidDrive,
               {{"share", "", -0.9, 3.0, "by which the motor gives more than it is asked for"}}),
+      factsOf("torque_offset", kRigidDrive,
+              {{"offset", "N*m or N", -1e5, 1e5, "that pushes towards positive q all the time"}}),
   };
 }
 

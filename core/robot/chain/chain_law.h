@@ -133,8 +133,9 @@ struct Opposing {
   S force, slope;
 };
 
-/// F_c (1 + excess e^{−(v/v_s)²} + asymmetry sgn v + wave) sgn v + μ |drive| sgn v + F_v v, sgn v smoothed as
-/// tanh(v / v_eps); `drive` is the torque of cable or motor at the joint. The slope is that of sgn v alone.
+/// F_c (1 + excess e^{−(v/v_s)²} + asymmetry sgn v + wave) sgn v + μ |drive| sgn v + F_v (1 + asymmetry_v sgn
+/// v) v, sgn v smoothed as tanh(v / v_eps); `drive` is the torque of cable or motor at the joint. The slope
+/// is that of sgn v alone.
 template <class S>
 CAPSTAN_CHAIN_INLINE Opposing<S> jointFriction(const JointNumbers<S>& p, unsigned laws, const S& q,
                                                const S& dq, const S& drive) {
@@ -153,8 +154,10 @@ CAPSTAN_CHAIN_INLINE Opposing<S> jointFriction(const JointNumbers<S>& p, unsigne
     force = force * share;
   }
   if (laws & kLawLoadFriction) force = force + p.load_friction * abs(drive);
-  return {force * sign + p.viscous * dq,
-          positivePart(force) * p.inverse_smoothing * (1.0 - sign * sign) + p.viscous};
+  S viscous = p.viscous;
+  if (laws & kLawAsymmetricViscosity) viscous = viscous * (1.0 + p.viscous_asymmetry * sign);
+  return {force * sign + viscous * dq,
+          positivePart(force) * p.inverse_smoothing * (1.0 - sign * sign) + viscous};
 }
 
 /// tau_cm tanh(dq_m / v_eps) + tau_vm dq_m [N·m].

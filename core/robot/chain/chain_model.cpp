@@ -146,6 +146,7 @@ void addToFriction(const Effect& e, JointNumbers<double>& p) {
   const std::string& name = e.effect;
   if (name == "stribeck_friction") p.stribeck_excess += e["excess"], p.inverse_stribeck = 1.0 / e["speed"];
   if (name == "asymmetric_friction") p.asymmetry += e["share"];
+  if (name == "asymmetric_viscosity") p.viscous_asymmetry += e["share"];
   if (name == "viscous_friction") p.viscous += e["added"];
   if (name == "load_friction") p.load_friction += e["share"];
   if (name == "position_friction") {
@@ -154,6 +155,7 @@ void addToFriction(const Effect& e, JointNumbers<double>& p) {
   }
   if (name == "inertia") p.armature += e["added"];
   if (name == "actuator_gain") p.gain *= 1.0 + e["share"];
+  if (name == "torque_offset") p.offset += e["offset"];
   if (name == "sensor_sign") p.load_sign = e["present"];
 }
 
@@ -219,6 +221,7 @@ unsigned lawOf(std::string_view effect) {
       {"cable_creep", kLawCreep},
       {"stribeck_friction", kLawStribeck},
       {"asymmetric_friction", kLawAsymmetry},
+      {"asymmetric_viscosity", kLawAsymmetricViscosity},
       {"load_friction", kLawLoadFriction},
       {"position_friction", kLawWave},
       {"cable_compliance", kLawCompliance}};
@@ -234,7 +237,7 @@ double steepestFriction(const JointNumbers<double>& p, double weight) {
   const double wave = std::hypot(p.wave_sine, p.wave_cosine);
   const double coulomb = p.coulomb * (1.0 + p.stribeck_excess + std::abs(p.asymmetry) + wave);
   const double load = p.load_friction * (std::abs(weight) + 2.0 * p.coulomb);
-  return (coulomb + load) * p.inverse_smoothing + p.viscous;
+  return (coulomb + load) * p.inverse_smoothing + p.viscous * (1.0 + std::abs(p.viscous_asymmetry));
 }
 
 ChainBodies<double> bodiesAtRest(const ChainModel& model, const JointVector& q) {

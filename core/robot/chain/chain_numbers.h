@@ -22,6 +22,7 @@ enum ChainLaw : unsigned {
   kLawAsymmetry = 1u << 9,
   kLawLoadFriction = 1u << 10,
   kLawWave = 1u << 11,
+  kLawAsymmetricViscosity = 1u << 14,
   kLawExponential = 1u << 13,  ///< cables stretch so far that sinh y is not y + y³ / 6
   kLawCompliance = 1u << 12,   ///< of a rigid drive: motor and joint move apart
 };
@@ -54,6 +55,7 @@ struct JointNumbers {
   S stribeck_excess;     ///< share of Coulomb, neutral 0
   S inverse_stribeck;    ///< 1 / Stribeck speed
   S asymmetry;           ///< share of Coulomb, neutral 0
+  S viscous_asymmetry;   ///< share of the viscous, neutral 0
   S load_friction;       ///< share of the driving torque, neutral 0
   S wave_sine;           ///< share of Coulomb, neutral 0
   S wave_cosine;         ///< share of Coulomb, neutral 0
@@ -61,6 +63,7 @@ struct JointNumbers {
   S armature;            ///< added to the diagonal of the mass matrix, neutral 0
   S load_sign;           ///< 0: loads as measured; 1: as their signs have been told (ChainInput::signed_load)
   S gain;                ///< torque that arrives over torque asked for, neutral 1
+  S offset;              ///< torque or force at the joint that is always there, neutral 0
   S motor_inertia;       ///< I_m [kg·m²]
   S motor_coulomb;       ///< tau_cm [N·m]
   S motor_viscous;       ///< tau_vm

@@ -63,7 +63,9 @@ inline std::vector<Effect> everyLaw(int j, DriveType drive) {
       j % 2 == 0 ? effectOf("backlash", j, {{"half_width", 2e-4}})
                  : effectOf("slack", j, {{"pretension", 3e-4}})};
   const std::vector<Effect> rigid = {effectOf("cable_compliance", j, {{"compliance", 3e-6 * j}}),
-                                     effectOf("actuator_gain", j, {{"share", 0.1}})};
+                                     effectOf("actuator_gain", j, {{"share", 0.1}}),
+                                     effectOf("asymmetric_viscosity", j, {{"share", 0.3}}),
+                                     effectOf("torque_offset", j, {{"offset", 0.2}})};
   const std::vector<Effect>& more = drive == DriveType::kCable ? cable : rigid;
   effects.insert(effects.end(), more.begin(), more.end());
   return effects;

@@ -28,9 +28,9 @@ TEST(Effects, AreThoseOfTheTask) {
       ElementsAre("pulley_radius", "cable_coupling", "homing_offset", "encoder_slip", "capstan_eccentricity",
                   "cable_compliance", "cable_stiffening", "position_stiffness", "backlash", "slack",
                   "cable_hysteresis", "cable_creep", "stribeck_friction", "asymmetric_friction",
-                  "viscous_friction", "load_friction", "position_friction", "gravity_tilt", "payload",
-                  "inertia", "actuator_gain", "camera_latency", "camera_rotation", "camera_offset",
-                  "camera_scale", "sensor_sign"));
+                  "asymmetric_viscosity", "viscous_friction", "load_friction", "position_friction",
+                  "gravity_tilt", "payload", "inertia", "actuator_gain", "torque_offset", "camera_latency",
+                  "camera_rotation", "camera_offset", "camera_scale", "sensor_sign"));
 }
 
 TEST(Effects, KnowTheirDrivesAndTheirJoints) {
@@ -39,7 +39,7 @@ TEST(Effects, KnowTheirDrivesAndTheirJoints) {
                           "capstan_eccentricity", "cable_stiffening", "position_stiffness", "backlash",
                           "slack", "cable_hysteresis", "cable_creep"));
   EXPECT_THAT(namesWhere([](const EffectFacts& facts) { return !facts.cable; }),
-              ElementsAre("actuator_gain"));
+              ElementsAre("asymmetric_viscosity", "actuator_gain", "torque_offset"));
   EXPECT_THAT(namesWhere([](const EffectFacts& facts) { return facts.whole; }),
               ElementsAre("gravity_tilt", "payload", "camera_latency", "camera_rotation", "camera_offset",
                           "camera_scale"));
@@ -47,8 +47,8 @@ TEST(Effects, KnowTheirDrivesAndTheirJoints) {
 
 TEST(Effects, SayWhatTheirNumbersAre) {
   const std::set<std::string_view> units = {
-      "",  "rad",          "m",  "rad or m",     "rad/rad or m/rad",  "s", "m/N", "1/m^2",
-      "N", "rad/s or m/s", "kg", "kg*m^2 or kg", "N*m*s/rad or N*s/m"};
+      "",         "rad",          "m",  "rad or m",     "rad/rad or m/rad",  "s", "m/N", "1/m^2", "N",
+      "N*m or N", "rad/s or m/s", "kg", "kg*m^2 or kg", "N*m*s/rad or N*s/m"};
   for (const EffectFacts& facts : effectFacts()) {
     SCOPED_TRACE(facts.name);
     EXPECT_FALSE(facts.parameters.empty());
