@@ -185,9 +185,7 @@ void addFilter(const std::vector<Evidence>& recordings, const robot::Description
 
 void addRobots(const Selection& s, Report& report) {
   report.refitted = s.base.model.refitted(s.base.u);
-  report.extended = s.best.model.refitted(s.best.u);
-  for (std::size_t k = 0; k < s.best.model.effects().size(); ++k)
-    report.extended.effects.push_back(s.best.model.effect(k, s.best.u));
+  report.extended = s.best.model.extended(s.best.u);
 }
 
 }  // namespace

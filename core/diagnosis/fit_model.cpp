@@ -196,6 +196,12 @@ std::vector<double> FitModel::effectValues(std::size_t k, const Eigen::VectorXd&
   return values;
 }
 
+robot::Description FitModel::extended(const Eigen::VectorXd& u) const {
+  robot::Description robot = refitted(u);
+  for (std::size_t k = 0; k < effects_.size(); ++k) robot.effects.push_back(effect(k, u));
+  return robot;
+}
+
 robot::Effect FitModel::effect(std::size_t k, const Eigen::VectorXd& u) const {
   const std::vector<double> values = effectValues(k, u);
   robot::Effect effect{std::string(effects_[k].hypothesis->name()), effects_[k].joint, {}};

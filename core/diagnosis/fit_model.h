@@ -62,6 +62,7 @@ class FitModel {
   FitModel without(const Hypothesis& hypothesis, int joint) const;
 
   robot::Description refitted(const Eigen::VectorXd& u) const;  ///< the nominal structure alone
+  robot::Description extended(const Eigen::VectorXd& u) const;  ///< with all effects, everyday ones too
   robot::Effect effect(std::size_t k, const Eigen::VectorXd& u) const;
   std::vector<double> effectValues(std::size_t k, const Eigen::VectorXd& u) const;
   robot::ChainModel chain(const Eigen::VectorXd& u) const;

@@ -39,7 +39,8 @@ TEST(ChainLaw, gentleCablesNeedNoExponential) {
   JointNumbers<double> p = plainNumbers();
   p.exponent = 1.0;
   for (const double x : {-0.01, -1e-3, 1e-4, 5e-3})
-    EXPECT_NEAR(cablePull(p, 0, x, 0.0, 0.0, 0.0, 0.0).force, pullOf(p, 0, x), 1e-9 * std::abs(pullOf(p, 0, x)));
+    EXPECT_NEAR(cablePull(p, 0, x, 0.0, 0.0, 0.0, 0.0).force, pullOf(p, 0, x),
+                1e-9 * std::abs(pullOf(p, 0, x)));
 }
 
 TEST(ChainLaw, anEccentricCapstanHasARadiusThatTurnsWithIt) {
@@ -143,17 +144,22 @@ TEST(ChainLaw, frictionHasAllItsParts) {
               0.5 * (1.0 + 0.2 * std::sin(2.0) - 0.1 * std::cos(2.0)) * sign + 0.1 * v, 1e-15);
   p.load_friction = 0.05;
   EXPECT_NEAR(jointFriction(p, kLawLoadFriction, 0.2, v, -4.0).force, (0.5 + 0.2) * sign + 0.1 * v, 1e-15);
+  p.viscous_asymmetry = 0.4;
+  const Opposing<double> backwards = jointFriction(p, kLawAsymmetricViscosity, 0.2, -v, 4.0);
+  EXPECT_NEAR(backwards.force, -0.5 * sign - 0.1 * (1.0 - 0.4 * sign) * v, 1e-15);
 }
 
 TEST(ChainLaw, frictionNeverDrives) {
   base::Random random(3);
   JointNumbers<double> p = plainNumbers();
-  constexpr unsigned kAll = kLawStribeck | kLawAsymmetry | kLawWave | kLawLoadFriction;
+  constexpr unsigned kAll =
+      kLawStribeck | kLawAsymmetry | kLawWave | kLawLoadFriction | kLawAsymmetricViscosity;
   for (int k = 0; k < 10000; ++k) {
     p.stribeck_excess = random.uniform(0.0, 2.0), p.inverse_stribeck = 1.0 / random.uniform(1e-3, 1.0);
     p.asymmetry = random.uniform(-0.5, 0.5);
     p.wave_sine = random.uniform(-0.3, 0.3), p.wave_cosine = random.uniform(-0.3, 0.3);
     p.load_friction = random.uniform(0.0, 1.0);
+    p.viscous_asymmetry = random.uniform(-1.0, 1.0);
     const double v = random.uniform(-1.0, 1.0);
     EXPECT_GE(v * jointFriction(p, kAll, random.uniform(-2.0, 2.0), v, random.uniform(-5.0, 5.0)).force, 0.0);
   }
@@ -179,7 +185,8 @@ TEST(ChainLaw, withNeutralNumbersALawChangesNothing) {
     // 1e3 m leaves eleven digits of the difference.
     EXPECT_NEAR(pullOf(p, kLawSlack, x, v, 0.5), 2e5 * x + 40.0 * v, 1e-6);
     EXPECT_EQ(motorTravel(p, kLawEccentricity, 1e3 * x), motorTravel(p, 0, 1e3 * x));
-    for (const unsigned law : {kLawStribeck, kLawAsymmetry, kLawWave, kLawLoadFriction})
+    for (const unsigned law :
+         {kLawStribeck, kLawAsymmetry, kLawWave, kLawLoadFriction, kLawAsymmetricViscosity})
       EXPECT_EQ(jointFriction(p, law, x, v, 3.0).force, jointFriction(p, 0, x, v, 3.0).force) << law;
   }
   EXPECT_EQ(slipAt(p, 5.0), 0.0);

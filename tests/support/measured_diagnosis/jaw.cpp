@@ -1,0 +1,60 @@
+#include "tests/support/measured_diagnosis/jaw.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/diagnosis/joint_scales.h"
+#include "core/diagnosis/read_evidence.h"
+#include "tests/support/measured_diagnosis/steps.h"
+
+namespace capstan::measured {
+namespace {
+
+using Recordings = std::vector<diagnosis::Evidence>;
+
+Recordings recordingsAt(int first_level, const std::filesystem::path& folder,
+                        const std::vector<std::string>& frequencies, const robot::Description& robot) {
+  diagnosis::EvidenceOptions options;
+  options.skip_start = 1.0;
+  Recordings all;
+  for (const std::string& frequency : frequencies)
+    for (int level = first_level; level < 10; level += 2)
+      all.push_back(diagnosis::readEvidence(
+          folder / fmt::format("tool4_left_{}Hz_load{}.csv", frequency, level), robot, options));
+  return all;
+}
+
+/// What the fit's model leaves of recordings.
+Eigen::VectorXd left(const diagnosis::FitData& data, const diagnosis::Fit& fit) {
+  const diagnosis::Trust trust{Eigen::VectorXd::Ones(data.size()), {}};
+  return diagnosis::linearise(data, fit.model, fit.u, diagnosis::noneBeyond(data), trust).e;
+}
+
+double rmsInDegrees(const Eigen::VectorXd& e) {
+  return std::sqrt(e.squaredNorm() / static_cast<double>(e.size())) * 180.0 / std::numbers::pi;
+}
+
+}  // namespace
+
+std::vector<JawStep> jawSteps(const std::filesystem::path& folder,
+                              const std::vector<std::string>& frequencies, int threads) {
+  const robot::Description nominal = robotFile("jaw.yaml");
+  const Recordings even = recordingsAt(0, folder, frequencies, nominal);
+  const Recordings odd = recordingsAt(1, folder, frequencies, nominal);
+  const diagnosis::FitData fitted(even, nominal, 0.0, true, threads);
+  const diagnosis::FitData even_once(even, nominal, 0.0, false, threads);
+  const diagnosis::FitData odd_each(odd, nominal, 0.0, true, threads);
+  const diagnosis::FitData odd_once(odd, nominal, 0.0, false, threads);
+  const diagnosis::FitModel base(nominal, diagnosis::jointScales(even, nominal));
+  std::vector<JawStep> steps;
+  for (const Step& step : stepsOf(diagnosis::select(fitted, even, base, {}, nullptr))) {
+    const double zero = left(even_once, step.fit).mean();
+    steps.push_back({step.name, step.fit.model.extended(step.fit.u), rmsInDegrees(left(odd_each, step.fit)),
+                     rmsInDegrees((left(odd_once, step.fit).array() - zero).matrix())});
+  }
+  return steps;
+}
+
+}  // namespace capstan::measured

@@ -1,0 +1,26 @@
+#include "tests/support/measured_diagnosis/steps.h"
+
+#include <cstdlib>
+
+namespace capstan::measured {
+
+std::filesystem::path dataFolder() {
+  const char* given = std::getenv("CAPSTAN_DATA");
+  return given ? std::filesystem::path(given)
+               : std::filesystem::path(CAPSTAN_SOURCE_DIR).parent_path() / "shared" / "data";
+}
+
+robot::Description robotFile(const std::string& name) {
+  return robot::readDescription(std::filesystem::path(CAPSTAN_SOURCE_DIR) / "tests" / "core" / "diagnosis" /
+                                "data" / name);
+}
+
+std::vector<Step> stepsOf(const diagnosis::Selection& selection) {
+  std::vector<Step> steps{{"nominal structure", selection.base}};
+  for (const diagnosis::Contender& taken : selection.taken)
+    steps.push_back({"+ " + std::string(taken.added.hypothesis->name()), taken.fit});
+  if (!selection.taken.empty()) steps.back().fit = selection.best;
+  return steps;
+}
+
+}  // namespace capstan::measured
