@@ -1,5 +1,6 @@
 #include "core/diagnosis/chain_simulation.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -34,6 +35,24 @@ std::pair<double, double> lineAround(const std::vector<double>& column, std::siz
   if (n < 2 || det <= 0.0) return {n > 0 ? sx / n : kNothing, 0.0};
   const double slope = (n * stx - st * sx) / det;
   return {(sx - slope * st) / n, slope};
+}
+
+/// The same where the column begins, from a parabola: for a start that a long simulation has to bear.
+std::pair<double, double> parabolaFrom(const std::vector<double>& column, std::size_t begin, std::size_t end,
+                                       double step) {
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  const double span = static_cast<double>(end - begin) * step;
+  for (std::size_t k = begin; k < end; ++k) {
+    if (!std::isfinite(column[k])) continue;
+    const double s = static_cast<double>(k - begin) * step / span;
+    const Eigen::Vector3d row(1.0, s, s * s);
+    normal += row * row.transpose();
+    right += column[k] * row;
+  }
+  if (!(normal(0, 0) >= 4.0)) return lineAround(column, begin, end, step);
+  const Eigen::Vector3d found = normal.ldlt().solve(right);
+  return {found[0], found[1] / span};
 }
 
 /// Lane `lane` of a structure of lanes.
@@ -82,6 +101,8 @@ void ChainSimulation::findInitialStates(const robot::Description& robot) {
   initial_.setZero(2 * joints_, static_cast<Eigen::Index>(windows_.size()));
   const robot::ChainModel nominal(robot);
   const auto reach = std::max<std::size_t>(4, static_cast<std::size_t>(0.02 / evidence_.step));
+  const bool whole = rigid && windows_.size() == evidence_.segments.size();
+  const auto startOf = whole ? parabolaFrom : lineAround;
   for (std::size_t w = 0; w < windows_.size(); ++w) {
     const Window& window = windows_[w];
     robot::JointVector q_m = robot::JointVector::Zero(joints_);
@@ -91,8 +112,8 @@ void ChainSimulation::findInitialStates(const robot::Description& robot) {
     for (int j = 0; j < joints_; ++j) {
       std::pair<double, double> line{kNothing, 0.0};
       if (evidence_.hasEncoders())
-        line = lineAround(evidence_.q[static_cast<std::size_t>(j)], window.begin,
-                          std::min(window.end, window.begin + reach), evidence_.step);
+        line = startOf(evidence_.q[static_cast<std::size_t>(j)], window.begin,
+                       std::min(window.end, window.begin + reach), evidence_.step);
       if (!std::isfinite(line.first)) line.first = rigid ? nominal.shape.middle[j] : from_motors[j];
       const auto at = static_cast<Eigen::Index>(w);
       initial_(j, at) = line.first;

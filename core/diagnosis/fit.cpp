@@ -19,17 +19,22 @@ constexpr double kLongestStep = 3.0;  // of any u in one iteration
 MatrixXd weighted(const MatrixXd& x, const VectorXd& weights) { return weights.asDiagonal() * x; }
 
 /// Precision of the nuisances' own estimates: initial positions are known to some counts of the encoder,
-/// speeds to a tenth of the largest; encoder zeros not at all.
+/// speeds to a tenth of the largest, those of whole recordings' starts to what the encoder tells (a change of
+/// speed there would be a step for all that follows); encoder zeros not at all.
 VectorXd nuisancePrecision(const FitData& data, const robot::ChainModel& model) {
   const int n = model.shape.joints;
   if (!data.rigid()) return VectorXd::Zero(n);
+  constexpr double kWholeSlope = 500.0;  // of the noise [1/s]
+  const ChainSimulation& first = data.simulation(0);
+  const bool whole = first.windows().size() == first.evidence().segments.size();
   VectorXd precision(2 * n);
   for (int j = 0; j < n; ++j) {
     double noise = 0.0;
     for (const ComparedChannel& channel : data.channels())
       if (channel.joint == j + 1) noise = std::max(noise, channel.noise);
     const double position = noise > 0.0 ? 4.0 * noise : 0.1 / model.shape.inverse_half_range[j];
-    const double speed = 0.1 * model.shape.fastest[j] / 20.0;
+    const double most = 0.1 * model.shape.fastest[j] / 20.0;
+    const double speed = whole && noise > 0.0 ? std::min(kWholeSlope * noise, most) : most;
     precision[j] = 1.0 / (position * position);
     precision[n + j] = 1.0 / (speed * speed);
   }
