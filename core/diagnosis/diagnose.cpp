@@ -176,7 +176,7 @@ void addFilter(const std::vector<Evidence>& recordings, const robot::Description
                const DiagnosisOptions& options, Report& report, base::Progress* progress) {
   FilterGainOptions filter;
   filter.threads = options.threads;
-  filter.zero_per_recording = options.zero_per_recording && recordings.size() > 1;
+  filter.zero_per_recording = options.zeros == EncoderZeros::kOnePerRecording && recordings.size() > 1;
   const FilterGainReport gain =
       filterGain(recordings, {nominal, report.refitted, report.extended}, filter, progress);
   report.filter = gain.joints;
@@ -196,7 +196,7 @@ Report diagnose(const std::vector<Evidence>& recordings, const robot::Descriptio
   Report report;
   Clock clock(report.stages);
   if (progress) progress->report(0.0, "Preparing");
-  const FitData data(recordings, nominal, options.horizon, options.zero_per_recording, options.threads);
+  const FitData data(recordings, nominal, options.horizon, options.zeros, options.threads);
   const FitModel base(nominal, jointScales(recordings, nominal));
   clock.lap("prepare");
   const Selection selection = select(

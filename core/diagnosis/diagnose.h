@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/diagnosis/encoder_zeros.h"
 #include "core/diagnosis/evidence.h"
 #include "core/diagnosis/report.h"
 #include "core/robot/description.h"
@@ -14,7 +15,7 @@ struct DiagnosisOptions {
   int most_causes = 4;   ///< forward selection ends there
   int refits = 8;        ///< most promising (effect, joint) pairs that are refitted in a round
   double horizon = 2.0;  ///< a rigid drive's simulation starts anew so often in the fits [s]; 0: never
-  bool zero_per_recording = true;  ///< of joint encoders, where there are several recordings
+  EncoderZeros zeros = EncoderZeros::kOnePerRecording;  ///< of cable drives
   bool show =
       true;  ///< also traces and signatures of every channel; false: verdict, causes and ranking alone
   bool filter = true;  ///< also what the Kalman filter gains (three-joint cable arms with both sensors)

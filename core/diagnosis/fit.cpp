@@ -144,7 +144,7 @@ System systemAt(const FitData& data, const FitModel& model, const VectorXd& u, c
       system.at.nuisance.col(s) = (told.col(first + s) - told.col(0)) / h[s];
   } else if (data.rigid()) {
     system.at.nuisance = known->nuisance;
-  } else if (data.zeroPerRecording()) {
+  } else if (data.zerosFree()) {
     system.at.nuisance = encoderZeros(data, robots.front().shape.joints);
   }
   const VectorXd precision = nuisancePrecision(data, robots.front());

@@ -6,6 +6,7 @@
 
 #include "core/base/progress.h"
 #include "core/diagnosis/chain_simulation.h"
+#include "core/diagnosis/encoder_zeros.h"
 #include "core/diagnosis/fit_model.h"
 
 namespace capstan::diagnosis {
@@ -17,7 +18,7 @@ using InitialStates = std::vector<Eigen::MatrixXd>;
 class FitData {
  public:
   FitData(const std::vector<Evidence>& recordings, const robot::Description& robot, double horizon,
-          bool zero_per_recording, int threads);
+          EncoderZeros zeros, int threads);
 
   int recordings() const { return static_cast<int>(simulations_.size()); }
   const ChainSimulation& simulation(int r) const { return *simulations_[static_cast<std::size_t>(r)]; }
@@ -26,7 +27,7 @@ class FitData {
   const Eigen::VectorXd& measured() const { return measured_; }
   int threads() const { return threads_; }
   bool rigid() const { return rigid_; }
-  bool zeroPerRecording() const { return zero_per_recording_; }
+  bool zerosFree() const { return zeros_ != EncoderZeros::kKnown; }  ///< of joint encoders
 
   /// Sensor channels of all recordings, in order; channel()[i] is that of number i.
   const std::vector<ComparedChannel>& channels() const { return channels_; }
@@ -36,7 +37,7 @@ class FitData {
   int blocks() const { return blocks_; }
   const std::vector<int>& block() const { return block_; }
   /// Stretches that have nuisances of their own (initial states of rigid drives; encoder zeros of a
-  /// recording): numbers [begin, end) of each.
+  /// recording, or of all): numbers [begin, end) of each.
   const std::vector<std::pair<Eigen::Index, Eigen::Index>>& stretches() const { return stretches_; }
 
   /// What the robots of several models tell, a column each. `initial`: of each robot; empty: none beyond the
@@ -54,7 +55,8 @@ class FitData {
   std::vector<int> channel_, block_;
   std::vector<std::pair<Eigen::Index, Eigen::Index>> stretches_;
   int blocks_ = 0, threads_ = 1;
-  bool rigid_ = false, zero_per_recording_ = false;
+  bool rigid_ = false;
+  EncoderZeros zeros_ = EncoderZeros::kKnown;
 };
 inline constexpr double kBlock = 1.0;  ///< [s]
 

@@ -8,13 +8,15 @@
 namespace capstan::diagnosis {
 
 FitData::FitData(const std::vector<Evidence>& recordings, const robot::Description& robot, double horizon,
-                 bool zero_per_recording, int threads)
-    : threads_(threads), zero_per_recording_(zero_per_recording && recordings.size() > 1) {
+                 EncoderZeros zeros, int threads)
+    : threads_(threads), zeros_(zeros) {
+  if (zeros_ == EncoderZeros::kOnePerRecording && recordings.size() == 1) zeros_ = EncoderZeros::kKnown;
   for (const Evidence& evidence : recordings) {
     rigid_ = evidence.drive == DriveKind::kRigid;
     simulations_.push_back(std::make_unique<ChainSimulation>(evidence, robot, horizon));
     stack(*simulations_.back());
   }
+  if (!rigid_ && zeros_ == EncoderZeros::kOneForAll) stretches_.emplace_back(0, measured_.size());
 }
 
 void FitData::stack(const ChainSimulation& simulation) {
@@ -43,7 +45,8 @@ void FitData::stack(const ChainSimulation& simulation) {
     }
     blocks_ += pieces;
   }
-  if (!windows_have_own && zero_per_recording_) stretches_.emplace_back(begin, measured_.size());
+  if (!windows_have_own && zeros_ == EncoderZeros::kOnePerRecording)
+    stretches_.emplace_back(begin, measured_.size());
 }
 
 namespace {

@@ -35,6 +35,7 @@ struct JointScales {
   double gear = 1.0;       ///< N
   double stiffness = 0.0;  ///< 2 k_e a [N/m]; 0: a rigid drive
   double stretch = 0.0;    ///< largest of the cable in the recording, simulated [m]
+  double load = 0.0;       ///< largest that is measured [N·m or N]; 0: none is
   double duration = 0.0;   ///< of the recording [s]
   int joints = 1;
 };

@@ -34,6 +34,17 @@ double topSpeed(const std::vector<Evidence>& recordings, const robot::ChainModel
   return *at;
 }
 
+/// Largest measured load; 0: none is measured.
+double largestLoad(const std::vector<Evidence>& recordings, int joint) {
+  double most = 0.0;
+  for (const Evidence& e : recordings) {
+    if (e.tau_ext.empty()) continue;
+    for (const double load : e.tau_ext[static_cast<std::size_t>(joint)])
+      if (std::isfinite(load)) most = std::max(most, std::abs(load));
+  }
+  return most;
+}
+
 }  // namespace
 
 std::vector<JointScales> jointScales(const std::vector<Evidence>& recordings,
@@ -57,6 +68,7 @@ std::vector<JointScales> jointScales(const std::vector<Evidence>& recordings,
     s.radius = drive.link_radius;
     s.capstan = drive.motor_capstan_radius;
     s.gear = drive.gear_ratio;
+    s.load = largestLoad(recordings, i);
     if (!model.shape.rigid) {
       s.stiffness = 2.0 * drive.cable_stiffness * drive.cable_exponent;
       s.stretch = (std::abs(bodies.bias[i]) + 2.0 * s.coulomb) / s.radius / s.stiffness;

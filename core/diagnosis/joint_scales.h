@@ -10,7 +10,7 @@ namespace capstan::diagnosis {
 
 /// The sizes that fits start from, joint by joint: numbers of the robot file; the top speed (99 % quantile)
 /// and duration of the recordings; the stretch that gravity in the middle of the range and twice the Coulomb
-/// friction make. Rigid drives have stiffness and stretch 0.
+/// friction make; the largest measured load. Rigid drives have stiffness and stretch 0.
 std::vector<JointScales> jointScales(const std::vector<Evidence>& recordings,
                                      const robot::Description& robot);
 

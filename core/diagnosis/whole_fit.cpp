@@ -3,9 +3,9 @@
 namespace capstan::diagnosis {
 
 Fit wholeFit(const std::vector<Evidence>& recordings, const robot::Description& robot, const Fit& chosen,
-             bool zero_per_recording, int threads, const base::Progress* progress) {
+             EncoderZeros zeros, int threads, const base::Progress* progress) {
   constexpr int kPasses = 3;  // weights go by what is left
-  const FitData data(recordings, robot, 0.0, zero_per_recording, threads);
+  const FitData data(recordings, robot, 0.0, zeros, threads);
   Trust trust{Eigen::VectorXd::Ones(data.size()), {}};
   Fit found = linearise(data, chosen.model, chosen.u, noneBeyond(data), trust);
   for (int pass = 0; pass < kPasses && !(progress && progress->cancelled()); ++pass) {

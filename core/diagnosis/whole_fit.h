@@ -13,6 +13,6 @@ namespace capstan::diagnosis {
 /// less sure where a recording has something that no effect explains. `robot` is the nominal one; starts at
 /// `chosen`.
 Fit wholeFit(const std::vector<Evidence>& recordings, const robot::Description& robot, const Fit& chosen,
-             bool zero_per_recording, int threads, const base::Progress* progress = nullptr);
+             EncoderZeros zeros, int threads, const base::Progress* progress = nullptr);
 
 }  // namespace capstan::diagnosis

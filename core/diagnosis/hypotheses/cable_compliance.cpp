@@ -30,8 +30,12 @@ constexpr HypothesisWords kWords{
         "steps of torque or a sweep of frequency over the resonance.",
 };
 
-/// In a cable drive linear in its number, from none of it on. In a rigid drive no spring is an infinitely
-/// stiff one, so that starts have one, by resonance.
+constexpr double kAsRigid = 0.01;  // of the range: a stretch that makes no difference
+constexpr double kLarge = 0.1;     // likewise, that makes a large one
+
+/// In a cable drive linear in its number, from none of it on; what is large goes by the nominal stiffness,
+/// and where that is as good as rigid by what the forces of the recording would show. In a rigid drive no
+/// spring is an infinitely stiff one, so that starts have one, by resonance.
 class CableCompliance final : public Hypothesis {
  public:
   CableCompliance() : Hypothesis("cable_compliance") {}
@@ -39,8 +43,14 @@ class CableCompliance final : public Hypothesis {
   const HypothesisWords& words() const override { return kWords; }
   std::vector<double> neutral() const override { return {0.0}; }
   std::vector<EffectStart> starts(const JointScales& s, int) const override {
-    if (s.stiffness > 0.0) return usable(facts(), {{{0.0}, {1.0 / s.stiffness}}});
     std::vector<EffectStart> all;
+    if (s.stiffness > 0.0) {
+      all.push_back({{0.0}, {1.0 / s.stiffness}});
+      const double stretch = s.stretch + s.load / s.radius / s.stiffness;
+      const double given = stretch / (s.radius * s.range);  // of the range, by the nominal cable
+      if (given < kAsRigid) all.push_back({{0.0}, {kLarge / given / s.stiffness}});
+      return usable(facts(), std::move(all));
+    }
     for (const double resonance : {5.0, 10.0, 20.0}) {  // of the joint on the spring, the motor held [Hz]
       const double rate = 2.0 * std::numbers::pi * resonance;
       const double compliance = s.radius * s.radius / (s.inertia * rate * rate);

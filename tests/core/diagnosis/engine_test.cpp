@@ -107,7 +107,7 @@ TEST(ChainSimulation, tellsWhatTheWholeMotionDoes) {
 
 TEST(Fit, findsTheAgedRobotsNumbers) {
   const Planted planted(3, {}, 0, 20.0);
-  const FitData data(planted.evidence, planted.robot, 2.0, true, 2);
+  const FitData data(planted.evidence, planted.robot, 2.0, EncoderZeros::kOnePerRecording, 2);
   const Selection s =
       select(data, planted.evidence, FitModel(planted.robot, jointScales(planted.evidence, planted.robot)),
              {.most_causes = 0, .refits = 0, .only = {}, .seed = 1}, nullptr);
@@ -129,9 +129,39 @@ TEST(Fit, findsTheAgedRobotsNumbers) {
   }
 }
 
+/// A zero that is free takes the mean of what it is free for.
+TEST(Fit, freesEncoderZerosAsItIsAsked) {
+  constexpr double kApart = 0.02;  // rad, between the recordings' zeros
+  Planted planted(2);
+  ASSERT_TRUE(planted.evidence.front().hasEncoders());
+  planted.evidence.push_back(planted.evidence.front());
+  for (double& q : planted.evidence.back().q[1]) q += kApart;
+  const auto means = [&](EncoderZeros zeros) {  // of the elbow's error in either recording
+    const FitData data(planted.evidence, planted.robot, 0.0, zeros, 2);
+    const FitModel model(planted.robot, jointScales(planted.evidence, planted.robot));
+    const Trust trust{Eigen::VectorXd::Ones(data.size()), {}};
+    const Eigen::VectorXd e =
+        linearise(data, model, Eigen::VectorXd::Zero(model.size()), noneBeyond(data), trust).e;
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero(), count = sum;
+    for (std::size_t i = 0; i < data.channel().size(); ++i) {
+      if (data.channels()[static_cast<std::size_t>(data.channel()[i])].joint != 2) continue;
+      const int recording = static_cast<Eigen::Index>(i) >= data.first(1) ? 1 : 0;
+      sum[recording] += e[static_cast<Eigen::Index>(i)];
+      count[recording] += 1.0;
+    }
+    return Eigen::Vector2d(sum.cwiseQuotient(count));
+  };
+  const Eigen::Vector2d known = means(EncoderZeros::kKnown);
+  EXPECT_NEAR(known[1] - known[0], kApart, 2e-4) << "but for starts, which encoders tell";
+  EXPECT_GT(std::abs(known.mean()), 1e-3) << "an aged robot's error has a mean to take";
+  EXPECT_NEAR(means(EncoderZeros::kOneForAll)[0], -0.5 * kApart, 1e-4);
+  EXPECT_NEAR(means(EncoderZeros::kOneForAll)[1], 0.5 * kApart, 1e-4);
+  EXPECT_LT(means(EncoderZeros::kOnePerRecording).norm(), 1e-9);
+}
+
 TEST(LeftOut, isWorseThanTheFitAndNearIt) {
   const Planted planted(4);
-  const FitData data(planted.evidence, planted.robot, 2.0, true, 2);
+  const FitData data(planted.evidence, planted.robot, 2.0, EncoderZeros::kOnePerRecording, 2);
   const FitModel model(planted.robot, jointScales(planted.evidence, planted.robot));
   Trust trust;
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(model.size());
@@ -146,7 +176,7 @@ TEST(LeftOut, isWorseThanTheFitAndNearIt) {
 
 TEST(Screening, putsWhatIsHiddenFirst) {
   const Planted planted(5, test::Effect::kLoadFriction, 2);
-  const FitData data(planted.evidence, planted.robot, 2.0, true, 2);
+  const FitData data(planted.evidence, planted.robot, 2.0, EncoderZeros::kOnePerRecording, 2);
   const Selection s =
       select(data, planted.evidence, FitModel(planted.robot, jointScales(planted.evidence, planted.robot)),
              {.most_causes = 1, .refits = 3, .only = {}, .seed = 1}, nullptr);

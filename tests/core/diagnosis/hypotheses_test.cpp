@@ -210,6 +210,23 @@ TEST(Hypotheses, StrangeScalesGiveNoStrangeStarts) {
   EXPECT_FALSE(named("viscous_friction").starts(frictionless, 1).empty());
 }
 
+/// What is a large compliance goes by the nominal cable; where that is as good as rigid, by how far the
+/// forces of the recording would move the joint: a tenth of its range.
+TEST(Hypotheses, ComplianceOfACableTakenForRigidGoesByForces) {
+  JointScales scales = scalesOf(raven(), 1, false);
+  scales.stretch = 0.05 * scales.radius * scales.range;
+  ASSERT_EQ(named("cable_compliance").starts(scales, 1).size(), 1U);
+  EXPECT_EQ(named("cable_compliance").starts(scales, 1).front().scale[0], 1.0 / scales.stiffness);
+  const double force = 120.0;  // N in the cable, a third of it measured load
+  scales.stiffness = force / (1e-4 * scales.radius * scales.range);
+  scales.stretch = 80.0 / scales.stiffness;
+  scales.load = 40.0 * scales.radius;
+  const auto starts = named("cable_compliance").starts(scales, 1);
+  ASSERT_EQ(starts.size(), 2U);
+  EXPECT_EQ(starts[0].scale[0], 1.0 / scales.stiffness);
+  EXPECT_NEAR(force * starts[1].scale[0] / scales.radius, 0.1 * scales.range, 1e-12);
+}
+
 TEST(Hypotheses, CouplingTriesEveryOtherJoint) {
   const auto others = [](int joints, int joint) {
     JointScales scales;
@@ -270,7 +287,8 @@ TEST(Hypotheses, SlackGrowsAsPretensionFalls) {
     EXPECT_GT(size, before) << pretension;
     before = size;
   }
-  EXPECT_NEAR(slack.size({1.0001e-6}), slack.size({0.9999e-6}), 250.0) << "1e6 on either side, without a step";
+  EXPECT_NEAR(slack.size({1.0001e-6}), slack.size({0.9999e-6}), 250.0)
+      << "1e6 on either side, without a step";
 }
 
 TEST(Hypotheses, EveryRobotHasALittleOfThree) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/diagnosis/diagnose.h"
 #include "core/diagnosis/joint_scales.h"
 #include "core/diagnosis/read_evidence.h"
 #include "core/diagnosis/whole_fit.h"
@@ -10,14 +11,14 @@
 #include "tests/support/measured_diagnosis/steps.h"
 
 namespace capstan::measured {
+namespace {
 
-double openLoopError(const robot::Description& robot, const std::filesystem::path& record) {
+double errorFrom(double position, double speed, const robot::ChainModel& model,
+                 const diagnosis::Evidence& e) {
   constexpr int kSubsteps = 4;
-  const diagnosis::Evidence e = diagnosis::readEvidence(record, robot);
-  const robot::ChainModel model(robot);
   robot::ChainStep<double> step(model.shape, model.numbers);
-  robot::ChainState<double> state =
-      robot::stateAt(model, robot::JointVector::Constant(1, e.q[0].front()), robot::JointVector::Zero(1));
+  robot::ChainState<double> state = robot::stateAt(model, robot::JointVector::Constant(1, position),
+                                                   robot::JointVector::Constant(1, speed));
   double squares = 0.0;
   for (std::size_t k = 0; k < e.rows(); ++k) {
     squares += std::pow(e.q[0][k] - state.q[0], 2);
@@ -26,21 +27,38 @@ double openLoopError(const robot::Description& robot, const std::filesystem::pat
     input.torque[0] = e.tau_m[0][k];
     step.advance(input, kSubsteps, state);
   }
-  return std::sqrt(squares / static_cast<double>(e.rows()));
+  return 1e3 * std::sqrt(squares / static_cast<double>(e.rows()));
 }
 
-std::vector<EmpsStep> empsSteps(const std::filesystem::path& folder, int threads) {
-  constexpr double kHorizon = 0.0;  // the benchmark asks for whole records
+diagnosis::FitModel withOffset(const diagnosis::FitModel& model) {
+  const diagnosis::Hypothesis& offset = *diagnosis::hypothesisNamed("torque_offset");
+  return model.with(offset, 1, offset.starts(model.scales().front(), 1).front());
+}
+
+}  // namespace
+
+EmpsErrors openLoopErrors(const robot::Description& robot, const std::filesystem::path& record) {
+  const diagnosis::Evidence e = diagnosis::readEvidence(record, robot);
+  const robot::ChainModel model(robot);
+  const diagnosis::ChainSimulation whole(e, robot, 0.0);
+  const Eigen::MatrixXd& start = whole.initialStates();
+  return {errorFrom(e.q[0].front(), 0.0, model, e), errorFrom(start(0, 0), start(1, 0), model, e)};
+}
+
+std::vector<EmpsStep> empsSteps(const std::filesystem::path& folder, EmpsStart start, int threads) {
+  using diagnosis::EncoderZeros;
   const robot::Description nominal = robotFile("emps_axis.yaml");
   const std::vector<diagnosis::Evidence> train{diagnosis::readEvidence(folder / "train.csv", nominal)};
-  const diagnosis::FitData data(train, nominal, kHorizon, false, threads);
-  const diagnosis::FitModel base(nominal, diagnosis::jointScales(train, nominal));
+  const double horizon = diagnosis::DiagnosisOptions{}.horizon;
+  const diagnosis::FitData data(train, nominal, horizon, EncoderZeros::kKnown, threads);
+  diagnosis::FitModel base(nominal, diagnosis::jointScales(train, nominal));
+  if (start == EmpsStart::kFourNumbers) base = withOffset(base);
   std::vector<EmpsStep> steps;
   for (const Step& step : stepsOf(diagnosis::select(data, train, base, {}, nullptr))) {
-    const diagnosis::Fit whole = diagnosis::wholeFit(train, nominal, step.fit, false, threads);
-    EmpsStep one{step.name, whole.model.extended(whole.u), 0.0, 0.0};
-    one.train_mm = 1e3 * openLoopError(one.robot, folder / "train.csv");
-    one.test_mm = 1e3 * openLoopError(one.robot, folder / "test.csv");
+    const diagnosis::Fit whole = diagnosis::wholeFit(train, nominal, step.fit, EncoderZeros::kKnown, threads);
+    EmpsStep one{step.name, step.rivals, whole.model.extended(whole.u), {}, {}};
+    one.train = openLoopErrors(one.robot, folder / "train.csv");
+    one.test = openLoopErrors(one.robot, folder / "test.csv");
     steps.push_back(std::move(one));
   }
   return steps;

@@ -7,6 +7,7 @@
 
 #include "core/diagnosis/joint_scales.h"
 #include "core/diagnosis/read_evidence.h"
+#include "core/diagnosis/whole_fit.h"
 #include "tests/support/measured_diagnosis/steps.h"
 
 namespace capstan::measured {
@@ -39,20 +40,26 @@ double rmsInDegrees(const Eigen::VectorXd& e) {
 }  // namespace
 
 std::vector<JawStep> jawSteps(const std::filesystem::path& folder,
-                              const std::vector<std::string>& frequencies, int threads) {
+                              const std::vector<std::string>& frequencies,
+                              const diagnosis::SelectionOptions& options, int threads) {
   const robot::Description nominal = robotFile("jaw.yaml");
   const Recordings even = recordingsAt(0, folder, frequencies, nominal);
   const Recordings odd = recordingsAt(1, folder, frequencies, nominal);
-  const diagnosis::FitData fitted(even, nominal, 0.0, true, threads);
-  const diagnosis::FitData even_once(even, nominal, 0.0, false, threads);
-  const diagnosis::FitData odd_each(odd, nominal, 0.0, true, threads);
-  const diagnosis::FitData odd_once(odd, nominal, 0.0, false, threads);
+  using diagnosis::EncoderZeros;
+  const diagnosis::FitData fitted(even, nominal, 0.0, EncoderZeros::kOneForAll, threads);
+  const diagnosis::FitData even_known(even, nominal, 0.0, EncoderZeros::kKnown, threads);
+  const diagnosis::FitData odd_known(odd, nominal, 0.0, EncoderZeros::kKnown, threads);
+  const diagnosis::FitData odd_each(odd, nominal, 0.0, EncoderZeros::kOnePerRecording, threads);
   const diagnosis::FitModel base(nominal, diagnosis::jointScales(even, nominal));
   std::vector<JawStep> steps;
-  for (const Step& step : stepsOf(diagnosis::select(fitted, even, base, {}, nullptr))) {
-    const double zero = left(even_once, step.fit).mean();
-    steps.push_back({step.name, step.fit.model.extended(step.fit.u), rmsInDegrees(left(odd_each, step.fit)),
-                     rmsInDegrees((left(odd_once, step.fit).array() - zero).matrix())});
+  for (const Step& step : stepsOf(diagnosis::select(fitted, even, base, options, nullptr))) {
+    const diagnosis::Fit whole =
+        diagnosis::wholeFit(even, nominal, step.fit, EncoderZeros::kOneForAll, threads);
+    const Eigen::VectorXd told = left(even_known, whole);
+    steps.push_back({step.name, step.rivals, whole.model.extended(whole.u),
+                     rmsInDegrees((told.array() - told.mean()).matrix()),
+                     rmsInDegrees((left(odd_known, whole).array() - told.mean()).matrix()),
+                     rmsInDegrees(left(odd_each, whole))});
   }
   return steps;
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/diagnosis/selection.h"
 #include "core/robot/description.h"
 
 namespace capstan::measured {
@@ -12,14 +13,18 @@ namespace capstan::measured {
 /// fitted, on recordings under even load levels.
 struct JawStep {
   std::string name;
+  std::vector<std::string> rivals;  ///< as in Step
   robot::Description robot;
-  /// RMS over recordings under odd load levels, the encoder's zero fitted for each of them, or once for all
-  /// to the recordings under even levels.
-  double zero_each_deg = 0.0, zero_once_deg = 0.0;
+  double even_deg = 0.0;  ///< RMS over the recordings under even levels, with one encoder zero for all
+  double odd_deg = 0.0;   ///< over those under odd levels, with that zero
+  double odd_zero_each_deg = 0.0;  ///< likewise, with a zero fitted for each of them
 };
 
-/// From a rigid gear on, each effect that is named, in their order, at these frequencies ("0.1", "0.3").
+/// From a rigid gear on, each effect that is named, in their order, at these frequencies ("0.1", "0.3"). The
+/// jaw's encoder has one zero for all recordings, which is not known: a zero for each would take with it the
+/// stretch under loads that are constant in each.
 std::vector<JawStep> jawSteps(const std::filesystem::path& folder,
-                              const std::vector<std::string>& frequencies, int threads);
+                              const std::vector<std::string>& frequencies,
+                              const diagnosis::SelectionOptions& options, int threads);
 
 }  // namespace capstan::measured

@@ -16,12 +16,13 @@ robot::Description robotFile(const std::string& name);
 
 /// A model on the way of a forward selection.
 struct Step {
-  std::string name;  ///< of the effect that came last; "nominal structure" at first
+  std::string name;                 ///< of the effect that came last; "nominal structure" at first
+  std::vector<std::string> rivals;  ///< effects that this choice could not be told from
   diagnosis::Fit fit;
 };
 
-/// The refitted nominal structure, then each effect as it came, without those that were dropped again; the
-/// last has its final numbers.
+/// The refitted nominal structure, then each effect as it came, without those that were dropped again; not
+/// fitted to the end, for wholeFit() to do.
 std::vector<Step> stepsOf(const diagnosis::Selection& selection);
 
 }  // namespace capstan::measured

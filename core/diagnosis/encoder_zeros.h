@@ -1,0 +1,14 @@
+#pragma once
+
+namespace capstan::diagnosis {
+
+/// How far joint encoders' zeros are to be trusted. A zero that is free takes with it whatever holds still
+/// over what it is free for: one for each recording also takes the stretch under a load that is constant in
+/// each, one for all recordings does not.
+enum class EncoderZeros {
+  kKnown,            ///< as in the robot file: an error is homing_offset's
+  kOneForAll,        ///< unknown, the same in all recordings
+  kOnePerRecording,  ///< unknown, where there are several recordings; known where there is one
+};
+
+}  // namespace capstan::diagnosis
