@@ -26,6 +26,12 @@ void addDiagnose(CLI::App& app, ExitCode& exit) {
       ->add_option("--skip-start", arguments->skip_start, "of each recording, simulated but not compared [s]")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 1e6));
+  command
+      ->add_option(
+          "--zeros", arguments->zeros,
+          "of joint encoders: known, as in the robot file; free but shared by all recordings, where\n"
+          "loads hold still in each; free in each of several recordings, which is the default")
+      ->check(CLI::IsMember({"known", "shared", "each"}));
   command->add_option("--threads", arguments->options.threads, "that compute")
       ->capture_default_str()
       ->check(CLI::Range(1, 64));

@@ -37,6 +37,9 @@ diagnosis::PoseReport diagnosePoseTable(const DiagnoseArguments& arguments,
     refuseOption("--skip-start", fmt::format("{}", arguments.skip_start),
                  "is for recordings that are simulated; poses are compared trajectory by trajectory",
                  "Leave it out");
+  if (!arguments.zeros.empty())
+    refuseOption("--zeros", arguments.zeros, "is for recordings with joint encoders; poses have none",
+                 "Leave it out");
   diagnosis::PoseOptions options;
   if (!arguments.towards.empty())
     options.towards = base::fromName<diagnosis::PoseReference>(arguments.towards);

@@ -87,7 +87,9 @@ std::optional<Found> find(const DiagnoseArguments& arguments, const Diagnose& di
   const std::vector<Evidence> recordings = readAll(arguments, nominal, progress);
   if (progress.cancelled()) return std::nullopt;
   if (arguments.robot.empty() && recordings.front().robot) nominal = *recordings.front().robot;
-  Report report = diagnose(recordings, nominal, arguments.options, &progress);
+  diagnosis::DiagnosisOptions options = arguments.options;
+  if (const auto zeros = base::fromName<diagnosis::EncoderZeros>(arguments.zeros)) options.zeros = *zeros;
+  Report report = diagnose(recordings, nominal, options, &progress);
   if (report.cancelled && report.channels.empty()) return std::nullopt;
   std::string text = textOf(report);
   nlohmann::json json = diagnosis::jsonOf(report);

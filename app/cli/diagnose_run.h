@@ -13,6 +13,7 @@ struct DiagnoseArguments {
   std::vector<std::string> files;
   std::string robot, json, report, out;  ///< empty: not given
   std::string towards;                   ///< of tip poses: kinematics, command; empty: what there is
+  std::string zeros;                     ///< of encoders: known, shared, each; empty: options.zeros
   double skip_start = 0.0;               ///< [s]
   diagnosis::DiagnosisOptions options;
 };

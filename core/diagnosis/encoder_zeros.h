@@ -1,5 +1,10 @@
 #pragma once
 
+#include <array>
+#include <utility>
+
+#include "core/base/names.h"
+
 namespace capstan::diagnosis {
 
 /// How far joint encoders' zeros are to be trusted. A zero that is free takes with it whatever holds still
@@ -12,3 +17,10 @@ enum class EncoderZeros {
 };
 
 }  // namespace capstan::diagnosis
+
+template <>
+struct capstan::base::NamesOf<capstan::diagnosis::EncoderZeros> {
+  using Z = capstan::diagnosis::EncoderZeros;
+  static constexpr std::array value = {std::pair{Z::kKnown, "known"}, std::pair{Z::kOneForAll, "shared"},
+                                       std::pair{Z::kOnePerRecording, "each"}};
+};

@@ -48,6 +48,7 @@ TEST_F(CliDiagnose, SaysWhatIsWrongWithItsArguments) {
   fails(slow + " " + slow, "is the same recording as");
   fails(slow + " --only gremlins", "is no effect");
   fails(slow + " --threads 0", "--threads");
+  fails(slow + " --zeros free", "--zeros");
   fails(slow + " --skip-start soon", "--skip-start");
   fails(slow + " --robot " + slow, "slow.csv");
   fails(slow + " --out " + slow, "is the same file as the input");

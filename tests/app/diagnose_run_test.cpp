@@ -88,6 +88,7 @@ TEST_F(DiagnoseRun, HandsOnRecordingsRobotAndOptions) {
   arguments_.skip_start = 2.0;
   arguments_.options.only = {"backlash", "slack"};
   arguments_.options.threads = 1;
+  arguments_.zeros = "shared";
   EXPECT_EQ(run(), kOk);
   ASSERT_EQ(recordings_.size(), 2U);
   EXPECT_EQ(recordings_[0].rows(), 800U);
@@ -97,6 +98,7 @@ TEST_F(DiagnoseRun, HandsOnRecordingsRobotAndOptions) {
   EXPECT_EQ(robot_.name, "RAVEN-II left");
   EXPECT_EQ(options_.only, arguments_.options.only);
   EXPECT_EQ(options_.threads, 1);
+  EXPECT_EQ(options_.zeros, diagnosis::EncoderZeros::kOneForAll);
   EXPECT_NE(out_.find(report_.summary.substr(0, 40)), std::string::npos) << out_;
   EXPECT_NE(err_.find(report_.notices[0]), std::string::npos) << err_;
 }
@@ -242,6 +244,10 @@ TEST_F(DiagnoseRun, RefusesWhatPosesAndOtherRecordingsDoNotShare) {
   arguments_.files = {path("poses.csv")};
   arguments_.skip_start = 1.0;
   expectRefusal({"--skip-start"});
+  arguments_.skip_start = 0.0;
+  arguments_.zeros = "shared";
+  expectRefusal({"--zeros", "shared"});
+  arguments_.zeros = {};
   arguments_.files = {path("slow.csv")};
   arguments_.towards = "command";
   expectRefusal({"--towards", "tip poses"});

@@ -41,12 +41,11 @@ void printNumbers(const robot::Description& robot) {
 void emps(const std::filesystem::path& folder, measured::EmpsStart start, int threads) {
   if (!isHere(folder / "train.csv") || !isHere(folder / "test.csv")) return;
   fmt::print(
-      "EMPS from the rigid drive of {}, RMSE of the open-loop simulation of whole records [mm]. Effects are\n"
-      "chosen by simulations of the training record that start anew every {:g} s, numbers are fitted to that "
-      "of\n"
-      "the whole training record. asymmetric_viscosity joined the library after errors on the test record "
-      "had\n"
-      "been seen.\n",
+      "EMPS from the rigid drive of {}\n"
+      "RMSE of the open-loop simulation of whole records [mm]. Effects are chosen by simulations of the "
+      "training\n"
+      "record that start anew every {:g} s, numbers are fitted to that of the whole training record. The\n"
+      "hypothesis asymmetric_viscosity joined the library after errors on the test record had been seen.\n",
       start == measured::EmpsStart::kFourNumbers ? "four numbers (mass, viscous, Coulomb, offset)"
                                                  : "three numbers (mass, viscous, Coulomb)",
       diagnosis::DiagnosisOptions{}.horizon);
