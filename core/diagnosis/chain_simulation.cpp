@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/diagnosis/smooth_positions.h"
 #include "core/robot/chain/chain_step.h"
 
 namespace capstan::diagnosis {
@@ -55,6 +56,17 @@ std::pair<double, double> parabolaFrom(const std::vector<double>& column, std::s
   return {found[0], found[1] / span};
 }
 
+/// Motor positions without the steps of their encoders: stretched cables would feel each as a jerk.
+Columns smoothMotors(const Evidence& evidence) {
+  Columns smooth = evidence.q_m;
+  for (std::size_t j = 0; j < smooth.size(); ++j)
+    for (const Segment& segment : evidence.segments) {
+      const auto readings = std::span(smooth[j]).subspan(segment.begin, segment.size());
+      std::ranges::copy(smoothPositions(readings, evidence.noise.q_m[j].floor()), readings.begin());
+    }
+  return smooth;
+}
+
 /// Lane `lane` of a structure of lanes.
 template <template <class> class Of>
 void put(const Of<double>& from, int lane, Of<robot::ChainLane>& to) {
@@ -70,11 +82,11 @@ void put(const Of<double>& from, int lane, Of<robot::ChainLane>& to) {
 ChainSimulation::ChainSimulation(const Evidence& evidence, const robot::Description& robot, double horizon)
     : evidence_(evidence), chain_(robot), joints_(evidence.joints) {
   stride_ = std::max(1, static_cast<int>(std::lround(kOutputStep / evidence.step)));
-  const Columns& drive = evidence.drive == DriveKind::kRigid ? evidence.tau_m : evidence.q_m;
+  drive_ = evidence.drive == DriveKind::kRigid ? evidence.tau_m : smoothMotors(evidence);
   rows_.t = evidence.t.data();
   for (int j = 0; j < joints_; ++j) {
     const auto at = static_cast<std::size_t>(j);
-    rows_.drive[j] = drive[at].data();
+    rows_.drive[j] = drive_[at].data();
     if (evidence.tau_ext.empty()) continue;
     rows_.load[j] = evidence.tau_ext[at].data();
     signed_load_.push_back(withSigns(evidence.tau_ext[at]));
@@ -216,6 +228,9 @@ robot::ChainState<double> ChainSimulation::initialState(const robot::ChainModel&
     const robot::JointNumbers<double>& p = model.numbers.joints[j];
     if (model.shape.laws[j] & robot::kLawCompliance)
       state.motor[j] += p.compliance * p.gain * rows_.drive[j][windows_[window].begin] / (p.lever * p.lever);
+    if (model.shape.laws[j] & robot::kLawCreep)
+      state.creep[j] = p.creep_begun * p.creep_share / (1.0 + p.creep_share) *
+                       robot::stretchAt(model, j, q_m[j], q);
   }
   return state;
 }

@@ -101,6 +101,7 @@ class ChainSimulation {
   Compared compared_;
   std::vector<std::vector<Sample>> samples_;  ///< by window
   std::vector<std::vector<Sight>> sights_;    ///< by window
+  Columns drive_;  ///< motor torque, or motor positions without their encoders' steps
   std::vector<std::vector<double>> signed_load_;
   robot::ChainRows rows_;
 };

@@ -117,7 +117,15 @@ void FitModel::addTerm(EffectTerm term) {
     term.index[k] = size();
     parameters_.push_back(std::move(p));
   }
+  term.begun = term.hypothesis->remembers() ? addBegun(term) : -1;
   effects_.push_back(std::move(term));
+}
+
+int FitModel::addBegun(const EffectTerm& term) {
+  constexpr double kHalfWay = 0.5, kLeast = -1.0, kMost = 2.0;  // loads before may have been others
+  parameters_.push_back({fmt::format("{}.begun", term.hypothesis->name()), "", term.joint, kHalfWay, kHalfWay,
+                         false, kLeast, kMost, 1.0});
+  return size() - 1;
 }
 
 FitModel FitModel::rebuilt(std::vector<EffectTerm> terms) const {
@@ -213,7 +221,13 @@ robot::Effect FitModel::effect(std::size_t k, const Eigen::VectorXd& u) const {
 
 robot::ChainModel FitModel::chain(const Eigen::VectorXd& u) const {
   robot::ChainModel model(refitted(u));
-  for (std::size_t k = 0; k < effects_.size(); ++k) model.add(effect(k, u));
+  for (std::size_t k = 0; k < effects_.size(); ++k) {
+    model.add(effect(k, u));
+    const EffectTerm& term = effects_[k];
+    if (term.begun >= 0)
+      model.numbers.joints[term.joint - 1].creep_begun =
+          parameters_[static_cast<std::size_t>(term.begun)].value(u[term.begun]);
+  }
   return model;
 }
 
@@ -235,6 +249,7 @@ Eigen::VectorXd FitModel::startFrom(const FitModel& other, const Eigen::VectorXd
     if (term.everyday || other.has(*term.hypothesis, term.joint)) continue;
     for (const int at : term.index)
       if (at >= 0) u[at] = 0.0;
+    if (term.begun >= 0) u[term.begun] = 0.0;
   }
   return u;
 }

@@ -33,6 +33,7 @@ struct EffectTerm {
   EffectStart start;
   bool everyday = false;   ///< what every robot has some of, within Hypothesis::everyday
   std::vector<int> index;  ///< of its numbers among the model's parameters; −1: stays as in `start`
+  int begun = -1;          ///< of JointNumbers::creep_begun, where the hypothesis remembers; −1: none
 };
 
 /// A structure to fit: the numbers of the nominal robot that may be mistuned, what every robot has some of,
@@ -79,6 +80,7 @@ class FitModel {
   void addBase();
   void addFactor(Number number, const char* name, const char* unit, int joint, double nominal);
   void addTerm(EffectTerm term);
+  int addBegun(const EffectTerm& term);
   EffectTerm everydayTerm(const Hypothesis& hypothesis, int joint) const;
   FitModel rebuilt(std::vector<EffectTerm> terms) const;
 

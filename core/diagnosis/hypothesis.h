@@ -62,6 +62,8 @@ class Hypothesis {
   virtual std::vector<EffectStart> starts(const JointScales& scales, int joint) const = 0;
   /// Size up to which every robot has some of it, in the unit of size(); 0: none.
   virtual double everyday(const JointScales&) const { return 0.0; }
+  /// The cable remembers what was before the recording: how far, is one more number of a fit.
+  virtual bool remembers() const { return false; }
   /// One number that tells how much of the effect there is: usually the first parameter's magnitude.
   virtual double size(const std::vector<double>& values) const;
 

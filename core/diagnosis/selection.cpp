@@ -1,8 +1,11 @@
 #include "core/diagnosis/selection.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 namespace capstan::diagnosis {
 namespace {
@@ -14,6 +17,21 @@ constexpr std::size_t kGoOn = 3;     // refits that do, at most
 constexpr double kHopeless = 0.02;   // reduction after a first look
 
 bool cancelled(const base::Progress* progress) { return progress && progress->cancelled(); }
+
+/// Where a selection stands: how many rounds it will take is not known, and each is given half of what is left.
+class Stand {
+ public:
+  explicit Stand(base::Progress* progress) : progress_(progress) {}
+  void nextRound() { begin_ = end_, end_ += 0.5 * (kAll - end_); }
+  void tell(double share, std::string_view doing) const {
+    if (progress_) progress_->report(begin_ + share * (end_ - begin_), doing);
+  }
+
+ private:
+  static constexpr double kBase = 0.2, kAll = 0.95;  // of the whole diagnosis
+  base::Progress* progress_;
+  double begin_ = 0.0, end_ = kBase;
+};
 
 /// The nominal structure's fit, from the nominal numbers, weights by what it leaves.
 Fit fitBase(const FitData& data, const FitModel& model, Trust& trust, const base::Progress* progress) {
@@ -37,14 +55,17 @@ class Rounds {
         recordings_(recordings),
         options_(options),
         progress_(progress),
+        stand_(progress),
         comparison_(data, kDraws, options.seed) {}
 
   Selection run(const FitModel& base) {
     Selection s{.base = {.model = base}, .best = {.model = base}};
+    stand_.tell(0.0, "Refitting the nominal structure");
     s.base = s.best = fitBase(data_, base, s.trust, progress_);
     s.base_squares = s.best_squares = squaresOf(data_, leftOut(data_, s.best, s.trust));
     for (int round = 1; round <= options_.most_causes && !cancelled(progress_); ++round)
       if (!addOne(s, round)) break;
+    stand_.tell(1.0, "Checking what was named");
     dropSuperfluous(s);
     return s;
   }
@@ -75,8 +96,11 @@ class Rounds {
   std::vector<Contender> contendersOf(const Selection& s, const std::vector<Promise>& promises) const {
     std::vector<Contender> contenders;
     const std::size_t count = std::min(promises.size(), static_cast<std::size_t>(options_.refits));
-    for (std::size_t k = 0; k < count && !cancelled(progress_); ++k)
+    for (std::size_t k = 0; k < count && !cancelled(progress_); ++k) {
+      stand_.tell(0.2 + 0.4 * static_cast<double>(k) / static_cast<double>(count),
+                  fmt::format("Refitting with {}", promises[k].hypothesis->words().title));
       contenders.push_back(contend(s, promises[k]));
+    }
     const auto better = [](const Contender& a, const Contender& b) {
       return a.gain.front() > b.gain.front();
     };
@@ -88,6 +112,8 @@ class Rounds {
           c.added.hypothesis == promised.hypothesis && c.added.joint == promised.joint;
       if (!first_in_tests && (k >= kGoOn || c.reduction.share < kHopeless)) continue;
       if (promises.front().share < kHopeless && c.reduction.share < kHopeless) continue;
+      stand_.tell(0.6 + 0.3 * static_cast<double>(k) / static_cast<double>(contenders.size()),
+                  fmt::format("Refitting with {}", c.added.hypothesis->words().title));
       c.fit = fit(data_, c.fit.model, c.fit.u, c.fit.initial, s.trust, {kLastIterations, 0.1, nullptr},
                   progress_);
       judge(s, c);
@@ -124,6 +150,8 @@ class Rounds {
 
   bool addOne(Selection& s, int round) {
     const std::vector<Suspect> suspects = suspectsOf(recordings_, s.best.model, options_.only);
+    stand_.nextRound();
+    stand_.tell(0.0, "Testing hypotheses");
     const std::vector<Promise> promises = screen(data_, s.best, s.trust, suspects);
     std::vector<Contender> contenders = contendersOf(s, promises);
     note(s, promises, contenders, round);
@@ -138,6 +166,7 @@ class Rounds {
         rivals.shares.push_back(contenders[k].share);
       }
     s.rivals.push_back(std::move(rivals));
+    stand_.tell(0.9, "Settling the extended model");
     take(s, std::move(contenders.front()));
     return true;
   }
@@ -228,6 +257,7 @@ class Rounds {
   const std::vector<Evidence>& recordings_;
   const SelectionOptions& options_;
   base::Progress* progress_;
+  Stand stand_;
   Comparison comparison_;
 };
 

@@ -21,6 +21,10 @@ double noiseSquare(const FitData& data, Eigen::Index c) {
   return noise * noise;
 }
 
+/// What a simplified law, the clock of the recording and the steps of an integration leave of a number at
+/// best: a share of it.
+constexpr double kLawsAreGood = 0.01;
+
 std::vector<FoundParameter> parametersOf(const FitModel& model, std::size_t effect, const Eigen::VectorXd& u,
                                          const Eigen::MatrixXd& covariance) {
   const EffectTerm& term = model.effects()[effect];
@@ -35,6 +39,7 @@ std::vector<FoundParameter> parametersOf(const FitModel& model, std::size_t effe
     if (const int at = term.index[i]; at >= 0)
       sigma =
           model.parameters()[static_cast<std::size_t>(at)].valueSigma(u[at], std::sqrt(covariance(at, at)));
+    if (sigma > 0.0 && number.name != "time") sigma = std::hypot(sigma, kLawsAreGood * values[i]);
     if (neutral[i] == 0.0) sigma = std::hypot(sigma, 0.5 * everyday);  // every robot has some of it
     found.push_back({std::string(number.name), std::string(number.unit), values[i], sigma});
   }

@@ -14,10 +14,10 @@ double explainedShare(const FitData& data, const Selection& selection);
 /// Whether the remainder of the selection's best model has more than noise and chance in it: some channel's
 /// RMS on blocks left out is kBeyondNoise times its noise, and it lasts from sample to sample.
 bool somethingLeft(const FitData& data, const Selection& selection);
-inline constexpr double kBeyondNoise = 1.5;
+inline constexpr double kBeyondNoise = 1.2;
 /// Share that effects must explain before they, and not something unknown, are the verdict, where something
 /// is left.
-inline constexpr double kExplains = 0.9;
+inline constexpr double kExplains = 0.96;
 
 /// Fills verdict, causes, ties, explained and summary of the report.
 void judge(const FitData& data, const Selection& selection, Report& report);

@@ -31,6 +31,7 @@ class CableCreep final : public Hypothesis {
     for (const double seconds : {0.5, 1.5, 5.0}) all.push_back({{0.5, seconds}, {0.5, 0.5 * seconds}});
     return usable(facts(), std::move(all));
   }
+  bool remembers() const override { return true; }
 };
 
 }  // namespace

@@ -362,6 +362,14 @@ ChainState<double> stateAt(const ChainModel& model, const JointVector& q, const 
   return state;
 }
 
+double stretchAt(const ChainModel& model, int i, double q_m, const JointVector& q) {
+  const JointNumbers<double>& p = model.numbers.joints[i];
+  double travel = 0.0;
+  for (int j = 0; j < model.shape.joints; ++j)
+    travel += model.numbers.coupling[i][j] * (q[j] - model.numbers.joints[j].homing);
+  return motorTravel(p, model.shape.laws[i], q_m) - p.link_radius * travel;
+}
+
 JointVector jointsFromMotors(const ChainModel& model, const JointVector& q_m) {
   const int n = model.shape.joints;
   JointMatrix coupling(n, n);

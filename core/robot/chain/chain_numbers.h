@@ -49,6 +49,7 @@ struct JointNumbers {
   S inverse_yield;       ///< [1/m]
   S creep_share;         ///< neutral 0
   S creep_rate;          ///< 1 / time constant [1/s]
+  S creep_begun;         ///< share of its balance that the creep has where a simulation starts, neutral 0
   S coulomb;             ///< F_cl [N·m or N]
   S viscous;             ///< F_vl
   S inverse_smoothing;   ///< 1 / v_eps
