@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/diagnosis/smooth_positions.h"
+#include "core/diagnosis/smooth_readings.h"
 #include "core/robot/chain/chain_step.h"
 
 namespace capstan::diagnosis {
@@ -56,15 +56,23 @@ std::pair<double, double> parabolaFrom(const std::vector<double>& column, std::s
   return {found[0], found[1] / span};
 }
 
-/// Motor positions without the steps of their encoders: stretched cables would feel each as a jerk.
-Columns smoothMotors(const Evidence& evidence) {
-  Columns smooth = evidence.q_m;
-  for (std::size_t j = 0; j < smooth.size(); ++j)
-    for (const Segment& segment : evidence.segments) {
-      const auto readings = std::span(smooth[j]).subspan(segment.begin, segment.size());
-      std::ranges::copy(smoothPositions(readings, evidence.noise.q_m[j].floor()), readings.begin());
-    }
-  return smooth;
+/// A column without its sensor's noise, segment by segment: what drives a simulation must not shake it.
+std::vector<double> smooth(const Evidence& evidence, std::vector<double> column, const ChannelNoise& noise) {
+  for (const Segment& segment : evidence.segments) {
+    const auto readings = std::span(column).subspan(segment.begin, segment.size());
+    std::ranges::copy(smoothReadings(readings, noise.floor()), readings.begin());
+  }
+  return column;
+}
+
+/// Torques as they were asked for; motor positions without the steps of their encoders, each of which would
+/// be a jerk of the cable.
+Columns driveOf(const Evidence& evidence) {
+  if (evidence.drive == DriveKind::kRigid) return evidence.tau_m;
+  Columns columns;
+  for (std::size_t j = 0; j < evidence.q_m.size(); ++j)
+    columns.push_back(smooth(evidence, evidence.q_m[j], evidence.noise.q_m[j]));
+  return columns;
 }
 
 /// Lane `lane` of a structure of lanes.
@@ -82,16 +90,19 @@ void put(const Of<double>& from, int lane, Of<robot::ChainLane>& to) {
 ChainSimulation::ChainSimulation(const Evidence& evidence, const robot::Description& robot, double horizon)
     : evidence_(evidence), chain_(robot), joints_(evidence.joints) {
   stride_ = std::max(1, static_cast<int>(std::lround(kOutputStep / evidence.step)));
-  drive_ = evidence.drive == DriveKind::kRigid ? evidence.tau_m : smoothMotors(evidence);
+  drive_ = driveOf(evidence);
   rows_.t = evidence.t.data();
   for (int j = 0; j < joints_; ++j) {
     const auto at = static_cast<std::size_t>(j);
     rows_.drive[j] = drive_[at].data();
     if (evidence.tau_ext.empty()) continue;
-    rows_.load[j] = evidence.tau_ext[at].data();
-    signed_load_.push_back(withSigns(evidence.tau_ext[at]));
+    load_.push_back(smooth(evidence, evidence.tau_ext[at], evidence.noise.tau_ext[at]));
+    signed_load_.push_back(smooth(evidence, withSigns(evidence.tau_ext[at]), evidence.noise.tau_ext[at]));
   }
-  for (std::size_t j = 0; j < signed_load_.size(); ++j) rows_.signed_load[j] = signed_load_[j].data();
+  for (std::size_t j = 0; j < load_.size(); ++j) {
+    rows_.load[j] = load_[j].data();
+    rows_.signed_load[j] = signed_load_[j].data();
+  }
   findWindows(evidence.drive == DriveKind::kRigid ? horizon : 0.0);
   findInitialStates(robot);
   findSamples(robot);
@@ -229,13 +240,37 @@ robot::ChainState<double> ChainSimulation::initialState(const robot::ChainModel&
     if (model.shape.laws[j] & robot::kLawCompliance)
       state.motor[j] += p.compliance * p.gain * rows_.drive[j][windows_[window].begin] / (p.lever * p.lever);
     if (model.shape.laws[j] & robot::kLawCreep)
-      state.creep[j] = p.creep_begun * p.creep_share / (1.0 + p.creep_share) *
-                       robot::stretchAt(model, j, q_m[j], q);
+      state.creep[j] =
+          p.creep_begun * p.creep_share / (1.0 + p.creep_share) * robot::stretchAt(model, j, q_m[j], q);
   }
   return state;
 }
 
 void ChainSimulation::simulate(std::span<const Robot> robots, Eigen::Ref<Eigen::MatrixXd> told) const {
+  simulate(rows_, robots, told);
+}
+
+void ChainSimulation::simulateShaken(const Robot& robot, base::Random& random,
+                                     Eigen::Ref<Eigen::MatrixXd> told) const {
+  const EvidenceNoise& noise = evidence_.noise;
+  const auto shaken = [&](std::vector<double> column, const ChannelNoise& of) {
+    for (double& x : column) x += random.normal(0.0, of.floor());
+    return smooth(evidence_, std::move(column), of);
+  };
+  robot::ChainRows rows = rows_;
+  Columns drive = drive_, load = load_, signed_load = signed_load_;
+  for (std::size_t j = 0; j < drive.size(); ++j) {
+    if (evidence_.drive == DriveKind::kCable)
+      rows.drive[j] = (drive[j] = shaken(std::move(drive[j]), noise.q_m[j])).data();
+    if (load.empty()) continue;
+    rows.load[j] = (load[j] = shaken(std::move(load[j]), noise.tau_ext[j])).data();
+    rows.signed_load[j] = (signed_load[j] = shaken(std::move(signed_load[j]), noise.tau_ext[j])).data();
+  }
+  simulate(rows, {&robot, 1}, told);
+}
+
+void ChainSimulation::simulate(const robot::ChainRows& rows, std::span<const Robot> robots,
+                               Eigen::Ref<Eigen::MatrixXd> told) const {
   static const robot::SimulateChain kernel = robot::simulateChainKernel();
   const robot::ChainShape shape = shapeOf(robots);
   const auto numbers = std::make_unique<robot::ChainNumbers<robot::ChainLane>>();
@@ -261,7 +296,7 @@ void ChainSimulation::simulate(std::span<const Robot> robots, Eigen::Ref<Eigen::
     if (q.size() < count) q.resize(count), dq.resize(count);
     run.q = q.front().value;
     run.dq = dq.front().value;
-    kernel(shape, *numbers, rows_, run, *state);
+    kernel(shape, *numbers, rows, run, *state);
     tell(w, robots, q, dq, told);
   }
 }

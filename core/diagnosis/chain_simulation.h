@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/random.h"
 #include "core/diagnosis/evidence.h"
 #include "core/diagnosis/remainder.h"
 #include "core/robot/chain/chain_lanes.h"
@@ -64,6 +65,9 @@ class ChainSimulation {
   /// a simulation ran away.
   void simulate(std::span<const Robot> robots, Eigen::Ref<Eigen::MatrixXd> told) const;
 
+  /// The same of one robot, with noise as their sensors have it on loads and on the motors of cable drives.
+  void simulateShaken(const Robot& robot, base::Random& random, Eigen::Ref<Eigen::MatrixXd> told) const;
+
   /// One robot through whole segments, all rows.
   SimulatedMotion motion(const robot::ChainModel& model) const;
 
@@ -76,6 +80,8 @@ class ChainSimulation {
   int stepsFor(const robot::ChainModel& model) const;
   robot::ChainState<double> initialState(const robot::ChainModel& model, const Eigen::MatrixXd* beyond,
                                          std::size_t window) const;
+  void simulate(const robot::ChainRows& rows, std::span<const Robot> robots,
+                Eigen::Ref<Eigen::MatrixXd> told) const;
   void tell(std::size_t window, std::span<const Robot> robots, const Lanes& q, const Lanes& dq,
             Eigen::Ref<Eigen::MatrixXd> told) const;
   Eigen::Vector3d tipAt(double output, std::size_t outputs, std::size_t lane, const Lanes& q,
@@ -101,8 +107,8 @@ class ChainSimulation {
   Compared compared_;
   std::vector<std::vector<Sample>> samples_;  ///< by window
   std::vector<std::vector<Sight>> sights_;    ///< by window
-  Columns drive_;  ///< motor torque, or motor positions without their encoders' steps
-  std::vector<std::vector<double>> signed_load_;
+  Columns drive_;                             ///< motor torque; of cable drives motor positions, smoothed
+  Columns load_, signed_load_;                ///< smoothed; as measured, and with the signs of withSigns()
   robot::ChainRows rows_;
 };
 inline constexpr double kSettling = 0.5;        ///< [s]

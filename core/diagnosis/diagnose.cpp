@@ -113,7 +113,8 @@ class Assembly {
 
   /// Lines of what the best model leaves, as it is on the simulation's own horizon.
   void addLines() {
-    for (int r = 0; r < data_.recordings(); ++r) {
+    std::size_t place = 0;
+    for (int r = 0; r < data_.recordings(); place += data_.simulation(r).compared().channels.size(), ++r) {
       const Compared& compared = data_.simulation(r).compared();
       for (std::size_t c = 0; c < compared.channels.size(); ++c) {
         Channel channel;
@@ -127,7 +128,7 @@ class Assembly {
         }
         if (channel.t.empty()) continue;
         const double rms = std::sqrt(squares / static_cast<double>(channel.t.size()));
-        if (rms < kBeyondNoise * compared.channels[c].noise) continue;
+        if (rms * rms < mostByChance(data_, s_, static_cast<Eigen::Index>(place + c))) continue;
         if (auto line = spectralLine(channel)) report_.lines.push_back(*line);
       }
     }

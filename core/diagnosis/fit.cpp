@@ -329,8 +329,12 @@ MatrixXd residualsOf(const FitData& data, const Fit& at, const std::vector<robot
                      const Trust& trust) {
   MatrixXd e = data.simulate(robots, std::vector<InitialStates>(robots.size(), at.initial));
   e = -(e.colwise() - data.measured());
-  takeOffNuisances(data, at.nuisance, nuisancePrecision(data, at.model.chain(at.u)), trust.weights, e);
+  takeOffNuisances(data, at, trust, e);
   return e;
+}
+
+void takeOffNuisances(const FitData& data, const Fit& at, const Trust& trust, Eigen::Ref<MatrixXd> e) {
+  takeOffNuisances(data, at.nuisance, nuisancePrecision(data, at.model.chain(at.u)), trust.weights, e);
 }
 
 }  // namespace capstan::diagnosis

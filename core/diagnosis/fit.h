@@ -106,6 +106,9 @@ Fit linearise(const FitData& data, const FitModel& model, const Eigen::VectorXd&
 Eigen::MatrixXd residualsOf(const FitData& data, const Fit& at, const std::vector<robot::ChainModel>& robots,
                             const Trust& trust);
 
+/// Takes the fit's nuisances off the columns of `e`, numbers as the data's.
+void takeOffNuisances(const FitData& data, const Fit& at, const Trust& trust, Eigen::Ref<Eigen::MatrixXd> e);
+
 /// Σ (w e)² over the numbers used, and priors.
 double objectiveOf(const FitModel& model, const Eigen::VectorXd& u, const Eigen::VectorXd& e,
                    const Trust& trust);

@@ -7,6 +7,8 @@
 #include <limits>
 #include <string_view>
 
+#include "core/diagnosis/input_noise.h"
+
 namespace capstan::diagnosis {
 namespace {
 
@@ -18,7 +20,8 @@ constexpr double kHopeless = 0.02;   // reduction after a first look
 
 bool cancelled(const base::Progress* progress) { return progress && progress->cancelled(); }
 
-/// Where a selection stands: how many rounds it will take is not known, and each is given half of what is left.
+/// Where a selection stands: how many rounds it will take is not known, and each is given half of what is
+/// left.
 class Stand {
  public:
   explicit Stand(base::Progress* progress) : progress_(progress) {}
@@ -63,6 +66,7 @@ class Rounds {
     stand_.tell(0.0, "Refitting the nominal structure");
     s.base = s.best = fitBase(data_, base, s.trust, progress_);
     s.base_squares = s.best_squares = squaresOf(data_, leftOut(data_, s.best, s.trust));
+    s.input_noise = inputNoise(data_, s.base, s.trust);
     for (int round = 1; round <= options_.most_causes && !cancelled(progress_); ++round)
       if (!addOne(s, round)) break;
     stand_.tell(1.0, "Checking what was named");
@@ -89,7 +93,19 @@ class Rounds {
       return;
     }
     c.gain = comparison_.gain(s.best_squares, c.squares);
-    c.reduction = largestReduction(s.best_squares, c.squares);
+    c.reduction = largestReduction(explicable(s, s.best_squares), c.squares);
+  }
+
+  /// Channels in which there is more than what the noise of inputs brings in, which looks like slow effects
+  /// and is none.
+  BlockSquares explicable(const Selection& s, const BlockSquares& squares) const {
+    BlockSquares left = squares;
+    for (Eigen::Index c = 0; c < left.sum.rows(); ++c) {
+      const double sensor = data_.channels()[static_cast<std::size_t>(c)].noise, input = s.input_noise[c];
+      const double least = 0.9 * sensor * sensor + kSwings * input * input;
+      if (left.sum.row(c).sum() < least * left.count.row(c).sum()) left.sum.row(c).setZero();
+    }
+    return left;
   }
 
   /// Refits the most promising: all a little, the best of these to the end.
@@ -217,7 +233,7 @@ class Rounds {
                            {kLastIterations, 0.1, nullptr}, progress_);
       const BlockSquares squares = squaresOf(data_, leftOut(data_, less, s.trust));
       const std::vector<double> gain = comparison_.gain(squares, s.best_squares);
-      const Reduction reduction = largestReduction(squares, s.best_squares);
+      const Reduction reduction = largestReduction(explicable(s, squares), s.best_squares);
       const bool ran_away = !squares.sum.allFinite();
       if (ran_away ||
           (reduction.share > kWorthNaming && gain.front() > kLeastScore && lowerOf(gain, kSure) > 0.0)) {

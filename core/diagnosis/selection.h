@@ -37,6 +37,8 @@ struct SelectionOptions {
 struct Selection {
   Fit base;  ///< nominal structure, refitted
   BlockSquares base_squares = {};
+  /// RMS of each channel that noise of the loads' and motors' sensors brings into it (inputNoise()).
+  Eigen::VectorXd input_noise = {};
   Fit best;  ///< with the effects that were taken
   BlockSquares best_squares = {};
   Trust trust = {};                   ///< of `best`

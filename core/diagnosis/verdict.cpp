@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/diagnosis/gains.h"
+#include "core/diagnosis/input_noise.h"
 #include "core/diagnosis/report_tables.h"
 
 namespace capstan::diagnosis {
@@ -16,9 +17,10 @@ double meanSquare(const BlockSquares& squares, Eigen::Index c) {
   return n > 0.0 ? squares.sum.row(c).sum() / n : 0.0;
 }
 
-double noiseSquare(const FitData& data, Eigen::Index c) {
-  const double noise = data.channels()[static_cast<std::size_t>(c)].noise;
-  return noise * noise;
+/// Of the sensor, and of what those of loads and motors bring in.
+double noiseSquare(const FitData& data, const Selection& s, Eigen::Index c) {
+  const double sensor = data.channels()[static_cast<std::size_t>(c)].noise;
+  return sensor * sensor + s.input_noise[c] * s.input_noise[c];
 }
 
 /// What a simplified law, the clock of the recording and the steps of an integration leave of a number at
@@ -128,10 +130,15 @@ void addTies(const Selection& s, const FitData& data, const Eigen::MatrixXd& cov
 
 }  // namespace
 
+double mostByChance(const FitData& data, const Selection& s, Eigen::Index c) {
+  const double sensor = kBeyondNoise * data.channels()[static_cast<std::size_t>(c)].noise;
+  return sensor * sensor + kSwings * s.input_noise[c] * s.input_noise[c];
+}
+
 double explainedShare(const FitData& data, const Selection& s) {
   double most = 0.0, share = 0.0;
   for (Eigen::Index c = 0; c < s.base_squares.sum.rows(); ++c) {
-    const double noise = noiseSquare(data, c), before = meanSquare(s.base_squares, c) - noise;
+    const double noise = noiseSquare(data, s, c), before = meanSquare(s.base_squares, c) - noise;
     const double beyond = noise > 0.0 ? before / noise : before;
     if (!(beyond > most)) continue;
     most = beyond;
@@ -142,8 +149,7 @@ double explainedShare(const FitData& data, const Selection& s) {
 
 bool somethingLeft(const FitData& data, const Selection& s) {
   for (Eigen::Index c = 0; c < s.best_squares.sum.rows(); ++c)
-    if (meanSquare(s.best_squares, c) > kBeyondNoise * kBeyondNoise * noiseSquare(data, c) &&
-        s.best_squares.inflation[c] > 2.0)
+    if (meanSquare(s.best_squares, c) > mostByChance(data, s, c) && s.best_squares.inflation[c] > 2.0)
       return true;
   return false;
 }

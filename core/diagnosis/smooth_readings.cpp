@@ -1,4 +1,4 @@
-#include "core/diagnosis/smooth_positions.h"
+#include "core/diagnosis/smooth_readings.h"
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
@@ -64,7 +64,7 @@ class Whittaker {
 
 }  // namespace
 
-std::vector<double> smoothPositions(std::span<const double> readings, double noise) {
+std::vector<double> smoothReadings(std::span<const double> readings, double noise) {
   std::vector<double> result(readings.begin(), readings.end());
   const auto n = static_cast<Index>(readings.size());
   if (n < 8 || !(noise > 0.0)) return result;
