@@ -151,9 +151,27 @@ class Rounds {
     }
   }
 
-  static bool worthNaming(const Contender& c) {
+  bool worthNaming(const Selection& s, const Contender& c) const {
     return c.reduction.share > kWorthNaming && c.gain.front() > kLeastScore && lowerOf(c.gain, kSure) > 0.0 &&
-           beyondEveryday(c);
+           beyondEveryday(c) && clearOfNone(s, c);
+  }
+
+  /// Some number of the effect is kClear of its own σ away from zero, where zero is none of it.
+  bool clearOfNone(const Selection& s, const Contender& c) const {
+    const std::size_t last = c.fit.model.effects().size() - 1;  // where `with` puts it
+    const EffectTerm& term = c.fit.model.effects()[last];
+    const std::vector<double> neutral = c.added.hypothesis->neutral();
+    const Eigen::MatrixXd covariance = covarianceOf(data_, c.fit, s.trust);
+    bool any_zero = false;
+    for (std::size_t k = 0; k < neutral.size(); ++k) {
+      const int at = term.index[k];
+      if (neutral[k] != 0.0 || at < 0) continue;
+      any_zero = true;
+      const FitParameter& p = c.fit.model.parameters()[static_cast<std::size_t>(at)];
+      const double sigma = p.valueSigma(c.fit.u[at], std::sqrt(covariance(at, at)));
+      if (std::abs(p.value(c.fit.u[at])) > kClear * sigma) return true;
+    }
+    return !any_zero;
   }
 
   /// Every robot has some of some effects: these have a name when there is clearly more.
@@ -172,7 +190,7 @@ class Rounds {
     std::vector<Contender> contenders = contendersOf(s, promises);
     note(s, promises, contenders, round);
     if (contenders.empty() || cancelled(progress_)) return false;
-    std::erase_if(contenders, [](const Contender& c) { return !worthNaming(c); });
+    std::erase_if(contenders, [&](const Contender& c) { return !worthNaming(s, c); });
     if (contenders.empty()) return false;
     Rivals rivals{contenders.front().added, {}, {contenders.front().share}};
     for (std::size_t k = 1; k < contenders.size(); ++k)

@@ -53,6 +53,7 @@ inline constexpr double kWorthNaming = 0.06;
 inline constexpr double kLeastScore = 6.0;        ///< [nats]: against some hundred hypotheses
 inline constexpr double kSure = 0.02;             ///< quantile of the bootstrap that must be above zero
 inline constexpr double kMoreThanEveryday = 1.5;  ///< times Hypothesis::everyday
+inline constexpr double kClear = 3.0;             ///< of its own σ
 /// Another effect is not told apart from the best where it is the best in this share of draws, or scores this
 /// share of the best: a rival explains nearly as much only where the motion does not part the two, and what
 /// is left between them is then within what contacts and stiff cables leave to the steps of an integration.
