@@ -13,7 +13,7 @@ namespace capstan::diagnosis {
 Eigen::VectorXd inputNoise(const FitData& data, const Fit& at, const Trust& trust);
 inline constexpr int kInputDraws = 4;
 /// Mean square, in that of the inputs' noise, up to which a few slow swings of it are what is left: it has
-/// few degrees of freedom, and what was fitted to some of it does worse on the rest.
+/// few degrees of freedom.
 inline constexpr double kSwings = 2.5;
 
 }  // namespace capstan::diagnosis

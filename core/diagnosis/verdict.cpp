@@ -148,9 +148,9 @@ double explainedShare(const FitData& data, const Selection& s) {
 }
 
 bool somethingLeft(const FitData& data, const Selection& s) {
-  for (Eigen::Index c = 0; c < s.best_squares.sum.rows(); ++c)
-    if (meanSquare(s.best_squares, c) > mostByChance(data, s, c) && s.best_squares.inflation[c] > 2.0)
-      return true;
+  const BlockSquares left = squaresOf(data, s.best.e);
+  for (Eigen::Index c = 0; c < left.sum.rows(); ++c)
+    if (meanSquare(left, c) > mostByChance(data, s, c) && left.inflation[c] > 2.0) return true;
   return false;
 }
 

@@ -11,12 +11,12 @@ namespace capstan::diagnosis {
 /// 1 − (S_after − n noise²) / (S_before − n noise²), between 0 and 1.
 double explainedShare(const FitData& data, const Selection& selection);
 
-/// Mean square of channel c on blocks left out up to which there is nothing in it but noise: of its sensor,
+/// Mean square of channel c up to which there is nothing in it but noise: of its sensor,
 /// and of those that drive the simulation.
 double mostByChance(const FitData& data, const Selection& selection, Eigen::Index c);
 
 /// Whether the remainder of the selection's best model has more than noise and chance in it: some channel's
-/// mean square is beyond mostByChance(), and it lasts from sample to sample.
+/// mean square, of what the fit itself leaves, is beyond mostByChance(), and it lasts from sample to sample.
 bool somethingLeft(const FitData& data, const Selection& selection);
 inline constexpr double kBeyondNoise = 1.2;  ///< RMS, in noise of the sensor
 /// Share that effects must explain before they, and not something unknown, are the verdict, where something
