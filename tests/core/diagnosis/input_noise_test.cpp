@@ -1,0 +1,71 @@
+// Noise of load cells comes through the simulation as large as it is told to; effects are not named for it.
+#include "core/diagnosis/input_noise.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/diagnosis/diagnose.h"
+#include "core/diagnosis/joint_scales.h"
+#include "core/diagnosis/read_evidence.h"
+#include "core/diagnosis/selection.h"
+#include "tests/support/planted/planted_case.h"
+
+namespace capstan::diagnosis {
+namespace {
+
+/// A sound rigid axis under loads that are measured with noise, and its refitted nominal structure.
+struct Sound {
+  robot::Description robot = robot::readDescription(std::filesystem::path(CAPSTAN_SOURCE_DIR) /
+                                                    "tests/support/planted/data/rigid_axis.yaml");
+  std::vector<Evidence> evidence;
+
+  explicit Sound(double load_sigma) {
+    test::DrawOptions options;
+    options.robot = robot;
+    options.rigid = true;
+    options.effects = 0;
+    options.duration = 20.0;
+    test::PlantedCase drawn = test::draw(5, options);
+    drawn.sensors.load_cells = true;
+    drawn.sensors.load_sigma = load_sigma;
+    EvidenceOptions read;
+    read.drive = DriveKind::kRigid;
+    evidence.push_back(evidenceOf(test::record(drawn).table, robot, read));
+  }
+
+  Selection refitted(const FitData& data) const {
+    SelectionOptions options;
+    options.most_causes = 0;
+    return select(data, evidence, FitModel(robot, jointScales(evidence, robot)), options, nullptr);
+  }
+};
+
+TEST(InputNoise, IsWhatARefittedRobotLeavesBeyondItsEncoders) {
+  const Sound sound(0.4);
+  const FitData data(sound.evidence, sound.robot, 2.0, EncoderZeros::kKnown, 2);
+  const Selection s = sound.refitted(data);
+  const double sensor = data.channels()[0].noise, input = s.input_noise[0];
+  const BlockSquares squares = squaresOf(data, s.base.e);
+  const double left = std::sqrt(squares.sum.row(0).sum() / squares.count.row(0).sum());
+  EXPECT_GT(input, sensor);
+  EXPECT_GT(left, 0.6 * std::hypot(sensor, input));
+  EXPECT_LT(left, 1.5 * std::hypot(sensor, input));
+}
+
+TEST(InputNoise, IsNextToNothingBehindGoodLoadCells) {
+  const Sound sound(1e-5);
+  const FitData data(sound.evidence, sound.robot, 2.0, EncoderZeros::kKnown, 2);
+  const Selection s = sound.refitted(data);
+  EXPECT_LT(s.input_noise[0], 0.2 * data.channels()[0].noise);
+}
+
+TEST(InputNoise, IsNoEffect) {
+  const Sound sound(0.4);
+  DiagnosisOptions options;
+  options.show = false;
+  EXPECT_EQ(diagnose(sound.evidence, sound.robot, options).verdict, Verdict::kNothing);
+}
+
+}  // namespace
+}  // namespace capstan::diagnosis
