@@ -14,9 +14,10 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using Matrix = Eigen::SparseMatrix<double>;
 
-constexpr Index kStretch = 50;                     // readings
-constexpr double kMostOften = 0.9;                 // share of the stretches that must be within noise
-constexpr double kSlack = 1.1;                     // times noise: a short stretch's own scatter
+constexpr Index kStretch = 50;      // readings
+constexpr double kMostOften = 0.9;  // share of the stretches that must be within noise
+constexpr double kSlack = 1.1;      // times noise: a short stretch's own scatter
+constexpr double kMost = 2.0;       // times noise, of any: rest beside an encoder's step has √3
 constexpr double kFastest = 1.0, kSlowest = 0.01;  // cut-off of the smoother [rad per reading]
 constexpr int kHalvings = 6;
 
@@ -33,13 +34,14 @@ Matrix thirdDifferences(Index n) {
   return d;
 }
 
-/// RMS of what is left, that kMostOften of the stretches have or less.
-double usualError(const VectorXd& left) {
+/// No stretch is left by more than noise: kMostOften of them, and none by far.
+bool isNoise(const VectorXd& left, double noise) {
   std::vector<double> errors;
   for (Index k = 0; k + kStretch <= left.size(); k += kStretch)
     errors.push_back(std::sqrt(left.segment(k, kStretch).squaredNorm() / kStretch));
   if (errors.empty()) errors.push_back(std::sqrt(left.squaredNorm() / static_cast<double>(left.size())));
-  return stats::quantile(errors, kMostOften);
+  return stats::quantile(errors, kMostOften) <= kSlack * noise &&
+         *std::max_element(errors.begin(), errors.end()) <= kMost * noise;
 }
 
 class Whittaker {
@@ -76,7 +78,7 @@ std::vector<double> smoothReadings(std::span<const double> readings, double nois
   for (int k = 0; k <= kHalvings; ++k) {
     const double middle = k == 0 ? high : 0.5 * (low + high);
     const VectorXd x = smooth(y, std::exp(middle));
-    const bool within = usualError(y - x) <= kSlack * noise;
+    const bool within = isNoise(y - x, noise);
     if (within) best = x;
     if (k == 0 && !within) break;  // even the least takes off more than noise
     (within ? high : low) = middle;
