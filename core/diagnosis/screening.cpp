@@ -183,7 +183,8 @@ Promise judge(const Probe& probe, const Projection& projection, const MatrixXd& 
     const std::size_t number = probe.numbers[k];
     promise.start.value[number] += kLittle * size[static_cast<Index>(k)] * promise.start.scale[number];
   }
-  if (whole && size.size() > 0 && probe.start.value[0] > 0.0 && probe.suspect.hypothesis->neutral()[0] == 0.0)
+  if (whole && size.size() > 0 && probe.start.scale[0] > 0.0 && probe.start.value[0] > 0.0 &&
+      probe.suspect.hypothesis->neutral()[0] == 0.0)
     promise.start.value[0] *= std::clamp(size[0], 0.2, kFarthest);
   return promise;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -156,22 +157,22 @@ class Rounds {
            beyondEveryday(c) && clearOfNone(s, c);
   }
 
-  /// Some number of the effect is kClear of its own σ away from zero, where zero is none of it.
+  /// The effect's numbers together are kClear of their own σ away from zero, where zero is none of it.
   bool clearOfNone(const Selection& s, const Contender& c) const {
     const std::size_t last = c.fit.model.effects().size() - 1;  // where `with` puts it
-    const EffectTerm& term = c.fit.model.effects()[last];
+    const std::vector<int>& index = c.fit.model.effects()[last].index;
     const std::vector<double> neutral = c.added.hypothesis->neutral();
-    const Eigen::MatrixXd covariance = covarianceOf(data_, c.fit, s.trust);
-    bool any_zero = false;
-    for (std::size_t k = 0; k < neutral.size(); ++k) {
-      const int at = term.index[k];
-      if (neutral[k] != 0.0 || at < 0) continue;
-      any_zero = true;
-      const FitParameter& p = c.fit.model.parameters()[static_cast<std::size_t>(at)];
-      const double sigma = p.valueSigma(c.fit.u[at], std::sqrt(covariance(at, at)));
-      if (std::abs(p.value(c.fit.u[at])) > kClear * sigma) return true;
+    std::vector<Eigen::Index> own;
+    for (std::size_t k = 0; k < neutral.size(); ++k)
+      if (neutral[k] == 0.0 && index[k] >= 0) own.push_back(index[k]);
+    if (own.empty()) return true;
+    Eigen::VectorXd size(static_cast<Eigen::Index>(own.size()));
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      const FitParameter& p = c.fit.model.parameters()[static_cast<std::size_t>(own[k])];
+      size[static_cast<Eigen::Index>(k)] = p.value(c.fit.u[own[k]]) / p.scale;
     }
-    return !any_zero;
+    const Eigen::MatrixXd covariance = covarianceOf(data_, c.fit, s.trust)(own, own);
+    return size.dot(covariance.completeOrthogonalDecomposition().solve(size)) > kClear * kClear;
   }
 
   /// Every robot has some of some effects: these have a name when there is clearly more.
@@ -180,6 +181,11 @@ class Rounds {
     const double everyday = c.added.hypothesis->everyday(scalesOf(c.fit.model.scales(), c.added.joint));
     const std::size_t last = c.fit.model.effects().size() - 1;  // where `with` puts it
     return c.added.hypothesis->size(c.fit.model.effectValues(last, c.fit.u)) > kMoreThanEveryday * everyday;
+  }
+
+  static bool sameLeft(const Contender& other, const Contender& best) {
+    const double left = 1.0 - other.reduction.share;
+    return other.reduction.share > kMost && left < kSameLeft * (1.0 - best.reduction.share);
   }
 
   bool addOne(Selection& s, int round) {
@@ -194,7 +200,7 @@ class Rounds {
     if (contenders.empty()) return false;
     Rivals rivals{contenders.front().added, {}, {contenders.front().share}};
     for (std::size_t k = 1; k < contenders.size(); ++k)
-      if (contenders[k].share > kRival ||
+      if (contenders[k].share > kRival || sameLeft(contenders[k], contenders.front()) ||
           contenders[k].gain.front() > kAsGood * contenders.front().gain.front()) {
         rivals.others.push_back(contenders[k].added);
         rivals.shares.push_back(contenders[k].share);

@@ -52,12 +52,14 @@ struct Selection {
 inline constexpr double kWorthNaming = 0.06;
 inline constexpr double kLeastScore = 6.0;        ///< [nats]: against some hundred hypotheses
 inline constexpr double kSure = 0.02;             ///< quantile of the bootstrap that must be above zero
-inline constexpr double kMoreThanEveryday = 1.5;  ///< times Hypothesis::everyday
-inline constexpr double kClear = 3.0;             ///< of its own σ
+inline constexpr double kMoreThanEveryday = 1.2;  ///< times Hypothesis::everyday
+inline constexpr double kClear = 3.0;             ///< σ of its own numbers together
 /// Another effect is not told apart from the best where it is the best in this share of draws, or scores this
 /// share of the best: a rival explains nearly as much only where the motion does not part the two, and what
 /// is left between them is then within what contacts and stiff cables leave to the steps of an integration.
 inline constexpr double kRival = 0.08, kAsGood = 0.7;
+/// Nor where both take off most of a remainder and leave nearly the same.
+inline constexpr double kMost = 0.9, kSameLeft = 1.15;
 /// refits of the most promising, and drops again what later ones make superfluous.
 Selection select(const FitData& data, const std::vector<Evidence>& recordings, const FitModel& base,
                  const SelectionOptions& options, base::Progress* progress);

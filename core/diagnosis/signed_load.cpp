@@ -7,6 +7,8 @@
 namespace capstan::diagnosis {
 namespace {
 
+constexpr double kAway = 2.0;  // times what counts as zero
+
 /// Centred moving average over ±half rows.
 std::vector<double> smoothed(std::span<const double> x, std::size_t half) {
   std::vector<double> sums(x.size() + 1, 0.0), mean(x.size());
@@ -36,8 +38,9 @@ std::vector<double> withSigns(std::span<const double> magnitude) {
       load[k] *= sign, ++k;
       continue;
     }
-    std::size_t end = k;  // a visit to zero: its lowest place is where the sign changes
-    while (end < level.size() && level[end] < reach) ++end;
+    std::size_t end =
+        k;  // a visit to zero, over when it is well away: its lowest place is where signs change
+    while (end < level.size() && level[end] < kAway * reach) ++end;
     const auto lowest = std::min_element(level.begin() + static_cast<std::ptrdiff_t>(k),
                                          level.begin() + static_cast<std::ptrdiff_t>(end));
     const auto turn = static_cast<std::size_t>(lowest - level.begin());

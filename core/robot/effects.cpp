@@ -112,7 +112,9 @@ std::vector<EffectFacts> sensorEffects() {
       factsOf("camera_scale", kWholeArm,
               {{"share", "", -0.5, 0.5, "by which the cameras see lengths larger"}}),
       factsOf("sensor_sign", kAnyDrive,
-              {{"present", "", 0.0, 1.0, "1: the load sensor tells magnitude only; 0: sign too"}}),
+              {{"present", "", -1.0, 1.0,
+                "0: the load sensor tells the sign; 1 or -1: magnitude only, the first load is positive or "
+                "negative"}}),
   };
 }
 

@@ -48,7 +48,7 @@ JointNumbers<double> jointNumbers(const Joint& joint, const Drive& drive) {
   p.coulomb = joint.friction.coulomb;
   p.viscous = joint.friction.viscous;
   p.inverse_smoothing = 1.0 / joint.friction.smoothing;
-  p.gain = 1.0;
+  p.gain = p.load_gain = 1.0;
   p.motor_inertia = drive.motor_inertia;
   p.motor_coulomb = drive.motor_friction.coulomb;
   p.motor_viscous = drive.motor_friction.viscous;
@@ -156,7 +156,8 @@ void addToFriction(const Effect& e, JointNumbers<double>& p) {
   if (name == "inertia") p.armature += e["added"];
   if (name == "actuator_gain") p.gain *= 1.0 + e["share"];
   if (name == "torque_offset") p.offset += e["offset"];
-  if (name == "sensor_sign") p.load_sign = e["present"];
+  if (name == "sensor_sign")
+    p.load_sign = std::abs(e["present"]), p.load_gain = e["present"] < 0.0 ? -1.0 : 1.0;
 }
 
 }  // namespace

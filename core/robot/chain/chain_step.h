@@ -51,7 +51,8 @@ class ChainStep {
     for (int i = 0; i < shape_.joints; ++i) {
       bodies_.mass[i][i] = bodies_.mass[i][i] + p_.joints[i].armature;
       const JointNumbers<S>& joint = p_.joints[i];
-      load_[i] = input.load[i] + joint.load_sign * (input.signed_load[i] - input.load[i]) + joint.offset;
+      const S measured = input.load[i] + joint.load_sign * (input.signed_load[i] - input.load[i]);
+      load_[i] = joint.load_gain * measured + joint.offset;
       if (!shape_.rigid) prepareTravel(input, i);
       if (!shape_.rigid || compliant(i)) continue;
       const S ratio = joint.link_radius / joint.lever;
