@@ -202,6 +202,35 @@ TEST(WithSigns, turnsTheSignWhereTheMagnitudeTouchesZero) {
   EXPECT_EQ(wrong, 0);
 }
 
+TEST(WithSigns, turnsOnceWhereNoiseLingersAboutZero) {
+  std::vector<double> magnitude, load;
+  base::Random random(8);
+  for (int k = 0; k < 20000; ++k) {
+    load.push_back(-0.3 * std::sin(2.0 * std::numbers::pi * k / 9000.0 - 0.9));
+    magnitude.push_back(std::abs(load.back() + random.normal(0.0, 0.005)));
+  }
+  const std::vector<double> told = withSigns(magnitude);
+  const double start = load.front() < 0.0 ? -1.0 : 1.0;  // nobody can know
+  int wrong = 0;
+  for (std::size_t k = 0; k < load.size(); ++k)
+    wrong += std::abs(load[k]) > 0.05 && start * told[k] * load[k] < 0.0;
+  EXPECT_EQ(wrong, 0);
+}
+
+TEST(Creep, mayHaveBegunBeforeTheRecording) {
+  const Planted planted(11, test::Effect::kCableCreep, 3, 24.0);
+  const FitData data(planted.evidence, planted.robot, 2.0, EncoderZeros::kKnown, 2);
+  const Selection s =
+      select(data, planted.evidence, FitModel(planted.robot, jointScales(planted.evidence, planted.robot)),
+             {.most_causes = 1, .refits = 3, .only = {"cable_creep"}, .seed = 1}, nullptr);
+  ASSERT_EQ(s.taken.size(), 1U);
+  const FitModel& model = s.best.model;
+  const std::vector<double> found = model.effectValues(model.effects().size() - 1, s.best.u);
+  const test::Planted& truth = planted.truth.items.front().planted;
+  EXPECT_NEAR(found[0], truth.magnitude, 0.05 * truth.magnitude);
+  EXPECT_NEAR(found[1], truth.signature, 0.1 * truth.signature);
+}
+
 Channel channelOf(double line, double frequency) {
   Channel channel;
   channel.name = "q1";

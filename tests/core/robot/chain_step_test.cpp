@@ -258,6 +258,13 @@ TEST(ChainStep, aSensorThatTellsMagnitudeIsGivenItsSigns) {
   const JointVector none = accelerations(0.0, 0.0), pushed = accelerations(2.0, -2.0);
   const JointVector expected = -2.0 * massMatrix(model, q).inverse().col(0);
   EXPECT_LT((pushed - none - expected).norm(), 1e-9 * expected.norm());
+  robot.effects.front().values.front().value = -1.0;  // the first load pushed the other way
+  const ChainModel other(robot);
+  ChainStep<double> step(other.shape, other.numbers);
+  input.load[0] = 2.0, input.signed_load[0] = 2.0;
+  step.look(input, stateAt(other, q, JointVector::Zero(2)));
+  const JointVector turned = Eigen::Map<const VectorXd>(step.acceleration(), 2);
+  EXPECT_LT((turned - none - expected).norm(), 1e-9 * expected.norm());
 }
 
 }  // namespace
