@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/diagnosis/report_tables.h"
 #include "core/diagnosis/shown.h"
 
@@ -15,6 +17,18 @@ std::string oneLine(std::string text) {
   return text;
 }
 
+/// "stribeck friction (joint 1), …": effects that are no causes.
+std::string everydayEffects(const Report& report) {
+  std::string names;
+  for (const robot::Effect& effect : report.extended.effects) {
+    const auto is_it = [&](const Cause& c) { return c.effect == effect.effect && c.joint == effect.joint; };
+    if (std::ranges::any_of(report.causes, is_it)) continue;
+    names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", shownName(effect.effect),
+                         shownJoint(effect.effect, effect.joint));
+  }
+  return names;
+}
+
 }  // namespace
 
 std::string extendedRobotText(const Report& report, const std::string& software) {
@@ -26,6 +40,8 @@ std::string extendedRobotText(const Report& report, const std::string& software)
   for (const Cause& cause : report.causes)
     text +=
         fmt::format("#   {}; probability {:.0f} %\n", oneLine(causeText(cause)), 100.0 * cause.probability);
+  if (const std::string everyday = everydayEffects(report); !everyday.empty())
+    text += "# Beside these, within what every robot has of it: " + everyday + "\n";
   bool moved = false;
   for (const RefitNumber& one : report.refit) {
     if (!one.moved) continue;

@@ -84,6 +84,15 @@ Cause causeOf(const FitData& data, const Suspect& suspect, double probability, c
   return cause;
 }
 
+/// Stretches left out are off by far more than noise though the fit leaves none: too little was seen for
+/// what was fitted to hold elsewhere.
+bool isTooShort(const FitData& data, const Selection& s) {
+  constexpr double kFar = 4.0;
+  for (Eigen::Index c = 0; c < s.best_squares.sum.rows(); ++c)
+    if (meanSquare(s.best_squares, c) > kFar * mostByChance(data, s, c)) return true;
+  return false;
+}
+
 std::string summaryOf(const Report& report, const Selection& s) {
   std::vector<std::string> names;
   for (const Contender& c : s.taken) names.push_back(nameOf(c.added));
@@ -176,6 +185,10 @@ void judge(const FitData& data, const Selection& s, Report& report) {
   else
     report.verdict = Verdict::kNothing;
   report.summary = summaryOf(report, s);
+  if (report.verdict == Verdict::kNothing && isTooShort(data, s))
+    report.summary =
+        "Too little motion to say: the refitted robot explains what it was fitted to, and not "
+        "the stretches left out. Record 20 s or more with all joints in motion.";
 }
 
 }  // namespace capstan::diagnosis

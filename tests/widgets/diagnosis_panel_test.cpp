@@ -198,14 +198,31 @@ TEST_F(Diagnosis, IsCancelledAndKeepsWhatWasThere) {
     while (!progress.cancelled()) QThread::msleep(5);
     return Report{};
   });
-  panel->showReport(sample(Verdict::kFound));
   panel->choose({.recordings = {"/a/one.csv"}});
+  panel->showReport(sample(Verdict::kFound));
   panel->diagnose();
   ASSERT_TRUE(panel->busy());
+  EXPECT_THAT(headline(), HasSubstr("Looking for"));
+  EXPECT_FALSE(button("save_extended")->isVisible()) << "what is saved would be of the run before";
   QTest::keyClick(panel.get(), Qt::Key_Escape);
   ASSERT_TRUE(waitFor([&] { return !panel->busy(); }));
   EXPECT_THAT(panel->words().toStdString(), HasSubstr("Cancelled"));
   EXPECT_THAT(headline(), HasSubstr("Found")) << "the report before";
+}
+
+TEST_F(Diagnosis, AVerdictStandsUnderItsOwnRecordingsOnly) {
+  panel->choose({.recordings = {"/a/one.csv"}});
+  panel->showReport(sample(Verdict::kFound));
+  EXPECT_THAT(headline(), HasSubstr("Found"));
+  panel->choose({.recordings = {"/a/two.csv"}});
+  EXPECT_THAT(headline(), HasSubstr("Ready"));
+  EXPECT_FALSE(panel->report());
+  for (const char* one : {"save_extended", "use_extended", "export_report"})
+    EXPECT_FALSE(button(one)->isVisible()) << one;
+  panel->choose({.recordings = {"/a/one.csv"}});
+  EXPECT_THAT(headline(), HasSubstr("Found")) << "nothing is lost";
+  panel->choose({.recordings = {"/a/one.csv"}, .robot = "/a/other.yaml"});
+  EXPECT_THAT(headline(), HasSubstr("Ready"));
 }
 
 TEST_F(Diagnosis, SaysWhyThereIsNoReport) {
@@ -215,7 +232,8 @@ TEST_F(Diagnosis, SaysWhyThereIsNoReport) {
   panel->choose({.recordings = {"/a/one.csv"}});
   panel->diagnose();
   ASSERT_TRUE(waitFor([&] { return !panel->busy(); }));
-  EXPECT_THAT(panel->words().toStdString(), HasSubstr("one.csv: q_m: is missing. Record the motors"));
+  EXPECT_THAT(headline(), HasSubstr("Not diagnosed"));
+  EXPECT_THAT(panel->summary().toStdString(), HasSubstr("one.csv: q_m: is missing. Record the motors"));
   EXPECT_FALSE(panel->report());
 }
 

@@ -60,11 +60,13 @@ DiagnosisPanel::DiagnosisPanel(DiagnosisRun run, QWidget* parent) : QWidget(pare
   addKeys();
   connect(picker_, &RecordingPicker::changed, this, [this] {
     said_.clear();
+    failed_.clear();
     refresh();
   });
   connect(causes_, &CauseTree::chosenChanged, this, &DiagnosisPanel::onCause);
   connect(pages_, &ReportPages::candidateChosen, this, &DiagnosisPanel::onCandidate);
-  connect(&job_, &Job::failed, this, [this](const QString& why) { said_ = why; });
+  connect(pages_, &ReportPages::currentChanged, this, &DiagnosisPanel::showCard);
+  connect(&job_, &Job::failed, this, [this](const QString& why) { failed_ = why; });
   connect(&job_, &Job::ended, this, &DiagnosisPanel::refresh);
   connect(&job_, &Job::progressed, this, &DiagnosisPanel::onProgress);
   connect(&export_, &ReportExport::progressed, this, &DiagnosisPanel::onProgress);
@@ -195,6 +197,7 @@ void DiagnosisPanel::restore(const QSettings& settings) { choose(DiagnosisChoice
 void DiagnosisPanel::choose(const DiagnosisChoice& choice) {
   picker_->setChoice(choice);
   said_.clear();
+  failed_.clear();
   refresh();
 }
 
@@ -205,12 +208,14 @@ void DiagnosisPanel::diagnoseOrCancel() { busy() ? cancel() : diagnose(); }
 void DiagnosisPanel::diagnose() {
   if (busy() || choice().recordings.isEmpty()) return;
   said_.clear();
+  failed_.clear();
   progress_->setValue(0);
   progress_->setFormat(tr("reading"));
   job_.start([run = run_, choice = choice()](base::Progress& progress) { return run(choice, progress); },
-             [this, of = choice().recordings](Report report) {
-               of_ = of;
+             [this, of = choice()](Report report) {
                showReport(std::move(report));
+               of_ = of;
+               refresh();
              });
   refresh();
 }
@@ -223,13 +228,14 @@ void DiagnosisPanel::onProgress(double fraction, const QString& doing) {
 void DiagnosisPanel::cancel() {
   if (export_.busy()) return export_.cancel();
   if (!job_.busy()) return;
-  said_ = report_ ? tr("Cancelled; what is shown is of the run before.") : tr("Cancelled.");
+  said_ = report() ? tr("Cancelled; what is shown is of the run before.") : tr("Cancelled.");
   job_.cancel();
   refresh();
 }
 
 void DiagnosisPanel::showReport(Report report) {
   report_ = std::make_shared<const Report>(std::move(report));
+  of_ = choice();
   causes_->showReport(*report_);
   pages_->showReport(report_);
   onCause();
@@ -238,14 +244,18 @@ void DiagnosisPanel::showReport(Report report) {
 
 /// Words and pictures follow the cause: the channel that gains most by it.
 void DiagnosisPanel::onCause() {
-  const diagnosis::Cause* cause = causes_->chosen();
   if (!report_) return;
-  if (!cause) {
-    card_->showRemains(*report_);
-    return pages_->showChannel(channelWorthSeeing(*report_));
-  }
+  const diagnosis::Cause* cause = causes_->chosen();
+  pages_->showChannel(cause ? cause->gain.channel : channelWorthSeeing(*report_));
+  showCard();
+}
+
+/// Of the chosen cause; a candidate's words stay no longer than its page.
+void DiagnosisPanel::showCard() {
+  if (!report_) return;
+  const diagnosis::Cause* cause = causes_->chosen();
+  if (!cause) return card_->showRemains(*report_);
   card_->showEffect(cause->effect, placeOf(cause->effect, cause->joint, report_->extended));
-  pages_->showChannel(cause->gain.channel);
 }
 
 void DiagnosisPanel::onCandidate() {
@@ -256,9 +266,11 @@ void DiagnosisPanel::onCandidate() {
 }
 
 void DiagnosisPanel::useRobot() {
-  if (!report_) return;
+  if (!report()) return;
   Q_EMIT robotChosen(report_->extended,
                      tr("extended robot in use, errors anew: %1").arg(headlineOf(*report_)));
+  said_ = tr("The running session uses the extended robot; its errors begin anew.");
+  refresh();
 }
 
 void DiagnosisPanel::askFile() {
@@ -272,7 +284,7 @@ void DiagnosisPanel::askFile() {
 }
 
 void DiagnosisPanel::saveRobot(const QString& path) {
-  if (!report_) return;
+  if (!report()) return;
   const QByteArray content =
       QByteArray::fromStdString(diagnosis::extendedRobotText(*report_, experiments::software()));
   QSaveFile file(path);
@@ -295,7 +307,7 @@ void DiagnosisPanel::askFolder() {
 }
 
 void DiagnosisPanel::exportTo(const QString& folder) {
-  if (!report_ || busy()) return;
+  if (!report() || busy()) return;
   said_.clear();
   try {
     export_.start(*report_, report_->extended.name, folder);
@@ -307,15 +319,19 @@ void DiagnosisPanel::exportTo(const QString& folder) {
 
 void DiagnosisPanel::showVerdict() {
   QString head, below;
-  if (report_) {
-    head = markOf(report_->verdict) + headlineOf(*report_);
-    below = QString::fromStdString(report_->summary);
-    for (const diagnosis::Tie& tie : report_->ties)
+  const Report* shown = job_.busy() ? nullptr : report();
+  if (shown) {
+    head = markOf(shown->verdict) + headlineOf(*shown);
+    below = QString::fromStdString(shown->summary);
+    for (const diagnosis::Tie& tie : shown->ties)
       if (!tie.separate.empty())
         below += QLatin1Char('\n') + tr("To tell them apart: %1").arg(QString::fromStdString(tie.separate));
-  } else if (busy()) {
+  } else if (job_.busy()) {
     head = tr("Looking for what the simulation gets wrong…");
     below = tr("The longer the recordings, the longer it takes; Esc cancels it.");
+  } else if (!failed_.isEmpty()) {
+    head = tr("Not diagnosed");
+    below = failed_;
   } else if (choice().recordings.isEmpty()) {
     head = tr("What does the simulation get wrong?");
     below =
@@ -327,17 +343,18 @@ void DiagnosisPanel::showVerdict() {
   }
   headline_->setText(head);
   summary_->setText(below);
-  split_->setVisible(report_ != nullptr);
-  rest_->setVisible(!report_);
+  split_->setVisible(shown != nullptr);
+  rest_->setVisible(!shown);
 }
 
 void DiagnosisPanel::refresh() {
   showVerdict();
   QStringList lines;
   if (!said_.isEmpty()) lines << said_;
-  if (report_ && said_.isEmpty()) {
-    if (!of_.isEmpty()) lines << tr("Of %1.").arg(namesOf(of_));
-    for (const std::string& notice : report_->notices) lines << QString::fromStdString(notice);
+  const Report* shown = job_.busy() ? nullptr : report();
+  if (shown && said_.isEmpty()) {
+    if (!of_.recordings.isEmpty()) lines << tr("Of %1.").arg(namesOf(of_.recordings));
+    for (const std::string& notice : shown->notices) lines << QString::fromStdString(notice);
   }
   words_->setToolTip(lines.join('\n'));
   constexpr int kMostLines = 2;
@@ -353,8 +370,8 @@ void DiagnosisPanel::refresh() {
   diagnose_->setToolTip(working ? tr("Stop what is being computed (Esc)")
                                 : tr("Find what the simulation gets wrong, and why (F5)"));
   diagnose_->setEnabled(working || !choice().recordings.isEmpty());
-  for (QPushButton* one : {save_, use_, page_}) one->setVisible(report_ != nullptr && !working);
-  use_->setEnabled(report_ && session_joints_ > 0 && report_->extended.size() == session_joints_);
+  for (QPushButton* one : {save_, use_, page_}) one->setVisible(shown != nullptr && !working);
+  use_->setEnabled(shown && session_joints_ > 0 && shown->extended.size() == session_joints_);
 }
 
 void DiagnosisPanel::resizeEvent(QResizeEvent* event) {

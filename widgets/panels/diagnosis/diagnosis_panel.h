@@ -51,7 +51,8 @@ class DiagnosisPanel : public QWidget {
   /// Shows a report, as diagnose() does when it is done.
   void showReport(diagnosis::Report report);
   /// The one shown; null: none yet.
-  const diagnosis::Report* report() const { return report_.get(); }
+  /// That of the recordings and the robot chosen; null: none yet, or of others.
+  const diagnosis::Report* report() const { return of_ == choice() ? report_.get() : nullptr; }
   /// The extended robot as a robot file; what goes wrong is said on the panel.
   void saveRobot(const QString& path);
   /// A page with figures, report.json and robot.yaml in `folder`; how it ends, and why not, is said on the
@@ -87,6 +88,7 @@ class DiagnosisPanel : public QWidget {
   void askFolder();
   void onProgress(double fraction, const QString& doing);
   void onCause();
+  void showCard();
   void onCandidate();
   void showVerdict();
   void refresh();
@@ -94,7 +96,8 @@ class DiagnosisPanel : public QWidget {
   Theme theme_ = Theme::dark();
   DiagnosisRun run_;
   std::shared_ptr<const diagnosis::Report> report_;
-  QStringList of_;  ///< recordings that the report is of
+  DiagnosisChoice of_;  ///< what the report is of
+  QString failed_;      ///< why there is no report; empty: nothing failed
   QString said_;
   int session_joints_ = 0;
   bool user_split_ = false;

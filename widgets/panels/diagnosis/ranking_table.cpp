@@ -99,6 +99,13 @@ void RankingTable::fill() {
   expandAll();
 }
 
+/// Beyond doubling the remainder it does not matter by how much.
+QString RankingTable::takenText(double taken) {
+  if (taken < -1.0) return tr("worse");
+  const double shown = std::abs(taken) < 5e-4 ? 0.0 : taken;
+  return percentText(shown, std::abs(shown) < 0.1 ? 1 : 0);
+}
+
 void RankingTable::addCandidate(QTreeWidgetItem* round, std::size_t index) {
   const Candidate& candidate = candidates_[index];
   const double taken = candidate.refitted ? candidate.reduction : candidate.screened;
@@ -107,7 +114,7 @@ void RankingTable::addCandidate(QTreeWidgetItem* round, std::size_t index) {
                            placeOf(candidate.effect, candidate.joint, {}));
   item->setToolTip(kName, titleOf(candidate.effect) + QStringLiteral(", ") +
                               placeOf(candidate.effect, candidate.joint, robot_));
-  item->setText(kTaken, percentText(taken, std::abs(taken) < 0.1 ? 1 : 0));
+  item->setText(kTaken, takenText(taken));
   item->setText(kScore, scoreText(candidate.score));
   item->setText(kProbability, candidate.refitted ? percentText(candidate.probability) : QStringLiteral("—"));
   item->setFont(kName, textFont(kPoints));

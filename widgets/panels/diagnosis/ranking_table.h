@@ -33,6 +33,7 @@ class RankingTable : public QTreeWidget {
 
  private:
   void fill();
+  static QString takenText(double taken);
   void addCandidate(QTreeWidgetItem* round, std::size_t index);
 
   Theme theme_ = Theme::dark();

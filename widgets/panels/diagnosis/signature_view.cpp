@@ -37,6 +37,16 @@ QString shareText(const Signature& signature) {
   return QString::fromStdString(diagnosis::shareWords(seen ? signature.share : 0.0));
 }
 
+/// Signatures are of what varies: a constant is told before them.
+QString wrongIn(const ChannelReport& channel, const QString& name) {
+  const diagnosis::ChannelStatistics& s = channel.refitted_statistics;
+  const double constant = s.rms > 0.0 ? s.mean * s.mean / (s.rms * s.rms) : 0.0;
+  if (constant < 0.5) return QObject::tr("What is wrong in %1: ").arg(name);
+  return QObject::tr("What is wrong in %1: %2 is the same all the time, %3; of the rest ")
+      .arg(name, QString::fromStdString(diagnosis::shareWords(constant)),
+           QString::fromStdString(diagnosis::shownNumber(s.mean, 0.0, s.unit)));
+}
+
 /// "velocity" of the channel's own joint, "velocity, joint 1" of another.
 QString shortName(const Signature& signature, const diagnosis::Channel& channel) {
   const QString name = QString::fromStdString(signature.variable);
@@ -200,7 +210,7 @@ void SignatureView::draw() {
   const Signature* after = extended() ? against(shown->after, before.variable) : nullptr;
   const QString variable = QString::fromStdString(before.variable);
   const QString name = QString::fromStdString(before.channel);
-  QString words = tr("What is wrong in %1: %2 goes with %3").arg(name, shareText(before), variable);
+  QString words = wrongIn(*shown, name) + tr("%1 goes with %2").arg(shareText(before), variable);
   if (after) words += tr("; with the causes in the model %1").arg(shareText(*after));
   words_->setText(words + QLatin1Char('.'));
   SignatureData drawn;
