@@ -71,8 +71,7 @@ ExtendedArmModel::ExtendedArmModel(const robot::Description& robot, const double
   oscillation_ = largestWithinLimits(model_, robot, robot::chainOscillation);
 }
 
-/// Rows of a millisecond, over which bodies stand still. In each the motors move about their measured
-/// position with their measured velocity: the slope of the positions would be made of the encoders' steps.
+/// Rows of a millisecond, over which bodies stand still.
 void ExtendedArmModel::run(ChainState<ChainLane>& state, const CableArmDrive& drive, double dt) const {
   constexpr double kRow = 1e-3;     // [s]
   constexpr double kMost = 1000.0;  // a gap in the samples must not stall the pipeline
@@ -88,11 +87,9 @@ void ExtendedArmModel::run(ChainState<ChainLane>& state, const CableArmDrive& dr
     double motors[3][2];
     robot::ChainRows driven;
     driven.t = t;
-    const double middle = (row + 0.5) / rows;  // share of the step
     for (int i = 0; i < 3; ++i) {
-      const double position = drive.position0[i] + middle * (drive.position1[i] - drive.position0[i]);
-      const double velocity = drive.velocity0[i] + middle * (drive.velocity1[i] - drive.velocity0[i]);
-      motors[i][0] = position - 0.5 * velocity * step, motors[i][1] = motors[i][0] + velocity * step;
+      const double way = (drive.position1[i] - drive.position0[i]) / rows;
+      motors[i][0] = drive.position0[i] + row * way, motors[i][1] = motors[i][0] + way;
       driven.drive[i] = motors[i];
     }
     kernel_(model_.shape, lanes_, driven, run, state);

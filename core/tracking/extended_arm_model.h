@@ -16,8 +16,7 @@ struct CableMemory {
 };
 
 /// The link side of a robot with effects, sigma points side by side in the lanes of robot/chain's kernel;
-/// every lane has the same numbers. Position and velocity of the motors are linear over a
-/// step, as CableArmDrive has them.
+/// every lane has the same numbers. Motor positions are linear over a step, and their velocity is the slope.
 class ExtendedArmModel {
  public:
   using Points = estimation::SigmaPoints<6>;
