@@ -16,7 +16,8 @@ struct CableMemory {
 };
 
 /// The link side of a robot with effects, sigma points side by side in the lanes of robot/chain's kernel;
-/// every lane has the same numbers. Motor positions are linear over a step, and their velocity is the slope.
+/// every lane has the same numbers. Motor positions are linear over a step, and their velocity
+/// is the slope: measured velocities, which CableArmModel takes, mostly come late.
 class ExtendedArmModel {
  public:
   using Points = estimation::SigmaPoints<6>;

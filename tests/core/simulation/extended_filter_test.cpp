@@ -95,6 +95,18 @@ TEST_P(Known, anEffectMakesTheFilterBetter) {
   EXPECT_LE(knowing.tip, nominal.tip);
 }
 
+TEST(KnownEffect, ofNoSizeCostsNothing) {
+  const std::vector<tracking::Sample> samples = record(raven());
+  robot::Description extended = raven();
+  extended.effects = {{"asymmetric_friction", 2, {{"share", 0.0}}}};
+  const Errors nominal = errorsOf(samples, raven()), knowing = errorsOf(samples, extended);
+  fmt::print("nominal {:.3g} {:.3g} {:.3g}, with an effect of no size {:.3g} {:.3g} {:.3g} [rad, rad, m]\n",
+             nominal.joints[0], nominal.joints[1], nominal.joints[2], knowing.joints[0], knowing.joints[1],
+             knowing.joints[2]);
+  for (int joint = 0; joint < 3; ++joint)
+    EXPECT_LT(knowing.joints[joint] / nominal.joints[joint], 1.1) << joint;
+}
+
 /// RMS of the tip that the cameras saw, against where it was at the exposure [m].
 double cameraError(const std::vector<tracking::Sample>& samples, const robot::Description& known) {
   tracking::TrackingPipeline pipeline(known, std::nullopt, {}, {});
