@@ -56,6 +56,11 @@ std::pair<double, double> parabolaFrom(const std::vector<double>& column, std::s
   return {found[0], found[1] / span};
 }
 
+/// None where none was estimated.
+ChannelNoise noiseOf(const std::vector<ChannelNoise>& noise, std::size_t joint) {
+  return joint < noise.size() ? noise[joint] : ChannelNoise{};
+}
+
 /// A column without its sensor's noise, segment by segment: what drives a simulation must not shake it.
 std::vector<double> smooth(const Evidence& evidence, std::vector<double> column, const ChannelNoise& noise) {
   for (const Segment& segment : evidence.segments) {
@@ -71,7 +76,7 @@ Columns driveOf(const Evidence& evidence) {
   if (evidence.drive == DriveKind::kRigid) return evidence.tau_m;
   Columns columns;
   for (std::size_t j = 0; j < evidence.q_m.size(); ++j)
-    columns.push_back(smooth(evidence, evidence.q_m[j], evidence.noise.q_m[j]));
+    columns.push_back(smooth(evidence, evidence.q_m[j], noiseOf(evidence.noise.q_m, j)));
   return columns;
 }
 
@@ -96,8 +101,9 @@ ChainSimulation::ChainSimulation(const Evidence& evidence, const robot::Descript
     const auto at = static_cast<std::size_t>(j);
     rows_.drive[j] = drive_[at].data();
     if (evidence.tau_ext.empty()) continue;
-    load_.push_back(smooth(evidence, evidence.tau_ext[at], evidence.noise.tau_ext[at]));
-    signed_load_.push_back(smooth(evidence, withSigns(evidence.tau_ext[at]), evidence.noise.tau_ext[at]));
+    load_.push_back(smooth(evidence, evidence.tau_ext[at], noiseOf(evidence.noise.tau_ext, at)));
+    signed_load_.push_back(
+        smooth(evidence, withSigns(evidence.tau_ext[at]), noiseOf(evidence.noise.tau_ext, at)));
   }
   for (std::size_t j = 0; j < load_.size(); ++j) {
     rows_.load[j] = load_[j].data();
@@ -261,10 +267,11 @@ void ChainSimulation::simulateShaken(const Robot& robot, base::Random& random,
   Columns drive = drive_, load = load_, signed_load = signed_load_;
   for (std::size_t j = 0; j < drive.size(); ++j) {
     if (evidence_.drive == DriveKind::kCable)
-      rows.drive[j] = (drive[j] = shaken(std::move(drive[j]), noise.q_m[j])).data();
+      rows.drive[j] = (drive[j] = shaken(std::move(drive[j]), noiseOf(noise.q_m, j))).data();
     if (load.empty()) continue;
-    rows.load[j] = (load[j] = shaken(std::move(load[j]), noise.tau_ext[j])).data();
-    rows.signed_load[j] = (signed_load[j] = shaken(std::move(signed_load[j]), noise.tau_ext[j])).data();
+    rows.load[j] = (load[j] = shaken(std::move(load[j]), noiseOf(noise.tau_ext, j))).data();
+    rows.signed_load[j] =
+        (signed_load[j] = shaken(std::move(signed_load[j]), noiseOf(noise.tau_ext, j))).data();
   }
   simulate(rows, {&robot, 1}, told);
 }

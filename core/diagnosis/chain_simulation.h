@@ -54,6 +54,8 @@ class ChainSimulation {
  public:
   /// Keeps a reference to `evidence`.
   ChainSimulation(const Evidence& evidence, const robot::Description& robot, double horizon);
+  ChainSimulation(const ChainSimulation&) = delete;  // rows_ points into its own columns
+  ChainSimulation& operator=(const ChainSimulation&) = delete;
 
   const Compared& compared() const { return compared_; }
   const std::vector<Window>& windows() const { return windows_; }

@@ -138,13 +138,14 @@ std::vector<double> Comparison::gain(const BlockSquares& worse, const BlockSquar
 }
 
 Reduction largestReduction(const BlockSquares& worse, const BlockSquares& better) {
-  Reduction largest{-1e9, 0};
+  constexpr double kNone = -1e9;
+  Reduction largest{kNone, 0};
   for (Index c = 0; c < worse.sum.rows(); ++c) {
     const double before = worse.sum.row(c).sum(), after = better.sum.row(c).sum();
     if (before > 0.0 && 1.0 - after / before > largest.share)
       largest = {1.0 - after / before, static_cast<int>(c)};
   }
-  return largest;
+  return largest.share == kNone ? Reduction{} : largest;
 }
 
 double lowerOf(const std::vector<double>& gain, double p) {

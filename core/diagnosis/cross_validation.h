@@ -47,7 +47,8 @@ class Comparison {
   Eigen::MatrixXd times_;  ///< blocks × (1 + draws): how often each is drawn; the first column is ones
 };
 
-/// 1 − S_c(better) / S_c(worse) of the channel where it is largest, and that channel.
+/// 1 − S_c(better) / S_c(worse) of the channel where it is largest, and that channel; 0 where `worse` leaves
+/// nothing in any.
 struct Reduction {
   double share = 0.0;
   int channel = 0;

@@ -162,9 +162,14 @@ class Rounds {
     const std::size_t last = c.fit.model.effects().size() - 1;  // where `with` puts it
     const std::vector<int>& index = c.fit.model.effects()[last].index;
     const std::vector<double> neutral = c.added.hypothesis->neutral();
+    const auto& numbers = c.added.hypothesis->facts().parameters;
     std::vector<Eigen::Index> own;
-    for (std::size_t k = 0; k < neutral.size(); ++k)
-      if (neutral[k] == 0.0 && index[k] >= 0) own.push_back(index[k]);
+    for (std::size_t k = 0; k < neutral.size(); ++k) {
+      if (neutral[k] != 0.0 || index[k] < 0 || numbers[k].name == "time") continue;
+      const auto at = static_cast<std::size_t>(index[k]);
+      if (at < c.fit.bound.size() && c.fit.bound[at]) return true;  // and would go further
+      own.push_back(index[k]);
+    }
     if (own.empty()) return true;
     Eigen::VectorXd size(static_cast<Eigen::Index>(own.size()));
     for (std::size_t k = 0; k < own.size(); ++k) {
@@ -185,7 +190,8 @@ class Rounds {
 
   static bool sameLeft(const Contender& other, const Contender& best) {
     const double left = 1.0 - other.reduction.share;
-    return other.reduction.share > kMost && left < kSameLeft * (1.0 - best.reduction.share);
+    return other.reduction.channel == best.reduction.channel && best.reduction.share > kTakesMost &&
+           other.reduction.share > kTakesMost && left < kSameLeft * (1.0 - best.reduction.share);
   }
 
   bool addOne(Selection& s, int round) {
@@ -219,6 +225,7 @@ class Rounds {
   };
   Settled settled(Fit from) const {
     Settled s{std::move(from), {}, {}};
+    s.trust.weights = weightsFor(data_, s.fit.e);
     for (int pass = 0; pass < 3 && !cancelled(progress_); ++pass) {
       s.trust.weights = weightsFor(data_, s.fit.e);
       s.fit = fit(data_, s.fit.model, s.fit.u, s.fit.initial, s.trust, {kLastIterations, 0.05, nullptr},

@@ -59,8 +59,9 @@ inline constexpr double kClear = 3.0;             ///< σ of its own numbers tog
 /// is left between them is then within what contacts and stiff cables leave to the steps of an integration.
 inline constexpr double kRival = 0.08, kAsGood = 0.7;
 /// Nor where both take off most of a remainder and leave nearly the same.
-inline constexpr double kMost = 0.9, kSameLeft = 1.15;
-/// refits of the most promising, and drops again what later ones make superfluous.
+inline constexpr double kTakesMost = 0.9, kSameLeft = 1.15;
+/// Forward selection: in each round score tests of every hypothesis on every joint, refits of the most
+/// promising, and the best of them is taken; drops again what later ones make superfluous.
 Selection select(const FitData& data, const std::vector<Evidence>& recordings, const FitModel& base,
                  const SelectionOptions& options, base::Progress* progress);
 

@@ -34,12 +34,12 @@ std::vector<double> withSigns(std::span<const double> magnitude) {
   double sign = 1.0;
   std::size_t k = 0;
   while (k < level.size()) {
-    if (level[k] >= reach) {
+    if (!(level[k] < reach)) {
       load[k] *= sign, ++k;
       continue;
     }
-    std::size_t end =
-        k;  // a visit to zero, over when it is well away: its lowest place is where signs change
+    // A visit to zero, over when the level is well away: its lowest place is where the sign changes.
+    std::size_t end = k;
     while (end < level.size() && level[end] < kAway * reach) ++end;
     const auto lowest = std::min_element(level.begin() + static_cast<std::ptrdiff_t>(k),
                                          level.begin() + static_cast<std::ptrdiff_t>(end));

@@ -39,7 +39,8 @@ bool isNoise(const VectorXd& left, double noise) {
   std::vector<double> errors;
   for (Index k = 0; k + kStretch <= left.size(); k += kStretch)
     errors.push_back(std::sqrt(left.segment(k, kStretch).squaredNorm() / kStretch));
-  if (errors.empty()) errors.push_back(std::sqrt(left.squaredNorm() / static_cast<double>(left.size())));
+  const Index last = std::min(kStretch, left.size());
+  errors.push_back(std::sqrt(left.tail(last).squaredNorm() / static_cast<double>(last)));
   return stats::quantile(errors, kMostOften) <= kSlack * noise &&
          *std::max_element(errors.begin(), errors.end()) <= kMost * noise;
 }

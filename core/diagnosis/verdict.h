@@ -23,7 +23,8 @@ inline constexpr double kBeyondNoise = 1.2;  ///< RMS, in noise of the sensor
 /// is left.
 inline constexpr double kExplains = 0.96;
 
-/// Fills verdict, causes, ties, explained and summary of the report.
+/// Fills verdict, causes, ties, explained and summary of the report. The σ of a cause's number is that of the
+/// fit, 1 % of the number, which a simplified law leaves at best, and half of what every robot has of it.
 void judge(const FitData& data, const Selection& selection, Report& report);
 
 }  // namespace capstan::diagnosis

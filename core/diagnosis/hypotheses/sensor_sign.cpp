@@ -28,7 +28,9 @@ class SensorSign final : public Hypothesis {
   Place place() const override { return Place::kSensor; }
   const HypothesisWords& words() const override { return kWords; }
   std::vector<double> neutral() const override { return {0.0}; }
-  std::vector<EffectStart> starts(const JointScales&, int) const override { return {{{1.0}, {0.0}}, {{-1.0}, {0.0}}}; }
+  std::vector<EffectStart> starts(const JointScales&, int) const override {
+    return {{{1.0}, {0.0}}, {{-1.0}, {0.0}}};
+  }
 };
 
 }  // namespace

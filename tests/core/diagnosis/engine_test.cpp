@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numbers>
+#include <thread>
 
 #include "core/base/error.h"
 #include "core/base/random.h"
@@ -291,6 +293,22 @@ TEST(Diagnose, cancelledItSaysSo) {
   base::Progress progress;
   progress.cancel();
   EXPECT_TRUE(diagnose(planted.evidence, planted.robot, {}, &progress).cancelled);
+}
+
+TEST(Diagnose, isCancelledWhileItSettles) {
+  const Planted planted(102, test::Effect::kPulleyRadius, 2, 8.0);
+  base::Progress progress;
+  std::atomic<bool> over = false, settling = false;
+  std::thread watch([&] {
+    while (!over && !settling)
+      if (progress.doing().starts_with("Settling")) settling = true;
+    progress.cancel();
+  });
+  const Report report = diagnose(planted.evidence, planted.robot, {}, &progress);
+  over = true;
+  watch.join();
+  EXPECT_TRUE(settling);
+  EXPECT_TRUE(report.cancelled);
 }
 
 }  // namespace

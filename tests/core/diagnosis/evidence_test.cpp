@@ -46,6 +46,24 @@ void eraseRows(session::MeasuredTable& table, std::size_t begin, std::size_t end
     if (!columns->empty()) cut((*columns)[0]);
 }
 
+TEST(Evidence, LoadsThatWereNotReadDoNotCount) {
+  session::MeasuredTable table = jointTable();
+  table.tau_ext = {std::vector<double>(table.rows(), 0.5)};
+  for (std::size_t i = 0; i < 5; ++i) table.tau_ext[0][i] = kNaN;
+  const Evidence evidence = evidenceOf(table, slide());
+  for (std::size_t i = 0; i < evidence.rows(); ++i) {
+    ASSERT_EQ(evidence.tau_ext[0][i], 0.5) << i;
+    ASSERT_EQ(evidence.counts(i), i >= 5) << i;
+  }
+  table.tau_ext[0].assign(table.rows(), kNaN);
+  try {
+    evidenceOf(table, slide());
+    FAIL() << "a column without a reading";
+  } catch (const base::InputError& error) {
+    EXPECT_EQ(error.fault().key, "tau_ext1");
+  }
+}
+
 TEST(Evidence, AnEvenTableKeepsItsNumbers) {
   const session::MeasuredTable table = jointTable();
   const Evidence evidence = evidenceOf(table, slide());

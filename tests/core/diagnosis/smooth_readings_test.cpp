@@ -65,6 +65,13 @@ TEST(SmoothReadings, KeepsAStart) {
   for (std::size_t k = 0; k < motion.size(); ++k) ASSERT_NEAR(smooth[k], motion[k], 1.5 * kCount) << k;
 }
 
+TEST(SmoothReadings, KeepsAStartInTheLastReadings) {
+  std::vector<double> motion(2000, 0.0);
+  for (int k = 0; k < 45; ++k) motion.push_back(0.5 * 8e-6 * k * k);
+  const std::vector<double> smooth = smoothReadings(rounded(motion), kNoise);
+  for (std::size_t k = 0; k < motion.size(); ++k) ASSERT_NEAR(smooth[k], motion[k], 1.5 * kCount) << k;
+}
+
 TEST(SmoothReadings, LeavesAloneWhatHasNoNoiseOrIsTooShort) {
   const std::vector<double> motion = swing(100, 0.8, 0.01);
   EXPECT_EQ(smoothReadings(motion, 0.0), motion);

@@ -22,7 +22,7 @@ using diagnosis::Signature;
 
 enum Column { kVariable, kBefore, kAfter, kColumns };
 constexpr double kPoints = 9.5;
-constexpr int kNarrow = 720, kList = 250, kLeastList = 190;  ///< widths [px]
+constexpr int kNarrow = 720, kList = 250, kLeastList = 236;  ///< widths [px]
 constexpr double kSeen = 2.0;  ///< sigmas of a share from which on it is more than nothing
 
 /// Null: not among them.
