@@ -161,22 +161,15 @@ void placeSights(Evidence& evidence, const EvenGrid& grid, const RecordedTracks&
 }
 
 /// Loads must be there in every row, as what drives: where none was read the nearest reading stands in and
-/// the row does not count.
-void fillLoads(Evidence& evidence, const RecordedTracks& tracks) {
-  for (std::size_t j = 0; j < evidence.tau_ext.size(); ++j) {
-    std::vector<double>& load = evidence.tau_ext[j];
+/// the row does not count. A joint without any has no load cell, and bears none.
+void fillLoads(Evidence& evidence) {
+  for (std::vector<double>& load : evidence.tau_ext) {
     const auto first = std::find_if(load.begin(), load.end(), [](double x) { return std::isfinite(x); });
-    if (first == load.end())
-      refuse(tracks, fmt::format("tau_ext{}", j + 1), {}, "has no reading at all",
-             "Leave the column out where the load was not measured");
-    double nearest = *first;
+    double nearest = first == load.end() ? 0.0 : *first;
     for (std::size_t i = 0; i < load.size(); ++i) {
-      if (std::isfinite(load[i])) {
-        nearest = load[i];
-        continue;
-      }
+      if (!std::isfinite(load[i]) && first != load.end()) evidence.doubts[i] |= kGap;
+      if (std::isfinite(load[i])) nearest = load[i];
       load[i] = nearest;
-      evidence.doubts[i] |= kGap;
     }
   }
 }
@@ -200,7 +193,7 @@ void placeChannels(Evidence& evidence, const EvenGrid& grid, const RecordedTrack
   evidence.q = std::move(reference.columns);
   evidence.noise.q = std::move(reference.noise);
   mark(evidence.doubts, missing, kGap);
-  fillLoads(evidence, tracks);
+  fillLoads(evidence);
 }
 
 void noticeLosses(Evidence& evidence, const RecordedTracks& tracks) {
