@@ -22,8 +22,7 @@ constexpr double kOutputStep = 5e-3;         // of what the kernel hands out [s]
 constexpr double kAfterRestart = 0.12;       // sights so soon after a restart may look behind it [s]
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
-/// Position and slope of a column around row k, from a line through the rows within ±reach of it in the
-/// window.
+/// Position at row `begin` and slope of a column, from a line through its rows [begin, end).
 std::pair<double, double> lineAround(const std::vector<double>& column, std::size_t begin, std::size_t end,
                                      double step) {
   double n = 0, st = 0, stt = 0, sx = 0, stx = 0;
@@ -38,7 +37,7 @@ std::pair<double, double> lineAround(const std::vector<double>& column, std::siz
   return {(sx - slope * st) / n, slope};
 }
 
-/// The same where the column begins, from a parabola: for a start that a long simulation has to bear.
+/// The same from a parabola: for a start that a long simulation has to bear.
 std::pair<double, double> parabolaFrom(const std::vector<double>& column, std::size_t begin, std::size_t end,
                                        double step) {
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();

@@ -13,14 +13,13 @@ Eigen::VectorXd inputNoise(const FitData& data, const Fit& at, const Trust& trus
   base::parallelFor(kInputDraws, data.threads(), [&](std::size_t draw) {
     for (int r = 0; r < data.recordings(); ++r) {
       const ChainSimulation& simulation = data.simulation(r);
-      const Robot one{&robot, &at.initial[static_cast<std::size_t>(r)]};
-      Eigen::MatrixXd calm(simulation.compared().measured.size(), 1), shaken = calm;
       base::Random random(static_cast<std::uint64_t>(draw), fmt::format("input noise of recording {}", r));
-      simulation.simulate({&one, 1}, calm);
-      simulation.simulateShaken(one, random, shaken);
-      change.col(static_cast<Eigen::Index>(draw)).segment(data.first(r), calm.rows()) = shaken - calm;
+      Eigen::MatrixXd shaken(simulation.compared().measured.size(), 1);
+      simulation.simulateShaken({&robot, &at.initial[static_cast<std::size_t>(r)]}, random, shaken);
+      change.col(static_cast<Eigen::Index>(draw)).segment(data.first(r), shaken.rows()) = shaken;
     }
   });
+  change.colwise() -= data.simulate({robot}, {at.initial}).col(0);
   takeOffNuisances(data, at, trust, change);
   const auto channels = static_cast<Eigen::Index>(data.channels().size());
   Eigen::VectorXd squares = Eigen::VectorXd::Zero(channels), count = Eigen::VectorXd::Zero(channels);

@@ -14,10 +14,11 @@ namespace capstan::diagnosis {
 namespace {
 
 constexpr int kDraws = 400;
-constexpr int kFirstIterations = 3;  // of a refit before the poorest are left behind
-constexpr int kLastIterations = 12;  // of those that go on
-constexpr std::size_t kGoOn = 3;     // refits that do, at most
-constexpr double kHopeless = 0.02;   // reduction after a first look
+constexpr int kFirstIterations = 3;    // of a refit before the poorest are left behind
+constexpr int kLastIterations = 12;    // of those that go on
+constexpr std::size_t kGoOn = 3;       // refits that do, at most
+constexpr double kSurelySensor = 0.9;  // of the sensor's mean square, whose estimate is some per cent off
+constexpr double kHopeless = 0.02;     // reduction after a first look
 
 bool cancelled(const base::Progress* progress) { return progress && progress->cancelled(); }
 
@@ -103,7 +104,7 @@ class Rounds {
     BlockSquares left = squares;
     for (Eigen::Index c = 0; c < left.sum.rows(); ++c) {
       const double sensor = data_.channels()[static_cast<std::size_t>(c)].noise, input = s.input_noise[c];
-      const double least = 0.9 * sensor * sensor + kSwings * input * input;
+      const double least = kSurelySensor * sensor * sensor + kSwings * input * input;
       if (left.sum.row(c).sum() < least * left.count.row(c).sum()) left.sum.row(c).setZero();
     }
     return left;
@@ -225,9 +226,9 @@ class Rounds {
   };
   Settled settled(Fit from) const {
     Settled s{std::move(from), {}, {}};
-    s.trust.weights = weightsFor(data_, s.fit.e);
-    for (int pass = 0; pass < 3 && !cancelled(progress_); ++pass) {
+    for (int pass = 0; pass < 3; ++pass) {
       s.trust.weights = weightsFor(data_, s.fit.e);
+      if (cancelled(progress_)) break;
       s.fit = fit(data_, s.fit.model, s.fit.u, s.fit.initial, s.trust, {kLastIterations, 0.05, nullptr},
                   progress_);
     }
@@ -241,8 +242,7 @@ class Rounds {
     Settled best = settled(c.fit);
     Eigen::VectorXd fresh = c.fit.u;
     fresh.head(c.fit.model.baseSize()).setZero();
-    Trust trust = best.trust;
-    Settled other = settled(linearise(data_, c.fit.model, fresh, c.fit.initial, trust));
+    Settled other = settled(linearise(data_, c.fit.model, fresh, c.fit.initial, best.trust));
     const bool finite = other.squares.sum.allFinite();
     if (finite &&
         (!best.squares.sum.allFinite() || comparison_.gain(best.squares, other.squares).front() > 0.0))

@@ -8,6 +8,7 @@
 #include <exception>
 
 #include "core/diagnosis/diagnose.h"
+#include "tests/support/data_folder.h"
 #include "tests/support/measured_diagnosis/emps.h"
 #include "tests/support/measured_diagnosis/jaw.h"
 #include "tests/support/measured_diagnosis/steps.h"
@@ -83,7 +84,7 @@ void jaw(const std::filesystem::path& folder, const std::vector<std::string>& fr
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::string data = measured::dataFolder().string();
+  std::string data = test::dataFolder().string();
   int threads = 2;
   CLI::App app("What diagnosis names in recordings of real robots");
   app.add_option("--data", data, "folder of measured data");

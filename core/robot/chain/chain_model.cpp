@@ -153,6 +153,10 @@ void addToFriction(const Effect& e, JointNumbers<double>& p) {
     p.wave_sine += e["sine"], p.wave_cosine += e["cosine"];
     p.wave_number = 2.0 * std::numbers::pi / e["period"];
   }
+}
+
+void addToBodyAndSensors(const Effect& e, JointNumbers<double>& p) {
+  const std::string& name = e.effect;
   if (name == "inertia") p.armature += e["added"];
   if (name == "actuator_gain") p.gain *= 1.0 + e["share"];
   if (name == "torque_offset") p.offset += e["offset"];
@@ -206,6 +210,7 @@ void ChainModel::add(const Effect& effect) {
   addToTransmission(effect, numbers.joints[i]);
   addToCable(effect, shape.rigid, numbers.joints[i]);
   addToFriction(effect, numbers.joints[i]);
+  addToBodyAndSensors(effect, numbers.joints[i]);
   const bool series = effect.effect == "cable_compliance" && !shape.rigid;
   if (!series) shape.laws[i] |= lawOf(effect.effect);
 }

@@ -1,20 +1,15 @@
 /// Recordings of real robots and of others' simulations, where they are on this machine.
 #pragma once
 
-#include <cstdlib>
 #include <filesystem>
 
 #include "core/base/resource.h"
 #include "core/robot/description.h"
+#include "tests/support/data_folder.h"
 
 namespace capstan::diagnosis {
 
-/// The folder of measured data: what CAPSTAN_DATA names, or ../shared/data beside the checkout.
-inline std::filesystem::path dataFolder() {
-  const char* given = std::getenv("CAPSTAN_DATA");
-  return given ? std::filesystem::path(given)
-               : std::filesystem::path(CAPSTAN_SOURCE_DIR).parent_path() / "shared" / "data";
-}
+using test::dataFolder;
 
 inline robot::Description raven() {
   return robot::readDescription(base::resource("robots/raven2_left.yaml"));

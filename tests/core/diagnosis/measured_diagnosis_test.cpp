@@ -2,6 +2,7 @@
 // (tests/benchmarks) prints the numbers.
 #include <gtest/gtest.h>
 
+#include "tests/support/data_folder.h"
 #include "tests/support/measured_diagnosis/emps.h"
 #include "tests/support/measured_diagnosis/jaw.h"
 #include "tests/support/measured_diagnosis/steps.h"
@@ -9,13 +10,10 @@
 namespace capstan::measured {
 namespace {
 
-#define REQUIRE_DATA(path) \
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << (path) << " is not on this machine"
-
 /// A four-number drive of others leaves 9.4 mm on the record that nothing was fitted to, black boxes 5.2 to
 /// 5.5.
 TEST(MeasuredDiagnosis, AxisOfThePublicBenchmark) {
-  const std::filesystem::path folder = dataFolder() / "emps";
+  const std::filesystem::path folder = test::dataFolder() / "emps";
   REQUIRE_DATA(folder / "train.csv");
   REQUIRE_DATA(folder / "test.csv");
   const std::vector<EmpsStep> steps = empsSteps(folder, EmpsStart::kFourNumbers, 2);
@@ -31,7 +29,7 @@ TEST(MeasuredDiagnosis, AxisOfThePublicBenchmark) {
 /// The first two effects that measured_diagnosis finds, from fewer refits, for time. At one frequency alone
 /// friction that grows with speed, behind a stiff cable, explains the lag as well.
 TEST(MeasuredDiagnosis, JawOfAnInstrument) {
-  const std::filesystem::path folder = dataFolder() / "davinci-jaw";
+  const std::filesystem::path folder = test::dataFolder() / "davinci-jaw";
   REQUIRE_DATA(folder);
   diagnosis::SelectionOptions options;
   options.most_causes = 2;

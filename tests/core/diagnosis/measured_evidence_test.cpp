@@ -12,9 +12,6 @@
 namespace capstan::diagnosis {
 namespace {
 
-#define REQUIRE_DATA(path) \
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << (path) << " is not on this machine"
-
 TEST(MeasuredEvidence, SlideOfThePublicBenchmark) {
   const std::filesystem::path file = dataFolder() / "emps" / "train.csv";
   REQUIRE_DATA(file);

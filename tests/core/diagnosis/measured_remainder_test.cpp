@@ -17,9 +17,6 @@
 namespace capstan::diagnosis {
 namespace {
 
-#define REQUIRE_DATA(path) \
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << (path) << " is not on this machine"
-
 /// Transmission kinematics alone: stiff cables.
 SimulatedMotion stiff(const Evidence& evidence, const robot::Description& robot) {
   const robot::Transmission transmission(robot);

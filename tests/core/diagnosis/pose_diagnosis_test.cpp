@@ -169,7 +169,7 @@ TEST(PoseDiagnosis, RefusesWhatItCannotAnswer) {
 /// that lags behind kinematics that do not.
 TEST(PoseDiagnosis, MeasuredArm) {
   const std::filesystem::path file = dataFolder() / "raven2-phasespace" / "left_arm.csv";
-  if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not on this machine";
+  REQUIRE_DATA(file);
   const PoseEvidence evidence = readPoseEvidence(file);
   EXPECT_EQ(evidence.trajectories.size(), 243U);
   EXPECT_EQ(evidence.command.placeholders, 339U);

@@ -5,10 +5,10 @@
 #include "core/diagnosis/diagnose.h"
 #include "core/diagnosis/joint_scales.h"
 #include "core/diagnosis/read_evidence.h"
-#include "core/diagnosis/whole_fit.h"
 #include "core/robot/chain/chain_model.h"
 #include "core/robot/chain/chain_step.h"
 #include "tests/support/measured_diagnosis/steps.h"
+#include "tests/support/measured_diagnosis/whole_fit.h"
 
 namespace capstan::measured {
 namespace {
@@ -55,7 +55,7 @@ std::vector<EmpsStep> empsSteps(const std::filesystem::path& folder, EmpsStart s
   if (start == EmpsStart::kFourNumbers) base = withOffset(base);
   std::vector<EmpsStep> steps;
   for (const Step& step : stepsOf(diagnosis::select(data, train, base, {}, nullptr))) {
-    const diagnosis::Fit whole = diagnosis::wholeFit(train, nominal, step.fit, EncoderZeros::kKnown, threads);
+    const diagnosis::Fit whole = wholeFit(train, nominal, step.fit, EncoderZeros::kKnown, threads);
     EmpsStep one{step.name, step.rivals, whole.model.extended(whole.u), {}, {}};
     one.train = openLoopErrors(one.robot, folder / "train.csv");
     one.test = openLoopErrors(one.robot, folder / "test.csv");

@@ -7,8 +7,8 @@
 
 #include "core/diagnosis/joint_scales.h"
 #include "core/diagnosis/read_evidence.h"
-#include "core/diagnosis/whole_fit.h"
 #include "tests/support/measured_diagnosis/steps.h"
+#include "tests/support/measured_diagnosis/whole_fit.h"
 
 namespace capstan::measured {
 namespace {
@@ -53,8 +53,7 @@ std::vector<JawStep> jawSteps(const std::filesystem::path& folder,
   const diagnosis::FitModel base(nominal, diagnosis::jointScales(even, nominal));
   std::vector<JawStep> steps;
   for (const Step& step : stepsOf(diagnosis::select(fitted, even, base, options, nullptr))) {
-    const diagnosis::Fit whole =
-        diagnosis::wholeFit(even, nominal, step.fit, EncoderZeros::kOneForAll, threads);
+    const diagnosis::Fit whole = wholeFit(even, nominal, step.fit, EncoderZeros::kOneForAll, threads);
     const Eigen::VectorXd told = left(even_known, whole);
     steps.push_back({step.name, step.rivals, whole.model.extended(whole.u),
                      rmsInDegrees((told.array() - told.mean()).matrix()),

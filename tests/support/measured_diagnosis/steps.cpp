@@ -1,14 +1,8 @@
 #include "tests/support/measured_diagnosis/steps.h"
 
-#include <cstdlib>
+#include <filesystem>
 
 namespace capstan::measured {
-
-std::filesystem::path dataFolder() {
-  const char* given = std::getenv("CAPSTAN_DATA");
-  return given ? std::filesystem::path(given)
-               : std::filesystem::path(CAPSTAN_SOURCE_DIR).parent_path() / "shared" / "data";
-}
 
 robot::Description robotFile(const std::string& name) {
   return robot::readDescription(std::filesystem::path(CAPSTAN_SOURCE_DIR) / "tests" / "core" / "diagnosis" /

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -9,8 +8,6 @@
 
 namespace capstan::measured {
 
-/// The folder of measured data: what CAPSTAN_DATA names, or ../shared/data beside the checkout.
-std::filesystem::path dataFolder();
 /// A robot file of tests/core/diagnosis/data.
 robot::Description robotFile(const std::string& name);
 
@@ -21,8 +18,8 @@ struct Step {
   diagnosis::Fit fit;
 };
 
-/// The refitted nominal structure, then each effect as it came, without those that were dropped again; not
-/// fitted to the end, for wholeFit() to do.
+/// The refitted nominal structure, then each effect that stayed, as it came: with those that came before,
+/// also such as were dropped at the end; not fitted to the end, for wholeFit() to do.
 std::vector<Step> stepsOf(const diagnosis::Selection& selection);
 
 }  // namespace capstan::measured

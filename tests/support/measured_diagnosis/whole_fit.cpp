@@ -1,18 +1,20 @@
-#include "core/diagnosis/whole_fit.h"
+#include "tests/support/measured_diagnosis/whole_fit.h"
 
-namespace capstan::diagnosis {
+namespace capstan::measured {
+
+using diagnosis::Evidence, diagnosis::Fit, diagnosis::FitData, diagnosis::Trust;
 
 Fit wholeFit(const std::vector<Evidence>& recordings, const robot::Description& robot, const Fit& chosen,
-             EncoderZeros zeros, int threads, const base::Progress* progress) {
+             diagnosis::EncoderZeros zeros, int threads) {
   constexpr int kPasses = 3;  // weights go by what is left
   const FitData data(recordings, robot, 0.0, zeros, threads);
   Trust trust{Eigen::VectorXd::Ones(data.size()), {}};
   Fit found = linearise(data, chosen.model, chosen.u, noneBeyond(data), trust);
-  for (int pass = 0; pass < kPasses && !(progress && progress->cancelled()); ++pass) {
+  for (int pass = 0; pass < kPasses; ++pass) {
     trust.weights = weightsFor(data, found.e);
-    found = fit(data, found.model, found.u, found.initial, trust, {20, 0.01, nullptr}, progress);
+    found = fit(data, found.model, found.u, found.initial, trust, {20, 0.01, nullptr});
   }
   return found;
 }
 
-}  // namespace capstan::diagnosis
+}  // namespace capstan::measured
