@@ -72,7 +72,7 @@ BlockSquares squaresOf(const FitData& data, const VectorXd& e) {
 VectorXd leftOut(const FitData& data, const Fit& fit, const Trust& trust) {
   const FreeSystem system(data, fit, trust, true);
   const int folds = std::min(kFolds, data.blocks());
-  std::vector<robot::ChainModel> robots;
+  std::vector<VectorXd> numbers;
   for (int f = 0; f < folds; ++f) {
     MatrixXd others = system.normal;
     VectorXd score = VectorXd::Zero(system.jacobian.cols());
@@ -85,9 +85,9 @@ VectorXd leftOut(const FitData& data, const Fit& fit, const Trust& trust) {
     const VectorXd step = others.ldlt().solve(-score).cwiseMax(-kLongestWay).cwiseMin(kLongestWay);
     VectorXd u = fit.u;
     for (std::size_t k = 0; k < system.free.size(); ++k) u[system.free[k]] += step[static_cast<Index>(k)];
-    robots.push_back(fit.model.chain(fit.model.clipped(u)));
+    numbers.push_back(fit.model.clipped(u));
   }
-  const MatrixXd e = residualsOf(data, fit, robots, trust);
+  const MatrixXd e = residualsWith(data, fit, numbers, trust);
   VectorXd left(data.size());
   for (Index i = 0; i < left.size(); ++i) left[i] = e(i, data.block()[static_cast<std::size_t>(i)] % folds);
   return left;

@@ -67,10 +67,11 @@ struct Fit {
   FitModel model;
   Eigen::VectorXd u = {};
   InitialStates initial = {};
-  Eigen::VectorXd e = {};         ///< measured − simulated, nuisances taken off
-  Eigen::MatrixXd jacobian = {};  ///< d simulated / du, nuisances taken off; columns of `model`
-  Eigen::MatrixXd nuisance = {};  ///< d simulated / d nuisance of the number's own stretch
-  std::vector<bool> bound = {};   ///< parameters that stand at a bound and would go on
+  Eigen::VectorXd e = {};                       ///< measured − simulated, nuisances taken off
+  Eigen::MatrixXd jacobian = {};                ///< d simulated / du, nuisances taken off; columns of `model`
+  Eigen::MatrixXd nuisance = {};                ///< d simulated / d nuisance of the number's own stretch
+  std::vector<Eigen::MatrixXd> taken_off = {};  ///< by stretch: nuisances that stand for a change of u
+  std::vector<bool> bound = {};                 ///< parameters that stand at a bound and would go on
   double objective = 0.0;
   int iterations = 0;
 };
@@ -105,6 +106,10 @@ Fit linearise(const FitData& data, const FitModel& model, const Eigen::VectorXd&
 /// nuisances taken off.
 Eigen::MatrixXd residualsOf(const FitData& data, const Fit& at, const std::vector<robot::ChainModel>& robots,
                             const Trust& trust);
+
+/// Likewise of the fit's own model with other numbers u, from initial states that follow them.
+Eigen::MatrixXd residualsWith(const FitData& data, const Fit& at, const std::vector<Eigen::VectorXd>& numbers,
+                              const Trust& trust);
 
 /// Takes the fit's nuisances off the columns of `e`, numbers as the data's.
 void takeOffNuisances(const FitData& data, const Fit& at, const Trust& trust, Eigen::Ref<Eigen::MatrixXd> e);

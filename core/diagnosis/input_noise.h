@@ -14,6 +14,6 @@ Eigen::VectorXd inputNoise(const FitData& data, const Fit& at, const Trust& trus
 inline constexpr int kInputDraws = 4;
 /// Mean square, in that of the inputs' noise, up to which a few slow swings of it are what is left: it has
 /// few degrees of freedom.
-inline constexpr double kSwings = 2.5;
+inline constexpr double kSwings = 4.0;
 
 }  // namespace capstan::diagnosis

@@ -14,7 +14,8 @@ namespace capstan::diagnosis {
 namespace {
 
 constexpr int kDraws = 400;
-constexpr int kFirstIterations = 3;    // of a refit before the poorest are left behind
+constexpr int kFirstIterations = 3;  // of a refit before the poorest are left behind
+constexpr int kFirstIterationsRigid = 6;
 constexpr int kLastIterations = 12;    // of those that go on
 constexpr std::size_t kGoOn = 3;       // refits that do, at most
 constexpr double kSurelySensor = 0.9;  // of the sensor's mean square, whose estimate is some per cent off
@@ -77,14 +78,20 @@ class Rounds {
   }
 
  private:
-  /// A first look at a promise, with the derivatives of the round's fit.
+  /// A first look at a promise.
   Contender contend(const Selection& s, const Promise& promise) const {
     const FitModel model = s.best.model.with(*promise.hypothesis, promise.joint, promise.start);
     Contender c{.added = {promise.hypothesis, promise.joint},
                 .fit = fit(data_, model, model.startFrom(s.best.model, s.best.u), s.best.initial, s.trust,
-                           {kFirstIterations, 0.1, &s.best}, progress_)};
+                           firstLook(s), progress_)};
     judge(s, c);
     return c;
+  }
+
+  /// Rigid drives add up errors of force, and what the round's fit left bends its derivatives.
+  FitOptions firstLook(const Selection& s) const {
+    if (data_.rigid()) return {kFirstIterationsRigid, 0.1, nullptr};
+    return {kFirstIterations, 0.1, &s.best};
   }
 
   void judge(const Selection& s, Contender& c) const {

@@ -7,7 +7,8 @@
 namespace capstan::diagnosis {
 namespace {
 
-constexpr double kAway = 2.0;  // times what counts as zero
+constexpr double kAway = 2.0;     // times what counts as zero
+constexpr double kLingers = 1.5;  // times the noise, whose magnitude averages to 0.8 of it about zero
 
 /// Centred moving average over ±half rows.
 std::vector<double> smoothed(std::span<const double> x, std::size_t half) {
@@ -30,7 +31,7 @@ std::vector<double> withSigns(std::span<const double> magnitude) {
   std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() * 9 / 10),
                    sorted.end());
   const double large = sorted[sorted.size() * 9 / 10];
-  const double reach = std::max(0.06 * large, 4.0 * whiteNoise(magnitude));
+  const double reach = std::max(0.06 * large, kLingers * whiteNoise(magnitude));
   double sign = 1.0;
   std::size_t k = 0;
   while (k < level.size()) {

@@ -12,6 +12,8 @@
 namespace capstan::diagnosis {
 namespace {
 
+constexpr double kFar = 4.0;  // times what may be chance: no test needed
+
 double meanSquare(const BlockSquares& squares, Eigen::Index c) {
   const double n = squares.count.row(c).sum();
   return n > 0.0 ? squares.sum.row(c).sum() / n : 0.0;
@@ -87,7 +89,6 @@ Cause causeOf(const FitData& data, const Suspect& suspect, double probability, c
 /// Stretches left out are off by far more than noise though the fit leaves none: too little was seen for
 /// what was fitted to hold elsewhere.
 bool isTooShort(const FitData& data, const Selection& s) {
-  constexpr double kFar = 4.0;
   for (Eigen::Index c = 0; c < s.best_squares.sum.rows(); ++c)
     if (meanSquare(s.best_squares, c) > kFar * mostByChance(data, s, c)) return true;
   return false;
@@ -159,7 +160,9 @@ double explainedShare(const FitData& data, const Selection& s) {
 bool somethingLeft(const FitData& data, const Selection& s) {
   const BlockSquares left = squaresOf(data, s.best.e);
   for (Eigen::Index c = 0; c < left.sum.rows(); ++c)
-    if (meanSquare(left, c) > mostByChance(data, s, c) && left.inflation[c] > 2.0) return true;
+    if (meanSquare(left, c) > mostByChance(data, s, c) &&
+        (left.inflation[c] > 2.0 || meanSquare(left, c) > kFar * mostByChance(data, s, c)))
+      return true;
   return false;
 }
 

@@ -19,7 +19,7 @@ TEST(MeasuredDiagnosis, AxisOfThePublicBenchmark) {
   const std::vector<EmpsStep> steps = empsSteps(folder, EmpsStart::kFourNumbers, 2);
   EXPECT_GT(steps.front().test.at_rest, 7.0) << "the drive of four numbers";
   EXPECT_LT(steps.front().test.at_rest, 9.4);
-  ASSERT_EQ(steps.size(), 2U);
+  ASSERT_GE(steps.size(), 2U);
   EXPECT_EQ(steps[1].name, "+ asymmetric_viscosity");
   EXPECT_LT(steps[1].train.at_rest, steps[0].train.at_rest);
   EXPECT_LE(steps[1].test.at_rest, 4.0);
