@@ -219,6 +219,19 @@ TEST(WithSigns, turnsOnceWhereNoiseLingersAboutZero) {
   EXPECT_EQ(wrong, 0);
 }
 
+TEST(WithSigns, findsTheTurnsOfALoadNotMuchLargerThanItsNoise) {
+  std::vector<double> magnitude, load;
+  base::Random random(9);
+  for (int k = 0; k < 20000; ++k) {
+    load.push_back(0.02 * std::sin(2.0 * std::numbers::pi * k / 4400.0 + 0.5));
+    magnitude.push_back(std::abs(load.back() + random.normal(0.0, 0.005)));
+  }
+  const std::vector<double> told = withSigns(magnitude);
+  int wrong = 0;
+  for (std::size_t k = 0; k < load.size(); ++k) wrong += std::abs(load[k]) > 0.01 && told[k] * load[k] < 0.0;
+  EXPECT_EQ(wrong, 0);
+}
+
 TEST(Creep, mayHaveBegunBeforeTheRecording) {
   const Planted planted(11, test::Effect::kCableCreep, 3, 24.0);
   const FitData data(planted.evidence, planted.robot, 2.0, EncoderZeros::kKnown, 2);

@@ -1,0 +1,77 @@
+// Rigid drives, whose friction sticks: fits that get where a linearisation alone does not lead.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/diagnosis/diagnose.h"
+#include "core/diagnosis/joint_scales.h"
+#include "core/diagnosis/read_evidence.h"
+#include "core/diagnosis/selection.h"
+#include "tests/support/planted/planted_case.h"
+
+namespace capstan::diagnosis {
+namespace {
+
+/// An axis that moves slowly enough to stick, with twice the Stribeck excess that is just visible.
+struct Sticking {
+  robot::Description robot = robot::readDescription(std::filesystem::path(CAPSTAN_SOURCE_DIR) /
+                                                    "tests/support/planted/data/rigid_axis.yaml");
+  test::Truth truth;
+  std::vector<Evidence> evidence;
+
+  Sticking() {
+    robot.drive = robot::DriveType::kRigid;
+    test::DrawOptions options;
+    options.robot = robot;
+    options.rigid = true;
+    options.effect = test::Effect::kStribeckFriction;
+    options.size = 0.23;
+    options.textured = false;
+    options.duration = 20.0;
+    auto [recording, told] = test::recordWithTruth(test::draw(30003012, options));
+    truth = told;
+    EvidenceOptions read;
+    read.drive = DriveKind::kRigid;
+    evidence.push_back(evidenceOf(recording.table, robot, read));
+  }
+
+  Fit refitted(const FitData& data) const {
+    SelectionOptions options;
+    options.most_causes = 0;
+    return select(data, evidence, FitModel(robot, jointScales(evidence, robot)), options, nullptr).base;
+  }
+};
+
+TEST(RigidDrive, WhatAFitLeavesIsWhatIsSimulatedFromItsInitialStates) {
+  const Sticking sticking;
+  const FitData data(sticking.evidence, sticking.robot, 0.5, EncoderZeros::kKnown, 2);
+  const Fit fit = sticking.refitted(data);
+  const Eigen::VectorXd simulated =
+      data.measured() - data.simulate({fit.model.chain(fit.u)}, {fit.initial}).col(0);
+  EXPECT_LT((simulated - fit.e).norm(), 0.1 * fit.e.norm());
+}
+
+TEST(RigidDrive, FindsWhyItSticks) {
+  const Sticking sticking;
+  DiagnosisOptions options;
+  options.show = false;
+  const Report report = diagnose(sticking.evidence, sticking.robot, options);
+  EXPECT_EQ(report.verdict, Verdict::kFound);
+  ASSERT_EQ(report.causes.size(), 1U);
+  EXPECT_EQ(report.causes[0].effect, "stribeck_friction");
+  const FoundParameter& excess = report.causes[0].parameters.at(0);
+  const double planted = sticking.truth.items.at(0).planted.magnitude;
+  EXPECT_NEAR(excess.value, planted, 0.05 * planted);
+}
+
+/// Whose blocks average to zero, since each has initial states of its own.
+TEST(RigidDrive, FarBeyondNoiseIsNeverNothing) {
+  const Sticking sticking;
+  DiagnosisOptions options;
+  options.show = false;
+  options.only = {"torque_offset"};
+  EXPECT_EQ(diagnose(sticking.evidence, sticking.robot, options).verdict, Verdict::kUnexplained);
+}
+
+}  // namespace
+}  // namespace capstan::diagnosis
