@@ -19,10 +19,25 @@ namespace {
 using diagnosis::Cause;
 
 enum Column { kWords, kProbability, kColumns };
-constexpr int kCauseRole = Qt::UserRole + 1;
+constexpr int kCauseRole = Qt::UserRole + 1, kNameRole = Qt::UserRole + 2;
 constexpr double kPoints = 10.0;
 
 QString shown(const std::string& words) { return QString::fromStdString(words); }
+
+/// In lines of at most `width` pixels, between words.
+QString wrapped(const QString& words, const QFontMetrics& metrics, int width) {
+  QString lines, line;
+  for (const QString& word : words.split(QLatin1Char(' '))) {
+    const QString longer = line.isEmpty() ? word : line + QLatin1Char(' ') + word;
+    if (!line.isEmpty() && metrics.horizontalAdvance(longer) > width) {
+      lines += line + QLatin1Char('\n');
+      line = word;
+    } else {
+      line = longer;
+    }
+  }
+  return lines + line;
+}
 
 bool sameCause(const Cause& a, const Cause& b) { return a.effect == b.effect && a.joint == b.joint; }
 
@@ -57,6 +72,8 @@ CauseTree::CauseTree(QWidget* parent) : QTreeWidget(parent) {
   header()->setSectionResizeMode(kProbability, QHeaderView::Fixed);
   header()->resizeSection(kProbability, 84);
   header()->setFont(textFont(9.0));
+  // Names wrap by the width that they have.
+  connect(header(), &QHeaderView::sectionResized, this, [this] { wrapNames(); });
   connect(this, &QTreeWidget::currentItemChanged, this, [this] { Q_EMIT chosenChanged(); });
 }
 
@@ -100,6 +117,7 @@ void CauseTree::fill() {
                          ? tr("No hypothesis explains what is there; see what it depends on.")
                          : tr("No cause worth naming."));
   expandAll();
+  wrapNames();
   QTreeWidgetItemIterator it(this);
   while (*it && !(*it)->data(0, kCauseRole).isValid()) ++it;
   setCurrentItem(*it);
@@ -119,7 +137,7 @@ QTreeWidgetItem* CauseTree::addLine(QTreeWidgetItem* parent, const QString& word
 
 void CauseTree::addCause(QTreeWidgetItem* parent, const Cause& cause) {
   auto* item = new QTreeWidgetItem;
-  item->setText(kWords,
+  item->setData(kWords, kNameRole,
                 titleOf(cause.effect) + QStringLiteral(", ") + placeOf(cause.effect, cause.joint, {}));
   item->setToolTip(kWords,
                    titleOf(cause.effect) + QStringLiteral(", ") + placeOf(cause.effect, cause.joint, robot_));
@@ -142,6 +160,18 @@ void CauseTree::addCause(QTreeWidgetItem* parent, const Cause& cause) {
     addLine(item, gain)->setToolTip(kWords, shown(diagnosis::gainText(cause.gain)));
 }
 
+void CauseTree::wrapNames() {
+  constexpr int kMargins = 8;  // of an item [px]
+  for (QTreeWidgetItemIterator it(this); *it; ++it) {
+    QString name = (*it)->data(kWords, kNameRole).toString();
+    if (name.isEmpty()) continue;
+    name.replace(name.lastIndexOf(QLatin1Char(' ')), 1, QChar::Nbsp);  // "joint 1" in one line
+    const int indent = (*it)->parent() ? indentation() : 0;
+    (*it)->setText(kWords,
+                   wrapped(name, QFontMetrics((*it)->font(kWords)), columnWidth(kWords) - indent - kMargins));
+  }
+}
+
 const Cause* CauseTree::chosen() const {
   for (const QTreeWidgetItem* item = currentItem(); item; item = item->parent())
     if (const QVariant index = item->data(0, kCauseRole); index.isValid())
@@ -154,7 +184,9 @@ QString CauseTree::text() const {
   for (QTreeWidgetItemIterator it(const_cast<CauseTree*>(this)); *it; ++it) {
     int depth = 0;
     for (const QTreeWidgetItem* up = (*it)->parent(); up; up = up->parent()) ++depth;
-    lines << (QString(2 * depth, QLatin1Char(' ')) + (*it)->text(kWords) + QLatin1Char(' ') +
+    const QVariant name = (*it)->data(kWords, kNameRole);
+    lines << (QString(2 * depth, QLatin1Char(' ')) +
+              (name.isValid() ? name.toString() : (*it)->text(kWords)) + QLatin1Char(' ') +
               (*it)->text(kProbability))
                  .trimmed()
                  .prepend(QString(2 * depth, QLatin1Char(' ')));

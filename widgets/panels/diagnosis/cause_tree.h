@@ -32,6 +32,7 @@ class CauseTree : public QTreeWidget {
 
  private:
   void fill();
+  void wrapNames();  ///< to the width that there is
   void addCause(QTreeWidgetItem* parent, const diagnosis::Cause& cause);
   QTreeWidgetItem* addLine(QTreeWidgetItem* parent, const QString& words);
 
