@@ -114,8 +114,10 @@ ChainSimulation::ChainSimulation(const Evidence& evidence, const robot::Descript
 }
 
 void ChainSimulation::findWindows(double horizon) {
-  const auto most = horizon > 0.0 ? static_cast<std::size_t>(std::lround(horizon / evidence_.step))
-                                  : std::numeric_limits<std::size_t>::max();
+  constexpr std::size_t kLeastWindow = 50;  // rows, of a coarse recording
+  const auto most =
+      horizon > 0.0 ? std::max(kLeastWindow, static_cast<std::size_t>(std::lround(horizon / evidence_.step)))
+                    : std::numeric_limits<std::size_t>::max() / 2;
   for (const Segment& segment : evidence_.segments) {
     const std::size_t pieces = std::max<std::size_t>(1, (segment.size() + most / 2) / most);
     for (std::size_t k = 0; k < pieces; ++k)

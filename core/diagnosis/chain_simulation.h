@@ -46,10 +46,10 @@ struct Robot {
 /// Open-loop simulations of one recording, 16 robots at a time.
 ///
 /// Cable drives start at each segment from the joints where the encoders saw them (without encoders from
-/// where rigid cables would put them, and what is seen within kSettling is not compared). Rigid drives start
-/// anew after each `horizon` seconds too, from encoders and their slope, since a torque that is wrong by
-/// little leads far astray in time. Joint encoders are compared kComparedRate times a second, cameras at
-/// every sight.
+/// where rigid cables would put them; what is seen within kSettling of a start without encoders is not
+/// compared). Rigid drives start anew after each `horizon` seconds too, from encoders and their slope, since
+/// a torque that is wrong by little leads far astray in time. Joint encoders are compared kComparedRate times
+/// a second, cameras at every sight.
 class ChainSimulation {
  public:
   /// Keeps a reference to `evidence`.

@@ -31,11 +31,8 @@ struct FreeSystem {
       if (!held && !(hold_events && isEvent(fit.model.parameters()[static_cast<std::size_t>(k)])))
         free.push_back(k);
     }
-    VectorXd w = trust.weights;
-    for (std::size_t i = 0; i < trust.used.size(); ++i)
-      if (!trust.used[i]) w[static_cast<Index>(i)] = 0.0;
-    jacobian = w.asDiagonal() * fit.jacobian(Eigen::all, free);
-    e = w.cwiseProduct(fit.e);
+    jacobian = trust.weights.asDiagonal() * fit.jacobian(Eigen::all, free);
+    e = trust.weights.cwiseProduct(fit.e);
     normal = jacobian.transpose() * jacobian;
     for (std::size_t k = 0; k < free.size(); ++k) {
       const double prior = fit.model.parameters()[static_cast<std::size_t>(free[k])].prior;

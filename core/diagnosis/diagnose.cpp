@@ -184,6 +184,13 @@ void addFilter(const std::vector<Evidence>& recordings, const robot::Description
   report.notices.insert(report.notices.end(), gain.notices.begin(), gain.notices.end());
 }
 
+/// Cameras alone need a while to tell where a window begins.
+double horizonOf(const std::vector<Evidence>& recordings, const DiagnosisOptions& options) {
+  const bool encoders = std::all_of(recordings.begin(), recordings.end(),
+                                    [](const Evidence& evidence) { return evidence.hasEncoders(); });
+  return encoders ? options.horizon : kWithoutEncoders * options.horizon;
+}
+
 void addRobots(const Selection& s, Report& report) {
   report.refitted = s.base.model.refitted(s.base.u);
   report.extended = s.best.model.extended(s.best.u);
@@ -197,7 +204,7 @@ Report diagnose(const std::vector<Evidence>& recordings, const robot::Descriptio
   Report report;
   Clock clock(report.stages);
   if (progress) progress->report(0.0, "Preparing");
-  const FitData data(recordings, nominal, options.horizon, options.zeros, options.threads);
+  const FitData data(recordings, nominal, horizonOf(recordings, options), options.zeros, options.threads);
   const FitModel base(nominal, jointScales(recordings, nominal));
   clock.lap("prepare");
   const Selection selection = select(

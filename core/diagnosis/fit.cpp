@@ -21,7 +21,7 @@ InitialStates noneBeyond(const FitData& data) {
 }
 
 double objectiveOf(const FitModel& model, const VectorXd& u, const VectorXd& e, const Trust& trust) {
-  const double misfit = usedWeights(trust).cwiseProduct(e).squaredNorm();
+  const double misfit = trust.weights.cwiseProduct(e).squaredNorm();
   const double prior = u.cwiseAbs2().dot(priorPrecision(model));
   return std::isfinite(misfit) ? misfit + prior : std::numeric_limits<double>::infinity();
 }
@@ -34,7 +34,7 @@ Fit linearise(const FitData& data, const FitModel& model, const VectorXd& u, con
 Fit fit(const FitData& data, const FitModel& model, const VectorXd& u, const InitialStates& initial,
         const Trust& trust, const FitOptions& options, const base::Progress* progress) {
   System system = systemAt(data, model, model.clipped(u), initial, trust, options.known);
-  const VectorXd weights = usedWeights(trust);
+  const VectorXd& weights = trust.weights;
   for (int iteration = 1; iteration <= options.iterations; ++iteration) {
     if (progress && progress->cancelled()) break;
     const MatrixXd jacobian = weights.asDiagonal() * system.at.jacobian;
@@ -61,12 +61,21 @@ Fit fit(const FitData& data, const FitModel& model, const VectorXd& u, const Ini
   return system.at;
 }
 
-MatrixXd residualsOf(const FitData& data, const Fit& at, const std::vector<robot::ChainModel>& robots,
-                     const Trust& trust) {
-  MatrixXd e = data.simulate(robots, std::vector<InitialStates>(robots.size(), at.initial));
+namespace {
+
+MatrixXd residualsFrom(const FitData& data, const Fit& at, const std::vector<robot::ChainModel>& robots,
+                       const std::vector<InitialStates>& starts, const Trust& trust) {
+  MatrixXd e = data.simulate(robots, starts);
   e = -(e.colwise() - data.measured());
   takeOffNuisances(data, at, trust, e);
   return e;
+}
+
+}  // namespace
+
+MatrixXd residualsOf(const FitData& data, const Fit& at, const std::vector<robot::ChainModel>& robots,
+                     const Trust& trust) {
+  return residualsFrom(data, at, robots, std::vector<InitialStates>(robots.size(), at.initial), trust);
 }
 
 MatrixXd residualsWith(const FitData& data, const Fit& at, const std::vector<VectorXd>& numbers,
@@ -77,10 +86,7 @@ MatrixXd residualsWith(const FitData& data, const Fit& at, const std::vector<Vec
     robots.push_back(at.model.chain(u));
     starts.push_back(following(data, at, u - at.u));
   }
-  MatrixXd e = data.simulate(robots, starts);
-  e = -(e.colwise() - data.measured());
-  takeOffNuisances(data, at, trust, e);
-  return e;
+  return residualsFrom(data, at, robots, starts, trust);
 }
 
 void takeOffNuisances(const FitData& data, const Fit& at, const Trust& trust, Eigen::Ref<MatrixXd> e) {

@@ -32,7 +32,7 @@ class FitData {
   /// Sensor channels of all recordings, in order; channel()[i] is that of number i.
   const std::vector<ComparedChannel>& channels() const { return channels_; }
   const std::vector<int>& channel() const { return channel_; }
-  /// Blocks of time, kBlock seconds or more (a rigid drive's windows): what cross-validation and bootstrap
+  /// Blocks of time, about kBlock seconds, of rigid drives their windows: what cross-validation and bootstrap
   /// leave out and draw. block()[i] is that of number i.
   int blocks() const { return blocks_; }
   const std::vector<int>& block() const { return block_; }
@@ -72,29 +72,30 @@ struct Fit {
   Eigen::MatrixXd nuisance = {};                ///< d simulated / d nuisance of the number's own stretch
   std::vector<Eigen::MatrixXd> taken_off = {};  ///< by stretch: nuisances that stand for a change of u
   std::vector<bool> bound = {};                 ///< parameters that stand at a bound and would go on
-  double objective = 0.0;
+  double objective = 0.0;                       ///< of e
   int iterations = 0;
 };
 
 /// How numbers count in a fit.
 struct Trust {
   Eigen::VectorXd weights;  ///< 1 over the standard deviation that each number is trusted with
-  std::vector<bool> used;   ///< empty: all; others are left out, but for the nuisances of their own stretch
 };
 
 struct FitOptions {
   int iterations = 12;
   double tolerance = 0.1;  ///< fall of the objective that counts as standing still
-  /// Derivatives by the parameters that this fit has as well are taken from there instead of anew: rougher
-  /// and faster, for a first look.
+  /// Cable drives: derivatives by the parameters that this fit has as well are taken from there instead of
+  /// anew: rougher and faster, for a first look.
   const Fit* known = nullptr;
 };
 
 /// Least squares on the simulation error with priors,
 ///     Σ (w_i e_i)² + Σ (u_k / prior_k)²:
-/// Gauss–Newton on forward differences, 16 robots side by side; each step is tried in 16 dampings and lengths
-/// at once (Levenberg–Marquardt) and kept inside the bounds. Initial states of rigid drives and encoder zeros
-/// are solved for stretch by stretch. Ends early, with what it has, when `progress` is cancelled.
+/// Gauss–Newton on forward differences, 16 robots side by side; each step is tried in several dampings and
+/// lengths at once (Levenberg–Marquardt) and kept inside the bounds. Encoder zeros are solved for stretch by
+/// stretch. So are initial states of rigid drives, by shares of the way that the linearisation tells, and
+/// their steps are judged by what is simulated from there, since friction at rest is far from linear. Ends
+/// early, with what it has, when `progress` is cancelled.
 Fit fit(const FitData& data, const FitModel& model, const Eigen::VectorXd& u, const InitialStates& initial,
         const Trust& trust, const FitOptions& options = {}, const base::Progress* progress = nullptr);
 
@@ -114,12 +115,12 @@ Eigen::MatrixXd residualsWith(const FitData& data, const Fit& at, const std::vec
 /// Takes the fit's nuisances off the columns of `e`, numbers as the data's.
 void takeOffNuisances(const FitData& data, const Fit& at, const Trust& trust, Eigen::Ref<Eigen::MatrixXd> e);
 
-/// Σ (w e)² over the numbers used, and priors.
+/// Σ (w e)² and priors.
 double objectiveOf(const FitModel& model, const Eigen::VectorXd& u, const Eigen::VectorXd& e,
                    const Trust& trust);
 
 /// 1 over max(noise, RMS of e), channel by channel, and over the root of the number of samples that it takes
 /// for e to forget itself.
-Eigen::VectorXd weightsFor(const FitData& data, const Eigen::VectorXd& e, const std::vector<bool>& used = {});
+Eigen::VectorXd weightsFor(const FitData& data, const Eigen::VectorXd& e);
 
 }  // namespace capstan::diagnosis

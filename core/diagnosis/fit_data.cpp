@@ -93,14 +93,12 @@ Eigen::MatrixXd FitData::simulate(const std::vector<robot::ChainModel>& models,
   return told;
 }
 
-Eigen::VectorXd weightsFor(const FitData& data, const Eigen::VectorXd& e, const std::vector<bool>& used) {
+Eigen::VectorXd weightsFor(const FitData& data, const Eigen::VectorXd& e) {
   const std::size_t channels = data.channels().size();
   std::vector<double> squares(channels, 0.0), count(channels, 0.0);
   std::vector<std::vector<double>> sums(channels,
                                         std::vector<double>(static_cast<std::size_t>(data.blocks()), 0.0));
-  const auto uses = [&](std::size_t i) { return used.empty() || used[i]; };
   for (std::size_t i = 0; i < data.channel().size(); ++i) {
-    if (!uses(i)) continue;
     const auto c = static_cast<std::size_t>(data.channel()[i]);
     const double x = e[static_cast<Eigen::Index>(i)];
     squares[c] += x * x, count[c] += 1.0;
@@ -123,8 +121,7 @@ Eigen::VectorXd weightsFor(const FitData& data, const Eigen::VectorXd& e, const 
   }
   Eigen::VectorXd weights(data.size());
   for (std::size_t i = 0; i < data.channel().size(); ++i)
-    weights[static_cast<Eigen::Index>(i)] =
-        uses(i) ? weight[static_cast<std::size_t>(data.channel()[i])] : 0.0;
+    weights[static_cast<Eigen::Index>(i)] = weight[static_cast<std::size_t>(data.channel()[i])];
   return weights;
 }
 

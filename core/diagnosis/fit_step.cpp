@@ -61,11 +61,10 @@ std::vector<Trial> simulated(const FitData& data, const System& system, const Bo
 
 /// Of trials with the same u, each stretch from the one whose initial states suit it best.
 Trial mixed(const FitData& data, std::span<const Trial> trials, const Trust& trust) {
-  const VectorXd weights = usedWeights(trust);
   Trial best = trials.front();
   forStretches(data, [&](std::size_t r, Index w, std::size_t stretch) {
     const auto [begin, end] = data.stretches()[stretch];
-    const VectorXd weight = weights.segment(begin, end - begin);
+    const VectorXd weight = trust.weights.segment(begin, end - begin);
     double least = std::numeric_limits<double>::infinity();
     for (const Trial& trial : trials) {
       const double misfit = weight.cwiseProduct(trial.e.segment(begin, end - begin)).squaredNorm();

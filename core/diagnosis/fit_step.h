@@ -8,6 +8,7 @@
 namespace capstan::diagnosis {
 
 /// Step of the normal equations with the damping, bounds kept: what would leave them stays at them.
+/// Keeps references to `model` and `u`.
 class BoundedStep {
  public:
   BoundedStep(const FitModel& model, const Eigen::VectorXd& u, Eigen::MatrixXd normal,

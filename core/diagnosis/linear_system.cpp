@@ -146,13 +146,6 @@ System systemAt(const FitData& data, const FitModel& model, const VectorXd& u, c
   return system;
 }
 
-VectorXd usedWeights(const Trust& trust) {
-  VectorXd w = trust.weights;
-  for (std::size_t i = 0; i < trust.used.size(); ++i)
-    if (!trust.used[i]) w[static_cast<Index>(i)] = 0.0;
-  return w;
-}
-
 VectorXd priorPrecision(const FitModel& model) {
   VectorXd precision(model.size());
   for (int k = 0; k < model.size(); ++k) {

@@ -32,14 +32,12 @@ std::vector<Eigen::MatrixXd> takeOffNuisances(const FitData& data, const Eigen::
                                               const Eigen::VectorXd& precision,
                                               const Eigen::VectorXd& weights, Eigen::Ref<Eigen::MatrixXd> x);
 
-/// Weights of the numbers that are used; 0 of the others.
-Eigen::VectorXd usedWeights(const Trust& trust);
 Eigen::VectorXd priorPrecision(const FitModel& model);
 
 /// Initial states as a step of u moves them.
 InitialStates following(const FitData& data, const Fit& at, const Eigen::VectorXd& step);
 
-/// Calls with recording, window and stretch of each window that has numbers.
+/// Of rigid drives: calls with recording, window and stretch of each window that has numbers.
 template <typename Use>
 void forStretches(const FitData& data, const Use& use) {
   std::size_t stretch = 0;

@@ -89,8 +89,6 @@ void addProbes(const Fit& fit, const Suspect& suspect, std::vector<Probe>& probe
 class Projection {
  public:
   Projection(const Fit& fit, const Trust& trust) : weights_(trust.weights) {
-    for (std::size_t i = 0; i < trust.used.size(); ++i)
-      if (!trust.used[i]) weights_[static_cast<Index>(i)] = 0.0;
     std::vector<Index> free;
     for (Index k = 0; k < fit.u.size(); ++k)
       if (fit.bound.empty() || !fit.bound[static_cast<std::size_t>(k)]) free.push_back(k);

@@ -44,7 +44,7 @@ Fit fitBase(const FitData& data, const FitModel& model, Trust& trust, const base
   Eigen::VectorXd u = Eigen::VectorXd::Zero(model.size());
   InitialStates initial = noneBeyond(data);
   trust.weights =
-      weightsFor(data, linearise(data, model, u, initial, {Eigen::VectorXd::Ones(data.size()), {}}).e);
+      weightsFor(data, linearise(data, model, u, initial, {Eigen::VectorXd::Ones(data.size())}).e);
   Fit found = fit(data, model, u, initial, trust, {20, 0.05, nullptr}, progress);
   for (int pass = 0; pass < 3 && !cancelled(progress); ++pass) {
     trust.weights = weightsFor(data, found.e);

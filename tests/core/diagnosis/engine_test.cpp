@@ -141,7 +141,7 @@ TEST(Fit, freesEncoderZerosAsItIsAsked) {
   const auto means = [&](EncoderZeros zeros) {  // of the elbow's error in either recording
     const FitData data(planted.evidence, planted.robot, 0.0, zeros, 2);
     const FitModel model(planted.robot, jointScales(planted.evidence, planted.robot));
-    const Trust trust{Eigen::VectorXd::Ones(data.size()), {}};
+    const Trust trust{Eigen::VectorXd::Ones(data.size())};
     const Eigen::VectorXd e =
         linearise(data, model, Eigen::VectorXd::Zero(model.size()), noneBeyond(data), trust).e;
     Eigen::Vector2d sum = Eigen::Vector2d::Zero(), count = sum;

@@ -12,20 +12,22 @@
 namespace capstan::diagnosis {
 namespace {
 
-/// An axis that moves slowly enough to stick, with twice the Stribeck excess that is just visible.
+/// An axis that moves slowly enough to stick, with an effect.
 struct Sticking {
   robot::Description robot = robot::readDescription(std::filesystem::path(CAPSTAN_SOURCE_DIR) /
                                                     "tests/support/planted/data/rigid_axis.yaml");
   test::Truth truth;
   std::vector<Evidence> evidence;
 
-  Sticking() {
+  explicit Sticking(test::Effect effect = test::Effect::kStribeckFriction, double size = 0.23,
+                    bool encoders = true) {
     robot.drive = robot::DriveType::kRigid;
     test::DrawOptions options;
     options.robot = robot;
     options.rigid = true;
-    options.effect = test::Effect::kStribeckFriction;
-    options.size = 0.23;
+    options.effect = effect;
+    options.size = size;
+    options.sensors.joint_encoders = encoders;
     options.textured = false;
     options.duration = 20.0;
     auto [recording, told] = test::recordWithTruth(test::draw(30003012, options));
@@ -44,7 +46,7 @@ struct Sticking {
 
 TEST(RigidDrive, WhatAFitLeavesIsWhatIsSimulatedFromItsInitialStates) {
   const Sticking sticking;
-  const FitData data(sticking.evidence, sticking.robot, 0.5, EncoderZeros::kKnown, 2);
+  const FitData data(sticking.evidence, sticking.robot, DiagnosisOptions{}.horizon, EncoderZeros::kKnown, 2);
   const Fit fit = sticking.refitted(data);
   const Eigen::VectorXd simulated =
       data.measured() - data.simulate({fit.model.chain(fit.u)}, {fit.initial}).col(0);
@@ -62,6 +64,17 @@ TEST(RigidDrive, FindsWhyItSticks) {
   const FoundParameter& excess = report.causes[0].parameters.at(0);
   const double planted = sticking.truth.items.at(0).planted.magnitude;
   EXPECT_NEAR(excess.value, planted, 0.05 * planted);
+}
+
+TEST(RigidDrive, IsDiagnosedFromCamerasAlone) {
+  const Sticking sticking(test::Effect::kPositionFriction, 0.9, false);
+  ASSERT_FALSE(sticking.evidence[0].hasEncoders());
+  DiagnosisOptions options;
+  options.show = false;
+  const Report report = diagnose(sticking.evidence, sticking.robot, options);
+  EXPECT_EQ(report.verdict, Verdict::kFound);
+  ASSERT_FALSE(report.causes.empty());
+  EXPECT_EQ(report.causes[0].effect, "position_friction");
 }
 
 /// Whose blocks average to zero, since each has initial states of its own.

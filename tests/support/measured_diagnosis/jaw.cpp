@@ -29,7 +29,7 @@ Recordings recordingsAt(int first_level, const std::filesystem::path& folder,
 
 /// What the fit's model leaves of recordings.
 Eigen::VectorXd left(const diagnosis::FitData& data, const diagnosis::Fit& fit) {
-  const diagnosis::Trust trust{Eigen::VectorXd::Ones(data.size()), {}};
+  const diagnosis::Trust trust{Eigen::VectorXd::Ones(data.size())};
   return diagnosis::linearise(data, fit.model, fit.u, diagnosis::noneBeyond(data), trust).e;
 }
 

@@ -8,7 +8,7 @@ Fit wholeFit(const std::vector<Evidence>& recordings, const robot::Description& 
              diagnosis::EncoderZeros zeros, int threads) {
   constexpr int kPasses = 3;  // weights go by what is left
   const FitData data(recordings, robot, 0.0, zeros, threads);
-  Trust trust{Eigen::VectorXd::Ones(data.size()), {}};
+  Trust trust{Eigen::VectorXd::Ones(data.size())};
   Fit found = linearise(data, chosen.model, chosen.u, noneBeyond(data), trust);
   for (int pass = 0; pass < kPasses; ++pass) {
     trust.weights = weightsFor(data, found.e);
