@@ -94,6 +94,21 @@ class IdealObserver::Sensors {
 
   double duration() const { return motion_.t.back(); }
 
+  /// Largest RMS of a channel, in noise of one reading.
+  double mostOf(const Eigen::VectorXd& told) const {
+    const Eigen::Index rows = case_.sensors.joint_encoders
+                                  ? static_cast<Eigen::Index>((motion_.t.size() + kStride - 1) / kStride)
+                                  : 0;
+    const auto rms = [](const auto& part, double weight) {
+      return std::sqrt(part.squaredNorm() / std::max<double>(1.0, static_cast<double>(part.size())) / weight);
+    };
+    double most = 0.0;
+    for (Eigen::Index j = 0; rows > 0 && j < case_.robot.size(); ++j)
+      most = std::max(most, rms(told.segment(j * rows, rows), static_cast<double>(kStride)));
+    const Eigen::Index tips = told.size() - rows * case_.robot.size();
+    return tips > 0 ? std::max(most, rms(told.tail(tips), 1.0)) : most;
+  }
+
   Eigen::VectorXd tell(const robot::Description& robot, const std::vector<Planted>& effects) {
     test::PlantParameters parameters(robot, case_.rigid);
     for (const Planted& one : effects) plantInParameters(one, case_.robot, parameters);
@@ -158,6 +173,12 @@ double IdealObserver::deflection(const Eigen::VectorXd& change) const {
 }
 
 double IdealObserver::deflection(const Planted& planted) { return deflection(change(planted)); }
+
+double IdealObserver::beyondAgeing(const Planted& planted) {
+  const Eigen::VectorXd moved = change(planted);
+  const Eigen::VectorXd left = moved - spread_ * normal_.solve(times_ * spread_.transpose() * moved);
+  return sensors_->mostOf(left);
+}
 
 IdealObserver::Limit IdealObserver::limit(const Planted& planted, double size) {
   const Eigen::VectorXd whole = change(planted);
