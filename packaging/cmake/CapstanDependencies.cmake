@@ -16,6 +16,7 @@ find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel CommonTransf
                                          FiltersGeneral InteractionStyle RenderingCore RenderingFreeType RenderingOpenGL2)
 find_package(QCustomPlot REQUIRED)
 find_package(PkgConfig REQUIRED)
+pkg_check_modules(OPENBLAS REQUIRED IMPORTED_TARGET openblas)
 pkg_check_modules(LIBAV REQUIRED IMPORTED_TARGET libavcodec libavutil)
 
 if(BUILD_TESTING)

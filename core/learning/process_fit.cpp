@@ -1,0 +1,80 @@
+#include "core/learning/process_fit.h"
+
+#include <ceres/gradient_problem.h>
+#include <ceres/gradient_problem_solver.h>
+
+#include <cmath>
+
+#include "core/learning/exact_process.h"
+
+namespace capstan::learning {
+namespace {
+
+class Likelihood : public ceres::FirstOrderFunction {
+ public:
+  Likelihood(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y, const Eigen::VectorXd& start,
+             const base::Progress* progress, int& evaluations)
+      : x_(x), y_(y), start_(start), progress_(progress), evaluations_(evaluations) {}
+
+  bool Evaluate(const double* parameters, double* cost, double* gradient) const override {
+    if (progress_ && progress_->cancelled()) return false;
+    const Eigen::Map<const Eigen::VectorXd> at(parameters, NumParameters());
+    if (!((at - start_).cwiseAbs().maxCoeff() < kFarthest)) return false;
+    ++evaluations_;
+    Eigen::VectorXd slope;
+    const auto value =
+        negativeLogLikelihood(x_, y_, RbfParameters::unpacked(at), gradient ? &slope : nullptr);
+    if (!value || !std::isfinite(*value)) return false;
+    *cost = *value;
+    if (gradient) Eigen::Map<Eigen::VectorXd>(gradient, NumParameters()) = slope;
+    return true;
+  }
+  int NumParameters() const override { return static_cast<int>(start_.size()); }
+
+ private:
+  const Eigen::MatrixXd& x_;
+  const Eigen::MatrixXd& y_;
+  Eigen::VectorXd start_;
+  const base::Progress* progress_;
+  int& evaluations_;
+};
+
+/// Standard deviation of a column.
+double deviationOf(const Eigen::VectorXd& column) {
+  return std::sqrt((column.array() - column.mean()).square().mean());
+}
+
+}  // namespace
+
+RbfParameters startOf(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y, const ProcessFitOptions& options) {
+  constexpr double kLengths = 2.0, kNoise = 0.1;
+  const auto lnOf = [](double value) { return std::log(value > 0.0 ? value : 1.0); };
+  RbfParameters start;
+  start.ln_signal = 0.5 * lnOf(y.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(y.size(), 1)));
+  start.ln_noise = start.ln_signal + std::log(kNoise);
+  Eigen::VectorXd lengths(x.cols());
+  for (Eigen::Index i = 0; i < x.cols(); ++i) lengths[i] = lnOf(kLengths * deviationOf(x.col(i)));
+  start.ln_length = options.length_a_feature ? lengths : Eigen::VectorXd::Constant(1, lengths.mean());
+  return start;
+}
+
+ProcessFitReport fitProcess(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y, const RbfParameters& start,
+                            const ProcessFitOptions& options, const base::Progress* progress) {
+  ProcessFitReport report;
+  Eigen::VectorXd found = start.packed();
+  const ceres::GradientProblem problem(new Likelihood(x, y, found, progress, report.evaluations));
+  ceres::GradientProblemSolver::Options search;
+  search.line_search_direction_type = ceres::BFGS;
+  search.max_num_iterations = options.iterations;
+  search.function_tolerance = options.tolerance;
+  search.logging_type = ceres::SILENT;
+  ceres::GradientProblemSolver::Summary summary;
+  ceres::Solve(search, problem, found.data(), &summary);
+  report.converged = summary.termination_type == ceres::CONVERGENCE;
+  report.parameters = found.allFinite() ? RbfParameters::unpacked(found) : start;
+  report.negative_log_likelihood =
+      negativeLogLikelihood(x, y, report.parameters, nullptr).value_or(summary.final_cost);
+  return report;
+}
+
+}  // namespace capstan::learning

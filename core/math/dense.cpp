@@ -1,0 +1,79 @@
+#include "core/math/dense.h"
+
+#include <cblas.h>
+
+#include <cassert>
+
+// OpenBLAS carries LAPACK; its Fortran names need no header of their own.
+extern "C" {
+void dpotrf_(const char* uplo, const int* n, double* a, const int* lda, int* info);
+void dpotri_(const char* uplo, const int* n, double* a, const int* lda, int* info);
+}
+
+namespace capstan::math {
+namespace {
+
+int size(Eigen::Index n) { return static_cast<int>(n); }
+
+void solveTriangle(const Eigen::MatrixXd& l, Eigen::Ref<Eigen::MatrixXd> b, CBLAS_TRANSPOSE transposed) {
+  assert(l.rows() == l.cols() && l.rows() == b.rows());
+  if (b.size() == 0) return;
+  cblas_dtrsm(CblasColMajor, CblasLeft, CblasLower, transposed, CblasNonUnit, size(b.rows()), size(b.cols()),
+              1.0, l.data(), size(l.rows()), b.data(), size(b.outerStride()));
+}
+
+}  // namespace
+
+void setDenseThreads(int threads) { openblas_set_num_threads(threads); }
+
+bool choleskyInPlace(Eigen::MatrixXd& a) {
+  assert(a.rows() == a.cols());
+  const int n = size(a.rows());
+  int info = 0;
+  if (n > 0) dpotrf_("L", &n, a.data(), &n, &info);
+  return info == 0;
+}
+
+void invertFromCholesky(Eigen::MatrixXd& l) {
+  const int n = size(l.rows());
+  int info = 0;
+  if (n > 0) dpotri_("L", &n, l.data(), &n, &info);
+  assert(info == 0);
+}
+
+void solveLower(const Eigen::MatrixXd& l, Eigen::Ref<Eigen::MatrixXd> b) {
+  solveTriangle(l, b, CblasNoTrans);
+}
+
+void solveLowerTransposed(const Eigen::MatrixXd& l, Eigen::Ref<Eigen::MatrixXd> b) {
+  solveTriangle(l, b, CblasTrans);
+}
+
+void addSquare(double scale, const Eigen::MatrixXd& a, Eigen::MatrixXd& c) {
+  assert(c.rows() == a.rows() && c.cols() == a.rows());
+  if (a.size() == 0) return;
+  cblas_dsyrk(CblasColMajor, CblasLower, CblasNoTrans, size(a.rows()), size(a.cols()), scale, a.data(),
+              size(a.rows()), 1.0, c.data(), size(c.rows()));
+}
+
+Eigen::MatrixXd timesSymmetric(const Eigen::MatrixXd& s, const Eigen::MatrixXd& b) {
+  assert(s.rows() == s.cols() && s.cols() == b.rows());
+  Eigen::MatrixXd c(b.rows(), b.cols());
+  if (c.size() > 0)
+    cblas_dsymm(CblasColMajor, CblasLeft, CblasLower, size(b.rows()), size(b.cols()), 1.0, s.data(),
+                size(s.rows()), b.data(), size(b.rows()), 0.0, c.data(), size(c.rows()));
+  return c;
+}
+
+Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, bool transposed) {
+  assert(a.cols() == (transposed ? b.cols() : b.rows()));
+  Eigen::MatrixXd c(a.rows(), transposed ? b.rows() : b.cols());
+  if (a.cols() == 0) c.setZero();
+  if (c.size() > 0 && a.cols() > 0)
+    cblas_dgemm(CblasColMajor, CblasNoTrans, transposed ? CblasTrans : CblasNoTrans, size(c.rows()),
+                size(c.cols()), size(a.cols()), 1.0, a.data(), size(a.rows()), b.data(), size(b.rows()), 0.0,
+                c.data(), size(c.rows()));
+  return c;
+}
+
+}  // namespace capstan::math
