@@ -1,0 +1,50 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace capstan::learning {
+
+/// Where something was seen, and where it was asked, or believed, to be: each [m] and a turn, in frames of
+/// their own.
+struct PosePair {
+  Eigen::Isometry3d seen = Eigen::Isometry3d::Identity();
+  Eigen::Isometry3d told = Eigen::Isometry3d::Identity();
+};
+
+/// How far two poses are apart: |Δt|² + (`lever` · angle)² [m²], the lever what a turn counts for [m].
+double squaredDistance(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, double lever);
+inline constexpr double kLever = 0.05;  ///< of an instrument's tip
+
+/// The rigid transform G that takes what was seen nearest to what was told (GPR paper, section IV-B),
+///     min Σ ‖G T_seen − T_told‖²_F,
+/// translations in levers: in closed form by the singular value decomposition of
+///     Σ (t_told − t̄_told)(t_seen − t̄_seen)ᵀ / lever² + R_told R_seenᵀ = U S Vᵀ,   R = U diag(1, 1, det U Vᵀ)
+///     Vᵀ
+/// (Arun, Huang and Blostein, 1987; Umeyama, 1991). Identity of no pairs.
+Eigen::Isometry3d rigidOffset(std::span<const PosePair> pairs, double lever = kLever);
+
+struct MedianOptions {
+  int draws = 500;
+  int sample = 3;      ///< pairs of a draw
+  double reach = 2.5;  ///< of the robust standard deviation, within which a pair belongs
+  double lever = kLever;
+  std::uint64_t seed = 1;
+};
+
+struct MedianReport {
+  Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();  ///< of all pairs that belong
+  double deviation = 0.0;                                    ///< robust, of what belongs [m]
+  std::vector<bool> belongs;                                 ///< by pair
+};
+
+/// Rigid offset by the least median of squares (Rousseeuw, Journal of the American Statistical Association 79
+/// (1984); GPR paper, section IV-A): the offset of a few pairs whose median squared distance to all is least;
+/// what lies further than `reach` robust deviations, 1.4826 (1 + 5 / (n − sample)) √median, does not belong,
+/// and the offset of the rest is taken. Stands up to half of all pairs wrong. With fewer pairs than a sample
+/// all belong.
+MedianReport leastMedianOffset(std::span<const PosePair> pairs, const MedianOptions& options = {});
+
+}  // namespace capstan::learning

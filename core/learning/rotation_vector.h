@@ -1,0 +1,15 @@
+#pragma once
+
+#include <Eigen/Geometry>
+
+/// The tangent space of SO(3) (Solà, Deray and Atchuthan, A micro Lie theory for state estimation in
+/// robotics, 2018, section IV).
+namespace capstan::learning {
+
+/// Axis times angle [rad], the short way round: |result| ≤ π.
+Eigen::Vector3d rotationVector(const Eigen::Quaterniond& turn);
+
+/// The turn about the vector's direction by its length.
+Eigen::Quaterniond turnBy(const Eigen::Vector3d& rotation_vector);
+
+}  // namespace capstan::learning

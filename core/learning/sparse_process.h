@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/learning/exact_process.h"
+
+namespace capstan::learning {
+
+/// `count` of `points` rows, drawn without replacement, in rising order; all where there are no more.
+std::vector<Eigen::Index> drawnPoints(Eigen::Index points, Eigen::Index count, std::uint64_t seed);
+
+/// Gaussian process regression through inducing points u (Titsias, Variational learning of inducing variables
+/// in sparse Gaussian processes, AISTATS 2009; its mean is the deterministic training conditional's,
+/// Quiñonero-Candela and Rasmussen, JMLR 6 (2005)):
+///     mean(x) = k_xu L⁻ᵀ B⁻¹ V Y / σ_n²,   K_uu = L Lᵀ, V = L⁻¹ K_uf, B = I + V Vᵀ / σ_n²
+///     variance(x) = σ_f² − |L⁻¹ k_ux|² + |L_B⁻¹ L⁻¹ k_ux|²,   B = L_B L_Bᵀ
+/// O(n m²) to make, O(m) for a mean, O(m²) for a variance; with all points as inducing ones it is the exact
+/// process. Points can be added later at O(m²) each and one factor of B, O(m³).
+class SparseProcess {
+ public:
+  /// Inducing points (m × d) and outputs (of which there are q) of mean 0; knows no points yet.
+  SparseProcess(const Eigen::MatrixXd& inducing, Eigen::Index outputs, RbfParameters parameters);
+
+  /// Learns points x (n × d) with outputs y (n × q).
+  void add(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y);
+
+  Prediction predict(const Eigen::MatrixXd& at) const;
+  Eigen::MatrixXd mean(const Eigen::MatrixXd& at) const;
+
+  const RbfParameters& parameters() const { return parameters_; }
+  Eigen::Index inducing() const { return z_.rows(); }
+
+ private:
+  void factorise();
+
+  RbfParameters parameters_;
+  Eigen::MatrixXd z_;        ///< inducing points in lengths
+  Eigen::MatrixXd root_;     ///< L
+  Eigen::MatrixXd square_;   ///< B, lower triangle
+  Eigen::MatrixXd sum_;      ///< V Y / σ_n², m × q
+  Eigen::MatrixXd factor_;   ///< L_B
+  Eigen::MatrixXd weights_;  ///< L⁻ᵀ B⁻¹ V Y / σ_n²
+};
+
+}  // namespace capstan::learning
