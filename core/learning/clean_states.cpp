@@ -1,0 +1,69 @@
+#include "core/learning/clean_states.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/learning/rotation_vector.h"
+
+namespace capstan::learning {
+namespace {
+
+double turnBetween(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
+  return rotationVector(Eigen::Quaterniond(a.linear()).conjugate() * Eigen::Quaterniond(b.linear())).norm();
+}
+
+Reason judged(const State& state, const CleaningReport& report, const CleaningOptions& options) {
+  const Eigen::Isometry3d seen = report.offset * state.pair.seen;
+  if (turnBetween(seen, state.pair.told) > options.most_turned) return Reason::kTooFarTurned;
+  if (!report.workspace.contains(seen.translation())) return Reason::kOutside;
+  if (state.velocity.head<3>().norm() > options.most_speed) return Reason::kTooFast;
+  if (state.velocity.tail<3>().norm() > options.most_turn_rate) return Reason::kTurnsTooFast;
+  return Reason::kNone;
+}
+
+/// Trajectories of which most has gone, go.
+void rejectTrajectories(const std::vector<State>& states, double most, std::vector<Reason>& reason) {
+  for (std::size_t begin = 0, end = 0; begin < states.size(); begin = end) {
+    std::size_t gone = 0;
+    for (end = begin; end < states.size() && states[end].motion == states[begin].motion; ++end)
+      gone += reason[end] != Reason::kNone;
+    if (static_cast<double>(gone) <= most * static_cast<double>(end - begin)) continue;
+    for (std::size_t k = begin; k < end; ++k)
+      if (reason[k] == Reason::kNone) reason[k] = Reason::kTrajectory;
+  }
+}
+
+}  // namespace
+
+std::size_t CleaningReport::count(Reason of) const {
+  return static_cast<std::size_t>(std::count(reason.begin(), reason.end(), of));
+}
+
+CleaningReport cleanStates(const std::vector<State>& states, const CleaningOptions& options) {
+  CleaningReport report;
+  std::vector<PosePair> pairs;
+  for (const State& state : states) {
+    pairs.push_back(state.pair);
+    report.workspace.extend(state.pair.told.translation());
+  }
+  const MedianReport median = leastMedianOffset(pairs, options.median);
+  report.offset = median.offset;
+  report.deviation = median.deviation;
+  if (!states.empty()) {
+    report.workspace.min().array() -= options.margin;
+    report.workspace.max().array() += options.margin;
+  }
+  for (std::size_t k = 0; k < states.size(); ++k)
+    report.reason.push_back(median.belongs[k] ? judged(states[k], report, options) : Reason::kOutlier);
+  rejectTrajectories(states, options.most_rejected, report.reason);
+  return report;
+}
+
+std::vector<State> kept(const std::vector<State>& states, const CleaningReport& report) {
+  std::vector<State> some;
+  for (std::size_t k = 0; k < states.size(); ++k)
+    if (report.reason[k] == Reason::kNone) some.push_back(states[k]);
+  return some;
+}
+
+}  // namespace capstan::learning

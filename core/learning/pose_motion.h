@@ -1,0 +1,86 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/base/names.h"
+
+/// Motions of a tip as three streams of stamped poses tell them: what cameras saw, what the robot's forward
+/// kinematics said, what it was asked for.
+namespace capstan::learning {
+
+enum class StreamKind { kCamera, kRobot, kCommand };
+inline constexpr std::size_t kStreams = 3;
+
+/// Why a row of a stream, or a state, does not count.
+enum class Reason {
+  kNone,
+  kNotFinite,     ///< an empty cell, NaN or infinity
+  kPlaceholder,   ///< position 0 and no turn: there is no pose
+  kNoRotation,    ///< a quaternion whose norm is not 1
+  kRepeat,        ///< the stamp of the row before
+  kBackInTime,    ///< a stamp before that of the row before
+  kOutlier,       ///< beyond the least median of squares
+  kTooFarTurned,  ///< an orientation that the markers cannot be seen in
+  kOutside,       ///< a position that the arm does not reach
+  kTooFast,       ///< a speed that the robot does not have
+  kTurnsTooFast,
+  kTrajectory,  ///< most of its trajectory was rejected
+};
+
+/// As a table has it, nothing checked.
+struct RawPose {
+  std::size_t row = 0;                                    ///< line of the file, for messages
+  double t = 0.0;                                         ///< stamp [s], a clock of the stream's own
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();     ///< [m]
+  Eigen::Vector4d quaternion = Eigen::Vector4d::UnitW();  ///< x, y, z, w
+};
+
+struct RawMotion {
+  std::string name;  ///< "task 1, trajectory 22"
+  std::array<std::vector<RawPose>, kStreams> streams;
+};
+
+struct StampedPose {
+  std::size_t row = 0;
+  double t = 0.0;  ///< [s]
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+};
+
+/// Stamps of each stream rise strictly.
+struct PoseMotion {
+  std::string name;
+  std::array<std::vector<StampedPose>, kStreams> streams;
+  const std::vector<StampedPose>& of(StreamKind kind) const {
+    return streams[static_cast<std::size_t>(kind)];
+  }
+};
+
+}  // namespace capstan::learning
+
+template <>
+struct capstan::base::NamesOf<capstan::learning::StreamKind> {
+  using K = capstan::learning::StreamKind;
+  static constexpr std::array value = {std::pair{K::kCamera, "camera"}, std::pair{K::kRobot, "robot"},
+                                       std::pair{K::kCommand, "command"}};
+};
+
+template <>
+struct capstan::base::NamesOf<capstan::learning::Reason> {
+  using R = capstan::learning::Reason;
+  static constexpr std::array value = {std::pair{R::kNone, "counts"},
+                                       std::pair{R::kNotFinite, "not a number"},
+                                       std::pair{R::kPlaceholder, "placeholder"},
+                                       std::pair{R::kNoRotation, "no unit quaternion"},
+                                       std::pair{R::kRepeat, "repeats the row before"},
+                                       std::pair{R::kBackInTime, "goes back in time"},
+                                       std::pair{R::kOutlier, "far from what the others say"},
+                                       std::pair{R::kTooFarTurned, "turned too far to be seen"},
+                                       std::pair{R::kOutside, "outside the workspace"},
+                                       std::pair{R::kTooFast, "faster than the robot"},
+                                       std::pair{R::kTurnsTooFast, "turns faster than the robot"},
+                                       std::pair{R::kTrajectory, "of a trajectory that was rejected"}};
+};

@@ -1,0 +1,140 @@
+#include "core/learning/states.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/learning/stencil.h"
+
+namespace capstan::learning {
+namespace {
+
+std::vector<double> stampsOf(const std::vector<StampedPose>& stream) {
+  std::vector<double> t;
+  for (const StampedPose& pose : stream) t.push_back(pose.t);
+  return t;
+}
+
+Eigen::Matrix3Xd positionsOf(const std::vector<StampedPose>& stream) {
+  Eigen::Matrix3Xd positions(3, static_cast<Eigen::Index>(stream.size()));
+  for (std::size_t k = 0; k < stream.size(); ++k)
+    positions.col(static_cast<Eigen::Index>(k)) = stream[k].pose.translation();
+  return positions;
+}
+
+std::vector<Eigen::Quaterniond> turnsOf(const std::vector<StampedPose>& stream) {
+  std::vector<Eigen::Quaterniond> turns;
+  for (const StampedPose& pose : stream) turns.emplace_back(pose.pose.linear());
+  return turns;
+}
+
+/// Speeds of a stream over time.
+struct Speeds {
+  std::vector<double> t, speed;
+
+  explicit Speeds(const std::vector<StampedPose>& stream) : t(stampsOf(stream)) {
+    const Eigen::Matrix3Xd v = velocitiesOf(t, positionsOf(stream));
+    for (Eigen::Index k = 0; k < v.cols(); ++k) speed.push_back(v.col(k).norm());
+  }
+  std::optional<double> at(double when) const {
+    const auto after = std::lower_bound(t.begin(), t.end(), when);
+    if (after == t.begin() || after == t.end()) return std::nullopt;
+    const auto k = static_cast<std::size_t>(after - t.begin());
+    if (t[k] - t[k - 1] > kLongestGap) return std::nullopt;
+    const double share = (when - t[k - 1]) / (t[k] - t[k - 1]);
+    return (1.0 - share) * speed[k - 1] + share * speed[k];
+  }
+};
+
+/// Sum and number of a motion's differences of speed at each lag.
+struct Misfit {
+  Eigen::VectorXd sum, count;
+};
+
+Misfit misfitOf(const PoseMotion& motion, StreamKind told, const std::vector<double>& lags) {
+  const Speeds seen(motion.of(StreamKind::kCamera)), said(motion.of(told));
+  const auto n = static_cast<Eigen::Index>(lags.size());
+  Misfit misfit{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n)};
+  for (std::size_t k = 0; k < seen.t.size(); ++k)
+    for (Eigen::Index l = 0; l < n; ++l)
+      if (const auto speed = said.at(seen.t[k] - lags[static_cast<std::size_t>(l)])) {
+        misfit.sum[l] += std::min(std::abs(seen.speed[k] - *speed), kJump);
+        misfit.count[l] += 1.0;
+      }
+  return misfit;
+}
+
+/// Where the parabola through the least of all and its neighbours is least.
+double leastAt(const std::vector<double>& lags, const Eigen::VectorXd& mean) {
+  Eigen::Index least = 0;
+  mean.minCoeff(&least);
+  const double at = lags[static_cast<std::size_t>(least)];
+  if (least == 0 || least + 1 == mean.size()) return at;
+  const double before = mean[least - 1], after = mean[least + 1];
+  const double bend = before - 2.0 * mean[least] + after;
+  return bend > 0.0 ? at + 0.5 * (before - after) / bend * (lags[1] - lags[0]) : at;
+}
+
+}  // namespace
+
+std::optional<Eigen::Isometry3d> poseAt(const std::vector<StampedPose>& stream, double t) {
+  const auto after = std::lower_bound(stream.begin(), stream.end(), t,
+                                      [](const StampedPose& pose, double when) { return pose.t < when; });
+  if (after == stream.end()) return std::nullopt;
+  if (after->t == t) return after->pose;
+  if (after == stream.begin()) return std::nullopt;
+  const StampedPose &a = *(after - 1), &b = *after;
+  if (b.t - a.t > kLongestGap) return std::nullopt;
+  const double share = (t - a.t) / (b.t - a.t);
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.linear() = Eigen::Quaterniond(a.pose.linear())
+                      .slerp(share, Eigen::Quaterniond(b.pose.linear()))
+                      .toRotationMatrix();
+  pose.translation() = (1.0 - share) * a.pose.translation() + share * b.pose.translation();
+  return pose;
+}
+
+std::vector<State> statesOf(const std::vector<PoseMotion>& motions, StreamKind told, double lag) {
+  std::vector<State> states;
+  for (std::size_t m = 0; m < motions.size(); ++m) {
+    const std::vector<StampedPose>& seen = motions[m].of(StreamKind::kCamera);
+    const std::vector<double> t = stampsOf(seen);
+    const Eigen::Matrix3Xd v = velocitiesOf(t, positionsOf(seen));
+    const Eigen::Matrix3Xd w = angularVelocitiesOf(t, turnsOf(seen));
+    for (std::size_t k = 0; k < seen.size(); ++k) {
+      const auto said = poseAt(motions[m].of(told), t[k] - lag);
+      if (!said) continue;
+      State state{m, seen[k].row, t[k], {seen[k].pose, *said}, {}};
+      state.velocity << v.col(static_cast<Eigen::Index>(k)), w.col(static_cast<Eigen::Index>(k));
+      states.push_back(std::move(state));
+    }
+  }
+  return states;
+}
+
+LagReport lagBetween(const std::vector<PoseMotion>& motions, StreamKind told, const LagOptions& options) {
+  LagReport report;
+  for (double lag = options.earliest; lag <= options.latest + 0.5 * options.step; lag += options.step)
+    report.tried.push_back(lag);
+  std::vector<Misfit> misfits;
+  const auto n = static_cast<Eigen::Index>(report.tried.size());
+  Misfit all{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n)};
+  for (const PoseMotion& motion : motions) {
+    misfits.push_back(misfitOf(motion, told, report.tried));
+    all.sum += misfits.back().sum;
+    all.count += misfits.back().count;
+  }
+  const Eigen::VectorXd mean = all.sum.cwiseQuotient(all.count.cwiseMax(1.0));
+  report.misfit.assign(mean.data(), mean.data() + mean.size());
+  report.lag = leastAt(report.tried, mean);
+  double squares = 0.0, used = 0.0;
+  for (const Misfit& one : misfits) {
+    if (one.count.maxCoeff() < 1.0) continue;
+    const Eigen::VectorXd rest = (all.sum - one.sum).cwiseQuotient((all.count - one.count).cwiseMax(1.0));
+    squares += std::pow(leastAt(report.tried, rest) - report.lag, 2);
+    used += 1.0;
+  }
+  if (used > 1.0) report.sigma = std::sqrt(squares * (used - 1.0) / used);
+  return report;
+}
+
+}  // namespace capstan::learning

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+
+#include "core/learning/pose_motion.h"
+#include "core/learning/rigid_offset.h"
+
+namespace capstan::learning {
+
+using Vector6d = Eigen::Matrix<double, 6, 1>;
+
+/// An observed state and what was told at that instant (GPR paper, section III: x_o = (p, ṗ) and p_c).
+struct State {
+  std::size_t motion = 0;  ///< place among the motions
+  std::size_t row = 0;     ///< line of the camera's row
+  double t = 0.0;          ///< of the camera's clock [s]
+  PosePair pair;
+  Vector6d velocity = Vector6d::Zero();  ///< of what was seen, [m/s], then [rad/s] in its own frame
+};
+
+/// A stream's pose at a time, between the two stamps around it: positions in line, turns along the shorter
+/// arc. Nothing before the first, after the last or in a gap longer than kLongestGap.
+std::optional<Eigen::Isometry3d> poseAt(const std::vector<StampedPose>& stream, double t);
+inline constexpr double kLongestGap = 0.1;  ///< [s]
+
+/// Every sight with its velocity (five-point stencil on the camera's own stamps) and what `told` said `lag`
+/// seconds before: told(t − lag). Sights without such a pose are left out.
+std::vector<State> statesOf(const std::vector<PoseMotion>& motions, StreamKind told, double lag);
+
+struct LagOptions {
+  double earliest = -0.1, latest = 0.4;  ///< [s]
+  double step = 0.01;                    ///< of the first search [s]
+};
+
+struct LagReport {
+  double lag = 0.0;                   ///< by which what is seen comes behind what is told [s]
+  double sigma = 0.0;                 ///< its standard deviation, from motion to motion by the jackknife [s]
+  std::vector<double> tried, misfit;  ///< of the first search: RMS of the difference of speeds [m/s]
+};
+
+/// The lag between both clocks and of the robot behind its command, by speeds, which no rigid offset
+/// changes: least mean of |‖v_seen(t)‖ − ‖v_told(t − lag)‖|, the mean robust against sights that jump
+/// (differences beyond kJump count as that). Searched in steps, then by a parabola through the least three.
+LagReport lagBetween(const std::vector<PoseMotion>& motions, StreamKind told, const LagOptions& options = {});
+inline constexpr double kJump = 0.05;  ///< [m/s]
+
+}  // namespace capstan::learning

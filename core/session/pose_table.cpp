@@ -1,0 +1,98 @@
+#include "core/session/pose_table.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "core/base/error.h"
+#include "core/base/yaml.h"
+#include "core/session/csv.h"
+
+namespace capstan::session {
+namespace {
+
+constexpr std::array<std::string_view, 7> kParts = {"x", "y", "z", "qx", "qy", "qz", "qw"};
+constexpr std::array<std::string_view, learning::kStreams> kPrefixes = {"cam", "robot", "cmd"};
+
+/// Columns of one stream: the stamp, and position and quaternion.
+struct StreamColumns {
+  std::vector<double> stamp;
+  std::array<std::vector<double>, 7> part;
+};
+
+struct Columns {
+  std::vector<double> task, trajectory;
+  std::array<StreamColumns, learning::kStreams> streams;
+
+  std::vector<double>* named(std::string_view name) {
+    if (name == "task") return &task;
+    if (name == "traj") return &trajectory;
+    for (std::size_t s = 0; s < streams.size(); ++s) {
+      if (name == fmt::format("t_{}_s", kPrefixes[s])) return &streams[s].stamp;
+      for (std::size_t i = 0; i < kParts.size(); ++i)
+        if (name == fmt::format("{}_{}", kPrefixes[s], kParts[i])) return &streams[s].part[i];
+    }
+    return nullptr;
+  }
+};
+
+void need(const std::vector<double>& column, const std::string& name, const std::string& file) {
+  if (column.empty())
+    throw base::InputError({file,
+                            1,
+                            name,
+                            {},
+                            "this column is missing",
+                            "Give traj, t_cam_s, cam_x … cam_qw and the same of robot or cmd"});
+}
+
+void check(const Columns& columns, const std::string& file) {
+  need(columns.trajectory, "traj", file);
+  const bool robot = !columns.streams[1].stamp.empty(), command = !columns.streams[2].stamp.empty();
+  for (std::size_t s = 0; s < columns.streams.size(); ++s) {
+    const bool wanted = s == 0 || !columns.streams[s].stamp.empty() || (!robot && !command);
+    if (!wanted) continue;
+    need(columns.streams[s].stamp, fmt::format("t_{}_s", kPrefixes[s]), file);
+    for (std::size_t i = 0; i < kParts.size(); ++i)
+      need(columns.streams[s].part[i], fmt::format("{}_{}", kPrefixes[s], kParts[i]), file);
+  }
+}
+
+learning::RawPose rawPose(const StreamColumns& columns, std::size_t row) {
+  learning::RawPose raw;
+  raw.row = row + 2;
+  raw.t = columns.stamp[row];
+  const auto part = [&](std::size_t i) { return columns.part[i][row]; };
+  raw.position = {part(0), part(1), part(2)};
+  raw.quaternion = {part(3), part(4), part(5), part(6)};
+  return raw;
+}
+
+}  // namespace
+
+std::vector<learning::RawMotion> parsePoseTable(std::string_view text, const std::string& file) {
+  Columns columns;
+  parseCsv(text, file, [&](std::string_view name, std::size_t) { return columns.named(name); });
+  check(columns, file);
+  std::vector<learning::RawMotion> motions;
+  for (std::size_t row = 0; row < columns.trajectory.size(); ++row) {
+    const bool same = row > 0 && columns.trajectory[row] == columns.trajectory[row - 1] &&
+                      (columns.task.empty() || columns.task[row] == columns.task[row - 1]);
+    if (!same) {
+      const std::string trajectory = fmt::format("trajectory {}", columns.trajectory[row]);
+      motions.push_back(
+          {columns.task.empty() ? trajectory : fmt::format("task {}, {}", columns.task[row], trajectory),
+           {}});
+    }
+    for (std::size_t s = 0; s < columns.streams.size(); ++s)
+      if (!columns.streams[s].stamp.empty())
+        motions.back().streams[s].push_back(rawPose(columns.streams[s], row));
+  }
+  return motions;
+}
+
+std::vector<learning::RawMotion> readPoseTable(const std::filesystem::path& path) {
+  return parsePoseTable(base::readTextFile(path), path.string());
+}
+
+}  // namespace capstan::session

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/learning/pose_motion.h"
+
+namespace capstan::session {
+
+/// Parses a table of tip poses with columns traj, t_cam_s, cam_x, cam_y, cam_z, cam_qx, cam_qy, cam_qz,
+/// cam_qw and the same of robot or cmd (or both), and task where known: stamps in seconds, each stream's own
+/// clock; metres; unit quaternions. Rows of one trajectory stand together. Nothing is left out
+/// (learning::screenPoses does that). base::InputError naming file, line, column, value and remedy: a column
+/// that is missing, a cell that is no number, no rows.
+std::vector<learning::RawMotion> parsePoseTable(std::string_view text, const std::string& file);
+std::vector<learning::RawMotion> readPoseTable(const std::filesystem::path& path);
+
+}  // namespace capstan::session
