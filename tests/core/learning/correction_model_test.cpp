@@ -1,0 +1,150 @@
+// Corrections of an error that is known, and of nothing.
+#include "core/learning/correction_model.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/base/random.h"
+#include "core/learning/rotation_vector.h"
+
+namespace capstan::learning {
+namespace {
+
+Eigen::Isometry3d pose(const Eigen::Vector3d& position, const Eigen::Vector3d& rotation_vector) {
+  Eigen::Isometry3d made = Eigen::Isometry3d::Identity();
+  made.linear() = turnBy(rotation_vector).toRotationMatrix();
+  made.translation() = position;
+  return made;
+}
+
+/// What has to be told to see a pose: millimetres off by where it is, degrees by how fast it moves.
+Eigen::Isometry3d toldFor(const Eigen::Isometry3d& seen, const Vector6d& velocity) {
+  const Eigen::Vector3d p = seen.translation();
+  const Eigen::Vector3d off(4e-3 * std::sin(40.0 * p.x()), 3e-3 * std::cos(30.0 * p.y()), 0.0);
+  const Eigen::Isometry3d rigid = pose({0.02, 0.01, -0.03}, {0.2, 0.0, 0.1});
+  Eigen::Isometry3d told = rigid * seen * pose(Eigen::Vector3d::Zero(), {0.5 * velocity[0], 0.0, 0.0});
+  told.translation() += off;
+  return told;
+}
+
+std::vector<State> states(std::size_t n, std::uint64_t seed, double noise = 1e-4) {
+  base::Random random(seed, "states");
+  const auto draw = [&](double size) -> Eigen::Vector3d {
+    return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
+  };
+  std::vector<State> made;
+  while (made.size() < n) {
+    State state;
+    state.pair.seen = pose(draw(0.05), draw(0.3));
+    state.velocity << draw(0.1), draw(0.5);
+    state.pair.told = toldFor(state.pair.seen, state.velocity);
+    state.pair.told.translation() += draw(noise);
+    made.push_back(state);
+  }
+  return made;
+}
+
+CorrectionOptions quick() {
+  CorrectionOptions options;
+  options.likelihood_points = 300;
+  options.inducing_points = 250;
+  return options;
+}
+
+double rms(const CorrectionModel& model, const std::vector<State>& test) {
+  const std::vector<Eigen::Isometry3d> told = model.correct(test);
+  double squares = 0.0;
+  for (std::size_t k = 0; k < test.size(); ++k)
+    squares += squaredDistance(told[k], test[k].pair.told, kLever);
+  return std::sqrt(squares / static_cast<double>(test.size()));
+}
+
+TEST(CorrectionModel, learnsWhatTheRigidOffsetLeaves) {
+  const std::vector<State> train = states(800, 1), test = states(200, 2, 0.0);
+  for (const RotationForm form : {RotationForm::kTangent, RotationForm::kYawPitchRoll}) {
+    CorrectionOptions options = quick();
+    options.rotation = form;
+    const CorrectionModel model = CorrectionModel::trained(train, options);
+    base::Progress cancelled;
+    cancelled.cancel();
+    const double rigid = rms(CorrectionModel::trained(train, options, &cancelled), test);
+    EXPECT_GT(rigid, 2e-3);
+    EXPECT_LT(rms(model, test), 0.1 * rigid) << base::nameOf(form);
+  }
+}
+
+TEST(CorrectionModel, needsVelocitiesWhereErrorsDo) {
+  const std::vector<State> train = states(800, 1), test = states(200, 2, 0.0);
+  CorrectionOptions options = quick();
+  const double with = rms(CorrectionModel::trained(train, options), test);
+  options.velocity = false;
+  EXPECT_GT(rms(CorrectionModel::trained(train, options), test), 3.0 * with);
+}
+
+TEST(CorrectionModel, knowsHowSureItIs) {
+  const CorrectionModel model = CorrectionModel::trained(states(800, 1), quick());
+  int inside = 0, outputs = 0;
+  for (const State& state : states(200, 3)) {
+    const Corrected corrected = model.correct(state.pair.seen, state.velocity);
+    EXPECT_GT(corrected.confidence, 0.5);
+    const Eigen::Vector3d off = corrected.pose.translation() - state.pair.told.translation();
+    for (int axis = 0; axis < 3; ++axis, ++outputs)
+      inside += std::abs(off[axis]) < 2.0 * corrected.sigma[axis];
+  }
+  EXPECT_GT(inside, 0.9 * outputs);
+}
+
+TEST(CorrectionModel, fallsBackToTheRigidOffsetBeyondItsData) {
+  const CorrectionModel model = CorrectionModel::trained(states(400, 1), quick());
+  const Eigen::Isometry3d far = pose({5.0, 5.0, 5.0}, Eigen::Vector3d::Zero());
+  const Corrected corrected = model.correct(far, Vector6d::Zero());
+  EXPECT_LT(corrected.confidence, 1e-6);
+  EXPECT_LT(squaredDistance(corrected.pose, model.offset() * far, kLever), 1e-16);
+  double before = 1.0;  // and it gets there smoothly
+  for (double x = 0.0; x < 0.5; x += 0.05) {
+    const double confidence =
+        model.correct(pose({x, 0.0, 0.0}, Eigen::Vector3d::Zero()), Vector6d::Zero()).confidence;
+    EXPECT_LT(confidence, before + 0.05);
+    before = confidence;
+  }
+  EXPECT_LT(before, 0.05);
+}
+
+TEST(CorrectionModel, learnsMoreWhileItRuns) {
+  std::vector<State> train = states(800, 1);
+  const std::vector<State> first(train.begin(), train.begin() + 300), more(train.begin() + 300, train.end());
+  const std::vector<State> test = states(200, 2, 0.0);
+  CorrectionModel model = CorrectionModel::trained(first, quick());
+  const double before = rms(model, test);
+  model.add(more);
+  EXPECT_LT(rms(model, test), 0.9 * before);
+}
+
+TEST(CorrectionModel, refusesTooFew) {
+  EXPECT_THROW(CorrectionModel::trained(states(kFewestStates - 1, 1)), base::InputError);
+}
+
+TEST(YawPitchRoll, leadsThereAndBack) {
+  base::Random random(4, "angles");
+  for (int k = 0; k < 200; ++k) {
+    const Eigen::Vector3d angles(random.uniform(-3.1, 3.1), random.uniform(-1.57, 1.57),
+                                 random.uniform(-3.1, 3.1));
+    EXPECT_LT((yawPitchRoll(fromYawPitchRoll(angles)) - angles).norm(), 1e-6);
+  }
+  const Eigen::Matrix3d upright = fromYawPitchRoll({0.3, std::acos(-1.0) / 2.0, 0.0});
+  EXPECT_LT((fromYawPitchRoll(yawPitchRoll(upright)) - upright).norm(), 1e-7);
+}
+
+TEST(MiddleTurn, liesInTheMiddle) {
+  const Eigen::Vector3d v(0.4, -0.2, 0.6);
+  const Eigen::Quaterniond middle = middleTurn(
+      {pose(Eigen::Vector3d::Zero(), v + Eigen::Vector3d(0.1, 0, 0)), pose(Eigen::Vector3d::Zero(), v),
+       pose(Eigen::Vector3d::Zero(), v - Eigen::Vector3d(0.1, 0, 0))});
+  EXPECT_LT(rotationVector(middle.conjugate() * turnBy(v)).norm(), 1e-3);
+  EXPECT_LT(rotationVector(middleTurn({})).norm(), 1e-12);
+}
+
+}  // namespace
+}  // namespace capstan::learning
