@@ -59,6 +59,19 @@ CleaningReport cleanStates(const std::vector<State>& states, const CleaningOptio
   return report;
 }
 
+std::vector<Reason> judgedBy(const CleaningReport& found, const std::vector<State>& states,
+                             const CleaningOptions& options) {
+  std::vector<Reason> reason;
+  const double most = std::pow(options.median.reach * found.deviation, 2);
+  for (const State& state : states) {
+    const bool belongs =
+        squaredDistance(found.offset * state.pair.seen, state.pair.told, options.median.lever) <= most;
+    reason.push_back(belongs ? judged(state, found, options) : Reason::kOutlier);
+  }
+  rejectTrajectories(states, options.most_rejected, reason);
+  return reason;
+}
+
 std::vector<State> kept(const std::vector<State>& states, const CleaningReport& report) {
   std::vector<State> some;
   for (std::size_t k = 0; k < states.size(); ++k)

@@ -28,6 +28,10 @@ struct CleaningReport {
 /// `most_rejected` goes, goes as a whole. Each state that goes has the first reason of these.
 CleaningReport cleanStates(const std::vector<State>& states, const CleaningOptions& options = {});
 
+/// Others, by what was found: the median's reach around its offset, and the limits; trajectories likewise.
+std::vector<Reason> judgedBy(const CleaningReport& found, const std::vector<State>& states,
+                             const CleaningOptions& options = {});
+
 /// The states that count.
 std::vector<State> kept(const std::vector<State>& states, const CleaningReport& report);
 

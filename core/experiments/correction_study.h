@@ -1,0 +1,76 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/base/names.h"
+#include "core/base/progress.h"
+#include "core/base/table.h"
+#include "core/learning/clean_states.h"
+#include "core/learning/correction_model.h"
+
+/// Table I of the GPR paper on any recording of tip poses: how far corrected poses are from what was told, on
+/// trajectories held out.
+namespace capstan::experiments {
+
+enum class CorrectionMethod { kNone, kOffset, kOffsetCleaning, kProcess, kProcessVelocity, kAll };
+inline constexpr std::size_t kCorrectionMethods = 6;
+
+struct CorrectionStudyOptions {
+  int splits = 10;          ///< random ones, by trajectory
+  double test_share = 0.2;  ///< of the trajectories
+  learning::CleaningOptions cleaning;
+  learning::CorrectionOptions correction;
+  std::uint64_t seed = 1;
+};
+
+/// Errors of one method on one test set, pooled over the splits.
+struct CorrectionErrors {
+  learning::Vector6d mean =
+      learning::Vector6d::Zero();  ///< of |x|, |y|, |z| [m], |yaw|, |pitch|, |roll| [rad]
+  learning::Vector6d deviation = learning::Vector6d::Zero(), median = learning::Vector6d::Zero();
+  double distance = 0.0, median_distance = 0.0;  ///< mean and median of ‖Δt‖ [m]
+  double angle = 0.0, median_angle = 0.0;        ///< mean and median of the geodesic angle [rad]
+  std::size_t states = 0;
+};
+
+struct CorrectionStudyReport {
+  /// By method, on all test states and on those that cleaning keeps.
+  std::array<CorrectionErrors, kCorrectionMethods> dirty{}, clean{};
+  std::vector<std::vector<CorrectionErrors>> by_split;  ///< of kAll: [split][dirty, clean]
+  bool cancelled = false;
+};
+
+/// For each split: training trajectories are cleaned, an offset and a model are learned from them as each
+/// method asks, and the errors
+///     F(x_seen) ⊖ p_told
+/// of test trajectories taken: translations along the axes, angles as yaw, pitch and roll of either turn
+/// apart. Clean test states are those that the limits and least median found in the training data keep.
+CorrectionStudyReport correctionStudy(const std::vector<learning::State>& states,
+                                      const CorrectionStudyOptions& options,
+                                      base::Progress* progress = nullptr);
+
+/// The paper's numbers, [method][degree of freedom], mean and one standard deviation [mm, deg].
+struct PaperCell {
+  double mean = 0.0, deviation = 0.0;
+};
+using PaperTable = std::array<std::array<PaperCell, 6>, kCorrectionMethods>;
+const PaperTable& paperDirty();
+const PaperTable& paperClean();
+
+/// Ours beside the paper's, a row a degree of freedom, a column a method.
+base::Table correctionTable(const std::array<CorrectionErrors, kCorrectionMethods>& ours,
+                            const PaperTable& paper, std::string title);
+
+}  // namespace capstan::experiments
+
+template <>
+struct capstan::base::NamesOf<capstan::experiments::CorrectionMethod> {
+  using M = capstan::experiments::CorrectionMethod;
+  static constexpr std::array value = {std::pair{M::kNone, "no correction"},
+                                       std::pair{M::kOffset, "fixed offset"},
+                                       std::pair{M::kOffsetCleaning, "offset, cleaning"},
+                                       std::pair{M::kProcess, "offset, GP"},
+                                       std::pair{M::kProcessVelocity, "offset, GP, velocity"},
+                                       std::pair{M::kAll, "offset, GP, velocity, cleaning"}};
+};
