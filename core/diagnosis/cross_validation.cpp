@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/random.h"
+#include "core/diagnosis/linear_system.h"
 #include "core/stats/quantile.h"
 
 namespace capstan::diagnosis {
@@ -34,10 +35,7 @@ struct FreeSystem {
     jacobian = trust.weights.asDiagonal() * fit.jacobian(Eigen::all, free);
     e = trust.weights.cwiseProduct(fit.e);
     normal = jacobian.transpose() * jacobian;
-    for (std::size_t k = 0; k < free.size(); ++k) {
-      const double prior = fit.model.parameters()[static_cast<std::size_t>(free[k])].prior;
-      normal(static_cast<Index>(k), static_cast<Index>(k)) += 1.0 / (prior * prior);
-    }
+    normal.diagonal() += priorPrecision(fit.model)(free);
     rows.resize(static_cast<std::size_t>(data.blocks()));
     for (std::size_t i = 0; i < data.block().size(); ++i)
       rows[static_cast<std::size_t>(data.block()[i])].push_back(static_cast<Index>(i));

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/diagnosis/linear_system.h"
+
 namespace capstan::diagnosis {
 namespace {
 
@@ -94,10 +96,7 @@ class Projection {
       if (fit.bound.empty() || !fit.bound[static_cast<std::size_t>(k)]) free.push_back(k);
     jacobian_ = weights_.asDiagonal() * fit.jacobian(Eigen::all, free);
     MatrixXd normal = jacobian_.transpose() * jacobian_;
-    for (std::size_t k = 0; k < free.size(); ++k) {
-      const double prior = fit.model.parameters()[static_cast<std::size_t>(free[k])].prior;
-      normal(static_cast<Index>(k), static_cast<Index>(k)) += 1.0 / (prior * prior);
-    }
+    normal.diagonal() += priorPrecision(fit.model)(free);
     normal_ = normal.ldlt();
     e_ = weights_.cwiseProduct(fit.e);
   }

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "core/base/random.h"
-#include "core/learning/rotation_vector.h"
+#include "core/stats/quantile.h"
 
 namespace capstan::experiments {
 namespace {
@@ -29,9 +29,8 @@ struct Pool {
                                         Eigen::Quaterniond::Identity());
     apart.push_back(angles.correction(corrected, told).cwiseAbs());
     distance.push_back((corrected.translation() - told.translation()).norm());
-    angle.push_back(learning::rotationVector(Eigen::Quaterniond(corrected.linear()).conjugate() *
-                                             Eigen::Quaterniond(told.linear()))
-                        .norm());
+    angle.push_back(
+        Eigen::Quaterniond(corrected.linear()).angularDistance(Eigen::Quaterniond(told.linear())));
   }
   void add(const Pool& other) {
     apart.insert(apart.end(), other.apart.begin(), other.apart.end());
@@ -44,13 +43,6 @@ double meanOf(const std::vector<double>& x) {
   return x.empty() ? 0.0 : std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
 }
 
-double medianOf(std::vector<double> x) {
-  if (x.empty()) return 0.0;
-  const auto middle = x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2);
-  std::nth_element(x.begin(), middle, x.end());
-  return *middle;
-}
-
 CorrectionErrors summed(const Pool& pool) {
   CorrectionErrors errors;
   errors.states = pool.apart.size();
@@ -58,14 +50,14 @@ CorrectionErrors summed(const Pool& pool) {
     std::vector<double> one;
     for (const Vector6d& apart : pool.apart) one.push_back(apart[k]);
     errors.mean[k] = meanOf(one);
-    errors.median[k] = medianOf(one);
+    errors.median[k] = stats::median(one);
     for (double& x : one) x = std::pow(x - errors.mean[k], 2);
     errors.deviation[k] = std::sqrt(meanOf(one));
   }
   errors.distance = meanOf(pool.distance);
-  errors.median_distance = medianOf(pool.distance);
+  errors.median_distance = stats::median(pool.distance);
   errors.angle = meanOf(pool.angle);
-  errors.median_angle = medianOf(pool.angle);
+  errors.median_angle = stats::median(pool.angle);
   return errors;
 }
 
@@ -83,13 +75,12 @@ std::vector<bool> heldOut(const std::vector<State>& states, double share, std::u
 
 std::vector<Eigen::Isometry3d> told(M method, const std::vector<State>& train,
                                     const std::vector<State>& clean, const std::vector<State>& test,
-                                    const CorrectionStudyOptions& options, base::Progress* progress) {
+                                    const CorrectionStudyOptions& options) {
   std::vector<Eigen::Isometry3d> poses;
   if (method == M::kProcess || method == M::kProcessVelocity || method == M::kAll) {
     learning::CorrectionOptions correction = options.correction;
     correction.velocity = method != M::kProcess;
-    return learning::CorrectionModel::trained(method == M::kAll ? clean : train, correction, progress)
-        .correct(test);
+    return learning::CorrectionModel::trained(method == M::kAll ? clean : train, correction).correct(test);
   }
   Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();
   std::vector<learning::PosePair> pairs;
@@ -122,7 +113,7 @@ CorrectionStudyReport correctionStudy(const std::vector<State>& states, const Co
       if (progress)
         progress->report((split + static_cast<double>(m) / kCorrectionMethods) / options.splits,
                          fmt::format("Split {}: {}", split + 1, base::nameOf(method)));
-      const std::vector<Eigen::Isometry3d> poses = told(method, train, clean_train, test, options, nullptr);
+      const std::vector<Eigen::Isometry3d> poses = told(method, train, clean_train, test, options);
       Pool all, kept;
       for (std::size_t k = 0; k < test.size(); ++k) {
         all.add(poses[k], test[k].pair.told);

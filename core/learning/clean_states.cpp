@@ -3,18 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/learning/rotation_vector.h"
-
 namespace capstan::learning {
 namespace {
 
-double turnBetween(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
-  return rotationVector(Eigen::Quaterniond(a.linear()).conjugate() * Eigen::Quaterniond(b.linear())).norm();
-}
-
 Reason judged(const State& state, const CleaningReport& report, const CleaningOptions& options) {
   const Eigen::Isometry3d seen = report.offset * state.pair.seen;
-  if (turnBetween(seen, state.pair.told) > options.most_turned) return Reason::kTooFarTurned;
+  const double turn =
+      Eigen::Quaterniond(seen.linear()).angularDistance(Eigen::Quaterniond(state.pair.told.linear()));
+  if (turn > options.most_turned) return Reason::kTooFarTurned;
   if (!report.workspace.contains(seen.translation())) return Reason::kOutside;
   if (state.velocity.head<3>().norm() > options.most_speed) return Reason::kTooFast;
   if (state.velocity.tail<3>().norm() > options.most_turn_rate) return Reason::kTurnsTooFast;

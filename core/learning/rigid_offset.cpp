@@ -1,12 +1,11 @@
 #include "core/learning/rigid_offset.h"
 
 #include <Eigen/SVD>
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/base/random.h"
-#include "core/learning/rotation_vector.h"
+#include "core/stats/quantile.h"
 
 namespace capstan::learning {
 namespace {
@@ -19,17 +18,10 @@ std::vector<double> squaredDistances(std::span<const PosePair> pairs, const Eige
   return squares;
 }
 
-double medianOf(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 }  // namespace
 
 double squaredDistance(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, double lever) {
-  const double angle =
-      rotationVector(Eigen::Quaterniond(a.linear()).conjugate() * Eigen::Quaterniond(b.linear())).norm();
+  const double angle = Eigen::Quaterniond(a.linear()).angularDistance(Eigen::Quaterniond(b.linear()));
   return (a.translation() - b.translation()).squaredNorm() + std::pow(lever * angle, 2);
 }
 
@@ -66,7 +58,7 @@ MedianReport leastMedianOffset(std::span<const PosePair> pairs, const MedianOpti
   for (int draw = 0; draw < options.draws; ++draw) {
     for (PosePair& pair : drawn) pair = pairs[random.bits() % pairs.size()];
     const Eigen::Isometry3d offset = rigidOffset(drawn, options.lever);
-    const double median = medianOf(squaredDistances(pairs, offset, options.lever));
+    const double median = stats::median(squaredDistances(pairs, offset, options.lever));
     if (median < least) least = median, report.offset = offset;
   }
   const double n = static_cast<double>(pairs.size() - sample);
