@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/diagnosis/smooth_readings.h"
+#include "core/robot/chain/chain_state.h"
 #include "core/robot/chain/chain_step.h"
 
 namespace capstan::diagnosis {
@@ -128,7 +129,7 @@ void ChainSimulation::findWindows(double horizon) {
 
 void ChainSimulation::findInitialStates(const robot::Description& robot) {
   const bool rigid = evidence_.drive == DriveKind::kRigid;
-  initial_.setZero(2 * joints_, static_cast<Eigen::Index>(windows_.size()));
+  initial_.setZero(4 * joints_, static_cast<Eigen::Index>(windows_.size()));
   const robot::ChainModel nominal(robot);
   const auto reach = std::max<std::size_t>(4, static_cast<std::size_t>(0.02 / evidence_.step));
   const bool whole = rigid && windows_.size() == evidence_.segments.size();
@@ -242,10 +243,12 @@ robot::ChainState<double> ChainSimulation::initialState(const robot::ChainModel&
   }
   if (!evidence_.hasEncoders() && !model.shape.rigid) q = robot::jointsFromMotors(model, q_m);
   robot::ChainState<double> state = robot::stateAt(model, q, dq);
-  for (int j = 0; j < joints_; ++j) {  // compliant motors stand where their torque has wound the cable up
+  const std::size_t begin = windows_[window].begin;
+  if (model.shape.rigid) robot::windUp(model, inputAt(begin, begin), state);
+  for (int j = 0; j < joints_; ++j) {
     const robot::JointNumbers<double>& p = model.numbers.joints[j];
-    if (model.shape.laws[j] & robot::kLawCompliance)
-      state.motor[j] += p.compliance * p.gain * rows_.drive[j][windows_[window].begin] / (p.lever * p.lever);
+    state.motor[j] += beyond ? (*beyond)(2 * joints_ + j, at) : 0.0;
+    state.motor_rate[j] += beyond ? (*beyond)(3 * joints_ + j, at) : 0.0;
     if (model.shape.laws[j] & robot::kLawCreep)
       state.creep[j] =
           p.creep_begun * p.creep_share / (1.0 + p.creep_share) * robot::stretchAt(model, j, q_m[j], q);
@@ -346,6 +349,19 @@ Eigen::Vector3d ChainSimulation::tipAt(double output, std::size_t outputs, std::
   return chain_.marker(at);
 }
 
+robot::ChainInput ChainSimulation::inputAt(std::size_t row, std::size_t next) const {
+  robot::ChainInput input;
+  input.t = evidence_.t[row];
+  input.dt = next > row ? evidence_.t[next] - evidence_.t[row] : evidence_.step;
+  for (int j = 0; j < joints_; ++j) {
+    input.torque[j] = input.motor[j] = rows_.drive[j][row];
+    input.motor_end[j] = rows_.drive[j][next];
+    input.load[j] = rows_.load[j] ? rows_.load[j][row] : 0.0;
+    input.signed_load[j] = rows_.signed_load[j] ? rows_.signed_load[j][row] : input.load[j];
+  }
+  return input;
+}
+
 SimulatedMotion ChainSimulation::motion(const robot::ChainModel& model) const {
   const auto n = static_cast<std::size_t>(joints_);
   SimulatedMotion motion;
@@ -358,16 +374,8 @@ SimulatedMotion ChainSimulation::motion(const robot::ChainModel& model) const {
     while (w + 1 < windows_.size() && windows_[w].begin < segment.begin) ++w;
     robot::ChainState<double> state = initialState(model, nullptr, w);
     for (std::size_t k = segment.begin; k < segment.end; ++k) {
-      robot::ChainInput input;
       const std::size_t next = std::min(k + 1, segment.end - 1);
-      input.t = evidence_.t[k];
-      input.dt = next > k ? evidence_.t[next] - evidence_.t[k] : evidence_.step;
-      for (int j = 0; j < joints_; ++j) {
-        input.torque[j] = input.motor[j] = rows_.drive[j][k];
-        input.motor_end[j] = rows_.drive[j][next];
-        input.load[j] = rows_.load[j] ? rows_.load[j][k] : 0.0;
-        input.signed_load[j] = rows_.signed_load[j] ? rows_.signed_load[j][k] : input.load[j];
-      }
+      const robot::ChainInput input = inputAt(k, next);
       step.look(input, state);
       for (std::size_t j = 0; j < n; ++j) {
         motion.q[j][k] = state.q[j];

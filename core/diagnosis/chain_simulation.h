@@ -39,7 +39,7 @@ struct Compared {
 /// One robot to simulate.
 struct Robot {
   const robot::ChainModel* model = nullptr;
-  /// Initial states beyond those of initialStates(), 2n × windows; null: none beyond.
+  /// Initial states beyond those of initialStates(), 4n × windows; null: none beyond.
   const Eigen::MatrixXd* initial = nullptr;
 };
 
@@ -60,7 +60,8 @@ class ChainSimulation {
   const Compared& compared() const { return compared_; }
   const std::vector<Window>& windows() const { return windows_; }
   const Evidence& evidence() const { return evidence_; }
-  /// q then dq of each joint at the begin of each window, 2n × windows.
+  /// q, then dq of each joint at the begin of each window, then how far compliant motors are from where the
+  /// slow motion puts them, in position and speed: 4n × windows.
   const Eigen::MatrixXd& initialStates() const { return initial_; }
 
   /// What each robot's sensors would tell, a column each, as Compared::measured. At most 16 robots. NaN where
@@ -80,6 +81,7 @@ class ChainSimulation {
   void findSamples(const robot::Description& robot);
   robot::ChainShape shapeOf(std::span<const Robot> robots) const;
   int stepsFor(const robot::ChainModel& model) const;
+  robot::ChainInput inputAt(std::size_t row, std::size_t next) const;
   robot::ChainState<double> initialState(const robot::ChainModel& model, const Eigen::MatrixXd* beyond,
                                          std::size_t window) const;
   void simulate(const robot::ChainRows& rows, std::span<const Robot> robots,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <memory>
 
 #include "core/base/error.h"
 #include "core/diagnosis/filter_gain.h"
@@ -184,11 +185,42 @@ void addFilter(const std::vector<Evidence>& recordings, const robot::Description
   report.notices.insert(report.notices.end(), gain.notices.begin(), gain.notices.end());
 }
 
-/// Cameras alone need a while to tell where a window begins.
-double horizonOf(const std::vector<Evidence>& recordings, const DiagnosisOptions& options) {
-  const bool encoders = std::all_of(recordings.begin(), recordings.end(),
-                                    [](const Evidence& evidence) { return evidence.hasEncoders(); });
-  return encoders ? options.horizon : kWithoutEncoders * options.horizon;
+bool haveEncoders(const std::vector<Evidence>& recordings) {
+  return std::all_of(recordings.begin(), recordings.end(),
+                     [](const Evidence& evidence) { return evidence.hasEncoders(); });
+}
+
+/// What was selected, and the data that it speaks of.
+struct Selected {
+  std::unique_ptr<FitData> data;
+  Selection selection;
+};
+
+bool sameCauses(const Selection& a, const Selection& b) {
+  return std::equal(a.taken.begin(), a.taken.end(), b.taken.begin(), b.taken.end(),
+                    [](const Contender& x, const Contender& y) {
+                      return x.added.hypothesis == y.added.hypothesis && x.added.joint == y.added.joint;
+                    });
+}
+
+/// Over the near horizon; over the far one where that changes the causes.
+Selected selected(const std::vector<Evidence>& recordings, const robot::Description& nominal,
+                  const FitModel& base, const DiagnosisOptions& options, base::Progress* progress) {
+  const bool both = nominal.drive == DriveKind::kRigid && haveEncoders(recordings);
+  SelectionOptions how{options.most_causes, options.refits, options.only, options.seed};
+  const auto dataOver = [&](double horizon) {
+    return std::make_unique<FitData>(recordings, nominal, horizon, options.zeros, options.threads);
+  };
+  auto near = dataOver(both ? kNearHorizon : kFarHorizon);
+  if (both) how.progress_end = 0.5;
+  Selection first = select(*near, recordings, base, how, progress);
+  if (!both) return {std::move(near), std::move(first)};
+  auto far = dataOver(kFarHorizon);
+  how.progress_end = SelectionOptions{}.progress_end;
+  Selection further = selectFurther(*far, recordings, first, how, progress);
+  if (!sameCauses(first, further)) return {std::move(far), std::move(further)};
+  first.candidates = further.candidates;
+  return {std::move(near), std::move(first)};
 }
 
 void addRobots(const Selection& s, Report& report) {
@@ -204,11 +236,10 @@ Report diagnose(const std::vector<Evidence>& recordings, const robot::Descriptio
   Report report;
   Clock clock(report.stages);
   if (progress) progress->report(0.0, "Preparing");
-  const FitData data(recordings, nominal, horizonOf(recordings, options), options.zeros, options.threads);
   const FitModel base(nominal, jointScales(recordings, nominal));
   clock.lap("prepare");
-  const Selection selection = select(
-      data, recordings, base, {options.most_causes, options.refits, options.only, options.seed}, progress);
+  const auto [fitted, selection] = selected(recordings, nominal, base, options, progress);
+  const FitData& data = *fitted;
   clock.lap("refit, screen and select");
   Assembly assembly(recordings, nominal, data, selection, report);
   report.candidates = selection.candidates;

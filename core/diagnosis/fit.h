@@ -11,7 +11,7 @@
 
 namespace capstan::diagnosis {
 
-/// Initial states beyond those of each recording's simulation: by recording, 2n × windows.
+/// Initial states beyond those of each recording's simulation: by recording, 4n × windows.
 using InitialStates = std::vector<Eigen::MatrixXd>;
 
 /// All recordings of one robot, and how their numbers stack: recording by recording, each as its Compared.

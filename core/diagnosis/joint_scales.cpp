@@ -5,6 +5,7 @@
 
 #include "core/robot/chain/chain_bodies.h"
 #include "core/robot/chain/chain_model.h"
+#include "core/robot/chain/chain_state.h"
 
 namespace capstan::diagnosis {
 namespace {

@@ -14,12 +14,28 @@ namespace {
 
 constexpr double kDifference = 1e-3;  // of u, for derivatives
 
-/// Small changes of the initial states: of joint positions by their range, of speeds by the largest.
+/// Turns of the motor by one of the joint.
+double ratioOf(const robot::ChainModel& model, int j) {
+  return model.numbers.joints[j].link_radius / model.numbers.joints[j].lever;
+}
+
+/// Rate of a compliant motor on its cable, the joint held [rad/s].
+double motorRate(const robot::ChainModel& model, int j) {
+  const robot::JointNumbers<double>& p = model.numbers.joints[j];
+  return p.lever / std::sqrt(p.compliance * p.motor_inertia);
+}
+
+/// Small changes of the initial states: of joint positions by their range, of speeds by the largest, of
+/// compliant motors as their joints; 0: a state that the robot does not have.
 VectorXd initialDifferences(const robot::ChainModel& model) {
-  VectorXd h(2 * model.shape.joints);
-  for (int j = 0; j < model.shape.joints; ++j) {
+  const int n = model.shape.joints;
+  VectorXd h = VectorXd::Zero(4 * n);
+  for (int j = 0; j < n; ++j) {
     h[j] = 1e-5 / model.shape.inverse_half_range[j];
-    h[model.shape.joints + j] = 1e-5 * model.shape.fastest[j];
+    h[n + j] = 1e-5 * model.shape.fastest[j];
+    if (!(model.shape.laws[j] & robot::kLawCompliance)) continue;
+    h[2 * n + j] = ratioOf(model, j) * h[j];
+    h[3 * n + j] = ratioOf(model, j) * h[n + j];
   }
   return h;
 }
@@ -64,9 +80,10 @@ VectorXd nuisancePrecision(const FitData& data, const robot::ChainModel& model) 
   const int n = model.shape.joints;
   if (!data.rigid()) return VectorXd::Zero(n);
   constexpr double kWholeSlope = 500.0;  // of the noise [1/s]
+  constexpr double kMotorSwing = 1.0;    // of compliant motors, in what joint speeds are off
   const ChainSimulation& first = data.simulation(0);
   const bool whole = first.windows().size() == first.evidence().segments.size();
-  VectorXd precision(2 * n);
+  VectorXd precision = VectorXd::Ones(4 * n);  // of what is not there: anything
   for (int j = 0; j < n; ++j) {
     double noise = 0.0;
     for (const ComparedChannel& channel : data.channels())
@@ -76,6 +93,10 @@ VectorXd nuisancePrecision(const FitData& data, const robot::ChainModel& model) 
     const double speed = whole && noise > 0.0 ? std::min(kWholeSlope * noise, most) : most;
     precision[j] = 1.0 / (position * position);
     precision[n + j] = 1.0 / (speed * speed);
+    if (!(model.shape.laws[j] & robot::kLawCompliance)) continue;
+    const double swing = kMotorSwing * ratioOf(model, j) * most, arc = swing / motorRate(model, j);
+    precision[2 * n + j] = 1.0 / (arc * arc);
+    precision[3 * n + j] = 1.0 / (swing * swing);
   }
   return precision;
 }
@@ -121,6 +142,7 @@ System systemAt(const FitData& data, const FitModel& model, const VectorXd& u, c
   std::vector<InitialStates> starts(robots.size(), initial);
   const VectorXd h = initialDifferences(robots.front());
   for (Index s = 0; data.rigid() && s < h.size(); ++s) {
+    if (h[s] == 0.0) continue;
     robots.push_back(robots.front());
     starts.push_back(shifted(initial, s, h[s]));
   }
@@ -129,10 +151,10 @@ System systemAt(const FitData& data, const FitModel& model, const VectorXd& u, c
     jacobian.col(steps[i].first) = (told.col(static_cast<Index>(i) + 1) - told.col(0)) / steps[i].second;
   System system{{model, u, initial, data.measured() - told.col(0), std::move(jacobian)}, {}, {}};
   if (data.rigid()) {
-    system.at.nuisance.resize(data.size(), h.size());
-    const auto first = static_cast<Index>(steps.size()) + 1;
+    system.at.nuisance.setZero(data.size(), h.size());
+    auto shifted_column = static_cast<Index>(steps.size()) + 1;
     for (Index s = 0; s < h.size(); ++s)
-      system.at.nuisance.col(s) = (told.col(first + s) - told.col(0)) / h[s];
+      if (h[s] != 0.0) system.at.nuisance.col(s) = (told.col(shifted_column++) - told.col(0)) / h[s];
   } else if (data.zerosFree()) {
     system.at.nuisance = encoderZeros(data, robots.front().shape.joints);
   }

@@ -21,34 +21,46 @@ constexpr std::size_t kGoOn = 3;       // refits that do, at most
 constexpr double kSurelySensor = 0.9;  // of the sensor's mean square, whose estimate is some per cent off
 constexpr double kHopeless = 0.02;     // reduction after a first look
 
+/// Falls of the objective [nats] at which a fit stands still: of rigid drives, whose initial states creep,
+/// while weights still change; and at the end.
+constexpr double kRough = 1.0, kFine = 0.05;
+constexpr int kPasses = 3;  // of a fit with the weights of what the one before left
+double toleranceOf(const FitData& data, int pass) { return data.rigid() && pass < kPasses ? kRough : kFine; }
+
 bool cancelled(const base::Progress* progress) { return progress && progress->cancelled(); }
 
 /// Where a selection stands: how many rounds it will take is not known, and each is given half of what is
 /// left.
 class Stand {
  public:
-  explicit Stand(base::Progress* progress) : progress_(progress) {}
-  void nextRound() { begin_ = end_, end_ += 0.5 * (kAll - end_); }
+  /// From where the progress is to `all`.
+  Stand(base::Progress* progress, double all)
+      : progress_(progress),
+        all_(all),
+        begin_(progress ? progress->fraction() : 0.0),
+        end_(begin_ + kFirst * (all - begin_)) {}
+  void nextRound() { begin_ = end_, end_ += 0.5 * (all_ - end_); }
   void tell(double share, std::string_view doing) const {
     if (progress_) progress_->report(begin_ + share * (end_ - begin_), doing);
   }
 
  private:
-  static constexpr double kBase = 0.2, kAll = 0.95;  // of the whole diagnosis
+  static constexpr double kFirst = 0.2;
   base::Progress* progress_;
-  double begin_ = 0.0, end_ = kBase;
+  double all_, begin_, end_;
 };
 
-/// The nominal structure's fit, from the nominal numbers, weights by what it leaves.
-Fit fitBase(const FitData& data, const FitModel& model, Trust& trust, const base::Progress* progress) {
-  Eigen::VectorXd u = Eigen::VectorXd::Zero(model.size());
-  InitialStates initial = noneBeyond(data);
+/// The nominal structure's fit from `u`, weights by what it leaves.
+Fit fitBase(const FitData& data, const FitModel& model, const Eigen::VectorXd& u, Trust& trust,
+            const base::Progress* progress) {
+  const InitialStates initial = noneBeyond(data);
   trust.weights =
       weightsFor(data, linearise(data, model, u, initial, {Eigen::VectorXd::Ones(data.size())}).e);
-  Fit found = fit(data, model, u, initial, trust, {20, 0.05, nullptr}, progress);
-  for (int pass = 0; pass < 3 && !cancelled(progress); ++pass) {
+  Fit found = fit(data, model, u, initial, trust, {20, toleranceOf(data, 0), nullptr}, progress);
+  for (int pass = 1; pass <= kPasses && !cancelled(progress); ++pass) {
     trust.weights = weightsFor(data, found.e);
-    found = fit(data, model, found.u, found.initial, trust, {12, 0.05, nullptr}, progress);
+    found = fit(data, model, found.u, found.initial, trust,
+                {kLastIterations, toleranceOf(data, pass), nullptr}, progress);
   }
   return found;
 }
@@ -61,23 +73,41 @@ class Rounds {
         recordings_(recordings),
         options_(options),
         progress_(progress),
-        stand_(progress),
+        stand_(progress, options.progress_end),
         comparison_(data, kDraws, options.seed) {}
 
   Selection run(const FitModel& base) {
-    Selection s{.base = {.model = base}, .best = {.model = base}};
-    stand_.tell(0.0, "Refitting the nominal structure");
-    s.base = s.best = fitBase(data_, base, s.trust, progress_);
-    s.base_squares = s.best_squares = squaresOf(data_, leftOut(data_, s.best, s.trust));
-    s.input_noise = inputNoise(data_, s.base, s.trust);
-    for (int round = 1; round <= options_.most_causes && !cancelled(progress_); ++round)
-      if (!addOne(s, round)) break;
-    stand_.tell(1.0, "Checking what was named");
-    dropSuperfluous(s);
+    Selection s = begun(base, Eigen::VectorXd::Zero(base.size()));
+    addOthers(s, 1);
+    return s;
+  }
+
+  Selection runFrom(const Selection& before) {
+    Selection s = begun(before.base.model, before.base.u);
+    s.candidates = before.candidates;
+    s.rivals = before.rivals;
+    for (const Contender& c : before.taken) takeAgain(s, before, c);
+    addOthers(s, before.candidates.empty() ? 1 : before.candidates.back().round + 1);
     return s;
   }
 
  private:
+  Selection begun(const FitModel& base, const Eigen::VectorXd& u) const {
+    Selection s{.base = {.model = base}, .best = {.model = base}};
+    stand_.tell(0.0, "Refitting the nominal structure");
+    s.base = s.best = fitBase(data_, base, u, s.trust, progress_);
+    s.base_squares = s.best_squares = squaresOf(data_, leftOut(data_, s.best, s.trust));
+    s.input_noise = inputNoise(data_, s.base, s.trust);
+    return s;
+  }
+
+  void addOthers(Selection& s, int round) {
+    const auto most = static_cast<std::size_t>(options_.most_causes);
+    while (s.taken.size() < most && !cancelled(progress_) && addOne(s, round)) ++round;
+    stand_.tell(1.0, "Checking what was named");
+    dropSuperfluous(s);
+  }
+
   /// A first look at a promise.
   Contender contend(const Selection& s, const Promise& promise) const {
     const FitModel model = s.best.model.with(*promise.hypothesis, promise.joint, promise.start);
@@ -90,7 +120,7 @@ class Rounds {
 
   /// Rigid drives add up errors of force, and what the round's fit left bends its derivatives.
   FitOptions firstLook(const Selection& s) const {
-    if (data_.rigid()) return {kFirstIterationsRigid, 0.1, nullptr};
+    if (data_.rigid()) return {kFirstIterationsRigid, kRough, nullptr};
     return {kFirstIterations, 0.1, &s.best};
   }
 
@@ -166,6 +196,8 @@ class Rounds {
   }
 
   /// The effect's numbers together are kClear of their own σ away from zero, where zero is none of it.
+  /// Numbers of the robot that the round's model had at a bound have gone as far as they can: they do not
+  /// blur it.
   bool clearOfNone(const Selection& s, const Contender& c) const {
     const std::size_t last = c.fit.model.effects().size() - 1;  // where `with` puts it
     const std::vector<int>& index = c.fit.model.effects()[last].index;
@@ -184,7 +216,11 @@ class Rounds {
       const FitParameter& p = c.fit.model.parameters()[static_cast<std::size_t>(own[k])];
       size[static_cast<Eigen::Index>(k)] = p.value(c.fit.u[own[k]]) / p.scale;
     }
-    const Eigen::MatrixXd covariance = covarianceOf(data_, c.fit, s.trust)(own, own);
+    Fit held = c.fit;
+    held.bound.resize(static_cast<std::size_t>(held.model.size()), false);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(held.model.baseSize()); ++k)
+      held.bound[k] = held.bound[k] || (k < s.best.bound.size() && s.best.bound[k]);
+    const Eigen::MatrixXd covariance = covarianceOf(data_, held, s.trust)(own, own);
     return size.dot(covariance.completeOrthogonalDecomposition().solve(size)) > kClear * kClear;
   }
 
@@ -233,11 +269,11 @@ class Rounds {
   };
   Settled settled(Fit from) const {
     Settled s{std::move(from), {}, {}};
-    for (int pass = 0; pass < 3; ++pass) {
+    for (int pass = 1; pass <= kPasses; ++pass) {
       s.trust.weights = weightsFor(data_, s.fit.e);
       if (cancelled(progress_)) break;
-      s.fit = fit(data_, s.fit.model, s.fit.u, s.fit.initial, s.trust, {kLastIterations, 0.05, nullptr},
-                  progress_);
+      s.fit = fit(data_, s.fit.model, s.fit.u, s.fit.initial, s.trust,
+                  {kLastIterations, toleranceOf(data_, pass), nullptr}, progress_);
     }
     s.squares = squaresOf(data_, leftOut(data_, s.fit, s.trust));
     return s;
@@ -254,6 +290,20 @@ class Rounds {
     if (finite &&
         (!best.squares.sum.allFinite() || comparison_.gain(best.squares, other.squares).front() > 0.0))
       best = std::move(other);
+    adopt(s, std::move(c), std::move(best));
+  }
+
+  /// What another selection took, from the numbers of its best.
+  void takeAgain(Selection& s, const Selection& before, Contender c) const {
+    const EffectStart& start = c.fit.model.effects().back().start;  // where `with` puts it
+    const FitModel model = s.best.model.with(*c.added.hypothesis, c.added.joint, start);
+    const Eigen::VectorXd u = model.carry(before.best.model, before.best.u);
+    c.fit = linearise(data_, model, u, s.best.initial, s.trust);
+    Settled best = settled(c.fit);
+    adopt(s, std::move(c), std::move(best));
+  }
+
+  static void adopt(Selection& s, Contender c, Settled best) {
     s.best = std::move(best.fit);
     s.trust = std::move(best.trust);
     s.best_squares = std::move(best.squares);
@@ -320,6 +370,11 @@ class Rounds {
 Selection select(const FitData& data, const std::vector<Evidence>& recordings, const FitModel& base,
                  const SelectionOptions& options, base::Progress* progress) {
   return Rounds(data, recordings, options, progress).run(base);
+}
+
+Selection selectFurther(const FitData& data, const std::vector<Evidence>& recordings, const Selection& before,
+                        const SelectionOptions& options, base::Progress* progress) {
+  return Rounds(data, recordings, options, progress).runFrom(before);
 }
 
 }  // namespace capstan::diagnosis

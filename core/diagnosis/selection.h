@@ -32,6 +32,7 @@ struct SelectionOptions {
   int refits = 8;
   std::vector<std::string> only;
   std::uint64_t seed = 1;
+  double progress_end = 0.95;  ///< of the caller's whole work, when the selection is done
 };
 
 struct Selection {
@@ -64,5 +65,9 @@ inline constexpr double kTakesMost = 0.9, kSameLeft = 1.15;
 /// promising, and the best of them is taken; drops again what later ones make superfluous.
 Selection select(const FitData& data, const std::vector<Evidence>& recordings, const FitModel& base,
                  const SelectionOptions& options, base::Progress* progress);
+/// The same on other data of the same recordings: starts with what `before` took, fitted anew, and drops what
+/// these data do not need.
+Selection selectFurther(const FitData& data, const std::vector<Evidence>& recordings, const Selection& before,
+                        const SelectionOptions& options, base::Progress* progress);
 
 }  // namespace capstan::diagnosis

@@ -2,6 +2,7 @@
 
 #include "core/robot/chain/chain_bodies.h"
 #include "core/robot/chain/chain_law.h"
+#include "core/robot/chain/chain_state.h"
 #include "core/simulation/truth_laws.h"
 
 namespace capstan::simulation {

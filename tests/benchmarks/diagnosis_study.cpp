@@ -22,7 +22,7 @@ struct Wanted {
   study::StudyOptions cases;
   int threads = 2;
   std::string out = "diagnosis_study", robot = "all";
-  bool tables = false;
+  bool tables = false, rigid = false;
 };
 
 /// The program; a build that no commit stands for is told by its bytes.
@@ -52,7 +52,9 @@ void tell(const study::Step& step) {
 
 void run(const Wanted& wanted) {
   const std::filesystem::path folder = wanted.out;
-  const std::vector<study::StudyCase> cases = study::casesOf(wanted.cases);
+  std::vector<study::StudyCase> cases = study::casesOf(wanted.cases);
+  if (wanted.rigid)
+    std::erase_if(cases, [](const study::StudyCase& one) { return one.robot == study::Robot::kRaven; });
   study::OutcomeFile file(folder / "cases.jsonl", program());
   for (const std::string& notice : file.notices()) std::fprintf(stderr, "%s\n", notice.c_str());
   if (!wanted.tables) study::runStudy(cases, diagnosed, wanted.threads, file, tell);
@@ -76,6 +78,7 @@ void addOptions(CLI::App& app, Wanted& wanted) {
   app.add_option("--only", wanted.cases.only, "effects, or none, two, uncovered");
   app.add_option("--robot", wanted.robot, "raven, arm, axis; all: mixed")
       ->check(CLI::IsMember({"raven", "arm", "axis", "all"}));
+  app.add_flag("--rigid", wanted.rigid, "only those cases of the study whose robot is a rigid drive");
   app.add_flag("--tables", wanted.tables,
                "run nothing: tables of the cases that are there, whatever made them");
 }

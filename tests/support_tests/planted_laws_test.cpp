@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/robot/chain/chain_model.h"
+#include "core/robot/chain/chain_state.h"
 #include "core/robot/chain/chain_step.h"
 #include "tests/support/planted/excitation.h"
 #include "tests/support/planted_study/planted_numbers.h"

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -345,48 +344,6 @@ double chainRate(const ChainModel& model, const JointVector& q) {
 double chainOscillation(const ChainModel& model, const JointVector& q) {
   const ChainRates rates = chainRates(model, q);
   return std::max(rates.turning, rates.motor);
-}
-
-ChainState<double> stateAt(const ChainModel& model, const JointVector& q, const JointVector& dq) {
-  ChainState<double> state{};
-  const int n = model.shape.joints;
-  for (int i = 0; i < n; ++i) {
-    state.q[i] = q[i];
-    state.dq[i] = dq[i];
-  }
-  for (int i = 0; i < n; ++i) {
-    if (!(model.shape.laws[i] & kLawCompliance)) continue;
-    const JointNumbers<double>& p = model.numbers.joints[i];
-    double travel = 0.0, speed = 0.0;
-    for (int j = 0; j < n; ++j) {
-      travel += model.numbers.coupling[i][j] * (q[j] - model.numbers.joints[j].homing);
-      speed += model.numbers.coupling[i][j] * dq[j];
-    }
-    state.motor[i] = p.link_radius * travel / p.lever;
-    state.motor_rate[i] = p.link_radius * speed / p.lever;
-  }
-  return state;
-}
-
-double stretchAt(const ChainModel& model, int i, double q_m, const JointVector& q) {
-  const JointNumbers<double>& p = model.numbers.joints[i];
-  double travel = 0.0;
-  for (int j = 0; j < model.shape.joints; ++j)
-    travel += model.numbers.coupling[i][j] * (q[j] - model.numbers.joints[j].homing);
-  return motorTravel(p, model.shape.laws[i], q_m) - p.link_radius * travel;
-}
-
-JointVector jointsFromMotors(const ChainModel& model, const JointVector& q_m) {
-  const int n = model.shape.joints;
-  JointMatrix coupling(n, n);
-  JointVector travel(n), homing(n);
-  for (int i = 0; i < n; ++i) {
-    const JointNumbers<double>& p = model.numbers.joints[i];
-    travel[i] = motorTravel(p, model.shape.laws[i], q_m[i]) / p.link_radius;
-    homing[i] = p.homing;
-    for (int j = 0; j < n; ++j) coupling(i, j) = model.numbers.coupling[i][j];
-  }
-  return homing + coupling.inverse() * travel;
 }
 
 }  // namespace capstan::robot

@@ -54,14 +54,4 @@ double chainRate(const ChainModel& model, const JointVector& q);
 /// steps should be shorter than 0.7 over it.
 double chainOscillation(const ChainModel& model, const JointVector& q);
 
-/// State at q and dq; compliant motors of rigid drives stand where an unstretched cable puts them.
-ChainState<double> stateAt(const ChainModel& model, const JointVector& q, const JointVector& dq);
-
-/// Stretch of cable i (from 0) with its motor at q_m [rad] and the joints at q, a slip of the encoder aside
-/// [m].
-double stretchAt(const ChainModel& model, int i, double q_m, const JointVector& q);
-
-/// q that the motors would give with rigid cables, with the model's own radii, coupling and zero [rad or m].
-JointVector jointsFromMotors(const ChainModel& model, const JointVector& q_m);
-
 }  // namespace capstan::robot

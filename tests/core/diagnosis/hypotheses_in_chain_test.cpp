@@ -9,6 +9,7 @@
 
 #include "core/diagnosis/hypothesis.h"
 #include "core/robot/chain/chain_model.h"
+#include "core/robot/chain/chain_state.h"
 #include "core/robot/chain/chain_step.h"
 #include "tests/core/diagnosis/data_folder.h"
 

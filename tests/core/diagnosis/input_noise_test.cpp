@@ -43,7 +43,7 @@ struct Sound {
 
 TEST(InputNoise, IsWhatARefittedRobotLeavesBeyondItsEncoders) {
   const Sound sound(0.4);
-  const FitData data(sound.evidence, sound.robot, DiagnosisOptions{}.horizon, EncoderZeros::kKnown, 2);
+  const FitData data(sound.evidence, sound.robot, kNearHorizon, EncoderZeros::kKnown, 2);
   const Selection s = sound.refitted(data);
   const double sensor = data.channels()[0].noise, input = s.input_noise[0];
   const BlockSquares squares = squaresOf(data, s.base.e);
@@ -55,7 +55,7 @@ TEST(InputNoise, IsWhatARefittedRobotLeavesBeyondItsEncoders) {
 
 TEST(InputNoise, IsNextToNothingBehindGoodLoadCells) {
   const Sound sound(1e-5);
-  const FitData data(sound.evidence, sound.robot, DiagnosisOptions{}.horizon, EncoderZeros::kKnown, 2);
+  const FitData data(sound.evidence, sound.robot, kNearHorizon, EncoderZeros::kKnown, 2);
   const Selection s = sound.refitted(data);
   EXPECT_LT(s.input_noise[0], 0.2 * data.channels()[0].noise);
 }

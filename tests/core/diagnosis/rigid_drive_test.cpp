@@ -46,7 +46,7 @@ struct Sticking {
 
 TEST(RigidDrive, WhatAFitLeavesIsWhatIsSimulatedFromItsInitialStates) {
   const Sticking sticking;
-  const FitData data(sticking.evidence, sticking.robot, DiagnosisOptions{}.horizon, EncoderZeros::kKnown, 2);
+  const FitData data(sticking.evidence, sticking.robot, kNearHorizon, EncoderZeros::kKnown, 2);
   const Fit fit = sticking.refitted(data);
   const Eigen::VectorXd simulated =
       data.measured() - data.simulate({fit.model.chain(fit.u)}, {fit.initial}).col(0);

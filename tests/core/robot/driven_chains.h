@@ -6,6 +6,7 @@
 
 #include "core/robot/chain/chain_lanes.h"
 #include "core/robot/chain/chain_model.h"
+#include "core/robot/chain/chain_state.h"
 #include "tests/core/robot/robot_files.h"
 
 namespace capstan::robot::testing {

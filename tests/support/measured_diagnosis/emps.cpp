@@ -6,6 +6,7 @@
 #include "core/diagnosis/joint_scales.h"
 #include "core/diagnosis/read_evidence.h"
 #include "core/robot/chain/chain_model.h"
+#include "core/robot/chain/chain_state.h"
 #include "core/robot/chain/chain_step.h"
 #include "tests/support/measured_diagnosis/steps.h"
 #include "tests/support/measured_diagnosis/whole_fit.h"
@@ -49,12 +50,13 @@ std::vector<EmpsStep> empsSteps(const std::filesystem::path& folder, EmpsStart s
   using diagnosis::EncoderZeros;
   const robot::Description nominal = robotFile("emps_axis.yaml");
   const std::vector<diagnosis::Evidence> train{diagnosis::readEvidence(folder / "train.csv", nominal)};
-  const double horizon = diagnosis::DiagnosisOptions{}.horizon;
-  const diagnosis::FitData data(train, nominal, horizon, EncoderZeros::kKnown, threads);
+  const diagnosis::FitData near(train, nominal, diagnosis::kNearHorizon, EncoderZeros::kKnown, threads);
+  const diagnosis::FitData far(train, nominal, diagnosis::kFarHorizon, EncoderZeros::kKnown, threads);
   diagnosis::FitModel base(nominal, diagnosis::jointScales(train, nominal));
   if (start == EmpsStart::kFourNumbers) base = withOffset(base);
   std::vector<EmpsStep> steps;
-  for (const Step& step : stepsOf(diagnosis::select(data, train, base, {}, nullptr))) {
+  const diagnosis::Selection first = diagnosis::select(near, train, base, {}, nullptr);
+  for (const Step& step : stepsOf(diagnosis::selectFurther(far, train, first, {}, nullptr))) {
     const diagnosis::Fit whole = wholeFit(train, nominal, step.fit, EncoderZeros::kKnown, threads);
     EmpsStep one{step.name, step.rivals, whole.model.extended(whole.u), {}, {}};
     one.train = openLoopErrors(one.robot, folder / "train.csv");
