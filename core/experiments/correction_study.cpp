@@ -25,7 +25,7 @@ struct Pool {
   std::vector<double> distance, angle;
 
   void add(const Eigen::Isometry3d& corrected, const Eigen::Isometry3d& told) {
-    const learning::PoseFeatures angles(learning::RotationForm::kYawPitchRoll, false,
+    const learning::PoseFeatures angles(learning::RotationForm::kYawPitchRoll, learning::Motion::kNone,
                                         Eigen::Quaterniond::Identity());
     apart.push_back(angles.correction(corrected, told).cwiseAbs());
     distance.push_back((corrected.translation() - told.translation()).norm());
@@ -77,10 +77,13 @@ std::vector<Eigen::Isometry3d> told(M method, const std::vector<State>& train,
                                     const std::vector<State>& clean, const std::vector<State>& test,
                                     const CorrectionStudyOptions& options) {
   std::vector<Eigen::Isometry3d> poses;
-  if (method == M::kProcess || method == M::kProcessVelocity || method == M::kAll) {
+  if (method >= M::kProcess) {
+    const bool cleaned = method == M::kAll || method == M::kHistory;
     learning::CorrectionOptions correction = options.correction;
-    correction.velocity = method != M::kProcess;
-    return learning::CorrectionModel::trained(method == M::kAll ? clean : train, correction).correct(test);
+    correction.motion = method == M::kProcess   ? learning::Motion::kNone
+                        : method == M::kHistory ? learning::Motion::kHistory
+                                                : learning::Motion::kVelocity;
+    return learning::CorrectionModel::trained(cleaned ? clean : train, correction).correct(test);
   }
   Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();
   std::vector<learning::PosePair> pairs;
@@ -119,7 +122,7 @@ CorrectionStudyReport correctionStudy(const std::vector<State>& states, const Co
         all.add(poses[k], test[k].pair.told);
         if (reasons[k] == learning::Reason::kNone) kept.add(poses[k], test[k].pair.told);
       }
-      if (method == M::kAll) report.by_split.push_back({summed(all), summed(kept)});
+      if (method == M::kHistory) report.by_split.push_back({summed(all), summed(kept)});
       dirty[m].add(all);
       clean[m].add(kept);
     }
@@ -163,7 +166,7 @@ base::Table correctionTable(const std::array<CorrectionErrors, kCorrectionMethod
   table.columns.push_back({.name = "", .unit = {}});
   for (std::size_t m = 0; m < kCorrectionMethods; ++m) {
     table.columns.push_back({.name = std::string(base::nameOf(static_cast<M>(m))), .unit = {}});
-    table.columns.push_back({.name = "paper", .unit = {}});
+    if (m < kPaperMethods) table.columns.push_back({.name = "paper", .unit = {}});
   }
   const auto cell = [](double mean, double deviation) {
     return fmt::format("{:.2f} ± {:.2f}", mean, deviation);
@@ -174,16 +177,17 @@ base::Table correctionTable(const std::array<CorrectionErrors, kCorrectionMethod
     std::vector<base::TableCell> row = {kNames[k]};
     for (std::size_t m = 0; m < kCorrectionMethods; ++m) {
       row.emplace_back(cell(scale * ours[m].mean[at], scale * ours[m].deviation[at]));
-      row.emplace_back(cell(paper[m][k].mean, paper[m][k].deviation));
+      if (m < kPaperMethods) row.emplace_back(cell(paper[m][k].mean, paper[m][k].deviation));
     }
     table.rows.push_back(std::move(row));
   }
   std::vector<base::TableCell> distance = {"distance [mm], median"}, angle = {"angle [deg], median"};
-  for (const CorrectionErrors& errors : ours) {
+  for (std::size_t m = 0; m < kCorrectionMethods; ++m) {
+    const CorrectionErrors& e = ours[m];
     distance.emplace_back(
-        fmt::format("{:.2f}, {:.2f}", kMillimetres * errors.distance, kMillimetres * errors.median_distance));
-    angle.emplace_back(
-        fmt::format("{:.2f}, {:.2f}", kDegrees * errors.angle, kDegrees * errors.median_angle));
+        fmt::format("{:.2f}, {:.2f}", kMillimetres * e.distance, kMillimetres * e.median_distance));
+    angle.emplace_back(fmt::format("{:.2f}, {:.2f}", kDegrees * e.angle, kDegrees * e.median_angle));
+    if (m >= kPaperMethods) continue;
     distance.emplace_back("");
     angle.emplace_back("");
   }

@@ -13,8 +13,9 @@
 /// trajectories held out.
 namespace capstan::experiments {
 
-enum class CorrectionMethod { kNone, kOffset, kOffsetCleaning, kProcess, kProcessVelocity, kAll };
-inline constexpr std::size_t kCorrectionMethods = 6;
+/// The paper's six, and ours.
+enum class CorrectionMethod { kNone, kOffset, kOffsetCleaning, kProcess, kProcessVelocity, kAll, kHistory };
+inline constexpr std::size_t kPaperMethods = 6, kCorrectionMethods = 7;
 
 struct CorrectionStudyOptions {
   int splits = 10;          ///< random ones, by trajectory
@@ -37,7 +38,7 @@ struct CorrectionErrors {
 struct CorrectionStudyReport {
   /// By method, on all test states and on those that cleaning keeps.
   std::array<CorrectionErrors, kCorrectionMethods> dirty{}, clean{};
-  std::vector<std::vector<CorrectionErrors>> by_split;  ///< of kAll: [split][dirty, clean]
+  std::vector<std::vector<CorrectionErrors>> by_split;  ///< of kHistory: [split][dirty, clean]
   bool cancelled = false;
 };
 
@@ -54,7 +55,7 @@ CorrectionStudyReport correctionStudy(const std::vector<learning::State>& states
 struct PaperCell {
   double mean = 0.0, deviation = 0.0;
 };
-using PaperTable = std::array<std::array<PaperCell, 6>, kCorrectionMethods>;
+using PaperTable = std::array<std::array<PaperCell, 6>, kPaperMethods>;
 const PaperTable& paperDirty();
 const PaperTable& paperClean();
 
@@ -72,5 +73,6 @@ struct capstan::base::NamesOf<capstan::experiments::CorrectionMethod> {
                                        std::pair{M::kOffsetCleaning, "offset, cleaning"},
                                        std::pair{M::kProcess, "offset, GP"},
                                        std::pair{M::kProcessVelocity, "offset, GP, velocity"},
-                                       std::pair{M::kAll, "offset, GP, velocity, cleaning"}};
+                                       std::pair{M::kAll, "offset, GP, velocity, cleaning"},
+                                       std::pair{M::kHistory, "… and history"}};
 };

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
+#include "core/base/checksum.h"
 #include "core/base/error.h"
 #include "core/base/resource.h"
-#include "core/experiments/checksum.h"
 #include "core/session/table_source.h"
 #include "core/tracking/make_pipeline.h"
 #include "core/tracking/track_all.h"
@@ -36,7 +36,7 @@ void dropEveryOther(std::vector<T>& points) {
 }
 
 /// The bytes of a recording, whatever it is called: as at the end of TrialInputs::recording.
-std::string motionOf(const fs::path& recording) { return "checksum " + checksumOfFile(recording); }
+std::string motionOf(const fs::path& recording) { return "checksum " + base::checksumOfFile(recording); }
 
 std::string motionOf(const TrialResult& trial) {
   const std::string& recording = trial.inputs.recording;

@@ -58,7 +58,7 @@ struct TrialInputs {
   std::string truth;       ///< truth file of a simulation
   std::string trajectory;  ///< trajectory of a simulation
   std::string tracking;    ///< filter options
-  std::string recording;   ///< name, size and checksum (checksumOfFile()) of a recorded trial's file
+  std::string recording;   ///< name, size and checksum (base::checksumOfFile()) of a recorded trial's file
 };
 
 /// How a robot moved in one trial, and what was made of it.

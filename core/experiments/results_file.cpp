@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/base/checksum.h"
 #include "core/base/error.h"
 #include "core/base/yaml.h"
-#include "core/experiments/checksum.h"
 #include "core/experiments/results.h"
 #include "core/experiments/results_json.h"
 #include "core/experiments/series.h"
@@ -120,7 +120,7 @@ void writeResults(const Results& results, const fs::path& folder) {
     document["identification"] = numbersOf(*results.identification);
     series["identification"] = seriesOf(*results.identification);
   }
-  const std::string stamp = checksumOf(document.dump() + series.dump());
+  const std::string stamp = base::checksumOf(document.dump() + series.dump());
   document[kStampKey] = stamp;
   series[kStampKey] = stamp;
   writeCsv(results, folder);

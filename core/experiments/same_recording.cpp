@@ -1,7 +1,7 @@
 #include "core/experiments/same_recording.h"
 
+#include "core/base/checksum.h"
 #include "core/base/error.h"
-#include "core/experiments/checksum.h"
 
 namespace capstan::experiments {
 
@@ -14,7 +14,7 @@ bool sameRecording(const fs::path& a, const fs::path& b) {
   const auto size = fs::file_size(a, fault);
   if (fault || size != fs::file_size(b, fault) || fault) return false;
   try {
-    return checksumOfFile(a) == checksumOfFile(b);
+    return base::checksumOfFile(a) == base::checksumOfFile(b);
   } catch (const base::InputError&) {
     return false;
   }

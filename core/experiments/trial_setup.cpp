@@ -5,10 +5,10 @@
 #include <cmath>
 #include <variant>
 
+#include "core/base/checksum.h"
 #include "core/base/error.h"
 #include "core/base/resource.h"
 #include "core/base/yaml.h"
-#include "core/experiments/checksum.h"
 #include "core/experiments/results_json.h"
 #include "core/identification/parameters.h"
 #include "core/session/table_source.h"
@@ -157,7 +157,7 @@ TrialSetup setUpTrial(const Specification& specification, const TrialSpec& trial
 
 TrialSource::TrialSource(const TrialSetup& setup) : inputs_(setup.inputs) {
   // Before it is opened: closing a file takes SQLite's locks on it away.
-  if (!setup.recording.empty()) inputs_.recording += ", checksum " + checksumOfFile(setup.recording);
+  if (!setup.recording.empty()) inputs_.recording += ", checksum " + base::checksumOfFile(setup.recording);
   if (setup.simulated)
     source_ = std::make_unique<simulation::SimulatedSource>(*setup.simulated);
   else

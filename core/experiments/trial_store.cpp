@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "core/base/checksum.h"
 #include "core/base/error.h"
 #include "core/base/yaml.h"
-#include "core/experiments/checksum.h"
 #include "core/experiments/results.h"
 
 namespace capstan::experiments {
@@ -42,7 +42,7 @@ std::optional<nlohmann::json> TrialStore::find(const std::string& name, const nl
       return std::nullopt;
     }
     nlohmann::json result = std::move(document.at("result"));
-    if (document.at("checksum") == checksumOf(result.dump())) return result;
+    if (document.at("checksum") == base::checksumOf(result.dump())) return result;
     notice = fmt::format("{}: is damaged (wrong checksum); this trial is run again", file.string());
   } catch (const nlohmann::json::exception& error) {
     notice = fmt::format("{}: is damaged ({}); this trial is run again", file.string(), error.what());
@@ -57,7 +57,7 @@ void TrialStore::keep(const std::string& name, const nlohmann::json& fingerprint
   if (folder_.empty()) return;
   std::filesystem::create_directories(folder_);
   const nlohmann::json document = {
-      {"fingerprint", fingerprint}, {"checksum", checksumOf(result.dump())}, {"result", result}};
+      {"fingerprint", fingerprint}, {"checksum", base::checksumOf(result.dump())}, {"result", result}};
   base::writeTextFile(fileOf(name), document.dump() + "\n");
 }
 

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/math/dense.h"
+#include "core/stats/quantile.h"
 
 namespace capstan::learning {
 
@@ -16,6 +18,11 @@ using Eigen::MatrixXd;
 namespace {
 
 constexpr Index kOutputs = 6;
+/// Outputs that share a kernel.
+struct Group {
+  Index first, count;
+};
+constexpr std::array<Group, 4> kGroups = {{{0, 1}, {1, 1}, {2, 1}, {3, 3}}};
 
 void checkEnough(std::size_t states) {
   if (states < kFewestStates)
@@ -29,121 +36,173 @@ void checkEnough(std::size_t states) {
 
 }  // namespace
 
+CorrectionModel::CorrectionModel(CorrectionParts parts) : known_(std::move(parts)) {
+  for (SparseProcessParts& group : known_.groups) processes_.emplace_back(std::move(group));
+  known_.groups.clear();
+}
+
+CorrectionParts CorrectionModel::parts() const {
+  CorrectionParts parts = known_;
+  for (const SparseProcess& process : processes_) parts.groups.push_back(process.parts());
+  return parts;
+}
+
 CorrectionModel CorrectionModel::trained(const std::vector<State>& states, const CorrectionOptions& options,
                                          base::Progress* progress) {
   checkEnough(states.size());
   std::vector<PosePair> pairs;
-  std::vector<Eigen::Isometry3d> moved;
   for (const State& state : states) pairs.push_back(state.pair);
-  const Eigen::Isometry3d offset = rigidOffset(pairs, options.lever);
-  for (const PosePair& pair : pairs) moved.push_back(offset * pair.seen);
-  CorrectionModel model(offset, PoseFeatures(options.rotation, options.velocity, middleTurn(moved)));
-  model.lever_ = options.lever;
+  CorrectionParts parts;
+  parts.offset = rigidOffset(pairs, options.lever);
+  parts.lever = options.lever;
+  std::vector<Eigen::Isometry3d> moved;
+  for (const PosePair& pair : pairs) moved.push_back(parts.offset * pair.seen);
+  for (const Eigen::Isometry3d& pose : moved) parts.workspace.extend(pose.translation());
+  parts.features = PoseFeatures(options.rotation, options.motion, middleTurn(moved));
+  CorrectionModel model(std::move(parts));
   model.findScales(states);
-  for (const Eigen::Isometry3d& pose : moved) model.workspace_.extend(pose.translation());
   const MatrixXd x = model.featuresOf(states), y = model.targetsOf(states);
 
   if (progress) progress->report(0.0, "Learning hyperparameters");
   const auto few = drawnPoints(x.rows(), options.likelihood_points, options.seed);
-  const auto inducing = drawnPoints(x.rows(), options.inducing_points, options.seed + 1);
-  const MatrixXd x_few = x(few, Eigen::all), x_inducing = x(inducing, Eigen::all);
-  std::vector<ProcessFitReport> fits(kOutputs);
+  const MatrixXd x_few = x(few, Eigen::all), y_few = y(few, Eigen::all);
+  std::array<ProcessFitReport, kGroups.size()> fits;
   math::setDenseThreads(1);
-  base::parallelFor(kOutputs, options.threads, [&](std::size_t k) {
-    const MatrixXd y_few = y(few, Eigen::seqN(static_cast<Index>(k), 1));
-    fits[k] = fitProcess(x_few, y_few, startOf(x_few, y_few, options.fit), options.fit, progress);
+  base::parallelFor(fits.size(), options.threads, [&](std::size_t g) {
+    const MatrixXd own = y_few.middleCols(kGroups[g].first, kGroups[g].count);
+    fits[g] = fitProcess(x_few, own, startOf(x_few, own, options.fit), options.fit, progress);
   });
   math::setDenseThreads(options.threads);
-  for (Index k = 0; k < kOutputs && !(progress && progress->cancelled()); ++k) {
-    if (progress) progress->report(0.7 + 0.05 * static_cast<double>(k), "Learning all states");
-    SparseProcess process(x_inducing, 1, fits[static_cast<std::size_t>(k)].parameters);
-    process.add(x, y.col(k));
+  const MatrixXd inducing = x(drawnPoints(x.rows(), options.inducing_points, options.seed + 1), Eigen::all);
+  for (std::size_t g = 0; g < fits.size() && !(progress && progress->cancelled()); ++g) {
+    if (progress) progress->report(0.6 + 0.1 * static_cast<double>(g), "Learning all states");
+    SparseProcess process(inducing, kGroups[g].count, fits[g].parameters);
+    process.add(x, y.middleCols(kGroups[g].first, kGroups[g].count));
     model.processes_.push_back(std::move(process));
   }
-  if (model.processes_.size() < kOutputs) model.processes_.clear();
+  if (progress && progress->cancelled())
+    model.processes_.clear();
+  else
+    model.findInflation(states, options);
   return model;
 }
 
 void CorrectionModel::findScales(const std::vector<State>& states) {
-  middle_ = Eigen::RowVectorXd::Zero(features_.size());
-  deviation_ = Eigen::RowVectorXd::Ones(features_.size());
-  scale_ = Eigen::RowVectorXd::Ones(kOutputs);
+  const Index features = known_.features.size();
+  known_.middle = Eigen::RowVectorXd::Zero(features);
+  known_.deviation = Eigen::RowVectorXd::Ones(features);
+  known_.scale = known_.inflation = Eigen::RowVectorXd::Ones(kOutputs);
   const auto orOne = [](double x) { return x > 1e-12 ? x : 1.0; };  // of what never changes
-  const MatrixXd x = featuresOf(states), y = targetsOf(states);
-  middle_ = x.colwise().mean();
-  deviation_ = (x.rowwise() - middle_).array().square().colwise().mean().sqrt().matrix().unaryExpr(orOne);
-  scale_ = y.array().square().colwise().mean().sqrt().matrix().unaryExpr(orOne);
-}
-
-Vector6d CorrectionModel::turnedVelocity(const Vector6d& velocity) const {
-  Vector6d turned = velocity;  // the turn rate is in the tool's own frame
-  turned.head<3>() = offset_.linear() * velocity.head<3>();
-  return turned;
+  MatrixXd x(static_cast<Index>(states.size()), features);
+  for (std::size_t k = 0; k < states.size(); ++k)
+    x.row(static_cast<Index>(k)) = known_.features.of(known_.offset, states[k]);
+  known_.middle = x.colwise().mean();
+  known_.deviation =
+      (x.rowwise() - known_.middle).array().square().colwise().mean().sqrt().matrix().unaryExpr(orOne);
+  known_.scale = targetsOf(states).array().square().colwise().mean().sqrt().matrix().unaryExpr(orOne);
 }
 
 MatrixXd CorrectionModel::featuresOf(const std::vector<State>& states) const {
-  MatrixXd x(static_cast<Index>(states.size()), features_.size());
+  MatrixXd x(static_cast<Index>(states.size()), known_.features.size());
   for (std::size_t k = 0; k < states.size(); ++k)
-    x.row(static_cast<Index>(k)) =
-        features_.of(offset_ * states[k].pair.seen, turnedVelocity(states[k].velocity));
-  return (x.rowwise() - middle_).array().rowwise() / deviation_.array();
+    x.row(static_cast<Index>(k)) = known_.features.of(known_.offset, states[k]);
+  x = (x.rowwise() - known_.middle).array().rowwise() / known_.deviation.array();
+  return x.cwiseMax(-kFarthestFeature).cwiseMin(kFarthestFeature);
 }
 
 MatrixXd CorrectionModel::targetsOf(const std::vector<State>& states) const {
   MatrixXd y(static_cast<Index>(states.size()), kOutputs);
   for (std::size_t k = 0; k < states.size(); ++k)
     y.row(static_cast<Index>(k)) =
-        features_.correction(offset_ * states[k].pair.seen, states[k].pair.told).transpose();
-  return y.array().rowwise() / scale_.array();
+        known_.features.correction(known_.offset * states[k].pair.seen, states[k].pair.told).transpose();
+  return y.array().rowwise() / known_.scale.array();
 }
 
 Corrected CorrectionModel::correct(const Eigen::Isometry3d& desired, const Vector6d& velocity) const {
   State state;
   state.pair.seen = desired;
   state.velocity = velocity;
-  Corrected corrected{offset_ * desired, scale_.transpose(), 0.0};
+  state.drift.fill(velocity);
+  return correct(state);
+}
+
+Corrected CorrectionModel::correct(const State& desired) const {
+  Corrected corrected{known_.offset * desired.pair.seen, known_.scale.transpose(), 0.0};
   if (processes_.empty()) return corrected;
-  const MatrixXd x = featuresOf({state});
+  const MatrixXd x = featuresOf({desired});
   Vector6d correction;
   double left = 0.0, all = 0.0;
-  for (Index k = 0; k < kOutputs; ++k) {
-    const SparseProcess& process = processes_[static_cast<std::size_t>(k)];
-    const Prediction told = process.predict(x);
-    const RbfParameters& p = process.parameters();
-    correction[k] = scale_[k] * told.mean(0, 0);
-    corrected.sigma[k] = scale_[k] * std::sqrt(told.variance[0] + p.noiseVariance());
-    const double weight = std::pow(scale_[k] * (k < 3 ? 1.0 : lever_), 2);
+  for (std::size_t g = 0; g < kGroups.size(); ++g) {
+    const auto [first, count] = kGroups[g];
+    const Prediction told = processes_[g].predict(x);
+    const RbfParameters& p = processes_[g].parameters();
+    const Eigen::RowVectorXd scale = known_.scale.segment(first, count);
+    const double sigma = std::sqrt(told.variance[0] + p.noiseVariance());
+    correction.segment(first, count) = scale.cwiseProduct(told.mean.row(0)).transpose();
+    corrected.sigma.segment(first, count) =
+        sigma * scale.cwiseProduct(known_.inflation.segment(first, count)).transpose();
+    const double weight = scale.squaredNorm() * (first < 3 ? 1.0 : known_.lever * known_.lever);
     left += weight * told.variance[0];
     all += weight * p.signalVariance();
   }
   const double faded = fading(corrected.pose.translation());
   corrected.confidence = faded * std::max(1.0 - left / all, 0.0);
-  corrected.pose = features_.corrected(corrected.pose, faded * correction);
+  corrected.pose = known_.features.corrected(corrected.pose, faded * correction);
   return corrected;
 }
 
-std::vector<Eigen::Isometry3d> CorrectionModel::correct(const std::vector<State>& seen) const {
+std::vector<Eigen::Isometry3d> CorrectionModel::correct(const std::vector<State>& desired) const {
   std::vector<Eigen::Isometry3d> poses;
-  const MatrixXd x = featuresOf(seen);
+  const MatrixXd x = featuresOf(desired);
   MatrixXd corrections = MatrixXd::Zero(x.rows(), kOutputs);
-  for (std::size_t k = 0; k < processes_.size(); ++k)
-    corrections.col(static_cast<Index>(k)) = scale_[static_cast<Index>(k)] * processes_[k].mean(x);
-  for (std::size_t k = 0; k < seen.size(); ++k) {
-    const Eigen::Isometry3d moved = offset_ * seen[k].pair.seen;
+  for (std::size_t g = 0; g < processes_.size(); ++g)
+    corrections.middleCols(kGroups[g].first, kGroups[g].count) = processes_[g].mean(x);
+  corrections *= known_.scale.asDiagonal();
+  for (std::size_t k = 0; k < desired.size(); ++k) {
+    const Eigen::Isometry3d moved = known_.offset * desired[k].pair.seen;
     const Vector6d correction = corrections.row(static_cast<Index>(k)).transpose();
-    poses.push_back(features_.corrected(moved, fading(moved.translation()) * correction));
+    poses.push_back(known_.features.corrected(moved, fading(moved.translation()) * correction));
   }
   return poses;
 }
 
+/// Errors of motions held out, from the others at the same hyperparameters: their share within σ shall be
+/// that of a normal distribution.
+void CorrectionModel::findInflation(const std::vector<State>& states, const CorrectionOptions& options) {
+  constexpr std::size_t kEach = 8;  // motion, or state of one motion, is held out
+  constexpr double kWithinSigma = 0.6827;
+  std::vector<State> seen, held;
+  const bool one_motion = states.front().motion == states.back().motion;
+  for (std::size_t k = 0; k < states.size(); ++k)
+    ((one_motion ? k : states[k].motion) % kEach == kEach - 1 ? held : seen).push_back(states[k]);
+  if (held.empty() || seen.empty()) return;
+  const MatrixXd x = featuresOf(seen), y = targetsOf(seen), at = featuresOf(held), told = targetsOf(held);
+  const Index few = std::max<Index>(options.inducing_points / 2, 1);
+  const MatrixXd inducing = x(drawnPoints(x.rows(), few, options.seed + 2), Eigen::all);
+  for (std::size_t g = 0; g < kGroups.size(); ++g) {
+    const auto [first, count] = kGroups[g];
+    const RbfParameters& p = processes_[g].parameters();
+    SparseProcess process(inducing, count, p);
+    process.add(x, y.middleCols(first, count));
+    const Prediction guess = process.predict(at);
+    const Eigen::ArrayXd sigma = (guess.variance.array() + p.noiseVariance()).sqrt();
+    for (Index k = 0; k < count; ++k) {
+      const Eigen::ArrayXd off = ((told.col(first + k) - guess.mean.col(k)).array() / sigma).abs();
+      known_.inflation[first + k] =
+          stats::quantile(std::vector<double>(off.begin(), off.end()), kWithinSigma);
+    }
+  }
+}
+
 double CorrectionModel::fading(const Eigen::Vector3d& position) const {
-  return std::exp(-0.5 * workspace_.squaredExteriorDistance(position) / (kFade * kFade));
+  return std::exp(-0.5 * known_.workspace.squaredExteriorDistance(position) / (kFade * kFade));
 }
 
 void CorrectionModel::add(const std::vector<State>& states) {
   const MatrixXd x = featuresOf(states), y = targetsOf(states);
-  for (const State& state : states) workspace_.extend((offset_ * state.pair.seen).translation());
-  for (std::size_t k = 0; k < processes_.size(); ++k) processes_[k].add(x, y.col(static_cast<Index>(k)));
+  for (const State& state : states) known_.workspace.extend((known_.offset * state.pair.seen).translation());
+  for (std::size_t g = 0; g < processes_.size(); ++g)
+    processes_[g].add(x, y.middleCols(kGroups[g].first, kGroups[g].count));
 }
 
 }  // namespace capstan::learning

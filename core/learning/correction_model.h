@@ -8,7 +8,7 @@
 namespace capstan::learning {
 
 struct CorrectionOptions {
-  bool velocity = true;
+  Motion motion = Motion::kHistory;
   RotationForm rotation = RotationForm::kTangent;
   Eigen::Index likelihood_points = 1500;  ///< states that the hyperparameters are learned from, at most
   Eigen::Index inducing_points = 1500;    ///< at most
@@ -28,47 +28,59 @@ struct Corrected {
   double confidence = 0.0;
 };
 
+/// Everything that a model knows, as a file keeps it.
+struct CorrectionParts {
+  Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();  ///< G
+  PoseFeatures features{RotationForm::kTangent, Motion::kHistory, Eigen::Quaterniond::Identity()};
+  double lever = kLever;
+  Eigen::AlignedBox3d workspace;           ///< of the offset's positions [m]
+  Eigen::RowVectorXd middle, deviation;    ///< of the features
+  Eigen::RowVectorXd scale;                ///< RMS of the six targets
+  Eigen::RowVectorXd inflation;            ///< of the outputs' σ, so that they hold for motions not learned
+  std::vector<SparseProcessParts> groups;  ///< of x, y, z and of the turn; none: the rigid offset alone
+};
+
 /// F = H ∘ G (GPR paper, section III): what to ask for so that cameras see a desired state. G is the rigid
-/// offset; H a Gaussian process an output, of the difference that G leaves, whose mean is 0 far from all
-/// data. An output that does not depend on where the tip is has no such distance: all corrections fade
-/// besides, as exp(−½ d²/kFade²) of the distance d from the box of all positions learned.
+/// offset; H are Gaussian processes of the difference that G leaves, whose mean is 0 far from all data: one
+/// of the position's three outputs, one of the turn's, which share a kernel each. Features count in
+/// deviations from their middle, kFarthestFeature at most. An output that does not depend on where the tip is
+/// has no such distance: all corrections fade besides, as exp(−½ d²/kFade²) of the distance d from the box of
+/// all positions learned.
 class CorrectionModel {
  public:
   /// From states that count. base::InputError: fewer than kFewestStates. Cancelled: of a rigid offset alone.
   static CorrectionModel trained(const std::vector<State>& states, const CorrectionOptions& options = {},
                                  base::Progress* progress = nullptr);
+  explicit CorrectionModel(CorrectionParts parts);
 
-  /// `desired` and its velocity in the cameras' frame.
+  /// Of what shall be seen: pair.seen, velocity and drift of `desired` in the cameras' frame.
+  Corrected correct(const State& desired) const;
+  /// The same of a steady motion.
   Corrected correct(const Eigen::Isometry3d& desired, const Vector6d& velocity) const;
   /// Poses alone, faster.
-  std::vector<Eigen::Isometry3d> correct(const std::vector<State>& seen) const;
+  std::vector<Eigen::Isometry3d> correct(const std::vector<State>& desired) const;
 
   /// Learns more states with the same hyperparameters and inducing points.
   void add(const std::vector<State>& states);
 
-  const Eigen::Isometry3d& offset() const { return offset_; }
-  const std::vector<SparseProcess>& processes() const {
-    return processes_;
-  }  ///< of outputs in units of scale
+  const Eigen::Isometry3d& offset() const { return known_.offset; }
+  const Eigen::AlignedBox3d& workspace() const { return known_.workspace; }
+  /// Of x, y, z and of the turn, of outputs in units of their scale.
+  const std::vector<SparseProcess>& processes() const { return processes_; }
+  CorrectionParts parts() const;
 
  private:
-  CorrectionModel(const Eigen::Isometry3d& offset, PoseFeatures features)
-      : offset_(offset), features_(std::move(features)) {}
-  Vector6d turnedVelocity(const Vector6d& velocity) const;
   Eigen::MatrixXd featuresOf(const std::vector<State>& states) const;  ///< in deviations
   Eigen::MatrixXd targetsOf(const std::vector<State>& states) const;   ///< in scales
   void findScales(const std::vector<State>& states);
+  void findInflation(const std::vector<State>& states, const CorrectionOptions& options);
   double fading(const Eigen::Vector3d& position) const;
 
-  Eigen::Isometry3d offset_;
-  PoseFeatures features_;
-  double lever_ = kLever;
-  Eigen::AlignedBox3d workspace_;          ///< of the offset's positions
-  Eigen::RowVectorXd middle_, deviation_;  ///< of the features
-  Eigen::RowVectorXd scale_;               ///< RMS of the targets
-  std::vector<SparseProcess> processes_;   ///< by output
+  CorrectionParts known_;  ///< without groups
+  std::vector<SparseProcess> processes_;
 };
 inline constexpr std::size_t kFewestStates = 20;
+inline constexpr double kFarthestFeature = 4.0;
 inline constexpr double kFade = 0.01;  ///< [m]
 
 }  // namespace capstan::learning

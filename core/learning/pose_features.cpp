@@ -38,10 +38,22 @@ Eigen::Quaterniond middleTurn(const std::vector<Eigen::Isometry3d>& poses) {
   return Eigen::Quaterniond(Eigen::Vector4d(solver.eigenvectors().col(3))).normalized();
 }
 
-PoseFeatures::PoseFeatures(RotationForm form, bool velocity, const Eigen::Quaterniond& middle)
-    : form_(form), velocity_(velocity), middle_(middle) {}
+PoseFeatures::PoseFeatures(RotationForm form, Motion motion, const Eigen::Quaterniond& middle)
+    : form_(form), motion_(motion), middle_(middle) {}
 
-Eigen::RowVectorXd PoseFeatures::of(const Eigen::Isometry3d& pose, const Vector6d& velocity) const {
+Eigen::Index PoseFeatures::size() const {
+  switch (motion_) {
+    case Motion::kNone:
+      return 6;
+    case Motion::kVelocity:
+      return 12;
+    default:
+      return 12 + 6 * static_cast<Eigen::Index>(kSpans.size());
+  }
+}
+
+Eigen::RowVectorXd PoseFeatures::of(const Eigen::Isometry3d& offset, const State& seen) const {
+  const Eigen::Isometry3d pose = offset * seen.pair.seen;
   Eigen::RowVectorXd features(size());
   features.head<3>() = pose.translation().transpose();
   if (form_ == RotationForm::kTangent)
@@ -49,7 +61,13 @@ Eigen::RowVectorXd PoseFeatures::of(const Eigen::Isometry3d& pose, const Vector6
         rotationVector(middle_.conjugate() * Eigen::Quaterniond(pose.linear())).transpose();
   else
     features.segment<3>(3) = yawPitchRoll(pose.linear()).transpose();
-  if (velocity_) features.tail<6>() = velocity.transpose();
+  const auto put = [&](Eigen::Index at, const Vector6d& velocity) {  // turn rates are in the tool's own frame
+    features.segment<3>(at) = (offset.linear() * velocity.head<3>()).transpose();
+    features.segment<3>(at + 3) = velocity.tail<3>().transpose();
+  };
+  if (motion_ != Motion::kNone) put(6, seen.velocity);
+  for (std::size_t i = 0; i < kSpans.size() && motion_ == Motion::kHistory; ++i)
+    put(12 + 6 * static_cast<Eigen::Index>(i), seen.drift[i]);
   return features;
 }
 

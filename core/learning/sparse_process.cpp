@@ -25,52 +25,61 @@ std::vector<Index> drawnPoints(Index points, Index count, std::uint64_t seed) {
 }
 
 SparseProcess::SparseProcess(const MatrixXd& inducing, Index outputs, RbfParameters parameters)
-    : parameters_(std::move(parameters)), z_(inLengths(inducing, parameters_)) {
-  const MatrixXd covariance = signalCovariance(z_, parameters_);
-  for (double jitter = 1e-10;; jitter *= 10.0) {  // of the signal's variance: inducing points may be near
-    root_ = covariance;
-    root_.diagonal().array() += jitter * parameters_.signalVariance();
-    if (math::choleskyInPlace(root_) || jitter > 1.0) break;
-  }
-  square_ = MatrixXd::Identity(z_.rows(), z_.rows());
-  sum_ = MatrixXd::Zero(z_.rows(), outputs);
+    : SparseProcess(SparseProcessParts{parameters, inLengths(inducing, parameters),
+                                       MatrixXd::Identity(inducing.rows(), inducing.rows()),
+                                       MatrixXd::Zero(inducing.rows(), outputs)}) {}
+
+SparseProcess::SparseProcess(SparseProcessParts parts) : known_(std::move(parts)) {
+  findRoot();
   factorise();
 }
 
+void SparseProcess::findRoot() {
+  const MatrixXd covariance = signalCovariance(known_.inducing, known_.parameters);
+  for (double jitter = 1e-10;; jitter *= 10.0) {  // of the signal's variance: inducing points may be near
+    root_ = covariance;
+    root_.diagonal().array() += jitter * known_.parameters.signalVariance();
+    if (math::choleskyInPlace(root_) || jitter > 1.0) break;
+  }
+}
+
 void SparseProcess::add(const MatrixXd& x, const MatrixXd& y) {
-  assert(x.rows() == y.rows() && y.cols() == sum_.cols());
+  assert(x.rows() == y.rows() && y.cols() == known_.sum.cols());
   constexpr Index kRows = 2048;  // at a time, for memory
-  const double precision = 1.0 / parameters_.noiseVariance();
+  const double precision = 1.0 / known_.parameters.noiseVariance();
   for (Index first = 0; first < x.rows(); first += kRows) {
     const Index rows = std::min(kRows, x.rows() - first);
-    MatrixXd v = crossCovariance(z_, inLengths(x.middleRows(first, rows), parameters_), parameters_);
+    MatrixXd v = crossCovariance(known_.inducing, inLengths(x.middleRows(first, rows), known_.parameters),
+                                 known_.parameters);
     math::solveLower(root_, v);
-    math::addSquare(precision, v, square_);
-    sum_ += precision * math::product(v, y.middleRows(first, rows));
+    math::addSquare(precision, v, known_.square);
+    known_.sum += precision * math::product(v, y.middleRows(first, rows));
   }
   factorise();
 }
 
 void SparseProcess::factorise() {
-  factor_ = square_;
+  factor_ = known_.square;
   const bool fine = math::choleskyInPlace(factor_);
   assert(fine);  // the identity and squares
   static_cast<void>(fine);
-  weights_ = sum_;
+  weights_ = known_.sum;
   math::solveLower(factor_, weights_);
   math::solveLowerTransposed(factor_, weights_);
   math::solveLowerTransposed(root_, weights_);
 }
 
 MatrixXd SparseProcess::mean(const MatrixXd& at) const {
-  return math::product(crossCovariance(inLengths(at, parameters_), z_, parameters_), weights_);
+  return math::product(crossCovariance(inLengths(at, known_.parameters), known_.inducing, known_.parameters),
+                       weights_);
 }
 
 Prediction SparseProcess::predict(const MatrixXd& at) const {
-  MatrixXd cross = crossCovariance(z_, inLengths(at, parameters_), parameters_);
+  MatrixXd cross = crossCovariance(known_.inducing, inLengths(at, known_.parameters), known_.parameters);
   Prediction prediction{math::product(cross.transpose(), weights_), {}};
   math::solveLower(root_, cross);
-  prediction.variance = parameters_.signalVariance() - cross.colwise().squaredNorm().transpose().array();
+  prediction.variance =
+      known_.parameters.signalVariance() - cross.colwise().squaredNorm().transpose().array();
   math::solveLower(factor_, cross);
   prediction.variance += cross.colwise().squaredNorm().transpose();
   prediction.variance = prediction.variance.cwiseMax(0.0);

@@ -10,6 +10,14 @@ namespace capstan::learning {
 /// `count` of `points` rows, drawn without replacement, in rising order; all where there are no more.
 std::vector<Eigen::Index> drawnPoints(Eigen::Index points, Eigen::Index count, std::uint64_t seed);
 
+/// What a sparse process knows, as a file keeps it.
+struct SparseProcessParts {
+  RbfParameters parameters;
+  Eigen::MatrixXd inducing;  ///< in lengths, m × d
+  Eigen::MatrixXd square;    ///< B, m × m, lower triangle
+  Eigen::MatrixXd sum;       ///< V Y / σ_n², m × q
+};
+
 /// Gaussian process regression through inducing points u (Titsias, Variational learning of inducing variables
 /// in sparse Gaussian processes, AISTATS 2009; its mean is the deterministic training conditional's,
 /// Quiñonero-Candela and Rasmussen, JMLR 6 (2005)):
@@ -22,23 +30,25 @@ class SparseProcess {
   /// Inducing points (m × d) and outputs (of which there are q) of mean 0; knows no points yet.
   SparseProcess(const Eigen::MatrixXd& inducing, Eigen::Index outputs, RbfParameters parameters);
 
+  explicit SparseProcess(SparseProcessParts parts);
+
   /// Learns points x (n × d) with outputs y (n × q).
   void add(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y);
 
   Prediction predict(const Eigen::MatrixXd& at) const;
   Eigen::MatrixXd mean(const Eigen::MatrixXd& at) const;
 
-  const RbfParameters& parameters() const { return parameters_; }
-  Eigen::Index inducing() const { return z_.rows(); }
+  const RbfParameters& parameters() const { return known_.parameters; }
+  Eigen::Index inducing() const { return known_.inducing.rows(); }
+  Eigen::Index outputs() const { return known_.sum.cols(); }
+  const SparseProcessParts& parts() const { return known_; }
 
  private:
+  void findRoot();
   void factorise();
 
-  RbfParameters parameters_;
-  Eigen::MatrixXd z_;        ///< inducing points in lengths
+  SparseProcessParts known_;
   Eigen::MatrixXd root_;     ///< L
-  Eigen::MatrixXd square_;   ///< B, lower triangle
-  Eigen::MatrixXd sum_;      ///< V Y / σ_n², m × q
   Eigen::MatrixXd factor_;   ///< L_B
   Eigen::MatrixXd weights_;  ///< L⁻ᵀ B⁻¹ V Y / σ_n²
 };

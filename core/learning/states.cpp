@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/learning/rotation_vector.h"
 #include "core/learning/stencil.h"
 
 namespace capstan::learning {
@@ -74,6 +75,17 @@ double leastAt(const std::vector<double>& lags, const Eigen::VectorXd& mean) {
   return bend > 0.0 ? at + 0.5 * (before - after) / bend * (lags[1] - lags[0]) : at;
 }
 
+/// Mean velocity of the last `span` seconds before sight k.
+Vector6d driftAt(const std::vector<StampedPose>& seen, std::size_t k, double span) {
+  const double begin = seen[k].t - span;
+  const auto from = std::lower_bound(seen.begin(), seen.begin() + static_cast<std::ptrdiff_t>(k), begin,
+                                     [](const StampedPose& pose, double when) { return pose.t < when; });
+  const Eigen::Quaterniond here(seen[k].pose.linear()), there(from->pose.linear());
+  Vector6d drift;
+  drift << seen[k].pose.translation() - from->pose.translation(), rotationVector(there.conjugate() * here);
+  return drift / span;
+}
+
 }  // namespace
 
 std::optional<Eigen::Isometry3d> poseAt(const std::vector<StampedPose>& stream, double t) {
@@ -103,8 +115,9 @@ std::vector<State> statesOf(const std::vector<PoseMotion>& motions, StreamKind t
     for (std::size_t k = 0; k < seen.size(); ++k) {
       const auto said = poseAt(motions[m].of(told), t[k] - lag);
       if (!said) continue;
-      State state{m, seen[k].row, t[k], {seen[k].pose, *said}, {}};
+      State state{m, seen[k].row, t[k], {seen[k].pose, *said}, {}, {}};
       state.velocity << v.col(static_cast<Eigen::Index>(k)), w.col(static_cast<Eigen::Index>(k));
+      for (std::size_t i = 0; i < kSpans.size(); ++i) state.drift[i] = driftAt(seen, k, kSpans[i]);
       states.push_back(std::move(state));
     }
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "core/learning/pose_motion.h"
@@ -9,6 +10,9 @@ namespace capstan::learning {
 
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 
+/// Spans over which a state remembers how it moved [s].
+inline constexpr std::array kSpans = {0.1, 0.4};
+
 /// An observed state and what was told at that instant (GPR paper, section III: x_o = (p, ṗ) and p_c).
 struct State {
   std::size_t motion = 0;  ///< place among the motions
@@ -16,6 +20,9 @@ struct State {
   double t = 0.0;          ///< of the camera's clock [s]
   PosePair pair;
   Vector6d velocity = Vector6d::Zero();  ///< of what was seen, [m/s], then [rad/s] in its own frame
+  /// Mean velocities of the last kSpans, likewise: cables that stick remember where they came from. Before
+  /// the motion's first sight it stood still.
+  std::array<Vector6d, kSpans.size()> drift = {Vector6d::Zero(), Vector6d::Zero()};
 };
 
 /// A stream's pose at a time, between the two stamps around it: positions in line, turns along the shorter
@@ -23,8 +30,8 @@ struct State {
 std::optional<Eigen::Isometry3d> poseAt(const std::vector<StampedPose>& stream, double t);
 inline constexpr double kLongestGap = 0.1;  ///< [s]
 
-/// Every sight with its velocity (five-point stencil on the camera's own stamps) and what `told` said `lag`
-/// seconds before: told(t − lag). Sights without such a pose are left out.
+/// Every sight with its velocity (five-point stencil on the camera's own stamps), how it moved before, and
+/// what `told` said `lag` seconds before: told(t − lag). Sights without such a pose are left out.
 std::vector<State> statesOf(const std::vector<PoseMotion>& motions, StreamKind told, double lag);
 
 struct LagOptions {

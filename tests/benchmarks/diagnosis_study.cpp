@@ -7,9 +7,9 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "core/base/checksum.h"
 #include "core/base/error.h"
 #include "core/diagnosis/diagnose.h"
-#include "core/experiments/checksum.h"
 #include "core/experiments/software.h"
 #include "tests/support/planted_study/run_study.h"
 #include "tests/support/planted_study/study_tables.h"
@@ -29,7 +29,7 @@ struct Wanted {
 std::string program() {
   const std::string software = experiments::software();
   const bool exact = software.find('(') != std::string::npos && software.find("dirty") == std::string::npos;
-  return exact ? software : software + " " + experiments::checksumOfFile("/proc/self/exe");
+  return exact ? software : software + " " + base::checksumOfFile("/proc/self/exe");
 }
 
 diagnosis::Report diagnosed(const std::vector<diagnosis::Evidence>& recordings,

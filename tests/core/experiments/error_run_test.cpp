@@ -6,9 +6,9 @@
 
 #include <fstream>
 
+#include "core/base/checksum.h"
 #include "core/base/error.h"
 #include "core/base/resource.h"
-#include "core/experiments/checksum.h"
 #include "core/session/export.h"
 #include "core/session/table_source.h"
 #include "core/simulation/simulation_request.h"
@@ -132,7 +132,7 @@ TEST_F(ErrorRuns, OfARecordingAreThoseOfThePipeline) {
   const fs::path file = session();
   const ErrorRun run = trackErrors(file, {}, progress_);
   EXPECT_EQ(run.title, "trial.capstan");
-  EXPECT_EQ(run.motion, "checksum " + checksumOfFile(file));
+  EXPECT_EQ(run.motion, "checksum " + base::checksumOfFile(file));
   EXPECT_GT(run.camera.size(), 30U);
   // The oracle: the pipeline itself, sample by sample.
   const auto source = session::openRecording(file, robot::Description());
@@ -184,8 +184,8 @@ TEST_F(ErrorRuns, AMotionIsKnownByItsBytes) {
   results.trials[0].inputs.recording = "trial.capstan, 7 bytes";  // as older results have it
   writeResults(results, folder_ / "older");
   EXPECT_EQ(readErrors(folder_ / "older").motion, "") << "another recording may have as many bytes";
-  EXPECT_EQ(checksumOf(""), "cbf29ce484222325");  // the reference values of FNV-1a, 64 bit
-  EXPECT_EQ(checksumOf("foobar"), "85944171f73967e8");
+  EXPECT_EQ(base::checksumOf(""), "cbf29ce484222325");  // the reference values of FNV-1a, 64 bit
+  EXPECT_EQ(base::checksumOf("foobar"), "85944171f73967e8");
 }
 
 TEST_F(ErrorRuns, CancelEndsIt) {

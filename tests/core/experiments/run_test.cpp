@@ -10,9 +10,9 @@
 #include <map>
 #include <thread>
 
+#include "core/base/checksum.h"
 #include "core/base/error.h"
 #include "core/base/yaml.h"
-#include "core/experiments/checksum.h"
 #include "core/experiments/results_json.h"
 #include "core/experiments/series.h"
 #include "core/session/export.h"
@@ -191,7 +191,7 @@ TEST_F(Experiments, RecordedSessionsGoThroughTheSameRunner) {
   EXPECT_TRUE(seriesOf(recorded.trials[0]).dump() == seriesOf(simulated.trials[0]).dump());
   EXPECT_THAT(recorded.trials[0].inputs.recording,
               ::testing::MatchesRegex("recorded.capstan, [0-9]+ bytes, checksum " +
-                                      checksumOfFile(folder_ / "recorded.capstan")));
+                                      base::checksumOfFile(folder_ / "recorded.capstan")));
 }
 
 // What is identified keeps its motion: that of the filter which collected the data, as if it had been

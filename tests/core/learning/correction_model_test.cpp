@@ -79,7 +79,7 @@ TEST(CorrectionModel, needsVelocitiesWhereErrorsDo) {
   const std::vector<State> train = states(800, 1), test = states(200, 2, 0.0);
   CorrectionOptions options = quick();
   const double with = rms(CorrectionModel::trained(train, options), test);
-  options.velocity = false;
+  options.motion = Motion::kNone;
   EXPECT_GT(rms(CorrectionModel::trained(train, options), test), 3.0 * with);
 }
 
@@ -87,7 +87,7 @@ TEST(CorrectionModel, knowsHowSureItIs) {
   const CorrectionModel model = CorrectionModel::trained(states(800, 1), quick());
   int inside = 0, outputs = 0;
   for (const State& state : states(200, 3)) {
-    const Corrected corrected = model.correct(state.pair.seen, state.velocity);
+    const Corrected corrected = model.correct(state);
     EXPECT_GT(corrected.confidence, 0.5);
     const Eigen::Vector3d off = corrected.pose.translation() - state.pair.told.translation();
     for (int axis = 0; axis < 3; ++axis, ++outputs)

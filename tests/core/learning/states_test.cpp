@@ -121,6 +121,18 @@ TEST(StatesOf, pairWhatBelongsTogether) {
   }
 }
 
+TEST(StatesOf, rememberWhereTheyCameFrom) {
+  const ScreenReport report = screenPoses(motions(1));
+  const std::vector<StampedPose>& seen = report.motions[0].of(StreamKind::kCamera);
+  for (const State& state : statesOf(report.motions, StreamKind::kCommand, kLag))
+    for (std::size_t i = 0; i < kSpans.size(); ++i) {
+      const double from = std::max(state.t - kSpans[i], seen.front().t);
+      const Eigen::Isometry3d before = kOffset.inverse() * toldAt(0, from - kLag);
+      const Eigen::Vector3d way = state.pair.seen.translation() - before.translation();
+      EXPECT_LT((state.drift[i].head<3>() * kSpans[i] - way).norm(), 2e-3) << "one sight late at most";
+    }
+}
+
 TEST(CleanStates, rejectsWhatNoRobotDoes) {
   std::vector<State> states = statesOf(screenPoses(motions(5)).motions, StreamKind::kCommand, kLag);
   base::Random random(3, "dirt");

@@ -1,4 +1,4 @@
-#include "core/experiments/checksum.h"
+#include "core/base/checksum.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 
-namespace capstan::experiments {
+namespace capstan::base {
 namespace {
 
 constexpr std::uint64_t kBasis = 0xcbf29ce484222325ULL;
@@ -32,9 +32,8 @@ std::string checksumOfFile(const std::filesystem::path& file) {
     hash = folded(hash, {piece.data(), static_cast<std::size_t>(in.gcount())});
   }
   if (!in.eof())
-    throw base::InputError(
-        {file.string(), 0, {}, {}, "cannot be read", "Check the path and its permissions"});
+    throw InputError({file.string(), 0, {}, {}, "cannot be read", "Check the path and its permissions"});
   return fmt::format("{:016x}", hash);
 }
 
-}  // namespace capstan::experiments
+}  // namespace capstan::base
