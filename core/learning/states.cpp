@@ -105,22 +105,32 @@ std::optional<Eigen::Isometry3d> poseAt(const std::vector<StampedPose>& stream, 
   return pose;
 }
 
+std::vector<State> statesAlong(const std::vector<StampedPose>& path) {
+  const std::vector<double> t = stampsOf(path);
+  const Eigen::Matrix3Xd v = velocitiesOf(t, positionsOf(path));
+  const Eigen::Matrix3Xd w = angularVelocitiesOf(t, turnsOf(path));
+  std::vector<State> states(path.size());
+  for (std::size_t k = 0; k < path.size(); ++k) {
+    const auto at = static_cast<Eigen::Index>(k);
+    states[k].row = path[k].row;
+    states[k].t = path[k].t;
+    states[k].pair.seen = path[k].pose;
+    states[k].velocity << v.col(at), w.col(at);
+    for (std::size_t i = 0; i < kSpans.size(); ++i) states[k].drift[i] = driftAt(path, k, kSpans[i]);
+  }
+  return states;
+}
+
 std::vector<State> statesOf(const std::vector<PoseMotion>& motions, StreamKind told, double lag) {
   std::vector<State> states;
-  for (std::size_t m = 0; m < motions.size(); ++m) {
-    const std::vector<StampedPose>& seen = motions[m].of(StreamKind::kCamera);
-    const std::vector<double> t = stampsOf(seen);
-    const Eigen::Matrix3Xd v = velocitiesOf(t, positionsOf(seen));
-    const Eigen::Matrix3Xd w = angularVelocitiesOf(t, turnsOf(seen));
-    for (std::size_t k = 0; k < seen.size(); ++k) {
-      const auto said = poseAt(motions[m].of(told), t[k] - lag);
+  for (std::size_t m = 0; m < motions.size(); ++m)
+    for (State& state : statesAlong(motions[m].of(StreamKind::kCamera))) {
+      const auto said = poseAt(motions[m].of(told), state.t - lag);
       if (!said) continue;
-      State state{m, seen[k].row, t[k], {seen[k].pose, *said}, {}, {}};
-      state.velocity << v.col(static_cast<Eigen::Index>(k)), w.col(static_cast<Eigen::Index>(k));
-      for (std::size_t i = 0; i < kSpans.size(); ++i) state.drift[i] = driftAt(seen, k, kSpans[i]);
+      state.motion = m;
+      state.pair.told = *said;
       states.push_back(std::move(state));
     }
-  }
   return states;
 }
 

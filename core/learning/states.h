@@ -34,6 +34,9 @@ inline constexpr double kLongestGap = 0.1;  ///< [s]
 /// what `told` said `lag` seconds before: told(t − lag). Sights without such a pose are left out.
 std::vector<State> statesOf(const std::vector<PoseMotion>& motions, StreamKind told, double lag);
 
+/// States of a path to be followed, or of one that was seen: poses, velocities and drifts; nothing told.
+std::vector<State> statesAlong(const std::vector<StampedPose>& path);
+
 struct LagOptions {
   double earliest = -0.1, latest = 0.4;  ///< [s]
   double step = 0.01;                    ///< of the first search [s]

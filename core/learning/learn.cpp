@@ -1,0 +1,52 @@
+#include "core/learning/learn.h"
+
+#include <cassert>
+
+#include "core/base/error.h"
+
+namespace capstan::learning {
+
+PreparedStates prepare(const std::vector<RawMotion>& motions, const LearningOptions& options) {
+  PreparedStates prepared;
+  prepared.screen = screenPoses(motions);
+  prepared.lag = lagBetween(prepared.screen.motions, options.towards);
+  if (options.align) prepared.taken_off = prepared.lag.lag;
+  prepared.states = statesOf(prepared.screen.motions, options.towards, prepared.taken_off);
+  if (prepared.states.empty())
+    throw base::InputError(
+        {{},
+         0,
+         std::string(base::nameOf(options.towards)),
+         {},
+         "has no pose at an instant at which the camera has one",
+         "Choose another stream, or look at the stamps: both must tell the same clock's time"});
+  return prepared;
+}
+
+LearningReport learn(const std::vector<RawMotion>& motions, const LearningOptions& options,
+                     base::Progress* progress) {
+  if (progress) progress->report(0.0, "Pairing and aligning");
+  PreparedStates prepared = prepare(motions, options);
+  CleaningReport cleaning;
+  if (options.clean)
+    cleaning = cleanStates(prepared.states, options.cleaning);
+  else
+    cleaning.reason.assign(prepared.states.size(), Reason::kNone);
+  CorrectionModel model =
+      CorrectionModel::trained(kept(prepared.states, cleaning), options.correction, progress);
+  return {std::move(prepared), std::move(cleaning), std::move(model), progress && progress->cancelled()};
+}
+
+CorrectionError errorsOf(const std::vector<Eigen::Isometry3d>& corrected, const std::vector<State>& states) {
+  assert(corrected.size() == states.size());
+  CorrectionError error;
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    const Eigen::Isometry3d& told = states[k].pair.told;
+    error.distance.push_back((corrected[k].translation() - told.translation()).norm());
+    error.angle.push_back(
+        Eigen::Quaterniond(corrected[k].linear()).angularDistance(Eigen::Quaterniond(told.linear())));
+  }
+  return error;
+}
+
+}  // namespace capstan::learning
