@@ -23,5 +23,7 @@ void addDiagnose(CLI::App& app, ExitCode& exit);
 void addReport(CLI::App& app, ExitCode& exit);
 void addFigures(CLI::App& app, ExitCode& exit);
 void addStudy(CLI::App& app, ExitCode& exit);
+void addLearn(CLI::App& app, ExitCode& exit);
+void addCorrect(CLI::App& app, ExitCode& exit);
 
 }  // namespace capstan::cli

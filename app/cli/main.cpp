@@ -49,6 +49,8 @@ int run(int argc, char** argv) {
   cli::addTrack(app, exit);
   cli::addIdentify(app, exit);
   cli::addDiagnose(app, exit);
+  cli::addLearn(app, exit);
+  cli::addCorrect(app, exit);
   cli::addExperiment(app, exit);
   cli::addCalibrate(app, exit);
   cli::addInfo(app, exit);

@@ -47,8 +47,7 @@ CorrectionParts CorrectionModel::parts() const {
   return parts;
 }
 
-CorrectionModel CorrectionModel::trained(const std::vector<State>& states, const CorrectionOptions& options,
-                                         base::Progress* progress) {
+CorrectionModel CorrectionModel::rigid(const std::vector<State>& states, const CorrectionOptions& options) {
   checkEnough(states.size());
   std::vector<PosePair> pairs;
   for (const State& state : states) pairs.push_back(state.pair);
@@ -61,6 +60,12 @@ CorrectionModel CorrectionModel::trained(const std::vector<State>& states, const
   parts.features = PoseFeatures(options.rotation, options.motion, middleTurn(moved));
   CorrectionModel model(std::move(parts));
   model.findScales(states);
+  return model;
+}
+
+CorrectionModel CorrectionModel::trained(const std::vector<State>& states, const CorrectionOptions& options,
+                                         base::Progress* progress) {
+  CorrectionModel model = rigid(states, options);
   const MatrixXd x = model.featuresOf(states), y = model.targetsOf(states);
 
   if (progress) progress->report(0.0, "Learning hyperparameters");
@@ -126,28 +131,37 @@ Corrected CorrectionModel::correct(const Eigen::Isometry3d& desired, const Vecto
   return correct(state);
 }
 
-Corrected CorrectionModel::correct(const State& desired) const {
-  Corrected corrected{known_.offset * desired.pair.seen, known_.scale.transpose(), 0.0};
-  if (processes_.empty()) return corrected;
-  const MatrixXd x = featuresOf({desired});
-  Vector6d correction;
-  double left = 0.0, all = 0.0;
-  for (std::size_t g = 0; g < kGroups.size(); ++g) {
+Corrected CorrectionModel::correct(const State& desired) const { return correctSurely({desired}).front(); }
+
+std::vector<Corrected> CorrectionModel::correctSurely(const std::vector<State>& desired) const {
+  const Corrected rigid{Eigen::Isometry3d::Identity(), known_.scale.transpose(), 0.0};
+  std::vector<Corrected> corrected(desired.size(), rigid);
+  const auto n = static_cast<Index>(desired.size());
+  MatrixXd corrections = MatrixXd::Zero(n, kOutputs), sigma = known_.scale.replicate(n, 1);
+  Eigen::VectorXd left = Eigen::VectorXd::Zero(n);
+  double all = 0.0;
+  const MatrixXd x = featuresOf(desired);
+  for (std::size_t g = 0; g < processes_.size(); ++g) {
     const auto [first, count] = kGroups[g];
     const Prediction told = processes_[g].predict(x);
     const RbfParameters& p = processes_[g].parameters();
     const Eigen::RowVectorXd scale = known_.scale.segment(first, count);
-    const double sigma = std::sqrt(told.variance[0] + p.noiseVariance());
-    correction.segment(first, count) = scale.cwiseProduct(told.mean.row(0)).transpose();
-    corrected.sigma.segment(first, count) =
-        sigma * scale.cwiseProduct(known_.inflation.segment(first, count)).transpose();
+    corrections.middleCols(first, count) = told.mean * scale.asDiagonal();
+    sigma.middleCols(first, count) = (told.variance.array() + p.noiseVariance()).sqrt().matrix() *
+                                     scale.cwiseProduct(known_.inflation.segment(first, count));
     const double weight = scale.squaredNorm() * (first < 3 ? 1.0 : known_.lever * known_.lever);
-    left += weight * told.variance[0];
+    left += weight * told.variance;
     all += weight * p.signalVariance();
   }
-  const double faded = fading(corrected.pose.translation());
-  corrected.confidence = faded * std::max(1.0 - left / all, 0.0);
-  corrected.pose = known_.features.corrected(corrected.pose, faded * correction);
+  for (Index k = 0; k < n; ++k) {
+    Corrected& one = corrected[static_cast<std::size_t>(k)];
+    one.pose = known_.offset * desired[static_cast<std::size_t>(k)].pair.seen;
+    one.sigma = sigma.row(k).transpose();
+    if (processes_.empty()) continue;
+    const double faded = fading(one.pose.translation());
+    one.confidence = faded * std::max(1.0 - left[k] / all, 0.0);
+    one.pose = known_.features.corrected(one.pose, faded * corrections.row(k).transpose());
+  }
   return corrected;
 }
 

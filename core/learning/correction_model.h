@@ -51,12 +51,16 @@ class CorrectionModel {
   /// From states that count. base::InputError: fewer than kFewestStates. Cancelled: of a rigid offset alone.
   static CorrectionModel trained(const std::vector<State>& states, const CorrectionOptions& options = {},
                                  base::Progress* progress = nullptr);
+  /// Of the rigid offset alone.
+  static CorrectionModel rigid(const std::vector<State>& states, const CorrectionOptions& options = {});
   explicit CorrectionModel(CorrectionParts parts);
 
   /// Of what shall be seen: pair.seen, velocity and drift of `desired` in the cameras' frame.
   Corrected correct(const State& desired) const;
   /// The same of a steady motion.
   Corrected correct(const Eigen::Isometry3d& desired, const Vector6d& velocity) const;
+  /// The same of many.
+  std::vector<Corrected> correctSurely(const std::vector<State>& desired) const;
   /// Poses alone, faster.
   std::vector<Eigen::Isometry3d> correct(const std::vector<State>& desired) const;
 

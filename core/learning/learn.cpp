@@ -32,8 +32,9 @@ LearningReport learn(const std::vector<RawMotion>& motions, const LearningOption
     cleaning = cleanStates(prepared.states, options.cleaning);
   else
     cleaning.reason.assign(prepared.states.size(), Reason::kNone);
-  CorrectionModel model =
-      CorrectionModel::trained(kept(prepared.states, cleaning), options.correction, progress);
+  const std::vector<State> states = kept(prepared.states, cleaning);
+  CorrectionModel model = options.rigid ? CorrectionModel::rigid(states, options.correction)
+                                        : CorrectionModel::trained(states, options.correction, progress);
   return {std::move(prepared), std::move(cleaning), std::move(model), progress && progress->cancelled()};
 }
 

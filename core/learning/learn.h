@@ -11,6 +11,7 @@ struct LearningOptions {
   StreamKind towards = StreamKind::kCommand;  ///< what corrected poses will be asked of
   bool align = true;                          ///< take the lag of what is seen behind what is told off
   bool clean = true;
+  bool rigid = false;  ///< learn the rigid offset alone
   CleaningOptions cleaning;
   CorrectionOptions correction;
 };

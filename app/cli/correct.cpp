@@ -1,0 +1,59 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "app/cli/command.h"
+#include "app/cli/console.h"
+#include "app/cli/outputs.h"
+#include "core/base/yaml.h"
+#include "core/session/correction_file.h"
+#include "core/session/pose_path.h"
+
+namespace capstan::cli {
+namespace {
+
+struct CorrectArguments {
+  std::string model, in, out;
+};
+
+ExitCode run(const CorrectArguments& arguments) {
+  constexpr double kUnsure = 0.5;
+  checkOutputs({{"OUT", arguments.out}}, {arguments.model, arguments.in});
+  const session::CorrectionFile file = session::readCorrection(arguments.model);
+  const session::PosePaths paths = session::readPosePaths(arguments.in);
+  const std::vector<learning::Corrected> corrected = file.model.correctSurely(session::statesOf(paths));
+  const auto unsure = std::count_if(corrected.begin(), corrected.end(),
+                                    [](const auto& one) { return one.confidence < kUnsure; });
+  base::writeTextFile(arguments.out, session::formatCorrected(paths, corrected));
+  if (!paths.timed) notice("The table has no t_s: every pose is corrected as one to rest at.");
+  if (unsure > 0)
+    notice(
+        fmt::format("{} of {} poses are far from what was learned (confidence below {}): they are corrected "
+                    "by little more than the rigid offset.",
+                    unsure, corrected.size(), kUnsure));
+  Output({}).text(fmt::format("{} poses corrected towards the {}.\n", corrected.size(),
+                              base::nameOf(file.source.towards)));
+  return kOk;
+}
+
+}  // namespace
+
+void addCorrect(CLI::App& app, ExitCode& exit) {
+  auto arguments = std::make_shared<CorrectArguments>();
+  CLI::App* command = app.add_subcommand("correct", "Correct poses by a model that `learn` wrote");
+  command->add_option("--model", arguments->model, "file that `capstan-cli learn` wrote")->required();
+  command
+      ->add_option("IN", arguments->in,
+                   "table of poses as they shall be seen: x, y, z [m], qx, qy, qz, qw; t_s, traj")
+      ->required();
+  command
+      ->add_option("OUT", arguments->out, "table of what to ask for, with standard deviations and confidence")
+      ->required();
+  command->footer(
+      "Velocities come from t_s; far from what was learned corrections fade to the rigid offset.\n"
+      "Example: capstan-cli correct --model arm.correction wanted.csv commands.csv");
+  command->callback([arguments, &exit] { exit = run(*arguments); });
+}
+
+}  // namespace capstan::cli

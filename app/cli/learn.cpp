@@ -1,0 +1,120 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "app/cli/command.h"
+#include "app/cli/console.h"
+#include "app/cli/learn_output.h"
+#include "app/cli/outputs.h"
+#include "core/base/checksum.h"
+#include "core/experiments/software.h"
+#include "core/session/correction_file.h"
+#include "core/session/pose_table.h"
+
+namespace capstan::cli {
+namespace {
+
+struct LearnArguments {
+  std::vector<std::string> train, test;
+  std::string method = "history", towards = "command", model, json;
+  learning::LearningOptions options;
+  bool no_cleaning = false, no_alignment = false;
+};
+
+std::vector<learning::RawMotion> readAll(const std::vector<std::string>& files) {
+  std::vector<learning::RawMotion> all;
+  for (const std::string& file : files) {
+    std::vector<learning::RawMotion> motions = session::readPoseTable(file);
+    if (files.size() > 1)
+      for (learning::RawMotion& motion : motions) motion.name = file + ", " + motion.name;
+    all.insert(all.end(), std::make_move_iterator(motions.begin()), std::make_move_iterator(motions.end()));
+  }
+  return all;
+}
+
+session::CorrectionSource sourceOf(const LearnArguments& arguments, const learning::LearningReport& report) {
+  session::CorrectionSource source;
+  source.files = arguments.train;
+  for (const std::string& file : arguments.train) source.checksums.push_back(base::checksumOfFile(file));
+  source.towards = arguments.options.towards;
+  source.lag = report.prepared.taken_off;
+  source.states = report.cleaning.kept();
+  source.rejected = report.cleaning.reason.size() - source.states;
+  source.software = experiments::software();
+  return source;
+}
+
+ExitCode run(LearnArguments& arguments) {
+  std::vector<std::string> inputs = arguments.train;
+  inputs.insert(inputs.end(), arguments.test.begin(), arguments.test.end());
+  checkOutputs({{"--model", arguments.model}, {"--json", arguments.json}}, inputs);
+  learning::LearningOptions& options = arguments.options;
+  options.towards =
+      arguments.towards == "command" ? learning::StreamKind::kCommand : learning::StreamKind::kRobot;
+  options.clean = !arguments.no_cleaning;
+  options.align = !arguments.no_alignment;
+  options.rigid = arguments.method == "offset";
+  if (const auto motion = base::fromName<learning::Motion>(arguments.method))
+    options.correction.motion = *motion;
+  base::Progress progress;
+  std::optional<learning::LearningReport> report;
+  {
+    const ProgressLine line(progress);
+    report = learning::learn(readAll(arguments.train), options, &progress);
+  }
+  if (report->cancelled) {
+    notice("Cancelled: no model is written.");
+    return kFailed;
+  }
+  LearnOutput told{*report, {}};
+  if (!arguments.test.empty()) told.test = testedOn(readAll(arguments.test), *report, options);
+  session::writeCorrection({report->model, sourceOf(arguments, *report)}, arguments.model);
+  const Output output(arguments.json);
+  output.text(textOf(told) + fmt::format("The model is in {}.\n", arguments.model));
+  output.json(jsonOf(told));
+  return kOk;
+}
+
+}  // namespace
+
+void addLearn(CLI::App& app, ExitCode& exit) {
+  auto arguments = std::make_shared<LearnArguments>();
+  CLI::App* command = app.add_subcommand("learn", "Learn how commands have to be corrected, from tip poses");
+  command
+      ->add_option("--train", arguments->train,
+                   "tables of tip poses (.csv with traj, t_cam_s, cam_x …, and the same of robot or cmd)")
+      ->required();
+  command->add_option("--test", arguments->test, "tables of other trajectories, to tell how good it is");
+  command
+      ->add_option(
+          "--method", arguments->method,
+          "offset: rigid; none, velocity, history: a Gaussian process besides, of the pose alone, with\n"
+          "its velocity, with how it moved in the last 0.4 s too")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"offset", "none", "velocity", "history"}));
+  command->add_option("--towards", arguments->towards, "what corrected poses are asked of")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"command", "robot"}));
+  command->add_flag("--no-cleaning", arguments->no_cleaning, "keep outliers");
+  command->add_flag("--no-alignment", arguments->no_alignment, "take stamps as they are");
+  command
+      ->add_option("--inducing", arguments->options.correction.inducing_points, "states that stand for all")
+      ->capture_default_str()
+      ->check(CLI::Range(20, 20000));
+  command->add_option("--threads", arguments->options.correction.threads)
+      ->capture_default_str()
+      ->check(CLI::Range(1, 64));
+  command->add_option("--seed", arguments->options.correction.seed, "of what is drawn")
+      ->capture_default_str();
+  command->add_option("--model", arguments->model, "file to write")->required();
+  command->add_option("--json", arguments->json, "result as JSON, SI: a file, or - for standard output");
+  command->footer(
+      "Rows that are no poses, states that no robot can have been in and the clocks' lag are listed.\n"
+      "Examples:\n"
+      "  capstan-cli learn --train monday.csv --test tuesday.csv --model arm.correction\n"
+      "  capstan-cli learn --train monday.csv --towards robot --method velocity --model arm.correction "
+      "--json -");
+  command->callback([arguments, &exit] { exit = run(*arguments); });
+}
+
+}  // namespace capstan::cli

@@ -1,0 +1,182 @@
+#include "app/cli/learn_output.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "core/stats/quantile.h"
+
+namespace capstan::cli {
+namespace {
+
+using learning::CorrectionError;
+using learning::Reason;
+using learning::StreamKind;
+using Json = nlohmann::json;
+
+constexpr double kMillimetres = 1e3, kDegrees = 180.0 / std::numbers::pi;
+
+double meanOf(const std::vector<double>& x) {
+  return x.empty() ? NAN : std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
+}
+
+TestedStates testedStates(const std::vector<learning::State>& states,
+                          const learning::CorrectionModel& model) {
+  TestedStates tested;
+  tested.states = states.size();
+  std::vector<Eigen::Isometry3d> seen, moved;
+  for (const learning::State& state : states) {
+    seen.push_back(state.pair.seen);
+    moved.push_back(model.offset() * state.pair.seen);
+  }
+  tested.none = learning::errorsOf(seen, states);
+  tested.offset = learning::errorsOf(moved, states);
+  tested.corrected = learning::errorsOf(model.correct(states), states);
+  return tested;
+}
+
+/// Reasons and how many rows or states have them.
+template <class Count>
+Json countsOf(Count count) {
+  Json json = Json::object();
+  for (const auto& [reason, name] : base::NamesOf<Reason>::value)
+    if (const std::size_t n = reason == Reason::kNone ? 0 : count(reason); n > 0) json[std::string(name)] = n;
+  return json;
+}
+
+std::string wordsOf(const Json& counts) {
+  std::string words;
+  for (const auto& [name, n] : counts.items())
+    words += fmt::format("{}{} {}", words.empty() ? "" : ", ", n.template get<std::size_t>(), name);
+  return words.empty() ? "none" : words;
+}
+
+Json screenJson(const learning::ScreenReport& screen) {
+  Json json = Json::object();
+  for (const auto& [kind, name] : base::NamesOf<StreamKind>::value) {
+    const auto at = static_cast<std::size_t>(kind);
+    const StreamKind stream = kind;
+    json[std::string(name)] = {
+        {"rows", screen.rows[at]},
+        {"poses", screen.poses[at]},
+        {"rejected", countsOf([&](Reason reason) { return screen.count(stream, reason); })}};
+  }
+  return json;
+}
+
+std::string screenText(const learning::ScreenReport& screen) {
+  std::string text;
+  const Json json = screenJson(screen);
+  for (const auto& [kind, name] : base::NamesOf<StreamKind>::value) {
+    const Json& one = json[std::string(name)];
+    if (one["rows"] == 0) continue;
+    text +=
+        fmt::format("  {:8} {} of {} rows are poses; left out: {}\n", name, one["poses"].get<std::size_t>(),
+                    one["rows"].get<std::size_t>(), wordsOf(one["rejected"]));
+  }
+  return text;
+}
+
+Json errorJson(const CorrectionError& error) {
+  return {{"distance", {{"mean", meanOf(error.distance)}, {"median", stats::median(error.distance)}}},
+          {"angle", {{"mean", meanOf(error.angle)}, {"median", stats::median(error.angle)}}}};
+}
+
+Json testedJson(const TestedStates& tested) {
+  return {{"states", tested.states},
+          {"none", errorJson(tested.none)},
+          {"offset", errorJson(tested.offset)},
+          {"corrected", errorJson(tested.corrected)}};
+}
+
+std::string testedText(const char* name, const TestedStates& tested) {
+  std::string text = fmt::format("  {} ({} states)\n", name, tested.states);
+  const auto line = [&](const char* what, const CorrectionError& error) {
+    text += fmt::format("    {:16}{:8.2f} mm {:8.2f} deg   median {:8.2f} mm {:8.2f} deg\n", what,
+                        kMillimetres * meanOf(error.distance), kDegrees * meanOf(error.angle),
+                        kMillimetres * stats::median(error.distance), kDegrees * stats::median(error.angle));
+  };
+  line("not corrected", tested.none);
+  line("rigid offset", tested.offset);
+  line("corrected", tested.corrected);
+  return text;
+}
+
+Json modelJson(const learning::CorrectionModel& model) {
+  const Eigen::Vector3d t = model.offset().translation();
+  const Eigen::Vector4d q = Eigen::Quaterniond(model.offset().linear()).coeffs();
+  Json json = {{"offset", {{"position", {t.x(), t.y(), t.z()}}, {"quaternion", {q[0], q[1], q[2], q[3]}}}},
+               {"processes", Json::array()}};
+  for (const learning::SparseProcess& process : model.processes()) {
+    const Eigen::VectorXd lengths = process.parameters().ln_length.array().exp();
+    json["processes"].push_back({{"inducing", process.inducing()},
+                                 {"outputs", process.outputs()},
+                                 {"signal", std::exp(process.parameters().ln_signal)},
+                                 {"noise", std::exp(process.parameters().ln_noise)},
+                                 {"lengths", std::vector<double>(lengths.begin(), lengths.end())}});
+  }
+  return json;
+}
+
+}  // namespace
+
+TestReport testedOn(const std::vector<learning::RawMotion>& motions, const learning::LearningReport& report,
+                    const learning::LearningOptions& options) {
+  TestReport test{};
+  test.prepared.screen = learning::screenPoses(motions);
+  test.prepared.lag = learning::lagBetween(test.prepared.screen.motions, options.towards);
+  test.prepared.taken_off = report.prepared.taken_off;
+  test.prepared.states =
+      learning::statesOf(test.prepared.screen.motions, options.towards, report.prepared.taken_off);
+  const std::vector<learning::State>& states = test.prepared.states;
+  test.all = testedStates(states, report.model);
+  const learning::CleaningReport limits =
+      options.clean ? report.cleaning : learning::cleanStates(report.prepared.states, options.cleaning);
+  learning::CleaningReport judged;
+  judged.reason = learning::judgedBy(limits, states, options.cleaning);
+  test.clean = testedStates(learning::kept(states, judged), report.model);
+  return test;
+}
+
+std::string textOf(const LearnOutput& output) {
+  const learning::PreparedStates& prepared = output.report.prepared;
+  const learning::CleaningReport& cleaning = output.report.cleaning;
+  std::string text = "Screening\n" + screenText(prepared.screen);
+  text += fmt::format("Alignment: what is seen comes {:.1f} ± {:.1f} ms behind what is told{}\n",
+                      1e3 * prepared.lag.lag, 1e3 * prepared.lag.sigma,
+                      prepared.taken_off == 0.0 ? ", not taken off" : "");
+  text +=
+      fmt::format("Cleaning: {} of {} states count; left out: {}\n", cleaning.kept(), cleaning.reason.size(),
+                  wordsOf(countsOf([&](Reason reason) { return cleaning.count(reason); })));
+  const Eigen::Vector3d t = kMillimetres * output.report.model.offset().translation();
+  const double turn = Eigen::AngleAxisd(output.report.model.offset().linear()).angle();
+  text += fmt::format("Rigid offset: {:.2f}, {:.2f}, {:.2f} mm and a turn of {:.2f} deg\n", t.x(), t.y(),
+                      t.z(), kDegrees * turn);
+  if (!output.test) return text;
+  text += "Errors on the test tables, mean\n" + testedText("all", output.test->all) +
+          testedText("clean", output.test->clean);
+  return text;
+}
+
+Json jsonOf(const LearnOutput& output) {
+  const learning::PreparedStates& prepared = output.report.prepared;
+  const learning::CleaningReport& cleaning = output.report.cleaning;
+  Json json = {
+      {"screening", screenJson(prepared.screen)},
+      {"lag",
+       {{"value", prepared.lag.lag}, {"sigma", prepared.lag.sigma}, {"taken_off", prepared.taken_off}}},
+      {"cleaning",
+       {{"states", cleaning.reason.size()},
+        {"kept", cleaning.kept()},
+        {"rejected", countsOf([&](Reason reason) { return cleaning.count(reason); })}}},
+      {"model", modelJson(output.report.model)}};
+  if (output.test)
+    json["test"] = {{"screening", screenJson(output.test->prepared.screen)},
+                    {"all", testedJson(output.test->all)},
+                    {"clean", testedJson(output.test->clean)}};
+  return json;
+}
+
+}  // namespace capstan::cli

@@ -1,0 +1,116 @@
+#include "tests/support/learning_study/split_race.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <numbers>
+
+#include "core/base/parallel.h"
+#include "core/experiments/correction_study.h"
+#include "core/math/dense.h"
+
+namespace capstan::study {
+namespace {
+
+using Eigen::Index;
+using learning::State;
+
+constexpr double kMillimetres = 1e3, kDegrees = 180.0 / std::numbers::pi;
+constexpr Index kPlainStates = 1500;
+
+/// States, hyperparameters and test states of one split for scikit-learn.
+void writeSplit(const std::filesystem::path& folder, const std::vector<State>& states,
+                const std::vector<bool>& held, const LearningStudyOptions& options) {
+  const std::vector<State> train = statesWhere(states, held, false), test = statesWhere(states, held, true);
+  const learning::CleaningReport cleaned = learning::cleanStates(train);
+  const std::vector<State> clean = learning::kept(train, cleaned);
+  const std::vector<learning::Reason> reasons = learning::judgedBy(cleaned, test);
+  const PlainScales scales = plainScales(clean);
+  const PlainTable all = scales.of(clean), asked = scales.of(test);
+  const auto few = learning::drawnPoints(all.features.rows(), kPlainStates, options.seed);
+  const Eigen::MatrixXd x = all.features(few, Eigen::all), y = all.targets(few, Eigen::all);
+  Eigen::MatrixXd parameters(6, 2 + x.cols());
+  math::setDenseThreads(1);
+  base::parallelFor(6, options.correction.threads, [&](std::size_t k) {
+    const Eigen::MatrixXd own = y.col(static_cast<Index>(k));
+    const auto fit = learning::fitProcess(x, own, learning::startOf(x, own, {}));
+    parameters.row(static_cast<Index>(k)) = fit.parameters.packed().transpose();
+  });
+  Eigen::MatrixXd xy(x.rows(), x.cols() + 6), tested(asked.features.rows(), x.cols() + 7);
+  xy << x, y;
+  Eigen::VectorXd is_clean(static_cast<Index>(reasons.size()));
+  for (std::size_t k = 0; k < reasons.size(); ++k)
+    is_clean[static_cast<Index>(k)] = reasons[k] == learning::Reason::kNone;
+  tested << asked.features, asked.targets, is_clean;
+  std::filesystem::create_directories(folder);
+  writeNumbers(folder / "train.csv", xy);
+  writeNumbers(folder / "test.csv", tested);
+  writeNumbers(folder / "scale.csv", all.scale);
+  writeNumbers(folder / "parameters.csv", parameters);
+}
+
+struct Means {
+  double distance = 0.0, angle = 0.0;
+};
+
+Means sklearnMeans(const nlohmann::json& answer, const char* kind) {
+  Means means;
+  for (const auto& [name, split] : answer.items()) {
+    means.distance += split[kind][0].get<double>() / static_cast<double>(answer.size());
+    means.angle += split[kind][1].get<double>() / static_cast<double>(answer.size());
+  }
+  return means;
+}
+
+void tellCalibration(const experiments::CorrectionStudyReport& report) {
+  fmt::print("Within the stated σ, held out, last method: x, y, z, turns (normal: 68.3 %, 95.4 %)\n");
+  for (int k = 0; k < 2; ++k) {
+    fmt::print("  {} σ:", k + 1);
+    for (Index i = 0; i < 6; ++i) fmt::print(" {:.1f} %", 100.0 * report.within[static_cast<std::size_t>(k)][i]);
+    fmt::print("\n");
+  }
+}
+
+void tellBeside(const experiments::CorrectionStudyReport& report, const nlohmann::json& plain) {
+  if (plain.is_null()) return;
+  const auto& ours_dirty = report.dirty.back();
+  const auto& ours_clean = report.clean.back();
+  for (const auto& [name, ours] : {std::pair{"dirty", &ours_dirty}, std::pair{"clean", &ours_clean}}) {
+    const Means theirs = sklearnMeans(plain, name);
+    fmt::print("  {:6} ours {:.2f} mm {:.2f} deg; scikit-learn {:.2f} mm {:.2f} deg: {:+.1f} %, {:+.1f} %\n", name,
+               kMillimetres * ours->distance, kDegrees * ours->angle, kMillimetres * theirs.distance,
+               kDegrees * theirs.angle, 100.0 * (ours->distance / theirs.distance - 1.0),
+               100.0 * (ours->angle / theirs.angle - 1.0));
+  }
+}
+
+}  // namespace
+
+void raceSplits(const LearningData& data, const LearningStudyOptions& options) {
+  for (const Target* target : {&data.robot, &data.command}) {
+    const std::string name(base::nameOf(target->towards));
+    const auto begin = std::chrono::steady_clock::now();
+    experiments::CorrectionStudyOptions study;
+    study.splits = options.splits;
+    study.seed = options.seed;
+    study.correction = options.correction;
+    const auto report = experiments::correctionStudy(target->states, study);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    fmt::print("\nTable I towards the {}, {} splits by trajectory, lag of {:.1f} ms taken off ({:.0f} s)\n", name,
+               options.splits, 1e3 * target->lag.lag, took.count());
+    fmt::print("{}\n{}\n", base::markdownOf(experiments::correctionTable(report.dirty, experiments::paperDirty(),
+                                                                         "Dirty, towards the " + name)),
+               base::markdownOf(experiments::correctionTable(report.clean, experiments::paperClean(),
+                                                             "Clean, towards the " + name)));
+    tellCalibration(report);
+    const std::filesystem::path folder = folderFor(options, "table_" + name);
+    for (int split = 0; split < options.splits; ++split)
+      writeSplit(folder / fmt::format("split_{:02}", split), target->as_told,
+                 heldOut(target->states, options.seed + static_cast<std::uint64_t>(split)), options);
+    fmt::print("Means of ‖Δt‖ and of the geodesic angle, beside a plain scikit-learn process on the same splits\n");
+    tellBeside(report, askSklearn(folder));
+    std::fflush(stdout);
+  }
+}
+
+}  // namespace capstan::study
