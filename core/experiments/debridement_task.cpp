@@ -79,22 +79,23 @@ class Worker {
   }
 
   void goTo(const Isometry3d& goal) {
+    if (go(goal)) here_ = goal;
+    rig_.rest(options_.settle);
+  }
+
+  /// False: it was out of reach, and the arm stayed.
+  bool go(const Isometry3d& goal) {
     switch (method_) {
       case DebridementMethod::kReplanning:
-        goLooking(goal);
-        break;
+        return goLooking(goal);
       case DebridementMethod::kCorrected:
-        goBlindly(goal, options_.mode);
-        break;
-      case DebridementMethod::kOpenLoop:
-        goBlindly(goal, learning::CorrectionMode::kNone);
-        break;
+        return follow(planned(goal, options_.mode));
       case DebridementMethod::kWhereUnsure:
-        goWhereSure(goal);
+        return goWhereSure(goal);
+      case DebridementMethod::kOpenLoop:
         break;
     }
-    here_ = goal;
-    rig_.rest(options_.settle);
+    return follow(planned(goal, learning::CorrectionMode::kNone));
   }
 
   bool follow(const std::vector<learning::CorrectedWaypoint>& path) {
@@ -112,18 +113,15 @@ class Worker {
                                    {mode, rig_.reachable(), rig_.told()});
   }
 
-  void goBlindly(const Isometry3d& goal, learning::CorrectionMode mode) { follow(planned(goal, mode)); }
-
-  void goWhereSure(const Isometry3d& goal) {
+  bool goWhereSure(const Isometry3d& goal) {
     std::vector<learning::CorrectedWaypoint> path = planned(goal, learning::CorrectionMode::kFullTrajectory);
     const std::size_t whole = path.size();
     path.resize(learning::nextLook(path, 0, options_.looks) + 1);
-    follow(path);
-    if (path.size() < whole) goLooking(goal);
+    return follow(path) && (path.size() == whole || goLooking(goal));
   }
 
   /// Looks, takes the offset between what was told and what is seen for that of the next piece, moves it.
-  void goLooking(const Isometry3d& goal) {
+  bool goLooking(const Isometry3d& goal) {
     const double whole = (goal.translation() - here_.translation()).norm();
     const int most = kMostPieces + static_cast<int>(whole / options_.piece);
     for (int piece = 0; piece < most; ++piece) {
@@ -131,15 +129,16 @@ class Worker {
       ++run_.looks;
       if (!seen) continue;
       const double left = std::sqrt(learning::squaredDistance(*seen, goal, learning::kLever));
-      if ((goal.translation() - seen->translation()).norm() <= options_.near && piece > 0) return;
+      if ((goal.translation() - seen->translation()).norm() <= options_.near && piece > 0) return true;
       rig_.rest(options_.plan_time);
       const Isometry3d next = learning::poseBetween(*seen, goal, std::min(1.0, options_.piece / left));
       const Isometry3d command = learning::offsetSeen(rig_.told(), *seen) * next;
       const learning::WithinReach reached =
           learning::withinReach(command, rig_.told(), rig_.told(), rig_.reachable());
       const auto motion = straightMotion(rig_.told(), reached.pose, options_.slow, 2);
-      if (!follow({{motion[0].t, *seen, motion[0].pose}, {motion[1].t, next, motion[1].pose}})) return;
+      if (!follow({{motion[0].t, *seen, motion[0].pose}, {motion[1].t, next, motion[1].pose}})) return false;
     }
+    return true;
   }
 
   DebridementScene scene_;

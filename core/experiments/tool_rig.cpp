@@ -77,6 +77,7 @@ std::optional<Eigen::Isometry3d> ToolRig::look(double seconds) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<double> along;
+    along.reserve(seen.size());
     for (const Eigen::Isometry3d& one : seen) along.push_back(one.translation()[axis]);
     pose.translation()[axis] = stats::median(along);
   }

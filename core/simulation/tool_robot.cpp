@@ -10,7 +10,7 @@
 namespace capstan::simulation {
 namespace {
 
-constexpr double kSettling = 0.5;  // of cables and motors, before time 0 [s]
+constexpr int kSettling = 50;  // commands' time for cables and motors to settle in, before time 0
 
 }  // namespace
 
@@ -26,7 +26,7 @@ ToolRobot::ToolRobot(const robot::Description& nominal, const ToolTruth& truth,
   told_ = kinematics_.pose(start);
   former_ = target_ = transmission_.motorFromJoint(start);
   arm_.reset(target_);
-  for (double t = 0.0; t < kSettling; t += kCommandPeriod) advance();
+  for (int k = 0; k < kSettling; ++k) advance();
   t_ = 0.0;
 }
 

@@ -44,7 +44,8 @@ class ToolArmLaws : public ::testing::Test {
     }
   }
   void wait(ToolArm& arm, double seconds) {
-    for (double t = 0.0; t < seconds; t += kStep) arm.step(motors_, JointVector::Zero(kToolJoints), kStep);
+    for (long k = std::lround(seconds / kStep); k > 0; --k)
+      arm.step(motors_, JointVector::Zero(kToolJoints), kStep);
   }
   double radius(int joint) const { return robot_.drives[static_cast<std::size_t>(joint)].link_radius; }
 };
