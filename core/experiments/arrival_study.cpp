@@ -1,0 +1,131 @@
+#include "core/experiments/arrival_study.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/base/parallel.h"
+#include "core/experiments/require_option.h"
+#include "core/experiments/tool_rig.h"
+
+namespace capstan::experiments {
+namespace {
+
+using learning::CorrectionMode;
+
+struct Visit {
+  std::size_t location = 0;
+  Eigen::Vector3d off = Eigen::Vector3d::Zero();  ///< seen less desired [m]
+  double angle = 0.0, confidence = 0.0;
+};
+
+std::vector<std::size_t> shuffled(std::size_t count, base::Random& random) {
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  for (std::size_t i = count; i > 1; --i) std::swap(order[i - 1], order[random.bits() % i]);
+  return order;
+}
+
+double deviationOf(const std::vector<double>& x, double mean) {
+  double squares = 0.0;
+  for (const double one : x) squares += (one - mean) * (one - mean);
+  return x.size() > 1 ? std::sqrt(squares / static_cast<double>(x.size() - 1)) : 0.0;
+}
+
+double meanOf(const std::vector<double>& x) {
+  return x.empty() ? 0.0 : std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
+}
+
+/// Pooled over locations: √(Σ Σ (x − x̄_location)² / Σ (visits − 1)).
+Eigen::Vector3d repeatabilityOf(const std::vector<Visit>& visits, std::size_t locations) {
+  Eigen::Vector3d squares = Eigen::Vector3d::Zero();
+  double freedom = 0.0;
+  for (std::size_t l = 0; l < locations; ++l) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    double count = 0.0;
+    for (const Visit& visit : visits)
+      if (visit.location == l) sum += visit.off, count += 1.0;
+    if (count < 2.0) continue;
+    for (const Visit& visit : visits)
+      if (visit.location == l) squares += (visit.off - sum / count).cwiseAbs2();
+    freedom += count - 1.0;
+  }
+  return (squares / std::max(freedom, 1.0)).cwiseSqrt();
+}
+
+ArrivalErrors summed(const std::vector<Visit>& visits, std::size_t locations) {
+  ArrivalErrors errors;
+  std::vector<double> distance, angle, confidence;
+  for (const Visit& visit : visits) {
+    errors.mean += visit.off.cwiseAbs() / static_cast<double>(visits.size());
+    distance.push_back(visit.off.norm());
+    angle.push_back(visit.angle);
+    confidence.push_back(visit.confidence);
+  }
+  errors.repeatability = repeatabilityOf(visits, locations);
+  errors.distance = meanOf(distance);
+  errors.distance_deviation = deviationOf(distance, errors.distance);
+  errors.angle = meanOf(angle);
+  errors.angle_deviation = deviationOf(angle, errors.angle);
+  errors.confidence = meanOf(confidence);
+  errors.arrived = static_cast<int>(visits.size());
+  return errors;
+}
+
+/// All visits in one mode.
+std::vector<Visit> visited(const robot::Description& robot, const simulation::ToolTruth& truth,
+                           const learning::CorrectionModel& model, CorrectionMode mode,
+                           const ArrivalOptions& options, const base::Progress* progress) {
+  const DebridementScene scene = debridementScene(robot);
+  ToolRig rig(robot, truth, scene.start, options.seed + 1);
+  base::Random random(options.seed, "arrivals");
+  std::vector<Eigen::Isometry3d> places;
+  for (int k = 0; k < options.locations; ++k) {
+    const Fragment fragment = drawnFragment(random, 0.0, options.most_yaw);
+    places.push_back(scene.pose(fragment.place, fragment.yaw));
+  }
+  std::vector<Visit> visits;
+  Eigen::Isometry3d from = scene.pose({0.0, 0.0, DebridementScene::kHeight}, 0.0);
+  for (int visit = 0; visit < options.visits; ++visit)
+    for (const std::size_t location : shuffled(places.size(), random)) {
+      if (progress && progress->cancelled()) return visits;
+      const Eigen::Isometry3d& goal = places[location];
+      const std::vector<learning::CorrectedWaypoint> path =
+          learning::correctedPath(model, straightMotion(from, goal, options.speed, options.waypoints),
+                                  {mode, rig.reachable(), rig.told()});
+      if (!rig.follow(path)) continue;
+      from = goal;
+      rig.rest(options.settle);
+      const auto seen = rig.look(options.look);
+      if (!seen) continue;
+      visits.push_back({location, seen->translation() - goal.translation(),
+                        Eigen::Quaterniond(seen->linear()).angularDistance(Eigen::Quaterniond(goal.linear())),
+                        path.back().confidence});
+    }
+  return visits;
+}
+
+}  // namespace
+
+void checkArrival(const ArrivalOptions& options) {
+  requireOption("locations", options.locations, 1, 10'000);
+  requireOption("visits", options.visits, 2, 10'000);
+  requireOption("waypoints", options.waypoints, 2, 10'000);
+  requireOption("speed [m/s]", options.speed, 1e-4, 1.0);
+  requireOption("settle [s]", options.settle, 0.0, 60.0);
+  requireOption("look [s]", options.look, 0.05, 60.0);
+}
+
+ArrivalReport arrivalStudy(const robot::Description& robot, const simulation::ToolTruth& truth,
+                           const learning::CorrectionModel& model, const ArrivalOptions& options,
+                           const base::Progress* progress) {
+  checkArrival(options);
+  ArrivalReport report;
+  base::parallelFor(learning::kCorrectionModes, options.threads, [&](std::size_t mode) {
+    report[mode] = summed(visited(robot, truth, model, static_cast<CorrectionMode>(mode), options, progress),
+                          static_cast<std::size_t>(options.locations));
+  });
+  return report;
+}
+
+}  // namespace capstan::experiments

@@ -1,0 +1,185 @@
+#include "core/experiments/debridement_task.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/experiments/require_option.h"
+#include "core/experiments/tool_rig.h"
+
+namespace capstan::experiments {
+namespace {
+
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+
+constexpr double kOpen = 0.8, kHeld = 0.15;  // openings of the jaws [rad]
+constexpr int kMostPieces = 12;              // beyond those that the way asks for
+
+/// One arm at work.
+class Worker {
+ public:
+  Worker(const robot::Description& robot, const simulation::ToolTruth& truth,
+         const learning::CorrectionModel& model, DebridementMethod method,
+         const DebridementTaskOptions& options)
+      : scene_(debridementScene(robot)),
+        rig_(robot, truth, scene_.start, options.seed + 2),
+        model_(model),
+        method_(method),
+        options_(options),
+        detection_(options.seed, "detection"),
+        here_(scene_.pose({0.0, 0.0, 0.0}, 0.0)) {
+    const double side = 0.5 * DebridementScene::kSide;
+    receptacle_ = scene_.pose({0.0, side + 0.015, DebridementScene::kHeight + 0.02}, 0.0);
+  }
+
+  FragmentRun clear(const Fragment& fragment) {
+    run_ = {};
+    const double begin = rig_.time();
+    const Isometry3d lies = scene_.pose(fragment.place, fragment.yaw), found = detected(fragment);
+    rig_.rest(options_.find_time);
+    rig_.moveJaws(kOpen, options_.jaw_time);
+    goTo(above(found));
+    goTo(found);
+    judgeGrasp(lies);
+    rig_.moveJaws(kHeld, options_.jaw_time);
+    goTo(above(found));
+    goTo(receptacle_);
+    run_.cleared = run_.grasped && acrossTheFloor(seenTruly(), receptacle_) <= options_.receptacle;
+    rig_.moveJaws(kOpen, options_.jaw_time);
+    run_.time = rig_.time() - begin;
+    return run_;
+  }
+
+ private:
+  Isometry3d above(const Isometry3d& pose) const {
+    Isometry3d higher = pose;
+    higher.translation() += options_.hover * scene_.axes.col(2);
+    return higher;
+  }
+  /// The tool as ideal cameras would see it: where it is, by the same registration as fragments.
+  Isometry3d seenTruly() const { return rig_.camera().registration() * rig_.robot().arm().pose(); }
+  double acrossTheFloor(const Isometry3d& a, const Isometry3d& b) const {
+    return (scene_.axes.leftCols<2>().transpose() * (a.translation() - b.translation())).norm();
+  }
+
+  Isometry3d detected(const Fragment& fragment) {
+    const double across = options_.find_sigma;
+    const Vector3d off(detection_.normal(0.0, across), detection_.normal(0.0, across),
+                       detection_.normal(0.0, options_.find_depth_sigma));
+    return scene_.pose(fragment.place + off, fragment.yaw + detection_.normal(0.0, options_.find_yaw_sigma));
+  }
+
+  void judgeGrasp(const Isometry3d& fragment) {
+    const Isometry3d jaws = seenTruly();
+    const Vector3d off = fragment.linear().transpose() * (jaws.translation() - fragment.translation());
+    run_.off = off.norm();
+    run_.off_turn = Eigen::Quaterniond(jaws.linear()).angularDistance(Eigen::Quaterniond(fragment.linear()));
+    run_.grasped = off.tail<2>().norm() <= options_.capture && std::abs(off.x()) <= options_.capture &&
+                   run_.off_turn <= options_.capture_turn;
+  }
+
+  void goTo(const Isometry3d& goal) {
+    if (go(goal)) here_ = goal;
+    rig_.rest(options_.settle);
+  }
+
+  /// False: it was out of reach, and the arm stayed.
+  bool go(const Isometry3d& goal) {
+    switch (method_) {
+      case DebridementMethod::kReplanning:
+        return goLooking(goal);
+      case DebridementMethod::kCorrected:
+        return follow(planned(goal, options_.mode));
+      case DebridementMethod::kWhereUnsure:
+        return goWhereSure(goal);
+      case DebridementMethod::kOpenLoop:
+        break;
+    }
+    return follow(planned(goal, learning::CorrectionMode::kNone));
+  }
+
+  bool follow(const std::vector<learning::CorrectedWaypoint>& path) {
+    const double begin = rig_.time();
+    const int refused = rig_.refused();
+    const bool began = rig_.follow(path);
+    run_.moving += rig_.time() - begin;
+    run_.refused += rig_.refused() - refused + (began ? 0 : 1);
+    return began;
+  }
+
+  std::vector<learning::CorrectedWaypoint> planned(const Isometry3d& goal, learning::CorrectionMode mode) {
+    rig_.rest(options_.plan_time);
+    return learning::correctedPath(model_, straightMotion(here_, goal, options_.fast, options_.waypoints),
+                                   {mode, rig_.reachable(), rig_.told()});
+  }
+
+  bool goWhereSure(const Isometry3d& goal) {
+    std::vector<learning::CorrectedWaypoint> path = planned(goal, learning::CorrectionMode::kFullTrajectory);
+    const std::size_t whole = path.size();
+    path.resize(learning::nextLook(path, 0, options_.looks) + 1);
+    return follow(path) && (path.size() == whole || goLooking(goal));
+  }
+
+  /// Looks, takes the offset between what was told and what is seen for that of the next piece, moves it.
+  bool goLooking(const Isometry3d& goal) {
+    const double whole = (goal.translation() - here_.translation()).norm();
+    const int most = kMostPieces + static_cast<int>(whole / options_.piece);
+    for (int piece = 0; piece < most; ++piece) {
+      const auto seen = rig_.look(options_.look);
+      ++run_.looks;
+      if (!seen) continue;
+      const double left = std::sqrt(learning::squaredDistance(*seen, goal, learning::kLever));
+      if ((goal.translation() - seen->translation()).norm() <= options_.near && piece > 0) return true;
+      rig_.rest(options_.plan_time);
+      const Isometry3d next = learning::poseBetween(*seen, goal, std::min(1.0, options_.piece / left));
+      const Isometry3d command = learning::offsetSeen(rig_.told(), *seen) * next;
+      const learning::WithinReach reached =
+          learning::withinReach(command, rig_.told(), rig_.told(), rig_.reachable());
+      const auto motion = straightMotion(rig_.told(), reached.pose, options_.slow, 2);
+      if (!follow({{motion[0].t, *seen, motion[0].pose}, {motion[1].t, next, motion[1].pose}})) return false;
+    }
+    return true;
+  }
+
+  DebridementScene scene_;
+  ToolRig rig_;
+  const learning::CorrectionModel& model_;
+  DebridementMethod method_;
+  const DebridementTaskOptions& options_;
+  base::Random detection_;
+  Isometry3d here_, receptacle_;
+  FragmentRun run_;
+};
+
+}  // namespace
+
+void checkDebridementTask(const DebridementTaskOptions& options) {
+  requireOption("fragments", options.fragments, 1, 100'000);
+  requireOption("slow [m/s]", options.slow, 1e-4, 1.0);
+  requireOption("fast [m/s]", options.fast, 1e-4, 1.0);
+  requireOption("piece [m]", options.piece, 1e-3, 1.0);
+  requireOption("near [m]", options.near, 1e-4, 1.0);
+  requireOption("waypoints", options.waypoints, 2, 10'000);
+  requireOption("beside [m]", options.beside.cwiseAbs().maxCoeff(), 0.0, 0.1);
+  requireOption("hover [m]", options.hover, 0.0, 0.05);
+  requireOption("look [s]", options.look, 0.05, 60.0);
+  requireOption("capture [m]", options.capture, 1e-4, 0.1);
+}
+
+std::vector<FragmentRun> debridementTask(const robot::Description& robot, const simulation::ToolTruth& truth,
+                                         const learning::CorrectionModel& model, DebridementMethod method,
+                                         const DebridementTaskOptions& options,
+                                         const base::Progress* progress) {
+  checkDebridementTask(options);
+  Worker worker(robot, truth, model, method, options);
+  base::Random random(options.seed, "fragments");
+  std::vector<FragmentRun> runs;
+  for (int k = 0; k < options.fragments && !(progress && progress->cancelled()); ++k) {
+    Fragment fragment = drawnFragment(random, 0.0, options.most_yaw);
+    fragment.place += options.beside;
+    runs.push_back(worker.clear(fragment));
+  }
+  return runs;
+}
+
+}  // namespace capstan::experiments

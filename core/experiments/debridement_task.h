@@ -1,0 +1,81 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/experiments/training_motions.h"
+#include "core/learning/looks.h"
+
+/// Surgical debridement on a simulated arm (GPR paper, section V-D): each foam fragment is found, approached,
+/// grasped and taken to a receptacle.
+namespace capstan::experiments {
+
+/// How the arm gets where it is to be.
+enum class DebridementMethod {
+  kReplanning,   ///< slow, in short pieces, with a look of the cameras and a new plan between, as in prior
+                 ///< work
+  kCorrected,    ///< fast, without looking, through the learned correction
+  kOpenLoop,     ///< fast, without looking, as the native controller goes
+  kWhereUnsure,  ///< as kCorrected as far as the correction is sure (looks.h), from there as kReplanning
+};
+inline constexpr std::size_t kDebridementMethods = 4;
+
+struct DebridementTaskOptions {
+  int fragments = 100;
+  Eigen::Vector3d beside = Eigen::Vector3d::Zero();  ///< of the grid: lateral, depth, height [m]
+  double slow = 0.01;                                ///< of kReplanning [m/s]: the paper's prior work
+  double fast = 0.06;                                ///< of the others [m/s]: the paper's
+  double piece = 0.02;                               ///< length of a piece of kReplanning [m]
+  double near = 0.002;                               ///< distance within which kReplanning has arrived [m]
+  learning::CorrectionMode mode = learning::CorrectionMode::kEndPoint;  ///< of kCorrected
+  learning::LookOptions looks;                                          ///< of kWhereUnsure
+  int waypoints = 10;                                                   ///< of a motion without looks
+  double most_yaw = 0.35;                                               ///< of fragments [rad]
+  double hover = 0.02;             ///< above a fragment, before and after grasping [m]
+  double find_time = 2.0;          ///< that finding a fragment takes [s]
+  double plan_time = 0.5;          ///< that a plan takes [s]
+  double jaw_time = 0.7;           ///< that the jaws take [s]
+  double settle = 0.2;             ///< at the goal of a motion [s]
+  double look = 0.2;               ///< that a look takes [s]
+  double find_sigma = 5e-4;        ///< of the detected place, across [m]
+  double find_depth_sigma = 1e-3;  ///< and in height [m]
+  double find_yaw_sigma = 0.05;    ///< [rad]
+  /// A grasp succeeds where the point between the jaws is no further than this from the fragment's middle,
+  /// across and along the jaws alike [m], and
+  double capture = 0.004;
+  double capture_turn = 0.45;  ///< turned by no more than this [rad].
+  double receptacle = 0.02;    ///< its radius [m]
+  std::uint64_t seed = 1;
+};
+
+/// base::InputError: options that make no sense.
+void checkDebridementTask(const DebridementTaskOptions& options);
+
+/// One fragment.
+struct FragmentRun {
+  double time = 0.0;      ///< from being sought to being dropped [s]
+  double moving = 0.0;    ///< of it, the arm was on its way [s]
+  double off = 0.0;       ///< jaws from the fragment when they closed [m]
+  double off_turn = 0.0;  ///< [rad]
+  bool grasped = false;
+  bool cleared = false;  ///< grasped, and dropped into the receptacle
+  int looks = 0;         ///< of cameras at the tool
+  int refused = 0;       ///< motions out of reach, and single commands that were
+};
+
+/// All fragments, on an arm of its own. Fewer when cancelled. Fragments, and what is wrong with what is
+/// detected of them, are the same in every method.
+std::vector<FragmentRun> debridementTask(const robot::Description& robot, const simulation::ToolTruth& truth,
+                                         const learning::CorrectionModel& model, DebridementMethod method,
+                                         const DebridementTaskOptions& options,
+                                         const base::Progress* progress = nullptr);
+
+}  // namespace capstan::experiments
+
+template <>
+struct capstan::base::NamesOf<capstan::experiments::DebridementMethod> {
+  using M = capstan::experiments::DebridementMethod;
+  static constexpr std::array value = {
+      std::pair{M::kReplanning, "replanning"}, std::pair{M::kCorrected, "learned correction"},
+      std::pair{M::kOpenLoop, "no correction"}, std::pair{M::kWhereUnsure, "learned, looks where unsure"}};
+};

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/experiments/debridement_scene.h"
+#include "core/learning/clean_states.h"
+#include "core/learning/correction_model.h"
+#include "core/simulation/tool_truth.h"
+
+/// Training of a correction on a simulated arm, as on a real one: from recorded poses to states to a model.
+namespace capstan::experiments {
+
+/// Learned from fewer points than its default, for a study of a minute.
+learning::CorrectionOptions thousandPoints();
+
+/// Defaults are the GPR paper's (section V-B) but for `margin` and turns: what cameras see is centimetres and
+/// some ten degrees off, and what is desired is to lie among what was seen.
+struct TrainingOptions {
+  int motions = 303;
+  double speed = 0.05;      ///< [m/s]
+  double rest = 0.2;        ///< before and after each motion, recorded too [s]
+  double margin = 0.03;     ///< around the grid [m]
+  double most_yaw = 0.6;    ///< about the jaws' direction [rad]
+  double most_tilt = 0.45;  ///< about both axes across it [rad]
+  learning::CleaningOptions cleaning;
+  learning::CorrectionOptions correction = thousandPoints();
+  std::uint64_t seed = 1;
+};
+
+/// base::InputError: options that make no sense.
+void checkTraining(const TrainingOptions& options);
+
+/// The arm with its native controller alone, from place to place at random, uncorrected: a motion each, with
+/// what cameras, nominal kinematics and commands said. Fewer when cancelled. base::InputError as
+/// checkTraining.
+std::vector<learning::RawMotion> recordTraining(const robot::Description& robot,
+                                                const simulation::ToolTruth& truth,
+                                                const TrainingOptions& options,
+                                                const base::Progress* progress = nullptr);
+
+struct TrainedCorrection {
+  learning::CorrectionModel model;
+  std::size_t motions = 0, rows = 0;  ///< recorded; poses of cameras
+  std::size_t screened = 0;           ///< of them, left out as no poses
+  std::size_t states = 0, kept = 0;   ///< paired with commands; after cleaning
+  double lag = 0.0;                   ///< of cameras behind commands [s]
+};
+
+/// screenPoses → lagBetween commands and cameras → statesOf → cleanStates → CorrectionModel::trained.
+/// base::InputError: too few states are left. Cancelled: a rigid offset alone.
+TrainedCorrection trainedOn(const std::vector<learning::RawMotion>& motions, const TrainingOptions& options,
+                            base::Progress* progress = nullptr);
+
+}  // namespace capstan::experiments
