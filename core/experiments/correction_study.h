@@ -6,6 +6,7 @@
 #include "core/base/names.h"
 #include "core/base/progress.h"
 #include "core/base/table.h"
+#include "core/experiments/correction_errors.h"
 #include "core/learning/clean_states.h"
 #include "core/learning/correction_model.h"
 
@@ -24,18 +25,8 @@ struct CorrectionStudyOptions {
   std::uint64_t seed = 1;
 };
 
-/// Errors of one method on one test set, pooled over the splits.
-struct CorrectionErrors {
-  learning::Vector6d mean =
-      learning::Vector6d::Zero();  ///< of |x|, |y|, |z| [m], |yaw|, |pitch|, |roll| [rad]
-  learning::Vector6d deviation = learning::Vector6d::Zero(), median = learning::Vector6d::Zero();
-  double distance = 0.0, median_distance = 0.0;  ///< mean and median of ‖Δt‖ [m]
-  double angle = 0.0, median_angle = 0.0;        ///< mean and median of the geodesic angle [rad]
-  std::size_t states = 0;
-};
-
 struct CorrectionStudyReport {
-  /// By method, on all test states and on those that cleaning keeps.
+  /// By method, on all test states and on those that cleaning keeps; pooled over the splits.
   std::array<CorrectionErrors, kCorrectionMethods> dirty{}, clean{};
   std::vector<std::vector<CorrectionErrors>> by_split;  ///< of kAll: [split][dirty, clean]
   bool cancelled = false;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
 #include <cmath>
 
 #include "core/base/error.h"
@@ -16,6 +17,8 @@ using Eigen::MatrixXd;
 namespace {
 
 constexpr Index kOutputs = 6;
+constexpr double kFitShare = 0.7;  ///< of the time, for hyperparameters
+constexpr const char* kLearningHyperparameters = "learning hyperparameters";
 
 void checkEnough(std::size_t states) {
   if (states < kFewestStates)
@@ -30,7 +33,7 @@ void checkEnough(std::size_t states) {
 }  // namespace
 
 CorrectionModel CorrectionModel::trained(const std::vector<State>& states, const CorrectionOptions& options,
-                                         base::Progress* progress) {
+                                         base::Progress* progress, const base::ProgressPart& part) {
   checkEnough(states.size());
   std::vector<PosePair> pairs;
   std::vector<Eigen::Isometry3d> moved;
@@ -43,19 +46,22 @@ CorrectionModel CorrectionModel::trained(const std::vector<State>& states, const
   for (const Eigen::Isometry3d& pose : moved) model.workspace_.extend(pose.translation());
   const MatrixXd x = model.featuresOf(states), y = model.targetsOf(states);
 
-  if (progress) progress->report(0.0, "Learning hyperparameters");
+  part.report(progress, 0.0, kLearningHyperparameters);
   const auto few = drawnPoints(x.rows(), options.likelihood_points, options.seed);
   const auto inducing = drawnPoints(x.rows(), options.inducing_points, options.seed + 1);
   const MatrixXd x_few = x(few, Eigen::all), x_inducing = x(inducing, Eigen::all);
   std::vector<ProcessFitReport> fits(kOutputs);
+  std::atomic<int> fitted = 0;
   math::setDenseThreads(1);
   base::parallelFor(kOutputs, options.threads, [&](std::size_t k) {
     const MatrixXd y_few = y(few, Eigen::seqN(static_cast<Index>(k), 1));
     fits[k] = fitProcess(x_few, y_few, startOf(x_few, y_few, options.fit), options.fit, progress);
+    part.report(progress, kFitShare * ++fitted / kOutputs, kLearningHyperparameters);
   });
   math::setDenseThreads(options.threads);
   for (Index k = 0; k < kOutputs && !(progress && progress->cancelled()); ++k) {
-    if (progress) progress->report(0.7 + 0.05 * static_cast<double>(k), "Learning all states");
+    part.report(progress, kFitShare + (1.0 - kFitShare) * static_cast<double>(k) / kOutputs,
+                "learning all states");
     SparseProcess process(x_inducing, 1, fits[static_cast<std::size_t>(k)].parameters);
     process.add(x, y.col(k));
     model.processes_.push_back(std::move(process));
@@ -112,9 +118,8 @@ Corrected CorrectionModel::correct(const Eigen::Isometry3d& desired, const Vecto
     const RbfParameters& p = process.parameters();
     correction[k] = scale_[k] * told.mean(0, 0);
     corrected.sigma[k] = scale_[k] * std::sqrt(told.variance[0] + p.noiseVariance());
-    const double weight = std::pow(scale_[k] * (k < 3 ? 1.0 : lever_), 2);
-    left += weight * told.variance[0];
-    all += weight * p.signalVariance();
+    left += weightOf(k) * told.variance[0];
+    all += weightOf(k) * p.signalVariance();
   }
   const double faded = fading(corrected.pose.translation());
   corrected.confidence = faded * std::max(1.0 - left / all, 0.0);
@@ -134,6 +139,28 @@ std::vector<Eigen::Isometry3d> CorrectionModel::correct(const std::vector<State>
     poses.push_back(features_.corrected(moved, fading(moved.translation()) * correction));
   }
   return poses;
+}
+
+Eigen::VectorXd CorrectionModel::confidence(const std::vector<State>& desired) const {
+  Eigen::VectorXd sure = Eigen::VectorXd::Zero(static_cast<Index>(desired.size()));
+  if (processes_.empty()) return sure;
+  const MatrixXd x = featuresOf(desired);
+  Eigen::VectorXd left = sure;
+  double all = 0.0;
+  for (Index k = 0; k < kOutputs; ++k) {
+    const SparseProcess& process = processes_[static_cast<std::size_t>(k)];
+    left += weightOf(k) * process.predict(x).variance;
+    all += weightOf(k) * process.parameters().signalVariance();
+  }
+  for (std::size_t k = 0; k < desired.size(); ++k) {
+    const auto at = static_cast<Index>(k);
+    sure[at] = fading((offset_ * desired[k].pair.seen).translation()) * std::max(1.0 - left[at] / all, 0.0);
+  }
+  return sure;
+}
+
+double CorrectionModel::weightOf(Eigen::Index output) const {
+  return std::pow(scale_[output] * (output < 3 ? 1.0 : lever_), 2);
 }
 
 double CorrectionModel::fading(const Eigen::Vector3d& position) const {
