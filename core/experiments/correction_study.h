@@ -14,7 +14,7 @@
 /// trajectories held out.
 namespace capstan::experiments {
 
-enum class CorrectionMethod { kNone, kOffset, kOffsetCleaning, kProcess, kProcessVelocity, kAll };
+enum class CorrectionMethod { kUncorrected, kOffset, kOffsetCleaning, kProcess, kProcessVelocity, kAll };
 inline constexpr std::size_t kCorrectionMethods = 6;
 
 struct CorrectionStudyOptions {
@@ -58,7 +58,7 @@ base::Table correctionTable(const std::array<CorrectionErrors, kCorrectionMethod
 template <>
 struct capstan::base::NamesOf<capstan::experiments::CorrectionMethod> {
   using M = capstan::experiments::CorrectionMethod;
-  static constexpr std::array value = {std::pair{M::kNone, "no correction"},
+  static constexpr std::array value = {std::pair{M::kUncorrected, "no correction"},
                                        std::pair{M::kOffset, "fixed offset"},
                                        std::pair{M::kOffsetCleaning, "offset, cleaning"},
                                        std::pair{M::kProcess, "offset, GP"},

@@ -14,7 +14,7 @@
 namespace capstan::experiments {
 
 /// How far a correction goes.
-enum class CorrectionStep { kNone, kOffset, kCorrected };
+enum class CorrectionStep { kUncorrected, kOffset, kCorrected };
 inline constexpr std::size_t kCorrectionSteps = 3;
 
 struct CorrectionTrialOptions {
@@ -47,6 +47,6 @@ CorrectionTrial correctionTrial(const std::vector<learning::State>& states,
 template <>
 struct capstan::base::NamesOf<capstan::experiments::CorrectionStep> {
   using S = capstan::experiments::CorrectionStep;
-  static constexpr std::array value = {std::pair{S::kNone, "none"}, std::pair{S::kOffset, "offset"},
+  static constexpr std::array value = {std::pair{S::kUncorrected, "none"}, std::pair{S::kOffset, "offset"},
                                        std::pair{S::kCorrected, "corrected"}};
 };
