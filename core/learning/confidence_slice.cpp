@@ -22,6 +22,7 @@ struct Moved {
 ConfidenceSlice planeOf(const Moved& moved, const SliceOptions& options) {
   ConfidenceSlice slice;
   slice.axis = options.axis;
+  slice.near = options.near;
   slice.right = options.axis == 0 ? 1 : 0;
   slice.up = options.axis == 2 ? 1 : 2;
   const Eigen::Vector3d low = moved.box.min(), high = moved.box.max();

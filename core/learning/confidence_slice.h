@@ -23,7 +23,8 @@ struct ConfidenceSlice {
   double at = 0.0;                       ///< where the plane is, along `axis` [m]
   Eigen::Vector2d low, high;             ///< centres of the first and of the last cell [m]
   Eigen::MatrixXd confidence;            ///< a row each step up, a column each step right
-  std::vector<Eigen::Vector2d> learned;  ///< near the plane [m]
+  double near = 0.0;                     ///< SliceOptions::near [m]
+  std::vector<Eigen::Vector2d> learned;  ///< within that of the plane [m]
   bool cancelled = false;
 };
 

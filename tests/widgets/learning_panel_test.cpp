@@ -101,7 +101,7 @@ TEST_F(Learning, EveryStageHasItsNumbers) {
   const std::string lines = pages().stages().lines().join('\n').toStdString();
   EXPECT_THAT(lines, HasSubstr("camera: poses of 1,200 rows | 1,180"));
   EXPECT_THAT(lines, HasSubstr("placeholder | 20"));
-  EXPECT_THAT(lines, HasSubstr("lag behind the command, ± σ | 4"));
+  EXPECT_THAT(lines, HasSubstr("lag behind the command, ± σ | 39.3 ± 2.8 ms"));
   EXPECT_THAT(lines, HasSubstr("trajectories rejected whole, of 20 | 1"));
   EXPECT_THAT(lines, HasSubstr("distance, median, before and after"));
   QTreeWidget& list = pages().trajectories().list();

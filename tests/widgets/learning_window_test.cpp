@@ -28,7 +28,8 @@ using ::testing::HasSubstr;
 
 template <class Condition>
 bool waitFor(Condition&& condition) {
-  return QTest::qWaitFor(condition, 110000);
+  const bool pictures = qEnvironmentVariableIsSet("CAPSTAN_PICTURES");  // of all that takes long
+  return QTest::qWaitFor(condition, pictures ? 1200000 : 110000);
 }
 
 class LearningWindow : public ::testing::Test {
@@ -82,7 +83,9 @@ TEST_F(LearningWindow, TakesThePlaceOfThePlotsAndOfTheOtherPanels) {
 }
 
 TEST_F(LearningWindow, CloudsMoveTogetherByTheCorrection) {
-  testing::writeSamplePoses(folder_.filePath("poses.csv").toStdString());
+  testing::SamplePoses sample;
+  if (!qEnvironmentVariableIsSet("CAPSTAN_PICTURES")) sample.trajectories = 8;  // as quick as can be
+  testing::writeSamplePoses(folder_.filePath("poses.csv").toStdString(), sample);
   panel().choose({.tables = {folder_.filePath("poses.csv")}});
   done();
   panel().train();
@@ -98,12 +101,14 @@ TEST_F(LearningWindow, CloudsMoveTogetherByTheCorrection) {
   for (const QColor& colour : {theme.colour(Quantity::kTrue), theme.colour(Quantity::kUkf), theme.warning})
     EXPECT_GT(test::count(picture, picture.rect(), colour, 40).pixels, 100) << colour.name().toStdString();
   ASSERT_TRUE(waitFor([&] { return panel().pages().confidence().slice() != nullptr; }));
-  panel().pages().ablation().setSplits(1);
-  panel().runAblation();
-  done();
-  panel().runCurve();
-  done();
-  pictures("sample");
+  if (qEnvironmentVariableIsSet("CAPSTAN_PICTURES")) {
+    panel().pages().ablation().setSplits(1);
+    panel().runAblation();
+    done();
+    panel().runCurve();
+    done();
+    pictures("sample");
+  }
   panel().exportTo(folder_.filePath("out"));
   done();
   EXPECT_TRUE(QFile::exists(folder_.filePath("out/clouds.png"))) << panel().words().toStdString();
@@ -116,7 +121,7 @@ TEST_F(LearningWindow, ReadsTheRecordingOfTheDebridementTask) {
   panel().choose({.tables = {QString::fromStdString(table.string())}});
   done();
   ASSERT_TRUE(panel().results().stages) << panel().summary().toStdString();
-  EXPECT_EQ(panel().results().stages->motions.size(), 242U);
+  EXPECT_EQ(panel().results().stages->screen.motions.size(), 242U);
   if (!qEnvironmentVariableIsSet("CAPSTAN_PICTURES")) return;
   panel().train();
   pictures("training", false);

@@ -69,7 +69,8 @@ void ConfidenceFigure::restyle() {
                          painter->drawRect(box);
                        }});
   }
-  entries.push_back(markEntry(tr("learned from, near the plane"), mark));
+  entries.push_back(markEntry(
+      tr("learned from, within %1 mm of the plane").arg(base::toMillimetres(data_.slice.near)), mark));
   setLegend(std::move(entries));
 }
 

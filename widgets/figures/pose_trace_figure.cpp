@@ -1,6 +1,7 @@
 #include "widgets/figures/pose_trace_figure.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/experiments/correction_errors.h"
 #include "widgets/figures/figure_text.h"
@@ -13,13 +14,19 @@ namespace {
 constexpr int kLeastPanelWidth = 280;                              ///< [px] of panels side by side
 constexpr std::array<std::size_t, 6> kOrder = {0, 3, 1, 4, 2, 5};  ///< positions left, angles right
 
+/// Sights whose courses are not drawn: those rejected, unless all are.
+std::vector<bool> leftOut(const PoseTraceData& data) {
+  const bool all = std::find(data.rejected.begin(), data.rejected.end(), false) == data.rejected.end();
+  return all ? std::vector<bool>(data.rejected.size(), false) : data.rejected;
+}
+
 /// A sight that jumps away is at the edge of the picture, and does not make the rest of it small.
-QCPRange rangeOf(const PoseTraceData& data, std::size_t degree) {
+QCPRange rangeOf(const PoseTraceData& data, const std::vector<bool>& left_out, std::size_t degree) {
   QCPRange range;
   bool first = true;
   for (const auto& course : data.course)
     for (std::size_t k = 0; k < course[degree].size(); ++k) {
-      if (data.rejected[k] && &course != &data.course.front()) continue;
+      if (left_out[k] && &course != &data.course.front()) continue;
       if (first) range = {course[degree][k], course[degree][k]};
       range.expand(course[degree][k]);
       first = false;
@@ -41,13 +48,14 @@ std::unique_ptr<Figure> PoseTraceFigure::copy() const { return std::make_unique<
 
 void PoseTraceFigure::build(std::size_t degree) {
   const QString name = QString::fromUtf8(experiments::kDegreesOfFreedom[degree]);
-  const Panel& panel =
-      addPanel({}, tr("time [s]"), QStringLiteral("%1 [%2]").arg(name, degree < 3 ? tr("mm") : tr("deg")));
+  const QString unit = degree < 3 ? tr("mm") : tr("deg");
+  const Panel& panel = addPanel({{QStringLiteral("%1 [%2]").arg(name, unit), true}}, tr("time [s]"), {});
   QCPAxis* x = panel.axes->axis(QCPAxis::atBottom);
   QCPAxis* y = panel.axes->axis(QCPAxis::atLeft);
   panel.empty->setVisible(data_.t.empty());
   if (!data_.t.empty()) x->setRange(data_.t.front(), data_.t.back());
-  const QCPRange range = rangeOf(data_, degree);
+  const std::vector<bool> left_out = leftOut(data_);
+  const QCPRange range = rangeOf(data_, left_out, degree);
   y->setRange(range);
   Curves curves{};
   const QVector<double> t(data_.t.begin(), data_.t.end());
@@ -55,8 +63,10 @@ void PoseTraceFigure::build(std::size_t degree) {
   for (const std::size_t s : {std::size_t{1}, std::size_t{2}, std::size_t{0}}) {
     curves.course[s] = addGraph(x, y);
     curves.course[s]->setAdaptiveSampling(false);
-    const std::vector<double>& course = data_.course[s][degree];
-    if (!course.empty()) curves.course[s]->setData(t, QVector<double>(course.begin(), course.end()), true);
+    QVector<double> course(data_.course[s][degree].begin(), data_.course[s][degree].end());
+    for (int k = 0; s > 0 && k < course.size(); ++k)
+      if (left_out[static_cast<std::size_t>(k)]) course[k] = std::numeric_limits<double>::quiet_NaN();
+    if (!course.isEmpty()) curves.course[s]->setData(t, course, true);
   }
   curves.rejected = addGraph(x, y);
   curves.rejected->setLineStyle(QCPGraph::lsNone);

@@ -53,7 +53,9 @@ AblationView::AblationView(QWidget* parent) : LearningView(parent) {
   splits_->setObjectName("splits");
   splits_->setRange(1, kMostSplits);
   splits_->setValue(kOpeningSplits);
-  splits_->setSuffix(tr(" splits"));
+  const auto suffix = [this](int splits) { splits_->setSuffix(splits == 1 ? tr(" split") : tr(" splits")); };
+  suffix(kOpeningSplits);
+  connect(splits_, QOverload<int>::of(&QSpinBox::valueChanged), this, suffix);
   splits_->setToolTip(
       tr("Random splits of the trajectories, four fifths to learn from; each trains three models"));
   run_ = new QPushButton(tr("Run the table"));
@@ -75,8 +77,8 @@ AblationView::AblationView(QWidget* parent) : LearningView(parent) {
   column->addWidget(table_ = new QTreeWidget, 1);
   table_->setObjectName("ablation");
   table_->setColumnCount(kColumns);
-  table_->setHeaderLabels({tr("mean ± σ of |error|"), tr("x [mm]"), tr("y [mm]"), tr("z [mm]"),
-                           tr("yaw [deg]"), tr("pitch [deg]"), tr("roll [deg]")});
+  table_->setHeaderLabels({QString(), tr("x [mm]"), tr("y [mm]"), tr("z [mm]"), tr("yaw [deg]"),
+                           tr("pitch [deg]"), tr("roll [deg]")});
   table_->setRootIsDecorated(false);
   table_->setItemsExpandable(false);
   table_->setIndentation(12);
@@ -89,7 +91,8 @@ AblationView::AblationView(QWidget* parent) : LearningView(parent) {
   table_->header()->setMinimumSectionSize(10);
   table_->header()->setFont(textFont(9.0));
   table_->header()->setSectionResizeMode(QHeaderView::Stretch);
-  table_->header()->setSectionResizeMode(kName, QHeaderView::ResizeToContents);
+  table_->header()->setSectionResizeMode(kName, QHeaderView::Fixed);
+  table_->header()->resizeSection(kName, 60);
   for (int at = 1; at < kColumns; ++at)
     table_->headerItem()->setTextAlignment(at, Qt::AlignRight | Qt::AlignVCenter);
   connect(run_, &QPushButton::clicked, this, &AblationView::runRequested);
@@ -134,9 +137,9 @@ void AblationView::fill() {
   }
   const bool clean = which_->currentIndex() == 0;
   const auto& all = clean ? study_->clean : study_->dirty;
-  words_->setText(tr("%1 test states over %2 splits. Bold: the least error of ours.")
-                      .arg(countText(all[0].states))
-                      .arg(of_splits_));
+  words_->setText(tr("Mean ± standard deviation of |error|, %1 test states of %2. Bold: the least of ours.")
+                      .arg(countText(all[0].states),
+                           of_splits_ == 1 ? tr("one split") : tr("%1 splits").arg(of_splits_)));
   for (std::size_t m = 0; m < kCorrectionMethods; ++m) addMethod(static_cast<CorrectionMethod>(m), clean);
   table_->expandAll();
 }

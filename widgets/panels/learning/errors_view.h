@@ -2,6 +2,7 @@
 
 #include "widgets/panels/learning/learning_view.h"
 
+class QCheckBox;
 class QComboBox;
 class QLabel;
 
@@ -26,6 +27,7 @@ class ErrorsView : public LearningView {
 
   std::shared_ptr<const experiments::CorrectionTrial> trial_;
   QLabel* words_;
+  QCheckBox* seen_;
   QComboBox* which_;
   FigureSheet* sheet_;
 };

@@ -24,10 +24,11 @@ const StepErrors& errorsOf(const CorrectionTrial& trial, bool clean) {
 
 /// One value a state, in units for people.
 template <class Take>
-BoxplotPanel errorPanel(const QString& title, bool angle, const StepErrors& errors, const Take& take) {
+BoxplotPanel errorPanel(const QString& title, bool angle, const StepErrors& errors, bool seen,
+                        const Take& take) {
   BoxplotPanel panel{title, angle ? QObject::tr("deg") : QObject::tr("mm"), QObject::tr("held out"), {}};
   BoxplotGroup group{QObject::tr("states"), {}};
-  for (std::size_t s = 0; s < kSteps.size(); ++s) {
+  for (std::size_t s = seen ? 0 : 1; s < kSteps.size(); ++s) {
     std::vector<double> values = take(errors[s]);
     for (double& value : values) value = angle ? base::toDegrees(value) : base::toMillimetres(value);
     group.boxes.push_back({{quantityOf(kSteps[s]), 0, {}, nameOf(kSteps[s])}, boxplotOf(values)});
@@ -58,7 +59,7 @@ LagData lagData(const LearningStages& stages) {
   return {QObject::tr("Lag of what cameras saw behind the %1").arg(nameOf(stages.told)), {}, stages.lag};
 }
 
-BoxplotData errorData(const CorrectionTrial& trial, bool clean) {
+BoxplotData errorData(const CorrectionTrial& trial, bool clean, bool seen) {
   const StepErrors& errors = errorsOf(trial, clean);
   BoxplotData data;
   data.title = QObject::tr("Errors on %1 of %2 trajectories, held out of training")
@@ -66,14 +67,15 @@ BoxplotData errorData(const CorrectionTrial& trial, bool clean) {
                    .arg(trial.motions);
   data.note = clean ? QObject::tr("states that cleaning keeps") : QObject::tr("all states");
   data.quantity = QObject::tr("|error|");
-  data.panels.push_back(
-      errorPanel(QObject::tr("distance"), false, errors, [](const PoseErrors& e) { return e.distance; }));
+  data.most_columns = 4;
+  data.panels.push_back(errorPanel(QObject::tr("distance"), false, errors, seen,
+                                   [](const PoseErrors& e) { return e.distance; }));
   for (Eigen::Index k = 0; k < 6; ++k) {
     if (k == 3)
       data.panels.push_back(
-          errorPanel(QObject::tr("angle"), true, errors, [](const PoseErrors& e) { return e.angle; }));
+          errorPanel(QObject::tr("angle"), true, errors, seen, [](const PoseErrors& e) { return e.angle; }));
     data.panels.push_back(errorPanel(QString::fromUtf8(kDegreesOfFreedom[static_cast<std::size_t>(k)]),
-                                     k >= 3, errors, [k](const PoseErrors& e) { return e.along(k); }));
+                                     k >= 3, errors, seen, [k](const PoseErrors& e) { return e.along(k); }));
   }
   return data;
 }
@@ -89,7 +91,7 @@ QString medianWords(const CorrectionTrial& trial, bool clean, bool angle) {
 }
 
 QString errorWords(const CorrectionTrial& trial, bool clean) {
-  return QObject::tr("position %1, angle %2")
+  return QObject::tr("position\u00a0%1, angle\u00a0%2")
       .arg(unbroken(medianWords(trial, clean, false) + QStringLiteral(" mm")),
            unbroken(medianWords(trial, clean, true) + QStringLiteral("°")));
 }

@@ -11,8 +11,9 @@
 namespace capstan::widgets {
 
 LagData lagData(const experiments::LearningStages& stages);
-/// Errors of held-out states as seen, with the offset, corrected; `clean`: of those that cleaning keeps.
-BoxplotData errorData(const experiments::CorrectionTrial& trial, bool clean);
+/// Errors of held-out states as seen (where `seen`), with the offset, corrected; `clean`: of those that
+/// cleaning keeps.
+BoxplotData errorData(const experiments::CorrectionTrial& trial, bool clean, bool seen = true);
 LearningCurveData curveData(const experiments::LearningCurve& curve);
 /// Trajectory `which` of stages.motions; corrected where there is a trial.
 PoseTraceData traceData(const experiments::LearningStages& stages, const experiments::CorrectionTrial* trial,

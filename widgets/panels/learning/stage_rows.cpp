@@ -16,6 +16,8 @@ using learning::StreamKind;
 
 namespace {
 
+constexpr int kLargeRatio = 1000;
+
 QString tr(const char* words) { return QObject::tr(words); }
 
 QString millimetres(double metres, int decimals = 1) {
@@ -110,8 +112,8 @@ StageGroup rigidOffset(const LearningStages& stages) {
 
 /// Features whose length-scales are shortest: what a correction depends on most.
 QString sharpest(const learning::RbfParameters& parameters) {
-  static const std::array<const char*, 12> kFeatures = {"x",   "y",   "z",   "turn 1", "turn 2", "turn 3",
-                                                        "v x", "v y", "v z", "ω 1",    "ω 2",    "ω 3"};
+  static constexpr std::array kFeatures = {"x",  "y",  "z",  "rx", "ry", "rz",
+                                           "vx", "vy", "vz", "ωx", "ωy", "ωz"};
   std::vector<std::pair<double, std::size_t>> lengths;
   for (Eigen::Index i = 0; i < parameters.ln_length.size(); ++i)
     lengths.emplace_back(std::exp(parameters.ln_length[i]), static_cast<std::size_t>(i));
@@ -131,16 +133,18 @@ StageGroup process(const CorrectionTrial& trial) {
   if (!processes.empty())
     group.rows.push_back(
         {tr("inducing points"), countText(static_cast<std::size_t>(processes[0].inducing()))});
-  static const std::array<const char*, 6> kOutputs = {"x", "y", "z", "turn 1", "turn 2", "turn 3"};
+  static constexpr std::array kOutputs = {"x", "y", "z", "rx", "ry", "rz"};
   for (std::size_t k = 0; k < processes.size(); ++k) {
     const learning::RbfParameters& p = processes[k].parameters();
+    const double ratio = std::exp(p.ln_signal - p.ln_noise);
     group.rows.push_back(
-        {QObject::tr("%1: signal / noise; shortest lengths [σ]").arg(QString::fromUtf8(kOutputs[k])),
-         QStringLiteral("%1; %2").arg(significantText(std::exp(p.ln_signal - p.ln_noise), 2), sharpest(p)),
-         std::nan(""), false,
+        {QObject::tr("%1: signal / noise %2; lengths")
+             .arg(QString::fromUtf8(kOutputs[k]),
+                  ratio < kLargeRatio ? significantText(ratio, 2) : QStringLiteral("> %1").arg(kLargeRatio)),
+         sharpest(p), std::nan(""), false,
          tr("Standard deviations of the correction and of what it leaves to noise, in their ratio; and the "
-            "three features that the correction changes with soonest, with how far, in standard deviations "
-            "of the feature")});
+            "three features that the correction changes with soonest: position x y z, turn r, speed v, turn "
+            "rate ω, each with its length-scale in standard deviations of the feature")});
   }
   return group;
 }

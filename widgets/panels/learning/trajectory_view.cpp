@@ -18,6 +18,7 @@ namespace {
 enum Column { kName, kStates, kRejected, kHeld, kColumns };
 enum Role { kSortRole = Qt::UserRole + 1, kMotionRole };
 constexpr double kPoints = 9.5;
+constexpr int kBeside = 760, kList = 300;  ///< [px]
 
 /// Sorted by what its cells mean, not by how they are written.
 class TrajectoryItem : public QTreeWidgetItem {
@@ -40,10 +41,9 @@ TrajectoryView::TrajectoryView(QWidget* parent) : LearningView(parent) {
   split_->addWidget(sheet_ = new FigureSheet);
   split_->setStretchFactor(0, 0);
   split_->setStretchFactor(1, 1);
-  split_->setSizes({330, 600});
   list_->setObjectName("trajectories");
   list_->setColumnCount(kColumns);
-  list_->setHeaderLabels({tr("trajectory"), tr("states"), tr("rejected"), tr("held out")});
+  list_->setHeaderLabels({tr("trajectory"), tr("states"), tr("rejected"), tr("held")});
   list_->headerItem()->setToolTip(kRejected, tr("Share of its states that cleaning leaves out"));
   list_->headerItem()->setToolTip(kHeld, tr("Not learned from: its errors are those of new motions"));
   list_->setRootIsDecorated(false);
@@ -51,7 +51,7 @@ TrajectoryView::TrajectoryView(QWidget* parent) : LearningView(parent) {
   list_->setFrameShape(QFrame::NoFrame);
   list_->setAllColumnsShowFocus(true);
   list_->setSortingEnabled(true);
-  list_->setMinimumWidth(230);
+  list_->setMinimumWidth(250);
   list_->setAccessibleName(tr("trajectories"));
   list_->setItemDelegateForColumn(kRejected, new ShareBar(list_));
   list_->header()->setStretchLastSection(false);
@@ -59,6 +59,8 @@ TrajectoryView::TrajectoryView(QWidget* parent) : LearningView(parent) {
   list_->header()->setFont(textFont(9.0));
   list_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
   list_->header()->setSectionResizeMode(kName, QHeaderView::Stretch);
+  list_->header()->setSectionResizeMode(kRejected, QHeaderView::Fixed);
+  list_->header()->resizeSection(kRejected, 72);
   for (const int at : {kStates, kRejected})
     list_->headerItem()->setTextAlignment(at, Qt::AlignRight | Qt::AlignVCenter);
   connect(list_, &QTreeWidget::currentItemChanged, this, &TrajectoryView::draw);
@@ -102,7 +104,8 @@ void TrajectoryView::fill() {
       const double share = static_cast<double>(motion.rejected) / static_cast<double>(motion.states());
       const bool held = results_.trial && results_.trial->held[motion.motion];
       auto* item = new TrajectoryItem;
-      item->setText(kName, QString::fromStdString(results_.stages->screen.motions[motion.motion].name));
+      const QString name = QString::fromStdString(results_.stages->screen.motions[motion.motion].name);
+      item->setText(kName, QString(name).remove(QStringLiteral("trajectory ")));
       item->setText(kStates, countText(motion.states()));
       item->setText(kRejected, QString::number(100.0 * share, 'f', 0) + QStringLiteral(" %"));
       item->setText(kHeld, held ? QStringLiteral("●") : QString());
@@ -115,7 +118,7 @@ void TrajectoryView::fill() {
         if (at == kStates || at == kRejected) item->setTextAlignment(at, Qt::AlignRight | Qt::AlignVCenter);
       }
       item->setData(kName, kMotionRole, static_cast<int>(k));
-      item->setToolTip(kName, item->text(kName));
+      item->setToolTip(kName, name);
       ShareBar::set(*item, kRejected, share, theme_.warning);
       list_->addTopLevelItem(item);
       if (static_cast<int>(k) == before || !current) current = item;
@@ -137,6 +140,17 @@ void TrajectoryView::step(int by) {
 void TrajectoryView::showEvent(QShowEvent* event) {
   LearningView::showEvent(event);
   if (stale_) draw();
+}
+
+/// The figure has what room there is: beside the list, or below it.
+void TrajectoryView::resizeEvent(QResizeEvent* event) {
+  LearningView::resizeEvent(event);
+  const bool beside = width() >= kBeside;
+  const Qt::Orientation wanted = beside ? Qt::Horizontal : Qt::Vertical;
+  if (split_->orientation() == wanted && event->oldSize().width() > 0) return;
+  split_->setOrientation(wanted);
+  split_->setSizes(beside ? QList<int>{kList, width() - kList}
+                          : QList<int>{28 * height() / 100, 72 * height() / 100});
 }
 
 void TrajectoryView::draw() {

@@ -28,6 +28,7 @@ class TrajectoryView : public LearningView {
 
  protected:
   void showEvent(QShowEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void fill();
