@@ -40,6 +40,7 @@ CorrectionTrial correctionTrial(const std::vector<State>& states, const Correcti
     if (k == 0 || states[k].motion != states[k - 1].motion)
       ++trial.motions, trial.motions_held += trial.held[states[k].motion];
   checkHeldOut(trial);
+  if (progress) progress->report(0.0, "cleaning");
   const auto [train, test] = splitStates(states, trial.held);
   const learning::CleaningReport cleaned = learning::cleanStates(train, options.cleaning);
   const std::vector<Reason> reasons = learning::judgedBy(cleaned, test, options.cleaning);

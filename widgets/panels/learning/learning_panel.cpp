@@ -253,6 +253,7 @@ void LearningPanel::runCurve() {
 }
 
 void LearningPanel::onProgress(double fraction, const QString& doing) {
+  if (doing.isEmpty()) return;  // nothing was said yet
   progress_->setValue(qRound(100.0 * fraction));
   progress_->setFormat(doing + QStringLiteral(" %p %"));
 }
@@ -333,11 +334,11 @@ void LearningPanel::showState() {
                 .arg(results_.trial->motions_held)
                 .arg(results_.trial->motions);
   } else if (stages) {
-    head = tr("○ %1 of %2 states count; a rigid offset leaves %3 mm, %4°")
+    head = tr("○ %1 of %2 states count; a rigid offset leaves %3\u00a0mm,\u00a0%4°")
                .arg(countText(stages->cleaning.kept()), countText(stages->states.size()))
                .arg(base::toMillimetres(stages->after.median_distance), 0, 'f', 1)
                .arg(base::toDegrees(stages->after.median_angle), 0, 'f', 1);
-    below = job_.busy() ? tr("Training takes some seconds; Esc cancels it.")
+    below = job_.busy() ? tr("This may take some minutes; Esc cancels it.")
                         : tr("Press Train (F5) to learn the rest of it.");
   } else if (job_.busy()) {
     head = tr("Reading…");

@@ -33,6 +33,8 @@ class LearningPanel : public QWidget {
   ~LearningPanel() override;
 
   void setTheme(const Theme& theme);
+  /// Of what is begun from now on.
+  void setSettings(const LearningSettings& settings) { settings_ = settings; }
   /// What "Save model…" writes with; without it there is no such button.
   void setModelWriter(ModelWriter writer);
   void save(QSettings& settings) const;
