@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QApplication>
 #include <QTemporaryDir>
 #include <QtTest/QTest>
 
@@ -38,7 +39,7 @@ class LearningWindow : public ::testing::Test {
     window_ = std::make_unique<MainWindow>(folder_.filePath("settings.ini"));
     window_->resize(1280, 800);
     window_->show();
-    window_->activateWindow();
+    QApplication::setActiveWindow(window_.get());  // for its keys
     window_->action("learn")->trigger();
     LearningSettings quick;
     quick.trial.correction.likelihood_points = 400;

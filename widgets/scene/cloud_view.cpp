@@ -1,6 +1,7 @@
 #include "widgets/scene/cloud_view.h"
 
 #include <QKeyEvent>
+#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace capstan::widgets {
 
 namespace {
 
-constexpr double kAzimuth = 0.65, kElevation = 0.42;  ///< of the opening view [rad]
+constexpr double kAzimuth = 0.5, kElevation = 0.42;  ///< of the opening view [rad]
 constexpr double kKeyPoints = 9.5;
 constexpr int kPeriod = 66;  ///< between pictures at least [ms]
 
@@ -82,7 +83,7 @@ void CloudView::setClouds(std::vector<PointCloud> clouds) {
 void CloudView::resetCamera() {
   if (empty()) return;
   const Eigen::Vector3d middle = 0.5 * (grid_.low + grid_.high);
-  camera_.setAxes(Eigen::Vector3d::UnitZ(), -Eigen::Vector3d::UnitY());
+  camera_.setAxes(Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitX());  // towards the numbered edges
   camera_.look(middle, 1.95 * (grid_.high - grid_.low).norm(), kAzimuth, kElevation);
   changed();
 }
@@ -139,8 +140,9 @@ void CloudView::drawKey(QPainter& painter) const {
     painter.setBrush(cloud.colour);
     painter.drawEllipse(QPointF(14.0, y + 0.5 * line), 4.0, 4.0);
     painter.setPen(theme_.text);
-    painter.drawText(QRect(26, y, width() - 34, line), Qt::AlignLeft | Qt::AlignVCenter,
-                     tr("%1 (%2)").arg(cloud.name).arg(cloud.points.size()));
+    painter.drawText(
+        QRect(26, y, width() - 34, line), Qt::AlignLeft | Qt::AlignVCenter,
+        tr("%1 (%2)").arg(cloud.name, QLocale(QLocale::English).toString(qulonglong(cloud.points.size()))));
     y += line;
   }
 }

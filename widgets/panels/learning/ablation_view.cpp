@@ -121,6 +121,7 @@ void AblationView::setSplits(int splits) { splits_->setValue(splits); }
 void AblationView::showResults(const LearningResults& results) {
   study_ = results.study;
   of_splits_ = results.splits;
+  pitch_ = results.study && results.stages ? pitchWords(results.stages->states) : QString();
   fill();
 }
 
@@ -140,6 +141,7 @@ void AblationView::fill() {
   words_->setText(tr("Mean ± standard deviation of |error|, %1 test states of %2. Bold: the least of ours.")
                       .arg(countText(all[0].states),
                            of_splits_ == 1 ? tr("one split") : tr("%1 splits").arg(of_splits_)));
+  if (!pitch_.isEmpty()) words_->setText(words_->text() + tr(" Mind: %1.").arg(pitch_));
   for (std::size_t m = 0; m < kCorrectionMethods; ++m) addMethod(static_cast<CorrectionMethod>(m), clean);
   table_->expandAll();
 }
