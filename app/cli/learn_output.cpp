@@ -11,7 +11,6 @@
 namespace capstan::cli {
 namespace {
 
-using learning::CorrectionError;
 using learning::Reason;
 using learning::StreamKind;
 using Json = nlohmann::json;
@@ -26,14 +25,13 @@ TestedStates testedStates(const std::vector<learning::State>& states,
                           const learning::CorrectionModel& model) {
   TestedStates tested;
   tested.states = states.size();
-  std::vector<Eigen::Isometry3d> seen, moved;
-  for (const learning::State& state : states) {
-    seen.push_back(state.pair.seen);
-    moved.push_back(model.offset() * state.pair.seen);
+  const std::vector<Eigen::Isometry3d> corrected = model.correct(states);
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    const auto& [seen, told] = states[k].pair;
+    tested.none.add(seen, told);
+    tested.offset.add(model.offset() * seen, told);
+    tested.corrected.add(corrected[k], told);
   }
-  tested.none = learning::errorsOf(seen, states);
-  tested.offset = learning::errorsOf(moved, states);
-  tested.corrected = learning::errorsOf(model.correct(states), states);
   return tested;
 }
 
@@ -79,7 +77,7 @@ std::string screenText(const learning::ScreenReport& screen) {
   return text;
 }
 
-Json errorJson(const CorrectionError& error) {
+Json errorJson(const experiments::PoseErrors& error) {
   return {{"distance", {{"mean", meanOf(error.distance)}, {"median", stats::median(error.distance)}}},
           {"angle", {{"mean", meanOf(error.angle)}, {"median", stats::median(error.angle)}}}};
 }
@@ -93,7 +91,7 @@ Json testedJson(const TestedStates& tested) {
 
 std::string testedText(const char* name, const TestedStates& tested) {
   std::string text = fmt::format("  {} ({} states)\n", name, tested.states);
-  const auto line = [&](const char* what, const CorrectionError& error) {
+  const auto line = [&](const char* what, const experiments::PoseErrors& error) {
     text += fmt::format("    {:16}{:8.2f} mm {:8.2f} deg   median {:8.2f} mm {:8.2f} deg\n", what,
                         kMillimetres * meanOf(error.distance), kDegrees * meanOf(error.angle),
                         kMillimetres * stats::median(error.distance), kDegrees * stats::median(error.angle));

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "core/experiments/correction_errors.h"
 #include "core/learning/learn.h"
 
 namespace capstan::cli {
@@ -12,7 +13,7 @@ namespace capstan::cli {
 /// model.
 struct TestedStates {
   std::size_t states = 0;
-  learning::CorrectionError none, offset, corrected;
+  experiments::PoseErrors none, offset, corrected;
 };
 
 struct TestReport {

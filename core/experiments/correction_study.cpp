@@ -2,13 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <numbers>
-#include <numeric>
 
-#include "core/base/random.h"
-#include "core/stats/quantile.h"
+#include "core/base/progress_part.h"
+#include "core/experiments/held_out.h"
 
 namespace capstan::experiments {
 namespace {
@@ -19,76 +16,50 @@ using M = CorrectionMethod;
 
 constexpr double kMillimetres = 1e3, kDegrees = 180.0 / std::numbers::pi;
 
-/// Errors of many states, before they are summed up.
-struct Pool {
-  std::vector<Vector6d> apart;  ///< absolute
-  std::vector<double> distance, angle;
+learning::Motion motionOf(M method) {
+  if (method == M::kProcess) return learning::Motion::kNone;
+  return method == M::kHistory ? learning::Motion::kHistory : learning::Motion::kVelocity;
+}
 
-  void add(const Eigen::Isometry3d& corrected, const Eigen::Isometry3d& told) {
-    const learning::PoseFeatures angles(learning::RotationForm::kYawPitchRoll, learning::Motion::kNone,
-                                        Eigen::Quaterniond::Identity());
-    apart.push_back(angles.correction(corrected, told).cwiseAbs());
-    distance.push_back((corrected.translation() - told.translation()).norm());
-    angle.push_back(
-        Eigen::Quaterniond(corrected.linear()).angularDistance(Eigen::Quaterniond(told.linear())));
-  }
-  void add(const Pool& other) {
-    apart.insert(apart.end(), other.apart.begin(), other.apart.end());
-    distance.insert(distance.end(), other.distance.begin(), other.distance.end());
-    angle.insert(angle.end(), other.angle.begin(), other.angle.end());
+/// How many errors of states that count are within their σ, and within two.
+struct Coverage {
+  const std::vector<learning::Reason>* reasons = nullptr;  ///< of the test states to come
+  std::array<Vector6d, 2> inside = {Vector6d::Zero(), Vector6d::Zero()};
+  double states = 0.0;
+
+  void add(const learning::CorrectionModel& model, const std::vector<State>& test) {
+    const std::vector<learning::Corrected> corrected = model.correctSurely(test);
+    const learning::PoseFeatures tangent(learning::RotationForm::kTangent, learning::Motion::kNone,
+                                         Eigen::Quaterniond::Identity());
+    for (std::size_t k = 0; k < test.size(); ++k) {
+      if ((*reasons)[k] != learning::Reason::kNone) continue;
+      const Vector6d off = tangent.correction(corrected[k].pose, test[k].pair.told).cwiseAbs();
+      for (std::size_t s = 0; s < inside.size(); ++s)
+        inside[s].array() +=
+            (off.array() <= static_cast<double>(s + 1) * corrected[k].sigma.array()).cast<double>();
+      states += 1.0;
+    }
   }
 };
 
-double meanOf(const std::vector<double>& x) {
-  return x.empty() ? 0.0 : std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
-}
-
-CorrectionErrors summed(const Pool& pool) {
-  CorrectionErrors errors;
-  errors.states = pool.apart.size();
-  for (int k = 0; k < 6; ++k) {
-    std::vector<double> one;
-    for (const Vector6d& apart : pool.apart) one.push_back(apart[k]);
-    errors.mean[k] = meanOf(one);
-    errors.median[k] = stats::median(one);
-    for (double& x : one) x = std::pow(x - errors.mean[k], 2);
-    errors.deviation[k] = std::sqrt(meanOf(one));
-  }
-  errors.distance = meanOf(pool.distance);
-  errors.median_distance = stats::median(pool.distance);
-  errors.angle = meanOf(pool.angle);
-  errors.median_angle = stats::median(pool.angle);
-  return errors;
-}
-
-/// Which motions are held out: `share` of those that have states.
-std::vector<bool> heldOut(const std::vector<State>& states, double share, std::uint64_t seed) {
-  std::vector<std::size_t> motions;
-  for (const State& state : states)
-    if (motions.empty() || motions.back() != state.motion) motions.push_back(state.motion);
-  std::vector<bool> held(states.empty() ? 0 : states.back().motion + 1, false);
-  const auto count = static_cast<Eigen::Index>(std::lround(share * static_cast<double>(motions.size())));
-  for (const Eigen::Index k : learning::drawnPoints(static_cast<Eigen::Index>(motions.size()), count, seed))
-    held[motions[static_cast<std::size_t>(k)]] = true;
-  return held;
-}
-
 std::vector<Eigen::Isometry3d> told(M method, const std::vector<State>& train,
                                     const std::vector<State>& clean, const std::vector<State>& test,
-                                    const CorrectionStudyOptions& options) {
+                                    const CorrectionStudyOptions& options, base::Progress* progress,
+                                    const base::ProgressPart& part, Coverage* coverage) {
   std::vector<Eigen::Isometry3d> poses;
   if (method >= M::kProcess) {
     const bool cleaned = method == M::kAll || method == M::kHistory;
     learning::CorrectionOptions correction = options.correction;
-    correction.motion = method == M::kProcess   ? learning::Motion::kNone
-                        : method == M::kHistory ? learning::Motion::kHistory
-                                                : learning::Motion::kVelocity;
-    return learning::CorrectionModel::trained(cleaned ? clean : train, correction).correct(test);
+    correction.motion = motionOf(method);
+    const auto model =
+        learning::CorrectionModel::trained(cleaned ? clean : train, correction, progress, part);
+    if (method == M::kHistory && coverage) coverage->add(model, test);
+    return model.correct(test);
   }
   Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();
   std::vector<learning::PosePair> pairs;
   for (const State& state : method == M::kOffsetCleaning ? clean : train) pairs.push_back(state.pair);
-  if (method != M::kNone) offset = learning::rigidOffset(pairs, options.correction.lever);
+  if (method != M::kUncorrected) offset = learning::rigidOffset(pairs, options.correction.lever);
   for (const State& state : test) poses.push_back(offset * state.pair.seen);
   return poses;
 }
@@ -98,38 +69,43 @@ std::vector<Eigen::Isometry3d> told(M method, const std::vector<State>& train,
 CorrectionStudyReport correctionStudy(const std::vector<State>& states, const CorrectionStudyOptions& options,
                                       base::Progress* progress) {
   CorrectionStudyReport report;
-  std::array<Pool, kCorrectionMethods> dirty, clean;
+  std::array<PoseErrors, kCorrectionMethods> dirty, clean;
+  Coverage coverage;
   for (int split = 0; split < options.splits; ++split) {
     const std::vector<bool> held =
         heldOut(states, options.test_share, options.seed + static_cast<std::uint64_t>(split));
-    std::vector<State> train, test;
-    for (const State& state : states) (held[state.motion] ? test : train).push_back(state);
+    const auto [train, test] = splitStates(states, held);
     const learning::CleaningReport cleaned = learning::cleanStates(train, options.cleaning);
     const std::vector<State> clean_train = learning::kept(train, cleaned);
     const std::vector<learning::Reason> reasons = learning::judgedBy(cleaned, test, options.cleaning);
+    coverage.reasons = &reasons;
     for (std::size_t m = 0; m < kCorrectionMethods; ++m) {
+      const auto method = static_cast<M>(m);
+      const double done = (split + static_cast<double>(m) / kCorrectionMethods) / options.splits;
+      const base::ProgressPart part{
+          done, done + 1.0 / kCorrectionMethods / options.splits,
+          fmt::format("Split {} of {}: {}", split + 1, options.splits, base::nameOf(method))};
+      const std::vector<Eigen::Isometry3d> poses =
+          told(method, train, clean_train, test, options, progress, part, &coverage);
       if (progress && progress->cancelled()) {
         report.cancelled = true;
         return report;
       }
-      const auto method = static_cast<M>(m);
-      if (progress)
-        progress->report((split + static_cast<double>(m) / kCorrectionMethods) / options.splits,
-                         fmt::format("Split {}: {}", split + 1, base::nameOf(method)));
-      const std::vector<Eigen::Isometry3d> poses = told(method, train, clean_train, test, options);
-      Pool all, kept;
+      PoseErrors all, kept;
       for (std::size_t k = 0; k < test.size(); ++k) {
         all.add(poses[k], test[k].pair.told);
         if (reasons[k] == learning::Reason::kNone) kept.add(poses[k], test[k].pair.told);
       }
-      if (method == M::kHistory) report.by_split.push_back({summed(all), summed(kept)});
+      if (method == M::kHistory) report.by_split.push_back({all.summed(), kept.summed()});
       dirty[m].add(all);
       clean[m].add(kept);
     }
   }
+  for (std::size_t k = 0; k < report.within.size() && coverage.states > 0.0; ++k)
+    report.within[k] = coverage.inside[k] / coverage.states;
   for (std::size_t m = 0; m < kCorrectionMethods; ++m) {
-    report.dirty[m] = summed(dirty[m]);
-    report.clean[m] = summed(clean[m]);
+    report.dirty[m] = dirty[m].summed();
+    report.clean[m] = clean[m].summed();
   }
   return report;
 }

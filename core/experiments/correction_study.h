@@ -6,6 +6,7 @@
 #include "core/base/names.h"
 #include "core/base/progress.h"
 #include "core/base/table.h"
+#include "core/experiments/correction_errors.h"
 #include "core/learning/clean_states.h"
 #include "core/learning/correction_model.h"
 
@@ -14,7 +15,15 @@
 namespace capstan::experiments {
 
 /// The paper's six, and ours.
-enum class CorrectionMethod { kNone, kOffset, kOffsetCleaning, kProcess, kProcessVelocity, kAll, kHistory };
+enum class CorrectionMethod {
+  kUncorrected,
+  kOffset,
+  kOffsetCleaning,
+  kProcess,
+  kProcessVelocity,
+  kAll,
+  kHistory
+};
 inline constexpr std::size_t kPaperMethods = 6, kCorrectionMethods = 7;
 
 struct CorrectionStudyOptions {
@@ -25,20 +34,12 @@ struct CorrectionStudyOptions {
   std::uint64_t seed = 1;
 };
 
-/// Errors of one method on one test set, pooled over the splits.
-struct CorrectionErrors {
-  learning::Vector6d mean =
-      learning::Vector6d::Zero();  ///< of |x|, |y|, |z| [m], |yaw|, |pitch|, |roll| [rad]
-  learning::Vector6d deviation = learning::Vector6d::Zero(), median = learning::Vector6d::Zero();
-  double distance = 0.0, median_distance = 0.0;  ///< mean and median of ‖Δt‖ [m]
-  double angle = 0.0, median_angle = 0.0;        ///< mean and median of the geodesic angle [rad]
-  std::size_t states = 0;
-};
-
 struct CorrectionStudyReport {
-  /// By method, on all test states and on those that cleaning keeps.
+  /// By method, on all test states and on those that cleaning keeps; pooled over the splits.
   std::array<CorrectionErrors, kCorrectionMethods> dirty{}, clean{};
   std::vector<std::vector<CorrectionErrors>> by_split;  ///< of kHistory: [split][dirty, clean]
+  /// Shares of kHistory's errors on clean states within one and two stated σ: [σ − 1][x, y, z, turn's parts].
+  std::array<learning::Vector6d, 2> within = {learning::Vector6d::Zero(), learning::Vector6d::Zero()};
   bool cancelled = false;
 };
 
@@ -68,7 +69,7 @@ base::Table correctionTable(const std::array<CorrectionErrors, kCorrectionMethod
 template <>
 struct capstan::base::NamesOf<capstan::experiments::CorrectionMethod> {
   using M = capstan::experiments::CorrectionMethod;
-  static constexpr std::array value = {std::pair{M::kNone, "no correction"},
+  static constexpr std::array value = {std::pair{M::kUncorrected, "no correction"},
                                        std::pair{M::kOffset, "fixed offset"},
                                        std::pair{M::kOffsetCleaning, "offset, cleaning"},
                                        std::pair{M::kProcess, "offset, GP"},

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <atomic>
 #include <cmath>
 
 #include "core/base/error.h"
@@ -23,6 +24,9 @@ struct Group {
   Index first, count;
 };
 constexpr std::array<Group, 4> kGroups = {{{0, 1}, {1, 1}, {2, 1}, {3, 3}}};
+
+constexpr double kFitShare = 0.6, kAllShare = 0.3;  // of the time: hyperparameters, all states
+constexpr const char* kLearningHyperparameters = "learning hyperparameters";
 
 void checkEnough(std::size_t states) {
   if (states < kFewestStates)
@@ -64,23 +68,26 @@ CorrectionModel CorrectionModel::rigid(const std::vector<State>& states, const C
 }
 
 CorrectionModel CorrectionModel::trained(const std::vector<State>& states, const CorrectionOptions& options,
-                                         base::Progress* progress) {
+                                         base::Progress* progress, const base::ProgressPart& part) {
   CorrectionModel model = rigid(states, options);
   const MatrixXd x = model.featuresOf(states), y = model.targetsOf(states);
 
-  if (progress) progress->report(0.0, "Learning hyperparameters");
+  part.report(progress, 0.0, kLearningHyperparameters);
   const auto few = drawnPoints(x.rows(), options.likelihood_points, options.seed);
   const MatrixXd x_few = x(few, Eigen::all), y_few = y(few, Eigen::all);
   std::array<ProcessFitReport, kGroups.size()> fits;
+  std::atomic<int> fitted = 0;
   math::setDenseThreads(1);
   base::parallelFor(fits.size(), options.threads, [&](std::size_t g) {
     const MatrixXd own = y_few.middleCols(kGroups[g].first, kGroups[g].count);
     fits[g] = fitProcess(x_few, own, startOf(x_few, own, options.fit), options.fit, progress);
+    part.report(progress, kFitShare * ++fitted / static_cast<double>(fits.size()), kLearningHyperparameters);
   });
   math::setDenseThreads(options.threads);
   const MatrixXd inducing = x(drawnPoints(x.rows(), options.inducing_points, options.seed + 1), Eigen::all);
   for (std::size_t g = 0; g < fits.size() && !(progress && progress->cancelled()); ++g) {
-    if (progress) progress->report(0.6 + 0.1 * static_cast<double>(g), "Learning all states");
+    part.report(progress, kFitShare + kAllShare * static_cast<double>(g) / static_cast<double>(fits.size()),
+                "learning all states");
     SparseProcess process(inducing, kGroups[g].count, fits[g].parameters);
     process.add(x, y.middleCols(kGroups[g].first, kGroups[g].count));
     model.processes_.push_back(std::move(process));
@@ -206,6 +213,13 @@ void CorrectionModel::findInflation(const std::vector<State>& states, const Corr
           stats::quantile(std::vector<double>(off.begin(), off.end()), kWithinSigma);
     }
   }
+}
+
+Eigen::VectorXd CorrectionModel::confidence(const std::vector<State>& desired) const {
+  Eigen::VectorXd sure(static_cast<Index>(desired.size()));
+  const std::vector<Corrected> corrected = correctSurely(desired);
+  for (std::size_t k = 0; k < corrected.size(); ++k) sure[static_cast<Index>(k)] = corrected[k].confidence;
+  return sure;
 }
 
 double CorrectionModel::fading(const Eigen::Vector3d& position) const {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/progress.h"
+#include "core/base/progress_part.h"
 #include "core/learning/pose_features.h"
 #include "core/learning/process_fit.h"
 #include "core/learning/sparse_process.h"
@@ -48,9 +48,10 @@ struct CorrectionParts {
 /// all positions learned.
 class CorrectionModel {
  public:
-  /// From states that count. base::InputError: fewer than kFewestStates. Cancelled: of a rigid offset alone.
+  /// From states that count; `part` of `progress` is its own. base::InputError: fewer than kFewestStates.
+  /// Cancelled: of a rigid offset alone.
   static CorrectionModel trained(const std::vector<State>& states, const CorrectionOptions& options = {},
-                                 base::Progress* progress = nullptr);
+                                 base::Progress* progress = nullptr, const base::ProgressPart& part = {});
   /// Of the rigid offset alone.
   static CorrectionModel rigid(const std::vector<State>& states, const CorrectionOptions& options = {});
   explicit CorrectionModel(CorrectionParts parts);
@@ -64,6 +65,9 @@ class CorrectionModel {
   /// Poses alone, faster.
   std::vector<Eigen::Isometry3d> correct(const std::vector<State>& desired) const;
 
+  /// Corrected::confidence of many.
+  Eigen::VectorXd confidence(const std::vector<State>& desired) const;
+
   /// Learns more states with the same hyperparameters and inducing points.
   void add(const std::vector<State>& states);
 
@@ -73,9 +77,11 @@ class CorrectionModel {
   const std::vector<SparseProcess>& processes() const { return processes_; }
   CorrectionParts parts() const;
 
+  /// What the processes are told and tell, a row a state: features in deviations, outputs in scales.
+  Eigen::MatrixXd featuresOf(const std::vector<State>& states) const;
+  Eigen::MatrixXd targetsOf(const std::vector<State>& states) const;
+
  private:
-  Eigen::MatrixXd featuresOf(const std::vector<State>& states) const;  ///< in deviations
-  Eigen::MatrixXd targetsOf(const std::vector<State>& states) const;   ///< in scales
   void findScales(const std::vector<State>& states);
   void findInflation(const std::vector<State>& states, const CorrectionOptions& options);
   double fading(const Eigen::Vector3d& position) const;

@@ -1,7 +1,5 @@
 #include "core/learning/learn.h"
 
-#include <cassert>
-
 #include "core/base/error.h"
 
 namespace capstan::learning {
@@ -36,18 +34,6 @@ LearningReport learn(const std::vector<RawMotion>& motions, const LearningOption
   CorrectionModel model = options.rigid ? CorrectionModel::rigid(states, options.correction)
                                         : CorrectionModel::trained(states, options.correction, progress);
   return {std::move(prepared), std::move(cleaning), std::move(model), progress && progress->cancelled()};
-}
-
-CorrectionError errorsOf(const std::vector<Eigen::Isometry3d>& corrected, const std::vector<State>& states) {
-  assert(corrected.size() == states.size());
-  CorrectionError error;
-  for (std::size_t k = 0; k < states.size(); ++k) {
-    const Eigen::Isometry3d& told = states[k].pair.told;
-    error.distance.push_back((corrected[k].translation() - told.translation()).norm());
-    error.angle.push_back(
-        Eigen::Quaterniond(corrected[k].linear()).angularDistance(Eigen::Quaterniond(told.linear())));
-  }
-  return error;
 }
 
 }  // namespace capstan::learning

@@ -38,11 +38,4 @@ struct LearningReport {
 LearningReport learn(const std::vector<RawMotion>& motions, const LearningOptions& options = {},
                      base::Progress* progress = nullptr);
 
-/// How far corrected states are from what was told.
-struct CorrectionError {
-  std::vector<double> distance;  ///< [m], by state
-  std::vector<double> angle;     ///< geodesic [rad], by state
-};
-CorrectionError errorsOf(const std::vector<Eigen::Isometry3d>& corrected, const std::vector<State>& states);
-
 }  // namespace capstan::learning

@@ -1,5 +1,5 @@
-// learning_study DATA [--splits 10] [--parts table,process,curve,latency] [--out DIR]: what the GPR paper shows
-// of its recording, on the same recording (a table of tip poses), beside the paper's numbers and beside
+// learning_study DATA [--splits 10] [--parts table,process,curve,latency] [--out DIR]: what the GPR paper
+// shows of its recording, on the same recording (a table of tip poses), beside the paper's numbers and beside
 // scikit-learn's process on the same states (python3-sklearn; without it those columns are left out).
 #include <fmt/format.h>
 

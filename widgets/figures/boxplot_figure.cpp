@@ -133,7 +133,8 @@ int BoxplotFigure::columnsFor(QSize size) const {
   std::size_t boxes = 1;
   for (const BoxplotPanel& panel : data_.panels)
     boxes = std::max(boxes, panel.groups.size() * keysOf({panel}).size());
-  return std::max(1, size.width() / (60 + kLeastBoxWidth * static_cast<int>(boxes)));
+  const int fitting = std::max(1, size.width() / (60 + kLeastBoxWidth * static_cast<int>(boxes)));
+  return data_.most_columns > 0 ? std::min(fitting, data_.most_columns) : fitting;
 }
 
 void BoxplotFigure::restyle() {

@@ -31,6 +31,7 @@ struct BoxplotData {
   QString title = {}, note = {};
   QString quantity = QStringLiteral("error");  ///< of the value axes
   std::vector<BoxplotPanel> panels = {};
+  int most_columns = 0;  ///< panels side by side at most; 0: as many as have room
 };
 
 /// Statistics of values of which some may not be finite, which are left out; n = 0 where none are.

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "widgets/figures/figure_text.h"
+#include "widgets/figures/legend_entries.h"
 
 namespace capstan::widgets {
 
@@ -91,14 +92,6 @@ QPen settledPen(const Theme& theme, double line) {
 
 QPen valuePen(const Theme& theme, double line) {
   return {theme.colour(Quantity::kUkf), 2.0 * line, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin};
-}
-
-LegendEntry lineEntry(const QString& text, const QPen& pen, const QColor& band = {}) {
-  return {text, [pen, band](QCPPainter* painter, const QRectF& box) {
-            if (band.isValid()) painter->fillRect(box, band);
-            painter->setPen(pen);
-            painter->drawLine(QPointF(box.left(), box.center().y()), QPointF(box.right(), box.center().y()));
-          }};
 }
 
 }  // namespace

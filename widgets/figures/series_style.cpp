@@ -9,7 +9,8 @@ constexpr double kHatchGap = 4.0;  ///< between hatch lines, in line widths
 }  // namespace
 
 QString SeriesKey::name() const {
-  return run_name.isEmpty() ? nameOf(quantity) : nameOf(quantity) + QStringLiteral(" · ") + run_name;
+  const QString name = words.isEmpty() ? nameOf(quantity) : words;
+  return run_name.isEmpty() ? name : name + QStringLiteral(" · ") + run_name;
 }
 
 SeriesStyle SeriesStyle::of(const SeriesKey& key, const Theme& theme) {

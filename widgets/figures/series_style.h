@@ -14,6 +14,7 @@ struct SeriesKey {
   Quantity quantity = Quantity::kUkf;
   int run = 0;            ///< 0 the first, 1 the second
   QString run_name = {};  ///< shown beside the quantity; empty: a single run
+  QString words = {};     ///< in the quantity's place; empty: its own name
 
   QString name() const;
   bool operator==(const SeriesKey&) const = default;

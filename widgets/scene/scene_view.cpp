@@ -197,33 +197,22 @@ void SceneView::resizeEvent(QResizeEvent*) { changed(); }
 void SceneView::showEvent(QShowEvent*) { changed(); }
 
 void SceneView::mousePressEvent(QMouseEvent* event) {
-  dragging_ = event->button() == Qt::LeftButton || event->button() == Qt::MiddleButton;
-  last_mouse_ = event->pos();
-  if (dragging_) setCursor(Qt::ClosedHandCursor);
+  if (mouse_.press(*event)) setCursor(Qt::ClosedHandCursor);
 }
 
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
-  if (!dragging_) return;
-  const QPoint by = event->pos() - last_mouse_;
-  last_mouse_ = event->pos();
-  const bool pan = (event->buttons() & Qt::MiddleButton) || (event->modifiers() & Qt::ShiftModifier);
-  if (pan)
-    camera_.pan(-static_cast<double>(by.x()) / height(), static_cast<double>(by.y()) / height());
-  else
-    camera_.orbit(-0.008 * by.x(), 0.008 * by.y());
-  changed();
+  if (mouse_.move(*event, camera_, height())) changed();
 }
 
 void SceneView::mouseReleaseEvent(QMouseEvent*) {
-  dragging_ = false;
+  mouse_.release();
   unsetCursor();
 }
 
 void SceneView::mouseDoubleClickEvent(QMouseEvent*) { resetCamera(); }
 
 void SceneView::wheelEvent(QWheelEvent* event) {
-  camera_.zoom(std::pow(0.999, event->angleDelta().y()));
-  event->accept();
+  OrbitMouse::wheel(*event, camera_);
   changed();
 }
 

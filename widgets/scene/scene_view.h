@@ -12,7 +12,7 @@
 #include "core/tracking/snapshot.h"
 #include "core/vision/camera.h"
 #include "widgets/figures/theme.h"
-#include "widgets/scene/orbit_camera.h"
+#include "widgets/scene/orbit_mouse.h"
 #include "widgets/scene/scene_labels.h"
 
 namespace capstan::widgets {
@@ -92,8 +92,7 @@ class SceneView : public QWidget {
   QImage image_;
   QTimer timer_;
   bool changed_ = true;
-  bool dragging_ = false;
-  QPoint last_mouse_;
+  OrbitMouse mouse_;
 };
 
 }  // namespace capstan::widgets

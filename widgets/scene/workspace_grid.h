@@ -21,8 +21,12 @@ struct WorkspaceGrid {
   Eigen::Vector3d low, high;  ///< corners: low lies on the grid, high at the top of the upright scale [m]
 };
 
-/// `up_axis` 0…2 and its sign: the axis of frame 0 against gravity. Lines every 50 mm, numbers every 100 mm.
-WorkspaceGrid gridAround(const std::array<Eigen::Vector3d, 2>& box, int up_axis, double up_sign);
+inline constexpr double kGridCell = 0.05;  ///< [m]
+
+/// `up_axis` 0…2 and its sign: the axis of frame 0 against gravity. Lines every `cell` [m], numbers at every
+/// second one.
+WorkspaceGrid gridAround(const std::array<Eigen::Vector3d, 2>& box, int up_axis, double up_sign,
+                         double cell = kGridCell);
 
 /// The axis of frame 0 nearest to −gravity, and its sign; z without gravity.
 std::pair<int, double> upAxis(const Eigen::Vector3d& gravity);

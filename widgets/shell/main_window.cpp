@@ -20,6 +20,7 @@
 #include "widgets/panels/calibration/calibration_panel.h"
 #include "widgets/panels/diagnosis/diagnosis_panel.h"
 #include "widgets/panels/errors/errors_panel.h"
+#include "widgets/panels/learning/learning_panel.h"
 #include "widgets/panels/notes/notes_panel.h"
 #include "widgets/panels/occlusion/occlusion_panel.h"
 #include "widgets/panels/registration/registration_panel.h"
@@ -29,6 +30,7 @@
 #include "widgets/shell/calibration_desk.h"
 #include "widgets/shell/diagnosis_desk.h"
 #include "widgets/shell/help_window.h"
+#include "widgets/shell/learning_desk.h"
 #include "widgets/shell/message_bar.h"
 #include "widgets/shell/motor_desk.h"
 #include "widgets/shell/registration_desk.h"
@@ -66,6 +68,7 @@ MainWindow::MainWindow(const QString& settings, QWidget* parent)
   centre_->addWidget(figure_);
   centre_->addWidget(analysis_ = new AnalysisPanel);
   centre_->addWidget(diagnosis_ = new DiagnosisPanel(runDiagnosis));
+  centre_->addWidget(learning_ = new LearningPanel);
   column->addWidget(centre_, 1);
   setCentralWidget(middle);
   status_ = new StatusLine;
@@ -108,9 +111,10 @@ void MainWindow::addDocks() {
   new CalibrationDesk(*calibration_, *calibration, link_, *bar_, *notes_, this);
   new AnalysisDesk(*analysis_, *centre_, link_, *bar_, *errors_, *notes_, this);
   new DiagnosisDesk(*diagnosis_, *centre_, link_, *bar_, *calibration_, *notes_, this);
+  new LearningDesk(*learning_, *centre_, link_, *bar_, *notes_, this);
   auto* in_the_centre = new QActionGroup(this);  // one at a time, or the plots
   in_the_centre->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
-  for (const char* name : {"analyse", "diagnose"}) in_the_centre->addAction(action(name));
+  for (const char* name : {"analyse", "diagnose", "learn"}) in_the_centre->addAction(action(name));
   new MotorDesk(*figure_, link_, *bar_, *messages_, *notes_, this);
 }
 
@@ -347,6 +351,7 @@ void MainWindow::setThemeNamed(const QString& name) {
   calibration_->setTheme(theme_);
   analysis_->setTheme(theme_);
   diagnosis_->setTheme(theme_);
+  learning_->setTheme(theme_);
   registration_->setTheme(theme_);
   errors_->setTheme(theme_);
   notes_->setTheme(theme_);
@@ -364,6 +369,7 @@ void MainWindow::restore() {
   setThemeNamed(settings_->value("theme", "dark").toString());
   analysis_->restore(*settings_);
   diagnosis_->restore(*settings_);
+  learning_->restore(*settings_);
   restoreGeometry(settings_->value("geometry").toByteArray());
   laid_out_ = restoreState(settings_->value("layout").toByteArray(), kLayoutVersion);
   registration_dock_->hide();
@@ -379,6 +385,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   choice_.save(*settings_);
   analysis_->save(*settings_);
   diagnosis_->save(*settings_);
+  learning_->save(*settings_);
   QMainWindow::closeEvent(event);
 }
 

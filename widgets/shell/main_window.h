@@ -17,6 +17,7 @@ class CalibrationPanel;
 class DiagnosisPanel;
 class ErrorsPanel;
 class HelpWindow;
+class LearningPanel;
 class MessageBar;
 class NotesPanel;
 class OcclusionPanel;
@@ -47,6 +48,7 @@ class MainWindow : public QMainWindow {
   CalibrationPanel& calibration() { return *calibration_; }
   AnalysisPanel& analysis() { return *analysis_; }
   DiagnosisPanel& diagnosis() { return *diagnosis_; }
+  LearningPanel& learning() { return *learning_; }
   /// What went wrong, as the message bar says it; empty: nothing, or closed.
   QString message() const;
   QAction* action(const QString& name) const { return findChild<QAction*>(name); }
@@ -92,6 +94,7 @@ class MainWindow : public QMainWindow {
   CalibrationPanel* calibration_;
   AnalysisPanel* analysis_;
   DiagnosisPanel* diagnosis_;
+  LearningPanel* learning_;
   QStackedWidget* centre_;
   RegistrationPanel* registration_;
   ErrorsPanel* errors_;

@@ -13,8 +13,8 @@ void tellLatency(const LearningData& data, const LearningStudyOptions& options) 
   using learning::State;
   constexpr std::size_t kCommands = 300;
   const std::vector<State>& states = data.command.states;
-  const auto model = learning::CorrectionModel::trained(
-      learning::kept(states, learning::cleanStates(states)), options.correction);
+  const auto model = learning::CorrectionModel::trained(learning::kept(states, learning::cleanStates(states)),
+                                                        options.correction);
   math::setDenseThreads(1);
   const auto timed = [&](auto ask) {
     std::vector<double> seconds;
@@ -28,7 +28,8 @@ void tellLatency(const LearningData& data, const LearningStudyOptions& options) 
     return fmt::format("{:.3f} ms, 99 % within {:.3f} ms", 1e3 * at[0], 1e3 * at[1]);
   };
   fmt::print("\nOne command, one thread, {} inducing points: pose alone {}; with σ and confidence {}\n",
-             model.processes().front().inducing(), timed([&](const State& s) { return model.correct(std::vector{s}); }),
+             model.processes().front().inducing(),
+             timed([&](const State& s) { return model.correct(std::vector{s}); }),
              timed([&](const State& s) { return model.correct(s); }));
   math::setDenseThreads(options.correction.threads);
   const auto begin = std::chrono::steady_clock::now();

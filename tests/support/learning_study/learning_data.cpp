@@ -22,24 +22,6 @@ LearningData readLearningData(const LearningStudyOptions& options) {
   return {target(learning::StreamKind::kCommand), target(learning::StreamKind::kRobot)};
 }
 
-std::vector<bool> heldOut(const std::vector<State>& states, std::uint64_t seed) {
-  std::vector<std::size_t> motions;
-  for (const State& state : states)
-    if (motions.empty() || motions.back() != state.motion) motions.push_back(state.motion);
-  std::vector<bool> held(states.back().motion + 1, false);
-  const auto count = static_cast<Eigen::Index>(motions.size());
-  for (const Eigen::Index k : learning::drawnPoints(count, count / 5, seed))
-    held[motions[static_cast<std::size_t>(k)]] = true;
-  return held;
-}
-
-std::vector<State> statesWhere(const std::vector<State>& states, const std::vector<bool>& motions, bool held) {
-  std::vector<State> some;
-  for (const State& state : states)
-    if ((state.motion < motions.size() && motions[state.motion]) == held) some.push_back(state);
-  return some;
-}
-
 void writeNumbers(const std::filesystem::path& path, const Eigen::MatrixXd& numbers) {
   std::ofstream out(path);
   for (Eigen::Index r = 0; r < numbers.rows(); ++r)
@@ -49,9 +31,8 @@ void writeNumbers(const std::filesystem::path& path, const Eigen::MatrixXd& numb
 }
 
 nlohmann::json askSklearn(const std::filesystem::path& folder) {
-  const std::string command =
-      fmt::format("/usr/bin/python3 '{}/tests/benchmarks/sklearn_process.py' '{}'", CAPSTAN_SOURCE_DIR,
-                  folder.string());
+  const std::string command = fmt::format("/usr/bin/python3 '{}/tests/benchmarks/sklearn_process.py' '{}'",
+                                          CAPSTAN_SOURCE_DIR, folder.string());
   FILE* pipe = popen(command.c_str(), "r");
   std::string text;
   char buffer[4096];
@@ -64,9 +45,9 @@ nlohmann::json askSklearn(const std::filesystem::path& folder) {
 }
 
 std::filesystem::path folderFor(const LearningStudyOptions& options, const std::string& part) {
-  const std::filesystem::path root =
-      options.folder.empty() ? std::filesystem::temp_directory_path() / "capstan_learning_study"
-                             : std::filesystem::path(options.folder);
+  const std::filesystem::path root = options.folder.empty()
+                                         ? std::filesystem::temp_directory_path() / "capstan_learning_study"
+                                         : std::filesystem::path(options.folder);
   std::filesystem::remove_all(root / part);
   std::filesystem::create_directories(root / part);
   return root / part;

@@ -30,11 +30,6 @@ struct LearningData {
 };
 LearningData readLearningData(const LearningStudyOptions& options);
 
-/// Which motions are held out: a fifth, drawn anew for each split.
-std::vector<bool> heldOut(const std::vector<learning::State>& states, std::uint64_t seed);
-std::vector<learning::State> statesWhere(const std::vector<learning::State>& states,
-                                         const std::vector<bool>& motions, bool held);
-
 /// Numbers as lines of commas.
 void writeNumbers(const std::filesystem::path& path, const Eigen::MatrixXd& numbers);
 
@@ -44,8 +39,8 @@ nlohmann::json askSklearn(const std::filesystem::path& folder);
 /// A folder for `part` of the study, empty.
 std::filesystem::path folderFor(const LearningStudyOptions& options, const std::string& part);
 
-/// Features in deviations and targets in scales as a plain process has them: pose and velocity after the rigid
-/// offset.
+/// Features in deviations and targets in scales as a plain process has them: pose and velocity after the
+/// rigid offset.
 struct PlainTable {
   Eigen::MatrixXd features, targets;
   Eigen::RowVectorXd scale;  ///< of the targets [m, rad]

@@ -50,7 +50,8 @@ void raceProcesses(const LearningData& data, const LearningStudyOptions& options
 
   const MatrixXd many = drawn(table, 2000, 3), few = drawn(table, 460, 4), at = drawn(table, 200, 5);
   const Index d = table.features.cols();
-  const MatrixXd x = many.leftCols(d), y = many.rightCols(1), x_few = few.leftCols(d), y_few = few.rightCols(1);
+  const MatrixXd x = many.leftCols(d), y = many.rightCols(1), x_few = few.leftCols(d),
+                 y_few = few.rightCols(1);
   const auto start = learning::startOf(x, y, {}), start_few = learning::startOf(x_few, y_few, {});
   double value = 0.0;
   const double one = bestOf([&] {

@@ -7,6 +7,7 @@
 
 #include "core/base/parallel.h"
 #include "core/experiments/correction_study.h"
+#include "core/experiments/held_out.h"
 #include "core/math/dense.h"
 
 namespace capstan::study {
@@ -21,7 +22,7 @@ constexpr Index kPlainStates = 1500;
 /// States, hyperparameters and test states of one split for scikit-learn.
 void writeSplit(const std::filesystem::path& folder, const std::vector<State>& states,
                 const std::vector<bool>& held, const LearningStudyOptions& options) {
-  const std::vector<State> train = statesWhere(states, held, false), test = statesWhere(states, held, true);
+  const auto [train, test] = experiments::splitStates(states, held);
   const learning::CleaningReport cleaned = learning::cleanStates(train);
   const std::vector<State> clean = learning::kept(train, cleaned);
   const std::vector<learning::Reason> reasons = learning::judgedBy(cleaned, test);
@@ -66,7 +67,8 @@ void tellCalibration(const experiments::CorrectionStudyReport& report) {
   fmt::print("Within the stated σ, held out, last method: x, y, z, turns (normal: 68.3 %, 95.4 %)\n");
   for (int k = 0; k < 2; ++k) {
     fmt::print("  {} σ:", k + 1);
-    for (Index i = 0; i < 6; ++i) fmt::print(" {:.1f} %", 100.0 * report.within[static_cast<std::size_t>(k)][i]);
+    for (Index i = 0; i < 6; ++i)
+      fmt::print(" {:.1f} %", 100.0 * report.within[static_cast<std::size_t>(k)][i]);
     fmt::print("\n");
   }
 }
@@ -77,8 +79,8 @@ void tellBeside(const experiments::CorrectionStudyReport& report, const nlohmann
   const auto& ours_clean = report.clean.back();
   for (const auto& [name, ours] : {std::pair{"dirty", &ours_dirty}, std::pair{"clean", &ours_clean}}) {
     const Means theirs = sklearnMeans(plain, name);
-    fmt::print("  {:6} ours {:.2f} mm {:.2f} deg; scikit-learn {:.2f} mm {:.2f} deg: {:+.1f} %, {:+.1f} %\n", name,
-               kMillimetres * ours->distance, kDegrees * ours->angle, kMillimetres * theirs.distance,
+    fmt::print("  {:6} ours {:.2f} mm {:.2f} deg; scikit-learn {:.2f} mm {:.2f} deg: {:+.1f} %, {:+.1f} %\n",
+               name, kMillimetres * ours->distance, kDegrees * ours->angle, kMillimetres * theirs.distance,
                kDegrees * theirs.angle, 100.0 * (ours->distance / theirs.distance - 1.0),
                100.0 * (ours->angle / theirs.angle - 1.0));
   }
@@ -96,18 +98,22 @@ void raceSplits(const LearningData& data, const LearningStudyOptions& options) {
     study.correction = options.correction;
     const auto report = experiments::correctionStudy(target->states, study);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    fmt::print("\nTable I towards the {}, {} splits by trajectory, lag of {:.1f} ms taken off ({:.0f} s)\n", name,
-               options.splits, 1e3 * target->lag.lag, took.count());
-    fmt::print("{}\n{}\n", base::markdownOf(experiments::correctionTable(report.dirty, experiments::paperDirty(),
-                                                                         "Dirty, towards the " + name)),
+    fmt::print("\nTable I towards the {}, {} splits by trajectory, lag of {:.1f} ms taken off ({:.0f} s)\n",
+               name, options.splits, 1e3 * target->lag.lag, took.count());
+    fmt::print("{}\n{}\n",
+               base::markdownOf(experiments::correctionTable(report.dirty, experiments::paperDirty(),
+                                                             "Dirty, towards the " + name)),
                base::markdownOf(experiments::correctionTable(report.clean, experiments::paperClean(),
                                                              "Clean, towards the " + name)));
     tellCalibration(report);
     const std::filesystem::path folder = folderFor(options, "table_" + name);
     for (int split = 0; split < options.splits; ++split)
       writeSplit(folder / fmt::format("split_{:02}", split), target->as_told,
-                 heldOut(target->states, options.seed + static_cast<std::uint64_t>(split)), options);
-    fmt::print("Means of ‖Δt‖ and of the geodesic angle, beside a plain scikit-learn process on the same splits\n");
+                 experiments::heldOut(target->states, study.test_share,
+                                      options.seed + static_cast<std::uint64_t>(split)),
+                 options);
+    fmt::print(
+        "Means of ‖Δt‖ and of the geodesic angle, beside a plain scikit-learn process on the same splits\n");
     tellBeside(report, askSklearn(folder));
     std::fflush(stdout);
   }

@@ -10,7 +10,7 @@
 #include "core/diagnosis/report_tables.h"
 #include "core/diagnosis/shown.h"
 #include "widgets/panels/diagnosis/diagnosis_text.h"
-#include "widgets/panels/diagnosis/share_bar.h"
+#include "widgets/figures/share_bar.h"
 
 namespace capstan::widgets {
 

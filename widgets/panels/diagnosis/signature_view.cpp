@@ -11,7 +11,7 @@
 #include "core/diagnosis/shown.h"
 #include "widgets/figures/number_text.h"
 #include "widgets/panels/diagnosis/diagnosis_text.h"
-#include "widgets/panels/diagnosis/share_bar.h"
+#include "widgets/figures/share_bar.h"
 
 namespace capstan::widgets {
 

@@ -1,0 +1,157 @@
+// A correction of an error that is known, judged on trajectories it has not seen, and the more states the
+// better.
+#include "core/experiments/correction_trial.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "core/experiments/correction_study.h"
+#include "core/experiments/held_out.h"
+#include "core/experiments/learning_curve.h"
+#include "core/experiments/learning_stages.h"
+#include "core/learning/confidence_slice.h"
+#include "core/session/pose_table.h"
+#include "tests/support/sample_poses.h"
+
+namespace capstan::experiments {
+namespace {
+
+using learning::State;
+
+const std::vector<State>& states() {
+  static const std::vector<State> made =
+      learningStages(session::parsePoseTable(testing::samplePoseTable(), "poses.csv"), {}).states;
+  return made;
+}
+
+constexpr double kRounding = 1e-6;  ///< a search ends elsewhere when sums are rounded elsewhere [m, rad]
+
+learning::CorrectionOptions quick() {
+  learning::CorrectionOptions options;
+  options.likelihood_points = 250;
+  options.inducing_points = 250;
+  return options;
+}
+
+CorrectionTrialOptions quickTrial() {
+  CorrectionTrialOptions options;
+  options.correction = quick();
+  return options;
+}
+
+TEST(CorrectionTrial, HeldOutTrajectoriesAreBetterAtEachStep) {
+  const CorrectionTrial trial = correctionTrial(states(), quickTrial());
+  ASSERT_TRUE(trial.model);
+  EXPECT_EQ(trial.motions, 20U);
+  EXPECT_EQ(trial.motions_held, 4U);
+  EXPECT_EQ(trial.corrected.size(), states().size());
+  for (const State& state : trial.learned) EXPECT_FALSE(trial.held[state.motion]);
+  const double none = trial.clean[0].summed().median_distance,
+               offset = trial.clean[1].summed().median_distance,
+               corrected = trial.clean[2].summed().median_distance;
+  EXPECT_GT(none, 0.1);
+  EXPECT_LT(offset, 5e-3);
+  EXPECT_LT(corrected, 0.4 * offset);
+  EXPECT_GE(trial.dirty[2].apart.size(), trial.clean[2].apart.size());
+}
+
+TEST(CorrectionTrial, ErrorsAreThoseOfTheStudysLastMethod) {
+  const CorrectionTrial trial = correctionTrial(states(), quickTrial());
+  CorrectionStudyOptions options;
+  options.splits = 1;
+  options.correction = quick();
+  const CorrectionStudyReport study = correctionStudy(states(), options);
+  constexpr auto kAll = static_cast<std::size_t>(CorrectionMethod::kAll);
+  EXPECT_NEAR(study.clean[kAll].distance, trial.clean[2].summed().distance, kRounding);
+  EXPECT_NEAR(study.dirty[kAll].angle, trial.dirty[2].summed().angle, kRounding);
+}
+
+TEST(CorrectionTrial, NeedsTrajectoriesToHoldOut) {
+  std::vector<State> one = states();
+  std::erase_if(one, [](const State& state) { return state.motion > 0; });
+  EXPECT_THROW(correctionTrial(one, quickTrial()), base::InputError);
+}
+
+TEST(CorrectionTrial, StopsWithoutAModel) {
+  base::Progress progress;
+  progress.cancel();
+  const CorrectionTrial trial = correctionTrial(states(), quickTrial(), &progress);
+  EXPECT_TRUE(trial.cancelled);
+  EXPECT_FALSE(trial.model);
+  CorrectionStudyOptions study;
+  study.correction = quick();
+  EXPECT_TRUE(correctionStudy(states(), study, &progress).cancelled);
+}
+
+TEST(LearningCurve, FallsWithMoreStates) {
+  LearningCurveOptions options;
+  options.correction = quick();
+  options.shares = {0.025, 0.25, 1.0};
+  base::Progress progress;
+  const LearningCurve curve = learningCurve(states(), options, &progress);
+  ASSERT_EQ(curve.points.size(), 3U);
+  EXPECT_LT(curve.points[0].states, curve.points[1].states);
+  EXPECT_LT(curve.points[2].errors.distance, curve.points[0].errors.distance);
+  EXPECT_LT(curve.points[2].errors.distance, 0.4 * curve.offset.distance);
+  EXPECT_LT(curve.offset.distance, curve.none.distance);
+  EXPECT_EQ(curve.points[0].errors.states, curve.offset.states) << "all are judged on the same states";
+  EXPECT_EQ(curve.motions_held, 4U);
+}
+
+TEST(LearningCurve, OfAllStatesIsTheTrial) {
+  LearningCurveOptions options;
+  options.correction = quick();
+  options.shares = {1.0};
+  const LearningCurve curve = learningCurve(states(), options);
+  const CorrectionTrial trial = correctionTrial(states(), quickTrial());
+  EXPECT_EQ(curve.points[0].states, trial.learned.size());
+  EXPECT_NEAR(curve.points[0].errors.distance, trial.clean[2].summed().distance, kRounding);
+}
+
+TEST(LearningCurve, KeepsWhatWasDone) {
+  base::Progress progress;
+  progress.cancel();
+  const LearningCurve curve = learningCurve(states(), {}, &progress);
+  EXPECT_TRUE(curve.cancelled);
+  EXPECT_TRUE(curve.points.empty());
+}
+
+TEST(HeldOut, SplitsByTrajectoryAndBySeed) {
+  const std::vector<bool> held = heldOut(states(), 0.2, 1);
+  EXPECT_EQ(std::count(held.begin(), held.end(), true), 4);
+  EXPECT_EQ(held, heldOut(states(), 0.2, 1));
+  EXPECT_NE(held, heldOut(states(), 0.2, 2));
+  const SplitStates split = splitStates(states(), held);
+  EXPECT_EQ(split.train.size() + split.test.size(), states().size());
+  for (const State& state : split.test) EXPECT_TRUE(held[state.motion]);
+}
+
+TEST(ConfidenceSlice, IsSureWhereItWasTaughtAndNowhereFarFromIt) {
+  const CorrectionTrial trial = correctionTrial(states(), quickTrial());
+  learning::SliceOptions options;
+  options.cells = 17;
+  options.margin = 0.06;
+  for (int axis = 0; axis < 3; ++axis) {
+    options.axis = axis;
+    const learning::ConfidenceSlice slice = confidenceSlice(*trial.model, trial.learned, options);
+    ASSERT_EQ(std::max(slice.confidence.rows(), slice.confidence.cols()), 17);
+    EXPECT_GT(slice.confidence.maxCoeff(), 0.6) << axis;
+    EXPECT_LT(slice.confidence(0, 0), 0.05) << "a corner, six centimetres away";
+    EXPECT_NE(slice.right, axis);
+    EXPECT_NE(slice.up, axis);
+    for (const Eigen::Vector2d& at : slice.learned)
+      EXPECT_TRUE((at.array() > slice.low.array()).all() && (at.array() < slice.high.array()).all());
+  }
+}
+
+TEST(ConfidenceSlice, SaysOfManyWhatCorrectSaysOfOne) {
+  const CorrectionTrial trial = correctionTrial(states(), quickTrial());
+  const std::vector<State> some(trial.learned.begin(), trial.learned.begin() + 5);
+  const Eigen::VectorXd many = trial.model->confidence(some);
+  for (std::size_t k = 0; k < some.size(); ++k)
+    EXPECT_NEAR(many[static_cast<Eigen::Index>(k)],
+                trial.model->correct(some[k].pair.seen, some[k].velocity).confidence, 1e-9);
+}
+
+}  // namespace
+}  // namespace capstan::experiments

@@ -1,0 +1,102 @@
+#include "tests/support/sample_poses.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/base/random.h"
+#include "core/base/yaml.h"
+
+namespace capstan::testing {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kPeriod = 0.01;  ///< [s]
+
+Eigen::Isometry3d poseOf(const Vector3d& position, const Vector3d& turn) {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  if (turn.norm() > 0.0) pose.linear() = Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
+  pose.translation() = position;
+  return pose;
+}
+
+/// One trajectory in the frame of the cameras: some centimetres at some centimetres a second.
+struct Path {
+  Vector3d middle, reach, phase, rate, turn;
+
+  explicit Path(base::Random& random) {
+    for (int i = 0; i < 3; ++i) {
+      middle[i] = random.uniform(-0.03, 0.03);
+      reach[i] = random.uniform(0.008, 0.02);
+      phase[i] = random.uniform(0.0, 6.28);
+      rate[i] = random.uniform(2.0, 4.0);
+      turn[i] = random.uniform(-0.15, 0.15);
+    }
+  }
+  Eigen::Isometry3d seen(double t) const {
+    const Vector3d swing = (rate * t + phase).array().sin();
+    return poseOf(middle + reach.cwiseProduct(swing), turn + 0.2 * swing);
+  }
+  Vector3d velocity(double t) const {
+    return reach.array() * rate.array() * (rate * t + phase).array().cos();
+  }
+  /// What has to be told for seen(t): the offset, millimetres by place, degrees by speed.
+  Eigen::Isometry3d told(double t, double bias) const {
+    const Eigen::Isometry3d at = seen(t);
+    Eigen::Isometry3d told =
+        sampleOffset() * at * poseOf(Vector3d::Zero(), 0.7 * velocity(t).x() * Vector3d::UnitX());
+    told.translation() +=
+        bias * Vector3d(std::sin(40.0 * at.translation().x()), std::cos(30.0 * at.translation().y()), 0.0);
+    return told;
+  }
+};
+
+std::string cells(const Eigen::Isometry3d& pose) {
+  const Eigen::Quaterniond q(pose.linear());
+  const Vector3d p = pose.translation();
+  return fmt::format(",{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}", p.x(), p.y(), p.z(), q.x(), q.y(),
+                     q.z(), q.w());
+}
+
+constexpr const char* kNoSight = ",0,0,0,0,0,0,1";
+
+}  // namespace
+
+Eigen::Isometry3d sampleOffset() { return poseOf({0.02, 0.01, -0.12}, {0.2, 0.0, 0.4}); }
+
+std::string samplePoseTable(const SamplePoses& sample) {
+  base::Random random(sample.seed, "sample poses");
+  std::string table = "task,traj";
+  for (const char* name : {"cam", "robot", "cmd"}) {
+    if (!sample.command && std::string(name) == "cmd") continue;
+    table += fmt::format(",t_{0}_s,{0}_x,{0}_y,{0}_z,{0}_qx,{0}_qy,{0}_qz,{0}_qw", name);
+  }
+  table += '\n';
+  for (int m = 0; m < sample.trajectories; ++m) {
+    const Path path(random);
+    const bool all = sample.outliers > 0 && m + 1 == sample.trajectories;
+    for (int row = 0; row < sample.rows; ++row) {
+      const double t = 5.0 * m + kPeriod * row, within = kPeriod * row;
+      const Vector3d noise(random.normal(), random.normal(), random.normal());
+      Eigen::Isometry3d seen = path.seen(within);
+      seen.translation() += sample.noise * noise;
+      if (all || (row >= 20 && row < 20 + sample.outliers)) seen.translation().x() += 0.06;
+      const bool sight = row < 40 || row >= 40 + sample.placeholders;
+      table += fmt::format("{},{},{:.6f}", m / 10, m % 10, t) + (sight ? cells(seen) : kNoSight);
+      const Eigen::Isometry3d told = path.told(within + sample.lag, sample.bias);
+      Eigen::Isometry3d believed = told;
+      believed.translation().z() += 1e-3;
+      table += fmt::format(",{:.6f}", t) + cells(believed);
+      if (sample.command) table += fmt::format(",{:.6f}", t) + cells(told);
+      table += '\n';
+    }
+  }
+  return table;
+}
+
+void writeSamplePoses(const std::filesystem::path& path, const SamplePoses& sample) {
+  base::writeTextFile(path, samplePoseTable(sample));
+}
+
+}  // namespace capstan::testing

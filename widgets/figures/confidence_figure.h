@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/learning/confidence_slice.h"
+#include "widgets/figures/panel_figure.h"
+
+namespace capstan::widgets {
+
+struct ConfidenceData {
+  QString title = {}, note = {};
+  learning::ConfidenceSlice slice = {};
+};
+
+/// How sure a correction is over a plane of the workspace, 0 to 1, with the positions near the plane that it
+/// was learned from. Both axes have one scale.
+class ConfidenceFigure : public PanelFigure {
+  Q_OBJECT
+ public:
+  explicit ConfidenceFigure(ConfidenceData data, QWidget* parent = nullptr);
+
+  std::unique_ptr<Figure> copy() const override;
+  std::vector<FigureNumbers> numbers() const override;
+  const ConfidenceData& data() const { return data_; }
+
+ protected:
+  int columnsFor(QSize) const override { return 1; }
+  void restyle() override;
+  void laidOut() override;
+
+ private:
+  ConfidenceData data_;
+  QCPColorMap* map_;
+  QCPGraph* learned_;
+};
+
+}  // namespace capstan::widgets

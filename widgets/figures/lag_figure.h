@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/learning/states.h"
+#include "widgets/figures/panel_figure.h"
+#include "widgets/figures/sigma_band.h"
+
+namespace capstan::widgets {
+
+struct LagData {
+  QString title = {}, note = {};
+  learning::LagReport lag = {};
+};
+
+/// How badly the speeds of two streams agree against the lag between their clocks: the lag where they agree
+/// best as a line, ± 2 σ as a band.
+class LagFigure : public PanelFigure {
+  Q_OBJECT
+ public:
+  explicit LagFigure(LagData data, QWidget* parent = nullptr);
+
+  std::unique_ptr<Figure> copy() const override;
+  std::vector<FigureNumbers> numbers() const override;
+  const LagData& data() const { return data_; }
+
+ protected:
+  int columnsFor(QSize) const override { return 1; }
+  void restyle() override;
+
+ private:
+  LagData data_;
+  QCPGraph* misfit_;
+  QCPItemLine* lag_;
+  SigmaBand* sigma_;
+};
+
+}  // namespace capstan::widgets

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "core/experiments/learning_curve.h"
+#include "widgets/figures/panel_figure.h"
+
+namespace capstan::widgets {
+
+struct LearningCurveData {
+  QString title = {}, note = {};
+  experiments::LearningCurve curve = {};
+};
+
+/// Error on trajectories held out against the number of states learned from (GPR paper, figure 5): distance
+/// and angle, mean and median, beside what the rigid offset alone leaves.
+class LearningCurveFigure : public PanelFigure {
+  Q_OBJECT
+ public:
+  explicit LearningCurveFigure(LearningCurveData data, QWidget* parent = nullptr);
+
+  std::unique_ptr<Figure> copy() const override;
+  std::vector<FigureNumbers> numbers() const override;
+  const LearningCurveData& data() const { return data_; }
+
+ protected:
+  int columnsFor(QSize size) const override;
+  void restyle() override;
+
+ private:
+  struct Curves {
+    QCPGraph *mean, *median, *offset;
+  };
+  void build(bool angle);
+
+  LearningCurveData data_;
+  std::vector<Curves> curves_;
+};
+
+}  // namespace capstan::widgets

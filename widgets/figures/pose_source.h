@@ -1,0 +1,15 @@
+#pragma once
+
+#include "widgets/figures/theme.h"
+
+/// Poses and errors of a correction, in the colours of what they speak of: what was told is what a correction
+/// is to reach, what cameras saw the camera's, the rigid offset the first estimate, the correction the last.
+namespace capstan::widgets {
+
+enum class PoseSource { kTold, kSeen, kOffset, kCorrected };
+
+/// "told", "as seen", "rigid offset", "corrected"
+QString nameOf(PoseSource source);
+Quantity quantityOf(PoseSource source);
+
+}  // namespace capstan::widgets

@@ -1,0 +1,125 @@
+#include "widgets/figures/pose_trace_figure.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/experiments/correction_errors.h"
+#include "widgets/figures/figure_text.h"
+#include "widgets/figures/legend_entries.h"
+
+namespace capstan::widgets {
+
+namespace {
+
+constexpr int kLeastPanelWidth = 280;                              ///< [px] of panels side by side
+constexpr std::array<std::size_t, 6> kOrder = {0, 3, 1, 4, 2, 5};  ///< positions left, angles right
+
+/// Sights whose courses are not drawn: those rejected, unless all are.
+std::vector<bool> leftOut(const PoseTraceData& data) {
+  const bool all = std::find(data.rejected.begin(), data.rejected.end(), false) == data.rejected.end();
+  return all ? std::vector<bool>(data.rejected.size(), false) : data.rejected;
+}
+
+/// A sight that jumps away is at the edge of the picture, and does not make the rest of it small.
+QCPRange rangeOf(const PoseTraceData& data, const std::vector<bool>& left_out, std::size_t degree) {
+  QCPRange range;
+  bool first = true;
+  for (const auto& course : data.course)
+    for (std::size_t k = 0; k < course[degree].size(); ++k) {
+      if (left_out[k] && &course != &data.course.front()) continue;
+      if (first) range = {course[degree][k], course[degree][k]};
+      range.expand(course[degree][k]);
+      first = false;
+    }
+  const double margin = std::max(0.08 * range.size(), 0.5);
+  return {range.lower - margin, range.upper + margin};
+}
+
+}  // namespace
+
+PoseTraceFigure::PoseTraceFigure(PoseTraceData data, QWidget* parent)
+    : PanelFigure(parent), data_(std::move(data)) {
+  setTitle(data_.title, data_.note);
+  for (const std::size_t degree : kOrder) build(degree);
+  fit();
+}
+
+std::unique_ptr<Figure> PoseTraceFigure::copy() const { return std::make_unique<PoseTraceFigure>(data_); }
+
+void PoseTraceFigure::build(std::size_t degree) {
+  const QString name = QString::fromUtf8(experiments::kDegreesOfFreedom[degree]);
+  const QString unit = degree < 3 ? tr("mm") : tr("deg");
+  const Panel& panel = addPanel({{QStringLiteral("%1 [%2]").arg(name, unit), true}}, tr("time [s]"), {});
+  QCPAxis* x = panel.axes->axis(QCPAxis::atBottom);
+  QCPAxis* y = panel.axes->axis(QCPAxis::atLeft);
+  panel.empty->setVisible(data_.t.empty());
+  if (!data_.t.empty()) x->setRange(data_.t.front(), data_.t.back());
+  const std::vector<bool> left_out = leftOut(data_);
+  const QCPRange range = rangeOf(data_, left_out, degree);
+  y->setRange(range);
+  Curves curves{};
+  const QVector<double> t(data_.t.begin(), data_.t.end());
+  // The last estimate below, what it is to reach on top: each stays visible where they coincide.
+  for (const std::size_t s : {std::size_t{1}, std::size_t{2}, std::size_t{0}}) {
+    curves.course[s] = addGraph(x, y);
+    curves.course[s]->setAdaptiveSampling(false);
+    QVector<double> course(data_.course[s][degree].begin(), data_.course[s][degree].end());
+    for (int k = 0; s > 0 && k < course.size(); ++k)
+      if (left_out[static_cast<std::size_t>(k)]) course[k] = std::numeric_limits<double>::quiet_NaN();
+    if (!course.isEmpty()) curves.course[s]->setData(t, course, true);
+  }
+  curves.rejected = addGraph(x, y);
+  curves.rejected->setLineStyle(QCPGraph::lsNone);
+  QVector<double> when, where;
+  for (std::size_t k = 0; k < data_.t.size(); ++k)
+    if (data_.rejected[k] && !data_.course[1][degree].empty())
+      when << data_.t[k], where << std::clamp(data_.course[1][degree][k], range.lower, range.upper);
+  curves.rejected->setData(when, where, true);
+  curves_.push_back(curves);
+}
+
+int PoseTraceFigure::columnsFor(QSize size) const { return size.width() >= 2 * kLeastPanelWidth ? 2 : 1; }
+
+QPen PoseTraceFigure::penOf(PoseSource source) const {
+  QPen pen = theme().pen(quantityOf(source));
+  pen.setWidthF(scale().line * (source == PoseSource::kTold     ? 0.9
+                                : source == PoseSource::kOffset ? 1.3
+                                                                : 2.4));
+  return pen;
+}
+
+void PoseTraceFigure::restyle() {
+  const QCPScatterStyle mark(QCPScatterStyle::ssCross, QPen(theme().warning, 1.4 * scale().line), Qt::NoBrush,
+                             5.5 * scale().line);
+  std::vector<LegendEntry> entries;
+  for (std::size_t s = 0; s < kSources.size(); ++s) {
+    for (const Curves& curves : curves_) curves.course[s]->setPen(penOf(kSources[s]));
+    if (!data_.course[s][0].empty()) entries.push_back(lineEntry(nameOf(kSources[s]), penOf(kSources[s])));
+  }
+  for (const Curves& curves : curves_) curves.rejected->setScatterStyle(mark);
+  if (std::find(data_.rejected.begin(), data_.rejected.end(), true) != data_.rejected.end())
+    entries.push_back(markEntry(tr("rejected"), mark));
+  setLegend(std::move(entries));
+}
+
+std::vector<FigureNumbers> PoseTraceFigure::numbers() const {
+  std::string rows = "t [s],rejected";
+  for (std::size_t s = 0; s < kSources.size(); ++s)
+    for (std::size_t d = 0; d < 6; ++d)
+      if (!data_.course[s][d].empty())
+        rows += "," +
+                csvText(nameOf(kSources[s]) + QLatin1Char(' ') +
+                        QString::fromUtf8(experiments::kDegreesOfFreedom[d])) +
+                (d < 3 ? " [mm]" : " [deg]");
+  rows += '\n';
+  for (std::size_t k = 0; k < data_.t.size(); ++k) {
+    rows += csvNumber(data_.t[k]) + (data_.rejected[k] ? ",1" : ",0");
+    for (const auto& course : data_.course)
+      for (const std::vector<double>& values : course)
+        if (!values.empty()) rows += "," + csvNumber(values[k]);
+    rows += '\n';
+  }
+  return {{"", rows}};
+}
+
+}  // namespace capstan::widgets

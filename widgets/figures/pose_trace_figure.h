@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "widgets/figures/panel_figure.h"
+#include "widgets/figures/pose_source.h"
+
+namespace capstan::widgets {
+
+/// One trajectory; positions in mm, angles in degrees, each angle without jumps.
+struct PoseTraceData {
+  QString title = {}, note = {};
+  std::vector<double> t = {};       ///< [s]
+  std::vector<bool> rejected = {};  ///< by sight
+  /// [source of kTold, kOffset, kCorrected][x, y, z, yaw, pitch, roll]; empty: there is none
+  std::array<std::array<std::vector<double>, 6>, 3> course = {};
+};
+
+/// A trajectory over time, as it was told, as it was seen with the rigid offset, and corrected (GPR paper,
+/// figure 4); sights that were left out are marked in the colour of warnings.
+class PoseTraceFigure : public PanelFigure {
+  Q_OBJECT
+ public:
+  static constexpr std::array kSources = {PoseSource::kTold, PoseSource::kOffset, PoseSource::kCorrected};
+
+  explicit PoseTraceFigure(PoseTraceData data, QWidget* parent = nullptr);
+
+  std::unique_ptr<Figure> copy() const override;
+  std::vector<FigureNumbers> numbers() const override;
+  const PoseTraceData& data() const { return data_; }
+
+ protected:
+  int columnsFor(QSize size) const override;
+  bool sharesX() const override { return true; }
+  void restyle() override;
+
+ private:
+  struct Curves {
+    std::array<QCPGraph*, 3> course;
+    QCPGraph* rejected;
+  };
+  void build(std::size_t degree);
+  QPen penOf(PoseSource source) const;
+
+  PoseTraceData data_;
+  std::vector<Curves> curves_;
+};
+
+}  // namespace capstan::widgets

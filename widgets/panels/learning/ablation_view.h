@@ -1,0 +1,48 @@
+#pragma once
+
+#include "widgets/panels/learning/learning_view.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QSpinBox;
+class QTreeWidget;
+
+namespace capstan::widgets {
+
+/// Table I of the GPR paper: what each part of the method is worth, over random splits by trajectory, the
+/// paper's numbers below ours.
+class AblationView : public LearningView {
+  Q_OBJECT
+
+ public:
+  explicit AblationView(QWidget* parent = nullptr);
+
+  void setTheme(const Theme& theme) override;
+  void showResults(const LearningResults& results) override;
+  /// `ready`: there are states to run on, and nothing is under way.
+  void setReady(bool ready);
+  int splits() const;
+  void setSplits(int splits);
+  /// "offset, GP | ours | 1.21 ± 0.98 | …", line by line.
+  QStringList lines() const;
+
+ signals:
+  void runRequested();
+
+ private:
+  void fill();
+  void addMethod(experiments::CorrectionMethod method, bool clean);
+
+  Theme theme_ = Theme::dark();
+  std::shared_ptr<const experiments::CorrectionStudyReport> study_;
+  int of_splits_ = 0;
+  QString pitch_;  ///< what there is to say of yaw and roll
+  QSpinBox* splits_;
+  QPushButton* run_;
+  QComboBox* which_;
+  QLabel* words_;
+  QTreeWidget* table_;
+};
+
+}  // namespace capstan::widgets

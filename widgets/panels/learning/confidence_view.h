@@ -1,0 +1,47 @@
+#pragma once
+
+#include <QTimer>
+
+#include "core/learning/confidence_slice.h"
+#include "widgets/jobs/job.h"
+#include "widgets/panels/learning/learning_view.h"
+
+class QComboBox;
+class QLabel;
+class QSlider;
+
+namespace capstan::widgets {
+
+class FigureSheet;
+
+/// How sure the correction is over a plane of the workspace; axis and depth are chosen, Alt+A takes the next
+/// axis. Computed in the background as soon as there is a correction.
+class ConfidenceView : public LearningView {
+  Q_OBJECT
+
+ public:
+  explicit ConfidenceView(QWidget* parent = nullptr);
+
+  void setTheme(const Theme& theme) override;
+  void showResults(const LearningResults& results) override;
+  QComboBox& axis() { return *axis_; }
+  QSlider& depth() { return *depth_; }
+  FigureSheet& sheet() { return *sheet_; }
+  /// What is shown; null: nothing yet.
+  const learning::ConfidenceSlice* slice() const;
+
+ private:
+  void ask();
+  void compute();
+
+  std::shared_ptr<const experiments::CorrectionTrial> trial_;
+  bool stale_ = false;  ///< what is shown is not what is chosen
+  QComboBox* axis_;
+  QSlider* depth_;
+  QLabel* words_;
+  FigureSheet* sheet_;
+  QTimer soon_;  ///< a slider that is being moved is waited for
+  Job job_;      ///< last: ends before what it reports to
+};
+
+}  // namespace capstan::widgets

@@ -1,0 +1,70 @@
+#include "widgets/panels/learning/errors_view.h"
+
+#include <QBoxLayout>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QShortcut>
+
+#include "widgets/panels/learning/figure_sheet.h"
+#include "widgets/panels/learning/learning_figures.h"
+
+namespace capstan::widgets {
+
+ErrorsView::ErrorsView(QWidget* parent) : LearningView(parent) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 6, 0, 0);
+  column->setSpacing(4);
+  auto* row = new QHBoxLayout;
+  words_ = new QLabel;
+  words_->setWordWrap(true);
+  words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  words_->setAccessibleName(tr("errors in words"));
+  which_ = new QComboBox;
+  which_->setObjectName("error_states");
+  which_->addItem(tr("states that cleaning keeps"));
+  which_->addItem(tr("all states held out"));
+  which_->setToolTip(tr("Whether sights that are wrong themselves count"));
+  seen_ = new QCheckBox(tr("as seen"));
+  seen_->setObjectName("error_seen");
+  seen_->setChecked(true);
+  seen_->setToolTip(
+      tr("Whether errors without any correction are shown, which make the others small (Alt+S)"));
+  row->addWidget(words_, 1);
+  row->addWidget(seen_, 0, Qt::AlignTop);
+  row->addWidget(which_, 0, Qt::AlignTop);
+  column->addLayout(row);
+  column->addWidget(sheet_ = new FigureSheet, 1);
+  sheet_->setEmptyWords(
+      tr("Errors on trajectories that nothing is learned from, once a correction is "
+         "trained: press Train (F5)"));
+  connect(which_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &ErrorsView::draw);
+  connect(seen_, &QCheckBox::toggled, this, &ErrorsView::draw);
+  connect(new QShortcut(QKeySequence(QStringLiteral("Alt+S")), this), &QShortcut::activated, seen_,
+          &QCheckBox::toggle);
+  which_->setVisible(false);
+  seen_->setVisible(false);
+}
+
+void ErrorsView::setTheme(const Theme& theme) { sheet_->setTheme(theme); }
+
+void ErrorsView::showResults(const LearningResults& results) {
+  if (trial_ == results.trial) return;
+  trial_ = results.trial;
+  draw();
+}
+
+void ErrorsView::draw() {
+  which_->setVisible(trial_ != nullptr);
+  seen_->setVisible(trial_ != nullptr);
+  words_->clear();
+  if (!trial_) return sheet_->setFigure(nullptr);
+  const bool clean = which_->currentIndex() == 0;
+  if (!clean)
+    words_->setText(tr("Medians, as seen → rigid offset → corrected: %1.").arg(errorWords(*trial_, clean)));
+  sheet_->setFigure(std::make_unique<BoxplotFigure>(errorData(*trial_, clean, seen_->isChecked())));
+}
+
+QString ErrorsView::words() const { return words_->text(); }
+
+}  // namespace capstan::widgets

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "widgets/panels/learning/learning_view.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+
+namespace capstan::widgets {
+
+class FigureSheet;
+
+/// Errors of each degree of freedom on trajectories held out: as seen, with the rigid offset, corrected.
+class ErrorsView : public LearningView {
+  Q_OBJECT
+
+ public:
+  explicit ErrorsView(QWidget* parent = nullptr);
+
+  void setTheme(const Theme& theme) override;
+  void showResults(const LearningResults& results) override;
+  FigureSheet& sheet() { return *sheet_; }
+  QString words() const;
+
+ private:
+  void draw();
+
+  std::shared_ptr<const experiments::CorrectionTrial> trial_;
+  QLabel* words_;
+  QCheckBox* seen_;
+  QComboBox* which_;
+  FigureSheet* sheet_;
+};
+
+}  // namespace capstan::widgets

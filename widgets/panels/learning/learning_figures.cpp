@@ -1,0 +1,153 @@
+#include "widgets/panels/learning/learning_figures.h"
+
+#include <QLocale>
+#include <QObject>
+#include <cmath>
+
+#include "core/base/units.h"
+#include "core/learning/pose_features.h"
+#include "core/stats/quantile.h"
+#include "widgets/figures/figure_text.h"
+
+namespace capstan::widgets {
+
+using namespace experiments;
+using learning::Reason;
+using learning::State;
+
+namespace {
+
+constexpr std::array kSteps = {PoseSource::kSeen, PoseSource::kOffset, PoseSource::kCorrected};
+
+const StepErrors& errorsOf(const CorrectionTrial& trial, bool clean) {
+  return clean ? trial.clean : trial.dirty;
+}
+
+/// One value a state, in units for people.
+template <class Take>
+BoxplotPanel errorPanel(const QString& title, bool angle, const StepErrors& errors, bool seen,
+                        const Take& take) {
+  BoxplotPanel panel{title, angle ? QObject::tr("deg") : QObject::tr("mm"), QObject::tr("held out"), {}};
+  BoxplotGroup group{QObject::tr("states"), {}};
+  for (std::size_t s = seen ? 0 : 1; s < kSteps.size(); ++s) {
+    std::vector<double> values = take(errors[s]);
+    for (double& value : values) value = angle ? base::toDegrees(value) : base::toMillimetres(value);
+    group.boxes.push_back({{quantityOf(kSteps[s]), 0, {}, nameOf(kSteps[s])}, boxplotOf(values)});
+  }
+  panel.groups.push_back(std::move(group));
+  return panel;
+}
+
+/// The three angles beside `before`, without a jump [deg].
+Eigen::Vector3d anglesBeside(const Eigen::Isometry3d& pose, const Eigen::Vector3d& before) {
+  const Eigen::Vector3d now = learning::yawPitchRoll(pose.linear()).unaryExpr(&base::toDegrees);
+  return before + (now - before).unaryExpr([](double apart) { return std::remainder(apart, 360.0); });
+}
+
+void append(std::array<std::vector<double>, 6>& course, const Eigen::Isometry3d& pose,
+            const Eigen::Vector3d& angles) {
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    course[static_cast<std::size_t>(k)].push_back(base::toMillimetres(pose.translation()[k]));
+    course[static_cast<std::size_t>(k) + 3].push_back(angles[k]);
+  }
+}
+
+}  // namespace
+
+QString pitchWords(const std::vector<State>& states) {
+  constexpr double kSteep = 75.0;  // [deg]
+  std::vector<double> pitch;
+  for (const State& state : states)
+    pitch.push_back(std::abs(base::toDegrees(learning::yawPitchRoll(state.pair.told.linear())[1])));
+  if (!(stats::median(pitch) > kSteep)) return {};
+  return QObject::tr("the pitch is near 90°, where yaw and roll are hardly two: go by the angle");
+}
+
+QString countText(std::size_t count) { return QLocale(QLocale::English).toString(qulonglong(count)); }
+
+LagData lagData(const LearningStages& stages) {
+  return {QObject::tr("Lag of what cameras saw behind the %1").arg(nameOf(stages.told)), {}, stages.lag};
+}
+
+BoxplotData errorData(const CorrectionTrial& trial, bool clean, bool seen) {
+  const StepErrors& errors = errorsOf(trial, clean);
+  BoxplotData data;
+  data.title = QObject::tr("Errors on %1 of %2 trajectories, held out of training")
+                   .arg(trial.motions_held)
+                   .arg(trial.motions);
+  data.note = clean ? QObject::tr("states that cleaning keeps") : QObject::tr("all states");
+  if (const QString pitch = pitchWords(trial.learned); !pitch.isEmpty())
+    data.note += QStringLiteral("; ") + pitch;
+  data.quantity = QObject::tr("|error|");
+  data.most_columns = 4;
+  data.panels.push_back(errorPanel(QObject::tr("distance"), false, errors, seen,
+                                   [](const PoseErrors& e) { return e.distance; }));
+  for (Eigen::Index k = 0; k < 6; ++k) {
+    if (k == 3)
+      data.panels.push_back(
+          errorPanel(QObject::tr("angle"), true, errors, seen, [](const PoseErrors& e) { return e.angle; }));
+    data.panels.push_back(errorPanel(QString::fromUtf8(kDegreesOfFreedom[static_cast<std::size_t>(k)]),
+                                     k >= 3, errors, seen, [k](const PoseErrors& e) { return e.along(k); }));
+  }
+  return data;
+}
+
+QString medianWords(const CorrectionTrial& trial, bool clean, bool angle) {
+  QStringList parts;
+  for (const PoseErrors& step : errorsOf(trial, clean)) {
+    const CorrectionErrors sums = step.summed();
+    parts << (angle ? QString::number(base::toDegrees(sums.median_angle), 'f', 1)
+                    : QString::number(base::toMillimetres(sums.median_distance), 'f', 1));
+  }
+  return parts.join(QStringLiteral(" → "));
+}
+
+QString errorWords(const CorrectionTrial& trial, bool clean) {
+  return QObject::tr("position\u00a0%1, angle\u00a0%2")
+      .arg(unbroken(medianWords(trial, clean, false) + QStringLiteral(" mm")),
+           unbroken(medianWords(trial, clean, true) + QStringLiteral("°")));
+}
+
+LearningCurveData curveData(const LearningCurve& curve) {
+  return {QObject::tr("Error against the number of states learned from"),
+          QObject::tr("%1 states of %2 trajectories held out, those that cleaning keeps")
+              .arg(countText(curve.offset.states))
+              .arg(curve.motions_held),
+          curve};
+}
+
+PoseTraceData traceData(const LearningStages& stages, const CorrectionTrial* trial, std::size_t which) {
+  const TrajectoryStates& motion = stages.motions[which];
+  PoseTraceData data;
+  data.title = QString::fromStdString(stages.screen.motions[motion.motion].name);
+  data.note =
+      QObject::tr("%1 states, %2 rejected").arg(countText(motion.states()), countText(motion.rejected));
+  if (trial)
+    data.note +=
+        trial->held[motion.motion] ? QObject::tr("; held out of training") : QObject::tr("; learned from");
+  const Eigen::Isometry3d offset = trial && trial->model ? trial->model->offset() : stages.offset;
+  Eigen::Vector3d angles = Eigen::Vector3d::Zero();
+  for (std::size_t k = motion.begin; k < motion.end; ++k) {
+    const State& state = stages.states[k];
+    if (k == motion.begin)
+      angles = learning::yawPitchRoll(state.pair.told.linear()).unaryExpr(&base::toDegrees);
+    angles = anglesBeside(state.pair.told, angles);
+    const Eigen::Isometry3d moved = offset * state.pair.seen;
+    data.t.push_back(state.t - stages.states[motion.begin].t);
+    data.rejected.push_back(stages.cleaning.reason[k] != Reason::kNone);
+    append(data.course[0], state.pair.told, angles);
+    append(data.course[1], moved, anglesBeside(moved, angles));
+    if (trial && !trial->corrected.empty())
+      append(data.course[2], trial->corrected[k], anglesBeside(trial->corrected[k], angles));
+  }
+  return data;
+}
+
+ConfidenceData confidenceData(const learning::ConfidenceSlice& slice) {
+  return {QObject::tr("Confidence of the correction, %1 = %2 mm")
+              .arg(QLatin1Char("xyz"[slice.axis]))
+              .arg(withMinus(QString::number(base::toMillimetres(slice.at), 'f', 1))),
+          QObject::tr("at rest, in the middle of the orientations learned"), slice};
+}
+
+}  // namespace capstan::widgets

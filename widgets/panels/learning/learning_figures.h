@@ -1,0 +1,32 @@
+#pragma once
+
+#include "widgets/figures/boxplot_figure.h"
+#include "widgets/figures/confidence_figure.h"
+#include "widgets/figures/lag_figure.h"
+#include "widgets/figures/learning_curve_figure.h"
+#include "widgets/figures/pose_trace_figure.h"
+#include "widgets/panels/learning/learning_work.h"
+
+/// What the figures of the learning panel show, on screen and on paper.
+namespace capstan::widgets {
+
+LagData lagData(const experiments::LearningStages& stages);
+/// Errors of held-out states as seen (where `seen`), with the offset, corrected; `clean`: of those that
+/// cleaning keeps.
+BoxplotData errorData(const experiments::CorrectionTrial& trial, bool clean, bool seen = true);
+LearningCurveData curveData(const experiments::LearningCurve& curve);
+/// Trajectory `which` of stages.motions; corrected where there is a trial.
+PoseTraceData traceData(const experiments::LearningStages& stages, const experiments::CorrectionTrial* trial,
+                        std::size_t which);
+ConfidenceData confidenceData(const learning::ConfidenceSlice& slice);
+
+/// Medians "26.1 → 6.2 → 1.9" as seen, with the offset, corrected: distances [mm], or angles [deg].
+QString medianWords(const experiments::CorrectionTrial& trial, bool clean, bool angle);
+/// "position 26.1 → 6.2 → 1.9 mm, angle 93.1 → 8.4 → 2.8°", medians.
+QString errorWords(const experiments::CorrectionTrial& trial, bool clean);
+/// Where the robot points so that yaw and roll turn about nearly the same axis: says so; else empty.
+QString pitchWords(const std::vector<learning::State>& states);
+/// "12,345"
+QString countText(std::size_t count);
+
+}  // namespace capstan::widgets

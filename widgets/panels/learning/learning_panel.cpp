@@ -1,0 +1,384 @@
+#include "widgets/panels/learning/learning_panel.h"
+
+#include <QBoxLayout>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSettings>
+#include <QShortcut>
+
+#include "core/base/error.h"
+#include "core/base/units.h"
+#include "widgets/panels/learning/ablation_view.h"
+#include "widgets/panels/learning/clouds_view.h"
+#include "widgets/panels/learning/confidence_view.h"
+#include "widgets/panels/learning/curve_view.h"
+#include "widgets/panels/learning/learning_figures.h"
+#include "widgets/panels/learning/learning_pages.h"
+#include "widgets/panels/learning/table_picker.h"
+#include "widgets/panels/learning/trajectory_view.h"
+#include "widgets/scene/cloud_view.h"
+#include "widgets/scene/scene_view.h"
+
+namespace capstan::widgets {
+
+using namespace experiments;
+
+LearningPanel::LearningPanel(LearningSettings settings, QWidget* parent)
+    : QWidget(parent), settings_(std::move(settings)) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(10, 6, 10, 6);
+  column->setSpacing(5);
+  addHead(column);
+  column->addWidget(pages_ = new LearningPages, 1);
+  column->addWidget(rest_ = new QWidget, 1);
+  addFoot(column);
+  addKeys();
+  connect(picker_, &TablePicker::changed, this, &LearningPanel::read);
+  connect(&pages_->ablation(), &AblationView::runRequested, this, &LearningPanel::runAblation);
+  connect(&pages_->curve(), &CurveView::runRequested, this, &LearningPanel::runCurve);
+  connect(&job_, &Job::failed, this, [this](const QString& why) { failed_ = why; });
+  connect(&job_, &Job::ended, this, &LearningPanel::onEnded);
+  connect(&job_, &Job::progressed, this, &LearningPanel::onProgress);
+  connect(&export_, &LearningExport::progressed, this, &LearningPanel::onProgress);
+  connect(&export_, &LearningExport::ended, this, [this](bool written, const QString& words) {
+    said_ = words;
+    if (written) Q_EMIT exported(export_.folder());
+    refresh();
+  });
+  setTheme(theme_);
+  refresh();
+}
+
+LearningPanel::~LearningPanel() = default;
+
+QPushButton* LearningPanel::button(const QString& name, const QString& words, const QString& tip,
+                                   void (LearningPanel::*pressed)()) {
+  auto* made = new QPushButton(words);
+  made->setObjectName(name);
+  made->setToolTip(tip);
+  made->setStyleSheet("padding: 4px 8px;");
+  connect(made, &QPushButton::clicked, this, pressed);
+  return made;
+}
+
+void LearningPanel::addHead(QBoxLayout* column) {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(8);
+  row->addWidget(picker_ = new TablePicker, 1);
+  train_ = button("train", tr("Train"), QString(), &LearningPanel::trainOrCancel);
+  train_->setProperty("primary", true);
+  row->addWidget(train_);
+  column->addLayout(row);
+  headline_ = new QLabel;
+  headline_->setObjectName("headline");
+  headline_->setFont(textFont(14.0, true));
+  headline_->setAccessibleName(tr("result of learning"));
+  summary_ = new QLabel;
+  for (QLabel* label : {headline_, summary_}) {
+    label->setWordWrap(true);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    column->addWidget(label);
+  }
+}
+
+void LearningPanel::addFoot(QBoxLayout* column) {
+  words_ = new QLabel;
+  words_->setWordWrap(true);
+  words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  words_->setAccessibleName(tr("state of learning"));
+  column->addWidget(words_);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(6);
+  progress_ = new QProgressBar;
+  row->addWidget(progress_, 1);
+  row->addStretch();
+  model_button_ =
+      button("save_model", tr("Save model…"), tr("The correction as a file that others load (Ctrl+Shift+S)"),
+             &LearningPanel::askModel);
+  export_button_ =
+      button("export_learning", tr("Export…"),
+             tr("Figures, the ablation table and what was rejected, into a folder (Ctrl+Shift+E)"),
+             &LearningPanel::askFolder);
+  for (QPushButton* one : {model_button_, export_button_}) row->addWidget(one);
+  column->addLayout(row);
+}
+
+/// Keys act as their buttons do: only where these are shown and enabled.
+void LearningPanel::addKeys() {
+  const auto key = [this](const QString& sequence, auto act) {
+    auto* shortcut = new QShortcut(QKeySequence(sequence), this);
+    shortcut->setAutoRepeat(false);
+    connect(shortcut, &QShortcut::activated, this, act);
+  };
+  const auto press = [](QPushButton* pressed) {
+    return [pressed] {
+      if (pressed->isVisible()) pressed->click();
+    };
+  };
+  key("F5", [this] {
+    if (!busy()) train_->click();
+  });
+  key("F6", &LearningPanel::runAblation);
+  key("F7", &LearningPanel::runCurve);
+  key("Ctrl+Shift+S", press(model_button_));
+  key("Ctrl+Shift+E", press(export_button_));
+  auto* escape = new QShortcut(QKeySequence(Qt::Key_Escape), this);
+  escape->setContext(Qt::WidgetWithChildrenShortcut);
+  connect(escape, &QShortcut::activated, this, &LearningPanel::cancel);
+}
+
+void LearningPanel::setTheme(const Theme& theme) {
+  theme_ = theme;
+  picker_->setTheme(theme);
+  pages_->setTheme(theme);
+  QPalette palette = words_->palette();
+  palette.setColor(QPalette::WindowText, theme.muted);
+  words_->setPalette(palette);
+}
+
+void LearningPanel::setModelWriter(ModelWriter writer) {
+  writer_ = std::move(writer);
+  refresh();
+}
+
+void LearningPanel::save(QSettings& settings) const {
+  picker_->choice().save(settings);
+  settings.setValue("learning/splits", pages_->ablation().splits());
+}
+
+void LearningPanel::restore(const QSettings& settings) {
+  picker_->setChoice(LearningChoice::restore(settings));
+  pages_->ablation().setSplits(settings.value("learning/splits", pages_->ablation().splits()).toInt());
+  if (isVisible()) read();
+  refresh();
+}
+
+void LearningPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  if (!results_.stages && doing_ == Doing::kNothing && !choice().tables.isEmpty()) read();
+}
+
+void LearningPanel::choose(const LearningChoice& choice) {
+  picker_->setChoice(choice);
+  read();
+}
+
+const LearningChoice& LearningPanel::choice() const { return picker_->choice(); }
+
+void LearningPanel::read() {
+  results_ = {};
+  pages_->showResults(results_);
+  said_.clear();
+  failed_.clear();
+  doing_ = Doing::kNothing;
+  export_.cancel();
+  read_again_ = job_.busy();
+  if (read_again_) {
+    job_.cancel();
+  } else if (!choice().tables.isEmpty()) {
+    begin(Doing::kReading, tr("reading"));
+    job_.start([choice = choice(), settings = settings_](
+                   base::Progress& progress) { return readStages(choice, settings, progress); },
+               [this](LearningStages stages) {
+                 results_.stages = std::make_shared<const LearningStages>(std::move(stages));
+                 pages_->showResults(results_);
+               });
+  }
+  refresh();
+}
+
+void LearningPanel::begin(Doing doing, const QString& words) {
+  doing_ = doing;
+  said_.clear();
+  failed_.clear();
+  progress_->setValue(0);
+  progress_->setFormat(words);
+}
+
+void LearningPanel::onEnded() {
+  if (read_again_) return read();
+  refresh();
+}
+
+void LearningPanel::trainOrCancel() {
+  if (busy())
+    cancel();
+  else if (results_.stages)
+    train();
+  else
+    read();
+}
+
+void LearningPanel::train() {
+  if (!ready()) return;
+  begin(Doing::kTraining, tr("training"));
+  job_.start([stages = results_.stages, options = settings_.trial](
+                 base::Progress& progress) { return correctionTrial(stages->states, options, &progress); },
+             [this](CorrectionTrial trial) {
+               results_.trial = std::make_shared<const CorrectionTrial>(std::move(trial));
+               pages_->showResults(results_);
+             });
+  refresh();
+}
+
+void LearningPanel::runAblation() {
+  if (!ready()) return;
+  pages_->setCurrentWidget(&pages_->ablation());
+  begin(Doing::kAblation, tr("ablation"));
+  const int splits = pages_->ablation().splits();
+  job_.start([stages = results_.stages, options = settings_.study(splits)](
+                 base::Progress& progress) { return correctionStudy(stages->states, options, &progress); },
+             [this, splits](CorrectionStudyReport study) {
+               results_.study = std::make_shared<const CorrectionStudyReport>(std::move(study));
+               results_.splits = splits;
+               pages_->showResults(results_);
+             });
+  refresh();
+}
+
+void LearningPanel::runCurve() {
+  if (!ready()) return;
+  pages_->setCurrentWidget(&pages_->curve());
+  begin(Doing::kCurve, tr("learning curve"));
+  job_.start([stages = results_.stages, options = settings_.curve()](
+                 base::Progress& progress) { return learningCurve(stages->states, options, &progress); },
+             [this](LearningCurve curve) {
+               results_.curve = std::make_shared<const LearningCurve>(std::move(curve));
+               pages_->showResults(results_);
+             });
+  refresh();
+}
+
+void LearningPanel::onProgress(double fraction, const QString& doing) {
+  if (doing.isEmpty()) return;  // nothing was said yet
+  progress_->setValue(qRound(100.0 * fraction));
+  progress_->setFormat(doing + QStringLiteral(" %p %"));
+}
+
+void LearningPanel::cancel() {
+  if (export_.busy()) return export_.cancel();
+  if (!job_.busy()) return;
+  said_ = results_.stages ? tr("Cancelled; what is shown is of before.") : tr("Cancelled.");
+  job_.cancel();
+  refresh();
+}
+
+void LearningPanel::askFolder() {
+  auto* dialog = new QFileDialog(this, tr("Folder for figures and tables"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::Directory);
+  dialog->setOption(QFileDialog::ShowDirsOnly);
+  connect(dialog, &QFileDialog::fileSelected, this, &LearningPanel::exportTo);
+  dialog->show();
+}
+
+void LearningPanel::exportTo(const QString& folder) {
+  if (!ready()) return;
+  QImage clouds;
+  if (SceneView::available()) {
+    pages_->clouds().view().picture();
+    clouds = pages_->clouds().view().grab().toImage();
+  }
+  begin(doing_, tr("export"));
+  export_.start(results_, pages_->trajectories().chosen(), pages_->confidence().slice(), clouds, folder);
+  refresh();
+}
+
+void LearningPanel::askModel() {
+  auto* dialog = new QFileDialog(this, tr("Save the correction"), "correction.yaml",
+                                 tr("Corrections (*.yaml);;All files (*)"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix("yaml");
+  connect(dialog, &QFileDialog::fileSelected, this, &LearningPanel::saveModel);
+  dialog->show();
+}
+
+void LearningPanel::saveModel(const QString& path) {
+  if (!results_.trial || !writer_) return;
+  try {
+    writer_(*results_.trial->model, path.toStdString());
+    said_ = tr("Saved as %1.").arg(path);
+    Q_EMIT modelSaved(path);
+  } catch (const base::InputError& error) {
+    said_ = QString::fromStdString(error.what());
+  }
+  refresh();
+}
+
+QString LearningPanel::failedHeadline() const {
+  switch (doing_) {
+    case Doing::kTraining:
+      return tr("Not trained");
+    case Doing::kAblation:
+      return tr("No ablation table");
+    case Doing::kCurve:
+      return tr("No learning curve");
+    default:
+      return tr("Not read");
+  }
+}
+
+void LearningPanel::showState() {
+  const LearningStages* stages = results_.stages.get();
+  QString head, below;
+  if (!failed_.isEmpty()) {
+    head = failedHeadline();
+    below = failed_;
+  } else if (results_.trial) {
+    head = tr("● Corrected: %1").arg(errorWords(*results_.trial, true));
+    below = tr("As seen → rigid offset → corrected: medians on %1 of %2 trajectories, held out of training.")
+                .arg(results_.trial->motions_held)
+                .arg(results_.trial->motions);
+  } else if (stages) {
+    head = tr("○ %1 of %2 states count; a rigid offset leaves %3\u00a0mm,\u00a0%4°")
+               .arg(countText(stages->cleaning.kept()), countText(stages->states.size()))
+               .arg(base::toMillimetres(stages->after.median_distance), 0, 'f', 1)
+               .arg(base::toDegrees(stages->after.median_angle), 0, 'f', 1);
+    below = job_.busy() ? tr("This may take some minutes; Esc cancels it.")
+                        : tr("Press Train (F5) to learn the rest of it.");
+  } else if (job_.busy()) {
+    head = tr("Reading…");
+    below = tr("Screening, pairing, cleaning; Esc cancels it.");
+  } else if (choice().tables.isEmpty()) {
+    head = tr("How far from its command does the arm arrive?");
+    below =
+        tr("Choose one or more tables of tip poses: what cameras saw beside what the robot was told, over "
+           "some tens of trajectories. A correction of the commands is learned from them, and judged on "
+           "trajectories held out.");
+  } else {
+    head = tr("Not read yet");
+    below = tr("Press Read (F5).");
+  }
+  headline_->setText(head);
+  summary_->setText(below);
+  pages_->setVisible(stages != nullptr);
+  rest_->setVisible(!stages);
+}
+
+void LearningPanel::refresh() {
+  showState();
+  words_->setText(said_);
+  words_->setVisible(!said_.isEmpty());
+  const bool working = busy();
+  progress_->setVisible(working);
+  train_->setText(working                                        ? tr("Cancel")
+                  : results_.stages || choice().tables.isEmpty() ? tr("Train")
+                                                                 : tr("Read"));
+  train_->setToolTip(working ? tr("Stop what is being computed (Esc)")
+                             : tr("Learn a correction from four fifths of the trajectories (F5)"));
+  train_->setEnabled(working || !choice().tables.isEmpty());
+  pages_->ablation().setReady(ready());
+  pages_->curve().setReady(ready());
+  export_button_->setVisible(results_.stages && !working);
+  model_button_->setVisible(results_.trial && writer_ && !working);
+}
+
+QString LearningPanel::headline() const { return headline_->text(); }
+QString LearningPanel::summary() const { return summary_->text(); }
+QString LearningPanel::words() const { return words_->text(); }
+
+}  // namespace capstan::widgets

@@ -1,0 +1,108 @@
+#pragma once
+
+#include <QWidget>
+#include <filesystem>
+#include <functional>
+
+#include "widgets/figures/theme.h"
+#include "widgets/jobs/job.h"
+#include "widgets/panels/learning/learning_export.h"
+#include "widgets/panels/learning/learning_work.h"
+
+class QBoxLayout;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QSettings;
+
+namespace capstan::widgets {
+
+class LearningPages;
+class TablePicker;
+
+/// Writes a correction to a file; throws base::InputError.
+using ModelWriter = std::function<void(const learning::CorrectionModel&, const std::filesystem::path&)>;
+
+/// From tables of tip poses to a correction of commands: what is read, left out and why, trained, and worth.
+/// Everything is computed by core/learning and core/experiments, in the background, one thing at a time.
+class LearningPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit LearningPanel(LearningSettings settings = {}, QWidget* parent = nullptr);
+  ~LearningPanel() override;
+
+  void setTheme(const Theme& theme);
+  /// Of what is begun from now on.
+  void setSettings(const LearningSettings& settings) { settings_ = settings; }
+  /// What "Save model…" writes with; without it there is no such button.
+  void setModelWriter(ModelWriter writer);
+  void save(QSettings& settings) const;
+  /// Tables are read when the panel is looked at.
+  void restore(const QSettings& settings);
+
+  /// Reads the tables; what was under way is given up, what was learned of others is forgotten.
+  void choose(const LearningChoice& choice);
+  const LearningChoice& choice() const;
+  void train();
+  void runAblation();
+  void runCurve();
+  void cancel();
+  bool busy() const { return job_.busy() || export_.busy(); }
+  const LearningResults& results() const { return results_; }
+  /// Figures and tables in `folder`; how it ends, and why not, is said on the panel.
+  void exportTo(const QString& folder);
+  void saveModel(const QString& path);
+
+  LearningPages& pages() { return *pages_; }
+  TablePicker& picker() { return *picker_; }
+  QString headline() const;
+  QString summary() const;
+  QString words() const;
+
+ signals:
+  void exported(const QString& folder);
+  void modelSaved(const QString& path);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  enum class Doing { kNothing, kReading, kTraining, kAblation, kCurve };
+
+  QPushButton* button(const QString& name, const QString& words, const QString& tip,
+                      void (LearningPanel::*pressed)());
+  void addHead(QBoxLayout* column);
+  void addFoot(QBoxLayout* column);
+  void addKeys();
+  void read();
+  void begin(Doing doing, const QString& words);
+  void trainOrCancel();
+  void askFolder();
+  void askModel();
+  void onProgress(double fraction, const QString& doing);
+  void onEnded();
+  bool ready() const { return results_.stages && !busy(); }
+  QString failedHeadline() const;
+  void showState();
+  void refresh();
+
+  Theme theme_ = Theme::dark();
+  LearningSettings settings_;
+  LearningResults results_;
+  ModelWriter writer_;
+  Doing doing_ = Doing::kNothing;  ///< newest piece of work, under way or ended
+  bool read_again_ = false;        ///< tables were chosen while another piece of work had to end
+  QString failed_;                 ///< why the newest work failed; empty: it did not
+  QString said_;
+  TablePicker* picker_;
+  QLabel *headline_, *summary_, *words_;
+  LearningPages* pages_;
+  QWidget* rest_;  ///< takes the room of the pages while there is nothing to show
+  QProgressBar* progress_;
+  QPushButton *train_, *export_button_, *model_button_;
+  LearningExport export_;
+  Job job_;  ///< last: ends before what it reports to
+};
+
+}  // namespace capstan::widgets

@@ -1,0 +1,44 @@
+#include "widgets/panels/learning/learning_work.h"
+
+#include <filesystem>
+
+#include "core/session/pose_table.h"
+
+namespace capstan::widgets {
+
+experiments::CorrectionStudyOptions LearningSettings::study(int splits) const {
+  experiments::CorrectionStudyOptions options;
+  options.splits = splits;
+  options.test_share = trial.test_share;
+  options.cleaning = trial.cleaning;
+  options.correction = trial.correction;
+  options.seed = trial.seed;
+  return options;
+}
+
+experiments::LearningCurveOptions LearningSettings::curve() const {
+  experiments::LearningCurveOptions options;
+  options.test_share = trial.test_share;
+  options.cleaning = trial.cleaning;
+  options.correction = trial.correction;
+  options.seed = trial.seed;
+  return options;
+}
+
+experiments::LearningStages readStages(const LearningChoice& choice, const LearningSettings& settings,
+                                       base::Progress& progress) {
+  std::vector<learning::RawMotion> motions;
+  for (const QString& table : choice.tables) {
+    const std::filesystem::path path = table.toStdString();
+    progress.report(0.0, "reading " + path.filename().string());
+    for (learning::RawMotion& motion : session::readPoseTable(path)) {
+      if (choice.tables.size() > 1) motion.name = path.stem().string() + ", " + motion.name;
+      motions.push_back(std::move(motion));
+    }
+    if (progress.cancelled()) return {};
+  }
+  return experiments::learningStages(motions, {choice.told, settings.lag, settings.trial.cleaning},
+                                     &progress);
+}
+
+}  // namespace capstan::widgets

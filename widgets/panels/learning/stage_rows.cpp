@@ -1,0 +1,174 @@
+#include "widgets/panels/learning/stage_rows.h"
+
+#include <QObject>
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/units.h"
+#include "widgets/figures/figure_text.h"
+#include "widgets/panels/learning/learning_figures.h"
+
+namespace capstan::widgets {
+
+using namespace experiments;
+using learning::Reason;
+using learning::StreamKind;
+
+namespace {
+
+constexpr int kLargeRatio = 1000;
+
+QString tr(const char* words) { return QObject::tr(words); }
+
+QString millimetres(double metres, int decimals = 1) {
+  return withMinus(QString::number(base::toMillimetres(metres), 'f', decimals)) + QStringLiteral(" mm");
+}
+
+QString degrees(double radians, int decimals = 1) {
+  return withMinus(QString::number(base::toDegrees(radians), 'f', decimals)) + QStringLiteral("°");
+}
+
+/// A line for each reason that something was left out for, the commonest first.
+template <class Count>
+void addReasons(StageGroup& group, std::size_t all, const Count& count) {
+  std::vector<std::pair<std::size_t, Reason>> found;
+  for (const auto& [reason, words] : base::NamesOf<Reason>::value)
+    if (const std::size_t n = count(reason); reason != Reason::kNone && n > 0) found.emplace_back(n, reason);
+  std::sort(found.rbegin(), found.rend());
+  for (const auto& [n, reason] : found)
+    group.rows.push_back({QStringLiteral("    ") + QString::fromStdString(std::string(base::nameOf(reason))),
+                          countText(n),
+                          static_cast<double>(n) / static_cast<double>(std::max<std::size_t>(all, 1)), true});
+}
+
+StageGroup screening(const LearningStages& stages) {
+  StageGroup group{tr("1  Screening"), {}};
+  for (const StreamKind stream : {StreamKind::kCamera, stages.told}) {
+    const auto s = static_cast<std::size_t>(stream);
+    const std::size_t rows = stages.screen.rows[s], poses = stages.screen.poses[s];
+    group.rows.push_back({QObject::tr("%1: poses of %2 rows").arg(nameOf(stream), countText(rows)),
+                          countText(poses),
+                          static_cast<double>(poses) / static_cast<double>(std::max<std::size_t>(rows, 1))});
+    addReasons(group, rows, [&](Reason reason) { return stages.screen.count(stream, reason); });
+  }
+  return group;
+}
+
+StageGroup pairing(const LearningStages& stages) {
+  const double milli = 1e3;
+  return {tr("2  Pairing"),
+          {{QObject::tr("lag behind the %1, ± σ").arg(nameOf(stages.told)),
+            uncertainText(milli * stages.lag.lag, milli * stages.lag.sigma) + QStringLiteral(" ms"),
+            std::nan(""), false,
+            tr("By which what is seen comes behind what is told: difference of the clocks and delay of the "
+               "robot together; σ from trajectory to trajectory")},
+           {tr("states: sights with what was told"), countText(stages.states.size())},
+           {tr("sights without it"), countText(stages.unpaired)}}};
+}
+
+StageGroup velocities(const LearningStages& stages) {
+  const auto row = [](const QString& name, const QString& median, const QString& high) {
+    return StageRow{name, QObject::tr("%1, %2").arg(median, high)};
+  };
+  const auto speed = [](double v) { return QString::number(base::toMillimetres(v), 'f', 0); };
+  const auto rate = [](double w) { return QString::number(base::toDegrees(w), 'f', 0); };
+  return {tr("3  Velocities (five-point stencil)"),
+          {row(tr("speed [mm/s]: median, 99 %"), speed(stages.speed.median), speed(stages.speed.high)),
+           row(tr("turn rate [deg/s]: median, 99 %"), rate(stages.turn_rate.median),
+               rate(stages.turn_rate.high))}};
+}
+
+StageGroup cleaning(const LearningStages& stages) {
+  const std::size_t all = stages.states.size(), kept = stages.cleaning.kept();
+  StageGroup group{tr("4  Cleaning"), {}};
+  group.rows.push_back({QObject::tr("states that count, of %1").arg(countText(all)), countText(kept),
+                        static_cast<double>(kept) / static_cast<double>(std::max<std::size_t>(all, 1))});
+  addReasons(group, all, [&](Reason reason) { return stages.cleaning.count(reason); });
+  const auto whole = static_cast<std::size_t>(
+      std::count_if(stages.motions.begin(), stages.motions.end(),
+                    [](const TrajectoryStates& motion) { return motion.rejected == motion.states(); }));
+  group.rows.push_back(
+      {QObject::tr("trajectories rejected whole, of %1").arg(countText(stages.motions.size())),
+       countText(whole),
+       static_cast<double>(whole) / static_cast<double>(std::max<std::size_t>(stages.motions.size(), 1)),
+       true});
+  return group;
+}
+
+StageGroup rigidOffset(const LearningStages& stages) {
+  const Eigen::AngleAxisd turn(stages.offset.linear());
+  const Eigen::Vector3d by = stages.offset.translation();
+  const QString arrow = QStringLiteral(" → ");
+  return {tr("5  Rigid offset"),
+          {{tr("turns by"), degrees(turn.angle())},
+           {tr("moves by x, y, z"), millimetres(by[0]).chopped(3) + QStringLiteral(", ") +
+                                        millimetres(by[1]).chopped(3) + QStringLiteral(", ") +
+                                        millimetres(by[2])},
+           {tr("distance, median, before and after"), millimetres(stages.before.median_distance).chopped(3) +
+                                                          arrow + millimetres(stages.after.median_distance)},
+           {tr("angle, median, before and after"),
+            degrees(stages.before.median_angle).chopped(1) + arrow + degrees(stages.after.median_angle)}}};
+}
+
+/// Features whose length-scales are shortest: what a correction depends on most.
+QString sharpest(const learning::RbfParameters& parameters) {
+  static constexpr std::array kFeatures = {"x",  "y",  "z",  "rx", "ry", "rz",
+                                           "vx", "vy", "vz", "ωx", "ωy", "ωz"};
+  std::vector<std::pair<double, std::size_t>> lengths;
+  for (Eigen::Index i = 0; i < parameters.ln_length.size(); ++i)
+    lengths.emplace_back(std::exp(parameters.ln_length[i]), static_cast<std::size_t>(i));
+  if (lengths.size() < 2) return {};
+  std::sort(lengths.begin(), lengths.end());
+  QStringList parts;
+  for (std::size_t k = 0; k < std::min<std::size_t>(3, lengths.size()); ++k)
+    parts << QStringLiteral("%1 %2").arg(QString::fromUtf8(kFeatures[lengths[k].second]),
+                                         significantText(lengths[k].first, 2));
+  return parts.join(QStringLiteral(" · "));
+}
+
+StageGroup process(const CorrectionTrial& trial) {
+  StageGroup group{tr("6  Gaussian process"), {}};
+  group.rows.push_back({tr("states learned from"), countText(trial.learned.size())});
+  const auto& processes = trial.model->processes();
+  if (!processes.empty())
+    group.rows.push_back(
+        {tr("inducing points"), countText(static_cast<std::size_t>(processes[0].inducing()))});
+  static constexpr std::array kOutputs = {"x", "y", "z", "rx", "ry", "rz"};
+  for (std::size_t k = 0; k < processes.size(); ++k) {
+    const learning::RbfParameters& p = processes[k].parameters();
+    const double ratio = std::exp(p.ln_signal - p.ln_noise);
+    group.rows.push_back(
+        {QObject::tr("%1: signal / noise %2; lengths")
+             .arg(QString::fromUtf8(kOutputs[k]),
+                  ratio < kLargeRatio ? significantText(ratio, 2) : QStringLiteral("> %1").arg(kLargeRatio)),
+         sharpest(p), std::nan(""), false,
+         tr("Standard deviations of the correction and of what it leaves to noise, in their ratio; and the "
+            "three features that the correction changes with soonest: position x y z, turn r, speed v, turn "
+            "rate ω, each with its length-scale in standard deviations of the feature")});
+  }
+  return group;
+}
+
+StageGroup heldOut(const CorrectionTrial& trial) {
+  StageGroup group{QObject::tr("7  Errors on %1 trajectories held out").arg(trial.motions_held), {}};
+  group.rows.push_back({tr("distance, median: seen → offset → corrected"),
+                        medianWords(trial, true, false) + QStringLiteral(" mm")});
+  group.rows.push_back(
+      {tr("angle, median: seen → offset → corrected"), medianWords(trial, true, true) + QStringLiteral("°")});
+  return group;
+}
+
+}  // namespace
+
+std::vector<StageGroup> stageGroups(const LearningResults& results) {
+  std::vector<StageGroup> groups;
+  if (!results.stages) return groups;
+  for (const auto& group : {&screening, &pairing, &velocities, &cleaning, &rigidOffset})
+    groups.push_back(group(*results.stages));
+  if (!results.trial || !results.trial->model) return groups;
+  groups.push_back(process(*results.trial));
+  groups.push_back(heldOut(*results.trial));
+  return groups;
+}
+
+}  // namespace capstan::widgets

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <QWidget>
+
+#include "widgets/figures/theme.h"
+#include "widgets/panels/learning/learning_choice.h"
+
+class QComboBox;
+class QLabel;
+class QMenu;
+class QToolButton;
+
+namespace capstan::widgets {
+
+/// One line that chooses what is learned from: tables of tip poses, and the stream to correct towards.
+class TablePicker : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit TablePicker(QWidget* parent = nullptr);
+
+  void setTheme(const Theme& theme);
+  const LearningChoice& choice() const { return choice_; }
+  /// Shows `choice`, without a signal.
+  void setChoice(const LearningChoice& choice);
+  /// Asks for files beside the program's other windows.
+  void askTables();
+
+ signals:
+  void changed();
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  void choose(const LearningChoice& choice);
+  void addFiles(const QStringList& files);
+  void fillMenu();
+  void refresh();
+
+  LearningChoice choice_;
+  QToolButton* tables_;
+  QMenu* menu_;
+  QLabel* what_;
+  QComboBox* told_;
+};
+
+}  // namespace capstan::widgets

@@ -1,0 +1,186 @@
+#include "widgets/scene/cloud_view.h"
+
+#include <QKeyEvent>
+#include <QLocale>
+#include <QMouseEvent>
+#include <QPainter>
+#include <algorithm>
+
+#include "widgets/scene/scene_labels.h"
+#include "widgets/scene/scene_view.h"
+
+namespace capstan::widgets {
+
+namespace {
+
+constexpr double kAzimuth = 0.5, kElevation = 0.42;  ///< of the opening view [rad]
+constexpr double kKeyPoints = 9.5;
+constexpr int kPeriod = 66;  ///< between pictures at least [ms]
+
+Eigen::AlignedBox3d boxOf(const std::vector<PointCloud>& clouds) {
+  Eigen::AlignedBox3d box;
+  for (const bool framed : {true, false}) {
+    if (!framed && !box.isEmpty()) break;
+    for (const PointCloud& cloud : clouds)
+      for (const Eigen::Vector3d& point : cloud.points)
+        if (cloud.framed == framed) box.extend(point);
+  }
+  return box;
+}
+
+/// 10, 20 or 50 mm …: some ten lines along the longest side.
+double cellFor(const Eigen::AlignedBox3d& box) {
+  const double longest = box.sizes().maxCoeff();
+  for (const double cell : {0.005, 0.01, 0.02, 0.05, 0.1, 0.2})
+    if (longest <= 12.0 * cell) return cell;
+  return 0.5;
+}
+
+}  // namespace
+
+CloudView::CloudView(QWidget* parent) : QWidget(parent) {
+  setAttribute(Qt::WA_OpaquePaintEvent);
+  setFocusPolicy(Qt::StrongFocus);
+  setAccessibleName(tr("positions in 3-D"));
+  setToolTip(tr("Drag: orbit · shift drag: pan · wheel, + −: zoom · double click, Home: back"));
+  timer_.setInterval(kPeriod);
+  connect(&timer_, &QTimer::timeout, this, [this] {
+    if (changed_ && isVisible()) draw();
+  });
+  timer_.start();
+}
+
+CloudView::~CloudView() = default;
+
+void CloudView::setTheme(const Theme& theme) {
+  theme_ = theme;
+  clouds_changed_ = true;
+  changed();
+}
+
+void CloudView::setEmptyWords(const QString& words) {
+  empty_words_ = words;
+  update();
+}
+
+bool CloudView::empty() const {
+  return std::all_of(clouds_.begin(), clouds_.end(),
+                     [](const PointCloud& cloud) { return cloud.points.empty(); });
+}
+
+void CloudView::setClouds(std::vector<PointCloud> clouds) {
+  const bool first = empty();
+  clouds_ = std::move(clouds);
+  clouds_changed_ = true;
+  if (!empty()) {
+    const Eigen::AlignedBox3d box = boxOf(clouds_);
+    grid_ = gridAround({box.min(), box.max()}, 2, 1.0, cellFor(box));
+    if (first) resetCamera();
+  }
+  changed();
+}
+
+void CloudView::resetCamera() {
+  if (empty()) return;
+  const Eigen::Vector3d middle = 0.5 * (grid_.low + grid_.high);
+  camera_.setAxes(Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitX());  // towards the numbered edges
+  camera_.look(middle, 1.95 * (grid_.high - grid_.low).norm(), kAzimuth, kElevation);
+  changed();
+}
+
+void CloudView::changed() {
+  changed_ = true;
+  if (!SceneView::available()) update();
+}
+
+void CloudView::draw() {
+  changed_ = false;
+  if (empty() || !SceneView::available()) return update();
+  if (!renderer_) renderer_ = std::make_unique<CloudRenderer>();
+  if (clouds_changed_) {
+    renderer_->setColours(theme_.surface, theme_.isDark() ? theme_.border : theme_.border.darker(105));
+    renderer_->setGrid(grid_);
+    renderer_->setClouds(clouds_);
+    clouds_changed_ = false;
+  }
+  image_ = renderer_->render(camera_, (QSizeF(size()) * devicePixelRatioF()).toSize());
+  image_.setDevicePixelRatio(devicePixelRatioF());
+  update();
+}
+
+QImage CloudView::picture() {
+  draw();
+  return image_;
+}
+
+void CloudView::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  const bool available = SceneView::available();
+  if (empty() || !available || image_.isNull()) {
+    painter.fillRect(rect(), theme_.surface);
+    painter.setPen(theme_.muted);
+    painter.setFont(textFont(10.5));
+    const QString words = !available ? tr("3-D view needs a display") : empty() ? empty_words_ : QString();
+    painter.drawText(rect().adjusted(20, 20, -20, -20), Qt::AlignCenter | Qt::TextWordWrap, words);
+    return;
+  }
+  painter.drawImage(rect(), image_);
+  painter.setRenderHint(QPainter::Antialiasing);
+  drawGridLabels(painter, grid_, camera_, size(), theme_);
+  drawKey(painter);
+}
+
+void CloudView::drawKey(QPainter& painter) const {
+  painter.setFont(textFont(kKeyPoints));
+  const int line = painter.fontMetrics().height() + 2;
+  int y = 8;
+  for (const PointCloud& cloud : clouds_) {
+    if (!cloud.shown || cloud.points.empty()) continue;
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(cloud.colour);
+    painter.drawEllipse(QPointF(14.0, y + 0.5 * line), 4.0, 4.0);
+    painter.setPen(theme_.text);
+    painter.drawText(
+        QRect(26, y, width() - 34, line), Qt::AlignLeft | Qt::AlignVCenter,
+        tr("%1 (%2)").arg(cloud.name, QLocale(QLocale::English).toString(qulonglong(cloud.points.size()))));
+    y += line;
+  }
+}
+
+void CloudView::resizeEvent(QResizeEvent*) { changed(); }
+void CloudView::showEvent(QShowEvent*) { changed(); }
+
+void CloudView::keyPressEvent(QKeyEvent* event) {
+  switch (event->key()) {
+    case Qt::Key_Home:
+      return resetCamera();
+    case Qt::Key_Plus:
+    case Qt::Key_Minus:
+      camera_.zoom(event->key() == Qt::Key_Plus ? 0.9 : 1.0 / 0.9);
+      return changed();
+    default:
+      QWidget::keyPressEvent(event);
+  }
+}
+
+void CloudView::mousePressEvent(QMouseEvent* event) {
+  if (mouse_.press(*event)) setCursor(Qt::ClosedHandCursor);
+}
+
+void CloudView::mouseMoveEvent(QMouseEvent* event) {
+  if (mouse_.move(*event, camera_, height())) changed();
+}
+
+void CloudView::mouseReleaseEvent(QMouseEvent*) {
+  mouse_.release();
+  unsetCursor();
+}
+
+void CloudView::mouseDoubleClickEvent(QMouseEvent*) { resetCamera(); }
+
+void CloudView::wheelEvent(QWheelEvent* event) {
+  OrbitMouse::wheel(*event, camera_);
+  changed();
+}
+
+}  // namespace capstan::widgets
