@@ -96,10 +96,10 @@ std::vector<Visit> visited(const robot::Description& robot, const simulation::To
       if (!rig.follow(path)) continue;
       from = goal;
       rig.rest(options.settle);
-      const auto seen = rig.look(options.look);
-      if (!seen) continue;
-      visits.push_back({location, seen->translation() - goal.translation(),
-                        Eigen::Quaterniond(seen->linear()).angularDistance(Eigen::Quaterniond(goal.linear())),
+      const Eigen::Isometry3d seen =
+          rig.camera().registration() * rig.robot().arm().pose() * rig.camera().mounting();
+      visits.push_back({location, seen.translation() - goal.translation(),
+                        Eigen::Quaterniond(seen.linear()).angularDistance(Eigen::Quaterniond(goal.linear())),
                         path.back().confidence});
     }
   return visits;
@@ -113,7 +113,6 @@ void checkArrival(const ArrivalOptions& options) {
   requireOption("waypoints", options.waypoints, 2, 10'000);
   requireOption("speed [m/s]", options.speed, 1e-4, 1.0);
   requireOption("settle [s]", options.settle, 0.0, 60.0);
-  requireOption("look [s]", options.look, 0.05, 60.0);
 }
 
 ArrivalReport arrivalStudy(const robot::Description& robot, const simulation::ToolTruth& truth,

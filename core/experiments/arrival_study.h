@@ -13,8 +13,7 @@ struct ArrivalOptions {
   int visits = 10;         ///< of each
   int waypoints = 10;      ///< of each motion
   double speed = 0.05;     ///< [m/s]
-  double settle = 0.5;     ///< at rest, before cameras are asked [s]
-  double look = 0.2;       ///< of cameras, the median taken [s]
+  double settle = 0.5;     ///< at rest, before it is measured [s]
   double most_yaw = 0.35;  ///< [rad]
   int threads = 2;         ///< modes at the same time; the result does not depend on it
   std::uint64_t seed = 1;
@@ -23,7 +22,8 @@ struct ArrivalOptions {
 /// base::InputError: options that make no sense.
 void checkArrival(const ArrivalOptions& options);
 
-/// Of what cameras saw at rest from what was desired, over all visits.
+/// Of where the tool rests from what was desired, over all visits: as cameras see it, their registration's
+/// errors with it, without their noise and jumps.
 struct ArrivalErrors {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();  ///< of |x|, |y|, |z| [m]
   /// Of the place where the tool arrives, standard deviation between visits of one location, pooled over
@@ -32,7 +32,7 @@ struct ArrivalErrors {
   double distance = 0.0, distance_deviation = 0.0;  ///< of all visits [m]
   double angle = 0.0, angle_deviation = 0.0;        ///< [rad]
   double confidence = 0.0;                          ///< mean, where the motions ended
-  int arrived = 0;  ///< visits; one that is out of reach, or that no camera saw, is none
+  int arrived = 0;                                  ///< visits; one that is out of reach is none
 };
 
 using ArrivalReport = std::array<ArrivalErrors, learning::kCorrectionModes>;
