@@ -7,6 +7,7 @@
 #include "app/cli/learn_output.h"
 #include "app/cli/outputs.h"
 #include "core/base/checksum.h"
+#include "core/experiments/same_recording.h"
 #include "core/experiments/software.h"
 #include "core/session/correction_file.h"
 #include "core/session/pose_table.h"
@@ -44,7 +45,15 @@ session::CorrectionSource sourceOf(const LearnArguments& arguments, const learni
   return source;
 }
 
+void check(const LearnArguments& arguments) {
+  for (const std::string& test : arguments.test)
+    for (const std::string& train : arguments.train)
+      if (experiments::sameRecording(train, test))
+        refuseFile(test, "is learned from as well: errors on it say nothing", "Test on other trajectories");
+}
+
 ExitCode run(LearnArguments& arguments) {
+  check(arguments);
   std::vector<std::string> inputs = arguments.train;
   inputs.insert(inputs.end(), arguments.test.begin(), arguments.test.end());
   checkOutputs({{"--model", arguments.model}, {"--json", arguments.json}}, inputs);

@@ -10,7 +10,7 @@ namespace capstan::learning {
 struct CorrectionOptions {
   Motion motion = Motion::kHistory;
   RotationForm rotation = RotationForm::kTangent;
-  Eigen::Index likelihood_points = 1500;  ///< states that the hyperparameters are learned from, at most
+  Eigen::Index likelihood_points = 1000;  ///< states that the hyperparameters are learned from, at most
   Eigen::Index inducing_points = 1500;    ///< at most
   ProcessFitOptions fit;
   double lever = kLever;

@@ -7,7 +7,7 @@ namespace capstan::learning {
 
 struct ProcessFitOptions {
   bool length_a_feature = true;  ///< false: one for all
-  int iterations = 100;          ///< of the search, at most
+  int iterations = 60;           ///< of the search, at most
   double tolerance = 1e-7;       ///< relative fall of the objective that counts as standing still
 };
 

@@ -32,9 +32,11 @@ void writeSplit(const std::filesystem::path& folder, const std::vector<State>& s
   const Eigen::MatrixXd x = all.features(few, Eigen::all), y = all.targets(few, Eigen::all);
   Eigen::MatrixXd parameters(6, 2 + x.cols());
   math::setDenseThreads(1);
+  const auto fewer = learning::drawnPoints(x.rows(), options.correction.likelihood_points, options.seed + 7);
+  const Eigen::MatrixXd x_fewer = x(fewer, Eigen::all);
   base::parallelFor(6, options.correction.threads, [&](std::size_t k) {
-    const Eigen::MatrixXd own = y.col(static_cast<Index>(k));
-    const auto fit = learning::fitProcess(x, own, learning::startOf(x, own, {}));
+    const Eigen::MatrixXd own = y(fewer, Eigen::seqN(static_cast<Index>(k), 1));
+    const auto fit = learning::fitProcess(x_fewer, own, learning::startOf(x_fewer, own, {}));
     parameters.row(static_cast<Index>(k)) = fit.parameters.packed().transpose();
   });
   Eigen::MatrixXd xy(x.rows(), x.cols() + 6), tested(asked.features.rows(), x.cols() + 7);
