@@ -13,7 +13,7 @@ namespace capstan::widgets {
 
 namespace {
 
-constexpr double kAzimuth = 0.5, kElevation = 0.42;  ///< of the opening view [rad]
+constexpr double kAzimuth = 0.2, kElevation = 0.42;  ///< of the opening view [rad]
 constexpr double kKeyPoints = 9.5;
 constexpr int kPeriod = 66;  ///< between pictures at least [ms]
 
