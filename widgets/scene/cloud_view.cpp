@@ -13,7 +13,7 @@ namespace capstan::widgets {
 
 namespace {
 
-constexpr double kAzimuth = 0.5, kElevation = 0.42;  ///< of the opening view [rad]
+constexpr double kAzimuth = 0.2, kElevation = 0.42;  ///< of the opening view [rad]
 constexpr double kKeyPoints = 9.5;
 constexpr int kPeriod = 66;  ///< between pictures at least [ms]
 
@@ -130,19 +130,27 @@ void CloudView::paintEvent(QPaintEvent*) {
   drawKey(painter);
 }
 
+/// Upper right: the upright scale stands left of it.
 void CloudView::drawKey(QPainter& painter) const {
+  constexpr int kMark = 18, kEdge = 10;
   painter.setFont(textFont(kKeyPoints));
-  const int line = painter.fontMetrics().height() + 2;
-  int y = 8;
+  const QFontMetrics metrics = painter.fontMetrics();
+  QList<std::pair<QColor, QString>> entries;
+  int widest = 0;
   for (const PointCloud& cloud : clouds_) {
     if (!cloud.shown || cloud.points.empty()) continue;
+    const QString count = QLocale(QLocale::English).toString(qulonglong(cloud.points.size()));
+    entries.append({cloud.colour, tr("%1 (%2)").arg(cloud.name, count)});
+    widest = std::max(widest, metrics.horizontalAdvance(entries.back().second));
+  }
+  const int line = metrics.height() + 2, x = width() - kEdge - widest;
+  int y = 8;
+  for (const auto& [colour, words] : entries) {
     painter.setPen(Qt::NoPen);
-    painter.setBrush(cloud.colour);
-    painter.drawEllipse(QPointF(14.0, y + 0.5 * line), 4.0, 4.0);
+    painter.setBrush(colour);
+    painter.drawEllipse(QPointF(x - kMark + 5.0, y + 0.5 * line), 4.0, 4.0);
     painter.setPen(theme_.text);
-    painter.drawText(
-        QRect(26, y, width() - 34, line), Qt::AlignLeft | Qt::AlignVCenter,
-        tr("%1 (%2)").arg(cloud.name, QLocale(QLocale::English).toString(qulonglong(cloud.points.size()))));
+    painter.drawText(QRect(x, y, widest + kEdge, line), Qt::AlignLeft | Qt::AlignVCenter, words);
     y += line;
   }
 }
