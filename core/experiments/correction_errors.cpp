@@ -21,7 +21,10 @@ double meanOf(const std::vector<double>& x) {
 void PoseErrors::add(const Eigen::Isometry3d& corrected, const Eigen::Isometry3d& told) {
   const learning::PoseFeatures angles(learning::RotationForm::kYawPitchRoll, learning::Motion::kNone,
                                       Eigen::Quaterniond::Identity());
-  apart.push_back(angles.correction(corrected, told).cwiseAbs());
+  const Eigen::Isometry3d from_middle(middle.conjugate());
+  Vector6d off = angles.correction(from_middle * corrected, from_middle * told);
+  off.head<3>() = told.translation() - corrected.translation();
+  apart.push_back(off.cwiseAbs());
   distance.push_back((corrected.translation() - told.translation()).norm());
   angle.push_back(Eigen::Quaterniond(corrected.linear()).angularDistance(Eigen::Quaterniond(told.linear())));
 }
@@ -54,6 +57,12 @@ CorrectionErrors PoseErrors::summed() const {
   errors.angle = meanOf(angle);
   errors.median_angle = stats::median(angle);
   return errors;
+}
+
+Eigen::Quaterniond middleToldOf(const std::vector<learning::State>& states) {
+  std::vector<Eigen::Isometry3d> told;
+  for (const learning::State& state : states) told.push_back(state.pair.told);
+  return learning::middleTurn(told);
 }
 
 }  // namespace capstan::experiments

@@ -21,8 +21,10 @@ struct CorrectionErrors {
 };
 
 /// Errors state by state, before they are summed up: translations along the axes, angles as yaw, pitch and
-/// roll of either turn apart.
+/// roll of either turn apart, each counted from `middle` so that none comes near a pitch of 90°, where yaw
+/// and roll are hardly two.
 struct PoseErrors {
+  Eigen::Quaterniond middle = Eigen::Quaterniond::Identity();
   std::vector<learning::Vector6d> apart;  ///< |x|, |y|, |z| [m], |yaw|, |pitch|, |roll| [rad]
   std::vector<double> distance, angle;    ///< ‖Δt‖ [m], the geodesic angle [rad]
 
@@ -32,6 +34,9 @@ struct PoseErrors {
   std::vector<double> along(Eigen::Index degree) const;
   CorrectionErrors summed() const;
 };
+
+/// Middle of the turns that were told, for PoseErrors.
+Eigen::Quaterniond middleToldOf(const std::vector<learning::State>& states);
 
 /// The degrees of freedom as people read them, three of position and three of turn.
 inline constexpr std::array kDegreesOfFreedom = {"x", "y", "z", "yaw", "pitch", "roll"};

@@ -71,6 +71,7 @@ CorrectionStudyReport correctionStudy(const std::vector<State>& states, const Co
   CorrectionStudyReport report;
   std::array<PoseErrors, kCorrectionMethods> dirty, clean;
   Coverage coverage;
+  const Eigen::Quaterniond middle = middleToldOf(states);
   for (int split = 0; split < options.splits; ++split) {
     const std::vector<bool> held =
         heldOut(states, options.test_share, options.seed + static_cast<std::uint64_t>(split));
@@ -91,7 +92,7 @@ CorrectionStudyReport correctionStudy(const std::vector<State>& states, const Co
         report.cancelled = true;
         return report;
       }
-      PoseErrors all, kept;
+      PoseErrors all{middle, {}, {}, {}}, kept{middle, {}, {}, {}};
       for (std::size_t k = 0; k < test.size(); ++k) {
         all.add(poses[k], test[k].pair.told);
         if (reasons[k] == learning::Reason::kNone) kept.add(poses[k], test[k].pair.told);

@@ -46,8 +46,8 @@ struct CorrectionStudyReport {
 /// For each split: training trajectories are cleaned, an offset and a model are learned from them as each
 /// method asks, and the errors
 ///     F(x_seen) ⊖ p_told
-/// of test trajectories taken: translations along the axes, angles as yaw, pitch and roll of either turn
-/// apart. Clean test states are those that the limits and least median found in the training data keep.
+/// of test trajectories taken (PoseErrors, from the middle of all turns told). Clean test states are those
+/// that the limits and least median found in the training data keep.
 CorrectionStudyReport correctionStudy(const std::vector<learning::State>& states,
                                       const CorrectionStudyOptions& options,
                                       base::Progress* progress = nullptr);

@@ -53,6 +53,8 @@ CorrectionTrial correctionTrial(const std::vector<State>& states, const Correcti
     return trial;
   }
   if (progress) progress->report(kTraining, "errors of trajectories held out");
+  for (StepErrors* errors : {&trial.clean, &trial.dirty})
+    for (PoseErrors& step : *errors) step.middle = middleToldOf(states);
   trial.corrected = trial.model->correct(states);
   std::vector<State> clean;
   for (std::size_t k = 0, t = 0; k < states.size(); ++k) {

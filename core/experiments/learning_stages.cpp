@@ -67,7 +67,8 @@ void takeOffset(LearningStages& stages) {
   for (std::size_t k = 0; k < stages.states.size(); ++k)
     if (stages.cleaning.reason[k] == learning::Reason::kNone) pairs.push_back(stages.states[k].pair);
   stages.offset = learning::rigidOffset(pairs);
-  PoseErrors before, after;
+  const Eigen::Quaterniond middle = middleToldOf(stages.states);
+  PoseErrors before{middle, {}, {}, {}}, after{middle, {}, {}, {}};
   for (const learning::PosePair& pair : pairs) {
     before.add(pair.seen, pair.told);
     after.add(stages.offset * pair.seen, pair.told);

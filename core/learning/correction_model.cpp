@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/learning/rotation_vector.h"
 #include "core/math/dense.h"
 #include "core/stats/quantile.h"
 
@@ -60,9 +61,9 @@ CorrectionModel CorrectionModel::rigid(const std::vector<State>& states, const C
   parts.lever = options.lever;
   std::vector<Eigen::Isometry3d> moved;
   for (const PosePair& pair : pairs) moved.push_back(parts.offset * pair.seen);
-  for (const Eigen::Isometry3d& pose : moved) parts.workspace.extend(pose.translation());
   parts.features = PoseFeatures(options.rotation, options.motion, middleTurn(moved));
   CorrectionModel model(std::move(parts));
+  for (const Eigen::Isometry3d& pose : moved) model.extendBy(pose);
   model.findScales(states);
   return model;
 }
@@ -165,7 +166,7 @@ std::vector<Corrected> CorrectionModel::correctSurely(const std::vector<State>& 
     one.pose = known_.offset * desired[static_cast<std::size_t>(k)].pair.seen;
     one.sigma = sigma.row(k).transpose();
     if (processes_.empty()) continue;
-    const double faded = fading(one.pose.translation());
+    const double faded = fading(one.pose);
     one.confidence = faded * std::max(1.0 - left[k] / all, 0.0);
     one.pose = known_.features.corrected(one.pose, faded * corrections.row(k).transpose());
   }
@@ -182,7 +183,7 @@ std::vector<Eigen::Isometry3d> CorrectionModel::correct(const std::vector<State>
   for (std::size_t k = 0; k < desired.size(); ++k) {
     const Eigen::Isometry3d moved = known_.offset * desired[k].pair.seen;
     const Vector6d correction = corrections.row(static_cast<Index>(k)).transpose();
-    poses.push_back(known_.features.corrected(moved, fading(moved.translation()) * correction));
+    poses.push_back(known_.features.corrected(moved, fading(moved) * correction));
   }
   return poses;
 }
@@ -222,13 +223,24 @@ Eigen::VectorXd CorrectionModel::confidence(const std::vector<State>& desired) c
   return sure;
 }
 
-double CorrectionModel::fading(const Eigen::Vector3d& position) const {
-  return std::exp(-0.5 * known_.workspace.squaredExteriorDistance(position) / (kFade * kFade));
+Eigen::Vector3d CorrectionModel::turnOf(const Eigen::Isometry3d& moved) const {
+  return rotationVector(known_.features.middle().conjugate() * Eigen::Quaterniond(moved.linear()));
+}
+
+void CorrectionModel::extendBy(const Eigen::Isometry3d& moved) {
+  known_.workspace.extend(moved.translation());
+  known_.turns.extend(turnOf(moved));
+}
+
+double CorrectionModel::fading(const Eigen::Isometry3d& moved) const {
+  const double turned = known_.lever * known_.lever * known_.turns.squaredExteriorDistance(turnOf(moved));
+  const double away = known_.workspace.squaredExteriorDistance(moved.translation());
+  return std::exp(-0.5 * (away + turned) / (kFade * kFade));
 }
 
 void CorrectionModel::add(const std::vector<State>& states) {
   const MatrixXd x = featuresOf(states), y = targetsOf(states);
-  for (const State& state : states) known_.workspace.extend((known_.offset * state.pair.seen).translation());
+  for (const State& state : states) extendBy(known_.offset * state.pair.seen);
   for (std::size_t g = 0; g < processes_.size(); ++g)
     processes_[g].add(x, y.middleCols(kGroups[g].first, kGroups[g].count));
 }

@@ -33,6 +33,7 @@ struct CorrectionParts {
   Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();  ///< G
   PoseFeatures features{RotationForm::kTangent, Motion::kHistory, Eigen::Quaterniond::Identity()};
   double lever = kLever;
+  Eigen::AlignedBox3d turns;               ///< of their rotation vectors from the features' middle turn [rad]
   Eigen::AlignedBox3d workspace;           ///< of the offset's positions [m]
   Eigen::RowVectorXd middle, deviation;    ///< of the features
   Eigen::RowVectorXd scale;                ///< RMS of the six targets
@@ -42,10 +43,10 @@ struct CorrectionParts {
 
 /// F = H ∘ G (GPR paper, section III): what to ask for so that cameras see a desired state. G is the rigid
 /// offset; H are Gaussian processes of the difference that G leaves, whose mean is 0 far from all data: one
-/// of the position's three outputs, one of the turn's, which share a kernel each. Features count in
-/// deviations from their middle, kFarthestFeature at most. An output that does not depend on where the tip is
-/// has no such distance: all corrections fade besides, as exp(−½ d²/kFade²) of the distance d from the box of
-/// all positions learned.
+/// each of x, y and z, and one of the turn, whose three outputs share a kernel. Features count in deviations
+/// from their middle, kFarthestFeature at most. An output that does not depend on where the tip is has no
+/// such distance: all corrections fade besides, as exp(−½ d²/kFade²) of the distance d from the boxes of all
+/// positions and of all turns learned, turns by the lever.
 class CorrectionModel {
  public:
   /// From states that count; `part` of `progress` is its own. base::InputError: fewer than kFewestStates.
@@ -84,7 +85,9 @@ class CorrectionModel {
  private:
   void findScales(const std::vector<State>& states);
   void findInflation(const std::vector<State>& states, const CorrectionOptions& options);
-  double fading(const Eigen::Vector3d& position) const;
+  Eigen::Vector3d turnOf(const Eigen::Isometry3d& moved) const;  ///< from the features' middle [rad]
+  void extendBy(const Eigen::Isometry3d& moved);
+  double fading(const Eigen::Isometry3d& moved) const;
 
   CorrectionParts known_;  ///< without groups
   std::vector<SparseProcess> processes_;

@@ -28,13 +28,21 @@ std::vector<Eigen::Quaterniond> turnsOf(const std::vector<StampedPose>& stream) 
   return turns;
 }
 
-/// Speeds of a stream over time.
+constexpr double kSpeedSpan = 0.1;  // [s]
+
+/// Speeds of a stream over time: of the way over kSpeedSpan, since the noise of sights looks like speed, and
+/// the more the nearer they are in time.
 struct Speeds {
   std::vector<double> t, speed;
 
-  explicit Speeds(const std::vector<StampedPose>& stream) : t(stampsOf(stream)) {
-    const Eigen::Matrix3Xd v = velocitiesOf(t, positionsOf(stream));
-    for (Eigen::Index k = 0; k < v.cols(); ++k) speed.push_back(v.col(k).norm());
+  explicit Speeds(const std::vector<StampedPose>& stream) {
+    for (std::size_t k = 0, from = 0; k < stream.size(); ++k) {
+      while (stream[from].t < stream[k].t - kSpeedSpan) ++from;
+      const double span = stream[k].t - stream[from].t;
+      if (!(span > 0.5 * kSpeedSpan)) continue;
+      t.push_back(0.5 * (stream[k].t + stream[from].t));
+      speed.push_back((stream[k].pose.translation() - stream[from].pose.translation()).norm() / span);
+    }
   }
   std::optional<double> at(double when) const {
     const auto after = std::lower_bound(t.begin(), t.end(), when);

@@ -76,6 +76,8 @@ void put(const CorrectionParts& parts, Numbers& to) {
   to.put(parts.lever);
   to.put(parts.workspace.min());
   to.put(parts.workspace.max());
+  to.put(parts.turns.min());
+  to.put(parts.turns.max());
   for (const Eigen::RowVectorXd* row : {&parts.middle, &parts.deviation, &parts.scale, &parts.inflation})
     to.put(*row);
   for (const SparseProcessParts& group : parts.groups) {
@@ -127,6 +129,8 @@ CorrectionParts partsFrom(const Json& header, Numbers& from) {
   parts.lever = from.take();
   parts.workspace.min() = from.take(3);
   parts.workspace.max() = from.take(3);
+  parts.turns.min() = from.take(3);
+  parts.turns.max() = from.take(3);
   const Index features = parts.features.size(), outputs = 6;
   parts.middle = from.take(1, features);
   parts.deviation = from.take(1, features);

@@ -23,8 +23,8 @@ struct CorrectionSource {
 ///
 /// A file is a line "capstan correction 1", a line of JSON (what the model is made of, its source, how many
 /// numbers follow and their checksum), and these numbers as 64-bit floating point, least byte first: offset,
-/// features' middle turn, lever, workspace, middles, deviations, scales, inflations, then of each group the
-/// kernel's logarithms, inducing points, the lower triangle of B and the sums, each by columns.
+/// features' middle turn, lever, workspace, turns, middles, deviations, scales, inflations, then of each
+/// group the kernel's logarithms, inducing points, the lower triangle of B and the sums, each by columns.
 struct CorrectionFile {
   learning::CorrectionModel model;
   CorrectionSource source;

@@ -17,6 +17,7 @@
 
 #include "core/base/error.h"
 #include "core/base/yaml.h"
+#include "core/session/correction_file.h"
 #include "tests/support/sample_poses.h"
 #include "tests/widgets/picture.h"
 #include "widgets/panels/learning/ablation_view.h"
@@ -273,24 +274,21 @@ TEST_F(Learning, WhatIsExportedIsReadBack) {
   EXPECT_EQ(exported.count(), 1);
 }
 
-TEST_F(Learning, AModelIsSavedByWhatTheWindowWritesItWith) {
+TEST_F(Learning, AModelIsSavedWithWhatItWasLearnedFrom) {
   readAndTrain();
-  EXPECT_FALSE(button("save_model")->isVisible()) << "nothing writes it";
-  std::string written;
-  panel->setModelWriter([&](const learning::CorrectionModel& model, const std::filesystem::path& path) {
-    if (path.filename() == "no.yaml")
-      throw base::InputError({path.string(), 0, {}, {}, "cannot be written", {}});
-    EXPECT_EQ(model.processes().size(), 6U);
-    written = path.string();
-  });
   ASSERT_TRUE(button("save_model")->isVisible());
   QSignalSpy saved(panel.get(), &LearningPanel::modelSaved);
-  panel->saveModel("/somewhere/correction.yaml");
-  EXPECT_EQ(written, "/somewhere/correction.yaml");
+  const QString path = folder.filePath("arm.correction");
+  panel->saveModel(path);
   EXPECT_EQ(saved.count(), 1);
-  panel->saveModel("/somewhere/no.yaml");
+  const session::CorrectionFile file = session::readCorrection(path.toStdString());
+  EXPECT_FALSE(file.model.processes().empty());
+  ASSERT_EQ(file.source.files.size(), 1U);
+  EXPECT_EQ(file.source.files[0], panel->choice().tables[0].toStdString());
+  EXPECT_GT(file.source.states, 100U);
+  panel->saveModel("/nowhere/arm.correction");
   EXPECT_EQ(saved.count(), 1);
-  EXPECT_THAT(panel->words().toStdString(), HasSubstr("no.yaml: cannot be written"));
+  EXPECT_THAT(panel->words().toStdString(), HasSubstr("/nowhere"));
 }
 
 TEST_F(Learning, TheChoiceIsKeptAndReadWhenItIsLookedAt) {

@@ -102,6 +102,8 @@ TEST(CorrectionModel, fallsBackToTheRigidOffsetBeyondItsData) {
   const Corrected corrected = model.correct(far, Vector6d::Zero());
   EXPECT_LT(corrected.confidence, 1e-6);
   EXPECT_LT(squaredDistance(corrected.pose, model.offset() * far, kLever), 1e-16);
+  const Eigen::Isometry3d turned = pose(Eigen::Vector3d::Zero(), {1.5, 0.0, 0.0});
+  EXPECT_LT(model.correct(turned, Vector6d::Zero()).confidence, 1e-3) << "nobody has seen it turned so";
   double before = 1.0;  // and it gets there smoothly
   for (double x = 0.0; x < 0.5; x += 0.05) {
     const double confidence =

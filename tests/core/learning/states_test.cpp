@@ -105,6 +105,15 @@ TEST(LagBetween, isFoundWhateverTheOffset) {
   EXPECT_EQ(lag.tried.size(), lag.misfit.size());
 }
 
+TEST(LagBetween, isNotMovedByTheNoiseOfSights) {
+  std::vector<RawMotion> noisy = motions(6);
+  base::Random random(7, "noise of sights");
+  for (RawMotion& motion : noisy)
+    for (RawPose& pose : motion.streams[0])
+      for (double& x : pose.position) x += random.normal(0.0, 2e-4);
+  EXPECT_NEAR(lagBetween(screenPoses(noisy).motions, StreamKind::kCommand).lag, kLag, 0.01);
+}
+
 TEST(StatesOf, pairWhatBelongsTogether) {
   const ScreenReport report = screenPoses(motions(2));
   const std::vector<State> states = statesOf(report.motions, StreamKind::kCommand, kLag);

@@ -121,7 +121,6 @@ void AblationView::setSplits(int splits) { splits_->setValue(splits); }
 void AblationView::showResults(const LearningResults& results) {
   study_ = results.study;
   of_splits_ = results.splits;
-  pitch_ = results.study && results.stages ? pitchWords(results.stages->states) : QString();
   fill();
 }
 
@@ -133,7 +132,7 @@ void AblationView::fill() {
     words_->setText(
         tr("What the rigid offset, cleaning, the Gaussian process and velocities as features are "
            "worth, on trajectories held out; beside it what the paper's authors found. Each split "
-           "trains three models: allow half a minute."));
+           "trains four models: allow a minute."));
     return;
   }
   const bool clean = which_->currentIndex() == 0;
@@ -141,7 +140,6 @@ void AblationView::fill() {
   words_->setText(tr("Mean ± standard deviation of |error|, %1 test states of %2. Bold: the least of ours.")
                       .arg(countText(all[0].states),
                            of_splits_ == 1 ? tr("one split") : tr("%1 splits").arg(of_splits_)));
-  if (!pitch_.isEmpty()) words_->setText(words_->text() + tr(" Mind: %1.").arg(pitch_));
   for (std::size_t m = 0; m < kCorrectionMethods; ++m) addMethod(static_cast<CorrectionMethod>(m), clean);
   table_->expandAll();
 }
@@ -155,22 +153,24 @@ void AblationView::addMethod(CorrectionMethod method, bool clean) {
   head->setFont(kName, textFont(kPoints, true));
   head->setFirstColumnSpanned(true);
   auto* ours = new QTreeWidgetItem(head, {tr("ours")});
-  auto* theirs = new QTreeWidgetItem(head, {tr("paper")});
+  auto* theirs = m < kPaperMethods ? new QTreeWidgetItem(head, {tr("paper")}) : nullptr;
   for (int at = 1; at < kColumns; ++at) {
     const Eigen::Index k = at - 1;
     const bool least = std::all_of(all.begin(), all.end(), [&](const CorrectionErrors& errors) {
       return all[m].mean[k] <= errors.mean[k];
     });
     ours->setText(at, cellText(shown(all[m].mean[k], k), shown(all[m].deviation[k], k)));
+    ours->setFont(at, numberFont(kPoints - 0.5, least));
+    ours->setTextAlignment(at, Qt::AlignRight | Qt::AlignVCenter);
+    if (!theirs) continue;
     const PaperCell& cell = paper[m][static_cast<std::size_t>(k)];
     theirs->setText(at, cellText(cell.mean, cell.deviation));
-    ours->setFont(at, numberFont(kPoints - 0.5, least));
     theirs->setFont(at, numberFont(kPoints - 0.5));
-    for (QTreeWidgetItem* item : {ours, theirs})
-      item->setTextAlignment(at, Qt::AlignRight | Qt::AlignVCenter);
+    theirs->setTextAlignment(at, Qt::AlignRight | Qt::AlignVCenter);
     theirs->setForeground(at, theme_.muted);
   }
   ours->setFont(kName, textFont(kPoints - 0.5));
+  if (!theirs) return;
   theirs->setFont(kName, textFont(kPoints - 0.5));
   theirs->setForeground(kName, theme_.muted);
 }

@@ -37,7 +37,6 @@ class AblationView : public LearningView {
   Theme theme_ = Theme::dark();
   std::shared_ptr<const experiments::CorrectionStudyReport> study_;
   int of_splits_ = 0;
-  QString pitch_;  ///< what there is to say of yaw and roll
   QSpinBox* splits_;
   QPushButton* run_;
   QComboBox* which_;

@@ -54,15 +54,6 @@ void append(std::array<std::vector<double>, 6>& course, const Eigen::Isometry3d&
 
 }  // namespace
 
-QString pitchWords(const std::vector<State>& states) {
-  constexpr double kSteep = 75.0;  // [deg]
-  std::vector<double> pitch;
-  for (const State& state : states)
-    pitch.push_back(std::abs(base::toDegrees(learning::yawPitchRoll(state.pair.told.linear())[1])));
-  if (!(stats::median(pitch) > kSteep)) return {};
-  return QObject::tr("the pitch is near 90°, where yaw and roll are hardly two: go by the angle");
-}
-
 QString countText(std::size_t count) { return QLocale(QLocale::English).toString(qulonglong(count)); }
 
 LagData lagData(const LearningStages& stages) {
@@ -76,8 +67,6 @@ BoxplotData errorData(const CorrectionTrial& trial, bool clean, bool seen) {
                    .arg(trial.motions_held)
                    .arg(trial.motions);
   data.note = clean ? QObject::tr("states that cleaning keeps") : QObject::tr("all states");
-  if (const QString pitch = pitchWords(trial.learned); !pitch.isEmpty())
-    data.note += QStringLiteral("; ") + pitch;
   data.quantity = QObject::tr("|error|");
   data.most_columns = 4;
   data.panels.push_back(errorPanel(QObject::tr("distance"), false, errors, seen,

@@ -24,8 +24,6 @@ ConfidenceData confidenceData(const learning::ConfidenceSlice& slice);
 QString medianWords(const experiments::CorrectionTrial& trial, bool clean, bool angle);
 /// "position 26.1 → 6.2 → 1.9 mm, angle 93.1 → 8.4 → 2.8°", medians.
 QString errorWords(const experiments::CorrectionTrial& trial, bool clean);
-/// Where the robot points so that yaw and roll turn about nearly the same axis: says so; else empty.
-QString pitchWords(const std::vector<learning::State>& states);
 /// "12,345"
 QString countText(std::size_t count);
 

@@ -9,8 +9,10 @@
 #include <QSettings>
 #include <QShortcut>
 
+#include "core/base/checksum.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
+#include "core/experiments/software.h"
 #include "widgets/panels/learning/ablation_view.h"
 #include "widgets/panels/learning/clouds_view.h"
 #include "widgets/panels/learning/confidence_view.h"
@@ -137,11 +139,6 @@ void LearningPanel::setTheme(const Theme& theme) {
   QPalette palette = words_->palette();
   palette.setColor(QPalette::WindowText, theme.muted);
   words_->setPalette(palette);
-}
-
-void LearningPanel::setModelWriter(ModelWriter writer) {
-  writer_ = std::move(writer);
-  refresh();
 }
 
 void LearningPanel::save(QSettings& settings) const {
@@ -288,25 +285,39 @@ void LearningPanel::exportTo(const QString& folder) {
 }
 
 void LearningPanel::askModel() {
-  auto* dialog = new QFileDialog(this, tr("Save the correction"), "correction.yaml",
-                                 tr("Corrections (*.yaml);;All files (*)"));
+  auto* dialog = new QFileDialog(this, tr("Save the correction"), "arm.correction",
+                                 tr("Corrections (*.correction);;All files (*)"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setDefaultSuffix("yaml");
+  dialog->setDefaultSuffix("correction");
   connect(dialog, &QFileDialog::fileSelected, this, &LearningPanel::saveModel);
   dialog->show();
 }
 
 void LearningPanel::saveModel(const QString& path) {
-  if (!results_.trial || !writer_) return;
+  if (!results_.trial || !results_.stages) return;
   try {
-    writer_(*results_.trial->model, path.toStdString());
+    session::writeCorrection({*results_.trial->model, source()}, path.toStdString());
     said_ = tr("Saved as %1.").arg(path);
     Q_EMIT modelSaved(path);
   } catch (const base::InputError& error) {
     said_ = QString::fromStdString(error.what());
   }
   refresh();
+}
+
+session::CorrectionSource LearningPanel::source() const {
+  session::CorrectionSource source;
+  for (const QString& table : choice().tables) {
+    source.files.push_back(table.toStdString());
+    source.checksums.push_back(base::checksumOfFile(table.toStdString()));
+  }
+  source.towards = results_.stages->told;
+  source.lag = results_.stages->lag.lag;
+  source.states = results_.stages->cleaning.kept();
+  source.rejected = results_.stages->states.size() - source.states;
+  source.software = experiments::software();
+  return source;
 }
 
 QString LearningPanel::failedHeadline() const {
@@ -374,7 +385,7 @@ void LearningPanel::refresh() {
   pages_->ablation().setReady(ready());
   pages_->curve().setReady(ready());
   export_button_->setVisible(results_.stages && !working);
-  model_button_->setVisible(results_.trial && writer_ && !working);
+  model_button_->setVisible(results_.trial && !working);
 }
 
 QString LearningPanel::headline() const { return headline_->text(); }

@@ -1,9 +1,8 @@
 #pragma once
 
 #include <QWidget>
-#include <filesystem>
-#include <functional>
 
+#include "core/session/correction_file.h"
 #include "widgets/figures/theme.h"
 #include "widgets/jobs/job.h"
 #include "widgets/panels/learning/learning_export.h"
@@ -21,7 +20,6 @@ class LearningPages;
 class TablePicker;
 
 /// Writes a correction to a file; throws base::InputError.
-using ModelWriter = std::function<void(const learning::CorrectionModel&, const std::filesystem::path&)>;
 
 /// From tables of tip poses to a correction of commands: what is read, left out and why, trained, and worth.
 /// Everything is computed by core/learning and core/experiments, in the background, one thing at a time.
@@ -35,8 +33,6 @@ class LearningPanel : public QWidget {
   void setTheme(const Theme& theme);
   /// Of what is begun from now on.
   void setSettings(const LearningSettings& settings) { settings_ = settings; }
-  /// What "Save model…" writes with; without it there is no such button.
-  void setModelWriter(ModelWriter writer);
   void save(QSettings& settings) const;
   /// Tables are read when the panel is looked at.
   void restore(const QSettings& settings);
@@ -68,6 +64,7 @@ class LearningPanel : public QWidget {
   void showEvent(QShowEvent* event) override;
 
  private:
+  session::CorrectionSource source() const;
   enum class Doing { kNothing, kReading, kTraining, kAblation, kCurve };
 
   QPushButton* button(const QString& name, const QString& words, const QString& tip,
@@ -90,7 +87,6 @@ class LearningPanel : public QWidget {
   Theme theme_ = Theme::dark();
   LearningSettings settings_;
   LearningResults results_;
-  ModelWriter writer_;
   Doing doing_ = Doing::kNothing;  ///< newest piece of work, under way or ended
   bool read_again_ = false;        ///< tables were chosen while another piece of work had to end
   QString failed_;                 ///< why the newest work failed; empty: it did not
