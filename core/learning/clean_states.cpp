@@ -17,12 +17,17 @@ Reason judged(const State& state, const CleaningReport& report, const CleaningOp
   return Reason::kNone;
 }
 
-/// Trajectories of which most has gone, go.
+/// Out of place: a speed is wrong beside a jump, too.
+bool misplaced(Reason reason) {
+  return reason == Reason::kOutlier || reason == Reason::kTooFarTurned || reason == Reason::kOutside;
+}
+
+/// Trajectories of which most is out of place, go.
 void rejectTrajectories(const std::vector<State>& states, double most, std::vector<Reason>& reason) {
   for (std::size_t begin = 0, end = 0; begin < states.size(); begin = end) {
     std::size_t gone = 0;
     for (end = begin; end < states.size() && states[end].motion == states[begin].motion; ++end)
-      gone += reason[end] != Reason::kNone;
+      gone += misplaced(reason[end]);
     if (static_cast<double>(gone) <= most * static_cast<double>(end - begin)) continue;
     for (std::size_t k = begin; k < end; ++k)
       if (reason[k] == Reason::kNone) reason[k] = Reason::kTrajectory;

@@ -6,7 +6,7 @@ namespace capstan::learning {
 
 /// What the robot can do.
 struct CleaningOptions {
-  MedianOptions median;
+  MedianOptions median = {};
   double most_turned = 1.0;     ///< of what was seen, the offset taken off, from what was told [rad]
   double margin = 0.03;         ///< of what was seen outside of all that was told [m]
   double most_speed = 0.2;      ///< [m/s]: the paper's robot was driven at 0.05
@@ -25,7 +25,7 @@ struct CleaningReport {
 
 /// Which states a robot can have been in (GPR paper, section IV-A): within reach of the least median of
 /// squares, and within limits of turn, position, speed and turn rate; a trajectory of which more than
-/// `most_rejected` goes, goes as a whole. Each state that goes has the first reason of these.
+/// `most_rejected` is out of place goes as a whole. Each state that goes has the first reason of these.
 CleaningReport cleanStates(const std::vector<State>& states, const CleaningOptions& options = {});
 
 /// Others, by what was found: the median's reach around its offset, and the limits; trajectories likewise.

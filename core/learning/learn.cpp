@@ -1,12 +1,70 @@
 #include "core/learning/learn.h"
 
+#include <fmt/format.h>
+
+#include <array>
+
 #include "core/base/error.h"
+#include "core/stats/quantile.h"
 
 namespace capstan::learning {
+namespace {
+
+void checkPoses(const ScreenReport& screen, StreamKind stream) {
+  const auto at = static_cast<std::size_t>(stream);
+  if (screen.poses[at] > 0) return;
+  std::string reasons;
+  for (const auto& [reason, name] : base::NamesOf<Reason>::value)
+    if (const std::size_t n = screen.count(stream, reason); n > 0) reasons += fmt::format(", {} {}", n, name);
+  throw base::InputError({{},
+                          0,
+                          std::string(base::nameOf(stream)),
+                          {},
+                          fmt::format("has no pose in {} rows{}", screen.rows[at], reasons),
+                          "Give tables with this stream, quaternions of norm 1 as x, y, z, w"});
+}
+
+/// Half of the states must be nearer to what was told, the offset taken off, than the motions are long: else
+/// no offset relates the two streams, and nothing can be learned of what it leaves.
+void checkRelated(const std::vector<State>& states, const Eigen::Isometry3d& offset) {
+  constexpr double kMost = 0.6;
+  std::vector<double> off, way;
+  std::array<std::vector<double>, 3> told;
+  for (const State& state : states)
+    for (std::size_t i = 0; i < 3; ++i)
+      told[i].push_back(state.pair.told.translation()[static_cast<Eigen::Index>(i)]);
+  const Eigen::Vector3d middle(stats::median(told[0]), stats::median(told[1]), stats::median(told[2]));
+  for (const State& state : states) {
+    off.push_back((offset * state.pair.seen.translation() - state.pair.told.translation()).norm());
+    way.push_back((state.pair.told.translation() - middle).norm());
+  }
+  const double left = stats::median(off), size = stats::median(way);
+  if (left <= kMost * size) return;
+  throw base::InputError(
+      {{},
+       0,
+       "poses",
+       fmt::format("{:.3g} m", left),
+       fmt::format("is what the best rigid offset leaves of half of the sights, and motions are "
+                   "{:.3g} m long",
+                   size),
+       "Check units (metres), the order of axes and of quaternions (x, y, z, w), and that all "
+       "streams are of one arm"});
+}
+
+Eigen::Isometry3d offsetOf(const std::vector<State>& states, double lever) {
+  std::vector<PosePair> pairs;
+  for (const State& state : states) pairs.push_back(state.pair);
+  return rigidOffset(pairs, lever);
+}
+
+}  // namespace
 
 PreparedStates prepare(const std::vector<RawMotion>& motions, const LearningOptions& options) {
   PreparedStates prepared;
   prepared.screen = screenPoses(motions);
+  checkPoses(prepared.screen, StreamKind::kCamera);
+  checkPoses(prepared.screen, options.towards);
   prepared.lag = lagBetween(prepared.screen.motions, options.towards);
   if (options.align) prepared.taken_off = prepared.lag.lag;
   prepared.states = statesOf(prepared.screen.motions, options.towards, prepared.taken_off);
@@ -30,9 +88,11 @@ LearningReport learn(const std::vector<RawMotion>& motions, const LearningOption
     cleaning = cleanStates(prepared.states, options.cleaning);
   else
     cleaning.reason.assign(prepared.states.size(), Reason::kNone);
-  const std::vector<State> states = kept(prepared.states, cleaning);
-  CorrectionModel model = options.rigid ? CorrectionModel::rigid(states, options.correction)
-                                        : CorrectionModel::trained(states, options.correction, progress);
+  const std::vector<State> counting = kept(prepared.states, cleaning);
+  checkRelated(prepared.states,
+               options.clean ? cleaning.offset : offsetOf(counting, options.correction.lever));
+  CorrectionModel model = options.rigid ? CorrectionModel::rigid(counting, options.correction)
+                                        : CorrectionModel::trained(counting, options.correction, progress);
   return {std::move(prepared), std::move(cleaning), std::move(model), progress && progress->cancelled()};
 }
 

@@ -12,7 +12,9 @@ struct LearningOptions {
   bool align = true;                          ///< take the lag of what is seen behind what is told off
   bool clean = true;
   bool rigid = false;  ///< learn the rigid offset alone
-  CleaningOptions cleaning;
+  /// Of a trajectory that is wrong in part (axes swapped, say) some states pass by chance: less is trusted
+  /// than the paper's P.
+  CleaningOptions cleaning{.most_rejected = 0.4};
   CorrectionOptions correction;
 };
 
@@ -34,7 +36,8 @@ struct LearningReport {
   bool cancelled = false;
 };
 
-/// Learns a correction from motions. base::InputError: too few states are left.
+/// Learns a correction from motions. base::InputError: too few states are left, or no rigid offset relates
+/// what was seen to what was told (wrong units, swapped axes).
 LearningReport learn(const std::vector<RawMotion>& motions, const LearningOptions& options = {},
                      base::Progress* progress = nullptr);
 

@@ -28,7 +28,8 @@ std::vector<Eigen::Quaterniond> turnsOf(const std::vector<StampedPose>& stream) 
   return turns;
 }
 
-constexpr double kSpeedSpan = 0.1;  // [s]
+constexpr double kSpeedSpan = 0.1;   // [s]
+constexpr double kFastestTip = 0.5;  // [m/s]: faster is a jump of sights
 
 /// Speeds of a stream over time: of the way over kSpeedSpan, since the noise of sights looks like speed, and
 /// the more the nearer they are in time.
@@ -40,8 +41,10 @@ struct Speeds {
       while (stream[from].t < stream[k].t - kSpeedSpan) ++from;
       const double span = stream[k].t - stream[from].t;
       if (!(span > 0.5 * kSpeedSpan)) continue;
+      const double way = (stream[k].pose.translation() - stream[from].pose.translation()).norm();
+      if (way > kFastestTip * span) continue;
       t.push_back(0.5 * (stream[k].t + stream[from].t));
-      speed.push_back((stream[k].pose.translation() - stream[from].pose.translation()).norm() / span);
+      speed.push_back(way / span);
     }
   }
   std::optional<double> at(double when) const {
@@ -59,17 +62,25 @@ struct Misfit {
   Eigen::VectorXd sum, count;
 };
 
+/// By sights that have a counterpart at every lag, since others would change what is compared from lag to
+/// lag; of a motion too short for that by all.
 Misfit misfitOf(const PoseMotion& motion, StreamKind told, const std::vector<double>& lags) {
+  constexpr double kEnough = 0.25;
   const Speeds seen(motion.of(StreamKind::kCamera)), said(motion.of(told));
   const auto n = static_cast<Eigen::Index>(lags.size());
-  Misfit misfit{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n)};
-  for (std::size_t k = 0; k < seen.t.size(); ++k)
+  Misfit all{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n)}, whole = all;
+  for (std::size_t k = 0; k < seen.t.size(); ++k) {
+    Eigen::VectorXd difference = Eigen::VectorXd::Zero(n), there = Eigen::VectorXd::Zero(n);
     for (Eigen::Index l = 0; l < n; ++l)
       if (const auto speed = said.at(seen.t[k] - lags[static_cast<std::size_t>(l)])) {
-        misfit.sum[l] += std::min(std::abs(seen.speed[k] - *speed), kJump);
-        misfit.count[l] += 1.0;
+        difference[l] = std::min(std::abs(seen.speed[k] - *speed), kJump);
+        there[l] = 1.0;
       }
-  return misfit;
+    all.sum += difference, all.count += there;
+    if (there.minCoeff() > 0.0) whole.sum += difference, whole.count += there;
+  }
+  return whole.count.sum() >= kEnough * static_cast<double>(n) * static_cast<double>(seen.t.size()) ? whole
+                                                                                                    : all;
 }
 
 /// Where the parabola through the least of all and its neighbours is least.

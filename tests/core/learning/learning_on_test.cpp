@@ -1,0 +1,88 @@
+// What a model does while it is in use: says when it has aged, and where to look next.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/base/random.h"
+#include "core/learning/drift_monitor.h"
+#include "core/learning/next_poses.h"
+
+namespace capstan::learning {
+namespace {
+
+/// States along x in [low, high], a bias that waves, stamps 0.5 s apart.
+std::vector<State> along(double low, double high, std::size_t n, std::uint64_t seed, double aged = 0.0) {
+  base::Random random(seed, "states");
+  std::vector<State> states(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    State& state = states[k];
+    state.t = 0.5 * static_cast<double>(k);
+    const Eigen::Vector3d p(random.uniform(low, high), random.uniform(-0.02, 0.02),
+                            random.uniform(-0.02, 0.02));
+    state.pair.seen.translation() = p;
+    state.pair.told.translation() = p + Eigen::Vector3d(2e-3 * std::sin(50.0 * p.x()) + aged, 0.0, 0.0);
+    for (int i = 0; i < 3; ++i) state.pair.told.translation()[i] += random.normal(0.0, 2e-4);
+    state.pair.told.linear() =
+        Eigen::AngleAxisd(random.normal(0.0, 0.01), Eigen::Vector3d::UnitX()).toRotationMatrix() *
+        Eigen::AngleAxisd(random.normal(0.0, 0.01), Eigen::Vector3d::UnitY()).toRotationMatrix() *
+        Eigen::AngleAxisd(random.normal(0.0, 0.01), Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  }
+  return states;
+}
+
+CorrectionModel learnedFrom(const std::vector<State>& states) {
+  CorrectionOptions options;
+  options.motion = Motion::kNone;
+  options.likelihood_points = 200;
+  options.inducing_points = 150;
+  return CorrectionModel::trained(states, options);
+}
+
+TEST(DriftMonitor, isSilentWhileTheModelHolds) {
+  const CorrectionModel model = learnedFrom(along(-0.05, 0.05, 500, 1));
+  DriftMonitor monitor(model);
+  int alarms = 0;
+  for (const State& state : along(-0.05, 0.05, 600, 2)) alarms += monitor.add(state).aged;
+  EXPECT_LE(alarms, 6);
+}
+
+TEST(DriftMonitor, saysWhenTheModelHasAged) {
+  const CorrectionModel model = learnedFrom(along(-0.05, 0.05, 500, 1));
+  DriftMonitor monitor(model);
+  for (const State& state : along(-0.05, 0.05, 200, 2)) monitor.add(state);
+  std::size_t until = 0;
+  for (State state : along(-0.05, 0.05, 200, 3, 1e-3)) {
+    state.t += 100.0;
+    if (monitor.add(state).aged) break;
+    ++until;
+  }
+  EXPECT_LT(until, 60U) << "a millimetre is five σ of a reading: half a minute should tell";
+  monitor.reset();
+  EXPECT_FALSE(monitor.add(along(-0.05, 0.05, 1, 4).front()).aged);
+}
+
+TEST(NextPoses, lieWhereNobodyHasBeen) {
+  std::vector<State> learned = along(-0.06, 0.0, 300, 1), some = along(0.05, 0.06, 4, 5);
+  learned.insert(learned.end(), some.begin(), some.end());
+  const CorrectionModel model = learnedFrom(learned);
+  const std::vector<State> candidates = along(-0.06, 0.06, 60, 6);
+  const std::vector<NextPose> next = nextPoses(model, candidates, 3);
+  ASSERT_FALSE(next.empty());
+  double before = next.front().before;
+  for (const NextPose& pose : next) {
+    EXPECT_GT(candidates[pose.candidate].pair.seen.translation().x(), 0.0);
+    EXPECT_DOUBLE_EQ(pose.before, before);
+    EXPECT_LT(pose.after, pose.before);
+    before = pose.after;
+  }
+}
+
+TEST(NextPoses, stopWhenCancelled) {
+  base::Progress progress;
+  progress.cancel();
+  EXPECT_TRUE(
+      nextPoses(learnedFrom(along(-0.05, 0.05, 100, 1)), along(-0.05, 0.05, 10, 2), 3, &progress).empty());
+}
+
+}  // namespace
+}  // namespace capstan::learning
