@@ -1,0 +1,74 @@
+// learn and correct, as users run them.
+#include <gmock/gmock.h>
+
+#include "tests/app/cli_fixture.h"
+#include "tests/support/sample_poses.h"
+
+namespace capstan::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+class CliLearn : public Cli {
+ protected:
+  CliLearn() {
+    writeSamplePoses(path("train.csv"));
+    SamplePoses other;
+    other.seed = 2;
+    writeSamplePoses(path("test.csv"), other);
+  }
+  Ran learn(const std::string& more) const {
+    return run("learn --train " + path("train.csv") + " --inducing 200 --threads 1 --model " +
+               path("m.correction") + " " + more);
+  }
+};
+
+TEST_F(CliLearn, LearnsTellsAndCorrects) {
+  const Ran learned = learn("--test " + path("test.csv") + " --json " + path("m.json"));
+  ASSERT_EQ(learned.exit, 0) << learned.err;
+  EXPECT_THAT(learned.out, HasSubstr("placeholder"));
+  EXPECT_THAT(learned.out, HasSubstr("corrected"));
+  const json said = json::parse(textOf("m.json"));
+  EXPECT_NEAR(said["lag"]["value"].get<double>(), 0.04, 0.01);
+  const json& clean = said["test"]["clean"];
+  const auto meanOf = [&](const char* what) { return clean[what]["distance"]["mean"].get<double>(); };
+  EXPECT_LT(meanOf("corrected"), 0.5 * meanOf("offset"));
+  EXPECT_LT(meanOf("offset"), 0.5 * meanOf("none"));
+
+  write("wanted.csv", "t_s,x,y,z,qx,qy,qz,qw\n0,0.01,0.0,-0.15,0,0,0,1\n0.1,0.012,0.0,-0.15,0,0,0,1\n");
+  const Ran corrected =
+      run("correct --model " + path("m.correction") + " " + path("wanted.csv") + " " + path("out.csv"));
+  ASSERT_EQ(corrected.exit, 0) << corrected.err;
+  EXPECT_THAT(textOf("out.csv"), HasSubstr("traj,t_s,x,y,z,qx,qy,qz,qw,sigma_x"));
+  EXPECT_EQ(std::ranges::count(textOf("out.csv"), '\n'), 3);
+}
+
+TEST_F(CliLearn, SaysWhereAPathIsWrong) {
+  ASSERT_EQ(learn("--method offset").exit, 0);
+  const std::string ask =
+      "correct --model " + path("m.correction") + " " + path("wanted.csv") + " " + path("out.csv");
+  write("wanted.csv", "t_s,x,y,z,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n0,0,0,0,0,0,0,1\n");
+  EXPECT_THAT(run(ask).err, HasSubstr("wanted.csv:3: t_s = 0"));
+  write("wanted.csv", "x,y,z,qx,qy,qz,qw\n0,0,0,0,0,0,2\n");
+  EXPECT_THAT(run(ask).err, HasSubstr("wanted.csv:2: qw = 2"));
+  write("wanted.csv", "x,y,z\n0,0,0\n");
+  EXPECT_THAT(run(ask).err, HasSubstr("qx: is missing"));
+  EXPECT_FALSE(fs::exists(path("out.csv")));
+  write("wanted.csv", "x,y,z,qx,qy,qz,qw\n0,0,0,0,0,0,1\n");
+  const Ran at_rest = run(ask);
+  EXPECT_EQ(at_rest.exit, 0);
+  EXPECT_THAT(at_rest.err, HasSubstr("no t_s"));
+}
+
+TEST_F(CliLearn, RefusesWhatMakesNoSense) {
+  EXPECT_THAT(learn("--test " + path("train.csv")).err, HasSubstr("is learned from as well"));
+  EXPECT_THAT(learn("--towards sideways").err, HasSubstr("--towards"));
+  EXPECT_EQ(run("correct --model " + path("train.csv") + " " + path("test.csv") + " " + path("o.csv")).exit,
+            2);
+  EXPECT_THAT(run("correct --model " + path("train.csv") + " " + path("test.csv") + " " + path("o.csv")).err,
+              HasSubstr("is no model of a correction"));
+  EXPECT_FALSE(fs::exists(path("m.correction")));
+}
+
+}  // namespace
+}  // namespace capstan::testing
