@@ -23,7 +23,7 @@ constexpr double kHopeless = 0.02;     // reduction after a first look
 
 /// Falls of the objective [nats] at which a fit stands still: of rigid drives, whose initial states creep,
 /// while weights still change; and at the end.
-constexpr double kRough = 1.0, kFine = 0.05;
+constexpr double kRough = 0.1, kFine = 0.05;
 constexpr int kPasses = 3;  // of a fit with the weights of what the one before left
 double toleranceOf(const FitData& data, int pass) { return data.rigid() && pass < kPasses ? kRough : kFine; }
 
