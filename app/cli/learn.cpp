@@ -17,7 +17,7 @@ namespace {
 
 struct LearnArguments {
   std::vector<std::string> train, test;
-  std::string method = "history", towards = "command", model, json;
+  std::string method = "velocity", towards = "command", model, json;
   learning::LearningOptions options;
   bool no_cleaning = false, no_alignment = false;
 };

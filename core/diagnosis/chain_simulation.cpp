@@ -243,8 +243,7 @@ robot::ChainState<double> ChainSimulation::initialState(const robot::ChainModel&
   }
   if (!evidence_.hasEncoders() && !model.shape.rigid) q = robot::jointsFromMotors(model, q_m);
   robot::ChainState<double> state = robot::stateAt(model, q, dq);
-  const std::size_t begin = windows_[window].begin;
-  if (model.shape.rigid) robot::windUp(model, inputAt(begin, begin), state);
+  if (model.shape.rigid) robot::windUp(model, inputAt(windows_[window].begin, windows_[window].begin), state);
   for (int j = 0; j < joints_; ++j) {
     const robot::JointNumbers<double>& p = model.numbers.joints[j];
     state.motor[j] += beyond ? (*beyond)(2 * joints_ + j, at) : 0.0;

@@ -8,11 +8,11 @@
 namespace capstan::learning {
 
 struct CorrectionOptions {
-  Motion motion = Motion::kHistory;
+  Motion motion = Motion::kVelocity;  ///< history pays with thousands of states, and misleads with hundreds
   RotationForm rotation = RotationForm::kTangent;
   Eigen::Index likelihood_points = 1000;  ///< states that the hyperparameters are learned from, at most
   Eigen::Index inducing_points = 1500;    ///< at most
-  ProcessFitOptions fit;
+  ProcessFitOptions fit{.farthest_signal = 3.0, .farthest_noise = 2.5};
   double lever = kLever;
   int threads = 2;
   std::uint64_t seed = 1;

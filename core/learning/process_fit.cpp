@@ -13,8 +13,8 @@ namespace {
 class Likelihood : public ceres::FirstOrderFunction {
  public:
   Likelihood(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y, const Eigen::VectorXd& start,
-             const base::Progress* progress, int& evaluations)
-      : x_(x), y_(y), start_(start), progress_(progress), evaluations_(evaluations) {}
+             const ProcessFitOptions& options, const base::Progress* progress, int& evaluations)
+      : x_(x), y_(y), start_(start), options_(options), progress_(progress), evaluations_(evaluations) {}
 
   bool Evaluate(const double* parameters, double* cost, double* gradient) const override {
     if (progress_ && progress_->cancelled()) return false;
@@ -26,15 +26,28 @@ class Likelihood : public ceres::FirstOrderFunction {
         negativeLogLikelihood(x_, y_, RbfParameters::unpacked(at), gradient ? &slope : nullptr);
     if (!value || !std::isfinite(*value)) return false;
     *cost = *value;
+    fence(at, 0, options_.farthest_signal, *cost, gradient ? &slope : nullptr);
+    fence(at, 1, options_.farthest_noise, *cost, gradient ? &slope : nullptr);
     if (gradient) Eigen::Map<Eigen::VectorXd>(gradient, NumParameters()) = slope;
     return true;
   }
   int NumParameters() const override { return static_cast<int>(start_.size()); }
 
  private:
+  /// Rises steeply beyond `farthest` from the start.
+  void fence(const Eigen::Map<const Eigen::VectorXd>& at, Eigen::Index k, double farthest, double& cost,
+             Eigen::VectorXd* slope) const {
+    const double steep = static_cast<double>(x_.rows()), way = at[k] - start_[k];
+    const double beyond = std::abs(way) - farthest;
+    if (beyond <= 0.0) return;
+    cost += steep * beyond * beyond;
+    if (slope) (*slope)[k] += std::copysign(2.0 * steep * beyond, way);
+  }
+
   const Eigen::MatrixXd& x_;
   const Eigen::MatrixXd& y_;
   Eigen::VectorXd start_;
+  const ProcessFitOptions& options_;
   const base::Progress* progress_;
   int& evaluations_;
 };
@@ -62,7 +75,7 @@ ProcessFitReport fitProcess(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y, 
                             const ProcessFitOptions& options, const base::Progress* progress) {
   ProcessFitReport report;
   Eigen::VectorXd found = start.packed();
-  const ceres::GradientProblem problem(new Likelihood(x, y, found, progress, report.evaluations));
+  const ceres::GradientProblem problem(new Likelihood(x, y, found, options, progress, report.evaluations));
   ceres::GradientProblemSolver::Options search;
   search.line_search_direction_type = ceres::BFGS;
   search.max_num_iterations = options.iterations;

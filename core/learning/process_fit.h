@@ -5,10 +5,15 @@
 
 namespace capstan::learning {
 
+inline constexpr double kFarthest = 12.0;
+
 struct ProcessFitOptions {
   bool length_a_feature = true;  ///< false: one for all
   int iterations = 60;           ///< of the search, at most
   double tolerance = 1e-7;       ///< relative fall of the objective that counts as standing still
+  /// How far ln σ_f and ln σ_n may go from the start's: many features make next to no noise, and signals far
+  /// beyond the outputs, likely between points and wrong elsewhere.
+  double farthest_signal = kFarthest, farthest_noise = kFarthest;
 };
 
 struct ProcessFitReport {
@@ -27,6 +32,5 @@ RbfParameters startOf(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y, const 
 /// Stops early when `progress` is cancelled, with the best so far.
 ProcessFitReport fitProcess(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y, const RbfParameters& start,
                             const ProcessFitOptions& options = {}, const base::Progress* progress = nullptr);
-inline constexpr double kFarthest = 12.0;
 
 }  // namespace capstan::learning

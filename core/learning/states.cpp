@@ -83,6 +83,22 @@ Misfit misfitOf(const PoseMotion& motion, StreamKind told, const std::vector<dou
                                                                                                     : all;
 }
 
+std::vector<Misfit> misfitsOf(const std::vector<PoseMotion>& motions, StreamKind told,
+                              const std::vector<double>& lags) {
+  std::vector<Misfit> misfits;
+  for (const PoseMotion& motion : motions) misfits.push_back(misfitOf(motion, told, lags));
+  return misfits;
+}
+
+/// Over all motions.
+Eigen::VectorXd meanOf(const std::vector<Misfit>& misfits) {
+  if (misfits.empty()) return Eigen::VectorXd::Zero(1);
+  Misfit all{Eigen::VectorXd::Zero(misfits.front().sum.size()),
+             Eigen::VectorXd::Zero(misfits.front().sum.size())};
+  for (const Misfit& one : misfits) all.sum += one.sum, all.count += one.count;
+  return all.sum.cwiseQuotient(all.count.cwiseMax(1.0));
+}
+
 /// Where the parabola through the least of all and its neighbours is least.
 double leastAt(const std::vector<double>& lags, const Eigen::VectorXd& mean) {
   Eigen::Index least = 0;
@@ -157,22 +173,21 @@ LagReport lagBetween(const std::vector<PoseMotion>& motions, StreamKind told, co
   LagReport report;
   for (double lag = options.earliest; lag <= options.latest + 0.5 * options.step; lag += options.step)
     report.tried.push_back(lag);
-  std::vector<Misfit> misfits;
-  const auto n = static_cast<Eigen::Index>(report.tried.size());
-  Misfit all{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n)};
-  for (const PoseMotion& motion : motions) {
-    misfits.push_back(misfitOf(motion, told, report.tried));
-    all.sum += misfits.back().sum;
-    all.count += misfits.back().count;
-  }
-  const Eigen::VectorXd mean = all.sum.cwiseQuotient(all.count.cwiseMax(1.0));
-  report.misfit.assign(mean.data(), mean.data() + mean.size());
-  report.lag = leastAt(report.tried, mean);
+  const Eigen::VectorXd coarse = meanOf(misfitsOf(motions, told, report.tried));
+  report.misfit.assign(coarse.data(), coarse.data() + coarse.size());
+  Eigen::Index least = 0;
+  coarse.minCoeff(&least);
+  std::vector<double> near;  // where hardly a sight has no counterpart
+  for (const int step : {-2, -1, 0, 1, 2})
+    near.push_back(report.tried[static_cast<std::size_t>(least)] + step * options.step);
+  const std::vector<Misfit> misfits = misfitsOf(motions, told, near);
+  report.lag = leastAt(near, meanOf(misfits));
   double squares = 0.0, used = 0.0;
-  for (const Misfit& one : misfits) {
-    if (one.count.maxCoeff() < 1.0) continue;
-    const Eigen::VectorXd rest = (all.sum - one.sum).cwiseQuotient((all.count - one.count).cwiseMax(1.0));
-    squares += std::pow(leastAt(report.tried, rest) - report.lag, 2);
+  for (std::size_t m = 0; m < misfits.size(); ++m) {
+    if (misfits[m].count.maxCoeff() < 1.0) continue;
+    std::vector<Misfit> others = misfits;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(m));
+    squares += std::pow(leastAt(near, meanOf(others)) - report.lag, 2);
     used += 1.0;
   }
   if (used > 1.0) report.sigma = std::sqrt(squares * (used - 1.0) / used);

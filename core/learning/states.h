@@ -50,7 +50,8 @@ struct LagReport {
 
 /// The lag between both clocks and of the robot behind its command, by speeds, which no rigid offset
 /// changes: least mean of |‖v_seen(t)‖ − ‖v_told(t − lag)‖|, the mean robust against sights that jump
-/// (differences beyond kJump count as that). Searched in steps, then by a parabola through the least three.
+/// (differences beyond kJump count as that). Searched in steps, then by a parabola through the least three of
+/// those near it, compared by the sights that all of these have a counterpart for.
 LagReport lagBetween(const std::vector<PoseMotion>& motions, StreamKind told, const LagOptions& options = {});
 inline constexpr double kJump = 0.05;  ///< [m/s]
 

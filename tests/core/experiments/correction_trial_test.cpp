@@ -61,9 +61,9 @@ TEST(CorrectionTrial, ErrorsAreThoseOfTheStudysLastMethod) {
   options.splits = 1;
   options.correction = quick();
   const CorrectionStudyReport study = correctionStudy(states(), options);
-  constexpr auto kAll = static_cast<std::size_t>(CorrectionMethod::kAll);
-  EXPECT_NEAR(study.clean[kAll].distance, trial.clean[2].summed().distance, kRounding);
-  EXPECT_NEAR(study.dirty[kAll].angle, trial.dirty[2].summed().angle, kRounding);
+  constexpr auto kLast = static_cast<std::size_t>(CorrectionMethod::kAll);
+  EXPECT_NEAR(study.clean[kLast].distance, trial.clean[2].summed().distance, kRounding);
+  EXPECT_NEAR(study.dirty[kLast].angle, trial.dirty[2].summed().angle, kRounding);
 }
 
 TEST(CorrectionTrial, NeedsTrajectoriesToHoldOut) {
@@ -150,7 +150,7 @@ TEST(ConfidenceSlice, SaysOfManyWhatCorrectSaysOfOne) {
   const Eigen::VectorXd many = trial.model->confidence(some);
   for (std::size_t k = 0; k < some.size(); ++k)
     EXPECT_NEAR(many[static_cast<Eigen::Index>(k)],
-                trial.model->correct(some[k].pair.seen, some[k].velocity).confidence, 1e-9);
+                trial.model->correct(some[k]).confidence, 1e-9);
 }
 
 }  // namespace
