@@ -4,9 +4,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <numeric>
-
-#include "core/stats/quantile.h"
 
 namespace capstan::cli {
 namespace {
@@ -17,21 +14,19 @@ using Json = nlohmann::json;
 
 constexpr double kMillimetres = 1e3, kDegrees = 180.0 / std::numbers::pi;
 
-double meanOf(const std::vector<double>& x) {
-  return x.empty() ? NAN : std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
-}
-
 TestedStates testedStates(const std::vector<learning::State>& states,
                           const learning::CorrectionModel& model) {
   TestedStates tested;
   tested.states = states.size();
   const std::vector<Eigen::Isometry3d> corrected = model.correct(states);
+  experiments::PoseErrors none, offset, by_model;
   for (std::size_t k = 0; k < states.size(); ++k) {
     const auto& [seen, told] = states[k].pair;
-    tested.none.add(seen, told);
-    tested.offset.add(model.offset() * seen, told);
-    tested.corrected.add(corrected[k], told);
+    none.add(seen, told);
+    offset.add(model.offset() * seen, told);
+    by_model.add(corrected[k], told);
   }
+  tested.none = none.summed(), tested.offset = offset.summed(), tested.corrected = by_model.summed();
   return tested;
 }
 
@@ -77,9 +72,10 @@ std::string screenText(const learning::ScreenReport& screen) {
   return text;
 }
 
-Json errorJson(const experiments::PoseErrors& error) {
-  return {{"distance", {{"mean", meanOf(error.distance)}, {"median", stats::median(error.distance)}}},
-          {"angle", {{"mean", meanOf(error.angle)}, {"median", stats::median(error.angle)}}}};
+Json errorJson(const experiments::CorrectionErrors& error) {
+  const auto mean = [&](double x) { return error.states > 0 ? x : NAN; };
+  return {{"distance", {{"mean", mean(error.distance)}, {"median", error.median_distance}}},
+          {"angle", {{"mean", mean(error.angle)}, {"median", error.median_angle}}}};
 }
 
 Json testedJson(const TestedStates& tested) {
@@ -91,10 +87,10 @@ Json testedJson(const TestedStates& tested) {
 
 std::string testedText(const char* name, const TestedStates& tested) {
   std::string text = fmt::format("  {} ({} states)\n", name, tested.states);
-  const auto line = [&](const char* what, const experiments::PoseErrors& error) {
+  const auto line = [&](const char* what, const experiments::CorrectionErrors& error) {
     text += fmt::format("    {:16}{:8.2f} mm {:8.2f} deg   median {:8.2f} mm {:8.2f} deg\n", what,
-                        kMillimetres * meanOf(error.distance), kDegrees * meanOf(error.angle),
-                        kMillimetres * stats::median(error.distance), kDegrees * stats::median(error.angle));
+                        kMillimetres * error.distance, kDegrees * error.angle,
+                        kMillimetres * error.median_distance, kDegrees * error.median_angle);
   };
   line("not corrected", tested.none);
   line("rigid offset", tested.offset);

@@ -13,7 +13,7 @@ namespace capstan::cli {
 /// model.
 struct TestedStates {
   std::size_t states = 0;
-  experiments::PoseErrors none, offset, corrected;
+  experiments::CorrectionErrors none, offset, corrected;
 };
 
 struct TestReport {

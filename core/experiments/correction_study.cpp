@@ -57,8 +57,7 @@ std::vector<Eigen::Isometry3d> told(M method, const std::vector<State>& train,
     return model.correct(test);
   }
   Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();
-  std::vector<learning::PosePair> pairs;
-  for (const State& state : method == M::kOffsetCleaning ? clean : train) pairs.push_back(state.pair);
+  const auto pairs = learning::pairsOf(method == M::kOffsetCleaning ? clean : train);
   if (method != M::kUncorrected) offset = learning::rigidOffset(pairs, options.correction.lever);
   for (const State& state : test) poses.push_back(offset * state.pair.seen);
   return poses;

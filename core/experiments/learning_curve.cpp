@@ -48,8 +48,7 @@ LearningCurve learningCurve(const std::vector<State>& states, const LearningCurv
   for (std::size_t k = 0; k < test.size(); ++k)
     if (reasons[k] == learning::Reason::kNone) clean.push_back(test[k]);
   train = learning::kept(train, cleaned);
-  std::vector<learning::PosePair> pairs;
-  for (const State& state : train) pairs.push_back(state.pair);
+  const std::vector<learning::PosePair> pairs = learning::pairsOf(train);
   curve.none = errorsOf(moved(clean, Eigen::Isometry3d::Identity()), clean);
   curve.offset = errorsOf(moved(clean, learning::rigidOffset(pairs, options.correction.lever)), clean);
 

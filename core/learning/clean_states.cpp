@@ -42,11 +42,8 @@ std::size_t CleaningReport::count(Reason of) const {
 
 CleaningReport cleanStates(const std::vector<State>& states, const CleaningOptions& options) {
   CleaningReport report;
-  std::vector<PosePair> pairs;
-  for (const State& state : states) {
-    pairs.push_back(state.pair);
-    report.workspace.extend(state.pair.told.translation());
-  }
+  const std::vector<PosePair> pairs = pairsOf(states);
+  for (const PosePair& pair : pairs) report.workspace.extend(pair.told.translation());
   const MedianReport median = leastMedianOffset(pairs, options.median);
   report.offset = median.offset;
   report.deviation = median.deviation;

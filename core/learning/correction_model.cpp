@@ -54,8 +54,7 @@ CorrectionParts CorrectionModel::parts() const {
 
 CorrectionModel CorrectionModel::rigid(const std::vector<State>& states, const CorrectionOptions& options) {
   checkEnough(states.size());
-  std::vector<PosePair> pairs;
-  for (const State& state : states) pairs.push_back(state.pair);
+  const std::vector<PosePair> pairs = pairsOf(states);
   CorrectionParts parts;
   parts.offset = rigidOffset(pairs, options.lever);
   parts.lever = options.lever;

@@ -52,12 +52,6 @@ void checkRelated(const std::vector<State>& states, const Eigen::Isometry3d& off
        "streams are of one arm"});
 }
 
-Eigen::Isometry3d offsetOf(const std::vector<State>& states, double lever) {
-  std::vector<PosePair> pairs;
-  for (const State& state : states) pairs.push_back(state.pair);
-  return rigidOffset(pairs, lever);
-}
-
 }  // namespace
 
 PreparedStates prepare(const std::vector<RawMotion>& motions, const LearningOptions& options) {
@@ -90,7 +84,7 @@ LearningReport learn(const std::vector<RawMotion>& motions, const LearningOption
     cleaning.reason.assign(prepared.states.size(), Reason::kNone);
   const std::vector<State> counting = kept(prepared.states, cleaning);
   checkRelated(prepared.states,
-               options.clean ? cleaning.offset : offsetOf(counting, options.correction.lever));
+               options.clean ? cleaning.offset : rigidOffset(pairsOf(counting), options.correction.lever));
   CorrectionModel model = options.rigid ? CorrectionModel::rigid(counting, options.correction)
                                         : CorrectionModel::trained(counting, options.correction, progress);
   return {std::move(prepared), std::move(cleaning), std::move(model), progress && progress->cancelled()};

@@ -123,6 +123,13 @@ Vector6d driftAt(const std::vector<StampedPose>& seen, std::size_t k, double spa
 
 }  // namespace
 
+std::vector<PosePair> pairsOf(const std::vector<State>& states) {
+  std::vector<PosePair> pairs;
+  pairs.reserve(states.size());
+  for (const State& state : states) pairs.push_back(state.pair);
+  return pairs;
+}
+
 std::optional<Eigen::Isometry3d> poseAt(const std::vector<StampedPose>& stream, double t) {
   const auto after = std::lower_bound(stream.begin(), stream.end(), t,
                                       [](const StampedPose& pose, double when) { return pose.t < when; });

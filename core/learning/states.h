@@ -25,6 +25,9 @@ struct State {
   std::array<Vector6d, kSpans.size()> drift = {Vector6d::Zero(), Vector6d::Zero()};
 };
 
+/// What was seen and told of each.
+std::vector<PosePair> pairsOf(const std::vector<State>& states);
+
 /// A stream's pose at a time, between the two stamps around it: positions in line, turns along the shorter
 /// arc. Nothing before the first, after the last or in a gap longer than kLongestGap.
 std::optional<Eigen::Isometry3d> poseAt(const std::vector<StampedPose>& stream, double t);

@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <numbers>
-#include <numeric>
 
 #include "core/experiments/correction_errors.h"
 #include "core/experiments/held_out.h"
@@ -19,10 +18,6 @@ using learning::State;
 constexpr double kMillimetres = 1e3, kDegrees = 180.0 / std::numbers::pi;
 constexpr Index kPaperFew = 460;
 constexpr double kPaperSecondsFew = 18.6, kPaperSecondsAll = 4228.8;
-
-double meanOf(const std::vector<double>& x) {
-  return std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
-}
 
 double secondsSince(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -72,8 +67,9 @@ void tellTrainingSizes(const LearningData& data, const LearningStudyOptions& opt
     experiments::PoseErrors error;
     const std::vector<Eigen::Isometry3d> corrected = model.correct(test);
     for (std::size_t k = 0; k < test.size(); ++k) error.add(corrected[k], test[k].pair.told);
+    const experiments::CorrectionErrors sum = error.summed();
     fmt::print("  {:6} states {:8.2f} s {:8.3f} mm {:8.3f} deg\n", count, seconds,
-               kMillimetres * meanOf(error.distance), kDegrees * meanOf(error.angle));
+               kMillimetres * sum.distance, kDegrees * sum.angle);
     std::fflush(stdout);
     if (share == 1.0) tellExact(train, test, model);
   }
