@@ -25,5 +25,7 @@ void addFigures(CLI::App& app, ExitCode& exit);
 void addStudy(CLI::App& app, ExitCode& exit);
 void addLearn(CLI::App& app, ExitCode& exit);
 void addCorrect(CLI::App& app, ExitCode& exit);
+void addDrift(CLI::App& app, ExitCode& exit);
+void addExplore(CLI::App& app, ExitCode& exit);
 
 }  // namespace capstan::cli

@@ -1,46 +1,37 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "app/cli/command.h"
 #include "app/cli/console.h"
 #include "app/cli/learn_output.h"
 #include "app/cli/outputs.h"
+#include "app/cli/pose_motions.h"
 #include "core/base/checksum.h"
 #include "core/experiments/same_recording.h"
 #include "core/experiments/software.h"
 #include "core/session/correction_file.h"
-#include "core/session/pose_table.h"
 
 namespace capstan::cli {
 namespace {
 
 struct LearnArguments {
   std::vector<std::string> train, test;
-  std::string method = "velocity", towards = "command", model, json;
+  std::string method = "auto", towards = "command", onto, model, json;
   learning::LearningOptions options;
   bool no_cleaning = false, no_alignment = false;
 };
 
-std::vector<learning::RawMotion> readAll(const std::vector<std::string>& files) {
-  std::vector<learning::RawMotion> all;
-  for (const std::string& file : files) {
-    std::vector<learning::RawMotion> motions = session::readPoseTable(file);
-    if (files.size() > 1)
-      for (learning::RawMotion& motion : motions) motion.name = file + ", " + motion.name;
-    all.insert(all.end(), std::make_move_iterator(motions.begin()), std::make_move_iterator(motions.end()));
-  }
-  return all;
-}
-
-session::CorrectionSource sourceOf(const LearnArguments& arguments, const learning::LearningReport& report) {
-  session::CorrectionSource source;
-  source.files = arguments.train;
+/// Of a model that is learned onto another: with what that came from.
+session::CorrectionSource sourceOf(const LearnArguments& arguments, const learning::LearningReport& report,
+                                   session::CorrectionSource source) {
+  source.files.insert(source.files.end(), arguments.train.begin(), arguments.train.end());
   for (const std::string& file : arguments.train) source.checksums.push_back(base::checksumOfFile(file));
   source.towards = arguments.options.towards;
   source.lag = report.prepared.taken_off;
-  source.states = report.cleaning.kept();
-  source.rejected = report.cleaning.reason.size() - source.states;
+  source.states += report.cleaning.kept();
+  source.rejected += report.cleaning.reason.size() - report.cleaning.kept();
   source.software = experiments::software();
   return source;
 }
@@ -52,9 +43,17 @@ void check(const LearnArguments& arguments) {
         refuseFile(test, "is learned from as well: errors on it say nothing", "Test on other trajectories");
 }
 
+/// What the model has learned already would count twice.
+void checkNew(const std::vector<std::string>& files, const session::CorrectionSource& before) {
+  for (const std::string& file : files)
+    if (std::ranges::count(before.checksums, base::checksumOfFile(file)) > 0)
+      refuseFile(file, "has been learned from already", "Give motions that are new to the model");
+}
+
 ExitCode run(LearnArguments& arguments) {
   check(arguments);
   std::vector<std::string> inputs = arguments.train;
+  inputs.push_back(arguments.onto);
   inputs.insert(inputs.end(), arguments.test.begin(), arguments.test.end());
   checkOutputs({{"--model", arguments.model}, {"--json", arguments.json}}, inputs);
   learning::LearningOptions& options = arguments.options;
@@ -63,21 +62,30 @@ ExitCode run(LearnArguments& arguments) {
   options.clean = !arguments.no_cleaning;
   options.align = !arguments.no_alignment;
   options.rigid = arguments.method == "offset";
-  if (const auto motion = base::fromName<learning::Motion>(arguments.method))
-    options.correction.motion = *motion;
+  options.correction.motion = base::fromName<learning::Motion>(arguments.method);
   base::Progress progress;
   std::optional<learning::LearningReport> report;
+  session::CorrectionSource before;
   {
     const ProgressLine line(progress);
-    report = learning::learn(readAll(arguments.train), options, &progress);
+    if (arguments.onto.empty()) {
+      report = learning::learn(readMotions(arguments.train), options, &progress);
+    } else {
+      session::CorrectionFile old = session::readCorrection(arguments.onto);
+      before = old.source;
+      checkNew(arguments.train, before);
+      options.towards = before.towards;
+      report = learning::learnMore(std::move(old.model), before.lag, readMotions(arguments.train), options,
+                                   &progress);
+    }
   }
   if (report->cancelled) {
     notice("Cancelled: no model is written.");
     return kFailed;
   }
   LearnOutput told{*report, {}};
-  if (!arguments.test.empty()) told.test = testedOn(readAll(arguments.test), *report, options);
-  session::writeCorrection({report->model, sourceOf(arguments, *report)}, arguments.model);
+  if (!arguments.test.empty()) told.test = testedOn(readMotions(arguments.test), *report, options);
+  session::writeCorrection({report->model, sourceOf(arguments, *report, std::move(before))}, arguments.model);
   const Output output(arguments.json);
   output.text(textOf(told) + fmt::format("The model is in {}.\n", arguments.model));
   output.json(jsonOf(told));
@@ -94,16 +102,19 @@ void addLearn(CLI::App& app, ExitCode& exit) {
                    "tables of tip poses (.csv with traj, t_cam_s, cam_x …, and the same of robot or cmd)")
       ->required();
   command->add_option("--test", arguments->test, "tables of other trajectories, to tell how good it is");
-  command
-      ->add_option(
-          "--method", arguments->method,
-          "offset: rigid; none, velocity, history: a Gaussian process besides, of the pose alone, with\n"
-          "its velocity, with how it moved in the last 0.4 s too")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"offset", "none", "velocity", "history"}));
-  command->add_option("--towards", arguments->towards, "what corrected poses are asked of")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"command", "robot"}));
+  CLI::Option* method =
+      command
+          ->add_option(
+              "--method", arguments->method,
+              "offset: rigid; none, velocity, history: a Gaussian process besides, of the pose alone, with\n"
+              "its velocity, with how it moved in the last 0.4 s too; auto: velocity or history, whichever\n"
+              "is nearer on trajectories held out")
+          ->capture_default_str()
+          ->check(CLI::IsMember({"auto", "offset", "none", "velocity", "history"}));
+  CLI::Option* towards =
+      command->add_option("--towards", arguments->towards, "what corrected poses are asked of")
+          ->capture_default_str()
+          ->check(CLI::IsMember({"command", "robot"}));
   command->add_flag("--no-cleaning", arguments->no_cleaning, "keep outliers");
   command->add_flag("--no-alignment", arguments->no_alignment, "take stamps as they are");
   command
@@ -116,6 +127,11 @@ void addLearn(CLI::App& app, ExitCode& exit) {
   command->add_option("--seed", arguments->options.correction.seed, "of what is drawn")
       ->capture_default_str();
   command->add_option("--model", arguments->model, "file to write")->required();
+  command
+      ->add_option("--onto", arguments->onto,
+                   "model that the motions are added to, with its offset, kernels and lag: in seconds")
+      ->excludes(method)
+      ->excludes(towards);
   command->add_option("--json", arguments->json, "result as JSON, SI: a file, or - for standard output");
   command->footer(
       "Rows that are no poses, states that no robot can have been in and the clocks' lag are listed.\n"

@@ -98,10 +98,22 @@ std::string testedText(const char* name, const TestedStates& tested) {
   return text;
 }
 
+const char* motionText(learning::Motion motion) {
+  switch (motion) {
+    case learning::Motion::kNone:
+      return " alone";
+    case learning::Motion::kVelocity:
+      return " and its velocity";
+    default:
+      return ", its velocity and how it moved in the last 0.4 s";
+  }
+}
+
 Json modelJson(const learning::CorrectionModel& model) {
   const Eigen::Vector3d t = model.offset().translation();
   const Eigen::Vector4d q = Eigen::Quaterniond(model.offset().linear()).coeffs();
   Json json = {{"offset", {{"position", {t.x(), t.y(), t.z()}}, {"quaternion", {q[0], q[1], q[2], q[3]}}}},
+               {"motion", base::nameOf(model.motion())},
                {"processes", Json::array()}};
   for (const learning::SparseProcess& process : model.processes()) {
     const Eigen::VectorXd lengths = process.parameters().ln_length.array().exp();
@@ -148,6 +160,8 @@ std::string textOf(const LearnOutput& output) {
   const double turn = Eigen::AngleAxisd(output.report.model.offset().linear()).angle();
   text += fmt::format("Rigid offset: {:.2f}, {:.2f}, {:.2f} mm and a turn of {:.2f} deg\n", t.x(), t.y(),
                       t.z(), kDegrees * turn);
+  if (!output.report.model.processes().empty())
+    text += fmt::format("Gaussian processes of the pose{}\n", motionText(output.report.model.motion()));
   if (!output.test) return text;
   text += "Errors on the test tables, mean\n" + testedText("all", output.test->all) +
           testedText("clean", output.test->clean);

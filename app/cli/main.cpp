@@ -51,6 +51,8 @@ int run(int argc, char** argv) {
   cli::addDiagnose(app, exit);
   cli::addLearn(app, exit);
   cli::addCorrect(app, exit);
+  cli::addDrift(app, exit);
+  cli::addExplore(app, exit);
   cli::addExperiment(app, exit);
   cli::addCalibrate(app, exit);
   cli::addInfo(app, exit);

@@ -11,7 +11,6 @@ namespace capstan::experiments {
 namespace {
 
 using learning::State;
-using learning::Vector6d;
 using M = CorrectionMethod;
 
 constexpr double kMillimetres = 1e3, kDegrees = 180.0 / std::numbers::pi;
@@ -21,46 +20,25 @@ learning::Motion motionOf(M method) {
   return method == M::kHistory ? learning::Motion::kHistory : learning::Motion::kVelocity;
 }
 
-/// How many errors of states that count are within their σ, and within two.
-struct Coverage {
-  const std::vector<learning::Reason>* reasons = nullptr;  ///< of the test states to come
-  std::array<Vector6d, 2> inside = {Vector6d::Zero(), Vector6d::Zero()};
-  double states = 0.0;
-
-  void add(const learning::CorrectionModel& model, const std::vector<State>& test) {
-    const std::vector<learning::Corrected> corrected = model.correctSurely(test);
-    const learning::PoseFeatures tangent(learning::RotationForm::kTangent, learning::Motion::kNone,
-                                         Eigen::Quaterniond::Identity());
-    for (std::size_t k = 0; k < test.size(); ++k) {
-      if ((*reasons)[k] != learning::Reason::kNone) continue;
-      const Vector6d off = tangent.correction(corrected[k].pose, test[k].pair.told).cwiseAbs();
-      for (std::size_t s = 0; s < inside.size(); ++s)
-        inside[s].array() +=
-            (off.array() <= static_cast<double>(s + 1) * corrected[k].sigma.array()).cast<double>();
-      states += 1.0;
-    }
-  }
+/// What a split is learned from and judged by.
+struct Split {
+  std::vector<State> train, clean, test, clean_test;
 };
 
-std::vector<Eigen::Isometry3d> told(M method, const std::vector<State>& train,
-                                    const std::vector<State>& clean, const std::vector<State>& test,
-                                    const CorrectionStudyOptions& options, base::Progress* progress,
-                                    const base::ProgressPart& part, Coverage* coverage) {
-  std::vector<Eigen::Isometry3d> poses;
-  if (method >= M::kProcess) {
-    const bool cleaned = method == M::kAll || method == M::kHistory;
-    learning::CorrectionOptions correction = options.correction;
-    correction.motion = motionOf(method);
-    const auto model =
-        learning::CorrectionModel::trained(cleaned ? clean : train, correction, progress, part);
-    if (method == M::kHistory && coverage) coverage->add(model, test);
-    return model.correct(test);
-  }
+std::vector<Eigen::Isometry3d> byOffset(M method, const Split& split, double lever) {
   Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();
-  const auto pairs = learning::pairsOf(method == M::kOffsetCleaning ? clean : train);
-  if (method != M::kUncorrected) offset = learning::rigidOffset(pairs, options.correction.lever);
-  for (const State& state : test) poses.push_back(offset * state.pair.seen);
+  const auto pairs = learning::pairsOf(method == M::kOffsetCleaning ? split.clean : split.train);
+  if (method != M::kUncorrected) offset = learning::rigidOffset(pairs, lever);
+  std::vector<Eigen::Isometry3d> poses;
+  for (const State& state : split.test) poses.push_back(offset * state.pair.seen);
   return poses;
+}
+
+learning::CorrectionModel modelBy(M method, const Split& split, learning::CorrectionOptions options,
+                                  base::Progress* progress, const base::ProgressPart& part) {
+  const bool cleaned = method == M::kAll || method == M::kHistory;
+  options.motion = motionOf(method);
+  return learning::CorrectionModel::trained(cleaned ? split.clean : split.train, options, progress, part);
 }
 
 }  // namespace
@@ -69,40 +47,45 @@ CorrectionStudyReport correctionStudy(const std::vector<State>& states, const Co
                                       base::Progress* progress) {
   CorrectionStudyReport report;
   std::array<PoseErrors, kCorrectionMethods> dirty, clean;
-  Coverage coverage;
   const Eigen::Quaterniond middle = middleToldOf(states);
   for (int split = 0; split < options.splits; ++split) {
     const std::vector<bool> held =
         heldOut(states, options.test_share, options.seed + static_cast<std::uint64_t>(split));
-    const auto [train, test] = splitStates(states, held);
+    auto [train, test] = splitStates(states, held);
     const learning::CleaningReport cleaned = learning::cleanStates(train, options.cleaning);
-    const std::vector<State> clean_train = learning::kept(train, cleaned);
-    const std::vector<learning::Reason> reasons = learning::judgedBy(cleaned, test, options.cleaning);
-    coverage.reasons = &reasons;
+    learning::CleaningReport judged;
+    judged.reason = learning::judgedBy(cleaned, test, options.cleaning);
+    std::vector<State> clean_train = learning::kept(train, cleaned),
+                       clean_test = learning::kept(test, judged);
+    const Split parts{std::move(train), std::move(clean_train), std::move(test), std::move(clean_test)};
     for (std::size_t m = 0; m < kCorrectionMethods; ++m) {
       const auto method = static_cast<M>(m);
       const double done = (split + static_cast<double>(m) / kCorrectionMethods) / options.splits;
       const base::ProgressPart part{
           done, done + 1.0 / kCorrectionMethods / options.splits,
           fmt::format("Split {} of {}: {}", split + 1, options.splits, base::nameOf(method))};
-      const std::vector<Eigen::Isometry3d> poses =
-          told(method, train, clean_train, test, options, progress, part, &coverage);
+      std::vector<Eigen::Isometry3d> poses;
+      if (method < M::kProcess) {
+        poses = byOffset(method, parts, options.correction.lever);
+      } else {
+        const learning::CorrectionModel model = modelBy(method, parts, options.correction, progress, part);
+        poses = model.correct(parts.test);
+        if (method == M::kHistory) report.stated.add(model, parts.clean_test);
+      }
       if (progress && progress->cancelled()) {
         report.cancelled = true;
         return report;
       }
       PoseErrors all{middle, {}, {}, {}}, kept{middle, {}, {}, {}};
-      for (std::size_t k = 0; k < test.size(); ++k) {
-        all.add(poses[k], test[k].pair.told);
-        if (reasons[k] == learning::Reason::kNone) kept.add(poses[k], test[k].pair.told);
+      for (std::size_t k = 0; k < poses.size(); ++k) {
+        all.add(poses[k], parts.test[k].pair.told);
+        if (judged.reason[k] == learning::Reason::kNone) kept.add(poses[k], parts.test[k].pair.told);
       }
       if (method == M::kHistory) report.by_split.push_back({all.summed(), kept.summed()});
       dirty[m].add(all);
       clean[m].add(kept);
     }
   }
-  for (std::size_t k = 0; k < report.within.size() && coverage.states > 0.0; ++k)
-    report.within[k] = coverage.inside[k] / coverage.states;
   for (std::size_t m = 0; m < kCorrectionMethods; ++m) {
     report.dirty[m] = dirty[m].summed();
     report.clean[m] = clean[m].summed();

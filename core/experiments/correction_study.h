@@ -7,6 +7,7 @@
 #include "core/base/progress.h"
 #include "core/base/table.h"
 #include "core/experiments/correction_errors.h"
+#include "core/experiments/stated_errors.h"
 #include "core/learning/clean_states.h"
 #include "core/learning/correction_model.h"
 
@@ -38,8 +39,7 @@ struct CorrectionStudyReport {
   /// By method, on all test states and on those that cleaning keeps; pooled over the splits.
   std::array<CorrectionErrors, kCorrectionMethods> dirty{}, clean{};
   std::vector<std::vector<CorrectionErrors>> by_split;  ///< of kHistory: [split][dirty, clean]
-  /// Shares of kHistory's errors on clean states within one and two stated σ: [σ − 1][x, y, z, turn's parts].
-  std::array<learning::Vector6d, 2> within = {learning::Vector6d::Zero(), learning::Vector6d::Zero()};
+  StatedErrors stated;                                  ///< of kHistory, on clean states
   bool cancelled = false;
 };
 

@@ -63,6 +63,7 @@ CorrectionTrial correctionTrial(const std::vector<State>& states, const Correcti
     addErrors(trial, states[k], trial.corrected[k], counts);
     if (counts) clean.push_back(states[k]);
   }
+  trial.stated.add(*trial.model, clean);
   trial.model->add(clean);
   return trial;
 }

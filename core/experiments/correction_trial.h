@@ -7,6 +7,7 @@
 #include "core/base/names.h"
 #include "core/base/progress.h"
 #include "core/experiments/correction_errors.h"
+#include "core/experiments/stated_errors.h"
 #include "core/learning/clean_states.h"
 #include "core/learning/correction_model.h"
 
@@ -31,6 +32,7 @@ struct CorrectionTrial {
   std::size_t motions = 0, motions_held = 0;  ///< of those that have states
   std::vector<learning::State> learned;       ///< states that the model was trained on
   StepErrors clean, dirty;  ///< of held-out states: those that cleaning keeps, and all of them
+  StatedErrors stated;      ///< of the clean ones
   std::optional<learning::CorrectionModel> model;  ///< has learned the held-out ones, too, after the errors
   std::vector<Eigen::Isometry3d> corrected;  ///< of every state given, before the model learned held-out ones
   bool cancelled = false;                    ///< there is no model

@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/table.h"
-#include "core/learning/correction_model.h"
+#include "core/learning/learn.h"
 #include "core/stats/quantile.h"
 
 namespace capstan::experiments {
@@ -16,18 +16,6 @@ using learning::State;
 using learning::StreamKind;
 
 constexpr auto kCamera = static_cast<std::size_t>(StreamKind::kCamera);
-
-void checkPoses(const learning::ScreenReport& screen, StreamKind told) {
-  for (const StreamKind stream : {StreamKind::kCamera, told})
-    if (const auto s = static_cast<std::size_t>(stream); screen.poses[s] == 0)
-      throw base::InputError(
-          {"pose tables",
-           0,
-           std::string(base::nameOf(stream)),
-           {},
-           screen.rows[s] == 0 ? "these tables have no such poses" : "all its rows were left out",
-           "Choose another stream to correct towards, or other tables"});
-}
 
 void checkStates(const LearningStages& stages) {
   if (stages.states.size() >= learning::kFewestStates) return;
@@ -83,26 +71,24 @@ LearningStages learningStages(const std::vector<learning::RawMotion>& motions,
                               const LearningStagesOptions& options, base::Progress* progress) {
   LearningStages stages;
   stages.told = options.told;
-  const auto goOn = [&](double fraction, const char* doing) {
-    if (progress) progress->report(fraction, doing);
-    stages.cancelled = progress && progress->cancelled();
-    return !stages.cancelled;
-  };
-  if (!goOn(0.2, "screening")) return stages;
-  stages.screen = learning::screenPoses(motions);
-  checkPoses(stages.screen, options.told);
-  if (!goOn(0.3, "looking for the lag")) return stages;
-  stages.lag = learning::lagBetween(stages.screen.motions, options.told, options.lag);
-  if (!goOn(0.6, "pairing")) return stages;
-  stages.states = learning::statesOf(stages.screen.motions, options.told, stages.lag.lag);
+  constexpr double kPrepared = 0.7;  // of the time
+  learning::LearningOptions preparing;
+  preparing.towards = options.told;
+  preparing.lag = options.lag;
+  learning::PreparedStates prepared = learning::prepare(motions, preparing, progress, {0.2, kPrepared, {}});
+  stages.screen = std::move(prepared.screen);
+  stages.lag = std::move(prepared.lag);
+  stages.states = std::move(prepared.states);
+  stages.cancelled = prepared.cancelled;
+  if (stages.cancelled) return stages;
   stages.unpaired = stages.screen.poses[kCamera] - stages.states.size();
   checkStates(stages);
   takeSpeeds(stages);
-  if (!goOn(0.7, "cleaning")) return stages;
+  if (progress) progress->report(kPrepared, "cleaning");
   stages.cleaning = learning::cleanStates(stages.states, options.cleaning);
   stages.motions = motionsOf(stages.states, stages.cleaning);
   takeOffset(stages);
-  goOn(1.0, "done");
+  if (progress) progress->report(1.0, "done");
   return stages;
 }
 

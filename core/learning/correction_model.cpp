@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/learning/choose_motion.h"
 #include "core/learning/rotation_vector.h"
 #include "core/math/dense.h"
 #include "core/stats/quantile.h"
@@ -26,6 +27,7 @@ struct Group {
 };
 constexpr std::array<Group, 4> kGroups = {{{0, 1}, {1, 1}, {2, 1}, {3, 3}}};
 
+constexpr double kChoiceShare = 0.3;                // of the time, where it is made
 constexpr double kFitShare = 0.6, kAllShare = 0.3;  // of the time: hyperparameters, all states
 constexpr const char* kLearningHyperparameters = "learning hyperparameters";
 
@@ -40,6 +42,11 @@ void checkEnough(std::size_t states) {
 }
 
 }  // namespace
+
+Vector6d errorsInSigma(const Corrected& corrected, const Eigen::Isometry3d& told) {
+  const PoseFeatures tangent(RotationForm::kTangent, Motion::kNone, Eigen::Quaterniond::Identity());
+  return tangent.correction(corrected.pose, told).cwiseQuotient(corrected.sigma);
+}
 
 CorrectionModel::CorrectionModel(CorrectionParts parts) : known_(std::move(parts)) {
   for (SparseProcessParts& group : known_.groups) processes_.emplace_back(std::move(group));
@@ -60,7 +67,8 @@ CorrectionModel CorrectionModel::rigid(const std::vector<State>& states, const C
   parts.lever = options.lever;
   std::vector<Eigen::Isometry3d> moved;
   for (const PosePair& pair : pairs) moved.push_back(parts.offset * pair.seen);
-  parts.features = PoseFeatures(options.rotation, options.motion, middleTurn(moved));
+  parts.features =
+      PoseFeatures(options.rotation, options.motion.value_or(Motion::kVelocity), middleTurn(moved));
   CorrectionModel model(std::move(parts));
   for (const Eigen::Isometry3d& pose : moved) model.extendBy(pose);
   model.findScales(states);
@@ -69,6 +77,11 @@ CorrectionModel CorrectionModel::rigid(const std::vector<State>& states, const C
 
 CorrectionModel CorrectionModel::trained(const std::vector<State>& states, const CorrectionOptions& options,
                                          base::Progress* progress, const base::ProgressPart& part) {
+  if (!options.motion) {
+    CorrectionOptions chosen = options;
+    chosen.motion = chooseMotion(states, options, progress, part.within(0.0, kChoiceShare));
+    return trained(states, chosen, progress, part.within(kChoiceShare, 1.0));
+  }
   CorrectionModel model = rigid(states, options);
   const MatrixXd x = model.featuresOf(states), y = model.targetsOf(states);
 

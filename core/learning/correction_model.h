@@ -8,7 +8,8 @@
 namespace capstan::learning {
 
 struct CorrectionOptions {
-  Motion motion = Motion::kVelocity;  ///< history pays with thousands of states, and misleads with hundreds
+  /// History pays with thousands of states, and misleads with hundreds; none: as chooseMotion() finds.
+  std::optional<Motion> motion = Motion::kVelocity;
   RotationForm rotation = RotationForm::kTangent;
   Eigen::Index likelihood_points = 1000;  ///< states that the hyperparameters are learned from, at most
   Eigen::Index inducing_points = 1500;    ///< at most
@@ -27,6 +28,9 @@ struct Corrected {
   /// dense; times what is left of the correction beyond the workspace.
   double confidence = 0.0;
 };
+
+/// What was told ⊖ a corrected pose, in the tool's frame, in units of the stated σ.
+Vector6d errorsInSigma(const Corrected& corrected, const Eigen::Isometry3d& told);
 
 /// Everything that a model knows, as a file keeps it.
 struct CorrectionParts {
@@ -73,6 +77,7 @@ class CorrectionModel {
   void add(const std::vector<State>& states);
 
   const Eigen::Isometry3d& offset() const { return known_.offset; }
+  Motion motion() const { return known_.features.motion(); }
   const Eigen::AlignedBox3d& workspace() const { return known_.workspace; }
   /// Of x, y, z and of the turn, of outputs in units of their scale.
   const std::vector<SparseProcess>& processes() const { return processes_; }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <optional>
 
 #include "core/learning/correction_model.h"
 
@@ -31,7 +32,9 @@ class DriftMonitor {
       : model_(model), options_(options) {}
 
   /// A state that was seen, with what had been told. Stamps rise.
-  DriftReport add(const State& state);
+  DriftReport add(const State& state) { return add(state, model_.correct(state)); }
+  /// The same, where the model's correction of the state is known.
+  DriftReport add(const State& state, const Corrected& corrected);
   void reset() { window_.clear(); }
 
  private:
@@ -43,5 +46,17 @@ class DriftMonitor {
   DriftOptions options_;
   std::deque<Piece> window_;
 };
+
+/// What a monitor says along motions, one after the other, each taken to begin when the last has ended.
+struct DriftCourse {
+  std::vector<double> t;             ///< since the first state [s]
+  std::vector<DriftReport> reports;  ///< by state
+  /// The state from which on the monitor said that the model has aged until the last one, or none.
+  std::optional<std::size_t> aged_from;
+  double aged_share = 0.0;  ///< of the states
+};
+
+DriftCourse driftAlong(const CorrectionModel& model, const std::vector<State>& states,
+                       const DriftOptions& options = {}, base::Progress* progress = nullptr);
 
 }  // namespace capstan::learning

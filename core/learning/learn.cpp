@@ -20,7 +20,9 @@ void checkPoses(const ScreenReport& screen, StreamKind stream) {
                           0,
                           std::string(base::nameOf(stream)),
                           {},
-                          fmt::format("has no pose in {} rows{}", screen.rows[at], reasons),
+                          screen.rows[at] == 0
+                              ? "these tables have no such poses"
+                              : fmt::format("has no pose in {} rows{}", screen.rows[at], reasons),
                           "Give tables with this stream, quaternions of norm 1 as x, y, z, w"});
 }
 
@@ -52,31 +54,55 @@ void checkRelated(const std::vector<State>& states, const Eigen::Isometry3d& off
        "streams are of one arm"});
 }
 
-}  // namespace
-
-PreparedStates prepare(const std::vector<RawMotion>& motions, const LearningOptions& options) {
-  PreparedStates prepared;
-  prepared.screen = screenPoses(motions);
-  checkPoses(prepared.screen, StreamKind::kCamera);
-  checkPoses(prepared.screen, options.towards);
-  prepared.lag = lagBetween(prepared.screen.motions, options.towards);
-  if (options.align) prepared.taken_off = prepared.lag.lag;
-  prepared.states = statesOf(prepared.screen.motions, options.towards, prepared.taken_off);
+void pairAt(PreparedStates& prepared, StreamKind towards) {
+  prepared.states = statesOf(prepared.screen.motions, towards, prepared.taken_off);
   if (prepared.states.empty())
     throw base::InputError(
         {{},
          0,
-         std::string(base::nameOf(options.towards)),
+         std::string(base::nameOf(towards)),
          {},
          "has no pose at an instant at which the camera has one",
          "Choose another stream, or look at the stamps: both must tell the same clock's time"});
+}
+
+}  // namespace
+
+PreparedStates prepare(const std::vector<RawMotion>& motions, const LearningOptions& options,
+                       base::Progress* progress, const base::ProgressPart& part) {
+  PreparedStates prepared;
+  const auto goOn = [&](double fraction, const char* doing) {
+    part.report(progress, fraction, doing);
+    prepared.cancelled = progress && progress->cancelled();
+    return !prepared.cancelled;
+  };
+  if (!goOn(0.0, "screening")) return prepared;
+  prepared.screen = screenPoses(motions);
+  checkPoses(prepared.screen, StreamKind::kCamera);
+  checkPoses(prepared.screen, options.towards);
+  if (!goOn(0.2, "looking for the lag")) return prepared;
+  prepared.lag = lagBetween(prepared.screen.motions, options.towards, options.lag);
+  if (!goOn(0.7, "pairing")) return prepared;
+  if (options.align) prepared.taken_off = prepared.lag.lag;
+  pairAt(prepared, options.towards);
+  return prepared;
+}
+
+PreparedStates prepareAt(double lag, const std::vector<RawMotion>& motions, StreamKind towards) {
+  PreparedStates prepared;
+  prepared.screen = screenPoses(motions);
+  checkPoses(prepared.screen, StreamKind::kCamera);
+  checkPoses(prepared.screen, towards);
+  prepared.lag.lag = prepared.taken_off = lag;
+  pairAt(prepared, towards);
   return prepared;
 }
 
 LearningReport learn(const std::vector<RawMotion>& motions, const LearningOptions& options,
                      base::Progress* progress) {
-  if (progress) progress->report(0.0, "Pairing and aligning");
-  PreparedStates prepared = prepare(motions, options);
+  constexpr double kPrepared = 0.1;  // of the time
+  PreparedStates prepared = prepare(motions, options, progress, {0.0, kPrepared, {}});
+  if (prepared.cancelled) return {std::move(prepared), {}, CorrectionModel(CorrectionParts{}), true};
   CleaningReport cleaning;
   if (options.clean)
     cleaning = cleanStates(prepared.states, options.cleaning);
@@ -85,8 +111,20 @@ LearningReport learn(const std::vector<RawMotion>& motions, const LearningOption
   const std::vector<State> counting = kept(prepared.states, cleaning);
   checkRelated(prepared.states,
                options.clean ? cleaning.offset : rigidOffset(pairsOf(counting), options.correction.lever));
-  CorrectionModel model = options.rigid ? CorrectionModel::rigid(counting, options.correction)
-                                        : CorrectionModel::trained(counting, options.correction, progress);
+  CorrectionModel model =
+      options.rigid ? CorrectionModel::rigid(counting, options.correction)
+                    : CorrectionModel::trained(counting, options.correction, progress, {kPrepared, 1.0, {}});
+  return {std::move(prepared), std::move(cleaning), std::move(model), progress && progress->cancelled()};
+}
+
+LearningReport learnMore(CorrectionModel model, double lag, const std::vector<RawMotion>& motions,
+                         const LearningOptions& options, base::Progress* progress) {
+  if (progress) progress->report(0.0, "pairing");
+  PreparedStates prepared = prepareAt(lag, motions, options.towards);
+  CleaningReport cleaning = cleanStates(prepared.states, options.cleaning);
+  checkRelated(prepared.states, cleaning.offset);
+  if (progress) progress->report(0.3, "learning more states");
+  model.add(kept(prepared.states, cleaning));
   return {std::move(prepared), std::move(cleaning), std::move(model), progress && progress->cancelled()};
 }
 

@@ -9,13 +9,14 @@ namespace capstan::learning {
 
 struct LearningOptions {
   StreamKind towards = StreamKind::kCommand;  ///< what corrected poses will be asked of
-  bool align = true;                          ///< take the lag of what is seen behind what is told off
+  LagOptions lag;
+  bool align = true;  ///< take the lag of what is seen behind what is told off
   bool clean = true;
   bool rigid = false;  ///< learn the rigid offset alone
   /// Of a trajectory that is wrong in part (axes swapped, say) some states pass by chance: less is trusted
   /// than the paper's P.
   CleaningOptions cleaning{.most_rejected = 0.4};
-  CorrectionOptions correction;
+  CorrectionOptions correction{.motion = std::nullopt};
 };
 
 /// What becomes of the rows of a recording before anything is learned.
@@ -24,10 +25,15 @@ struct PreparedStates {
   LagReport lag;              ///< as measured, taken off or not
   double taken_off = 0.0;     ///< [s]
   std::vector<State> states;  ///< paired, with velocities
+  bool cancelled = false;     ///< what came behind is empty
 };
 
+/// What statesOf() finds in the motions at a lag that is known.
+PreparedStates prepareAt(double lag, const std::vector<RawMotion>& motions, StreamKind towards);
+
 /// Screens, aligns and pairs. base::InputError: no motion has both streams at once.
-PreparedStates prepare(const std::vector<RawMotion>& motions, const LearningOptions& options);
+PreparedStates prepare(const std::vector<RawMotion>& motions, const LearningOptions& options,
+                       base::Progress* progress = nullptr, const base::ProgressPart& part = {});
 
 struct LearningReport {
   PreparedStates prepared;
@@ -40,5 +46,11 @@ struct LearningReport {
 /// what was seen to what was told (wrong units, swapped axes).
 LearningReport learn(const std::vector<RawMotion>& motions, const LearningOptions& options = {},
                      base::Progress* progress = nullptr);
+
+/// A model that has been learned takes in new motions, seconds instead of minutes: screened, paired with the
+/// `lag` of the model's source and cleaned as for learn(), added with the model's offset, hyperparameters and
+/// inducing points. base::InputError as learn().
+LearningReport learnMore(CorrectionModel model, double lag, const std::vector<RawMotion>& motions,
+                         const LearningOptions& options = {}, base::Progress* progress = nullptr);
 
 }  // namespace capstan::learning

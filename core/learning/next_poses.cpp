@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/learning/rotation_vector.h"
+
 namespace capstan::learning {
 namespace {
 
@@ -46,6 +48,29 @@ std::vector<NextPose> nextPoses(const CorrectionModel& model, const std::vector<
     chosen.push_back(best);
   }
   return chosen;
+}
+
+std::vector<State> posesWithin(const CorrectionModel& model, int each) {
+  const CorrectionParts parts = model.parts();
+  const Eigen::Isometry3d seen_from_told = parts.offset.inverse();
+  std::vector<Eigen::Vector3d> turns = {Eigen::Vector3d::Zero()};
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double end : {parts.turns.min()[axis], parts.turns.max()[axis]})
+      turns.push_back(end * Eigen::Vector3d::Unit(axis));
+  const auto place = [&](int step, int axis) {
+    const double share = each > 1 ? static_cast<double>(step) / (each - 1) : 0.5;
+    return parts.workspace.min()[axis] + share * parts.workspace.sizes()[axis];
+  };
+  std::vector<State> states;
+  for (int k = 0; k < each * each * each; ++k)
+    for (const Eigen::Vector3d& turn : turns) {
+      Eigen::Isometry3d told = Eigen::Isometry3d::Identity();
+      told.translation() = {place(k % each, 0), place(k / each % each, 1), place(k / each / each, 2)};
+      told.linear() = (parts.features.middle() * turnBy(turn)).toRotationMatrix();
+      states.emplace_back();
+      states.back().pair.seen = seen_from_told * told;
+    }
+  return states;
 }
 
 }  // namespace capstan::learning

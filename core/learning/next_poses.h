@@ -19,4 +19,8 @@ struct NextPose {
 std::vector<NextPose> nextPoses(const CorrectionModel& model, const std::vector<State>& candidates,
                                 std::size_t count, base::Progress* progress = nullptr);
 
+/// Poses over all that a model has learned, at rest, to choose from: a grid of `each` positions along each
+/// axis of its workspace, each in the middle of its turns and turned to both ends about each axis.
+std::vector<State> posesWithin(const CorrectionModel& model, int each);
+
 }  // namespace capstan::learning

@@ -60,6 +60,50 @@ TEST_F(CliLearn, SaysWhereAPathIsWrong) {
   EXPECT_THAT(at_rest.err, HasSubstr("no t_s"));
 }
 
+TEST_F(CliLearn, SaysWhetherAModelHoldsAndLearnsOn) {
+  ASSERT_EQ(learn("--method velocity").exit, 0);
+  const std::string model = path("m.correction");
+  const Ran holds = run("drift --model " + model + " --json " + path("d.json") + " " + path("test.csv"));
+  EXPECT_EQ(holds.exit, 0) << holds.out << holds.err;
+  EXPECT_THAT(holds.out, HasSubstr("The model holds."));
+  const json course = json::parse(textOf("d.json"));
+  EXPECT_FALSE(course["aged"].get<bool>());
+  EXPECT_EQ(course["ratio"].size(), course["states"].get<std::size_t>());
+
+  SamplePoses aged;
+  aged.seed = 3;
+  aged.bias = 8e-3;
+  writeSamplePoses(path("aged.csv"), aged);
+  const Ran old = run("drift --model " + model + " " + path("aged.csv"));
+  EXPECT_EQ(old.exit, 1) << old.out << old.err;
+  EXPECT_THAT(old.out, HasSubstr("The model has aged: from "));
+
+  const Ran more = run("learn --train " + path("test.csv") + " --onto " + model + " --model " +
+                       path("more.correction") + " --test " + path("aged.csv"));
+  EXPECT_EQ(more.exit, 0) << more.err;
+  const Ran told = run("learn --train " + path("train.csv") + " --onto " + path("more.correction") +
+                       " --model " + path("x.correction"));
+  EXPECT_EQ(told.exit, 2);
+  EXPECT_THAT(told.err, HasSubstr("train.csv: has been learned from already"));
+  EXPECT_THAT(run("learn --train " + path("test.csv") + " --onto " + model + " --method none --model " +
+                  path("x.correction"))
+                  .err,
+              HasSubstr("--onto"));
+}
+
+TEST_F(CliLearn, ProposesWhereToGoNext) {
+  ASSERT_EQ(learn("--method velocity").exit, 0);
+  const std::string ask = "explore --model " + path("m.correction") + " --count 3 " + path("visits.csv");
+  const Ran proposed = run(ask);
+  ASSERT_EQ(proposed.exit, 0) << proposed.err;
+  EXPECT_THAT(proposed.out, HasSubstr("3 of 448 poses to visit"));
+  EXPECT_EQ(std::ranges::count(textOf("visits.csv"), '\n'), 4);
+  write("some.csv", "x,y,z,qx,qy,qz,qw\n0.01,0,-0.15,0,0,0,1\n0.03,0,-0.15,0,0,0,1\n");
+  EXPECT_THAT(run(ask + " --among " + path("some.csv")).out, HasSubstr("of 2 poses to visit"));
+  ASSERT_EQ(learn("--method offset").exit, 0);
+  EXPECT_THAT(run(ask).err, HasSubstr("is a rigid offset alone"));
+}
+
 TEST_F(CliLearn, RefusesWhatMakesNoSense) {
   EXPECT_THAT(learn("--test " + path("train.csv")).err, HasSubstr("is learned from as well"));
   EXPECT_THAT(learn("--towards sideways").err, HasSubstr("--towards"));

@@ -28,6 +28,7 @@
 #include "widgets/panels/learning/figure_sheet.h"
 #include "widgets/panels/learning/learning_figures.h"
 #include "widgets/panels/learning/learning_pages.h"
+#include "widgets/panels/learning/reliability_view.h"
 #include "widgets/panels/learning/stages_view.h"
 #include "widgets/panels/learning/trajectory_view.h"
 #include "widgets/scene/cloud_view.h"
@@ -147,6 +148,11 @@ TEST_F(Learning, TrainsInTheBackgroundAndJudgesOnTrajectoriesHeldOut) {
   const std::string lines = pages().stages().lines().join('\n').toStdString();
   EXPECT_THAT(lines, HasSubstr("inducing points | 200"));
   EXPECT_THAT(lines, HasSubstr("Errors on 4 trajectories held out"));
+  EXPECT_THAT(panel->summary().toStdString(), HasSubstr("Learned from pose"));
+  const auto* reliability = qobject_cast<ReliabilityFigure*>(pages().reliability().sheet().figure());
+  ASSERT_TRUE(reliability);
+  EXPECT_EQ(reliability->data().stated.states(), panel->results().trial->clean[2].distance.size());
+  EXPECT_EQ(reliability->numbers().at(0).csv.substr(0, 20), "stated,sigmas,x,y,z,");
   for (const PointCloud& cloud : pages().clouds().view().clouds())
     EXPECT_FALSE(cloud.points.empty()) << cloud.name.toStdString();
   ASSERT_TRUE(waitFor([&] { return pages().confidence().slice() != nullptr; }));
@@ -257,7 +263,7 @@ TEST_F(Learning, WhatIsExportedIsReadBack) {
   ASSERT_TRUE(waitFor([&] { return !panel->busy(); }));
   ASSERT_EQ(exported.count(), 1) << panel->words().toStdString();
   EXPECT_THAT(panel->words().toStdString(), HasSubstr("files in"));
-  for (const char* name : {"lag", "trajectory", "errors-clean", "errors-all", "confidence"})
+  for (const char* name : {"lag", "trajectory", "errors-clean", "errors-all", "confidence", "reliability"})
     for (const char* ending : {".pdf", ".svg", ".png", ".csv"})
       EXPECT_GT(QFile(folder.filePath("out/") + name + ending).size(), 100) << name << ending;
   const std::string rejected = base::readTextFile(folder.filePath("out/rejected.csv").toStdString());

@@ -66,6 +66,24 @@ TEST(CorrectionTrial, ErrorsAreThoseOfTheStudysLastMethod) {
   EXPECT_NEAR(study.dirty[kLast].angle, trial.dirty[2].summed().angle, kRounding);
 }
 
+TEST(CorrectionTrial, TellsHowOftenErrorsAreAsStated) {
+  const CorrectionTrial trial = correctionTrial(states(), quickTrial());
+  ASSERT_EQ(trial.stated.states(), trial.clean[2].distance.size());
+  for (std::size_t k = 0; k < 6; ++k) {
+    EXPECT_GT(trial.stated.within(k, 1.0), 0.4) << k;
+    EXPECT_LE(trial.stated.within(k, 1.0), trial.stated.within(k, 2.0)) << k;
+    EXPECT_EQ(trial.stated.within(k, 1e9), 1.0) << k;
+  }
+}
+
+TEST(StatedErrors, SharesAreThoseOfANormalDistribution) {
+  EXPECT_NEAR(normalShare(1.0), 0.682689492, 1e-9);
+  EXPECT_NEAR(normalShare(2.0), 0.954499736, 1e-9);
+  for (const double share : {0.0, 0.3, 0.9, 0.999})
+    EXPECT_NEAR(normalShare(normalSigmas(share)), share, 1e-12);
+  EXPECT_EQ(StatedErrors().within(0, 1.0), 0.0);
+}
+
 TEST(CorrectionTrial, NeedsTrajectoriesToHoldOut) {
   std::vector<State> one = states();
   std::erase_if(one, [](const State& state) { return state.motion > 0; });
@@ -149,8 +167,7 @@ TEST(ConfidenceSlice, SaysOfManyWhatCorrectSaysOfOne) {
   const std::vector<State> some(trial.learned.begin(), trial.learned.begin() + 5);
   const Eigen::VectorXd many = trial.model->confidence(some);
   for (std::size_t k = 0; k < some.size(); ++k)
-    EXPECT_NEAR(many[static_cast<Eigen::Index>(k)],
-                trial.model->correct(some[k]).confidence, 1e-9);
+    EXPECT_NEAR(many[static_cast<Eigen::Index>(k)], trial.model->correct(some[k]).confidence, 1e-9);
 }
 
 }  // namespace

@@ -61,6 +61,40 @@ TEST(DriftMonitor, saysWhenTheModelHasAged) {
   EXPECT_FALSE(monitor.add(along(-0.05, 0.05, 1, 4).front()).aged);
 }
 
+/// Two motions of 100 s, each with a clock that begins at 0; the second `aged` off.
+std::vector<State> twoMotions(double aged) {
+  std::vector<State> states = along(-0.05, 0.05, 200, 2), later = along(-0.05, 0.05, 200, 3, aged);
+  for (State& state : later) state.motion = 1;
+  states.insert(states.end(), later.begin(), later.end());
+  return states;
+}
+
+TEST(DriftCourse, goesOnFromMotionToMotion) {
+  const CorrectionModel model = learnedFrom(along(-0.05, 0.05, 500, 1));
+  const DriftCourse sound = driftAlong(model, twoMotions(0.0));
+  ASSERT_EQ(sound.t.size(), 400U);
+  for (std::size_t k = 1; k < sound.t.size(); ++k) EXPECT_GT(sound.t[k], sound.t[k - 1]);
+  EXPECT_FALSE(sound.aged_from);
+  EXPECT_LT(sound.aged_share, 0.02);
+  const DriftCourse aged = driftAlong(model, twoMotions(1e-3));
+  ASSERT_TRUE(aged.aged_from);
+  EXPECT_GT(*aged.aged_from, 200U) << "the first motion is as learned";
+  EXPECT_LT(*aged.aged_from, 260U);
+  EXPECT_GT(aged.aged_share, 0.3);
+}
+
+TEST(NextPoses, canBeChosenFromAllThatWasLearned) {
+  const CorrectionModel model = learnedFrom(along(-0.06, 0.06, 300, 1));
+  const std::vector<State> within = posesWithin(model, 3);
+  ASSERT_EQ(within.size(), 27U * 7U);
+  const Eigen::AlignedBox3d box = model.workspace();
+  for (const State& state : within) {
+    const Eigen::Vector3d at = model.offset() * state.pair.seen.translation();
+    EXPECT_LT(box.exteriorDistance(at), 1e-9);
+    EXPECT_TRUE(state.velocity.isZero());
+  }
+}
+
 TEST(NextPoses, lieWhereNobodyHasBeen) {
   std::vector<State> learned = along(-0.06, 0.0, 300, 1), some = along(0.05, 0.06, 4, 5);
   learned.insert(learned.end(), some.begin(), some.end());

@@ -66,12 +66,11 @@ Means sklearnMeans(const nlohmann::json& answer, const char* kind) {
 }
 
 void tellCalibration(const experiments::CorrectionStudyReport& report) {
-  fmt::print("Within the stated σ, held out, last method: x, y, z, turns (normal: 68.3 %, 95.4 %)\n");
-  for (int k = 0; k < 2; ++k) {
-    fmt::print("  {} σ:", k + 1);
-    for (Index i = 0; i < 6; ++i)
-      fmt::print(" {:.1f} %", 100.0 * report.within[static_cast<std::size_t>(k)][i]);
-    fmt::print("\n");
+  fmt::print("Within the stated σ, held out, last method: x, y, z, turns\n");
+  for (const double sigmas : {0.5, 1.0, 1.5, 2.0, 2.5, 3.0}) {
+    fmt::print("  {:.1f} σ:", sigmas);
+    for (std::size_t i = 0; i < 6; ++i) fmt::print(" {:5.1f} %", 100.0 * report.stated.within(i, sigmas));
+    fmt::print("  normal {:5.1f} %\n", 100.0 * experiments::normalShare(sigmas));
   }
 }
 

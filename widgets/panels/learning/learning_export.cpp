@@ -90,6 +90,9 @@ void LearningExport::addFigures(const LearningResults& results, int which, const
       steps_.push_back(
           {tr("errors"), drawing<BoxplotFigure>(errorData(*results.trial, clean),
                                                 base + (clean ? "errors-clean" : "errors-all"), kTall)});
+  if (results.trial)
+    steps_.push_back({tr("reliability"),
+                      drawing<ReliabilityFigure>(reliabilityData(*results.trial), base + "reliability")});
   if (results.curve)
     steps_.push_back(
         {tr("learning curve"), drawing<LearningCurveFigure>(curveData(*results.curve), base + "curve")});

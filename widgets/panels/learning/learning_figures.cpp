@@ -97,6 +97,17 @@ QString errorWords(const CorrectionTrial& trial, bool clean) {
            unbroken(medianWords(trial, clean, true) + QStringLiteral("°")));
 }
 
+QString motionWords(learning::Motion motion) {
+  switch (motion) {
+    case learning::Motion::kNone:
+      return QObject::tr("the pose alone");
+    case learning::Motion::kVelocity:
+      return QObject::tr("pose and velocity");
+    default:
+      return QObject::tr("pose, velocity and the last 0.4\u00a0s of motion");
+  }
+}
+
 LearningCurveData curveData(const LearningCurve& curve) {
   return {QObject::tr("Error against the number of states learned from"),
           QObject::tr("%1 states of %2 trajectories held out, those that cleaning keeps")
@@ -130,6 +141,14 @@ PoseTraceData traceData(const LearningStages& stages, const CorrectionTrial* tri
       append(data.course[2], trial->corrected[k], anglesBeside(trial->corrected[k], angles));
   }
   return data;
+}
+
+ReliabilityData reliabilityData(const CorrectionTrial& trial) {
+  return {QObject::tr("Whether errors are as large as stated"),
+          QObject::tr("%1 states of %2 trajectories held out, those that cleaning keeps")
+              .arg(countText(trial.stated.states()))
+              .arg(trial.motions_held),
+          trial.stated};
 }
 
 ConfidenceData confidenceData(const learning::ConfidenceSlice& slice) {

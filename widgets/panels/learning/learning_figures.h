@@ -5,6 +5,7 @@
 #include "widgets/figures/lag_figure.h"
 #include "widgets/figures/learning_curve_figure.h"
 #include "widgets/figures/pose_trace_figure.h"
+#include "widgets/figures/reliability_figure.h"
 #include "widgets/panels/learning/learning_work.h"
 
 /// What the figures of the learning panel show, on screen and on paper.
@@ -18,12 +19,15 @@ LearningCurveData curveData(const experiments::LearningCurve& curve);
 /// Trajectory `which` of stages.motions; corrected where there is a trial.
 PoseTraceData traceData(const experiments::LearningStages& stages, const experiments::CorrectionTrial* trial,
                         std::size_t which);
+ReliabilityData reliabilityData(const experiments::CorrectionTrial& trial);
 ConfidenceData confidenceData(const learning::ConfidenceSlice& slice);
 
 /// Medians "26.1 → 6.2 → 1.9" as seen, with the offset, corrected: distances [mm], or angles [deg].
 QString medianWords(const experiments::CorrectionTrial& trial, bool clean, bool angle);
 /// "position 26.1 → 6.2 → 1.9 mm, angle 93.1 → 8.4 → 2.8°", medians.
 QString errorWords(const experiments::CorrectionTrial& trial, bool clean);
+/// "pose and velocity"
+QString motionWords(learning::Motion motion);
 /// "12,345"
 QString countText(std::size_t count);
 

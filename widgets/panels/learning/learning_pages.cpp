@@ -8,6 +8,7 @@
 #include "widgets/panels/learning/confidence_view.h"
 #include "widgets/panels/learning/curve_view.h"
 #include "widgets/panels/learning/errors_view.h"
+#include "widgets/panels/learning/reliability_view.h"
 #include "widgets/panels/learning/stages_view.h"
 #include "widgets/panels/learning/trajectory_view.h"
 
@@ -30,10 +31,12 @@ LearningPages::LearningPages(QWidget* parent) : QTabWidget(parent) {
   page(ablation_ = new AblationView, tr("Ablation"), tr("What each part of the method is worth"));
   page(curve_ = new CurveView, tr("Curve"), tr("Error against the number of states learned from"));
   page(confidence_ = new ConfidenceView, tr("Confidence"), tr("Where the correction is to be trusted"));
+  page(reliability_ = new ReliabilityView, tr("Reliability"),
+       tr("Whether errors are as large as the correction says"));
 }
 
 std::vector<LearningView*> LearningPages::views() const {
-  return {stages_, clouds_, trajectories_, errors_, ablation_, curve_, confidence_};
+  return {stages_, clouds_, trajectories_, errors_, ablation_, curve_, confidence_, reliability_};
 }
 
 void LearningPages::setTheme(const Theme& theme) {

@@ -13,11 +13,12 @@ class ConfidenceView;
 class CurveView;
 class ErrorsView;
 class LearningView;
+class ReliabilityView;
 class StagesView;
 class TrajectoryView;
 
-/// The pages of learning: stages, clouds, trajectories, errors, ablation, learning curve, confidence; Alt+1
-/// to Alt+7.
+/// The pages of learning: stages, clouds, trajectories, errors, ablation, learning curve, confidence,
+/// reliability; Alt+1 to Alt+8.
 class LearningPages : public QTabWidget {
   Q_OBJECT
 
@@ -30,6 +31,7 @@ class LearningPages : public QTabWidget {
   CloudsView& clouds() { return *clouds_; }
   TrajectoryView& trajectories() { return *trajectories_; }
   ErrorsView& errors() { return *errors_; }
+  ReliabilityView& reliability() { return *reliability_; }
   AblationView& ablation() { return *ablation_; }
   CurveView& curve() { return *curve_; }
   ConfidenceView& confidence() { return *confidence_; }
@@ -41,6 +43,7 @@ class LearningPages : public QTabWidget {
   CloudsView* clouds_;
   TrajectoryView* trajectories_;
   ErrorsView* errors_;
+  ReliabilityView* reliability_;
   AblationView* ablation_;
   CurveView* curve_;
   ConfidenceView* confidence_;

@@ -341,9 +341,11 @@ void LearningPanel::showState() {
     below = failed_;
   } else if (results_.trial) {
     head = tr("● Corrected: %1").arg(errorWords(*results_.trial, true));
-    below = tr("As seen → rigid offset → corrected: medians on %1 of %2 trajectories, held out of training.")
+    below = tr("As seen → rigid offset → corrected: medians on %1 of %2 trajectories, held out of training. "
+               "Learned from %3.")
                 .arg(results_.trial->motions_held)
-                .arg(results_.trial->motions);
+                .arg(results_.trial->motions)
+                .arg(motionWords(results_.trial->model->motion()));
   } else if (stages) {
     head = tr("○ %1 of %2 states count; a rigid offset leaves %3\u00a0mm,\u00a0%4°")
                .arg(countText(stages->cleaning.kept()), countText(stages->states.size()))

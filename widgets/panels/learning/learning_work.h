@@ -13,7 +13,7 @@ namespace capstan::widgets {
 /// How is learned: the same of every figure and table of the panel.
 struct LearningSettings {
   learning::LagOptions lag;
-  experiments::CorrectionTrialOptions trial;
+  experiments::CorrectionTrialOptions trial{.correction = {.motion = std::nullopt}};
 
   experiments::CorrectionStudyOptions study(int splits) const;
   experiments::LearningCurveOptions curve() const;

@@ -1,0 +1,54 @@
+#include "core/learning/choose_motion.h"
+
+#include <algorithm>
+
+#include "core/stats/quantile.h"
+
+namespace capstan::learning {
+namespace {
+
+constexpr std::size_t kEach = 5;  // motion is held out
+
+struct Parts {
+  std::vector<State> learned, held;
+  std::size_t motions = 0;
+};
+
+Parts partsOf(const std::vector<State>& states) {
+  Parts parts;
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    if (k == 0 || states[k].motion != states[k - 1].motion) ++parts.motions;
+    (parts.motions % kEach == 0 ? parts.held : parts.learned).push_back(states[k]);
+  }
+  return parts;
+}
+
+/// Median of what is left of those held out [m].
+double leftBy(Motion motion, const Parts& parts, CorrectionOptions options, base::Progress* progress,
+              const base::ProgressPart& part) {
+  options.motion = motion;
+  options.likelihood_points = std::min(options.likelihood_points, kTrialPoints);
+  options.inducing_points = std::min(options.inducing_points, kTrialPoints);
+  const CorrectionModel model = CorrectionModel::trained(parts.learned, options, progress, part);
+  const std::vector<Eigen::Isometry3d> corrected = model.correct(parts.held);
+  std::vector<double> left;
+  for (std::size_t k = 0; k < corrected.size(); ++k) {
+    const Eigen::Isometry3d off = corrected[k].inverse() * parts.held[k].pair.told;
+    left.push_back(off.translation().norm() + options.lever * Eigen::AngleAxisd(off.linear()).angle());
+  }
+  return stats::median(left);
+}
+
+}  // namespace
+
+Motion chooseMotion(const std::vector<State>& states, const CorrectionOptions& options,
+                    base::Progress* progress, const base::ProgressPart& part) {
+  const Parts parts = partsOf(states);
+  if (parts.motions < kFewestMotions || parts.learned.size() < kFewestStates) return Motion::kVelocity;
+  const double velocity = leftBy(Motion::kVelocity, parts, options, progress, part.within(0.0, 0.5));
+  const double history = leftBy(Motion::kHistory, parts, options, progress, part.within(0.5, 1.0));
+  if (progress && progress->cancelled()) return Motion::kVelocity;
+  return history < (1.0 - kWorth) * velocity ? Motion::kHistory : Motion::kVelocity;
+}
+
+}  // namespace capstan::learning

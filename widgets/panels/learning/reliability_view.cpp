@@ -1,0 +1,29 @@
+#include "widgets/panels/learning/reliability_view.h"
+
+#include <QBoxLayout>
+
+#include "widgets/panels/learning/figure_sheet.h"
+#include "widgets/panels/learning/learning_figures.h"
+
+namespace capstan::widgets {
+
+ReliabilityView::ReliabilityView(QWidget* parent) : LearningView(parent) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 6, 0, 0);
+  column->addWidget(sheet_ = new FigureSheet, 1);
+  sheet_->setEmptyWords(
+      tr("Whether errors are as large as the correction says, once it is trained: press Train (F5)"));
+}
+
+void ReliabilityView::setTheme(const Theme& theme) { sheet_->setTheme(theme); }
+
+void ReliabilityView::showResults(const LearningResults& results) {
+  if (trial_ == results.trial) return;
+  trial_ = results.trial;
+  if (trial_)
+    sheet_->setFigure(std::make_unique<ReliabilityFigure>(reliabilityData(*trial_)));
+  else
+    sheet_->setFigure(nullptr);
+}
+
+}  // namespace capstan::widgets

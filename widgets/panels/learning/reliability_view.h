@@ -1,0 +1,24 @@
+#pragma once
+
+#include "widgets/panels/learning/learning_view.h"
+
+namespace capstan::widgets {
+
+class FigureSheet;
+
+/// Whether the correction is off by as much as it says, on trajectories held out.
+class ReliabilityView : public LearningView {
+  Q_OBJECT
+ public:
+  explicit ReliabilityView(QWidget* parent = nullptr);
+
+  void setTheme(const Theme& theme) override;
+  void showResults(const LearningResults& results) override;
+  const FigureSheet& sheet() const { return *sheet_; }
+
+ private:
+  FigureSheet* sheet_;
+  std::shared_ptr<const experiments::CorrectionTrial> trial_;
+};
+
+}  // namespace capstan::widgets
