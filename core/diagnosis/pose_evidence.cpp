@@ -5,113 +5,76 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <map>
 #include <optional>
 
 #include "core/base/error.h"
 #include "core/base/yaml.h"
-#include "core/session/csv.h"
+#include "core/session/pose_table.h"
 
 namespace capstan::diagnosis {
 namespace {
 
 constexpr double kNorm = 0.01;  // by which an orientation's norm may miss 1
 
-/// Columns of one list: the stamp, the position, the turn.
-constexpr std::array<std::string_view, 7> kParts = {"x", "y", "z", "qx", "qy", "qz", "qw"};
+using learning::RawMotion;
+using learning::RawPose;
+using learning::StreamKind;
 
+constexpr std::array<std::string_view, learning::kStreams> kPrefixes = {"cam", "robot", "cmd"};
+
+[[noreturn]] void refuse(const std::string& file, const RawPose& pose, std::string column, double value,
+                         std::string reason, std::string remedy) {
+  throw base::InputError({file, static_cast<int>(pose.row), std::move(column), fmt::format("{}", value),
+                          std::move(reason), std::move(remedy)});
+}
+
+bool hasTurn(const RawPose& pose) { return pose.quaternion.allFinite(); }
+
+/// Does the stream tell orientations in any row?
+bool turns(const std::vector<RawMotion>& motions, StreamKind kind) {
+  const auto at = static_cast<std::size_t>(kind);
+  return std::any_of(motions.begin(), motions.end(), [at](const RawMotion& motion) {
+    return std::any_of(motion.streams[at].begin(), motion.streams[at].end(), hasTurn);
+  });
+}
+
+/// Of one table, one stream.
 struct List {
-  std::string prefix;  ///< "cam"
-  std::vector<double> stamp;
-  std::array<std::vector<double>, 7> part;
-
-  std::string column(std::size_t i) const { return fmt::format("{}_{}", prefix, kParts[i]); }
-  std::string stampColumn() const { return fmt::format("t_{}_s", prefix); }
-  bool there() const { return !stamp.empty(); }
-  bool turns() const { return !part[3].empty(); }
+  const std::string& file;
+  std::string_view prefix;
+  bool turns;
 };
-
-struct Table {
-  std::string file;
-  std::vector<double> task, trajectory;
-  std::array<List, 3> lists = {List{"cam", {}, {}}, List{"robot", {}, {}}, List{"cmd", {}, {}}};
-
-  std::size_t rows() const { return trajectory.size(); }
-  [[noreturn]] void refuse(std::size_t row, std::string column, std::string value, std::string reason,
-                           std::string remedy) const {
-    throw base::InputError({file, static_cast<int>(row) + 2, std::move(column), std::move(value),
-                            std::move(reason), std::move(remedy)});
-  }
-};
-
-std::vector<double>* targetOf(Table& table, std::string_view name) {
-  if (name == "task") return &table.task;
-  if (name == "traj") return &table.trajectory;
-  for (List& list : table.lists) {
-    if (name == list.stampColumn()) return &list.stamp;
-    for (std::size_t i = 0; i < kParts.size(); ++i)
-      if (name == list.column(i)) return &list.part[i];
-  }
-  return nullptr;
-}
-
-void need(const Table& table, const std::vector<double>& column, const std::string& name) {
-  if (column.empty())
-    throw base::InputError({table.file,
-                            1,
-                            name,
-                            {},
-                            "this column is missing",
-                            "Give traj, t_cam_s, cam_x, cam_y, cam_z and the same of robot or cmd"});
-}
-
-void checkColumns(const Table& table) {
-  need(table, table.trajectory, "traj");
-  const List &camera = table.lists[0], &robot = table.lists[1], &command = table.lists[2];
-  need(table, camera.stamp, camera.stampColumn());
-  if (!robot.there() && !command.there()) need(table, robot.stamp, robot.stampColumn());
-  for (const List& list : table.lists) {
-    if (!list.there()) continue;
-    for (std::size_t i = 0; i < 3; ++i) need(table, list.part[i], list.column(i));
-    const bool any = std::any_of(list.part.begin() + 3, list.part.end(), [](auto& c) { return !c.empty(); });
-    for (std::size_t i = 3; any && i < kParts.size(); ++i) need(table, list.part[i], list.column(i));
-  }
-}
 
 /// Nothing: a placeholder.
-std::optional<Pose> poseAt(const Table& table, const List& list, std::size_t row) {
+std::optional<Pose> poseOf(const RawPose& raw, const List& list) {
   Pose pose;
-  pose.t = list.stamp[row];
-  pose.position = {list.part[0][row], list.part[1][row], list.part[2][row]};
-  Eigen::Vector4d turn(0.0, 0.0, 0.0, 1.0);
-  if (list.turns()) turn = {list.part[3][row], list.part[4][row], list.part[5][row], list.part[6][row]};
+  pose.t = raw.t;
+  pose.position = raw.position;
+  const Eigen::Vector4d turn = list.turns ? raw.quaternion : Eigen::Vector4d(0.0, 0.0, 0.0, 1.0);
   if (!std::isfinite(pose.t) || !pose.position.allFinite() || !turn.allFinite()) return std::nullopt;
   if (pose.position.isZero(0.0) && turn.head<3>().isZero(0.0)) return std::nullopt;
   if (std::abs(turn.norm() - 1.0) > kNorm)
-    table.refuse(row, list.column(6), fmt::format("{}", turn[3]),
-                 fmt::format("the orientation has norm {:.4g} and not 1", turn.norm()),
-                 "Write unit quaternions x, y, z, w, or leave the cells empty");
+    refuse(list.file, raw, fmt::format("{}_qw", list.prefix), turn[3],
+           fmt::format("the orientation has norm {:.4g} and not 1", turn.norm()),
+           "Write unit quaternions x, y, z, w, or leave the cells empty");
   pose.turn = Eigen::Quaterniond(turn[3], turn[0], turn[1], turn[2]).normalized();
   return pose;
 }
 
-std::vector<Pose> posesOf(const Table& table, const List& list, std::size_t begin, std::size_t end,
-                          PoseCounts& counts) {
+std::vector<Pose> posesOf(const std::vector<RawPose>& rows, const List& list, PoseCounts& counts) {
   std::vector<Pose> poses;
-  if (!list.there()) return poses;
-  counts.rows += end - begin;
-  for (std::size_t row = begin; row < end; ++row) {
-    const std::optional<Pose> pose = poseAt(table, list, row);
+  counts.rows += rows.size();
+  for (const RawPose& raw : rows) {
+    const std::optional<Pose> pose = poseOf(raw, list);
     if (!pose) {
       ++counts.placeholders;
     } else if (!poses.empty() && pose->t == poses.back().t) {
       ++counts.repeats;
     } else {
       if (!poses.empty() && pose->t < poses.back().t)
-        table.refuse(row, list.stampColumn(), fmt::format("{}", pose->t),
-                     fmt::format("goes back behind {} within a trajectory", poses.back().t),
-                     "Order each trajectory's rows by time");
+        refuse(list.file, raw, fmt::format("t_{}_s", list.prefix), pose->t,
+               fmt::format("goes back behind {} within a trajectory", poses.back().t),
+               "Order each trajectory's rows by time");
       poses.push_back(*pose);
     }
   }
@@ -155,11 +118,6 @@ void addNotices(PoseEvidence& evidence, std::size_t too_short) {
         fmt::format("{}: {} trajectories too short to compare", evidence.title, too_short));
 }
 
-std::string nameOf(const Table& table, std::size_t row) {
-  const std::string trajectory = fmt::format("trajectory {}", table.trajectory[row]);
-  return table.task.empty() ? trajectory : fmt::format("task {}, {}", table.task[row], trajectory);
-}
-
 }  // namespace
 
 bool isPoseTable(std::string_view header_line) {
@@ -169,26 +127,23 @@ bool isPoseTable(std::string_view header_line) {
 }
 
 PoseEvidence parsePoseEvidence(std::string_view text, const std::string& file) {
-  Table table;
-  table.file = file;
-  session::parseCsv(text, file, [&](std::string_view name, std::size_t) { return targetOf(table, name); });
-  checkColumns(table);
+  const std::vector<RawMotion> motions = session::parseTipTable(text, file);
   PoseEvidence evidence;
   evidence.file = file;
   evidence.title = std::filesystem::path(file).filename().string();
-  evidence.turns = table.lists[1].turns() || table.lists[2].turns();
-  const auto differ = [&](std::size_t a, std::size_t b) {
-    return table.trajectory[a] != table.trajectory[b] ||
-           (!table.task.empty() && table.task[a] != table.task[b]);
-  };
+  std::array<bool, learning::kStreams> turned;
+  for (std::size_t s = 0; s < turned.size(); ++s) turned[s] = turns(motions, static_cast<StreamKind>(s));
+  evidence.turns = turned[1] || turned[2];
   std::size_t too_short = 0;
-  for (std::size_t begin = 0, end = 0; begin < table.rows(); begin = end) {
-    for (end = begin + 1; end < table.rows() && !differ(begin, end);) ++end;
+  for (const RawMotion& motion : motions) {
+    const auto poses = [&](std::size_t s, PoseCounts& counts) {
+      return posesOf(motion.streams[s], {file, kPrefixes[s], turned[s]}, counts);
+    };
     PoseTrajectory trajectory;
-    trajectory.name = nameOf(table, begin);
-    trajectory.camera = posesOf(table, table.lists[0], begin, end, evidence.camera);
-    trajectory.robot = posesOf(table, table.lists[1], begin, end, evidence.robot);
-    trajectory.command = posesOf(table, table.lists[2], begin, end, evidence.command);
+    trajectory.name = motion.name;
+    trajectory.camera = poses(0, evidence.camera);
+    trajectory.robot = poses(1, evidence.robot);
+    trajectory.command = poses(2, evidence.command);
     evidence.camera.outliers += markOutliers(trajectory.camera);
     const bool enough =
         trajectory.camera.size() > 1 && std::max(trajectory.robot.size(), trajectory.command.size()) > 1;

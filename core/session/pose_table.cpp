@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <limits>
 
 #include "core/base/error.h"
 #include "core/base/yaml.h"
@@ -12,12 +14,16 @@ namespace capstan::session {
 namespace {
 
 constexpr std::array<std::string_view, 7> kParts = {"x", "y", "z", "qx", "qy", "qz", "qw"};
+constexpr std::size_t kPositions = 3;  // of these
 constexpr std::array<std::string_view, learning::kStreams> kPrefixes = {"cam", "robot", "cmd"};
 
 /// Columns of one stream: the stamp, and position and quaternion.
 struct StreamColumns {
   std::vector<double> stamp;
   std::array<std::vector<double>, 7> part;
+  bool turns() const {
+    return std::any_of(part.begin() + kPositions, part.end(), [](const auto& c) { return !c.empty(); });
+  }
 };
 
 struct Columns {
@@ -46,16 +52,25 @@ void need(const std::vector<double>& column, const std::string& name, const std:
                             "Give traj, t_cam_s, cam_x … cam_qw and the same of robot or cmd"});
 }
 
+/// Stamps and positions of cameras and of robot or command; all parts of a quaternion or none.
 void check(const Columns& columns, const std::string& file) {
   need(columns.trajectory, "traj", file);
   const bool robot = !columns.streams[1].stamp.empty(), command = !columns.streams[2].stamp.empty();
   for (std::size_t s = 0; s < columns.streams.size(); ++s) {
-    const bool wanted = s == 0 || !columns.streams[s].stamp.empty() || (!robot && !command);
+    const StreamColumns& stream = columns.streams[s];
+    const bool wanted = s == 0 || !stream.stamp.empty() || (!robot && !command);
     if (!wanted) continue;
-    need(columns.streams[s].stamp, fmt::format("t_{}_s", kPrefixes[s]), file);
-    for (std::size_t i = 0; i < kParts.size(); ++i)
-      need(columns.streams[s].part[i], fmt::format("{}_{}", kPrefixes[s], kParts[i]), file);
+    need(stream.stamp, fmt::format("t_{}_s", kPrefixes[s]), file);
+    const std::size_t parts = stream.turns() ? kParts.size() : kPositions;
+    for (std::size_t i = 0; i < parts; ++i)
+      need(stream.part[i], fmt::format("{}_{}", kPrefixes[s], kParts[i]), file);
   }
+}
+
+void checkTurns(const Columns& columns, const std::string& file) {
+  for (std::size_t s = 0; s < columns.streams.size(); ++s)
+    if (!columns.streams[s].stamp.empty())
+      need(columns.streams[s].part[kPositions], fmt::format("{}_{}", kPrefixes[s], kParts[kPositions]), file);
 }
 
 learning::RawPose rawPose(const StreamColumns& columns, std::size_t row) {
@@ -64,16 +79,19 @@ learning::RawPose rawPose(const StreamColumns& columns, std::size_t row) {
   raw.t = columns.stamp[row];
   const auto part = [&](std::size_t i) { return columns.part[i][row]; };
   raw.position = {part(0), part(1), part(2)};
-  raw.quaternion = {part(3), part(4), part(5), part(6)};
+  raw.quaternion.setConstant(std::numeric_limits<double>::quiet_NaN());
+  if (columns.turns()) raw.quaternion = {part(3), part(4), part(5), part(6)};
   return raw;
 }
 
-}  // namespace
-
-std::vector<learning::RawMotion> parsePoseTable(std::string_view text, const std::string& file) {
+Columns columnsOf(std::string_view text, const std::string& file) {
   Columns columns;
   parseCsv(text, file, [&](std::string_view name, std::size_t) { return columns.named(name); });
   check(columns, file);
+  return columns;
+}
+
+std::vector<learning::RawMotion> motionsOf(const Columns& columns) {
   std::vector<learning::RawMotion> motions;
   for (std::size_t row = 0; row < columns.trajectory.size(); ++row) {
     const bool same = row > 0 && columns.trajectory[row] == columns.trajectory[row - 1] &&
@@ -89,6 +107,18 @@ std::vector<learning::RawMotion> parsePoseTable(std::string_view text, const std
         motions.back().streams[s].push_back(rawPose(columns.streams[s], row));
   }
   return motions;
+}
+
+}  // namespace
+
+std::vector<learning::RawMotion> parsePoseTable(std::string_view text, const std::string& file) {
+  const Columns columns = columnsOf(text, file);
+  checkTurns(columns, file);
+  return motionsOf(columns);
+}
+
+std::vector<learning::RawMotion> parseTipTable(std::string_view text, const std::string& file) {
+  return motionsOf(columnsOf(text, file));
 }
 
 std::vector<learning::RawMotion> readPoseTable(const std::filesystem::path& path) {

@@ -17,4 +17,7 @@ namespace capstan::session {
 std::vector<learning::RawMotion> parsePoseTable(std::string_view text, const std::string& file);
 std::vector<learning::RawMotion> readPoseTable(const std::filesystem::path& path);
 
+/// The same of a table that may have no quaternions: all of a stream without them are of NaN.
+std::vector<learning::RawMotion> parseTipTable(std::string_view text, const std::string& file);
+
 }  // namespace capstan::session
