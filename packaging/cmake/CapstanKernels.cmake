@@ -12,6 +12,7 @@ macro(capstan_kernel variable name)
   if(CAPSTAN_X86_KERNELS)
     list(APPEND ${variable} ${name}_avx2.cpp ${name}_avx512.cpp)
   endif()
+  set_source_files_properties(${${variable}} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)  # of other flags
   set(common -O3 -fno-math-errno -fno-tree-loop-distribute-patterns -ffp-contract=fast)
   set(avx2 -mavx2 -mfma)
   set(avx512 -mavx512f -mavx512dq -mavx512vl)

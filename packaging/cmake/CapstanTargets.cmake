@@ -7,6 +7,7 @@ function(capstan_room)
   add_library(capstan::${ROOM_NAME} ALIAS capstan_${ROOM_NAME})
   target_link_libraries(capstan_${ROOM_NAME} PUBLIC ${ROOM_LINKS} PRIVATE capstan_options ${ROOM_PRIVATE_LINKS})
   target_include_directories(capstan_${ROOM_NAME} PUBLIC ${PROJECT_SOURCE_DIR})
+  capstan_precompiled(capstan_${ROOM_NAME} room)
 endfunction()
 
 # A GoogleTest executable, its cases registered with CTest one by one.
@@ -20,6 +21,8 @@ function(capstan_test)
   target_link_libraries(${TEST_NAME} PRIVATE ${TEST_LINKS} capstan_options GTest::gtest GTest::gmock GTest::gtest_main)
   target_compile_definitions(${TEST_NAME} PRIVATE CAPSTAN_RESOURCES="${PROJECT_SOURCE_DIR}/resources"
                                                   CAPSTAN_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  target_compile_options(${TEST_NAME} PRIVATE ${CAPSTAN_TEST_OPTIONS})
+  capstan_precompiled(${TEST_NAME} test)
   gtest_discover_tests(${TEST_NAME} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT ${TEST_TIMEOUT})
 endfunction()
 

@@ -11,7 +11,8 @@ endif()
 find_program(CAPSTAN_CCACHE ccache)
 if(CAPSTAN_CCACHE)
   set(CMAKE_C_COMPILER_LAUNCHER ${CAPSTAN_CCACHE})
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CAPSTAN_CCACHE})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${CAPSTAN_CCACHE})
+  add_compile_options(-fpch-preprocess)  # what ccache needs to see through precompiled headers
 endif()
 
 add_library(capstan_options INTERFACE)
@@ -24,3 +25,7 @@ if(CAPSTAN_SANITIZE)
   target_compile_options(capstan_options INTERFACE -fsanitize=${CAPSTAN_SANITIZE} -fno-omit-frame-pointer)
   target_link_options(capstan_options INTERFACE -fsanitize=${CAPSTAN_SANITIZE})
 endif()
+
+# A test costs more to compile than to run: what it calls is optimised in full, the test itself is not. -fPIC, which
+# Qt asks of some tests, for all of them: they share precompiled headers.
+set(CAPSTAN_TEST_OPTIONS $<$<CONFIG:Release>:-O1> -fPIC)

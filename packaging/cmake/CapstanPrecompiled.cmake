@@ -1,0 +1,36 @@
+# The headers that most files include, parsed once for all rooms and once for all tests: a fifth off a build.
+# The preset dev does without, so that a file that forgot to include what it uses is found there.
+option(CAPSTAN_PRECOMPILE "Parse the commonest headers once" ON)
+
+set(CAPSTAN_COMMON_HEADERS <algorithm> <array> <cmath> <filesystem> <fstream> <functional> <limits> <map> <memory>
+                           <numeric> <optional> <random> <sstream> <string> <string_view> <variant> <vector>
+                           <fmt/format.h> <Eigen/Dense>)
+
+# What each KIND of target reuses. Libraries and executables differ in how their code may be moved in memory, and
+# a compiler takes no precompiled header of the other kind.
+if(CAPSTAN_PRECOMPILE)
+  file(WRITE ${PROJECT_BINARY_DIR}/precompiled.cpp "")
+  file(WRITE ${PROJECT_BINARY_DIR}/precompiled_main.cpp "int main() {}\n")
+  add_library(capstan_precompiled_room STATIC ${PROJECT_BINARY_DIR}/precompiled.cpp)
+  target_link_libraries(capstan_precompiled_room PRIVATE capstan_options Eigen3::Eigen fmt::fmt Threads::Threads)
+  target_precompile_headers(capstan_precompiled_room PRIVATE ${CAPSTAN_COMMON_HEADERS})
+  if(BUILD_TESTING)
+    add_executable(capstan_precompiled_test ${PROJECT_BINARY_DIR}/precompiled_main.cpp)
+    target_link_libraries(capstan_precompiled_test PRIVATE capstan_options Eigen3::Eigen fmt::fmt Threads::Threads
+                                                           GTest::gtest GTest::gmock)
+    target_compile_options(capstan_precompiled_test PRIVATE ${CAPSTAN_TEST_OPTIONS})
+    target_precompile_headers(capstan_precompiled_test PRIVATE ${CAPSTAN_COMMON_HEADERS} <gtest/gtest.h>
+                                                               <gmock/gmock.h>)
+  endif()
+endif()
+
+#   capstan_precompiled(TARGET room|test)
+function(capstan_precompiled TARGET KIND)
+  if(CAPSTAN_PRECOMPILE)
+    target_precompile_headers(${TARGET} REUSE_FROM capstan_precompiled_${KIND})
+    target_link_libraries(${TARGET} PRIVATE Eigen3::Eigen fmt::fmt)
+    # GCC forgets that what was precompiled are the system's headers, and warns of what it inlines from them.
+    target_compile_options(${TARGET} PRIVATE -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow
+                                             -Wno-stringop-overread)
+  endif()
+endfunction()
