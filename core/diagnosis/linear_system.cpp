@@ -80,7 +80,7 @@ VectorXd nuisancePrecision(const FitData& data, const robot::ChainModel& model) 
   const int n = model.shape.joints;
   if (!data.rigid()) return VectorXd::Zero(n);
   constexpr double kWholeSlope = 500.0;  // of the noise [1/s]
-  constexpr double kMotorSwing = 1.0;    // of compliant motors, in what joint speeds are off
+  constexpr double kMotorSwing = 0.1;    // of compliant motors, in what joint speeds are off
   const ChainSimulation& first = data.simulation(0);
   const bool whole = first.windows().size() == first.evidence().segments.size();
   VectorXd precision = VectorXd::Ones(4 * n);  // of what is not there: anything

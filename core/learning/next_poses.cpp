@@ -65,7 +65,8 @@ std::vector<State> posesWithin(const CorrectionModel& model, int each) {
   for (int k = 0; k < each * each * each; ++k)
     for (const Eigen::Vector3d& turn : turns) {
       Eigen::Isometry3d told = Eigen::Isometry3d::Identity();
-      told.translation() = {place(k % each, 0), place(k / each % each, 1), place(k / each / each, 2)};
+      told.translation() =
+          Eigen::Vector3d(place(k % each, 0), place(k / each % each, 1), place(k / each / each, 2));
       told.linear() = (parts.features.middle() * turnBy(turn)).toRotationMatrix();
       states.emplace_back();
       states.back().pair.seen = seen_from_told * told;

@@ -1,4 +1,4 @@
-# The headers that most files include, parsed once for all rooms and once for all tests: a fifth off a build.
+# The headers that most files include, parsed once for all rooms and once for all tests: a third off a build.
 # The preset dev does without, so that a file that forgot to include what it uses is found there.
 option(CAPSTAN_PRECOMPILE "Parse the commonest headers once" ON)
 
@@ -6,14 +6,23 @@ set(CAPSTAN_COMMON_HEADERS <algorithm> <array> <cmath> <filesystem> <fstream> <f
                            <numeric> <optional> <random> <sstream> <string> <string_view> <variant> <vector>
                            <fmt/format.h> <Eigen/Dense>)
 
-# What each KIND of target reuses. Libraries and executables differ in how their code may be moved in memory, and
-# a compiler takes no precompiled header of the other kind.
+# What targets of each KIND reuse: rooms of core/, windows (rooms with Qt), commands (of the command line), tests.
+# Libraries and executables differ in how their code may be moved in memory, and a compiler takes no precompiled header
+# of the other kind.
 if(CAPSTAN_PRECOMPILE)
   file(WRITE ${PROJECT_BINARY_DIR}/precompiled.cpp "")
   file(WRITE ${PROJECT_BINARY_DIR}/precompiled_main.cpp "int main() {}\n")
-  add_library(capstan_precompiled_room STATIC ${PROJECT_BINARY_DIR}/precompiled.cpp)
-  target_link_libraries(capstan_precompiled_room PRIVATE capstan_options Eigen3::Eigen fmt::fmt Threads::Threads)
+  foreach(kind room window command)
+    add_library(capstan_precompiled_${kind} STATIC ${PROJECT_BINARY_DIR}/precompiled.cpp)
+    target_link_libraries(capstan_precompiled_${kind} PRIVATE capstan_options Eigen3::Eigen fmt::fmt Threads::Threads)
+  endforeach()
   target_precompile_headers(capstan_precompiled_room PRIVATE ${CAPSTAN_COMMON_HEADERS})
+  target_precompile_headers(capstan_precompiled_window PRIVATE ${CAPSTAN_COMMON_HEADERS} <QtWidgets>)
+  target_link_libraries(capstan_precompiled_window PRIVATE Qt5::Widgets)
+  target_compile_definitions(capstan_precompiled_window PRIVATE QT_NO_EMIT)
+  target_precompile_headers(capstan_precompiled_command PRIVATE ${CAPSTAN_COMMON_HEADERS} <CLI/CLI.hpp>
+                                                                <nlohmann/json.hpp>)
+  target_link_libraries(capstan_precompiled_command PRIVATE CLI11::CLI11 nlohmann_json::nlohmann_json)
   if(BUILD_TESTING)
     add_executable(capstan_precompiled_test ${PROJECT_BINARY_DIR}/precompiled_main.cpp)
     target_link_libraries(capstan_precompiled_test PRIVATE capstan_options Eigen3::Eigen fmt::fmt Threads::Threads
@@ -24,7 +33,7 @@ if(CAPSTAN_PRECOMPILE)
   endif()
 endif()
 
-#   capstan_precompiled(TARGET room|test)
+#   capstan_precompiled(TARGET room|window|command|test)
 function(capstan_precompiled TARGET KIND)
   if(CAPSTAN_PRECOMPILE)
     target_precompile_headers(${TARGET} REUSE_FROM capstan_precompiled_${KIND})

@@ -7,7 +7,11 @@ function(capstan_room)
   add_library(capstan::${ROOM_NAME} ALIAS capstan_${ROOM_NAME})
   target_link_libraries(capstan_${ROOM_NAME} PUBLIC ${ROOM_LINKS} PRIVATE capstan_options ${ROOM_PRIVATE_LINKS})
   target_include_directories(capstan_${ROOM_NAME} PUBLIC ${PROJECT_SOURCE_DIR})
-  capstan_precompiled(capstan_${ROOM_NAME} room)
+  if(Qt5::Widgets IN_LIST ROOM_LINKS)
+    capstan_precompiled(capstan_${ROOM_NAME} window)
+  else()
+    capstan_precompiled(capstan_${ROOM_NAME} room)
+  endif()
 endfunction()
 
 # A GoogleTest executable, its cases registered with CTest one by one.

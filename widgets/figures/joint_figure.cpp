@@ -177,14 +177,14 @@ void JointFigure::setFollowing(bool on) {
   following_ = on;
   live_->setVisible(!on && medium_ == Medium::kScreen);
   placeLiveButton();
-  emit followingChanged(on);
+  Q_EMIT followingChanged(on);
   refresh();
 }
 
 void JointFigure::setSpan(double seconds) {
   const double longest = std::max(limits().size() * 1.02, 20.0);
   span_ = std::clamp(seconds, kShortest, longest);
-  emit spanChanged(span_);
+  Q_EMIT spanChanged(span_);
   refresh();
 }
 

@@ -83,7 +83,7 @@ void RoiView::setWholeFrameLarge(bool large) {
   if (large == whole_large_) return;
   whole_large_ = large;
   update();
-  emit wholeFrameLargeChanged(large);
+  Q_EMIT wholeFrameLargeChanged(large);
 }
 
 QString RoiView::caption() const {

@@ -39,12 +39,12 @@ NotesPanel::NotesPanel(QWidget* parent) : QWidget(parent), list_(new QTreeWidget
   column->addWidget(list_, 1);
   column->addWidget(line_);
   connect(list_, &QTreeWidget::itemActivated, this,
-          [this](QTreeWidgetItem* item) { emit timeChosen(item->data(kTime, kTimeRole).toDouble()); });
+          [this](QTreeWidgetItem* item) { Q_EMIT timeChosen(item->data(kTime, kTimeRole).toDouble()); });
   connect(line_, &QLineEdit::returnPressed, this, [this] {
     const QString text = line_->text().trimmed();
     line_->clear();
     line_->clearFocus();
-    if (!text.isEmpty()) emit noteWritten(text);
+    if (!text.isEmpty()) Q_EMIT noteWritten(text);
   });
   list_->viewport()->installEventFilter(this);
   connect(list_->header(), &QHeaderView::sectionResized, &naming_, qOverload<>(&QTimer::start));

@@ -190,7 +190,7 @@ void OcclusionPanel::changeSchedule() {
   schedule_.start = t_;
   timeline_->setSchedule(schedule_);
   showBlocked(hand_);
-  emit scheduleChanged(schedule_);
+  Q_EMIT scheduleChanged(schedule_);
 }
 
 void OcclusionPanel::press(Which which) {
@@ -215,7 +215,7 @@ void OcclusionPanel::set(std::array<bool, 2> blocked) {
   const bool changed = blocked != hand_;
   hand_ = blocked;
   markButtons();
-  if (changed) emit blockChanged(hand_[0], hand_[1]);
+  if (changed) Q_EMIT blockChanged(hand_[0], hand_[1]);
 }
 
 void OcclusionPanel::markButtons() {

@@ -57,16 +57,16 @@ RegistrationPanel::RegistrationPanel(QWidget* parent) : QWidget(parent) {
     guide_->accept();
     const auto pose = guide_->proposal()->registration.base_from_camera;
     finish("The new registration is in use.");
-    emit accepted(pose, result_->summary());
+    Q_EMIT accepted(pose, result_->summary());
   });
   connect(result_, &ResultPage::rejectRequested, this, [this](const QString& reason) {
     guide_->reject(reason.toStdString());
     finish("Rejected: " + reason + ".\nThe registration in use stays.");
-    emit rejected(reason);
+    Q_EMIT rejected(reason);
   });
   connect(close_, &QPushButton::clicked, this, [this] {
     if (guide_) guide_->leave();
-    emit finished();
+    Q_EMIT finished();
   });
   setTheme(theme_);
 }

@@ -64,7 +64,7 @@ ResultPage::ResultPage(QWidget* parent) : QWidget(parent) {
   connect(accept_, &QPushButton::clicked, this, &ResultPage::acceptRequested);
   connect(redo_, &QPushButton::clicked, this, &ResultPage::redoRequested);
   connect(reject_, &QPushButton::clicked, this,
-          [this] { emit rejectRequested(reason_->currentText().trimmed()); });
+          [this] { Q_EMIT rejectRequested(reason_->currentText().trimmed()); });
   connect(reason_, &QComboBox::editTextChanged, this,
           [this](const QString& text) { reject_->setEnabled(!text.trimmed().isEmpty()); });
 }
