@@ -31,6 +31,14 @@ constexpr double kChoiceShare = 0.3;                // of the time, where it is 
 constexpr double kFitShare = 0.6, kAllShare = 0.3;  // of the time: hyperparameters, all states
 constexpr const char* kLearningHyperparameters = "learning hyperparameters";
 
+/// Of each state the place of its motion among those that have states.
+std::vector<std::size_t> motionPlaces(const std::vector<State>& states) {
+  std::vector<std::size_t> places(states.size(), 0);
+  for (std::size_t k = 1; k < states.size(); ++k)
+    places[k] = places[k - 1] + (states[k].motion != states[k - 1].motion);
+  return places;
+}
+
 void checkEnough(std::size_t states) {
   if (states < kFewestStates)
     throw base::InputError({{},
@@ -201,15 +209,29 @@ std::vector<Eigen::Isometry3d> CorrectionModel::correct(const std::vector<State>
 }
 
 /// Errors of motions held out, from the others at the same hyperparameters: their share within σ shall be
-/// that of a normal distribution.
+/// that of a normal distribution. Every eighth motion is; where that makes few, more such eighths in turn.
 void CorrectionModel::findInflation(const std::vector<State>& states, const CorrectionOptions& options) {
-  constexpr std::size_t kEach = 8;  // motion, or state of one motion, is held out
+  constexpr std::size_t kEighths = 8, kEnough = 16;  // motions held out
   constexpr double kWithinSigma = 0.6827;
-  std::vector<State> seen, held;
-  const bool one_motion = states.front().motion == states.back().motion;
-  for (std::size_t k = 0; k < states.size(); ++k)
-    ((one_motion ? k : states[k].motion) % kEach == kEach - 1 ? held : seen).push_back(states[k]);
-  if (held.empty() || seen.empty()) return;
+  const std::vector<std::size_t> places = motionPlaces(states);
+  const std::size_t motions = places.back() + 1;
+  const std::size_t folds = std::min(kEighths, (kEnough * kEighths + motions - 1) / motions);
+  std::array<std::vector<double>, kOutputs> ratios;
+  for (std::size_t fold = 0; fold < folds; ++fold) {
+    std::vector<State> seen, held;
+    for (std::size_t k = 0; k < states.size(); ++k)
+      ((motions == 1 ? k : places[k]) % kEighths == kEighths - 1 - fold ? held : seen).push_back(states[k]);
+    if (!held.empty() && !seen.empty()) addRatios(seen, held, options, ratios);
+  }
+  for (std::size_t k = 0; k < ratios.size(); ++k)
+    if (!ratios[k].empty())
+      known_.inflation[static_cast<Index>(k)] = stats::quantile(std::move(ratios[k]), kWithinSigma);
+}
+
+/// |e| / σ of states held out, from a model of those seen.
+void CorrectionModel::addRatios(const std::vector<State>& seen, const std::vector<State>& held,
+                                const CorrectionOptions& options,
+                                std::array<std::vector<double>, 6>& ratios) const {
   const MatrixXd x = featuresOf(seen), y = targetsOf(seen), at = featuresOf(held), told = targetsOf(held);
   const Index few = std::max<Index>(options.inducing_points / 2, 1);
   const MatrixXd inducing = x(drawnPoints(x.rows(), few, options.seed + 2), Eigen::all);
@@ -222,8 +244,8 @@ void CorrectionModel::findInflation(const std::vector<State>& states, const Corr
     const Eigen::ArrayXd sigma = (guess.variance.array() + p.noiseVariance()).sqrt();
     for (Index k = 0; k < count; ++k) {
       const Eigen::ArrayXd off = ((told.col(first + k) - guess.mean.col(k)).array() / sigma).abs();
-      known_.inflation[first + k] =
-          stats::quantile(std::vector<double>(off.begin(), off.end()), kWithinSigma);
+      std::vector<double>& all = ratios[static_cast<std::size_t>(first + k)];
+      all.insert(all.end(), off.begin(), off.end());
     }
   }
 }

@@ -90,6 +90,8 @@ class CorrectionModel {
  private:
   void findScales(const std::vector<State>& states);
   void findInflation(const std::vector<State>& states, const CorrectionOptions& options);
+  void addRatios(const std::vector<State>& seen, const std::vector<State>& held,
+                 const CorrectionOptions& options, std::array<std::vector<double>, 6>& ratios) const;
   Eigen::Vector3d turnOf(const Eigen::Isometry3d& moved) const;  ///< from the features' middle [rad]
   void extendBy(const Eigen::Isometry3d& moved);
   double fading(const Eigen::Isometry3d& moved) const;

@@ -1,33 +1,49 @@
 #include "core/learning/drift_monitor.h"
 
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/binomial.hpp>
+#include <cmath>
+#include <numbers>
 
 namespace capstan::learning {
 namespace {
 
 constexpr double kOutputs = 6.0;
+constexpr std::size_t kParts = 3;     // of the window that are judged: all, the last half, the last quarter
 constexpr std::size_t kAtOnce = 500;  // states that are corrected together
 
 }  // namespace
 
 DriftReport DriftMonitor::add(const State& state, const Corrected& corrected) {
-  if (window_.empty() || state.t >= window_.back().t + options_.spacing) window_.push_back({state.t, 0.0, 0});
-  window_.back().squares += errorsInSigma(corrected, state.pair.told).squaredNorm();
+  if (window_.empty() || state.t >= window_.back().t + options_.spacing)
+    window_.push_back({state.t, Vector6d::Zero(), 0});
+  window_.back().beyond.array() +=
+      (errorsInSigma(corrected, state.pair.told).array().abs() > 1.0).cast<double>();
   ++window_.back().states;
   while (window_.front().t < state.t - options_.span) window_.pop_front();
+  DriftReport worst = reportOver(window_.size());
+  for (std::size_t pieces = window_.size() / 2, part = 1; part < kParts && pieces > 0; pieces /= 2, ++part)
+    if (const DriftReport report = reportOver(pieces);
+        report.beyond / report.limit > worst.beyond / worst.limit)
+      worst = report;
+  return worst;
+}
+
+/// Of the last pieces of the window.
+DriftReport DriftMonitor::reportOver(std::size_t pieces) const {
   DriftReport report;
-  double sum = 0.0;
-  for (const Piece& piece : window_) {
-    sum += piece.squares / static_cast<double>(piece.states);
-    report.states += piece.states;
+  Vector6d sum = Vector6d::Zero();
+  for (std::size_t k = window_.size() - pieces; k < window_.size(); ++k) {
+    sum += window_[k].beyond / static_cast<double>(window_[k].states);
+    report.states += window_[k].states;
   }
-  const double free = kOutputs * static_cast<double>(window_.size());
-  const boost::math::chi_squared chance(free);
-  report.ratio = sum / free;
-  const double most = boost::math::quantile(boost::math::complement(chance, options_.level));
-  report.limit = options_.sigma_known * options_.sigma_known * most / free;
-  report.aged = report.ratio > report.limit;
+  const auto n = static_cast<double>(pieces);
+  report.beyond = sum.maxCoeff(&report.output) / n;
+  const double chance = std::erfc(1.0 / (options_.sigma_known * std::numbers::sqrt2));
+  const boost::math::binomial number(n, chance);
+  report.limit =
+      boost::math::quantile(boost::math::complement(number, options_.level / (kOutputs * kParts))) / n;
+  report.aged = report.beyond > report.limit;
   return report;
 }
 

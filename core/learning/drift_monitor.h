@@ -15,16 +15,19 @@ struct DriftOptions {
 };
 
 struct DriftReport {
-  double ratio = 1.0;      ///< mean square of errors over what their σ say; 1: as learned
-  double limit = 0.0;      ///< of the ratio, from which on it is no chance
-  std::size_t states = 0;  ///< that it is of
+  Eigen::Index output = 0;  ///< the one with most errors beyond their σ: x, y, z, turn's parts
+  double beyond = 0.0;      ///< share of its errors that are; kBeyond while the model holds
+  double limit = 1.0;       ///< of that share, from which on it is no chance
+  std::size_t states = 0;   ///< that it is of
   bool aged = false;
 };
+inline constexpr double kBeyond = 0.3173;  ///< of a normal distribution
 
 /// Says when a learned model has aged: while it is in use, errors of what was seen against what was told are
-/// compared with the σ that the model stated for them. n independent errors of q outputs have Σ (e/σ)² ~ χ²(n
-/// q) while the model holds; the model has aged when the sum of the last `span` seconds is beyond its 1 −
-/// level quantile, sigma_known² times. Errors that come together are one: states nearer than `spacing` are
+/// compared with the σ that the model stated for them, output by output, as the σ are calibrated: by the
+/// share beyond them, which a few sights gone wrong do not move. Of n independent errors a binomial number is
+/// beyond; the model has aged when in the last `span` seconds it is above its 1 − level/6 quantile, were the
+/// true σ `sigma_known` times the stated. Errors that come together are one: states nearer than `spacing` are
 /// averaged.
 class DriftMonitor {
  public:
@@ -39,9 +42,12 @@ class DriftMonitor {
 
  private:
   struct Piece {
-    double t = 0.0, squares = 0.0;
+    double t = 0.0;
+    Vector6d beyond = Vector6d::Zero();  ///< states whose errors are beyond σ
     std::size_t states = 0;
   };
+  DriftReport reportOver(std::size_t pieces) const;
+
   const CorrectionModel& model_;
   DriftOptions options_;
   std::deque<Piece> window_;

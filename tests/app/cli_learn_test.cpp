@@ -61,6 +61,12 @@ TEST_F(CliLearn, SaysWhereAPathIsWrong) {
 }
 
 TEST_F(CliLearn, SaysWhetherAModelHoldsAndLearnsOn) {
+  SamplePoses noisy;
+  noisy.noise = 3e-4;
+  noisy.turn_noise = 3e-3;
+  writeSamplePoses(path("train.csv"), noisy);
+  noisy.seed = 2;
+  writeSamplePoses(path("test.csv"), noisy);
   ASSERT_EQ(learn("--method velocity").exit, 0);
   const std::string model = path("m.correction");
   const Ran holds = run("drift --model " + model + " --json " + path("d.json") + " " + path("test.csv"));
@@ -68,11 +74,11 @@ TEST_F(CliLearn, SaysWhetherAModelHoldsAndLearnsOn) {
   EXPECT_THAT(holds.out, HasSubstr("The model holds."));
   const json course = json::parse(textOf("d.json"));
   EXPECT_FALSE(course["aged"].get<bool>());
-  EXPECT_EQ(course["ratio"].size(), course["states"].get<std::size_t>());
+  EXPECT_EQ(course["beyond"].size(), course["states"].get<std::size_t>());
 
-  SamplePoses aged;
+  SamplePoses aged = noisy;
   aged.seed = 3;
-  aged.bias = 8e-3;
+  aged.bias = 16e-3;
   writeSamplePoses(path("aged.csv"), aged);
   const Ran old = run("drift --model " + model + " " + path("aged.csv"));
   EXPECT_EQ(old.exit, 1) << old.out << old.err;

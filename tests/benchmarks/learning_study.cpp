@@ -1,4 +1,5 @@
-// learning_study DATA [--splits 10] [--parts table,process,curve,latency] [--out DIR]: what the GPR paper
+// learning_study DATA [--splits 10] [--parts table,process,curve,latency]
+// [--towards robot,command] [--out DIR]: what the GPR paper
 // shows of its recording, on the same recording (a table of tip poses), beside the paper's numbers and beside
 // scikit-learn's process on the same states (python3-sklearn; without it those columns are left out).
 #include <fmt/format.h>
@@ -22,6 +23,9 @@ int main(int argc, char** argv) {
   app.add_option("--parts", parts, "table, process, curve, latency")
       ->delimiter(',')
       ->check(CLI::IsMember({"table", "process", "curve", "latency"}));
+  app.add_option("--towards", options.towards, "of table: robot, command")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"robot", "command"}));
   app.add_option("--inducing", options.correction.inducing_points)->check(CLI::Range(20, 20000));
   app.add_option("--threads", options.correction.threads)->check(CLI::Range(1, 64));
   app.add_option("--seed", options.seed);

@@ -81,6 +81,10 @@ std::string samplePoseTable(const SamplePoses& sample) {
       const Vector3d noise(random.normal(), random.normal(), random.normal());
       Eigen::Isometry3d seen = path.seen(within);
       seen.translation() += sample.noise * noise;
+      if (sample.turn_noise > 0.0) {
+        const Vector3d turned(random.normal(), random.normal(), random.normal());
+        seen.linear() *= poseOf(Vector3d::Zero(), sample.turn_noise * turned).linear();
+      }
       if (all || (row >= 20 && row < 20 + sample.outliers)) seen.translation().x() += 0.06;
       const bool sight = row < 40 || row >= 40 + sample.placeholders;
       table += fmt::format("{},{},{:.6f}", m / 10, m % 10, t) + (sight ? cells(seen) : kNoSight);

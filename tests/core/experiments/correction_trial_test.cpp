@@ -67,10 +67,16 @@ TEST(CorrectionTrial, ErrorsAreThoseOfTheStudysLastMethod) {
 }
 
 TEST(CorrectionTrial, TellsHowOftenErrorsAreAsStated) {
-  const CorrectionTrial trial = correctionTrial(states(), quickTrial());
+  testing::SamplePoses noisy;
+  noisy.noise = 5e-4;
+  noisy.turn_noise = 5e-3;
+  const auto states =
+      learningStages(session::parsePoseTable(testing::samplePoseTable(noisy), "p.csv"), {}).states;
+  const CorrectionTrial trial = correctionTrial(states, quickTrial());
   ASSERT_EQ(trial.stated.states(), trial.clean[2].distance.size());
   for (std::size_t k = 0; k < 6; ++k) {
-    EXPECT_GT(trial.stated.within(k, 1.0), 0.4) << k;
+    EXPECT_NEAR(trial.stated.within(k, 1.0), normalShare(1.0), 0.12) << k;
+    EXPECT_NEAR(trial.stated.within(k, 2.0), normalShare(2.0), 0.08) << k;
     EXPECT_LE(trial.stated.within(k, 1.0), trial.stated.within(k, 2.0)) << k;
     EXPECT_EQ(trial.stated.within(k, 1e9), 1.0) << k;
   }

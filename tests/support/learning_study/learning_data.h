@@ -13,6 +13,7 @@ namespace capstan::study {
 struct LearningStudyOptions {
   std::string data, folder;
   int splits = 10;
+  std::vector<std::string> towards = {"robot", "command"};  ///< of the table
   std::uint64_t seed = 1;
   learning::CorrectionOptions correction;
 };

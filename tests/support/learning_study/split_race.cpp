@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <numbers>
 
@@ -92,6 +93,7 @@ void tellBeside(const experiments::CorrectionStudyReport& report, const nlohmann
 void raceSplits(const LearningData& data, const LearningStudyOptions& options) {
   for (const Target* target : {&data.robot, &data.command}) {
     const std::string name(base::nameOf(target->towards));
+    if (std::ranges::count(options.towards, name) == 0) continue;
     const auto begin = std::chrono::steady_clock::now();
     experiments::CorrectionStudyOptions study;
     study.splits = options.splits;

@@ -13,8 +13,9 @@ namespace capstan::widgets {
 /// How is learned: the same of every figure and table of the panel.
 struct LearningSettings {
   learning::LagOptions lag;
-  experiments::CorrectionTrialOptions trial{.correction = {.motion = std::nullopt}};
+  experiments::CorrectionTrialOptions trial;
 
+  LearningSettings() { trial.correction.motion.reset(); }  // as learning::chooseMotion() finds
   experiments::CorrectionStudyOptions study(int splits) const;
   experiments::LearningCurveOptions curve() const;
 };
