@@ -1,13 +1,10 @@
 #include "widgets/panels/diagnosis/diagnosis_panel.h"
 
-#include <QBoxLayout>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QLabel>
-#include <QProgressBar>
+#include <QLayout>
 #include <QPushButton>
 #include <QSaveFile>
-#include <QShortcut>
 #include <QSplitter>
 
 #include "core/base/error.h"
@@ -50,14 +47,11 @@ QString markOf(Verdict verdict) {
 
 }  // namespace
 
-DiagnosisPanel::DiagnosisPanel(DiagnosisRun run, QWidget* parent) : QWidget(parent), run_(std::move(run)) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(10, 6, 10, 6);
-  column->setSpacing(5);
-  addHead(column);
-  addBody(column);
-  addFoot(column);
-  addKeys();
+DiagnosisPanel::DiagnosisPanel(DiagnosisRun run, QWidget* parent) : WorkPanel(parent), run_(std::move(run)) {
+  makeButtons();
+  addHead(picker_ = new RecordingPicker, diagnose_, tr("verdict"));
+  addBody(makeBody());
+  addFoot({save_, use_, page_}, tr("state of the diagnosis"));
   connect(picker_, &RecordingPicker::changed, this, [this] {
     said_.clear();
     failed_.clear();
@@ -81,37 +75,7 @@ DiagnosisPanel::DiagnosisPanel(DiagnosisRun run, QWidget* parent) : QWidget(pare
 
 DiagnosisPanel::~DiagnosisPanel() = default;
 
-QPushButton* DiagnosisPanel::button(const QString& name, const QString& words, const QString& tip,
-                                    void (DiagnosisPanel::*pressed)()) {
-  auto* made = new QPushButton(words);
-  made->setObjectName(name);
-  made->setToolTip(tip);
-  made->setStyleSheet("padding: 4px 8px;");
-  connect(made, &QPushButton::clicked, this, pressed);
-  return made;
-}
-
-void DiagnosisPanel::addHead(QBoxLayout* column) {
-  auto* row = new QHBoxLayout;
-  row->setSpacing(8);
-  row->addWidget(picker_ = new RecordingPicker, 1);
-  diagnose_ = button("diagnose_now", tr("Diagnose"), QString(), &DiagnosisPanel::diagnoseOrCancel);
-  diagnose_->setProperty("primary", true);
-  row->addWidget(diagnose_);
-  column->addLayout(row);
-  headline_ = new QLabel;
-  headline_->setObjectName("headline");
-  headline_->setFont(textFont(14.0, true));
-  headline_->setAccessibleName(tr("verdict"));
-  summary_ = new QLabel;
-  for (QLabel* label : {headline_, summary_}) {
-    label->setWordWrap(true);
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    column->addWidget(label);
-  }
-}
-
-void DiagnosisPanel::addBody(QBoxLayout* column) {
+QWidget* DiagnosisPanel::makeBody() {
   split_ = new QSplitter(Qt::Vertical);
   split_->setChildrenCollapsible(false);
   top_ = new QSplitter(Qt::Horizontal);
@@ -120,56 +84,24 @@ void DiagnosisPanel::addBody(QBoxLayout* column) {
   top_->addWidget(card_ = new HypothesisCard);
   split_->addWidget(top_);
   split_->addWidget(pages_ = new ReportPages);
-  column->addWidget(split_, 1);
-  column->addWidget(rest_ = new QWidget, 1);
   connect(split_, &QSplitter::splitterMoved, this, [this] { user_split_ = true; });
+  return split_;
 }
 
-void DiagnosisPanel::addFoot(QBoxLayout* column) {
-  words_ = new QLabel;
-  words_->setWordWrap(true);
-  words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  words_->setAccessibleName(tr("state of the diagnosis"));
-  column->addWidget(words_);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(6);
-  progress_ = new QProgressBar;
-  row->addWidget(progress_, 1);
-  row->addStretch();
+void DiagnosisPanel::makeButtons() {
+  diagnose_ = button("diagnose_now", tr("Diagnose"), QString(), [this] { diagnoseOrCancel(); });
   save_ = button("save_extended", tr("Save extended robot…"),
                  tr("The robot with the refit and the causes found, as a robot file (Ctrl+Shift+S)"),
-                 &DiagnosisPanel::askFile);
+                 [this] { askFile(); });
   use_ = button("use_extended", tr("Use this robot"),
                 tr("The running session uses it from now on; errors begin anew (Ctrl+Shift+Return)"),
-                &DiagnosisPanel::useRobot);
+                [this] { useRobot(); });
   page_ = button("export_report", tr("Export report…"),
                  tr("A page with all figures, the report as JSON and the robot file (Ctrl+Shift+E)"),
-                 &DiagnosisPanel::askFolder);
-  for (QPushButton* one : {save_, use_, page_}) row->addWidget(one);
-  column->addLayout(row);
-}
-
-/// Keys act as their buttons do: only where these are shown and enabled.
-void DiagnosisPanel::addKeys() {
-  const auto key = [this](const QString& sequence, auto act) {
-    auto* shortcut = new QShortcut(QKeySequence(sequence), this);
-    shortcut->setAutoRepeat(false);
-    connect(shortcut, &QShortcut::activated, this, act);
-  };
-  const auto press = [](QPushButton* pressed) {
-    return [pressed] {
-      if (pressed->isVisible()) pressed->click();
-    };
-  };
-  key("F5", [this] {
-    if (!busy()) diagnose_->click();
-  });
-  key("Ctrl+Shift+S", press(save_));
-  key("Ctrl+Shift+Return", press(use_));
-  key("Ctrl+Shift+E", press(page_));
-  auto* escape = new QShortcut(QKeySequence(Qt::Key_Escape), this);
-  escape->setContext(Qt::WidgetWithChildrenShortcut);
-  connect(escape, &QShortcut::activated, this, &DiagnosisPanel::cancel);
+                 [this] { askFolder(); });
+  addKey("Ctrl+Shift+S", save_);
+  addKey("Ctrl+Shift+Return", use_);
+  addKey("Ctrl+Shift+E", page_);
 }
 
 void DiagnosisPanel::setTheme(const Theme& theme) {
@@ -178,9 +110,7 @@ void DiagnosisPanel::setTheme(const Theme& theme) {
   causes_->setTheme(theme);
   card_->setTheme(theme);
   pages_->setTheme(theme);
-  QPalette palette = words_->palette();
-  palette.setColor(QPalette::WindowText, theme.muted);
-  words_->setPalette(palette);
+  styleWords(theme);
 }
 
 void DiagnosisPanel::offer(const QString& path, const QString& words) { picker_->offer(path, words); }
@@ -209,8 +139,7 @@ void DiagnosisPanel::diagnose() {
   if (busy() || choice().recordings.isEmpty()) return;
   said_.clear();
   failed_.clear();
-  progress_->setValue(0);
-  progress_->setFormat(tr("reading"));
+  beginProgress(tr("reading"));
   job_.start([run = run_, choice = choice()](base::Progress& progress) { return run(choice, progress); },
              [this, of = choice()](Report report) {
                showReport(std::move(report));
@@ -218,11 +147,6 @@ void DiagnosisPanel::diagnose() {
                refresh();
              });
   refresh();
-}
-
-void DiagnosisPanel::onProgress(double fraction, const QString& doing) {
-  progress_->setValue(qRound(100.0 * fraction));
-  progress_->setFormat(doing + QStringLiteral(" %p %"));
 }
 
 void DiagnosisPanel::cancel() {
@@ -341,10 +265,7 @@ void DiagnosisPanel::showVerdict() {
     head = tr("Ready to diagnose");
     below = tr("Press Diagnose (F5).");
   }
-  headline_->setText(head);
-  summary_->setText(below);
-  split_->setVisible(shown != nullptr);
-  rest_->setVisible(!shown);
+  showHead(head, below, shown != nullptr);
 }
 
 void DiagnosisPanel::refresh() {
@@ -356,16 +277,15 @@ void DiagnosisPanel::refresh() {
     if (!of_.recordings.isEmpty()) lines << tr("Of %1.").arg(namesOf(of_.recordings));
     for (const std::string& notice : shown->notices) lines << QString::fromStdString(notice);
   }
-  words_->setToolTip(lines.join('\n'));
+  const QString all = lines.join('\n');
   constexpr int kMostLines = 2;
   if (lines.size() > kMostLines) {
     const auto more = lines.size() - kMostLines + 1;
     lines = lines.mid(0, kMostLines - 1) << tr("… and %1 more remarks").arg(more);
   }
-  words_->setText(lines.join('\n'));
-  words_->setVisible(!lines.isEmpty());
+  showWords(lines.join('\n'), all);
   const bool working = busy();
-  progress_->setVisible(working);
+  showProgress(working);
   diagnose_->setText(working ? tr("Cancel") : tr("Diagnose"));
   diagnose_->setToolTip(working ? tr("Stop what is being computed (Esc)")
                                 : tr("Find what the simulation gets wrong, and why (F5)"));
@@ -382,9 +302,5 @@ void DiagnosisPanel::resizeEvent(QResizeEvent* event) {
   split_->setSizes({top, split_->height() - top});
   top_->setSizes({top_->width() * 11 / 20, top_->width() * 9 / 20});
 }
-
-QString DiagnosisPanel::headline() const { return headline_->text(); }
-QString DiagnosisPanel::summary() const { return summary_->text(); }
-QString DiagnosisPanel::words() const { return words_->text(); }
 
 }  // namespace capstan::widgets

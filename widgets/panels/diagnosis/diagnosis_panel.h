@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QWidget>
 #include <memory>
 #include <optional>
 
@@ -9,10 +8,8 @@
 #include "widgets/jobs/job.h"
 #include "widgets/panels/diagnosis/diagnosis_choice.h"
 #include "widgets/panels/diagnosis/report_export.h"
+#include "widgets/panels/work/work_panel.h"
 
-class QBoxLayout;
-class QLabel;
-class QProgressBar;
 class QPushButton;
 class QSettings;
 class QSplitter;
@@ -26,7 +23,7 @@ class ReportPages;
 
 /// What the simulation of a robot gets wrong in recordings, why, and what it is worth to know: verdict and
 /// causes on top, below them what they look like. Everything is thought by core/diagnosis, in the background.
-class DiagnosisPanel : public QWidget {
+class DiagnosisPanel : public WorkPanel {
   Q_OBJECT
 
  public:
@@ -46,11 +43,10 @@ class DiagnosisPanel : public QWidget {
   const DiagnosisChoice& choice() const;
   /// Begins; what was under way is given up.
   void diagnose();
-  void cancel();
-  bool busy() const { return job_.busy() || export_.busy(); }
+  void cancel() override;
+  bool busy() const override { return job_.busy() || export_.busy(); }
   /// Shows a report, as diagnose() does when it is done.
   void showReport(diagnosis::Report report);
-  /// The one shown; null: none yet.
   /// That of the recordings and the robot chosen; null: none yet, or of others.
   const diagnosis::Report* report() const { return of_ == choice() ? report_.get() : nullptr; }
   /// The extended robot as a robot file; what goes wrong is said on the panel.
@@ -62,9 +58,6 @@ class DiagnosisPanel : public QWidget {
   RecordingPicker& picker() { return *picker_; }
   CauseTree& causes() { return *causes_; }
   ReportPages& pages() { return *pages_; }
-  QString headline() const;
-  QString summary() const;
-  QString words() const;
 
  signals:
   /// The session is to use `robot`; `summary` says what it has beyond the former one.
@@ -76,17 +69,12 @@ class DiagnosisPanel : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  QPushButton* button(const QString& name, const QString& words, const QString& tip,
-                      void (DiagnosisPanel::*pressed)());
-  void addHead(QBoxLayout* column);
-  void addBody(QBoxLayout* column);
-  void addFoot(QBoxLayout* column);
-  void addKeys();
+  QWidget* makeBody();
+  void makeButtons();
   void diagnoseOrCancel();
   void useRobot();
   void askFile();
   void askFolder();
-  void onProgress(double fraction, const QString& doing);
   void onCause();
   void showCard();
   void onCandidate();
@@ -102,13 +90,10 @@ class DiagnosisPanel : public QWidget {
   int session_joints_ = 0;
   bool user_split_ = false;
   RecordingPicker* picker_;
-  QLabel *headline_, *summary_, *words_;
   QSplitter *split_, *top_;
-  QWidget* rest_;  ///< takes the room of `split_` while there is nothing to show
   CauseTree* causes_;
   HypothesisCard* card_;
   ReportPages* pages_;
-  QProgressBar* progress_;
   QPushButton *diagnose_, *save_, *use_, *page_;
   ReportExport export_;
   Job job_;  ///< last: ends before what it reports to

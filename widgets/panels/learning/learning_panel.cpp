@@ -1,13 +1,9 @@
 #include "widgets/panels/learning/learning_panel.h"
 
-#include <QBoxLayout>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QLabel>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QSettings>
-#include <QShortcut>
 
 #include "core/base/checksum.h"
 #include "core/base/error.h"
@@ -29,15 +25,11 @@ namespace capstan::widgets {
 using namespace experiments;
 
 LearningPanel::LearningPanel(LearningSettings settings, QWidget* parent)
-    : QWidget(parent), settings_(std::move(settings)) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(10, 6, 10, 6);
-  column->setSpacing(5);
-  addHead(column);
-  column->addWidget(pages_ = new LearningPages, 1);
-  column->addWidget(rest_ = new QWidget, 1);
-  addFoot(column);
-  addKeys();
+    : WorkPanel(parent), settings_(std::move(settings)) {
+  makeButtons();
+  addHead(picker_ = new TablePicker, train_, tr("result of learning"));
+  addBody(pages_ = new LearningPages);
+  addFoot({model_button_, export_button_}, tr("state of learning"));
   connect(picker_, &TablePicker::changed, this, &LearningPanel::read);
   connect(&pages_->ablation(), &AblationView::runRequested, this, &LearningPanel::runAblation);
   connect(&pages_->curve(), &CurveView::runRequested, this, &LearningPanel::runCurve);
@@ -56,89 +48,26 @@ LearningPanel::LearningPanel(LearningSettings settings, QWidget* parent)
 
 LearningPanel::~LearningPanel() = default;
 
-QPushButton* LearningPanel::button(const QString& name, const QString& words, const QString& tip,
-                                   void (LearningPanel::*pressed)()) {
-  auto* made = new QPushButton(words);
-  made->setObjectName(name);
-  made->setToolTip(tip);
-  made->setStyleSheet("padding: 4px 8px;");
-  connect(made, &QPushButton::clicked, this, pressed);
-  return made;
-}
-
-void LearningPanel::addHead(QBoxLayout* column) {
-  auto* row = new QHBoxLayout;
-  row->setSpacing(8);
-  row->addWidget(picker_ = new TablePicker, 1);
-  train_ = button("train", tr("Train"), QString(), &LearningPanel::trainOrCancel);
-  train_->setProperty("primary", true);
-  row->addWidget(train_);
-  column->addLayout(row);
-  headline_ = new QLabel;
-  headline_->setObjectName("headline");
-  headline_->setFont(textFont(14.0, true));
-  headline_->setAccessibleName(tr("result of learning"));
-  summary_ = new QLabel;
-  for (QLabel* label : {headline_, summary_}) {
-    label->setWordWrap(true);
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    column->addWidget(label);
-  }
-}
-
-void LearningPanel::addFoot(QBoxLayout* column) {
-  words_ = new QLabel;
-  words_->setWordWrap(true);
-  words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  words_->setAccessibleName(tr("state of learning"));
-  column->addWidget(words_);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(6);
-  progress_ = new QProgressBar;
-  row->addWidget(progress_, 1);
-  row->addStretch();
+void LearningPanel::makeButtons() {
+  train_ = button("train", tr("Train"), QString(), [this] { trainOrCancel(); });
   model_button_ =
       button("save_model", tr("Save model…"), tr("The correction as a file that others load (Ctrl+Shift+S)"),
-             &LearningPanel::askModel);
+             [this] { askModel(); });
   export_button_ =
       button("export_learning", tr("Export…"),
              tr("Figures, the ablation table and what was rejected, into a folder (Ctrl+Shift+E)"),
-             &LearningPanel::askFolder);
-  for (QPushButton* one : {model_button_, export_button_}) row->addWidget(one);
-  column->addLayout(row);
-}
-
-/// Keys act as their buttons do: only where these are shown and enabled.
-void LearningPanel::addKeys() {
-  const auto key = [this](const QString& sequence, auto act) {
-    auto* shortcut = new QShortcut(QKeySequence(sequence), this);
-    shortcut->setAutoRepeat(false);
-    connect(shortcut, &QShortcut::activated, this, act);
-  };
-  const auto press = [](QPushButton* pressed) {
-    return [pressed] {
-      if (pressed->isVisible()) pressed->click();
-    };
-  };
-  key("F5", [this] {
-    if (!busy()) train_->click();
-  });
-  key("F6", &LearningPanel::runAblation);
-  key("F7", &LearningPanel::runCurve);
-  key("Ctrl+Shift+S", press(model_button_));
-  key("Ctrl+Shift+E", press(export_button_));
-  auto* escape = new QShortcut(QKeySequence(Qt::Key_Escape), this);
-  escape->setContext(Qt::WidgetWithChildrenShortcut);
-  connect(escape, &QShortcut::activated, this, &LearningPanel::cancel);
+             [this] { askFolder(); });
+  addKey("F6", [this] { runAblation(); });
+  addKey("F7", [this] { runCurve(); });
+  addKey("Ctrl+Shift+S", model_button_);
+  addKey("Ctrl+Shift+E", export_button_);
 }
 
 void LearningPanel::setTheme(const Theme& theme) {
   theme_ = theme;
   picker_->setTheme(theme);
   pages_->setTheme(theme);
-  QPalette palette = words_->palette();
-  palette.setColor(QPalette::WindowText, theme.muted);
-  words_->setPalette(palette);
+  styleWords(theme);
 }
 
 void LearningPanel::save(QSettings& settings) const {
@@ -191,8 +120,7 @@ void LearningPanel::begin(Doing doing, const QString& words) {
   doing_ = doing;
   said_.clear();
   failed_.clear();
-  progress_->setValue(0);
-  progress_->setFormat(words);
+  beginProgress(words);
 }
 
 void LearningPanel::onEnded() {
@@ -247,12 +175,6 @@ void LearningPanel::runCurve() {
                pages_->showResults(results_);
              });
   refresh();
-}
-
-void LearningPanel::onProgress(double fraction, const QString& doing) {
-  if (doing.isEmpty()) return;  // nothing was said yet
-  progress_->setValue(qRound(100.0 * fraction));
-  progress_->setFormat(doing + QStringLiteral(" %p %"));
 }
 
 void LearningPanel::cancel() {
@@ -366,18 +288,14 @@ void LearningPanel::showState() {
     head = tr("Not read yet");
     below = tr("Press Read (F5).");
   }
-  headline_->setText(head);
-  summary_->setText(below);
-  pages_->setVisible(stages != nullptr);
-  rest_->setVisible(!stages);
+  showHead(head, below, stages != nullptr);
 }
 
 void LearningPanel::refresh() {
   showState();
-  words_->setText(said_);
-  words_->setVisible(!said_.isEmpty());
+  showWords(said_);
   const bool working = busy();
-  progress_->setVisible(working);
+  showProgress(working);
   train_->setText(working                                        ? tr("Cancel")
                   : results_.stages || choice().tables.isEmpty() ? tr("Train")
                                                                  : tr("Read"));
@@ -389,9 +307,5 @@ void LearningPanel::refresh() {
   export_button_->setVisible(results_.stages && !working);
   model_button_->setVisible(results_.trial && !working);
 }
-
-QString LearningPanel::headline() const { return headline_->text(); }
-QString LearningPanel::summary() const { return summary_->text(); }
-QString LearningPanel::words() const { return words_->text(); }
 
 }  // namespace capstan::widgets

@@ -1,16 +1,12 @@
 #pragma once
 
-#include <QWidget>
-
 #include "core/session/correction_file.h"
 #include "widgets/figures/theme.h"
 #include "widgets/jobs/job.h"
 #include "widgets/panels/learning/learning_export.h"
 #include "widgets/panels/learning/learning_work.h"
+#include "widgets/panels/work/work_panel.h"
 
-class QBoxLayout;
-class QLabel;
-class QProgressBar;
 class QPushButton;
 class QSettings;
 
@@ -19,11 +15,9 @@ namespace capstan::widgets {
 class LearningPages;
 class TablePicker;
 
-/// Writes a correction to a file; throws base::InputError.
-
 /// From tables of tip poses to a correction of commands: what is read, left out and why, trained, and worth.
 /// Everything is computed by core/learning and core/experiments, in the background, one thing at a time.
-class LearningPanel : public QWidget {
+class LearningPanel : public WorkPanel {
   Q_OBJECT
 
  public:
@@ -43,8 +37,8 @@ class LearningPanel : public QWidget {
   void train();
   void runAblation();
   void runCurve();
-  void cancel();
-  bool busy() const { return job_.busy() || export_.busy(); }
+  void cancel() override;
+  bool busy() const override { return job_.busy() || export_.busy(); }
   const LearningResults& results() const { return results_; }
   /// Figures and tables in `folder`; how it ends, and why not, is said on the panel.
   void exportTo(const QString& folder);
@@ -52,9 +46,6 @@ class LearningPanel : public QWidget {
 
   LearningPages& pages() { return *pages_; }
   TablePicker& picker() { return *picker_; }
-  QString headline() const;
-  QString summary() const;
-  QString words() const;
 
  signals:
   void exported(const QString& folder);
@@ -67,17 +58,12 @@ class LearningPanel : public QWidget {
   session::CorrectionSource source() const;
   enum class Doing { kNothing, kReading, kTraining, kAblation, kCurve };
 
-  QPushButton* button(const QString& name, const QString& words, const QString& tip,
-                      void (LearningPanel::*pressed)());
-  void addHead(QBoxLayout* column);
-  void addFoot(QBoxLayout* column);
-  void addKeys();
+  void makeButtons();
   void read();
   void begin(Doing doing, const QString& words);
   void trainOrCancel();
   void askFolder();
   void askModel();
-  void onProgress(double fraction, const QString& doing);
   void onEnded();
   bool ready() const { return results_.stages && !busy(); }
   QString failedHeadline() const;
@@ -92,10 +78,7 @@ class LearningPanel : public QWidget {
   QString failed_;                 ///< why the newest work failed; empty: it did not
   QString said_;
   TablePicker* picker_;
-  QLabel *headline_, *summary_, *words_;
   LearningPages* pages_;
-  QWidget* rest_;  ///< takes the room of the pages while there is nothing to show
-  QProgressBar* progress_;
   QPushButton *train_, *export_button_, *model_button_;
   LearningExport export_;
   Job job_;  ///< last: ends before what it reports to
