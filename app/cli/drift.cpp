@@ -22,58 +22,84 @@ struct DriftArguments {
 
 constexpr std::array kOutputs = {"x", "y", "z", "the turn about x", "the turn about y", "the turn about z"};
 
+enum class Finding { kHolds, kAged, kUnknown };
+
+Finding findingOf(const learning::DriftCourse& course) {
+  if (!course.told()) return Finding::kUnknown;
+  return course.agedNow() ? Finding::kAged : Finding::kHolds;
+}
+
+const char* nameOf(Finding finding) {
+  return finding == Finding::kHolds ? "holds" : finding == Finding::kAged ? "aged" : "unknown";
+}
+
 /// Where a state of the recording is found again.
 std::string placeOf(const learning::PreparedStates& prepared, std::size_t state) {
   const learning::State& at = prepared.states[state];
-  return fmt::format("{}, {:.1f} s (line {})", prepared.screen.motions[at.motion].name, at.t, at.row);
+  return fmt::format("{}, t {:.1f} s (line {})", prepared.screen.motions[at.motion].name, at.t, at.row);
 }
 
 nlohmann::json jsonOf(const learning::PreparedStates& prepared, const learning::DriftCourse& course) {
-  nlohmann::json json = {{"states", course.t.size()},
-                         {"aged", course.aged_from.has_value()},
-                         {"aged_share", course.aged_share},
-                         {"t", course.t}};
+  nlohmann::json json = {{"finding", nameOf(findingOf(course))},
+                         {"judged", course.t.size()},
+                         {"unsure", course.unsure},
+                         {"factor", std::vector<double>(course.factor.begin(), course.factor.end())},
+                         {"t", course.t},
+                         {"aged", nlohmann::json::array()}};
   for (const learning::DriftReport& report : course.reports) {
     json["output"].push_back(kOutputs[static_cast<std::size_t>(report.output)]);
     json["beyond"].push_back(report.beyond);
     json["limit"].push_back(report.limit);
   }
-  if (course.aged_from) {
-    const learning::State& from = prepared.states[*course.aged_from];
-    json["aged_from"] = {
-        {"motion", prepared.screen.motions[from.motion].name}, {"t", from.t}, {"line", from.row}};
+  for (const auto& [from, to] : course.aged) {
+    const learning::State& begin = prepared.states[course.state[from]];
+    const learning::State& end = prepared.states[course.state[to - 1]];
+    json["aged"].push_back({{"from_line", begin.row}, {"to_line", end.row}});
   }
   return json;
 }
 
-std::string textOf(const learning::PreparedStates& prepared, const learning::DriftCourse& course) {
-  const learning::DriftReport& last = course.reports.back();
+std::string textOf(const learning::PreparedStates& prepared, std::size_t states,
+                   const learning::DriftCourse& course) {
   std::string text = fmt::format(
-      "{} states over {:.0f} s; the model did not hold in {:.1f} % of them.\n"
-      "At the end {:.0f} % of the errors of {} are beyond the σ stated for them ({:.0f} % as learned; to "
-      "tell "
-      "from chance, {:.0f} %).\n",
-      course.t.size(), course.t.back(), 100.0 * course.aged_share, 100.0 * last.beyond,
-      kOutputs[static_cast<std::size_t>(last.output)], 100.0 * learning::kBeyond, 100.0 * last.limit);
-  if (course.aged_from)
-    return text + fmt::format(
-                      "The model has aged: from {} on. Learn anew, or add these motions with learn --onto.\n",
-                      placeOf(prepared, *course.aged_from));
-  return text + (course.aged_share > 0.0
-                     ? "The model holds again at the end: look at what was done between.\n"
-                     : "The model holds.\n");
+      "{} of {} states count; {} of these lie where the model is unsure (confidence below 0.5) and say "
+      "nothing "
+      "of it.\n",
+      prepared.states.size(), states, course.unsure);
+  if (2 * course.unsure > prepared.states.size())
+    text += "Most of what was recorded lies outside what was learned: learn it too.\n";
+  if (findingOf(course) == Finding::kUnknown)
+    return text + fmt::format("Too short to tell whether the model holds: {} s of motion at least.\n",
+                              learning::kFewestPieces);
+  text += "Errors, in what is stated for them (1 while the model holds):";
+  for (std::size_t i = 0; i < kOutputs.size(); ++i)
+    text += fmt::format("{} {} {:.2f}", i == 0 ? "" : ",", kOutputs[i],
+                        course.factor[static_cast<Eigen::Index>(i)]);
+  const learning::DriftReport& last = course.reports.back();
+  text += fmt::format(
+      "\nIn the last {:.0f} s {:.0f} % of the errors of {} are beyond their σ: {:.0f} % are while it holds, "
+      "and "
+      "more than {:.0f} % are no chance.\n",
+      last.span, 100.0 * last.beyond, kOutputs[static_cast<std::size_t>(last.output)],
+      100.0 * learning::kBeyond, 100.0 * last.limit);
+  for (const auto& [from, to] : course.aged)
+    text += fmt::format("Did not hold as noticed from {} to {}.\n", placeOf(prepared, course.state[from]),
+                        placeOf(prepared, course.state[to - 1]));
+  return text + (course.agedNow() ? "The model has aged: learn anew from motions as they are now.\n"
+                                  : "The model holds.\n");
 }
 
 ExitCode run(const DriftArguments& arguments) {
   std::vector<std::string> inputs = arguments.tables;
   inputs.push_back(arguments.model);
   checkOutputs({{"--json", arguments.json}}, inputs);
+  checkDistinct(arguments.tables);
   const session::CorrectionFile file = session::readCorrection(arguments.model);
   learning::PreparedStates prepared =
       learning::prepareAt(file.source.lag, readMotions(arguments.tables), file.source.towards);
-  prepared.states = learning::kept(prepared.states, learning::cleanStates(prepared.states));
-  if (prepared.states.empty())
-    refuseFile(arguments.tables.front(), "has no state that could be judged", "Record longer");
+  const std::size_t states = prepared.states.size();
+  prepared.states = learning::kept(
+      prepared.states, learning::cleanStates(prepared.states, learning::LearningOptions{}.cleaning));
   base::Progress progress;
   learning::DriftCourse course;
   {
@@ -82,9 +108,9 @@ ExitCode run(const DriftArguments& arguments) {
   }
   if (progress.cancelled()) return kFailed;
   const Output output(arguments.json);
-  output.text(textOf(prepared, course));
+  output.text(textOf(prepared, states, course));
   output.json(jsonOf(prepared, course));
-  return course.aged_from ? kFailed : kOk;
+  return findingOf(course) == Finding::kHolds ? kOk : kFailed;
 }
 
 }  // namespace
@@ -94,14 +120,14 @@ void addDrift(CLI::App& app, ExitCode& exit) {
   CLI::App* command = app.add_subcommand("drift", "Say whether a learned correction still holds");
   command->add_option("--model", arguments->model, "file that `capstan-cli learn` wrote")->required();
   command->add_option("TABLES", arguments->tables, "tables of tip poses, newer than the model")->required();
-  command->add_option("--span", arguments->options.span, "of what is looked at together [s]")
+  command->add_option("--span", arguments->options.span, "of motion that is judged together, at most [s]")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(static_cast<double>(learning::kFewestPieces), 1e5));
   command->add_option("--json", arguments->json, "course as JSON: a file, or - for standard output");
   command->footer(
-      "Errors of new motions are compared with the standard deviations that the model states for them:\n"
-      "while it holds, 32 % are beyond.\n"
-      "Exit code 1 where the model has aged.\n"
+      "Errors of new motions are compared with the standard deviations that the model states for them, where "
+      "it\n"
+      "is sure. Exit code 0: it holds; 1: it has aged, or the motions are too short to tell.\n"
       "Example: capstan-cli drift --model arm.correction today.csv");
   command->callback([arguments, &exit] { exit = run(*arguments); });
 }

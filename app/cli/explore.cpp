@@ -31,6 +31,26 @@ std::string visitsOf(const std::vector<learning::State>& candidates,
   return session::formatCorrected(paths, model.correctSurely(states));
 }
 
+std::string textOf(const std::vector<learning::State>& candidates,
+                   const std::vector<learning::NextPose>& next, const learning::CorrectionModel& model) {
+  constexpr double kUnsure = 0.5;
+  std::string text = fmt::format(
+      "{} of {} poses to visit, the most worth while first. Uncertainty (mean variance of the correction "
+      "over "
+      "these poses, of what it is without data), were they learned too:\n",
+      next.size(), candidates.size());
+  std::size_t unsure = 0;
+  for (std::size_t k = 0; k < next.size(); ++k) {
+    text += fmt::format("  visit {:3}   {:5.1f} % → {:5.1f} %\n", k + 1, 100.0 * next[k].before,
+                        100.0 * next[k].after);
+    unsure += model.correct(candidates[next[k].candidate]).confidence < kUnsure;
+  }
+  return text + fmt::format(
+                    "{} of them are corrected by little more than the rigid offset (confidence below {}): "
+                    "go there with care.\n",
+                    unsure, kUnsure);
+}
+
 ExitCode run(const ExploreArguments& arguments) {
   constexpr int kEach = 4;
   checkOutputs({{"OUT", arguments.out}}, {arguments.model, arguments.among});
@@ -53,9 +73,7 @@ ExitCode run(const ExploreArguments& arguments) {
     Output({}).text("No visit would make the model surer.\n");
     return kOk;
   }
-  Output({}).text(fmt::format(
-      "{} of {} poses to visit, the most worth while first: mean uncertainty {:.1f} % → {:.1f} %.\n",
-      next.size(), candidates.size(), 100.0 * next.front().before, 100.0 * next.back().after));
+  Output({}).text(textOf(candidates, next, file.model));
   return kOk;
 }
 
@@ -67,7 +85,7 @@ void addExplore(CLI::App& app, ExitCode& exit) {
       app.add_subcommand("explore", "Propose which poses to visit next for a surer correction");
   command->add_option("--model", arguments->model, "file that `capstan-cli learn` wrote")->required();
   command->add_option("--among", arguments->among,
-                      "table of poses to choose from, as `correct` takes them; without it a grid over\n"
+                      "table of poses to choose from, as `correct` takes them; without it a grid near\n"
                       "the positions and turns that were learned");
   command->add_option("--count", arguments->count, "of visits")
       ->capture_default_str()
@@ -77,7 +95,9 @@ void addExplore(CLI::App& app, ExitCode& exit) {
           "OUT", arguments->out,
           "table of what to ask for, in the order of visits, with standard deviations and confidence")
       ->required();
-  command->footer("Example: capstan-cli explore --model arm.correction --count 20 visits.csv");
+  command->footer(
+      "What is gained holds for a model that is learned anew from all motions.\n"
+      "Example: capstan-cli explore --model arm.correction --count 20 visits.csv");
   command->callback([arguments, &exit] { exit = run(*arguments); });
 }
 

@@ -37,6 +37,7 @@ session::CorrectionSource sourceOf(const LearnArguments& arguments, const learni
 }
 
 void check(const LearnArguments& arguments) {
+  checkDistinct(arguments.train);
   for (const std::string& test : arguments.test)
     for (const std::string& train : arguments.train)
       if (experiments::sameRecording(train, test))
@@ -48,6 +49,15 @@ void checkNew(const std::vector<std::string>& files, const session::CorrectionSo
   for (const std::string& file : files)
     if (std::ranges::count(before.checksums, base::checksumOfFile(file)) > 0)
       refuseFile(file, "has been learned from already", "Give motions that are new to the model");
+}
+
+learning::LearningReport learnOnto(LearnArguments& arguments, session::CorrectionFile old,
+                                   base::Progress& progress) {
+  checkNew(arguments.train, old.source);
+  checkNew(arguments.test, old.source);
+  arguments.options.towards = old.source.towards;
+  return learning::learnMore(std::move(old.model), old.source.lag, readMotions(arguments.train),
+                             arguments.options, &progress);
 }
 
 ExitCode run(LearnArguments& arguments) {
@@ -73,10 +83,7 @@ ExitCode run(LearnArguments& arguments) {
     } else {
       session::CorrectionFile old = session::readCorrection(arguments.onto);
       before = old.source;
-      checkNew(arguments.train, before);
-      options.towards = before.towards;
-      report = learning::learnMore(std::move(old.model), before.lag, readMotions(arguments.train), options,
-                                   &progress);
+      report = learnOnto(arguments, std::move(old), progress);
     }
   }
   if (report->cancelled) {
@@ -102,19 +109,17 @@ void addLearn(CLI::App& app, ExitCode& exit) {
                    "tables of tip poses (.csv with traj, t_cam_s, cam_x …, and the same of robot or cmd)")
       ->required();
   command->add_option("--test", arguments->test, "tables of other trajectories, to tell how good it is");
-  CLI::Option* method =
-      command
-          ->add_option(
-              "--method", arguments->method,
-              "offset: rigid; none, velocity, history: a Gaussian process besides, of the pose alone, with\n"
-              "its velocity, with how it moved in the last 0.4 s too; auto: velocity or history, whichever\n"
-              "is nearer on trajectories held out")
-          ->capture_default_str()
-          ->check(CLI::IsMember({"auto", "offset", "none", "velocity", "history"}));
-  CLI::Option* towards =
-      command->add_option("--towards", arguments->towards, "what corrected poses are asked of")
-          ->capture_default_str()
-          ->check(CLI::IsMember({"command", "robot"}));
+  command
+      ->add_option(
+          "--method", arguments->method,
+          "offset: rigid; none, velocity, history: a Gaussian process besides, of the pose alone, with\n"
+          "its velocity, with how it moved in the last 0.4 s too; auto: velocity or history, whichever\n"
+          "is nearer on trajectories held out")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"auto", "offset", "none", "velocity", "history"}));
+  command->add_option("--towards", arguments->towards, "what corrected poses are asked of")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"command", "robot"}));
   command->add_flag("--no-cleaning", arguments->no_cleaning, "keep outliers");
   command->add_flag("--no-alignment", arguments->no_alignment, "take stamps as they are");
   command
@@ -127,11 +132,13 @@ void addLearn(CLI::App& app, ExitCode& exit) {
   command->add_option("--seed", arguments->options.correction.seed, "of what is drawn")
       ->capture_default_str();
   command->add_option("--model", arguments->model, "file to write")->required();
-  command
-      ->add_option("--onto", arguments->onto,
-                   "model that the motions are added to, with its offset, kernels and lag: in seconds")
-      ->excludes(method)
-      ->excludes(towards);
+  CLI::Option* onto = command->add_option(
+      "--onto", arguments->onto,
+      "model that the motions are added to, with its offset, kernels, scales and lag: in seconds; it gains\n"
+      "little where it has never been, and motions that contradict it are refused");
+  for (const char* fixed :
+       {"--method", "--towards", "--no-cleaning", "--no-alignment", "--inducing", "--threads", "--seed"})
+    onto->excludes(command->get_option(fixed));
   command->add_option("--json", arguments->json, "result as JSON, SI: a file, or - for standard output");
   command->footer(
       "Rows that are no poses, states that no robot can have been in and the clocks' lag are listed.\n"

@@ -132,7 +132,6 @@ TestReport testedOn(const std::vector<learning::RawMotion>& motions, const learn
                     const learning::LearningOptions& options) {
   TestReport test{};
   test.prepared.screen = learning::screenPoses(motions);
-  test.prepared.lag = learning::lagBetween(test.prepared.screen.motions, options.towards);
   test.prepared.taken_off = report.prepared.taken_off;
   test.prepared.states =
       learning::statesOf(test.prepared.screen.motions, options.towards, report.prepared.taken_off);
@@ -150,9 +149,12 @@ std::string textOf(const LearnOutput& output) {
   const learning::PreparedStates& prepared = output.report.prepared;
   const learning::CleaningReport& cleaning = output.report.cleaning;
   std::string text = "Screening\n" + screenText(prepared.screen);
-  text += fmt::format("Alignment: what is seen comes {:.1f} ± {:.1f} ms behind what is told{}\n",
-                      1e3 * prepared.lag.lag, 1e3 * prepared.lag.sigma,
-                      prepared.taken_off == 0.0 ? ", not taken off" : "");
+  if (prepared.lag.tried.empty())
+    text += fmt::format("Alignment: the model's lag of {:.1f} ms taken off\n", 1e3 * prepared.taken_off);
+  else
+    text += fmt::format("Alignment: what is seen comes {:.1f} ± {:.1f} ms behind what is told{}\n",
+                        1e3 * prepared.lag.lag, 1e3 * prepared.lag.sigma,
+                        prepared.taken_off == 0.0 ? ", not taken off" : "");
   text +=
       fmt::format("Cleaning: {} of {} states count; left out: {}\n", cleaning.kept(), cleaning.reason.size(),
                   wordsOf(countsOf([&](Reason reason) { return cleaning.count(reason); })));

@@ -2,6 +2,8 @@
 
 #include <iterator>
 
+#include "app/cli/console.h"
+#include "core/experiments/same_recording.h"
 #include "core/session/pose_table.h"
 
 namespace capstan::cli {
@@ -15,6 +17,13 @@ std::vector<learning::RawMotion> readMotions(const std::vector<std::string>& fil
     all.insert(all.end(), std::make_move_iterator(motions.begin()), std::make_move_iterator(motions.end()));
   }
   return all;
+}
+
+void checkDistinct(const std::vector<std::string>& files) {
+  for (std::size_t a = 0; a < files.size(); ++a)
+    for (std::size_t b = a + 1; b < files.size(); ++b)
+      if (experiments::sameRecording(files[a], files[b]))
+        refuseFile(files[b], "is given twice: its motions would count twice", "Give each table once");
 }
 
 }  // namespace capstan::cli

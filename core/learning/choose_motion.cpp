@@ -27,6 +27,7 @@ Parts partsOf(const std::vector<State>& states) {
 double leftBy(Motion motion, const Parts& parts, CorrectionOptions options, base::Progress* progress,
               const base::ProgressPart& part) {
   options.motion = motion;
+  options.calibrate = false;
   options.likelihood_points = std::min(options.likelihood_points, kTrialPoints);
   options.inducing_points = std::min(options.inducing_points, kTrialPoints);
   const CorrectionModel model = CorrectionModel::trained(parts.learned, options, progress, part);
@@ -46,6 +47,7 @@ Motion chooseMotion(const std::vector<State>& states, const CorrectionOptions& o
   const Parts parts = partsOf(states);
   if (parts.motions < kFewestMotions || parts.learned.size() < kFewestStates) return Motion::kVelocity;
   const double velocity = leftBy(Motion::kVelocity, parts, options, progress, part.within(0.0, 0.5));
+  if (progress && progress->cancelled()) return Motion::kVelocity;
   const double history = leftBy(Motion::kHistory, parts, options, progress, part.within(0.5, 1.0));
   if (progress && progress->cancelled()) return Motion::kVelocity;
   return history < (1.0 - kWorth) * velocity ? Motion::kHistory : Motion::kVelocity;

@@ -115,7 +115,7 @@ CorrectionModel CorrectionModel::trained(const std::vector<State>& states, const
   }
   if (progress && progress->cancelled())
     model.processes_.clear();
-  else
+  else if (options.calibrate)
     model.findInflation(states, options);
   return model;
 }
@@ -177,7 +177,7 @@ std::vector<Corrected> CorrectionModel::correctSurely(const std::vector<State>& 
     corrections.middleCols(first, count) = told.mean * scale.asDiagonal();
     sigma.middleCols(first, count) = (told.variance.array() + p.noiseVariance()).sqrt().matrix() *
                                      scale.cwiseProduct(known_.inflation.segment(first, count));
-    const double weight = scale.squaredNorm() * (first < 3 ? 1.0 : known_.lever * known_.lever);
+    const double weight = weightOf(g);
     left += weight * told.variance;
     all += weight * p.signalVariance();
   }
@@ -209,18 +209,22 @@ std::vector<Eigen::Isometry3d> CorrectionModel::correct(const std::vector<State>
 }
 
 /// Errors of motions held out, from the others at the same hyperparameters: their share within σ shall be
-/// that of a normal distribution. Every eighth motion is; where that makes few, more such eighths in turn.
+/// that of a normal distribution. Every eighth motion is, of one motion each eighth of its course; where that
+/// makes few, more such eighths in turn.
 void CorrectionModel::findInflation(const std::vector<State>& states, const CorrectionOptions& options) {
   constexpr std::size_t kEighths = 8, kEnough = 16;  // motions held out
   constexpr double kWithinSigma = 0.6827;
   const std::vector<std::size_t> places = motionPlaces(states);
   const std::size_t motions = places.back() + 1;
+  const auto eighthOf = [&](std::size_t k) {
+    return motions == 1 ? kEighths * k / states.size() : places[k] % kEighths;
+  };
   const std::size_t folds = std::min(kEighths, (kEnough * kEighths + motions - 1) / motions);
   std::array<std::vector<double>, kOutputs> ratios;
   for (std::size_t fold = 0; fold < folds; ++fold) {
     std::vector<State> seen, held;
     for (std::size_t k = 0; k < states.size(); ++k)
-      ((motions == 1 ? k : places[k]) % kEighths == kEighths - 1 - fold ? held : seen).push_back(states[k]);
+      (eighthOf(k) == kEighths - 1 - fold ? held : seen).push_back(states[k]);
     if (!held.empty() && !seen.empty()) addRatios(seen, held, options, ratios);
   }
   for (std::size_t k = 0; k < ratios.size(); ++k)
@@ -248,6 +252,11 @@ void CorrectionModel::addRatios(const std::vector<State>& seen, const std::vecto
       all.insert(all.end(), off.begin(), off.end());
     }
   }
+}
+
+double CorrectionModel::weightOf(std::size_t process) const {
+  const auto [first, count] = kGroups[process];
+  return known_.scale.segment(first, count).squaredNorm() * (first < 3 ? 1.0 : known_.lever * known_.lever);
 }
 
 Eigen::VectorXd CorrectionModel::confidence(const std::vector<State>& desired) const {

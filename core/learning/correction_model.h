@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <optional>
+
 #include "core/base/progress_part.h"
 #include "core/learning/pose_features.h"
 #include "core/learning/process_fit.h"
@@ -8,7 +11,7 @@
 namespace capstan::learning {
 
 struct CorrectionOptions {
-  /// History pays with thousands of states, and misleads with hundreds; none: as chooseMotion() finds.
+  /// History pays with thousands of states, and misleads with hundreds; unset: as chooseMotion() finds.
   std::optional<Motion> motion = Motion::kVelocity;
   RotationForm rotation = RotationForm::kTangent;
   Eigen::Index likelihood_points = 1000;  ///< states that the hyperparameters are learned from, at most
@@ -17,6 +20,7 @@ struct CorrectionOptions {
   double lever = kLever;
   int threads = 2;
   std::uint64_t seed = 1;
+  bool calibrate = true;  ///< σ, by motions held out
 };
 
 /// What is to be asked for, and how sure that is.
@@ -81,6 +85,8 @@ class CorrectionModel {
   const Eigen::AlignedBox3d& workspace() const { return known_.workspace; }
   /// Of x, y, z and of the turn, of outputs in units of their scale.
   const std::vector<SparseProcess>& processes() const { return processes_; }
+  /// Of a process's variance among all [m²]: its outputs' scales, of turns by the lever.
+  double weightOf(std::size_t process) const;
   CorrectionParts parts() const;
 
   /// What the processes are told and tell, a row a state: features in deviations, outputs in scales.

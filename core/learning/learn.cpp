@@ -5,6 +5,7 @@
 #include <array>
 
 #include "core/base/error.h"
+#include "core/learning/drift_monitor.h"
 #include "core/stats/quantile.h"
 
 namespace capstan::learning {
@@ -119,13 +120,38 @@ LearningReport learn(const std::vector<RawMotion>& motions, const LearningOption
 
 LearningReport learnMore(CorrectionModel model, double lag, const std::vector<RawMotion>& motions,
                          const LearningOptions& options, base::Progress* progress) {
+  constexpr double kPrepared = 0.3, kJudged = 0.7;  // of the time
+  if (model.processes().empty())
+    throw base::InputError({{},
+                            0,
+                            "model",
+                            {},
+                            "is a rigid offset alone, which takes nothing in",
+                            "Learn anew from all tables"});
   if (progress) progress->report(0.0, "pairing");
   PreparedStates prepared = prepareAt(lag, motions, options.towards);
   CleaningReport cleaning = cleanStates(prepared.states, options.cleaning);
-  checkRelated(prepared.states, cleaning.offset);
-  if (progress) progress->report(0.3, "learning more states");
-  model.add(kept(prepared.states, cleaning));
-  return {std::move(prepared), std::move(cleaning), std::move(model), progress && progress->cancelled()};
+  const std::vector<State> counting = kept(prepared.states, cleaning);
+  if (counting.size() < kFewestStates)
+    throw base::InputError({{},
+                            0,
+                            "states",
+                            fmt::format("{}", counting.size()),
+                            fmt::format("are left to learn from; {} at least", kFewestStates),
+                            "Check units (metres) and the order of axes and quaternions, or record longer"});
+  checkRelated(counting, model.offset());
+  if (progress) progress->report(kPrepared, "comparing with what is known");
+  if (const DriftCourse course = driftAlong(model, counting); course.agedNow())
+    throw base::InputError({{},
+                            0,
+                            "motions",
+                            {},
+                            "contradict what the model has learned: it has aged",
+                            "Learn anew from motions that are as the robot is now"});
+  if (progress) progress->report(kJudged, "learning more states");
+  const bool cancelled = progress && progress->cancelled();
+  if (!cancelled) model.add(counting);
+  return {std::move(prepared), std::move(cleaning), std::move(model), cancelled};
 }
 
 }  // namespace capstan::learning

@@ -22,7 +22,7 @@ struct LearningOptions {
 /// What becomes of the rows of a recording before anything is learned.
 struct PreparedStates {
   ScreenReport screen;
-  LagReport lag;              ///< as measured, taken off or not
+  LagReport lag;              ///< as measured, taken off or not; nothing tried: as it was given
   double taken_off = 0.0;     ///< [s]
   std::vector<State> states;  ///< paired, with velocities
   bool cancelled = false;     ///< what came behind is empty
@@ -48,8 +48,10 @@ LearningReport learn(const std::vector<RawMotion>& motions, const LearningOption
                      base::Progress* progress = nullptr);
 
 /// A model that has been learned takes in new motions, seconds instead of minutes: screened, paired with the
-/// `lag` of the model's source and cleaned as for learn(), added with the model's offset, hyperparameters and
-/// inducing points. base::InputError as learn().
+/// `lag` of the model's source (which is not measured again) and cleaned by options.cleaning, added with the
+/// model's offset, hyperparameters, inducing points and scales of σ, so that it gains less than learn() where
+/// it has never been. base::InputError as learn(), and where the motions contradict the model (driftAlong) or
+/// it has no processes.
 LearningReport learnMore(CorrectionModel model, double lag, const std::vector<RawMotion>& motions,
                          const LearningOptions& options = {}, base::Progress* progress = nullptr);
 

@@ -1,22 +1,47 @@
 #include "core/learning/next_poses.h"
 
-#include <algorithm>
-#include <numeric>
-
 #include "core/learning/rotation_vector.h"
 
 namespace capstan::learning {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
 namespace {
 
-constexpr std::size_t kTried = 4;  // of the least sure, each time
+/// What one process leaves open of all candidates, as visits go on.
+struct Open {
+  MatrixXd covariance;
+  double weight, noise;
 
-double unsureness(const Eigen::VectorXd& confidence) { return 1.0 - confidence.mean(); }
+  /// Off the sum of all variances by a visit of i.
+  double gainOf(Index i) const {
+    return weight * covariance.col(i).squaredNorm() / (covariance(i, i) + noise);
+  }
+  void visit(Index i) {
+    const Eigen::VectorXd column = covariance.col(i) / std::sqrt(covariance(i, i) + noise);
+    covariance -= column * column.transpose();
+  }
+};
 
-/// The model after a visit in which it sees what it expects.
-CorrectionModel visited(CorrectionModel model, State state) {
-  state.pair.told = model.correct(state).pose;
-  model.add({state});
-  return model;
+std::vector<Open> openOf(const CorrectionModel& model, const std::vector<State>& candidates) {
+  const MatrixXd x = model.featuresOf(candidates);
+  std::vector<Open> open;
+  for (std::size_t g = 0; g < model.processes().size(); ++g) {
+    const SparseProcess& process = model.processes()[g];
+    open.push_back({process.covariance(x), model.weightOf(g), process.parameters().noiseVariance()});
+  }
+  return open;
+}
+
+/// Numbers of features from what the model's inducing points have, position and turn.
+MatrixXd learnedPoses(const CorrectionModel& model) {
+  constexpr Index kPose = 6;
+  const SparseProcess& process = model.processes().front();
+  const Eigen::VectorXd length = process.parameters().ln_length.array().exp();
+  const MatrixXd scaled = process.parts().inducing.leftCols(kPose);
+  if (length.size() == 1) return length[0] * scaled;
+  return scaled * length.head(kPose).asDiagonal();
 }
 
 }  // namespace
@@ -24,28 +49,30 @@ CorrectionModel visited(CorrectionModel model, State state) {
 std::vector<NextPose> nextPoses(const CorrectionModel& model, const std::vector<State>& candidates,
                                 std::size_t count, base::Progress* progress) {
   std::vector<NextPose> chosen;
-  CorrectionModel known = model;
-  Eigen::VectorXd confidence = known.confidence(candidates);
+  std::vector<Open> open = openOf(model, candidates);
+  std::vector<bool> visited(candidates.size(), false);
+  double whole = 0.0, left = 0.0;  // without data, and now
+  for (std::size_t g = 0; g < open.size(); ++g) {
+    whole += open[g].weight * model.processes()[g].parameters().signalVariance() *
+             static_cast<double>(candidates.size());
+    left += open[g].weight * open[g].covariance.trace();
+  }
   while (chosen.size() < std::min(count, candidates.size()) && !(progress && progress->cancelled())) {
     if (progress)
       progress->report(static_cast<double>(chosen.size()) / static_cast<double>(count), "choosing poses");
-    std::vector<std::size_t> order(candidates.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    const std::size_t tried = std::min(kTried, order.size());
-    std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(tried), order.end(),
-                      [&](std::size_t a, std::size_t b) {
-                        return confidence[static_cast<Eigen::Index>(a)] <
-                               confidence[static_cast<Eigen::Index>(b)];
-                      });
-    NextPose best{0, unsureness(confidence), unsureness(confidence)};
-    for (std::size_t k = 0; k < tried; ++k) {
-      const double after = unsureness(visited(known, candidates[order[k]]).confidence(candidates));
-      if (after < best.after) best = {order[k], best.before, after};
+    double most = 0.0;
+    std::size_t best = 0;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      if (visited[i]) continue;
+      double gain = 0.0;
+      for (const Open& one : open) gain += one.gainOf(static_cast<Index>(i));
+      if (gain > most) most = gain, best = i;
     }
-    if (!(best.after < best.before)) break;
-    known = visited(std::move(known), candidates[best.candidate]);
-    confidence = known.confidence(candidates);
-    chosen.push_back(best);
+    if (!(most > kLeastGain * left)) break;
+    for (Open& one : open) one.visit(static_cast<Index>(best));
+    visited[best] = true;
+    chosen.push_back({best, left / whole, (left - most) / whole});
+    left -= most;
   }
   return chosen;
 }
@@ -57,21 +84,27 @@ std::vector<State> posesWithin(const CorrectionModel& model, int each) {
   for (int axis = 0; axis < 3; ++axis)
     for (const double end : {parts.turns.min()[axis], parts.turns.max()[axis]})
       turns.push_back(end * Eigen::Vector3d::Unit(axis));
-  const auto place = [&](int step, int axis) {
-    const double share = each > 1 ? static_cast<double>(step) / (each - 1) : 0.5;
-    return parts.workspace.min()[axis] + share * parts.workspace.sizes()[axis];
-  };
-  std::vector<State> states;
+  const Eigen::Vector3d step = parts.workspace.sizes() / std::max(each - 1, 1);
+  std::vector<State> all;
   for (int k = 0; k < each * each * each; ++k)
     for (const Eigen::Vector3d& turn : turns) {
+      const Eigen::Vector3d place(k % each, k / each % each, k / each / each);
       Eigen::Isometry3d told = Eigen::Isometry3d::Identity();
-      told.translation() =
-          Eigen::Vector3d(place(k % each, 0), place(k / each % each, 1), place(k / each / each, 2));
+      told.translation() = parts.workspace.min() + step.cwiseProduct(place);
       told.linear() = (parts.features.middle() * turnBy(turn)).toRotationMatrix();
-      states.emplace_back();
-      states.back().pair.seen = seen_from_told * told;
+      all.emplace_back();
+      all.back().pair.seen = seen_from_told * told;
     }
-  return states;
+  const MatrixXd x = model.featuresOf(all), learned = learnedPoses(model);
+  Eigen::RowVectorXd reach(6);
+  reach << step.transpose(), 0.5 * parts.turns.sizes().transpose();
+  reach = (reach.array() + 1e-9) / parts.deviation.leftCols(6).array();  // a turn may never have changed
+  std::vector<State> near;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const MatrixXd off = (learned.rowwise() - x.row(static_cast<Index>(k)).leftCols(6)).cwiseAbs();
+    if (((off.array().rowwise() - reach.array()).rowwise().maxCoeff() <= 0.0).any()) near.push_back(all[k]);
+  }
+  return near;
 }
 
 }  // namespace capstan::learning

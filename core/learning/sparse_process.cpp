@@ -86,4 +86,15 @@ Prediction SparseProcess::predict(const MatrixXd& at) const {
   return prediction;
 }
 
+MatrixXd SparseProcess::covariance(const MatrixXd& at) const {
+  const MatrixXd scaled = inLengths(at, known_.parameters);
+  MatrixXd cross = crossCovariance(known_.inducing, scaled, known_.parameters);
+  math::solveLower(root_, cross);
+  MatrixXd covariance = crossCovariance(scaled, scaled, known_.parameters);
+  covariance -= math::product(cross.transpose(), cross);
+  math::solveLower(factor_, cross);
+  covariance += math::product(cross.transpose(), cross);
+  return covariance;
+}
+
 }  // namespace capstan::learning

@@ -37,6 +37,8 @@ class SparseProcess {
 
   Prediction predict(const Eigen::MatrixXd& at) const;
   Eigen::MatrixXd mean(const Eigen::MatrixXd& at) const;
+  /// Of one output at all pairs of points; its diagonal is predict()'s variance.
+  Eigen::MatrixXd covariance(const Eigen::MatrixXd& at) const;
 
   const RbfParameters& parameters() const { return known_.parameters; }
   Eigen::Index inducing() const { return known_.inducing.rows(); }

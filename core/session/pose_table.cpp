@@ -49,7 +49,8 @@ void need(const std::vector<double>& column, const std::string& name, const std:
                             name,
                             {},
                             "this column is missing",
-                            "Give traj, t_cam_s, cam_x … cam_qw and the same of robot or cmd"});
+                            "Give traj, t_cam_s, cam_x, cam_y, cam_z, quaternions cam_qx … cam_qw, and the "
+                            "same of robot or cmd"});
 }
 
 /// Stamps and positions of cameras and of robot or command; all parts of a quaternion or none.

@@ -10,8 +10,8 @@ set(CAPSTAN_COMMON_HEADERS <algorithm> <array> <cmath> <filesystem> <fstream> <f
 # Libraries and executables differ in how their code may be moved in memory, and a compiler takes no precompiled header
 # of the other kind.
 if(CAPSTAN_PRECOMPILE)
-  file(WRITE ${PROJECT_BINARY_DIR}/precompiled.cpp "")
-  file(WRITE ${PROJECT_BINARY_DIR}/precompiled_main.cpp "int main() {}\n")
+  file(CONFIGURE OUTPUT precompiled.cpp CONTENT "")
+  file(CONFIGURE OUTPUT precompiled_main.cpp CONTENT "int main() {}\n")
   foreach(kind room window command)
     add_library(capstan_precompiled_${kind} STATIC ${PROJECT_BINARY_DIR}/precompiled.cpp)
     target_link_libraries(capstan_precompiled_${kind} PRIVATE capstan_options Eigen3::Eigen fmt::fmt Threads::Threads)
@@ -39,7 +39,9 @@ function(capstan_precompiled TARGET KIND)
     target_precompile_headers(${TARGET} REUSE_FROM capstan_precompiled_${KIND})
     target_link_libraries(${TARGET} PRIVATE Eigen3::Eigen fmt::fmt)
     # GCC forgets that what was precompiled are the system's headers, and warns of what it inlines from them.
-    target_compile_options(${TARGET} PRIVATE -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow
-                                             -Wno-stringop-overread)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+      target_compile_options(${TARGET} PRIVATE -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow
+                                               -Wno-stringop-overread)
+    endif()
   endif()
 endfunction()

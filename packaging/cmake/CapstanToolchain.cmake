@@ -12,7 +12,9 @@ find_program(CAPSTAN_CCACHE ccache)
 if(CAPSTAN_CCACHE)
   set(CMAKE_C_COMPILER_LAUNCHER ${CAPSTAN_CCACHE})
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${CAPSTAN_CCACHE})
-  add_compile_options(-fpch-preprocess)  # what ccache needs to see through precompiled headers
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-fpch-preprocess>)  # for ccache, with precompiled headers
+  endif()
 endif()
 
 add_library(capstan_options INTERFACE)

@@ -66,7 +66,7 @@ constexpr const char* kNoSight = ",0,0,0,0,0,0,1";
 Eigen::Isometry3d sampleOffset() { return poseOf({0.02, 0.01, -0.12}, {0.2, 0.0, 0.4}); }
 
 std::string samplePoseTable(const SamplePoses& sample) {
-  base::Random random(sample.seed, "sample poses");
+  base::Random random(sample.seed, "sample poses"), other(sample.noise_seed, "noise of sample poses");
   std::string table = "task,traj";
   for (const char* name : {"cam", "robot", "cmd"}) {
     if (!sample.command && std::string(name) == "cmd") continue;
@@ -78,11 +78,13 @@ std::string samplePoseTable(const SamplePoses& sample) {
     const bool all = sample.outliers > 0 && m + 1 == sample.trajectories;
     for (int row = 0; row < sample.rows; ++row) {
       const double t = 5.0 * m + kPeriod * row, within = kPeriod * row;
-      const Vector3d noise(random.normal(), random.normal(), random.normal());
+      Vector3d noise(random.normal(), random.normal(), random.normal());
+      if (sample.noise_seed > 0) noise = Vector3d(other.normal(), other.normal(), other.normal());
       Eigen::Isometry3d seen = path.seen(within);
       seen.translation() += sample.noise * noise;
       if (sample.turn_noise > 0.0) {
-        const Vector3d turned(random.normal(), random.normal(), random.normal());
+        base::Random& from = sample.noise_seed > 0 ? other : random;
+        const Vector3d turned(from.normal(), from.normal(), from.normal());
         seen.linear() *= poseOf(Vector3d::Zero(), sample.turn_noise * turned).linear();
       }
       if (all || (row >= 20 && row < 20 + sample.outliers)) seen.translation().x() += 0.06;

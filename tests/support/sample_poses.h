@@ -19,6 +19,7 @@ struct SamplePoses {
   int placeholders = 1;              ///< rows of each trajectory without a sight
   bool command = true;               ///< false: the robot's kinematics alone
   std::uint64_t seed = 1;
+  std::uint64_t noise_seed = 0;  ///< 0: of `seed`; others: the same paths with other noise
 };
 
 /// What takes what is seen to what is told, but for the smooth error.

@@ -1,5 +1,7 @@
 #include "widgets/figures/reliability_figure.h"
 
+#include <algorithm>
+
 #include "widgets/figures/figure_text.h"
 #include "widgets/figures/legend_entries.h"
 #include "widgets/figures/pose_source.h"

@@ -59,7 +59,8 @@ void raceProcesses(const LearningData& data, const LearningStudyOptions& options
     value = *learning::negativeLogLikelihood(x, y, start, &gradient);
   });
   learning::ProcessFitReport fit;
-  const double trained = bestOf([&] { fit = learning::fitProcess(x_few, y_few, start_few); });
+  const double trained =
+      bestOf([&] { fit = learning::fitProcess(x_few, y_few, start_few, {.iterations = 200}); });
   const learning::ExactProcess process(x_few, y_few, fit.parameters);
   const learning::Prediction told = process.predict(at.leftCols(d));
 
