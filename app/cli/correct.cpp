@@ -18,20 +18,19 @@ struct CorrectArguments {
 };
 
 ExitCode run(const CorrectArguments& arguments) {
-  constexpr double kUnsure = 0.5;
   checkOutputs({{"OUT", arguments.out}}, {arguments.model, arguments.in});
   const session::CorrectionFile file = session::readCorrection(arguments.model);
   const session::PosePaths paths = session::readPosePaths(arguments.in);
   const std::vector<learning::Corrected> corrected = file.model.correctSurely(session::statesOf(paths));
   const auto unsure = std::count_if(corrected.begin(), corrected.end(),
-                                    [](const auto& one) { return one.confidence < kUnsure; });
+                                    [](const auto& one) { return one.confidence < learning::kUnsure; });
   base::writeTextFile(arguments.out, session::formatCorrected(paths, corrected));
   if (!paths.timed) notice("The table has no t_s: every pose is corrected as one to rest at.");
   if (unsure > 0)
     notice(
         fmt::format("{} of {} poses are far from what was learned (confidence below {}): they are corrected "
                     "by little more than the rigid offset.",
-                    unsure, corrected.size(), kUnsure));
+                    unsure, corrected.size(), learning::kUnsure));
   Output({}).text(fmt::format("{} poses corrected towards the {}.\n", corrected.size(),
                               base::nameOf(file.source.towards)));
   return kOk;

@@ -62,10 +62,9 @@ nlohmann::json jsonOf(const learning::PreparedStates& prepared, const learning::
 std::string textOf(const learning::PreparedStates& prepared, std::size_t states,
                    const learning::DriftCourse& course) {
   std::string text = fmt::format(
-      "{} of {} states count; {} of these lie where the model is unsure (confidence below 0.5) and say "
-      "nothing "
-      "of it.\n",
-      prepared.states.size(), states, course.unsure);
+      "{} of {} states count; {} of these lie where the model is unsure (confidence below {}) and say\n"
+      "nothing of it.\n",
+      prepared.states.size(), states, course.unsure, learning::kUnsure);
   if (2 * course.unsure > prepared.states.size())
     text += "Most of what was recorded lies outside what was learned: learn it too.\n";
   if (findingOf(course) == Finding::kUnknown)
@@ -77,9 +76,8 @@ std::string textOf(const learning::PreparedStates& prepared, std::size_t states,
                         course.factor[static_cast<Eigen::Index>(i)]);
   const learning::DriftReport& last = course.reports.back();
   text += fmt::format(
-      "\nIn the last {:.0f} s {:.0f} % of the errors of {} are beyond their σ: {:.0f} % are while it holds, "
-      "and "
-      "more than {:.0f} % are no chance.\n",
+      "\nIn the last {:.0f} s {:.0f} % of the errors of {} are beyond their σ: {:.0f} % are while it holds,\n"
+      "and more than {:.0f} % are no chance.\n",
       last.span, 100.0 * last.beyond, kOutputs[static_cast<std::size_t>(last.output)],
       100.0 * learning::kBeyond, 100.0 * last.limit);
   for (const auto& [from, to] : course.aged)

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "app/cli/command.h"
@@ -19,36 +20,40 @@ struct ExploreArguments {
 };
 
 /// What is asked for to visit them, in their order.
-std::string visitsOf(const std::vector<learning::State>& candidates,
-                     const std::vector<learning::NextPose>& next, const learning::CorrectionModel& model) {
+struct Visits {
   session::PosePaths paths;
-  paths.paths.emplace_back();
+  std::vector<learning::Corrected> corrected;
+};
+
+Visits visitsOf(const std::vector<learning::State>& candidates, const std::vector<learning::NextPose>& next,
+                const learning::CorrectionModel& model) {
+  Visits visits;
+  visits.paths.paths.emplace_back();
   std::vector<learning::State> states;
   for (const learning::NextPose& visit : next) {
     states.push_back(candidates[visit.candidate]);
-    paths.paths.back().poses.push_back({0, 0.0, states.back().pair.seen});
+    visits.paths.paths.back().poses.push_back({0, 0.0, states.back().pair.seen});
   }
-  return session::formatCorrected(paths, model.correctSurely(states));
+  visits.corrected = model.correctSurely(states);
+  return visits;
 }
 
-std::string textOf(const std::vector<learning::State>& candidates,
-                   const std::vector<learning::NextPose>& next, const learning::CorrectionModel& model) {
-  constexpr double kUnsure = 0.5;
+std::string textOf(std::size_t candidates, const std::vector<learning::NextPose>& next,
+                   const Visits& visits) {
   std::string text = fmt::format(
       "{} of {} poses to visit, the most worth while first. Uncertainty (mean variance of the correction "
-      "over "
+      "over\n"
       "these poses, of what it is without data), were they learned too:\n",
-      next.size(), candidates.size());
-  std::size_t unsure = 0;
-  for (std::size_t k = 0; k < next.size(); ++k) {
+      next.size(), candidates);
+  for (std::size_t k = 0; k < next.size(); ++k)
     text += fmt::format("  visit {:3}   {:5.1f} % → {:5.1f} %\n", k + 1, 100.0 * next[k].before,
                         100.0 * next[k].after);
-    unsure += model.correct(candidates[next[k].candidate]).confidence < kUnsure;
-  }
+  const auto unsure = std::ranges::count_if(
+      visits.corrected, [](const auto& one) { return one.confidence < learning::kUnsure; });
   return text + fmt::format(
-                    "{} of them are corrected by little more than the rigid offset (confidence below {}): "
-                    "go there with care.\n",
-                    unsure, kUnsure);
+                    "{} of them are corrected by little more than the rigid offset (confidence below\n"
+                    "{}): go there with care.\n",
+                    unsure, learning::kUnsure);
 }
 
 ExitCode run(const ExploreArguments& arguments) {
@@ -68,12 +73,13 @@ ExitCode run(const ExploreArguments& arguments) {
     next = learning::nextPoses(file.model, candidates, static_cast<std::size_t>(arguments.count), &progress);
   }
   if (progress.cancelled()) return kFailed;
-  base::writeTextFile(arguments.out, visitsOf(candidates, next, file.model));
+  const Visits visits = visitsOf(candidates, next, file.model);
+  base::writeTextFile(arguments.out, session::formatCorrected(visits.paths, visits.corrected));
   if (next.empty()) {
     Output({}).text("No visit would make the model surer.\n");
     return kOk;
   }
-  Output({}).text(textOf(candidates, next, file.model));
+  Output({}).text(textOf(candidates.size(), next, visits));
   return kOk;
 }
 

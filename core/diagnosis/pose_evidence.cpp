@@ -20,8 +20,6 @@ using learning::RawMotion;
 using learning::RawPose;
 using learning::StreamKind;
 
-constexpr std::array<std::string_view, learning::kStreams> kPrefixes = {"cam", "robot", "cmd"};
-
 [[noreturn]] void refuse(const std::string& file, const RawPose& pose, std::string column, double value,
                          std::string reason, std::string remedy) {
   throw base::InputError({file, static_cast<int>(pose.row), std::move(column), fmt::format("{}", value),
@@ -137,7 +135,7 @@ PoseEvidence parsePoseEvidence(std::string_view text, const std::string& file) {
   std::size_t too_short = 0;
   for (const RawMotion& motion : motions) {
     const auto poses = [&](std::size_t s, PoseCounts& counts) {
-      return posesOf(motion.streams[s], {file, kPrefixes[s], turned[s]}, counts);
+      return posesOf(motion.streams[s], {file, session::kStreamPrefixes[s], turned[s]}, counts);
     };
     PoseTrajectory trajectory;
     trajectory.name = motion.name;

@@ -213,7 +213,6 @@ std::vector<Eigen::Isometry3d> CorrectionModel::correct(const std::vector<State>
 /// makes few, more such eighths in turn.
 void CorrectionModel::findInflation(const std::vector<State>& states, const CorrectionOptions& options) {
   constexpr std::size_t kEighths = 8, kEnough = 16;  // motions held out
-  constexpr double kWithinSigma = 0.6827;
   const std::vector<std::size_t> places = motionPlaces(states);
   const std::size_t motions = places.back() + 1;
   const auto eighthOf = [&](std::size_t k) {

@@ -105,6 +105,9 @@ class CorrectionModel {
   CorrectionParts known_;  ///< without groups
   std::vector<SparseProcess> processes_;
 };
+/// Below this confidence a pose is corrected by little more than the rigid offset.
+inline constexpr double kUnsure = 0.5;
+inline constexpr double kWithinSigma = 0.6827;  ///< share of a normal distribution: σ are calibrated by it
 inline constexpr std::size_t kFewestStates = 20;
 inline constexpr double kFarthestFeature = 4.0;
 inline constexpr double kFade = 0.01;  ///< [m]

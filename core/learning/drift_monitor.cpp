@@ -13,7 +13,6 @@ namespace {
 
 constexpr double kOutputs = 6.0;
 constexpr std::size_t kAtOnce = 500;  // states that are corrected together
-constexpr double kWithinSigma = 0.6827;
 
 }  // namespace
 

@@ -11,9 +11,8 @@ struct DriftOptions {
   double span = 240.0;   ///< of what is looked at, in motions' own time [s]: kFewestPieces spacings at least
   double spacing = 1.0;  ///< between states that count as independent [s]
   double level = 1e-3;   ///< chance of an alarm at one look where nothing has changed
-  double sigma_known = 1.25;  ///< factor to which the stated σ are trusted
-  double least_confidence =
-      0.5;  ///< of states that say anything of the model: driftAlong() leaves out others
+  double sigma_known = 1.25;          ///< factor to which the stated σ are trusted
+  double least_confidence = kUnsure;  ///< of states that driftAlong() judges
 };
 
 struct DriftReport {
@@ -26,7 +25,7 @@ struct DriftReport {
 };
 /// Fewer pieces cannot tell ageing from chance.
 inline constexpr std::size_t kFewestPieces = 15, kWindows = 4;
-inline constexpr double kBeyond = 0.3173;  ///< of a normal distribution
+inline constexpr double kBeyond = 1.0 - kWithinSigma;
 
 /// Says when a learned model has aged: while it is in use, errors of what was seen against what was told are
 /// compared with the σ that the model stated for them, output by output, as the σ are calibrated: by the
@@ -67,14 +66,15 @@ struct DriftCourse {
   std::vector<double> t;             ///< since the first state [s]
   std::vector<DriftReport> reports;  ///< by state judged
   std::size_t unsure = 0;            ///< states that were not: the model knows too little there
-  Vector6d factor =
-      Vector6d::Zero();  ///< by which errors exceed their σ: the quantile that is 1 while it holds
+  /// By which errors exceed their σ: the quantile that is 1 while the model holds.
+  Vector6d factor = Vector6d::Zero();
   /// Places among those judged at which the monitor began to say that the model has aged, and stopped to.
   std::vector<std::pair<std::size_t, std::size_t>> aged;
   bool told() const { return !reports.empty() && reports.back().told; }
   bool agedNow() const { return !reports.empty() && reports.back().aged; }
 };
 
+/// Judges states of motions, in their order. Those at which the model is unsure say nothing of its age.
 DriftCourse driftAlong(const CorrectionModel& model, const std::vector<State>& states,
                        const DriftOptions& options = {}, base::Progress* progress = nullptr);
 

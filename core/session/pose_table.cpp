@@ -15,7 +15,6 @@ namespace {
 
 constexpr std::array<std::string_view, 7> kParts = {"x", "y", "z", "qx", "qy", "qz", "qw"};
 constexpr std::size_t kPositions = 3;  // of these
-constexpr std::array<std::string_view, learning::kStreams> kPrefixes = {"cam", "robot", "cmd"};
 
 /// Columns of one stream: the stamp, and position and quaternion.
 struct StreamColumns {
@@ -34,9 +33,9 @@ struct Columns {
     if (name == "task") return &task;
     if (name == "traj") return &trajectory;
     for (std::size_t s = 0; s < streams.size(); ++s) {
-      if (name == fmt::format("t_{}_s", kPrefixes[s])) return &streams[s].stamp;
+      if (name == fmt::format("t_{}_s", kStreamPrefixes[s])) return &streams[s].stamp;
       for (std::size_t i = 0; i < kParts.size(); ++i)
-        if (name == fmt::format("{}_{}", kPrefixes[s], kParts[i])) return &streams[s].part[i];
+        if (name == fmt::format("{}_{}", kStreamPrefixes[s], kParts[i])) return &streams[s].part[i];
     }
     return nullptr;
   }
@@ -61,17 +60,18 @@ void check(const Columns& columns, const std::string& file) {
     const StreamColumns& stream = columns.streams[s];
     const bool wanted = s == 0 || !stream.stamp.empty() || (!robot && !command);
     if (!wanted) continue;
-    need(stream.stamp, fmt::format("t_{}_s", kPrefixes[s]), file);
+    need(stream.stamp, fmt::format("t_{}_s", kStreamPrefixes[s]), file);
     const std::size_t parts = stream.turns() ? kParts.size() : kPositions;
     for (std::size_t i = 0; i < parts; ++i)
-      need(stream.part[i], fmt::format("{}_{}", kPrefixes[s], kParts[i]), file);
+      need(stream.part[i], fmt::format("{}_{}", kStreamPrefixes[s], kParts[i]), file);
   }
 }
 
 void checkTurns(const Columns& columns, const std::string& file) {
   for (std::size_t s = 0; s < columns.streams.size(); ++s)
     if (!columns.streams[s].stamp.empty())
-      need(columns.streams[s].part[kPositions], fmt::format("{}_{}", kPrefixes[s], kParts[kPositions]), file);
+      need(columns.streams[s].part[kPositions], fmt::format("{}_{}", kStreamPrefixes[s], kParts[kPositions]),
+           file);
 }
 
 learning::RawPose rawPose(const StreamColumns& columns, std::size_t row) {

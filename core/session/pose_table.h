@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -8,6 +9,9 @@
 #include "core/learning/pose_motion.h"
 
 namespace capstan::session {
+
+/// How the columns of each learning::StreamKind begin: "cam_x", "t_cam_s".
+inline constexpr std::array<std::string_view, learning::kStreams> kStreamPrefixes = {"cam", "robot", "cmd"};
 
 /// Parses a table of tip poses with columns traj, t_cam_s, cam_x, cam_y, cam_z, cam_qx, cam_qy, cam_qz,
 /// cam_qw and the same of robot or cmd (or both), and task where known: stamps in seconds, each stream's own
