@@ -10,7 +10,6 @@
 #include "core/base/error.h"
 #include "core/base/resource.h"
 #include "tests/support/planted/planted_case.h"
-#include "tests/support/planted_study/ideal_limit.h"
 
 namespace {
 
@@ -21,8 +20,7 @@ struct Wanted {
   std::string effect, out, truth, robot;
   int joint = -1, effects = 1;
   double size = -1.0, duration = 0.0;
-  bool rigid = false, textured = false, plain = false, no_cameras = false, no_encoders = false, list = false,
-       beyond_ageing = false;
+  bool rigid = false, textured = false, plain = false, no_cameras = false, no_encoders = false, list = false;
 };
 
 test::DrawOptions optionsOf(const Wanted& wanted) {
@@ -90,8 +88,6 @@ int main(int argc, char** argv) {
   app.add_flag("--plain", wanted.plain, "without everyday texture");
   app.add_flag("--no-cameras", wanted.no_cameras);
   app.add_flag("--no-encoders", wanted.no_encoders);
-  app.add_flag("--beyond-ageing", wanted.beyond_ageing,
-               "also what of each effect no ageing of the robot explains: RMS in noise of a reading");
   app.add_flag("--list", wanted.list, "names of the effects");
   CLI11_PARSE(app, argc, argv);
   try {
@@ -105,11 +101,6 @@ int main(int argc, char** argv) {
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     if (!wanted.out.empty()) write(wanted.out, session::formatMeasuredTable(recording.table));
     nlohmann::json json = jsonOf(truth, wanted.seed);
-    if (wanted.beyond_ageing) {
-      study::IdealObserver observer(drawn, truth);
-      for (std::size_t i = 0; i < truth.items.size(); ++i)
-        json["effects"][i]["beyond_ageing"] = observer.beyondAgeing(truth.items[i].planted);
-    }
     const std::string text = json.dump() + "\n";
     if (wanted.truth.empty())
       std::fputs(text.c_str(), stdout);

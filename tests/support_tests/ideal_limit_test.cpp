@@ -57,19 +57,6 @@ TEST(IdealLimit, AgeingHidesWhatLooksLikeIt) {
   EXPECT_GT(deflectionOf(drawn), 0.5 * spreads);
 }
 
-/// Of a camera offset, which encoders tell from all ageing, all of it: |offset| / σ of an axis, RMS of the
-/// three. A little mass more is what ageing makes: next to nothing.
-TEST(BeyondAgeing, IsAllOfWhatNoAgeingMakesAndNothingOfAgeing) {
-  const auto beyond = [](const Drawn& drawn) {
-    return IdealObserver(drawn.of, drawn.truth, 3.0).beyondAgeing(drawn.truth.items[0].planted);
-  };
-  const Drawn offset = drawnCase(test::Effect::kCameraOffset, 0, 1e-3);
-  const double sigma = test::StereoPair(Eigen::Vector3d::Zero(), offset.of.sensors).sigma();
-  EXPECT_NEAR(beyond(offset), 1e-3 / sigma, 0.1 * 1e-3 / sigma);
-  const Drawn payload = drawnCase(test::Effect::kPayload, 0, 0.02);
-  EXPECT_LT(beyond(payload), 0.2);
-}
-
 TEST(IdealLimit, GrowsWithTheEffectAndShrinksWithTexture) {
   const double one = deflectionOf(drawnCase(test::Effect::kAsymmetricFriction, 2, 0.01));
   EXPECT_NEAR(deflectionOf(drawnCase(test::Effect::kAsymmetricFriction, 2, 0.02)), 2.0 * one, 0.02 * one);

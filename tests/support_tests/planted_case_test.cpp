@@ -134,11 +134,12 @@ struct Bench {
   PlantedMotion motion;
 };
 
-/// RMS of the change of the joint encoders, or of the tip where there are none, by what is planted.
-TEST(PlantedCase, SizeOneShowsMoreThanTextureDoes) {
+/// Not much more on joints where ageing hides most of it.
+TEST(PlantedCase, SizeOneShows) {
   for (const bool rigid : {false, true}) {
     const Bench bench(rigid ? rigidRobot("rigid_arm") : raven(), rigid);
-    Visibility visibility(bench.robot, bench.parameters, bench.texture, bench.sensors, bench.motion);
+    const Visibility visibility(bench.robot, bench.robot, bench.parameters.rigid, bench.texture,
+                                bench.sensors, bench.motion);
     base::Random random(9);
     for (const EffectFacts& facts : allEffects()) {
       const auto joints = jointsFor(facts.effect, optionsFor(bench.robot, rigid));
@@ -146,7 +147,7 @@ TEST(PlantedCase, SizeOneShowsMoreThanTextureDoes) {
       const int joint = std::max(joints.back() - 1, 0);
       const Planted most = largestPlausible(facts.effect, joint, bench.parameters, bench.robot, random);
       const Sized large = sizedTo(1.0, most, visibility);
-      EXPECT_GT(large.visibility, 1.0) << facts.name;
+      EXPECT_GT(large.visibility, 0.5) << facts.name;
       EXPECT_LT(large.visibility, 12.6) << facts.name;
       EXPECT_LE(std::abs(large.planted.magnitude), std::abs(most.magnitude)) << facts.name;
     }
@@ -155,7 +156,8 @@ TEST(PlantedCase, SizeOneShowsMoreThanTextureDoes) {
 
 TEST(PlantedCase, ATenthOfLargeIsJustVisible) {
   const Bench bench(raven(), false);
-  Visibility visibility(bench.robot, bench.parameters, bench.texture, bench.sensors, bench.motion);
+  const Visibility visibility(bench.robot, bench.robot, bench.parameters.rigid, bench.texture, bench.sensors,
+                              bench.motion);
   base::Random random(9);
   for (const Effect effect :
        {Effect::kPulleyRadius, Effect::kBacklash, Effect::kSlack, Effect::kCableCoupling}) {
@@ -163,6 +165,29 @@ TEST(PlantedCase, ATenthOfLargeIsJustVisible) {
     EXPECT_NEAR(sizedTo(0.1, most, visibility).visibility, 1.0, 0.26) << factsOf(effect).name;
     EXPECT_NEAR(sizedTo(1.0, most, visibility).visibility, 10.0, 2.6) << factsOf(effect).name;
   }
+}
+
+/// A camera offset, which encoders tell from all ageing, counts whole; friction a little stronger and 2 % of
+/// asymmetry do not, since robots without a fault have as much; of 60 % of asymmetry all but 4 do.
+TEST(PlantedCase, WhatAgeingAndTextureMakeIsNotVisible) {
+  const Bench bench(raven(), false);
+  const Visibility visibility(bench.robot, bench.robot, false, bench.texture, bench.sensors, bench.motion);
+  Planted planted;
+  planted.effect = Effect::kCameraOffset;
+  planted.magnitude = 5e-3;
+  const double sigma = StereoPair(Eigen::Vector3d::Zero(), bench.sensors).sigma();
+  EXPECT_NEAR(visibility.of(planted), 5e-3 / sigma, 0.1 * 5e-3 / sigma);
+  planted.joint = 1;
+  planted.effect = Effect::kViscousFriction;
+  planted.magnitude = 0.2 * bench.parameters.viscous[1];
+  EXPECT_LT(visibility.of(planted), 0.1);
+  planted.effect = Effect::kAsymmetricFriction;
+  planted.magnitude = 0.02;
+  EXPECT_LT(visibility.of(planted), 0.1);
+  planted.magnitude = 0.3;
+  const double less = visibility.of(planted);
+  planted.magnitude = 0.6;
+  EXPECT_NEAR(visibility.of(planted) / less, (0.6 - 0.04) / (0.3 - 0.04), 0.1);
 }
 
 TEST(PlantedCase, SizesRunFromJustVisibleToLarge) {

@@ -253,7 +253,7 @@ double visibilityOf(double size, double most) {
   return large > 1.0 ? std::pow(large, 1.0 + std::log10(size)) : size * large;
 }
 
-Sized sizedTo(double size, const Planted& largest, Visibility& visibility) {
+Sized sizedTo(double size, const Planted& largest, const Visibility& visibility) {
   const double most = visibility.of(largest);
   if (largest.effect == Effect::kSensorSign) return {largest, most};
   const double wanted = visibilityOf(size, most);

@@ -13,31 +13,36 @@ Planted largestPlausible(Effect effect, int i, const PlantParameters& p, const r
 /// some micrometres out of centre, a trace of Stribeck.
 std::vector<Planted> everydayTexture(const PlantParameters& p, base::Random& random);
 
-/// How much of an effect a reference would show: open-loop simulations over the motion of the robot without
-/// it.
+/// How much of an effect a reference would show that no robot without a fault would: open-loop simulations
+/// over the motion of the robot without it, less what ageing and texture as they are drawn can do at most to
+/// look like it. A little more mass at the tip is a mistuned mass, and 2 % of asymmetry are texture.
 class Visibility {
  public:
-  Visibility(const robot::Description& nominal, const PlantParameters& parameters,
+  Visibility(const robot::Description& nominal, const robot::Description& aged, bool rigid,
              const std::vector<Planted>& texture, const SensorOptions& sensors, PlantedMotion motion);
 
-  /// RMS of what the effect changes over RMS of noise and texture, of the channel (a joint encoder, the
-  /// cameras) that shows most of it.
-  double of(const Planted& planted);
+  /// RMS of what the effect changes beyond ageing and texture, over RMS of noise and texture, of the channel
+  /// (a joint encoder, the cameras) that shows most of it.
+  double of(const Planted& planted) const;
 
  private:
-  struct Change {
-    Joints joints{};   ///< RMS [rad or m]
-    double tip = 0.0;  ///< RMS [m]
-  };
+  PlantedMotion replayOf(const robot::Description& robot, const std::vector<Planted>& effects) const;
+  /// What the sensors would tell, a row an instant: joints [rad or m], then the tip [m].
+  Eigen::MatrixXd tell(const PlantedMotion& motion, const std::vector<Planted>& effects) const;
+  Eigen::MatrixXd changeBy(const std::vector<Planted>& effects) const;
+  Eigen::VectorXd channels(const Eigen::MatrixXd& change) const;  ///< RMS of each joint and of the tip
+  Eigen::VectorXd weighted(const Eigen::MatrixXd& change) const;
+  void findEverydayChanges();
 
-  PlantedMotion replayWith(const std::vector<Planted>& effects) const;
-  Change changeBy(const std::vector<Planted>& effects);
-
-  robot::Description nominal_;
+  robot::Description nominal_, aged_;
   PlantParameters parameters_;
   SensorOptions sensors_;
-  PlantedMotion recorded_, plain_;
-  Change noise_, level_;
+  PlantedMotion recorded_, plain_motion_;
+  Eigen::MatrixXd plain_;
+  Eigen::VectorXd noise_, level_;  ///< of channels(); level_: noise and texture together
+  /// What one standard deviation of each everyday change does to the readings, JᵀJ, and how far each may go.
+  Eigen::MatrixXd everyday_, normal_;
+  Eigen::VectorXd low_, high_;
 };
 
 /// Visibility at size 1; just visible, 1, is a tenth of it.
@@ -55,6 +60,6 @@ double visibilityOf(double size, double most);
 
 /// `largest` made so much smaller that its visibility is visibilityOf(size, its own), within a quarter; as it
 /// is where that is more than it has. size > 0. sensor_sign stays as it is.
-Sized sizedTo(double size, const Planted& largest, Visibility& visibility);
+Sized sizedTo(double size, const Planted& largest, const Visibility& visibility);
 
 }  // namespace capstan::test

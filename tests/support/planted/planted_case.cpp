@@ -9,7 +9,7 @@
 namespace capstan::test {
 namespace {
 
-constexpr double kCalibrationTime = 8.0;  // [s]
+constexpr double kCalibrationTime = 5.0;  // [s]
 
 /// The robot of one case and everything that moves it.
 class CaseRobot {
@@ -52,11 +52,10 @@ class CaseRobot {
         [&](double t) { return load.at(t); }, {duration, 1.0});
   }
 
-  Visibility& visibility() {
+  const Visibility& visibility() {
     if (!visibility_) {
-      const PlantParameters parameters(robot_, case_.rigid);
-      Plant plain(parameters, {});
-      visibility_.emplace(case_.robot, parameters, texture_, case_.sensors,
+      Plant plain(PlantParameters(robot_, case_.rigid), {});
+      visibility_.emplace(case_.robot, robot_, case_.rigid, texture_, case_.sensors,
                           moved(plain, {}, std::min(kCalibrationTime, case_.duration)));
     }
     return *visibility_;

@@ -8,10 +8,10 @@
 
 namespace capstan::test {
 
-/// One effect of a case. Size: 0 none, 0.1 just visible (an open-loop simulation of the reference changes by
-/// as much as noise and texture are), 1 large (ten times that, or as large as is plausible where that is
-/// less); the effect's magnitude is proportional to it. sensor_sign is there or not: its size is that of the
-/// load.
+/// One effect of a case. Size: 0 none, 0.1 just visible (an open-loop simulation of the reference changes,
+/// beyond what ageing and texture can make of it, by as much as noise and texture are), 1 large (ten times
+/// that, or as large as is plausible where that is less); the effect's magnitude is proportional to it.
+/// sensor_sign is there or not: its size is that of the load.
 struct ChosenEffect {
   Effect effect = Effect::kPulleyRadius;
   int joint = 1;  ///< counts from 1; 0: the whole arm or a camera
@@ -45,9 +45,8 @@ struct Truth {
     std::string effect;
     int joint = 0;  ///< counts from 1; 0: the whole arm or a camera
     double size = 0.0;
-    double visibility =
-        0.0;          ///< RMS of what it changes in an open-loop simulation over that of noise and texture
-    Planted planted;  ///< planted.joint and planted.other count from 0
+    double visibility = 0.0;  ///< Visibility::of
+    Planted planted;          ///< planted.joint and planted.other count from 0
   };
   std::vector<Item> items;
   std::vector<Planted> texture;  ///< everyday texture in the recording; empty: it has none

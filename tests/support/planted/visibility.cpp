@@ -2,66 +2,120 @@
 #include <cmath>
 
 #include "tests/support/planted/effect_sizes.h"
+#include "tests/support/planted/everyday_changes.h"
 
 namespace capstan::test {
+namespace {
 
-Visibility::Visibility(const robot::Description& nominal, const PlantParameters& parameters,
-                       const std::vector<Planted>& texture, const SensorOptions& sensors,
-                       PlantedMotion motion)
-    : nominal_(nominal), parameters_(parameters), sensors_(sensors), recorded_(std::move(motion)) {
-  plain_ = replayWith({});
-  level_ = changeBy(texture);
-  noise_.tip = StereoPair(Eigen::Vector3d::Zero(), sensors_).sigma();
-  for (int i = 0; i < parameters_.size; ++i) {
-    const bool turns = nominal_.joints[static_cast<std::size_t>(i)].type == robot::JointType::kRevolute;
-    noise_.joints[i] = (turns ? sensors_.turn_count : sensors_.slide_count) / std::sqrt(12.0);
-    level_.joints[i] = std::hypot(level_.joints[i], noise_.joints[i]);
-  }
-  level_.tip = std::hypot(level_.tip, noise_.tip);
+constexpr std::size_t kStride = 20;  // rows from one that is looked at to the next
+constexpr int kSweeps = 400;
+
+double rms(const Eigen::Ref<const Eigen::MatrixXd>& x) {
+  return std::sqrt(x.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(x.rows(), 1)));
 }
 
-PlantedMotion Visibility::replayWith(const std::vector<Planted>& effects) const {
-  PlantParameters changed = parameters_;
+/// Least ½ xᵀ G x − bᵀ x with low ≤ x ≤ high, by coordinates in turn (Hildreth 1957); 0 is within.
+Eigen::VectorXd leastWithin(const Eigen::MatrixXd& g, const Eigen::VectorXd& b, const Eigen::VectorXd& low,
+                            const Eigen::VectorXd& high) {
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(b.size());
+  for (int sweep = 0; sweep < kSweeps; ++sweep)
+    for (Eigen::Index k = 0; k < x.size(); ++k)
+      if (g(k, k) > 0.0) x[k] = std::clamp(x[k] + (b[k] - g.col(k).dot(x)) / g(k, k), low[k], high[k]);
+  return x;
+}
+
+}  // namespace
+
+Visibility::Visibility(const robot::Description& nominal, const robot::Description& aged, bool rigid,
+                       const std::vector<Planted>& texture, const SensorOptions& sensors,
+                       PlantedMotion motion)
+    : nominal_(nominal),
+      aged_(aged),
+      parameters_(aged, rigid),
+      sensors_(sensors),
+      recorded_(std::move(motion)) {
+  plain_motion_ = replayOf(aged_, {});
+  plain_ = tell(plain_motion_, {});
+  const int joints = parameters_.size;
+  noise_ = Eigen::VectorXd::Constant(joints + 1, StereoPair(Eigen::Vector3d::Zero(), sensors_).sigma());
+  for (int i = 0; i < joints; ++i) {
+    const bool turns = nominal_.joints[static_cast<std::size_t>(i)].type == robot::JointType::kRevolute;
+    noise_[i] = (turns ? sensors_.turn_count : sensors_.slide_count) / std::sqrt(12.0);
+  }
+  const Eigen::VectorXd of_texture = channels(changeBy(texture));
+  level_ = (noise_.array().square() + of_texture.array().square()).sqrt();
+  findEverydayChanges();
+}
+
+/// In noise of a reading; sensors that are not there tell nothing.
+Eigen::VectorXd Visibility::weighted(const Eigen::MatrixXd& change) const {
+  Eigen::MatrixXd seen = change;
+  const Eigen::Index joints = parameters_.size;
+  for (Eigen::Index i = 0; i < joints; ++i) seen.col(i) *= sensors_.joint_encoders ? 1.0 / noise_[i] : 0.0;
+  seen.rightCols(3) *= sensors_.cameras ? std::sqrt(3.0) / noise_[joints] : 0.0;
+  return seen.reshaped();
+}
+
+void Visibility::findEverydayChanges() {
+  const std::vector<EverydayChange> changes = everydayChanges(nominal_, aged_, parameters_.rigid);
+  const auto count = static_cast<Eigen::Index>(changes.size());
+  everyday_.resize(plain_.size(), count);
+  low_.resize(count), high_.resize(count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const EverydayChange& one = changes[static_cast<std::size_t>(k)];
+    const Eigen::MatrixXd told = tell(replayOf(one.robot, one.texture), one.texture);
+    everyday_.col(k) = weighted((told - plain_) / kEverydayStep);
+    low_[k] = one.low, high_[k] = one.high;
+  }
+  normal_ = everyday_.transpose() * everyday_;
+}
+
+PlantedMotion Visibility::replayOf(const robot::Description& robot,
+                                   const std::vector<Planted>& effects) const {
+  PlantParameters changed(robot, parameters_.rigid);
   for (const Planted& e : effects) plantInParameters(e, nominal_, changed);
   Plant plant(changed, effects);
   return replay(plant, recorded_, effects);
 }
 
-Visibility::Change Visibility::changeBy(const std::vector<Planted>& effects) {
-  Change change;
-  if (effects.empty()) return change;
+Eigen::MatrixXd Visibility::tell(const PlantedMotion& motion, const std::vector<Planted>& effects) const {
+  RigidChain chain(nominal_);
+  const auto rows = static_cast<Eigen::Index>((motion.t.size() + kStride - 1) / kStride);
+  Eigen::MatrixXd told(rows, parameters_.size + 3);
+  for (Eigen::Index r = 0; r < rows; ++r) {
+    const std::size_t k = static_cast<std::size_t>(r) * kStride;
+    for (int i = 0; i < parameters_.size; ++i) told(r, i) = jointReading(motion, k, i, effects);
+    told.row(r).tail(3) = cameraTip(motion, k, chain, nominal_.marker, effects);
+  }
+  return told;
+}
+
+Eigen::MatrixXd Visibility::changeBy(const std::vector<Planted>& effects) const {
   const bool outside_the_arm = std::all_of(effects.begin(), effects.end(), [](const Planted& e) {
     return factsOf(e.effect).place == Place::kCamera || e.effect == Effect::kEncoderDrift;
   });
-  const PlantedMotion changed = outside_the_arm ? plain_ : replayWith(effects);
-  RigidChain chain(nominal_);
-  const std::size_t rows = plain_.t.size();
-  constexpr std::size_t kStride = 20;
-  double count = 0.0;
-  for (std::size_t k = 0; k < rows; k += kStride, count += 1.0) {
-    for (int i = 0; i < parameters_.size; ++i) {
-      const double moved = jointReading(changed, k, i, effects) - plain_.q[k][i];
-      change.joints[i] += moved * moved;
-    }
-    change.tip += (cameraTip(changed, k, chain, nominal_.marker, effects) -
-                   cameraTip(plain_, k, chain, nominal_.marker, {}))
-                      .squaredNorm();
-  }
-  for (double& x : change.joints) x = std::sqrt(x / count);
-  change.tip = std::sqrt(change.tip / count);
-  return change;
+  return tell(outside_the_arm ? plain_motion_ : replayOf(aged_, effects), effects) - plain_;
 }
 
-double Visibility::of(const Planted& planted) {
-  const Change change = changeBy({planted});
+Eigen::VectorXd Visibility::channels(const Eigen::MatrixXd& change) const {
+  const Eigen::Index joints = parameters_.size;
+  Eigen::VectorXd found(joints + 1);
+  for (Eigen::Index i = 0; i < joints; ++i) found[i] = rms(change.col(i));
+  found[joints] = rms(change.rightCols(3));
+  return found;
+}
+
+double Visibility::of(const Planted& planted) const {
+  const Eigen::VectorXd moved = weighted(changeBy({planted}));
+  const Eigen::VectorXd mimic = leastWithin(normal_, everyday_.transpose() * moved, low_, high_);
+  const Eigen::VectorXd left = moved - everyday_ * mimic;
   const Place place = factsOf(planted.effect).place;
   const bool drifts = place != Place::kCamera && planted.effect != Effect::kEncoderDrift &&
                       planted.effect != Effect::kCableCompliance;
-  const Change& level = parameters_.rigid && !drifts ? noise_ : level_;
-  double most = sensors_.cameras ? change.tip / level.tip : 0.0;
-  if (sensors_.joint_encoders)
-    for (int i = 0; i < parameters_.size; ++i) most = std::max(most, change.joints[i] / level.joints[i]);
-  return most;
+  const Eigen::VectorXd& level = parameters_.rigid && !drifts ? noise_ : level_;
+  Eigen::VectorXd shown = channels(left.reshaped(plain_.rows(), plain_.cols()));
+  shown[parameters_.size] /= std::sqrt(3.0);
+  return shown.cwiseProduct(noise_).cwiseQuotient(level).maxCoeff();
 }
 
 }  // namespace capstan::test

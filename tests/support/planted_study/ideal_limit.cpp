@@ -3,8 +3,8 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "tests/support/planted/everyday_changes.h"
 #include "tests/support/planted/excitation.h"
 
 namespace capstan::study {
@@ -12,67 +12,7 @@ namespace {
 
 using test::Planted;
 
-constexpr double kStep = 0.02;      // of the derivatives, in standard deviations
 constexpr std::size_t kStride = 5;  // rows from one that is looked at to the next
-// Standard deviations as drawn by test::aged and test::everydayTexture.
-const double kFactor = std::log(2.0) / std::sqrt(12.0);  // of ln of a number between 0.7 and 1.4
-const double kShift = 0.3 / std::sqrt(12.0);             // of the centre of mass, share of its arm
-const double kTrace = std::sqrt(7e-4);                   // of a share between 0.01 and 0.04 of any sign
-const double kEccentric = 0.64e-3;                       // of the capstan's radius
-const double kStribeck = 0.012;                          // of an excess between 0.01 and 0.05
-
-/// Robots of which one aged number each is off by kStep standard deviations.
-std::vector<robot::Description> neighbours(const robot::Description& aged, bool rigid) {
-  std::vector<robot::Description> all;
-  const auto scaled = [&](std::size_t i, auto&& change) {
-    robot::Description& robot = all.emplace_back(aged);
-    change(robot.joints[i], robot.drives[i]);
-  };
-  const double factor = std::exp(kStep * kFactor);
-  for (std::size_t i = 0; i < aged.joints.size(); ++i) {
-    scaled(i, [&](robot::Joint& joint, robot::Drive&) { joint.friction.coulomb *= factor; });
-    scaled(i, [&](robot::Joint& joint, robot::Drive&) { joint.friction.viscous *= factor; });
-    scaled(i, [&](robot::Joint& joint, robot::Drive&) {
-      joint.link.mass *= factor;
-      joint.link.inertia *= factor;
-    });
-    for (int axis = 0; axis < 3; ++axis)
-      scaled(i, [&](robot::Joint& joint, robot::Drive&) {
-        joint.link.centre_of_mass(axis) += kStep * kShift * joint.link.centre_of_mass.norm();
-      });
-    if (rigid) {
-      scaled(i, [&](robot::Joint&, robot::Drive& drive) { drive.motor_friction.coulomb *= factor; });
-      scaled(i, [&](robot::Joint&, robot::Drive& drive) { drive.motor_friction.viscous *= factor; });
-    } else {
-      scaled(i, [&](robot::Joint&, robot::Drive& drive) { drive.cable_stiffness *= factor; });
-      scaled(i, [&](robot::Joint&, robot::Drive& drive) { drive.cable_damping *= factor; });
-    }
-  }
-  return all;
-}
-
-/// kStep standard deviations of each part of the texture.
-std::vector<Planted> textures(const test::PlantParameters& p) {
-  std::vector<Planted> all;
-  for (int i = 0; i < p.size; ++i) {
-    Planted one;
-    one.joint = i;
-    one.effect = test::Effect::kAsymmetricFriction;
-    one.magnitude = kStep * kTrace;
-    all.push_back(one);
-    one.effect = test::Effect::kStribeckFriction;
-    one.magnitude = kStep * kStribeck;
-    one.signature = 6.0 * p.smoothing[i];
-    all.push_back(one);
-    if (p.rigid) continue;
-    one.effect = test::Effect::kCapstanEccentricity;
-    one.magnitude = kStep * kEccentric * p.capstan[i] / std::numbers::sqrt2;
-    all.push_back(one);
-    one.phase = 0.5 * std::numbers::pi;
-    all.push_back(one);
-  }
-  return all;
-}
 
 }  // namespace
 
@@ -93,21 +33,6 @@ class IdealObserver::Sensors {
   }
 
   double duration() const { return motion_.t.back(); }
-
-  /// Largest RMS of a channel, in noise of one reading.
-  double mostOf(const Eigen::VectorXd& told) const {
-    const Eigen::Index rows = case_.sensors.joint_encoders
-                                  ? static_cast<Eigen::Index>((motion_.t.size() + kStride - 1) / kStride)
-                                  : 0;
-    const auto rms = [](const auto& part, double weight) {
-      return std::sqrt(part.squaredNorm() / std::max<double>(1.0, static_cast<double>(part.size())) / weight);
-    };
-    double most = 0.0;
-    for (Eigen::Index j = 0; rows > 0 && j < case_.robot.size(); ++j)
-      most = std::max(most, rms(told.segment(j * rows, rows), static_cast<double>(kStride)));
-    const Eigen::Index tips = told.size() - rows * case_.robot.size();
-    return tips > 0 ? std::max(most, rms(told.tail(tips), 1.0)) : most;
-  }
 
   Eigen::VectorXd tell(const robot::Description& robot, const std::vector<Planted>& effects) {
     test::PlantParameters parameters(robot, case_.rigid);
@@ -149,13 +74,13 @@ IdealObserver::IdealObserver(const test::PlantedCase& planted_case, const test::
       aged_(truth.robot),
       times_(planted_case.duration / sensors_->duration()),
       plain_(sensors_->tell(aged_, {})) {
-  const auto off = neighbours(aged_, planted_case.rigid);
-  std::vector<Planted> texture;
-  if (truth.textured) texture = textures(test::PlantParameters(aged_, planted_case.rigid));
-  spread_.resize(plain_.size(), static_cast<Eigen::Index>(off.size() + texture.size()));
-  Eigen::Index column = 0;
-  for (const auto& robot : off) spread_.col(column++) = (sensors_->tell(robot, {}) - plain_) / kStep;
-  for (const Planted& one : texture) spread_.col(column++) = (sensors_->tell(aged_, {one}) - plain_) / kStep;
+  std::vector<test::EverydayChange> changes =
+      test::everydayChanges(planted_case.robot, aged_, planted_case.rigid);
+  if (!truth.textured)
+    std::erase_if(changes, [](const test::EverydayChange& change) { return !change.texture.empty(); });
+  spread_.resize(plain_.size(), static_cast<Eigen::Index>(changes.size()));
+  for (Eigen::Index column = 0; const test::EverydayChange& change : changes)
+    spread_.col(column++) = (sensors_->tell(change.robot, change.texture) - plain_) / test::kEverydayStep;
   normal_.compute(Eigen::MatrixXd::Identity(spread_.cols(), spread_.cols()) +
                   times_ * spread_.transpose() * spread_);
 }
@@ -173,12 +98,6 @@ double IdealObserver::deflection(const Eigen::VectorXd& change) const {
 }
 
 double IdealObserver::deflection(const Planted& planted) { return deflection(change(planted)); }
-
-double IdealObserver::beyondAgeing(const Planted& planted) {
-  const Eigen::VectorXd moved = change(planted);
-  const Eigen::VectorXd left = moved - spread_ * normal_.solve(times_ * spread_.transpose() * moved);
-  return sensors_->mostOf(left);
-}
 
 IdealObserver::Limit IdealObserver::limit(const Planted& planted, double size) {
   const Eigen::VectorXd whole = change(planted);

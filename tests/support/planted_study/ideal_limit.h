@@ -26,12 +26,6 @@ class IdealObserver {
   /// D of an effect.
   double deflection(const test::Planted& planted);
 
-  /// What the best change of aged numbers (and texture) within what is drawn leaves of an effect: RMS in
-  /// noise of one reading, of the channel with most. Far below 1: the refit of the nominal structure takes it
-  /// up, and no rule that asks for a smaller error can name it. Of rigid drives open loop over all the
-  /// seconds.
-  double beyondAgeing(const test::Planted& planted);
-
   struct Limit {
     double share = 0.0;  ///< of the effect's magnitude
     double size = 0.0;

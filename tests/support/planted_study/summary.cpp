@@ -74,6 +74,12 @@ std::vector<Group> otherGroups(const std::vector<const CaseOutcome*>& ones) {
                                const double size = outcome.truth.items.front().size;
                                return size >= bounds[k] && size < bounds[k + 1];
                              }));
+  constexpr double kJustVisible = 0.8;  // 1, sized to within a quarter
+  for (const bool visible : {false, true})
+    groups.push_back(groupOf(visible ? "just visible and more" : "even at its largest less than just visible",
+                             ones, [&](const CaseOutcome& outcome) {
+                               return (outcome.truth.items.front().visibility >= kJustVisible) == visible;
+                             }));
   std::erase_if(groups, [](const Group& group) { return group.cases() == 0; });
   return groups;
 }
