@@ -42,53 +42,50 @@ struct FreeSystem {
   }
 };
 
-}  // namespace
+/// Remainder of one channel, a run a block.
+using Runs = std::vector<std::vector<double>>;
 
-/// Samples that it takes for x to forget itself: 1 + 2 Σ ρ_k up to the first ρ_k that is not positive (Geyer
-/// 1992), by channel; pairs within a block.
-VectorXd correlationTimes(const FitData& data, const VectorXd& e, Index channels) {
-  std::vector<std::vector<std::vector<double>>> runs(
-      static_cast<std::size_t>(channels),
-      std::vector<std::vector<double>>(static_cast<std::size_t>(data.blocks())));
-  for (std::size_t i = 0; i < data.channel().size(); ++i)
-    runs[static_cast<std::size_t>(data.channel()[i])][static_cast<std::size_t>(data.block()[i])].push_back(
-        e[static_cast<Index>(i)]);
-  VectorXd times = VectorXd::Ones(channels);
-  for (Index c = 0; c < channels; ++c) {
-    const auto covariance = [&](std::size_t lag) {
-      double sum = 0.0, count = 0.0;
-      for (const auto& run : runs[static_cast<std::size_t>(c)])
-        for (std::size_t i = 0; i + lag < run.size(); ++i) sum += run[i] * run[i + lag], count += 1.0;
-      return count > 0.0 ? sum / count : 0.0;
-    };
-    const double variance = covariance(0);
-    for (std::size_t lag = 1; variance > 0.0; ++lag) {
-      const double rho = covariance(lag) / variance;
-      if (!(rho > 0.0)) break;
-      times[c] += 2.0 * rho;
-    }
-  }
-  return times;
+double covarianceAt(const Runs& runs, std::size_t lag) {
+  double sum = 0.0, count = 0.0;
+  for (const std::vector<double>& run : runs)
+    for (std::size_t i = 0; i + lag < run.size(); ++i) sum += run[i] * run[i + lag], count += 1.0;
+  return count > 0.0 ? sum / count : 0.0;
 }
+
+/// Numbers in which a run forgets itself: 1 + 2 Σ ρ_k up to the first ρ_k that is not positive (Geyer 1992).
+double correlationTime(const Runs& runs) {
+  const double variance = covarianceAt(runs, 0);
+  double time = 1.0;
+  for (std::size_t lag = 1; variance > 0.0; ++lag) {
+    const double rho = covarianceAt(runs, lag) / variance;
+    if (!(rho > 0.0)) break;
+    time += 2.0 * rho;
+  }
+  return time;
+}
+
+}  // namespace
 
 BlockSquares squaresOf(const FitData& data, const VectorXd& e) {
   const auto channels = static_cast<Index>(data.channels().size());
   BlockSquares squares{MatrixXd::Zero(channels, data.blocks()), MatrixXd::Zero(channels, data.blocks()),
                        VectorXd::Ones(channels)};
   MatrixXd sum = MatrixXd::Zero(channels, data.blocks());
+  std::vector<Runs> runs(static_cast<std::size_t>(channels), Runs(static_cast<std::size_t>(data.blocks())));
   for (std::size_t i = 0; i < data.channel().size(); ++i) {
     const double x = e[static_cast<Index>(i)];
     const int c = data.channel()[i], b = data.block()[i];
     squares.sum(c, b) += x * x;
     squares.count(c, b) += 1.0;
     sum(c, b) += x;
+    runs[static_cast<std::size_t>(c)][static_cast<std::size_t>(b)].push_back(x);
   }
-  const VectorXd times = correlationTimes(data, e, channels);
   for (Index c = 0; c < channels; ++c) {
     const double total = squares.sum.row(c).sum(), n = squares.count.row(c).sum();
-    if (total > 0.0)
-      squares.inflation[c] =
-          std::clamp(std::max(times[c], sum.row(c).squaredNorm() / total), 1.0, std::max(1.0, n / 8.0));
+    if (!(total > 0.0)) continue;
+    const double between = sum.row(c).squaredNorm() / total;
+    squares.inflation[c] = std::clamp(std::max(between, correlationTime(runs[static_cast<std::size_t>(c)])),
+                                      1.0, std::max(1.0, n / 8.0));
   }
   return squares;
 }

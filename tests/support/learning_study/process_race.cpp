@@ -4,14 +4,20 @@
 
 #include <chrono>
 #include <limits>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "core/math/dense.h"
+#include "core/stats/quantile.h"
 
 namespace capstan::study {
 namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
+
+constexpr Index kFew = 460;
 
 /// Seconds that `work` takes, the best of three.
 template <class Work>
@@ -39,60 +45,119 @@ void write(const std::filesystem::path& folder, const MatrixXd& xy, const learni
   writeNumbers(folder / "start.csv", start.packed().transpose());
 }
 
+/// One likelihood with its gradient.
+struct Likelihood {
+  double seconds = 0.0, value = 0.0;
+};
+
+Likelihood likelihoodOf(const MatrixXd& xy, const std::filesystem::path& folder) {
+  const MatrixXd x = xy.leftCols(xy.cols() - 1), y = xy.rightCols(1);
+  const auto start = learning::startOf(x, y, {});
+  Likelihood found;
+  found.seconds = bestOf([&] {
+    Eigen::VectorXd gradient;
+    found.value = *learning::negativeLogLikelihood(x, y, start, &gradient);
+  });
+  write(folder, xy, start);
+  return found;
+}
+
+/// Hyperparameters learned, and what they predict.
+struct Training {
+  std::string name;
+  double seconds = 0.0;
+  learning::ProcessFitReport fit;
+  learning::Prediction told;
+};
+
+Training trainingOf(const MatrixXd& xy, const MatrixXd& at, const std::filesystem::path& folder) {
+  const MatrixXd x = xy.leftCols(xy.cols() - 1), y = xy.rightCols(1);
+  const auto start = learning::startOf(x, y, {});
+  Training found;
+  found.name = folder.filename().string();
+  found.seconds = bestOf([&] { found.fit = learning::fitProcess(x, y, start, {.iterations = 200}); });
+  found.told = learning::ExactProcess(x, y, found.fit.parameters).predict(at);
+  write(folder, xy, start);
+  writeNumbers(folder / "at.csv", at);
+  writeNumbers(folder / "found.csv", found.fit.parameters.packed().transpose());
+  return found;
+}
+
+void tellLikelihood(const Likelihood& ours, const nlohmann::json& theirs) {
+  fmt::print("\nOne likelihood with gradient at 2,000 states: {:.3f} s", ours.seconds);
+  if (!theirs.is_null()) {
+    const double seconds = theirs["likelihood_2000"]["seconds"], value = theirs["likelihood_2000"]["value"];
+    fmt::print("; scikit-learn {:.3f} s: {:.1f} × (goal 6); values {:.6f} and {:.6f}", seconds,
+               seconds / ours.seconds, ours.value, value);
+  }
+  fmt::print("\n");
+}
+
+/// Largest difference of means and of variances from scikit-learn's at our hyperparameters.
+std::pair<double, double> differenceOf(const learning::Prediction& ours, const nlohmann::json& theirs) {
+  double mean = 0.0, variance = 0.0;
+  for (Index k = 0; k < ours.mean.rows(); ++k) {
+    const auto row = static_cast<std::size_t>(k);
+    mean = std::max(mean, std::abs(ours.mean(k, 0) - theirs["mean"][row].get<double>()));
+    variance = std::max(variance, std::abs(ours.variance[k] - theirs["variance"][row].get<double>()));
+  }
+  return {mean, variance};
+}
+
+void tellTraining(const std::vector<Training>& trainings, const nlohmann::json& theirs) {
+  fmt::print(
+      "\nTraining at {} states, one output, from the same start; a likelihood has several maxima, and "
+      "which one a\nsearch ends in is chance\n",
+      kFew);
+  fmt::print(
+      "  draw  ours [s]  evaluations      −ln p   scikit-learn [s]      −ln p   times  same to 1e-3\n");
+  double mean = 0.0, variance = 0.0;
+  std::vector<double> ratios, same;
+  for (std::size_t k = 0; k < trainings.size(); ++k) {
+    const Training& ours = trainings[k];
+    fmt::print("  {:>4}  {:8.3f}  {:11}  {:9.4f}", k + 1, ours.seconds, ours.fit.evaluations,
+               ours.fit.negative_log_likelihood);
+    if (!theirs.is_null()) {
+      const auto& other = theirs[ours.name];
+      const double seconds = other["seconds"], value = other["value"];
+      const bool is_same = std::abs(value - ours.fit.negative_log_likelihood) < 1e-3;
+      ratios.push_back(seconds / ours.seconds);
+      if (is_same) same.push_back(ratios.back());
+      fmt::print("   {:16.3f}  {:9.4f}  {:6.1f}  {}", seconds, value, ratios.back(),
+                 is_same                                    ? "yes"
+                 : value > ours.fit.negative_log_likelihood ? "no, ours is likelier"
+                                                            : "no, theirs is likelier");
+      const auto [of_mean, of_variance] = differenceOf(ours.told, other);
+      mean = std::max(mean, of_mean), variance = std::max(variance, of_variance);
+    }
+    fmt::print("\n");
+  }
+  if (ratios.empty()) return;
+  fmt::print("  median {:.1f} × of all, {:.1f} × of the {} with the same maximum (goal 10)\n",
+             stats::median(ratios), stats::median(same), same.size());
+  fmt::print("  predictions at equal hyperparameters differ by {:.1e} (mean) and {:.1e} (variance) at most\n",
+             mean, variance);
+}
+
 }  // namespace
 
 void raceProcesses(const LearningData& data, const LearningStudyOptions& options) {
+  constexpr int kDraws = 10;
   const std::vector<learning::State>& states = data.robot.states;
   const std::vector<learning::State> clean = learning::kept(states, learning::cleanStates(states));
   const PlainTable table = plainScales(clean).of(clean);
   const std::filesystem::path folder = folderFor(options, "process");
   math::setDenseThreads(options.correction.threads);
 
-  const MatrixXd many = drawn(table, 2000, 3), few = drawn(table, 460, 4), at = drawn(table, 200, 5);
-  const Index d = table.features.cols();
-  const MatrixXd x = many.leftCols(d), y = many.rightCols(1), x_few = few.leftCols(d),
-                 y_few = few.rightCols(1);
-  const auto start = learning::startOf(x, y, {}), start_few = learning::startOf(x_few, y_few, {});
-  double value = 0.0;
-  const double one = bestOf([&] {
-    Eigen::VectorXd gradient;
-    value = *learning::negativeLogLikelihood(x, y, start, &gradient);
-  });
-  learning::ProcessFitReport fit;
-  const double trained =
-      bestOf([&] { fit = learning::fitProcess(x_few, y_few, start_few, {.iterations = 200}); });
-  const learning::ExactProcess process(x_few, y_few, fit.parameters);
-  const learning::Prediction told = process.predict(at.leftCols(d));
-
-  write(folder / "likelihood_2000", many, start);
-  write(folder / "training_460", few, start_few);
-  writeNumbers(folder / "training_460" / "at.csv", at.leftCols(d));
-  writeNumbers(folder / "training_460" / "found.csv", fit.parameters.packed().transpose());
+  const Likelihood likelihood = likelihoodOf(drawn(table, 2000, 3), folder / "likelihood_2000");
+  const MatrixXd at = drawn(table, 200, 5).leftCols(table.features.cols());
+  std::vector<Training> trainings;
+  for (int k = 0; k < kDraws; ++k)
+    trainings.push_back(trainingOf(drawn(table, kFew, 100 + static_cast<std::uint64_t>(k)), at,
+                                   folder / fmt::format("training_{:02}", k + 1)));
   const nlohmann::json theirs = askSklearn(folder);
-  fmt::print("\nOne likelihood with gradient at 2,000 states, {} features: {:.3f} s", d, one);
-  if (!theirs.is_null()) {
-    const auto& likelihood = theirs["likelihood_2000"];
-    fmt::print("; scikit-learn {:.3f} s: {:.1f} × (goal 6); values {:.6f} and {:.6f}",
-               likelihood["seconds"].get<double>(), likelihood["seconds"].get<double>() / one, value,
-               likelihood["value"].get<double>());
-  }
-  fmt::print("\nTraining at 460 states, one output: {:.3f} s, {} evaluations, −ln p = {:.4f}", trained,
-             fit.evaluations, fit.negative_log_likelihood);
-  if (!theirs.is_null()) {
-    const auto& training = theirs["training_460"];
-    double mean = 0.0, variance = 0.0;
-    for (Index k = 0; k < at.rows(); ++k) {
-      const auto row = static_cast<std::size_t>(k);
-      mean = std::max(mean, std::abs(told.mean(k, 0) - training["mean"][row].get<double>()));
-      variance = std::max(variance, std::abs(told.variance[k] - training["variance"][row].get<double>()));
-    }
-    fmt::print("; scikit-learn {:.3f} s: {:.1f} × (goal 10), −ln p = {:.4f}\n",
-               training["seconds"].get<double>(), training["seconds"].get<double>() / trained,
-               training["value"].get<double>());
-    fmt::print("Predictions at equal hyperparameters differ by {:.1e} (mean) and {:.1e} (variance) at most",
-               mean, variance);
-  }
-  fmt::print("\n");
+  tellLikelihood(likelihood, theirs);
+  tellTraining(trainings, theirs);
 }
 
 }  // namespace capstan::study
