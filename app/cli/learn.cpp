@@ -20,7 +20,7 @@ struct LearnArguments {
   std::vector<std::string> train, test;
   std::string method = "auto", towards = "command", onto, model, json;
   learning::LearningOptions options;
-  bool no_cleaning = false, no_alignment = false;
+  bool no_cleaning = false, no_readmission = false, no_alignment = false;
 };
 
 /// Of a model that is learned onto another: with what that came from.
@@ -70,6 +70,7 @@ ExitCode run(LearnArguments& arguments) {
   options.towards =
       arguments.towards == "command" ? learning::StreamKind::kCommand : learning::StreamKind::kRobot;
   options.clean = !arguments.no_cleaning;
+  options.readmit = !arguments.no_readmission;
   options.align = !arguments.no_alignment;
   options.rigid = arguments.method == "offset";
   options.correction.motion = base::fromName<learning::Motion>(arguments.method);
@@ -121,6 +122,8 @@ void addLearn(CLI::App& app, ExitCode& exit) {
       ->capture_default_str()
       ->check(CLI::IsMember({"command", "robot"}));
   command->add_flag("--no-cleaning", arguments->no_cleaning, "keep outliers");
+  command->add_flag("--no-readmission", arguments->no_readmission,
+                    "leave out all that cleaning takes, also where it can be learned");
   command->add_flag("--no-alignment", arguments->no_alignment, "take stamps as they are");
   command
       ->add_option("--inducing", arguments->options.correction.inducing_points, "states that stand for all")
@@ -136,8 +139,8 @@ void addLearn(CLI::App& app, ExitCode& exit) {
       "--onto", arguments->onto,
       "model that the motions are added to, with its offset, kernels, scales and lag: in seconds; it gains\n"
       "little where it has never been, and motions that contradict it are refused");
-  for (const char* fixed :
-       {"--method", "--towards", "--no-cleaning", "--no-alignment", "--inducing", "--threads", "--seed"})
+  for (const char* fixed : {"--method", "--towards", "--no-cleaning", "--no-readmission", "--no-alignment",
+                            "--inducing", "--threads", "--seed"})
     onto->excludes(command->get_option(fixed));
   command->add_option("--json", arguments->json, "result as JSON, SI: a file, or - for standard output");
   command->footer(

@@ -155,9 +155,10 @@ std::string textOf(const LearnOutput& output) {
     text += fmt::format("Alignment: what is seen comes {:.1f} ± {:.1f} ms behind what is told{}\n",
                         1e3 * prepared.lag.lag, 1e3 * prepared.lag.sigma,
                         prepared.taken_off == 0.0 ? ", not taken off" : "");
-  text +=
-      fmt::format("Cleaning: {} of {} states count; left out: {}\n", cleaning.kept(), cleaning.reason.size(),
-                  wordsOf(countsOf([&](Reason reason) { return cleaning.count(reason); })));
+  text += fmt::format(
+      "Cleaning: {} of {} states count, {} of them readmitted since they can be learned; left out: {}\n",
+      cleaning.kept(), cleaning.reason.size(), cleaning.readmitted,
+      wordsOf(countsOf([&](Reason reason) { return cleaning.count(reason); })));
   const Eigen::Vector3d t = kMillimetres * output.report.model.offset().translation();
   const double turn = Eigen::AngleAxisd(output.report.model.offset().linear()).angle();
   text += fmt::format("Rigid offset: {:.2f}, {:.2f}, {:.2f} mm and a turn of {:.2f} deg\n", t.x(), t.y(),
@@ -180,6 +181,7 @@ Json jsonOf(const LearnOutput& output) {
       {"cleaning",
        {{"states", cleaning.reason.size()},
         {"kept", cleaning.kept()},
+        {"readmitted", cleaning.readmitted},
         {"rejected", countsOf([&](Reason reason) { return cleaning.count(reason); })}}},
       {"model", modelJson(output.report.model)}};
   if (output.test)

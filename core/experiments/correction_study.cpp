@@ -6,6 +6,7 @@
 
 #include "core/base/progress_part.h"
 #include "core/experiments/held_out.h"
+#include "core/learning/readmit_states.h"
 
 namespace capstan::experiments {
 namespace {
@@ -13,16 +14,17 @@ namespace {
 using learning::State;
 using M = CorrectionMethod;
 
+constexpr M kOurs = M::kReadmission;
 constexpr double kMillimetres = 1e3, kDegrees = 180.0 / std::numbers::pi;
 
 learning::Motion motionOf(M method) {
   if (method == M::kProcess) return learning::Motion::kNone;
-  return method == M::kHistory ? learning::Motion::kHistory : learning::Motion::kVelocity;
+  return method >= M::kHistory ? learning::Motion::kHistory : learning::Motion::kVelocity;
 }
 
 /// What a split is learned from and judged by.
 struct Split {
-  std::vector<State> train, clean, test, clean_test;
+  std::vector<State> train, clean, readmitted, test, clean_test;
 };
 
 std::vector<Eigen::Isometry3d> byOffset(M method, const Split& split, double lever) {
@@ -36,9 +38,11 @@ std::vector<Eigen::Isometry3d> byOffset(M method, const Split& split, double lev
 
 learning::CorrectionModel modelBy(M method, const Split& split, learning::CorrectionOptions options,
                                   base::Progress* progress, const base::ProgressPart& part) {
-  const bool cleaned = method == M::kAll || method == M::kHistory;
   options.motion = motionOf(method);
-  return learning::CorrectionModel::trained(cleaned ? split.clean : split.train, options, progress, part);
+  const std::vector<State>& learned = method == M::kReadmission ? split.readmitted
+                                      : method < M::kAll        ? split.train
+                                                                : split.clean;
+  return learning::CorrectionModel::trained(learned, options, progress, part);
 }
 
 }  // namespace
@@ -55,9 +59,12 @@ CorrectionStudyReport correctionStudy(const std::vector<State>& states, const Co
     const learning::CleaningReport cleaned = learning::cleanStates(train, options.cleaning);
     learning::CleaningReport judged;
     judged.reason = learning::judgedBy(cleaned, test, options.cleaning);
+    const learning::CleaningReport readmitted = learning::readmit(train, cleaned, options.correction);
     std::vector<State> clean_train = learning::kept(train, cleaned),
+                       readmitted_train = learning::kept(train, readmitted),
                        clean_test = learning::kept(test, judged);
-    const Split parts{std::move(train), std::move(clean_train), std::move(test), std::move(clean_test)};
+    const Split parts{std::move(train), std::move(clean_train), std::move(readmitted_train), std::move(test),
+                      std::move(clean_test)};
     for (std::size_t m = 0; m < kCorrectionMethods; ++m) {
       const auto method = static_cast<M>(m);
       const double done = (split + static_cast<double>(m) / kCorrectionMethods) / options.splits;
@@ -70,7 +77,7 @@ CorrectionStudyReport correctionStudy(const std::vector<State>& states, const Co
       } else {
         const learning::CorrectionModel model = modelBy(method, parts, options.correction, progress, part);
         poses = model.correct(parts.test);
-        if (method == M::kHistory) report.stated.add(model, parts.clean_test);
+        if (method == kOurs) report.stated.add(model, parts.clean_test);
       }
       if (progress && progress->cancelled()) {
         report.cancelled = true;
@@ -81,7 +88,7 @@ CorrectionStudyReport correctionStudy(const std::vector<State>& states, const Co
         all.add(poses[k], parts.test[k].pair.told);
         if (judged.reason[k] == learning::Reason::kNone) kept.add(poses[k], parts.test[k].pair.told);
       }
-      if (method == M::kHistory) report.by_split.push_back({all.summed(), kept.summed()});
+      if (method == kOurs) report.by_split.push_back({all.summed(), kept.summed()});
       dirty[m].add(all);
       clean[m].add(kept);
     }

@@ -23,9 +23,10 @@ enum class CorrectionMethod {
   kProcess,
   kProcessVelocity,
   kAll,
-  kHistory
+  kHistory,
+  kReadmission
 };
-inline constexpr std::size_t kPaperMethods = 6, kCorrectionMethods = 7;
+inline constexpr std::size_t kPaperMethods = 6, kCorrectionMethods = 8;
 
 struct CorrectionStudyOptions {
   int splits = 10;          ///< random ones, by trajectory
@@ -38,8 +39,8 @@ struct CorrectionStudyOptions {
 struct CorrectionStudyReport {
   /// By method, on all test states and on those that cleaning keeps; pooled over the splits.
   std::array<CorrectionErrors, kCorrectionMethods> dirty{}, clean{};
-  std::vector<std::vector<CorrectionErrors>> by_split;  ///< of kHistory: [split][dirty, clean]
-  StatedErrors stated;                                  ///< of kHistory, on clean states
+  std::vector<std::vector<CorrectionErrors>> by_split;  ///< of the last: [split][dirty, clean]
+  StatedErrors stated;                                  ///< of the last, on clean states
   bool cancelled = false;
 };
 
@@ -75,5 +76,6 @@ struct capstan::base::NamesOf<capstan::experiments::CorrectionMethod> {
                                        std::pair{M::kProcess, "offset, GP"},
                                        std::pair{M::kProcessVelocity, "offset, GP, velocity"},
                                        std::pair{M::kAll, "offset, GP, velocity, cleaning"},
-                                       std::pair{M::kHistory, "… and history"}};
+                                       std::pair{M::kHistory, "… and history"},
+                                       std::pair{M::kReadmission, "… and readmission"}};
 };

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/experiments/held_out.h"
+#include "core/learning/readmit_states.h"
 
 namespace capstan::experiments {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 using learning::Reason;
 using learning::State;
 
-constexpr double kTraining = 0.9;  ///< share of the time
+constexpr double kCleaning = 0.3, kTraining = 0.9;  ///< of the time
 
 void checkHeldOut(const CorrectionTrial& trial) {
   if (trial.motions_held > 0 && trial.motions_held < trial.motions) return;
@@ -44,9 +45,12 @@ CorrectionTrial correctionTrial(const std::vector<State>& states, const Correcti
   const auto [train, test] = splitStates(states, trial.held);
   const learning::CleaningReport cleaned = learning::cleanStates(train, options.cleaning);
   const std::vector<Reason> reasons = learning::judgedBy(cleaned, test, options.cleaning);
-  trial.learned = learning::kept(train, cleaned);
-  trial.model =
-      learning::CorrectionModel::trained(trial.learned, options.correction, progress, {0.0, kTraining, {}});
+  const learning::CleaningReport learned =
+      learning::readmit(train, cleaned, options.correction, progress, {0.0, kCleaning, "readmission"});
+  trial.learned = learning::kept(train, learned);
+  trial.readmitted = learned.readmitted;
+  trial.model = learning::CorrectionModel::trained(trial.learned, options.correction, progress,
+                                                   {kCleaning, kTraining, {}});
   if (progress && progress->cancelled()) {
     trial.model.reset();
     trial.cancelled = true;

@@ -31,6 +31,7 @@ struct CorrectionTrial {
   std::vector<bool> held;                     ///< by motion: held out
   std::size_t motions = 0, motions_held = 0;  ///< of those that have states
   std::vector<learning::State> learned;       ///< states that the model was trained on
+  std::size_t readmitted = 0;                 ///< of them, that cleaning had taken
   StepErrors clean, dirty;  ///< of held-out states: those that cleaning keeps, and all of them
   StatedErrors stated;      ///< of the clean ones
   std::optional<learning::CorrectionModel> model;  ///< has learned the held-out ones, too, after the errors
@@ -38,9 +39,9 @@ struct CorrectionTrial {
   bool cancelled = false;                    ///< there is no model
 };
 
-/// Holds trajectories out, cleans the others, trains on them, and takes the errors of those held out: as
-/// seen, with the rigid offset, corrected. Then the model learns what is clean of them as well.
-/// base::InputError as CorrectionModel::trained(), and where nothing is left to hold out.
+/// Holds trajectories out, cleans the others, readmits what can be learned, trains on them, and takes the
+/// errors of those held out: as seen, with the rigid offset, corrected. Then the model learns what is clean
+/// of them as well. base::InputError as CorrectionModel::trained(), and where nothing is left to hold out.
 CorrectionTrial correctionTrial(const std::vector<learning::State>& states,
                                 const CorrectionTrialOptions& options, base::Progress* progress = nullptr);
 

@@ -1,7 +1,5 @@
 #include "core/learning/choose_motion.h"
 
-#include <algorithm>
-
 #include "core/stats/quantile.h"
 
 namespace capstan::learning {
@@ -27,17 +25,7 @@ Parts partsOf(const std::vector<State>& states) {
 double leftBy(Motion motion, const Parts& parts, CorrectionOptions options, base::Progress* progress,
               const base::ProgressPart& part) {
   options.motion = motion;
-  options.calibrate = false;
-  options.likelihood_points = std::min(options.likelihood_points, kTrialPoints);
-  options.inducing_points = std::min(options.inducing_points, kTrialPoints);
-  const CorrectionModel model = CorrectionModel::trained(parts.learned, options, progress, part);
-  const std::vector<Eigen::Isometry3d> corrected = model.correct(parts.held);
-  std::vector<double> left;
-  for (std::size_t k = 0; k < corrected.size(); ++k) {
-    const Eigen::Isometry3d off = corrected[k].inverse() * parts.held[k].pair.told;
-    left.push_back(off.translation().norm() + options.lever * Eigen::AngleAxisd(off.linear()).angle());
-  }
-  return stats::median(left);
+  return stats::median(leftOf(trialModel(parts.learned, options, progress, part), parts.held, options.lever));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/learning/drift_monitor.h"
+#include "core/learning/readmit_states.h"
 #include "core/stats/quantile.h"
 
 namespace capstan::learning {
@@ -101,7 +102,7 @@ PreparedStates prepareAt(double lag, const std::vector<RawMotion>& motions, Stre
 
 LearningReport learn(const std::vector<RawMotion>& motions, const LearningOptions& options,
                      base::Progress* progress) {
-  constexpr double kPrepared = 0.1;  // of the time
+  constexpr double kPrepared = 0.1, kCleaned = 0.4;  // of the time
   PreparedStates prepared = prepare(motions, options, progress, {0.0, kPrepared, {}});
   if (prepared.cancelled) return {std::move(prepared), {}, CorrectionModel(CorrectionParts{}), true};
   CleaningReport cleaning;
@@ -109,12 +110,15 @@ LearningReport learn(const std::vector<RawMotion>& motions, const LearningOption
     cleaning = cleanStates(prepared.states, options.cleaning);
   else
     cleaning.reason.assign(prepared.states.size(), Reason::kNone);
+  if (options.clean && options.readmit && !options.rigid)
+    cleaning = readmit(prepared.states, std::move(cleaning), options.correction, progress,
+                       {kPrepared, kCleaned, "readmission"});
   const std::vector<State> counting = kept(prepared.states, cleaning);
   checkRelated(prepared.states,
                options.clean ? cleaning.offset : rigidOffset(pairsOf(counting), options.correction.lever));
   CorrectionModel model =
       options.rigid ? CorrectionModel::rigid(counting, options.correction)
-                    : CorrectionModel::trained(counting, options.correction, progress, {kPrepared, 1.0, {}});
+                    : CorrectionModel::trained(counting, options.correction, progress, {kCleaned, 1.0, {}});
   return {std::move(prepared), std::move(cleaning), std::move(model), progress && progress->cancelled()};
 }
 

@@ -129,6 +129,11 @@ QString sharpest(const learning::RbfParameters& parameters) {
 StageGroup process(const CorrectionTrial& trial) {
   StageGroup group{tr("6  Gaussian process"), {}};
   group.rows.push_back({tr("states learned from"), countText(trial.learned.size())});
+  group.rows.push_back(
+      {tr("… that cleaning had taken"), countText(trial.readmitted), std::nan(""), false,
+       tr("States out of place in the same way on several trajectories, where the robot does not "
+          "follow its command, say: they can be learned, and are kept again. What is wrong by chance is "
+          "not.")});
   const auto& processes = trial.model->processes();
   if (!processes.empty())
     group.rows.push_back(

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/learning/correction_model.h"
+
+namespace capstan::learning {
+
+/// A model from few points that shows soon what is worth learning: kTrialPoints states for its
+/// hyperparameters, as many inducing points, σ as they are.
+CorrectionModel trialModel(const std::vector<State>& states, CorrectionOptions options,
+                           base::Progress* progress = nullptr, const base::ProgressPart& part = {});
+inline constexpr Eigen::Index kTrialPoints = 500;
+/// What trial models must differ by to decide something, and how many motions it takes.
+inline constexpr double kWorth = 0.02;
+inline constexpr std::size_t kFewestMotions = 10;
+
+/// What a model leaves of each state, ‖Δt‖ + lever · angle [m].
+std::vector<double> leftOf(const CorrectionModel& model, const std::vector<State>& states, double lever);
+
+}  // namespace capstan::learning
