@@ -7,6 +7,7 @@
 #include "core/base/progress_part.h"
 #include "core/experiments/held_out.h"
 #include "core/learning/readmit_states.h"
+#include "core/stats/rms.h"
 
 namespace capstan::experiments {
 namespace {
@@ -45,12 +46,33 @@ learning::CorrectionModel modelBy(M method, const Split& split, learning::Correc
   return learning::CorrectionModel::trained(learned, options, progress, part);
 }
 
+/// Jitters of successive states that count, state by state.
+struct Jitters {
+  std::vector<double> distance, angle;
+
+  void add(const std::vector<State>& states, const std::vector<learning::Reason>& reason,
+           const std::vector<Eigen::Isometry3d>& poses) {
+    const auto offAt = [&](std::size_t k) { return poses[k].inverse() * states[k].pair.told; };
+    for (std::size_t k = 1; k < states.size(); ++k) {
+      if (states[k].motion != states[k - 1].motion || reason[k] != learning::Reason::kNone ||
+          reason[k - 1] != learning::Reason::kNone)
+        continue;
+      const Eigen::Isometry3d before = offAt(k - 1), now = offAt(k);
+      distance.push_back((now.translation() - before.translation()).norm() / std::numbers::sqrt2);
+      angle.push_back(Eigen::Quaterniond(now.linear()).angularDistance(Eigen::Quaterniond(before.linear())) /
+                      std::numbers::sqrt2);
+    }
+  }
+  ErrorJitter mean() const { return {stats::mean(distance), stats::mean(angle)}; }
+};
+
 }  // namespace
 
 CorrectionStudyReport correctionStudy(const std::vector<State>& states, const CorrectionStudyOptions& options,
                                       base::Progress* progress) {
   CorrectionStudyReport report;
   std::array<PoseErrors, kCorrectionMethods> dirty, clean;
+  Jitters jitters;
   const Eigen::Quaterniond middle = middleToldOf(states);
   for (int split = 0; split < options.splits; ++split) {
     const std::vector<bool> held =
@@ -78,6 +100,7 @@ CorrectionStudyReport correctionStudy(const std::vector<State>& states, const Co
         const learning::CorrectionModel model = modelBy(method, parts, options.correction, progress, part);
         poses = model.correct(parts.test);
         if (method == kOurs) report.stated.add(model, parts.clean_test);
+        if (method == kOurs) jitters.add(parts.test, judged.reason, poses);
       }
       if (progress && progress->cancelled()) {
         report.cancelled = true;
@@ -93,6 +116,7 @@ CorrectionStudyReport correctionStudy(const std::vector<State>& states, const Co
       clean[m].add(kept);
     }
   }
+  report.jitter = jitters.mean();
   for (std::size_t m = 0; m < kCorrectionMethods; ++m) {
     report.dirty[m] = dirty[m].summed();
     report.clean[m] = clean[m].summed();

@@ -36,16 +36,24 @@ struct CorrectionStudyOptions {
   std::uint64_t seed = 1;
 };
 
+/// What corrected poses are off by that changes from one sight of a trajectory to the next, over √2: of white
+/// noise, which no correction can know, as large as all of it; of what a better correction could take off,
+/// next to nothing.
+struct ErrorJitter {
+  double distance = 0.0, angle = 0.0;  ///< means [m], [rad]
+};
+
 struct CorrectionStudyReport {
   /// By method, on all test states and on those that cleaning keeps; pooled over the splits.
   std::array<CorrectionErrors, kCorrectionMethods> dirty{}, clean{};
   std::vector<std::vector<CorrectionErrors>> by_split;  ///< of the last: [split][dirty, clean]
   StatedErrors stated;                                  ///< of the last, on clean states
+  ErrorJitter jitter;                                   ///< likewise
   bool cancelled = false;
 };
 
-/// For each split: training trajectories are cleaned, an offset and a model are learned from them as each
-/// method asks, and the errors
+/// For each split: training trajectories are cleaned (and readmitted), an offset and a model are learned from
+/// them as each method asks, and the errors
 ///     F(x_seen) ⊖ p_told
 /// of test trajectories taken (PoseErrors, from the middle of all turns told). Clean test states are those
 /// that the limits and least median found in the training data keep.

@@ -11,7 +11,7 @@ class Folds {
  public:
   Folds(const std::vector<State>& states, CorrectionOptions options, base::Progress* progress)
       : states_(states), options_(std::move(options)), progress_(progress) {
-    if (!options_.motion) options_.motion = Motion::kVelocity;
+    if (options_.motion != Motion::kNone) options_.motion = Motion::kVelocity;  // quicker
     for (std::size_t k = 0; k < states.size(); ++k) {
       if (k == 0 || states[k].motion != states[k - 1].motion) ++motions_;
       fold_.push_back(motions_ % kReadmissionFolds);

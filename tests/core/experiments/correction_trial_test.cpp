@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "core/base/random.h"
 #include "core/experiments/correction_study.h"
 #include "core/experiments/held_out.h"
 #include "core/experiments/learning_curve.h"
@@ -56,22 +57,50 @@ TEST(CorrectionTrial, HeldOutTrajectoriesAreBetterAtEachStep) {
 }
 
 TEST(CorrectionTrial, ErrorsAreThoseOfTheStudysLastMethod) {
-  const CorrectionTrial trial = correctionTrial(states(), quickTrial());
+  CorrectionTrialOptions with_history = quickTrial();
+  with_history.correction.motion = learning::Motion::kHistory;
+  const CorrectionTrial trial = correctionTrial(states(), with_history);
   CorrectionStudyOptions options;
   options.splits = 1;
   options.correction = quick();
   const CorrectionStudyReport study = correctionStudy(states(), options);
-  constexpr auto kLast = static_cast<std::size_t>(CorrectionMethod::kAll);
-  EXPECT_NEAR(study.clean[kLast].distance, trial.clean[2].summed().distance, kRounding);
-  EXPECT_NEAR(study.dirty[kLast].angle, trial.dirty[2].summed().angle, kRounding);
+  EXPECT_NEAR(study.clean.back().distance, trial.clean[2].summed().distance, kRounding);
+  EXPECT_NEAR(study.dirty.back().angle, trial.dirty[2].summed().angle, kRounding);
 }
 
-TEST(CorrectionTrial, TellsHowOftenErrorsAreAsStated) {
+std::vector<State> noisyStates() {
   testing::SamplePoses noisy;
   noisy.noise = 5e-4;
   noisy.turn_noise = 5e-3;
-  const auto states =
-      learningStages(session::parsePoseTable(testing::samplePoseTable(noisy), "p.csv"), {}).states;
+  return learningStages(session::parsePoseTable(testing::samplePoseTable(noisy), "p.csv"), {}).states;
+}
+
+/// White noise changes from one sight to the next, all of it, and what depends on the pose does not.
+TEST(CorrectionStudy, WhatJittersIsNoise) {
+  base::Random random(4, "noise");
+  std::vector<State> noisy = states();
+  for (State& state : noisy) {
+    const auto white = [&](double sigma) {
+      return Eigen::Vector3d(random.normal(0.0, sigma), random.normal(0.0, sigma), random.normal(0.0, sigma));
+    };
+    state.pair.told = state.pair.seen;
+    state.pair.told.translation() +=
+        Eigen::Vector3d(0.01, 0.0, 0.1 * state.pair.seen.translation().x()) + white(5e-4);
+    const Eigen::Vector3d turn = white(5e-3);
+    state.pair.told.rotate(Eigen::AngleAxisd(turn.norm(), turn.normalized()));
+  }
+  CorrectionStudyOptions options;
+  options.splits = 1;
+  options.correction = quick();
+  const CorrectionStudyReport study = correctionStudy(noisy, options);
+  EXPECT_NEAR(study.jitter.distance / study.clean.back().distance, 1.0, 0.1);
+  EXPECT_NEAR(study.jitter.angle / study.clean.back().angle, 1.0, 0.1);
+  const auto uncorrected = static_cast<std::size_t>(CorrectionMethod::kUncorrected);
+  EXPECT_LT(study.jitter.distance, 0.2 * study.clean[uncorrected].distance) << "an offset does not";
+}
+
+TEST(CorrectionTrial, TellsHowOftenErrorsAreAsStated) {
+  const std::vector<State> states = noisyStates();
   const CorrectionTrial trial = correctionTrial(states, quickTrial());
   ASSERT_EQ(trial.stated.states(), trial.clean[2].distance.size());
   for (std::size_t k = 0; k < 6; ++k) {

@@ -109,6 +109,8 @@ void raceSplits(const LearningData& data, const LearningStudyOptions& options) {
                base::markdownOf(experiments::correctionTable(report.clean, experiments::paperClean(),
                                                              "Clean, towards the " + name)));
     tellCalibration(report);
+    fmt::print("Of these errors, clean, {:.2f} mm and {:.2f} deg change from one sight to the next\n",
+               kMillimetres * report.jitter.distance, kDegrees * report.jitter.angle);
     const std::filesystem::path folder = folderFor(options, "table_" + name);
     for (int split = 0; split < options.splits; ++split)
       writeSplit(folder / fmt::format("split_{:02}", split), target->as_told,
