@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -126,6 +127,13 @@ Json modelJson(const learning::CorrectionModel& model) {
   return json;
 }
 
+/// Why those had been left out that count again.
+Json readmittedCounts(const learning::CleaningReport& cleaning) {
+  return countsOf([&](Reason reason) {
+    return static_cast<std::size_t>(std::ranges::count(cleaning.readmitted, reason));
+  });
+}
+
 }  // namespace
 
 TestReport testedOn(const std::vector<learning::RawMotion>& motions, const learning::LearningReport& report,
@@ -155,10 +163,12 @@ std::string textOf(const LearnOutput& output) {
     text += fmt::format("Alignment: what is seen comes {:.1f} ± {:.1f} ms behind what is told{}\n",
                         1e3 * prepared.lag.lag, 1e3 * prepared.lag.sigma,
                         prepared.taken_off == 0.0 ? ", not taken off" : "");
-  text += fmt::format(
-      "Cleaning: {} of {} states count, {} of them readmitted since they can be learned; left out: {}\n",
-      cleaning.kept(), cleaning.reason.size(), cleaning.readmitted,
-      wordsOf(countsOf([&](Reason reason) { return cleaning.count(reason); })));
+  text +=
+      fmt::format("Cleaning: {} of {} states count; left out: {}\n", cleaning.kept(), cleaning.reason.size(),
+                  wordsOf(countsOf([&](Reason reason) { return cleaning.count(reason); })));
+  if (!cleaning.readmitted.empty())
+    text += fmt::format("Readmitted: {} of these had been left out, and can be learned: {}\n",
+                        cleaning.readmitted.size(), wordsOf(readmittedCounts(cleaning)));
   const Eigen::Vector3d t = kMillimetres * output.report.model.offset().translation();
   const double turn = Eigen::AngleAxisd(output.report.model.offset().linear()).angle();
   text += fmt::format("Rigid offset: {:.2f}, {:.2f}, {:.2f} mm and a turn of {:.2f} deg\n", t.x(), t.y(),
@@ -181,7 +191,7 @@ Json jsonOf(const LearnOutput& output) {
       {"cleaning",
        {{"states", cleaning.reason.size()},
         {"kept", cleaning.kept()},
-        {"readmitted", cleaning.readmitted},
+        {"readmitted", readmittedCounts(cleaning)},
         {"rejected", countsOf([&](Reason reason) { return cleaning.count(reason); })}}},
       {"model", modelJson(output.report.model)}};
   if (output.test)

@@ -52,7 +52,8 @@ double covarianceAt(const Runs& runs, std::size_t lag) {
   return count > 0.0 ? sum / count : 0.0;
 }
 
-/// Numbers in which a run forgets itself: 1 + 2 Σ ρ_k up to the first ρ_k that is not positive (Geyer 1992).
+/// Numbers in which a run forgets itself: 1 + 2 Σ ρ_k up to the first ρ_k that is not positive. Not centred:
+/// a mean of its own is remembered, too.
 double correlationTime(const Runs& runs) {
   const double variance = covarianceAt(runs, 0);
   double time = 1.0;

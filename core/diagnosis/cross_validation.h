@@ -12,8 +12,9 @@ namespace capstan::diagnosis {
 struct BlockSquares {
   Eigen::MatrixXd sum;    ///< Σ e², channels × blocks [unit²]
   Eigen::MatrixXd count;  ///< numbers in it
-  /// Numbers in which e forgets itself, by channel: ≥ 1. What its correlation within blocks says, or how much
-  /// more blocks' sums vary than those of independent numbers, whichever is more.
+  /// Numbers in which e forgets itself, by channel: ≥ 1. Of simulations what its correlation within blocks
+  /// says, or how much more sums of blocks vary than those of independent numbers, whichever is more; of tip
+  /// poses the latter.
   Eigen::VectorXd inflation;
 };
 BlockSquares squaresOf(const FitData& data, const Eigen::VectorXd& e);

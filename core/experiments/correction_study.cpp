@@ -6,7 +6,7 @@
 
 #include "core/base/progress_part.h"
 #include "core/experiments/held_out.h"
-#include "core/learning/readmit_states.h"
+#include "core/learning/training_states.h"
 #include "core/stats/rms.h"
 
 namespace capstan::experiments {
@@ -25,8 +25,27 @@ learning::Motion motionOf(M method) {
 
 /// What a split is learned from and judged by.
 struct Split {
-  std::vector<State> train, clean, readmitted, test, clean_test;
+  std::vector<State> train, clean;
+  learning::TrainingStates readmitted;
+  std::vector<State> test, clean_test;
+  std::vector<learning::Reason> judged;  ///< of `test`
 };
+
+Split splitOf(const std::vector<State>& states, const CorrectionStudyOptions& options, int number,
+              base::Progress* progress, const base::ProgressPart& part) {
+  const std::vector<bool> held =
+      heldOut(states, options.test_share, options.seed + static_cast<std::uint64_t>(number));
+  auto [train, test] = splitStates(states, held);
+  const learning::CleaningReport cleaned = learning::cleanStates(train, options.cleaning);
+  learning::CleaningReport judged;
+  judged.reason = learning::judgedBy(cleaned, test, options.cleaning);
+  learning::TrainingStates training = learning::trainingStates(train, cleaned, options.correction.lever);
+  std::vector<State> clean = training.states;
+  learning::readmit(training, train, options.cleaning, options.correction, progress, part);
+  std::vector<State> clean_test = learning::kept(test, judged);
+  return {std::move(train), std::move(clean),      std::move(training),
+          std::move(test),  std::move(clean_test), std::move(judged.reason)};
+}
 
 std::vector<Eigen::Isometry3d> byOffset(M method, const Split& split, double lever) {
   Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();
@@ -40,30 +59,43 @@ std::vector<Eigen::Isometry3d> byOffset(M method, const Split& split, double lev
 learning::CorrectionModel modelBy(M method, const Split& split, learning::CorrectionOptions options,
                                   base::Progress* progress, const base::ProgressPart& part) {
   options.motion = motionOf(method);
-  const std::vector<State>& learned = method == M::kReadmission ? split.readmitted
-                                      : method < M::kAll        ? split.train
-                                                                : split.clean;
-  return learning::CorrectionModel::trained(learned, options, progress, part);
+  if (method == M::kReadmission) {
+    options.offset = split.readmitted.offset;
+    return learning::CorrectionModel::trained(split.readmitted.states, options, progress, part);
+  }
+  const bool cleaned = method == M::kAll || method == M::kHistory;
+  return learning::CorrectionModel::trained(cleaned ? split.clean : split.train, options, progress, part);
 }
 
-/// Jitters of successive states that count, state by state.
-struct Jitters {
-  std::vector<double> distance, angle;
-
+/// What successive states that count are off by, differently, over √2; and what all of these are off by.
+class Jitters {
+ public:
   void add(const std::vector<State>& states, const std::vector<learning::Reason>& reason,
            const std::vector<Eigen::Isometry3d>& poses) {
     const auto offAt = [&](std::size_t k) { return poses[k].inverse() * states[k].pair.told; };
     for (std::size_t k = 1; k < states.size(); ++k) {
       if (states[k].motion != states[k - 1].motion || reason[k] != learning::Reason::kNone ||
-          reason[k - 1] != learning::Reason::kNone)
+          reason[k - 1] != learning::Reason::kNone || states[k].t - states[k - 1].t > kNeighbours)
         continue;
       const Eigen::Isometry3d before = offAt(k - 1), now = offAt(k);
-      distance.push_back((now.translation() - before.translation()).norm() / std::numbers::sqrt2);
-      angle.push_back(Eigen::Quaterniond(now.linear()).angularDistance(Eigen::Quaterniond(before.linear())) /
-                      std::numbers::sqrt2);
+      distance_.push_back(now.translation().norm());
+      angle_.push_back(angleOf(now.linear()));
+      distance_change_.push_back((now.translation() - before.translation()).norm());
+      angle_change_.push_back(angleOf(before.linear().transpose() * now.linear()));
     }
   }
-  ErrorJitter mean() const { return {stats::mean(distance), stats::mean(angle)}; }
+  ErrorJitter shares() const {
+    return {shareOf(distance_change_, distance_), shareOf(angle_change_, angle_)};
+  }
+
+ private:
+  static constexpr double kNeighbours = 0.25;  // [s]
+  static double angleOf(const Eigen::Matrix3d& turn) { return Eigen::AngleAxisd(turn).angle(); }
+  static double shareOf(const std::vector<double>& change, const std::vector<double>& all) {
+    const double of_change = stats::rms(change), of_all = stats::rms(all);
+    return of_all > 0.0 ? 0.5 * of_change * of_change / (of_all * of_all) : 0.0;
+  }
+  std::vector<double> distance_, angle_, distance_change_, angle_change_;
 };
 
 }  // namespace
@@ -74,33 +106,26 @@ CorrectionStudyReport correctionStudy(const std::vector<State>& states, const Co
   std::array<PoseErrors, kCorrectionMethods> dirty, clean;
   Jitters jitters;
   const Eigen::Quaterniond middle = middleToldOf(states);
-  for (int split = 0; split < options.splits; ++split) {
-    const std::vector<bool> held =
-        heldOut(states, options.test_share, options.seed + static_cast<std::uint64_t>(split));
-    auto [train, test] = splitStates(states, held);
-    const learning::CleaningReport cleaned = learning::cleanStates(train, options.cleaning);
-    learning::CleaningReport judged;
-    judged.reason = learning::judgedBy(cleaned, test, options.cleaning);
-    const learning::CleaningReport readmitted = learning::readmit(train, cleaned, options.correction);
-    std::vector<State> clean_train = learning::kept(train, cleaned),
-                       readmitted_train = learning::kept(train, readmitted),
-                       clean_test = learning::kept(test, judged);
-    const Split parts{std::move(train), std::move(clean_train), std::move(readmitted_train), std::move(test),
-                      std::move(clean_test)};
+  for (int number = 0; number < options.splits; ++number) {
+    // Readmission takes about as long as a method.
+    const auto partOf = [&](std::size_t m, std::string_view doing) {
+      const double share = 1.0 / (kCorrectionMethods + 1) / options.splits;
+      const double done = static_cast<double>(number) / options.splits + static_cast<double>(m) * share;
+      return base::ProgressPart{done, done + share,
+                                fmt::format("Split {} of {}: {}", number + 1, options.splits, doing)};
+    };
+    const Split split = splitOf(states, options, number, progress, partOf(0, "readmission"));
     for (std::size_t m = 0; m < kCorrectionMethods; ++m) {
       const auto method = static_cast<M>(m);
-      const double done = (split + static_cast<double>(m) / kCorrectionMethods) / options.splits;
-      const base::ProgressPart part{
-          done, done + 1.0 / kCorrectionMethods / options.splits,
-          fmt::format("Split {} of {}: {}", split + 1, options.splits, base::nameOf(method))};
       std::vector<Eigen::Isometry3d> poses;
       if (method < M::kProcess) {
-        poses = byOffset(method, parts, options.correction.lever);
+        poses = byOffset(method, split, options.correction.lever);
       } else {
-        const learning::CorrectionModel model = modelBy(method, parts, options.correction, progress, part);
-        poses = model.correct(parts.test);
-        if (method == kOurs) report.stated.add(model, parts.clean_test);
-        if (method == kOurs) jitters.add(parts.test, judged.reason, poses);
+        const learning::CorrectionModel model =
+            modelBy(method, split, options.correction, progress, partOf(m + 1, base::nameOf(method)));
+        poses = model.correct(split.test);
+        if (method == kOurs) report.stated.add(model, split.clean_test);
+        if (method == kOurs) jitters.add(split.test, split.judged, poses);
       }
       if (progress && progress->cancelled()) {
         report.cancelled = true;
@@ -108,15 +133,15 @@ CorrectionStudyReport correctionStudy(const std::vector<State>& states, const Co
       }
       PoseErrors all{middle, {}, {}, {}}, kept{middle, {}, {}, {}};
       for (std::size_t k = 0; k < poses.size(); ++k) {
-        all.add(poses[k], parts.test[k].pair.told);
-        if (judged.reason[k] == learning::Reason::kNone) kept.add(poses[k], parts.test[k].pair.told);
+        all.add(poses[k], split.test[k].pair.told);
+        if (split.judged[k] == learning::Reason::kNone) kept.add(poses[k], split.test[k].pair.told);
       }
       if (method == kOurs) report.by_split.push_back({all.summed(), kept.summed()});
       dirty[m].add(all);
       clean[m].add(kept);
     }
   }
-  report.jitter = jitters.mean();
+  report.jitter = jitters.shares();
   for (std::size_t m = 0; m < kCorrectionMethods; ++m) {
     report.dirty[m] = dirty[m].summed();
     report.clean[m] = clean[m].summed();

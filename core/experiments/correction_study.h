@@ -36,11 +36,10 @@ struct CorrectionStudyOptions {
   std::uint64_t seed = 1;
 };
 
-/// What corrected poses are off by that changes from one sight of a trajectory to the next, over √2: of white
-/// noise, which no correction can know, as large as all of it; of what a better correction could take off,
-/// next to nothing.
+/// Share of the mean square of errors that changes from one sight of a trajectory to the next, ½ E|e' − e|² /
+/// E|e|²: about 1 of white noise, which no correction can know, about 0 of what stays for many sights.
 struct ErrorJitter {
-  double distance = 0.0, angle = 0.0;  ///< means [m], [rad]
+  double distance = 0.0, angle = 0.0;
 };
 
 struct CorrectionStudyReport {

@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/experiments/held_out.h"
-#include "core/learning/readmit_states.h"
+#include "core/learning/training_states.h"
 
 namespace capstan::experiments {
 namespace {
@@ -45,12 +45,15 @@ CorrectionTrial correctionTrial(const std::vector<State>& states, const Correcti
   const auto [train, test] = splitStates(states, trial.held);
   const learning::CleaningReport cleaned = learning::cleanStates(train, options.cleaning);
   const std::vector<Reason> reasons = learning::judgedBy(cleaned, test, options.cleaning);
-  const learning::CleaningReport learned =
-      learning::readmit(train, cleaned, options.correction, progress, {0.0, kCleaning, "readmission"});
-  trial.learned = learning::kept(train, learned);
-  trial.readmitted = learned.readmitted;
-  trial.model = learning::CorrectionModel::trained(trial.learned, options.correction, progress,
-                                                   {kCleaning, kTraining, {}});
+  learning::TrainingStates training = learning::trainingStates(train, cleaned, options.correction.lever);
+  learning::readmit(training, train, options.cleaning, options.correction, progress,
+                    {0.0, kCleaning, "readmission"});
+  learning::CorrectionOptions correction = options.correction;
+  correction.offset = training.offset;
+  trial.learned = std::move(training.states);
+  trial.readmitted = training.cleaning.readmitted.size();
+  trial.model =
+      learning::CorrectionModel::trained(trial.learned, correction, progress, {kCleaning, kTraining, {}});
   if (progress && progress->cancelled()) {
     trial.model.reset();
     trial.cancelled = true;

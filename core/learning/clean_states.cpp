@@ -17,11 +17,6 @@ Reason judged(const State& state, const CleaningReport& report, const CleaningOp
   return Reason::kNone;
 }
 
-/// Out of place: a speed is wrong beside a jump, too.
-bool misplaced(Reason reason) {
-  return reason == Reason::kOutlier || reason == Reason::kTooFarTurned || reason == Reason::kOutside;
-}
-
 /// Trajectories of which most is out of place, go.
 void rejectTrajectories(const std::vector<State>& states, double most, std::vector<Reason>& reason) {
   for (std::size_t begin = 0, end = 0; begin < states.size(); begin = end) {
@@ -35,6 +30,10 @@ void rejectTrajectories(const std::vector<State>& states, double most, std::vect
 }
 
 }  // namespace
+
+bool misplaced(Reason reason) {
+  return reason == Reason::kOutlier || reason == Reason::kTooFarTurned || reason == Reason::kOutside;
+}
 
 std::size_t CleaningReport::count(Reason of) const {
   return static_cast<std::size_t>(std::count(reason.begin(), reason.end(), of));

@@ -14,12 +14,15 @@ struct CleaningOptions {
   double most_rejected = 0.9;   ///< share of a trajectory, beyond which all of it goes: the paper's P
 };
 
+/// Out of place, by one of these reasons: a speed is wrong beside a jump, too.
+bool misplaced(Reason reason);
+
 struct CleaningReport {
   std::vector<Reason> reason;                                ///< by state; kNone: it counts
   Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();  ///< of the least median of squares
   double deviation = 0.0;                                    ///< robust, of what belongs [m]
   Eigen::AlignedBox3d workspace;                             ///< of what was told, the margin wider [m]
-  std::size_t readmitted = 0;                                ///< of those that count, by readmit()
+  std::vector<Reason> readmitted;  ///< why those were taken that count again, by trainingStates()
   std::size_t count(Reason reason) const;
   std::size_t kept() const { return count(Reason::kNone); }
 };

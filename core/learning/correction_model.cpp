@@ -71,7 +71,7 @@ CorrectionModel CorrectionModel::rigid(const std::vector<State>& states, const C
   checkEnough(states.size());
   const std::vector<PosePair> pairs = pairsOf(states);
   CorrectionParts parts;
-  parts.offset = rigidOffset(pairs, options.lever);
+  parts.offset = options.offset ? *options.offset : rigidOffset(pairs, options.lever);
   parts.lever = options.lever;
   std::vector<Eigen::Isometry3d> moved;
   for (const PosePair& pair : pairs) moved.push_back(parts.offset * pair.seen);

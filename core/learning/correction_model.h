@@ -18,6 +18,7 @@ struct CorrectionOptions {
   Eigen::Index inducing_points = 1500;    ///< at most
   ProcessFitOptions fit{.farthest_signal = 3.0, .farthest_noise = 2.5};
   double lever = kLever;
+  std::optional<Eigen::Isometry3d> offset = std::nullopt;  ///< G; unset: least squares of the states
   int threads = 2;
   std::uint64_t seed = 1;
   bool calibrate = true;  ///< σ, by motions held out

@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/learning/drift_monitor.h"
-#include "core/learning/readmit_states.h"
+#include "core/learning/training_states.h"
 #include "core/stats/quantile.h"
 
 namespace capstan::learning {
@@ -105,21 +105,23 @@ LearningReport learn(const std::vector<RawMotion>& motions, const LearningOption
   constexpr double kPrepared = 0.1, kCleaned = 0.4;  // of the time
   PreparedStates prepared = prepare(motions, options, progress, {0.0, kPrepared, {}});
   if (prepared.cancelled) return {std::move(prepared), {}, CorrectionModel(CorrectionParts{}), true};
-  CleaningReport cleaning;
+  CleaningReport cleaned;
   if (options.clean)
-    cleaning = cleanStates(prepared.states, options.cleaning);
+    cleaned = cleanStates(prepared.states, options.cleaning);
   else
-    cleaning.reason.assign(prepared.states.size(), Reason::kNone);
+    cleaned.reason.assign(prepared.states.size(), Reason::kNone);
+  TrainingStates training = trainingStates(prepared.states, std::move(cleaned), options.correction.lever);
+  checkRelated(prepared.states, options.clean ? training.cleaning.offset : training.offset);
   if (options.clean && options.readmit && !options.rigid)
-    cleaning = readmit(prepared.states, std::move(cleaning), options.correction, progress,
-                       {kPrepared, kCleaned, "readmission"});
-  const std::vector<State> counting = kept(prepared.states, cleaning);
-  checkRelated(prepared.states,
-               options.clean ? cleaning.offset : rigidOffset(pairsOf(counting), options.correction.lever));
+    readmit(training, prepared.states, options.cleaning, options.correction, progress,
+            {kPrepared, kCleaned, "readmission"});
+  CorrectionOptions correction = options.correction;
+  correction.offset = training.offset;
   CorrectionModel model =
-      options.rigid ? CorrectionModel::rigid(counting, options.correction)
-                    : CorrectionModel::trained(counting, options.correction, progress, {kCleaned, 1.0, {}});
-  return {std::move(prepared), std::move(cleaning), std::move(model), progress && progress->cancelled()};
+      options.rigid ? CorrectionModel::rigid(training.states, correction)
+                    : CorrectionModel::trained(training.states, correction, progress, {kCleaned, 1.0, {}});
+  return {std::move(prepared), std::move(training.cleaning), std::move(model),
+          progress && progress->cancelled()};
 }
 
 LearningReport learnMore(CorrectionModel model, double lag, const std::vector<RawMotion>& motions,

@@ -19,15 +19,19 @@ using Eigen::MatrixXd;
 
 constexpr Index kFew = 460;
 
-/// Seconds that `work` takes, the best of three.
+/// Seconds that `work` takes.
+template <class Work>
+double secondsOf(Work work) {
+  const auto begin = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+/// The best of three.
 template <class Work>
 double bestOf(Work work) {
   double best = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < 3; ++k) {
-    const auto begin = std::chrono::steady_clock::now();
-    work();
-    best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
-  }
+  for (int k = 0; k < 3; ++k) best = std::min(best, secondsOf(work));
   return best;
 }
 
@@ -75,7 +79,7 @@ Training trainingOf(const MatrixXd& xy, const MatrixXd& at, const std::filesyste
   const auto start = learning::startOf(x, y, {});
   Training found;
   found.name = folder.filename().string();
-  found.seconds = bestOf([&] { found.fit = learning::fitProcess(x, y, start, {.iterations = 200}); });
+  found.seconds = secondsOf([&] { found.fit = learning::fitProcess(x, y, start, {.iterations = 200}); });
   found.told = learning::ExactProcess(x, y, found.fit.parameters).predict(at);
   write(folder, xy, start);
   writeNumbers(folder / "at.csv", at);
@@ -133,8 +137,10 @@ void tellTraining(const std::vector<Training>& trainings, const nlohmann::json& 
     fmt::print("\n");
   }
   if (ratios.empty()) return;
-  fmt::print("  median {:.1f} × of all, {:.1f} × of the {} with the same maximum (goal 10)\n",
-             stats::median(ratios), stats::median(same), same.size());
+  fmt::print("  median {:.1f} × of all", stats::median(ratios));
+  if (!same.empty())
+    fmt::print(", {:.1f} × of the {} with the same maximum (goal 10)", stats::median(same), same.size());
+  fmt::print("\n");
   fmt::print("  predictions at equal hyperparameters differ by {:.1e} (mean) and {:.1e} (variance) at most\n",
              mean, variance);
 }
