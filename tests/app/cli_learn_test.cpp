@@ -30,6 +30,7 @@ TEST_F(CliLearn, LearnsTellsAndCorrects) {
   EXPECT_THAT(learned.out, HasSubstr("corrected"));
   const json said = json::parse(textOf("m.json"));
   EXPECT_NEAR(said["lag"]["value"].get<double>(), 0.04, 0.01);
+  EXPECT_TRUE(said["cleaning"]["readmitted"].is_object()) << "reasons and how many of each";
   const json& clean = said["test"]["clean"];
   const auto meanOf = [&](const char* what) { return clean[what]["distance"]["mean"].get<double>(); };
   EXPECT_LT(meanOf("corrected"), 0.5 * meanOf("offset"));
@@ -130,6 +131,7 @@ TEST_F(CliLearn, ProposesWhereToGoNext) {
 TEST_F(CliLearn, RefusesWhatMakesNoSense) {
   EXPECT_THAT(learn("--test " + path("train.csv")).err, HasSubstr("is learned from as well"));
   EXPECT_THAT(learn("--towards sideways").err, HasSubstr("--towards"));
+  EXPECT_THAT(learn("--no-readmission --onto " + path("old.correction")).err, HasSubstr("--no-readmission"));
   EXPECT_EQ(run("correct --model " + path("train.csv") + " " + path("test.csv") + " " + path("o.csv")).exit,
             2);
   EXPECT_THAT(run("correct --model " + path("train.csv") + " " + path("test.csv") + " " + path("o.csv")).err,
