@@ -21,6 +21,7 @@ inline constexpr std::size_t kCorrectionSteps = 3;
 struct CorrectionTrialOptions {
   double test_share = 0.2;  ///< of the trajectories: the paper's
   learning::CleaningOptions cleaning;
+  bool readmit = true;  ///< what cleaning took and can be learned
   learning::CorrectionOptions correction;
   std::uint64_t seed = 1;
 };

@@ -154,7 +154,9 @@ TEST(LearningCurve, OfAllStatesIsTheTrial) {
   options.correction = quick();
   options.shares = {1.0};
   const LearningCurve curve = learningCurve(states(), options);
-  const CorrectionTrial trial = correctionTrial(states(), quickTrial());
+  CorrectionTrialOptions plain = quickTrial();
+  plain.readmit = false;
+  const CorrectionTrial trial = correctionTrial(states(), plain);
   EXPECT_EQ(curve.points[0].states, trial.learned.size());
   EXPECT_NEAR(curve.points[0].errors.distance, trial.clean[2].summed().distance, kRounding);
 }
