@@ -131,7 +131,6 @@ TEST_F(CliLearn, ProposesWhereToGoNext) {
 TEST_F(CliLearn, RefusesWhatMakesNoSense) {
   EXPECT_THAT(learn("--test " + path("train.csv")).err, HasSubstr("is learned from as well"));
   EXPECT_THAT(learn("--towards sideways").err, HasSubstr("--towards"));
-  EXPECT_THAT(learn("--no-readmission --onto " + path("old.correction")).err, HasSubstr("--no-readmission"));
   EXPECT_EQ(run("correct --model " + path("train.csv") + " " + path("test.csv") + " " + path("o.csv")).exit,
             2);
   EXPECT_THAT(run("correct --model " + path("train.csv") + " " + path("test.csv") + " " + path("o.csv")).err,
