@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <numbers>
+#include <utility>
 
 #include "core/base/progress_part.h"
 #include "core/experiments/held_out.h"
@@ -65,6 +66,17 @@ learning::CorrectionModel modelBy(M method, const Split& split, learning::Correc
   }
   const bool cleaned = method == M::kAll || method == M::kHistory;
   return learning::CorrectionModel::trained(cleaned ? split.clean : split.train, options, progress, part);
+}
+
+/// Of all test states, and of those that count.
+std::pair<PoseErrors, PoseErrors> errorsOf(const Split& split, const std::vector<Eigen::Isometry3d>& poses,
+                                           const Eigen::Quaterniond& middle) {
+  PoseErrors all{middle, {}, {}, {}}, kept = all;
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    all.add(poses[k], split.test[k].pair.told);
+    if (split.judged[k] == learning::Reason::kNone) kept.add(poses[k], split.test[k].pair.told);
+  }
+  return {std::move(all), std::move(kept)};
 }
 
 /// What successive states that count are off by, differently, over √2; and what all of these are off by.
@@ -131,11 +143,7 @@ CorrectionStudyReport correctionStudy(const std::vector<State>& states, const Co
         report.cancelled = true;
         return report;
       }
-      PoseErrors all{middle, {}, {}, {}}, kept{middle, {}, {}, {}};
-      for (std::size_t k = 0; k < poses.size(); ++k) {
-        all.add(poses[k], split.test[k].pair.told);
-        if (split.judged[k] == learning::Reason::kNone) kept.add(poses[k], split.test[k].pair.told);
-      }
+      const auto [all, kept] = errorsOf(split, poses, middle);
       if (method == kOurs) report.by_split.push_back({all.summed(), kept.summed()});
       dirty[m].add(all);
       clean[m].add(kept);

@@ -65,18 +65,20 @@ std::vector<bool> countingOf(const CleaningReport& report) {
   return counts;
 }
 
+/// Are so many of the states [begin, end) out of place that all of them go?
+bool goesWhole(const std::vector<Reason>& reason, std::size_t begin, std::size_t end, double most) {
+  std::size_t gone = 0;
+  for (std::size_t k = begin; k < end; ++k) gone += misplaced(reason[k]);
+  return static_cast<double>(gone) > most * static_cast<double>(end - begin);
+}
+
 /// Of trajectories that went as a whole: all of it, where few enough states are out of place now, or nothing.
 void decideTrajectories(const std::vector<State>& states, const CleaningReport& cleaned, double most,
                         std::vector<Reason>& reason) {
   for (std::size_t begin = 0, end = 0; begin < states.size(); begin = end) {
-    std::size_t gone = 0;
-    bool whole = false;
-    for (end = begin; end < states.size() && states[end].motion == states[begin].motion; ++end) {
-      gone += misplaced(reason[end]);
-      whole = whole || cleaned.reason[end] == Reason::kTrajectory;
-    }
-    if (!whole) continue;
-    const bool stays_out = static_cast<double>(gone) > most * static_cast<double>(end - begin);
+    while (end < states.size() && states[end].motion == states[begin].motion) ++end;
+    if (!goesWhole(cleaned.reason, begin, end, most)) continue;
+    const bool stays_out = goesWhole(reason, begin, end, most);
     for (std::size_t k = begin; k < end; ++k) {
       if (stays_out) reason[k] = cleaned.reason[k];
       if (!stays_out && reason[k] == Reason::kTrajectory) reason[k] = Reason::kNone;

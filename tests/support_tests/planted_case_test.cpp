@@ -134,7 +134,10 @@ struct Bench {
   PlantedMotion motion;
 };
 
-/// Not much more on joints where ageing hides most of it.
+/// Of these ageing and texture hide so much that the largest of them is just less than visible on the last
+/// joint.
+const std::set<Effect> kHidden = {Effect::kSensorSign, Effect::kAsymmetricFriction, Effect::kNonlinearSpring};
+
 TEST(PlantedCase, SizeOneShows) {
   for (const bool rigid : {false, true}) {
     const Bench bench(rigid ? rigidRobot("rigid_arm") : raven(), rigid);
@@ -147,7 +150,7 @@ TEST(PlantedCase, SizeOneShows) {
       const int joint = std::max(joints.back() - 1, 0);
       const Planted most = largestPlausible(facts.effect, joint, bench.parameters, bench.robot, random);
       const Sized large = sizedTo(1.0, most, visibility);
-      EXPECT_GT(large.visibility, 0.5) << facts.name;
+      EXPECT_GT(large.visibility, kHidden.contains(facts.effect) ? 0.6 : 1.0) << facts.name;
       EXPECT_LT(large.visibility, 12.6) << facts.name;
       EXPECT_LE(std::abs(large.planted.magnitude), std::abs(most.magnitude)) << facts.name;
     }

@@ -12,6 +12,7 @@
 #include "core/experiments/learning_stages.h"
 #include "core/learning/confidence_slice.h"
 #include "core/session/pose_table.h"
+#include "tests/core/learning/quick_options.h"
 #include "tests/support/sample_poses.h"
 
 namespace capstan::experiments {
@@ -27,16 +28,9 @@ const std::vector<State>& states() {
 
 constexpr double kRounding = 1e-6;  ///< a search ends elsewhere when sums are rounded elsewhere [m, rad]
 
-learning::CorrectionOptions quick() {
-  learning::CorrectionOptions options;
-  options.likelihood_points = 250;
-  options.inducing_points = 250;
-  return options;
-}
-
 CorrectionTrialOptions quickTrial() {
   CorrectionTrialOptions options;
-  options.correction = quick();
+  options.correction = learning::quickOptions();
   return options;
 }
 
@@ -62,7 +56,7 @@ TEST(CorrectionTrial, ErrorsAreThoseOfTheStudysLastMethod) {
   const CorrectionTrial trial = correctionTrial(states(), with_history);
   CorrectionStudyOptions options;
   options.splits = 1;
-  options.correction = quick();
+  options.correction = learning::quickOptions();
   const CorrectionStudyReport study = correctionStudy(states(), options);
   EXPECT_NEAR(study.clean.back().distance, trial.clean[2].summed().distance, kRounding);
   EXPECT_NEAR(study.dirty.back().angle, trial.dirty[2].summed().angle, kRounding);
@@ -91,7 +85,7 @@ TEST(CorrectionStudy, WhatJittersIsNoise) {
   }
   CorrectionStudyOptions options;
   options.splits = 1;
-  options.correction = quick();
+  options.correction = learning::quickOptions();
   const CorrectionStudyReport study = correctionStudy(noisy, options);
   EXPECT_NEAR(study.jitter.distance, 1.0, 0.2);
   EXPECT_NEAR(study.jitter.angle, 1.0, 0.2);
@@ -130,13 +124,13 @@ TEST(CorrectionTrial, StopsWithoutAModel) {
   EXPECT_TRUE(trial.cancelled);
   EXPECT_FALSE(trial.model);
   CorrectionStudyOptions study;
-  study.correction = quick();
+  study.correction = learning::quickOptions();
   EXPECT_TRUE(correctionStudy(states(), study, &progress).cancelled);
 }
 
 TEST(LearningCurve, FallsWithMoreStates) {
   LearningCurveOptions options;
-  options.correction = quick();
+  options.correction = learning::quickOptions();
   options.shares = {0.025, 0.25, 1.0};
   base::Progress progress;
   const LearningCurve curve = learningCurve(states(), options, &progress);
@@ -151,7 +145,7 @@ TEST(LearningCurve, FallsWithMoreStates) {
 
 TEST(LearningCurve, OfAllStatesIsTheTrial) {
   LearningCurveOptions options;
-  options.correction = quick();
+  options.correction = learning::quickOptions();
   options.shares = {1.0};
   const LearningCurve curve = learningCurve(states(), options);
   CorrectionTrialOptions plain = quickTrial();

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/random.h"
+#include "tests/core/learning/quick_options.h"
 
 namespace capstan::learning {
 namespace {
@@ -35,9 +36,7 @@ std::vector<State> states(std::size_t motions, double lost) {
 }
 
 CorrectionOptions quick() {
-  CorrectionOptions options;
-  options.likelihood_points = 250;
-  options.inducing_points = 250;
+  CorrectionOptions options = quickOptions();
   options.motion.reset();
   return options;
 }

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/random.h"
 #include "core/learning/rotation_vector.h"
+#include "tests/core/learning/quick_options.h"
 
 namespace capstan::learning {
 namespace {
@@ -46,12 +47,7 @@ std::vector<State> states(std::size_t n, std::uint64_t seed, double noise = 1e-4
   return made;
 }
 
-CorrectionOptions quick() {
-  CorrectionOptions options;
-  options.likelihood_points = 300;
-  options.inducing_points = 250;
-  return options;
-}
+CorrectionOptions quick() { return quickOptions(300); }
 
 double rms(const CorrectionModel& model, const std::vector<State>& test) {
   const std::vector<Eigen::Isometry3d> told = model.correct(test);

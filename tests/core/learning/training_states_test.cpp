@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/base/random.h"
+#include "tests/core/learning/quick_options.h"
 
 namespace capstan::learning {
 namespace {
@@ -39,17 +40,10 @@ std::vector<State> states(const World& world, std::size_t motions) {
   return made;
 }
 
-CorrectionOptions quick() {
-  CorrectionOptions options;
-  options.likelihood_points = 250;
-  options.inducing_points = 250;
-  return options;
-}
-
 TrainingStates readmittedOf(const std::vector<State>& all, const CleaningOptions& limits = {},
                             base::Progress* progress = nullptr) {
   TrainingStates training = trainingStates(all, cleanStates(all, limits), kLever);
-  readmit(training, all, limits, quick(), progress);
+  readmit(training, all, limits, quickOptions(), progress);
   return training;
 }
 
@@ -93,6 +87,21 @@ TEST(Readmit, TrajectoriesAsAWholeOrNotAtAll) {
   const TrainingStates after = readmittedOf(all, {.most_rejected = 0.4});
   EXPECT_FALSE(after.cleaning.readmitted.empty());
   EXPECT_GT(after.cleaning.count(Reason::kTrajectory), 0U);
+  EXPECT_TRUE(std::ranges::none_of(after.states, [](const State& state) { return state.motion == 4; }));
+}
+
+/// So do those of one that is out of place throughout, some of it in the same way each time.
+TEST(Readmit, TrajectoriesOutOfPlaceThroughoutLikewise) {
+  const CleaningOptions limits{.most_rejected = 0.8};
+  std::vector<State> all = states({.stuck_beyond = 0.02}, 30);
+  for (State& state : all)
+    if (state.motion == 4 && state.pair.told.translation().x() < 0.035)
+      state.pair.seen.translation().y() += 0.5;
+  const CleaningReport cleaned = cleanStates(all, limits);
+  for (std::size_t k = 0; k < all.size(); ++k)
+    ASSERT_TRUE(all[k].motion != 4 || misplaced(cleaned.reason[k]));
+  const TrainingStates after = readmittedOf(all, limits);
+  EXPECT_FALSE(after.cleaning.readmitted.empty());
   EXPECT_TRUE(std::ranges::none_of(after.states, [](const State& state) { return state.motion == 4; }));
 }
 

@@ -14,8 +14,9 @@ Planted largestPlausible(Effect effect, int i, const PlantParameters& p, const r
 std::vector<Planted> everydayTexture(const PlantParameters& p, base::Random& random);
 
 /// How much of an effect a reference would show that no robot without a fault would: open-loop simulations
-/// over the motion of the robot without it, less what ageing and texture as they are drawn can do at most to
-/// look like it. A little more mass at the tip is a mistuned mass, and 2 % of asymmetry are texture.
+/// over the motion of the robot without it, less what ageing and texture, as far as they are drawn and to
+/// first order, can do to look like it. A little more mass at the tip is a mistuned mass, and 2 % of
+/// asymmetry are texture.
 class Visibility {
  public:
   Visibility(const robot::Description& nominal, const robot::Description& aged, bool rigid,

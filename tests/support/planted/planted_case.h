@@ -10,7 +10,7 @@ namespace capstan::test {
 
 /// One effect of a case. Size: 0 none, 0.1 just visible (an open-loop simulation of the reference changes,
 /// beyond what ageing and texture can make of it, by as much as noise and texture are), 1 large (ten times
-/// that, or as large as is plausible where that is less); the effect's magnitude is proportional to it.
+/// that, or as large as is plausible where that is less).
 /// sensor_sign is there or not: its size is that of the load.
 struct ChosenEffect {
   Effect effect = Effect::kPulleyRadius;

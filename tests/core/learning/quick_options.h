@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/learning/correction_model.h"
+
+namespace capstan::learning {
+
+/// Enough to learn a few hundred states in a second.
+inline CorrectionOptions quickOptions(Eigen::Index likelihood_points = 250) {
+  CorrectionOptions options;
+  options.likelihood_points = likelihood_points;
+  options.inducing_points = 250;
+  return options;
+}
+
+}  // namespace capstan::learning
