@@ -18,9 +18,9 @@ namespace {
 
 struct LearnArguments {
   std::vector<std::string> train, test;
-  std::string method = "auto", towards = "command", onto, model, json;
+  std::string method = "auto", towards = "command", kernel = "matern", onto, model, json;
   learning::LearningOptions options;
-  bool no_cleaning = false, no_readmission = false, no_alignment = false;
+  bool no_cleaning = false, no_weights = false, no_alignment = false;
 };
 
 /// Of a model that is learned onto another: with what that came from.
@@ -70,8 +70,9 @@ ExitCode run(LearnArguments& arguments) {
   options.towards =
       arguments.towards == "command" ? learning::StreamKind::kCommand : learning::StreamKind::kRobot;
   options.clean = !arguments.no_cleaning;
-  options.readmit = !arguments.no_readmission;
+  options.weigh = !arguments.no_weights;
   options.align = !arguments.no_alignment;
+  options.correction.fit.kernel = *base::fromName<learning::Kernel>(arguments.kernel);
   options.rigid = arguments.method == "offset";
   options.correction.motion = base::fromName<learning::Motion>(arguments.method);
   base::Progress progress;
@@ -122,8 +123,12 @@ void addLearn(CLI::App& app, ExitCode& exit) {
       ->capture_default_str()
       ->check(CLI::IsMember({"command", "robot"}));
   command->add_flag("--no-cleaning", arguments->no_cleaning, "keep outliers");
-  command->add_flag("--no-readmission", arguments->no_readmission,
-                    "leave out all that cleaning takes, also where it can be learned");
+  command->add_flag("--no-weights", arguments->no_weights,
+                    "learn from all that cleaning keeps alike, and from nothing else");
+  command
+      ->add_option("--kernel", arguments->kernel,
+                   "of the processes: of functions that bend (matern), or smooth (rbf)")
+      ->check(CLI::IsMember({"rbf", "matern"}));
   command->add_flag("--no-alignment", arguments->no_alignment, "take stamps as they are");
   command
       ->add_option("--inducing", arguments->options.correction.inducing_points, "states that stand for all")
@@ -139,8 +144,8 @@ void addLearn(CLI::App& app, ExitCode& exit) {
       "--onto", arguments->onto,
       "model that the motions are added to, with its offset, kernels, scales and lag: in seconds; it gains\n"
       "little where it has never been, and motions that contradict it are refused");
-  for (const char* fixed : {"--method", "--towards", "--no-cleaning", "--no-readmission", "--no-alignment",
-                            "--inducing", "--threads", "--seed"})
+  for (const char* fixed : {"--method", "--towards", "--no-cleaning", "--no-weights", "--kernel",
+                            "--no-alignment", "--inducing", "--threads", "--seed"})
     onto->excludes(command->get_option(fixed));
   command->add_option("--json", arguments->json, "result as JSON, SI: a file, or - for standard output");
   command->footer(

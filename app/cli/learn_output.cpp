@@ -118,7 +118,8 @@ Json modelJson(const learning::CorrectionModel& model) {
                {"processes", Json::array()}};
   for (const learning::SparseProcess& process : model.processes()) {
     const Eigen::VectorXd lengths = process.parameters().ln_length.array().exp();
-    json["processes"].push_back({{"inducing", process.inducing()},
+    json["processes"].push_back({{"kernel", base::nameOf(process.parameters().kernel)},
+                                 {"inducing", process.inducing()},
                                  {"outputs", process.outputs()},
                                  {"signal", std::exp(process.parameters().ln_signal)},
                                  {"noise", std::exp(process.parameters().ln_noise)},
@@ -167,8 +168,9 @@ std::string textOf(const LearnOutput& output) {
       fmt::format("Cleaning: {} of {} states count; left out: {}\n", cleaning.kept(), cleaning.reason.size(),
                   wordsOf(countsOf([&](Reason reason) { return cleaning.count(reason); })));
   if (!cleaning.readmitted.empty())
-    text += fmt::format("Readmitted: {} of these had been left out, and can be learned: {}\n",
-                        cleaning.readmitted.size(), wordsOf(readmittedCounts(cleaning)));
+    text +=
+        fmt::format("Weights: {} of these had been left out, and count again, as others tell the same: {}\n",
+                    cleaning.readmitted.size(), wordsOf(readmittedCounts(cleaning)));
   const Eigen::Vector3d t = kMillimetres * output.report.model.offset().translation();
   const double turn = Eigen::AngleAxisd(output.report.model.offset().linear()).angle();
   text += fmt::format("Rigid offset: {:.2f}, {:.2f}, {:.2f} mm and a turn of {:.2f} deg\n", t.x(), t.y(),

@@ -16,7 +16,7 @@ namespace {
 using learning::State;
 using M = CorrectionMethod;
 
-constexpr M kOurs = M::kReadmission;
+constexpr M kOurs = M::kWeights;
 constexpr double kMillimetres = 1e3, kDegrees = 180.0 / std::numbers::pi;
 
 learning::Motion motionOf(M method) {
@@ -27,7 +27,7 @@ learning::Motion motionOf(M method) {
 /// What a split is learned from and judged by.
 struct Split {
   std::vector<State> train, clean;
-  learning::TrainingStates readmitted;
+  learning::TrainingStates weighed;
   std::vector<State> test, clean_test;
   std::vector<learning::Reason> judged;  ///< of `test`
 };
@@ -42,7 +42,7 @@ Split splitOf(const std::vector<State>& states, const CorrectionStudyOptions& op
   judged.reason = learning::judgedBy(cleaned, test, options.cleaning);
   learning::TrainingStates training = learning::trainingStates(train, cleaned, options.correction.lever);
   std::vector<State> clean = training.states;
-  learning::readmit(training, train, options.cleaning, options.correction, progress, part);
+  learning::weigh(training, train, options.correction, progress, part);
   std::vector<State> clean_test = learning::kept(test, judged);
   return {std::move(train), std::move(clean),      std::move(training),
           std::move(test),  std::move(clean_test), std::move(judged.reason)};
@@ -60,11 +60,12 @@ std::vector<Eigen::Isometry3d> byOffset(M method, const Split& split, double lev
 learning::CorrectionModel modelBy(M method, const Split& split, learning::CorrectionOptions options,
                                   base::Progress* progress, const base::ProgressPart& part) {
   options.motion = motionOf(method);
-  if (method == M::kReadmission) {
-    options.offset = split.readmitted.offset;
-    return learning::CorrectionModel::trained(split.readmitted.states, options, progress, part);
+  options.fit.kernel = method < M::kMatern ? learning::Kernel::kRbf : learning::Kernel::kMatern;
+  if (method == M::kWeights) {
+    options.offset = split.weighed.offset;
+    return learning::CorrectionModel::trained(split.weighed.states, options, progress, part);
   }
-  const bool cleaned = method == M::kAll || method == M::kHistory;
+  const bool cleaned = method >= M::kAll;
   return learning::CorrectionModel::trained(cleaned ? split.clean : split.train, options, progress, part);
 }
 
@@ -119,14 +120,14 @@ CorrectionStudyReport correctionStudy(const std::vector<State>& states, const Co
   Jitters jitters;
   const Eigen::Quaterniond middle = middleToldOf(states);
   for (int number = 0; number < options.splits; ++number) {
-    // Readmission takes about as long as a method.
+    // Weighing takes about as long as a method.
     const auto partOf = [&](std::size_t m, std::string_view doing) {
       const double share = 1.0 / (kCorrectionMethods + 1) / options.splits;
       const double done = static_cast<double>(number) / options.splits + static_cast<double>(m) * share;
       return base::ProgressPart{done, done + share,
                                 fmt::format("Split {} of {}: {}", number + 1, options.splits, doing)};
     };
-    const Split split = splitOf(states, options, number, progress, partOf(0, "readmission"));
+    const Split split = splitOf(states, options, number, progress, partOf(0, "weighing"));
     for (std::size_t m = 0; m < kCorrectionMethods; ++m) {
       const auto method = static_cast<M>(m);
       std::vector<Eigen::Isometry3d> poses;

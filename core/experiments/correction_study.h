@@ -24,9 +24,10 @@ enum class CorrectionMethod {
   kProcessVelocity,
   kAll,
   kHistory,
-  kReadmission
+  kMatern,
+  kWeights
 };
-inline constexpr std::size_t kPaperMethods = 6, kCorrectionMethods = 8;
+inline constexpr std::size_t kPaperMethods = 6, kCorrectionMethods = 9;
 
 struct CorrectionStudyOptions {
   int splits = 10;          ///< random ones, by trajectory
@@ -51,7 +52,7 @@ struct CorrectionStudyReport {
   bool cancelled = false;
 };
 
-/// For each split: training trajectories are cleaned (and readmitted), an offset and a model are learned from
+/// For each split: training trajectories are cleaned (and weighed), an offset and a model are learned from
 /// them as each method asks, and the errors
 ///     F(x_seen) ⊖ p_told
 /// of test trajectories taken (PoseErrors, from the middle of all turns told). Clean test states are those
@@ -84,5 +85,6 @@ struct capstan::base::NamesOf<capstan::experiments::CorrectionMethod> {
                                        std::pair{M::kProcessVelocity, "offset, GP, velocity"},
                                        std::pair{M::kAll, "offset, GP, velocity, cleaning"},
                                        std::pair{M::kHistory, "… and history"},
-                                       std::pair{M::kReadmission, "… and readmission"}};
+                                       std::pair{M::kMatern, "… and Matérn kernel"},
+                                       std::pair{M::kWeights, "… and weights"}};
 };

@@ -46,9 +46,8 @@ CorrectionTrial correctionTrial(const std::vector<State>& states, const Correcti
   const learning::CleaningReport cleaned = learning::cleanStates(train, options.cleaning);
   const std::vector<Reason> reasons = learning::judgedBy(cleaned, test, options.cleaning);
   learning::TrainingStates training = learning::trainingStates(train, cleaned, options.correction.lever);
-  if (options.readmit)
-    learning::readmit(training, train, options.cleaning, options.correction, progress,
-                      {0.0, kCleaning, "readmission"});
+  if (options.weigh)
+    learning::weigh(training, train, options.correction, progress, {0.0, kCleaning, "weighing"});
   learning::CorrectionOptions correction = options.correction;
   correction.offset = training.offset;
   trial.learned = std::move(training.states);

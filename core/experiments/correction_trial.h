@@ -21,7 +21,7 @@ inline constexpr std::size_t kCorrectionSteps = 3;
 struct CorrectionTrialOptions {
   double test_share = 0.2;  ///< of the trajectories: the paper's
   learning::CleaningOptions cleaning;
-  bool readmit = true;  ///< what cleaning took and can be learned
+  bool weigh = true;  ///< states, by how well others tell them
   learning::CorrectionOptions correction;
   std::uint64_t seed = 1;
 };
@@ -40,7 +40,7 @@ struct CorrectionTrial {
   bool cancelled = false;                    ///< there is no model
 };
 
-/// Holds trajectories out, cleans the others, readmits what can be learned, trains on them, and takes the
+/// Holds trajectories out, cleans and weighs the others, trains on them, and takes the
 /// errors of those held out: as seen, with the rigid offset, corrected. Then the model learns what is clean
 /// of them as well. base::InputError as CorrectionModel::trained(), and where nothing is left to hold out.
 CorrectionTrial correctionTrial(const std::vector<learning::State>& states,

@@ -22,7 +22,7 @@ struct CleaningReport {
   Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();  ///< of the least median of squares
   double deviation = 0.0;                                    ///< robust, of what belongs [m]
   Eigen::AlignedBox3d workspace;                             ///< of what was told, the margin wider [m]
-  std::vector<Reason> readmitted;  ///< why those were taken that count again, by trainingStates()
+  std::vector<Reason> readmitted;  ///< why those were taken that count again, by weigh()
   std::size_t count(Reason reason) const;
   std::size_t kept() const { return count(Reason::kNone); }
 };

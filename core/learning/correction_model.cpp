@@ -39,6 +39,12 @@ std::vector<std::size_t> motionPlaces(const std::vector<State>& states) {
   return places;
 }
 
+Eigen::VectorXd weightsOf(const std::vector<State>& states) {
+  Eigen::VectorXd weights(static_cast<Index>(states.size()));
+  for (std::size_t k = 0; k < states.size(); ++k) weights[static_cast<Index>(k)] = states[k].weight;
+  return weights;
+}
+
 void checkEnough(std::size_t states) {
   if (states < kFewestStates)
     throw base::InputError({{},
@@ -110,7 +116,7 @@ CorrectionModel CorrectionModel::trained(const std::vector<State>& states, const
     part.report(progress, kFitShare + kAllShare * static_cast<double>(g) / static_cast<double>(fits.size()),
                 "learning all states");
     SparseProcess process(inducing, kGroups[g].count, fits[g].parameters);
-    process.add(x, y.middleCols(kGroups[g].first, kGroups[g].count));
+    process.add(x, y.middleCols(kGroups[g].first, kGroups[g].count), weightsOf(states));
     model.processes_.push_back(std::move(process));
   }
   if (progress && progress->cancelled())
@@ -172,7 +178,7 @@ std::vector<Corrected> CorrectionModel::correctSurely(const std::vector<State>& 
   for (std::size_t g = 0; g < processes_.size(); ++g) {
     const auto [first, count] = kGroups[g];
     const Prediction told = processes_[g].predict(x);
-    const RbfParameters& p = processes_[g].parameters();
+    const KernelParameters& p = processes_[g].parameters();
     const Eigen::RowVectorXd scale = known_.scale.segment(first, count);
     corrections.middleCols(first, count) = told.mean * scale.asDiagonal();
     sigma.middleCols(first, count) = (told.variance.array() + p.noiseVariance()).sqrt().matrix() *
@@ -240,9 +246,9 @@ void CorrectionModel::addRatios(const std::vector<State>& seen, const std::vecto
   const MatrixXd inducing = x(drawnPoints(x.rows(), few, options.seed + 2), Eigen::all);
   for (std::size_t g = 0; g < kGroups.size(); ++g) {
     const auto [first, count] = kGroups[g];
-    const RbfParameters& p = processes_[g].parameters();
+    const KernelParameters& p = processes_[g].parameters();
     SparseProcess process(inducing, count, p);
-    process.add(x, y.middleCols(first, count));
+    process.add(x, y.middleCols(first, count), weightsOf(seen));
     const Prediction guess = process.predict(at);
     const Eigen::ArrayXd sigma = (guess.variance.array() + p.noiseVariance()).sqrt();
     for (Index k = 0; k < count; ++k) {
@@ -284,7 +290,7 @@ void CorrectionModel::add(const std::vector<State>& states) {
   const MatrixXd x = featuresOf(states), y = targetsOf(states);
   for (const State& state : states) extendBy(known_.offset * state.pair.seen);
   for (std::size_t g = 0; g < processes_.size(); ++g)
-    processes_[g].add(x, y.middleCols(kGroups[g].first, kGroups[g].count));
+    processes_[g].add(x, y.middleCols(kGroups[g].first, kGroups[g].count), weightsOf(states));
 }
 
 }  // namespace capstan::learning

@@ -16,7 +16,7 @@ struct CorrectionOptions {
   RotationForm rotation = RotationForm::kTangent;
   Eigen::Index likelihood_points = 1000;  ///< states that the hyperparameters are learned from, at most
   Eigen::Index inducing_points = 1500;    ///< at most
-  ProcessFitOptions fit{.farthest_signal = 3.0, .farthest_noise = 2.5};
+  ProcessFitOptions fit{.kernel = Kernel::kMatern, .farthest_signal = 3.0, .farthest_noise = 2.5};
   double lever = kLever;
   std::optional<Eigen::Isometry3d> offset = std::nullopt;  ///< G; unset: least squares of the states
   int threads = 2;

@@ -34,7 +34,7 @@ VectorXd byLengths(const MatrixXd& m, const MatrixXd& z) {
 }  // namespace
 
 std::optional<double> negativeLogLikelihood(const MatrixXd& x, const MatrixXd& y,
-                                            const RbfParameters& parameters, VectorXd* gradient) {
+                                            const KernelParameters& parameters, VectorXd* gradient) {
   assert(x.rows() == y.rows());
   const auto n = static_cast<double>(x.rows()), outputs = static_cast<double>(y.cols());
   const MatrixXd z = inLengths(x, parameters);
@@ -53,9 +53,10 @@ std::optional<double> negativeLogLikelihood(const MatrixXd& x, const MatrixXd& y
   const double trace = k.diagonal().sum();
   for (Index c = 0; c < k.cols(); ++c)
     signal.col(c).tail(k.rows() - c).array() *= k.col(c).tail(k.rows() - c).array();
-  const VectorXd lengths = byLengths(signal, z);
   gradient->resize(2 + parameters.ln_length.size());
   (*gradient)[0] = rowSums(signal).sum();
+  timesLengthSlope(z, parameters, signal);
+  const VectorXd lengths = byLengths(signal, z);
   (*gradient)[1] = parameters.noiseVariance() * trace;
   if (parameters.ln_length.size() == 1)
     (*gradient)[2] = lengths.sum();
@@ -64,7 +65,7 @@ std::optional<double> negativeLogLikelihood(const MatrixXd& x, const MatrixXd& y
   return value;
 }
 
-ExactProcess::ExactProcess(const MatrixXd& x, const MatrixXd& y, RbfParameters parameters)
+ExactProcess::ExactProcess(const MatrixXd& x, const MatrixXd& y, KernelParameters parameters)
     : parameters_(std::move(parameters)), z_(inLengths(x, parameters_)) {
   assert(x.rows() == y.rows() && x.rows() > 0);
   constexpr double kLeast = 1e-12;

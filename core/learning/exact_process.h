@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "core/learning/rbf_kernel.h"
+#include "core/learning/kernel.h"
 
 namespace capstan::learning {
 
@@ -14,12 +14,12 @@ struct Prediction {
 
 /// −ln p(Y | X, θ) of outputs Y (n × q, mean 0) that share one kernel (2.30):
 ///     Σ_j ½ y_jᵀ K⁻¹ y_j + q (½ ln |K| + ½ n ln 2π),   K = K_f + σ_n² I
-/// and, where `gradient` is given, its derivatives by RbfParameters::packed() (5.9):
+/// and, where `gradient` is given, its derivatives by KernelParameters::packed() (5.9):
 ///     ½ tr(W ∂K/∂θ),   W = q K⁻¹ − A Aᵀ, A = K⁻¹ Y.
 /// One Cholesky and one inverse, O(n³); the length-scales cost n² d more. Nothing: K is not positive
 /// definite.
 std::optional<double> negativeLogLikelihood(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y,
-                                            const RbfParameters& parameters, Eigen::VectorXd* gradient);
+                                            const KernelParameters& parameters, Eigen::VectorXd* gradient);
 
 /// Gaussian process regression by the Cholesky factor of all points (Rasmussen and Williams, algorithm 2.1);
 /// O(n³) to make, for thousands of points.
@@ -28,17 +28,17 @@ class ExactProcess {
   /// Points x (n × d), outputs y (n × q) of mean 0, with equal kernel. Where points repeat and the noise is
   /// next to none, K is singular to rounding: as much is added to its diagonal, in powers of ten from 1e-12
   /// of the signal's variance, as it takes, and told as jitter().
-  ExactProcess(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y, RbfParameters parameters);
+  ExactProcess(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y, KernelParameters parameters);
 
   Prediction predict(const Eigen::MatrixXd& at) const;
   /// Means alone, O(n) each.
   Eigen::MatrixXd mean(const Eigen::MatrixXd& at) const;
 
-  const RbfParameters& parameters() const { return parameters_; }
+  const KernelParameters& parameters() const { return parameters_; }
   double jitter() const { return jitter_; }  ///< [variance of the signal]
 
  private:
-  RbfParameters parameters_;
+  KernelParameters parameters_;
   Eigen::MatrixXd z_;        ///< points in lengths
   Eigen::MatrixXd root_;     ///< L, K = L Lᵀ
   Eigen::MatrixXd weights_;  ///< K⁻¹ Y

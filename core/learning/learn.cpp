@@ -112,9 +112,8 @@ LearningReport learn(const std::vector<RawMotion>& motions, const LearningOption
     cleaned.reason.assign(prepared.states.size(), Reason::kNone);
   TrainingStates training = trainingStates(prepared.states, std::move(cleaned), options.correction.lever);
   checkRelated(prepared.states, options.clean ? training.cleaning.offset : training.offset);
-  if (options.clean && options.readmit && !options.rigid)
-    readmit(training, prepared.states, options.cleaning, options.correction, progress,
-            {kPrepared, kCleaned, "readmission"});
+  if (options.clean && options.weigh && !options.rigid)
+    weigh(training, prepared.states, options.correction, progress, {kPrepared, kCleaned, "weighing"});
   CorrectionOptions correction = options.correction;
   correction.offset = training.offset;
   CorrectionModel model =

@@ -12,8 +12,8 @@ struct LearningOptions {
   LagOptions lag;
   bool align = true;  ///< take the lag of what is seen behind what is told off
   bool clean = true;
-  bool readmit = true;  ///< of what cleaning took, what can be learned; a rigid offset takes nothing of it
-  bool rigid = false;   ///< learn the rigid offset alone
+  bool weigh = true;   ///< states, those too that cleaning took, by how well others tell them; of processes
+  bool rigid = false;  ///< learn the rigid offset alone
   /// Of a trajectory that is wrong in part (axes swapped, say) some states pass by chance: less is trusted
   /// than the paper's P.
   CleaningOptions cleaning{.most_rejected = 0.4};

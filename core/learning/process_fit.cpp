@@ -12,9 +12,15 @@ namespace {
 
 class Likelihood : public ceres::FirstOrderFunction {
  public:
-  Likelihood(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y, const Eigen::VectorXd& start,
+  Likelihood(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y, const KernelParameters& start,
              const ProcessFitOptions& options, const base::Progress* progress, int& evaluations)
-      : x_(x), y_(y), start_(start), options_(options), progress_(progress), evaluations_(evaluations) {}
+      : x_(x),
+        y_(y),
+        start_(start.packed()),
+        kernel_(start.kernel),
+        options_(options),
+        progress_(progress),
+        evaluations_(evaluations) {}
 
   bool Evaluate(const double* parameters, double* cost, double* gradient) const override {
     if (progress_ && progress_->cancelled()) return false;
@@ -23,7 +29,7 @@ class Likelihood : public ceres::FirstOrderFunction {
     ++evaluations_;
     Eigen::VectorXd slope;
     const auto value =
-        negativeLogLikelihood(x_, y_, RbfParameters::unpacked(at), gradient ? &slope : nullptr);
+        negativeLogLikelihood(x_, y_, KernelParameters::unpacked(at, kernel_), gradient ? &slope : nullptr);
     if (!value || !std::isfinite(*value)) return false;
     *cost = *value;
     fence(at, 0, options_.farthest_signal, *cost, gradient ? &slope : nullptr);
@@ -47,6 +53,7 @@ class Likelihood : public ceres::FirstOrderFunction {
   const Eigen::MatrixXd& x_;
   const Eigen::MatrixXd& y_;
   Eigen::VectorXd start_;
+  Kernel kernel_;
   const ProcessFitOptions& options_;
   const base::Progress* progress_;
   int& evaluations_;
@@ -59,10 +66,12 @@ double deviationOf(const Eigen::VectorXd& column) {
 
 }  // namespace
 
-RbfParameters startOf(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y, const ProcessFitOptions& options) {
+KernelParameters startOf(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y,
+                         const ProcessFitOptions& options) {
   constexpr double kLengths = 2.0, kNoise = 0.1;
   const auto lnOf = [](double value) { return std::log(value > 0.0 ? value : 1.0); };
-  RbfParameters start;
+  KernelParameters start;
+  start.kernel = options.kernel;
   start.ln_signal = 0.5 * lnOf(y.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(y.size(), 1)));
   start.ln_noise = start.ln_signal + std::log(kNoise);
   Eigen::VectorXd lengths(x.cols());
@@ -71,11 +80,11 @@ RbfParameters startOf(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y, const 
   return start;
 }
 
-ProcessFitReport fitProcess(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y, const RbfParameters& start,
+ProcessFitReport fitProcess(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y, const KernelParameters& start,
                             const ProcessFitOptions& options, const base::Progress* progress) {
   ProcessFitReport report;
   Eigen::VectorXd found = start.packed();
-  const ceres::GradientProblem problem(new Likelihood(x, y, found, options, progress, report.evaluations));
+  const ceres::GradientProblem problem(new Likelihood(x, y, start, options, progress, report.evaluations));
   ceres::GradientProblemSolver::Options search;
   search.line_search_direction_type = ceres::BFGS;
   search.max_num_iterations = options.iterations;
@@ -84,7 +93,7 @@ ProcessFitReport fitProcess(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y, 
   ceres::GradientProblemSolver::Summary summary;
   ceres::Solve(search, problem, found.data(), &summary);
   report.converged = summary.termination_type == ceres::CONVERGENCE;
-  report.parameters = found.allFinite() ? RbfParameters::unpacked(found) : start;
+  report.parameters = found.allFinite() ? KernelParameters::unpacked(found, start.kernel) : start;
   report.negative_log_likelihood =
       negativeLogLikelihood(x, y, report.parameters, nullptr).value_or(summary.final_cost);
   return report;

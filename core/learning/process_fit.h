@@ -1,13 +1,14 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/learning/rbf_kernel.h"
+#include "core/learning/kernel.h"
 
 namespace capstan::learning {
 
 inline constexpr double kFarthest = 12.0;
 
 struct ProcessFitOptions {
+  Kernel kernel = Kernel::kRbf;
   bool length_a_feature = true;  ///< false: one for all
   int iterations = 60;           ///< of the search, at most
   double tolerance = 1e-7;       ///< relative fall of the objective that counts as standing still
@@ -17,7 +18,7 @@ struct ProcessFitOptions {
 };
 
 struct ProcessFitReport {
-  RbfParameters parameters;
+  KernelParameters parameters;
   double negative_log_likelihood = 0.0;
   int evaluations = 0;
   bool converged = false;
@@ -25,12 +26,13 @@ struct ProcessFitReport {
 
 /// Where a search may begin: the signal as large as the outputs, a tenth of it noise, lengths of a few
 /// deviations of each feature.
-RbfParameters startOf(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y, const ProcessFitOptions& options);
+KernelParameters startOf(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y,
+                         const ProcessFitOptions& options);
 
 /// Hyperparameters of maximum marginal likelihood (negativeLogLikelihood) from `start`, by BFGS with line
 /// search (Ceres). All stay within e^kFarthest of the start's, so that what the data leave open stays finite.
 /// Stops early when `progress` is cancelled, with the best so far.
-ProcessFitReport fitProcess(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y, const RbfParameters& start,
+ProcessFitReport fitProcess(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y, const KernelParameters& start,
                             const ProcessFitOptions& options = {}, const base::Progress* progress = nullptr);
 
 }  // namespace capstan::learning

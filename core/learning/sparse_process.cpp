@@ -24,7 +24,7 @@ std::vector<Index> drawnPoints(Index points, Index count, std::uint64_t seed) {
   return all;
 }
 
-SparseProcess::SparseProcess(const MatrixXd& inducing, Index outputs, RbfParameters parameters)
+SparseProcess::SparseProcess(const MatrixXd& inducing, Index outputs, KernelParameters parameters)
     : SparseProcess(SparseProcessParts{parameters, inLengths(inducing, parameters),
                                        MatrixXd::Identity(inducing.rows(), inducing.rows()),
                                        MatrixXd::Zero(inducing.rows(), outputs)}) {}
@@ -43,17 +43,21 @@ void SparseProcess::findRoot() {
   }
 }
 
-void SparseProcess::add(const MatrixXd& x, const MatrixXd& y) {
-  assert(x.rows() == y.rows() && y.cols() == known_.sum.cols());
+void SparseProcess::add(const MatrixXd& x, const MatrixXd& y) { add(x, y, Eigen::VectorXd::Ones(x.rows())); }
+
+void SparseProcess::add(const MatrixXd& x, const MatrixXd& y, const Eigen::VectorXd& weight) {
+  assert(x.rows() == y.rows() && x.rows() == weight.size() && y.cols() == known_.sum.cols());
   constexpr Index kRows = 2048;  // at a time, for memory
-  const double precision = 1.0 / known_.parameters.noiseVariance();
+  const Eigen::VectorXd root_precision = (weight / known_.parameters.noiseVariance()).cwiseSqrt();
   for (Index first = 0; first < x.rows(); first += kRows) {
     const Index rows = std::min(kRows, x.rows() - first);
     MatrixXd v = crossCovariance(known_.inducing, inLengths(x.middleRows(first, rows), known_.parameters),
                                  known_.parameters);
     math::solveLower(root_, v);
-    math::addSquare(precision, v, known_.square);
-    known_.sum += precision * math::product(v, y.middleRows(first, rows));
+    const auto by_row = root_precision.segment(first, rows).asDiagonal();
+    v = v * by_row;
+    math::addSquare(1.0, v, known_.square);
+    known_.sum += math::product(v, by_row * y.middleRows(first, rows));
   }
   factorise();
 }

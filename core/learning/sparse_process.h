@@ -12,7 +12,7 @@ std::vector<Eigen::Index> drawnPoints(Eigen::Index points, Eigen::Index count, s
 
 /// What a sparse process knows, as a file keeps it.
 struct SparseProcessParts {
-  RbfParameters parameters;
+  KernelParameters parameters;
   Eigen::MatrixXd inducing;  ///< in lengths, m × d
   Eigen::MatrixXd square;    ///< B, m × m, lower triangle
   Eigen::MatrixXd sum;       ///< V Y / σ_n², m × q
@@ -28,11 +28,14 @@ struct SparseProcessParts {
 class SparseProcess {
  public:
   /// Inducing points (m × d) and outputs (of which there are q) of mean 0; knows no points yet.
-  SparseProcess(const Eigen::MatrixXd& inducing, Eigen::Index outputs, RbfParameters parameters);
+  SparseProcess(const Eigen::MatrixXd& inducing, Eigen::Index outputs, KernelParameters parameters);
 
   explicit SparseProcess(SparseProcessParts parts);
 
-  /// Learns points x (n × d) with outputs y (n × q).
+  /// Learns points x (n × d) with outputs y (n × q), whose noise has the variance σ_n² / weight (n,
+  /// positive).
+  void add(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y, const Eigen::VectorXd& weight);
+  /// Likewise, of weight 1 each.
   void add(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y);
 
   Prediction predict(const Eigen::MatrixXd& at) const;
@@ -40,7 +43,7 @@ class SparseProcess {
   /// Of one output at all pairs of points; its diagonal is predict()'s variance.
   Eigen::MatrixXd covariance(const Eigen::MatrixXd& at) const;
 
-  const RbfParameters& parameters() const { return known_.parameters; }
+  const KernelParameters& parameters() const { return known_.parameters; }
   Eigen::Index inducing() const { return known_.inducing.rows(); }
   Eigen::Index outputs() const { return known_.sum.cols(); }
   const SparseProcessParts& parts() const { return known_; }

@@ -23,6 +23,7 @@ struct State {
   /// Mean velocities of the last kSpans, likewise: cables that stick remember where they came from. Before
   /// the motion's first sight it stood still.
   std::array<Vector6d, kSpans.size()> drift = {Vector6d::Zero(), Vector6d::Zero()};
+  double weight = 1.0;  ///< in learning: the variance of its noise is that of others / weight
 };
 
 /// What was seen and told of each.

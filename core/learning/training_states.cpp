@@ -1,6 +1,8 @@
 #include "core/learning/training_states.h"
 
 #include <array>
+#include <cmath>
+#include <utility>
 
 #include "core/learning/trial_model.h"
 #include "core/stats/quantile.h"
@@ -8,81 +10,32 @@
 namespace capstan::learning {
 namespace {
 
-/// Motions in folds, and what models learned from the other folds leave of each state.
-class Folds {
- public:
-  Folds(const std::vector<State>& states, CorrectionOptions options, base::Progress* progress)
-      : states_(states), options_(std::move(options)), progress_(progress) {
-    if (options_.motion != Motion::kNone) options_.motion = Motion::kVelocity;  // quicker
-    for (std::size_t k = 0; k < states.size(); ++k) {
-      if (k == 0 || states[k].motion != states[k - 1].motion) ++motions_;
-      fold_.push_back(motions_ % kReadmissionFolds);
-    }
-  }
+bool mayCount(Reason reason) {
+  return reason == Reason::kNone || reason == Reason::kTrajectory || misplaced(reason);
+}
 
-  std::size_t motions() const { return motions_; }
+std::size_t motionsOf(const std::vector<State>& states) {
+  std::size_t motions = 0;
+  for (std::size_t k = 0; k < states.size(); ++k)
+    motions += k == 0 || states[k].motion != states[k - 1].motion;
+  return motions;
+}
 
-  /// By state [m], learned from those of other folds that `may` be; empty: cancelled, or too few to learn
-  /// from.
-  std::vector<double> left(const std::vector<bool>& may, const base::ProgressPart& part) const {
-    std::vector<double> found(states_.size());
-    for (std::size_t fold = 0; fold < kReadmissionFolds; ++fold) {
-      std::vector<State> learned, held;
-      for (std::size_t k = 0; k < states_.size(); ++k) {
-        if (fold_[k] == fold) held.push_back(states_[k]);
-        if (fold_[k] != fold && may[k]) learned.push_back(states_[k]);
-      }
-      if (learned.size() < kFewestStates) return {};
-      const double begin = static_cast<double>(fold) / kReadmissionFolds;
-      const CorrectionModel model =
-          trialModel(learned, options_, progress_, part.within(begin, begin + 1.0 / kReadmissionFolds));
-      if (progress_ && progress_->cancelled()) return {};
-      const std::vector<double> of_held = leftOf(model, held, options_.lever);
-      for (std::size_t k = 0, h = 0; k < states_.size(); ++k)
-        if (fold_[k] == fold) found[k] = of_held[h++];
-    }
-    return found;
-  }
-
- private:
-  const std::vector<State>& states_;
-  CorrectionOptions options_;
-  base::Progress* progress_;
-  std::vector<std::size_t> fold_;
-  std::size_t motions_ = 0;
-};
-
-std::vector<double> chosen(const std::vector<double>& values, const std::vector<bool>& which) {
+/// Of those that cleaning kept.
+std::vector<double> ofKept(const std::vector<double>& left, const std::vector<bool>& kept) {
   std::vector<double> some;
-  for (std::size_t k = 0; k < values.size(); ++k)
-    if (which[k]) some.push_back(values[k]);
+  for (std::size_t k = 0; k < left.size(); ++k)
+    if (kept[k]) some.push_back(left[k]);
   return some;
 }
 
-std::vector<bool> countingOf(const CleaningReport& report) {
-  std::vector<bool> counts;
-  for (const Reason reason : report.reason) counts.push_back(reason == Reason::kNone);
-  return counts;
-}
-
-/// Are so many of the states [begin, end) out of place that all of them go?
-bool goesWhole(const std::vector<Reason>& reason, std::size_t begin, std::size_t end, double most) {
-  std::size_t gone = 0;
-  for (std::size_t k = begin; k < end; ++k) gone += misplaced(reason[k]);
-  return static_cast<double>(gone) > most * static_cast<double>(end - begin);
-}
-
-/// Of trajectories that went as a whole: all of it, where few enough states are out of place now, or nothing.
-void decideTrajectories(const std::vector<State>& states, const CleaningReport& cleaned, double most,
-                        std::vector<Reason>& reason) {
-  for (std::size_t begin = 0, end = 0; begin < states.size(); begin = end) {
-    while (end < states.size() && states[end].motion == states[begin].motion) ++end;
-    if (!goesWhole(cleaned.reason, begin, end, most)) continue;
-    const bool stays_out = goesWhole(reason, begin, end, most);
-    for (std::size_t k = begin; k < end; ++k) {
-      if (stays_out) reason[k] = cleaned.reason[k];
-      if (!stays_out && reason[k] == Reason::kTrajectory) reason[k] = Reason::kNone;
-    }
+/// By what is left of each; 0: it does not count.
+void setWeights(std::vector<State>& states, const std::vector<double>& left, const std::vector<bool>& kept) {
+  const double median = stats::median(ofKept(left, kept));
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    const double off = median > 0.0 ? left[k] / median : 0.0;
+    const double weight = (kFreedom + 1.0) / (kFreedom + off * off);
+    states[k].weight = kept[k] || weight >= kLeastWeight ? weight : 0.0;
   }
 }
 
@@ -93,22 +46,19 @@ bool noWorse(const std::vector<double>& before, const std::vector<double>& after
   return is[0] <= (1.0 + kByChance) * was[0] && is[1] <= (1.0 + kByChance) * was[1];
 }
 
-/// Why each state does not count, with what can be learned readmitted.
-std::vector<Reason> withReadmitted(const std::vector<State>& states, const CleaningReport& cleaned,
-                                   double most, const Folds& folds, const base::ProgressPart& part) {
-  const std::vector<bool> counts = countingOf(cleaned);
-  const std::vector<double> left = folds.left(std::vector<bool>(states.size(), true), part.within(0.0, 0.33));
-  if (left.empty()) return cleaned.reason;
-  const double within = stats::quantile(chosen(left, counts), kSurely);
-  CleaningReport more = cleaned;
-  for (std::size_t k = 0; k < states.size(); ++k)
-    if (misplaced(cleaned.reason[k]) && left[k] <= within) more.reason[k] = Reason::kNone;
-  decideTrajectories(states, cleaned, most, more.reason);
-  if (more.reason == cleaned.reason) return cleaned.reason;
-  const std::vector<double> before = folds.left(counts, part.within(0.33, 0.67)),
-                            after = folds.left(countingOf(more), part.within(0.67, 1.0));
-  if (before.empty() || after.empty()) return cleaned.reason;
-  return noWorse(chosen(before, counts), chosen(after, counts)) ? more.reason : cleaned.reason;
+/// What is left of each by models of all, weighed, or, where these are worse, of what cleaning kept. Empty:
+/// cancelled, or too few.
+std::vector<double> leftOfEach(std::vector<State> states, const std::vector<bool>& kept,
+                               const CorrectionOptions& options, base::Progress* progress,
+                               const base::ProgressPart& part) {
+  const std::vector<double> by_all = leftByOthers(states, options, progress, part.within(0.0, 0.33));
+  for (std::size_t k = 0; k < states.size(); ++k) states[k].weight = kept[k] ? 1.0 : 0.0;
+  std::vector<double> by_kept = leftByOthers(states, options, progress, part.within(0.33, 0.67));
+  if (by_all.empty() || by_kept.empty()) return {};
+  setWeights(states, by_all, kept);
+  std::vector<double> by_weighed = leftByOthers(states, options, progress, part.within(0.67, 1.0));
+  if (by_weighed.empty()) return {};
+  return noWorse(ofKept(by_kept, kept), ofKept(by_weighed, kept)) ? by_weighed : by_kept;
 }
 
 }  // namespace
@@ -121,17 +71,31 @@ TrainingStates trainingStates(const std::vector<State>& all, CleaningReport clea
   return training;
 }
 
-void readmit(TrainingStates& training, const std::vector<State>& all, const CleaningOptions& limits,
-             const CorrectionOptions& options, base::Progress* progress, const base::ProgressPart& part) {
+void weigh(TrainingStates& training, const std::vector<State>& all, const CorrectionOptions& options,
+           base::Progress* progress, const base::ProgressPart& part) {
   CleaningReport& cleaning = training.cleaning;
-  const Folds folds(all, options, progress);
-  if (folds.motions() < kFewestMotions || training.states.empty() || training.states.size() == all.size())
-    return;
-  std::vector<Reason> reason = withReadmitted(all, cleaning, limits.most_rejected, folds, part);
-  for (std::size_t k = 0; k < all.size(); ++k)
-    if (reason[k] != cleaning.reason[k]) cleaning.readmitted.push_back(cleaning.reason[k]);
-  cleaning.reason = std::move(reason);
-  training.states = kept(all, cleaning);
+  std::vector<State> some;
+  std::vector<std::size_t> places;  // in `all`
+  std::vector<bool> kept;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (!mayCount(cleaning.reason[k])) continue;
+    some.push_back(all[k]);
+    places.push_back(k);
+    kept.push_back(cleaning.reason[k] == Reason::kNone);
+  }
+  if (motionsOf(some) < kFewestMotions) return;
+  CorrectionOptions quicker = options;
+  if (quicker.motion != Motion::kNone) quicker.motion = Motion::kVelocity;
+  quicker.offset = training.offset;
+  const std::vector<double> left = leftOfEach(some, kept, quicker, progress, part);
+  if (left.empty()) return;
+  setWeights(some, left, kept);
+  training.states.clear();
+  for (std::size_t k = 0; k < some.size(); ++k) {
+    if (some[k].weight == 0.0) continue;
+    if (!kept[k]) cleaning.readmitted.push_back(std::exchange(cleaning.reason[places[k]], Reason::kNone));
+    training.states.push_back(some[k]);
+  }
 }
 
 }  // namespace capstan::learning

@@ -12,24 +12,27 @@ struct TrainingStates {
   Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();  ///< rigid, of those that cleaning kept
 };
 
-/// Of all states those that cleaning kept. At least one.
+/// Of all states those that cleaning kept, of one weight. At least one.
 TrainingStates trainingStates(const std::vector<State>& all, CleaningReport cleaned, double lever);
 
-/// Takes in of what cleaning found misplaced() what can be learned all the same: a robot that does not follow
-/// a command, at a limit of a joint say, is out of place in the same way each time, and a sight that is wrong
-/// is not. The offset stays.
+/// Weighs states by how well others tell them: of what trial models of other motions leave of a state
+/// (leftByOthers), e, and of the median s of those that cleaning kept, that of Student's t distribution with
+/// kFreedom degrees of freedom (Lange, Little and Taylor, Robust statistical modeling using the t
+/// distribution, JASA 84 (1989)),
+///     weight = (ν + 1) / (ν + e²/s²).
+/// What cleaning found misplaced() is weighed with the rest, and counts again from kLeastWeight on: a robot
+/// that does not follow a command, at a limit of a joint say, is out of place in the same way each time, and
+/// a sight that is wrong is not. Speeds that are wrong stay out, and the offset stays.
 ///
-/// Motions are dealt to kReadmissionFolds folds. A trialModel learned from all states of the other folds,
-/// cleaned or not, corrects those of each. A misplaced state counts again where what is left of it (leftOf)
-/// is no more than what is left of kSurely of those that count; a trajectory that went as a whole comes back
-/// as a whole or not at all, by `limits.most_rejected`. Nothing is readmitted if models learned with all of
-/// these leave more of states that count than models without, by their median or by what is left of kWorst of
-/// them (over motions held out, within kByChance); nor of fewer than kFewestMotions, nor when cancelled.
-void readmit(TrainingStates& training, const std::vector<State>& all, const CleaningOptions& limits,
-             const CorrectionOptions& options, base::Progress* progress = nullptr,
-             const base::ProgressPart& part = {});
-inline constexpr std::size_t kReadmissionFolds = 3;
-inline constexpr double kSurely = 0.95, kWorst = 0.9;
+/// Models learned from all tell a first e, and models learned with its weights a second, which holds. Where
+/// these leave more of what cleaning kept than models of that alone, by the median or by what is left of
+/// kWorst of them (within kByChance), too much is wrong to learn from all, and e is what the latter leave.
+/// Nothing changes with fewer than kFewestMotions, or when cancelled.
+void weigh(TrainingStates& training, const std::vector<State>& all, const CorrectionOptions& options,
+           base::Progress* progress = nullptr, const base::ProgressPart& part = {});
+inline constexpr double kFreedom = 4.0;
+inline constexpr double kLeastWeight = 0.1;  ///< seven medians off
+inline constexpr double kWorst = 0.9;
 inline constexpr double kByChance = 0.05;  ///< by which trial models of much the same states differ
 
 }  // namespace capstan::learning

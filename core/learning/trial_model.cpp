@@ -22,4 +22,28 @@ std::vector<double> leftOf(const CorrectionModel& model, const std::vector<State
   return left;
 }
 
+std::vector<double> leftByOthers(const std::vector<State>& states, const CorrectionOptions& options,
+                                 base::Progress* progress, const base::ProgressPart& part) {
+  std::vector<std::size_t> fold(states.size(), 0);
+  for (std::size_t k = 1; k < states.size(); ++k)
+    fold[k] = (fold[k - 1] + (states[k].motion != states[k - 1].motion)) % kFolds;
+  std::vector<double> found(states.size());
+  for (std::size_t f = 0; f < kFolds; ++f) {
+    std::vector<State> learned, held;
+    for (std::size_t k = 0; k < states.size(); ++k) {
+      if (fold[k] == f) held.push_back(states[k]);
+      if (fold[k] != f && states[k].weight > 0.0) learned.push_back(states[k]);
+    }
+    if (learned.size() < kFewestStates) return {};
+    const double begin = static_cast<double>(f) / kFolds;
+    const CorrectionModel model =
+        trialModel(learned, options, progress, part.within(begin, begin + 1.0 / kFolds));
+    if (progress && progress->cancelled()) return {};
+    const std::vector<double> of_held = leftOf(model, held, options.lever);
+    for (std::size_t k = 0, h = 0; k < states.size(); ++k)
+      if (fold[k] == f) found[k] = of_held[h++];
+  }
+  return found;
+}
+
 }  // namespace capstan::learning

@@ -13,6 +13,12 @@ inline constexpr Eigen::Index kTrialPoints = 500;
 inline constexpr double kWorth = 0.02;
 inline constexpr std::size_t kFewestMotions = 10;
 
+/// Of each state [m], by trial models of the motions of other folds, of which there are kFolds, learned from
+/// those of some weight. Empty: cancelled, or too few states to learn from.
+std::vector<double> leftByOthers(const std::vector<State>& states, const CorrectionOptions& options,
+                                 base::Progress* progress = nullptr, const base::ProgressPart& part = {});
+inline constexpr std::size_t kFolds = 3;
+
 /// What a model leaves of each state, ‖Δt‖ + lever · angle [m].
 std::vector<double> leftOf(const CorrectionModel& model, const std::vector<State>& states, double lever);
 

@@ -149,7 +149,7 @@ TEST(LearningCurve, OfAllStatesIsTheTrial) {
   options.shares = {1.0};
   const LearningCurve curve = learningCurve(states(), options);
   CorrectionTrialOptions plain = quickTrial();
-  plain.readmit = false;
+  plain.weigh = false;
   const CorrectionTrial trial = correctionTrial(states(), plain);
   EXPECT_EQ(curve.points[0].states, trial.learned.size());
   EXPECT_NEAR(curve.points[0].errors.distance, trial.clean[2].summed().distance, kRounding);

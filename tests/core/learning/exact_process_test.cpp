@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -30,8 +31,10 @@ Sample sample(Eigen::Index n, Eigen::Index outputs, double noise, std::uint64_t 
   return s;
 }
 
-RbfParameters someParameters(bool ard) {
-  RbfParameters p{0.2, -1.4, {}};
+constexpr std::array kKernels = {Kernel::kRbf, Kernel::kMatern};
+
+KernelParameters someParameters(bool ard, Kernel kernel = Kernel::kRbf) {
+  KernelParameters p{0.2, -1.4, {}, kernel};
   if (ard)
     p.ln_length = Eigen::Vector3d(-0.1, 0.4, 1.1);
   else
@@ -39,66 +42,75 @@ RbfParameters someParameters(bool ard) {
   return p;
 }
 
-/// (5.1), element by element.
-double kernel(const Eigen::VectorXd& a, const Eigen::VectorXd& b, const RbfParameters& p) {
+/// (5.1) and (4.17), element by element.
+double kernel(const Eigen::VectorXd& a, const Eigen::VectorXd& b, const KernelParameters& p) {
   double sum = 0.0;
   for (Eigen::Index i = 0; i < a.size(); ++i) {
     const double length = std::exp(p.ln_length[p.ln_length.size() == 1 ? 0 : i]);
     sum += std::pow((a[i] - b[i]) / length, 2);
   }
-  return std::exp(2.0 * p.ln_signal) * std::exp(-0.5 * sum);
+  const double variance = std::exp(2.0 * p.ln_signal), r = std::sqrt(sum);
+  if (p.kernel == Kernel::kRbf) return variance * std::exp(-0.5 * r * r);
+  return variance * (1.0 + std::sqrt(3.0) * r) * std::exp(-std::sqrt(3.0) * r);
 }
 
-Eigen::MatrixXd kernels(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, const RbfParameters& p) {
+Eigen::MatrixXd kernels(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, const KernelParameters& p) {
   Eigen::MatrixXd k(a.rows(), b.rows());
   for (Eigen::Index r = 0; r < k.rows(); ++r)
     for (Eigen::Index c = 0; c < k.cols(); ++c) k(r, c) = kernel(a.row(r), b.row(c), p);
   return k;
 }
 
-Eigen::MatrixXd noisy(const Eigen::MatrixXd& x, const RbfParameters& p) {
+Eigen::MatrixXd noisy(const Eigen::MatrixXd& x, const KernelParameters& p) {
   return kernels(x, x, p) + p.noiseVariance() * Eigen::MatrixXd::Identity(x.rows(), x.rows());
 }
 
+void expectTextbookLikelihood(const KernelParameters& p, Eigen::Index outputs) {
+  const Sample s = sample(70, outputs, 0.2);
+  const Eigen::MatrixXd k = noisy(s.x, p);
+  const Eigen::MatrixXd root = k.llt().matrixL();
+  const double expected = 0.5 * s.y.cwiseProduct(k.llt().solve(s.y)).sum() +
+                          static_cast<double>(outputs) *
+                              (root.diagonal().array().log().sum() + 35.0 * std::log(2.0 * std::numbers::pi));
+  const auto value = negativeLogLikelihood(s.x, s.y, p, nullptr);
+  ASSERT_TRUE(value.has_value());
+  EXPECT_NEAR(*value, expected, 1e-8 * std::abs(expected)) << base::nameOf(p.kernel);
+}
+
 TEST(ExactProcess, likelihoodIsThatOfTheTextbook) {
-  for (const bool ard : {false, true})
-    for (const Eigen::Index outputs : {1, 3}) {
-      const Sample s = sample(70, outputs, 0.2);
-      const RbfParameters p = someParameters(ard);
-      const Eigen::MatrixXd k = noisy(s.x, p);
-      const Eigen::MatrixXd root = k.llt().matrixL();
-      const double expected = 0.5 * s.y.cwiseProduct(k.llt().solve(s.y)).sum() +
-                              static_cast<double>(outputs) * (root.diagonal().array().log().sum() +
-                                                              35.0 * std::log(2.0 * std::numbers::pi));
-      const auto value = negativeLogLikelihood(s.x, s.y, p, nullptr);
-      ASSERT_TRUE(value.has_value());
-      EXPECT_NEAR(*value, expected, 1e-8 * std::abs(expected));
-    }
+  for (const Kernel kernel : kKernels)
+    for (const bool ard : {false, true})
+      for (const Eigen::Index outputs : {1, 3})
+        expectTextbookLikelihood(someParameters(ard, kernel), outputs);
+}
+
+void expectSlopesOfDifferences(const KernelParameters& p, Eigen::Index outputs) {
+  constexpr double kStep = 1e-5;
+  const Sample s = sample(60, outputs, 0.2);
+  const auto valueAt = [&](const Eigen::VectorXd& at) {
+    return *negativeLogLikelihood(s.x, s.y, KernelParameters::unpacked(at, p.kernel), nullptr);
+  };
+  Eigen::VectorXd gradient;
+  ASSERT_TRUE(negativeLogLikelihood(s.x, s.y, p, &gradient));
+  ASSERT_EQ(gradient.size(), p.packed().size());
+  for (Eigen::Index k = 0; k < gradient.size(); ++k) {
+    Eigen::VectorXd more = p.packed(), less = p.packed();
+    more[k] += kStep, less[k] -= kStep;
+    const double slope = (valueAt(more) - valueAt(less)) / (2.0 * kStep);
+    EXPECT_NEAR(gradient[k], slope, 1e-5 * std::max(1.0, std::abs(slope)))
+        << base::nameOf(p.kernel) << ", parameter " << k;
+  }
 }
 
 TEST(ExactProcess, gradientIsThatOfDifferences) {
-  constexpr double kStep = 1e-5;
-  for (const bool ard : {false, true})
-    for (const Eigen::Index outputs : {1, 2}) {
-      const Sample s = sample(60, outputs, 0.2);
-      const Eigen::VectorXd at = someParameters(ard).packed();
-      Eigen::VectorXd gradient;
-      ASSERT_TRUE(negativeLogLikelihood(s.x, s.y, RbfParameters::unpacked(at), &gradient));
-      ASSERT_EQ(gradient.size(), at.size());
-      for (Eigen::Index k = 0; k < at.size(); ++k) {
-        Eigen::VectorXd more = at, less = at;
-        more[k] += kStep, less[k] -= kStep;
-        const double slope = (*negativeLogLikelihood(s.x, s.y, RbfParameters::unpacked(more), nullptr) -
-                              *negativeLogLikelihood(s.x, s.y, RbfParameters::unpacked(less), nullptr)) /
-                             (2.0 * kStep);
-        EXPECT_NEAR(gradient[k], slope, 1e-5 * std::max(1.0, std::abs(slope))) << "parameter " << k;
-      }
-    }
+  for (const Kernel kernel : kKernels)
+    for (const bool ard : {false, true})
+      for (const Eigen::Index outputs : {1, 2})
+        expectSlopesOfDifferences(someParameters(ard, kernel), outputs);
 }
 
-TEST(ExactProcess, predictsAsTheTextbook) {
+void expectTextbookPredictions(const KernelParameters& p) {
   const Sample s = sample(80, 2, 0.1), at = sample(15, 2, 0.0, 2);
-  const RbfParameters p = someParameters(true);
   const ExactProcess process(s.x, s.y, p);
   EXPECT_EQ(process.jitter(), 0.0);
   const Prediction told = process.predict(at.x);
@@ -109,6 +121,10 @@ TEST(ExactProcess, predictsAsTheTextbook) {
   const Eigen::VectorXd variance = kernels(at.x, at.x, p).diagonal() -
                                    (cross * factor.solve(Eigen::MatrixXd(cross.transpose()))).diagonal();
   EXPECT_LT((told.variance - variance).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+TEST(ExactProcess, predictsAsTheTextbook) {
+  for (const Kernel kernel : kKernels) expectTextbookPredictions(someParameters(true, kernel));
 }
 
 TEST(ExactProcess, knowsNothingFarAway) {
@@ -123,7 +139,7 @@ TEST(ExactProcess, standsRepeatsWithoutNoise) {
   Sample s = sample(40, 1, 0.0);
   s.x.bottomRows(20) = s.x.topRows(20);
   s.y.bottomRows(20) = s.y.topRows(20);
-  RbfParameters p = someParameters(true);
+  KernelParameters p = someParameters(true);
   p.ln_noise = -30.0;
   const ExactProcess process(s.x, s.y, p);
   EXPECT_LT(process.jitter(), 1e-8);
@@ -156,7 +172,7 @@ TEST(ProcessFit, cancelledItKeepsWhatItHas) {
   const ProcessFitOptions options;
   base::Progress progress;
   progress.cancel();
-  const RbfParameters start = startOf(s.x, s.y, options);
+  const KernelParameters start = startOf(s.x, s.y, options);
   EXPECT_EQ(fitProcess(s.x, s.y, start, options, &progress).parameters.packed(), start.packed());
 }
 

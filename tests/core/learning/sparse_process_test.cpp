@@ -25,7 +25,7 @@ Sample sample(Eigen::Index n, std::uint64_t seed) {
   return s;
 }
 
-RbfParameters parameters() { return {0.5, std::log(0.1), Eigen::Vector2d(0.2, 0.3)}; }
+KernelParameters parameters() { return {0.5, std::log(0.1), Eigen::Vector2d(0.2, 0.3)}; }
 
 TEST(SparseProcess, withAllPointsIsTheExactOne) {
   const Sample s = sample(150, 1), at = sample(40, 2);
@@ -46,6 +46,18 @@ TEST(SparseProcess, withFewPointsIsNearTheExactOne) {
   const ExactProcess exact(s.x, s.y, parameters());
   const Eigen::MatrixXd apart = sparse.mean(at.x) - exact.mean(at.x);
   EXPECT_LT(std::sqrt(apart.squaredNorm() / static_cast<double>(apart.size())), 0.01);
+}
+
+TEST(SparseProcess, aPointOfWeightTwoIsAsGoodAsTwo) {
+  const Sample s = sample(100, 1), at = sample(40, 2);
+  SparseProcess weighed(s.x, 2, parameters()), twice = weighed;
+  Eigen::VectorXd weight = Eigen::VectorXd::Ones(100);
+  weight.head(30).setConstant(2.0);
+  weighed.add(s.x, s.y, weight);
+  twice.add(s.x, s.y);
+  twice.add(s.x.topRows(30), s.y.topRows(30));
+  EXPECT_LT((weighed.mean(at.x) - twice.mean(at.x)).cwiseAbs().maxCoeff(), 1e-8);
+  EXPECT_LT((weighed.predict(at.x).variance - twice.predict(at.x).variance).cwiseAbs().maxCoeff(), 1e-8);
 }
 
 TEST(SparseProcess, learnsInPartsWhatItLearnsAtOnce) {

@@ -1,4 +1,4 @@
-// What cleaning takes and can be learned is kept again; what is wrong by chance is not.
+// What other trajectories tell counts, what cleaning took of it, too; what they contradict counts little.
 #include "core/learning/training_states.h"
 
 #include <gtest/gtest.h>
@@ -6,6 +6,8 @@
 #include <algorithm>
 
 #include "core/base/random.h"
+#include "core/learning/trial_model.h"
+#include "core/stats/rms.h"
 #include "tests/core/learning/quick_options.h"
 
 namespace capstan::learning {
@@ -40,76 +42,78 @@ std::vector<State> states(const World& world, std::size_t motions) {
   return made;
 }
 
-TrainingStates readmittedOf(const std::vector<State>& all, const CleaningOptions& limits = {},
-                            base::Progress* progress = nullptr) {
-  TrainingStates training = trainingStates(all, cleanStates(all, limits), kLever);
-  readmit(training, all, limits, quickOptions(), progress);
+TrainingStates weighed(const std::vector<State>& all, base::Progress* progress = nullptr) {
+  TrainingStates training = trainingStates(all, cleanStates(all), kLever);
+  weigh(training, all, quickOptions(), progress);
   return training;
 }
 
-TEST(Readmit, WhatIsOutOfPlaceInTheSameWayEachTime) {
+double weightOf(const TrainingStates& training, std::size_t motion) {
+  double weight = 0.0;
+  for (const State& state : training.states)
+    if (state.motion == motion) weight += state.weight;
+  return weight;
+}
+
+TEST(Weigh, WhatIsOutOfPlaceInTheSameWayEachTimeCounts) {
   const std::vector<State> all = states({.stuck_beyond = 0.02}, 30);
-  const TrainingStates before = trainingStates(all, cleanStates(all), kLever), after = readmittedOf(all);
+  const TrainingStates before = trainingStates(all, cleanStates(all), kLever), after = weighed(all);
   const std::size_t taken = all.size() - before.states.size();
   ASSERT_GT(taken, 200U);
   EXPECT_GT(after.cleaning.readmitted.size(), taken / 2);
   EXPECT_EQ(after.states.size(), before.states.size() + after.cleaning.readmitted.size());
+  EXPECT_EQ(after.cleaning.kept(), after.states.size());
   EXPECT_TRUE(after.offset.isApprox(before.offset)) << "of those that cleaning kept";
 }
 
-/// Sights that are wrong by chance are at times where a model that learned them all, too, has its mean:
-/// models that learn those are worse for the others.
-TEST(Readmit, NotWhatIsWrongByChance) {
+TEST(Weigh, WhatIsWrongByChanceDoesNot) {
   const std::vector<State> all = states({.jumps = 0.15}, 30);
-  const TrainingStates after = readmittedOf(all);
+  const TrainingStates after = weighed(all);
   const std::size_t taken = all.size() - cleanStates(all).kept();
   ASSERT_GT(taken, 100U);
   EXPECT_LE(after.cleaning.readmitted.size(), taken / 20);
 }
 
 /// A speed that the robot does not have says that the velocity is wrong, which a pose does not.
-TEST(Readmit, NotWhatMovesTooFast) {
+TEST(Weigh, NorWhatMovesTooFast) {
   std::vector<State> all = states({.stuck_beyond = 0.02}, 30);
   for (std::size_t k = 0; k < all.size(); k += 7) all[k].velocity[0] = 1.0;
-  const TrainingStates after = readmittedOf(all);
+  const TrainingStates after = weighed(all);
   EXPECT_FALSE(after.cleaning.readmitted.empty());
   EXPECT_EQ(std::ranges::count(after.cleaning.readmitted, Reason::kTooFast), 0);
   EXPECT_EQ(after.cleaning.count(Reason::kTooFast), cleanStates(all).count(Reason::kTooFast));
 }
 
-/// Of a trajectory that goes as a whole some states pass by chance: they stay out with it.
-TEST(Readmit, TrajectoriesAsAWholeOrNotAtAll) {
-  std::vector<State> all = states({.stuck_beyond = 0.02}, 30);
-  for (State& state : all) {
-    auto at = state.pair.seen.translation();
-    if (state.motion == 4) std::swap(at.x(), at.y());
-  }
-  const TrainingStates after = readmittedOf(all, {.most_rejected = 0.4});
-  EXPECT_FALSE(after.cleaning.readmitted.empty());
-  EXPECT_GT(after.cleaning.count(Reason::kTrajectory), 0U);
-  EXPECT_TRUE(std::ranges::none_of(after.states, [](const State& state) { return state.motion == 4; }));
-}
-
-/// So do those of one that is out of place throughout, some of it in the same way each time.
-TEST(Readmit, TrajectoriesOutOfPlaceThroughoutLikewise) {
-  const CleaningOptions limits{.most_rejected = 0.8};
+TEST(Weigh, ATrajectoryThatIsALittleOffCountsLittle) {
   std::vector<State> all = states({.stuck_beyond = 0.02}, 30);
   for (State& state : all)
-    if (state.motion == 4 && state.pair.told.translation().x() < 0.035)
-      state.pair.seen.translation().y() += 0.5;
-  const CleaningReport cleaned = cleanStates(all, limits);
-  for (std::size_t k = 0; k < all.size(); ++k)
-    ASSERT_TRUE(all[k].motion != 4 || misplaced(cleaned.reason[k]));
-  const TrainingStates after = readmittedOf(all, limits);
-  EXPECT_FALSE(after.cleaning.readmitted.empty());
-  EXPECT_TRUE(std::ranges::none_of(after.states, [](const State& state) { return state.motion == 4; }));
+    if (state.motion == 4) state.pair.seen.translation().y() += 1.5e-3;
+  const TrainingStates after = weighed(all);
+  EXPECT_GT(weightOf(after, 5), 20.0) << "40 states";
+  EXPECT_LT(weightOf(after, 4), 0.25 * weightOf(after, 5));
 }
 
-TEST(Readmit, NothingWhereMotionsAreTooFewOrWorkIsCancelled) {
-  EXPECT_TRUE(readmittedOf(states({.stuck_beyond = 0.02}, 9)).cleaning.readmitted.empty());
+TEST(Weigh, AModelOfWeighedStatesIsNearer) {
+  const std::vector<State> truth = states({.stuck_beyond = 0.02}, 30);
+  std::vector<State> all = truth;
+  for (State& state : all)
+    if (state.motion % 6 == 4) state.pair.seen.translation().y() += state.motion % 12 == 4 ? 5e-3 : -5e-3;
+  const TrainingStates plain = trainingStates(all, cleanStates(all), kLever), after = weighed(all);
+  const auto left = [&](const TrainingStates& training) {
+    return stats::mean(leftOf(CorrectionModel::trained(training.states, quickOptions()), truth, kLever));
+  };
+  EXPECT_LT(left(after), 0.8 * left(plain));
+}
+
+TEST(Weigh, NothingWhereMotionsAreTooFewOrWorkIsCancelled) {
+  const auto untouched = [](const TrainingStates& training) {
+    return training.cleaning.readmitted.empty() &&
+           std::ranges::all_of(training.states, [](const State& state) { return state.weight == 1.0; });
+  };
+  EXPECT_TRUE(untouched(weighed(states({.stuck_beyond = 0.02}, 9))));
   base::Progress progress;
   progress.cancel();
-  EXPECT_TRUE(readmittedOf(states({.stuck_beyond = 0.02}, 30), {}, &progress).cleaning.readmitted.empty());
+  EXPECT_TRUE(untouched(weighed(states({.stuck_beyond = 0.02}, 30), &progress)));
 }
 
 }  // namespace

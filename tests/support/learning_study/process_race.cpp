@@ -43,7 +43,7 @@ MatrixXd drawn(const PlainTable& table, Index count, std::uint64_t seed) {
   return xy;
 }
 
-void write(const std::filesystem::path& folder, const MatrixXd& xy, const learning::RbfParameters& start) {
+void write(const std::filesystem::path& folder, const MatrixXd& xy, const learning::KernelParameters& start) {
   std::filesystem::create_directories(folder);
   writeNumbers(folder / "train.csv", xy);
   writeNumbers(folder / "start.csv", start.packed().transpose());

@@ -110,8 +110,10 @@ StageGroup rigidOffset(const LearningStages& stages) {
             degrees(stages.before.median_angle).chopped(1) + arrow + degrees(stages.after.median_angle)}}};
 }
 
+constexpr double kDoubted = 0.5;  ///< weight
+
 /// Features whose length-scales are shortest: what a correction depends on most.
-QString sharpest(const learning::RbfParameters& parameters) {
+QString sharpest(const learning::KernelParameters& parameters) {
   static constexpr std::array kFeatures = {"x",  "y",  "z",  "rx", "ry", "rz",
                                            "vx", "vy", "vz", "ωx", "ωy", "ωz"};
   std::vector<std::pair<double, std::size_t>> lengths;
@@ -132,15 +134,22 @@ StageGroup process(const CorrectionTrial& trial) {
   group.rows.push_back(
       {tr("… that cleaning had taken"), countText(trial.readmitted), std::nan(""), false,
        tr("States out of place in the same way on several trajectories, where the robot does not "
-          "follow its command, say: they can be learned, and are kept again. What is wrong by chance is "
+          "follow its command, say: they can be learned, and count again. What is wrong by chance does "
           "not.")});
+  const auto doubted = std::ranges::count_if(
+      trial.learned, [](const learning::State& state) { return state.weight < kDoubted; });
+  group.rows.push_back(
+      {tr("… of less than half the weight"), countText(static_cast<std::size_t>(doubted)), std::nan(""),
+       false,
+       tr("States that models learned from other trajectories do not tell: a sight that jumps a little, a "
+          "trajectory apart from the others.")});
   const auto& processes = trial.model->processes();
   if (!processes.empty())
     group.rows.push_back(
         {tr("inducing points"), countText(static_cast<std::size_t>(processes[0].inducing()))});
   static constexpr std::array kOutputs = {"x", "y", "z", "rx", "ry", "rz"};
   for (std::size_t k = 0; k < processes.size(); ++k) {
-    const learning::RbfParameters& p = processes[k].parameters();
+    const learning::KernelParameters& p = processes[k].parameters();
     const double ratio = std::exp(p.ln_signal - p.ln_noise);
     group.rows.push_back(
         {QObject::tr("%1: signal / noise %2; lengths")

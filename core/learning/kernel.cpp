@@ -1,0 +1,85 @@
+#include "core/learning/kernel.h"
+
+#include <cassert>
+#include <cmath>
+
+#include "core/math/dense.h"
+
+namespace capstan::learning {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+/// From r², which rounding may make negative, in place.
+void toCovariance(const KernelParameters& parameters, Eigen::Ref<Eigen::ArrayXd> squares) {
+  const double variance = parameters.signalVariance();
+  if (parameters.kernel == Kernel::kRbf) {
+    squares = variance * (-0.5 * squares.max(0.0)).exp();
+    return;
+  }
+  squares = (3.0 * squares.max(0.0)).sqrt();
+  squares = variance * (1.0 + squares) * (-squares).exp();
+}
+
+}  // namespace
+
+double KernelParameters::signalVariance() const { return std::exp(2.0 * ln_signal); }
+double KernelParameters::noiseVariance() const { return std::exp(2.0 * ln_noise); }
+
+VectorXd KernelParameters::packed() const {
+  VectorXd all(2 + ln_length.size());
+  all << ln_signal, ln_noise, ln_length;
+  return all;
+}
+
+KernelParameters KernelParameters::unpacked(const VectorXd& packed, Kernel kernel) {
+  return {packed[0], packed[1], packed.tail(packed.size() - 2), kernel};
+}
+
+MatrixXd inLengths(const MatrixXd& x, const KernelParameters& parameters) {
+  const VectorXd& ln = parameters.ln_length;
+  assert(ln.size() == 1 || ln.size() == x.cols());
+  if (ln.size() == 1) return std::exp(-ln[0]) * x;
+  return x * (-ln.array()).exp().matrix().asDiagonal();
+}
+
+MatrixXd signalCovariance(const MatrixXd& z, const KernelParameters& parameters) {
+  const VectorXd squares = z.rowwise().squaredNorm();
+  MatrixXd k = MatrixXd::Zero(z.rows(), z.rows());
+  math::addSquare(-2.0, z, k);
+  for (Index c = 0; c < k.cols(); ++c) {
+    const Index n = k.rows() - c;
+    auto below = k.col(c).tail(n).array();
+    below += squares.tail(n).array() + squares[c];
+    toCovariance(parameters, below);
+  }
+  return k;
+}
+
+MatrixXd crossCovariance(const MatrixXd& a, const MatrixXd& b, const KernelParameters& parameters) {
+  const VectorXd of_a = a.rowwise().squaredNorm(), of_b = b.rowwise().squaredNorm();
+  MatrixXd k = math::product(a, b, true);
+  for (Index c = 0; c < k.cols(); ++c) {
+    auto column = k.col(c).array();
+    column = of_a.array() + of_b[c] - 2.0 * column;
+    toCovariance(parameters, column);
+  }
+  return k;
+}
+
+void timesLengthSlope(const MatrixXd& z, const KernelParameters& parameters, MatrixXd& m) {
+  if (parameters.kernel == Kernel::kRbf) return;
+  const VectorXd squares = z.rowwise().squaredNorm();
+  MatrixXd apart = MatrixXd::Zero(z.rows(), z.rows());
+  math::addSquare(-2.0, z, apart);
+  for (Index c = 0; c < m.cols(); ++c) {
+    const Index n = m.rows() - c;
+    const auto r2 = (apart.col(c).tail(n).array() + squares.tail(n).array() + squares[c]).max(0.0);
+    m.col(c).tail(n).array() *= 3.0 / (1.0 + (3.0 * r2).sqrt());
+  }
+}
+
+}  // namespace capstan::learning
