@@ -115,7 +115,7 @@ void addLearn(CLI::App& app, ExitCode& exit) {
       ->add_option(
           "--method", arguments->method,
           "offset: rigid; none, velocity, history: a Gaussian process besides, of the pose alone, with\n"
-          "its velocity, with how it moved in the last 0.4 s too; auto: velocity or history, whichever\n"
+          "its velocity, with how it moved in the last 1.6 s too; auto: velocity or history, whichever\n"
           "is nearer on trajectories held out")
       ->capture_default_str()
       ->check(CLI::IsMember({"auto", "offset", "none", "velocity", "history"}));

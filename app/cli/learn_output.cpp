@@ -106,7 +106,7 @@ const char* motionText(learning::Motion motion) {
     case learning::Motion::kVelocity:
       return " and its velocity";
     default:
-      return ", its velocity and how it moved in the last 0.4 s";
+      return ", its velocity and how it moved in the last 1.6 s";
   }
 }
 

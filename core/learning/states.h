@@ -11,7 +11,7 @@ namespace capstan::learning {
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 
 /// Spans over which a state remembers how it moved [s].
-inline constexpr std::array kSpans = {0.1, 0.4};
+inline constexpr std::array kSpans = {0.1, 0.4, 1.6};
 
 /// An observed state and what was told at that instant (GPR paper, section III: x_o = (p, ṗ) and p_c).
 struct State {
@@ -22,7 +22,7 @@ struct State {
   Vector6d velocity = Vector6d::Zero();  ///< of what was seen, [m/s], then [rad/s] in its own frame
   /// Mean velocities of the last kSpans, likewise: cables that stick remember where they came from. Before
   /// the motion's first sight it stood still.
-  std::array<Vector6d, kSpans.size()> drift = {Vector6d::Zero(), Vector6d::Zero()};
+  std::array<Vector6d, kSpans.size()> drift = {Vector6d::Zero(), Vector6d::Zero(), Vector6d::Zero()};
   double weight = 1.0;  ///< in learning: the variance of its noise is that of others / weight
 };
 

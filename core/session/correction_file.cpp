@@ -26,7 +26,7 @@ using learning::SparseProcessParts;
 static_assert(std::endian::native == std::endian::little, "numbers are written as they stand in memory");
 
 constexpr std::string_view kMagic = "capstan correction ";
-constexpr int kVersion = 2;  // 1: RBF kernels alone
+constexpr int kVersion = 2;
 
 [[noreturn]] void refuse(const std::filesystem::path& path, std::string what, std::string remedy) {
   throw base::InputError({path.string(), 0, {}, {}, std::move(what), std::move(remedy)});
@@ -141,8 +141,8 @@ CorrectionParts partsFrom(const Json& header, Numbers& from) {
     const Index inducing = one.at("inducing"), lengths = one.at("lengths"), own = one.at("outputs");
     if (inducing < 1 || own < 1 || (lengths != 1 && lengths != features)) throw std::out_of_range("groups");
     SparseProcessParts group;
-    group.parameters = learning::KernelParameters::unpacked(
-        from.take(2 + lengths), named<learning::Kernel>(one.value("kernel", "rbf")));
+    group.parameters = learning::KernelParameters::unpacked(from.take(2 + lengths),
+                                                            named<learning::Kernel>(one.at("kernel")));
     group.inducing = from.take(inducing, features);
     group.square = from.takeLower(inducing);
     group.sum = from.take(inducing, own);
@@ -163,8 +163,8 @@ void checkVersion(const std::string& line, const std::filesystem::path& path) {
   if (!line.starts_with(kMagic))
     refuse(path, "is no model of a correction", "Give a file that `capstan-cli learn --model` wrote");
   const std::string version = line.substr(kMagic.size());
-  if (version != "1" && version != std::to_string(kVersion))
-    refuse(path, fmt::format("is a model of version {}, and this program reads 1 to {}", version, kVersion),
+  if (version != std::to_string(kVersion))
+    refuse(path, fmt::format("is a model of version {}, and this program reads {}", version, kVersion),
            "Read it with the program that wrote it, or learn it anew");
 }
 

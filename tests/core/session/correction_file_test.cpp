@@ -4,9 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
-#include "core/base/checksum.h"
 #include "core/base/error.h"
 #include "core/base/random.h"
 #include "core/base/yaml.h"
@@ -27,9 +25,8 @@ std::vector<learning::State> states(std::size_t n) {
   return made;
 }
 
-CorrectionFile learned(learning::Kernel kernel = learning::Kernel::kMatern) {
+CorrectionFile learned() {
   learning::CorrectionOptions options;
-  options.fit.kernel = kernel;
   options.likelihood_points = 100;
   options.inducing_points = 80;
   return {
@@ -97,24 +94,6 @@ TEST(CorrectionFile, refusesWhatIsDamaged) {
   later.replace(later.find(" 2\n"), 3, " 9\n");
   EXPECT_NE(complaint(later).find("version 9"), std::string::npos);
   EXPECT_NE(complaintOf(folder.path() / "none").find("none"), std::string::npos);
-}
-
-/// Version 1 knew the RBF alone, and did not say so.
-TEST(CorrectionFile, readsTheVersionBefore) {
-  const testing::TemporaryFolder folder;
-  const std::filesystem::path path = folder.path() / "arm.correction";
-  const CorrectionFile file = learned(learning::Kernel::kRbf);
-  writeCorrection(file, path);
-  std::string text = base::readTextFile(path);
-  const std::size_t first = text.find('\n'), second = text.find('\n', first + 1);
-  auto header = nlohmann::json::parse(text.substr(first + 1, second - first - 1));
-  const std::string numbers = text.substr(second + 1);
-  for (auto& group : header["groups"]) group.erase("kernel");
-  header.erase("checksum");
-  header["checksum"] = base::checksumOf(header.dump() + numbers);
-  base::writeTextFile(path, text.substr(0, first - 1) + "1\n" + header.dump() + '\n' + numbers);
-  const learning::State at = states(1).front();
-  EXPECT_EQ(readCorrection(path).model.correct(at).pose.matrix(), file.model.correct(at).pose.matrix());
 }
 
 TEST(CorrectionFile, keepsWhatStoodThereWhenItCannotBeWritten) {

@@ -104,7 +104,7 @@ QString motionWords(learning::Motion motion) {
     case learning::Motion::kVelocity:
       return QObject::tr("pose and velocity");
     default:
-      return QObject::tr("pose, velocity and the last 0.4\u00a0s of motion");
+      return QObject::tr("pose, velocity and the last 1.6\u00a0s of motion");
   }
 }
 

@@ -112,10 +112,18 @@ StageGroup rigidOffset(const LearningStages& stages) {
 
 constexpr double kDoubted = 0.5;  ///< weight
 
+/// As PoseFeatures::of() has them.
+QString featureName(std::size_t feature) {
+  static constexpr std::array kNames = {"x", "y", "z", "rx", "ry", "rz", "vx", "vy", "vz", "ωx", "ωy", "ωz"};
+  if (feature < kNames.size()) return QString::fromUtf8(kNames[feature]);
+  const std::size_t drift = feature - kNames.size();
+  return QObject::tr("%1 over %2 s")
+      .arg(QString::fromUtf8(kNames[6 + drift % 6]))
+      .arg(learning::kSpans[drift / 6]);
+}
+
 /// Features whose length-scales are shortest: what a correction depends on most.
 QString sharpest(const learning::KernelParameters& parameters) {
-  static constexpr std::array kFeatures = {"x",  "y",  "z",  "rx", "ry", "rz",
-                                           "vx", "vy", "vz", "ωx", "ωy", "ωz"};
   std::vector<std::pair<double, std::size_t>> lengths;
   for (Eigen::Index i = 0; i < parameters.ln_length.size(); ++i)
     lengths.emplace_back(std::exp(parameters.ln_length[i]), static_cast<std::size_t>(i));
@@ -123,7 +131,7 @@ QString sharpest(const learning::KernelParameters& parameters) {
   std::sort(lengths.begin(), lengths.end());
   QStringList parts;
   for (std::size_t k = 0; k < std::min<std::size_t>(3, lengths.size()); ++k)
-    parts << QStringLiteral("%1 %2").arg(QString::fromUtf8(kFeatures[lengths[k].second]),
+    parts << QStringLiteral("%1 %2").arg(featureName(lengths[k].second),
                                          significantText(lengths[k].first, 2));
   return parts.join(QStringLiteral(" · "));
 }
