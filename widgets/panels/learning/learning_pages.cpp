@@ -17,6 +17,9 @@ namespace capstan::widgets {
 LearningPages::LearningPages(QWidget* parent) : QTabWidget(parent) {
   setDocumentMode(true);
   tabBar()->setDrawBase(false);
+  QFont small = tabBar()->font();  // eight of them side by side in a window of 1280 px
+  small.setPointSizeF(0.9 * small.pointSizeF());
+  tabBar()->setFont(small);
   const auto page = [this](QWidget* content, const QString& title, const QString& tip) {
     const int index = addTab(content, title);
     setTabToolTip(index, QStringLiteral("%1 (Alt+%2)").arg(tip).arg(index + 1));
