@@ -62,6 +62,7 @@ class FitModel {
   /// Without that effect, its everyday form back where it has one.
   FitModel without(const Hypothesis& hypothesis, int joint) const;
 
+  const robot::Description& nominal() const { return nominal_; }
   robot::Description refitted(const Eigen::VectorXd& u) const;  ///< the nominal structure alone
   robot::Description extended(const Eigen::VectorXd& u) const;  ///< with all effects, everyday ones too
   robot::Effect effect(std::size_t k, const Eigen::VectorXd& u) const;

@@ -45,8 +45,12 @@ bool isCount(const FoundParameter& parameter) { return parameter.unit.empty() &&
 std::string number(double value, int decimals) {
   constexpr int kMost = 6;
   constexpr double kFar = 1e6;
-  if (std::abs(value) >= kFar || decimals > kMost) return fmt::format("{:.2e}", value);
-  return fmt::format("{:.{}f}", value, std::max(decimals, 0));
+  const bool far = std::abs(value) >= kFar || decimals > kMost;
+  std::string text =
+      far ? fmt::format("{:.2e}", value) : fmt::format("{:.{}f}", value, std::max(decimals, 0));
+  if (text.starts_with('-') && text.find_first_of("123456789") == std::string::npos) text.erase(0, 1);  // −0
+  if (text.starts_with('-')) text.replace(0, 1, "−");
+  return text;
 }
 
 /// That `digits` significant digits of `value` need.
@@ -110,7 +114,7 @@ std::string shareWords(double share) {
                                  Words{0.16, "a fifth of it"},     Words{0.08, "a tenth of it"},
                                  Words{0.03, "a twentieth of it"}, Words{0.01, "hardly any of it"}};
   const auto found = std::ranges::find_if(kWords, [share](const Words& w) { return share >= w.from; });
-  return std::string(found == kWords.end() ? "none of it" : found->words);
+  return std::string(found == kWords.end() ? "no sure part of it" : found->words);
 }
 
 }  // namespace capstan::diagnosis

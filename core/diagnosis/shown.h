@@ -14,7 +14,7 @@ struct ShownUnit {
 };
 
 /// Degrees for rad and millimetres for m, also per second or second²; others with their signs in print
-/// (N·m, s², µm/N). A unit that goes by the joint ("rad or m") stays SI.
+/// (N·m, s², µm/N).
 ShownUnit shownUnit(std::string_view si);
 
 /// "0.420 ± 0.031 mm": as many decimals as two digits of sigma need; three digits where sigma is not known
@@ -31,7 +31,7 @@ std::string shownName(std::string_view parameter);
 /// "joint 2", or "whole arm" and "cameras" for effects of joint 0.
 std::string shownJoint(std::string_view effect, int joint);
 
-/// How much of a variance `share` is, for people: "nearly all of it", "about half", "a tenth" … "nothing".
+/// How much of a variance `share` is, for people: "nearly all of it", "about half of it", "a tenth of it" … "no sure part of it".
 std::string shareWords(double share);
 
 }  // namespace capstan::diagnosis

@@ -29,6 +29,15 @@ double noiseSquare(const FitData& data, const Selection& s, Eigen::Index c) {
 /// best: a share of it.
 constexpr double kLawsAreGood = 0.01;
 
+/// Of "rad or m" what the joint goes by.
+std::string unitAt(std::string_view unit, int joint, const robot::Description& robot) {
+  constexpr std::string_view kOr = " or ";
+  const std::size_t at = unit.find(kOr);
+  if (joint == 0 || at == std::string_view::npos) return std::string(unit);
+  const bool slides = robot.joints[static_cast<std::size_t>(joint - 1)].type == robot::JointType::kPrismatic;
+  return std::string(slides ? unit.substr(at + kOr.size()) : unit.substr(0, at));
+}
+
 std::vector<FoundParameter> parametersOf(const FitModel& model, std::size_t effect, const Eigen::VectorXd& u,
                                          const Eigen::MatrixXd& covariance) {
   const EffectTerm& term = model.effects()[effect];
@@ -45,7 +54,8 @@ std::vector<FoundParameter> parametersOf(const FitModel& model, std::size_t effe
           model.parameters()[static_cast<std::size_t>(at)].valueSigma(u[at], std::sqrt(covariance(at, at)));
     if (sigma > 0.0 && number.name != "time") sigma = std::hypot(sigma, kLawsAreGood * values[i]);
     if (neutral[i] == 0.0) sigma = std::hypot(sigma, 0.5 * everyday);  // every robot has some of it
-    found.push_back({std::string(number.name), std::string(number.unit), values[i], sigma});
+    found.push_back(
+        {std::string(number.name), unitAt(number.unit, term.joint, model.nominal()), values[i], sigma});
   }
   return found;
 }

@@ -56,7 +56,8 @@ test::PlantedCase caseOf(const Wanted& wanted, const std::string& effect, std::u
 
 std::string namedIn(const diagnosis::Report& report) {
   std::string named = std::string(base::nameOf(report.verdict));
-  for (const diagnosis::Cause& cause : report.causes) named += fmt::format(" {} {}", cause.effect, cause.joint);
+  for (const diagnosis::Cause& cause : report.causes)
+    named += fmt::format(" {} {}", cause.effect, cause.joint);
   for (const diagnosis::Tie& tie : report.ties)  // the first of them is among the causes
     for (std::size_t k = 1; k < tie.causes.size(); ++k)
       named += fmt::format(" or {} {}", tie.causes[k].effect, tie.causes[k].joint);

@@ -289,6 +289,19 @@ TEST(Diagnose, isTheSameWhateverTheThreads) {
   EXPECT_FALSE(one.channels.empty());
 }
 
+TEST(Diagnose, tellsNumbersInTheUnitOfTheJoint) {
+  const auto unitOf = [](int joint) {
+    const Planted planted(7, test::Effect::kHomingOffset, joint, 8.0);
+    DiagnosisOptions options;
+    options.filter = false;
+    options.only = {"homing_offset"};
+    const Report report = diagnose(planted.evidence, planted.robot, options);
+    return report.causes.empty() ? "no cause" : report.causes.front().parameters.front().unit;
+  };
+  EXPECT_EQ(unitOf(2), "rad");
+  EXPECT_EQ(unitOf(3), "m");
+}
+
 TEST(Diagnose, refusesWhatItCannotUse) {
   const Planted planted(6, {}, 0, 8.0);
   EXPECT_THROW(diagnose({}, planted.robot), base::InputError);
