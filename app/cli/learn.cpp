@@ -122,12 +122,13 @@ void addLearn(CLI::App& app, ExitCode& exit) {
   command->add_option("--towards", arguments->towards, "what corrected poses are asked of")
       ->capture_default_str()
       ->check(CLI::IsMember({"command", "robot"}));
-  command->add_flag("--no-cleaning", arguments->no_cleaning, "keep outliers");
+  command->add_flag("--no-cleaning", arguments->no_cleaning, "keep outliers, and weigh nothing");
   command->add_flag("--no-weights", arguments->no_weights,
                     "learn from all that cleaning keeps alike, and from nothing else");
   command
       ->add_option("--kernel", arguments->kernel,
-                   "of the processes: of functions that bend (matern), or smooth (rbf)")
+                   "of the processes: Matérn 3/2 (once differentiable) or squared exponential (RBF)")
+      ->capture_default_str()
       ->check(CLI::IsMember({"rbf", "matern"}));
   command->add_flag("--no-alignment", arguments->no_alignment, "take stamps as they are");
   command

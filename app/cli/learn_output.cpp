@@ -99,14 +99,14 @@ std::string testedText(const char* name, const TestedStates& tested) {
   return text;
 }
 
-const char* motionText(learning::Motion motion) {
+std::string motionText(learning::Motion motion) {
   switch (motion) {
     case learning::Motion::kNone:
       return " alone";
     case learning::Motion::kVelocity:
       return " and its velocity";
     default:
-      return ", its velocity and how it moved in the last 1.6 s";
+      return fmt::format(", its velocity and how it moved in the last {} s", learning::kSpans.back());
   }
 }
 
@@ -129,10 +129,17 @@ Json modelJson(const learning::CorrectionModel& model) {
 }
 
 /// Why those had been left out that count again.
-Json readmittedCounts(const learning::CleaningReport& cleaning) {
-  return countsOf([&](Reason reason) {
-    return static_cast<std::size_t>(std::ranges::count(cleaning.readmitted, reason));
-  });
+Json againCounts(const learning::WeighingReport& weighing) {
+  return countsOf(
+      [&](Reason reason) { return static_cast<std::size_t>(std::ranges::count(weighing.again, reason)); });
+}
+
+std::string weighingText(const learning::WeighingReport& weighing) {
+  if (!weighing.weighed) return "Weights: none, all that count do so alike\n";
+  return fmt::format(
+      "Weights: {} states less than half, which other trajectories contradict\n"
+      "         {} that were left out count again, which others tell the same; they were: {}\n",
+      weighing.doubted, weighing.again.size(), wordsOf(againCounts(weighing)));
 }
 
 }  // namespace
@@ -164,13 +171,10 @@ std::string textOf(const LearnOutput& output) {
     text += fmt::format("Alignment: what is seen comes {:.1f} ± {:.1f} ms behind what is told{}\n",
                         1e3 * prepared.lag.lag, 1e3 * prepared.lag.sigma,
                         prepared.taken_off == 0.0 ? ", not taken off" : "");
-  text +=
-      fmt::format("Cleaning: {} of {} states count; left out: {}\n", cleaning.kept(), cleaning.reason.size(),
-                  wordsOf(countsOf([&](Reason reason) { return cleaning.count(reason); })));
-  if (!cleaning.readmitted.empty())
-    text +=
-        fmt::format("Weights: {} of these had been left out, and count again, as others tell the same: {}\n",
-                    cleaning.readmitted.size(), wordsOf(readmittedCounts(cleaning)));
+  text += fmt::format("Cleaning and weights: {} of {} states count; left out: {}\n", cleaning.kept(),
+                      cleaning.reason.size(),
+                      wordsOf(countsOf([&](Reason reason) { return cleaning.count(reason); })));
+  text += weighingText(output.report.weighing);
   const Eigen::Vector3d t = kMillimetres * output.report.model.offset().translation();
   const double turn = Eigen::AngleAxisd(output.report.model.offset().linear()).angle();
   text += fmt::format("Rigid offset: {:.2f}, {:.2f}, {:.2f} mm and a turn of {:.2f} deg\n", t.x(), t.y(),
@@ -193,8 +197,11 @@ Json jsonOf(const LearnOutput& output) {
       {"cleaning",
        {{"states", cleaning.reason.size()},
         {"kept", cleaning.kept()},
-        {"readmitted", readmittedCounts(cleaning)},
         {"rejected", countsOf([&](Reason reason) { return cleaning.count(reason); })}}},
+      {"weights",
+       {{"weighed", output.report.weighing.weighed},
+        {"doubted", output.report.weighing.doubted},
+        {"again", againCounts(output.report.weighing)}}},
       {"model", modelJson(output.report.model)}};
   if (output.test)
     json["test"] = {{"screening", screenJson(output.test->prepared.screen)},

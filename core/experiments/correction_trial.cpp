@@ -47,11 +47,12 @@ CorrectionTrial correctionTrial(const std::vector<State>& states, const Correcti
   const std::vector<Reason> reasons = learning::judgedBy(cleaned, test, options.cleaning);
   learning::TrainingStates training = learning::trainingStates(train, cleaned, options.correction.lever);
   if (options.weigh)
-    learning::weigh(training, train, options.correction, progress, {0.0, kCleaning, "weighing"});
+    learning::weigh(training, train, options.cleaning, options.correction, progress,
+                    {0.0, kCleaning, "weighing"});
   learning::CorrectionOptions correction = options.correction;
   correction.offset = training.offset;
   trial.learned = std::move(training.states);
-  trial.readmitted = training.cleaning.readmitted.size();
+  trial.weighing = std::move(training.weighing);
   trial.model =
       learning::CorrectionModel::trained(trial.learned, correction, progress, {kCleaning, kTraining, {}});
   if (progress && progress->cancelled()) {

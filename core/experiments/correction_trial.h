@@ -8,8 +8,7 @@
 #include "core/base/progress.h"
 #include "core/experiments/correction_errors.h"
 #include "core/experiments/stated_errors.h"
-#include "core/learning/clean_states.h"
-#include "core/learning/correction_model.h"
+#include "core/learning/training_states.h"
 
 /// One model, and how far it is off on trajectories that it did not learn from.
 namespace capstan::experiments {
@@ -32,7 +31,7 @@ struct CorrectionTrial {
   std::vector<bool> held;                     ///< by motion: held out
   std::size_t motions = 0, motions_held = 0;  ///< of those that have states
   std::vector<learning::State> learned;       ///< states that the model was trained on
-  std::size_t readmitted = 0;                 ///< of them, that cleaning had taken
+  learning::WeighingReport weighing;          ///< of them
   StepErrors clean, dirty;  ///< of held-out states: those that cleaning keeps, and all of them
   StatedErrors stated;      ///< of the clean ones
   std::optional<learning::CorrectionModel> model;  ///< has learned the held-out ones, too, after the errors

@@ -35,6 +35,11 @@ bool misplaced(Reason reason) {
   return reason == Reason::kOutlier || reason == Reason::kTooFarTurned || reason == Reason::kOutside;
 }
 
+bool tooFast(const State& state, const CleaningOptions& options) {
+  return state.velocity.head<3>().norm() > options.most_speed ||
+         state.velocity.tail<3>().norm() > options.most_turn_rate;
+}
+
 std::size_t CleaningReport::count(Reason of) const {
   return static_cast<std::size_t>(std::count(reason.begin(), reason.end(), of));
 }

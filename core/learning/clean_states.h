@@ -17,12 +17,14 @@ struct CleaningOptions {
 /// Out of place, by one of these reasons: a speed is wrong beside a jump, too.
 bool misplaced(Reason reason);
 
+/// Faster than the robot moves or turns?
+bool tooFast(const State& state, const CleaningOptions& options);
+
 struct CleaningReport {
   std::vector<Reason> reason;                                ///< by state; kNone: it counts
   Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();  ///< of the least median of squares
   double deviation = 0.0;                                    ///< robust, of what belongs [m]
   Eigen::AlignedBox3d workspace;                             ///< of what was told, the margin wider [m]
-  std::vector<Reason> readmitted;  ///< why those were taken that count again, by weigh()
   std::size_t count(Reason reason) const;
   std::size_t kept() const { return count(Reason::kNone); }
 };

@@ -42,17 +42,29 @@ std::vector<double> sharesOf(const std::vector<Waypoint>& waypoints) {
   return shares;
 }
 
+/// As of a path that was seen: with velocities, and how it moved before.
+std::vector<State> plannedStates(const std::vector<Waypoint>& waypoints) {
+  std::vector<StampedPose> path;
+  for (const Waypoint& waypoint : waypoints) {
+    StampedPose stamped;
+    stamped.t = waypoint.t;
+    stamped.pose = waypoint.pose;
+    path.push_back(stamped);
+  }
+  return statesAlong(path);
+}
+
 class PathCorrection {
  public:
   PathCorrection(const CorrectionModel& model, const std::vector<Waypoint>& waypoints,
                  const CommandCorrectionOptions& options)
-      : model_(model), waypoints_(waypoints), options_(options), velocities_(plannedVelocities(waypoints)) {}
+      : model_(model), waypoints_(waypoints), options_(options), states_(plannedStates(waypoints)) {}
 
   /// Of one waypoint by itself.
   CorrectedWaypoint at(std::size_t k) const {
     const Waypoint& waypoint = waypoints_[k];
     if (options_.mode == CorrectionMode::kNone) return asked(k, waypoint.pose, 1.0);
-    const Corrected corrected = model_.correct(waypoint.pose, velocities_[k]);
+    const Corrected corrected = model_.correct(states_[k]);
     return asked(k, corrected.pose, corrected.confidence);
   }
 
@@ -77,7 +89,7 @@ class PathCorrection {
   const CorrectionModel& model_;
   const std::vector<Waypoint>& waypoints_;
   const CommandCorrectionOptions& options_;
-  std::vector<Vector6d> velocities_;
+  std::vector<State> states_;
 };
 
 }  // namespace

@@ -77,7 +77,7 @@ void timesLengthSlope(const MatrixXd& z, const KernelParameters& parameters, Mat
   math::addSquare(-2.0, z, apart);
   for (Index c = 0; c < m.cols(); ++c) {
     const Index n = m.rows() - c;
-    const auto r2 = (apart.col(c).tail(n).array() + squares.tail(n).array() + squares[c]).max(0.0);
+    const Eigen::ArrayXd r2 = (apart.col(c).tail(n).array() + squares.tail(n).array() + squares[c]).max(0.0);
     m.col(c).tail(n).array() *= 3.0 / (1.0 + (3.0 * r2).sqrt());
   }
 }

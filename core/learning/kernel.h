@@ -11,8 +11,7 @@ namespace capstan::learning {
 
 enum class Kernel {
   kRbf,     ///< σ_f² exp(−½ r²), of functions smooth without end: GPR paper, section IV-C
-  kMatern,  ///< σ_f² (1 + √3 r) exp(−√3 r), (4.17), of functions that have a slope and no more: sticking
-            ///< joints
+  kMatern,  ///< of order 3/2, (4.17): σ_f² (1 + √3 r) exp(−√3 r), once differentiable: joints that stick
 };
 
 /// Logarithms of what a kernel has to learn.

@@ -104,7 +104,7 @@ LearningReport learn(const std::vector<RawMotion>& motions, const LearningOption
                      base::Progress* progress) {
   constexpr double kPrepared = 0.1, kCleaned = 0.4;  // of the time
   PreparedStates prepared = prepare(motions, options, progress, {0.0, kPrepared, {}});
-  if (prepared.cancelled) return {std::move(prepared), {}, CorrectionModel(CorrectionParts{}), true};
+  if (prepared.cancelled) return {std::move(prepared), {}, {}, CorrectionModel(CorrectionParts{}), true};
   CleaningReport cleaned;
   if (options.clean)
     cleaned = cleanStates(prepared.states, options.cleaning);
@@ -113,13 +113,14 @@ LearningReport learn(const std::vector<RawMotion>& motions, const LearningOption
   TrainingStates training = trainingStates(prepared.states, std::move(cleaned), options.correction.lever);
   checkRelated(prepared.states, options.clean ? training.cleaning.offset : training.offset);
   if (options.clean && options.weigh && !options.rigid)
-    weigh(training, prepared.states, options.correction, progress, {kPrepared, kCleaned, "weighing"});
+    weigh(training, prepared.states, options.cleaning, options.correction, progress,
+          {kPrepared, kCleaned, "weighing"});
   CorrectionOptions correction = options.correction;
   correction.offset = training.offset;
   CorrectionModel model =
       options.rigid ? CorrectionModel::rigid(training.states, correction)
                     : CorrectionModel::trained(training.states, correction, progress, {kCleaned, 1.0, {}});
-  return {std::move(prepared), std::move(training.cleaning), std::move(model),
+  return {std::move(prepared), std::move(training.cleaning), std::move(training.weighing), std::move(model),
           progress && progress->cancelled()};
 }
 
@@ -156,7 +157,7 @@ LearningReport learnMore(CorrectionModel model, double lag, const std::vector<Ra
   if (progress) progress->report(kJudged, "learning more states");
   const bool cancelled = progress && progress->cancelled();
   if (!cancelled) model.add(counting);
-  return {std::move(prepared), std::move(cleaning), std::move(model), cancelled};
+  return {std::move(prepared), std::move(cleaning), {}, std::move(model), cancelled};
 }
 
 }  // namespace capstan::learning

@@ -3,6 +3,7 @@
 #include "core/learning/clean_states.h"
 #include "core/learning/correction_model.h"
 #include "core/learning/screen_poses.h"
+#include "core/learning/training_states.h"
 
 /// From tables of tip poses to a model: every stage of learning in its order (GPR paper, section IV).
 namespace capstan::learning {
@@ -12,7 +13,9 @@ struct LearningOptions {
   LagOptions lag;
   bool align = true;  ///< take the lag of what is seen behind what is told off
   bool clean = true;
-  bool weigh = true;   ///< states, those too that cleaning took, by how well others tell them; of processes
+  /// States, those too that cleaning took, by how well others tell them; where states are cleaned, and
+  /// processes learned.
+  bool weigh = true;
   bool rigid = false;  ///< learn the rigid offset alone
   /// Of a trajectory that is wrong in part (axes swapped, say) some states pass by chance: less is trusted
   /// than the paper's P.
@@ -39,6 +42,7 @@ PreparedStates prepare(const std::vector<RawMotion>& motions, const LearningOpti
 struct LearningReport {
   PreparedStates prepared;
   CleaningReport cleaning;  ///< of prepared.states; where nothing is cleaned all count
+  WeighingReport weighing;  ///< kept ones of `cleaning` are those that count after it
   CorrectionModel model;
   bool cancelled = false;
 };

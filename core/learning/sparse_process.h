@@ -15,16 +15,17 @@ struct SparseProcessParts {
   KernelParameters parameters;
   Eigen::MatrixXd inducing;  ///< in lengths, m × d
   Eigen::MatrixXd square;    ///< B, m × m, lower triangle
-  Eigen::MatrixXd sum;       ///< V Y / σ_n², m × q
+  Eigen::MatrixXd sum;       ///< V W Y / σ_n², m × q
 };
 
 /// Gaussian process regression through inducing points u (Titsias, Variational learning of inducing variables
 /// in sparse Gaussian processes, AISTATS 2009; its mean is the deterministic training conditional's,
 /// Quiñonero-Candela and Rasmussen, JMLR 6 (2005)):
-///     mean(x) = k_xu L⁻ᵀ B⁻¹ V Y / σ_n²,   K_uu = L Lᵀ, V = L⁻¹ K_uf, B = I + V Vᵀ / σ_n²
+///     mean(x) = k_xu L⁻ᵀ B⁻¹ V W Y / σ_n²,   K_uu = L Lᵀ, V = L⁻¹ K_uf, B = I + V W Vᵀ / σ_n²
 ///     variance(x) = σ_f² − |L⁻¹ k_ux|² + |L_B⁻¹ L⁻¹ k_ux|²,   B = L_B L_Bᵀ
-/// O(n m²) to make, O(m) for a mean, O(m²) for a variance; with all points as inducing ones it is the exact
-/// process. Points can be added later at O(m²) each and one factor of B, O(m³).
+/// W the points' weights, their noise being σ_n² / w; O(n m²) to make, O(m) for a mean, O(m²) for a variance;
+/// with all points as inducing ones it is the exact process. Points can be added later at O(m²) each and one
+/// factor of B, O(m³).
 class SparseProcess {
  public:
   /// Inducing points (m × d) and outputs (of which there are q) of mean 0; knows no points yet.
@@ -55,7 +56,7 @@ class SparseProcess {
   SparseProcessParts known_;
   Eigen::MatrixXd root_;     ///< L
   Eigen::MatrixXd factor_;   ///< L_B
-  Eigen::MatrixXd weights_;  ///< L⁻ᵀ B⁻¹ V Y / σ_n²
+  Eigen::MatrixXd weights_;  ///< L⁻ᵀ B⁻¹ V W Y / σ_n²
 };
 
 }  // namespace capstan::learning

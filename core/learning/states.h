@@ -13,6 +13,14 @@ using Vector6d = Eigen::Matrix<double, 6, 1>;
 /// Spans over which a state remembers how it moved [s].
 inline constexpr std::array kSpans = {0.1, 0.4, 1.6};
 
+/// Mean velocity over each of kSpans.
+using Drift = std::array<Vector6d, kSpans.size()>;
+inline Drift atRest() {
+  Drift drift;
+  drift.fill(Vector6d::Zero());
+  return drift;
+}
+
 /// An observed state and what was told at that instant (GPR paper, section III: x_o = (p, ṗ) and p_c).
 struct State {
   std::size_t motion = 0;  ///< place among the motions
@@ -22,7 +30,7 @@ struct State {
   Vector6d velocity = Vector6d::Zero();  ///< of what was seen, [m/s], then [rad/s] in its own frame
   /// Mean velocities of the last kSpans, likewise: cables that stick remember where they came from. Before
   /// the motion's first sight it stood still.
-  std::array<Vector6d, kSpans.size()> drift = {Vector6d::Zero(), Vector6d::Zero(), Vector6d::Zero()};
+  Drift drift = atRest();
   double weight = 1.0;  ///< in learning: the variance of its noise is that of others / weight
 };
 

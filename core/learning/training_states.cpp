@@ -1,5 +1,6 @@
 #include "core/learning/training_states.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -29,14 +30,15 @@ std::vector<double> ofKept(const std::vector<double>& left, const std::vector<bo
   return some;
 }
 
-/// By what is left of each; 0: it does not count.
-void setWeights(std::vector<State>& states, const std::vector<double>& left, const std::vector<bool>& kept) {
+/// By what is left of each; 0: it does not count. False: nothing is left of half of those kept.
+bool setWeights(std::vector<State>& states, const std::vector<double>& left, const std::vector<bool>& kept) {
   const double median = stats::median(ofKept(left, kept));
+  if (!(median > 0.0)) return false;
   for (std::size_t k = 0; k < states.size(); ++k) {
-    const double off = median > 0.0 ? left[k] / median : 0.0;
-    const double weight = (kFreedom + 1.0) / (kFreedom + off * off);
-    states[k].weight = kept[k] || weight >= kLeastWeight ? weight : 0.0;
+    const double weight = (kFreedom + 1.0) / (kFreedom + std::pow(left[k] / median, 2));
+    states[k].weight = kept[k] || weight >= kAgain ? std::max(weight, kLeastWeight) : 0.0;
   }
+  return true;
 }
 
 /// Leaves `after` no more than `before`, of half of the states and of the worst?
@@ -52,10 +54,10 @@ std::vector<double> leftOfEach(std::vector<State> states, const std::vector<bool
                                const CorrectionOptions& options, base::Progress* progress,
                                const base::ProgressPart& part) {
   const std::vector<double> by_all = leftByOthers(states, options, progress, part.within(0.0, 0.33));
+  if (by_all.empty()) return {};
   for (std::size_t k = 0; k < states.size(); ++k) states[k].weight = kept[k] ? 1.0 : 0.0;
   std::vector<double> by_kept = leftByOthers(states, options, progress, part.within(0.33, 0.67));
-  if (by_all.empty() || by_kept.empty()) return {};
-  setWeights(states, by_all, kept);
+  if (by_kept.empty() || !setWeights(states, by_all, kept)) return by_kept;
   std::vector<double> by_weighed = leftByOthers(states, options, progress, part.within(0.67, 1.0));
   if (by_weighed.empty()) return {};
   return noWorse(ofKept(by_kept, kept), ofKept(by_weighed, kept)) ? by_weighed : by_kept;
@@ -71,14 +73,14 @@ TrainingStates trainingStates(const std::vector<State>& all, CleaningReport clea
   return training;
 }
 
-void weigh(TrainingStates& training, const std::vector<State>& all, const CorrectionOptions& options,
-           base::Progress* progress, const base::ProgressPart& part) {
+void weigh(TrainingStates& training, const std::vector<State>& all, const CleaningOptions& limits,
+           const CorrectionOptions& options, base::Progress* progress, const base::ProgressPart& part) {
   CleaningReport& cleaning = training.cleaning;
   std::vector<State> some;
   std::vector<std::size_t> places;  // in `all`
   std::vector<bool> kept;
   for (std::size_t k = 0; k < all.size(); ++k) {
-    if (!mayCount(cleaning.reason[k])) continue;
+    if (!mayCount(cleaning.reason[k]) || tooFast(all[k], limits)) continue;
     some.push_back(all[k]);
     places.push_back(k);
     kept.push_back(cleaning.reason[k] == Reason::kNone);
@@ -88,14 +90,16 @@ void weigh(TrainingStates& training, const std::vector<State>& all, const Correc
   if (quicker.motion != Motion::kNone) quicker.motion = Motion::kVelocity;
   quicker.offset = training.offset;
   const std::vector<double> left = leftOfEach(some, kept, quicker, progress, part);
-  if (left.empty()) return;
-  setWeights(some, left, kept);
+  if (left.empty() || !setWeights(some, left, kept)) return;
   training.states.clear();
   for (std::size_t k = 0; k < some.size(); ++k) {
     if (some[k].weight == 0.0) continue;
-    if (!kept[k]) cleaning.readmitted.push_back(std::exchange(cleaning.reason[places[k]], Reason::kNone));
+    Reason& reason = cleaning.reason[places[k]];
+    if (!kept[k]) training.weighing.again.push_back(std::exchange(reason, Reason::kNone));
+    training.weighing.doubted += some[k].weight < kDoubted;
     training.states.push_back(some[k]);
   }
+  training.weighing.weighed = true;
 }
 
 }  // namespace capstan::learning

@@ -21,8 +21,8 @@ struct CorrectionSource {
 
 /// A model with where it comes from.
 ///
-/// A file is a line "capstan correction 1", a line of JSON (what the model is made of, its source, how many
-/// numbers follow and their checksum), and these numbers as 64-bit floating point, least byte first: offset,
+/// A file is a line "capstan correction 2", a line of JSON (what the model is made of, its source, kernels, how
+/// many numbers follow and their checksum), and these numbers as 64-bit floating point, least byte first: offset,
 /// features' middle turn, lever, workspace, turns, middles, deviations, scales, inflations, then of each
 /// group the kernel's logarithms, inducing points, the lower triangle of B and the sums, each by columns.
 struct CorrectionFile {
@@ -33,7 +33,7 @@ struct CorrectionFile {
 /// base::InputError: cannot be written; what stood there stays.
 void writeCorrection(const CorrectionFile& file, const std::filesystem::path& path);
 
-/// base::InputError naming the file and a remedy: not there, no such file, of a later version, cut short or
+/// base::InputError naming the file and a remedy: not there, no such file, of another version, cut short or
 /// damaged.
 CorrectionFile readCorrection(const std::filesystem::path& path);
 

@@ -30,7 +30,9 @@ TEST_F(CliLearn, LearnsTellsAndCorrects) {
   EXPECT_THAT(learned.out, HasSubstr("corrected"));
   const json said = json::parse(textOf("m.json"));
   EXPECT_NEAR(said["lag"]["value"].get<double>(), 0.04, 0.01);
-  EXPECT_TRUE(said["cleaning"]["readmitted"].is_object()) << "reasons and how many of each";
+  EXPECT_TRUE(said["weights"]["weighed"].get<bool>());
+  EXPECT_TRUE(said["weights"]["again"].is_object()) << "reasons and how many of each";
+  EXPECT_EQ(said["model"]["processes"][0]["kernel"], "matern");
   const json& clean = said["test"]["clean"];
   const auto meanOf = [&](const char* what) { return clean[what]["distance"]["mean"].get<double>(); };
   EXPECT_LT(meanOf("corrected"), 0.5 * meanOf("offset"));

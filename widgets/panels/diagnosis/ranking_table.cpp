@@ -43,6 +43,7 @@ RankingTable::RankingTable(QWidget* parent) : QTreeWidget(parent) {
   setItemDelegateForColumn(kTaken, new ShareBar(this));
   setRootIsDecorated(false);
   setItemsExpandable(false);
+  setTextElideMode(Qt::ElideMiddle);  // which joint stands at the end
   setIndentation(10);
   setUniformRowHeights(true);
   setFrameShape(QFrame::NoFrame);
@@ -60,7 +61,7 @@ RankingTable::RankingTable(QWidget* parent) : QTreeWidget(parent) {
 }
 
 void RankingTable::resizeEvent(QResizeEvent* event) {
-  constexpr int kBarShare = 36;  // of the width [%]
+  constexpr int kBarShare = 26;  // of the width [%]
   QTreeWidget::resizeEvent(event);
   header()->resizeSection(kTaken, kBarShare * viewport()->width() / 100);
 }

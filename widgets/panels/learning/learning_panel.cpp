@@ -236,7 +236,7 @@ session::CorrectionSource LearningPanel::source() const {
   }
   source.towards = results_.stages->told;
   source.lag = results_.stages->lag.lag;
-  source.states = results_.stages->cleaning.kept() + results_.trial->readmitted;
+  source.states = results_.stages->cleaning.kept() + results_.trial->weighing.again.size();
   source.rejected = results_.stages->states.size() - source.states;
   source.software = experiments::software();
   return source;

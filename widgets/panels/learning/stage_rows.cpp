@@ -110,8 +110,6 @@ StageGroup rigidOffset(const LearningStages& stages) {
             degrees(stages.before.median_angle).chopped(1) + arrow + degrees(stages.after.median_angle)}}};
 }
 
-constexpr double kDoubted = 0.5;  ///< weight
-
 /// As PoseFeatures::of() has them.
 QString featureName(std::size_t feature) {
   static constexpr std::array kNames = {"x", "y", "z", "rx", "ry", "rz", "vx", "vy", "vz", "ωx", "ωy", "ωz"};
@@ -140,15 +138,12 @@ StageGroup process(const CorrectionTrial& trial) {
   StageGroup group{tr("6  Gaussian process"), {}};
   group.rows.push_back({tr("states learned from"), countText(trial.learned.size())});
   group.rows.push_back(
-      {tr("… that cleaning had taken"), countText(trial.readmitted), std::nan(""), false,
+      {tr("… that cleaning had taken"), countText(trial.weighing.again.size()), std::nan(""), false,
        tr("States out of place in the same way on several trajectories, where the robot does not "
           "follow its command, say: they can be learned, and count again. What is wrong by chance does "
           "not.")});
-  const auto doubted = std::ranges::count_if(
-      trial.learned, [](const learning::State& state) { return state.weight < kDoubted; });
   group.rows.push_back(
-      {tr("… of less than half the weight"), countText(static_cast<std::size_t>(doubted)), std::nan(""),
-       false,
+      {tr("… of less than half the weight"), countText(trial.weighing.doubted), std::nan(""), false,
        tr("States that models learned from other trajectories do not tell: a sight that jumps a little, a "
           "trajectory apart from the others.")});
   const auto& processes = trial.model->processes();
