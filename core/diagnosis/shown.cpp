@@ -8,6 +8,8 @@
 #include <numbers>
 #include <utility>
 
+#include "core/base/minus.h"
+
 namespace capstan::diagnosis {
 namespace {
 
@@ -49,8 +51,7 @@ std::string number(double value, int decimals) {
   std::string text =
       far ? fmt::format("{:.2e}", value) : fmt::format("{:.{}f}", value, std::max(decimals, 0));
   if (text.starts_with('-') && text.find_first_of("123456789") == std::string::npos) text.erase(0, 1);  // −0
-  if (text.starts_with('-')) text.replace(0, 1, "−");
-  return text;
+  return base::withMinus(std::move(text));
 }
 
 /// That `digits` significant digits of `value` need.

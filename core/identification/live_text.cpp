@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/minus.h"
+
 namespace capstan::identification {
 namespace {
 
@@ -16,11 +18,6 @@ bool inKilonewtons(const Parameter& parameter) {
 int decimalsFor(double sigma) {
   if (!(sigma > 0.0)) return 2;
   return std::clamp(1 - static_cast<int>(std::floor(std::log10(sigma))), 0, 6);
-}
-
-std::string withMinus(std::string text) {
-  if (text.starts_with('-')) text.replace(0, 1, "−");
-  return text;
 }
 
 }  // namespace
@@ -58,7 +55,7 @@ LiveRow rowOf(const Estimate& estimate, const Convergence* convergence, double c
   const double sigma = scaleOf(parameter) * estimate.valueSigma();
   row.value = fmt::format("{:.{}f}", scaleOf(parameter) * estimate.value(), decimalsFor(sigma));
   row.sigma = fmt::format("±{:.{}f}", sigma, decimalsFor(sigma));
-  row.change = withMinus(fmt::format("{:+.1f} %", change));
+  row.change = base::withMinus(fmt::format("{:+.1f} %", change));
   return row;
 }
 

@@ -14,8 +14,9 @@ struct Parts {
 
 Parts partsOf(const std::vector<State>& states) {
   Parts parts;
+  const std::vector<std::size_t> places = motionPlaces(states);
   for (std::size_t k = 0; k < states.size(); ++k) {
-    if (k == 0 || states[k].motion != states[k - 1].motion) ++parts.motions;
+    parts.motions = places[k] + 1;
     (parts.motions % kEach == 0 ? parts.held : parts.learned).push_back(states[k]);
   }
   return parts;

@@ -31,14 +31,6 @@ constexpr double kChoiceShare = 0.3;                // of the time, where it is 
 constexpr double kFitShare = 0.6, kAllShare = 0.3;  // of the time: hyperparameters, all states
 constexpr const char* kLearningHyperparameters = "learning hyperparameters";
 
-/// Of each state the place of its motion among those that have states.
-std::vector<std::size_t> motionPlaces(const std::vector<State>& states) {
-  std::vector<std::size_t> places(states.size(), 0);
-  for (std::size_t k = 1; k < states.size(); ++k)
-    places[k] = places[k - 1] + (states[k].motion != states[k - 1].motion);
-  return places;
-}
-
 Eigen::VectorXd weightsOf(const std::vector<State>& states) {
   Eigen::VectorXd weights(static_cast<Index>(states.size()));
   for (std::size_t k = 0; k < states.size(); ++k) weights[static_cast<Index>(k)] = states[k].weight;

@@ -13,15 +13,16 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// From r², which rounding may make negative, in place.
-void toCovariance(const KernelParameters& parameters, Eigen::Ref<Eigen::ArrayXd> squares) {
+/// From r² by element, which rounding may make negative, into `k`; in one pass for the RBF.
+template <class Squares>
+void setCovariance(const KernelParameters& parameters, const Squares& squares, Eigen::Ref<Eigen::ArrayXd> k) {
   const double variance = parameters.signalVariance();
   if (parameters.kernel == Kernel::kRbf) {
-    squares = variance * (-0.5 * squares.max(0.0)).exp();
+    k = variance * (-0.5 * squares).min(0.0).exp();
     return;
   }
-  squares = (3.0 * squares.max(0.0)).sqrt();
-  squares = variance * (1.0 + squares) * (-squares).exp();
+  k = (3.0 * squares.max(0.0)).sqrt();
+  k = variance * (1.0 + k) * (-k).exp();
 }
 
 }  // namespace
@@ -53,8 +54,7 @@ MatrixXd signalCovariance(const MatrixXd& z, const KernelParameters& parameters)
   for (Index c = 0; c < k.cols(); ++c) {
     const Index n = k.rows() - c;
     auto below = k.col(c).tail(n).array();
-    below += squares.tail(n).array() + squares[c];
-    toCovariance(parameters, below);
+    setCovariance(parameters, below + squares.tail(n).array() + squares[c], below);
   }
   return k;
 }
@@ -64,8 +64,7 @@ MatrixXd crossCovariance(const MatrixXd& a, const MatrixXd& b, const KernelParam
   MatrixXd k = math::product(a, b, true);
   for (Index c = 0; c < k.cols(); ++c) {
     auto column = k.col(c).array();
-    column = of_a.array() + of_b[c] - 2.0 * column;
-    toCovariance(parameters, column);
+    setCovariance(parameters, of_a.array() + of_b[c] - 2.0 * column, column);
   }
   return k;
 }

@@ -123,6 +123,13 @@ Vector6d driftAt(const std::vector<StampedPose>& seen, std::size_t k, double spa
 
 }  // namespace
 
+std::vector<std::size_t> motionPlaces(const std::vector<State>& states) {
+  std::vector<std::size_t> places(states.size(), 0);
+  for (std::size_t k = 1; k < states.size(); ++k)
+    places[k] = places[k - 1] + (states[k].motion != states[k - 1].motion);
+  return places;
+}
+
 std::vector<PosePair> pairsOf(const std::vector<State>& states) {
   std::vector<PosePair> pairs;
   pairs.reserve(states.size());

@@ -34,6 +34,9 @@ struct State {
   double weight = 1.0;  ///< in learning: the variance of its noise is that of others / weight
 };
 
+/// Of each state the place of its motion among those that have states; a motion's states stand together.
+std::vector<std::size_t> motionPlaces(const std::vector<State>& states);
+
 /// What was seen and told of each.
 std::vector<PosePair> pairsOf(const std::vector<State>& states);
 

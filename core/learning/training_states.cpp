@@ -15,13 +15,6 @@ bool mayCount(Reason reason) {
   return reason == Reason::kNone || reason == Reason::kTrajectory || misplaced(reason);
 }
 
-std::size_t motionsOf(const std::vector<State>& states) {
-  std::size_t motions = 0;
-  for (std::size_t k = 0; k < states.size(); ++k)
-    motions += k == 0 || states[k].motion != states[k - 1].motion;
-  return motions;
-}
-
 /// Of those that cleaning kept.
 std::vector<double> ofKept(const std::vector<double>& left, const std::vector<bool>& kept) {
   std::vector<double> some;
@@ -85,7 +78,7 @@ void weigh(TrainingStates& training, const std::vector<State>& all, const Cleani
     places.push_back(k);
     kept.push_back(cleaning.reason[k] == Reason::kNone);
   }
-  if (motionsOf(some) < kFewestMotions) return;
+  if (some.empty() || motionPlaces(some).back() + 1 < kFewestMotions) return;
   CorrectionOptions quicker = options;
   if (quicker.motion != Motion::kNone) quicker.motion = Motion::kVelocity;
   quicker.offset = training.offset;

@@ -24,9 +24,8 @@ std::vector<double> leftOf(const CorrectionModel& model, const std::vector<State
 
 std::vector<double> leftByOthers(const std::vector<State>& states, const CorrectionOptions& options,
                                  base::Progress* progress, const base::ProgressPart& part) {
-  std::vector<std::size_t> fold(states.size(), 0);
-  for (std::size_t k = 1; k < states.size(); ++k)
-    fold[k] = (fold[k - 1] + (states[k].motion != states[k - 1].motion)) % kFolds;
+  std::vector<std::size_t> fold = motionPlaces(states);
+  for (std::size_t& place : fold) place %= kFolds;
   std::vector<double> found(states.size());
   for (std::size_t f = 0; f < kFolds; ++f) {
     std::vector<State> learned, held;
