@@ -132,7 +132,13 @@ void addLearn(CLI::App& app, ExitCode& exit) {
       ->check(CLI::IsMember({"rbf", "matern"}));
   command->add_flag("--no-alignment", arguments->no_alignment, "take stamps as they are");
   command
-      ->add_option("--inducing", arguments->options.correction.inducing_points, "states that stand for all")
+      ->add_option("--members", arguments->options.correction.members,
+                   "processes that are averaged, each of its own drawn states")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 20));
+  command
+      ->add_option("--inducing", arguments->options.correction.inducing_points,
+                   "states that stand for all, of each member")
       ->capture_default_str()
       ->check(CLI::Range(20, 20000));
   command->add_option("--threads", arguments->options.correction.threads)
@@ -146,7 +152,7 @@ void addLearn(CLI::App& app, ExitCode& exit) {
       "model that the motions are added to, with its offset, kernels, scales and lag: in seconds; it gains\n"
       "little where it has never been, and motions that contradict it are refused");
   for (const char* fixed : {"--method", "--towards", "--no-cleaning", "--no-weights", "--kernel",
-                            "--no-alignment", "--inducing", "--threads", "--seed"})
+                            "--no-alignment", "--members", "--inducing", "--threads", "--seed"})
     onto->excludes(command->get_option(fixed));
   command->add_option("--json", arguments->json, "result as JSON, SI: a file, or - for standard output");
   command->footer(

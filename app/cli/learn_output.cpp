@@ -116,14 +116,18 @@ Json modelJson(const learning::CorrectionModel& model) {
   Json json = {{"offset", {{"position", {t.x(), t.y(), t.z()}}, {"quaternion", {q[0], q[1], q[2], q[3]}}}},
                {"motion", base::nameOf(model.motion())},
                {"processes", Json::array()}};
-  for (const learning::SparseProcess& process : model.processes()) {
-    const Eigen::VectorXd lengths = process.parameters().ln_length.array().exp();
-    json["processes"].push_back({{"kernel", base::nameOf(process.parameters().kernel)},
-                                 {"inducing", process.inducing()},
-                                 {"outputs", process.outputs()},
-                                 {"signal", std::exp(process.parameters().ln_signal)},
-                                 {"noise", std::exp(process.parameters().ln_noise)},
-                                 {"lengths", std::vector<double>(lengths.begin(), lengths.end())}});
+  for (const learning::Committee& committee : model.processes()) {
+    Json members = Json::array();
+    for (const learning::SparseProcess& member : committee.members()) {
+      const Eigen::VectorXd lengths = member.parameters().ln_length.array().exp();
+      members.push_back({{"inducing", member.inducing()},
+                         {"signal", std::exp(member.parameters().ln_signal)},
+                         {"noise", std::exp(member.parameters().ln_noise)},
+                         {"lengths", std::vector<double>(lengths.begin(), lengths.end())}});
+    }
+    json["processes"].push_back({{"kernel", base::nameOf(committee.members().front().parameters().kernel)},
+                                 {"outputs", committee.outputs()},
+                                 {"members", std::move(members)}});
   }
   return json;
 }

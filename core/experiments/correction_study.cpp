@@ -16,7 +16,7 @@ namespace {
 using learning::State;
 using M = CorrectionMethod;
 
-constexpr M kOurs = M::kWeights;
+constexpr M kOurs = M::kCommittee;
 constexpr double kMillimetres = 1e3, kDegrees = 180.0 / std::numbers::pi;
 
 learning::Motion motionOf(M method) {
@@ -61,7 +61,8 @@ learning::CorrectionModel modelBy(M method, const Split& split, learning::Correc
                                   base::Progress* progress, const base::ProgressPart& part) {
   options.motion = motionOf(method);
   options.fit.kernel = method < M::kMatern ? learning::Kernel::kRbf : learning::Kernel::kMatern;
-  if (method == M::kWeights) {
+  if (method < M::kCommittee) options.members = 1;
+  if (method >= M::kWeights) {
     options.offset = split.weighed.offset;
     return learning::CorrectionModel::trained(split.weighed.states, options, progress, part);
   }

@@ -25,9 +25,10 @@ enum class CorrectionMethod {
   kAll,
   kHistory,
   kMatern,
-  kWeights
+  kWeights,
+  kCommittee
 };
-inline constexpr std::size_t kPaperMethods = 6, kCorrectionMethods = 9;
+inline constexpr std::size_t kPaperMethods = 6, kCorrectionMethods = 10;
 
 struct CorrectionStudyOptions {
   int splits = 10;          ///< random ones, by trajectory
@@ -86,5 +87,6 @@ struct capstan::base::NamesOf<capstan::experiments::CorrectionMethod> {
                                        std::pair{M::kAll, "offset, GP, velocity, cleaning"},
                                        std::pair{M::kHistory, "… and history"},
                                        std::pair{M::kMatern, "… and Matérn kernel"},
-                                       std::pair{M::kWeights, "… and weights"}};
+                                       std::pair{M::kWeights, "… and weights"},
+                                       std::pair{M::kCommittee, "… and a committee"}};
 };

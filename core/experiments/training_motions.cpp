@@ -39,8 +39,7 @@ Eigen::Isometry3d drawnPose(base::Random& random, const DebridementScene& scene,
 
 learning::CorrectionOptions thousandPoints() {
   learning::CorrectionOptions options;
-  options.likelihood_points = 800;
-  options.inducing_points = 1000;
+  options.members = 1;
   return options;
 }
 

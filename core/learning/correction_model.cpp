@@ -29,12 +29,59 @@ constexpr std::array<Group, 4> kGroups = {{{0, 1}, {1, 1}, {2, 1}, {3, 3}}};
 
 constexpr double kChoiceShare = 0.3;                // of the time, where it is made
 constexpr double kFitShare = 0.6, kAllShare = 0.3;  // of the time: hyperparameters, all states
-constexpr const char* kLearningHyperparameters = "learning hyperparameters";
+constexpr std::uint64_t kInducingSeed = 1000, kCalibrationSeed = 2000;  // apart from those of fits
 
 Eigen::VectorXd weightsOf(const std::vector<State>& states) {
   Eigen::VectorXd weights(static_cast<Index>(states.size()));
   for (std::size_t k = 0; k < states.size(); ++k) weights[static_cast<Index>(k)] = states[k].weight;
   return weights;
+}
+
+/// Of each group those of its members.
+using GroupParameters = std::array<std::vector<KernelParameters>, kGroups.size()>;
+
+/// How many members differ: more than one where not all have all states.
+std::size_t membersOf(Index states, const CorrectionOptions& options) {
+  const bool all = states <= options.likelihood_points && states <= options.inducing_points;
+  return all ? 1 : static_cast<std::size_t>(std::max(options.members, 1));
+}
+
+/// Hyperparameters of every member of every group, from its own drawn states.
+GroupParameters fitted(const MatrixXd& x, const MatrixXd& y, const CorrectionOptions& options,
+                       base::Progress* progress, const base::ProgressPart& part) {
+  constexpr const char* kLearning = "learning hyperparameters";
+  const std::size_t members = membersOf(x.rows(), options), fits = kGroups.size() * members;
+  GroupParameters found;
+  found.fill(std::vector<KernelParameters>(members));
+  part.report(progress, 0.0, kLearning);
+  std::atomic<int> ready = 0;
+  math::setDenseThreads(1);
+  base::parallelFor(fits, options.threads, [&](std::size_t fit) {
+    const std::size_t member = fit / kGroups.size(), g = fit % kGroups.size();
+    const auto drawn = drawnPoints(x.rows(), options.likelihood_points, options.seed + member);
+    const MatrixXd own_x = x(drawn, Eigen::all);
+    const MatrixXd own_y = y(drawn, Eigen::seqN(kGroups[g].first, kGroups[g].count));
+    const KernelParameters start = startOf(own_x, own_y, options.fit);
+    found[g][member] = fitProcess(own_x, own_y, start, options.fit, progress).parameters;
+    part.report(progress, ++ready / static_cast<double>(fits), kLearning);
+  });
+  return found;
+}
+
+/// A committee of some hyperparameters that knows no states yet, each member's inducing points drawn of `x`.
+Committee knowingNothing(const MatrixXd& x, Index outputs, const std::vector<KernelParameters>& members,
+                         Index inducing_points, std::uint64_t seed) {
+  std::vector<SparseProcess> processes;
+  for (const KernelParameters& parameters : members)
+    processes.emplace_back(x(drawnPoints(x.rows(), inducing_points, seed++), Eigen::all), outputs,
+                           parameters);
+  return Committee(std::move(processes));
+}
+
+std::vector<KernelParameters> parametersOf(const Committee& committee) {
+  std::vector<KernelParameters> all;
+  for (const SparseProcess& member : committee.members()) all.push_back(member.parameters());
+  return all;
 }
 
 void checkEnough(std::size_t states) {
@@ -55,13 +102,20 @@ Vector6d errorsInSigma(const Corrected& corrected, const Eigen::Isometry3d& told
 }
 
 CorrectionModel::CorrectionModel(CorrectionParts parts) : known_(std::move(parts)) {
-  for (SparseProcessParts& group : known_.groups) processes_.emplace_back(std::move(group));
+  for (std::vector<SparseProcessParts>& group : known_.groups) {
+    std::vector<SparseProcess> members;
+    for (SparseProcessParts& member : group) members.emplace_back(std::move(member));
+    processes_.emplace_back(std::move(members));
+  }
   known_.groups.clear();
 }
 
 CorrectionParts CorrectionModel::parts() const {
   CorrectionParts parts = known_;
-  for (const SparseProcess& process : processes_) parts.groups.push_back(process.parts());
+  for (const Committee& committee : processes_) {
+    parts.groups.emplace_back();
+    for (const SparseProcess& member : committee.members()) parts.groups.back().push_back(member.parts());
+  }
   return parts;
 }
 
@@ -91,25 +145,16 @@ CorrectionModel CorrectionModel::trained(const std::vector<State>& states, const
   CorrectionModel model = rigid(states, options);
   const MatrixXd x = model.featuresOf(states), y = model.targetsOf(states);
 
-  part.report(progress, 0.0, kLearningHyperparameters);
-  const auto few = drawnPoints(x.rows(), options.likelihood_points, options.seed);
-  const MatrixXd x_few = x(few, Eigen::all), y_few = y(few, Eigen::all);
-  std::array<ProcessFitReport, kGroups.size()> fits;
-  std::atomic<int> fitted = 0;
-  math::setDenseThreads(1);
-  base::parallelFor(fits.size(), options.threads, [&](std::size_t g) {
-    const MatrixXd own = y_few.middleCols(kGroups[g].first, kGroups[g].count);
-    fits[g] = fitProcess(x_few, own, startOf(x_few, own, options.fit), options.fit, progress);
-    part.report(progress, kFitShare * ++fitted / static_cast<double>(fits.size()), kLearningHyperparameters);
-  });
+  const GroupParameters parameters = fitted(x, y, options, progress, part.within(0.0, kFitShare));
   math::setDenseThreads(options.threads);
-  const MatrixXd inducing = x(drawnPoints(x.rows(), options.inducing_points, options.seed + 1), Eigen::all);
-  for (std::size_t g = 0; g < fits.size() && !(progress && progress->cancelled()); ++g) {
-    part.report(progress, kFitShare + kAllShare * static_cast<double>(g) / static_cast<double>(fits.size()),
+  const Eigen::VectorXd weights = weightsOf(states);
+  for (std::size_t g = 0; g < kGroups.size() && !(progress && progress->cancelled()); ++g) {
+    part.report(progress, kFitShare + kAllShare * static_cast<double>(g) / kGroups.size(),
                 "learning all states");
-    SparseProcess process(inducing, kGroups[g].count, fits[g].parameters);
-    process.add(x, y.middleCols(kGroups[g].first, kGroups[g].count), weightsOf(states));
-    model.processes_.push_back(std::move(process));
+    Committee committee = knowingNothing(x, kGroups[g].count, parameters[g], options.inducing_points,
+                                         options.seed + kInducingSeed);
+    committee.add(x, y.middleCols(kGroups[g].first, kGroups[g].count), weights);
+    model.processes_.push_back(std::move(committee));
   }
   if (progress && progress->cancelled())
     model.processes_.clear();
@@ -170,14 +215,13 @@ std::vector<Corrected> CorrectionModel::correctSurely(const std::vector<State>& 
   for (std::size_t g = 0; g < processes_.size(); ++g) {
     const auto [first, count] = kGroups[g];
     const Prediction told = processes_[g].predict(x);
-    const KernelParameters& p = processes_[g].parameters();
     const Eigen::RowVectorXd scale = known_.scale.segment(first, count);
     corrections.middleCols(first, count) = told.mean * scale.asDiagonal();
-    sigma.middleCols(first, count) = (told.variance.array() + p.noiseVariance()).sqrt().matrix() *
+    sigma.middleCols(first, count) = (told.variance.array() + processes_[g].noiseVariance()).sqrt().matrix() *
                                      scale.cwiseProduct(known_.inflation.segment(first, count));
     const double weight = weightOf(g);
     left += weight * told.variance;
-    all += weight * p.signalVariance();
+    all += weight * processes_[g].signalVariance();
   }
   for (Index k = 0; k < n; ++k) {
     Corrected& one = corrected[static_cast<std::size_t>(k)];
@@ -235,14 +279,14 @@ void CorrectionModel::addRatios(const std::vector<State>& seen, const std::vecto
                                 std::array<std::vector<double>, 6>& ratios) const {
   const MatrixXd x = featuresOf(seen), y = targetsOf(seen), at = featuresOf(held), told = targetsOf(held);
   const Index few = std::max<Index>(options.inducing_points / 2, 1);
-  const MatrixXd inducing = x(drawnPoints(x.rows(), few, options.seed + 2), Eigen::all);
+  const Eigen::VectorXd weights = weightsOf(seen);
   for (std::size_t g = 0; g < kGroups.size(); ++g) {
     const auto [first, count] = kGroups[g];
-    const KernelParameters& p = processes_[g].parameters();
-    SparseProcess process(inducing, count, p);
-    process.add(x, y.middleCols(first, count), weightsOf(seen));
-    const Prediction guess = process.predict(at);
-    const Eigen::ArrayXd sigma = (guess.variance.array() + p.noiseVariance()).sqrt();
+    Committee committee =
+        knowingNothing(x, count, parametersOf(processes_[g]), few, options.seed + kCalibrationSeed);
+    committee.add(x, y.middleCols(first, count), weights);
+    const Prediction guess = committee.predict(at);
+    const Eigen::ArrayXd sigma = (guess.variance.array() + committee.noiseVariance()).sqrt();
     for (Index k = 0; k < count; ++k) {
       const Eigen::ArrayXd off = ((told.col(first + k) - guess.mean.col(k)).array() / sigma).abs();
       std::vector<double>& all = ratios[static_cast<std::size_t>(first + k)];

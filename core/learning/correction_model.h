@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "core/base/progress_part.h"
+#include "core/learning/committee.h"
 #include "core/learning/pose_features.h"
 #include "core/learning/process_fit.h"
-#include "core/learning/sparse_process.h"
 
 namespace capstan::learning {
 
@@ -14,8 +14,9 @@ struct CorrectionOptions {
   /// History pays with thousands of states, and misleads with hundreds; unset: as chooseMotion() finds.
   std::optional<Motion> motion = Motion::kVelocity;
   RotationForm rotation = RotationForm::kTangent;
-  Eigen::Index likelihood_points = 1000;  ///< states that the hyperparameters are learned from, at most
-  Eigen::Index inducing_points = 1500;    ///< at most
+  int members = 3;                       ///< of each committee; one where it would have all states
+  Eigen::Index likelihood_points = 800;  ///< states that a member's hyperparameters are learned from, at most
+  Eigen::Index inducing_points = 1000;   ///< of a member, at most
   ProcessFitOptions fit{.kernel = Kernel::kMatern, .farthest_signal = 3.0, .farthest_noise = 2.5};
   double lever = kLever;
   std::optional<Eigen::Isometry3d> offset = std::nullopt;  ///< G; unset: least squares of the states
@@ -42,20 +43,21 @@ struct CorrectionParts {
   Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();  ///< G
   PoseFeatures features{RotationForm::kTangent, Motion::kHistory, Eigen::Quaterniond::Identity()};
   double lever = kLever;
-  Eigen::AlignedBox3d turns;               ///< of their rotation vectors from the features' middle turn [rad]
-  Eigen::AlignedBox3d workspace;           ///< of the offset's positions [m]
-  Eigen::RowVectorXd middle, deviation;    ///< of the features
-  Eigen::RowVectorXd scale;                ///< RMS of the six targets
-  Eigen::RowVectorXd inflation;            ///< of the outputs' σ, so that they hold for motions not learned
-  std::vector<SparseProcessParts> groups;  ///< of x, y, z and of the turn; none: the rigid offset alone
+  Eigen::AlignedBox3d turns;             ///< of their rotation vectors from the features' middle turn [rad]
+  Eigen::AlignedBox3d workspace;         ///< of the offset's positions [m]
+  Eigen::RowVectorXd middle, deviation;  ///< of the features
+  Eigen::RowVectorXd scale;              ///< RMS of the six targets
+  Eigen::RowVectorXd inflation;          ///< of the outputs' σ, so that they hold for motions not learned
+  /// Members' of x, of y, of z and of the turn; none: the rigid offset alone.
+  std::vector<std::vector<SparseProcessParts>> groups;
 };
 
 /// F = H ∘ G (GPR paper, section III): what to ask for so that cameras see a desired state. G is the rigid
-/// offset; H are Gaussian processes of the difference that G leaves, whose mean is 0 far from all data: one
-/// each of x, y and z, and one of the turn, whose three outputs share a kernel. Features count in deviations
-/// from their middle, kFarthestFeature at most. An output that does not depend on where the tip is has no
-/// such distance: all corrections fade besides, as exp(−½ d²/kFade²) of the distance d from the boxes of all
-/// positions and of all turns learned, turns by the lever.
+/// offset; H are Gaussian processes of the difference that G leaves, whose mean is 0 far from all data: a
+/// committee each of x, y and z, and one of the turn, whose three outputs share kernels. Features count in
+/// deviations from their middle, kFarthestFeature at most. An output that does not depend on where the tip is
+/// has no such distance: all corrections fade besides, as exp(−½ d²/kFade²) of the distance d from the boxes
+/// of all positions and of all turns learned, turns by the lever.
 class CorrectionModel {
  public:
   /// From states that count; `part` of `progress` is its own. base::InputError: fewer than kFewestStates.
@@ -85,8 +87,8 @@ class CorrectionModel {
   Motion motion() const { return known_.features.motion(); }
   const Eigen::AlignedBox3d& workspace() const { return known_.workspace; }
   /// Of x, y, z and of the turn, of outputs in units of their scale.
-  const std::vector<SparseProcess>& processes() const { return processes_; }
-  /// Of a process's variance among all [m²]: its outputs' scales, of turns by the lever.
+  const std::vector<Committee>& processes() const { return processes_; }
+  /// Of a committee's variance among all [m²]: its outputs' scales, of turns by the lever.
   double weightOf(std::size_t process) const;
   CorrectionParts parts() const;
 
@@ -104,7 +106,7 @@ class CorrectionModel {
   double fading(const Eigen::Isometry3d& moved) const;
 
   CorrectionParts known_;  ///< without groups
-  std::vector<SparseProcess> processes_;
+  std::vector<Committee> processes_;
 };
 /// Below this confidence a pose is corrected by little more than the rigid offset.
 inline constexpr double kUnsure = 0.5;

@@ -28,20 +28,25 @@ std::vector<Open> openOf(const CorrectionModel& model, const std::vector<State>&
   const MatrixXd x = model.featuresOf(candidates);
   std::vector<Open> open;
   for (std::size_t g = 0; g < model.processes().size(); ++g) {
-    const SparseProcess& process = model.processes()[g];
-    open.push_back({process.covariance(x), model.weightOf(g), process.parameters().noiseVariance()});
+    const Committee& process = model.processes()[g];
+    open.push_back({process.covariance(x), model.weightOf(g), process.noiseVariance()});
   }
   return open;
 }
 
-/// Numbers of features from what the model's inducing points have, position and turn.
+/// Positions and turns that the model's inducing points have, as features in deviations.
 MatrixXd learnedPoses(const CorrectionModel& model) {
   constexpr Index kPose = 6;
-  const SparseProcess& process = model.processes().front();
-  const Eigen::VectorXd length = process.parameters().ln_length.array().exp();
-  const MatrixXd scaled = process.parts().inducing.leftCols(kPose);
-  if (length.size() == 1) return length[0] * scaled;
-  return scaled * length.head(kPose).asDiagonal();
+  MatrixXd all(0, kPose);
+  for (const SparseProcess& member : model.processes().front().members()) {
+    Eigen::VectorXd length = member.parameters().ln_length.array().exp();
+    if (length.size() == 1) length = Eigen::VectorXd::Constant(kPose, length[0]);
+    const Index before = all.rows();
+    all.conservativeResize(before + member.inducing(), Eigen::NoChange);
+    all.bottomRows(member.inducing()) =
+        member.parts().inducing.leftCols(kPose) * length.head(kPose).asDiagonal();
+  }
+  return all;
 }
 
 }  // namespace
@@ -53,8 +58,7 @@ std::vector<NextPose> nextPoses(const CorrectionModel& model, const std::vector<
   std::vector<bool> visited(candidates.size(), false);
   double whole = 0.0, left = 0.0;  // without data, and now
   for (std::size_t g = 0; g < open.size(); ++g) {
-    whole += open[g].weight * model.processes()[g].parameters().signalVariance() *
-             static_cast<double>(candidates.size());
+    whole += open[g].weight * model.processes()[g].signalVariance() * static_cast<double>(candidates.size());
     left += open[g].weight * open[g].covariance.trace();
   }
   while (chosen.size() < std::min(count, candidates.size()) && !(progress && progress->cancelled())) {

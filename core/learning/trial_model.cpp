@@ -7,6 +7,7 @@ namespace capstan::learning {
 CorrectionModel trialModel(const std::vector<State>& states, CorrectionOptions options,
                            base::Progress* progress, const base::ProgressPart& part) {
   options.calibrate = false;
+  options.members = 1;
   options.likelihood_points = std::min(options.likelihood_points, kTrialPoints);
   options.inducing_points = std::min(options.inducing_points, kTrialPoints);
   return CorrectionModel::trained(states, options, progress, part);

@@ -26,7 +26,7 @@ using learning::SparseProcessParts;
 static_assert(std::endian::native == std::endian::little, "numbers are written as they stand in memory");
 
 constexpr std::string_view kMagic = "capstan correction ";
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
 
 [[noreturn]] void refuse(const std::filesystem::path& path, std::string what, std::string remedy) {
   throw base::InputError({path.string(), 0, {}, {}, std::move(what), std::move(remedy)});
@@ -80,21 +80,25 @@ void put(const CorrectionParts& parts, Numbers& to) {
   to.put(parts.turns.max());
   for (const Eigen::RowVectorXd* row : {&parts.middle, &parts.deviation, &parts.scale, &parts.inflation})
     to.put(*row);
-  for (const SparseProcessParts& group : parts.groups) {
-    to.put(group.parameters.packed());
-    to.put(group.inducing);
-    to.putLower(group.square);
-    to.put(group.sum);
-  }
+  for (const std::vector<SparseProcessParts>& group : parts.groups)
+    for (const SparseProcessParts& member : group) {
+      to.put(member.parameters.packed());
+      to.put(member.inducing);
+      to.putLower(member.square);
+      to.put(member.sum);
+    }
 }
 
 Json headerOf(const CorrectionParts& parts, const CorrectionSource& source) {
   Json groups = Json::array();
-  for (const SparseProcessParts& group : parts.groups)
-    groups.push_back({{"kernel", base::nameOf(group.parameters.kernel)},
-                      {"inducing", group.inducing.rows()},
-                      {"lengths", group.parameters.ln_length.size()},
-                      {"outputs", group.sum.cols()}});
+  for (const std::vector<SparseProcessParts>& group : parts.groups) {
+    groups.push_back(Json::array());
+    for (const SparseProcessParts& member : group)
+      groups.back().push_back({{"kernel", base::nameOf(member.parameters.kernel)},
+                               {"inducing", member.inducing.rows()},
+                               {"lengths", member.parameters.ln_length.size()},
+                               {"outputs", member.sum.cols()}});
+  }
   return {{"rotation", base::nameOf(parts.features.form())},
           {"motion", base::nameOf(parts.features.motion())},
           {"groups", std::move(groups)},
@@ -121,6 +125,18 @@ CorrectionSource sourceFrom(const Json& json) {
           json.at("software")};
 }
 
+SparseProcessParts memberFrom(const Json& json, Index features, Numbers& from) {
+  const Index inducing = json.at("inducing"), lengths = json.at("lengths"), outputs = json.at("outputs");
+  if (inducing < 1 || outputs < 1 || (lengths != 1 && lengths != features)) throw std::out_of_range("groups");
+  SparseProcessParts member;
+  member.parameters = learning::KernelParameters::unpacked(from.take(2 + lengths),
+                                                           named<learning::Kernel>(json.at("kernel")));
+  member.inducing = from.take(inducing, features);
+  member.square = from.takeLower(inducing);
+  member.sum = from.take(inducing, outputs);
+  return member;
+}
+
 CorrectionParts partsFrom(const Json& header, Numbers& from) {
   CorrectionParts parts;
   parts.offset.matrix() = from.take(4, 4);
@@ -137,16 +153,10 @@ CorrectionParts partsFrom(const Json& header, Numbers& from) {
   parts.deviation = from.take(1, features);
   parts.scale = from.take(1, outputs);
   parts.inflation = from.take(1, outputs);
-  for (const Json& one : header.at("groups")) {
-    const Index inducing = one.at("inducing"), lengths = one.at("lengths"), own = one.at("outputs");
-    if (inducing < 1 || own < 1 || (lengths != 1 && lengths != features)) throw std::out_of_range("groups");
-    SparseProcessParts group;
-    group.parameters = learning::KernelParameters::unpacked(from.take(2 + lengths),
-                                                            named<learning::Kernel>(one.at("kernel")));
-    group.inducing = from.take(inducing, features);
-    group.square = from.takeLower(inducing);
-    group.sum = from.take(inducing, own);
-    parts.groups.push_back(std::move(group));
+  for (const Json& group : header.at("groups")) {
+    if (group.empty()) throw std::out_of_range("groups");
+    parts.groups.emplace_back();
+    for (const Json& member : group) parts.groups.back().push_back(memberFrom(member, features, from));
   }
   return parts;
 }

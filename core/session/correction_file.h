@@ -21,10 +21,11 @@ struct CorrectionSource {
 
 /// A model with where it comes from.
 ///
-/// A file is a line "capstan correction 2", a line of JSON (what the model is made of, its source, kernels, how
+/// A file is a line "capstan correction 3", a line of JSON (what the model is made of, its source, kernels, how
 /// many numbers follow and their checksum), and these numbers as 64-bit floating point, least byte first: offset,
 /// features' middle turn, lever, workspace, turns, middles, deviations, scales, inflations, then of each
-/// group the kernel's logarithms, inducing points, the lower triangle of B and the sums, each by columns.
+/// member of each group the kernel's logarithms, inducing points, the lower triangle of B and the sums, each
+/// by columns.
 struct CorrectionFile {
   learning::CorrectionModel model;
   CorrectionSource source;

@@ -26,6 +26,7 @@ int main(int argc, char** argv) {
   app.add_option("--towards", options.towards, "of table: robot, command")
       ->delimiter(',')
       ->check(CLI::IsMember({"robot", "command"}));
+  app.add_option("--members", options.correction.members, "processes averaged")->check(CLI::Range(1, 20));
   app.add_option("--inducing", options.correction.inducing_points)->check(CLI::Range(20, 20000));
   app.add_option("--threads", options.correction.threads)->check(CLI::Range(1, 64));
   app.add_option("--seed", options.seed);

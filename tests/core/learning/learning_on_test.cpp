@@ -131,9 +131,9 @@ TEST(NextPoses, areEachVisitedOnceAndGainWhatTheySay) {
   EXPECT_EQ(places.size(), next.size());
   double variance = 0.0, whole = 0.0;
   for (std::size_t g = 0; g < model.processes().size(); ++g) {
-    const SparseProcess& process = model.processes()[g];
+    const Committee& process = model.processes()[g];
     variance += model.weightOf(g) * process.predict(model.featuresOf(candidates)).variance.sum();
-    whole += model.weightOf(g) * process.parameters().signalVariance() * 60.0;
+    whole += model.weightOf(g) * process.signalVariance() * 60.0;
   }
   EXPECT_NEAR(next.front().before, variance / whole, 1e-9);
 }

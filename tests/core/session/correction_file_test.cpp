@@ -91,7 +91,7 @@ TEST(CorrectionFile, refusesWhatIsDamaged) {
   EXPECT_NE(complaint(whole.substr(0, 60)).find("second line"), std::string::npos);
   EXPECT_NE(complaint("t,q1\n0,1\n").find("is no model"), std::string::npos);
   std::string later = whole;
-  later.replace(later.find(" 2\n"), 3, " 9\n");
+  later.replace(later.find(" 3\n"), 3, " 9\n");
   EXPECT_NE(complaint(later).find("version 9"), std::string::npos);
   EXPECT_NE(complaintOf(folder.path() / "none").find("none"), std::string::npos);
 }

@@ -18,7 +18,7 @@ using Eigen::Index;
 using learning::State;
 
 constexpr double kMillimetres = 1e3, kDegrees = 180.0 / std::numbers::pi;
-constexpr Index kPlainStates = 1500;
+constexpr Index kPlainStates = 1500, kPlainFitted = 1000;
 
 /// States, hyperparameters and test states of one split for scikit-learn.
 void writeSplit(const std::filesystem::path& folder, const std::vector<State>& states,
@@ -33,7 +33,7 @@ void writeSplit(const std::filesystem::path& folder, const std::vector<State>& s
   const Eigen::MatrixXd x = all.features(few, Eigen::all), y = all.targets(few, Eigen::all);
   Eigen::MatrixXd parameters(6, 2 + x.cols());
   math::setDenseThreads(1);
-  const auto fewer = learning::drawnPoints(x.rows(), options.correction.likelihood_points, options.seed + 7);
+  const auto fewer = learning::drawnPoints(x.rows(), kPlainFitted, options.seed + 7);
   const Eigen::MatrixXd x_fewer = x(fewer, Eigen::all);
   base::parallelFor(6, options.correction.threads, [&](std::size_t k) {
     const Eigen::MatrixXd own = y(fewer, Eigen::seqN(static_cast<Index>(k), 1));

@@ -132,7 +132,7 @@ void AblationView::fill() {
     words_->setText(
         tr("What the rigid offset, cleaning, the Gaussian process and velocities as features are "
            "worth, on trajectories held out; beside it what the paper's authors found. Each split "
-           "trains four models: allow a minute."));
+           "trains eight models, the last of them of several members: allow minutes."));
     return;
   }
   const bool clean = which_->currentIndex() == 0;

@@ -134,6 +134,21 @@ QString sharpest(const learning::KernelParameters& parameters) {
   return parts.join(QStringLiteral(" · "));
 }
 
+/// In the middle of a committee's, by their logarithms.
+learning::KernelParameters middleOf(const learning::Committee& committee) {
+  const auto& members = committee.members();
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(members.front().parameters().packed().size());
+  for (const learning::SparseProcess& member : members) sum += member.parameters().packed();
+  return learning::KernelParameters::unpacked(sum / static_cast<double>(members.size()),
+                                              members.front().parameters().kernel);
+}
+
+QString inducingWords(const learning::Committee& committee) {
+  const QString each = countText(static_cast<std::size_t>(committee.members().front().inducing()));
+  const std::size_t members = committee.members().size();
+  return members == 1 ? each : QStringLiteral("%1 × %2").arg(countText(members), each);
+}
+
 StageGroup process(const CorrectionTrial& trial) {
   StageGroup group{tr("6  Gaussian process"), {}};
   group.rows.push_back({tr("states learned from"), countText(trial.learned.size())});
@@ -148,11 +163,12 @@ StageGroup process(const CorrectionTrial& trial) {
           "trajectory apart from the others.")});
   const auto& processes = trial.model->processes();
   if (!processes.empty())
-    group.rows.push_back(
-        {tr("inducing points"), countText(static_cast<std::size_t>(processes[0].inducing()))});
+    group.rows.push_back({tr("inducing points"), inducingWords(processes[0]), std::nan(""), false,
+                          tr("Members of each committee, whose corrections are averaged, and the states of "
+                             "each that stand for all")});
   static constexpr std::array kOutputs = {"x", "y", "z", "rx", "ry", "rz"};
   for (std::size_t k = 0; k < processes.size(); ++k) {
-    const learning::KernelParameters& p = processes[k].parameters();
+    const learning::KernelParameters p = middleOf(processes[k]);
     const double ratio = std::exp(p.ln_signal - p.ln_noise);
     group.rows.push_back(
         {QObject::tr("%1: signal / noise %2; lengths")
