@@ -141,7 +141,7 @@ Json againCounts(const learning::WeighingReport& weighing) {
 std::string weighingText(const learning::WeighingReport& weighing) {
   if (!weighing.weighed) return "Weights: none, all that count do so alike\n";
   return fmt::format(
-      "Weights: {} states less than half, which other trajectories contradict\n"
+      "Weights: {} states doubted, which other trajectories contradict\n"
       "         {} that were left out count again, which others tell the same; they were: {}\n",
       weighing.doubted, weighing.again.size(), wordsOf(againCounts(weighing)));
 }

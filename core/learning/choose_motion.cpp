@@ -26,7 +26,8 @@ Parts partsOf(const std::vector<State>& states) {
 double leftBy(Motion motion, const Parts& parts, CorrectionOptions options, base::Progress* progress,
               const base::ProgressPart& part) {
   options.motion = motion;
-  return stats::median(leftOf(trialModel(parts.learned, options, progress, part), parts.held, options.lever));
+  const CorrectionModel model = trialModel(parts.learned, options, progress, part);
+  return stats::median(sizesOf(leftOf(model, parts.held), options.lever));
 }
 
 }  // namespace

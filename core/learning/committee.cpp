@@ -10,8 +10,8 @@ Committee::Committee(std::vector<SparseProcess> members) : members_(std::move(me
   assert(!members_.empty());
 }
 
-void Committee::add(const MatrixXd& x, const MatrixXd& y, const Eigen::VectorXd& weight) {
-  for (SparseProcess& member : members_) member.add(x, y, weight);
+void Committee::add(const MatrixXd& x, const MatrixXd& y, const Eigen::VectorXd& besides) {
+  for (SparseProcess& member : members_) member.add(x, y, besides);
 }
 
 MatrixXd Committee::mean(const MatrixXd& at) const {

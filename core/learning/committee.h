@@ -17,8 +17,8 @@ class Committee {
   /// One member at least; all of as many outputs.
   explicit Committee(std::vector<SparseProcess> members);
 
-  /// Points x (n × d) with outputs y (n × q) and weights (n), as SparseProcess::add.
-  void add(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y, const Eigen::VectorXd& weight);
+  /// Points x (n × d) with outputs y (n × q) and noise besides (n), as SparseProcess::add.
+  void add(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y, const Eigen::VectorXd& besides);
 
   Prediction predict(const Eigen::MatrixXd& at) const;
   Eigen::MatrixXd mean(const Eigen::MatrixXd& at) const;

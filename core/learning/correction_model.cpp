@@ -31,10 +31,15 @@ constexpr double kChoiceShare = 0.3;                // of the time, where it is 
 constexpr double kFitShare = 0.6, kAllShare = 0.3;  // of the time: hyperparameters, all states
 constexpr std::uint64_t kInducingSeed = 1000, kCalibrationSeed = 2000;  // apart from those of fits
 
-Eigen::VectorXd weightsOf(const std::vector<State>& states) {
-  Eigen::VectorXd weights(static_cast<Index>(states.size()));
-  for (std::size_t k = 0; k < states.size(); ++k) weights[static_cast<Index>(k)] = states[k].weight;
-  return weights;
+/// Of a group's outputs in scales, their mean where they are three.
+Eigen::VectorXd doubtsOf(const std::vector<State>& states, const Group& group,
+                         const Eigen::RowVectorXd& scale) {
+  const Eigen::VectorXd precision =
+      scale.segment(group.first, group.count).array().square().inverse().transpose();
+  Eigen::VectorXd doubts(static_cast<Index>(states.size()));
+  for (std::size_t k = 0; k < states.size(); ++k)
+    doubts[static_cast<Index>(k)] = precision.dot(states[k].doubt.segment(group.first, group.count));
+  return doubts / static_cast<double>(group.count);
 }
 
 /// Of each group those of its members.
@@ -147,13 +152,13 @@ CorrectionModel CorrectionModel::trained(const std::vector<State>& states, const
 
   const GroupParameters parameters = fitted(x, y, options, progress, part.within(0.0, kFitShare));
   math::setDenseThreads(options.threads);
-  const Eigen::VectorXd weights = weightsOf(states);
   for (std::size_t g = 0; g < kGroups.size() && !(progress && progress->cancelled()); ++g) {
     part.report(progress, kFitShare + kAllShare * static_cast<double>(g) / kGroups.size(),
                 "learning all states");
     Committee committee = knowingNothing(x, kGroups[g].count, parameters[g], options.inducing_points,
                                          options.seed + kInducingSeed);
-    committee.add(x, y.middleCols(kGroups[g].first, kGroups[g].count), weights);
+    committee.add(x, y.middleCols(kGroups[g].first, kGroups[g].count),
+                  doubtsOf(states, kGroups[g], model.known_.scale));
     model.processes_.push_back(std::move(committee));
   }
   if (progress && progress->cancelled())
@@ -279,12 +284,11 @@ void CorrectionModel::addRatios(const std::vector<State>& seen, const std::vecto
                                 std::array<std::vector<double>, 6>& ratios) const {
   const MatrixXd x = featuresOf(seen), y = targetsOf(seen), at = featuresOf(held), told = targetsOf(held);
   const Index few = std::max<Index>(options.inducing_points / 2, 1);
-  const Eigen::VectorXd weights = weightsOf(seen);
   for (std::size_t g = 0; g < kGroups.size(); ++g) {
     const auto [first, count] = kGroups[g];
     Committee committee =
         knowingNothing(x, count, parametersOf(processes_[g]), few, options.seed + kCalibrationSeed);
-    committee.add(x, y.middleCols(first, count), weights);
+    committee.add(x, y.middleCols(first, count), doubtsOf(seen, kGroups[g], known_.scale));
     const Prediction guess = committee.predict(at);
     const Eigen::ArrayXd sigma = (guess.variance.array() + committee.noiseVariance()).sqrt();
     for (Index k = 0; k < count; ++k) {
@@ -326,7 +330,8 @@ void CorrectionModel::add(const std::vector<State>& states) {
   const MatrixXd x = featuresOf(states), y = targetsOf(states);
   for (const State& state : states) extendBy(known_.offset * state.pair.seen);
   for (std::size_t g = 0; g < processes_.size(); ++g)
-    processes_[g].add(x, y.middleCols(kGroups[g].first, kGroups[g].count), weightsOf(states));
+    processes_[g].add(x, y.middleCols(kGroups[g].first, kGroups[g].count),
+                      doubtsOf(states, kGroups[g], known_.scale));
 }
 
 }  // namespace capstan::learning

@@ -28,9 +28,39 @@ void checkPoses(const ScreenReport& screen, StreamKind stream) {
                           "Give tables with this stream, quaternions of norm 1 as x, y, z, w"});
 }
 
+/// How wide nine tenths of a stream's positions lie along each of its axes [m].
+Eigen::Vector3d widthsOf(const std::vector<State>& states, Eigen::Isometry3d PosePair::*pose) {
+  constexpr std::array kTails = {0.05, 0.95};
+  Eigen::Vector3d widths;
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    std::vector<double> along;
+    for (const State& state : states) along.push_back((state.pair.*pose).translation()[i]);
+    const std::vector<double> ends = stats::quantiles(along, kTails);
+    widths[i] = ends[1] - ends[0];
+  }
+  return widths;
+}
+
+/// What makes two streams differ so: an axis far wider than all of the other's is in another unit.
+std::string unitsAdvice(const std::vector<State>& states, StreamKind towards) {
+  constexpr double kOtherUnit = 20.0;
+  const Eigen::Vector3d seen = widthsOf(states, &PosePair::seen), told = widthsOf(states, &PosePair::told);
+  const bool is_seen = seen.maxCoeff() > told.maxCoeff();
+  const Eigen::Vector3d& wide = is_seen ? seen : told;
+  const double narrow = (is_seen ? told : seen).maxCoeff();
+  std::string axes;
+  for (Eigen::Index i = 0; i < 3; ++i)
+    if (wide[i] > kOtherUnit * narrow) axes += fmt::format("{}{}", axes.empty() ? "" : ", ", "xyz"[i]);
+  if (axes.empty()) return "Check units (metres), the order of axes and of quaternions (x, y, z, w)";
+  const StreamKind wider = is_seen ? StreamKind::kCamera : towards,
+                   other = is_seen ? towards : StreamKind::kCamera;
+  return fmt::format("Give {} of the {} in metres: it is up to {:.3g} m wide, all of the {} {:.2g} m", axes,
+                     base::nameOf(wider), wide.maxCoeff(), base::nameOf(other), narrow);
+}
+
 /// Half of the states must be nearer to what was told, the offset taken off, than the motions are long: else
 /// no offset relates the two streams, and nothing can be learned of what it leaves.
-void checkRelated(const std::vector<State>& states, const Eigen::Isometry3d& offset) {
+void checkRelated(const std::vector<State>& states, const Eigen::Isometry3d& offset, StreamKind towards) {
   constexpr double kMost = 0.6;
   std::vector<double> off, way;
   std::array<std::vector<double>, 3> told;
@@ -52,8 +82,7 @@ void checkRelated(const std::vector<State>& states, const Eigen::Isometry3d& off
        fmt::format("is what the best rigid offset leaves of half of the sights, and motions are "
                    "{:.3g} m long",
                    size),
-       "Check units (metres), the order of axes and of quaternions (x, y, z, w), and that all "
-       "streams are of one arm"});
+       unitsAdvice(states, towards) + "; both streams must be of one arm"});
 }
 
 void pairAt(PreparedStates& prepared, StreamKind towards) {
@@ -111,7 +140,7 @@ LearningReport learn(const std::vector<RawMotion>& motions, const LearningOption
   else
     cleaned.reason.assign(prepared.states.size(), Reason::kNone);
   TrainingStates training = trainingStates(prepared.states, std::move(cleaned), options.correction.lever);
-  checkRelated(prepared.states, options.clean ? training.cleaning.offset : training.offset);
+  checkRelated(prepared.states, options.clean ? training.cleaning.offset : training.offset, options.towards);
   if (options.clean && options.weigh && !options.rigid)
     weigh(training, prepared.states, options.cleaning, options.correction, progress,
           {kPrepared, kCleaned, "weighing"});
@@ -145,7 +174,7 @@ LearningReport learnMore(CorrectionModel model, double lag, const std::vector<Ra
                             fmt::format("{}", counting.size()),
                             fmt::format("are left to learn from; {} at least", kFewestStates),
                             "Check units (metres) and the order of axes and quaternions, or record longer"});
-  checkRelated(counting, model.offset());
+  checkRelated(counting, model.offset(), options.towards);
   if (progress) progress->report(kPrepared, "comparing with what is known");
   if (const DriftCourse course = driftAlong(model, counting); course.agedNow())
     throw base::InputError({{},

@@ -43,12 +43,12 @@ void SparseProcess::findRoot() {
   }
 }
 
-void SparseProcess::add(const MatrixXd& x, const MatrixXd& y) { add(x, y, Eigen::VectorXd::Ones(x.rows())); }
+void SparseProcess::add(const MatrixXd& x, const MatrixXd& y) { add(x, y, Eigen::VectorXd::Zero(x.rows())); }
 
-void SparseProcess::add(const MatrixXd& x, const MatrixXd& y, const Eigen::VectorXd& weight) {
-  assert(x.rows() == y.rows() && x.rows() == weight.size() && y.cols() == known_.sum.cols());
+void SparseProcess::add(const MatrixXd& x, const MatrixXd& y, const Eigen::VectorXd& besides) {
+  assert(x.rows() == y.rows() && x.rows() == besides.size() && y.cols() == known_.sum.cols());
   constexpr Index kRows = 2048;  // at a time, for memory
-  const Eigen::VectorXd root_precision = (weight / known_.parameters.noiseVariance()).cwiseSqrt();
+  const Eigen::VectorXd root_precision = (known_.parameters.noiseVariance() + besides.array()).rsqrt();
   for (Index first = 0; first < x.rows(); first += kRows) {
     const Index rows = std::min(kRows, x.rows() - first);
     MatrixXd v = crossCovariance(known_.inducing, inLengths(x.middleRows(first, rows), known_.parameters),

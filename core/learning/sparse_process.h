@@ -15,17 +15,17 @@ struct SparseProcessParts {
   KernelParameters parameters;
   Eigen::MatrixXd inducing;  ///< in lengths, m × d
   Eigen::MatrixXd square;    ///< B, m × m, lower triangle
-  Eigen::MatrixXd sum;       ///< V W Y / σ_n², m × q
+  Eigen::MatrixXd sum;       ///< V Λ⁻¹ Y, m × q
 };
 
 /// Gaussian process regression through inducing points u (Titsias, Variational learning of inducing variables
 /// in sparse Gaussian processes, AISTATS 2009; its mean is the deterministic training conditional's,
 /// Quiñonero-Candela and Rasmussen, JMLR 6 (2005)):
-///     mean(x) = k_xu L⁻ᵀ B⁻¹ V W Y / σ_n²,   K_uu = L Lᵀ, V = L⁻¹ K_uf, B = I + V W Vᵀ / σ_n²
+///     mean(x) = k_xu L⁻ᵀ B⁻¹ V Λ⁻¹ Y,   K_uu = L Lᵀ, V = L⁻¹ K_uf, B = I + V Λ⁻¹ Vᵀ
 ///     variance(x) = σ_f² − |L⁻¹ k_ux|² + |L_B⁻¹ L⁻¹ k_ux|²,   B = L_B L_Bᵀ
-/// W the points' weights, their noise being σ_n² / w; O(n m²) to make, O(m) for a mean, O(m²) for a variance;
-/// with all points as inducing ones it is the exact process. Points can be added later at O(m²) each and one
-/// factor of B, O(m³).
+/// Λ the points' noise, σ_n² and what each has besides; O(n m²) to make, O(m) for a mean, O(m²) for a
+/// variance; with all points as inducing ones it is the exact process. Points can be added later at O(m²)
+/// each and one factor of B, O(m³).
 class SparseProcess {
  public:
   /// Inducing points (m × d) and outputs (of which there are q) of mean 0; knows no points yet.
@@ -33,10 +33,10 @@ class SparseProcess {
 
   explicit SparseProcess(SparseProcessParts parts);
 
-  /// Learns points x (n × d) with outputs y (n × q), whose noise has the variance σ_n² / weight (n,
-  /// positive).
-  void add(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y, const Eigen::VectorXd& weight);
-  /// Likewise, of weight 1 each.
+  /// Learns points x (n × d) with outputs y (n × q), whose noise has the variance σ_n² + `besides` (n, none
+  /// negative).
+  void add(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y, const Eigen::VectorXd& besides);
+  /// Likewise, of nothing besides.
   void add(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y);
 
   Prediction predict(const Eigen::MatrixXd& at) const;
@@ -56,7 +56,7 @@ class SparseProcess {
   SparseProcessParts known_;
   Eigen::MatrixXd root_;     ///< L
   Eigen::MatrixXd factor_;   ///< L_B
-  Eigen::MatrixXd weights_;  ///< L⁻ᵀ B⁻¹ V W Y / σ_n²
+  Eigen::MatrixXd weights_;  ///< L⁻ᵀ B⁻¹ V Λ⁻¹ Y
 };
 
 }  // namespace capstan::learning

@@ -31,7 +31,9 @@ struct State {
   /// Mean velocities of the last kSpans, likewise: cables that stick remember where they came from. Before
   /// the motion's first sight it stood still.
   Drift drift = atRest();
-  double weight = 1.0;  ///< in learning: the variance of its noise is that of others / weight
+  /// Variances that its noise has in learning besides that of all: of what was told, [m²], then of its turn
+  /// [rad²].
+  Vector6d doubt = Vector6d::Zero();
 };
 
 /// Of each state the place of its motion among those that have states; a motion's states stand together.

@@ -16,23 +16,49 @@ bool mayCount(Reason reason) {
 }
 
 /// Of those that cleaning kept.
-std::vector<double> ofKept(const std::vector<double>& left, const std::vector<bool>& kept) {
+std::vector<double> ofKept(const std::vector<double>& sizes, const std::vector<bool>& kept) {
   std::vector<double> some;
-  for (std::size_t k = 0; k < left.size(); ++k)
-    if (kept[k]) some.push_back(left[k]);
+  for (std::size_t k = 0; k < sizes.size(); ++k)
+    if (kept[k]) some.push_back(sizes[k]);
   return some;
 }
 
-/// By what is left of each; 0: it does not count. False: nothing is left of half of those kept.
-bool setWeights(std::vector<State>& states, const std::vector<double>& left, const std::vector<bool>& kept) {
-  const double median = stats::median(ofKept(left, kept));
-  if (!(median > 0.0)) return false;
-  for (std::size_t k = 0; k < states.size(); ++k) {
-    const double weight = (kFreedom + 1.0) / (kFreedom + std::pow(left[k] / median, 2));
-    states[k].weight = kept[k] || weight >= kAgain ? std::max(weight, kLeastWeight) : 0.0;
+/// Standard deviation of a normal distribution that has the median of |left| among those kept, of each of
+/// six.
+Vector6d scatterOf(const std::vector<Vector6d>& left, const std::vector<bool>& kept, double lever) {
+  constexpr double kOfNormal = 1.4826;
+  Vector6d arms, scatter;
+  arms << 1.0, 1.0, 1.0, lever, lever, lever;
+  for (Eigen::Index i = 0; i < 6; ++i) {
+    std::vector<double> sizes;
+    for (std::size_t k = 0; k < left.size(); ++k)
+      if (kept[k]) sizes.push_back(arms[i] * std::abs(left[k][i]));
+    scatter[i] = kOfNormal * stats::median(std::move(sizes));
   }
-  return true;
+  return scatter.cwiseMax(kScatterShare * scatter.maxCoeff()).cwiseQuotient(arms);
 }
+
+/// What is left of states, and what that makes of them.
+class Judgement {
+ public:
+  Judgement(std::vector<Vector6d> left, const std::vector<bool>& kept, double lever)
+      : left_(std::move(left)), kept_(kept) {
+    if (!left_.empty()) scatter_ = scatterOf(left_, kept, lever);
+  }
+
+  /// Not: cancelled, or nothing is left of half of the states.
+  bool made() const { return scatter_.maxCoeff() > 0.0; }
+  double weight(std::size_t k) const {
+    return (kFreedom + 6.0) / (kFreedom + left_[k].cwiseQuotient(scatter_).squaredNorm());
+  }
+  bool counts(std::size_t k) const { return kept_[k] || weight(k) >= kAgain; }
+  Vector6d doubt(std::size_t k) const { return std::max(1.0 / weight(k) - 1.0, 0.0) * scatter_.cwiseAbs2(); }
+
+ private:
+  std::vector<Vector6d> left_;
+  const std::vector<bool>& kept_;
+  Vector6d scatter_ = Vector6d::Zero();
+};
 
 /// Leaves `after` no more than `before`, of half of the states and of the worst?
 bool noWorse(const std::vector<double>& before, const std::vector<double>& after) {
@@ -41,19 +67,26 @@ bool noWorse(const std::vector<double>& before, const std::vector<double>& after
   return is[0] <= (1.0 + kByChance) * was[0] && is[1] <= (1.0 + kByChance) * was[1];
 }
 
-/// What is left of each by models of all, weighed, or, where these are worse, of what cleaning kept. Empty:
+/// What is left of each by models of all, doubted, or, where these are worse, of what cleaning kept. Empty:
 /// cancelled, or too few.
-std::vector<double> leftOfEach(std::vector<State> states, const std::vector<bool>& kept,
-                               const CorrectionOptions& options, base::Progress* progress,
-                               const base::ProgressPart& part) {
-  const std::vector<double> by_all = leftByOthers(states, options, progress, part.within(0.0, 0.33));
-  if (by_all.empty()) return {};
-  for (std::size_t k = 0; k < states.size(); ++k) states[k].weight = kept[k] ? 1.0 : 0.0;
-  std::vector<double> by_kept = leftByOthers(states, options, progress, part.within(0.33, 0.67));
-  if (by_kept.empty() || !setWeights(states, by_all, kept)) return by_kept;
-  std::vector<double> by_weighed = leftByOthers(states, options, progress, part.within(0.67, 1.0));
-  if (by_weighed.empty()) return {};
-  return noWorse(ofKept(by_kept, kept), ofKept(by_weighed, kept)) ? by_weighed : by_kept;
+std::vector<Vector6d> leftOfEach(std::vector<State> states, const std::vector<bool>& kept,
+                                 const CorrectionOptions& options, base::Progress* progress,
+                                 const base::ProgressPart& part) {
+  std::vector<bool> counts(states.size(), true);
+  const Judgement by_all(leftByOthers(states, counts, options, progress, part.within(0.0, 0.33)), kept,
+                         options.lever);
+  std::vector<Vector6d> by_kept = leftByOthers(states, kept, options, progress, part.within(0.33, 0.67));
+  if (by_kept.empty() || !by_all.made()) return by_kept;
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    counts[k] = by_all.counts(k);
+    states[k].doubt = by_all.doubt(k);
+  }
+  std::vector<Vector6d> by_doubted = leftByOthers(states, counts, options, progress, part.within(0.67, 1.0));
+  if (by_doubted.empty()) return {};
+  const auto ofKeptBy = [&](const std::vector<Vector6d>& left) {
+    return ofKept(sizesOf(left, options.lever), kept);
+  };
+  return noWorse(ofKeptBy(by_kept), ofKeptBy(by_doubted)) ? by_doubted : by_kept;
 }
 
 }  // namespace
@@ -82,14 +115,15 @@ void weigh(TrainingStates& training, const std::vector<State>& all, const Cleani
   CorrectionOptions quicker = options;
   if (quicker.motion != Motion::kNone) quicker.motion = Motion::kVelocity;
   quicker.offset = training.offset;
-  const std::vector<double> left = leftOfEach(some, kept, quicker, progress, part);
-  if (left.empty() || !setWeights(some, left, kept)) return;
+  const Judgement judgement(leftOfEach(some, kept, quicker, progress, part), kept, options.lever);
+  if (!judgement.made()) return;
   training.states.clear();
   for (std::size_t k = 0; k < some.size(); ++k) {
-    if (some[k].weight == 0.0) continue;
+    if (!judgement.counts(k)) continue;
     Reason& reason = cleaning.reason[places[k]];
     if (!kept[k]) training.weighing.again.push_back(std::exchange(reason, Reason::kNone));
-    training.weighing.doubted += some[k].weight < kDoubted;
+    training.weighing.doubted += judgement.weight(k) < kDoubted;
+    some[k].doubt = judgement.doubt(k);
     training.states.push_back(some[k]);
   }
   training.weighing.weighed = true;

@@ -9,7 +9,7 @@ namespace capstan::learning {
 struct WeighingReport {
   bool weighed = false;       ///< not: too few motions, nothing left over, or cancelled
   std::vector<Reason> again;  ///< why cleaning had taken those that count again
-  std::size_t doubted = 0;    ///< of those that count, of less than kDoubted
+  std::size_t doubted = 0;    ///< of those that count, of a w below kDoubted
 };
 
 /// What a correction is learned from.
@@ -20,30 +20,32 @@ struct TrainingStates {
   Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();  ///< rigid, of those that cleaning kept
 };
 
-/// Of all states those that cleaning kept, of one weight. At least one.
+/// Of all states those that cleaning kept, none doubted. At least one.
 TrainingStates trainingStates(const std::vector<State>& all, CleaningReport cleaned, double lever);
 
-/// Weighs states by how well others tell them: of what trial models of other motions leave of a state,
-/// e = ‖Δt‖ + lever · angle (leftByOthers), and of the median s of those that cleaning kept,
-///     weight = (ν + 1) / (ν + e²/s²),   kLeastWeight at least,
-/// after the weights by which Student's t distribution of ν = kFreedom degrees of freedom is fitted (Lange,
-/// Little and Taylor, Robust statistical modeling using the t distribution, JASA 84 (1989)).
-/// What cleaning found misplaced() is weighed with the rest, and counts again from kAgain on: a robot that
-/// does not follow a command, at a limit of a joint say, is out of place in the same way each time, and a
-/// sight that is wrong is not. What is faster than `limits` stays out, and the offset stays.
+/// Doubts states by how badly others tell them. Of what trial models of other motions leave of a state,
+/// e (leftByOthers), and of the scatter s of each of its six among those that cleaning kept (by the median,
+/// kScatterShare of the largest at least),
+///     doubt = s² max(1/w − 1, 0),   w = (ν + 6) / (ν + Σ e²/s²):
+/// a noise of s² becomes one of s² / w, w being the weights by which a multivariate t distribution of
+/// ν = kFreedom degrees of freedom is fitted (Lange, Little and Taylor, Robust statistical modeling using the
+/// t distribution, JASA 84 (1989)).
+/// What cleaning found misplaced() is judged with the rest, and counts again from a w of kAgain on: a robot
+/// that does not follow a command, at a limit of a joint say, is out of place in the same way each time, and
+/// a sight that is wrong is not. What is faster than `limits` stays out, and the offset stays.
 ///
-/// Models learned from all tell a first e, and models learned with its weights a second, which holds. Where
+/// Models learned from all tell a first e, and models learned with its doubts a second, which holds. Where
 /// these leave more of what cleaning kept than models of that alone, by the median or by what is left of
 /// kWorst of them (within kByChance), too much is wrong to learn from all, and e is what the latter leave.
 /// Nothing changes with fewer than kFewestMotions, where nothing is left of half of the states, or when
-/// cancelled. Where all states are inducing points and hardly noisy, weights change little.
+/// cancelled.
 void weigh(TrainingStates& training, const std::vector<State>& all, const CleaningOptions& limits,
            const CorrectionOptions& options, base::Progress* progress = nullptr,
            const base::ProgressPart& part = {});
 inline constexpr double kFreedom = 4.0;
-inline constexpr double kLeastWeight = 1e-3;
-inline constexpr double kAgain = 0.1;    ///< seven medians off
-inline constexpr double kDoubted = 0.5;  ///< two and a half
+inline constexpr double kScatterShare = 0.01;  ///< turns by the lever
+inline constexpr double kAgain = 0.03;         ///< all six by seven of their scatters, or one by 17
+inline constexpr double kDoubted = 0.5;
 inline constexpr double kWorst = 0.9;
 inline constexpr double kByChance = 0.05;  ///< by which trial models of much the same states differ
 

@@ -13,13 +13,16 @@ inline constexpr Eigen::Index kTrialPoints = 500;
 inline constexpr double kWorth = 0.02;
 inline constexpr std::size_t kFewestMotions = 10;
 
-/// Of each state [m], by trial models of the motions of other folds, of which there are kFolds, learned from
-/// those of some weight. Empty: cancelled, or too few states to learn from.
-std::vector<double> leftByOthers(const std::vector<State>& states, const CorrectionOptions& options,
-                                 base::Progress* progress = nullptr, const base::ProgressPart& part = {});
+/// leftOf() of each state, by trial models of the motions of other folds, of which there are kFolds, learned
+/// from those that count. Empty: cancelled, or too few states to learn from.
+std::vector<Vector6d> leftByOthers(const std::vector<State>& states, const std::vector<bool>& counts,
+                                   const CorrectionOptions& options, base::Progress* progress = nullptr,
+                                   const base::ProgressPart& part = {});
 inline constexpr std::size_t kFolds = 3;
 
-/// What a model leaves of each state, ‖Δt‖ + lever · angle [m].
-std::vector<double> leftOf(const CorrectionModel& model, const std::vector<State>& states, double lever);
+/// What a model leaves of each state, in the tool's frame: of its position [m] and of its turn [rad].
+std::vector<Vector6d> leftOf(const CorrectionModel& model, const std::vector<State>& states);
+/// ‖Δt‖ + lever · angle of each [m].
+std::vector<double> sizesOf(const std::vector<Vector6d>& left, double lever);
 
 }  // namespace capstan::learning

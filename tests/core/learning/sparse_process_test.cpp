@@ -48,16 +48,16 @@ TEST(SparseProcess, withFewPointsIsNearTheExactOne) {
   EXPECT_LT(std::sqrt(apart.squaredNorm() / static_cast<double>(apart.size())), 0.01);
 }
 
-TEST(SparseProcess, aPointOfWeightTwoIsAsGoodAsTwo) {
+/// Of twice the noise each, and of the same outputs.
+TEST(SparseProcess, twoDoubtedPointsAreAsGoodAsOne) {
   const Sample s = sample(100, 1), at = sample(40, 2);
-  SparseProcess weighed(s.x, 2, parameters()), twice = weighed;
-  Eigen::VectorXd weight = Eigen::VectorXd::Ones(100);
-  weight.head(30).setConstant(2.0);
-  weighed.add(s.x, s.y, weight);
-  twice.add(s.x, s.y);
-  twice.add(s.x.topRows(30), s.y.topRows(30));
-  EXPECT_LT((weighed.mean(at.x) - twice.mean(at.x)).cwiseAbs().maxCoeff(), 1e-8);
-  EXPECT_LT((weighed.predict(at.x).variance - twice.predict(at.x).variance).cwiseAbs().maxCoeff(), 1e-8);
+  SparseProcess doubted(s.x, 2, parameters()), once = doubted;
+  const Eigen::VectorXd besides = Eigen::VectorXd::Constant(30, parameters().noiseVariance());
+  once.add(s.x, s.y);
+  doubted.add(s.x.bottomRows(70), s.y.bottomRows(70));
+  for (int k = 0; k < 2; ++k) doubted.add(s.x.topRows(30), s.y.topRows(30), besides);
+  EXPECT_LT((doubted.mean(at.x) - once.mean(at.x)).cwiseAbs().maxCoeff(), 1e-8);
+  EXPECT_LT((doubted.predict(at.x).variance - once.predict(at.x).variance).cwiseAbs().maxCoeff(), 1e-8);
 }
 
 TEST(SparseProcess, learnsInPartsWhatItLearnsAtOnce) {

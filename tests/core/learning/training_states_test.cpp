@@ -48,11 +48,12 @@ TrainingStates weighed(const std::vector<State>& all, base::Progress* progress =
   return training;
 }
 
-double weightOf(const TrainingStates& training, std::size_t motion) {
-  double weight = 0.0;
+/// Root of the mean doubt of y of a motion's states [m].
+double doubtOf(const TrainingStates& training, std::size_t motion) {
+  double sum = 0.0, count = 0.0;
   for (const State& state : training.states)
-    if (state.motion == motion) weight += state.weight;
-  return weight;
+    if (state.motion == motion) sum += state.doubt.y(), ++count;
+  return std::sqrt(sum / count);
 }
 
 TEST(Weigh, WhatIsOutOfPlaceInTheSameWayEachTimeCounts) {
@@ -91,8 +92,8 @@ TEST(Weigh, ATrajectoryThatIsALittleOffCountsLess) {
     if (state.motion == 4) state.pair.seen.translation().y() += 4e-4;
   ASSERT_EQ(cleanStates(all).kept(), all.size());
   const TrainingStates after = weighed(all);
-  EXPECT_GT(weightOf(after, 5), 0.85 * 40.0) << "40 states";
-  EXPECT_LT(weightOf(after, 4), 0.7 * weightOf(after, 5));
+  EXPECT_LT(doubtOf(after, 5), 5e-5);
+  EXPECT_GT(doubtOf(after, 4), 3.0 * doubtOf(after, 5));
 }
 
 /// In y, where those that are off are, and seen without noise.
@@ -120,7 +121,7 @@ TEST(Weigh, AModelOfWeighedStatesIsNearer) {
 TEST(Weigh, NothingWhereMotionsAreTooFewOrWorkIsCancelled) {
   const auto untouched = [](const TrainingStates& training) {
     return training.weighing.again.empty() && !training.weighing.weighed &&
-           std::ranges::all_of(training.states, [](const State& state) { return state.weight == 1.0; });
+           std::ranges::all_of(training.states, [](const State& state) { return state.doubt.isZero(); });
   };
   EXPECT_TRUE(untouched(weighed(states({.stuck_beyond = 0.02}, 9))));
   base::Progress progress;

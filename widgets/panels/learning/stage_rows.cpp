@@ -158,9 +158,9 @@ StageGroup process(const CorrectionTrial& trial) {
           "follow its command, say: they can be learned, and count again. What is wrong by chance does "
           "not.")});
   group.rows.push_back(
-      {tr("… of less than half the weight"), countText(trial.weighing.doubted), std::nan(""), false,
+      {tr("… doubted"), countText(trial.weighing.doubted), std::nan(""), false,
        tr("States that models learned from other trajectories do not tell: a sight that jumps a little, a "
-          "trajectory apart from the others.")});
+          "trajectory apart from the others. They count with noise of their own.")});
   const auto& processes = trial.model->processes();
   if (!processes.empty())
     group.rows.push_back({tr("inducing points"), inducingWords(processes[0]), std::nan(""), false,
