@@ -28,6 +28,28 @@ void checkPoses(const ScreenReport& screen, StreamKind stream) {
                           "Give tables with this stream, quaternions of norm 1 as x, y, z, w"});
 }
 
+/// A stream of poses that are further apart than a motion is long has stamps in another unit.
+void checkStamps(const ScreenReport& screen, StreamKind stream) {
+  constexpr double kLongest = 2.0;  // [s]
+  std::vector<double> steps;
+  for (const PoseMotion& motion : screen.motions)
+    for (std::size_t k = 1; k < motion.of(stream).size(); ++k)
+      steps.push_back(motion.of(stream)[k].t - motion.of(stream)[k - 1].t);
+  const double step = steps.empty() ? 0.0 : stats::median(std::move(steps));
+  if (step <= kLongest) return;
+  throw base::InputError({{},
+                          0,
+                          fmt::format("stamps of the {}", base::nameOf(stream)),
+                          fmt::format("{:.3g} s", step),
+                          "lie between half of its poses, too long to follow a motion",
+                          "Give stamps in seconds"});
+}
+
+void checkStream(const ScreenReport& screen, StreamKind stream) {
+  checkPoses(screen, stream);
+  checkStamps(screen, stream);
+}
+
 /// How wide nine tenths of a stream's positions lie along each of its axes [m].
 Eigen::Vector3d widthsOf(const std::vector<State>& states, Eigen::Isometry3d PosePair::*pose) {
   constexpr std::array kTails = {0.05, 0.95};
@@ -109,8 +131,8 @@ PreparedStates prepare(const std::vector<RawMotion>& motions, const LearningOpti
   };
   if (!goOn(0.0, "screening")) return prepared;
   prepared.screen = screenPoses(motions);
-  checkPoses(prepared.screen, StreamKind::kCamera);
-  checkPoses(prepared.screen, options.towards);
+  checkStream(prepared.screen, StreamKind::kCamera);
+  checkStream(prepared.screen, options.towards);
   if (!goOn(0.2, "looking for the lag")) return prepared;
   prepared.lag = lagBetween(prepared.screen.motions, options.towards, options.lag);
   if (!goOn(0.7, "pairing")) return prepared;
@@ -122,8 +144,8 @@ PreparedStates prepare(const std::vector<RawMotion>& motions, const LearningOpti
 PreparedStates prepareAt(double lag, const std::vector<RawMotion>& motions, StreamKind towards) {
   PreparedStates prepared;
   prepared.screen = screenPoses(motions);
-  checkPoses(prepared.screen, StreamKind::kCamera);
-  checkPoses(prepared.screen, towards);
+  checkStream(prepared.screen, StreamKind::kCamera);
+  checkStream(prepared.screen, towards);
   prepared.lag.lag = prepared.taken_off = lag;
   pairAt(prepared, towards);
   return prepared;

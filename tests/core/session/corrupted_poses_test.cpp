@@ -33,6 +33,7 @@ learning::LearningOptions quick() {
   learning::LearningOptions options;
   options.correction.likelihood_points = 200;
   options.correction.inducing_points = 200;
+  options.correction.members = 1;
   options.correction.threads = 1;
   return options;
 }
@@ -176,7 +177,20 @@ std::string refusalOf(const Corruption& corrupt) {
 TEST(CorruptedPoses, MillimetresInOneColumn) {
   const std::string refusal = refusalOf(
       [](auto& motions, auto&) { eachSight(motions, [](RawPose& pose) { pose.position.x() *= 1e3; }); });
-  EXPECT_NE(refusal.find("units"), std::string::npos) << refusal;
+  EXPECT_NE(refusal.find("Give x of the camera in metres"), std::string::npos) << refusal;
+}
+
+TEST(CorruptedPoses, MillimetresInAllColumns) {
+  const std::string refusal = refusalOf(
+      [](auto& motions, auto&) { eachSight(motions, [](RawPose& pose) { pose.position *= 1e3; }); });
+  EXPECT_NE(refusal.find("Give x, y, z of the camera in metres"), std::string::npos) << refusal;
+}
+
+TEST(CorruptedPoses, StampsInMilliseconds) {
+  const std::string refusal =
+      refusalOf([](auto& motions, auto&) { eachSight(motions, [](RawPose& pose) { pose.t *= 1e3; }); });
+  EXPECT_NE(refusal.find("stamps of the camera"), std::string::npos) << refusal;
+  EXPECT_NE(refusal.find("seconds"), std::string::npos) << refusal;
 }
 
 TEST(CorruptedPoses, QuaternionsThatAreNone) {
