@@ -9,6 +9,7 @@
 #include "app/cli/pose_motions.h"
 #include "core/learning/drift_monitor.h"
 #include "core/learning/learn.h"
+#include "core/learning/related_streams.h"
 #include "core/session/correction_file.h"
 
 namespace capstan::cli {
@@ -95,6 +96,7 @@ ExitCode run(const DriftArguments& arguments) {
   const session::CorrectionFile file = session::readCorrection(arguments.model);
   learning::PreparedStates prepared =
       learning::prepareAt(file.source.lag, readMotions(arguments.tables), file.source.towards);
+  learning::checkRelated(prepared.states, file.model.offset(), file.source.towards);
   const std::size_t states = prepared.states.size();
   prepared.states = learning::kept(
       prepared.states, learning::cleanStates(prepared.states, learning::LearningOptions{}.cleaning));

@@ -132,8 +132,9 @@ void addLearn(CLI::App& app, ExitCode& exit) {
       ->check(CLI::IsMember({"rbf", "matern"}));
   command->add_flag("--no-alignment", arguments->no_alignment, "take stamps as they are");
   command
-      ->add_option("--members", arguments->options.correction.members,
-                   "processes that are averaged, each of its own drawn states")
+      ->add_option(
+          "--members", arguments->options.correction.members,
+          "processes that are averaged, each of its own drawn states; one where there are no more than these")
       ->capture_default_str()
       ->check(CLI::Range(1, 20));
   command

@@ -132,6 +132,13 @@ Json modelJson(const learning::CorrectionModel& model) {
   return json;
 }
 
+std::string processesText(const learning::CorrectionModel& model) {
+  const auto& members = model.processes().front().members();
+  return fmt::format(
+      "Gaussian processes of the pose{}: {} each of x, y, z and the turn, with {} inducing points\n",
+      motionText(model.motion()), members.size(), members.front().inducing());
+}
+
 /// Why those had been left out that count again.
 Json againCounts(const learning::WeighingReport& weighing) {
   return countsOf(
@@ -141,7 +148,7 @@ Json againCounts(const learning::WeighingReport& weighing) {
 std::string weighingText(const learning::WeighingReport& weighing) {
   if (!weighing.weighed) return "Weights: none, all that count do so alike\n";
   return fmt::format(
-      "Weights: {} states doubted, which other trajectories contradict\n"
+      "Weights: {} states doubted, which other trajectories contradict: they count less\n"
       "         {} that were left out count again, which others tell the same; they were: {}\n",
       weighing.doubted, weighing.again.size(), wordsOf(againCounts(weighing)));
 }
@@ -183,8 +190,7 @@ std::string textOf(const LearnOutput& output) {
   const double turn = Eigen::AngleAxisd(output.report.model.offset().linear()).angle();
   text += fmt::format("Rigid offset: {:.2f}, {:.2f}, {:.2f} mm and a turn of {:.2f} deg\n", t.x(), t.y(),
                       t.z(), kDegrees * turn);
-  if (!output.report.model.processes().empty())
-    text += fmt::format("Gaussian processes of the pose{}\n", motionText(output.report.model.motion()));
+  if (!output.report.model.processes().empty()) text += processesText(output.report.model);
   if (!output.test) return text;
   text += "Errors on the test tables, mean\n" + testedText("all", output.test->all) +
           testedText("clean", output.test->clean);

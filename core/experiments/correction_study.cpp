@@ -42,7 +42,9 @@ Split splitOf(const std::vector<State>& states, const CorrectionStudyOptions& op
   judged.reason = learning::judgedBy(cleaned, test, options.cleaning);
   learning::TrainingStates training = learning::trainingStates(train, cleaned, options.correction.lever);
   std::vector<State> clean = training.states;
-  learning::weigh(training, train, options.cleaning, options.correction, progress, part);
+  learning::CorrectionOptions correction = options.correction;
+  correction.motion = motionOf(M::kWeights);
+  learning::weigh(training, train, options.cleaning, correction, progress, part);
   std::vector<State> clean_test = learning::kept(test, judged);
   return {std::move(train), std::move(clean),      std::move(training),
           std::move(test),  std::move(clean_test), std::move(judged.reason)};

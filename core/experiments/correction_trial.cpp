@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/experiments/held_out.h"
+#include "core/learning/choose_motion.h"
 #include "core/learning/training_states.h"
 
 namespace capstan::experiments {
@@ -14,7 +15,7 @@ namespace {
 using learning::Reason;
 using learning::State;
 
-constexpr double kCleaning = 0.3, kTraining = 0.9;  ///< of the time
+constexpr double kChosen = 0.15, kWeighed = 0.4, kTraining = 0.9;  ///< of the time
 
 void checkHeldOut(const CorrectionTrial& trial) {
   if (trial.motions_held > 0 && trial.motions_held < trial.motions) return;
@@ -46,15 +47,16 @@ CorrectionTrial correctionTrial(const std::vector<State>& states, const Correcti
   const learning::CleaningReport cleaned = learning::cleanStates(train, options.cleaning);
   const std::vector<Reason> reasons = learning::judgedBy(cleaned, test, options.cleaning);
   learning::TrainingStates training = learning::trainingStates(train, cleaned, options.correction.lever);
-  if (options.weigh)
-    learning::weigh(training, train, options.cleaning, options.correction, progress,
-                    {0.0, kCleaning, "weighing"});
   learning::CorrectionOptions correction = options.correction;
   correction.offset = training.offset;
+  if (!correction.motion)
+    correction.motion = learning::chooseMotion(training.states, correction, progress, {0.0, kChosen, {}});
+  if (options.weigh)
+    learning::weigh(training, train, options.cleaning, correction, progress, {kChosen, kWeighed, "weighing"});
   trial.learned = std::move(training.states);
   trial.weighing = std::move(training.weighing);
   trial.model =
-      learning::CorrectionModel::trained(trial.learned, correction, progress, {kCleaning, kTraining, {}});
+      learning::CorrectionModel::trained(trial.learned, correction, progress, {kWeighed, kTraining, {}});
   if (progress && progress->cancelled()) {
     trial.model.reset();
     trial.cancelled = true;

@@ -37,7 +37,7 @@ Eigen::Isometry3d drawnPose(base::Random& random, const DebridementScene& scene,
 
 }  // namespace
 
-learning::CorrectionOptions thousandPoints() {
+learning::CorrectionOptions oneMember() {
   learning::CorrectionOptions options;
   options.members = 1;
   return options;

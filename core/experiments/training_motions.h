@@ -11,8 +11,8 @@
 /// Training of a correction on a simulated arm, as on a real one: from recorded poses to states to a model.
 namespace capstan::experiments {
 
-/// Learned from fewer points than its default, for a study of a minute.
-learning::CorrectionOptions thousandPoints();
+/// A committee of one, for a study of a minute.
+learning::CorrectionOptions oneMember();
 
 /// Defaults are the GPR paper's (section V-B) but for `margin` and turns: what cameras see is centimetres and
 /// some ten degrees off, and what is desired is to lie among what was seen.
@@ -24,7 +24,7 @@ struct TrainingOptions {
   double most_yaw = 0.6;    ///< about the jaws' direction [rad]
   double most_tilt = 0.45;  ///< about both axes across it [rad]
   learning::CleaningOptions cleaning;
-  learning::CorrectionOptions correction = thousandPoints();
+  learning::CorrectionOptions correction = oneMember();
   std::uint64_t seed = 1;
 };
 

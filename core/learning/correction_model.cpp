@@ -29,7 +29,8 @@ constexpr std::array<Group, 4> kGroups = {{{0, 1}, {1, 1}, {2, 1}, {3, 3}}};
 
 constexpr double kChoiceShare = 0.3;                // of the time, where it is made
 constexpr double kFitShare = 0.6, kAllShare = 0.3;  // of the time: hyperparameters, all states
-constexpr std::uint64_t kInducingSeed = 1000, kCalibrationSeed = 2000;  // apart from those of fits
+/// Seeds of the members' draws, apart for each of the options'.
+constexpr std::uint64_t kDraws = 1000, kInducingDraw = 300, kCalibrationDraw = 600;
 
 /// Of a group's outputs in scales, their mean where they are three.
 Eigen::VectorXd doubtsOf(const std::vector<State>& states, const Group& group,
@@ -63,7 +64,7 @@ GroupParameters fitted(const MatrixXd& x, const MatrixXd& y, const CorrectionOpt
   math::setDenseThreads(1);
   base::parallelFor(fits, options.threads, [&](std::size_t fit) {
     const std::size_t member = fit / kGroups.size(), g = fit % kGroups.size();
-    const auto drawn = drawnPoints(x.rows(), options.likelihood_points, options.seed + member);
+    const auto drawn = drawnPoints(x.rows(), options.likelihood_points, kDraws * options.seed + member);
     const MatrixXd own_x = x(drawn, Eigen::all);
     const MatrixXd own_y = y(drawn, Eigen::seqN(kGroups[g].first, kGroups[g].count));
     const KernelParameters start = startOf(own_x, own_y, options.fit);
@@ -156,7 +157,7 @@ CorrectionModel CorrectionModel::trained(const std::vector<State>& states, const
     part.report(progress, kFitShare + kAllShare * static_cast<double>(g) / kGroups.size(),
                 "learning all states");
     Committee committee = knowingNothing(x, kGroups[g].count, parameters[g], options.inducing_points,
-                                         options.seed + kInducingSeed);
+                                         kDraws * options.seed + kInducingDraw);
     committee.add(x, y.middleCols(kGroups[g].first, kGroups[g].count),
                   doubtsOf(states, kGroups[g], model.known_.scale));
     model.processes_.push_back(std::move(committee));
@@ -287,7 +288,7 @@ void CorrectionModel::addRatios(const std::vector<State>& seen, const std::vecto
   for (std::size_t g = 0; g < kGroups.size(); ++g) {
     const auto [first, count] = kGroups[g];
     Committee committee =
-        knowingNothing(x, count, parametersOf(processes_[g]), few, options.seed + kCalibrationSeed);
+        knowingNothing(x, count, parametersOf(processes_[g]), few, kDraws * options.seed + kCalibrationDraw);
     committee.add(x, y.middleCols(first, count), doubtsOf(seen, kGroups[g], known_.scale));
     const Prediction guess = committee.predict(at);
     const Eigen::ArrayXd sigma = (guess.variance.array() + committee.noiseVariance()).sqrt();

@@ -84,6 +84,7 @@ class CorrectionModel {
   void add(const std::vector<State>& states);
 
   const Eigen::Isometry3d& offset() const { return known_.offset; }
+  const PoseFeatures& features() const { return known_.features; }
   Motion motion() const { return known_.features.motion(); }
   const Eigen::AlignedBox3d& workspace() const { return known_.workspace; }
   /// Of x, y, z and of the turn, of outputs in units of their scale.

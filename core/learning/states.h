@@ -31,8 +31,8 @@ struct State {
   /// Mean velocities of the last kSpans, likewise: cables that stick remember where they came from. Before
   /// the motion's first sight it stood still.
   Drift drift = atRest();
-  /// Variances that its noise has in learning besides that of all: of what was told, [m²], then of its turn
-  /// [rad²].
+  /// Variances that its noise has in learning besides that of all, of each output of a correction
+  /// (PoseFeatures::correction): of the position [m²], then of the turn [rad²].
   Vector6d doubt = Vector6d::Zero();
 };
 

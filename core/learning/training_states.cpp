@@ -41,22 +41,32 @@ Vector6d scatterOf(const std::vector<Vector6d>& left, const std::vector<bool>& k
 /// What is left of states, and what that makes of them.
 class Judgement {
  public:
-  Judgement(std::vector<Vector6d> left, const std::vector<bool>& kept, double lever)
-      : left_(std::move(left)), kept_(kept) {
-    if (!left_.empty()) scatter_ = scatterOf(left_, kept, lever);
+  Judgement(std::vector<Vector6d> left, std::vector<bool> kept, double lever)
+      : left_(std::move(left)), kept_(std::move(kept)) {
+    if (!left_.empty()) scatter_ = scatterOf(left_, kept_, lever);
   }
 
   /// Not: cancelled, or nothing is left of half of the states.
   bool made() const { return scatter_.maxCoeff() > 0.0; }
-  double weight(std::size_t k) const {
-    return (kFreedom + 6.0) / (kFreedom + left_[k].cwiseQuotient(scatter_).squaredNorm());
-  }
+  /// Of position and turn together.
+  double weight(std::size_t k) const { return weightOf(inScatters(k)); }
   bool counts(std::size_t k) const { return kept_[k] || weight(k) >= kAgain; }
-  Vector6d doubt(std::size_t k) const { return std::max(1.0 / weight(k) - 1.0, 0.0) * scatter_.cwiseAbs2(); }
+  Vector6d doubt(std::size_t k) const {
+    const Vector6d far = inScatters(k);
+    Vector6d doubt;
+    doubt.head<3>().setConstant(1.0 / weightOf(far.head<3>()) - 1.0);
+    doubt.tail<3>().setConstant(1.0 / weightOf(far.tail<3>()) - 1.0);
+    return doubt.cwiseMax(0.0).cwiseProduct(scatter_.cwiseAbs2());
+  }
 
  private:
+  Vector6d inScatters(std::size_t k) const { return left_[k].cwiseQuotient(scatter_); }
+  static double weightOf(const Eigen::VectorXd& far) {
+    return (kFreedom + static_cast<double>(far.size())) / (kFreedom + far.squaredNorm());
+  }
+
   std::vector<Vector6d> left_;
-  const std::vector<bool>& kept_;
+  std::vector<bool> kept_;
   Vector6d scatter_ = Vector6d::Zero();
 };
 
@@ -75,6 +85,7 @@ std::vector<Vector6d> leftOfEach(std::vector<State> states, const std::vector<bo
   std::vector<bool> counts(states.size(), true);
   const Judgement by_all(leftByOthers(states, counts, options, progress, part.within(0.0, 0.33)), kept,
                          options.lever);
+  if (progress && progress->cancelled()) return {};
   std::vector<Vector6d> by_kept = leftByOthers(states, kept, options, progress, part.within(0.33, 0.67));
   if (by_kept.empty() || !by_all.made()) return by_kept;
   for (std::size_t k = 0; k < states.size(); ++k) {
@@ -112,10 +123,9 @@ void weigh(TrainingStates& training, const std::vector<State>& all, const Cleani
     kept.push_back(cleaning.reason[k] == Reason::kNone);
   }
   if (some.empty() || motionPlaces(some).back() + 1 < kFewestMotions) return;
-  CorrectionOptions quicker = options;
-  if (quicker.motion != Motion::kNone) quicker.motion = Motion::kVelocity;
-  quicker.offset = training.offset;
-  const Judgement judgement(leftOfEach(some, kept, quicker, progress, part), kept, options.lever);
+  CorrectionOptions own = options;
+  own.offset = training.offset;
+  const Judgement judgement(leftOfEach(some, kept, own, progress, part), kept, options.lever);
   if (!judgement.made()) return;
   training.states.clear();
   for (std::size_t k = 0; k < some.size(); ++k) {

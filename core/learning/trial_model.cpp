@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "core/learning/rotation_vector.h"
-
 namespace capstan::learning {
 
 CorrectionModel trialModel(const std::vector<State>& states, CorrectionOptions options,
@@ -18,10 +16,8 @@ CorrectionModel trialModel(const std::vector<State>& states, CorrectionOptions o
 std::vector<Vector6d> leftOf(const CorrectionModel& model, const std::vector<State>& states) {
   const std::vector<Eigen::Isometry3d> corrected = model.correct(states);
   std::vector<Vector6d> left(states.size());
-  for (std::size_t k = 0; k < states.size(); ++k) {
-    const Eigen::Isometry3d off = corrected[k].inverse() * states[k].pair.told;
-    left[k] << off.translation(), rotationVector(Eigen::Quaterniond(off.linear()));
-  }
+  for (std::size_t k = 0; k < states.size(); ++k)
+    left[k] = model.features().correction(corrected[k], states[k].pair.told);
   return left;
 }
 

@@ -20,7 +20,8 @@ std::vector<Vector6d> leftByOthers(const std::vector<State>& states, const std::
                                    const base::ProgressPart& part = {});
 inline constexpr std::size_t kFolds = 3;
 
-/// What a model leaves of each state, in the tool's frame: of its position [m] and of its turn [rad].
+/// What a model leaves of each state, as its processes tell it (PoseFeatures::correction): of the position
+/// [m], and of the turn [rad].
 std::vector<Vector6d> leftOf(const CorrectionModel& model, const std::vector<State>& states);
 /// ‖Δt‖ + lever · angle of each [m].
 std::vector<double> sizesOf(const std::vector<Vector6d>& left, double lever);

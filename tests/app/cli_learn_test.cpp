@@ -33,6 +33,7 @@ TEST_F(CliLearn, LearnsTellsAndCorrects) {
   EXPECT_TRUE(said["weights"]["weighed"].get<bool>());
   EXPECT_TRUE(said["weights"]["again"].is_object()) << "reasons and how many of each";
   EXPECT_EQ(said["model"]["processes"][0]["kernel"], "matern");
+  EXPECT_EQ(said["model"]["processes"][0]["members"].size(), 3U);
   const json& clean = said["test"]["clean"];
   const auto meanOf = [&](const char* what) { return clean[what]["distance"]["mean"].get<double>(); };
   EXPECT_LT(meanOf("corrected"), 0.5 * meanOf("offset"));
@@ -44,6 +45,17 @@ TEST_F(CliLearn, LearnsTellsAndCorrects) {
   ASSERT_EQ(corrected.exit, 0) << corrected.err;
   EXPECT_THAT(textOf("out.csv"), HasSubstr("traj,t_s,x,y,z,qx,qy,qz,qw,sigma_x"));
   EXPECT_EQ(std::ranges::count(textOf("out.csv"), '\n'), 3);
+}
+
+TEST_F(CliLearn, LearnsAsThePaperDoes) {
+  ASSERT_EQ(learn("--method velocity --no-weights --kernel rbf --members 1 --json " + path("m.json")).exit,
+            0);
+  const json said = json::parse(textOf("m.json"));
+  EXPECT_FALSE(said["weights"]["weighed"].get<bool>());
+  for (const json& process : said["model"]["processes"]) {
+    EXPECT_EQ(process["kernel"], "rbf");
+    EXPECT_EQ(process["members"].size(), 1U);
+  }
 }
 
 TEST_F(CliLearn, SaysWhereAPathIsWrong) {

@@ -146,7 +146,11 @@ TEST_F(Learning, TrainsInTheBackgroundAndJudgesOnTrajectoriesHeldOut) {
   EXPECT_EQ(figure->data().panels[0].unit, "mm");
   EXPECT_EQ(figure->data().panels[4].unit, "deg");
   const std::string lines = pages().stages().lines().join('\n').toStdString();
-  EXPECT_THAT(lines, HasSubstr("inducing points | 200"));
+  EXPECT_THAT(lines, HasSubstr("inducing points | 3 × 200"));
+  EXPECT_THAT(
+      lines,
+      HasSubstr(
+          QStringLiteral("… doubted | %1\n").arg(panel->results().trial->weighing.doubted).toStdString()));
   EXPECT_THAT(lines, HasSubstr("Errors on 4 trajectories held out"));
   EXPECT_THAT(panel->summary().toStdString(), HasSubstr("Learned from pose"));
   const auto* reliability = qobject_cast<ReliabilityFigure*>(pages().reliability().sheet().figure());
@@ -198,7 +202,7 @@ TEST_F(Learning, TheAblationTableStandsBesideThePapersNumbers) {
   ASSERT_TRUE(panel->results().study);
   EXPECT_EQ(pages().currentWidget(), &pages().ablation());
   const QStringList lines = pages().ablation().lines();
-  ASSERT_EQ(lines.size(), 24) << "six methods, ours and the paper's, and three of ours";
+  ASSERT_EQ(lines.size(), 26) << "six methods, ours and the paper's, and four of ours";
   EXPECT_THAT(lines[17].toStdString(), HasSubstr("paper | 1.4 ± 1.7 | 1.4 ± 1.5 | 1.1 ± 1.2"));
   const auto& all = panel->results().study->clean[5];
   EXPECT_THAT(lines[16].toStdString(),

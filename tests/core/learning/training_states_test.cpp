@@ -48,12 +48,13 @@ TrainingStates weighed(const std::vector<State>& all, base::Progress* progress =
   return training;
 }
 
-/// Root of the mean doubt of y of a motion's states [m].
-double doubtOf(const TrainingStates& training, std::size_t motion) {
-  double sum = 0.0, count = 0.0;
+/// Root of the mean doubt of a motion's states [m, rad].
+Vector6d doubtOf(const TrainingStates& training, std::size_t motion) {
+  Vector6d sum = Vector6d::Zero();
+  double count = 0.0;
   for (const State& state : training.states)
-    if (state.motion == motion) sum += state.doubt.y(), ++count;
-  return std::sqrt(sum / count);
+    if (state.motion == motion) sum += state.doubt, ++count;
+  return (sum / count).cwiseSqrt();
 }
 
 TEST(Weigh, WhatIsOutOfPlaceInTheSameWayEachTimeCounts) {
@@ -92,8 +93,24 @@ TEST(Weigh, ATrajectoryThatIsALittleOffCountsLess) {
     if (state.motion == 4) state.pair.seen.translation().y() += 4e-4;
   ASSERT_EQ(cleanStates(all).kept(), all.size());
   const TrainingStates after = weighed(all);
-  EXPECT_LT(doubtOf(after, 5), 5e-5);
-  EXPECT_GT(doubtOf(after, 4), 3.0 * doubtOf(after, 5));
+  EXPECT_LT(doubtOf(after, 5).y(), 5e-5);
+  EXPECT_GT(doubtOf(after, 4).y(), 3.0 * doubtOf(after, 5).y());
+}
+
+/// Along the axes that positions are told in, however the tool is turned, as outputs are that get doubts.
+TEST(LeftOf, IsInTheFrameOfTheCorrection) {
+  std::vector<State> all = states({}, 2);
+  for (State& state : all) {
+    state.pair.seen.linear() = Eigen::AngleAxisd(1.5, Eigen::Vector3d(0.0, 0.6, 0.8)).matrix();
+    state.pair.told = state.pair.seen;
+  }
+  const CorrectionModel rigid = CorrectionModel::rigid(all);
+  all[3].pair.told.translation().y() += 1e-3;
+  all[5].pair.told.rotate(Eigen::AngleAxisd(2e-3, Eigen::Vector3d::UnitX()));
+  const std::vector<Vector6d> left = leftOf(rigid, all);
+  EXPECT_LT((left[3] - 1e-3 * Vector6d::Unit(1)).norm(), 1e-9);
+  EXPECT_LT((left[5] - 2e-3 * Vector6d::Unit(3)).norm(), 1e-9);
+  EXPECT_LT(left[4].norm(), 1e-9);
 }
 
 /// In y, where those that are off are, and seen without noise.

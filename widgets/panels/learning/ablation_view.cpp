@@ -57,7 +57,7 @@ AblationView::AblationView(QWidget* parent) : LearningView(parent) {
   suffix(kOpeningSplits);
   connect(splits_, QOverload<int>::of(&QSpinBox::valueChanged), this, suffix);
   splits_->setToolTip(
-      tr("Random splits of the trajectories, four fifths to learn from; each trains three models"));
+      tr("Random splits of the trajectories, four fifths to learn from; each trains eight models"));
   run_ = new QPushButton(tr("Run the table"));
   run_->setObjectName("run_ablation");
   run_->setToolTip(tr("Every part of the method switched on in turn (F6)"));
