@@ -187,9 +187,12 @@ TEST(CorruptedPoses, MillimetresInAllColumns) {
 }
 
 TEST(CorruptedPoses, StampsInMilliseconds) {
-  const std::string refusal =
-      refusalOf([](auto& motions, auto&) { eachSight(motions, [](RawPose& pose) { pose.t *= 1e3; }); });
-  EXPECT_NE(refusal.find("stamps of the camera"), std::string::npos) << refusal;
+  const std::string refusal = refusalOf([](auto& motions, auto&) {
+    for (RawMotion& motion : motions)
+      for (auto& stream : motion.streams)
+        for (RawPose& pose : stream) pose.t *= 1e3;
+  });
+  EXPECT_NE(refusal.find("stamps of the command"), std::string::npos) << refusal;
   EXPECT_NE(refusal.find("seconds"), std::string::npos) << refusal;
 }
 
