@@ -31,9 +31,8 @@ Vector6d scatterOf(const std::vector<Vector6d>& left, const std::vector<bool>& k
   arms << 1.0, 1.0, 1.0, lever, lever, lever;
   for (Eigen::Index i = 0; i < 6; ++i) {
     std::vector<double> sizes;
-    for (std::size_t k = 0; k < left.size(); ++k)
-      if (kept[k]) sizes.push_back(arms[i] * std::abs(left[k][i]));
-    scatter[i] = kOfNormal * stats::median(std::move(sizes));
+    for (const Vector6d& one : left) sizes.push_back(arms[i] * std::abs(one[i]));
+    scatter[i] = kOfNormal * stats::median(ofKept(sizes, kept));
   }
   return scatter.cwiseMax(kScatterShare * scatter.maxCoeff()).cwiseQuotient(arms);
 }

@@ -57,7 +57,7 @@ AblationView::AblationView(QWidget* parent) : LearningView(parent) {
   suffix(kOpeningSplits);
   connect(splits_, QOverload<int>::of(&QSpinBox::valueChanged), this, suffix);
   splits_->setToolTip(
-      tr("Random splits of the trajectories, four fifths to learn from; each trains eight models"));
+      tr("Random splits of the trajectories, four fifths to learn from; each trains seven models"));
   run_ = new QPushButton(tr("Run the table"));
   run_->setObjectName("run_ablation");
   run_->setToolTip(tr("Every part of the method switched on in turn (F6)"));
@@ -132,7 +132,7 @@ void AblationView::fill() {
     words_->setText(
         tr("What the rigid offset, cleaning, the Gaussian process and velocities as features are "
            "worth, on trajectories held out; beside it what the paper's authors found. Each split "
-           "trains eight models, the last of them of several members: allow minutes."));
+           "trains seven models, the last of them of several members: allow minutes."));
     return;
   }
   const bool clean = which_->currentIndex() == 0;
