@@ -11,6 +11,7 @@
 #include "core/learning/learn.h"
 #include "core/learning/related_streams.h"
 #include "core/session/correction_file.h"
+#include "core/session/pose_table.h"
 
 namespace capstan::cli {
 namespace {
@@ -71,14 +72,15 @@ std::string textOf(const learning::PreparedStates& prepared, std::size_t states,
   if (findingOf(course) == Finding::kUnknown)
     return text + fmt::format("Too short to tell whether the model holds: {} s of motion at least.\n",
                               learning::kFewestPieces);
-  text += "Errors, in what is stated for them (1 while the model holds):";
+  text += "Errors, in what is stated for them (1 or less while the model holds):";
   for (std::size_t i = 0; i < kOutputs.size(); ++i)
     text += fmt::format("{} {} {:.2f}", i == 0 ? "" : ",", kOutputs[i],
                         course.factor[static_cast<Eigen::Index>(i)]);
   const learning::DriftReport& last = course.reports.back();
   text += fmt::format(
-      "\nIn the last {:.0f} s {:.0f} % of the errors of {} are beyond their σ: {:.0f} % are while it holds,\n"
-      "and more than {:.0f} % are no chance.\n",
+      "\nIn the last {:.0f} s {:.0f} % of the errors of {} are beyond their σ: at most {:.0f} % are while "
+      "it\n"
+      "holds, and more than {:.0f} % are no chance.\n",
       last.span, 100.0 * last.beyond, kOutputs[static_cast<std::size_t>(last.output)],
       100.0 * learning::kBeyond, 100.0 * last.limit);
   for (const auto& [from, to] : course.aged)
@@ -88,6 +90,14 @@ std::string textOf(const learning::PreparedStates& prepared, std::size_t states,
                                   : "The model holds.\n");
 }
 
+learning::PreparedStates preparedFor(const session::CorrectionFile& file,
+                                     const std::vector<std::string>& tables) {
+  learning::PreparedStates prepared =
+      learning::prepareAt(file.source.lag, readMotions(tables), file.source.towards);
+  learning::checkRelated(prepared.states, file.model.offset(), file.source.towards);
+  return prepared;
+}
+
 ExitCode run(const DriftArguments& arguments) {
   std::vector<std::string> inputs = arguments.tables;
   inputs.push_back(arguments.model);
@@ -95,8 +105,7 @@ ExitCode run(const DriftArguments& arguments) {
   checkDistinct(arguments.tables);
   const session::CorrectionFile file = session::readCorrection(arguments.model);
   learning::PreparedStates prepared =
-      learning::prepareAt(file.source.lag, readMotions(arguments.tables), file.source.towards);
-  learning::checkRelated(prepared.states, file.model.offset(), file.source.towards);
+      session::namingTables(arguments.tables, [&] { return preparedFor(file, arguments.tables); });
   const std::size_t states = prepared.states.size();
   prepared.states = learning::kept(
       prepared.states, learning::cleanStates(prepared.states, learning::LearningOptions{}.cleaning));

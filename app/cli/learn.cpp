@@ -12,6 +12,7 @@
 #include "core/experiments/same_recording.h"
 #include "core/experiments/software.h"
 #include "core/session/correction_file.h"
+#include "core/session/pose_table.h"
 
 namespace capstan::cli {
 namespace {
@@ -56,8 +57,10 @@ learning::LearningReport learnOnto(LearnArguments& arguments, session::Correctio
   checkNew(arguments.train, old.source);
   checkNew(arguments.test, old.source);
   arguments.options.towards = old.source.towards;
-  return learning::learnMore(std::move(old.model), old.source.lag, readMotions(arguments.train),
-                             arguments.options, &progress);
+  return session::namingTables(arguments.train, [&] {
+    return learning::learnMore(std::move(old.model), old.source.lag, readMotions(arguments.train),
+                               arguments.options, &progress);
+  });
 }
 
 ExitCode run(LearnArguments& arguments) {
@@ -81,7 +84,8 @@ ExitCode run(LearnArguments& arguments) {
   {
     const ProgressLine line(progress);
     if (arguments.onto.empty()) {
-      report = learning::learn(readMotions(arguments.train), options, &progress);
+      report = session::namingTables(
+          arguments.train, [&] { return learning::learn(readMotions(arguments.train), options, &progress); });
     } else {
       session::CorrectionFile old = session::readCorrection(arguments.onto);
       before = old.source;

@@ -90,6 +90,13 @@ std::vector<KernelParameters> parametersOf(const Committee& committee) {
   return all;
 }
 
+/// Factor to σ, of which errors are multiples.
+double inflationOf(const std::vector<double>& multiples) {
+  constexpr std::array<double, 2> kShares = {kWithinSigma, kWithinTwoSigma};
+  const std::vector<double> at = stats::quantiles(multiples, kShares);
+  return std::max(at[0], at[1] / 2.0);
+}
+
 void checkEnough(std::size_t states) {
   if (states < kFewestStates)
     throw base::InputError({{},
@@ -256,9 +263,9 @@ std::vector<Eigen::Isometry3d> CorrectionModel::correct(const std::vector<State>
   return poses;
 }
 
-/// Errors of motions held out, from the others at the same hyperparameters: their share within σ shall be
-/// that of a normal distribution. Every eighth motion is, of one motion each eighth of its course; where that
-/// makes few, more such eighths in turn.
+/// Errors of motions held out, from the others at the same hyperparameters: their shares within σ and 2 σ
+/// shall be those of a normal distribution at least (errors' tails are heavier than its). Every eighth motion
+/// is, of one motion each eighth of its course; where that makes few, more such eighths in turn.
 void CorrectionModel::findInflation(const std::vector<State>& states, const CorrectionOptions& options) {
   constexpr std::size_t kEighths = 8, kEnough = 16;  // motions held out
   const std::vector<std::size_t> places = motionPlaces(states);
@@ -275,8 +282,7 @@ void CorrectionModel::findInflation(const std::vector<State>& states, const Corr
     if (!held.empty() && !seen.empty()) addRatios(seen, held, options, ratios);
   }
   for (std::size_t k = 0; k < ratios.size(); ++k)
-    if (!ratios[k].empty())
-      known_.inflation[static_cast<Index>(k)] = stats::quantile(std::move(ratios[k]), kWithinSigma);
+    if (!ratios[k].empty()) known_.inflation[static_cast<Index>(k)] = inflationOf(ratios[k]);
 }
 
 /// |e| / σ of states held out, from a model of those seen.

@@ -111,7 +111,8 @@ class CorrectionModel {
 };
 /// Below this confidence a pose is corrected by little more than the rigid offset.
 inline constexpr double kUnsure = 0.5;
-inline constexpr double kWithinSigma = 0.6827;  ///< share of a normal distribution: σ are calibrated by it
+/// Shares of a normal distribution: σ are calibrated by them.
+inline constexpr double kWithinSigma = 0.6827, kWithinTwoSigma = 0.9545;
 inline constexpr std::size_t kFewestStates = 20;
 inline constexpr double kFarthestFeature = 4.0;
 inline constexpr double kFade = 0.01;  ///< [m]

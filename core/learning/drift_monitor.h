@@ -17,7 +17,7 @@ struct DriftOptions {
 
 struct DriftReport {
   Eigen::Index output = 0;  ///< the one with most errors beyond their σ: x, y, z, turn's parts
-  double beyond = 0.0;      ///< share of its errors that are; kBeyond while the model holds
+  double beyond = 0.0;      ///< share of its errors that are; kBeyond at most while the model holds
   double limit = 1.0;       ///< of that share, from which on it is no chance
   double span = 0.0;        ///< that it is of [s]
   bool told = false;        ///< there are kFewestPieces
@@ -28,12 +28,11 @@ inline constexpr std::size_t kFewestPieces = 15, kWindows = 4;
 inline constexpr double kBeyond = 1.0 - kWithinSigma;
 
 /// Says when a learned model has aged: while it is in use, errors of what was seen against what was told are
-/// compared with the σ that the model stated for them, output by output, as the σ are calibrated: by the
-/// share beyond them, which a few sights gone wrong do not move. Of n independent errors a binomial number is
-/// beyond; the model has aged when in the last `span` seconds, or in their last half, quarter, … (kWindows in
-/// all, none of fewer than kFewestPieces), it is above its 1 − level / (6 kWindows) quantile, were the true σ
-/// `sigma_known` times the stated. Errors that come together are one piece: states nearer than `spacing` are
-/// averaged.
+/// compared with the σ that the model stated for them, output by output: by the share beyond them, which a
+/// few sights gone wrong do not move. Of n independent errors a binomial number is beyond; the model has aged
+/// when in the last `span` seconds, or in their last half, quarter, … (kWindows in all, none of fewer than
+/// kFewestPieces), it is above its 1 − level / (6 kWindows) quantile, were the true σ `sigma_known` times the
+/// stated. Errors that come together are one piece: states nearer than `spacing` are averaged.
 class DriftMonitor {
  public:
   /// The model outlives the monitor.
@@ -66,7 +65,7 @@ struct DriftCourse {
   std::vector<double> t;             ///< since the first state [s]
   std::vector<DriftReport> reports;  ///< by state judged
   std::size_t unsure = 0;            ///< states that were not: the model knows too little there
-  /// By which errors exceed their σ: the quantile that is 1 while the model holds.
+  /// By which errors exceed their σ: the quantile that is 1 at most while the model holds.
   Vector6d factor = Vector6d::Zero();
   /// Places among those judged at which the monitor began to say that the model has aged, and stopped to.
   std::vector<std::pair<std::size_t, std::size_t>> aged;

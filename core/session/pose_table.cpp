@@ -126,4 +126,9 @@ std::vector<learning::RawMotion> readPoseTable(const std::filesystem::path& path
   return parsePoseTable(base::readTextFile(path), path.string());
 }
 
+std::string nameOfTables(const std::vector<std::string>& paths) {
+  if (paths.size() < 2) return paths.empty() ? std::string() : paths.front();
+  return fmt::format("{} and {} more table{}", paths.front(), paths.size() - 1, paths.size() > 2 ? "s" : "");
+}
+
 }  // namespace capstan::session

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/learning/pose_motion.h"
 
 namespace capstan::session {
@@ -23,5 +24,21 @@ std::vector<learning::RawMotion> readPoseTable(const std::filesystem::path& path
 
 /// The same of a table that may have no quaternions: all of a stream without them are of NaN.
 std::vector<learning::RawMotion> parseTipTable(std::string_view text, const std::string& file);
+
+/// Of one its path, of more "a.csv and 2 more tables".
+std::string nameOfTables(const std::vector<std::string>& paths);
+
+/// Does `work` with the motions of tables: a base::InputError of it that names no file names them.
+template <class Work>
+auto namingTables(const std::vector<std::string>& paths, Work&& work) {
+  try {
+    return work();
+  } catch (const base::InputError& error) {
+    if (!error.fault().file.empty()) throw;
+    base::InputFault fault = error.fault();
+    fault.file = nameOfTables(paths);
+    throw base::InputError(std::move(fault));
+  }
+}
 
 }  // namespace capstan::session

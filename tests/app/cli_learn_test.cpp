@@ -152,5 +152,15 @@ TEST_F(CliLearn, RefusesWhatMakesNoSense) {
   EXPECT_FALSE(fs::exists(path("m.correction")));
 }
 
+/// What is amiss with streams as a whole names the table, too.
+TEST_F(CliLearn, NamesTheTableThatItRefuses) {
+  SamplePoses robot_alone;
+  robot_alone.command = false;
+  writeSamplePoses(path("robot.csv"), robot_alone);
+  const Ran refused = run("learn --train " + path("robot.csv") + " --model " + path("m.correction"));
+  EXPECT_EQ(refused.exit, 2);
+  EXPECT_THAT(refused.err, HasSubstr(path("robot.csv") + ": command: these tables have no such poses"));
+}
+
 }  // namespace
 }  // namespace capstan::testing

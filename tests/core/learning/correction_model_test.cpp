@@ -92,6 +92,36 @@ TEST(CorrectionModel, knowsHowSureItIs) {
   EXPECT_GT(inside, 0.9 * outputs);
 }
 
+/// Student's t of three degrees of freedom: two thirds within s leave a tenth beyond 2 s.
+std::vector<State> heavyTailedStates(std::size_t n, std::uint64_t seed) {
+  base::Random random(seed, "tails");
+  const auto student = [&](double size) {
+    double squares = 0.0;
+    for (int k = 0; k < 3; ++k) squares += std::pow(random.normal(), 2.0);
+    return size * random.normal() / std::sqrt(squares / 3.0);
+  };
+  std::vector<State> made = states(n, seed, 0.0);
+  for (State& state : made)
+    state.pair.told.translation() += Eigen::Vector3d(student(5e-4), student(5e-4), student(5e-4));
+  return made;
+}
+
+TEST(CorrectionModel, statesErrorsWithHeavyTails) {
+  const CorrectionModel model = CorrectionModel::trained(heavyTailedStates(1200, 1), quick());
+  const std::vector<State> test = heavyTailedStates(1200, 2);
+  const std::vector<Corrected> corrected = model.correctSurely(test);
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    double one = 0.0, two = 0.0;
+    for (std::size_t k = 0; k < test.size(); ++k) {
+      const double off = std::abs(errorsInSigma(corrected[k], test[k].pair.told)[i]);
+      one += off <= 1.0;
+      two += off <= 2.0;
+    }
+    EXPECT_GT(one / static_cast<double>(test.size()), kWithinSigma) << i;
+    EXPECT_NEAR(two / static_cast<double>(test.size()), kWithinTwoSigma, 0.02) << i;
+  }
+}
+
 TEST(CorrectionModel, fallsBackToTheRigidOffsetBeyondItsData) {
   const CorrectionModel model = CorrectionModel::trained(states(400, 1), quick());
   const Eigen::Isometry3d far = pose({5.0, 5.0, 5.0}, Eigen::Vector3d::Zero());

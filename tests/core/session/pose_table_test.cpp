@@ -55,5 +55,23 @@ TEST(PoseTable, refusesWhatItCannotUse) {
   expectRefused(header, "");
 }
 
+std::string refusedOf(const std::vector<std::string>& tables, const std::string& file) {
+  try {
+    namingTables(tables, [&]() -> int {
+      throw base::InputError({file, 0, "camera", {}, "has no pose", {}});
+    });
+  } catch (const base::InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(PoseTable, namesTablesWhereNoneIsNamed) {
+  EXPECT_EQ(refusedOf({"a.csv"}, ""), "a.csv: camera: has no pose");
+  EXPECT_EQ(refusedOf({"a.csv", "b.csv"}, ""), "a.csv and 1 more table: camera: has no pose");
+  EXPECT_EQ(refusedOf({"a.csv", "b.csv", "c.csv"}, ""), "a.csv and 2 more tables: camera: has no pose");
+  EXPECT_EQ(refusedOf({"a.csv", "b.csv"}, "b.csv"), "b.csv: camera: has no pose");
+}
+
 }  // namespace
 }  // namespace capstan::session

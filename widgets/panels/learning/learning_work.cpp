@@ -37,8 +37,12 @@ experiments::LearningStages readStages(const LearningChoice& choice, const Learn
     }
     if (progress.cancelled()) return {};
   }
-  return experiments::learningStages(motions, {choice.told, settings.lag, settings.trial.cleaning},
-                                     &progress);
+  std::vector<std::string> paths;
+  for (const QString& table : choice.tables) paths.push_back(table.toStdString());
+  return session::namingTables(paths, [&] {
+    return experiments::learningStages(motions, {choice.told, settings.lag, settings.trial.cleaning},
+                                       &progress);
+  });
 }
 
 }  // namespace capstan::widgets
