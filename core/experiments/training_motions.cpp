@@ -37,12 +37,6 @@ Eigen::Isometry3d drawnPose(base::Random& random, const DebridementScene& scene,
 
 }  // namespace
 
-learning::CorrectionOptions oneMember() {
-  learning::CorrectionOptions options;
-  options.members = 1;
-  return options;
-}
-
 void checkTraining(const TrainingOptions& options) {
   requireOption("motions", options.motions, 1, 100'000);
   requireOption("training speed [m/s]", options.speed, 1e-4, 1.0);

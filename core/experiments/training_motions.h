@@ -11,11 +11,9 @@
 /// Training of a correction on a simulated arm, as on a real one: from recorded poses to states to a model.
 namespace capstan::experiments {
 
-/// A committee of one, for a study of a minute.
-learning::CorrectionOptions oneMember();
-
 /// Defaults are the GPR paper's (section V-B) but for `margin` and turns: what cameras see is centimetres and
-/// some ten degrees off, and what is desired is to lie among what was seen.
+/// some ten degrees off, and what is desired is to lie among what was seen. Learned is as learning::learn()
+/// does by default, without weights.
 struct TrainingOptions {
   int motions = 303;
   double speed = 0.05;      ///< [m/s]
@@ -24,7 +22,7 @@ struct TrainingOptions {
   double most_yaw = 0.6;    ///< about the jaws' direction [rad]
   double most_tilt = 0.45;  ///< about both axes across it [rad]
   learning::CleaningOptions cleaning;
-  learning::CorrectionOptions correction = oneMember();
+  learning::CorrectionOptions correction{.motion = std::nullopt};
   std::uint64_t seed = 1;
 };
 

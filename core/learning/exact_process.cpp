@@ -2,7 +2,6 @@
 
 #include <cassert>
 #include <cmath>
-#include <numbers>
 
 #include "core/math/dense.h"
 
@@ -10,7 +9,6 @@ namespace capstan::learning {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
-using Eigen::VectorXd;
 
 namespace {
 
@@ -21,49 +19,7 @@ MatrixXd solved(const MatrixXd& root, MatrixXd y) {
   return y;
 }
 
-/// Of a symmetric matrix told by its lower triangle: the sums of its rows.
-VectorXd rowSums(const MatrixXd& lower) { return math::timesSymmetric(lower, VectorXd::Ones(lower.rows())); }
-
-/// ½ Σ_ab M_ab (z_ai − z_bi)² = Σ_a s_a z_ai² − z_iᵀ M z_i, s = M 1, of each feature i.
-VectorXd byLengths(const MatrixXd& m, const MatrixXd& z) {
-  const VectorXd sums = rowSums(m);
-  return (z.array().square().colwise() * sums.array()).colwise().sum().matrix().transpose() -
-         z.cwiseProduct(math::timesSymmetric(m, z)).colwise().sum().transpose();
-}
-
 }  // namespace
-
-std::optional<double> negativeLogLikelihood(const MatrixXd& x, const MatrixXd& y,
-                                            const KernelParameters& parameters, VectorXd* gradient) {
-  assert(x.rows() == y.rows());
-  const auto n = static_cast<double>(x.rows()), outputs = static_cast<double>(y.cols());
-  const MatrixXd z = inLengths(x, parameters);
-  MatrixXd signal = signalCovariance(z, parameters);
-  MatrixXd k = signal;
-  k.diagonal().array() += parameters.noiseVariance();
-  if (!math::choleskyInPlace(k)) return std::nullopt;
-  const MatrixXd weights = solved(k, y);
-  const double value =
-      0.5 * y.cwiseProduct(weights).sum() +
-      outputs * (k.diagonal().array().log().sum() + 0.5 * n * std::log(2.0 * std::numbers::pi));
-  if (!gradient) return value;
-  math::invertFromCholesky(k);
-  k.triangularView<Eigen::Lower>() *= outputs;
-  math::addSquare(-1.0, weights, k);  // W
-  const double trace = k.diagonal().sum();
-  for (Index c = 0; c < k.cols(); ++c)
-    signal.col(c).tail(k.rows() - c).array() *= k.col(c).tail(k.rows() - c).array();
-  gradient->resize(2 + parameters.ln_length.size());
-  (*gradient)[0] = rowSums(signal).sum();
-  timesLengthSlope(z, parameters, signal);
-  const VectorXd lengths = byLengths(signal, z);
-  (*gradient)[1] = parameters.noiseVariance() * trace;
-  if (parameters.ln_length.size() == 1)
-    (*gradient)[2] = lengths.sum();
-  else
-    gradient->tail(lengths.size()) = lengths;
-  return value;
-}
 
 ExactProcess::ExactProcess(const MatrixXd& x, const MatrixXd& y, KernelParameters parameters)
     : parameters_(std::move(parameters)), z_(inLengths(x, parameters_)) {

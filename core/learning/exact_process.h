@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "core/learning/kernel.h"
 
 namespace capstan::learning {
@@ -11,15 +9,6 @@ struct Prediction {
   Eigen::MatrixXd mean;      ///< a column an output
   Eigen::VectorXd variance;  ///< of the function, without the noise; the same of all outputs
 };
-
-/// −ln p(Y | X, θ) of outputs Y (n × q, mean 0) that share one kernel (2.30):
-///     Σ_j ½ y_jᵀ K⁻¹ y_j + q (½ ln |K| + ½ n ln 2π),   K = K_f + σ_n² I
-/// and, where `gradient` is given, its derivatives by KernelParameters::packed() (5.9):
-///     ½ tr(W ∂K/∂θ),   W = q K⁻¹ − A Aᵀ, A = K⁻¹ Y.
-/// One Cholesky and one inverse, O(n³); the length-scales cost n² d more. Nothing: K is not positive
-/// definite.
-std::optional<double> negativeLogLikelihood(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y,
-                                            const KernelParameters& parameters, Eigen::VectorXd* gradient);
 
 /// Gaussian process regression by the Cholesky factor of all points (Rasmussen and Williams, algorithm 2.1);
 /// O(n³) to make, for thousands of points.

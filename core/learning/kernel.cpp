@@ -48,15 +48,19 @@ MatrixXd inLengths(const MatrixXd& x, const KernelParameters& parameters) {
 }
 
 MatrixXd signalCovariance(const MatrixXd& z, const KernelParameters& parameters) {
+  MatrixXd k;
+  setSignalCovariance(z, parameters, k);
+  return k;
+}
+
+void setSignalCovariance(const MatrixXd& z, const KernelParameters& parameters, MatrixXd& k) {
   const VectorXd squares = z.rowwise().squaredNorm();
-  MatrixXd k = MatrixXd::Zero(z.rows(), z.rows());
-  math::addSquare(-2.0, z, k);
+  math::setSquare(-2.0, z, k);
   for (Index c = 0; c < k.cols(); ++c) {
     const Index n = k.rows() - c;
     auto below = k.col(c).tail(n).array();
     setCovariance(parameters, below + squares.tail(n).array() + squares[c], below);
   }
-  return k;
 }
 
 MatrixXd crossCovariance(const MatrixXd& a, const MatrixXd& b, const KernelParameters& parameters) {
@@ -69,14 +73,14 @@ MatrixXd crossCovariance(const MatrixXd& a, const MatrixXd& b, const KernelParam
   return k;
 }
 
-void timesLengthSlope(const MatrixXd& z, const KernelParameters& parameters, MatrixXd& m) {
+void timesLengthSlope(const MatrixXd& z, const KernelParameters& parameters, MatrixXd& m, MatrixXd& scratch) {
   if (parameters.kernel == Kernel::kRbf) return;
   const VectorXd squares = z.rowwise().squaredNorm();
-  MatrixXd apart = MatrixXd::Zero(z.rows(), z.rows());
-  math::addSquare(-2.0, z, apart);
+  math::setSquare(-2.0, z, scratch);
   for (Index c = 0; c < m.cols(); ++c) {
     const Index n = m.rows() - c;
-    const Eigen::ArrayXd r2 = (apart.col(c).tail(n).array() + squares.tail(n).array() + squares[c]).max(0.0);
+    const Eigen::ArrayXd r2 =
+        (scratch.col(c).tail(n).array() + squares.tail(n).array() + squares[c]).max(0.0);
     m.col(c).tail(n).array() *= 3.0 / (1.0 + (3.0 * r2).sqrt());
   }
 }

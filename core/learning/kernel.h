@@ -33,14 +33,17 @@ Eigen::MatrixXd inLengths(const Eigen::MatrixXd& x, const KernelParameters& para
 
 /// Of each row of z = inLengths(x) with each: the lower triangle, the rest undefined.
 Eigen::MatrixXd signalCovariance(const Eigen::MatrixXd& z, const KernelParameters& parameters);
+/// The same into `k`, whose memory is used again where it has that size.
+void setSignalCovariance(const Eigen::MatrixXd& z, const KernelParameters& parameters, Eigen::MatrixXd& k);
 
 /// Likewise of each row of a with each row of b.
 Eigen::MatrixXd crossCovariance(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b,
                                 const KernelParameters& parameters);
 
 /// M ← M ∘ ρ, lower triangle, of rows of z: ∂k/∂ln ℓ_i = ρ k (z_ri − z_ci)²; ρ is 1 of the RBF and
-/// 3 / (1 + √3 r) of the Matérn kernel.
-void timesLengthSlope(const Eigen::MatrixXd& z, const KernelParameters& parameters, Eigen::MatrixXd& m);
+/// 3 / (1 + √3 r) of the Matérn kernel. What was in `scratch` is lost, its memory used again.
+void timesLengthSlope(const Eigen::MatrixXd& z, const KernelParameters& parameters, Eigen::MatrixXd& m,
+                      Eigen::MatrixXd& scratch);
 
 }  // namespace capstan::learning
 

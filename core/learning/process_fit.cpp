@@ -5,17 +5,18 @@
 
 #include <cmath>
 
-#include "core/learning/exact_process.h"
+#include "core/learning/marginal_likelihood.h"
 
 namespace capstan::learning {
 namespace {
 
-class Likelihood : public ceres::FirstOrderFunction {
+/// What a search for the most likely hyperparameters lowers.
+class Cost : public ceres::FirstOrderFunction {
  public:
-  Likelihood(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y, const KernelParameters& start,
-             const ProcessFitOptions& options, const base::Progress* progress, int& evaluations)
-      : x_(x),
-        y_(y),
+  Cost(MarginalLikelihood& likelihood, double steep, const KernelParameters& start,
+       const ProcessFitOptions& options, const base::Progress* progress, int& evaluations)
+      : likelihood_(likelihood),
+        steep_(steep),
         start_(start.packed()),
         kernel_(start.kernel),
         options_(options),
@@ -29,7 +30,7 @@ class Likelihood : public ceres::FirstOrderFunction {
     ++evaluations_;
     Eigen::VectorXd slope;
     const auto value =
-        negativeLogLikelihood(x_, y_, KernelParameters::unpacked(at, kernel_), gradient ? &slope : nullptr);
+        likelihood_.negativeLog(KernelParameters::unpacked(at, kernel_), gradient ? &slope : nullptr);
     if (!value || !std::isfinite(*value)) return false;
     *cost = *value;
     fence(at, 0, options_.farthest_signal, *cost, gradient ? &slope : nullptr);
@@ -43,15 +44,14 @@ class Likelihood : public ceres::FirstOrderFunction {
   /// Rises steeply beyond `farthest` from the start.
   void fence(const Eigen::Map<const Eigen::VectorXd>& at, Eigen::Index k, double farthest, double& cost,
              Eigen::VectorXd* slope) const {
-    const double steep = static_cast<double>(x_.rows()), way = at[k] - start_[k];
-    const double beyond = std::abs(way) - farthest;
+    const double way = at[k] - start_[k], beyond = std::abs(way) - farthest;
     if (beyond <= 0.0) return;
-    cost += steep * beyond * beyond;
-    if (slope) (*slope)[k] += std::copysign(2.0 * steep * beyond, way);
+    cost += steep_ * beyond * beyond;
+    if (slope) (*slope)[k] += std::copysign(2.0 * steep_ * beyond, way);
   }
 
-  const Eigen::MatrixXd& x_;
-  const Eigen::MatrixXd& y_;
+  MarginalLikelihood& likelihood_;
+  double steep_;  ///< of the fences
   Eigen::VectorXd start_;
   Kernel kernel_;
   const ProcessFitOptions& options_;
@@ -84,7 +84,9 @@ ProcessFitReport fitProcess(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y, 
                             const ProcessFitOptions& options, const base::Progress* progress) {
   ProcessFitReport report;
   Eigen::VectorXd found = start.packed();
-  const ceres::GradientProblem problem(new Likelihood(x, y, start, options, progress, report.evaluations));
+  MarginalLikelihood likelihood(x, y);
+  const ceres::GradientProblem problem(
+      new Cost(likelihood, static_cast<double>(x.rows()), start, options, progress, report.evaluations));
   ceres::GradientProblemSolver::Options search;
   search.line_search_direction_type = ceres::BFGS;
   search.max_num_iterations = options.iterations;
@@ -95,7 +97,7 @@ ProcessFitReport fitProcess(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y, 
   report.converged = summary.termination_type == ceres::CONVERGENCE;
   report.parameters = found.allFinite() ? KernelParameters::unpacked(found, start.kernel) : start;
   report.negative_log_likelihood =
-      negativeLogLikelihood(x, y, report.parameters, nullptr).value_or(summary.final_cost);
+      likelihood.negativeLog(report.parameters, nullptr).value_or(summary.final_cost);
   return report;
 }
 

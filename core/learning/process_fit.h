@@ -29,7 +29,7 @@ struct ProcessFitReport {
 KernelParameters startOf(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y,
                          const ProcessFitOptions& options);
 
-/// Hyperparameters of maximum marginal likelihood (negativeLogLikelihood) from `start`, by BFGS with line
+/// Hyperparameters of maximum marginal likelihood (MarginalLikelihood) from `start`, by BFGS with line
 /// search (Ceres). All stay within e^kFarthest of the start's, so that what the data leave open stays finite.
 /// Stops early when `progress` is cancelled, with the best so far.
 ProcessFitReport fitProcess(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y, const KernelParameters& start,

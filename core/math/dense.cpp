@@ -22,6 +22,13 @@ void solveTriangle(const Eigen::MatrixXd& l, Eigen::Ref<Eigen::MatrixXd> b, CBLA
               1.0, l.data(), size(l.rows()), b.data(), size(b.outerStride()));
 }
 
+/// C ← before C + scale A Aᵀ.
+void takeSquare(double scale, const Eigen::MatrixXd& a, double before, Eigen::MatrixXd& c) {
+  if (c.size() == 0) return;
+  cblas_dsyrk(CblasColMajor, CblasLower, CblasNoTrans, size(a.rows()), size(a.cols()), scale, a.data(),
+              size(a.rows()), before, c.data(), size(c.rows()));
+}
+
 }  // namespace
 
 void setDenseThreads(int threads) { openblas_set_num_threads(threads); }
@@ -51,9 +58,12 @@ void solveLowerTransposed(const Eigen::MatrixXd& l, Eigen::Ref<Eigen::MatrixXd> 
 
 void addSquare(double scale, const Eigen::MatrixXd& a, Eigen::MatrixXd& c) {
   assert(c.rows() == a.rows() && c.cols() == a.rows());
-  if (a.size() == 0) return;
-  cblas_dsyrk(CblasColMajor, CblasLower, CblasNoTrans, size(a.rows()), size(a.cols()), scale, a.data(),
-              size(a.rows()), 1.0, c.data(), size(c.rows()));
+  takeSquare(scale, a, 1.0, c);
+}
+
+void setSquare(double scale, const Eigen::MatrixXd& a, Eigen::MatrixXd& c) {
+  c.resize(a.rows(), a.rows());
+  takeSquare(scale, a, 0.0, c);
 }
 
 Eigen::MatrixXd timesSymmetric(const Eigen::MatrixXd& s, const Eigen::MatrixXd& b) {

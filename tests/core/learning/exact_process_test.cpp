@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "core/base/random.h"
+#include "core/learning/marginal_likelihood.h"
 #include "core/learning/process_fit.h"
 
 namespace capstan::learning {
@@ -72,7 +73,7 @@ void expectTextbookLikelihood(const KernelParameters& p, Eigen::Index outputs) {
   const double expected = 0.5 * s.y.cwiseProduct(k.llt().solve(s.y)).sum() +
                           static_cast<double>(outputs) *
                               (root.diagonal().array().log().sum() + 35.0 * std::log(2.0 * std::numbers::pi));
-  const auto value = negativeLogLikelihood(s.x, s.y, p, nullptr);
+  const auto value = MarginalLikelihood(s.x, s.y).negativeLog(p, nullptr);
   ASSERT_TRUE(value.has_value());
   EXPECT_NEAR(*value, expected, 1e-8 * std::abs(expected)) << base::nameOf(p.kernel);
 }
@@ -87,11 +88,12 @@ TEST(ExactProcess, likelihoodIsThatOfTheTextbook) {
 void expectSlopesOfDifferences(const KernelParameters& p, Eigen::Index outputs) {
   constexpr double kStep = 1e-5;
   const Sample s = sample(60, outputs, 0.2);
+  MarginalLikelihood likelihood(s.x, s.y);  // used again and again
   const auto valueAt = [&](const Eigen::VectorXd& at) {
-    return *negativeLogLikelihood(s.x, s.y, KernelParameters::unpacked(at, p.kernel), nullptr);
+    return *likelihood.negativeLog(KernelParameters::unpacked(at, p.kernel), nullptr);
   };
   Eigen::VectorXd gradient;
-  ASSERT_TRUE(negativeLogLikelihood(s.x, s.y, p, &gradient));
+  ASSERT_TRUE(likelihood.negativeLog(p, &gradient));
   ASSERT_EQ(gradient.size(), p.packed().size());
   for (Eigen::Index k = 0; k < gradient.size(); ++k) {
     Eigen::VectorXd more = p.packed(), less = p.packed();
@@ -154,7 +156,7 @@ TEST(ProcessFit, findsTheNoiseAndWhatIsOfNoUse) {
   EXPECT_NEAR(std::exp(report.parameters.ln_noise), 0.1, 0.015);
   EXPECT_GT(report.parameters.ln_length[2], report.parameters.ln_length[0] + 1.5) << "the third says nothing";
   Eigen::VectorXd gradient;
-  ASSERT_TRUE(negativeLogLikelihood(s.x, s.y, report.parameters, &gradient));
+  ASSERT_TRUE(MarginalLikelihood(s.x, s.y).negativeLog(report.parameters, &gradient));
   EXPECT_LT(gradient.head(4).cwiseAbs().maxCoeff(), 0.1);
 }
 

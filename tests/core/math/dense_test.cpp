@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <limits>
 
 namespace capstan::math {
 namespace {
@@ -45,6 +46,10 @@ TEST(Dense, solvesAndMultiplies) {
   Eigen::MatrixXd c = Eigen::MatrixXd::Zero(n, n);
   addSquare(2.0, b, c);
   EXPECT_LT((Eigen::MatrixXd(c.selfadjointView<Eigen::Lower>()) - 2.0 * b * b.transpose()).norm(), 1e-10);
+  Eigen::MatrixXd overwritten = Eigen::MatrixXd::Constant(n, n, std::numeric_limits<double>::quiet_NaN());
+  setSquare(2.0, b, overwritten);
+  EXPECT_EQ(Eigen::MatrixXd(overwritten.triangularView<Eigen::Lower>()),
+            Eigen::MatrixXd(c.triangularView<Eigen::Lower>()));
   const Eigen::MatrixXd lower = a.triangularView<Eigen::Lower>();
   EXPECT_LT((timesSymmetric(lower, b) - a * b).norm(), 1e-9);
   EXPECT_LT((product(a, b) - a * b).norm(), 1e-9);
