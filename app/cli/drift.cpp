@@ -72,15 +72,14 @@ std::string textOf(const learning::PreparedStates& prepared, std::size_t states,
   if (findingOf(course) == Finding::kUnknown)
     return text + fmt::format("Too short to tell whether the model holds: {} s of motion at least.\n",
                               learning::kFewestPieces);
-  text += "Errors, in what is stated for them (1 or less while the model holds):";
+  text += "Errors, in what is stated for them (about 1 or less while the model holds):";
   for (std::size_t i = 0; i < kOutputs.size(); ++i)
     text += fmt::format("{} {} {:.2f}", i == 0 ? "" : ",", kOutputs[i],
                         course.factor[static_cast<Eigen::Index>(i)]);
   const learning::DriftReport& last = course.reports.back();
   text += fmt::format(
-      "\nIn the last {:.0f} s {:.0f} % of the errors of {} are beyond their σ: at most {:.0f} % are while "
-      "it\n"
-      "holds, and more than {:.0f} % are no chance.\n",
+      "\nIn the last {:.0f} s {:.0f} % of the errors of {} are beyond their σ:\n"
+      "{:.0f} % at most are expected while it holds, more than {:.0f} % are no chance.\n",
       last.span, 100.0 * last.beyond, kOutputs[static_cast<std::size_t>(last.output)],
       100.0 * learning::kBeyond, 100.0 * last.limit);
   for (const auto& [from, to] : course.aged)
@@ -93,7 +92,7 @@ std::string textOf(const learning::PreparedStates& prepared, std::size_t states,
 learning::PreparedStates preparedFor(const session::CorrectionFile& file,
                                      const std::vector<std::string>& tables) {
   learning::PreparedStates prepared =
-      learning::prepareAt(file.source.lag, readMotions(tables), file.source.towards);
+      learning::prepareAt(file.source.lag, readMotions(tables, file.source.towards), file.source.towards);
   learning::checkRelated(prepared.states, file.model.offset(), file.source.towards);
   return prepared;
 }
@@ -104,6 +103,7 @@ ExitCode run(const DriftArguments& arguments) {
   checkOutputs({{"--json", arguments.json}}, inputs);
   checkDistinct(arguments.tables);
   const session::CorrectionFile file = session::readCorrection(arguments.model);
+  checkProcesses(file.model, arguments.model);
   learning::PreparedStates prepared =
       session::namingTables(arguments.tables, [&] { return preparedFor(file, arguments.tables); });
   const std::size_t states = prepared.states.size();

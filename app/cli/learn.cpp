@@ -52,14 +52,15 @@ void checkNew(const std::vector<std::string>& files, const session::CorrectionSo
       refuseFile(file, "has been learned from already", "Give motions that are new to the model");
 }
 
-learning::LearningReport learnOnto(LearnArguments& arguments, session::CorrectionFile old,
+learning::LearningReport learnOnto(const LearnArguments& arguments, session::CorrectionFile old,
                                    base::Progress& progress) {
+  checkProcesses(old.model, arguments.onto);
   checkNew(arguments.train, old.source);
   checkNew(arguments.test, old.source);
-  arguments.options.towards = old.source.towards;
   return session::namingTables(arguments.train, [&] {
-    return learning::learnMore(std::move(old.model), old.source.lag, readMotions(arguments.train),
-                               arguments.options, &progress);
+    return learning::learnMore(std::move(old.model), old.source.lag,
+                               readMotions(arguments.train, arguments.options.towards), arguments.options,
+                               &progress);
   });
 }
 
@@ -78,18 +79,24 @@ ExitCode run(LearnArguments& arguments) {
   options.correction.fit.kernel = *base::fromName<learning::Kernel>(arguments.kernel);
   options.rigid = arguments.method == "offset";
   options.correction.motion = base::fromName<learning::Motion>(arguments.method);
+  std::optional<session::CorrectionFile> old;
+  if (!arguments.onto.empty()) {
+    old = session::readCorrection(arguments.onto);
+    options.towards = old->source.towards;
+  }
+  const std::vector<learning::RawMotion> tests = readMotions(arguments.test, options.towards);
   base::Progress progress;
   std::optional<learning::LearningReport> report;
   session::CorrectionSource before;
   {
     const ProgressLine line(progress);
     if (arguments.onto.empty()) {
-      report = session::namingTables(
-          arguments.train, [&] { return learning::learn(readMotions(arguments.train), options, &progress); });
+      report = session::namingTables(arguments.train, [&] {
+        return learning::learn(readMotions(arguments.train, options.towards), options, &progress);
+      });
     } else {
-      session::CorrectionFile old = session::readCorrection(arguments.onto);
-      before = old.source;
-      report = learnOnto(arguments, std::move(old), progress);
+      before = old->source;
+      report = learnOnto(arguments, std::move(*old), progress);
     }
   }
   if (report->cancelled) {
@@ -97,7 +104,7 @@ ExitCode run(LearnArguments& arguments) {
     return kFailed;
   }
   LearnOutput told{*report, {}};
-  if (!arguments.test.empty()) told.test = testedOn(readMotions(arguments.test), *report, options);
+  if (!arguments.test.empty()) told.test = testedOn(tests, *report, options);
   session::writeCorrection({report->model, sourceOf(arguments, *report, std::move(before))}, arguments.model);
   const Output output(arguments.json);
   output.text(textOf(told) + fmt::format("The model is in {}.\n", arguments.model));

@@ -139,6 +139,9 @@ std::string processesText(const learning::CorrectionModel& model) {
       motionText(model.motion()), members.size(), members.front().inducing());
 }
 
+/// Of one trajectory there is none.
+std::string sigmaText(double sigma) { return sigma > 0.0 ? fmt::format(" ± {:.1f}", sigma) : ""; }
+
 /// Why those had been left out that count again.
 Json againCounts(const learning::WeighingReport& weighing) {
   return countsOf(
@@ -179,8 +182,8 @@ std::string textOf(const LearnOutput& output) {
   if (prepared.lag.tried.empty())
     text += fmt::format("Alignment: the model's lag of {:.1f} ms taken off\n", 1e3 * prepared.taken_off);
   else
-    text += fmt::format("Alignment: what is seen comes {:.1f} ± {:.1f} ms behind what is told{}\n",
-                        1e3 * prepared.lag.lag, 1e3 * prepared.lag.sigma,
+    text += fmt::format("Alignment: what is seen comes {:.1f}{} ms behind what is told{}\n",
+                        1e3 * prepared.lag.lag, sigmaText(1e3 * prepared.lag.sigma),
                         prepared.taken_off == 0.0 ? ", not taken off" : "");
   text += fmt::format("Cleaning and weights: {} of {} states count; left out: {}\n", cleaning.kept(),
                       cleaning.reason.size(),

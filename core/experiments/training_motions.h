@@ -12,8 +12,8 @@
 namespace capstan::experiments {
 
 /// Defaults are the GPR paper's (section V-B) but for `margin` and turns: what cameras see is centimetres and
-/// some ten degrees off, and what is desired is to lie among what was seen. Learned is as learning::learn()
-/// does by default, without weights.
+/// some ten degrees off, and what is desired is to lie among what was seen. Learned is by the
+/// options of learning::learn(), but cleaned as in the paper and without weights.
 struct TrainingOptions {
   int motions = 303;
   double speed = 0.05;      ///< [m/s]

@@ -90,11 +90,14 @@ std::vector<KernelParameters> parametersOf(const Committee& committee) {
   return all;
 }
 
-/// Factor to σ, of which errors are multiples.
+/// Factor to σ by which shares of `multiples`, |e| / σ, within it and its double are a normal distribution's
+/// at least; of normal errors a little more, as the larger of two quantiles that chance moves. 1 of an output
+/// that never errs.
 double inflationOf(const std::vector<double>& multiples) {
   constexpr std::array<double, 2> kShares = {kWithinSigma, kWithinTwoSigma};
   const std::vector<double> at = stats::quantiles(multiples, kShares);
-  return std::max(at[0], at[1] / 2.0);
+  const double factor = std::max(at[0], at[1] / 2.0);
+  return factor > 0.0 ? factor : 1.0;
 }
 
 void checkEnough(std::size_t states) {
@@ -267,7 +270,7 @@ std::vector<Eigen::Isometry3d> CorrectionModel::correct(const std::vector<State>
 /// shall be those of a normal distribution at least (errors' tails are heavier than its). Every eighth motion
 /// is, of one motion each eighth of its course; where that makes few, more such eighths in turn.
 void CorrectionModel::findInflation(const std::vector<State>& states, const CorrectionOptions& options) {
-  constexpr std::size_t kEighths = 8, kEnough = 16;  // motions held out
+  constexpr std::size_t kEighths = 8, kEnough = 32;  // motions held out
   const std::vector<std::size_t> places = motionPlaces(states);
   const std::size_t motions = places.back() + 1;
   const auto eighthOf = [&](std::size_t k) {
@@ -290,11 +293,10 @@ void CorrectionModel::addRatios(const std::vector<State>& seen, const std::vecto
                                 const CorrectionOptions& options,
                                 std::array<std::vector<double>, 6>& ratios) const {
   const MatrixXd x = featuresOf(seen), y = targetsOf(seen), at = featuresOf(held), told = targetsOf(held);
-  const Index few = std::max<Index>(options.inducing_points / 2, 1);
   for (std::size_t g = 0; g < kGroups.size(); ++g) {
     const auto [first, count] = kGroups[g];
-    Committee committee =
-        knowingNothing(x, count, parametersOf(processes_[g]), few, kDraws * options.seed + kCalibrationDraw);
+    Committee committee = knowingNothing(x, count, parametersOf(processes_[g]), options.inducing_points,
+                                         kDraws * options.seed + kCalibrationDraw);
     committee.add(x, y.middleCols(first, count), doubtsOf(seen, kGroups[g], known_.scale));
     const Prediction guess = committee.predict(at);
     const Eigen::ArrayXd sigma = (guess.variance.array() + committee.noiseVariance()).sqrt();

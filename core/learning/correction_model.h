@@ -28,14 +28,15 @@ struct CorrectionOptions {
 /// What is to be asked for, and how sure that is.
 struct Corrected {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  Vector6d sigma =
-      Vector6d::Zero();  ///< of the correction: position [m], turn [rad]; with the noise of what was learned
+  /// Of the correction, with the noise of what was learned: position along the axes of what is told [m], turn
+  /// about the tool's [rad]. Of a model without processes the RMS of what the rigid offset left.
+  Vector6d sigma = Vector6d::Zero();
   /// 1 − variance / variance without data, of all outputs together (turns by the lever): 1 where the data are
   /// dense; times what is left of the correction beyond the workspace.
   double confidence = 0.0;
 };
 
-/// What was told ⊖ a corrected pose, in the tool's frame, in units of the stated σ.
+/// What was told ⊖ a corrected pose, in units of the stated σ.
 Vector6d errorsInSigma(const Corrected& corrected, const Eigen::Isometry3d& told);
 
 /// Everything that a model knows, as a file keeps it.

@@ -17,10 +17,10 @@ struct DriftOptions {
 
 struct DriftReport {
   Eigen::Index output = 0;  ///< the one with most errors beyond their σ: x, y, z, turn's parts
-  double beyond = 0.0;      ///< share of its errors that are; kBeyond at most while the model holds
-  double limit = 1.0;       ///< of that share, from which on it is no chance
-  double span = 0.0;        ///< that it is of [s]
-  bool told = false;        ///< there are kFewestPieces
+  double beyond = 0.0;  ///< share of its errors that are; kBeyond at most is expected while the model holds
+  double limit = 1.0;   ///< of that share, from which on it is no chance
+  double span = 0.0;    ///< that it is of [s]
+  bool told = false;    ///< there are kFewestPieces
   bool aged = false;
 };
 /// Fewer pieces cannot tell ageing from chance.
@@ -65,7 +65,7 @@ struct DriftCourse {
   std::vector<double> t;             ///< since the first state [s]
   std::vector<DriftReport> reports;  ///< by state judged
   std::size_t unsure = 0;            ///< states that were not: the model knows too little there
-  /// By which errors exceed their σ: the quantile that is 1 at most while the model holds.
+  /// By which errors exceed their σ: the quantile that is expected to be 1 at most while the model holds.
   Vector6d factor = Vector6d::Zero();
   /// Places among those judged at which the monitor began to say that the model has aged, and stopped to.
   std::vector<std::pair<std::size_t, std::size_t>> aged;

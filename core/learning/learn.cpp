@@ -68,6 +68,10 @@ void pairAt(PreparedStates& prepared, StreamKind towards) {
 
 }  // namespace
 
+void checkTable(const std::vector<RawMotion>& motions, StreamKind towards) {
+  checkStreams(screenPoses(motions), towards);
+}
+
 PreparedStates prepare(const std::vector<RawMotion>& motions, const LearningOptions& options,
                        base::Progress* progress, const base::ProgressPart& part) {
   PreparedStates prepared;

@@ -32,6 +32,10 @@ struct PreparedStates {
   bool cancelled = false;     ///< what came behind is empty
 };
 
+/// base::InputError: a table's motions have no poses of the camera or of what is told, or stamps that are not
+/// seconds. Beside another table's these would be left out without a word.
+void checkTable(const std::vector<RawMotion>& motions, StreamKind towards);
+
 /// What statesOf() finds in the motions at a lag that is known.
 PreparedStates prepareAt(double lag, const std::vector<RawMotion>& motions, StreamKind towards);
 

@@ -16,6 +16,9 @@ class MarginalLikelihood {
  public:
   /// Points x (n × d) and outputs y outlive it.
   MarginalLikelihood(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y);
+  MarginalLikelihood(Eigen::MatrixXd&&, const Eigen::MatrixXd&) = delete;
+  MarginalLikelihood(const Eigen::MatrixXd&, Eigen::MatrixXd&&) = delete;
+  MarginalLikelihood(Eigen::MatrixXd&&, Eigen::MatrixXd&&) = delete;
 
   /// With derivatives where `gradient` is given. Nothing: K is not positive definite.
   std::optional<double> negativeLog(const KernelParameters& parameters, Eigen::VectorXd* gradient);

@@ -23,7 +23,7 @@ void solveTriangle(const Eigen::MatrixXd& l, Eigen::Ref<Eigen::MatrixXd> b, CBLA
 }
 
 /// C ← before C + scale A Aᵀ.
-void takeSquare(double scale, const Eigen::MatrixXd& a, double before, Eigen::MatrixXd& c) {
+void squareInto(double scale, const Eigen::MatrixXd& a, double before, Eigen::MatrixXd& c) {
   if (c.size() == 0) return;
   cblas_dsyrk(CblasColMajor, CblasLower, CblasNoTrans, size(a.rows()), size(a.cols()), scale, a.data(),
               size(a.rows()), before, c.data(), size(c.rows()));
@@ -58,12 +58,13 @@ void solveLowerTransposed(const Eigen::MatrixXd& l, Eigen::Ref<Eigen::MatrixXd> 
 
 void addSquare(double scale, const Eigen::MatrixXd& a, Eigen::MatrixXd& c) {
   assert(c.rows() == a.rows() && c.cols() == a.rows());
-  takeSquare(scale, a, 1.0, c);
+  squareInto(scale, a, 1.0, c);
 }
 
 void setSquare(double scale, const Eigen::MatrixXd& a, Eigen::MatrixXd& c) {
+  assert(&a != &c);
   c.resize(a.rows(), a.rows());
-  takeSquare(scale, a, 0.0, c);
+  squareInto(scale, a, 0.0, c);
 }
 
 Eigen::MatrixXd timesSymmetric(const Eigen::MatrixXd& s, const Eigen::MatrixXd& b) {

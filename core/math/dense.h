@@ -23,7 +23,7 @@ void solveLowerTransposed(const Eigen::MatrixXd& l, Eigen::Ref<Eigen::MatrixXd> 
 
 /// C ← C + scale A Aᵀ, lower triangle of C (dsyrk).
 void addSquare(double scale, const Eigen::MatrixXd& a, Eigen::MatrixXd& c);
-/// C ← scale A Aᵀ likewise, of whatever size C was.
+/// C ← scale A Aᵀ likewise, of whatever size C was; C is not A.
 void setSquare(double scale, const Eigen::MatrixXd& a, Eigen::MatrixXd& c);
 
 /// S B, S symmetric (dsymm).

@@ -45,7 +45,12 @@ struct Header {
 Header parseHeader(std::string_view line, const std::string& file, const CsvTarget& target) {
   if (trimmed(line).empty())
     throw base::InputError(
-        {file, 1, {}, {}, "has no header line", "Begin the table with column names: t,q_m1,…"});
+        {file,
+         1,
+         {},
+         {},
+         "has no header line",
+         "Begin the table with column names, of joints t,q_m1,… or of tip poses traj,t_cam_s,cam_x,…"});
   if (line.find(',') == std::string_view::npos && line.find_first_of(";\t") != std::string_view::npos)
     throw base::InputError({file,
                             1,

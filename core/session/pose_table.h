@@ -28,7 +28,7 @@ std::vector<learning::RawMotion> parseTipTable(std::string_view text, const std:
 /// Of one its path, of more "a.csv and 2 more tables".
 std::string nameOfTables(const std::vector<std::string>& paths);
 
-/// Does `work` with the motions of tables: a base::InputError of it that names no file names them.
+/// Calls `work`; a base::InputError of it that names no file gets the tables' names.
 template <class Work>
 auto namingTables(const std::vector<std::string>& paths, Work&& work) {
   try {

@@ -136,10 +136,12 @@ TEST_F(CliLearn, ProposesWhereToGoNext) {
   EXPECT_THAT(run(ask + " --among " + path("some.csv")).out, HasSubstr("of 2 poses"));
   ASSERT_EQ(learn("--method offset").exit, 0);
   EXPECT_THAT(run(ask).err, HasSubstr("is a rigid offset alone"));
+  const std::string alone = path("m.correction") + ": is a rigid offset alone";
   EXPECT_THAT(run("learn --train " + path("test.csv") + " --onto " + path("m.correction") + " --model " +
                   path("x.correction"))
                   .err,
-              HasSubstr("is a rigid offset alone"));
+              HasSubstr(alone));
+  EXPECT_THAT(run("drift --model " + path("m.correction") + " " + path("test.csv")).err, HasSubstr(alone));
 }
 
 TEST_F(CliLearn, RefusesWhatMakesNoSense) {
@@ -152,6 +154,18 @@ TEST_F(CliLearn, RefusesWhatMakesNoSense) {
   EXPECT_FALSE(fs::exists(path("m.correction")));
 }
 
+TEST_F(CliLearn, TellsNoSpreadOfOneTrajectory) {
+  SamplePoses one;
+  one.trajectories = 1;
+  one.outliers = 0;
+  writeSamplePoses(path("one.csv"), one);
+  const Ran learned =
+      run("learn --method offset --train " + path("one.csv") + " --model " + path("m.correction"));
+  ASSERT_EQ(learned.exit, 0) << learned.err;
+  EXPECT_THAT(learned.out, HasSubstr("ms behind what is told"));
+  EXPECT_THAT(learned.out, ::testing::Not(HasSubstr("±")));
+}
+
 /// What is amiss with streams as a whole names the table, too.
 TEST_F(CliLearn, NamesTheTableThatItRefuses) {
   SamplePoses robot_alone;
@@ -159,7 +173,11 @@ TEST_F(CliLearn, NamesTheTableThatItRefuses) {
   writeSamplePoses(path("robot.csv"), robot_alone);
   const Ran refused = run("learn --train " + path("robot.csv") + " --model " + path("m.correction"));
   EXPECT_EQ(refused.exit, 2);
-  EXPECT_THAT(refused.err, HasSubstr(path("robot.csv") + ": command: these tables have no such poses"));
+  const std::string reason = path("robot.csv") + ": command: these tables have no such poses";
+  EXPECT_THAT(refused.err, HasSubstr(reason));
+  EXPECT_THAT(learn("--train " + path("robot.csv")).err, HasSubstr(reason)) << "beside a table that has them";
+  EXPECT_THAT(learn("--test " + path("robot.csv")).err, HasSubstr(reason));
+  EXPECT_FALSE(fs::exists(path("m.correction")));
 }
 
 }  // namespace

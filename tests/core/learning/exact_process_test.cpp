@@ -85,6 +85,22 @@ TEST(ExactProcess, likelihoodIsThatOfTheTextbook) {
         expectTextbookLikelihood(someParameters(ard, kernel), outputs);
 }
 
+/// Memory used again, by other parameters and after a covariance that has no factor.
+TEST(MarginalLikelihood, tellsTheSameWheneverAsked) {
+  const Sample s = sample(40, 1, 0.2);
+  for (const Kernel kernel : kKernels) {
+    const KernelParameters p = someParameters(true, kernel);
+    KernelParameters none = p;
+    none.ln_length.setConstant(30.0), none.ln_noise = -60.0;  // all points alike
+    MarginalLikelihood used(s.x, s.y), fresh(s.x, s.y);
+    Eigen::VectorXd gradient, again;
+    EXPECT_FALSE(used.negativeLog(none, &again));
+    (void)used.negativeLog(someParameters(false, kernel), &again);
+    EXPECT_EQ(used.negativeLog(p, &again), fresh.negativeLog(p, &gradient));
+    EXPECT_EQ(again, gradient);
+  }
+}
+
 void expectSlopesOfDifferences(const KernelParameters& p, Eigen::Index outputs) {
   constexpr double kStep = 1e-5;
   const Sample s = sample(60, outputs, 0.2);
