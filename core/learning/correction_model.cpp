@@ -270,7 +270,7 @@ std::vector<Eigen::Isometry3d> CorrectionModel::correct(const std::vector<State>
 /// shall be those of a normal distribution at least (errors' tails are heavier than its). Every eighth motion
 /// is, of one motion each eighth of its course; where that makes few, more such eighths in turn.
 void CorrectionModel::findInflation(const std::vector<State>& states, const CorrectionOptions& options) {
-  constexpr std::size_t kEighths = 8, kEnough = 32;  // motions held out
+  constexpr std::size_t kEighths = 8, kEnough = 20;  // motions held out
   const std::vector<std::size_t> places = motionPlaces(states);
   const std::size_t motions = places.back() + 1;
   const auto eighthOf = [&](std::size_t k) {
