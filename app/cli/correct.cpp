@@ -26,7 +26,9 @@ ExitCode run(const CorrectArguments& arguments) {
                                     [](const auto& one) { return one.confidence < learning::kUnsure; });
   base::writeTextFile(arguments.out, session::formatCorrected(paths, corrected));
   if (!paths.timed) notice("The table has no t_s: every pose is corrected as one to rest at.");
-  if (unsure > 0)
+  if (file.model.processes().empty())
+    notice("The model is a rigid offset alone: it tells no confidence.");
+  else if (unsure > 0)
     notice(
         fmt::format("{} of {} poses are far from what was learned (confidence below {}): they are corrected "
                     "by little more than the rigid offset.",

@@ -64,7 +64,7 @@ void checkRelated(const std::vector<State>& states, const Eigen::Isometry3d& off
        fmt::format("is what the best rigid offset leaves of half of the sights, and motions are "
                    "{:.3g} m long",
                    size),
-       unitsAdvice(states, towards) + "; both streams must be of one arm"});
+       unitsAdvice(states, towards) + "; both streams must be of one arm, and it must move"});
 }
 
 }  // namespace capstan::learning

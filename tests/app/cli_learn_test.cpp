@@ -142,6 +142,9 @@ TEST_F(CliLearn, ProposesWhereToGoNext) {
                   .err,
               HasSubstr(alone));
   EXPECT_THAT(run("drift --model " + path("m.correction") + " " + path("test.csv")).err, HasSubstr(alone));
+  EXPECT_THAT(
+      run("correct --model " + path("m.correction") + " " + path("some.csv") + " " + path("o.csv")).err,
+      HasSubstr("it tells no confidence"));
 }
 
 TEST_F(CliLearn, RefusesWhatMakesNoSense) {

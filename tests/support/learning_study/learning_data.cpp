@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <fstream>
+#include <utility>
 
 #include "core/session/pose_table.h"
 
@@ -38,7 +39,9 @@ nlohmann::json askSklearn(const std::filesystem::path& folder) {
   char buffer[4096];
   while (const std::size_t got = std::fread(buffer, 1, sizeof buffer, pipe)) text.append(buffer, got);
   if (pclose(pipe) != 0) {
-    fmt::print("scikit-learn did not answer; install python3-sklearn for its columns\n");
+    static bool told = false;
+    if (!std::exchange(told, true))
+      fmt::print("scikit-learn did not answer; install python3-sklearn for its columns\n");
     return nullptr;
   }
   return nlohmann::json::parse(text);
