@@ -8,9 +8,10 @@
 #include "core/base/random.h"
 #include "core/learning/kernel.h"
 
-/// What processes are tried on, and their textbook's formulas (Rasmussen and Williams 2006) element by
-/// element.
-namespace capstan::learning {
+/// What processes are tried on, and the formulas of their textbook (Rasmussen and Williams 2006).
+namespace capstan::testing {
+
+using learning::Kernel, learning::KernelParameters;
 
 struct Sample {
   Eigen::MatrixXd x, y;
@@ -64,4 +65,4 @@ inline Eigen::MatrixXd noisy(const Eigen::MatrixXd& x, const KernelParameters& p
   return kernels(x, x, p) + p.noiseVariance() * Eigen::MatrixXd::Identity(x.rows(), x.rows());
 }
 
-}  // namespace capstan::learning
+}  // namespace capstan::testing

@@ -13,6 +13,8 @@
 namespace capstan::learning {
 namespace {
 
+using namespace testing;  // the textbook's process
+
 void expectTextbookPredictions(const KernelParameters& p) {
   const Sample s = sample(80, 2, 0.1), at = sample(15, 2, 0.0, 2);
   const ExactProcess process(s.x, s.y, p);

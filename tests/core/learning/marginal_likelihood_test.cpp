@@ -13,6 +13,8 @@
 namespace capstan::learning {
 namespace {
 
+using namespace testing;  // the textbook's process
+
 void expectTextbookLikelihood(const KernelParameters& p, Eigen::Index outputs) {
   const Sample s = sample(70, outputs, 0.2);
   const Eigen::MatrixXd k = noisy(s.x, p);
