@@ -6,6 +6,7 @@
 #include "app/cli/command.h"
 #include "app/cli/console.h"
 #include "app/cli/outputs.h"
+#include "app/cli/pose_motions.h"
 #include "core/base/yaml.h"
 #include "core/session/correction_file.h"
 #include "core/session/pose_path.h"
@@ -21,7 +22,9 @@ ExitCode run(const CorrectArguments& arguments) {
   checkOutputs({{"OUT", arguments.out}}, {arguments.model, arguments.in});
   const session::CorrectionFile file = session::readCorrection(arguments.model);
   const session::PosePaths paths = session::readPosePaths(arguments.in);
-  const std::vector<learning::Corrected> corrected = file.model.correctSurely(session::statesOf(paths));
+  const std::vector<learning::State> wanted = session::statesOf(paths);
+  checkNear(file.model, wanted, arguments.in);
+  const std::vector<learning::Corrected> corrected = file.model.correctSurely(wanted);
   const auto unsure = std::count_if(corrected.begin(), corrected.end(),
                                     [](const auto& one) { return one.confidence < learning::kUnsure; });
   base::writeTextFile(arguments.out, session::formatCorrected(paths, corrected));

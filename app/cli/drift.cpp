@@ -86,14 +86,14 @@ std::string textOf(const learning::PreparedStates& prepared, std::size_t states,
     text += fmt::format("Did not hold as noticed from {} to {}.\n", placeOf(prepared, course.state[from]),
                         placeOf(prepared, course.state[to - 1]));
   return text + (course.agedNow() ? "The model has aged: learn anew from motions as they are now.\n"
-                                  : "The model holds.\n");
+                                  : "Nothing shows that the model has aged.\n");
 }
 
 learning::PreparedStates preparedFor(const session::CorrectionFile& file,
                                      const std::vector<std::string>& tables) {
   learning::PreparedStates prepared =
-      learning::prepareAt(file.source.lag, readMotions(tables, file.source.towards), file.source.towards);
-  learning::checkRelated(prepared.states, file.model.offset(), file.source.towards);
+      learning::prepareAt(file.source.lag, readMotions(tables), file.source.towards);
+  learning::checkRelated(prepared.screen.motions, prepared.states, file.model.offset(), file.source.towards);
   return prepared;
 }
 
@@ -104,6 +104,7 @@ ExitCode run(const DriftArguments& arguments) {
   checkDistinct(arguments.tables);
   const session::CorrectionFile file = session::readCorrection(arguments.model);
   checkProcesses(file.model, arguments.model);
+  checkNew(arguments.tables, file.source);
   learning::PreparedStates prepared =
       session::namingTables(arguments.tables, [&] { return preparedFor(file, arguments.tables); });
   const std::size_t states = prepared.states.size();

@@ -6,6 +6,7 @@
 #include "app/cli/command.h"
 #include "app/cli/console.h"
 #include "app/cli/outputs.h"
+#include "app/cli/pose_motions.h"
 #include "core/base/yaml.h"
 #include "core/learning/next_poses.h"
 #include "core/session/correction_file.h"
@@ -66,6 +67,7 @@ ExitCode run(const ExploreArguments& arguments) {
   const std::vector<learning::State> candidates =
       arguments.among.empty() ? learning::posesWithin(file.model, kEach)
                               : session::statesOf(session::readPosePaths(arguments.among));
+  if (!arguments.among.empty()) checkNear(file.model, candidates, arguments.among);
   base::Progress progress;
   std::vector<learning::NextPose> next;
   {

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 
 #include "app/cli/command.h"
@@ -11,6 +10,7 @@
 #include "core/base/checksum.h"
 #include "core/experiments/same_recording.h"
 #include "core/experiments/software.h"
+#include "core/learning/check_tables.h"
 #include "core/session/correction_file.h"
 #include "core/session/pose_table.h"
 
@@ -45,23 +45,26 @@ void check(const LearnArguments& arguments) {
         refuseFile(test, "is learned from as well: errors on it say nothing", "Test on other trajectories");
 }
 
-/// What the model has learned already would count twice.
-void checkNew(const std::vector<std::string>& files, const session::CorrectionSource& before) {
-  for (const std::string& file : files)
-    if (std::ranges::count(before.checksums, base::checksumOfFile(file)) > 0)
-      refuseFile(file, "has been learned from already", "Give motions that are new to the model");
-}
-
 learning::LearningReport learnOnto(const LearnArguments& arguments, session::CorrectionFile old,
                                    base::Progress& progress) {
   checkProcesses(old.model, arguments.onto);
   checkNew(arguments.train, old.source);
   checkNew(arguments.test, old.source);
   return session::namingTables(arguments.train, [&] {
-    return learning::learnMore(std::move(old.model), old.source.lag,
-                               readMotions(arguments.train, arguments.options.towards), arguments.options,
-                               &progress);
+    return learning::learnMore(std::move(old.model), old.source.lag, readMotions(arguments.train),
+                               arguments.options, &progress);
   });
+}
+
+/// Of a model that is on disk already, whatever becomes of its test.
+TestReport testOf(const LearnArguments& arguments, const std::vector<learning::RawMotion>& tests,
+                  const learning::LearningReport& report) {
+  try {
+    return testedOn(tests, report, arguments.options);
+  } catch (const base::InputError&) {
+    notice(fmt::format("The model is in {}, not tested:", arguments.model));
+    throw;
+  }
 }
 
 ExitCode run(LearnArguments& arguments) {
@@ -84,16 +87,16 @@ ExitCode run(LearnArguments& arguments) {
     old = session::readCorrection(arguments.onto);
     options.towards = old->source.towards;
   }
-  const std::vector<learning::RawMotion> tests = readMotions(arguments.test, options.towards);
+  const std::vector<learning::RawMotion> tests = readMotions(arguments.test);
+  if (!tests.empty()) learning::checkTables(tests, options.towards);
   base::Progress progress;
   std::optional<learning::LearningReport> report;
   session::CorrectionSource before;
   {
     const ProgressLine line(progress);
     if (arguments.onto.empty()) {
-      report = session::namingTables(arguments.train, [&] {
-        return learning::learn(readMotions(arguments.train, options.towards), options, &progress);
-      });
+      report = session::namingTables(
+          arguments.train, [&] { return learning::learn(readMotions(arguments.train), options, &progress); });
     } else {
       before = old->source;
       report = learnOnto(arguments, std::move(*old), progress);
@@ -103,9 +106,9 @@ ExitCode run(LearnArguments& arguments) {
     notice("Cancelled: no model is written.");
     return kFailed;
   }
-  LearnOutput told{*report, {}};
-  if (!arguments.test.empty()) told.test = testedOn(tests, *report, options);
   session::writeCorrection({report->model, sourceOf(arguments, *report, std::move(before))}, arguments.model);
+  LearnOutput told{*report, {}};
+  if (!tests.empty()) told.test = testOf(arguments, tests, *report);
   const Output output(arguments.json);
   output.text(textOf(told) + fmt::format("The model is in {}.\n", arguments.model));
   output.json(jsonOf(told));
@@ -143,9 +146,9 @@ void addLearn(CLI::App& app, ExitCode& exit) {
       ->check(CLI::IsMember({"rbf", "matern"}));
   command->add_flag("--no-alignment", arguments->no_alignment, "take stamps as they are");
   command
-      ->add_option(
-          "--members", arguments->options.correction.members,
-          "processes that are averaged, each of its own drawn states; one where there are no more than these")
+      ->add_option("--members", arguments->options.correction.members,
+                   "processes that are averaged, each of states of its own; one where all states are fewer "
+                   "than a member takes")
       ->capture_default_str()
       ->check(CLI::Range(1, 20));
   command

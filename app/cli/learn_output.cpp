@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/learning/related_streams.h"
+
 namespace capstan::cli {
 namespace {
 
@@ -88,6 +90,7 @@ Json testedJson(const TestedStates& tested) {
 
 std::string testedText(const char* name, const TestedStates& tested) {
   std::string text = fmt::format("  {} ({} states)\n", name, tested.states);
+  if (tested.states == 0) return text;
   const auto line = [&](const char* what, const experiments::CorrectionErrors& error) {
     text += fmt::format("    {:16}{:8.2f} mm {:8.2f} deg   median {:8.2f} mm {:8.2f} deg\n", what,
                         kMillimetres * error.distance, kDegrees * error.angle,
@@ -166,6 +169,7 @@ TestReport testedOn(const std::vector<learning::RawMotion>& motions, const learn
   test.prepared.states =
       learning::statesOf(test.prepared.screen.motions, options.towards, report.prepared.taken_off);
   const std::vector<learning::State>& states = test.prepared.states;
+  learning::checkRelated(test.prepared.screen.motions, states, report.model.offset(), options.towards);
   test.all = testedStates(states, report.model);
   const learning::CleaningReport limits =
       options.clean ? report.cleaning : learning::cleanStates(report.prepared.states, options.cleaning);
@@ -203,19 +207,20 @@ std::string textOf(const LearnOutput& output) {
 Json jsonOf(const LearnOutput& output) {
   const learning::PreparedStates& prepared = output.report.prepared;
   const learning::CleaningReport& cleaning = output.report.cleaning;
-  Json json = {
-      {"screening", screenJson(prepared.screen)},
-      {"lag",
-       {{"value", prepared.lag.lag}, {"sigma", prepared.lag.sigma}, {"taken_off", prepared.taken_off}}},
-      {"cleaning",
-       {{"states", cleaning.reason.size()},
-        {"kept", cleaning.kept()},
-        {"rejected", countsOf([&](Reason reason) { return cleaning.count(reason); })}}},
-      {"weights",
-       {{"weighed", output.report.weighing.weighed},
-        {"doubted", output.report.weighing.doubted},
-        {"again", againCounts(output.report.weighing)}}},
-      {"model", modelJson(output.report.model)}};
+  Json json = {{"screening", screenJson(prepared.screen)},
+               {"lag",
+                {{"value", prepared.lag.lag},
+                 {"sigma", prepared.lag.sigma > 0.0 ? prepared.lag.sigma : NAN},
+                 {"taken_off", prepared.taken_off}}},
+               {"cleaning",
+                {{"states", cleaning.reason.size()},
+                 {"kept", cleaning.kept()},
+                 {"rejected", countsOf([&](Reason reason) { return cleaning.count(reason); })}}},
+               {"weights",
+                {{"weighed", output.report.weighing.weighed},
+                 {"doubted", output.report.weighing.doubted},
+                 {"again", againCounts(output.report.weighing)}}},
+               {"model", modelJson(output.report.model)}};
   if (output.test)
     json["test"] = {{"screening", screenJson(output.test->prepared.screen)},
                     {"all", testedJson(output.test->all)},

@@ -26,6 +26,7 @@ struct LearnOutput {
   std::optional<TestReport> test;
 };
 
+/// base::InputError: checkRelated() of the tables.
 TestReport testedOn(const std::vector<learning::RawMotion>& motions, const learning::LearningReport& report,
                     const learning::LearningOptions& options);
 

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace capstan::base {
 
@@ -26,5 +27,18 @@ class InputError : public std::runtime_error {
  private:
   InputFault fault_;
 };
+
+/// Calls `work`; an InputError of it that names no file gets this one.
+template <class Work>
+auto namingFile(const std::string& file, Work&& work) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    if (!error.fault().file.empty()) throw;
+    InputFault fault = error.fault();
+    fault.file = file;
+    throw InputError(std::move(fault));
+  }
+}
 
 }  // namespace capstan::base

@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/table.h"
 #include "core/learning/learn.h"
+#include "core/learning/related_streams.h"
 #include "core/stats/quantile.h"
 
 namespace capstan::experiments {
@@ -88,6 +89,7 @@ LearningStages learningStages(const std::vector<learning::RawMotion>& motions,
   stages.cleaning = learning::cleanStates(stages.states, options.cleaning);
   stages.motions = motionsOf(stages.states, stages.cleaning);
   takeOffset(stages);
+  learning::checkRelated(stages.screen.motions, stages.states, stages.offset, options.told);
   if (progress) progress->report(1.0, "done");
   return stages;
 }

@@ -45,7 +45,8 @@ struct LearningStages {
 };
 
 /// Screens, pairs with the clocks' lag, takes velocities, cleans, and takes off the rigid offset.
-/// base::InputError: the tables have no such stream, or too few poses of it beside the cameras'.
+/// base::InputError: as learning::prepare() and learning::checkRelated(); too few poses lie beside the
+/// cameras'.
 LearningStages learningStages(const std::vector<learning::RawMotion>& motions,
                               const LearningStagesOptions& options, base::Progress* progress = nullptr);
 

@@ -5,54 +5,14 @@
 #include <array>
 
 #include "core/base/error.h"
+#include "core/learning/check_tables.h"
 #include "core/learning/choose_motion.h"
 #include "core/learning/drift_monitor.h"
 #include "core/learning/related_streams.h"
 #include "core/learning/training_states.h"
-#include "core/stats/quantile.h"
 
 namespace capstan::learning {
 namespace {
-
-void checkPoses(const ScreenReport& screen, StreamKind stream) {
-  const auto at = static_cast<std::size_t>(stream);
-  if (screen.poses[at] > 0) return;
-  std::string reasons;
-  for (const auto& [reason, name] : base::NamesOf<Reason>::value)
-    if (const std::size_t n = screen.count(stream, reason); n > 0) reasons += fmt::format(", {} {}", n, name);
-  throw base::InputError({{},
-                          0,
-                          std::string(base::nameOf(stream)),
-                          {},
-                          screen.rows[at] == 0
-                              ? "these tables have no such poses"
-                              : fmt::format("has no pose in {} rows{}", screen.rows[at], reasons),
-                          "Give tables with this stream, quaternions of norm 1 as x, y, z, w"});
-}
-
-/// Sights are paired with what is told near them, in kLongestGap: poses told seconds apart have stamps in
-/// another unit.
-void checkStamps(const ScreenReport& screen, StreamKind told) {
-  constexpr double kLongest = 2.0;  // [s]
-  std::vector<double> steps;
-  for (const PoseMotion& motion : screen.motions)
-    for (std::size_t k = 1; k < motion.of(told).size(); ++k)
-      steps.push_back(motion.of(told)[k].t - motion.of(told)[k - 1].t);
-  const double step = steps.empty() ? 0.0 : stats::median(std::move(steps));
-  if (step <= kLongest) return;
-  throw base::InputError({{},
-                          0,
-                          fmt::format("stamps of the {}", base::nameOf(told)),
-                          fmt::format("{:.3g} s", step),
-                          "is the median step from one pose to the next, too long to follow a motion",
-                          "Give stamps in seconds, and poses at 10 Hz at least"});
-}
-
-void checkStreams(const ScreenReport& screen, StreamKind told) {
-  checkPoses(screen, StreamKind::kCamera);
-  checkPoses(screen, told);
-  checkStamps(screen, told);
-}
 
 void pairAt(PreparedStates& prepared, StreamKind towards) {
   prepared.states = statesOf(prepared.screen.motions, towards, prepared.taken_off);
@@ -68,10 +28,6 @@ void pairAt(PreparedStates& prepared, StreamKind towards) {
 
 }  // namespace
 
-void checkTable(const std::vector<RawMotion>& motions, StreamKind towards) {
-  checkStreams(screenPoses(motions), towards);
-}
-
 PreparedStates prepare(const std::vector<RawMotion>& motions, const LearningOptions& options,
                        base::Progress* progress, const base::ProgressPart& part) {
   PreparedStates prepared;
@@ -81,8 +37,8 @@ PreparedStates prepare(const std::vector<RawMotion>& motions, const LearningOpti
     return !prepared.cancelled;
   };
   if (!goOn(0.0, "screening")) return prepared;
+  checkTables(motions, options.towards);
   prepared.screen = screenPoses(motions);
-  checkStreams(prepared.screen, options.towards);
   if (!goOn(0.2, "looking for the lag")) return prepared;
   prepared.lag = lagBetween(prepared.screen.motions, options.towards, options.lag);
   if (!goOn(0.7, "pairing")) return prepared;
@@ -93,8 +49,8 @@ PreparedStates prepare(const std::vector<RawMotion>& motions, const LearningOpti
 
 PreparedStates prepareAt(double lag, const std::vector<RawMotion>& motions, StreamKind towards) {
   PreparedStates prepared;
+  checkTables(motions, towards);
   prepared.screen = screenPoses(motions);
-  checkStreams(prepared.screen, towards);
   prepared.lag.lag = prepared.taken_off = lag;
   pairAt(prepared, towards);
   return prepared;
@@ -111,7 +67,8 @@ LearningReport learn(const std::vector<RawMotion>& motions, const LearningOption
   else
     cleaned.reason.assign(prepared.states.size(), Reason::kNone);
   TrainingStates training = trainingStates(prepared.states, std::move(cleaned), options.correction.lever);
-  checkRelated(prepared.states, options.clean ? training.cleaning.offset : training.offset, options.towards);
+  checkRelated(prepared.screen.motions, prepared.states,
+               options.clean ? training.cleaning.offset : training.offset, options.towards);
   CorrectionOptions correction = options.correction;
   correction.offset = training.offset;
   if (!correction.motion && !options.rigid)
@@ -137,7 +94,7 @@ LearningReport learnMore(CorrectionModel model, double lag, const std::vector<Ra
                             "Learn anew from all tables"});
   if (progress) progress->report(0.0, "pairing");
   PreparedStates prepared = prepareAt(lag, motions, options.towards);
-  checkRelated(prepared.states, model.offset(), options.towards);
+  checkRelated(prepared.screen.motions, prepared.states, model.offset(), options.towards);
   CleaningReport cleaning = cleanStates(prepared.states, options.cleaning);
   const std::vector<State> counting = kept(prepared.states, cleaning);
   if (counting.size() < kFewestStates)

@@ -32,14 +32,11 @@ struct PreparedStates {
   bool cancelled = false;     ///< what came behind is empty
 };
 
-/// base::InputError: a table's motions have no poses of the camera or of what is told, or stamps that are not
-/// seconds. Beside another table's these would be left out without a word.
-void checkTable(const std::vector<RawMotion>& motions, StreamKind towards);
-
 /// What statesOf() finds in the motions at a lag that is known.
 PreparedStates prepareAt(double lag, const std::vector<RawMotion>& motions, StreamKind towards);
 
-/// Screens, aligns and pairs. base::InputError: no motion has both streams at once.
+/// Screens, aligns and pairs. base::InputError as checkTables(), and where no motion has both streams at
+/// once.
 PreparedStates prepare(const std::vector<RawMotion>& motions, const LearningOptions& options,
                        base::Progress* progress = nullptr, const base::ProgressPart& part = {});
 
@@ -51,8 +48,7 @@ struct LearningReport {
   bool cancelled = false;
 };
 
-/// Learns a correction from motions. base::InputError: too few states are left, or no rigid offset relates
-/// what was seen to what was told (wrong units, swapped axes).
+/// Learns a correction from motions. base::InputError: as prepare(); too few states are left; checkRelated().
 LearningReport learn(const std::vector<RawMotion>& motions, const LearningOptions& options = {},
                      base::Progress* progress = nullptr);
 

@@ -42,6 +42,7 @@ struct RawPose {
 struct RawMotion {
   std::string name;  ///< "task 1, trajectory 22"
   std::array<std::vector<RawPose>, kStreams> streams;
+  std::string table = {};  ///< the file that it is of, for messages
 };
 
 struct StampedPose {
@@ -54,6 +55,7 @@ struct StampedPose {
 struct PoseMotion {
   std::string name;
   std::array<std::vector<StampedPose>, kStreams> streams;
+  std::string table = {};
   const std::vector<StampedPose>& of(StreamKind kind) const {
     return streams[static_cast<std::size_t>(kind)];
   }

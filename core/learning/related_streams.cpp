@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <map>
+#include <numbers>
+#include <string>
 
 #include "core/base/error.h"
 #include "core/stats/quantile.h"
@@ -40,21 +43,35 @@ std::string unitsAdvice(const std::vector<State>& states, StreamKind towards) {
                      base::nameOf(wider), wide.maxCoeff(), base::nameOf(other), narrow);
 }
 
-}  // namespace
-
-void checkRelated(const std::vector<State>& states, const Eigen::Isometry3d& offset, StreamKind towards) {
-  constexpr double kMost = 0.6;
-  std::vector<double> off, way;
+/// Median distance of what was told from its middle [m].
+double sizeOf(const std::vector<State>& states) {
   std::array<std::vector<double>, 3> told;
   for (const State& state : states)
     for (std::size_t i = 0; i < 3; ++i)
       told[i].push_back(state.pair.told.translation()[static_cast<Eigen::Index>(i)]);
   const Eigen::Vector3d middle(stats::median(told[0]), stats::median(told[1]), stats::median(told[2]));
+  std::vector<double> way;
+  for (const State& state : states) way.push_back((state.pair.told.translation() - middle).norm());
+  return stats::median(std::move(way));
+}
+
+/// Medians of what the offset leaves.
+struct Left {
+  double distance = 0.0;  ///< [m]
+  double turn = 0.0;      ///< [rad]
+};
+Left leftOf(const std::vector<State>& states, const Eigen::Isometry3d& offset) {
+  std::vector<double> distance, turn;
   for (const State& state : states) {
-    off.push_back((offset * state.pair.seen.translation() - state.pair.told.translation()).norm());
-    way.push_back((state.pair.told.translation() - middle).norm());
+    const Eigen::Isometry3d off = state.pair.told.inverse() * offset * state.pair.seen;
+    distance.push_back(off.translation().norm());
+    turn.push_back(Eigen::AngleAxisd(off.linear()).angle());
   }
-  const double left = stats::median(off), size = stats::median(way);
+  return {stats::median(std::move(distance)), stats::median(std::move(turn))};
+}
+
+void checkDistance(const std::vector<State>& states, double left, double size, StreamKind towards) {
+  constexpr double kMost = 0.6;
   if (left <= kMost * size) return;
   throw base::InputError(
       {{},
@@ -65,6 +82,36 @@ void checkRelated(const std::vector<State>& states, const Eigen::Isometry3d& off
                    "{:.3g} m long",
                    size),
        unitsAdvice(states, towards) + "; both streams must be of one arm, and it must move"});
+}
+
+/// A mount that turns the marker turns all sights alike.
+void checkTurn(double left, double of_all) {
+  constexpr double kMost = 1.0;  // [rad]
+  if (left <= of_all + kMost) return;
+  throw base::InputError(
+      {{},
+       0,
+       "quaternions",
+       fmt::format("{:.0f} deg", left * 180.0 / std::numbers::pi),
+       fmt::format("is the turn that the best rigid offset leaves of half of the sights, of "
+                   "all tables' {:.0f} deg",
+                   of_all * 180.0 / std::numbers::pi),
+       "Give quaternions in the order x, y, z, w, of the same marker in all tables"});
+}
+
+}  // namespace
+
+void checkRelated(const std::vector<PoseMotion>& motions, const std::vector<State>& states,
+                  const Eigen::Isometry3d& offset, StreamKind towards) {
+  std::map<std::string, std::vector<State>> tables;
+  for (const State& state : states) tables[motions[state.motion].table].push_back(state);
+  const double size = sizeOf(states), turn = leftOf(states, offset).turn;
+  for (const auto& [table, some] : tables)
+    base::namingFile(table, [&] {
+      const Left left = leftOf(some, offset);
+      checkDistance(some, left.distance, size, towards);
+      checkTurn(left.turn, turn);
+    });
 }
 
 }  // namespace capstan::learning

@@ -30,10 +30,10 @@ std::size_t ScreenReport::count(StreamKind stream, Reason reason) const {
   }));
 }
 
-ScreenReport screenPoses(const std::vector<RawMotion>& motions) {
+ScreenReport screenPoses(std::span<const RawMotion> motions) {
   ScreenReport report;
   for (std::size_t m = 0; m < motions.size(); ++m) {
-    PoseMotion motion{motions[m].name, {}};
+    PoseMotion motion{motions[m].name, {}, motions[m].table};
     for (std::size_t s = 0; s < kStreams; ++s) {
       std::vector<StampedPose>& poses = motion.streams[s];
       for (const RawPose& raw : motions[m].streams[s]) {

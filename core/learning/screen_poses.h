@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "core/learning/pose_motion.h"
 
@@ -24,7 +25,7 @@ struct ScreenReport {
 /// Poses that are ones: finite, with a unit quaternion (its norm within kNorm of 1), no placeholder (position
 /// 0 and quaternion (0, 0, 0, ±1), or all 0), each later than the one before. Every row that is left out is
 /// listed.
-ScreenReport screenPoses(const std::vector<RawMotion>& motions);
+ScreenReport screenPoses(std::span<const RawMotion> motions);
 inline constexpr double kNorm = 0.01;
 
 }  // namespace capstan::learning

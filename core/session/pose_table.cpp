@@ -92,7 +92,7 @@ Columns columnsOf(std::string_view text, const std::string& file) {
   return columns;
 }
 
-std::vector<learning::RawMotion> motionsOf(const Columns& columns) {
+std::vector<learning::RawMotion> motionsOf(const Columns& columns, const std::string& file) {
   std::vector<learning::RawMotion> motions;
   for (std::size_t row = 0; row < columns.trajectory.size(); ++row) {
     const bool same = row > 0 && columns.trajectory[row] == columns.trajectory[row - 1] &&
@@ -101,7 +101,8 @@ std::vector<learning::RawMotion> motionsOf(const Columns& columns) {
       const std::string trajectory = fmt::format("trajectory {}", columns.trajectory[row]);
       motions.push_back(
           {columns.task.empty() ? trajectory : fmt::format("task {}, {}", columns.task[row], trajectory),
-           {}});
+           {},
+           file});
     }
     for (std::size_t s = 0; s < columns.streams.size(); ++s)
       if (!columns.streams[s].stamp.empty())
@@ -115,11 +116,11 @@ std::vector<learning::RawMotion> motionsOf(const Columns& columns) {
 std::vector<learning::RawMotion> parsePoseTable(std::string_view text, const std::string& file) {
   const Columns columns = columnsOf(text, file);
   checkTurns(columns, file);
-  return motionsOf(columns);
+  return motionsOf(columns, file);
 }
 
 std::vector<learning::RawMotion> parseTipTable(std::string_view text, const std::string& file) {
-  return motionsOf(columnsOf(text, file));
+  return motionsOf(columnsOf(text, file), file);
 }
 
 std::vector<learning::RawMotion> readPoseTable(const std::filesystem::path& path) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/base/error.h"
@@ -31,14 +32,7 @@ std::string nameOfTables(const std::vector<std::string>& paths);
 /// Calls `work`; a base::InputError of it that names no file gets the tables' names.
 template <class Work>
 auto namingTables(const std::vector<std::string>& paths, Work&& work) {
-  try {
-    return work();
-  } catch (const base::InputError& error) {
-    if (!error.fault().file.empty()) throw;
-    base::InputFault fault = error.fault();
-    fault.file = nameOfTables(paths);
-    throw base::InputError(std::move(fault));
-  }
+  return base::namingFile(nameOfTables(paths), std::forward<Work>(work));
 }
 
 }  // namespace capstan::session

@@ -88,7 +88,7 @@ TEST_F(CliLearn, SaysWhetherAModelHoldsAndLearnsOn) {
   const std::string model = path("m.correction");
   const Ran holds = run("drift --model " + model + " --json " + path("d.json") + " " + path("test.csv"));
   EXPECT_EQ(holds.exit, 0) << holds.out << holds.err;
-  EXPECT_THAT(holds.out, HasSubstr("The model holds."));
+  EXPECT_THAT(holds.out, HasSubstr("Nothing shows that the model has aged."));
   const json course = json::parse(textOf("d.json"));
   EXPECT_EQ(course["finding"], "holds");
   EXPECT_EQ(course["beyond"].size(), course["judged"].get<std::size_t>());
@@ -181,6 +181,26 @@ TEST_F(CliLearn, NamesTheTableThatItRefuses) {
   EXPECT_THAT(learn("--train " + path("robot.csv")).err, HasSubstr(reason)) << "beside a table that has them";
   EXPECT_THAT(learn("--test " + path("robot.csv")).err, HasSubstr(reason));
   EXPECT_FALSE(fs::exists(path("m.correction")));
+}
+
+/// A table in millimetres beside a sound one, and poses to correct in millimetres.
+TEST_F(CliLearn, RefusesMillimetres) {
+  SamplePoses milli;
+  milli.unit = 1e-3;
+  writeSamplePoses(path("milli.csv"), milli);
+  const std::string reason = path("milli.csv") + ": positions of the camera";
+  EXPECT_THAT(learn("--method offset --train " + path("milli.csv")).err, HasSubstr(reason));
+  EXPECT_THAT(learn("--method offset --test " + path("milli.csv")).err, HasSubstr(reason));
+  EXPECT_FALSE(fs::exists(path("m.correction")));
+  ASSERT_EQ(learn("--method none").exit, 0);
+  EXPECT_THAT(run("drift --model " + path("m.correction") + " " + path("train.csv")).err,
+              HasSubstr("has been learned from already"));
+  write("wanted.csv", "x,y,z,qx,qy,qz,qw\n10.0,0,-150,0,0,0,1\n");
+  const std::string of = " --model " + path("m.correction") + " ", out = " " + path("out.csv");
+  EXPECT_THAT(run("correct" + of + path("wanted.csv") + out).err, HasSubstr("Give positions in metres"));
+  EXPECT_THAT(run("explore" + of + "--among " + path("wanted.csv") + out).err,
+              HasSubstr("Give positions in metres"));
+  EXPECT_FALSE(fs::exists(path("out.csv")));
 }
 
 }  // namespace

@@ -52,9 +52,9 @@ struct Path {
   }
 };
 
-std::string cells(const Eigen::Isometry3d& pose) {
+std::string cells(const Eigen::Isometry3d& pose, double unit) {
   const Eigen::Quaterniond q(pose.linear());
-  const Vector3d p = pose.translation();
+  const Vector3d p = pose.translation() / unit;
   return fmt::format(",{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}", p.x(), p.y(), p.z(), q.x(), q.y(),
                      q.z(), q.w());
 }
@@ -89,12 +89,12 @@ std::string samplePoseTable(const SamplePoses& sample) {
       }
       if (all || (row >= 20 && row < 20 + sample.outliers)) seen.translation().x() += 0.06;
       const bool sight = row < 40 || row >= 40 + sample.placeholders;
-      table += fmt::format("{},{},{:.6f}", m / 10, m % 10, t) + (sight ? cells(seen) : kNoSight);
+      table += fmt::format("{},{},{:.6f}", m / 10, m % 10, t) + (sight ? cells(seen, sample.unit) : kNoSight);
       const Eigen::Isometry3d told = path.told(within + sample.lag, sample.bias);
       Eigen::Isometry3d believed = told;
       believed.translation().z() += 1e-3;
-      table += fmt::format(",{:.6f}", t) + cells(believed);
-      if (sample.command) table += fmt::format(",{:.6f}", t) + cells(told);
+      table += fmt::format(",{:.6f}", t) + cells(believed, sample.unit);
+      if (sample.command) table += fmt::format(",{:.6f}", t) + cells(told, sample.unit);
       table += '\n';
     }
   }

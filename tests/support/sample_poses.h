@@ -18,6 +18,7 @@ struct SamplePoses {
   int outliers = 2;                  ///< rows of each trajectory that jump by 6 cm; all of the last one
   int placeholders = 1;              ///< rows of each trajectory without a sight
   bool command = true;               ///< false: the robot's kinematics alone
+  double unit = 1.0;                 ///< that positions are written in [m]
   std::uint64_t seed = 1;
   std::uint64_t noise_seed = 0;  ///< 0: of `seed`; others: the same paths with other noise
 };

@@ -92,7 +92,7 @@ TEST(CorrectionStudy, WhatJittersIsNoise) {
   EXPECT_NEAR(study.jitter.angle, 1.0, 0.2);
 }
 
-/// Pooled: of twelve trajectories that a trial holds out, shares differ by 0.1 from seed to seed.
+/// Pooled: shares of the twelve trajectories that one trial holds out differ from seed to seed.
 TEST(CorrectionTrial, TellsHowOftenErrorsAreAsStated) {
   const std::vector<State> states = noisyStates();
   StatedErrors pooled;

@@ -1,5 +1,5 @@
-// Recordings gone wrong in ten ways: each is cleaned with reasons or refused, none is silently worse than the
-// rigid offset.
+// Recordings gone wrong in many ways: each is cleaned with reasons or refused, none is silently worse than
+// the rigid offset.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,11 +22,11 @@ using learning::StreamKind;
 
 constexpr std::size_t kCamera = 0;
 
-std::vector<RawMotion> sound(std::uint64_t seed) {
+std::vector<RawMotion> sound(std::uint64_t seed, const std::string& file = "sample.csv") {
   testing::SamplePoses sample;
   sample.outliers = sample.placeholders = 0;
   sample.seed = seed;
-  return parsePoseTable(testing::samplePoseTable(sample), "sample.csv");
+  return parsePoseTable(testing::samplePoseTable(sample), file);
 }
 
 learning::LearningOptions quick() {
@@ -165,13 +165,32 @@ TEST(CorruptedPoses, AxesSwappedInSomeTrajectories) {
 }
 
 /// What learning complains of.
-std::string refusalOf(const Corruption& corrupt) {
+std::string refusalOf(const std::vector<RawMotion>& motions) {
   try {
-    learnedFrom(corrupt);
+    learning::learn(motions, quick());
     return "nothing";
   } catch (const base::InputError& error) {
     return error.what();
   }
+}
+
+std::string refusalOf(const Corruption& corrupt) {
+  std::vector<RawMotion> motions = sound(1);
+  base::Random random(3, "corruption");
+  corrupt(motions, random);
+  return refusalOf(motions);
+}
+
+/// Of half a table, everywhere wrong, behind a sound one.
+std::string refusalBesideSound(const std::function<void(RawPose&)>& told,
+                               const std::function<void(RawPose&)>& seen) {
+  std::vector<RawMotion> motions = sound(1), other = sound(2, "other.csv");
+  other.resize(other.size() / 2);
+  eachSight(other, seen);
+  for (RawMotion& motion : other)
+    for (RawPose& pose : motion.streams[static_cast<std::size_t>(StreamKind::kCommand)]) told(pose);
+  motions.insert(motions.end(), other.begin(), other.end());
+  return refusalOf(motions);
 }
 
 TEST(CorruptedPoses, MillimetresInOneColumn) {
@@ -200,6 +219,29 @@ TEST(CorruptedPoses, QuaternionsThatAreNone) {
   const std::string refusal = refusalOf(
       [](auto& motions, auto&) { eachSight(motions, [](RawPose& pose) { pose.quaternion *= 0.7; }); });
   EXPECT_NE(refusal.find("camera"), std::string::npos) << refusal;
+}
+
+TEST(CorruptedPoses, MillimetresInAllOfATable) {
+  const auto milli = [](RawPose& pose) { pose.position *= 1e3; };
+  const std::string refusal = refusalBesideSound(milli, milli);
+  EXPECT_NE(refusal.find("other.csv: positions of the camera"), std::string::npos) << refusal;
+  EXPECT_NE(refusal.find("in metres"), std::string::npos) << refusal;
+}
+
+TEST(CorruptedPoses, AxesSwappedInATable) {
+  const std::string refusal = refusalBesideSound(
+      [](RawPose&) {}, [](RawPose& pose) { std::swap(pose.position.x(), pose.position.z()); });
+  EXPECT_NE(refusal.find("other.csv: poses"), std::string::npos) << refusal;
+  EXPECT_NE(refusal.find("the order of axes"), std::string::npos) << refusal;
+}
+
+TEST(CorruptedPoses, QuaternionsInAnotherOrderInATable) {
+  const std::string refusal = refusalBesideSound([](RawPose&) {},
+                                                 [](RawPose& pose) {
+                                                   const Eigen::Vector4d q = pose.quaternion;
+                                                   pose.quaternion << q[3], q[0], q[1], q[2];
+                                                 });
+  EXPECT_NE(refusal.find("other.csv: quaternions"), std::string::npos) << refusal;
 }
 
 }  // namespace
