@@ -1,5 +1,6 @@
 #include "app/cli/command.h"
 #include "app/cli/study_cramer_rao.h"
+#include "app/cli/study_filter.h"
 #include "app/cli/study_latency.h"
 #include "app/cli/study_motor_failure.h"
 #include "app/cli/study_worlds.h"
@@ -16,6 +17,7 @@ void addStudy(CLI::App& app, ExitCode& exit) {
   addCramerRaoStudy(*study, exit);
   addMotorFailureStudy(*study, exit);
   addLatencyStudy(*study, exit);
+  addFilterStudy(*study, exit);
 }
 
 }  // namespace capstan::cli

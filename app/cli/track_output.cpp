@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 #include <variant>
 
 #include "app/cli/console.h"
@@ -41,6 +42,44 @@ nlohmann::json failedJson(const TrackReport& report) {
                         {"fault", base::nameOf(report.motor_failed[i])},
                         {"since", report.motor_failed_since[i]}});
   return failed;
+}
+
+/// What the augmented filter found of the transmission, a line an error; empty: nothing.
+std::string transmissionText(const tracking::TransmissionEstimate& found) {
+  std::string text;
+  const auto line = [&](int joint, std::string_view what) {
+    text += fmt::format("{:<15}joint {}: {}\n", text.empty() ? "transmission" : "", joint + 1, what);
+  };
+  for (int i = 0; i < 3; ++i) {
+    if (found.includesScale(i))
+      line(i, fmt::format("cable travel {:+.2f} ± {:.2f} % of nominal (pulley radius)",
+                          100.0 * found.scale(i), 100.0 * found.scale_sigma(i)));
+    if (found.includesOffset(i))
+      line(i, fmt::format("cable zero {:+.2f} ± {:.2f} mm off (homing)", 1e3 * found.offset(i),
+                          1e3 * found.offset_sigma(i)));
+  }
+  if (found.camera_moved_probability > 0.5)
+    text +=
+        fmt::format("registration   cameras moved since: rotation {:.2f}°, shift {:.1f} mm\n",
+                    found.camera_rotation.norm() * 180.0 / std::numbers::pi, 1e3 * found.camera_shift.norm());
+  return text;
+}
+
+nlohmann::json transmissionJson(const tracking::TransmissionEstimate& found) {
+  nlohmann::json joints = nlohmann::json::array();
+  for (int i = 0; i < 3; ++i)
+    joints.push_back({{"joint", i + 1},
+                      {"scale", found.scale(i)},
+                      {"scale_sigma", found.scale_sigma(i)},
+                      {"scale_probability", found.scale_probability(i)},
+                      {"offset", found.offset(i)},
+                      {"offset_sigma", found.offset_sigma(i)},
+                      {"offset_probability", found.offset_probability(i)}});
+  return {{"joints", joints},
+          {"camera_rotation", toJson(found.camera_rotation)},
+          {"camera_shift", toJson(found.camera_shift)},
+          {"camera_delay", found.camera_delay},
+          {"camera_moved_probability", found.camera_moved_probability}};
 }
 
 void appendCells(std::string& row, const Eigen::Vector3d& values) {
@@ -94,6 +133,7 @@ std::string textOf(const TrackReport& report, const session::SourceInfo& info, d
   }
   if (!std::isnan(report.neesMean()))
     text += fmt::format("NEES / 3       {:.3f} of positions against the reference\n", report.neesMean());
+  text += transmissionText(report.transmission);
   text += failedText(report);
   text += fmt::format("rescues        {}, too late {}\n", report.rescues, report.late_dropped);
   if (seconds > 0.0) text += fmt::format("speed          {:.1f} × real time\n", span / seconds);
@@ -117,6 +157,7 @@ nlohmann::json jsonOf(const TrackReport& report, const session::SourceInfo& info
           {"nis_band", band},
           {"nis_consistent", consistent},
           {"nees", report.neesMean()},
+          {"transmission", transmissionJson(report.transmission)},
           {"reference", referenceOf(info)},
           {"samples", report.motor_samples},
           {"camera_samples", report.camera_samples},

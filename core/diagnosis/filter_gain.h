@@ -21,7 +21,9 @@ struct FilterGainOptions {
   int threads = 2;
   bool zero_per_recording = false;  ///< errors about their mean in each recording: its encoders' zero is free
   bool one_kernel = true;           ///< robots without effects run in the kernel that those with effects need
-  tracking::TrackingOptions tracking;  ///< camera_period is taken from the sights
+  /// camera_period is taken from the tips. Of the six-state filter: the augmented one takes up part of what a
+  /// diagnosis explains.
+  tracking::TrackingOptions tracking = tracking::sixState();
 };
 
 struct FilterGainReport {

@@ -138,7 +138,8 @@ Evidence evidenceOf(const session::MeasuredTable& table, const robot::Descriptio
 
 Evidence evidenceOf(session::Source& source, const EvidenceOptions& options, base::Progress* progress) {
   const session::SourceInfo& info = source.info();
-  tracking::TrackingPipeline pipeline = tracking::makePipeline(info);
+  tracking::TrackingPipeline pipeline =
+      tracking::makePipeline(info, tracking::sixState(tracking::trackingOptionsOf(info)));
   TrackCollector collector;
   tracking::trackAll(source, pipeline, progress, info.duration,
                      [&](const tracking::Sample& sample, const tracking::Snapshot& snapshot) {

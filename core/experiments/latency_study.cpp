@@ -71,7 +71,7 @@ LatencyTrial runTrial(const LatencyStudyOptions& options, const simulation::Simu
   info.robot = identification::identifiedRobot(set, batch.estimates);
   const std::array<double, 3> corrections = {0.0, trial.delay[1], delay};
   for (std::size_t i = 0; i < corrections.size(); ++i) {
-    tracking::TrackingOptions tracking;
+    tracking::TrackingOptions tracking = tracking::sixState();  // the augmented filter finds delays by itself
     tracking.camera_delay = corrections[i];
     for (const bool motors : {true, false}) {
       tracking::TrackingPipeline pipeline = tracking::makePipeline(info, tracking);

@@ -110,13 +110,15 @@ TrialResults runTrial(const MotorFailureStudyOptions& options, simulation::Simul
   simulated.joint_decimation = 10;
   simulation::SimulatedSource source(simulated);
   session::SourceInfo info = source.info();
-  Run nominal{tracking::makePipeline(info), session::MotorFailures({}), {}, {}};
+  Run nominal{tracking::makePipeline(info, tracking::sixState()), session::MotorFailures({}), {}, {}};
   if (options.true_radii) info.robot = withTrueRadii(info.robot, simulated.truth);
   std::deque<Run> runs;
-  runs.push_back({tracking::makePipeline(info), session::MotorFailures({}), {}, {}});
+  runs.push_back({tracking::makePipeline(info, tracking::sixState()), session::MotorFailures({}), {}, {}});
   for (int which = 0; which < kCases; ++which)
-    runs.push_back(
-        {tracking::makePipeline(info), session::MotorFailures(failuresOf(which, options)), {}, {}});
+    runs.push_back({tracking::makePipeline(info, tracking::sixState()),
+                    session::MotorFailures(failuresOf(which, options)),
+                    {},
+                    {}});
   runs.push_back(std::move(nominal));
   session::Blocking blocking;
   blocking.setSchedule({.percentage = occlusion, .interval = kWindow, .start = options.warm_up});

@@ -14,8 +14,8 @@ namespace {
 using Eigen::Vector3d;
 
 std::vector<NoiseVariant> allVariants() {
-  const tracking::TrackingOptions sources;
-  tracking::TrackingOptions constant, pixels, nothing;
+  const tracking::TrackingOptions sources = tracking::sixState();
+  tracking::TrackingOptions constant = sources, pixels = sources, nothing = sources;
   constant.camera_noise = tracking::CameraNoiseKind::kConstant;
   pixels.registration_turn_sigma = pixels.registration_shift_sigma = pixels.camera_clock_sigma = 0.0;
   nothing.camera_noise = tracking::CameraNoiseKind::kConstant;

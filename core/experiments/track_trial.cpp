@@ -72,7 +72,8 @@ TrialResult trackTrial(const TrialSetup& setup, base::Progress& progress) {
   if (setup.recording.empty()) result.seed = setup.spec.seed;
   result.occlusion = setup.spec.occlusion;
   result.inputs = source.inputs();
-  tracking::TrackingPipeline pipeline = tracking::makePipeline(info);
+  tracking::TrackingPipeline pipeline =
+      tracking::makePipeline(info, tracking::sixState(tracking::trackingOptionsOf(info)));
   result.inputs.tracking = base::writeYaml(pipeline.options());
   TrialListener listener(source, result);
   const tracking::TrackReport report = tracking::trackAll(

@@ -107,7 +107,8 @@ class DataCollector {
 template <class Source, class Each = tracking::IgnoreSnapshots>
 IdentificationData collect(Source& source, base::Progress* progress = nullptr, Each each = {}) {
   const auto& info = source.info();
-  tracking::TrackingPipeline pipeline = tracking::makePipeline(info);
+  tracking::TrackingPipeline pipeline =
+      tracking::makePipeline(info, tracking::sixState(tracking::trackingOptionsOf(info)));
   DataCollector collector(pipeline, info.title);
   const auto report =
       tracking::trackAll(source, pipeline, progress, info.duration,

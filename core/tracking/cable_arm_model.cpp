@@ -105,10 +105,10 @@ CableArmModel::CableArmModel(const robot::Description& robot, math::InstructionS
 
 CableArmModel::Input CableArmModel::interval(const Control& start, const Control& end) {
   Input input;
-  Eigen::Map<Vector3d>(input.position0) = start.position;
-  Eigen::Map<Vector3d>(input.velocity0) = start.velocity;
-  Eigen::Map<Vector3d>(input.position1) = end.position;
-  Eigen::Map<Vector3d>(input.velocity1) = end.velocity;
+  Eigen::Map<Vector3d>(input.position0) = start.correction.position(start.position);
+  Eigen::Map<Vector3d>(input.velocity0) = start.correction.velocity(start.velocity);
+  Eigen::Map<Vector3d>(input.position1) = end.correction.position(end.position);
+  Eigen::Map<Vector3d>(input.velocity1) = end.correction.velocity(end.velocity);
   input.unknown = start.unknown | end.unknown;
   input.blind = end.blind;
   input.memory = start.memory;
@@ -121,7 +121,8 @@ CableArmModel::Control CableArmModel::between(const Control& start, const Contro
           start.unknown | end.unknown,
           start.blind + fraction * (end.blind - start.blind),
           {start.memory.hysteresis + fraction * (end.memory.hysteresis - start.memory.hysteresis),
-           start.memory.creep + fraction * (end.memory.creep - start.memory.creep)}};
+           start.memory.creep + fraction * (end.memory.creep - start.memory.creep)},
+          end.correction};
 }
 
 void CableArmModel::propagateUnknown(Points& points, const Input& input, double dt) const {

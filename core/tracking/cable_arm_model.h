@@ -9,6 +9,7 @@
 #include "core/robot/description.h"
 #include "core/tracking/cable_arm_kernel.h"
 #include "core/tracking/extended_arm_model.h"
+#include "core/tracking/motor_correction.h"
 
 namespace capstan::tracking {
 
@@ -23,6 +24,7 @@ struct MotorState {
   JointSet unknown = 0;  ///< motors whose encoder says nothing; their numbers are not looked at
   double blind = 0.0;    ///< time since the camera last saw the tip [s]; matters for unknown motors only
   CableMemory memory{};  ///< of the cables at that time; matters for robots with effects only
+  MotorCorrection correction{};  ///< what the transmission makes of position and velocity
 };
 
 /// What drives the model over a step.

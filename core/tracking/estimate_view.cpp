@@ -52,10 +52,10 @@ void EstimateView::show(const CableArmModel::State& mean, const Eigen::Matrix<do
 
 void EstimateView::showCables(const MotorSide& motors, Snapshot& snapshot) const {
   const robot::Transmission& cables = motors.transmission();
-  snapshot.cable_stretch =
-      Vector3d(cables.motorTravel(motors.position())) - Vector3d(cables.linkTravel(snapshot.q_link_ukf));
-  const Vector3d rate =
-      Vector3d(cables.motorTravel(motors.velocity())) - Vector3d(cables.linkTravelRate(snapshot.dq_link_ukf));
+  snapshot.cable_stretch = Vector3d(cables.motorTravel(correction_.position(motors.position()))) -
+                           Vector3d(cables.linkTravel(snapshot.q_link_ukf));
+  const Vector3d rate = Vector3d(cables.motorTravel(correction_.velocity(motors.velocity()))) -
+                        Vector3d(cables.linkTravelRate(snapshot.dq_link_ukf));
   for (int joint = 0; joint < 3; ++joint) {
     const robot::Drive& drive = robot_.drives[static_cast<std::size_t>(joint)];
     snapshot.cable_tension(joint) =

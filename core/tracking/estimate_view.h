@@ -27,6 +27,8 @@ class EstimateView {
             const MotorSide& motors, const EncoderWatch& watch, Snapshot& snapshot);
   /// What the cables of a robot with effects remember at that instant.
   void setMemory(const CableMemory& memory) { memory_ = memory; }
+  /// What the filter makes of the motors at that instant.
+  void setCorrection(const MotorCorrection& correction) { correction_ = correction; }
   /// Of the joint positions last shown [rad², rad², m²].
   const Eigen::Matrix3d& positionCovariance() const { return position_covariance_; }
 
@@ -37,6 +39,7 @@ class EstimateView {
   robot::Description robot_;
   const ExtendedArmModel* extended_;
   CableMemory memory_;
+  MotorCorrection correction_;
   robot::ArmKinematics arm_;
   PartialKinematics cables_;
   Eigen::Matrix3d position_covariance_ = Eigen::Matrix3d::Zero();

@@ -12,9 +12,14 @@ namespace capstan::tracking {
 /// Where the noise of q_cam comes from (CameraNoise): its sources, or a constant, as in the UKF paper.
 enum class CameraNoiseKind { kPixels, kConstant };
 
+/// The states that are estimated: those of the joints and of the transmission's slow error
+/// (TransmissionEstimator), or those of the joints alone, as in the UKF paper.
+enum class FilterKind { kAugmented, kSixState };
+
 /// Every number of the tracking pipeline that is neither the robot's nor the camera's. Joint vectors are in
 /// rad, rad, m (or per second where said). resources/tracking/default.yaml holds the same values.
 struct TrackingOptions {
+  FilterKind filter = FilterKind::kAugmented;
   Eigen::Vector3d position_noise{1e-2, 1e-2, 1e-3};  ///< density of process noise on q [rad/√s, rad/√s, m/√s]
   Eigen::Vector3d velocity_noise{0.5, 0.5, 0.05};  ///< density on dq [rad/s/√s, rad/s/√s, m/s/√s]
   Eigen::Vector3d initial_position_sigma{0.05, 0.05, 0.005};
@@ -50,9 +55,29 @@ struct TrackingOptions {
   double unknown_speed_time = 0.2;  ///< [s]
   double restart_gap = 0.5;         ///< motor silence after which the filter starts anew [s]
   int nis_window = 150;             ///< camera updates in the running mean of NIS
+  /// Of the augmented filter (TransmissionEstimator). Standard deviation of a transmission error where there
+  /// is one, and the prior probability that there is one, per joint.
+  double scale_sigma = 0.05;   ///< of a pulley's radius, relative
+  double offset_sigma = 2e-3;  ///< of a cable's zero [m]
+  double scale_probability = 0.05;
+  double offset_probability =
+      0.01;  ///< an offset is hard to tell from cameras that are turned about the base
+  double transmission_memory = 120.0;  ///< how long an observation of the transmission error counts [s]
+  /// What cables of a robot that is not identified leave unexplained, and for how long it has one sign.
+  Eigen::Vector3d cable_error{6e-4, 2e-3, 2e-4};
+  double cable_error_time = 1.0;           ///< [s]
+  double camera_delay_sigma = 0.03;        ///< of the camera's stamps, beyond camera_delay [s]
+  double camera_moved_probability = 0.02;  ///< that cameras were moved since their registration
+  double camera_moved_turn_sigma = 0.1;    ///< by how much, about each axis [rad]
+  double camera_moved_shift_sigma = 0.03;  ///< and along each axis [m]
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& field) {
+    field(self.filter, {"filter",
+                        "",
+                        "augmented: with slow transmission errors; six_state: as in the UKF paper",
+                        {},
+                        false});
     field(self.position_noise, {"position_noise",
                                 "rad/sqrt(s) or m/sqrt(s)",
                                 "process noise on joint positions",
@@ -146,8 +171,51 @@ struct TrackingOptions {
           {"restart_gap", "s", "motor silence after which the filter starts anew", {1e-2, 100.0}, false});
     field(self.nis_window,
           {"nis_window", "", "camera updates in the running mean of NIS", {1, 100000}, false});
+    field(self.scale_sigma,
+          {"scale_sigma", "", "relative error of a pulley radius, where there is one", {1e-6, 1.0}, false});
+    field(self.offset_sigma,
+          {"offset_sigma", "m", "error of a cable's zero, where there is one", {1e-9, 1.0}, false});
+    field(self.scale_probability,
+          {"scale_probability", "", "prior probability of a wrong pulley radius", {1e-9, 0.999}, false});
+    field(self.offset_probability,
+          {"offset_probability", "", "prior probability of a wrong cable zero", {1e-9, 0.999}, false});
+    field(self.transmission_memory, {"transmission_memory",
+                                     "s",
+                                     "how long an observation of the transmission error counts",
+                                     {1.0, 1e6},
+                                     false});
+    field(self.cable_error, {"cable_error",
+                             "rad or m",
+                             "slow joint errors that the cable model leaves unexplained",
+                             {0.0, 1.0},
+                             false});
+    field(self.cable_error_time,
+          {"cable_error_time", "s", "how long such an error keeps its sign", {1e-3, 1e3}, false});
+    field(self.camera_delay_sigma,
+          {"camera_delay_sigma", "s", "of the camera's stamps, beyond camera_delay", {1e-6, 1.0}, false});
+    field(self.camera_moved_probability, {"camera_moved_probability",
+                                          "",
+                                          "prior probability that cameras moved since their registration",
+                                          {1e-9, 0.999},
+                                          false});
+    field(self.camera_moved_turn_sigma, {"camera_moved_turn_sigma",
+                                         "rad",
+                                         "rotation of cameras that moved, about each axis",
+                                         {1e-6, 3.0},
+                                         false});
+    field(self.camera_moved_shift_sigma, {"camera_moved_shift_sigma",
+                                          "m",
+                                          "shift of cameras that moved, along each axis",
+                                          {1e-6, 1.0},
+                                          false});
   }
 };
+
+/// The same options with the six-state filter of the UKF paper.
+inline TrackingOptions sixState(TrackingOptions options = {}) {
+  options.filter = FilterKind::kSixState;
+  return options;
+}
 
 /// Reads filter options; absent fields keep their defaults. Throws base::InputError.
 inline TrackingOptions readTrackingOptions(const std::filesystem::path& path) {
@@ -160,4 +228,10 @@ template <>
 struct capstan::base::NamesOf<capstan::tracking::CameraNoiseKind> {
   using K = capstan::tracking::CameraNoiseKind;
   static constexpr std::array value = {std::pair{K::kPixels, "pixels"}, std::pair{K::kConstant, "constant"}};
+};
+template <>
+struct capstan::base::NamesOf<capstan::tracking::FilterKind> {
+  using K = capstan::tracking::FilterKind;
+  static constexpr std::array value = {std::pair{K::kAugmented, "augmented"},
+                                       std::pair{K::kSixState, "six_state"}};
 };

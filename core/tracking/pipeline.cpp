@@ -23,6 +23,7 @@
 #include "core/tracking/pipeline_parts.h"
 #include "core/tracking/stereo_tip.h"
 #include "core/tracking/time_series.h"
+#include "core/tracking/transmission_estimator.h"
 
 namespace capstan::tracking {
 namespace {
@@ -62,9 +63,17 @@ class TrackingPipeline::Impl {
         reference_(memorySize(options)),
         snapshot_(emptySnapshot()) {
     if (rig_) stereo_.emplace(*rig_, marker, options.full_frame_search);
+    if (options.filter == FilterKind::kAugmented) slow_.emplace(numbers_, options);
+  }
+
+  /// What was learned of the transmission rests on the registration.
+  void setRegistration(const Eigen::Isometry3d& base_from_camera) {
+    if (slow_ && base_from_camera_ && !base_from_camera_->isApprox(base_from_camera)) slow_->reset();
+    base_from_camera_ = base_from_camera;
   }
 
   void reset() {
+    if (slow_) slow_->reset();
     watch_.clear();
     motors_.clear();
     reference_.clear();
@@ -169,7 +178,7 @@ class TrackingPipeline::Impl {
     snapshot_.gate = Gate::kBothLost;
     if (sample.position.allFinite()) {
       const Vector3d tip = cameras_.point(sample.position);
-      observeTip(tip, noise_.ofTip(tip));
+      observeTip(tip, noise_.ofTip(tip), options_.tip_sigma.cwiseAbs2().asDiagonal());
     }
     endCamera();
   }
@@ -178,7 +187,7 @@ class TrackingPipeline::Impl {
   void start(double t) {
     Filter::State mean = Filter::State::Zero();
     const JointSet unknown = watch_.unknown();
-    const Vector3d q = kinematicGiven(motors_.kinematic(), snapshot_.q_link_ukf);
+    const Vector3d q = kinematicGiven(corrected(motors_.kinematic()), snapshot_.q_link_ukf);
     const Vector3d speed = motors_.transmission().jointVelocityFromMotor(motors_.velocity());
     Vector3d position_sigma = options_.initial_position_sigma,
              velocity_sigma = options_.initial_velocity_sigma;
@@ -226,8 +235,17 @@ class TrackingPipeline::Impl {
   }
 
   CableArmModel::Control control() const {
-    return {motors_.position(), motors_.velocity(), watch_.unknown(),
-            std::max(snapshot_.t - last_seen_, 0.0)};
+    return {motors_.position(),
+            motors_.velocity(),
+            watch_.unknown(),
+            std::max(snapshot_.t - last_seen_, 0.0),
+            {},
+            slow_ ? slow_->correction() : MotorCorrection{}};
+  }
+
+  /// q_kin with the slow errors of the transmission that the filter includes.
+  Vector3d corrected(const Vector3d& kinematic) const {
+    return slow_ ? slow_->corrected(kinematic) : kinematic;
   }
 
   /// The camera is silent: q_kin at the camera's rate.
@@ -241,7 +259,9 @@ class TrackingPipeline::Impl {
   bool observeKinematics(double t) {
     const auto kinematic = motors_.kinematicAt(t, options_.restart_gap);
     if (!started_ || !kinematic) return false;
-    const KinematicObservation seen = cables_.observe(*kinematic, watch_.unknown(), options_.kinematic_sigma);
+    if (slow_) slow_->age(t);
+    const KinematicObservation seen =
+        cables_.observe(corrected(*kinematic), watch_.unknown(), options_.kinematic_sigma);
     const auto report = filter_.update(t, seen.measurement, seen.y, seen.root);
     if (!report) return false;
     snapshot_.nis = report->nis;
@@ -269,11 +289,12 @@ class TrackingPipeline::Impl {
     const Vector3d tip = cameras_.point(base_from_camera * found.position);
     const Matrix3d turn = base_from_camera.linear();
     const Matrix3d covariance = cameras_.covariance(turn * found.covariance * turn.transpose());
-    observeTip(tip, noise_.ofImagedTip(tip, covariance));
+    observeTip(tip, noise_.ofImagedTip(tip, covariance), noise_.pixels().ratio() * covariance);
   }
 
-  /// A tip in frame 0 becomes q_cam and passes the gate, or does not.
-  void observeTip(const Vector3d& tip, const Matrix3d& covariance) {
+  /// A tip in frame 0 becomes q_cam and passes the gate, or does not. `covariance` of its error, `white` of
+  /// the part that is new in each frame.
+  void observeTip(const Vector3d& tip, const Matrix3d& covariance, const Matrix3d& white) {
     const double t = snapshot_.t_cam;
     snapshot_.tip_cam = tip;
     const auto kinematic = kinematicAt(t);
@@ -287,7 +308,7 @@ class TrackingPipeline::Impl {
       snapshot_.gate = Gate::kUnreachable;
       return;
     }
-    const auto& mean = (*state)->mean();
+    const Filter::State mean = (*state)->mean();
     seen->covariance = noise_.ofJoints(*seen, Vector3d(mean(1), mean(3), mean(5)));
     snapshot_.q_link_cam = seen->position;
     snapshot_.q_link_cam_sigma = seen->covariance.diagonal().cwiseSqrt();
@@ -295,15 +316,49 @@ class TrackingPipeline::Impl {
       forgetFrozen(frozen);
     const Lower<3> root = rootOf(seen->covariance);
     snapshot_.nis = filter_.peek(t, positions_, seen->position, root)->nis;  // the state at t is there
+    Vector3d y = seen->position;
+    std::optional<TransmissionEstimator::Observation> slow;
+    if (slow_ && watch_.unknown() == 0) {
+      slow = slowObservation(t, tip, white, mean, *kinematic);
+      snapshot_.nis = slow_->innovation(*slow).nis;
+      y -= slow_->cameraError(*slow);
+    }
     const bool accepted = accept(t, snapshot_.nis, *seen, *kinematic);
     snapshot_.gate = accepted ? Gate::kOpen : Gate::kJump;
     if (!accepted) return;
-    if (!filter_.update(t, positions_, seen->position, root)) {
+    if (slow) learnTransmission(*slow, *kinematic);
+    if (!filter_.update(t, positions_, y, root)) {
       snapshot_.gate = Gate::kNoCamera;
       return;
     }
     nis_.add(snapshot_.nis);
     last_seen_ = std::max(last_seen_, t);
+  }
+
+  TransmissionEstimator::Observation slowObservation(double t, const Vector3d& tip, const Matrix3d& white,
+                                                     const Filter::State& mean,
+                                                     const Vector3d& kinematic) const {
+    return {t,
+            tip,
+            white,
+            Vector3d(mean(0), mean(2), mean(4)),
+            Vector3d(mean(1), mean(3), mean(5)),
+            motors_.transmission().linkTravel(kinematic)};
+  }
+
+  /// Takes an observation of the slow errors and, where the correction changes, moves the joints' estimate
+  /// with it from the exposure on.
+  void learnTransmission(const TransmissionEstimator::Observation& seen, const Vector3d& kinematic) {
+    const MotorCorrection before = slow_->correction();
+    slow_->add(seen);
+    const MotorCorrection now = slow_->correction();
+    if (now == before) return;
+    const Vector3d shift = slow_->shift(kinematic, before, now);
+    filter_.revise(
+        seen.t, [&now](CableArmModel::Control& control) { control.correction = now; },
+        [&shift](Filter::State& mean, Lower<6>&) {
+          for (int joint = 0; joint < 3; ++joint) mean(2 * joint) += shift(joint);
+        });
   }
 
   void forgetFrozen(JointSet frozen) {
@@ -341,7 +396,15 @@ class TrackingPipeline::Impl {
 
   void showEstimate() {
     snapshot_.rescues = filter_.rescues();
-    view_.show(filter_.mean(), filter_.covariance(), motors_, watch_, snapshot_);
+    Eigen::Matrix<double, 6, 6> covariance = filter_.covariance();
+    if (slow_) {
+      const Matrix3d of_joints = slow_->jointCovariance(motors_.kinematic());
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) covariance(2 * i, 2 * j) += of_joints(i, j);
+      snapshot_.transmission = slow_->estimate();
+      view_.setCorrection(slow_->correction());
+    }
+    view_.show(filter_.mean(), covariance, motors_, watch_, snapshot_);
   }
 
   void pairReference() {
@@ -360,6 +423,7 @@ class TrackingPipeline::Impl {
   PartialKinematics cables_;
   std::optional<StereoTip> stereo_;
   Filter filter_;
+  std::optional<TransmissionEstimator> slow_;  ///< of the augmented filter
   EstimateView view_;
   const JointMeasurement positions_ = positionsOnly();
   CameraNoise noise_;
@@ -382,7 +446,7 @@ TrackingPipeline::TrackingPipeline(TrackingPipeline&&) noexcept = default;
 TrackingPipeline& TrackingPipeline::operator=(TrackingPipeline&&) noexcept = default;
 
 void TrackingPipeline::setRegistration(const Eigen::Isometry3d& base_from_camera) {
-  impl_->base_from_camera_ = base_from_camera;
+  impl_->setRegistration(base_from_camera);
 }
 const std::optional<Eigen::Isometry3d>& TrackingPipeline::registration() const {
   return impl_->base_from_camera_;

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/base/names.h"
+#include "core/tracking/transmission_estimate.h"
 #include "core/vision/marker.h"
 
 namespace capstan::tracking {
@@ -57,6 +58,8 @@ struct Snapshot {
   Eigen::Vector3d tip_cam, tip_kin, tip_ukf;  ///< in frame 0 [m]
   Eigen::Matrix3d tip_ukf_covariance;         ///< [m²]
   Gate gate = Gate::kNoCamera;
+
+  TransmissionEstimate transmission;  ///< of the augmented filter; else nothing is included
 
   double nis = 0.0;            ///< of the last update
   double nis_mean = 0.0;       ///< mean over the last camera updates, divided by its degrees of freedom

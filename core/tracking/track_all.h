@@ -28,6 +28,7 @@ struct TrackReport {
   std::uint64_t rescues = 0, late_dropped = 0;
   std::array<MotorFault, 3> motor_failed{};    ///< encoders that failed, at the end
   std::array<double, 3> motor_failed_since{};  ///< when that was found or declared [s]
+  TransmissionEstimate transmission;           ///< of the augmented filter, at the end
   bool cancelled = false;
 
   /// Counts from the first snapshot on, whatever the pipeline had counted before.
