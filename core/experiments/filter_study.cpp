@@ -153,10 +153,10 @@ FilterStudy runFilterStudy(const FilterStudyOptions& options, base::Progress& pr
 base::Table comparisonsOf(const FilterStudy& study) {
   base::Table table;
   table.title = "Six-state and augmented filter";
-  table.columns = {{"recording"}, {"robot"}, {"occlusion", "%", 0}, {"joint", {}, 0}};
+  table.columns = {{"recording", {}}, {"robot", {}}, {"occlusion", "%", 0}, {"joint", {}}};
   for (const char* name : {"kinematic", "camera", "six-state", "augmented"})
     table.columns.push_back({name, "deg or mm", 4});
-  table.columns.push_back({"augmented <= both inputs"});
+  table.columns.push_back({"augmented <= both inputs", {}});
   for (const char* name : {"NIS six-state", "NIS augmented", "in band"})
     table.columns.push_back({name, {}, 3});
   for (const FilterComparison& one : study.comparisons)

@@ -59,7 +59,7 @@ struct TrackingOptions {
   /// is one, and the prior probability that there is one, per joint.
   double scale_sigma = 0.05;   ///< of a pulley's radius, relative
   double offset_sigma = 2e-3;  ///< of a cable's zero [m]
-  double scale_probability = 0.05;
+  double scale_probability = 0.15;
   double offset_probability =
       0.01;  ///< an offset is hard to tell from cameras that are turned about the base
   double transmission_memory = 120.0;  ///< how long an observation of the transmission error counts [s]

@@ -2,39 +2,45 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <cmath>
 
 namespace capstan::tracking {
+namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-WhiteNoise::WhiteNoise(int memory, double gap) : memory_(std::max(memory, kPrior + 1)), gap_(gap) {}
+/// One more sample of a running mean; `size` is by how much its square exceeds what is expected.
+void average(const Vector3d& sample, double size, double outlier, int count, Matrix3d& mean) {
+  const double weight = size > outlier ? outlier / size : 1.0;
+  mean += (weight * sample * sample.transpose() - mean) / count;
+}
+
+}  // namespace
+
+WhiteNoise::WhiteNoise(int memory, double gap) : memory_(std::max(memory, kEnough)), gap_(gap) {}
 
 void WhiteNoise::add(double t, const Vector3d& residual, const Matrix3d& stated) {
   if (!residual.allFinite()) return;
   if (neighbours_ > 0 && (t <= newest_ || t - newest_ > gap_)) neighbours_ = 0;
   newest_ = t;
   if (neighbours_ >= 2) {
-    const Vector3d difference = residual - 2.0 * before_[1] + before_[0];
-    const Matrix3d before = value(stated);
-    const double size = difference.dot(before.llt().solve(difference)) / 18.0;
-    const double weight = size > kOutlier ? kOutlier / size : 1.0;
-    differences_ = std::min(differences_ + 1, memory_ - kPrior);
-    measured_ =
-        before + (weight / 6.0 * difference * difference.transpose() - before) / (kPrior + differences_);
+    const Vector3d difference = (residual - 2.0 * before_[1] + before_[0]) / std::sqrt(6.0);
+    const double size = difference.dot(value(stated).llt().solve(difference)) / 3.0;
+    differences_ = std::min(differences_ + 1, memory_);
+    average(difference, size, kOutlier, differences_, measured_);
   }
   before_[0] = before_[1];
   before_[1] = residual;
   ++neighbours_;
 }
 
-void InnovationCovariance::add(const Vector3d& innovation, double nis, const Matrix3d& predicted) {
+InnovationCovariance::InnovationCovariance(int memory) : memory_(std::max(memory, kEnough)) {}
+
+void InnovationCovariance::add(const Vector3d& innovation, double nis) {
   if (!innovation.allFinite()) return;
-  const Matrix3d before = value(predicted);
-  const double size = nis / 3.0;
-  const double weight = size > kOutlier ? kOutlier / size : 1.0;
-  count_ = std::min(count_ + 1, std::max(memory_ - kPrior, 1));
-  measured_ = before + (weight * innovation * innovation.transpose() - before) / (kPrior + count_);
+  count_ = std::min(count_ + 1, memory_);
+  average(innovation, nis / 3.0, kOutlier, count_, measured_);
 }
 
 }  // namespace capstan::tracking

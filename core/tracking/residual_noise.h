@@ -14,14 +14,14 @@ class WhiteNoise {
   WhiteNoise(int memory, double gap);
 
   void reset() { *this = WhiteNoise(memory_, gap_); }
-  /// The covariance in use: `stated` before the first difference, which counts as kPrior differences.
+  /// The covariance in use: `stated` until kEnough differences were seen, then the measured one.
   Eigen::Matrix3d value(const Eigen::Matrix3d& stated) const {
-    return differences_ == 0 ? stated : measured_;
+    return differences_ < kEnough ? stated : measured_;
   }
   /// A residual of time t [s].
   void add(double t, const Eigen::Vector3d& residual, const Eigen::Matrix3d& stated);
 
-  static constexpr int kPrior = 4;
+  static constexpr int kEnough = 8;
   static constexpr double kOutlier = 9.0;
 
  private:
@@ -36,27 +36,27 @@ class WhiteNoise {
 
 /// Covariance of innovations, measured from the innovations themselves (innovation-based adaptive
 /// estimation; Mehra, IEEE TAC 15, 1970; Mohamed and Schwarz, Journal of Geodesy 73, 1999): a running mean
-/// over about `memory` of them.
+/// over about `memory` of them. By it the NIS of the next innovation says whether errors are as large as they
+/// were of late.
 class InnovationCovariance {
  public:
-  explicit InnovationCovariance(int memory) : memory_(memory) {}
+  explicit InnovationCovariance(int memory);
 
-  void reset() { count_ = 0; }
-  /// The covariance in use: `predicted` before the first innovation.
+  void reset() { *this = InnovationCovariance(memory_); }
+  /// The covariance in use: `predicted` until kEnough innovations were seen, then the measured one.
   Eigen::Matrix3d value(const Eigen::Matrix3d& predicted) const {
-    return count_ == 0 ? predicted : measured_;
+    return count_ < kEnough ? predicted : measured_;
   }
-  /// `nis` is the innovation's, by value(predicted); beyond kOutlier times what is expected it counts as
-  /// that.
-  void add(const Eigen::Vector3d& innovation, double nis, const Eigen::Matrix3d& predicted);
+  /// `nis` is the innovation's, by value(); beyond kOutlier times what is expected it counts as that.
+  void add(const Eigen::Vector3d& innovation, double nis);
 
-  static constexpr int kPrior = 6;
+  static constexpr int kEnough = 30;
   static constexpr double kOutlier = 9.0;
 
  private:
+  Eigen::Matrix3d measured_ = Eigen::Matrix3d::Zero();
   int memory_;
   int count_ = 0;
-  Eigen::Matrix3d measured_ = Eigen::Matrix3d::Zero();
 };
 
 }  // namespace capstan::tracking

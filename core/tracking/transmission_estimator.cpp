@@ -42,7 +42,7 @@ TransmissionEstimator::TransmissionEstimator(const robot::Description& robot, co
       options_(options),
       regression_(priorOf(options)),
       white_(options.pixel_noise_memory, 1.5 * options.camera_period),
-      innovations_(options.pixel_noise_memory) {
+      innovations_(options.nis_window) {
   const Matrix3d coupling = transmission_.coupling();
   joints_from_travel_ = coupling.inverse() * Vector3d(transmission_.linkRadius()).cwiseInverse().asDiagonal();
   publish();
@@ -94,8 +94,7 @@ void TransmissionEstimator::add(const Observation& seen) {
   const Matrix3d jacobian = arm_.tipJacobian(seen.q);
   const Sensitivity h = sensitivity(seen, jacobian);
   const Innovation innovation = this->innovation(seen);
-  innovations_.add(innovation.value, innovation.nis,
-                   h * covariance_ * h.transpose() + white_.value(seen.noise) + cableNoise(jacobian, 1.0));
+  innovations_.add(innovation.value, innovation.nis);
   white_.add(seen.t, innovation.value, seen.noise);
   if (started_) regression_.forget(std::exp(-std::max(seen.t - newest_, 0.0) / options_.transmission_memory));
   newest_ = started_ ? std::max(newest_, seen.t) : seen.t;
@@ -104,8 +103,17 @@ void TransmissionEstimator::add(const Observation& seen) {
   const double times = 2.0 * options_.cable_error_time / options_.camera_period;
   const Matrix3d noise = white_.value(seen.noise) + cableNoise(jacobian, times);
   if (!regression_.add<3>(h, z, noise)) return;
+  const auto before = included();
   regression_.select();
+  if (included() != before) innovations_.reset();  // those of another model say nothing of this one's
   publish();
+}
+
+unsigned TransmissionEstimator::included() const {
+  unsigned set = regression_.unusualProbability() > 0.5 ? 1U << kOptional : 0U;
+  for (int i = 0; i < kOptional; ++i)
+    if (regression_.included(i)) set |= 1U << i;
+  return set;
 }
 
 void TransmissionEstimator::age(double t) {

@@ -76,6 +76,7 @@ class TransmissionEstimator {
   Eigen::Matrix<double, 3, kOptional> jointSensitivity(const Eigen::Vector3d& travel) const;
   Eigen::Vector3d travelOf(const Eigen::Vector3d& q_kin) const;
   Eigen::Matrix3d cableNoise(const Eigen::Matrix3d& jacobian, double times) const;
+  unsigned included() const;  ///< the selected submodel, a bit a coefficient
   void publish();
 
   robot::ArmKinematics arm_;
