@@ -163,7 +163,8 @@ bool addIntervals(Analysis& analysis, const ErrorRun& a, const ErrorRun* b, base
   try {
     for (AnalysisRow& row : rows)
       if (std::isfinite(row.of(Measure::kRms).value))
-        addIntervalsTo(row, sidesOf(row, a, b, analysis.options), analysis.options, tick);
+        addIntervalsTo(row, sidesOf(row, a, b, analysis.options, analysis.same_motion), analysis.options,
+                       tick);
   } catch (const Cancelled&) {
     return false;
   }

@@ -30,6 +30,8 @@ class AnalysisDesk : public QObject {
   void addAction(QStackedWidget& centre, SessionBar& bar);
   void gather(SessionLink& link);
   experiments::ErrorRun sessionSoFar(const SessionLink& link) const;
+  /// Files that hold the session: what it replays, and what it has recorded.
+  void noteFile(const QString& file);
 
   AnalysisPanel& panel_;
   /// What is gathered on the pipeline's thread.
@@ -42,6 +44,7 @@ class AnalysisDesk : public QObject {
     }
   };
   std::shared_ptr<Gathered> gathered_ = std::make_shared<Gathered>();
+  std::vector<std::filesystem::path> files_;
   double now_ = 0.0;  ///< newest session time [s]
 };
 

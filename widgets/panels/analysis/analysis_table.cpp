@@ -53,7 +53,7 @@ void AnalysisTable::showAnalysis(const Analysis& analysis) {
   const bool two = !analysis.title_b.empty();
   const bool differences = analysis.against != Against::kNothing;
   const bool same_counts = std::all_of(analysis.rows.begin(), analysis.rows.end(),
-                                       [](const AnalysisRow& row) { return row.a.n == row.b.n; });
+                                       [](const AnalysisRow& row) { return row.a.counts == row.b.counts; });
   setHeaderLabels({tr("deg and mm"), two ? QStringLiteral("A") : tr("value"), QStringLiteral("B"),
                    two ? QStringLiteral("B − A") : tr("UKF − kin."), tr("95 % interval"), QStringLiteral("P"),
                    two && !same_counts ? tr("n of A") : QStringLiteral("n"), tr("n of B")});
@@ -67,7 +67,9 @@ void AnalysisTable::showAnalysis(const Analysis& analysis) {
   setColumnHidden(kCountB, !two || same_counts);
   for (const int column : {kDifference, kInterval, kP}) setColumnHidden(column, !differences);
   clear();
+  robots_ = nullptr;
   if (analysis.rows.empty()) return;
+  addRobots();
   for (const Measure measure : kMeasures) addGroup(measure);
   expandAll();
 }
@@ -79,6 +81,28 @@ QString AnalysisTable::numberText(double value, bool sign) const {
   QString text = QString::number(shown, 'f', decimals_);
   if (sign && shown > 0.0) text.prepend('+');
   return withMinus(text);
+}
+
+/// Whose kinematics and filter the numbers are of, over all columns.
+void AnalysisTable::addRobots() {
+  const bool two = !analysis_.title_b.empty();
+  QStringList parts;
+  for (const auto& [letter, robots] :
+       {std::pair{"A", &analysis_.robots_a}, std::pair{"B", &analysis_.robots_b}})
+    if (!robots->empty())
+      parts << (two ? QStringLiteral("%1: %2").arg(letter, QString::fromStdString(*robots))
+                    : QString::fromStdString(*robots));
+  parts << QString::fromStdString(thinningWords(analysis_));
+  parts.removeAll({});
+  if (parts.isEmpty()) return;
+  robots_ = new QTreeWidgetItem(this);
+  robots_->setText(kName, parts.join(QStringLiteral("; ")));
+  robots_->setToolTip(kName, robots_->text(kName));
+  robots_->setFont(kName, textFont(kPoints));
+  robots_->setForeground(kName, theme_.text);
+  robots_->setFlags(Qt::ItemIsEnabled);
+  robots_->setFirstColumnSpanned(true);
+  robots_->setSizeHint(kName, QSize(0, kRowHeight));
 }
 
 void AnalysisTable::addGroup(Measure measure) {
@@ -113,8 +137,8 @@ void AnalysisTable::fill(QTreeWidgetItem& item, const AnalysisRow& row, Measure 
   item.setText(kDifference, known ? numberText(d.value, true) : QString());
   item.setText(kInterval, interval);
   item.setText(kP, p);
-  item.setText(kCountA, countText(row.a.n));
-  item.setText(kCountB, countText(row.b.n));
+  item.setText(kCountA, countText(row.a.count(measure)));
+  item.setText(kCountB, countText(row.b.count(measure)));
   for (int column = 0; column < kColumns; ++column) {
     const bool strong = column == kDifference && d.clear();
     item.setFont(column, column == kName ? textFont(kPoints) : numberFont(kPoints, strong));
@@ -130,7 +154,7 @@ void AnalysisTable::fill(QTreeWidgetItem& item, const AnalysisRow& row, Measure 
 }
 
 const QTreeWidgetItem* AnalysisTable::line(Measure measure, int joint, Estimator estimator) const {
-  const auto* group = topLevelItem(static_cast<int>(measure));
+  const auto* group = topLevelItem(static_cast<int>(measure) + (robots_ ? 1 : 0));
   if (!group) return nullptr;
   for (std::size_t i = 0; i < analysis_.rows.size(); ++i)
     if (analysis_.rows[i].joint == joint && analysis_.rows[i].estimator == estimator)

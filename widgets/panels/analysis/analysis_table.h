@@ -9,7 +9,8 @@ namespace capstan::widgets {
 
 /// Numbers of an analysis: a group a measure (RMS, median, IQR, mean), a line a joint and estimator, A beside
 /// B, their difference with its 95 % interval, P beside the means, and how many samples there were (in one
-/// column where they are as many). A difference whose interval leaves zero out is bold.
+/// column where they are as many). The first line names the robots that the numbers are of. A difference
+/// whose interval leaves zero out is bold.
 class AnalysisTable : public QTreeWidget {
   Q_OBJECT
 
@@ -22,6 +23,8 @@ class AnalysisTable : public QTreeWidget {
   /// The line of a measure, joint (0…2) and estimator; null: not shown.
   const QTreeWidgetItem* line(experiments::Measure measure, int joint,
                               experiments::Estimator estimator) const;
+  /// Whose kinematics and filter, as the first line says; empty: not known.
+  QString robotWords() const { return robots_ ? robots_->text(kName) : QString(); }
   QSize sizeHint() const override { return {560, 230}; }
   QSize minimumSizeHint() const override { return {200, 90}; }
 
@@ -29,6 +32,7 @@ class AnalysisTable : public QTreeWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
+  void addRobots();
   void addGroup(experiments::Measure measure);
   void fill(QTreeWidgetItem& item, const experiments::AnalysisRow& row, experiments::Measure measure) const;
 
@@ -36,6 +40,7 @@ class AnalysisTable : public QTreeWidget {
   QString numberText(double value, bool sign = false) const;
 
   experiments::Analysis analysis_;
+  QTreeWidgetItem* robots_ = nullptr;  ///< null: not known
   int decimals_ = 3;
 };
 
