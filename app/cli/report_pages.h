@@ -15,7 +15,7 @@ struct ReportPage {
   std::string title, created, software;
   std::string recording;             ///< as the reader finds it: a file name
   std::string robot = {};            ///< whose kinematics the errors are of, and that the filter believed in
-  std::vector<ReportRow> rows = {};  ///< from the robot file to the identified robot; empty: not there
+  std::vector<ReportRow> rows = {};  ///< from nominal to identified constants; empty: not there
   bool simulated = false;
   bool recorded_here = false;   ///< the recording lies in the folder itself
   bool own_kinematics = false;  ///< the reference is the robot's own kinematics

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <array>
 #include <cmath>
+#include <sstream>
 
 #include "app/cli/html_text.h"
-#include "app/cli/identify_output.h"
 #include "app/cli/track_output.h"
 #include "core/base/units.h"
+#include "core/identification/live_text.h"
 
 namespace capstan::cli {
 namespace {
@@ -67,14 +69,13 @@ std::string nisSentence(const TrackReport& report) {
   return text + (advice.empty() ? "." : ", " + advice + ".");
 }
 
+/// As the window's calibration has them: as many decimals as σ has meaning.
 std::string found(const std::vector<Estimate>& estimates) {
   std::vector<std::string> values;
   for (const Estimate& estimate : estimates) {
     if (!estimate.seen) continue;
-    const auto& parameter = estimate.parameter;
-    values.push_back(fmt::format(
-        "{} {:.5g} ± {:.2g} {} ({:+.1f} %)", parameter.name(), parameter.scale() * estimate.value(),
-        parameter.scale() * estimate.valueSigma(), parameter.unit(), estimate.percent()));
+    const identification::LiveRow row = identification::rowOf(estimate, nullptr, estimate.percent());
+    values.push_back(fmt::format("{} {} {} {} ({})", row.name, row.value, row.sigma, row.unit, row.change));
   }
   return values.empty() ? "nothing" : fmt::format("{}", fmt::join(values, ", "));
 }
@@ -84,8 +85,8 @@ std::string weak(const std::vector<Estimate>& estimates) {
   for (const Estimate& estimate : estimates)
     if (!estimate.seen) names.push_back(estimate.parameter.name());
   if (names.empty()) return "The motion shows every parameter.";
-  return fmt::format("This motion shows too little of {}: {} the value of the robot file.",
-                     fmt::join(names, ", "), names.size() == 1 ? "it keeps" : "they keep");
+  return fmt::format("This motion shows too little of {}: {} the nominal value.", fmt::join(names, ", "),
+                     names.size() == 1 ? "it keeps" : "they keep");
 }
 
 ReportRow foundRow(const IdentifyAndTrack& after) {
@@ -97,9 +98,10 @@ ReportRow foundRow(const IdentifyAndTrack& after) {
   } else if (!after.fault.empty()) {
     row.sentence = after.fault + ".";
   } else if (any) {
-    row.sentence =
-        fmt::format("From {:.0f} s of motors and cameras alone, by the {} method. {}", after.duration,
-                    base::nameOf(*after.identified->choice.method), weak(after.identified->estimates()));
+    row.sentence = fmt::format(
+        "From {:.0f} s of motors and cameras alone, by the {} method; per cent: change from the nominal "
+        "value. {}",
+        after.duration, base::nameOf(*after.identified->choice.method), weak(after.identified->estimates()));
   }
   return row;
 }
@@ -122,8 +124,7 @@ std::string broken(const std::string& text, const std::string& indent) {
 
 std::vector<ReportRow> reportRows(const TrackReport& nominal, const IdentifyAndTrack& after) {
   std::vector<ReportRow> rows = {
-      {"1 robot file", cellsOf(nominal), {}, nisSentence(nominal) + " " + comparison(nominal)},
-      foundRow(after)};
+      {"1 nominal", cellsOf(nominal), {}, nisSentence(nominal) + " " + comparison(nominal)}, foundRow(after)};
   if (after.tracked)
     rows.push_back({"3 tracked again",
                     cellsOf(*after.tracked),
@@ -134,7 +135,7 @@ std::vector<ReportRow> reportRows(const TrackReport& nominal, const IdentifyAndT
 
 std::string textOf(const std::vector<ReportRow>& rows) {
   const std::string indent(16, ' ');
-  std::string text = fmt::format("\nFrom the robot file to the identified robot, {}\n", kLegend);
+  std::string text = fmt::format("\nFrom nominal to identified constants, {}\n", kLegend);
   text += fmt::format("{:<16}{:<26}{:<26}{:<26}\n", "", "q1 [deg]", "q2 [deg]", "q3 [mm]");
   for (const ReportRow& row : rows) {
     if (row.cells.empty()) {
@@ -150,7 +151,7 @@ std::string textOf(const std::vector<ReportRow>& rows) {
 
 std::string htmlOf(const std::vector<ReportRow>& rows) {
   std::string html = fmt::format(
-      "<h2>From the robot file to the identified robot</h2>\n<p>{}.</p>\n<table class=\"rows\">\n"
+      "<h2>From nominal to identified constants</h2>\n<p>{}.</p>\n<table class=\"rows\">\n"
       "<tr><th></th><th>q1 [deg]</th><th>q2 [deg]</th><th>q3 [mm]</th></tr>\n",
       kLegend);
   for (const ReportRow& row : rows) {

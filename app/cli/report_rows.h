@@ -9,9 +9,9 @@
 
 namespace capstan::cli {
 
-/// One of the report's three rows: tracked with the robot file, what identification found, tracked again.
+/// One of the report's three rows: tracked with nominal constants, what identification found, tracked again.
 struct ReportRow {
-  std::string name;                ///< "1 robot file"
+  std::string name;                ///< "1 nominal"
   std::vector<std::string> cells;  ///< of q1, q2, q3: "2.592 / 0.361 / 2.588"; empty: `words` in their place
   std::string words;               ///< what was found
   std::string sentence;            ///< what it means, from its numbers

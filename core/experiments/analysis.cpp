@@ -148,11 +148,15 @@ Analysis analyse(const ErrorRun& a, const ErrorRun* b, const AnalysisOptions& op
 }
 
 std::vector<std::string> runWords(const Analysis& analysis) {
-  const auto words = [](const char* letter, const std::string& title, const std::string& robots) {
-    return fmt::format("{}: {}{}{}", letter, title, robots.empty() ? "" : ", ", robots);
+  const auto words = [&](const char* letter, const std::string& title, const std::string& robots,
+                         ErrorSummary AnalysisRow::*side) {
+    std::size_t n = 0;
+    for (const AnalysisRow& row : analysis.rows) n = std::max(n, (row.*side).n);
+    return fmt::format("{}: {}{}{}, n = {}", letter, title, robots.empty() ? "" : ", ", robots, n);
   };
-  std::vector<std::string> all = {words("A", analysis.title_a, analysis.robots_a)};
-  if (!analysis.title_b.empty()) all.push_back(words("B", analysis.title_b, analysis.robots_b));
+  std::vector<std::string> all = {words("A", analysis.title_a, analysis.robots_a, &AnalysisRow::a)};
+  if (!analysis.title_b.empty())
+    all.push_back(words("B", analysis.title_b, analysis.robots_b, &AnalysisRow::b));
   return all;
 }
 

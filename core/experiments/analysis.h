@@ -105,7 +105,7 @@ bool addIntervals(Analysis& analysis, const ErrorRun& a, const ErrorRun* b, base
 /// A row a joint, estimator and measure: A, B, difference, 95 % interval; P beside means.
 base::Table tableOf(const Analysis& analysis);
 
-/// "A: trial.capstan, kinematics and UKF of mine.yaml", for each run.
+/// "A: trial.capstan, kinematics and UKF of mine.yaml, n = 19610", for each run.
 std::vector<std::string> runWords(const Analysis& analysis);
 
 /// "distributions of 1961 of 19610 samples", where a run had more than its memory kept; else empty.

@@ -25,7 +25,7 @@ void identify(const IdentificationData& data, base::Progress& progress, Identify
     if (!found.choice.method)
       result.fault = "nothing was identified: " + found.choice.words;
     else if (!found.anySeen())
-      result.fault = "this motion shows no parameter: every one keeps the value of the robot file";
+      result.fault = "this motion shows no parameter: every one keeps its nominal value";
     result.identified = std::move(found);
   } catch (const base::InputError& error) {  // a robot whose parameters cannot be identified
     result.fault = error.what();

@@ -20,10 +20,8 @@ QString titleOf(int joint, const std::array<QString, 3>& names) {
 
 QString noteOf(const Analysis& analysis) {
   QStringList parts;
-  if (analysis.title_b.empty())
-    parts << QString::fromStdString(analysis.robots_a);
-  else
-    for (const std::string& run : runWords(analysis)) parts << QString::fromStdString(run);
+  for (const std::string& run : runWords(analysis)) parts << QString::fromStdString(run);
+  if (analysis.title_b.empty()) parts.front().remove(0, QStringLiteral("A: ").size());
   parts << QString::fromStdString(thinningWords(analysis));
   if (analysis.options.share == TimeShare::kOccluded) parts << QObject::tr("only occluded time");
   if (analysis.options.share == TimeShare::kSeen) parts << QObject::tr("only time with the marker seen");
