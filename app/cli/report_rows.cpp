@@ -55,7 +55,8 @@ std::string comparison(const TrackReport& report) {
                                   by_camera ? "the camera alone" : "kinematics alone", better));
   }
   return worse.empty()
-             ? "The filter is better than kinematics and camera on every joint."
+             ? fmt::format("The filter is better than {} on every joint.",
+                           report.errors.camera().count() > 0 ? "kinematics and camera" : "kinematics")
              : fmt::format("The filter is worse than one of its inputs on {}.", fmt::join(worse, ", "));
 }
 
@@ -96,7 +97,7 @@ ReportRow foundRow(const IdentifyAndTrack& after) {
   if (after.cancelled && !after.tracked) {
     row.sentence = "Cancelled before the end.";
   } else if (!after.fault.empty()) {
-    row.sentence = after.fault + ".";
+    row.sentence = fmt::format("Nothing could be identified: {}.", after.fault);
   } else if (any) {
     row.sentence = fmt::format(
         "From {:.0f} s of motors and cameras alone, by the {} method; per cent: change from the nominal "
@@ -136,7 +137,7 @@ std::vector<ReportRow> reportRows(const TrackReport& nominal, const IdentifyAndT
 std::string textOf(const std::vector<ReportRow>& rows) {
   const std::string indent(16, ' ');
   std::string text = fmt::format("\nFrom nominal to identified constants, {}\n", kLegend);
-  text += fmt::format("{:<16}{:<26}{:<26}{:<26}\n", "", "q1 [deg]", "q2 [deg]", "q3 [mm]");
+  text += fmt::format("{:<16}{:<26}{:<26}{}\n", "", "q1 [deg]", "q2 [deg]", "q3 [mm]");
   for (const ReportRow& row : rows) {
     if (row.cells.empty()) {
       std::string words = broken(row.words, indent);

@@ -12,8 +12,7 @@ using identification::IdentificationData;
 /// Why nothing can be identified from `data`; empty: it can.
 std::string faultOf(const IdentificationData& data) {
   if (data.motors.size() == 0) return "no motor encoder gave numbers that are believed";
-  if (data.openCount() == 0)
-    return "the cameras saw the marker nowhere, or are not registered: nothing can be identified";
+  if (data.openCount() == 0) return "the cameras saw the marker nowhere, or are not registered";
   return {};
 }
 
@@ -23,9 +22,9 @@ void identify(const IdentificationData& data, base::Progress& progress, Identify
     Identified found = identifyRecording(data, set, {}, progress);
     if (progress.cancelled()) return;
     if (!found.choice.method)
-      result.fault = "nothing was identified: " + found.choice.words;
+      result.fault = found.choice.words;
     else if (!found.anySeen())
-      result.fault = "this motion shows no parameter: every one keeps its nominal value";
+      result.fault = "this motion shows no parameter";
     result.identified = std::move(found);
   } catch (const base::InputError& error) {  // a robot whose parameters cannot be identified
     result.fault = error.what();
