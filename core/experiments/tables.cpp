@@ -33,6 +33,12 @@ std::string textOf(TrialSpec trial) {
   return base::writeYaml(trial);
 }
 
+/// "Experiment C"; of a run that is no experiment its title.
+std::string nameOf(const Results& results) {
+  const bool run = !results.trials.empty() && !results.trials.front().filter_robot.empty();
+  return run ? results.title : "Experiment " + results.name;
+}
+
 double countOf(const TrialResult& trial, Estimator which) {
   return static_cast<double>(trial.counts[static_cast<std::size_t>(which)]);
 }
@@ -193,7 +199,7 @@ Improvement improvementOf(const Results& results, Estimator before, Estimator af
 Table trialTable(const Results& results, const Published* published) {
   published = beside(results, published);
   Table table;
-  table.title = fmt::format("Experiment {}: RMS errors by trial", results.name);
+  table.title = nameOf(results) + ": RMS errors by trial";
   table.columns = {{"trial", "", 3, NumberStyle::kFixed, true},
                    {"duration", "s", 0, NumberStyle::kFixed, true},
                    {"joint", ""}};
@@ -226,7 +232,7 @@ Table trialTable(const Results& results, const Published* published) {
 Table meanTable(const Results& results, const Published* published) {
   published = beside(results, published);
   Table table;
-  table.title = fmt::format("Experiment {}: mean RMS errors and improvement", results.name);
+  table.title = nameOf(results) + ": mean RMS errors and improvement";
   table.columns = {{"joint", ""}};
   const auto column = [&](const char* name, const char* unit, int digits,
                           NumberStyle style = NumberStyle::kFixed) {
@@ -268,7 +274,7 @@ Table meanTable(const Results& results, const Published* published) {
 
 Table parameterTable(const Results& results, const Published* published) {
   Table table;
-  table.title = fmt::format("Experiment {}: identified parameters", results.name);
+  table.title = nameOf(results) + ": identified parameters";
   const bool truth = knowsTruth(results);
   table.columns = {{"parameter", ""},
                    {startsNominal(results) ? "nominal" : "start", "", 5, NumberStyle::kSignificant}};
@@ -294,7 +300,7 @@ Table parameterTable(const Results& results, const Published* published) {
 
 Table boxplotTable(const Results& results) {
   Table table;
-  table.title = fmt::format("Experiment {}: absolute errors of the UKF", results.name);
+  table.title = nameOf(results) + ": absolute errors of the UKF";
   table.columns = {{"trial", "", 3, NumberStyle::kFixed, true},
                    {"joint", ""},
                    {"median, kinematic", ""},

@@ -38,6 +38,11 @@ std::vector<QStringList> linesOf(const QString& file) {
   return lines;
 }
 
+QString textOf(const QString& file) {
+  QFile text(file);
+  return text.open(QIODevice::ReadOnly) ? QString::fromUtf8(text.readAll()) : QString();
+}
+
 /// Of the line that begins with `keys`, the cell under `column`.
 double cell(const std::vector<QStringList>& lines, const QStringList& keys, const QString& column) {
   if (lines.empty()) return std::nan("");
@@ -93,6 +98,8 @@ class AnalysisNumbers : public testing::Test {
 
 TEST_F(AnalysisNumbers, OfTheScreenAreThoseOfEveryExportedTable) {
   chooseBoth();
+  EXPECT_EQ(panel().table().noteWords(),
+            "A: kinematics and UKF of RAVEN-II left\nB: kinematics and UKF of mine.yaml");
   test::grab(*window_, "analysis_numbers");
   panel().exportAllTo(path("all"), {60.0, 60.0});
   ASSERT_TRUE(waitFor([&] { return !panel().busy(); }));
@@ -102,6 +109,9 @@ TEST_F(AnalysisNumbers, OfTheScreenAreThoseOfEveryExportedTable) {
   const auto comparison = linesOf(path("all/comparison-table.csv"));
   ASSERT_FALSE(session.empty());
   ASSERT_FALSE(recording.empty());
+  for (const QString figure : {"session-histogram-session", "comparison-boxplot"})
+    EXPECT_TRUE(textOf(path("all/" + figure + ".svg")).contains("kinematics and UKF of"))
+        << figure.toStdString();
   EXPECT_FALSE(comparison.empty()) << "Export all leaves the comparison out";
   for (const char* figure : {"comparison-histogram.pdf", "comparison-boxplot.pdf"})
     EXPECT_TRUE(QFile::exists(path("all/") + figure)) << figure;

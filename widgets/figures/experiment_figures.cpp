@@ -79,8 +79,9 @@ QString errorNote(const Results& results, const TrialResult& trial, bool distrib
                                                           experiments::filterRobotOf(results, trial)));
   if (!robots.isEmpty()) note += QStringLiteral("; ") + robots;
   const auto all = trial.counts[static_cast<std::size_t>(Estimator::kUkf)];
-  if (distribution && trial.errors.size() < all)
-    note += QObject::tr("; %1 of %2 samples").arg(trial.errors.size()).arg(all);
+  if (distribution)
+    note += trial.errors.size() < all ? QObject::tr("; %1 of %2 samples").arg(trial.errors.size()).arg(all)
+                                      : QObject::tr("; n = %1").arg(trial.errors.size());
   return note;
 }
 

@@ -67,9 +67,9 @@ void AnalysisTable::showAnalysis(const Analysis& analysis) {
   setColumnHidden(kCountB, !two || same_counts);
   for (const int column : {kDifference, kInterval, kP}) setColumnHidden(column, !differences);
   clear();
-  robots_ = nullptr;
+  notes_ = 0;
   if (analysis.rows.empty()) return;
-  addRobots();
+  addNotes();
   for (const Measure measure : kMeasures) addGroup(measure);
   expandAll();
 }
@@ -83,26 +83,33 @@ QString AnalysisTable::numberText(double value, bool sign) const {
   return withMinus(text);
 }
 
-/// Whose kinematics and filter the numbers are of, over all columns.
-void AnalysisTable::addRobots() {
+/// Lines over all columns: whose kinematics and filter the numbers are of, and what memory did not keep.
+void AnalysisTable::addNotes() {
   const bool two = !analysis_.title_b.empty();
-  QStringList parts;
-  for (const auto& [letter, robots] :
-       {std::pair{"A", &analysis_.robots_a}, std::pair{"B", &analysis_.robots_b}})
-    if (!robots->empty())
-      parts << (two ? QStringLiteral("%1: %2").arg(letter, QString::fromStdString(*robots))
-                    : QString::fromStdString(*robots));
-  parts << QString::fromStdString(thinningWords(analysis_));
-  parts.removeAll({});
-  if (parts.isEmpty()) return;
-  robots_ = new QTreeWidgetItem(this);
-  robots_->setText(kName, parts.join(QStringLiteral("; ")));
-  robots_->setToolTip(kName, robots_->text(kName));
-  robots_->setFont(kName, textFont(kPoints));
-  robots_->setForeground(kName, theme_.text);
-  robots_->setFlags(Qt::ItemIsEnabled);
-  robots_->setFirstColumnSpanned(true);
-  robots_->setSizeHint(kName, QSize(0, kRowHeight));
+  const auto named = [&](const char* letter, const std::string& robots) {
+    return two && !robots.empty() ? std::string(letter) + ": " + robots : robots;
+  };
+  for (const std::string& note :
+       {named("A", analysis_.robots_a), named("B", analysis_.robots_b), thinningWords(analysis_)})
+    if (!note.empty()) addNote(QString::fromStdString(note));
+}
+
+void AnalysisTable::addNote(const QString& text) {
+  auto* note = new QTreeWidgetItem(this);
+  note->setText(kName, text);
+  note->setToolTip(kName, text);
+  note->setFont(kName, textFont(kPoints));
+  note->setForeground(kName, theme_.text);
+  note->setFlags(Qt::ItemIsEnabled);
+  note->setFirstColumnSpanned(true);
+  note->setSizeHint(kName, QSize(0, kRowHeight));
+  ++notes_;
+}
+
+QString AnalysisTable::noteWords() const {
+  QStringList notes;
+  for (int i = 0; i < notes_; ++i) notes << topLevelItem(i)->text(kName);
+  return notes.join('\n');
 }
 
 void AnalysisTable::addGroup(Measure measure) {
@@ -154,7 +161,7 @@ void AnalysisTable::fill(QTreeWidgetItem& item, const AnalysisRow& row, Measure 
 }
 
 const QTreeWidgetItem* AnalysisTable::line(Measure measure, int joint, Estimator estimator) const {
-  const auto* group = topLevelItem(static_cast<int>(measure) + (robots_ ? 1 : 0));
+  const auto* group = topLevelItem(static_cast<int>(measure) + notes_);
   if (!group) return nullptr;
   for (std::size_t i = 0; i < analysis_.rows.size(); ++i)
     if (analysis_.rows[i].joint == joint && analysis_.rows[i].estimator == estimator)
