@@ -55,6 +55,7 @@ IdentifyAndTrack identifyAndTrack(const IdentificationData& data, session::Sourc
           }}},
         1, {progress});
   result.cancelled = progress.cancelled();
+  if (!result.cancelled) progress.report(1.0, "tracking again");
   return result;
 }
 
