@@ -124,6 +124,22 @@ struct LastFrame {
   }
 };
 
+/// The recording once more, from its beginning: of a simulation what was recorded of it.
+std::unique_ptr<session::Source> openAgain(const ReportArguments& arguments) {
+  if (arguments.file.empty())
+    return openSource((fs::path(arguments.out) / "session.capstan").string(), RecordingFormat::kSession, {});
+  return openSource(arguments.file, formatOf(arguments.format, arguments.file), arguments.robot,
+                    Notices::kQuiet);
+}
+
+experiments::IdentifyAndTrack identifyAndTrack(const ReportArguments& arguments,
+                                               const identification::IdentificationData& data,
+                                               const tracking::TrackingOptions& options,
+                                               base::Progress& progress) {
+  const ProgressLine line(progress);
+  return experiments::identifyAndTrack(data, *openAgain(arguments), options, progress);
+}
+
 std::unique_ptr<session::Source> openFor(ReportArguments& arguments, const CLI::App& command) {
   arguments.simulation.robot = arguments.robot;
   if (arguments.file.empty()) return makeSimulation(arguments.simulation);
@@ -199,14 +215,10 @@ ExitCode report(ReportArguments& arguments, const CLI::App& command) {
     estimates.close();
     if (recorder) recorder->close();
   }
-  experiments::IdentifyAndTrack after;
-  if (!result.cancelled && result.motor_samples > 0) {
-    const ProgressLine line(progress);
-    const auto recorded =
-        simulates ? openSource((folder / "session.capstan").string(), RecordingFormat::kSession, {})
-                  : openFor(arguments, command);
-    after = experiments::identifyAndTrack(collector.finish(), *recorded, options, progress);
-  }
+  const experiments::IdentifyAndTrack after =
+      result.cancelled || result.motor_samples == 0
+          ? experiments::IdentifyAndTrack{}
+          : identifyAndTrack(arguments, collector.finish(), options, progress);
 
   std::array<std::string, 3> names;
   for (std::size_t i = 0; i < names.size() && i < info.robot.joints.size(); ++i)
@@ -219,7 +231,7 @@ ExitCode report(ReportArguments& arguments, const CLI::App& command) {
                   .recorded_here = simulates};
   page.own_kinematics = info.own_kinematics;
   page.robot = info.robot.name;
-  page.rows = reportRows(result, after);
+  page.rows = reportRows(result, after, info.own_kinematics);
   page.plots = figures.save(names, folder);
   page.plots_begin = figures.begin();
   page.plots_end = figures.end();

@@ -39,7 +39,9 @@ std::vector<std::string> cellsOf(const TrackReport& report) {
 }
 
 /// How the filter stands against the better of its two inputs, joint by joint.
-std::string comparison(const TrackReport& report) {
+std::string comparison(const TrackReport& report, bool own_kinematics) {
+  if (own_kinematics)
+    return "The reference is the robot's own kinematics: which estimate is right cannot be told.";
   if (report.errors.ukf().count() == 0)
     return "The recording holds no joint encoders: there are no errors to compare.";
   std::vector<std::string> worse;
@@ -123,14 +125,16 @@ std::string broken(const std::string& text, const std::string& indent) {
 
 }  // namespace
 
-std::vector<ReportRow> reportRows(const TrackReport& nominal, const IdentifyAndTrack& after) {
+std::vector<ReportRow> reportRows(const TrackReport& nominal, const IdentifyAndTrack& after,
+                                  bool own_kinematics) {
   std::vector<ReportRow> rows = {
-      {"1 nominal", cellsOf(nominal), {}, nisSentence(nominal) + " " + comparison(nominal)}, foundRow(after)};
+      {"1 nominal", cellsOf(nominal), {}, nisSentence(nominal) + " " + comparison(nominal, own_kinematics)},
+      foundRow(after)};
   if (after.tracked)
     rows.push_back({"3 tracked again",
                     cellsOf(*after.tracked),
                     {},
-                    nisSentence(*after.tracked) + " " + comparison(*after.tracked)});
+                    nisSentence(*after.tracked) + " " + comparison(*after.tracked, own_kinematics)});
   return rows;
 }
 

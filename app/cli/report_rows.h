@@ -17,9 +17,10 @@ struct ReportRow {
   std::string sentence;            ///< what it means, from its numbers
 };
 
-/// The three rows; two where the recording was not tracked again, the second says why.
+/// The three rows; two where the recording was not tracked again, the second says why. `own_kinematics`: the
+/// reference is the robot's own kinematics, no truth.
 std::vector<ReportRow> reportRows(const tracking::TrackReport& nominal,
-                                  const experiments::IdentifyAndTrack& after);
+                                  const experiments::IdentifyAndTrack& after, bool own_kinematics);
 
 /// For a console, and for the report's page.
 std::string textOf(const std::vector<ReportRow>& rows);

@@ -124,7 +124,8 @@ ErrorRun trackFile(const fs::path& recording, const fs::path& robot, Reference r
     refuse(recording.string(), {}, {}, "holds no joint encoders, so its errors are not known",
            "Choose a recording with a reference (columns q1, q2, q3 of a table)");
   if (robot.empty()) {
-    names.filter_robot = info.robot.name + " (the recording's own)";
+    const bool own = robot::formatDescription(info.robot) != robot::formatDescription(believed);
+    names.filter_robot = info.robot.name + (own ? " (the recording's own)" : "");
   } else {
     names.filter_robot = robot.filename().string();
     names.title += ", " + robot.stem().string();

@@ -153,6 +153,18 @@ TEST_F(AnalysisNumbers, AreOfEverySampleAndThoseOfTheErrorTable) {
   }
 }
 
+TEST_F(AnalysisNumbers, PairAReplayWithItsFile) {
+  window_->open(SourceChoice::ofFile(recorded_));
+  ASSERT_TRUE(waitFor([&] { return window_->link().running() && !window_->link().runner()->info().live; }));
+  ASSERT_TRUE(waitFor([&] { return window_->link().ended(); }));
+  chooseBoth();
+  for (const AnalysisRow& row : panel().analysis().rows) {
+    EXPECT_TRUE(row.paired) << row.joint;
+    EXPECT_EQ(row.a.n, row.b.n) << "every sample of the file, on both sides";
+  }
+  EXPECT_EQ(panel().analysis().robots_a, "kinematics and UKF of RAVEN-II left");
+}
+
 TEST_F(AnalysisNumbers, PairTheSessionWithItsOwnFile) {
   chooseBoth();
   for (const AnalysisRow& row : panel().analysis().rows) EXPECT_TRUE(row.paired) << row.joint;

@@ -170,7 +170,7 @@ TEST_F(ErrorRuns, OfARecordingAreThoseOfThePipeline) {
     rms.add(all[i].second);
   }
   EXPECT_EQ(run.momentsOf(Estimator::kUkf, TimeShare::kAll).rms(), rms.value()) << "to the last bit";
-  EXPECT_EQ(run.kinematic_robot, "RAVEN-II left (the recording's own)");
+  EXPECT_EQ(run.kinematic_robot, "RAVEN-II left");
   EXPECT_EQ(run.filter_robot, run.kinematic_robot);
   EXPECT_GT(run.trajectory.size(), 60U);
 }
@@ -193,6 +193,18 @@ TEST_F(ErrorRuns, ASessionIsOfTheMotionOfItsOwnFile) {
   live.files = {folder_ / "other.capstan"};
   EXPECT_FALSE(sameMotion(live, recorded));
   EXPECT_FALSE(sameMotion(trial, live));
+}
+
+// A recording that carries an identified robot is told from one that carries the robot file of that name.
+TEST_F(ErrorRuns, ARobotThatOnlyTheRecordingHasIsSaid) {
+  const auto source = simulated();
+  session::SessionHeader header = session::headerOf(source->info(), "today");
+  robot::Description robot = source->info().robot;
+  robot.drives[0].link_radius *= 0.95;
+  header.robot = robot::formatDescription(robot);
+  session::importRecording(*source, folder_ / "own.capstan", header);
+  EXPECT_EQ(trackErrors(folder_ / "own.capstan", {}, progress_).filter_robot,
+            "RAVEN-II left (the recording's own)");
 }
 
 TEST_F(ErrorRuns, OfAnotherRobotAreOthers) {
