@@ -52,7 +52,10 @@ std::string noteOf(const Analysis& analysis) {
         "side. P: equal means, two-sided t-test of the "
         "means of blocks, paired where both sides are of the same instants, else Welch's.",
         analysis.options.resamples, kMostResampled);
-  return note;
+  std::string paired = pairingWords(analysis);
+  if (paired.empty()) return note;
+  paired[0] = 'I';
+  return note + " " + paired + ".";
 }
 
 }  // namespace
@@ -179,6 +182,14 @@ std::string thinningWords(const Analysis& analysis) {
                          kept, all);
   }
   return words;
+}
+
+std::string pairingWords(const Analysis& analysis) {
+  if (!analysis.intervals || analysis.against != Against::kRun) return {};
+  for (const AnalysisRow& row : analysis.rows)
+    if (row.paired && row.common < std::max(row.a.count(Measure::kMedian), row.b.count(Measure::kMedian)))
+      return fmt::format("intervals and P: of the {} instants that both runs have", row.common);
+  return {};
 }
 
 int decimalsOf(const Analysis& analysis) {

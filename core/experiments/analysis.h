@@ -66,7 +66,8 @@ struct AnalysisRow {
   Estimator estimator = Estimator::kUkf;
   ErrorSummary a = {}, b = {};  ///< of runs A and B; without B: b has no samples
   std::array<Difference, kMeasures.size()> difference = {};
-  bool paired = false;  ///< both sides at the same instants of one motion
+  bool paired = false;     ///< both sides at the same instants of one motion
+  std::size_t common = 0;  ///< of paired sides: the instants that both have
   /// Two-sided P of equal means, of the means of blocks that are about independent: paired or Welch's
   /// t-test. NaN for fewer than kLeastBlocks of them, or no spread.
   double p = kNone, log10_p = kNone;
@@ -110,6 +111,10 @@ std::vector<std::string> runWords(const Analysis& analysis);
 
 /// "distributions of 1961 of 19610 samples", where a run had more than its memory kept; else empty.
 std::string thinningWords(const Analysis& analysis);
+
+/// "intervals and P: of the 8164 instants that both runs have", where one run has more than the other; else
+/// empty.
+std::string pairingWords(const Analysis& analysis);
 
 /// Decimals that show three digits of the smallest RMS of `analysis` [deg or mm]: 3 to 6.
 int decimalsOf(const Analysis& analysis);

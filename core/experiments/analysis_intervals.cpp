@@ -126,6 +126,7 @@ stats::Statistic statisticOf(Measure measure, std::vector<double>& room, const s
 void addIntervalsTo(AnalysisRow& row, const Sides& sides, const AnalysisOptions& options,
                     const std::function<void()>& tick) {
   row.paired = sides.paired;
+  row.common = sides.common;
   const auto &first = sides.first.value, &second = sides.second.value;
   row.block_length =
       std::min({std::max(lengthFor(sides.first), lengthFor(sides.second)), first.size(), second.size()});

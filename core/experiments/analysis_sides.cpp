@@ -75,7 +75,10 @@ Sides sidesOf(const AnalysisRow& row, const ErrorRun& a, const ErrorRun* b, cons
     auto common = commonInstants(first, second);
     const auto shorter = static_cast<double>(std::min(first.t.size(), second.t.size()));
     sides.paired = static_cast<double>(common.first.t.size()) >= kPairedShare * shorter;
-    if (sides.paired) std::tie(first, second) = std::move(common);
+    if (sides.paired) {
+      sides.common = common.first.t.size();
+      std::tie(first, second) = std::move(common);
+    }
   }
   const double spacing =
       spacingFor(first, second, std::max({spacingOf(first.t), spacingOf(second.t), kLeastSpacing}));

@@ -18,7 +18,8 @@ struct SpacedErrors {
 /// Both sides of one difference.
 struct Sides {
   SpacedErrors first, second;
-  bool paired = false;  ///< sample for sample of the same instants; then the pieces are the same
+  bool paired = false;     ///< sample for sample of the same instants; then the pieces are the same
+  std::size_t common = 0;  ///< of paired sides: instants that both have, before they are spaced
 };
 
 /// The errors behind `row`, both sides about equally spaced: by the wider spacing of the two, and as much

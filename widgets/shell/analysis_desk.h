@@ -1,7 +1,9 @@
 #pragma once
 
 #include <QObject>
+#include <filesystem>
 #include <memory>
+#include <vector>
 
 #include "core/experiments/error_run.h"
 #include "core/experiments/motion_collector.h"

@@ -3,7 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <memory>
 #include <thread>
+#include <variant>
 
 #include "core/simulation/simulation_request.h"
 

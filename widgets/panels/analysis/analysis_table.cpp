@@ -89,8 +89,8 @@ void AnalysisTable::addNotes() {
   const auto named = [&](const char* letter, const std::string& robots) {
     return two && !robots.empty() ? std::string(letter) + ": " + robots : robots;
   };
-  for (const std::string& note :
-       {named("A", analysis_.robots_a), named("B", analysis_.robots_b), thinningWords(analysis_)})
+  for (const std::string& note : {named("A", analysis_.robots_a), named("B", analysis_.robots_b),
+                                  thinningWords(analysis_), pairingWords(analysis_)})
     if (!note.empty()) addNote(QString::fromStdString(note));
 }
 
