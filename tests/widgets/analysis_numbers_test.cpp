@@ -106,7 +106,7 @@ TEST_F(AnalysisNumbers, OfTheScreenAreThoseOfEveryExportedTable) {
   EXPECT_EQ(notes[1], "B: kinematics and UKF of mine.yaml");
   EXPECT_TRUE(notes[2].startsWith("intervals and P: of the ")) << notes[2].toStdString();
   test::grab(*window_, "analysis_numbers");
-  panel().exportAllTo(path("all"), {60.0, 60.0});
+  panel().exportAllTo(path("all"), {180.0, 240.0});
   ASSERT_TRUE(waitFor([&] { return !panel().busy(); }));
   const auto session = linesOf(path("all/session-table-trials.csv"));
   const QString name = QFileInfo(recorded_).completeBaseName() + "-mine";
