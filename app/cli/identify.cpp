@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -18,10 +17,10 @@
 #include "core/base/error.h"
 #include "core/base/yaml.h"
 #include "core/experiments/identified.h"
+#include "core/experiments/identify_recording.h"
 #include "core/experiments/identify_trials.h"
 #include "core/experiments/same_recording.h"
 #include "core/experiments/software.h"
-#include "core/identification/delay_passes.h"
 #include "core/identification/identification_data.h"
 #include "core/identification/options.h"
 #include "core/session/source.h"
@@ -137,28 +136,13 @@ struct Findings {
   robot::Description recorded;  ///< the plant before its truth
   double duration = 0.0;        ///< of the motor samples [s]
   std::uint64_t left_out = 0, used = 0;
-  std::optional<identification::ParameterSet> set;
-  std::optional<identification::DualUkfReport> dual;
-  std::optional<identification::BatchReport> batch;
-  experiments::Choice choice;
+  std::optional<experiments::Identified> identified;
 
-  const std::vector<identification::Estimate>& estimates() const {
-    return *choice.method == experiments::Method::kBatch ? batch->estimates : dual->estimates;
-  }
   double delay() const {
-    return (*choice.method == experiments::Method::kBatch ? batch->camera : dual->camera).delay;
+    const bool by_batch = *identified->choice.method == experiments::Method::kBatch;
+    return (by_batch ? identified->batch->camera : identified->dual->camera).delay;
   }
 };
-
-/// Chooses among the methods that ran; one without usable estimates shows none.
-void choose(Findings& found) {
-  using experiments::Method;
-  const auto* dual = found.dual ? &*found.dual : nullptr;
-  const auto* batch = found.batch ? &*found.batch : nullptr;
-  found.choice = experiments::choose(batch ? Method::kBatch : Method::kDualUkf, dual, batch);
-  if (dual && !experiments::choose(Method::kDualUkf, dual, nullptr).method) found.dual->estimates.clear();
-  if (batch && !experiments::choose(Method::kBatch, nullptr, batch).method) found.batch->estimates.clear();
-}
 
 void runMethods(const IdentifyArguments& arguments, const identification::IdentificationData& data,
                 base::Progress& progress, Findings& found) {
@@ -167,23 +151,20 @@ void runMethods(const IdentifyArguments& arguments, const identification::Identi
   identification::IdentificationOptions options;
   if (!arguments.options.empty())
     options = base::readYamlFile<identification::IdentificationOptions>(arguments.options);
+  if (arguments.exact_camera) options.camera = {0.0, 0.0, 0.0};
+  std::optional<identification::ParameterSet> set;
   try {
-    found.set.emplace(nominal, arguments.parameters, options.parameters);
+    set.emplace(nominal, arguments.parameters, options.parameters);
   } catch (const base::InputError& error) {
     refuseOption("--parameters", error.fault().value, error.fault().reason, error.fault().remedy);
   }
-  identification::CameraPoseOptions& camera = options.camera;
-  if (arguments.exact_camera) camera = {0.0, 0.0, 0.0};
-  if (arguments.method != "batch" && !progress.cancelled())
-    found.dual = identification::identifyDualUkfInPasses(data, *found.set, {.camera = camera}, &progress);
-  if (arguments.method == "dual-ukf" || progress.cancelled()) return;
-  identification::BatchOptions batch{.camera = camera, .shooting = {.threads = arguments.threads}};
-  const identification::DualUkfReport start =
-      found.dual ? *found.dual
-                 : identification::identifyDualUkfInPasses(data, *found.set, {.camera = camera}, &progress);
-  if (experiments::choose(experiments::Method::kDualUkf, &start, nullptr).method)
-    batch.start = identification::logsOf(start.estimates);
-  found.batch = identification::identifyBatchInPasses(data, *found.set, batch, &progress);
+  if (progress.cancelled()) return;
+  found.identified = experiments::identifyRecording(data, *set,
+                                                    {.dual = arguments.method != "batch",
+                                                     .batch = arguments.method != "dual-ukf",
+                                                     .camera = options.camera,
+                                                     .threads = arguments.threads},
+                                                    progress);
 }
 
 /// Everything that takes long. None: cancelled.
@@ -202,7 +183,6 @@ std::optional<Findings> find(IdentifyArguments& arguments) {
   found.duration = data.duration();
   runMethods(arguments, data, progress, found);
   if (progress.cancelled()) return std::nullopt;
-  choose(found);
   return found;
 }
 
@@ -210,17 +190,21 @@ void writeReport(const IdentifyArguments& arguments, const Findings& found) {
   if (found.left_out > 0)
     notice(fmt::format("{} of {} motor samples left out: an encoder had failed or gave no number",
                        found.left_out, found.left_out + found.used));
-  const TrueValues truth =
-      found.truth.empty() ? TrueValues{} : experiments::trueValues(found.truth, found.recorded, *found.set);
+  const experiments::Identified& identified = *found.identified;
+  const auto& dual = identified.dual;
+  const auto& batch = identified.batch;
+  const TrueValues truth = found.truth.empty()
+                               ? TrueValues{}
+                               : experiments::trueValues(found.truth, found.recorded, identified.set);
   const Output output(arguments.json);
-  output.text(textOf(found.dual ? &*found.dual : nullptr, found.batch ? &*found.batch : nullptr, truth));
+  output.text(textOf(dual ? &*dual : nullptr, batch ? &*batch : nullptr, truth));
   nlohmann::json document = {{"motor_samples_left_out", found.left_out}};
-  if (found.dual) document["dual_ukf"] = jsonOf(*found.dual, truth);
-  if (found.batch) document["batch"] = jsonOf(*found.batch, truth);
-  document["result"] =
-      found.choice.method ? nlohmann::json(base::nameOf(*found.choice.method)) : nlohmann::json();
+  if (dual) document["dual_ukf"] = jsonOf(*dual, truth);
+  if (batch) document["batch"] = jsonOf(*batch, truth);
+  const auto& method = identified.choice.method;
+  document["result"] = method ? nlohmann::json(base::nameOf(*method)) : nlohmann::json();
   output.json(document);
-  if (!arguments.trace.empty()) writeTrace(*found.dual, *found.set, arguments.trace);
+  if (!arguments.trace.empty()) writeTrace(*dual, identified.set, arguments.trace);
 }
 
 void writeRobot(const IdentifyArguments& arguments, const Findings& found) {
@@ -230,13 +214,11 @@ void writeRobot(const IdentifyArguments& arguments, const Findings& found) {
   if (arguments.simulate)
     origin.recordings.push_back(fmt::format("a simulation (seed {})", arguments.simulation.seed));
   origin.duration = found.duration;
-  origin.method = base::nameOf(*found.choice.method);
-  origin.values = valueLines(found.estimates());
+  origin.method = base::nameOf(*found.identified->choice.method);
+  origin.values = valueLines(found.identified->estimates());
   origin.software = experiments::software();
-  base::writeTextFile(
-      arguments.out,
-      experiments::identifiedRobotText(
-          found.set->nominal(), identification::identifiedRobot(*found.set, found.estimates()), origin));
+  base::writeTextFile(arguments.out, experiments::identifiedRobotText(found.identified->set.nominal(),
+                                                                      found.identified->robot(), origin));
 }
 
 /// Says that nothing came of it, and that no file was written.
@@ -265,11 +247,10 @@ ExitCode identify(IdentifyArguments& arguments, const CLI::App& command) {
     return kFailed;
   }
   writeReport(arguments, *found);
-  if (!found->choice.method) return fail("nothing was identified: " + found->choice.words, arguments);
-  if (!found->choice.words.empty()) notice(found->choice.words);
-  const auto& estimates = found->estimates();
-  if (std::none_of(estimates.begin(), estimates.end(), [](const auto& e) { return e.seen; }))
-    return fail("no parameter could be seen in this motion", arguments);
+  const experiments::Choice& choice = found->identified->choice;
+  if (!choice.method) return fail("nothing was identified: " + choice.words, arguments);
+  if (!choice.words.empty()) notice(choice.words);
+  if (!found->identified->anySeen()) return fail("no parameter could be seen in this motion", arguments);
   if (!arguments.out.empty()) writeRobot(arguments, *found);
   if (!arguments.tracking_out.empty())
     writeTrackingOptions(found->tracking, found->delay(), arguments.tracking_out);

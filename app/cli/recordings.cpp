@@ -58,7 +58,7 @@ session::MeasuredTable readTable(const std::string& file, RecordingFormat format
 }
 
 std::unique_ptr<session::Source> openSource(const std::string& file, RecordingFormat format,
-                                            const std::string& robot_file) {
+                                            const std::string& robot_file, Notices notices) {
   if (format == RecordingFormat::kRobot) refuseFile(file, "is no recording", "Give it as --robot");
   if (format == RecordingFormat::kSession) {
     if (!robot_file.empty())
@@ -68,7 +68,8 @@ std::unique_ptr<session::Source> openSource(const std::string& file, RecordingFo
   }
   const robot::Description robot = readRobot(robot_file);
   auto source = std::make_unique<session::TableSource>(readTable(file, format, robot), robot);
-  for (const std::string& line : source->info().notices) notice(line);
+  if (notices == Notices::kSaid)
+    for (const std::string& line : source->info().notices) notice(line);
   return source;
 }
 

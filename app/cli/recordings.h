@@ -22,9 +22,10 @@ robot::Description readRobot(const std::string& file);
 /// A measured table or RAVEN-II motor recording.
 session::MeasuredTable readTable(const std::string& file, RecordingFormat format,
                                  const robot::Description& robot);
-/// Any recording as a source. `robot_file` is for recordings that bring no robot; with a session, which
-/// brings its own, it is an error.
+enum class Notices { kSaid, kQuiet };
+/// Any recording as a source; its notices go to standard error. `robot_file` is for recordings that bring no
+/// robot; with a session, which brings its own, it is an error.
 std::unique_ptr<session::Source> openSource(const std::string& file, RecordingFormat format,
-                                            const std::string& robot_file);
+                                            const std::string& robot_file, Notices notices = Notices::kSaid);
 
 }  // namespace capstan::cli

@@ -17,10 +17,12 @@
 #include "app/cli/recordings.h"
 #include "app/cli/report_figures.h"
 #include "app/cli/report_pages.h"
+#include "app/cli/report_rows.h"
 #include "app/cli/simulation_arguments.h"
 #include "app/cli/track_output.h"
 #include "core/base/error.h"
 #include "core/base/yaml.h"
+#include "core/experiments/identify_and_track.h"
 #include "core/session/recorder.h"
 #include "core/tracking/make_pipeline.h"
 
@@ -122,6 +124,22 @@ struct LastFrame {
   }
 };
 
+/// The recording once more, from its beginning: of a simulation what was recorded of it.
+std::unique_ptr<session::Source> openAgain(const ReportArguments& arguments) {
+  if (arguments.file.empty())
+    return openSource((fs::path(arguments.out) / "session.capstan").string(), RecordingFormat::kSession, {});
+  return openSource(arguments.file, formatOf(arguments.format, arguments.file), arguments.robot,
+                    Notices::kQuiet);
+}
+
+experiments::IdentifyAndTrack identifyAndTrack(const ReportArguments& arguments,
+                                               const identification::IdentificationData& data,
+                                               const tracking::TrackingOptions& options,
+                                               base::Progress& progress) {
+  const ProgressLine line(progress);
+  return experiments::identifyAndTrack(data, *openAgain(arguments), options, progress);
+}
+
 std::unique_ptr<session::Source> openFor(ReportArguments& arguments, const CLI::App& command) {
   arguments.simulation.robot = arguments.robot;
   if (arguments.file.empty()) return makeSimulation(arguments.simulation);
@@ -179,6 +197,7 @@ ExitCode report(ReportArguments& arguments, const CLI::App& command) {
   EstimateWriter estimates(folder / "estimates.csv");
   ReportFigures figures;
   LastFrame last;
+  identification::DataCollector collector(pipeline, info.title);
 
   base::Progress progress;
   tracking::TrackReport result;
@@ -189,12 +208,17 @@ ExitCode report(ReportArguments& arguments, const CLI::App& command) {
                                   if (recorder) recorder->add(sample, snapshot);
                                   estimates.add(sample, snapshot);
                                   figures.add(snapshot);
+                                  collector.add(sample, snapshot);
                                   if (const auto* frame = std::get_if<tracking::StereoFrame>(&sample))
                                     last.keep(*frame, snapshot);
                                 });
     estimates.close();
     if (recorder) recorder->close();
   }
+  const experiments::IdentifyAndTrack after =
+      result.cancelled || result.motor_samples == 0
+          ? experiments::IdentifyAndTrack{}
+          : identifyAndTrack(arguments, collector.finish(), options, progress);
 
   std::array<std::string, 3> names;
   for (std::size_t i = 0; i < names.size() && i < info.robot.joints.size(); ++i)
@@ -206,6 +230,8 @@ ExitCode report(ReportArguments& arguments, const CLI::App& command) {
                   .simulated = simulates || !info.truth.empty(),
                   .recorded_here = simulates};
   page.own_kinematics = info.own_kinematics;
+  page.robot = info.robot.name;
+  page.rows = reportRows(result, after, info.own_kinematics);
   page.plots = figures.save(names, folder);
   page.plots_begin = figures.begin();
   page.plots_end = figures.end();
@@ -214,12 +240,15 @@ ExitCode report(ReportArguments& arguments, const CLI::App& command) {
   base::writeTextFile(folder / "errors.md", errorsMarkdown(result.errors));
   base::writeTextFile(folder / "index.html", indexHtml(page, result));
 
-  output.text(textOf(result, info, 0.0) +
-              fmt::format("report         {}\n", (folder / "index.html").string()));
-  output.json(jsonOf(result, info));
+  output.text(fmt::format("robot          {}\n", info.robot.name) + textOf(result, info, 0.0) +
+              textOf(page.rows) + fmt::format("\nreport         {}\n", (folder / "index.html").string()));
+  nlohmann::json document = jsonOf(result, info);
+  document["identified"] = jsonOf(after, info);
+  output.json(document);
+  if (after.cancelled) notice("cancelled: what was identified is not in the report");
   if (result.cancelled) notice("cancelled: the report is of what came before");
   if (result.motor_samples == 0) notice("the recording holds no motor sample: nothing was tracked");
-  return result.cancelled || result.motor_samples == 0 ? kFailed : kOk;
+  return result.cancelled || after.cancelled || result.motor_samples == 0 ? kFailed : kOk;
 }
 
 }  // namespace

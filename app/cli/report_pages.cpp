@@ -6,6 +6,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "app/cli/html_text.h"
 #include "app/cli/track_output.h"
 #include "core/base/units.h"
 
@@ -30,23 +31,6 @@ std::array<ErrorRow, 3> errorRows(const tracking::ErrorTable& errors) {
 
 std::string cell(double value, const char* absent) {
   return std::isnan(value) ? std::string(absent) : fmt::format("{:.4f}", value);
-}
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  }
-  return out;
 }
 
 std::string errorsHtml(const tracking::ErrorTable& errors) {
@@ -92,7 +76,8 @@ std::string linkHtml(const std::string& file) {
 constexpr const char* kStyle =
     "<style>body{font:16px/1.5 sans-serif;max-width:76rem;margin:2rem auto;padding:0 1rem;color:#1a1a1a}"
     "table{border-collapse:collapse;margin:1rem 0}th,td{padding:.25rem .9rem;border-bottom:1px solid #ccc;"
-    "text-align:left}td{text-align:right;font-variant-numeric:tabular-nums}img{max-width:100%}</style>\n";
+    "text-align:left}td{text-align:right;font-variant-numeric:tabular-nums}td.words{text-align:left}"
+    "img{max-width:100%}</style>\n";
 
 }  // namespace
 
@@ -140,10 +125,12 @@ std::string indexHtml(const ReportPage& page, const tracking::TrackReport& repor
         "<p><strong>The robot of this report is simulated: its errors are those of a model, not of a "
         "machine.</strong></p>\n";
   if (report.cancelled) html += "<p><strong>Cancelled: the numbers are of what came before.</strong></p>\n";
+  if (!page.rows.empty()) html += htmlOf(page.rows);
   html += page.own_kinematics
               ? "<h2>Differences from the robot's own kinematics</h2>\n<p>They are no errors: "
                 "the recording holds no truth.</p>\n"
               : "<h2>Errors against the joint encoders</h2>\n";
+  if (!page.robot.empty()) html += fmt::format("<p>Kinematics and filter of {}.</p>\n", escaped(page.robot));
   html += errorsHtml(report.errors);
   if (report.errors.ukf().count() == 0) html += "<p>The recording holds no reference.</p>\n";
   html += "<h2>Tracking</h2>\n" + numbersHtml(report);

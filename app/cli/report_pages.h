@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/report_rows.h"
 #include "core/tracking/track_all.h"
 
 namespace capstan::cli {
@@ -12,7 +13,9 @@ namespace capstan::cli {
 /// What the front page of a report says besides the numbers.
 struct ReportPage {
   std::string title, created, software;
-  std::string recording;  ///< as the reader finds it: a file name
+  std::string recording;             ///< as the reader finds it: a file name
+  std::string robot = {};            ///< whose kinematics the errors are of, and that the filter believed in
+  std::vector<ReportRow> rows = {};  ///< from nominal to identified constants; empty: not there
   bool simulated = false;
   bool recorded_here = false;   ///< the recording lies in the folder itself
   bool own_kinematics = false;  ///< the reference is the robot's own kinematics

@@ -39,16 +39,23 @@ std::string measureName(Measure measure, bool absolute) {
 }
 
 std::string noteOf(const Analysis& analysis) {
-  std::string note = fmt::format("A: {}.", analysis.title_a);
-  if (!analysis.title_b.empty()) note += fmt::format(" B: {}.", analysis.title_b);
+  std::string note;
+  for (const std::string& run : runWords(analysis)) note += (note.empty() ? "" : " ") + run + ".";
+  const std::string thinned = thinningWords(analysis);
+  note += thinned.empty() ? " Every sample counts."
+                          : fmt::format(" RMS: every sample. Median and IQR: {}.", thinned);
   if (analysis.options.share != TimeShare::kAll)
     note += fmt::format(" Only {} time.", base::nameOf(analysis.options.share));
   if (analysis.intervals && analysis.against != Against::kNothing)
     note += fmt::format(
-        " Intervals: 95 %, circular block bootstrap, {} resamples. P: equal means, two-sided t-test of the "
+        " Intervals: 95 %, circular block bootstrap, {} resamples, of at most {} evenly spaced samples of a "
+        "side. P: equal means, two-sided t-test of the "
         "means of blocks, paired where both sides are of the same instants, else Welch's.",
-        analysis.options.resamples);
-  return note;
+        analysis.options.resamples, kMostResampled);
+  std::string paired = pairingWords(analysis);
+  if (paired.empty()) return note;
+  paired[0] = 'I';
+  return note + " " + paired + ".";
 }
 
 }  // namespace
@@ -60,18 +67,18 @@ std::vector<int> AnalysisOptions::joints() const {
 SelectedErrors selectedErrors(const ErrorRun& run, Estimator estimator, int joint,
                               const AnalysisOptions& options) {
   SelectedErrors selected;
-  const auto add = [&](double t, double error) {
-    if (!std::isfinite(error)) return;
-    const double value = forPeople(error, joint);
+  const auto add = [&](double t, const Eigen::Vector3d& error) {
+    if (!error.allFinite()) return;
+    const double value = forPeople(error(joint), joint);
     selected.t.push_back(t);
     selected.value.push_back(options.absolute ? std::abs(value) : value);
   };
   if (estimator == Estimator::kCamera) {
     if (counts(false, options.share))
-      for (const CameraPoint& point : run.camera) add(point.t, point.error(joint));
+      for (const CameraPoint& point : run.camera) add(point.t, point.error);
   } else {
     for (const ErrorPoint& point : run.errors)
-      if (counts(point.occluded, options.share)) add(point.t, errorOf(point, estimator)(joint));
+      if (counts(point.occluded, options.share)) add(point.t, errorOf(point, estimator));
   }
   return selected;
 }
@@ -83,6 +90,22 @@ ErrorSummary summaryOf(const std::vector<double>& values) {
   const double shares[] = {0.25, 0.5, 0.75};
   const std::vector<double> quartiles = stats::quantiles(values, shares);
   summary.value = {stats::rms(values), quartiles[1], quartiles[2] - quartiles[0], stats::mean(values)};
+  summary.counts.fill(values.size());
+  return summary;
+}
+
+ErrorSummary summaryOf(const ErrorRun& run, Estimator estimator, int joint, const AnalysisOptions& options) {
+  ErrorSummary summary = summaryOf(selectedErrors(run, estimator, joint, options).value);
+  const ErrorMoments& all = run.momentsOf(estimator, options.share);
+  if (all.n == 0) return summary;
+  const auto take = [&](Measure measure, double value) {
+    if (!std::isfinite(value)) return;
+    summary.value[static_cast<std::size_t>(measure)] = forPeople(value, joint);
+    summary.counts[static_cast<std::size_t>(measure)] = all.n;
+  };
+  take(Measure::kRms, all.rms()(joint));
+  take(Measure::kMean, all.mean(options.absolute)(joint));
+  summary.n = summary.count(Measure::kRms);
   return summary;
 }
 
@@ -90,13 +113,18 @@ Analysis analyse(const ErrorRun& a, const ErrorRun* b, const AnalysisOptions& op
   Analysis analysis;
   analysis.options = options;
   analysis.title_a = a.title;
-  if (b) analysis.title_b = b->title;
+  analysis.robots_a = robotWords(a.kinematic_robot, a.filter_robot);
+  if (b) {
+    analysis.title_b = b->title;
+    analysis.robots_b = robotWords(b->kinematic_robot, b->filter_robot);
+    analysis.same_motion = sameMotion(a, *b);
+  }
   std::vector<ErrorSummary> of_a, of_b;
   for (const int joint : options.joints())
     for (const Estimator estimator : options.estimators) {
       AnalysisRow row{.joint = joint, .estimator = estimator};
-      row.a = summaryOf(selectedErrors(a, estimator, joint, options).value);
-      if (b) row.b = summaryOf(selectedErrors(*b, estimator, joint, options).value);
+      row.a = summaryOf(a, estimator, joint, options);
+      if (b) row.b = summaryOf(*b, estimator, joint, options);
       of_a.push_back(row.a);
       of_b.push_back(row.b);
       analysis.rows.push_back(row);
@@ -114,13 +142,54 @@ Analysis analyse(const ErrorRun& a, const ErrorRun* b, const AnalysisOptions& op
     const bool against_kinematic =
         analysis.against == Against::kKinematic && row.estimator == Estimator::kUkf;
     if (!b && !against_kinematic) continue;
-    const ErrorSummary first =
-        b ? row.a : summaryOf(selectedErrors(a, Estimator::kKinematic, row.joint, options).value);
+    const ErrorSummary first = b ? row.a : summaryOf(a, Estimator::kKinematic, row.joint, options);
     const ErrorSummary& second = b ? row.b : row.a;
     for (std::size_t i = 0; i < kMeasures.size(); ++i)
       row.difference[i].value = second.value[i] - first.value[i];
   }
   return analysis;
+}
+
+std::vector<std::string> runWords(const Analysis& analysis) {
+  const auto words = [&](const char* letter, const std::string& title, const std::string& robots,
+                         ErrorSummary AnalysisRow::*side) {
+    std::size_t n = 0;
+    for (const AnalysisRow& row : analysis.rows) n = std::max(n, (row.*side).n);
+    return fmt::format("{}: {}{}{}, n = {}", letter, title, robots.empty() ? "" : ", ", robots, n);
+  };
+  std::vector<std::string> all = {words("A", analysis.title_a, analysis.robots_a, &AnalysisRow::a)};
+  if (!analysis.title_b.empty())
+    all.push_back(words("B", analysis.title_b, analysis.robots_b, &AnalysisRow::b));
+  return all;
+}
+
+std::string thinningWords(const Analysis& analysis) {
+  std::string words;
+  for (const auto side : {&AnalysisRow::a, &AnalysisRow::b}) {
+    std::size_t kept = 0, all = 0;  // of the estimator with the most samples
+    for (const AnalysisRow& row : analysis.rows) {
+      const ErrorSummary& summary = row.*side;
+      if (summary.n <= all) continue;
+      all = summary.n;
+      kept = summary.count(Measure::kMedian);
+    }
+    if (kept >= all) continue;
+    const bool two = !analysis.title_b.empty();
+    words += fmt::format("{}{}{} of {} samples", words.empty() ? "distributions of " : ", ",
+                         !two                      ? ""
+                         : side == &AnalysisRow::a ? "A: "
+                                                   : "B: ",
+                         kept, all);
+  }
+  return words;
+}
+
+std::string pairingWords(const Analysis& analysis) {
+  if (!analysis.intervals || analysis.against != Against::kRun) return {};
+  for (const AnalysisRow& row : analysis.rows)
+    if (row.paired && row.common < std::max(row.a.count(Measure::kMedian), row.b.count(Measure::kMedian)))
+      return fmt::format("intervals and P: of the {} instants that both runs have", row.common);
+  return {};
 }
 
 int decimalsOf(const Analysis& analysis) {
@@ -162,8 +231,8 @@ base::Table tableOf(const Analysis& analysis) {
           measureName(measure, analysis.options.absolute),
           tracking::kJointUnits[static_cast<std::size_t>(row.joint)], row.a.of(measure)};
       if (two) cells.emplace_back(row.b.of(measure));
-      cells.emplace_back(static_cast<double>(row.a.n));
-      if (two) cells.emplace_back(static_cast<double>(row.b.n));
+      cells.emplace_back(static_cast<double>(row.a.count(measure)));
+      if (two) cells.emplace_back(static_cast<double>(row.b.count(measure)));
       const Difference& d = row.of(measure);
       if (differences)
         cells.insert(cells.end(), {d.value, d.low, d.high, measure == Measure::kMean ? row.p : kNone});

@@ -14,9 +14,6 @@
 /// difference is. Angles in degrees, lengths in millimetres: this is what people read.
 namespace capstan::experiments {
 
-/// Which instants count. A camera sample that the filter took is always a seen one.
-enum class TimeShare { kAll, kOccluded, kSeen };
-
 struct AnalysisOptions {
   std::optional<int> joint;  ///< 0…2; nothing: all
   std::vector<Estimator> estimators = {Estimator::kKinematic, Estimator::kUkf};
@@ -41,14 +38,19 @@ enum class Measure { kRms, kMedian, kInterquartileRange, kMean };
 inline constexpr std::array kMeasures = {Measure::kRms, Measure::kMedian, Measure::kInterquartileRange,
                                          Measure::kMean};
 
-/// What a sample comes to [deg or mm]; NaN without one.
+/// What a sample comes to [deg or mm]; NaN without one. RMS and mean are over every sample of a run, median
+/// and IQR over those that its memory kept; each measure has its count.
 struct ErrorSummary {
-  std::size_t n = 0;
+  std::size_t n = 0;  ///< behind the RMS
   std::array<double, kMeasures.size()> value = {kNone, kNone, kNone, kNone};
+  std::array<std::size_t, kMeasures.size()> counts = {};
 
   double of(Measure measure) const { return value[static_cast<std::size_t>(measure)]; }
+  std::size_t count(Measure measure) const { return counts[static_cast<std::size_t>(measure)]; }
 };
 ErrorSummary summaryOf(const std::vector<double>& values);
+/// Of an estimator and joint of `run`, over the time that `options` ask for.
+ErrorSummary summaryOf(const ErrorRun& run, Estimator estimator, int joint, const AnalysisOptions& options);
 
 /// second − first, with the percentile interval of a circular block bootstrap; NaN where it is not known
 /// (yet). The interval says that the difference is not zero.
@@ -64,7 +66,8 @@ struct AnalysisRow {
   Estimator estimator = Estimator::kUkf;
   ErrorSummary a = {}, b = {};  ///< of runs A and B; without B: b has no samples
   std::array<Difference, kMeasures.size()> difference = {};
-  bool paired = false;  ///< both sides at the same instants of one motion
+  bool paired = false;     ///< both sides at the same instants of one motion
+  std::size_t common = 0;  ///< of paired sides: the instants that both have
   /// Two-sided P of equal means, of the means of blocks that are about independent: paired or Welch's
   /// t-test. NaN for fewer than kLeastBlocks of them, or no spread.
   double p = kNone, log10_p = kNone;
@@ -82,7 +85,9 @@ enum class Against {
 
 struct Analysis {
   AnalysisOptions options;
-  std::string title_a, title_b;  ///< title_b empty: one run
+  std::string title_a, title_b;    ///< title_b empty: one run
+  std::string robots_a, robots_b;  ///< whose kinematics and filter: robotWords()
+  bool same_motion = false;        ///< of two runs: their samples pair
   Against against = Against::kNothing;
   std::vector<AnalysisRow> rows;  ///< by joint, then estimator
   bool intervals = false;         ///< addIntervals() has finished
@@ -101,6 +106,16 @@ bool addIntervals(Analysis& analysis, const ErrorRun& a, const ErrorRun* b, base
 /// A row a joint, estimator and measure: A, B, difference, 95 % interval; P beside means.
 base::Table tableOf(const Analysis& analysis);
 
+/// "A: trial.capstan, kinematics and UKF of mine.yaml, n = 19610", for each run.
+std::vector<std::string> runWords(const Analysis& analysis);
+
+/// "distributions of 1961 of 19610 samples", where a run had more than its memory kept; else empty.
+std::string thinningWords(const Analysis& analysis);
+
+/// "intervals and P: of the 8164 instants that both runs have", where one run has more than the other; else
+/// empty.
+std::string pairingWords(const Analysis& analysis);
+
 /// Decimals that show three digits of the smallest RMS of `analysis` [deg or mm]: 3 to 6.
 int decimalsOf(const Analysis& analysis);
 
@@ -109,12 +124,6 @@ std::string probabilityText(double p, double log10_p);
 
 }  // namespace capstan::experiments
 
-template <>
-struct capstan::base::NamesOf<capstan::experiments::TimeShare> {
-  using S = capstan::experiments::TimeShare;
-  static constexpr std::array value = {std::pair{S::kAll, "all"}, std::pair{S::kOccluded, "occluded"},
-                                       std::pair{S::kSeen, "seen"}};
-};
 template <>
 struct capstan::base::NamesOf<capstan::experiments::Measure> {
   using M = capstan::experiments::Measure;

@@ -126,6 +126,7 @@ stats::Statistic statisticOf(Measure measure, std::vector<double>& room, const s
 void addIntervalsTo(AnalysisRow& row, const Sides& sides, const AnalysisOptions& options,
                     const std::function<void()>& tick) {
   row.paired = sides.paired;
+  row.common = sides.common;
   const auto &first = sides.first.value, &second = sides.second.value;
   row.block_length =
       std::min({std::max(lengthFor(sides.first), lengthFor(sides.second)), first.size(), second.size()});
@@ -163,7 +164,8 @@ bool addIntervals(Analysis& analysis, const ErrorRun& a, const ErrorRun* b, base
   try {
     for (AnalysisRow& row : rows)
       if (std::isfinite(row.of(Measure::kRms).value))
-        addIntervalsTo(row, sidesOf(row, a, b, analysis.options), analysis.options, tick);
+        addIntervalsTo(row, sidesOf(row, a, b, analysis.options, analysis.same_motion), analysis.options,
+                       tick);
   } catch (const Cancelled&) {
     return false;
   }

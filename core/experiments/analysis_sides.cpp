@@ -65,16 +65,20 @@ SpacedErrors spaced(const SelectedErrors& errors, double spacing) {
   return kept;
 }
 
-Sides sidesOf(const AnalysisRow& row, const ErrorRun& a, const ErrorRun* b, const AnalysisOptions& options) {
+Sides sidesOf(const AnalysisRow& row, const ErrorRun& a, const ErrorRun* b, const AnalysisOptions& options,
+              bool same_motion) {
   const Estimator before = b ? row.estimator : Estimator::kKinematic;
   SelectedErrors first = selectedErrors(a, before, row.joint, options);
   SelectedErrors second = selectedErrors(b ? *b : a, row.estimator, row.joint, options);
   Sides sides;
-  if (!b || (!a.motion.empty() && a.motion == b->motion)) {
+  if (!b || same_motion) {
     auto common = commonInstants(first, second);
     const auto shorter = static_cast<double>(std::min(first.t.size(), second.t.size()));
     sides.paired = static_cast<double>(common.first.t.size()) >= kPairedShare * shorter;
-    if (sides.paired) std::tie(first, second) = std::move(common);
+    if (sides.paired) {
+      sides.common = common.first.t.size();
+      std::tie(first, second) = std::move(common);
+    }
   }
   const double spacing =
       spacingFor(first, second, std::max({spacingOf(first.t), spacingOf(second.t), kLeastSpacing}));

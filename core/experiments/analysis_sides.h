@@ -18,13 +18,15 @@ struct SpacedErrors {
 /// Both sides of one difference.
 struct Sides {
   SpacedErrors first, second;
-  bool paired = false;  ///< sample for sample of the same instants; then the pieces are the same
+  bool paired = false;     ///< sample for sample of the same instants; then the pieces are the same
+  std::size_t common = 0;  ///< of paired sides: instants that both have, before they are spaced
 };
 
 /// The errors behind `row`, both sides about equally spaced: by the wider spacing of the two, and as much
-/// wider as kMostResampled asks for. They are paired where the motion is one and the most of the shorter side
-/// has its partner at the same time; what has none is left out.
-Sides sidesOf(const AnalysisRow& row, const ErrorRun& a, const ErrorRun* b, const AnalysisOptions& options);
+/// wider as kMostResampled asks for. They are paired where the motion is one (`same_motion`, sameMotion())
+/// and the most of the shorter side has its partner at the same time; what has none is left out.
+Sides sidesOf(const AnalysisRow& row, const ErrorRun& a, const ErrorRun* b, const AnalysisOptions& options,
+              bool same_motion);
 
 /// Median distance of times that follow each other [s]; 0 for fewer than two.
 double spacingOf(const std::vector<double>& t);

@@ -8,6 +8,9 @@
 #include "core/base/checksum.h"
 #include "core/base/error.h"
 #include "core/base/resource.h"
+#include "core/experiments/motion_collector.h"
+#include "core/experiments/same_recording.h"
+#include "core/experiments/trial_robots.h"
 #include "core/session/table_source.h"
 #include "core/tracking/make_pipeline.h"
 #include "core/tracking/track_all.h"
@@ -17,17 +20,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Points of a whole recording are kept: eleven days at kRate.
-constexpr std::size_t kRecordingCapacity = 100'000'000;
+/// Points of a recording that are kept: 35 minutes at 1 kHz.
+constexpr std::size_t kRecordingCapacity = std::size_t{1} << 21;
 
 bool occluded(const tracking::Snapshot& s) {
   return tracking::markerLost(s) || (s.camera_samples > 0 && s.gate == tracking::Gate::kNoCamera);
-}
-
-template <class T>
-void dropEveryOther(std::vector<T>& points) {
-  for (std::size_t i = 0; 2 * i < points.size(); ++i) points[i] = points[2 * i];
-  points.resize((points.size() + 1) / 2);
 }
 
 [[noreturn]] void refuse(const std::string& file, std::string key, std::string value, std::string reason,
@@ -37,6 +34,25 @@ void dropEveryOther(std::vector<T>& points) {
 
 /// The bytes of a recording, whatever it is called: as at the end of TrialInputs::recording.
 std::string motionOf(const fs::path& recording) { return "checksum " + base::checksumOfFile(recording); }
+
+bool isFileOf(const fs::path& file, const ErrorRun& run) {
+  return std::any_of(run.files.begin(), run.files.end(),
+                     [&](const fs::path& other) { return sameRecording(file, other); });
+}
+
+/// `run` knows its motion by a recording's bytes, and `file` has these.
+bool isMotionOf(const fs::path& file, const ErrorRun& run) {
+  try {
+    return run.files.empty() && run.motion.starts_with("checksum ") && motionOf(file) == run.motion;
+  } catch (const base::InputError&) {
+    return false;
+  }
+}
+
+bool anyFileIn(const ErrorRun& a, const ErrorRun& b) {
+  return std::any_of(a.files.begin(), a.files.end(),
+                     [&](const fs::path& file) { return isFileOf(file, b) || isMotionOf(file, b); });
+}
 
 std::string motionOf(const TrialResult& trial) {
   const std::string& recording = trial.inputs.recording;
@@ -57,6 +73,68 @@ std::vector<std::string> resultsWithin(const fs::path& folder) {
   return names;
 }
 
+/// `names`, and what the pipeline makes of `source` when it believes in `robot`.
+ErrorRun trackSource(session::Source& source, const robot::Description& robot, ErrorRun names,
+                     base::Progress& progress) {
+  session::SourceInfo info = source.info();
+  info.robot = robot;
+  tracking::TrackingPipeline pipeline = tracking::makePipeline(info);
+  ErrorCollector collector(kRecordingCapacity);
+  SessionMotion motion(kRecordingCapacity, info.reference || info.own_kinematics);
+  const tracking::TrackReport report =
+      tracking::trackAll(source, pipeline, &progress, info.duration,
+                         [&](const tracking::Sample&, const tracking::Snapshot& snapshot) {
+                           collector.take(snapshot);
+                           motion.take(snapshot);
+                         });
+  ErrorRun run = std::move(names);
+  ErrorRun found = collector.run();
+  run.errors = std::move(found.errors);
+  run.camera = std::move(found.camera);
+  run.moments = found.moments;
+  run.trajectory = motion.trajectory();
+  run.begin = report.first_t;
+  run.end = report.last_t;
+  run.own_kinematics = info.own_kinematics;
+  run.simulated = !info.truth.empty();
+  run.notices = info.notices;
+  if (info.rig && !info.base_from_camera)
+    run.notices.push_back("no registration is stored with it: the filter ran on kinematics alone");
+  if (info.own_kinematics)
+    run.notices.push_back("its reference is the robot's own kinematics: these are differences, not errors");
+  return run;
+}
+
+enum class Reference { kNeeded, kOptional };
+
+ErrorRun trackFile(const fs::path& recording, const fs::path& robot, Reference reference,
+                   base::Progress& progress) {
+  progress.report(0.0, "opening");
+  const robot::Description believed =
+      robot::readDescription(robot.empty() ? base::resource("robots/raven2_left.yaml") : robot);
+  ErrorRun names;
+  names.motion = motionOf(recording);  // before it is opened: closing a file takes SQLite's locks away
+  names.files = {recording};
+  names.title = recording.filename().string();
+  names.trial = recording.stem().string();
+  names.name = fileNameOf(names.trial);
+  const auto source = session::openRecording(recording, believed);
+  const session::SourceInfo& info = source->info();
+  if (reference == Reference::kNeeded && !info.reference && !info.own_kinematics)
+    refuse(recording.string(), {}, {}, "holds no joint encoders, so its errors are not known",
+           "Choose a recording with a reference (columns q1, q2, q3 of a table)");
+  if (robot.empty()) {
+    const bool own = robot::formatDescription(info.robot) != robot::formatDescription(believed);
+    names.filter_robot = info.robot.name + (own ? " (the recording's own)" : "");
+  } else {
+    names.filter_robot = robot.filename().string();
+    names.title += ", " + robot.stem().string();
+    names.name += "-" + fileNameOf(robot.stem().string());
+  }
+  names.kinematic_robot = names.filter_robot;
+  return trackSource(*source, robot.empty() ? info.robot : believed, std::move(names), progress);
+}
+
 void requireResults(const fs::path& folder) {
   std::error_code fault;
   if (fs::exists(folder / "results.json", fault)) return;
@@ -68,98 +146,75 @@ void requireResults(const fs::path& folder) {
 
 }  // namespace
 
-ErrorCollector::ErrorCollector(double rate, std::size_t capacity)
-    : capacity_(capacity), rate_asked_(rate), rate_(rate), due_(rate) {
-  errors_.reserve(std::min(capacity_, kCapacity));
-  camera_.reserve(std::min(capacity_, kCapacity));
+void ErrorRun::addMoments(Estimator which, const Eigen::Vector3d& error, bool occluded) {
+  auto& sums = moments[static_cast<std::size_t>(which)];
+  for (const TimeShare share : {TimeShare::kAll, occluded ? TimeShare::kOccluded : TimeShare::kSeen})
+    sums[static_cast<std::size_t>(share)].add(error);
 }
+
+bool sameMotion(const ErrorRun& a, const ErrorRun& b) {
+  return (!a.motion.empty() && a.motion == b.motion) || anyFileIn(a, b) || anyFileIn(b, a);
+}
+
+std::string robotWords(const std::string& kinematic_robot, const std::string& filter_robot) {
+  if (filter_robot.empty()) return {};
+  if (kinematic_robot == filter_robot) return fmt::format("kinematics and UKF of {}", filter_robot);
+  return fmt::format("kinematics of {}, UKF of {}", kinematic_robot, filter_robot);
+}
+
+ErrorCollector::ErrorCollector(std::size_t capacity)
+    : errors_(capacity, std::min(capacity, kCapacity)), camera_(capacity, std::min(capacity, kCapacity)) {}
 
 void ErrorCollector::take(const tracking::Snapshot& s) {
   if (s.camera_updated && s.gate == tracking::Gate::kOpen) takeCamera(s);
   if (!s.reference_paired) return;
+  const Eigen::Vector3d kinematic = s.q_link_kin - s.q_link_true, ukf = s.q_link_ukf - s.q_link_true;
+  const bool hidden = occluded(s);
   const std::lock_guard lock(mutex_);
-  if (!due_.due(s.t)) return;
-  if (errors_.size() == capacity_) {
-    dropEveryOther(errors_);
-    rate_ *= 0.5;
-    due_ = session::DueTimes(rate_);
-    (void)due_.due(errors_.back().t);
-    if (!due_.due(s.t)) return;
-  }
-  const Eigen::Vector3d kinematic = s.q_link_kin - s.q_link_true;
-  errors_.push_back({s.t, kinematic, kinematic, s.q_link_ukf - s.q_link_true, occluded(s)});
+  for (const Estimator which : {Estimator::kKinematic, Estimator::kIdentified})
+    sums_.addMoments(which, kinematic, hidden);
+  sums_.addMoments(Estimator::kUkf, ukf, hidden);
+  errors_.add({s.t, kinematic, kinematic, ukf, hidden});
 }
 
 void ErrorCollector::takeCamera(const tracking::Snapshot& s) {
   const Eigen::Vector3d error = s.q_link_cam - s.q_link_true_cam;
   if (!error.allFinite()) return;
   const std::lock_guard lock(mutex_);
-  if (camera_count_++ % camera_stride_ != 0) return;
-  if (camera_.size() == capacity_) {
-    dropEveryOther(camera_);
-    camera_stride_ *= 2;
-  }
-  camera_.push_back({s.t_cam, s.q_link_cam, error});
+  sums_.addMoments(Estimator::kCamera, error, false);
+  camera_.add({s.t_cam, s.q_link_cam, error});
 }
 
 void ErrorCollector::restart() {
   const std::lock_guard lock(mutex_);
   errors_.clear();
   camera_.clear();
-  rate_ = rate_asked_;
-  due_ = session::DueTimes(rate_);
-  camera_stride_ = 1;
-  camera_count_ = 0;
+  sums_ = {};
 }
 
 ErrorRun ErrorCollector::run() const {
   const std::lock_guard lock(mutex_);
   ErrorRun run;
-  run.errors = errors_;
-  run.camera = camera_;
-  if (!errors_.empty()) {
-    run.begin = errors_.front().t;
-    run.end = errors_.back().t;
+  run.moments = sums_.moments;
+  run.errors = errors_.points();
+  run.camera = camera_.points();
+  if (!run.errors.empty()) {
+    run.begin = run.errors.front().t;
+    run.end = run.errors.back().t;
   }
   return run;
 }
 
-ErrorRun trackErrors(session::Source& source, const robot::Description& robot, base::Progress& progress) {
-  session::SourceInfo info = source.info();
-  if (!info.reference && !info.own_kinematics)
-    refuse(info.title, {}, {}, "holds no joint encoders, so its errors are not known",
-           "Choose a recording with a reference (columns q1, q2, q3 of a table)");
-  info.robot = robot;
-  tracking::TrackingPipeline pipeline = tracking::makePipeline(info);
-  ErrorCollector collector(ErrorCollector::kRate, kRecordingCapacity);
-  tracking::trackAll(
-      source, pipeline, &progress, info.duration,
-      [&](const tracking::Sample&, const tracking::Snapshot& snapshot) { collector.take(snapshot); });
-  ErrorRun run = collector.run();
-  run.title = info.title;
-  run.own_kinematics = info.own_kinematics;
-  run.notices = info.notices;
-  if (info.rig && !info.base_from_camera)
-    run.notices.push_back("no registration is stored with it: the filter ran on kinematics alone");
-  if (info.own_kinematics)
-    run.notices.push_back("its reference is the robot's own kinematics: these are differences, not errors");
-  return run;
+ErrorRun trackRun(const fs::path& recording, const fs::path& robot, base::Progress& progress) {
+  return trackFile(recording, robot, Reference::kOptional, progress);
 }
 
 ErrorRun trackErrors(const fs::path& recording, const fs::path& robot, base::Progress& progress) {
-  progress.report(0.0, "opening");
-  const robot::Description believed =
-      robot::readDescription(robot.empty() ? base::resource("robots/raven2_left.yaml") : robot);
-  std::string motion = motionOf(recording);  // before it is opened: closing a file takes SQLite's locks away
-  const auto source = session::openRecording(recording, believed);
-  ErrorRun run = trackErrors(*source, robot.empty() ? source->info().robot : believed, progress);
+  ErrorRun run = trackFile(recording, robot, Reference::kNeeded, progress);
   if (!progress.cancelled() && run.errors.empty())
     refuse(recording.string(), {}, {},
            "holds no instant at which motors and joint encoders were read together",
            "Choose a recording whose reference was sampled with the motors");
-  run.title = recording.filename().string();
-  if (!robot.empty()) run.title += ", " + robot.stem().string();
-  run.motion = std::move(motion);
   return run;
 }
 
@@ -183,6 +238,10 @@ ErrorRun readErrors(const fs::path& folder, const std::string& trial) {
   run.title = fmt::format("{}, {}", results.name, found->name);
   run.motion = motionOf(*found);
   run.own_kinematics = found->own_kinematics;
+  for (std::size_t i = 0; i < kEstimators; ++i)
+    run.moments[i][0] = ErrorMoments::ofRms(found->rms[i], found->counts[i]);
+  run.kinematic_robot = kinematicRobotOf(*found);
+  run.filter_robot = filterRobotOf(results, *found);
   run.errors = std::move(found->errors);
   run.camera = std::move(found->camera);
   std::erase_if(run.camera, [](const CameraPoint& point) { return !point.error.allFinite(); });

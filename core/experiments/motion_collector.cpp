@@ -1,5 +1,6 @@
 #include "core/experiments/motion_collector.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace capstan::experiments {
@@ -50,12 +51,15 @@ void MotionCollector::takePoint(const tracking::Snapshot& s) {
   seen_ = noJoints();
 }
 
-SessionMotion::SessionMotion(std::size_t capacity) : capacity_(capacity) { points_.reserve(capacity_); }
+SessionMotion::SessionMotion(std::size_t capacity, bool reference)
+    : capacity_(capacity), reference_(reference) {
+  points_.reserve(std::min(capacity_, kCapacity));
+}
 
 void SessionMotion::take(const tracking::Snapshot& s) {
   const std::lock_guard lock(mutex_);
   if (s.camera_updated && s.gate == tracking::Gate::kOpen) seen_ = s.q_link_cam;
-  if (!s.reference_paired || !due_.due(s.t)) return;
+  if (!(reference_ ? s.reference_paired : s.motor_updated) || !due_.due(s.t)) return;
   if (points_.size() == capacity_) {
     for (std::size_t i = 0; 2 * i < points_.size(); ++i) points_[i] = points_[2 * i];
     points_.resize((points_.size() + 1) / 2);
@@ -65,8 +69,8 @@ void SessionMotion::take(const tracking::Snapshot& s) {
     if (!due_.due(s.t)) return;
   }
   const bool silent = s.camera_samples > 0 && s.gate == tracking::Gate::kNoCamera;
-  points_.push_back({s.t, s.q_link_true, s.q_link_kin, seen_, s.q_link_ukf, s.q_link_ukf_sigma,
-                     tracking::markerLost(s) || silent});
+  points_.push_back({s.t, reference_ ? s.q_link_true : noJoints(), s.q_link_kin, seen_, s.q_link_ukf,
+                     s.q_link_ukf_sigma, tracking::markerLost(s) || silent});
   seen_ = noJoints();
 }
 

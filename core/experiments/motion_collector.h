@@ -48,17 +48,18 @@ class MotionCollector {
   std::uint64_t samples_ = 0, blocked_ = 0;
 };
 
-/// Gathers the trajectory of a running session, at most kRate times a second where a reference meets a motor
-/// sample, kinematics of the robot in use. `occluded` as in ErrorCollector. May be read from another thread.
-/// Its memory is fixed: when `capacity` points are held, every other goes and the rate is halved.
+/// Gathers the trajectory of a running session or a recording, at most kRate times a second where a reference
+/// meets a motor sample (without `reference`: at motor samples), kinematics of the robot in use. `occluded`
+/// as in ErrorCollector. May be read from another thread. Its memory is fixed: when `capacity` points are
+/// held, every other goes and the rate is halved.
 class SessionMotion {
  public:
   static constexpr double kRate = MotionCollector::kRate;
   static constexpr std::size_t kCapacity = std::size_t{1} << 15;  ///< 27 min at kRate
 
-  explicit SessionMotion(std::size_t capacity = kCapacity);
+  explicit SessionMotion(std::size_t capacity = kCapacity, bool reference = true);
 
-  /// Every snapshot, in order. Allocates nothing.
+  /// Every snapshot, in order. Allocates nothing up to kCapacity points.
   void take(const tracking::Snapshot& snapshot);
   /// Forgets everything.
   void restart();
@@ -66,6 +67,7 @@ class SessionMotion {
 
  private:
   const std::size_t capacity_;
+  const bool reference_;
   mutable std::mutex mutex_;
   double rate_ = kRate;
   session::DueTimes due_{kRate};

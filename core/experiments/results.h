@@ -21,7 +21,7 @@ inline Eigen::Vector3d noJoints() { return Eigen::Vector3d::Constant(kNone); }
 
 /// Estimators whose errors are compared.
 enum class Estimator {
-  kKinematic,   ///< transmission kinematics of the nominal robot
+  kKinematic,   ///< transmission kinematics: of an experiment's nominal robot, else of the filter's robot
   kIdentified,  ///< transmission kinematics of the robot that the estimator believes in
   kCamera,      ///< stereo vision, where the filter took it, at its own times
   kUkf
@@ -90,6 +90,8 @@ struct TrialResult : TrialMotion {
   std::vector<ErrorPoint> errors;
   TrialInputs inputs;
   double seconds = 0.0;  ///< of computing; in timing.json, as it differs from run to run
+  /// Names of a run that was no experiment (resultsOfErrors()), else empty; in no file. See trial_robots.h.
+  std::string kinematic_robot, filter_robot;
 
   const Eigen::Vector3d& rmsOf(Estimator which) const { return rms[static_cast<std::size_t>(which)]; }
   /// |error| of joint 0…2 over the thinned series [rad or m].

@@ -3,24 +3,34 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "core/experiments/run.h"
-#include "core/stats/running_rms.h"
 
 namespace capstan::experiments {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Over the points that know the error in all three joints.
+/// Over every sample of the run; of a run made by hand, over its points that know the error in all joints.
 template <class Point>
-void takeRms(TrialResult& trial, Estimator which, const std::vector<Point>& points,
+void takeRms(TrialResult& trial, const ErrorRun& run, Estimator which, const std::vector<Point>& points,
              Eigen::Vector3d Point::*error) {
-  stats::RunningRms<3> rms;
-  for (const Point& point : points)
-    if ((point.*error).allFinite()) rms.add(point.*error);
+  ErrorMoments all = run.momentsOf(which, TimeShare::kAll);
+  if (all.n == 0)
+    for (const Point& point : points) all.add(point.*error);
   const auto index = static_cast<std::size_t>(which);
-  trial.counts[index] = rms.count();
-  if (rms.count() > 0) trial.rms[index] = rms.value();
+  trial.counts[index] = all.n;
+  if (all.n > 0) trial.rms[index] = all.rms();
+}
+
+/// Of the instants at which the UKF's error is known.
+double occludedShare(const ErrorRun& run) {
+  const auto count = [&](TimeShare share) {
+    return static_cast<double>(run.momentsOf(Estimator::kUkf, share).n);
+  };
+  if (count(TimeShare::kAll) > 0.0) return count(TimeShare::kOccluded) / count(TimeShare::kAll);
+  if (run.errors.empty()) return 0.0;
+  const auto occluded = std::count_if(run.errors.begin(), run.errors.end(),
+                                      [](const ErrorPoint& point) { return point.occluded; });
+  return static_cast<double>(occluded) / static_cast<double>(run.errors.size());
 }
 
 }  // namespace
@@ -43,47 +53,34 @@ std::vector<fs::path> resultFolders(const fs::path& folder) {
 
 Results resultsOfRecording(const fs::path& recording, const fs::path& robot, const std::string& software,
                            base::Progress& progress) {
-  Specification specification;
-  specification.name = fileNameOf(recording.stem().string());
-  specification.title = recording.filename().string();
-  if (!robot.empty()) {
-    specification.robot = {fs::absolute(robot).string()};
-    specification.name += "-" + fileNameOf(robot.stem().string());
-    specification.title += ", " + robot.stem().string();
-  }
-  specification.trials.resize(1);
-  specification.trials[0].name = recording.stem().string();
-  specification.trials[0].recording = fs::absolute(recording).string();
-  RunOptions options;
-  options.threads = 1;
-  options.software = software;
-  return run(specification, options, progress);
+  Results results = resultsOfErrors(trackRun(recording, robot, progress), software);
+  results.cancelled = progress.cancelled();
+  return results;
 }
 
 Results resultsOfErrors(const ErrorRun& run, const std::string& software) {
   Results results;
-  results.name = "session";
+  results.name = run.name;
   results.title = run.title;
   results.software = software;
   results.simulated = run.simulated;
   TrialResult& trial = results.trials.emplace_back();
-  trial.name = "session";
+  trial.name = run.trial;
   trial.simulated = run.simulated;
   trial.own_kinematics = run.own_kinematics;
-  trial.reference = !run.own_kinematics;
+  trial.reference = !run.own_kinematics && !run.errors.empty();
+  trial.kinematic_robot = run.kinematic_robot;
+  trial.filter_robot = run.filter_robot;
   trial.begin = run.begin;
   trial.end = run.end;
   trial.errors = run.errors;
   trial.camera = run.camera;
   trial.trajectory = run.trajectory;
-  const auto occluded = std::count_if(run.errors.begin(), run.errors.end(),
-                                      [](const ErrorPoint& point) { return point.occluded; });
-  if (!run.errors.empty())
-    trial.occluded_share = static_cast<double>(occluded) / static_cast<double>(run.errors.size());
-  takeRms(trial, Estimator::kKinematic, run.errors, &ErrorPoint::kinematic);
-  takeRms(trial, Estimator::kIdentified, run.errors, &ErrorPoint::identified);
-  takeRms(trial, Estimator::kUkf, run.errors, &ErrorPoint::ukf);
-  takeRms(trial, Estimator::kCamera, run.camera, &CameraPoint::error);
+  trial.occluded_share = occludedShare(run);
+  takeRms(trial, run, Estimator::kKinematic, run.errors, &ErrorPoint::kinematic);
+  takeRms(trial, run, Estimator::kIdentified, run.errors, &ErrorPoint::identified);
+  takeRms(trial, run, Estimator::kUkf, run.errors, &ErrorPoint::ukf);
+  takeRms(trial, run, Estimator::kCamera, run.camera, &CameraPoint::error);
   return results;
 }
 

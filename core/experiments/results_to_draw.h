@@ -15,14 +15,13 @@ namespace capstan::experiments {
 /// them. Throws base::InputError for a folder without any.
 std::vector<std::filesystem::path> resultFolders(const std::filesystem::path& folder);
 
-/// Tracks a recording as the only trial of an experiment that keeps nothing; its name is the file's, and the
-/// robot's behind it where `robot` (a file; empty: the recording's own) is believed in. `software`: program
-/// and version. Cancelled before it was done: Results::cancelled. Throws base::InputError for files that
-/// cannot be used.
+/// resultsOfErrors() of trackRun(): its name is the file's, and the robot's behind it where `robot` (a file;
+/// empty: the recording's own) is believed in. `software`: program and version. Cancelled before it was done:
+/// Results::cancelled. Throws base::InputError for files that cannot be used.
 Results resultsOfRecording(const std::filesystem::path& recording, const std::filesystem::path& robot,
                            const std::string& software, base::Progress& progress);
 
-/// A running session as a trial: errors, RMS over what `run` kept of them, and its trajectory.
+/// A running session or a recording as a trial: its errors, their RMS over every sample, and its trajectory.
 Results resultsOfErrors(const ErrorRun& run, const std::string& software);
 
 /// Files begin with the results' names: those that meet a name again get -B, -C, … behind theirs.

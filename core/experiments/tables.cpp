@@ -9,6 +9,7 @@
 #include "core/base/units.h"
 #include "core/base/yaml.h"
 #include "core/experiments/identified.h"
+#include "core/experiments/trial_robots.h"
 #include "core/stats/boxplot.h"
 #include "core/stats/quantile.h"
 #include "core/stats/rms.h"
@@ -30,6 +31,16 @@ std::string textOf(TrialSpec trial) {
   trial.name.clear();
   trial.seed = 0;
   return base::writeYaml(trial);
+}
+
+/// "Experiment C"; of a run that is no experiment its title.
+std::string nameOf(const Results& results) {
+  const bool run = !results.trials.empty() && !results.trials.front().filter_robot.empty();
+  return run ? results.title : "Experiment " + results.name;
+}
+
+double countOf(const TrialResult& trial, Estimator which) {
+  return static_cast<double>(trial.counts[static_cast<std::size_t>(which)]);
 }
 
 double rmsForPeople(const TrialResult& trial, Estimator which, int joint) {
@@ -188,7 +199,7 @@ Improvement improvementOf(const Results& results, Estimator before, Estimator af
 Table trialTable(const Results& results, const Published* published) {
   published = beside(results, published);
   Table table;
-  table.title = fmt::format("Experiment {}: RMS errors by trial", results.name);
+  table.title = nameOf(results) + ": RMS errors by trial";
   table.columns = {{"trial", "", 3, NumberStyle::kFixed, true},
                    {"duration", "s", 0, NumberStyle::kFixed, true},
                    {"joint", ""}};
@@ -198,6 +209,7 @@ Table trialTable(const Results& results, const Published* published) {
   for (const char* name : {"UKF", "camera"}) table.columns.push_back({name, ""});
   const bool identified = anotherRobot(results);
   if (identified) table.columns.push_back({"kinematic, identified robot", ""});
+  table.columns.push_back({"n", "", 0});
   for (std::size_t i = 0; i < results.trials.size(); ++i) {
     const TrialResult& trial = results.trials[i];
     for (int joint = 0; joint < 3; ++joint) {
@@ -208,17 +220,19 @@ Table trialTable(const Results& results, const Published* published) {
       for (const Estimator which : {Estimator::kUkf, Estimator::kCamera})
         row.push_back(rmsForPeople(trial, which, joint));
       if (identified) row.push_back(rmsForPeople(trial, Estimator::kIdentified, joint));
+      row.push_back(countOf(trial, Estimator::kUkf));
       table.rows.push_back(std::move(row));
     }
   }
-  table.note = "RMS over all reference samples; camera: over accepted pictures. " + simulatedNote(results);
+  table.note = "RMS over all n reference samples; camera: over accepted pictures. " + robotNote(results) +
+               simulatedNote(results);
   return table;
 }
 
 Table meanTable(const Results& results, const Published* published) {
   published = beside(results, published);
   Table table;
-  table.title = fmt::format("Experiment {}: mean RMS errors and improvement", results.name);
+  table.title = nameOf(results) + ": mean RMS errors and improvement";
   table.columns = {{"joint", ""}};
   const auto column = [&](const char* name, const char* unit, int digits,
                           NumberStyle style = NumberStyle::kFixed) {
@@ -250,7 +264,7 @@ Table meanTable(const Results& results, const Published* published) {
     if (identified) row.push_back(rest.percent);
     table.rows.push_back(std::move(row));
   }
-  table.note = meansNote(results) +
+  table.note = meansNote(results) + robotNote(results) +
                (identified ? "Identified kinematics: transmission kinematics of the identified robot, which "
                              "is what calibration alone brings. "
                            : "") +
@@ -260,7 +274,7 @@ Table meanTable(const Results& results, const Published* published) {
 
 Table parameterTable(const Results& results, const Published* published) {
   Table table;
-  table.title = fmt::format("Experiment {}: identified parameters", results.name);
+  table.title = nameOf(results) + ": identified parameters";
   const bool truth = knowsTruth(results);
   table.columns = {{"parameter", ""},
                    {startsNominal(results) ? "nominal" : "start", "", 5, NumberStyle::kSignificant}};
@@ -286,7 +300,7 @@ Table parameterTable(const Results& results, const Published* published) {
 
 Table boxplotTable(const Results& results) {
   Table table;
-  table.title = fmt::format("Experiment {}: absolute errors of the UKF", results.name);
+  table.title = nameOf(results) + ": absolute errors of the UKF";
   table.columns = {{"trial", "", 3, NumberStyle::kFixed, true},
                    {"joint", ""},
                    {"median, kinematic", ""},
@@ -296,7 +310,9 @@ Table boxplotTable(const Results& results) {
                    {"upper whisker", ""},
                    {"outliers", "%", 1},
                    {"RMS", ""},
-                   {"occluded", "%", 1}};
+                   {"occluded", "%", 1},
+                   {"n", "", 0},
+                   {"n of RMS", "", 0}};
   for (const TrialResult& trial : results.trials) {
     if (trial.errors.empty()) continue;
     for (int joint = 0; joint < 3; ++joint) {
@@ -306,10 +322,12 @@ Table boxplotTable(const Results& results) {
                             forPeople(box.median, joint), forPeople(box.first_quartile, joint),
                             forPeople(box.third_quartile, joint), forPeople(box.upper_whisker, joint),
                             100.0 * static_cast<double>(box.outliers.size()) / static_cast<double>(box.n),
-                            rmsForPeople(trial, Estimator::kUkf, joint), 100.0 * trial.occluded_share});
+                            rmsForPeople(trial, Estimator::kUkf, joint), 100.0 * trial.occluded_share,
+                            static_cast<double>(box.n), countOf(trial, Estimator::kUkf)});
     }
   }
-  table.note = "Of 100 samples a second; whiskers reach 1.5 interquartile ranges. " + simulatedNote(results);
+  table.note = "Quartiles and outliers of n samples, RMS of all; whiskers reach 1.5 interquartile ranges. " +
+               robotNote(results) + simulatedNote(results);
   return table;
 }
 

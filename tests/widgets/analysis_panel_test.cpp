@@ -308,13 +308,14 @@ TEST_F(ExportsAll, FiguresAndTablesOfBothRuns) {
   EXPECT_TRUE(panel.findChild<QPushButton*>("cancel_analysis")->isVisible());
   ASSERT_TRUE(idle());
   EXPECT_EQ(endingIn(".pdf", out("all")),
-            (QStringList{"session-boxplot.pdf", "session-histogram-session.pdf", "trial-mine-boxplot.pdf",
+            (QStringList{"comparison-boxplot.pdf", "comparison-histogram.pdf", "session-boxplot.pdf",
+                         "session-histogram-session.pdf", "trial-mine-boxplot.pdf",
                          "trial-mine-histogram-trial.pdf", "trial-mine-trajectory-trial.pdf"}));
   EXPECT_FALSE(endingIn(".tex", out("all")).isEmpty());
   const QString index = out("all/index.html");
   EXPECT_EQ(told, index);
   EXPECT_THAT(panel.words().toStdString(), HasSubstr(index.toStdString()));
-  EXPECT_THAT(panel.words().toStdString(), HasSubstr("5 figures"));
+  EXPECT_THAT(panel.words().toStdString(), HasSubstr("7 figures"));
   const std::string html = base::readTextFile(index.toStdString());
   EXPECT_THAT(html, HasSubstr("trial.capstan, mine"));
   EXPECT_THAT(html, HasSubstr("live"));
@@ -341,7 +342,7 @@ TEST_F(ExportsAll, CancelLeavesWhatIsDrawnAndCanBeRepeated) {
   panel.choose(0, recording());
   ASSERT_TRUE(settled());
   panel.exportAllTo(out("all"), small);
-  panel.cancel();  // while the recording is being tracked
+  panel.cancel();  // before anything is drawn
   ASSERT_TRUE(idle());
   EXPECT_THAT(panel.words().toStdString(), HasSubstr("Cancelled: nothing was exported"));
   EXPECT_FALSE(QFileInfo::exists(out("all")));

@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "core/base/names.h"
+#include "core/experiments/error_run.h"
 #include "core/experiments/tables.h"
+#include "core/experiments/trial_robots.h"
 #include "core/stats/running_rms.h"
 #include "widgets/figures/boxplot_figure.h"
 #include "widgets/figures/convergence_figure.h"
@@ -70,6 +72,19 @@ QString noteOf(const Results& results, const TrialMotion& trial) {
   return note;
 }
 
+/// Whose kinematics and filter, and how many of the samples a distribution is drawn of.
+QString errorNote(const Results& results, const TrialResult& trial, bool distribution) {
+  QString note;
+  const QString robots = fromUtf8(experiments::robotWords(experiments::kinematicRobotOf(trial),
+                                                          experiments::filterRobotOf(results, trial)));
+  if (!robots.isEmpty()) note += QStringLiteral("; ") + robots;
+  const auto all = trial.counts[static_cast<std::size_t>(Estimator::kUkf)];
+  if (distribution)
+    note += trial.errors.size() < all ? QObject::tr("; %1 of %2 samples").arg(trial.errors.size()).arg(all)
+                                      : QObject::tr("; n = %1").arg(trial.errors.size());
+  return note;
+}
+
 std::vector<double> inUnit(std::vector<double> values, int joint) {
   for (double& value : values) value = experiments::forPeople(value, joint);
   return values;
@@ -96,7 +111,10 @@ std::unique_ptr<Figure> trajectory(const Results& results, const TrialMotion& tr
   TrajectoryData data{.title = nameOf(results, &trial) + QObject::tr(": joint positions"),
                       .note = noteOf(results, trial)};
   if (result && result->own_kinematics) data.error = QObject::tr("difference");
-  if (result && !result->errors.empty()) data.rms = rmsOf(*result, begin, end);
+  if (result && !result->errors.empty()) {
+    data.rms = rmsOf(*result, begin, end);
+    data.note += errorNote(results, *result, false);
+  }
   if (begin > trial.begin || end < trial.end)
     data.note += QObject::tr("; here %1 s to %2 s").arg(begin, 0, 'f', 0).arg(end, 0, 'f', 0);
   if (results.identification) data.note += QObject::tr("; UKF with the robot from before the identification");
@@ -131,7 +149,7 @@ double detailBegin(const TrialMotion& trial) {
 std::unique_ptr<Figure> histogram(const Results& results, const TrialResult& trial) {
   HistogramData data{.title = nameOf(results, &trial) + QStringLiteral(": ") + errorWord(results) +
                               QObject::tr(" of the joint positions"),
-                     .note = noteOf(results, trial),
+                     .note = noteOf(results, trial) + errorNote(results, trial, true),
                      .quantity = QObject::tr("error")};
   if (trial.own_kinematics) data.quantity = QObject::tr("difference");
   for (int joint = 0; joint < 3; ++joint) {
@@ -163,10 +181,11 @@ QString shortName(const TrialResult& trial) {
 }
 
 std::unique_ptr<Figure> boxesOfTrials(const Results& results, const std::vector<int>& joints) {
-  BoxplotData data{.title = nameOf(results) + QObject::tr(": signed ") + errorWord(results) +
-                            (joints.size() == 1 ? QObject::tr(" of joint %1").arg(joints[0] + 1) : QString()),
-                   .note = robotWord(results),
-                   .quantity = QObject::tr("signed %1").arg(shortErrorWord(results))};
+  BoxplotData data{
+      .title = nameOf(results) + QObject::tr(": signed ") + errorWord(results) +
+               (joints.size() == 1 ? QObject::tr(" of joint %1").arg(joints[0] + 1) : QString()),
+      .note = robotWord(results) + errorNote(results, results.trials.front(), results.trials.size() == 1),
+      .quantity = QObject::tr("signed %1").arg(shortErrorWord(results))};
   for (const int joint : joints) {
     BoxplotPanel panel{.title = kJointTitles[static_cast<std::size_t>(joint)],
                        .unit = unitOf(joint),
@@ -181,7 +200,7 @@ std::unique_ptr<Figure> boxesOfTrials(const Results& results, const std::vector<
 std::unique_ptr<Figure> boxesByOcclusion(const Results& results) {
   BoxplotData data{
       .title = nameOf(results) + QObject::tr(": absolute %1 of the UKF by occlusion").arg(errorWord(results)),
-      .note = robotWord(results),
+      .note = robotWord(results) + errorNote(results, results.trials.front(), false),
       .quantity = QStringLiteral("|%1|").arg(shortErrorWord(results))};
   for (int joint = 0; joint < 3; ++joint) {
     BoxplotPanel panel{.title = kJointTitles[static_cast<std::size_t>(joint)],

@@ -83,11 +83,17 @@ IndexPage pageFor(const std::vector<Results>& results) {
 
 }  // namespace
 
-FigureExport::FigureExport(std::vector<Results> results, fs::path folder, const ExportOptions& options)
-    : results_(std::move(results)), folder_(std::move(folder)), size_(options.size) {
+FigureExport::FigureExport(std::vector<Results> results, fs::path folder, const ExportOptions& options,
+                           ExportExtras extras)
+    : results_(std::move(results)),
+      folder_(std::move(folder)),
+      size_(options.size),
+      figures_(std::move(extras.figures)),
+      tables_(std::move(extras.tables)) {
   checkExportFolder(folder_);
-  figures_ = wanted(results_, options.kinds);
-  if (options.tables) tables_ = tablesOf(results_);
+  for (ExperimentFigure& figure : wanted(results_, options.kinds)) figures_.push_back(std::move(figure));
+  if (options.tables)
+    for (experiments::NamedTable& table : tablesOf(results_)) tables_.push_back(std::move(table));
   if (figures_.empty() && tables_.empty())
     refuse(folder_, "would stay empty: the results hold nothing of what was asked for",
            "Run the experiment whose figures these are");

@@ -21,6 +21,12 @@ struct ExportOptions {
   bool tables = true;
 };
 
+/// What an export holds beside the results' own figures and tables: the comparison of two runs.
+struct ExportExtras {
+  std::vector<ExperimentFigure> figures = {};
+  std::vector<experiments::NamedTable> tables = {};
+};
+
 struct ExportReport {
   std::vector<std::filesystem::path> files;  ///< written, index.html last
   std::vector<std::string> missing;          ///< what `results` lack, in words
@@ -28,16 +34,16 @@ struct ExportReport {
   bool cancelled = false;  ///< the index page speaks of what came before
 };
 
-/// Every figure and table that `results` support, into `folder` (made): figures as PDF, SVG, PNG and CSV,
-/// tables as CSV, LaTeX and Markdown, and index.html with all of them. A former export in the folder is
-/// written over, file by file; nothing is deleted. Figure by figure, so that a window stays alive beside it.
-/// Throws base::InputError as checkExportFolder, for results without anything to draw, and for a file that
-/// cannot be written.
+/// `extras` first, then every figure and table that `results` support, into `folder` (made): figures as PDF,
+/// SVG, PNG and CSV, tables as CSV, LaTeX and Markdown, and index.html with all of them. A former export in
+/// the folder is written over, file by file; nothing is deleted. Figure by figure, so that a window stays
+/// alive beside it. Throws base::InputError as checkExportFolder, for results without anything to draw, and
+/// for a file that cannot be written.
 class FigureExport {
  public:
   /// Makes the folder; nothing else is written yet but an index page that says so.
   FigureExport(std::vector<experiments::Results> results, std::filesystem::path folder,
-               const ExportOptions& options = {});
+               const ExportOptions& options = {}, ExportExtras extras = {});
   FigureExport(const FigureExport&) = delete;  // figures refer to the results
   FigureExport& operator=(const FigureExport&) = delete;
 

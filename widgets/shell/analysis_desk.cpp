@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QStackedWidget>
+#include <algorithm>
 
 #include "core/base/error.h"
 #include "widgets/panels/analysis/analysis_panel.h"
@@ -39,26 +40,38 @@ void AnalysisDesk::addAction(QStackedWidget& centre, SessionBar& bar) {
 
 /// On the pipeline's thread; a robot that was exchanged begins the errors anew, as it does in their table.
 void AnalysisDesk::gather(SessionLink& link) {
-  connect(&link, &SessionLink::opened, this, [this, &link](const session::SourceInfo& info) {
-    gathered_ = std::make_shared<Gathered>();
-    now_ = info.begin;
-    std::array<QString, 3> names;
-    for (std::size_t i = 0; i < names.size() && i < info.robot.joints.size(); ++i)
-      names[i] = QString::fromStdString(info.robot.joints[i].name);
-    panel_.setJointNames(names);
-    const auto robot = std::make_shared<std::string>(robot::formatDescription(info.robot));
-    link.listen(this, {[gathered = gathered_, robot](const tracking::TrackingPipeline& pipeline) {
-                         std::string now = robot::formatDescription(pipeline.robot());
-                         if (now != *robot) gathered->restart();
-                         *robot = std::move(now);
-                       },
-                       [gathered = gathered_](const tracking::Sample&, const tracking::Snapshot& snapshot) {
-                         gathered->errors.take(snapshot);
-                         gathered->motion.take(snapshot);
-                       }});
-    panel_.sessionOpened();
+  connect(&link, &SessionLink::opened, this,
+          [this, &link](const session::SourceInfo& info, const SourceChoice& choice) {
+            files_.clear();
+            if (!choice.simulated) noteFile(choice.file);
+            gathered_ = std::make_shared<Gathered>();
+            now_ = info.begin;
+            std::array<QString, 3> names;
+            for (std::size_t i = 0; i < names.size() && i < info.robot.joints.size(); ++i)
+              names[i] = QString::fromStdString(info.robot.joints[i].name);
+            panel_.setJointNames(names);
+            const auto robot = std::make_shared<std::string>(robot::formatDescription(info.robot));
+            link.listen(this,
+                        {[gathered = gathered_, robot](const tracking::TrackingPipeline& pipeline) {
+                           std::string now = robot::formatDescription(pipeline.robot());
+                           if (now != *robot) gathered->restart();
+                           *robot = std::move(now);
+                         },
+                         [gathered = gathered_](const tracking::Sample&, const tracking::Snapshot& snapshot) {
+                           gathered->errors.take(snapshot);
+                           gathered->motion.take(snapshot);
+                         }});
+            panel_.sessionOpened();
+          });
+  connect(&link, &SessionLink::status, this, [this](const session::RunStatus& status) {
+    now_ = status.t;
+    noteFile(QString::fromStdString(status.recording));
   });
-  connect(&link, &SessionLink::status, this, [this](const session::RunStatus& status) { now_ = status.t; });
+}
+
+void AnalysisDesk::noteFile(const QString& file) {
+  const std::filesystem::path path = file.toStdString();
+  if (!path.empty() && std::find(files_.begin(), files_.end(), path) == files_.end()) files_.push_back(path);
 }
 
 experiments::ErrorRun AnalysisDesk::sessionSoFar(const SessionLink& link) const {
@@ -77,7 +90,12 @@ experiments::ErrorRun AnalysisDesk::sessionSoFar(const SessionLink& link) const 
   }
   run.trajectory = gathered_->motion.trajectory();
   run.title = info.title;
-  run.motion = info.title;
+  run.motion = "session " + info.title;
+  run.files = files_;
+  run.filter_robot = link.runner()->robot().name;
+  if (robot::formatDescription(link.runner()->robot()) != robot::formatDescription(info.robot))
+    run.filter_robot += ", changed in this session";
+  run.kinematic_robot = run.filter_robot;
   run.own_kinematics = info.own_kinematics;
   run.simulated = !info.truth.empty();
   if (info.own_kinematics)

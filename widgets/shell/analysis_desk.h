@@ -1,7 +1,9 @@
 #pragma once
 
 #include <QObject>
+#include <filesystem>
 #include <memory>
+#include <vector>
 
 #include "core/experiments/error_run.h"
 #include "core/experiments/motion_collector.h"
@@ -30,6 +32,8 @@ class AnalysisDesk : public QObject {
   void addAction(QStackedWidget& centre, SessionBar& bar);
   void gather(SessionLink& link);
   experiments::ErrorRun sessionSoFar(const SessionLink& link) const;
+  /// Files that hold the session: what it replays, and what it has recorded.
+  void noteFile(const QString& file);
 
   AnalysisPanel& panel_;
   /// What is gathered on the pipeline's thread.
@@ -42,6 +46,7 @@ class AnalysisDesk : public QObject {
     }
   };
   std::shared_ptr<Gathered> gathered_ = std::make_shared<Gathered>();
+  std::vector<std::filesystem::path> files_;
   double now_ = 0.0;  ///< newest session time [s]
 };
 

@@ -12,6 +12,7 @@
 #include "core/session/export.h"
 #include "core/session/table_source.h"
 #include "core/simulation/simulation_request.h"
+#include "core/stats/running_rms.h"
 #include "core/tracking/make_pipeline.h"
 #include "core/tracking/track_all.h"
 #include "tests/support/counting_new.h"
@@ -35,25 +36,44 @@ tracking::Snapshot pairedAt(double t, tracking::Gate gate = tracking::Gate::kOpe
   return s;
 }
 
-TEST(ErrorCollector, ThinsToItsRateAndTellsOcclusion) {
+TEST(ErrorCollector, KeepsEverySampleAndTellsOcclusion) {
   ErrorCollector collector;
   for (int i = 0; i < 2000; ++i)
     collector.take(pairedAt(1e-3 * i, i < 1000 ? tracking::Gate::kOpen : tracking::Gate::kLeftLost));
   const ErrorRun run = collector.run();
-  ASSERT_EQ(run.errors.size(), 200U);
+  ASSERT_EQ(run.errors.size(), 2000U);
   EXPECT_EQ(run.begin, 0.0);
-  EXPECT_NEAR(run.end, 1.99, 1e-9);
+  EXPECT_NEAR(run.end, 1.999, 1e-9);
   for (std::size_t i = 0; i < run.errors.size(); ++i) {
     const ErrorPoint& point = run.errors[i];
-    EXPECT_NEAR(point.t, 0.01 * static_cast<double>(i), 1e-9);
+    EXPECT_NEAR(point.t, 1e-3 * static_cast<double>(i), 1e-9);
     EXPECT_NEAR(point.kinematic(2), point.t, 1e-12);
     EXPECT_NEAR(point.ukf(0), -point.t, 1e-12);
-    EXPECT_EQ(point.occluded, i >= 100);
+    EXPECT_EQ(point.occluded, i >= 1000);
   }
 }
 
+// Errors of k ms for k = 0…999 seen and 1000…1999 hidden: Σ k and Σ k² are known.
+TEST(ErrorCollector, MomentsAreOfEverySampleHoweverFewAreKept) {
+  ErrorCollector collector(64);
+  for (int i = 0; i < 2000; ++i)
+    collector.take(pairedAt(1e-3 * i, i < 1000 ? tracking::Gate::kOpen : tracking::Gate::kLeftLost));
+  const ErrorRun run = collector.run();
+  EXPECT_LE(run.errors.size(), 64U);
+  const ErrorMoments &all = run.momentsOf(Estimator::kKinematic, TimeShare::kAll),
+                     &seen = run.momentsOf(Estimator::kUkf, TimeShare::kSeen),
+                     &hidden = run.momentsOf(Estimator::kUkf, TimeShare::kOccluded);
+  EXPECT_EQ(all.n, 2000U);
+  EXPECT_EQ(seen.n, 1000U);
+  EXPECT_EQ(hidden.n, 1000U);
+  EXPECT_NEAR(all.rms()(1), 1e-3 * std::sqrt(1999.0 * 2000.0 * 3999.0 / 6.0 / 2000.0), 1e-12);
+  EXPECT_NEAR(seen.mean(false)(0), -1e-3 * 499.5, 1e-12);
+  EXPECT_NEAR(hidden.mean(true)(2), 1e-3 * 1499.5, 1e-12);
+  EXPECT_TRUE(std::isnan(run.momentsOf(Estimator::kCamera, TimeShare::kAll).rms()(0)));
+}
+
 TEST(ErrorCollector, HalvesItsRateWhereItsMemoryIsFull) {
-  ErrorCollector collector(100.0, 64);
+  ErrorCollector collector(64);
   const std::size_t before = test::allocations();
   for (int i = 0; i < 5000; ++i) collector.take(pairedAt(1e-3 * i));
   EXPECT_EQ(test::allocations(), before);
@@ -68,7 +88,7 @@ TEST(ErrorCollector, HalvesItsRateWhereItsMemoryIsFull) {
   collector.restart();
   EXPECT_TRUE(collector.run().errors.empty());
   for (int i = 0; i < 100; ++i) collector.take(pairedAt(1e-3 * i));
-  EXPECT_EQ(collector.run().errors.size(), 10U);
+  EXPECT_EQ(collector.run().errors.size(), 50U) << "32 of the first 64, every other one behind them";
 }
 
 TEST(ErrorCollector, TakesTheCameraWhereTheFilterDid) {
@@ -142,13 +162,49 @@ TEST_F(ErrorRuns, OfARecordingAreThoseOfThePipeline) {
                      [&](const tracking::Sample&, const tracking::Snapshot& s) {
                        if (s.reference_paired) all.emplace_back(s.t, s.q_link_ukf - s.q_link_true);
                      });
-  EXPECT_NEAR(static_cast<double>(run.errors.size()), 0.1 * static_cast<double>(all.size()), 2.0);
-  std::size_t i = 0;
-  for (const ErrorPoint& point : run.errors) {
-    while (i < all.size() && all[i].first < point.t) ++i;
-    ASSERT_LT(i, all.size());
-    EXPECT_EQ(all[i].second, point.ukf);
+  ASSERT_EQ(run.errors.size(), all.size()) << "every one";
+  stats::RunningRms<3> rms;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    EXPECT_EQ(all[i].first, run.errors[i].t);
+    EXPECT_EQ(all[i].second, run.errors[i].ukf);
+    rms.add(all[i].second);
   }
+  EXPECT_EQ(run.momentsOf(Estimator::kUkf, TimeShare::kAll).rms(), rms.value()) << "to the last bit";
+  EXPECT_EQ(run.kinematic_robot, "RAVEN-II left");
+  EXPECT_EQ(run.filter_robot, run.kinematic_robot);
+  EXPECT_GT(run.trajectory.size(), 60U);
+}
+
+TEST_F(ErrorRuns, ASessionIsOfTheMotionOfItsOwnFile) {
+  const fs::path file = session();
+  fs::copy_file(file, folder_ / "copy.capstan");
+  std::ofstream(folder_ / "other.capstan") << "another";
+  const ErrorRun recorded = trackErrors(file, {}, progress_);
+  ErrorRun live{.title = "live", .motion = "session live"};
+  EXPECT_FALSE(sameMotion(live, recorded));
+  for (const char* own : {"trial.capstan", "copy.capstan"}) {
+    live.files = {folder_ / "other.capstan", folder_ / own};
+    EXPECT_TRUE(sameMotion(live, recorded)) << own;
+    EXPECT_TRUE(sameMotion(recorded, live)) << own;
+  }
+  ErrorRun trial{.title = "C, recorded", .motion = recorded.motion};  // results know the bytes, not the file
+  EXPECT_TRUE(sameMotion(live, trial));
+  EXPECT_TRUE(sameMotion(trial, live));
+  live.files = {folder_ / "other.capstan"};
+  EXPECT_FALSE(sameMotion(live, recorded));
+  EXPECT_FALSE(sameMotion(trial, live));
+}
+
+// A recording that carries an identified robot is told from one that carries the robot file of that name.
+TEST_F(ErrorRuns, ARobotThatOnlyTheRecordingHasIsSaid) {
+  const auto source = simulated();
+  session::SessionHeader header = session::headerOf(source->info(), "today");
+  robot::Description robot = source->info().robot;
+  robot.drives[0].link_radius *= 0.95;
+  header.robot = robot::formatDescription(robot);
+  session::importRecording(*source, folder_ / "own.capstan", header);
+  EXPECT_EQ(trackErrors(folder_ / "own.capstan", {}, progress_).filter_robot,
+            "RAVEN-II left (the recording's own)");
 }
 
 TEST_F(ErrorRuns, OfAnotherRobotAreOthers) {
@@ -162,6 +218,8 @@ TEST_F(ErrorRuns, OfAnotherRobotAreOthers) {
   const ErrorRun own = trackErrors(file, {}, progress_);
   const ErrorRun other = trackErrors(file, folder_ / "mine.yaml", progress_);
   EXPECT_EQ(other.title, "trial.capstan, mine");
+  EXPECT_EQ(other.filter_robot, "mine.yaml");
+  EXPECT_EQ(other.kinematic_robot, "mine.yaml");
   EXPECT_EQ(other.motion, own.motion);
   ASSERT_EQ(other.errors.size(), own.errors.size());
   EXPECT_GT((other.errors[50].kinematic - own.errors[50].kinematic).norm(), 1e-3);
@@ -218,6 +276,8 @@ TEST_F(ErrorRuns, AreReadFromResults) {
     trial.errors.push_back({0.51, {size, 2, 3}, {1, 2, 3}, {4, 5, 6}, false});
     trial.camera.push_back({0.49, {1, 2, 3}, {7, 8, 9}});
     trial.camera.push_back({0.52, {1, 2, 3}, noJoints()});
+    trial.rms[static_cast<std::size_t>(Estimator::kUkf)] = {4.5, 5.5, 6.5};  // over what the series left out
+    trial.counts[static_cast<std::size_t>(Estimator::kUkf)] = 20;
     results.trials.push_back(trial);
   }
   results.trials.emplace_back().name = "no reference";
@@ -230,6 +290,8 @@ TEST_F(ErrorRuns, AreReadFromResults) {
   EXPECT_EQ(first.errors[0].ukf, Eigen::Vector3d(4, 5, 6));
   EXPECT_EQ(first.camera.size(), 1U);
   EXPECT_EQ(first.end, 0.51);
+  EXPECT_NEAR(first.momentsOf(Estimator::kUkf, TimeShare::kAll).rms()(0), 4.5, 1e-12);
+  EXPECT_EQ(first.momentsOf(Estimator::kUkf, TimeShare::kAll).n, 20U);
   const ErrorRun second = readErrors(folder_ / "C", "second");
   EXPECT_EQ(second.errors[0].kinematic(0), 2.0);
   EXPECT_NE(second.motion, first.motion);

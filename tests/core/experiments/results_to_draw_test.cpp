@@ -148,8 +148,13 @@ TEST_F(ResultsToDraw, ARecordingIsTrackedWithItsOwnRobotOrAnother) {
       resultsOfRecording(folder_ / "my trial.capstan", folder_ / "mine.yaml", "test", progress);
   EXPECT_EQ(other.name, "my-trial-mine");
   EXPECT_EQ(other.title, "my trial.capstan, mine");
-  EXPECT_EQ(other.trials[0].rmsOf(Estimator::kKinematic), own.trials[0].rmsOf(Estimator::kKinematic));
-  EXPECT_NE(other.trials[0].rmsOf(Estimator::kIdentified)(0), own.trials[0].rmsOf(Estimator::kIdentified)(0));
+  // Of the robot that the filter believes in, as the window shows it.
+  EXPECT_EQ(other.trials[0].rmsOf(Estimator::kKinematic), other.trials[0].rmsOf(Estimator::kIdentified));
+  EXPECT_NE(other.trials[0].rmsOf(Estimator::kKinematic)(0), own.trials[0].rmsOf(Estimator::kKinematic)(0));
+  const ErrorRun shown = trackErrors(folder_ / "my trial.capstan", folder_ / "mine.yaml", progress);
+  EXPECT_EQ(shown.momentsOf(Estimator::kKinematic, TimeShare::kAll).rms(),
+            other.trials[0].rmsOf(Estimator::kKinematic));
+  EXPECT_EQ(other.trials[0].kinematic_robot, "mine.yaml");
 }
 
 }  // namespace

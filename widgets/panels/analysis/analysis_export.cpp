@@ -50,15 +50,24 @@ void AnalysisPanel::exportTo(const QString& base, PaperSize size) {
   say();
 }
 
-/// Runs that could be read, session errors as they were then.
+/// Runs that could be read, their errors as they are shown.
 std::vector<ExportedRun> AnalysisPanel::exportedRuns() const {
   std::vector<ExportedRun> runs;
-  for (const Side& side : sides_) {
-    if (!side.run) continue;
-    runs.push_back({side.picker->choice()});
-    if (runs.back().choice.kind == RunChoice::Kind::kSession) runs.back().session = *side.run;
-  }
+  for (const Side& side : sides_)
+    if (side.run) runs.push_back({side.picker->choice(), side.run});
   return runs;
+}
+
+/// Of two runs: the figures and the table that are shown.
+ExportExtras AnalysisPanel::comparison() const {
+  if (!figures_->histogram() || analysis_.title_b.empty()) return {};
+  const HistogramData histogram = figures_->histogram()->data();
+  const BoxplotData boxplot = figures_->boxplot()->data();
+  return {{{"comparison-histogram", FigureKind::kHistogram,
+            [histogram] { return std::make_unique<HistogramFigure>(histogram); }},
+           {"comparison-boxplot", FigureKind::kBoxplot,
+            [boxplot] { return std::make_unique<BoxplotFigure>(boxplot); }}},
+          {{"comparison-table", experiments::tableOf(analysis_)}}};
 }
 
 void AnalysisPanel::askExportAll() {
@@ -78,7 +87,7 @@ void AnalysisPanel::exportAllTo(const QString& folder, PaperSize size) {
   if (busy() || runs.empty()) return;
   said_.clear();
   try {
-    full_export_.start(runs, folder, size);
+    full_export_.start(runs, comparison(), folder, size);
     onProgress(0.0, tr("reading"));
   } catch (const base::InputError& error) {
     said_ = QString::fromStdString(error.what());

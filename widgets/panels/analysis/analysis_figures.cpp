@@ -20,11 +20,12 @@ QString titleOf(int joint, const std::array<QString, 3>& names) {
 
 QString noteOf(const Analysis& analysis) {
   QStringList parts;
-  if (!analysis.title_b.empty())
-    parts << QStringLiteral("A: %1; B: %2")
-                 .arg(QString::fromStdString(analysis.title_a), QString::fromStdString(analysis.title_b));
+  for (const std::string& run : runWords(analysis)) parts << QString::fromStdString(run);
+  if (analysis.title_b.empty()) parts.front().remove(0, QStringLiteral("A: ").size());
+  parts << QString::fromStdString(thinningWords(analysis));
   if (analysis.options.share == TimeShare::kOccluded) parts << QObject::tr("only occluded time");
   if (analysis.options.share == TimeShare::kSeen) parts << QObject::tr("only time with the marker seen");
+  parts.removeAll({});
   return parts.join(QStringLiteral("; "));
 }
 

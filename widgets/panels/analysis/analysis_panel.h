@@ -54,8 +54,9 @@ class AnalysisPanel : public QWidget {
   /// base-histogram and base-boxplot as .pdf, .svg, .png and .csv, base-table as .md, .tex and .csv. What
   /// goes wrong is said on the panel.
   void exportTo(const QString& base, PaperSize size);
-  /// Every figure and table of the chosen runs (of results: of the whole experiment) into `folder`, with an
-  /// index page. In the background; how it ends, and why not, is said on the panel.
+  /// Every figure and table of the chosen runs (of results: of the whole experiment), and of two runs their
+  /// comparison as shown, into `folder`, with an index page. In the background; how it ends, and why not, is
+  /// said on the panel.
   void exportAllTo(const QString& folder, PaperSize size = {});
 
   RunPicker& picker(std::size_t run) { return *sides_[run].picker; }
@@ -103,6 +104,7 @@ class AnalysisPanel : public QWidget {
   void askExportAll();
   void onProgress(double fraction, const QString& doing);
   std::vector<ExportedRun> exportedRuns() const;
+  ExportExtras comparison() const;
 
   std::function<experiments::ErrorRun()> session_;
   std::array<QString, 3> joint_names_;

@@ -53,7 +53,7 @@ void AnalysisTable::showAnalysis(const Analysis& analysis) {
   const bool two = !analysis.title_b.empty();
   const bool differences = analysis.against != Against::kNothing;
   const bool same_counts = std::all_of(analysis.rows.begin(), analysis.rows.end(),
-                                       [](const AnalysisRow& row) { return row.a.n == row.b.n; });
+                                       [](const AnalysisRow& row) { return row.a.counts == row.b.counts; });
   setHeaderLabels({tr("deg and mm"), two ? QStringLiteral("A") : tr("value"), QStringLiteral("B"),
                    two ? QStringLiteral("B − A") : tr("UKF − kin."), tr("95 % interval"), QStringLiteral("P"),
                    two && !same_counts ? tr("n of A") : QStringLiteral("n"), tr("n of B")});
@@ -67,7 +67,9 @@ void AnalysisTable::showAnalysis(const Analysis& analysis) {
   setColumnHidden(kCountB, !two || same_counts);
   for (const int column : {kDifference, kInterval, kP}) setColumnHidden(column, !differences);
   clear();
+  notes_ = 0;
   if (analysis.rows.empty()) return;
+  addNotes();
   for (const Measure measure : kMeasures) addGroup(measure);
   expandAll();
 }
@@ -79,6 +81,35 @@ QString AnalysisTable::numberText(double value, bool sign) const {
   QString text = QString::number(shown, 'f', decimals_);
   if (sign && shown > 0.0) text.prepend('+');
   return withMinus(text);
+}
+
+/// Lines over all columns: whose kinematics and filter the numbers are of, and what memory did not keep.
+void AnalysisTable::addNotes() {
+  const bool two = !analysis_.title_b.empty();
+  const auto named = [&](const char* letter, const std::string& robots) {
+    return two && !robots.empty() ? std::string(letter) + ": " + robots : robots;
+  };
+  for (const std::string& note : {named("A", analysis_.robots_a), named("B", analysis_.robots_b),
+                                  thinningWords(analysis_), pairingWords(analysis_)})
+    if (!note.empty()) addNote(QString::fromStdString(note));
+}
+
+void AnalysisTable::addNote(const QString& text) {
+  auto* note = new QTreeWidgetItem(this);
+  note->setText(kName, text);
+  note->setToolTip(kName, text);
+  note->setFont(kName, textFont(kPoints));
+  note->setForeground(kName, theme_.text);
+  note->setFlags(Qt::ItemIsEnabled);
+  note->setFirstColumnSpanned(true);
+  note->setSizeHint(kName, QSize(0, kRowHeight));
+  ++notes_;
+}
+
+QString AnalysisTable::noteWords() const {
+  QStringList notes;
+  for (int i = 0; i < notes_; ++i) notes << topLevelItem(i)->text(kName);
+  return notes.join('\n');
 }
 
 void AnalysisTable::addGroup(Measure measure) {
@@ -113,8 +144,8 @@ void AnalysisTable::fill(QTreeWidgetItem& item, const AnalysisRow& row, Measure 
   item.setText(kDifference, known ? numberText(d.value, true) : QString());
   item.setText(kInterval, interval);
   item.setText(kP, p);
-  item.setText(kCountA, countText(row.a.n));
-  item.setText(kCountB, countText(row.b.n));
+  item.setText(kCountA, countText(row.a.count(measure)));
+  item.setText(kCountB, countText(row.b.count(measure)));
   for (int column = 0; column < kColumns; ++column) {
     const bool strong = column == kDifference && d.clear();
     item.setFont(column, column == kName ? textFont(kPoints) : numberFont(kPoints, strong));
@@ -130,7 +161,7 @@ void AnalysisTable::fill(QTreeWidgetItem& item, const AnalysisRow& row, Measure 
 }
 
 const QTreeWidgetItem* AnalysisTable::line(Measure measure, int joint, Estimator estimator) const {
-  const auto* group = topLevelItem(static_cast<int>(measure));
+  const auto* group = topLevelItem(static_cast<int>(measure) + notes_);
   if (!group) return nullptr;
   for (std::size_t i = 0; i < analysis_.rows.size(); ++i)
     if (analysis_.rows[i].joint == joint && analysis_.rows[i].estimator == estimator)

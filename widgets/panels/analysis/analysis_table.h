@@ -9,7 +9,8 @@ namespace capstan::widgets {
 
 /// Numbers of an analysis: a group a measure (RMS, median, IQR, mean), a line a joint and estimator, A beside
 /// B, their difference with its 95 % interval, P beside the means, and how many samples there were (in one
-/// column where they are as many). A difference whose interval leaves zero out is bold.
+/// column where they are as many). The first lines name the robots that the numbers are of. A difference
+/// whose interval leaves zero out is bold.
 class AnalysisTable : public QTreeWidget {
   Q_OBJECT
 
@@ -22,6 +23,8 @@ class AnalysisTable : public QTreeWidget {
   /// The line of a measure, joint (0…2) and estimator; null: not shown.
   const QTreeWidgetItem* line(experiments::Measure measure, int joint,
                               experiments::Estimator estimator) const;
+  /// The lines before the groups: whose kinematics and filter.
+  QString noteWords() const;
   QSize sizeHint() const override { return {560, 230}; }
   QSize minimumSizeHint() const override { return {200, 90}; }
 
@@ -29,6 +32,8 @@ class AnalysisTable : public QTreeWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
+  void addNotes();
+  void addNote(const QString& text);
   void addGroup(experiments::Measure measure);
   void fill(QTreeWidgetItem& item, const experiments::AnalysisRow& row, experiments::Measure measure) const;
 
@@ -36,6 +41,7 @@ class AnalysisTable : public QTreeWidget {
   QString numberText(double value, bool sign = false) const;
 
   experiments::Analysis analysis_;
+  int notes_ = 0;  ///< lines before the groups
   int decimals_ = 3;
 };
 

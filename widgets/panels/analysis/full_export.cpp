@@ -16,12 +16,9 @@ namespace {
 
 constexpr double kReading = 0.5;  ///< share of the progress
 
-Results resultsOf(const ExportedRun& run, base::Progress& progress) {
-  if (run.session) return experiments::resultsOfErrors(*run.session, experiments::software());
-  const std::string path = run.choice.path.toStdString();
-  if (run.choice.kind == Kind::kResults) return experiments::readResults(path);
-  return experiments::resultsOfRecording(path, run.choice.robot.toStdString(), experiments::software(),
-                                         progress);
+Results resultsOf(const ExportedRun& run) {
+  if (run.choice.kind == Kind::kResults) return experiments::readResults(run.choice.path.toStdString());
+  return experiments::resultsOfErrors(*run.run, experiments::software());
 }
 
 /// A folder of results is drawn whole, so two of its trials are one export.
@@ -34,7 +31,7 @@ bool same(const ExportedRun& a, const ExportedRun& b) {
 std::vector<Results> readAll(const std::vector<ExportedRun>& runs, base::Progress& progress) {
   std::vector<Results> all;
   for (const ExportedRun& run : runs)
-    if (!progress.cancelled()) all.push_back(resultsOf(run, progress));
+    if (!progress.cancelled()) all.push_back(resultsOf(run));
   experiments::tellApart(all);
   return all;
 }
@@ -52,10 +49,12 @@ FullExport::FullExport(QObject* parent) : QObject(parent) {
   });
 }
 
-void FullExport::start(const std::vector<ExportedRun>& runs, const QString& folder, PaperSize size) {
+void FullExport::start(const std::vector<ExportedRun>& runs, ExportExtras extras, const QString& folder,
+                       PaperSize size) {
   checkExportFolder(folder.toStdString());
   folder_ = folder;
   size_ = size;
+  extras_ = std::move(extras);
   fault_.clear();
   std::vector<ExportedRun> once;
   for (const ExportedRun& run : runs)
@@ -69,7 +68,8 @@ void FullExport::onRead(std::vector<Results> all) {
   try {
     ExportOptions options;
     options.size = size_;
-    drawing_ = std::make_unique<FigureExport>(std::move(all), folder_.toStdString(), options);
+    drawing_ =
+        std::make_unique<FigureExport>(std::move(all), folder_.toStdString(), options, std::move(extras_));
     next_.start(0);
   } catch (const std::exception& error) {
     fault_ = QString::fromStdString(error.what());  // said when the job has ended

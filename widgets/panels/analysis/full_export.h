@@ -3,7 +3,6 @@
 #include <QObject>
 #include <QTimer>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "core/experiments/error_run.h"
@@ -13,15 +12,15 @@
 
 namespace capstan::widgets {
 
-/// A chosen run; of a session, its errors so far.
+/// A chosen run, and its errors as the panel shows them. Results of an experiment are read whole.
 struct ExportedRun {
   RunChoice choice;
-  std::optional<experiments::ErrorRun> session = {};
+  std::shared_ptr<const experiments::ErrorRun> run = {};
 };
 
-/// All figures and tables of runs into a folder with an index page. Runs are read and tracked in the
-/// background; figures, which are widgets, are drawn on the window's thread, one each time nothing else
-/// waits.
+/// All figures and tables of runs, and of their comparison, into a folder with an index page. Results are
+/// read in the background; figures, which are widgets, are drawn on the window's thread, one each time
+/// nothing else waits.
 class FullExport : public QObject {
   Q_OBJECT
 
@@ -29,7 +28,8 @@ class FullExport : public QObject {
   explicit FullExport(QObject* parent = nullptr);
 
   /// Only if not busy(). Throws base::InputError for a folder that checkExportFolder() refuses.
-  void start(const std::vector<ExportedRun>& runs, const QString& folder, PaperSize size);
+  void start(const std::vector<ExportedRun>& runs, ExportExtras extras, const QString& folder,
+             PaperSize size);
   /// What is drawn already stays, with an index page that says so.
   void cancel();
   bool busy() const { return job_.busy() || drawing_ != nullptr; }
@@ -48,6 +48,7 @@ class FullExport : public QObject {
 
   QString folder_;
   PaperSize size_;
+  ExportExtras extras_;
   QString fault_;
   std::unique_ptr<FigureExport> drawing_;
   QTimer next_;

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "core/experiments/results.h"
+
+/// The robots that a trial's numbers are of, by name.
+namespace capstan::experiments {
+
+/// Whose transmission kinematics the trial's kinematic errors are: "RAVEN-II left (nominal)"; empty: not
+/// known.
+std::string kinematicRobotOf(const TrialResult& trial);
+/// That the filter believed in: the nominal one, a robot file, or "RAVEN-II left as identified by A, B".
+std::string filterRobotOf(const Results& results, const TrialResult& trial);
+/// robotWords() of the first trial with errors, and a full stop; empty: not known.
+std::string robotNote(const Results& results);
+
+}  // namespace capstan::experiments
