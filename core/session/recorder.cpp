@@ -291,7 +291,7 @@ class Recorder::Impl {
     if (!std::filesystem::exists(path_, fault))
       return fail("the file was removed, or its folder is gone",
                   "What was recorded is lost. Check the folder and start a new recording", Clock::now());
-    if (free < reserve_) return stopAtReserve(free);
+    if (free < reserve_) return stopAtReserve();
     const std::lock_guard lock(mutex_);
     stats_.free_bytes = free;
     growth_.add(Clock::now(), writer_.fileBytes());
@@ -300,13 +300,12 @@ class Recorder::Impl {
   }
 
   /// The reserve takes what is queued.
-  void stopAtReserve(std::uint64_t free) {
+  void stopAtReserve() {
     recording_.store(false, std::memory_order_relaxed);
     while (!finished_ && records_.front()) commitQueued();
     if (!finished_)
-      fail(fmt::format("recording stopped: {} are free on the disk and {} are kept in reserve",
-                       sizeText(free), sizeText(reserve_)),
-           kFreeSpace, Clock::now());
+      fail("recording stopped: the disk is full but for its reserve of " + sizeText(reserve_), kFreeSpace,
+           Clock::now());
   }
 
   /// On the writer's thread. Closes the file first: once the fault is told, the file is as the words say.

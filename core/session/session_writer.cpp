@@ -29,8 +29,9 @@ Database createDatabase(const std::filesystem::path& path, SessionWriter::Durabi
     database.run(fmt::format("PRAGMA page_size = {}; PRAGMA application_id = {}; PRAGMA user_version = {};",
                              kPageSize, kApplicationId, kSchemaVersion));
     database.run("PRAGMA cache_size = -32768; PRAGMA temp_store = MEMORY;");
-    if (durability == SessionWriter::Durability::kFast)
-      database.run("PRAGMA journal_mode = WAL; PRAGMA wal_autocheckpoint = 0;");
+    database.run(durability == SessionWriter::Durability::kFast
+                     ? "PRAGMA journal_mode = WAL; PRAGMA wal_autocheckpoint = 0;"
+                     : "PRAGMA synchronous = OFF;");
     return database;
   } catch (const SqliteError& error) {
     throw base::InputError(
@@ -53,11 +54,12 @@ void writeDictionary(Database& database) {
   }
 }
 
-/// Commits were written without waiting for the disk.
-void syncLog(Database& database) {
-  sqlite3_file* log = nullptr;
-  sqlite3_file_control(database.handle(), nullptr, SQLITE_FCNTL_JOURNAL_POINTER, &log);
-  if (log && log->pMethods) log->pMethods->xSync(log, SQLITE_SYNC_NORMAL);
+/// Commits were written without waiting for the disk. `which`: SQLITE_FCNTL_FILE_POINTER, or
+/// SQLITE_FCNTL_JOURNAL_POINTER of the log.
+void sync(Database& database, int which) {
+  sqlite3_file* file = nullptr;
+  sqlite3_file_control(database.handle(), nullptr, which, &file);
+  if (file && file->pMethods) file->pMethods->xSync(file, SQLITE_SYNC_NORMAL);
 }
 
 /// The main file grows by multiples of `bytes`, 0: as its content does.
@@ -229,10 +231,11 @@ bool SessionWriter::finish() {
   sqlite3_wal_checkpoint_v2(database_.handle(), nullptr, SQLITE_CHECKPOINT_TRUNCATE, nullptr, nullptr);
   try {
     database_.run("PRAGMA journal_mode = DELETE");
+    sync(database_, SQLITE_FCNTL_FILE_POINTER);
     return true;
   } catch (const SqliteError& error) {
     if (error.code() == SQLITE_BUSY) {
-      syncLog(database_);  // a reader keeps it
+      sync(database_, SQLITE_FCNTL_JOURNAL_POINTER);  // a reader keeps it
       return false;
     }
     if (hasLog(sqlite3_db_filename(database_.handle(), nullptr))) throw;

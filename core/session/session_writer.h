@@ -21,7 +21,7 @@ class SessionWriter {
  public:
   /// How hard commits try. kFast: a commit reaches the operating system (it survives the process, and a loss
   /// of power leaves a whole file that ends earlier, given that somebody else checkpoints); kPlain: an
-  /// ordinary rollback journal, for imports.
+  /// ordinary rollback journal, for imports, on the disk when finish() returns.
   enum class Durability { kFast, kPlain };
 
   /// Creates `path`. Throws base::InputError when the file exists or cannot be created.

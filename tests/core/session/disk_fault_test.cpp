@@ -5,7 +5,9 @@
 #include <fstream>
 #include <thread>
 
+#include "core/base/error.h"
 #include "core/session/disk_space.h"
+#include "core/session/export.h"
 #include "core/session/recorder.h"
 #include "core/session/session_source.h"
 #include "core/session/sqlite.h"
@@ -131,7 +133,7 @@ TEST(DiskFault, TheReserveTakesEveryRowThatWasOffered) {
   expectWhole(outcome);
   EXPECT_EQ(outcome.stats.lost, 0U);
   EXPECT_NE(outcome.stats.error.find("with every row"), std::string::npos) << outcome.stats.error;
-  EXPECT_NE(outcome.stats.error.find("13 MB are kept in reserve"), std::string::npos) << outcome.stats.error;
+  EXPECT_NE(outcome.stats.error.find("reserve of 13 MB"), std::string::npos) << outcome.stats.error;
   EXPECT_GT(disk.freeBytes(), 5U << 20);
 }
 
@@ -252,6 +254,90 @@ TEST(DiskFault, RoomReserveAndTimeLeftAreKnown) {
   EXPECT_GT(outcome.foreseen_end, 0.0) << "no time left was told";
   EXPECT_NEAR(outcome.foreseen_end, outcome.taken, 2.0);
   expectWhole(outcome);
+}
+
+/// 1 kHz motors and 15 pairs of noise a second without end; `at_two_seconds` is called once.
+class EndlessSource final : public Source {
+ public:
+  explicit EndlessSource(std::function<void()> at_two_seconds) : at_two_seconds_(std::move(at_two_seconds)) {
+    info_.robot = raven();
+    base::Random random(3);
+    frame_.left = noisyImage(random, 320, 240);
+    frame_.right = noisyImage(random, 320, 240);
+  }
+  const SourceInfo& info() const override { return info_; }
+  bool next(tracking::Sample& out) override {
+    t = 1e-3 * ticks_;
+    if (t > 60.0) return false;
+    if (t >= 2.0 && at_two_seconds_) std::exchange(at_two_seconds_, nullptr)();
+    if (ticks_ % 66 == 65 && !std::exchange(pictured_, true)) {
+      frame_.t = frame_.t_arrival = t;
+      out = frame_;
+      return true;
+    }
+    pictured_ = false;
+    out = tracking::MotorSample{t, {double(ticks_++), 1, 2}, {3, 4, 5}, {6, 7, 8}};
+    return true;
+  }
+  void block(bool, bool) override {}
+
+  double t = 0.0;  ///< of the newest sample given
+
+ private:
+  SourceInfo info_;
+  std::function<void()> at_two_seconds_;
+  tracking::StereoFrame frame_;
+  int ticks_ = 0;
+  bool pictured_ = false;
+};
+
+std::string faultOfImport(Source& source, const std::filesystem::path& path, Existing existing,
+                          OnFullDisk on_full_disk) {
+  try {
+    importRecording(source, path, headerOf(source.info(), "now"), nullptr, existing, on_full_disk);
+  } catch (const base::InputError& error) {
+    return error.what();
+  }
+  ADD_FAILURE() << "the disk was never full";
+  return {};
+}
+
+/// To the reserve, and to the last byte where another program takes it all at once.
+TEST(DiskFault, WhatIsSimulatedOntoAFullDiskIsWhole) {
+  for (const bool sudden : {false, true}) {
+    const SmallDisk disk(32);
+    if (!disk.mounted()) GTEST_SKIP() << disk.why();
+    const TemporaryFolder away;
+    EndlessSource source([&] {
+      std::ofstream other(disk / "other", std::ios::binary);
+      if (sudden) other << std::string(disk.freeBytes(), 'x') << std::flush;
+    });
+    const std::string fault = faultOfImport(source, disk / "a.capstan", Existing::kRefuse, OnFullDisk::kKeep);
+    const auto left = std::distance(std::filesystem::directory_iterator(disk.path()), {});
+    EXPECT_EQ(left, 2) << "the session and the other file";
+    std::filesystem::copy_file(disk / "a.capstan", away / "copy.capstan");
+    Outcome outcome;
+    lookAtCopy(away / "copy.capstan", outcome);
+    EXPECT_GT(outcome.motor, 1500);
+    EXPECT_TRUE(outcome.in_order);
+    EXPECT_LE(source.t - outcome.stored, 0.5) << fault;
+    EXPECT_NE(fault.find("is whole and holds the first"), std::string::npos) << fault;
+    std::printf("given to %.3f s, in the copy to %.3f s: lost %.3f s; %s\n", source.t, outcome.stored,
+                source.t - outcome.stored, fault.c_str());
+  }
+}
+
+TEST(DiskFault, WhatIsConvertedOntoAFullDiskIsRemovedAndAFormerFileStays) {
+  const SmallDisk disk(16);
+  if (!disk.mounted()) GTEST_SKIP() << disk.why();
+  EndlessSource source({});
+  std::string fault = faultOfImport(source, disk / "a.capstan", Existing::kRefuse, OnFullDisk::kDiscard);
+  EXPECT_NE(fault.find("What was written is removed"), std::string::npos) << fault;
+  EXPECT_TRUE(std::filesystem::is_empty(disk.path()));
+  std::ofstream(disk / "a.capstan") << "former";
+  fault = faultOfImport(source, disk / "a.capstan", Existing::kReplace, OnFullDisk::kKeep);
+  EXPECT_NE(fault.find("The former file is as it was"), std::string::npos) << fault;
+  EXPECT_EQ(std::filesystem::file_size(disk / "a.capstan"), 6U);
 }
 
 }  // namespace
