@@ -4,6 +4,9 @@
 
 #include <algorithm>
 
+#include "core/base/error.h"
+#include "core/base/part_file.h"
+
 namespace capstan::session {
 namespace {
 
@@ -11,15 +14,37 @@ constexpr std::uint64_t kMostReserve = 256U << 20;
 constexpr std::uint64_t kReserveShare = 10;  ///< of a small disk: one part in so many
 constexpr double kPeriod = 2.0;              ///< [s]
 
+std::filesystem::path nearestFolder(const std::filesystem::path& folder) {
+  std::error_code fault;
+  std::filesystem::path place = std::filesystem::absolute(folder, fault).lexically_normal();
+  while (!std::filesystem::exists(place, fault) && place.has_relative_path()) place = place.parent_path();
+  return place;
+}
+
 }  // namespace
 
 DiskSpace diskSpaceAt(const std::filesystem::path& folder) {
   std::error_code fault;
-  std::filesystem::path place = std::filesystem::absolute(folder, fault).lexically_normal();
-  while (!std::filesystem::exists(place, fault) && place.has_relative_path()) place = place.parent_path();
-  const auto space = std::filesystem::space(place, fault);
+  const auto space = std::filesystem::space(nearestFolder(folder), fault);
   if (fault) return {};
   return {space.available, std::min(kMostReserve, space.capacity / kReserveShare), space.capacity};
+}
+
+void checkRecordingFolder(const std::filesystem::path& folder) {
+  const auto refuse = [&](const std::string& reason) {
+    throw base::InputError({folder.string(), 0, {}, {}, reason, "Choose another folder for recordings"});
+  };
+  const std::filesystem::path place = nearestFolder(folder);
+  std::error_code fault;
+  if (!std::filesystem::is_directory(place, fault)) refuse("is no folder");
+  try {
+    base::checkWritable(place / "recording.capstan");
+  } catch (const base::InputError& error) {
+    refuse(error.fault().reason);
+  }
+  const DiskSpace space = diskSpaceAt(place);
+  if (space.size > 0 && space.free < space.reserve)
+    refuse("is on a disk that is full but for its reserve of " + sizeText(space.reserve));
 }
 
 std::string sizeText(std::uint64_t bytes) {

@@ -18,6 +18,10 @@ struct DiskSpace {
 /// gives no answer. The reserve is 256 MiB, a tenth of the disk where that is less.
 DiskSpace diskSpaceAt(const std::filesystem::path& folder);
 
+/// Throws base::InputError where recordings cannot go to `folder`, or, as long as it is not there, to the
+/// nearest folder above it: nothing can be written there, or only the reserve is left.
+void checkRecordingFolder(const std::filesystem::path& folder);
+
 /// "12.3 GB", "1.6 MB"
 std::string sizeText(std::uint64_t bytes);
 

@@ -11,7 +11,6 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using testing::Cli;
 using testing::Ran;
-using testing::SmallDisk;
 
 class CliFiles : public Cli {
  protected:

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <string>
 
-namespace capstan::testing {
+namespace capstan {
 
 /// A real disk of a few megabytes: a tmpfs that only this thread, and what it starts from now on, can see.
 /// Where it may not be mounted, why() says so and tests skip.
@@ -47,4 +47,4 @@ class SmallDisk {
   std::string why_;
 };
 
-}  // namespace capstan::testing
+}  // namespace capstan

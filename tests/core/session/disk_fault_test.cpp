@@ -18,7 +18,6 @@ namespace capstan::session {
 namespace {
 
 using namespace testing;
-using capstan::testing::SmallDisk;
 
 double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
