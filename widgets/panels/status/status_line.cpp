@@ -19,10 +19,10 @@ constexpr double kSoonFull = 300.0;  ///< until the reserve is reached; less is 
 
 QString sizeText(std::uint64_t bytes) { return QString::fromStdString(session::sizeText(bytes)); }
 
-/// Under ten minutes with a decimal.
 QString minutesText(double seconds) {
   const double minutes = seconds / 60.0;
-  return QObject::tr("%1 min left").arg(minutes, 0, 'f', minutes < 10.0 ? 1 : 0);
+  return minutes < 1.0 ? QObject::tr("under 1 min left")
+                       : QObject::tr("%1 min left").arg(minutes, 0, 'f', minutes < 10.0 ? 1 : 0);
 }
 
 }  // namespace
