@@ -21,6 +21,7 @@
 #include "app/cli/simulation_arguments.h"
 #include "app/cli/track_output.h"
 #include "core/base/error.h"
+#include "core/base/part_file.h"
 #include "core/base/yaml.h"
 #include "core/experiments/identify_and_track.h"
 #include "core/session/recorder.h"
@@ -60,6 +61,7 @@ void makeRoom(const fs::path& folder, const std::string& recording) {
   }
   fs::create_directories(folder, failed);
   if (failed) refuseFile(folder.string(), "cannot be made: " + failed.message(), "Give another --out");
+  base::checkWritable(folder / "index.html");
   base::writeTextFile(folder / "index.html",
                       std::string(kReportMark) + "<p>This report was not finished.</p>\n");
 }

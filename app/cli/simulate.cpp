@@ -34,7 +34,8 @@ ExitCode simulate(const SimulateArguments& arguments) {
   {
     const ProgressLine line(progress);
     session::importRecording(*source, arguments.out, session::headerOf(source->info(), isoNow()), &progress,
-                             arguments.force ? session::Existing::kReplace : session::Existing::kRefuse);
+                             arguments.force ? session::Existing::kReplace : session::Existing::kRefuse,
+                             session::OnFullDisk::kKeep);
   }
   if (progress.cancelled()) {
     notice("cancelled");

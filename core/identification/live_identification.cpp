@@ -137,6 +137,12 @@ robot::Description LiveIdentification::accept() {
   return *accepted_;
 }
 
+void LiveIdentification::keep(const robot::Description& robot, std::string origin) {
+  accepted_ = robot;
+  origin_ = std::move(origin);
+  discard();
+}
+
 robot::Description LiveIdentification::revert() {
   accepted_.reset();
   discard();

@@ -84,6 +84,9 @@ class LiveIdentification {
   void discard();  ///< → kIdle, or kAccepted where an accepted robot is in use
   /// → kAccepted. The robot to be used from now on. Only if acceptable().
   robot::Description accept();
+  /// → kAccepted: `robot`, found by `origin`, is in use already. What was under way is given up.
+  void keep(const robot::Description& robot, std::string origin);
+  const std::string& origin() const { return origin_; }  ///< of the accepted robot
   /// kAccepted → kIdle: the robot file's own values, to be used again.
   robot::Description revert();
 

@@ -8,6 +8,8 @@ namespace {
 
 constexpr int kPasses = 8;  // each copies what was committed during the one before; they shrink
 
+int keepLength(sqlite3_file*, sqlite3_int64) { return SQLITE_OK; }
+
 }  // namespace
 
 Checkpointer::Checkpointer(const std::filesystem::path& path, std::uint64_t threshold)
@@ -60,12 +62,22 @@ void Checkpointer::work() {
       if (!database) {
         database = std::make_unique<Database>(path_, Database::Mode::kReadWrite);
         database->run("PRAGMA synchronous = NORMAL");
+        keepLengthOf(*database);
       }
       if (logBytes() >= threshold_) checkpoint(*database);
     } catch (const SqliteError&) {
       database.reset();  // the log only grows; the writer reports what stops it
     }
   }
+}
+
+void Checkpointer::keepLengthOf(Database& database) {
+  sqlite3_file* file = nullptr;
+  sqlite3_file_control(database.handle(), nullptr, SQLITE_FCNTL_FILE_POINTER, &file);
+  if (!file || !file->pMethods || file->pMethods == &methods_) return;
+  methods_ = *file->pMethods;
+  methods_.xTruncate = keepLength;
+  file->pMethods = &methods_;
 }
 
 void Checkpointer::checkpoint(Database& database) {

@@ -18,7 +18,8 @@ namespace capstan::session {
 /// process. This thread owes the syncs: each passive checkpoint syncs the log, copies its pages and syncs the
 /// database, and when the writer has begun the log anew, this thread syncs its first page, so that a loss of
 /// power finds either log whole. A log that is copied completely between two commits is begun anew by the
-/// next one; that bounds it near `threshold` as long as the disk follows.
+/// next one; that bounds it near `threshold` as long as the disk follows. Its checkpoints never shorten the
+/// main file, where the writer has made room for pages that are still in the log.
 class Checkpointer {
  public:
   Checkpointer(const std::filesystem::path& path, std::uint64_t threshold);
@@ -38,11 +39,14 @@ class Checkpointer {
  private:
   static int onCommit(void* self, sqlite3* database, const char* name, int pages);
   void work();
+  /// Checkpoints over `database` no longer cut the main file down to the pages copied so far.
+  void keepLengthOf(Database& database);
   void checkpoint(Database& database);
   void syncLog();
 
   const std::filesystem::path path_;
   const std::uint64_t threshold_;
+  sqlite3_io_methods methods_{};  ///< of this thread's main file: all of the VFS but truncation
   std::uint64_t page_bytes_ = 0;
   std::atomic<std::uint64_t> pages_{0};
   std::atomic<bool> restarted_{false};

@@ -10,6 +10,8 @@
 #include "core/base/error.h"
 #include "core/base/part_file.h"
 #include "core/base/yaml.h"
+#include "core/session/arrival.h"
+#include "core/session/disk_space.h"
 #include "core/session/schema.h"
 #include "core/session/session_reader.h"
 #include "core/session/session_source.h"
@@ -102,6 +104,67 @@ void reportTime(base::Progress& progress, const SourceInfo& info, double t) {
     progress.report(std::clamp((t - info.begin) / info.duration, 0.0, 1.0), "importing");
 }
 
+/// What the file is sure to hold.
+struct Committed {
+  std::int64_t rows = 0;
+  double begin = 0.0, end = 0.0;  ///< arrival of its first and last sample [s]
+};
+
+/// Throws SqliteError where the disk of `file` has less than its reserve left.
+void checkRoom(const std::filesystem::path& file) {
+  const DiskSpace space = diskSpaceAt(file.parent_path());
+  if (space.size > 0 && space.free < space.reserve)
+    throw SqliteError(SQLITE_FULL, "the disk is full but for its reserve of " + sizeText(space.reserve));
+}
+
+/// All samples, in transactions of 0.2 s of the recording, as far as the disk takes them. Throws SqliteError.
+void writeSamples(Source& source, SessionWriter& writer, const std::filesystem::path& file,
+                  base::Progress* progress, Committed& committed) {
+  constexpr double kPeriod = 0.2;  // [s]
+  constexpr std::int64_t kMostRows = 5000;
+  tracking::Sample sample;
+  std::int64_t seq = 0;
+  double t = 0.0;
+  const auto begin = [&] {
+    checkRoom(file);
+    writer.begin();
+  };
+  const auto commit = [&] {
+    writer.commit();
+    committed.rows = seq;
+    committed.end = t;
+  };
+  begin();
+  while (source.next(sample)) {
+    t = arrivalOf(sample);
+    if (seq == 0) committed.begin = committed.end = t;
+    std::visit([&](const auto& row) { writer.write(++seq, row); }, sample);
+    if (t - committed.end >= kPeriod || seq - committed.rows >= kMostRows) {
+      commit();
+      begin();
+    }
+    if (!progress || seq % 256 != 0) continue;
+    if (progress->cancelled()) break;
+    reportTime(*progress, source.info(), std::visit([](const auto& row) { return row.t; }, sample));
+  }
+  commit();
+}
+
+base::InputError stopped(const std::filesystem::path& session, const SqliteError& error,
+                         const Committed& committed, bool kept, bool former) {
+  const std::string left =
+      kept ? fmt::format("The file is whole and holds the first {:.2f} s", committed.end - committed.begin)
+      : former ? "The former file is as it was, what was written is removed"
+               : "What was written is removed";
+  return base::InputError({session.string(),
+                           0,
+                           {},
+                           {},
+                           fmt::format("cannot be written: {}. {}", error.what(), left),
+                           error.code() == SQLITE_FULL ? "Free space, or choose another folder"
+                                                       : "Check the folder, its permissions and the space"});
+}
+
 /// Takes the files away that a former recording left beside `session`: SQLite would apply them to whatever
 /// takes its place. What they hold goes into the former recording first.
 void foldLog(const std::filesystem::path& session) {
@@ -165,35 +228,26 @@ MeasuredTable sessionTable(const std::filesystem::path& session) {
 }
 
 void importRecording(Source& source, const std::filesystem::path& session, const SessionHeader& header,
-                     base::Progress* progress, Existing existing) {
-  constexpr std::int64_t kRowsACommit = 5000;
-  if (existing == Existing::kRefuse && std::filesystem::exists(session))
+                     base::Progress* progress, Existing existing, OnFullDisk on_full_disk) {
+  const bool former = std::filesystem::exists(session);
+  if (existing == Existing::kRefuse && former)
     throw base::InputError({session.string(), 0, {}, {}, "exists already", "Choose another name"});
   base::PartFile part(session);
+  Committed committed;
   try {
     SessionWriter writer(part.path(), header, SessionWriter::Durability::kPlain);
-    tracking::Sample sample;
-    std::int64_t seq = 0;
-    writer.begin();
-    while (source.next(sample)) {
-      std::visit([&](const auto& row) { writer.write(++seq, row); }, sample);
-      if (seq % kRowsACommit == 0) {
-        writer.commit();
-        writer.begin();
-      }
-      if (!progress || seq % 256 != 0) continue;
-      if (progress->cancelled()) break;
-      reportTime(*progress, source.info(), std::visit([](const auto& row) { return row.t; }, sample));
+    try {
+      writeSamples(source, writer, part.path(), progress, committed);
+      writer.finish();
+    } catch (const SqliteError&) {
+      writer.rollback();
+      writer.finish();
+      throw;
     }
-    writer.commit();
-    writer.finish();
   } catch (const SqliteError& error) {
-    throw base::InputError({session.string(),
-                            0,
-                            {},
-                            {},
-                            fmt::format("cannot be written: {}", error.what()),
-                            "Check the folder, its permissions and the space"});
+    const bool kept = on_full_disk == OnFullDisk::kKeep && !former && committed.rows > 0;
+    if (kept) part.commit();
+    throw stopped(session, error, committed, kept, former);
   }
   if (progress && progress->cancelled()) return;
   foldLog(part.target());

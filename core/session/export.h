@@ -23,10 +23,15 @@ std::vector<std::filesystem::path> exportCsv(const std::filesystem::path& sessio
 MeasuredTable sessionTable(const std::filesystem::path& session);
 
 enum class Existing { kRefuse, kReplace };
+/// What becomes of the samples written so far when the disk takes no more.
+enum class OnFullDisk { kDiscard, kKeep };
 /// A session from a measured table (or any recording that openRecording() opens), sample by sample. A former
-/// `session` stays until the new one is whole.
+/// `session` stays until the new one is whole. A disk that has only its reserve left (DiskSpace), or fails,
+/// is a base::InputError that says what became of the samples: kKeep leaves them as a whole session which
+/// ends at most 0.2 s before the fault, unless a former session stands there.
 void importRecording(Source& source, const std::filesystem::path& session, const SessionHeader& header,
-                     base::Progress* progress = nullptr, Existing existing = Existing::kRefuse);
+                     base::Progress* progress = nullptr, Existing existing = Existing::kRefuse,
+                     OnFullDisk on_full_disk = OnFullDisk::kDiscard);
 /// Frames as `left_000001.png`, `right_000001.png` … in `folder`. Returns the number of images.
 std::int64_t exportPng(const std::filesystem::path& session, const std::filesystem::path& folder,
                        base::Progress* progress = nullptr);

@@ -1,5 +1,7 @@
 #include "core/session/occlusion.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -46,6 +48,12 @@ double OcclusionSchedule::shareUntil(double t) const {
   const double whole = std::floor((t - start) / period);
   const double rest = (t - start) - whole * period;
   return (whole * interval + std::max(0.0, rest - (period - interval))) / t;
+}
+
+std::string scheduleWords(const OcclusionSchedule& schedule) {
+  if (schedule.percentage <= 0.0) return "no schedule";
+  return fmt::format("both cameras blocked {:.0f} % of the time, in intervals of {:.1f} s",
+                     schedule.percentage, schedule.interval);
 }
 
 void coverImage(cv::Mat& bgr, double t, int side) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <opencv2/core/mat.hpp>
+#include <string>
 
 namespace capstan::session {
 
@@ -16,6 +17,9 @@ struct OcclusionSchedule {
   /// Blocked share of [0, t] that the schedule has brought by t, 0…1.
   double shareUntil(double t) const;
 };
+
+/// "both cameras blocked 40 % of the time, in intervals of 2.0 s", or "no schedule".
+std::string scheduleWords(const OcclusionSchedule& schedule);
 
 /// Paints an opaque, dark, textured hand-like shape over all of `bgr` (8UC3), moving slowly with t.
 /// Deterministic in (t, side): the same bytes each time. No allocation.

@@ -8,10 +8,12 @@
 #include <condition_variable>
 #include <mutex>
 #include <thread>
-#include <variant>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/session/checkpointer.h"
+#include "core/session/disk_space.h"
+#include "core/session/record_queue.h"
 #include "core/session/session_writer.h"
 #include "core/session/spsc_ring.h"
 
@@ -24,53 +26,40 @@ double secondsBetween(Clock::time_point from, Clock::time_point to) {
   return std::chrono::duration<double>(to - from).count();
 }
 
-/// Stands in the queue for a pair of images, which waits in the ring of frames.
-struct FrameMark {};
-
-struct Record {
-  std::int64_t seq = 0;
-  Clock::time_point offered;
-  std::variant<tracking::MotorSample, tracking::JointSample, tracking::TipSample, EstimateRow, FrameMark> row;
-};
-
-/// What other threads hand to the writer now and then.
-struct Message {
-  std::int64_t seq = 0;
-  SessionEvent event;
-  std::optional<Eigen::Isometry3d> registration;
-};
-
-std::size_t slots(double rate, double time) { return static_cast<std::size_t>(std::ceil(rate * time)) + 2; }
-
-/// Memory of a pair of images, kept when a camera gave none.
-struct FrameSlot {
-  double t = 0.0, t_arrival = 0.0;
-  std::array<cv::Mat, 2> image;
-  std::array<bool, 2> present{};
-
-  void take(const tracking::StereoFrame& frame) {
-    t = frame.t;
-    t_arrival = frame.t_arrival;
-    const cv::Mat* const from[] = {&frame.left, &frame.right};
-    for (std::size_t side = 0; side < 2; ++side) {
-      present[side] = !from[side]->empty();
-      if (present[side]) from[side]->copyTo(image[side]);
-    }
-  }
-  tracking::StereoFrame view() const {
-    return {t, t_arrival, present[0] ? image[0] : cv::Mat(), present[1] ? image[1] : cv::Mat()};
-  }
-};
+const char* const kFreeSpace = "Free space, or choose another folder, and start a new recording";
 
 std::string adviceFor(const SqliteError& error) {
   switch (error.code()) {
     case SQLITE_FULL:
-      return "Free space on the disk and start a new recording; what was written is whole";
+      return kFreeSpace;
     case SQLITE_MISUSE:
       return "Give both cameras one image size";
     default:
-      return "Check the disk and its folder and start a new recording; what was written is whole";
+      return "Check the disk and its folder and start a new recording";
   }
+}
+
+/// Refuses a disk that has only its reserve left.
+std::uint64_t checkedReserve(const std::filesystem::path& path, const RecorderOptions& options) {
+  const DiskSpace space = diskSpaceAt(std::filesystem::absolute(path).parent_path());
+  const std::uint64_t reserve = options.min_free_bytes.value_or(space.reserve);
+  if (space.size > 0 && space.free < reserve)
+    throw base::InputError({path.string(),
+                            0,
+                            {},
+                            {},
+                            fmt::format("cannot be recorded: {} are free there and {} are kept in reserve",
+                                        sizeText(space.free), sizeText(reserve)),
+                            "Free space, or choose another folder"});
+  return reserve;
+}
+
+/// On a small disk the log must not take what the file needs.
+std::uint64_t logThreshold(const std::filesystem::path& path, const RecorderOptions& options) {
+  constexpr std::uint64_t kShare = 32, kLeast = 1U << 20;
+  const DiskSpace space = diskSpaceAt(std::filesystem::absolute(path).parent_path());
+  if (space.size == 0) return options.checkpoint_bytes;
+  return std::min(options.checkpoint_bytes, std::max(kLeast, space.size / kShare));
 }
 
 }  // namespace
@@ -81,11 +70,12 @@ class Recorder::Impl {
       : path_(path),
         options_(options),
         interval_(std::clamp(options.commit_interval, 0.01, 0.2)),
+        reserve_(checkedReserve(path, options)),
         writer_(path, header, SessionWriter::Durability::kFast),
         records_(
             slots(3.0 * options.motor_rate + 4.0 * options.frame_rate, std::max(2.0, options.buffered_time))),
         frames_(slots(options.frame_rate, std::max(2.0, options.buffered_time))),
-        checkpointer_(path, options.checkpoint_bytes) {
+        checkpointer_(path, logThreshold(path, options)) {
     frames_.prepare([&](FrameSlot& slot) {
       for (cv::Mat& image : slot.image) {
         image.create(options.height, options.width, CV_8UC3);
@@ -97,7 +87,8 @@ class Recorder::Impl {
       writer_.database().run(fmt::format("PRAGMA max_page_count = {}", options.max_bytes / page));
     }
     checkpointer_.watch(writer_.database());
-    stats_.free_bytes = freeBytes();
+    stats_.free_bytes = space().free;
+    stats_.reserve_bytes = reserve_;
     thread_ = std::thread([this] { write(); });
   }
 
@@ -136,11 +127,7 @@ class Recorder::Impl {
     recording_.store(false, std::memory_order_relaxed);
     discardQueued();
     checkpointer_.stop();
-    try {
-      writer_.finish();
-    } catch (const SqliteError& error) {
-      fail(fmt::format("the file could not be closed: {}. {}", error.what(), adviceFor(error)));
-    }
+    if (!finished_) finish();
     const std::lock_guard lock(mutex_);
     if (stats_.state == RecorderState::kRecording) stats_.state = RecorderState::kClosed;
     stats_.log_bytes = 0;
@@ -187,6 +174,7 @@ class Recorder::Impl {
   }
 
   void write() {
+    constexpr double kLookInterval = 0.25;  // [s]
     Clock::time_point looked = Clock::now();
     for (bool last = false; !last || records_.front();) {
       {
@@ -194,11 +182,11 @@ class Recorder::Impl {
         last = wake_.wait_for(lock, std::chrono::duration<double>(cut_short_ ? 0.0 : interval_),
                               [&] { return closing_; });
       }
-      if (recording_.load(std::memory_order_relaxed))
+      if (!finished_)
         commitQueued();
       else
         discardQueued();
-      if (secondsBetween(looked, Clock::now()) > 1.0) {
+      if (!finished_ && secondsBetween(looked, Clock::now()) > kLookInterval) {
         looked = Clock::now();
         lookAtDisk();
       }
@@ -213,16 +201,20 @@ class Recorder::Impl {
       messages.swap(messages_);
     }
     if (!records_.front() && messages.empty()) return;
+    const Clock::time_point begin = Clock::now();
+    Clock::time_point oldest = begin;
+    std::uint64_t rows = 0, pairs = 0;
+    const auto giveUp = [&](const std::string& why, const std::string& advice) {
+      writer_.rollback();
+      fail("writing failed: " + why, advice, oldest);
+    };
     try {
       writer_.begin();
       for (const Message& message : messages) {
         writer_.write(message.seq, message.event);
         if (message.registration) writer_.setRegistration(*message.registration);
       }
-      const Clock::time_point begin = Clock::now();
-      Clock::time_point oldest = begin;
       cut_short_ = false;
-      std::uint64_t rows = 0, pairs = 0;
       while (const Record* record = records_.front()) {
         oldest = std::min(oldest, record->offered);
         pairs += writeRow(*record);
@@ -237,11 +229,18 @@ class Recorder::Impl {
       account(rows, pairs, oldest, committing);
       checkpointer_.wake();
     } catch (const SqliteError& error) {
-      writer_.rollback();
-      fail(fmt::format("writing failed: {}. {}", error.what(), adviceFor(error)));
+      giveUp(error.what(), adviceFor(error));
     } catch (const std::exception& error) {
-      writer_.rollback();
-      fail(fmt::format("writing failed: {}. Start a new recording; what was written is whole", error.what()));
+      giveUp(error.what(), "Start a new recording");
+    }
+  }
+
+  void finish() {
+    try {
+      writer_.finish();
+    } catch (const SqliteError& error) {
+      report(fmt::format("the file could not be closed: {}. {}. {}", error.what(), besideWords(),
+                         adviceFor(error)));
     }
   }
 
@@ -288,34 +287,74 @@ class Recorder::Impl {
 
   void lookAtDisk() {
     std::error_code fault;
-    const std::uint64_t free = freeBytes();
-    if (!std::filesystem::exists(path_, fault)) {
-      fail("the file was removed, or its folder is gone. Check the folder and start a new recording");
-    } else if (free < options_.min_free_bytes) {
-      fail(fmt::format("only {:.1f} GB are free on the disk. {}", static_cast<double>(free) * 1e-9,
-                       "Free space and start a new recording; what was written is whole"));
-    }
+    const std::uint64_t free = space().free;
+    if (!std::filesystem::exists(path_, fault))
+      return fail("the file was removed, or its folder is gone",
+                  "What was recorded is lost. Check the folder and start a new recording", Clock::now());
+    if (free < reserve_) return stopAtReserve();
     const std::lock_guard lock(mutex_);
     stats_.free_bytes = free;
+    growth_.add(Clock::now(), writer_.fileBytes());
+    if (growth_.bytesPerSecond() > 0.0)
+      stats_.time_left = static_cast<double>(free - reserve_) / growth_.bytesPerSecond();
   }
 
-  void fail(std::string reason) {
+  /// The reserve takes what is queued.
+  void stopAtReserve() {
     recording_.store(false, std::memory_order_relaxed);
+    while (!finished_ && records_.front()) commitQueued();
+    if (!finished_)
+      fail("recording stopped: the disk is full but for its reserve of " + sizeText(reserve_), kFreeSpace,
+           Clock::now());
+  }
+
+  /// On the writer's thread. Closes the file first: once the fault is told, the file is as the words say.
+  /// `oldest`: when the oldest row was offered that is not in the file.
+  void fail(const std::string& reason, const std::string& advice, Clock::time_point oldest) {
+    const double lost_time = secondsBetween(oldest, Clock::now());
+    recording_.store(false, std::memory_order_relaxed);
+    checkpointer_.stop();
+    finished_ = true;
+    bool whole = false;
+    try {
+      whole = writer_.finish();
+    } catch (const SqliteError&) {  // the disk takes nothing more; the log stays as it is
+    }
+    {
+      const std::lock_guard lock(mutex_);
+      stats_.lost = queued_.load(std::memory_order_relaxed) - stats_.written;
+      stats_.lost_time = stats_.lost > 0 ? lost_time : 0.0;
+      stats_.free_bytes = space().free;
+    }
+    std::error_code fault;
+    if (!std::filesystem::exists(path_, fault)) return report(fmt::format("{}. {}", reason, advice));
+    report(fmt::format("{}. {}. {}", reason, whole ? wholeWords() : besideWords(), advice));
+  }
+
+  std::string wholeWords() const {
+    const std::lock_guard lock(mutex_);
+    if (stats_.lost == 0) return "The file is closed and whole, with every row";
+    return fmt::format("The file is closed and whole up to {:.2f} s before that: {} rows are missing",
+                       stats_.lost_time, stats_.lost);
+  }
+  std::string besideWords() const {
+    return fmt::format("Its newest rows are beside it in {}-wal: keep both, and copy both",
+                       path_.filename().string());
+  }
+
+  void report(std::string fault) {
     const std::lock_guard lock(mutex_);
     if (stats_.state == RecorderState::kFailed) return;
     stats_.state = RecorderState::kFailed;
-    stats_.error = path_.string() + ": " + std::move(reason);
+    stats_.error = path_.string() + ": " + std::move(fault);
   }
 
-  std::uint64_t freeBytes() const {
-    std::error_code fault;
-    const auto space = std::filesystem::space(std::filesystem::absolute(path_).parent_path(), fault);
-    return fault ? 0 : space.available;
-  }
+  DiskSpace space() const { return diskSpaceAt(std::filesystem::absolute(path_).parent_path()); }
 
   const std::filesystem::path path_;
   const RecorderOptions options_;
   const double interval_;
+  const std::uint64_t reserve_;
   SessionWriter writer_;
   SpscRing<Record> records_;
   SpscRing<FrameSlot> frames_;
@@ -329,6 +368,8 @@ class Recorder::Impl {
   std::vector<Message> messages_;
   RecorderStats stats_;
   bool cut_short_ = false;  ///< writer's thread: the last transaction left rows behind
+  bool finished_ = false;   ///< writer's thread until it is joined: a fault has closed the file
+  GrowthRate growth_;
   std::thread thread_;
 };
 

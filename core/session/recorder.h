@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "core/session/session_file.h"
@@ -19,9 +20,11 @@ struct RecorderOptions {
   double frame_rate = 15.0;      ///< expected pairs of frames a second
   int width = 640,
       height = 480;  ///< of the frames [px]; other sizes are stored too, at the cost of an allocation
-  std::uint64_t checkpoint_bytes = 64U << 20;  ///< log size that starts moving it into the main file
-  std::uint64_t max_bytes = 0;                 ///< largest file; 0: what the disk holds
-  std::uint64_t min_free_bytes = 256U << 20;   ///< recording stops before the disk has less than this
+  /// Log size that starts moving it into the main file; on a small disk a 32nd of it.
+  std::uint64_t checkpoint_bytes = 64U << 20;
+  std::uint64_t max_bytes = 0;  ///< largest file; 0: what the disk holds
+  /// Recording stops before the disk has less than this; none: DiskSpace::reserve of the disk.
+  std::optional<std::uint64_t> min_free_bytes;
   std::function<void()>
       before_commit;  ///< runs on the writer's thread before each commit; tests stall it here
 };
@@ -37,7 +40,11 @@ struct RecorderStats {
   std::uint64_t dropped_frames = 0;  ///< of these, pairs of frames
   std::uint64_t frames = 0;          ///< pairs of frames committed
   std::uint64_t bytes = 0;           ///< of all rows committed, as stored
+  std::uint64_t lost = 0;            ///< taken and not in the file: the fault came before their commit
+  double lost_time = 0.0;            ///< age of the oldest of these at the fault [s]
   std::uint64_t free_bytes = 0;      ///< on the disk of the file
+  std::uint64_t reserve_bytes = 0;   ///< recording stops before less is free
+  double time_left = 0.0;            ///< until then at the present rate [s]; 0: not known yet
   std::uint64_t log_bytes = 0;       ///< write-ahead log not yet in the main file
   double worst_commit = 0.0;         ///< longest commit [s]
   double worst_age = 0.0;            ///< oldest row at its commit: from offer to commit [s]
@@ -48,9 +55,15 @@ struct RecorderStats {
 /// does not allocate. A writer thread encodes and commits; when the disk cannot follow and the queue is full,
 /// what is offered is dropped and counted. Committed rows survive the death of the process, and the file
 /// stays whole through a loss of power (SQLite's write-ahead log with checkpoints off the writer's thread).
+///
+/// A fault ends the recording: the log is moved into the file, which is closed before stats() tells of the
+/// fault, so that the one file copied alone holds all that was committed. A full disk does not prevent that:
+/// whatever is in the log has its room in the main file already. Before the disk is full, when only the
+/// reserve is free, recording stops with every row that was taken.
 class Recorder {
  public:
-  /// Creates `path`, an existing file is refused. Throws base::InputError when it cannot be created.
+  /// Creates `path`, an existing file is refused. Throws base::InputError when it cannot be created or only
+  /// the reserve is free there.
   Recorder(const std::filesystem::path& path, const SessionHeader& header,
            const RecorderOptions& options = {});
   /// close()

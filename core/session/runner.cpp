@@ -89,7 +89,11 @@ class Runner::Impl {
     post([this, left, right] { blocking_.setByHand(left, right); });
   }
   void setOcclusion(const OcclusionSchedule& schedule) {
-    post([this, schedule] { blocking_.setSchedule(schedule); });
+    post([this, schedule] {
+      const bool changed = scheduleWords(schedule) != scheduleWords(blocking_.schedule());
+      blocking_.setSchedule(schedule);
+      if (changed) noteOcclusion(scheduleWords(schedule));
+    });
   }
 
   void setRegistration(const Eigen::Isometry3d& pose) {
@@ -114,6 +118,9 @@ class Runner::Impl {
     }
     post([this, next, note] {
       if (pipeline_.registration()) next->setRegistration(*pipeline_.registration());
+      const auto& failed = pipeline_.snapshot().motor_failed;
+      for (std::size_t i = 0; i < failed.size(); ++i)
+        if (failed[i] == tracking::MotorFault::kDeclared) next->setMotorFailed(static_cast<int>(i), true);
       pipeline_ = std::move(*next);
       report_ = {};
       if (listener_) listener_.begin(pipeline_);
@@ -153,7 +160,8 @@ class Runner::Impl {
     auto recorder = std::make_shared<Recorder>(path, header, options);
     post([this, recorder] {
       recording_.begin(recorder);
-      if (blocking_.any()) recording_.note(t_, "occlusion", blocking_.text());
+      if (blocking_.schedule().percentage > 0.0) noteOcclusion(scheduleWords(blocking_.schedule()));
+      if (blocking_.any()) noteOcclusion(blocking_.text());
     });
   }
   void stopRecording() {
@@ -285,7 +293,12 @@ class Runner::Impl {
   }
 
   void applyBlocking() {
-    if (blocking_.apply(motor_t_, *source_)) recording_.note(t_, "occlusion", blocking_.text());
+    if (blocking_.apply(motor_t_, *source_)) noteOcclusion(blocking_.text());
+  }
+
+  /// Frames of a recording were whole: who replays this one must know.
+  void noteOcclusion(const std::string& what) {
+    recording_.note(t_, "occlusion", info_.live ? what : what + ", added to a recording");
   }
 
   void finish(RunState state, std::string error) {
@@ -316,6 +329,7 @@ class Runner::Impl {
       status_.frame_rate = meter_.cameraRate();
       status_.blocked = blocking_.blocked();
       status_.occlusion = blocking_.schedule();
+      status_.occlusion_added = !info_.live && (blocking_.any() || blocking_.schedule().percentage > 0.0);
     }
     if (mode_ == Mode::kPause || mode_ == Mode::kDone) idle_.notify_all();
   }

@@ -37,6 +37,7 @@ struct RunStatus {
   double frame_rate = 0.0;        ///< frames or tip samples [1/s of recording]
   std::array<bool, 2> blocked{};  ///< left, right: now, by hand or by schedule
   OcclusionSchedule occlusion;
+  bool occlusion_added = false;  ///< something is blocked now or by schedule, and the source is a recording
   std::optional<RecorderStats> recorder;  ///< while recording, and of the last recording
   std::string recording;                  ///< its path
 };
@@ -67,12 +68,14 @@ class Runner {
   void stepFrame();  ///< runs, unpaced, through the next camera sample (without cameras: 1/15 s), then pauses
   void setSpeed(double speed);
 
+  // Occlusion, as recordings made meanwhile keep it in events; a source that is a recording itself has it
+  // added, and the events say so.
   void block(bool left, bool right);  ///< by hand, from now on
   void setOcclusion(const OcclusionSchedule& schedule);
   void setRegistration(const Eigen::Isometry3d& base_from_camera);
-  /// The pipeline is made anew for `robot`, with options and registration as they are, from the next sample
-  /// on; report() starts anew, recordings carry it, one under way gets `note` as event "robot". Throws
-  /// base::InputError for a robot that the pipeline cannot take; then nothing changes.
+  /// The pipeline is made anew for `robot`, with options, registration and declared faults as they are, from
+  /// the next sample on; report() starts anew, recordings carry it, one under way gets `note` as event
+  /// "robot". Throws base::InputError for a robot that the pipeline cannot take; then nothing changes.
   void setRobot(const robot::Description& robot, const std::string& note);
   robot::Description robot() const;  ///< in use
   /// From the next sample on, in place of the one before; {}: nobody, which costs nothing.

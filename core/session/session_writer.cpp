@@ -12,6 +12,7 @@ namespace capstan::session {
 namespace {
 
 constexpr int kPageSize = 8192;
+constexpr int kGrowth = 1 << 20;  ///< by which the main file grows ahead of the log [bytes]
 
 double threadSeconds() {
   timespec now{};
@@ -28,8 +29,9 @@ Database createDatabase(const std::filesystem::path& path, SessionWriter::Durabi
     database.run(fmt::format("PRAGMA page_size = {}; PRAGMA application_id = {}; PRAGMA user_version = {};",
                              kPageSize, kApplicationId, kSchemaVersion));
     database.run("PRAGMA cache_size = -32768; PRAGMA temp_store = MEMORY;");
-    if (durability == SessionWriter::Durability::kFast)
-      database.run("PRAGMA journal_mode = WAL; PRAGMA wal_autocheckpoint = 0;");
+    database.run(durability == SessionWriter::Durability::kFast
+                     ? "PRAGMA journal_mode = WAL; PRAGMA wal_autocheckpoint = 0;"
+                     : "PRAGMA synchronous = OFF;");
     return database;
   } catch (const SqliteError& error) {
     throw base::InputError(
@@ -52,11 +54,23 @@ void writeDictionary(Database& database) {
   }
 }
 
-/// Commits were written without waiting for the disk.
-void syncLog(Database& database) {
-  sqlite3_file* log = nullptr;
-  sqlite3_file_control(database.handle(), nullptr, SQLITE_FCNTL_JOURNAL_POINTER, &log);
-  if (log && log->pMethods) log->pMethods->xSync(log, SQLITE_SYNC_NORMAL);
+/// Commits were written without waiting for the disk. `which`: SQLITE_FCNTL_FILE_POINTER, or
+/// SQLITE_FCNTL_JOURNAL_POINTER of the log.
+void sync(Database& database, int which) {
+  sqlite3_file* file = nullptr;
+  sqlite3_file_control(database.handle(), nullptr, which, &file);
+  if (file && file->pMethods) file->pMethods->xSync(file, SQLITE_SYNC_NORMAL);
+}
+
+/// The main file grows by multiples of `bytes`, 0: as its content does.
+void growBy(Database& database, int bytes) {
+  sqlite3_file_control(database.handle(), nullptr, SQLITE_FCNTL_CHUNK_SIZE, &bytes);
+}
+
+bool hasLog(const std::filesystem::path& path) {
+  std::error_code fault;
+  const auto size = std::filesystem::file_size(path.string() + "-wal", fault);
+  return !fault && size > 0;
 }
 
 void bindVector(Statement& statement, int& index, const Eigen::Vector3d& value) {
@@ -87,8 +101,10 @@ SessionWriter::SessionWriter(const std::filesystem::path& path, const SessionHea
     for (int which = 0; which < kSampleTables; ++which)
       insert_[static_cast<std::size_t>(which)] =
           std::make_unique<Statement>(database_, insertStatement(table(static_cast<SampleTable>(which))));
-    if (durability == Durability::kFast)
-      database_.run("PRAGMA wal_checkpoint(TRUNCATE); PRAGMA synchronous = OFF;");
+    if (durability != Durability::kFast) return;
+    database_.run("PRAGMA wal_checkpoint(TRUNCATE); PRAGMA synchronous = OFF;");
+    page_count_ = std::make_unique<Statement>(database_, "PRAGMA page_count");
+    growBy(database_, kGrowth);
   } catch (const SqliteError& error) {
     throw base::InputError({path.string(),
                             0,
@@ -100,7 +116,21 @@ SessionWriter::SessionWriter(const std::filesystem::path& path, const SessionHea
 }
 
 void SessionWriter::begin() { database_.run("BEGIN IMMEDIATE"); }
-void SessionWriter::commit() { database_.run("COMMIT"); }
+void SessionWriter::commit() {
+  if (page_count_) makeRoom();
+  database_.run("COMMIT");
+}
+
+/// SQLite writes into every block of the room, so that the file system cannot take it back.
+void SessionWriter::makeRoom() {
+  page_count_->step();
+  sqlite3_int64 bytes = page_count_->integer(0) * kPageSize;
+  page_count_->reset();
+  const int code =
+      sqlite3_file_control(database_.handle(), nullptr, SQLITE_FCNTL_SIZE_HINT, static_cast<void*>(&bytes));
+  if (code != SQLITE_OK) throw SqliteError(SQLITE_FULL, "the disk has no room for the file to grow");
+  file_bytes_ = static_cast<std::uint64_t>(bytes);
+}
 void SessionWriter::rollback() noexcept {
   sqlite3_exec(database_.handle(), "ROLLBACK", nullptr, nullptr, nullptr);
 }
@@ -191,18 +221,28 @@ void SessionWriter::setRegistration(const Eigen::Isometry3d& base_from_camera) {
   put("registration", formatPose(base_from_camera));
 }
 
-void SessionWriter::finish() {
+bool SessionWriter::finish() {
   constexpr int kPatience = 200;  // [ms]; a reader that keeps its transaction longer may keep the log too
   insert_ = {};
+  page_count_.reset();
   sqlite3_busy_timeout(database_.handle(), kPatience);
   database_.run("PRAGMA synchronous = NORMAL");
+  growBy(database_, 0);
   sqlite3_wal_checkpoint_v2(database_.handle(), nullptr, SQLITE_CHECKPOINT_TRUNCATE, nullptr, nullptr);
   try {
     database_.run("PRAGMA journal_mode = DELETE");
+    sync(database_, SQLITE_FCNTL_FILE_POINTER);
+    return true;
   } catch (const SqliteError& error) {
-    if (error.code() != SQLITE_BUSY) throw;
-    syncLog(database_);  // a reader keeps it
+    if (error.code() == SQLITE_BUSY) {
+      sync(database_, SQLITE_FCNTL_JOURNAL_POINTER);  // a reader keeps it
+      return false;
+    }
+    if (hasLog(sqlite3_db_filename(database_.handle(), nullptr))) throw;
   }
+  database_.run(
+      "PRAGMA journal_mode = MEMORY");  // the log is in the file; a journal of its own found no space
+  return true;
 }
 
 SessionWriter::SizedEncoders& SessionWriter::encodersFor(int width, int height) {

@@ -21,7 +21,7 @@ class SessionWriter {
  public:
   /// How hard commits try. kFast: a commit reaches the operating system (it survives the process, and a loss
   /// of power leaves a whole file that ends earlier, given that somebody else checkpoints); kPlain: an
-  /// ordinary rollback journal, for imports.
+  /// ordinary rollback journal, for imports, on the disk when finish() returns.
   enum class Durability { kFast, kPlain };
 
   /// Creates `path`. Throws base::InputError when the file exists or cannot be created.
@@ -29,6 +29,8 @@ class SessionWriter {
 
   // All of these throw SqliteError.
   void begin();
+  /// With kFast the main file has room for every page before the log gets it, so that the log can always be
+  /// moved there, on a full disk too. SQLITE_FULL: the disk had none; roll back.
   void commit();
   void rollback() noexcept;
 
@@ -41,12 +43,14 @@ class SessionWriter {
   void write(std::int64_t seq, const SessionEvent& event);
   void setRegistration(const Eigen::Isometry3d& base_from_camera);
 
-  /// Ends the write-ahead log: the session is one plain file from here on. While another connection reads it,
-  /// the log stays beside it, whole and on the disk.
-  void finish();
+  /// Moves the write-ahead log into the file and takes it away: true, the session is one plain file from here
+  /// on. This takes no space on the disk. False: another connection reads the session, and the log stays
+  /// beside it, whole and on the disk.
+  bool finish();
 
   Database& database() { return database_; }
   std::uint64_t rowBytes() const { return row_bytes_; }     ///< payload written so far
+  std::uint64_t fileBytes() const { return file_bytes_; }   ///< pages of the file at the last commit
   double encodeSeconds() const { return encode_seconds_; }  ///< processor time of all encoding
   std::int64_t images() const { return images_; }           ///< encoded so far
 
@@ -61,11 +65,13 @@ class SessionWriter {
   SizedEncoders& encodersFor(int width, int height);
   std::span<const std::uint8_t> pack(FrameEncoder& encoder, const cv::Mat& image);
   void put(std::string_view key, std::string_view value);
+  void makeRoom();
 
   Database database_;
+  std::unique_ptr<Statement> page_count_;  ///< with a write-ahead log only
   std::array<std::unique_ptr<Statement>, 6> insert_;
   std::vector<SizedEncoders> encoders_;
-  std::uint64_t row_bytes_ = 0;
+  std::uint64_t row_bytes_ = 0, file_bytes_ = 0;
   double encode_seconds_ = 0.0;
   std::int64_t images_ = 0;
 };

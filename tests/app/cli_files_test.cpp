@@ -2,11 +2,13 @@
 #include "core/session/export.h"
 #include "core/session/table_source.h"
 #include "tests/app/cli_fixture.h"
+#include "tests/support/small_disk.h"
 
 namespace capstan {
 namespace {
 
 namespace fs = std::filesystem;
+using nlohmann::json;
 using testing::Cli;
 using testing::Ran;
 
@@ -121,6 +123,46 @@ TEST_F(CliFiles, AFullDiskIsNoSuccess) {
   for (const auto& left : fs::directory_iterator(folder_)) {
     const std::string name = left.path().filename().string();
     EXPECT_TRUE(name == "d.capstan" || name == "stderr.txt") << name << " is left";
+  }
+}
+
+/// The one file, copied away from a disk of 16 MB: whatever fits is in it, and the words say so.
+TEST_F(CliFiles, ASimulationOntoAFullDiskIsWholeAsFarAsItWent) {
+  const SmallDisk disk(16);
+  if (!disk.mounted()) GTEST_SKIP() << disk.why();
+  for (const char* more : {"--duration 60", "--duration 300 --no-images"}) {
+    const fs::path file = disk / "trial.capstan";
+    const Ran full = run("simulate --trajectory hold --out " + file.string() + " " + more);
+    EXPECT_EQ(full.exit, 2) << full.err;
+    EXPECT_EQ(std::distance(fs::directory_iterator(disk.path()), {}), 1) << "nothing else is left";
+    ASSERT_TRUE(fs::exists(file)) << full.err;
+    fs::copy_file(file, path("copy.capstan"), fs::copy_options::overwrite_existing);
+    const json copy = json::parse(run("info --json - " + path("copy.capstan")).out);
+    const double length = copy["last_t"].get<double>() - copy["first_t"].get<double>();
+    EXPECT_GT(copy["motor"].get<int>(), 500) << full.err;
+    EXPECT_NEAR(copy["motor"].get<int>(), 1e3 * length, 20.0);
+    const double rate = static_cast<double>(fs::file_size(file)) / length;
+    const double room = static_cast<double>(disk.freeBytes()) - (16U << 20) / 10;  // above the reserve
+    EXPECT_LT(room, 0.5 * rate) << "half a second more would have fitted";
+    std::printf("%s: %.2f s in the copy; %s", more, length, full.err.c_str());
+    EXPECT_NE(full.err.find("The file is whole and holds the first"), std::string::npos) << full.err;
+    fs::remove(file);
+  }
+}
+
+TEST_F(CliFiles, AReadOnlyFolderIsRefusedBeforeTheWork) {
+  const SmallDisk disk(1);
+  if (!disk.mounted() || !disk.makeReadOnly()) GTEST_SKIP() << disk.why();
+  const std::string file = simulate("d.capstan", "--trajectory hold --no-images --duration 0.5");
+  for (const std::string& command :
+       {"simulate --duration 3600 --out " + (disk / "n.capstan").string(),
+        "report --duration 3600 --out " + disk.path().string(),
+        "report --duration 3600 --out " + (disk / "report").string(),
+        "convert " + file + " " + (disk / "t.csv").string(), "experiment A --out " + disk.path().string()}) {
+    const Ran ran = run(command);
+    EXPECT_EQ(ran.exit, 2) << command;
+    EXPECT_NE(ran.err.find(disk.path().string()), std::string::npos) << ran.err;
+    EXPECT_NE(ran.err.find("Read-only"), std::string::npos) << ran.err;
   }
 }
 

@@ -101,17 +101,23 @@ TEST_F(Panel, ScheduleIsThePapersAndBeginsNow) {
   EXPECT_EQ(schedules.back().percentage, 0.0);
 }
 
-TEST_F(Panel, AnotherSessionKeepsTheScheduleFromItsOwnBegin) {
+TEST_F(Panel, OcclusionEndsWithItsSessionUnlessThatBeginsAgain) {
   tracking::Snapshot snapshot{};
   snapshot.t = 150.0;
   panel.showSnapshot(snapshot);
   QTest::mouseClick(button("40"), Qt::LeftButton);
   ASSERT_EQ(panel.schedule().start, 150.0);
-  panel.beginSession(0.5);
+  panel.beginSession(0.5, true);
   EXPECT_EQ(panel.schedule().start, 0.5);
   EXPECT_EQ(panel.schedule().percentage, 40.0);
   QTest::mouseClick(button("60"), Qt::LeftButton);
   EXPECT_EQ(schedules.back().start, 0.5) << "the panel's clock is the new session's";
+  QTest::keyClick(&panel, Qt::Key_B);
+  ASSERT_TRUE(panel.blocked()[0]);
+  panel.beginSession(0.0, false);
+  EXPECT_EQ(panel.schedule().percentage, 0.0);
+  EXPECT_TRUE(button("off")->isChecked());
+  EXPECT_FALSE(panel.blocked()[0] || panel.blocked()[1]);
 }
 
 TEST_F(Panel, SaysWhatTheFilterObservesAndWhy) {

@@ -70,14 +70,35 @@ TEST(StatusLine, SaysWhatIsWrong) {
         << words << " in " << line.text().toStdString();
 }
 
+TEST(StatusLine, NamesTheRobotInUseAndOcclusion) {
+  StatusLine line;
+  line.setRobot("RAVEN-II left, identified", "r_l1 59.02 mm");
+  auto status = running();
+  status.blocked = {true, false};
+  line.showStatus(status, 0.0);
+  EXPECT_TRUE(line.text().startsWith(QString::fromUtf8("running · robot RAVEN-II left, identified")));
+  EXPECT_TRUE(line.text().contains("left blocked")) << line.text().toStdString();
+  status.occlusion.percentage = 40.0;
+  status.occlusion_added = true;
+  line.showStatus(status, 0.0);
+  EXPECT_TRUE(line.text().contains("occlusion 40 %, added to the recording")) << line.text().toStdString();
+  line.showStatus(running(), 0.0);
+  EXPECT_FALSE(line.text().contains("occlusion"));
+}
+
 TEST(StatusLine, FollowsTheRecording) {
   StatusLine line;
   auto status = running();
   status.recorder.emplace();
   status.recorder->free_bytes = 312'000'000'000;
+  status.recorder->reserve_bytes = 268'435'456;
+  status.recorder->time_left = 22'080.0;
   line.showStatus(status, 192.7);
   EXPECT_TRUE(line.text().contains(QString::fromUtf8("● REC 03:12"))) << line.text().toStdString();
-  EXPECT_TRUE(line.text().contains("disk 312 GB"));
+  EXPECT_TRUE(line.text().contains("disk 312 GB, reserve 268 MB, 368 min left")) << line.text().toStdString();
+  status.recorder->time_left = 30.0;
+  line.showStatus(status, 192.7);
+  EXPECT_TRUE(line.text().contains("under 1 min left")) << line.text().toStdString();
   status.recorder->dropped = 7;
   line.showStatus(status, 192.7);
   EXPECT_TRUE(line.text().contains("7 dropped"));

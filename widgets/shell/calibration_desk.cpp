@@ -3,7 +3,6 @@
 #include <QAction>
 #include <QDockWidget>
 
-#include "core/base/error.h"
 #include "widgets/panels/calibration/calibration_panel.h"
 #include "widgets/panels/notes/notes_panel.h"
 #include "widgets/shell/session_bar.h"
@@ -25,7 +24,10 @@ CalibrationDesk::CalibrationDesk(CalibrationPanel& panel, QDockWidget& dock, Ses
     dock.setVisible(!in_front);
     if (!in_front) dock.raise();
   });
-  connect(&link, &SessionLink::opened, this, [this](const session::SourceInfo& info) { panel_.begin(info); });
+  connect(&link, &SessionLink::opened, this, [this, &link](const session::SourceInfo& info) {
+    panel_.begin(info);
+    if (const auto* chosen = link.robots().robotFor(info)) panel_.useRobot(*chosen, link.robots().origin());
+  });
   connect(&link, &SessionLink::status, this, [this](const session::RunStatus& status) {
     now_ = status.t;
     panel_.showStatus(status);
@@ -51,13 +53,9 @@ void CalibrationDesk::listen(SessionLink& link) {
 void CalibrationDesk::chooseRobots(SessionLink& link, NotesPanel& notes) {
   connect(&panel_, &CalibrationPanel::robotChosen, this,
           [this, &link, &notes](const robot::Description& robot, const QString& summary) {
-            if (!link.runner()) return;
-            try {
-              link.runner()->setRobot(robot, summary.toStdString());
+            const QString origin = QString::fromStdString(panel_.live().origin());
+            if (link.useRobot(robot, {tr("identified"), origin, summary}))
               notes.addEvent(now_, "robot", summary);
-            } catch (const base::InputError& error) {
-              Q_EMIT link.failed(QString::fromStdString(error.what()));
-            }
           });
 }
 

@@ -3,7 +3,6 @@
 #include <QAction>
 #include <QStackedWidget>
 
-#include "core/base/error.h"
 #include "widgets/panels/calibration/calibration_panel.h"
 #include "widgets/panels/diagnosis/diagnosis_panel.h"
 #include "widgets/panels/notes/notes_panel.h"
@@ -61,14 +60,10 @@ void DiagnosisDesk::onStatus(const session::RunStatus& status) {
 void DiagnosisDesk::useRobots(SessionLink& link, CalibrationPanel& calibration, NotesPanel& notes) {
   connect(&panel_, &DiagnosisPanel::robotChosen, this,
           [this, &link, &calibration, &notes](const robot::Description& robot, const QString& summary) {
-            if (!link.runner()) return;
-            try {
-              link.runner()->setRobot(robot, summary.toStdString());
-              calibration.useRobot(robot);
-              notes.addEvent(now_, "robot", summary);
-            } catch (const base::InputError& error) {
-              Q_EMIT link.failed(QString::fromStdString(error.what()));
-            }
+            const QString origin = tr("diagnosis");
+            if (!link.useRobot(robot, {tr("diagnosed"), origin, summary})) return;
+            calibration.useRobot(robot, origin);
+            notes.addEvent(now_, "robot", summary);
           });
 }
 

@@ -154,6 +154,8 @@ void MainWindow::connectBar() {
     if (link_.runner()) link_.runner()->setSpeed(speed);
   });
   connect(bar_, &SessionBar::recordToggled, this, [this] { link_.toggleRecording(bar_->recordingFolder()); });
+  connect(bar_, &SessionBar::recordingFolderChanged, status_, &StatusLine::setFolder);
+  connect(bar_, &SessionBar::recordingFolderRefused, messages_, &MessageBar::showMessage);
   connect(bar_, &SessionBar::exportRequested, this, &MainWindow::askExport);
   connect(bar_, &SessionBar::noteRequested, this, [this] {
     auto* dock = findChild<QDockWidget*>("notes");
@@ -169,6 +171,7 @@ void MainWindow::connectBar() {
 
 void MainWindow::connectLink() {
   connect(&link_, &SessionLink::opened, this, &MainWindow::onOpened);
+  connect(&link_, &SessionLink::robotChanged, this, &MainWindow::showRobot);
   connect(&link_, &SessionLink::failed, this, [this](const QString& text) {
     messages_->showMessage(text);
     notes_->addEvent(now_, "fault", text);
@@ -199,21 +202,16 @@ void MainWindow::connectOcclusion() {
   connect(occlusion_, &OcclusionPanel::blockChanged, this, [this](bool left, bool right) {
     if (!link_.runner()) return;
     link_.runner()->block(left, right);
-    notes_->addEvent(now_, "occlusion",
-                     left && right ? tr("both cameras blocked")
-                     : left        ? tr("left camera blocked")
-                     : right       ? tr("right camera blocked")
-                                   : tr("cameras free"));
+    noteOcclusion(left && right ? tr("both cameras blocked")
+                  : left        ? tr("left camera blocked")
+                  : right       ? tr("right camera blocked")
+                                : tr("cameras free"));
   });
   connect(occlusion_, &OcclusionPanel::scheduleChanged, this,
           [this](const session::OcclusionSchedule& schedule) {
             if (!link_.runner()) return;
             link_.runner()->setOcclusion(schedule);
-            notes_->addEvent(now_, "occlusion",
-                             schedule.percentage <= 0.0 ? tr("no schedule")
-                                                        : tr("%1 % in intervals of %2 s")
-                                                              .arg(schedule.percentage, 0, 'f', 0)
-                                                              .arg(schedule.interval, 0, 'f', 1));
+            noteOcclusion(QString::fromStdString(session::scheduleWords(schedule)));
           });
   connect(errors_, &ErrorsPanel::resetRequested, this, [this] {
     if (link_.runner()) link_.runner()->resetErrors();
@@ -259,9 +257,38 @@ void MainWindow::onOpened(const session::SourceInfo& info, const SourceChoice& c
     notes_->addEvent(now_, "notice", tr("reference: the robot's own kinematics, no truth"));
   listRecordedEvents();
   link_.runner()->setSpeed(bar_->speed());
-  occlusion_->beginSession(info.begin);
+  tellRobot(info);
+  occlusion_->beginSession(info.begin, link_.again());
+  if (occlusion_->schedule().percentage > 0.0)
+    noteOcclusion(tr("still %1").arg(QString::fromStdString(session::scheduleWords(occlusion_->schedule()))));
   takeOcclusion(info.rig.has_value());
   link_.setRunning(true);
+}
+
+/// In a recording, which had its own occlusion or none, what the user adds is called that.
+void MainWindow::noteOcclusion(const QString& what) {
+  notes_->addEvent(now_, "occlusion",
+                   link_.runner()->info().live ? what : tr("%1, added to the recording").arg(what));
+}
+
+void MainWindow::showRobot() {
+  const RobotChoice& robots = link_.robots();
+  const session::SourceInfo& info = link_.runner()->info();
+  status_->setRobot(robots.words(info), robots.robotFor(info) ? robots.summary() : QString());
+}
+
+/// A new session tells which robot it begins with, where that was chosen before.
+void MainWindow::tellRobot(const session::SourceInfo& info) {
+  showRobot();
+  const RobotChoice& robots = link_.robots();
+  if (robots.robotFor(info))
+    notes_->addEvent(now_, "robot",
+                     tr("%1: stays in use; Undo under Calibration takes it back (%2)")
+                         .arg(robots.words(info), robots.summary()));
+  else if (robots.any())
+    notes_->addEvent(now_, "robot",
+                     tr("%1, as this source brings it; the robot chosen before belongs to another arm")
+                         .arg(robots.words(info)));
 }
 
 /// What cannot be blocked is free, whatever the panel shows; what can is blocked as the panel shows.
@@ -365,7 +392,6 @@ void MainWindow::restore() {
   bar_->sources().setRecentFiles(settings_->value("source/recent").toStringList());
   if (choice_.simulated || !choice_.file.isEmpty()) bar_->sources().remember(choice_);
   bar_->setRecordingFolder(settings_->value("recording/folder", documents()).toString());
-  status_->setFolder(bar_->recordingFolder());
   setThemeNamed(settings_->value("theme", "dark").toString());
   analysis_->restore(*settings_);
   diagnosis_->restore(*settings_);

@@ -19,8 +19,9 @@ MotorDesk::MotorDesk(JointFigure& figure, SessionLink& link, SessionBar& bar, Me
                      NotesPanel& notes, QObject* parent)
     : QObject(parent), figure_(figure), messages_(messages), notes_(notes) {
   addMenu(bar, link);
-  connect(&link, &SessionLink::opened, this, [this](const session::SourceInfo& info) {
+  connect(&link, &SessionLink::opened, this, [this, &link](const session::SourceInfo& info) {
     now_ = info.begin;
+    keepDeclared(link);
     for (std::size_t i = 0; i < joints_.size(); ++i) {
       joints_[i] = i < info.robot.joints.size() ? QString::fromStdString(info.robot.joints[i].name)
                                                 : tr("joint %1").arg(i + 1);
@@ -58,6 +59,16 @@ void MotorDesk::addMenu(SessionBar& bar, SessionLink& link) {
   bar.addPanelAction(action);
   if (auto* button = qobject_cast<QToolButton*>(bar.widgetForAction(action)))
     button->setPopupMode(QToolButton::InstantPopup);
+}
+
+/// Somebody said it, and nobody took it back.
+void MotorDesk::keepDeclared(SessionLink& link) {
+  for (std::size_t i = 0; i < faults_.size(); ++i)
+    if (link.again() && faults_[i] == MotorFault::kDeclared)
+      link.runner()->post(
+          [motor = static_cast<int>(i)](session::Source&, tracking::TrackingPipeline& pipeline) {
+            pipeline.setMotorFailed(motor, true);
+          });
 }
 
 void MotorDesk::showFaults(const tracking::Snapshot& snapshot) {

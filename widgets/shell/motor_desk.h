@@ -27,6 +27,7 @@ class MotorDesk : public QObject {
 
  private:
   void addMenu(SessionBar& bar, SessionLink& link);
+  void keepDeclared(SessionLink& link);
   void showFaults(const tracking::Snapshot& snapshot);
   void tell(int motor, tracking::MotorFault fault);
 

@@ -18,9 +18,11 @@ RegistrationDesk::RegistrationDesk(RegistrationPanel& panel, QDockWidget& dock, 
     : QObject(parent), panel_(panel), dock_(dock), link_(link) {
   addAction(bar);
   connectPanel(scene, notes);
-  connect(&link, &SessionLink::opened, this, [this](const session::SourceInfo& info) {
-    in_use_ = info.base_from_camera;
+  connect(&link, &SessionLink::opened, this, [this, &scene, &notes](const session::SourceInfo& info) {
+    if (!link_.again()) accepted_.reset();
+    in_use_ = accepted_ ? accepted_ : info.base_from_camera;
     now_ = info.begin;
+    if (accepted_) keepAccepted(scene, notes);
     if (dock_.isVisible()) begin();
   });
   connect(&link, &SessionLink::snapshot, this,
@@ -56,7 +58,7 @@ void RegistrationDesk::connectPanel(SceneView& scene, NotesPanel& notes) {
   connect(&panel_, &RegistrationPanel::accepted, this,
           [this, &scene, &notes](const Eigen::Isometry3d& base_from_camera) {
             if (link_.runner()) link_.runner()->setRegistration(base_from_camera);
-            in_use_ = base_from_camera;
+            in_use_ = accepted_ = base_from_camera;
             scene.setRegistration(base_from_camera);
             command(&SimulatedSource::resume);
             notes.addEvent(now_, "registration", tr("accepted"));
@@ -69,6 +71,17 @@ void RegistrationDesk::connectPanel(SceneView& scene, NotesPanel& notes) {
     command(&SimulatedSource::resume);
     dock_.hide();
   });
+}
+
+/// The scene and the notes hear of it once they have taken the session up themselves.
+void RegistrationDesk::keepAccepted(SceneView& scene, NotesPanel& notes) {
+  link_.runner()->setRegistration(*accepted_);
+  const auto tell = [this, &scene, &notes] {
+    if (!accepted_) return;
+    scene.setRegistration(*accepted_);
+    notes.addEvent(now_, "registration", tr("the accepted one stays in use"));
+  };
+  QMetaObject::invokeMethod(this, tell, Qt::QueuedConnection);
 }
 
 void RegistrationDesk::command(void (simulation::SimulatedSource::*what)()) {

@@ -35,12 +35,14 @@ class RegistrationDesk : public QObject {
   void connectPanel(SceneView& scene, NotesPanel& notes);
   void command(void (simulation::SimulatedSource::*what)());
   void begin();
+  void keepAccepted(SceneView& scene, NotesPanel& notes);
 
   RegistrationPanel& panel_;
   QDockWidget& dock_;
   SessionLink& link_;
   double now_ = 0.0;  ///< newest session time [s]
   std::optional<Eigen::Isometry3d> in_use_;
+  std::optional<Eigen::Isometry3d> accepted_;  ///< by somebody, for this source
 };
 
 }  // namespace capstan::widgets

@@ -9,6 +9,8 @@
 #include <QToolButton>
 #include <QUrl>
 
+#include "core/base/error.h"
+#include "core/session/disk_space.h"
 #include "widgets/shell/source_menu.h"
 
 namespace capstan::widgets {
@@ -120,13 +122,23 @@ void SessionBar::askFolder() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::Directory);
   dialog->setOption(QFileDialog::ShowDirsOnly);
-  connect(dialog, &QFileDialog::fileSelected, this, &SessionBar::setRecordingFolder);
+  connect(dialog, &QFileDialog::fileSelected, this, &SessionBar::chooseRecordingFolder);
   dialog->show();
+}
+
+void SessionBar::chooseRecordingFolder(const QString& folder) {
+  try {
+    session::checkRecordingFolder(folder.toStdString());
+    setRecordingFolder(folder);
+  } catch (const base::InputError& error) {
+    Q_EMIT recordingFolderRefused(QString::fromStdString(error.what()));
+  }
 }
 
 void SessionBar::setRecordingFolder(const QString& folder) {
   folder_ = folder;
   record_->setToolTip(tr("Record to %1, or stop (R)").arg(QDir::toNativeSeparators(folder)));
+  Q_EMIT recordingFolderChanged(folder);
 }
 
 void SessionBar::showStatus(const session::RunStatus& status) {

@@ -22,6 +22,8 @@ class SessionBar : public QToolBar {
 
   void showStatus(const session::RunStatus& status);
   void setRecordingFolder(const QString& folder);
+  /// As somebody chose it; refused where nothing can be recorded.
+  void chooseRecordingFolder(const QString& folder);
   QString recordingFolder() const { return folder_; }
   double speed() const;
   void setSpeed(double speed);
@@ -34,6 +36,8 @@ class SessionBar : public QToolBar {
   void stepRequested();
   void speedChanged(double speed);
   void recordToggled();
+  void recordingFolderChanged(const QString& folder);
+  void recordingFolderRefused(const QString& why);
   void exportRequested();
   void noteRequested();
   void helpRequested();

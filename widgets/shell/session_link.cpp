@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/session/disk_space.h"
 #include "core/session/session_file.h"
 #include "core/tracking/make_pipeline.h"
 #include "widgets/shell/recorder_options.h"
@@ -42,15 +43,34 @@ void SessionLink::beginOpening(const SourceChoice& choice) {
   opening_ = std::async(std::launch::async, [choice] { return makeRunner(openSource(choice)); });
 }
 
-void SessionLink::take(std::unique_ptr<session::Source> source) { begin(makeRunner(std::move(source)), {}); }
+void SessionLink::take(std::unique_ptr<session::Source> source) {
+  begin(makeRunner(std::move(source)), std::nullopt);
+}
 
-void SessionLink::begin(std::unique_ptr<session::Runner> runner, const SourceChoice& choice) {
+void SessionLink::begin(std::unique_ptr<session::Runner> runner, const std::optional<SourceChoice>& choice) {
+  again_ = runner_ && choice && choice == running_by_;
+  running_by_ = choice;
   retire(std::move(runner_));
   runner_ = std::move(runner);
   listeners_.clear();
   last_state_ = session::RunState::kPaused;
   command_faults_ = 0;
-  Q_EMIT opened(runner_->info(), choice);
+  if (const auto* chosen = robots_.robotFor(runner_->info()))
+    runner_->setRobot(*chosen, robots_.summary().toStdString());
+  Q_EMIT opened(runner_->info(), choice.value_or(SourceChoice{}));
+}
+
+bool SessionLink::useRobot(const robot::Description& robot, const RobotWords& words) {
+  if (!runner_) return false;
+  try {
+    runner_->setRobot(robot, words.summary.toStdString());
+  } catch (const base::InputError& error) {
+    Q_EMIT failed(QString::fromStdString(error.what()));
+    return false;
+  }
+  robots_.choose(runner_->info(), robot, words);
+  Q_EMIT robotChanged();
+  return true;
 }
 
 void SessionLink::retire(std::unique_ptr<session::Runner> runner) {
@@ -114,6 +134,7 @@ void SessionLink::toggleRecording(const QString& folder) {
   const QDateTime now = QDateTime::currentDateTime();
   const QString file = QDir(folder).filePath(now.toString("yyyy-MM-dd_HHmmss") + session::kSessionSuffix);
   try {
+    session::checkRecordingFolder(folder.toStdString());
     QDir().mkpath(folder);
     runner_->startRecording(file.toStdString(),
                             session::headerOf(runner_->info(), now.toString(Qt::ISODate).toStdString()),

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/session/runner.h"
+#include "widgets/shell/robot_choice.h"
 #include "widgets/shell/source_choice.h"
 
 namespace capstan::widgets {
@@ -34,6 +35,12 @@ class SessionLink : public QObject {
   /// The source has no more samples.
   bool ended() const { return runner_ && last_state_ == session::RunState::kEnded; }
   bool recording() const;
+  /// The session that is open is the one before from its beginning: it was opened by the same choice.
+  bool again() const { return again_; }
+  /// The pipeline uses `robot` from now on, and so does every session of the same arm (RobotChoice). False:
+  /// refused, nothing changes, failed() says why.
+  bool useRobot(const robot::Description& robot, const RobotWords& words);
+  const RobotChoice& robots() const { return robots_; }
   /// `who` hears what the running session's pipeline makes of every sample, beside others that listen, with
   /// the listener given last; {}: no longer. Whenever somebody comes or goes, all that stay hear begin()
   /// again. A new session begins with nobody.
@@ -45,6 +52,8 @@ class SessionLink : public QObject {
   /// `choice`: what open() was given for this source.
   void opened(const capstan::session::SourceInfo& info, const capstan::widgets::SourceChoice& choice);
   void failed(const QString& message);
+  /// What useRobot() put to use, before the notes hear of it.
+  void robotChanged();
   void history(const std::vector<capstan::tracking::Snapshot>& snapshots);
   void snapshot(const capstan::tracking::Snapshot& snapshot);
   /// The newest pair of pictures and what the pipeline made of exactly these.
@@ -56,13 +65,16 @@ class SessionLink : public QObject {
   void tick();
   void beginOpening(const SourceChoice& choice);
   void finishOpening();
-  void begin(std::unique_ptr<session::Runner> runner, const SourceChoice& choice);
+  void begin(std::unique_ptr<session::Runner> runner, const std::optional<SourceChoice>& choice);
   void retire(std::unique_ptr<session::Runner> runner);
 
   QTimer timer_;
   std::future<std::unique_ptr<session::Runner>> opening_;
-  SourceChoice choice_;                      ///< of opening_
-  std::optional<SourceChoice> waiting_;      ///< to be opened next
+  SourceChoice choice_;                     ///< of opening_
+  std::optional<SourceChoice> waiting_;     ///< to be opened next
+  std::optional<SourceChoice> running_by_;  ///< what runner_ was opened by
+  bool again_ = false;
+  RobotChoice robots_;
   std::vector<std::future<void>> retiring_;  ///< old runners end in the background
   std::unique_ptr<session::Runner> runner_;
   std::map<const QObject*, session::Listener> listeners_;

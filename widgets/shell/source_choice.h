@@ -22,6 +22,8 @@ struct SourceChoice {
 
   void save(QSettings& settings) const;
   static SourceChoice restore(const QSettings& settings);
+
+  bool operator==(const SourceChoice&) const = default;
 };
 
 /// Opens it. Takes a moment (a simulation registers its cameras first). Throws base::InputError.

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <thread>
 
+#include "core/base/error.h"
 #include "core/session/recorder.h"
 #include "core/session/session_source.h"
 #include "tests/core/session/session_samples.h"
@@ -190,14 +191,17 @@ TEST(Recorder, AFolderThatGoesAwayIsAState) {
   EXPECT_NE(recorder.stats().error.find("gone"), std::string::npos) << recorder.stats().error;
 }
 
-TEST(Recorder, StopsBeforeTheDiskIsFull) {
+TEST(Recorder, RefusesADiskThatHasOnlyItsReserveLeft) {
   const TemporaryFolder folder;
   RecorderOptions options;
   options.min_free_bytes = std::uint64_t{1} << 60;
-  Recorder recorder(folder / "a.capstan", header(), options);
-  EXPECT_GT(recorder.stats().free_bytes, 0U);
-  EXPECT_TRUE(eventually([&] { return recorder.stats().state == RecorderState::kFailed; }));
-  EXPECT_NE(recorder.stats().error.find("free"), std::string::npos);
+  try {
+    const Recorder recorder(folder / "a.capstan", header(), options);
+    FAIL() << "recorded";
+  } catch (const base::InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("in reserve"), std::string::npos) << error.what();
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 TEST(Recorder, ALogBeyondItsThresholdMovesIntoTheFile) {

@@ -176,9 +176,14 @@ TEST(Runner, RecordsWhatItRunsWithOcclusionAndRegistration) {
   ASSERT_TRUE(summary.header.base_from_camera);
   EXPECT_EQ(summary.header.base_from_camera->matrix(), pose.matrix());
   EXPECT_FALSE(summary.header.tracking.empty());
-  int blocked = 0;
-  for (const auto& event : readSessionEvents(folder / "a.capstan")) blocked += event.text == "both blocked";
-  EXPECT_EQ(blocked, 2);
+  int blocked = 0, scheduled = 0;
+  for (const auto& event : readSessionEvents(folder / "a.capstan")) {
+    blocked += event.text == "both blocked, added to a recording";
+    scheduled +=
+        event.text == "both cameras blocked 50 % of the time, in intervals of 1.0 s, added to a recording";
+  }
+  EXPECT_EQ(blocked, 2) << "this source is not live";
+  EXPECT_EQ(scheduled, 1);
 
   SessionSource source(folder / "a.capstan");
   const OcclusionSchedule schedule{50.0, 1.0, 0.0};

@@ -189,8 +189,8 @@ void CalibrationPanel::begin(const session::SourceInfo& source) {
   refresh();
 }
 
-void CalibrationPanel::useRobot(const robot::Description& robot) {
-  live_.begin(robot, title_);
+void CalibrationPanel::useRobot(const robot::Description& robot, const QString& origin) {
+  live_.keep(robot, origin.toStdString());
   in_use_ = robot;
   said_.clear();
   overtake();

@@ -36,9 +36,9 @@ class CalibrationPanel : public QWidget {
   void setTheme(const Theme& theme);
   /// A session was opened: whatever was under way is given up.
   void begin(const session::SourceInfo& source);
-  /// The session uses `robot` from now on, not by this panel's doing: it is the one that values begin with,
-  /// and what was under way on top of the former is given up.
-  void useRobot(const robot::Description& robot);
+  /// The session uses `robot` from now on, not by this panel's doing: found by `origin`, it is the one that
+  /// values begin with, and what was under way on top of the former is given up. Undo takes it back.
+  void useRobot(const robot::Description& robot, const QString& origin);
   /// Collecting ends with the session.
   void showStatus(const session::RunStatus& status);
   /// The accepted robot and its changes, as a robot file. What goes wrong is said on the panel.

@@ -171,7 +171,11 @@ void OcclusionPanel::setSchedule(const session::OcclusionSchedule& schedule) {
   timeline_->setSchedule(schedule_);
 }
 
-void OcclusionPanel::beginSession(double t) {
+void OcclusionPanel::beginSession(double t, bool again) {
+  if (!again) {
+    hand_ = before_ = {};
+    setSchedule({0.0, schedule_.interval, t});
+  }
   t_ = schedule_.start = t;
   blocked_ = hand_;
   timeline_->setNow(t);

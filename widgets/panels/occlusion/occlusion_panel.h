@@ -35,8 +35,9 @@ class OcclusionPanel : public QWidget {
   void showBlocked(const std::array<bool, 2>& blocked);
   /// Takes a schedule over without emitting it; for a restored session.
   void setSchedule(const session::OcclusionSchedule& schedule);
-  /// Another session begins at `t` [s]: block and schedule stay as they are set, the schedule begins anew.
-  void beginSession(double t);
+  /// Another session begins at `t` [s], free: occlusion belongs to a session. `again`: it is the same one
+  /// from its beginning; block and schedule stay as they are set, the schedule begins anew.
+  void beginSession(double t, bool again);
   /// Nothing to block: a recording without cameras, or none at all.
   void setBlockable(bool blockable);
 

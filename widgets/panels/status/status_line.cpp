@@ -1,11 +1,8 @@
 #include "widgets/panels/status/status_line.h"
 
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <cmath>
-#include <filesystem>
-#include <system_error>
 
 namespace capstan::widgets {
 
@@ -18,9 +15,14 @@ using tracking::Gate;
 constexpr double kBehind = 0.9;        ///< of the speed asked for; less is said
 constexpr qint64 kDiskPeriod = 10000;  ///< between looks at the disk [ms]
 
-QString diskText(std::uint64_t bytes) {
-  const double gigabytes = static_cast<double>(bytes) / 1e9;
-  return QStringLiteral("disk %1 GB").arg(gigabytes, 0, 'f', gigabytes < 10.0 ? 1 : 0);
+constexpr double kSoonFull = 300.0;  ///< until the reserve is reached; less is a warning [s]
+
+QString sizeText(std::uint64_t bytes) { return QString::fromStdString(session::sizeText(bytes)); }
+
+QString minutesText(double seconds) {
+  const double minutes = seconds / 60.0;
+  return minutes < 1.0 ? QObject::tr("under 1 min left")
+                       : QObject::tr("%1 min left").arg(minutes, 0, 'f', minutes < 10.0 ? 1 : 0);
 }
 
 }  // namespace
@@ -68,7 +70,13 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
 
 void StatusLine::setFolder(const QString& folder) {
   folder_ = folder;
-  labels_[kDisk]->setToolTip(tr("Free where recordings go: %1").arg(folder));
+  disk_age_.invalidate();
+}
+
+void StatusLine::setRobot(const QString& words, const QString& changes) {
+  set(kRobot, words.isEmpty() ? QString() : tr("robot %1").arg(words));
+  labels_[kRobot]->setToolTip(changes.isEmpty() ? tr("The filter uses the robot that the source brings")
+                                                : changes);
 }
 
 void StatusLine::setTheme(const Theme& theme) {
@@ -157,9 +165,9 @@ void StatusLine::showStatus(const session::RunStatus& status, double recorded_se
     showRecorder(*status.recorder, recorded_seconds);
   else
     set(kRecording, {});
-  showDisk(status.recorder && status.recorder->state == RecorderState::kRecording
-               ? std::optional(status.recorder->free_bytes)
-               : std::nullopt);
+  showOcclusion(status);
+  showDisk(status.recorder && status.recorder->state == RecorderState::kRecording ? &*status.recorder
+                                                                                  : nullptr);
 }
 
 void StatusLine::showRecorder(const session::RecorderStats& recorder, double recorded_seconds) {
@@ -175,17 +183,41 @@ void StatusLine::showRecorder(const session::RecorderStats& recorder, double rec
     set(kRecording, tr("● REC %1").arg(clock), Tone::kWarning);
 }
 
-void StatusLine::showDisk(std::optional<std::uint64_t> recorder_says) {
-  if (recorder_says) return set(kDisk, diskText(*recorder_says));
+/// Cameras that somebody blocks; in a recording that is no part of it.
+void StatusLine::showOcclusion(const session::RunStatus& status) {
+  QString what;
+  if (status.occlusion.percentage > 0.0)
+    what = tr("occlusion %1 %").arg(status.occlusion.percentage, 0, 'f', 0);
+  else if (status.blocked[0] || status.blocked[1])
+    what = status.blocked[0] && status.blocked[1] ? tr("both blocked")
+           : status.blocked[0]                    ? tr("left blocked")
+                                                  : tr("right blocked");
+  set(kOcclusion, status.occlusion_added ? tr("%1, added to the recording").arg(what) : what, Tone::kWarning);
+}
+
+/// Of the recording under way, else of the folder that the next one goes to.
+void StatusLine::showDisk(const session::RecorderStats* recording) {
+  if (recording) {
+    disk_age_.invalidate();
+    return setDisk({recording->free_bytes, recording->reserve_bytes, 0}, recording->time_left);
+  }
   if (disk_age_.isValid() && disk_age_.elapsed() < kDiskPeriod) return;
   disk_age_.start();
-  if (folder_.isEmpty()) return set(kDisk, {});
-  QFileInfo place(QFileInfo(folder_).absoluteFilePath());
-  while (!place.exists() && !place.isRoot())
-    place.setFile(place.path());  // the folder comes with the first recording
-  std::error_code failed;
-  const auto disk = std::filesystem::space(place.filePath().toStdString(), failed);
-  set(kDisk, failed ? QString() : diskText(disk.available));
+  const session::DiskSpace space =
+      folder_.isEmpty() ? session::DiskSpace{} : session::diskSpaceAt(folder_.toStdString());
+  if (space.size == 0) return set(kDisk, {});
+  setDisk(space, 0.0);
+}
+
+void StatusLine::setDisk(const session::DiskSpace& space, double time_left) {
+  QString text = tr("disk %1, reserve %2").arg(sizeText(space.free), sizeText(space.reserve));
+  if (time_left > 0.0) text += QStringLiteral(", ") + minutesText(time_left);
+  const bool full = space.free < space.reserve;
+  const bool soon = time_left > 0.0 && time_left < kSoonFull;
+  set(kDisk, text, full ? Tone::kFault : soon ? Tone::kWarning : Tone::kPlain);
+  labels_[kDisk]->setToolTip(tr("Free where recordings go: %1. A recording stops, whole, when only the "
+                                "reserve is free.")
+                                 .arg(folder_));
 }
 
 QString StatusLine::text() const {

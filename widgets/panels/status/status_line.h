@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 
+#include "core/session/disk_space.h"
 #include "core/session/runner.h"
 #include "core/tracking/snapshot.h"
 #include "widgets/figures/theme.h"
@@ -13,8 +14,9 @@ class QLabel;
 
 namespace capstan::widgets {
 
-/// One line about the session: rates, lag, gate, motor encoders that failed, consistency, rescues, recording,
-/// disk. A verdict that is not good carries the warning or fault colour and says so in a word.
+/// One line about the session: robot, rates, lag, gate, occlusion, motor encoders that failed, consistency,
+/// rescues, recording, disk. A verdict that is not good carries the warning or fault colour and says so in a
+/// word.
 class StatusLine : public QWidget {
   Q_OBJECT
  public:
@@ -24,6 +26,8 @@ class StatusLine : public QWidget {
   void showSnapshot(const tracking::Snapshot& snapshot);
   void showStatus(const session::RunStatus& status, double recorded_seconds);
   void clear();
+  /// Which robot the filter takes the arm for; `changes`: what it has other than the robot file.
+  void setRobot(const QString& words, const QString& changes);
   /// Whose disk is shown: the folder of recordings.
   void setFolder(const QString& folder);
   /// The whole line, parts joined by " · ".
@@ -32,11 +36,13 @@ class StatusLine : public QWidget {
  private:
   enum Part {
     kState,
+    kRobot,
     kSpeed,
     kMotor,
     kFrames,
     kLag,
     kGate,
+    kOcclusion,
     kMotors,
     kNis,
     kRescues,
@@ -47,7 +53,9 @@ class StatusLine : public QWidget {
   enum class Tone { kPlain, kGood, kWarning, kFault };
   void showMotors(const tracking::Snapshot& snapshot);
   void showRecorder(const session::RecorderStats& recorder, double recorded_seconds);
-  void showDisk(std::optional<std::uint64_t> recorder_says);
+  void showOcclusion(const session::RunStatus& status);
+  void showDisk(const session::RecorderStats* recording);
+  void setDisk(const session::DiskSpace& space, double time_left);
   void separate();
   void set(Part part, const QString& text, Tone tone = Tone::kPlain);
 

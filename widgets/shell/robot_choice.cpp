@@ -1,0 +1,32 @@
+#include "widgets/shell/robot_choice.h"
+
+#include <QObject>
+
+namespace capstan::widgets {
+
+namespace {
+
+std::string armOf(const session::SourceInfo& source) {
+  return robot::formatDescription(source.robot) + source.truth;
+}
+
+}  // namespace
+
+void RobotChoice::choose(const session::SourceInfo& source, const robot::Description& robot,
+                         const RobotWords& words) {
+  if (robot::formatDescription(robot) == robot::formatDescription(source.robot))
+    chosen_.reset();
+  else
+    chosen_ = {armOf(source), robot, words};
+}
+
+const robot::Description* RobotChoice::robotFor(const session::SourceInfo& source) const {
+  return chosen_ && chosen_->arm == armOf(source) ? &chosen_->robot : nullptr;
+}
+
+QString RobotChoice::words(const session::SourceInfo& source) const {
+  const QString name = QString::fromStdString(source.robot.name);
+  return robotFor(source) ? QStringLiteral("%1, %2").arg(name, chosen_->words.word) : name;
+}
+
+}  // namespace capstan::widgets
