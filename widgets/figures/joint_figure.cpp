@@ -126,11 +126,13 @@ QString JointFigure::noteText(const QCPRange& time) const {
     return ring.partitionPoint([&](const auto& item) { return item.t <= time.upper; }) -
            ring.partitionPoint([&](const auto& item) { return item.t < time.lower; });
   };
-  return tr("%1 to %2 s · %3 points drawn · %4 camera observations · numbers: at t")
-      .arg(time.lower, 0, 'f', 2)
-      .arg(time.upper, 0, 'f', 2)
-      .arg(within(history_.rows()))
-      .arg(within(history_.camera()));
+  const QString begin = tr("%1 to %2 s · ").arg(time.lower, 0, 'f', 2).arg(time.upper, 0, 'f', 2);
+  if (const QString before = plots_[0]->detailMark().text(); !before.isEmpty())
+    return begin + tr("before %1 s the lowest and highest values of blocks · numbers: at t")
+                       .arg(history_.detailBegin(), 0, 'f', 2);
+  return begin + tr("%1 points drawn · %2 camera observations · numbers: at t")
+                     .arg(within(history_.rows()))
+                     .arg(within(history_.camera()));
 }
 
 QCPRange JointFigure::limits() const {

@@ -17,8 +17,9 @@ void saveJointFigure(const JointHistory& history, const std::array<QString, 3>& 
                      double end, const std::filesystem::path& path, QSize size = {1200, 900});
 
 /// The numbers behind them as CSV, a row a time: t [s], then of each joint true, kinematic, camera (at its
-/// own times), UKF and its sigma, in deg, deg, mm; empty where there is none. Throws
-/// base::InputError for an unwritable place.
+/// own times), UKF and its sigma, in deg, deg, mm; empty where there is none. Of time before
+/// history.detailBegin() a row each for the lowest and the highest values of every block, named in two more
+/// columns: "block [s]", its length, and "of block". Throws base::InputError for an unwritable place.
 void saveJointTable(const JointHistory& history, double begin, double end, const std::filesystem::path& path);
 
 /// All of it: base.pdf, base.svg, base.png and base.csv. Throws base::InputError.

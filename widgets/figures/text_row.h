@@ -25,6 +25,10 @@ class TextRow : public QCPLayoutElement {
   void fit(double strong_points, double points, double width);
   /// Strong lines only and those beside them, where there is no room for the others; until the next call.
   void setBrief(bool brief) { brief_ = brief; }
+  /// Height that the wrapped lines need [px].
+  int needed() const { return height_; }
+  /// Where each wrapped line is written, in pixels of the plot.
+  std::vector<QRectF> boxes() const;
 
  protected:
   QSize minimumOuterSizeHint() const override { return {10, height_}; }
