@@ -14,3 +14,8 @@ capstan_widget_test(
   NAME diagnosis_figures_test
   SOURCES figures/diagnosis_export_test.cpp figures/diagnosis_figures_test.cpp
   LINKS capstan::figures capstan_sample_diagnosis nlohmann_json::nlohmann_json)
+
+capstan_widget_test(
+  NAME figure_layout_test
+  SOURCES figures/figure_layout_test.cpp
+  LINKS capstan::figures capstan_sample_diagnosis)

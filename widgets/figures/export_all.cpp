@@ -84,7 +84,7 @@ IndexPage pageFor(const std::vector<Results>& results) {
 }  // namespace
 
 FigureExport::FigureExport(std::vector<Results> results, fs::path folder, const ExportOptions& options)
-    : results_(std::move(results)), folder_(std::move(folder)), size_(options.size) {
+    : results_(std::move(results)), folder_(std::move(folder)), pages_(options.size, options.titles) {
   checkExportFolder(folder_);
   figures_ = wanted(results_, options.kinds);
   if (options.tables) tables_ = tablesOf(results_);
@@ -104,7 +104,7 @@ double FigureExport::fraction() const {
 void FigureExport::draw() {
   const ExperimentFigure& next = figures_[report_.figures];
   const auto figure = next.make();
-  const auto files = exportFigure(*figure, folder_ / next.name, size_);
+  const auto files = exportFigure(*figure, folder_ / next.name, pages_);
   report_.files.insert(report_.files.end(), files.begin(), files.end());
   page_.figures.push_back({next.name, figure->caption().toStdString(), namesOf(files)});
   ++report_.figures;

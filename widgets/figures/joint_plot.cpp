@@ -1,6 +1,7 @@
 #include "widgets/figures/joint_plot.h"
 
 #include <cmath>
+#include <limits>
 
 #include "widgets/figures/number_text.h"
 #include "widgets/figures/round_ticker.h"
@@ -152,20 +153,25 @@ void JointPlot::fill(double begin, double end, std::size_t most) {
   fillCamera(begin, end);
 }
 
-/// Of more dots than can be drawn, the lowest and the highest of each block.
+/// Of more dots than can be drawn, the lowest and the highest of each block, at the times of its first and
+/// its last, in the order that follows the curve.
 void JointPlot::fillCamera(double begin, double end) {
   camera_.resize(0);
   const auto joint = static_cast<std::size_t>(joint_);
-  const auto add = [&](double t, float value) {
+  const auto add = [&](double t, double value) {
     if (t < begin || t > end) return;
-    camera_.append({t, static_cast<double>(value)});
-    include(static_cast<double>(value));
+    camera_.append({t, value});
+    include(value);
   };
-  history_.forEachCamera(begin, end, most_dots_,
-                         [&](double t, double step, const auto& low, const auto& high) {
-                           add(t + 0.5 * step, low[joint]);
-                           if (low[joint] != high[joint]) add(t + 0.5 * step, high[joint]);
-                         });
+  double last = -std::numeric_limits<double>::infinity();
+  history_.forEachCamera(
+      begin, end, most_dots_, [&](double t, double step, const auto& low, const auto& high) {
+        const auto a = static_cast<double>(low[joint]), b = static_cast<double>(high[joint]);
+        const bool rising = a + b >= last;
+        add(t, rising ? a : b);
+        if (a != b) add(t + step, rising ? b : a);
+        last = a + b;
+      });
   graph(Quantity::kCamera)->data()->set(camera_, true);
 }
 

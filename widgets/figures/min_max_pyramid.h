@@ -34,7 +34,7 @@ class MinMaxPyramid {
   static constexpr std::uint64_t kLeastBlocks = 256;  ///< of the coarsest level: it fits any drawing
 
   struct Block {
-    Row low, high;  ///< both with the time of its first row
+    Row low, high;  ///< low.t: time of its first row; high.t: of its last
   };
 
   MinMaxPyramid(std::size_t rows, std::uint64_t reach) : rows_(rows) {
@@ -57,11 +57,14 @@ class MinMaxPyramid {
     const std::uint64_t index = rows_.pushed();
     rows_.push(row);
     std::uint64_t size = kRatio;
+    bool wider = true;  // what does not widen a block widens no coarser one
     for (auto& level : levels_) {
-      if (index % size == 0)
+      if (index % size == 0) {
         level.push({row, row});
-      else if (!widen(level.back().low, level.back().high, row))
-        return;  // coarser blocks hold this one
+      } else {
+        wider = wider && widen(level.back().low, level.back().high, row);
+        level.back().high.t = row.t;
+      }
       size *= kRatio;
     }
   }
@@ -105,9 +108,9 @@ class MinMaxPyramid {
   }
 
   /// Calls draw(t, step, low, high) in the order of time over [begin, end] and one step beyond each end. low
-  /// and high are Rows: the lowest and highest values of the `step` seconds from t on, or twice the same row
-  /// with step 0. Draws the finest level that takes at most `most` calls, else the coarsest; where that
-  /// level does not reach back to, coarser ones.
+  /// and high are Rows: the lowest and highest values from the row at t to that `step` seconds later, or
+  /// twice the same row with step 0. Draws the finest level that takes at most `most` calls, else the
+  /// coarsest; where that level does not reach back to, coarser ones.
   template <class Draw>
   void forEach(double begin, double end, std::size_t most, Draw&& draw) const {
     if (empty()) return;
@@ -160,8 +163,8 @@ class MinMaxPyramid {
     const double stop = until(k, finest);
     const auto [first, last] = rangeOf(level, begin, end, stop);
     for (std::size_t i = first; i < last; ++i) {
-      const double next = i + 1 < level.size() ? level[i + 1].low.t : this->end();
-      draw(level[i].low.t, std::min(next, stop) - level[i].low.t, level[i].low, level[i].high);
+      const double t = level[i].low.t;
+      draw(t, std::min(level[i].high.t, stop) - t, level[i].low, level[i].high);
     }
   }
 

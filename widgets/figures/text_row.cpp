@@ -60,6 +60,7 @@ void TextRow::fit(double strong_points, double points, double width) {
   points_ = points;
   wrapped_.clear();
   height_ = 0;
+  if (!visible()) return;
   for (const Line& line : lines_) {
     if (line.beside && !wrapped_.empty() && widthOf(wrapped_.back()) + kGap + widthOf(line) <= width) {
       wrapped_.push_back(line);

@@ -52,10 +52,11 @@ FullExport::FullExport(QObject* parent) : QObject(parent) {
   });
 }
 
-void FullExport::start(const std::vector<ExportedRun>& runs, const QString& folder, PaperSize size) {
+void FullExport::start(const std::vector<ExportedRun>& runs, const QString& folder,
+                       const PageOptions& pages) {
   checkExportFolder(folder.toStdString());
   folder_ = folder;
-  size_ = size;
+  pages_ = pages;
   fault_.clear();
   std::vector<ExportedRun> once;
   for (const ExportedRun& run : runs)
@@ -68,7 +69,8 @@ void FullExport::start(const std::vector<ExportedRun>& runs, const QString& fold
 void FullExport::onRead(std::vector<Results> all) {
   try {
     ExportOptions options;
-    options.size = size_;
+    options.size = pages_.size;
+    options.titles = pages_.titles;
     drawing_ = std::make_unique<FigureExport>(std::move(all), folder_.toStdString(), options);
     next_.start(0);
   } catch (const std::exception& error) {
