@@ -37,12 +37,13 @@ class MinMaxPyramid {
     Row low, high;  ///< low.t: time of its first row; high.t: of its last
   };
 
-  MinMaxPyramid(std::size_t rows, std::uint64_t reach) : rows_(rows) {
-    const std::uint64_t most = std::max<std::uint64_t>(rows / kRatio, 1);
+  MinMaxPyramid(std::size_t rows, std::uint64_t reach) : rows_(rows), remembers_(reach > rows) {
+    constexpr std::uint64_t kAtEnds = 2;  // blocks that are cut, so that each level covers the finer one
+    const std::uint64_t most = rows / kRatio + kAtEnds;
     const std::uint64_t whole = std::max<std::uint64_t>(reach, rows);
     std::uint64_t reached = 0;
     for (std::uint64_t size = kRatio; reached < whole || whole / size >= kLeastBlocks; size *= kRatio) {
-      levels_.emplace_back(static_cast<std::size_t>(std::min((whole + size - 1) / size, most)));
+      levels_.emplace_back(static_cast<std::size_t>(std::min(whole / size + kAtEnds, most)));
       reached = levels_.back().capacity() * size;
     }
   }
@@ -80,7 +81,7 @@ class MinMaxPyramid {
   double begin() const {
     double begin = detailBegin();
     for (const auto& level : levels_)
-      if (!level.empty()) begin = std::min(begin, level[0].low.t);
+      if (remembers_ && !level.empty()) begin = std::min(begin, level[0].low.t);
     return begin;
   }
   /// From here on every row is there as it came.
@@ -169,6 +170,7 @@ class MinMaxPyramid {
   }
 
   Ring<Row> rows_;
+  bool remembers_;                   ///< more than these
   std::vector<Ring<Block>> levels_;  ///< [k − 1]: level k
 };
 

@@ -114,16 +114,36 @@ void saveFigure(JointFigure& figure, const std::filesystem::path& path, QSize si
         {path.string(), 0, {}, {}, "cannot be written", "Check the folder and its rights."});
 }
 
+std::vector<std::unique_ptr<JointFigure>> jointPages(const JointHistory& history,
+                                                     const std::array<QString, 3>& joint_names, double begin,
+                                                     double end, QSize size) {
+  const auto page = [&](std::optional<int> joint) {
+    auto figure = std::make_unique<JointFigure>(history, JointFigure::Medium::kPaper);
+    figure->setTheme(Theme::light());
+    figure->setJointNames(joint_names);
+    if (joint) figure->showOnly(*joint);
+    figure->resize(size);
+    figure->setTimeRange(begin, end);
+    figure->refresh(true);  // lays out
+    figure->refresh(true);
+    return figure;
+  };
+  std::vector<std::unique_ptr<JointFigure>> pages;
+  pages.push_back(page({}));
+  if (pages.front()->fits()) return pages;
+  pages.clear();
+  for (int joint = 0; joint < JointHistory::kJoints; ++joint) pages.push_back(page(joint));
+  return pages;
+}
+
 void saveJointFigure(const JointHistory& history, const std::array<QString, 3>& joint_names, double begin,
                      double end, const std::filesystem::path& path, QSize size) {
-  JointFigure figure(history, JointFigure::Medium::kPaper);
-  figure.setTheme(Theme::light());
-  figure.setJointNames(joint_names);
-  figure.resize(size);
-  figure.setTimeRange(begin, end);
-  figure.refresh(true);  // lays out
-  figure.refresh(true);
-  saveFigure(figure, path, size);
+  const auto pages = jointPages(history, joint_names, begin, end, size);
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    const std::string number = pages.size() > 1 ? "-page-" + std::to_string(i + 1) : std::string();
+    const std::string name = path.stem().string() + number + path.extension().string();
+    saveFigure(*pages[i], path.parent_path() / name, size);
+  }
 }
 
 void saveJointTable(const JointHistory& history, double begin, double end,

@@ -3,6 +3,8 @@
 #include <QSize>
 #include <array>
 #include <filesystem>
+#include <memory>
+#include <vector>
 
 #include "widgets/figures/joint_figure.h"
 
@@ -12,7 +14,13 @@ namespace capstan::widgets {
 /// points of 1/96 inch. Needs no display. Throws base::InputError for another ending or an unwritable place.
 void saveFigure(JointFigure& figure, const std::filesystem::path& path, QSize size);
 
-/// The joint plots of `history` over [begin, end] on paper: light, no cursor. Same endings and errors.
+/// The joint plots of `history` over [begin, end] on paper: light, no cursor; a figure for each joint where
+/// all three would be too low.
+std::vector<std::unique_ptr<JointFigure>> jointPages(const JointHistory& history,
+                                                     const std::array<QString, 3>& joint_names, double begin,
+                                                     double end, QSize size);
+
+/// The same as a file, or as NAME-page-1 and so on. Same endings and errors.
 void saveJointFigure(const JointHistory& history, const std::array<QString, 3>& joint_names, double begin,
                      double end, const std::filesystem::path& path, QSize size = {1200, 900});
 

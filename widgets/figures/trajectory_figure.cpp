@@ -13,7 +13,7 @@ namespace capstan::widgets {
 namespace {
 
 constexpr double kWidths = 0.5;       ///< of lines on a figure, against the window's
-constexpr double kStepsAPixel = 1.0;  ///< history steps drawn
+constexpr double kStepsAPixel = 2.5;  ///< history steps drawn
 constexpr double kDotsAPixel = 0.6;   ///< camera observations drawn
 constexpr std::size_t kLeastRows = 256;
 constexpr int kTwoColumns = 600;     ///< [px]
