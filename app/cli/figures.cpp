@@ -23,6 +23,7 @@ using experiments::Results;
 struct FiguresArguments {
   std::vector<std::string> inputs, only;
   std::string out = "capstan-figures", size = "180x120", json;
+  bool no_titles = false;
 };
 
 /// A recording is tracked as the only trial of an experiment that keeps nothing. False: cancelled.
@@ -65,6 +66,7 @@ bool readInputs(const std::vector<std::string>& inputs, std::vector<Results>& al
 widgets::ExportOptions optionsOf(const FiguresArguments& arguments) {
   widgets::ExportOptions options;
   options.size = widgets::parsePaperSize(arguments.size);
+  options.titles = !arguments.no_titles;
   if (arguments.only.empty()) return options;
   options.tables = false;
   options.kinds.clear();
@@ -122,6 +124,8 @@ void addFigures(CLI::App& app, ExitCode& exit) {
   command->add_option("--out", arguments->out, "folder: new, empty, or of a former run to write over")
       ->capture_default_str();
   command->add_option("--size", arguments->size, "of a figure on paper, WxH [mm]")->capture_default_str();
+  command->add_flag("--no-titles", arguments->no_titles,
+                    "leave titles and notes to the captions of the index page");
   command->add_option("--only", arguments->only, "of trajectories, parameters, histograms, boxplots, tables")
       ->delimiter(',')
       ->check(CLI::IsMember({"trajectories", "parameters", "histograms", "boxplots", "tables"}));
@@ -130,7 +134,8 @@ void addFigures(CLI::App& app, ExitCode& exit) {
   command->footer(
       "Each figure is written as PDF, SVG, PNG (300 dpi) and its numbers as CSV, each table as CSV, LaTeX "
       "and\n"
-      "Markdown. Nothing but files of the same names is written over, and nothing is deleted. Examples:\n"
+      "Markdown. A figure whose panels would be lower than 10 mm is written as a page for each joint:\n"
+      "NAME-page-1.pdf, NAME-page-2.pdf and so on. Nothing but files of the same names is written over, and nothing is deleted. Examples:\n"
       "  capstan-cli figures results --out figures           (all that capstan-cli experiment left there)\n"
       "  capstan-cli figures results --out column --size 88x90 --only boxplots,histograms\n"
       "  capstan-cli figures trial.capstan --out trial_figures");

@@ -15,7 +15,8 @@ class ReportFigures {
   ReportFigures();
   ~ReportFigures();
 
-  /// Keeps 200 rows a second and every camera sample; of a long recording the newest part (JointHistory).
+  /// Keeps 200 rows a second and every camera sample; of a recording longer
+  /// than some minutes the older part as lowest and highest values (JointHistory).
   void add(const tracking::Snapshot& snapshot);
   /// Writes joints.png, .pdf, .svg and .csv into `folder`; needs no display. False, and no file,
   /// without a single snapshot. Throws base::InputError when a file cannot be written.

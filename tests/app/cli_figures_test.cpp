@@ -17,10 +17,21 @@ TEST_F(Cli, FiguresOfARecordingAreLeftInAFolderThatIsWrittenOverAndNoOther) {
   const json report = json::parse(made.out);
   EXPECT_EQ(report["figures"], 3) << "trajectory, histogram, boxes: too short for a detail\n" << made.out;
   for (const auto& name : report["files"]) EXPECT_TRUE(fs::exists(name.get<std::string>())) << name;
-  for (const char* name : {"s-trajectory-s.pdf", "s-histogram-s.svg", "s-boxplot.png", "s-boxplot.csv"})
+  for (const char* name : {"s-trajectory-s-page-1.pdf", "s-trajectory-s-page-3.pdf",
+                           "s-histogram-s-page-2.svg", "s-boxplot-page-3.png", "s-boxplot.csv"})
     EXPECT_TRUE(fs::exists(path("out/") + name)) << name;
-  EXPECT_NE(textOf("out/index.html").find("s-boxplot.svg"), std::string::npos);
+  EXPECT_NE(textOf("out/index.html").find("s-boxplot-page-1.svg"), std::string::npos);
   EXPECT_EQ(run(command + " --only boxplots").exit, 0) << "its own folder";
+
+  // The file's own <title> is the caption in any case.
+  const auto titlesIn = [&](const std::string& option, const std::string& out) {
+    EXPECT_EQ(run("figures " + file + " --only histograms --out " + path(out) + option).exit, 0);
+    const std::string svg = textOf(out + "/s-histogram-s.svg"), title = "error of the joint positions";
+    const std::size_t first = svg.find(title);
+    return first != std::string::npos && svg.find(title, first + 1) != std::string::npos;
+  };
+  EXPECT_TRUE(titlesIn("", "titled"));
+  EXPECT_FALSE(titlesIn(" --no-titles", "untitled"));
 
   write("mine.txt", "mine");
   const Ran refused = run("figures " + file + " --out " + folder_.string());

@@ -263,7 +263,7 @@ TEST_F(Analysed, ExportsFiguresAndTable) {
   ASSERT_TRUE(settled());
   panel.exportTo(path("out/none"), {});
   EXPECT_THAT(panel.words().toStdString(), HasSubstr("none"));
-  panel.exportTo(path("errors.pdf"), {.width_mm = 88.0, .height_mm = 110.0});
+  panel.exportTo(path("errors.pdf"), {.width_mm = 180.0, .height_mm = 120.0});
   for (const char* ending :
        {"-histogram.pdf", "-histogram.svg", "-histogram.png", "-histogram.csv", "-boxplot.pdf",
         "-boxplot.svg", "-boxplot.png", "-boxplot.csv", "-table.md", "-table.tex", "-table.csv"})
@@ -288,7 +288,7 @@ class ExportsAll : public Analysed {
   }
   QTemporaryDir folder;
   QString told;
-  const PaperSize small = {60.0, 60.0};
+  const PaperSize small = {180.0, 120.0};
 };
 
 TEST_F(ExportsAll, FiguresAndTablesOfBothRuns) {

@@ -58,7 +58,7 @@ double drawnLength(const QVector<QCPGraphData>& dashed) {
 TEST(CutDashes, DrawsItsShareOnTheLineAndStaysInPlace) {
   QVector<QCPGraphData> line, dashed;
   for (int i = 0; i <= 37; ++i) line.append({i * 10.0 / 37, 2.0 * (i * 10.0 / 37) + 1.0});
-  cutDashes(line, 1.0, 0.6, dashed);
+  DashCutter(1.0, 0.6, 1e9).cut(line, dashed);
   EXPECT_NEAR(drawnLength(dashed), 6.0, 1e-9);
   for (const auto& point : dashed) {
     if (std::isnan(point.value)) continue;
@@ -68,10 +68,21 @@ TEST(CutDashes, DrawsItsShareOnTheLineAndStaysInPlace) {
   }
 }
 
+TEST(CutDashes, NoGapHidesASpike) {
+  for (double at = 3.0; at < 5.0; at += 0.1) {
+    QVector<QCPGraphData> line{{0.0, 1.0}, {at - 0.01, 1.0}, {at, 9.0}, {at + 0.01, 1.0}, {8.0, 1.0}}, dashed;
+    DashCutter(1.0, 0.6, 2.0).cut(line, dashed);
+    double highest = 0.0;
+    for (const auto& point : dashed) highest = std::fmax(highest, point.value);
+    EXPECT_EQ(highest, 9.0) << "at " << at;
+    EXPECT_LT(drawnLength(dashed), 5.0) << "and the rest stays dashed";
+  }
+}
+
 TEST(CutDashes, BridgesNoGap) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   QVector<QCPGraphData> line{{0.0, 1.0}, {1.0, nan}, {2.0, nan}, {3.0, 1.0}, {4.0, 1.0}}, dashed;
-  cutDashes(line, 0.5, 0.25, dashed);
+  DashCutter(0.5, 0.25, 1e9).cut(line, dashed);
   EXPECT_NEAR(drawnLength(dashed), 0.5, 1e-9);
   for (const auto& point : dashed) EXPECT_TRUE(std::isnan(point.value) || point.key >= 3.0) << point.key;
 }

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "tests/widgets/picture.h"
 #include "tests/widgets/synthetic_motion.h"
+#include "widgets/figures/paper_size.h"
 #include "widgets/figures/save_figure.h"
 
 namespace capstan::widgets {
@@ -127,6 +128,58 @@ TEST_F(ExportTest, TableEqualsTheHistoryToTheFloat) {
   for (std::size_t i = 0; i < camera.size(); ++i) wanted += camera[i].t >= 2.0 && camera[i].t <= 11.0 ? 1 : 0;
   EXPECT_GT(wanted, 50);
   EXPECT_EQ(seen, 3 * wanted) << "each observation once, in a row of its own time";
+}
+
+std::vector<QRectF> numbersOf(const QCPAxis& axis) {
+  std::vector<QRectF> boxes;
+  const QFontMetricsF metrics(axis.tickLabelFont());
+  for (int i = 0; axis.tickLabels() && i < axis.tickVector().size(); ++i) {
+    if (!axis.range().contains(axis.tickVector()[i])) continue;
+    const QSizeF size = metrics.size(0, axis.tickVectorLabels()[i]);
+    const double at = axis.coordToPixel(axis.tickVector()[i]);
+    const QPointF corner =
+        axis.orientation() == Qt::Horizontal
+            ? QPointF(at - 0.5 * size.width(), axis.axisRect()->bottom() + 6.0)
+            : QPointF(axis.axisRect()->left() - 6.0 - size.width(), at - 0.5 * size.height());
+    boxes.emplace_back(corner, size);
+  }
+  return boxes;
+}
+
+TEST_F(ExportTest, PagesOfEverySizeHaveRoomForPlotsWordsAndNumbers) {
+  for (const PaperSize size : {PaperSize{88.0, 60.0}, {88.0, 90.0}, {180.0, 120.0}, {180.0, 240.0}}) {
+    const auto pages = jointPages(history_, names_, 2.0, 11.0, size.dots());
+    EXPECT_EQ(pages.size(), size.height_mm < 90.0 ? 3U : 1U) << size.width_mm << " x " << size.height_mm;
+    for (std::size_t page = 0; page < pages.size(); ++page) {
+      JointFigure& figure = *pages[page];
+      std::vector<QRectF> boxes;
+      const auto take = [&](const FigureHeader& header) {
+        for (const FigureHeader::Text& text : header.texts()) boxes.push_back(text.box);
+      };
+      take(figure.legend());
+      for (int joint = 0; joint < 3; ++joint) {
+        const JointPlot& plot = figure.plot(joint);
+        if (!plot.axes()->realVisibility()) continue;
+        EXPECT_GE(plot.axes()->height(), 10.0 / 25.4 * 96.0);
+        EXPECT_EQ(plot.axes()->axis(QCPAxis::atLeft)->label(),
+                  joint < 2 ? QString("q%1 [deg]").arg(joint + 1) : "q3 [mm]");
+        EXPECT_GT(plot.shade().drawn(), 0);
+        take(*plot.header());
+        boxes.emplace_back(plot.axes()->rect().adjusted(0, 0, -1, -1));
+        for (const auto type : {QCPAxis::atLeft, QCPAxis::atBottom})
+          for (const QRectF& box : numbersOf(*plot.axes()->axis(type))) boxes.push_back(box);
+      }
+      for (std::size_t i = 0; i < boxes.size(); ++i) {
+        EXPECT_TRUE(QRectF(QPointF(), size.dots()).adjusted(-1, -1, 1, 1).contains(boxes[i])) << i;
+        for (std::size_t j = 0; j < i; ++j)
+          EXPECT_FALSE(boxes[i].adjusted(1, 1, -1, -1).intersects(boxes[j].adjusted(1, 1, -1, -1)))
+              << size.width_mm << " x " << size.height_mm << ", page " << page + 1 << ": " << i << " and "
+              << j;
+      }
+      test::leave(figure.toPixmap(0, 0, 2.0).toImage(),
+                  QStringLiteral("joints_%1x%2_%3").arg(size.width_mm).arg(size.height_mm).arg(page + 1));
+    }
+  }
 }
 
 TEST_F(ExportTest, NamesTheFileThatCannotBeWritten) {

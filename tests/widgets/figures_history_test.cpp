@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 
 #include "core/base/units.h"
 #include "tests/widgets/synthetic_motion.h"
@@ -118,6 +119,70 @@ TEST(JointHistory, RingWrapsAndKeepsTheNewest) {
     ++rows;
   });
   EXPECT_NEAR(rows, 101, 2);
+}
+
+TEST(JointHistory, HoldsADayWithinItsMemory) {
+  const JointHistory history;
+  EXPECT_LE(history.bytes(), JointHistory::kBytes);
+  EXPECT_GT(history.bytes(), JointHistory::kBytes * 9 / 10) << "the number that is stated is not the number";
+}
+
+/// 4,000 rows of which 256 are kept; the values are those of a ramp.
+TEST(JointHistory, BlocksFollowWhatIsForgottenInOrderAndWithoutAGap) {
+  MinMaxPyramid<JointHistory::Row> rows(256, 4096);
+  for (int i = 0; i < 4000; ++i) {
+    JointHistory::Row row;
+    row.t = i;
+    for (JointValues& values : row.joint) values = {1.0F * i, 2.0F * i, NAN, 0.0F};
+    if (i % 7 == 0) row.joint[1].ukf = -5.0F;
+    rows.push(row);
+  }
+  EXPECT_DOUBLE_EQ(rows.detailBegin(), 3744.0);
+  EXPECT_LE(rows.begin(), 16.0);
+  EXPECT_EQ(rows.blockAt(3800.0), 0.0);
+  EXPECT_EQ(rows.blockAt(3743.0), 4.0);
+  EXPECT_EQ(rows.blockAt(3700.0), 16.0);
+  for (const auto& [begin, end, most] : {std::tuple{0.0, 4000.0, 5000U},
+                                         {0.0, 4000.0, 300U},
+                                         {3000.0, 3900.0, 5000U},
+                                         {3700.0, 3800.0, 200U}}) {
+    double last = -1.0, until = std::max(begin, rows.begin());
+    std::size_t calls = 0;
+    rows.forEach(begin, end, most, [&](double t, double step, const auto& low, const auto& high) {
+      EXPECT_GT(t, last);
+      EXPECT_TRUE(t <= begin || t > end || t - until <= 1.0) << "a gap before " << t;
+      EXPECT_LE(low.joint[0].truth, static_cast<float>(t));
+      EXPECT_GE(high.joint[0].truth, static_cast<float>(t + std::max(step - 1.0, 0.0)));
+      EXPECT_TRUE(std::isnan(high.joint[1].ukf) || high.joint[1].ukf == -5.0F);
+      last = t;
+      until = t + step;
+      ++calls;
+    });
+    EXPECT_LE(calls, most);
+    EXPECT_GE(until, end - 2.0);
+  }
+}
+
+TEST(JointHistory, OldOcclusionsAreThoseOfBlocks) {
+  JointHistory history;
+  tracking::Snapshot snapshot = syntheticSnapshot(0.0);
+  for (int i = 0; i < 40'000; ++i) {  // 10,000 occlusions, more than are kept one by one
+    snapshot.t = i;
+    snapshot.gate = i % 4 == 3 ? tracking::Gate::kBothLost : tracking::Gate::kOpen;
+    snapshot.camera_updated = false;
+    history.append(snapshot);
+  }
+  std::vector<JointHistory::Span> spans;
+  history.forEachOcclusion(0.0, 99.0, 500, [&](double begin, double end) { spans.push_back({begin, end}); });
+  ASSERT_EQ(spans.size(), 25U);
+  EXPECT_DOUBLE_EQ(spans[24].begin, 99.0);
+  spans.clear();
+  history.forEachOcclusion(0.0, 40'000.0, 500, [&](double begin, double end) {
+    spans.push_back({begin, end});
+  });
+  EXPECT_EQ(spans.front().begin, 0.0);
+  EXPECT_GT(spans.size(), JointHistory::kSpans) << "those that are kept, each";
+  for (std::size_t i = 1; i < spans.size(); ++i) EXPECT_GE(spans[i].begin, spans[i - 1].end);
 }
 
 TEST(JointHistory, SpansOccludedTimeAndClears) {

@@ -44,6 +44,11 @@ std::optional<QCPRange> valuesOf(const BoxplotPanel& panel) {
   return all;
 }
 
+/// Names and numbers of groups have no unit, which is said.
+QString withUnit(const QString& label) {
+  return label.contains(QLatin1Char('[')) ? label : label + QStringLiteral(" [–]");
+}
+
 /// "37600", or both where the boxes of a group differ; with `brief` "38k".
 QString countText(const BoxplotGroup& group, bool brief) {
   QStringList counts;
@@ -96,9 +101,9 @@ void BoxplotFigure::build() {
 }
 
 void BoxplotFigure::buildPanel(const BoxplotPanel& data) {
-  const Panel& panel =
-      addPanel({{QStringLiteral("%1 [%2]").arg(data.title, data.unit), true}}, data.x_label + tr(", n below"),
-               QStringLiteral("%1 [%2]").arg(data_.quantity, data.unit));
+  const Panel& panel = addPanel({{QStringLiteral("%1 [%2]").arg(data.title, data.unit), true}},
+                                tr("%1, n below").arg(withUnit(data.x_label)),
+                                QStringLiteral("%1 [%2]").arg(data_.quantity, data.unit));
   Drawn drawn;
   const auto values = valuesOf(data);
   panel.empty->setVisible(!values);
@@ -175,6 +180,16 @@ void BoxplotFigure::laidOut() {
     axes->axis(QCPAxis::atLeft)
         ->setRange(middle - 0.5 * span - bottom * pixel, middle + 0.5 * span + top * pixel);
   }
+}
+
+/// Numbers above and below the boxes take none of the room of these.
+int BoxplotFigure::leastHeight(std::size_t panel) const {
+  double top = 0.0, bottom = 0.0;
+  for (const auto& [key, series] : drawn_[panel].series) {
+    top = std::max(top, series->headroom());
+    bottom = std::max(bottom, series->footroom());
+  }
+  return kLeastAxesHeight + static_cast<int>(top + bottom);
 }
 
 void BoxplotFigure::labelGroups(std::size_t p) {

@@ -58,6 +58,7 @@ class BoxplotFigure : public PanelFigure {
   int columnsFor(QSize size) const override;
   void restyle() override;
   void laidOut() override;
+  int leastHeight(std::size_t panel) const override;
 
  private:
   void build();

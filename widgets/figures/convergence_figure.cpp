@@ -124,9 +124,11 @@ QString ConvergenceFigure::words(const ConvergencePanel& panel) const {
 }
 
 void ConvergenceFigure::build(const ConvergencePanel& data) {
+  setGroup(data.group);
   const Panel& panel =
       addPanel({{QStringLiteral("%1 [%2]").arg(data.title, data.unit), true}, {words(data), false}},
-               tr("time [s]"), data.unit);
+               tr("time [s]"), tr("estimate [%1]").arg(data.unit));
+  shades_.push_back(new TimeShade(panel.axes, data_.occluded));
   QCPAxis* x = panel.axes->axis(QCPAxis::atBottom);
   QCPAxis* y = panel.axes->axis(QCPAxis::atLeft);
   const QCPRange time = timeOf(data), values = valuesOf(data, time);
@@ -184,6 +186,8 @@ void ConvergenceFigure::restyle() {
       lineEntry(tr("estimate ± 2σ"), valuePen(theme(), line), theme().band())};
   if (truth) entries.push_back(lineEntry(tr("truth"), truthPen(theme(), line)));
   entries.push_back(lineEntry(tr("nominal"), nominalPen(theme(), line)));
+  for (TimeShade* shade : shades_) shade->setColour(theme().occluded);
+  if (!data_.occluded.empty()) entries.push_back(areaEntry(tr("occluded"), theme().occluded));
   if (settled) entries.push_back(lineEntry(tr("settled"), settledPen(theme(), line)));
   setLegend(std::move(entries));
 }

@@ -5,6 +5,7 @@
 
 #include "widgets/figures/panel_figure.h"
 #include "widgets/figures/sigma_band.h"
+#include "widgets/figures/time_shade.h"
 
 namespace capstan::widgets {
 
@@ -17,11 +18,13 @@ struct ConvergencePanel {
   std::optional<double> truth = {};       ///< where it is known
   std::optional<double> settled_at = {};  ///< [s]; none: it did not settle
   bool seen = true;                       ///< false: the motion does not show it, its value says nothing
+  int group = -1;                         ///< panels of one group stand on one page; −1: a group of its own
 };
 
 struct ConvergenceData {
   QString title = {}, note = {};
   std::vector<ConvergencePanel> panels = {};
+  std::vector<TimeSpan> occluded = {};  ///< shaded in every panel
 };
 
 /// Parameters over time while they are identified (UKF paper, figures 6 and 7): value ± 2σ, truth and nominal
@@ -52,6 +55,7 @@ class ConvergenceFigure : public PanelFigure {
     QCPItemLine *nominal, *truth, *settled;
   };
   std::vector<Curves> curves_;
+  std::vector<TimeShade*> shades_;
 };
 
 }  // namespace capstan::widgets

@@ -2,6 +2,7 @@
 
 #include <qcustomplot.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -39,29 +40,60 @@ class CurveBuilder {
 };
 
 /// Cuts gaps into a line: `on` out of every `period` seconds is drawn, anchored to time, so that dashes stay
-/// where they are on a scrolling curve (a dashed QPen crawls, and costs ten times the drawing).
-inline void cutDashes(const QVector<QCPGraphData>& line, double period, double on,
-                      QVector<QCPGraphData>& dashed) {
-  constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
-  dashed.resize(0);
-  for (int i = 0; i + 1 < line.size(); ++i) {
-    const QCPGraphData &from = line[i], &to = line[i + 1];
-    const double length = to.key - from.key;
-    if (length <= 0.0 || std::isnan(from.value) || std::isnan(to.value)) {
-      dashed.append({from.key, kGap});
-      continue;
-    }
-    const auto at = [&](double t) { return from.value + (to.value - from.value) * (t - from.key) / length; };
-    const auto first = static_cast<std::int64_t>(std::floor(from.key / period));
-    for (std::int64_t k = first; static_cast<double>(k) * period < to.key; ++k) {
-      const double dash = static_cast<double>(k) * period;
-      const double begin = std::max(dash, from.key), end = std::min(dash + on, to.key);
-      if (begin > end) continue;
-      dashed.append({begin, at(begin)});
-      if (end > begin) dashed.append({end, at(end)});
-      if (end == dash + on) dashed.append({end, kGap});
+/// where they are on a scrolling curve (a dashed QPen crawls, and costs ten times the drawing). No gap hides
+/// a spike: a point that stands out by more than `prominence`, from its neighbours and from the dash before
+/// it, is drawn with the lines to these.
+class DashCutter {
+ public:
+  DashCutter(double period, double on, double prominence)
+      : period_(period), on_(on), prominence_(prominence) {}
+
+  void cut(const QVector<QCPGraphData>& line, QVector<QCPGraphData>& dashed) {
+    dashed.resize(0);
+    dash_ = QCPRange();
+    bool out = false;
+    for (int i = 0; i + 1 < line.size(); ++i) {
+      const QCPGraphData &from = line[i], &to = line[i + 1];
+      const bool next_out = standsOut(line, i + 1);
+      if (to.key <= from.key || std::isnan(from.value) || std::isnan(to.value))
+        dashed.append({from.key, kNone});
+      else if (out || next_out)
+        dashed << from << to << QCPGraphData(to.key, kNone);
+      else
+        cutLine(from, to, dashed);
+      out = next_out;
     }
   }
-}
+
+ private:
+  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+  bool standsOut(const QVector<QCPGraphData>& line, int i) const {
+    if (i < 1 || i + 1 >= line.size()) return false;
+    const double value = line[i].value, a = line[i - 1].value, b = line[i + 1].value;
+    return value > std::max({a, b, dash_.upper}) + prominence_ ||
+           value < std::min({a, b, dash_.lower}) - prominence_;
+  }
+
+  void cutLine(const QCPGraphData& from, const QCPGraphData& to, QVector<QCPGraphData>& dashed) {
+    const double length = to.key - from.key;
+    const auto at = [&](double t) { return from.value + (to.value - from.value) * (t - from.key) / length; };
+    const auto first = static_cast<std::int64_t>(std::floor(from.key / period_));
+    for (std::int64_t k = first; static_cast<double>(k) * period_ < to.key; ++k) {
+      const double dash = static_cast<double>(k) * period_;
+      const double begin = std::max(dash, from.key), end = std::min(dash + on_, to.key);
+      if (begin > end) continue;
+      dash_ = begin == dash ? QCPRange(at(begin), at(begin)) : dash_;
+      dash_.expand(at(begin));
+      dash_.expand(at(end));
+      dashed.append({begin, at(begin)});
+      if (end > begin) dashed.append({end, at(end)});
+      if (end == dash + on_) dashed.append({end, kNone});
+    }
+  }
+
+  double period_, on_, prominence_;
+  QCPRange dash_;  ///< values of the last dash
+};
 
 }  // namespace capstan::widgets

@@ -233,7 +233,8 @@ ConvergencePanel panelOf(const Results& results, std::size_t index) {
                          .unit = fromUtf8(parameter.unit),
                          .nominal = parameter.nominal * parameter.scale,
                          .settled_at = parameter.settled_at,
-                         .seen = parameter.dual_ukf.seen};
+                         .seen = parameter.dual_ukf.seen,
+                         .group = parameter.name.back()};
   if (std::isfinite(parameter.truth)) panel.truth = parameter.truth * parameter.scale;
   for (const auto& point : identification.trace) {
     panel.t.push_back(point.t);
@@ -241,6 +242,24 @@ ConvergencePanel panelOf(const Results& results, std::size_t index) {
     panel.sigma.push_back(point.sigma[index] * parameter.scale);
   }
   return panel;
+}
+
+/// Occluded time in the time of the trace, in which recordings follow each other a second apart.
+std::vector<TimeSpan> occludedTime(const experiments::IdentificationResult& identification) {
+  constexpr double kApart = 1.0;  // identification::append() [s]
+  std::vector<TimeSpan> spans;
+  double begin = 0.0;
+  for (const TrialMotion& motion : identification.motions) {
+    bool open = false;
+    for (const auto& point : motion.trajectory) {
+      const double t = begin + point.t - motion.begin;
+      if (open) spans.back().upper = t;
+      if (point.occluded && !open) spans.emplace_back(t, t);
+      open = point.occluded;
+    }
+    begin += motion.duration() + kApart;
+  }
+  return spans;
 }
 
 /// The paper's experiments have a title that says more than their letter.
@@ -263,6 +282,7 @@ std::unique_ptr<Figure> parametersOver(const Results& results, const std::string
     return parameters[a].name.back() < parameters[b].name.back();
   });
   for (const std::size_t i : members) data.panels.push_back(panelOf(results, i));
+  data.occluded = occludedTime(*results.identification);
   return std::make_unique<ConvergenceFigure>(std::move(data));
 }
 

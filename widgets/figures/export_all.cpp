@@ -87,7 +87,7 @@ FigureExport::FigureExport(std::vector<Results> results, fs::path folder, const 
                            ExportExtras extras)
     : results_(std::move(results)),
       folder_(std::move(folder)),
-      size_(options.size),
+      pages_(options.size, options.titles),
       figures_(std::move(extras.figures)),
       tables_(std::move(extras.tables)) {
   checkExportFolder(folder_);
@@ -110,7 +110,7 @@ double FigureExport::fraction() const {
 void FigureExport::draw() {
   const ExperimentFigure& next = figures_[report_.figures];
   const auto figure = next.make();
-  const auto files = exportFigure(*figure, folder_ / next.name, size_);
+  const auto files = exportFigure(*figure, folder_ / next.name, pages_);
   report_.files.insert(report_.files.end(), files.begin(), files.end());
   page_.figures.push_back({next.name, figure->caption().toStdString(), namesOf(files)});
   ++report_.figures;

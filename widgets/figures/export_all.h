@@ -16,6 +16,7 @@ namespace capstan::widgets {
 
 struct ExportOptions {
   PaperSize size;
+  bool titles = true;  ///< above the panels; else only in the captions
   std::vector<FigureKind> kinds = {FigureKind::kTrajectory, FigureKind::kParameters, FigureKind::kHistogram,
                                    FigureKind::kBoxplot};
   bool tables = true;
@@ -35,10 +36,10 @@ struct ExportReport {
 };
 
 /// `extras` first, then every figure and table that `results` support, into `folder` (made): figures as PDF,
-/// SVG, PNG and CSV, tables as CSV, LaTeX and Markdown, and index.html with all of them. A former export in
-/// the folder is written over, file by file; nothing is deleted. Figure by figure, so that a window stays
-/// alive beside it. Throws base::InputError as checkExportFolder, for results without anything to draw, and
-/// for a file that cannot be written.
+/// SVG, PNG and CSV, on as many pages as they need (page_layout.h), tables as CSV, LaTeX and Markdown, and
+/// index.html with all of them. A former export in the folder is written over, file by file; nothing is
+/// deleted. Figure by figure, so that a window stays alive beside it. Throws base::InputError as
+/// checkExportFolder, for results without anything to draw, and for a file that cannot be written.
 class FigureExport {
  public:
   /// Makes the folder; nothing else is written yet but an index page that says so.
@@ -58,7 +59,7 @@ class FigureExport {
  private:
   const std::vector<experiments::Results> results_;
   std::filesystem::path folder_;
-  PaperSize size_;
+  PageOptions pages_;
   std::vector<ExperimentFigure> figures_;
   std::vector<experiments::NamedTable> tables_;
   ExportReport report_;

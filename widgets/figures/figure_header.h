@@ -29,6 +29,7 @@ class FigureHeader : public QCPLayoutElement {
   void setFault(bool fault) { fault_ = fault; }
   /// Width of a title in this row's font at `points` [px].
   double titleWidth(const QString& title, const HeaderPoints& points) const;
+  double textWidth(const QString& title) const { return titleWidth(title, points_); }
   /// Number of a column of a value row; right-aligned, so equal decimals stand below each other.
   void setValue(Quantity quantity, const QString& text) { texts_[static_cast<std::size_t>(quantity)] = text; }
   QString value(Quantity quantity) const { return texts_[static_cast<std::size_t>(quantity)]; }

@@ -27,25 +27,30 @@ void FigureLegend::fit(double points, double width) {
       x = 0.0;
       y += kLine * unit;
     }
-    places_.emplace_back(x, y);
+    places_.emplace_back(x, y, wide, 1.2 * unit);
     x += wide + kApart * unit;
   }
   height_ = entries_.empty() ? 0 : static_cast<int>(std::ceil(y + kLine * unit)) + 2;
 }
 
+std::vector<QRectF> FigureLegend::boxes() const {
+  std::vector<QRectF> boxes;
+  for (const QRectF& place : places_) boxes.push_back(place.translated(rect().topLeft()));
+  return boxes;
+}
+
 void FigureLegend::draw(QCPPainter* painter) {
   const QFont font = textFont(points_);
-  const QFontMetricsF metrics(font);
-  const double unit = metrics.height();
-  for (std::size_t i = 0; i < entries_.size() && i < places_.size(); ++i) {
-    const QPointF at = QPointF(rect().topLeft()) + places_[i];
+  const double unit = QFontMetricsF(font).height();
+  const std::vector<QRectF> all = boxes();
+  for (std::size_t i = 0; i < entries_.size() && i < all.size(); ++i) {
+    const QRectF& box = all[i];
     painter->save();
-    entries_[i].draw(painter, QRectF(at.x(), at.y() + 0.2 * unit, kSample * unit, 0.8 * unit));
+    entries_[i].draw(painter, QRectF(box.left(), box.top() + 0.2 * unit, kSample * unit, 0.8 * unit));
     painter->restore();
     painter->setFont(font);
     painter->setPen(text_);
-    painter->drawText(QRectF(at.x() + (kSample + kGap) * unit, at.y(),
-                             metrics.horizontalAdvance(entries_[i].text) + 2.0, 1.2 * unit),
+    painter->drawText(box.adjusted((kSample + kGap) * unit, 0.0, 2.0, 0.0),
                       Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine | Qt::TextDontClip,
                       entries_[i].text);
   }

@@ -24,6 +24,10 @@ class FigureLegend : public QCPLayoutElement {
   void setColour(const QColor& text) { text_ = text; }
   /// `points` [typographic points], `width` [px].
   void fit(double points, double width);
+  /// Height that the entries need [px].
+  int needed() const { return height_; }
+  /// Where each entry is drawn, sample and word, in pixels of the plot.
+  std::vector<QRectF> boxes() const;
 
  protected:
   QSize minimumOuterSizeHint() const override { return {10, height_}; }
@@ -33,7 +37,7 @@ class FigureLegend : public QCPLayoutElement {
 
  private:
   std::vector<LegendEntry> entries_;
-  std::vector<QPointF> places_;  ///< upper left corners within the element
+  std::vector<QRectF> places_;  ///< within the element
   QColor text_;
   double points_ = 8.0;
   int height_ = 0;

@@ -25,11 +25,11 @@ std::vector<double> finite(const std::vector<double>& values) {
   return kept;
 }
 
-/// Keys of all series, each once, in order.
-std::vector<SeriesKey> keysOf(const HistogramData& data) {
+/// Keys of the series in the panels `shown`, each once, in order.
+std::vector<SeriesKey> keysOf(const HistogramData& data, const std::vector<std::size_t>& shown) {
   std::vector<SeriesKey> keys;
-  for (const HistogramPanel& panel : data.panels)
-    for (const HistogramSeries& series : panel.series)
+  for (const std::size_t panel : shown)
+    for (const HistogramSeries& series : data.panels[panel].series)
       if (std::find(keys.begin(), keys.end(), series.key) == keys.end()) keys.push_back(series.key);
   return keys;
 }
@@ -96,10 +96,11 @@ void HistogramFigure::build() {
   setTitle(data_.title, data_.note.isEmpty() ? explained : data_.note + QStringLiteral("; ") + explained);
   for (std::size_t p = 0; p < data_.panels.size(); ++p) {
     const HistogramPanel& data = data_.panels[p];
+    setGroup(data.group);
     const Panel& panel =
         addPanel({{QStringLiteral("%1 [%2]").arg(data.title, data.unit), true}, {words(p), false}},
                  QStringLiteral("%1 [%2]").arg(data_.quantity, data.unit),
-                 data_.density ? tr("density [1/%1]").arg(data.unit) : tr("samples"));
+                 data_.density ? tr("density [1/%1]").arg(data.unit) : tr("samples [–]"));
     double highest = 0.0, low = kNaN, high = kNaN;
     auto& bars = bars_.emplace_back();
     for (const Result& result : results_[p]) {
@@ -120,12 +121,20 @@ void HistogramFigure::build() {
   }
 }
 
-int HistogramFigure::columnsFor(QSize size) const { return std::max(1, size.width() / kLeastPanelWidth); }
+/// Rows are groups, where these are of one size and have room.
+int HistogramFigure::columnsFor(QSize size) const {
+  const int room = std::max(1, size.width() / kLeastPanelWidth);
+  const auto of_first = static_cast<int>(
+      std::count_if(data_.panels.begin(), data_.panels.end(), [&](const HistogramPanel& panel) {
+        return panel.group >= 0 && panel.group == data_.panels.front().group;
+      }));
+  return of_first > 1 ? std::min(room, of_first) : room;
+}
 
 void HistogramFigure::restyle() {
   std::vector<LegendEntry> entries;
   const double line = scale().line;
-  for (const SeriesKey& key : keysOf(data_)) {
+  for (const SeriesKey& key : keysOf(data_, shown())) {
     const SeriesStyle style = SeriesStyle::of(key, theme());
     entries.push_back({key.name(), [style, line](QCPPainter* painter, const QRectF& box) {
                          style.fillBox(painter, box, line);

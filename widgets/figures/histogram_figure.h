@@ -20,6 +20,7 @@ struct HistogramPanel {
   QString title;  ///< as "shoulder q1"
   QString unit;   ///< as "deg"
   std::vector<HistogramSeries> series;
+  int group = -1;  ///< panels of one group stand on one page; −1: a group of its own
 };
 
 struct HistogramData {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "widgets/figures/number_text.h"
+#include "widgets/figures/panel_figure.h"
 
 namespace capstan::widgets {
 
@@ -12,6 +13,7 @@ namespace {
 constexpr double kShortest = 0.05;     ///< [s] shown at least
 constexpr double kCameraReach = 0.1;   ///< [s] around the cursor in which a camera dot counts
 constexpr double kStepsAPixel = 0.6;   ///< history steps drawn: a step is up to two points
+constexpr double kFullWidth = 900.0;   ///< of paper on which lines are as wide as on screen [px]
 constexpr double kLiveMargin = 0.015;  ///< share of the time axis right of the newest sample
 
 }  // namespace
@@ -20,7 +22,7 @@ JointFigure::JointFigure(const JointHistory& history, Medium medium, QWidget* pa
     : QCustomPlot(parent), history_(history), medium_(medium), theme_(&Theme::light()) {
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
-  setMinimumSize(320, 260);
+  if (medium == Medium::kScreen) setMinimumSize(320, 260);
   setNoAntialiasingOnDrag(false);
   setPlottingHints(QCP::phFastPolylines | QCP::phCacheLabels);
   setAccessibleName(tr("Joint positions over time"));
@@ -55,6 +57,11 @@ void JointFigure::layOut() {
     plot->axes()->setMargins(QMargins(0, 0, FigureHeader::kRightMargin, 0));
     plot->axes()->setMinimumMargins(QMargins(6, 7, 0, 4));
     plot->axes()->axis(QCPAxis::atBottom)->setTickLabels(i == 2);
+    if (medium_ == Medium::kPaper)
+      plot->axes()
+          ->axis(QCPAxis::atLeft)
+          ->setLabel(
+              QStringLiteral("q%1 [%2]").arg(i + 1).arg(tracking::kJointUnits[static_cast<std::size_t>(i)]));
     auto* line = new QCPItemStraightLine(this);
     for (auto* point : {line->point1, line->point2}) {
       point->setAxisRect(plot->axes());
@@ -67,6 +74,28 @@ void JointFigure::layOut() {
     cursor_lines_.push_back(line);
   }
   plots_[2]->axes()->axis(QCPAxis::atBottom)->setLabel(tr("time [s]"));
+}
+
+void JointFigure::showOnly(int joint) {
+  for (int i = 0; i < 3; ++i) {
+    const JointPlot& one = plot(i);
+    QCPAxis* time = one.axes()->axis(QCPAxis::atBottom);
+    time->setTickLabels(i == joint);
+    time->setLabel(i == joint ? tr("time [s]") : QString());
+    if (i == joint) continue;
+    for (QCPLayoutElement* row :
+         {static_cast<QCPLayoutElement*>(one.header()), static_cast<QCPLayoutElement*>(one.axes())}) {
+      plotLayout()->take(row);
+      row->setVisible(false);
+    }
+  }
+  plotLayout()->simplify();
+}
+
+bool JointFigure::fits() const {
+  return std::all_of(plots_.begin(), plots_.end(), [](const auto& plot) {
+    return !plot->axes()->visible() || plot->axes()->height() >= PanelFigure::kLeastAxesHeight;
+  });
 }
 
 void JointFigure::setTheme(const Theme& theme) {
@@ -104,16 +133,19 @@ void JointFigure::setTitles() {
 
 void JointFigure::fitHeaders() {
   const double w = width();
-  const double ticks = std::clamp(w / 78.0, 9.5, 12.5);
-  const HeaderPoints points{.title = std::clamp(w / 72.0, 9.5, 14.0),
-                            .legend = std::clamp(w / 80.0, 9.0, 12.5),
-                            .number = std::clamp(w / 66.0, 9.5, 16.0)};
+  const bool paper = medium_ == Medium::kPaper;
+  const double ticks = std::clamp(w / 78.0, paper ? 6.5 : 9.5, 12.5);
+  const HeaderPoints points{.title = std::clamp(w / 72.0, paper ? 7.0 : 9.5, 14.0),
+                            .legend = std::clamp(w / 80.0, paper ? 6.5 : 9.0, 12.5),
+                            .number = std::clamp(w / 66.0, paper ? 7.0 : 9.5, 16.0)};
   double title = legend_->titleWidth(QStringLiteral("t 00000.000 s"), points);
   for (auto& plot : plots_)
     title = std::max(title, plot->header()->titleWidth(plot->header()->title(), points));
   const HeaderLayout layout =
       layOutHeader(FigureHeader::kLeftMargin, w - FigureHeader::kRightMargin, std::ceil(title) + 1.0, points);
   if (note_) note_->setLayout(layout, points);
+  for (auto& plot : plots_)
+    if (paper) plot->setTheme(*theme_, true, std::clamp(w / kFullWidth, 0.45, 1.0));
   legend_->setLayout(layout, points);
   for (auto& plot : plots_) {
     plot->header()->setLayout(layout, points);
@@ -121,16 +153,21 @@ void JointFigure::fitHeaders() {
   }
 }
 
+/// What the figure holds, in as many words as have room.
 QString JointFigure::noteText(const QCPRange& time) const {
   const auto within = [&](const auto& ring) {
     return ring.partitionPoint([&](const auto& item) { return item.t <= time.upper; }) -
            ring.partitionPoint([&](const auto& item) { return item.t < time.lower; });
   };
-  return tr("%1 to %2 s · %3 points drawn · %4 camera observations · numbers: at t")
-      .arg(time.lower, 0, 'f', 2)
-      .arg(time.upper, 0, 'f', 2)
-      .arg(within(history_.rows()))
-      .arg(within(history_.camera()));
+  const QString span = tr("%1 to %2 s").arg(time.lower, 0, 'f', 2).arg(time.upper, 0, 'f', 2);
+  const QString at = tr(" · numbers: at t");
+  QString words = tr(" · %1 points drawn · %2 camera observations")
+                      .arg(within(history_.rows()))
+                      .arg(within(history_.camera()));
+  if (!plots_[0]->detailMark().text().isEmpty())
+    words = tr(" · before %1 s lowest and highest values of blocks").arg(history_.detailBegin(), 0, 'f', 2);
+  const QString whole = span + words + at;
+  return note_->textWidth(whole) <= width() - 2.0 * FigureHeader::kRightMargin ? whole : span + at;
 }
 
 QCPRange JointFigure::limits() const {

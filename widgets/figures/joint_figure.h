@@ -31,6 +31,11 @@ class JointFigure : public QCustomPlot {
   /// What is wrong with a joint's values, beside its title in the colour of faults; empty: nothing.
   void setRemarks(const std::array<QString, 3>& remarks);
 
+  /// Draws the plot of one joint alone.
+  void showOnly(int joint);
+  /// Whether every plot has its least height (PanelFigure::kLeastAxesHeight) at the present size.
+  bool fits() const;
+
   /// Draws what the history holds now. `at_once`: inside this call, else when the event loop is next idle.
   void refresh(bool at_once = false);
 

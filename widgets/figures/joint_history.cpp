@@ -19,6 +19,7 @@ float inScreenUnit(double value, int joint) {
 JointHistory::Row rowOf(const Snapshot& snapshot) {
   JointHistory::Row row;
   row.t = snapshot.t;
+  row.occluded = tracking::markerLost(snapshot);
   for (int i = 0; i < JointHistory::kJoints; ++i)
     row.joint[static_cast<std::size_t>(i)] = {
         inScreenUnit(snapshot.q_link_true[i], i), inScreenUnit(snapshot.q_link_kin[i], i),
@@ -32,87 +33,83 @@ bool hasCameraPoint(const Snapshot& snapshot) {
          snapshot.q_link_cam.allFinite();
 }
 
-void widen(JointValues& low, JointValues& high, const JointValues& by) {
-  const auto one = [](float& least, float& most, float value) {
-    least = std::fmin(least, value);  // fmin and fmax pass over NaN
-    most = std::fmax(most, value);
-  };
-  one(low.truth, high.truth, by.truth);
-  one(low.kinematic, high.kinematic, by.kinematic);
-  one(low.ukf, high.ukf, by.ukf);
-  one(low.ukf_sigma, high.ukf_sigma, by.ukf_sigma);
-}
-
 }  // namespace
 
-JointHistory::JointHistory(std::size_t rows) : rows_(rows), camera_(kCameraPoints), occluded_(kSpans) {
-  for (std::size_t size = rows / 4; size >= 256; size /= 4) levels_.emplace_back(size);
-  if (levels_.empty()) levels_.emplace_back(std::max<std::size_t>(rows / 4, 1));
+bool widen(JointHistory::Row& low, JointHistory::Row& high, const JointHistory::Row& by) {
+  bool wider = by.occluded ? !high.occluded : low.occluded;
+  high.occluded = high.occluded || by.occluded;
+  low.occluded = low.occluded && by.occluded;
+  for (std::size_t i = 0; i < by.joint.size(); ++i) {
+    JointValues &least = low.joint[i], &most = high.joint[i];
+    const JointValues& value = by.joint[i];
+    wider = widen(least.truth, most.truth, value.truth) || wider;
+    wider = widen(least.kinematic, most.kinematic, value.kinematic) || wider;
+    wider = widen(least.ukf, most.ukf, value.ukf) || wider;
+    wider = widen(least.ukf_sigma, most.ukf_sigma, value.ukf_sigma) || wider;
+  }
+  return wider;
+}
+
+bool widen(JointHistory::CameraPoint& low, JointHistory::CameraPoint& high,
+           const JointHistory::CameraPoint& by) {
+  bool wider = false;
+  for (std::size_t i = 0; i < by.value.size(); ++i)
+    wider = widen(low.value[i], high.value[i], by.value[i]) || wider;
+  return wider;
+}
+
+JointHistory::JointHistory(std::size_t rows, std::uint64_t reach, std::uint64_t camera_reach)
+    : rows_(rows, reach), camera_(kCameraPoints, camera_reach), occluded_(kSpans) {}
+
+std::size_t JointHistory::bytes() const {
+  return rows_.bytes() + camera_.bytes() + occluded_.capacity() * sizeof(Span);
 }
 
 void JointHistory::clear() {
   rows_.clear();
-  for (auto& level : levels_) level.clear();
   camera_.clear();
   occluded_.clear();
   occluded_now_ = false;
 }
 
 void JointHistory::append(const Snapshot& snapshot) {
-  if (!rows_.empty() && snapshot.t < rows_.back().t - kSetBack) clear();
-  if (!rows_.empty() && snapshot.t < rows_.back().t) return;
+  if (!empty() && snapshot.t < end() - kSetBack) clear();
+  if (!empty() && snapshot.t < end()) return;
   const Row row = rowOf(snapshot);
-  if (!rows_.empty() && snapshot.t == rows_.back().t) {
-    rows_.back() = row;
-    for (auto& level : levels_)
-      for (std::size_t i = 0; i < kJoints; ++i)
-        widen(level.back().low[i], level.back().high[i], row.joint[i]);
-  } else {
+  if (!empty() && snapshot.t == end())
+    rows_.replaceNewest(row);
+  else
     rows_.push(row);
-    fold(row);
-  }
-  if (hasCameraPoint(snapshot) && (camera_.empty() || snapshot.t_cam > camera_.back().t)) {
+  if (hasCameraPoint(snapshot) && (camera_.empty() || snapshot.t_cam > camera_.end())) {
     CameraPoint point;
     point.t = snapshot.t_cam;
     for (int i = 0; i < kJoints; ++i)
       point.value[static_cast<std::size_t>(i)] = inScreenUnit(snapshot.q_link_cam[i], i);
     camera_.push(point);
   }
-  const bool occluded = tracking::markerLost(snapshot);
-  if (occluded && !occluded_now_) occluded_.push({snapshot.t, snapshot.t});
-  if (occluded || occluded_now_) occluded_.back().end = snapshot.t;
-  occluded_now_ = occluded;
-}
-
-void JointHistory::fold(const Row& row) {
-  const std::uint64_t index = rows_.pushed() - 1;
-  std::uint64_t rows_a_bucket = 4;
-  for (auto& level : levels_) {
-    if (index % rows_a_bucket == 0)
-      level.push({row.t, row.joint, row.joint});
-    else
-      for (std::size_t i = 0; i < kJoints; ++i)
-        widen(level.back().low[i], level.back().high[i], row.joint[i]);
-    rows_a_bucket *= 4;
-  }
+  if (row.occluded && !occluded_now_) occluded_.push({snapshot.t, snapshot.t});
+  if (row.occluded || occluded_now_) occluded_.back().end = snapshot.t;
+  occluded_now_ = row.occluded;
 }
 
 std::optional<JointHistory::Row> JointHistory::at(double t) const {
-  if (rows_.empty()) return std::nullopt;
-  const std::size_t after = rows_.partitionPoint([&](const Row& row) { return row.t < t; });
-  if (after == rows_.size()) return rows_.back();
-  if (after == 0 || rows_[after].t - t < t - rows_[after - 1].t) return rows_[after];
-  return rows_[after - 1];
+  const Ring<Row>& rows = rows_.rows();
+  if (rows.empty() || (t < detailBegin() && begin() < detailBegin())) return std::nullopt;
+  const std::size_t after = rows.partitionPoint([&](const Row& row) { return row.t < t; });
+  if (after == rows.size()) return rows.back();
+  if (after == 0 || rows[after].t - t < t - rows[after - 1].t) return rows[after];
+  return rows[after - 1];
 }
 
 std::optional<JointHistory::CameraPoint> JointHistory::cameraAt(double t, double reach) const {
-  if (camera_.empty()) return std::nullopt;
-  const std::size_t after = camera_.partitionPoint([&](const CameraPoint& point) { return point.t < t; });
+  const Ring<CameraPoint>& camera = camera_.rows();
+  if (camera.empty()) return std::nullopt;
+  const std::size_t after = camera.partitionPoint([&](const CameraPoint& point) { return point.t < t; });
   std::optional<CameraPoint> best;
   for (const std::size_t i : {after, after - 1})
-    if (i < camera_.size() && std::abs(camera_[i].t - t) <= reach &&
-        (!best || std::abs(camera_[i].t - t) < std::abs(best->t - t)))
-      best = camera_[i];
+    if (i < camera.size() && std::abs(camera[i].t - t) <= reach &&
+        (!best || std::abs(camera[i].t - t) < std::abs(best->t - t)))
+      best = camera[i];
   return best;
 }
 

@@ -1,11 +1,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
-#include <limits>
 #include <optional>
 
 #include "core/tracking/snapshot.h"
+#include "widgets/figures/min_max_pyramid.h"
 #include "widgets/figures/ring.h"
 
 namespace capstan::widgets {
@@ -16,25 +17,25 @@ struct JointValues {
   float truth, kinematic, ukf, ukf_sigma;
 };
 
-/// The curves of the newest ten minutes and more, for zooming from one sample to the whole session, in fixed
-/// memory (about 16 MB). Rows are kept as they came; above them lies a pyramid of buckets of 4, 16, 64 … rows
-/// with the lowest and highest value of each, so that a drawing takes few points at any zoom and no spike is
-/// lost.
+/// The curves of a session of a day and more, for zooming from one sample to all of it, in fixed memory
+/// (kBytes). The newest rows and camera measurements are kept as they came; above them lies a pyramid
+/// (min_max_pyramid.h) that keeps the lowest and highest value of each block of older ones, so that a drawing
+/// takes few points at any zoom and no spike is lost.
 class JointHistory {
  public:
   static constexpr std::size_t kRows = 163'840;  ///< 10.5 min at 200 rows and 60 camera updates a second
-  static constexpr std::size_t kCameraPoints = 65'536;  ///< 18 min at 60 Hz
-  static constexpr std::size_t kSpans = 8'192;          ///< occlusions
-  static constexpr double kSetBack = 1.0;               ///< back in time by more: another clock [s]
+  static constexpr std::uint64_t kReach = 86'400'000;       ///< rows in blocks: 24 h at 1 kHz
+  static constexpr std::size_t kCameraPoints = 65'536;      ///< 18 min at 60 Hz
+  static constexpr std::uint64_t kCameraReach = 5'184'000;  ///< in blocks: 24 h at 60 Hz
+  static constexpr std::size_t kSpans = 8'192;              ///< occlusions; older ones to a block
+  static constexpr std::size_t kBytes = 46'000'000;         ///< of all of it, at most
+  static constexpr double kSetBack = 1.0;                   ///< back in time by more: another clock [s]
   static constexpr int kJoints = 3;
 
   struct Row {
     double t = 0.0;
     std::array<JointValues, kJoints> joint;
-  };
-  struct Bucket {
-    double t = 0.0;  ///< of its first row
-    std::array<JointValues, kJoints> low, high;
+    bool occluded = false;  ///< of the highest of a block: in one of its rows
   };
   struct CameraPoint {
     double t = 0.0;  ///< exposure
@@ -44,7 +45,10 @@ class JointHistory {
     double begin = 0.0, end = 0.0;
   };
 
-  explicit JointHistory(std::size_t rows = kRows);
+  /// For a day.
+  JointHistory() : JointHistory(kRows, kReach, kCameraReach) {}
+  /// For `rows` and no more.
+  explicit JointHistory(std::size_t rows) : JointHistory(rows, rows, kCameraPoints) {}
 
   /// Takes a snapshot; one at the time of the last replaces it, one before the last is ignored, and one more
   /// than kSetBack before it begins the history anew.
@@ -52,55 +56,75 @@ class JointHistory {
   void clear();
 
   bool empty() const { return rows_.empty(); }
-  double begin() const { return rows_.empty() ? 0.0 : rows_[0].t; }
-  double end() const { return rows_.empty() ? 0.0 : rows_.back().t; }
+  double begin() const { return rows_.begin(); }
+  double end() const { return rows_.end(); }
+  /// From here on every row is there; before, the lowest and highest values of blocks.
+  double detailBegin() const { return rows_.detailBegin(); }
+  /// Length of the shortest block about time t [s]; 0 where every row is there.
+  double blockAt(double t) const { return rows_.blockAt(t); }
+  /// Memory that it holds.
+  std::size_t bytes() const;
 
-  /// Calls `draw(t, step, low, high)`, a bucket of `step` seconds from t on, in order of time over [begin,
-  /// end] and one step beyond each end, with the finest level that takes at most `most` calls, else the
-  /// coarsest. low == high where single rows are drawn.
+  /// Calls `draw(t, step, low, high)` with the values of the three joints as MinMaxPyramid::forEach does.
   template <class Draw>
-  void forEach(double begin, double end, std::size_t most, Draw&& draw) const;
+  void forEach(double begin, double end, std::size_t most, Draw&& draw) const {
+    rows_.forEach(begin, end, most, [&](double t, double step, const Row& low, const Row& high) {
+      draw(t, step, low.joint, high.joint);
+    });
+  }
+  /// The same of the camera's measurements, with an array of a value for each joint.
+  template <class Draw>
+  void forEachCamera(double begin, double end, std::size_t most, Draw&& draw) const {
+    camera_.forEach(begin, end, most,
+                    [&](double t, double step, const CameraPoint& low, const CameraPoint& high) {
+                      draw(t, step, low.value, high.value);
+                    });
+  }
+  /// Calls `draw(begin, end)` for the occlusions that touch [begin, end], in the order of time. Of those
+  /// older than the newest kSpans the ends are those of blocks, of which about `most` are looked at.
+  template <class Draw>
+  void forEachOcclusion(double begin, double end, std::size_t most, Draw&& draw) const;
 
-  /// The row nearest in time to t; nothing while empty.
+  /// The row nearest in time to t; nothing where no single row is kept.
   std::optional<Row> at(double t) const;
   /// The camera observation nearest to t if within `reach` [s].
   std::optional<CameraPoint> cameraAt(double t, double reach) const;
 
-  const Ring<Row>& rows() const { return rows_; }
-  const Ring<CameraPoint>& camera() const { return camera_; }
-  /// Times when the marker was lost in a picture, or the tip unseen; the last may still be going on.
+  const Ring<Row>& rows() const { return rows_.rows(); }
+  const Ring<CameraPoint>& camera() const { return camera_.rows(); }
+  /// The newest times when the marker was lost in a picture, or the tip unseen; the last may still be going
+  /// on.
   const Ring<Span>& occluded() const { return occluded_; }
 
  private:
-  void fold(const Row& row);
+  JointHistory(std::size_t rows, std::uint64_t reach, std::uint64_t camera_reach);
 
-  Ring<Row> rows_;
-  std::vector<Ring<Bucket>> levels_;  ///< level k holds buckets of 4^(k+1) rows
-  Ring<CameraPoint> camera_;
+  MinMaxPyramid<Row> rows_;
+  MinMaxPyramid<CameraPoint> camera_;
   Ring<Span> occluded_;
   bool occluded_now_ = false;
 };
 
+bool widen(JointHistory::Row& low, JointHistory::Row& high, const JointHistory::Row& by);
+bool widen(JointHistory::CameraPoint& low, JointHistory::CameraPoint& high,
+           const JointHistory::CameraPoint& by);
+
 template <class Draw>
-void JointHistory::forEach(double begin, double end, std::size_t most, Draw&& draw) const {
-  const auto range = [&](const auto& ring) {
-    const std::size_t first = ring.partitionPoint([&](const auto& item) { return item.t < begin; });
-    const std::size_t last = ring.partitionPoint([&](const auto& item) { return item.t <= end; });
-    return std::pair{first > 0 ? first - 1 : 0, last < ring.size() ? last + 1 : last};
-  };
-  if (const auto [first, last] = range(rows_); last - first <= most) {
-    for (std::size_t i = first; i < last; ++i) draw(rows_[i].t, 0.0, rows_[i].joint, rows_[i].joint);
-    return;
+void JointHistory::forEachOcclusion(double begin, double end, std::size_t most, Draw&& draw) const {
+  const bool forgotten = occluded_.pushed() > occluded_.size();
+  const double exact = forgotten ? occluded_[0].begin : begin;
+  if (begin < exact) {
+    std::optional<Span> span;
+    rows_.forEach(begin, std::min(end, exact), most, [&](double t, double step, const Row&, const Row& high) {
+      if (t >= exact) return;
+      if (span && span->end < t) span->end = t;
+      if (span && !high.occluded) draw(span->begin, span->end), span.reset();
+      if (high.occluded) span = Span{span ? span->begin : t, std::min(t + step, exact)};
+    });
+    if (span) draw(span->begin, span->end);
   }
-  for (const auto& level : levels_) {
-    const auto [first, last] = range(level);
-    if (last - first > most && &level != &levels_.back()) continue;
-    for (std::size_t i = first; i < last; ++i) {
-      const double next = i + 1 < level.size() ? level[i + 1].t : rows_.back().t;
-      draw(level[i].t, next - level[i].t, level[i].low, level[i].high);
-    }
-    return;
-  }
+  std::size_t i = occluded_.partitionPoint([&](const Span& span) { return span.end < begin; });
+  for (; i < occluded_.size() && occluded_[i].begin <= end; ++i) draw(occluded_[i].begin, occluded_[i].end);
 }
 
 }  // namespace capstan::widgets

@@ -1,6 +1,7 @@
 #include "widgets/figures/joint_plot.h"
 
 #include <cmath>
+#include <limits>
 
 #include "widgets/figures/number_text.h"
 #include "widgets/figures/round_ticker.h"
@@ -10,6 +11,7 @@ namespace capstan::widgets {
 namespace {
 
 constexpr double kDash = 8.0, kDashPeriod = 15.0;  ///< of the kinematic line, along time [px]
+constexpr double kProminence = 4.0;                ///< of a spike that no gap may hide [px]
 constexpr double kCasing = 0.8;                    ///< at each side of a dash [px]
 constexpr double kDotSize = 5.0;                   ///< [px]
 
@@ -32,6 +34,7 @@ JointPlot::JointPlot(QCustomPlot* plot, const JointHistory& history, int joint)
   axes_ = new QCPAxisRect(plot, true);
   axes_->setLayer("background");
   shade_ = new OcclusionShade(axes_, history, joint);
+  detail_mark_ = new DetailMark(axes_, history, joint == 0);
   QCPAxis* time = axes_->axis(QCPAxis::atBottom);
   QCPAxis* value = axes_->axis(QCPAxis::atLeft);
   for (QCPAxis* axis : {time, value}) {
@@ -72,6 +75,7 @@ void JointPlot::setTheme(const Theme& theme, bool vectors, double widths) {
   widths_ = widths;
   header_->setTheme(theme);
   shade_->setTheme(theme);
+  detail_mark_->setTheme(theme);
   axes_->setBackground(QBrush(theme.surface));
   for (QCPAxis* axis : axes_->axes()) {
     axis->setBasePen(QPen(theme.border, 1));
@@ -140,7 +144,8 @@ void JointPlot::fill(double begin, double end, std::size_t most) {
       include(static_cast<double>(value));
   });
   const double pixel = widths_ * (end - begin) / std::max(axes_->width(), 1);
-  cutDashes(kinematic_.points(), kDashPeriod * pixel, kDash * pixel, dashed_);
+  const double prominence = widths_ * kProminence * drawn_.size() / std::max(axes_->height(), 1);
+  DashCutter(kDashPeriod * pixel, kDash * pixel, prominence).cut(kinematic_.points(), dashed_);
   graph(Quantity::kTrue)->data()->set(truth_.points(), true);
   graph(Quantity::kKinematic)->data()->set(dashed_, true);
   casing_->setData(graph(Quantity::kKinematic)->data());
@@ -148,20 +153,25 @@ void JointPlot::fill(double begin, double end, std::size_t most) {
   fillCamera(begin, end);
 }
 
+/// Of more dots than can be drawn, the lowest and the highest of each block, at the times of its first and
+/// its last, in the order that follows the curve.
 void JointPlot::fillCamera(double begin, double end) {
   camera_.resize(0);
-  const auto& camera = history_.camera();
-  const std::size_t first = camera.partitionPoint([&](const auto& point) { return point.t < begin; });
-  const std::size_t last = camera.partitionPoint([&](const auto& point) { return point.t <= end; });
-  const std::size_t stride = (last - first) / most_dots_ + 1;
-  const std::uint64_t oldest =
-      camera.pushed() - camera.size();  // a dot keeps its place while the plot scrolls
-  for (std::size_t i = first; i < last; ++i)
-    if ((oldest + i) % stride == 0) {
-      const auto value = static_cast<double>(camera[i].value[static_cast<std::size_t>(joint_)]);
-      camera_.append({camera[i].t, value});
-      include(value);
-    }
+  const auto joint = static_cast<std::size_t>(joint_);
+  const auto add = [&](double t, double value) {
+    if (t < begin || t > end) return;
+    camera_.append({t, value});
+    include(value);
+  };
+  double last = -std::numeric_limits<double>::infinity();
+  history_.forEachCamera(
+      begin, end, most_dots_, [&](double t, double step, const auto& low, const auto& high) {
+        const auto a = static_cast<double>(low[joint]), b = static_cast<double>(high[joint]);
+        const bool rising = a + b >= last;
+        add(t, rising ? a : b);
+        if (a != b) add(t + step, rising ? b : a);
+        last = a + b;
+      });
   graph(Quantity::kCamera)->data()->set(camera_, true);
 }
 

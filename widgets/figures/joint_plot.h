@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "widgets/figures/curve.h"
+#include "widgets/figures/detail_mark.h"
 #include "widgets/figures/figure_header.h"
 #include "widgets/figures/joint_history.h"
 #include "widgets/figures/occlusion_shade.h"
@@ -30,7 +31,7 @@ class JointPlot {
   void setTheme(const Theme& theme, bool vectors, double widths = 1.0);
   void setTickPoints(double points);
 
-  /// Camera dots drawn at once; of more, every n-th.
+  /// Camera dots drawn at once; of more, the lowest and the highest of as many blocks.
   void setMostDots(std::size_t most) { most_dots_ = std::max<std::size_t>(most, 1); }
 
   /// Takes curves of [begin, end] at no more than `most` steps.
@@ -46,6 +47,7 @@ class JointPlot {
 
   QCPAxisRect* axes() const { return axes_; }
   const OcclusionShade& shade() const { return *shade_; }
+  const DetailMark& detailMark() const { return *detail_mark_; }
   FigureHeader* header() const { return header_; }
   QCPGraph* graph(Quantity quantity) const { return graphs_[static_cast<std::size_t>(quantity)]; }
   const SigmaBand& band() const { return *band_; }
@@ -60,6 +62,7 @@ class JointPlot {
   QCPAxisRect* axes_;
   FigureHeader* header_;
   OcclusionShade* shade_;
+  DetailMark* detail_mark_;
   std::array<QCPGraph*, 4> graphs_{};
   QCPGraph* casing_;  ///< the plot's ground about each dash: tells dash from line where both print grey
   SigmaBand* band_;

@@ -19,8 +19,8 @@ QPen lagPen(const Theme& theme, double line) { return {theme.accent, 1.8 * line}
 LagFigure::LagFigure(LagData data, QWidget* parent) : PanelFigure(parent), data_(std::move(data)) {
   setTitle(data_.title, data_.note);
   const learning::LagReport& lag = data_.lag;
-  const Panel& panel = addPanel({{tr("misfit of speeds [mm/s]"), false}},
-                                tr("lag of what is seen behind what was told [ms]"), {});
+  const Panel& panel =
+      addPanel({}, tr("lag of what is seen behind what was told [ms]"), tr("misfit of speeds [mm/s]"));
   QCPAxis* x = panel.axes->axis(QCPAxis::atBottom);
   QCPAxis* y = panel.axes->axis(QCPAxis::atLeft);
   panel.empty->setVisible(lag.tried.empty());

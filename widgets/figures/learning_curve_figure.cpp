@@ -1,6 +1,7 @@
 #include "widgets/figures/learning_curve_figure.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/base/units.h"
 #include "widgets/figures/figure_text.h"
@@ -34,13 +35,20 @@ QPen offsetPen(const Theme& theme, double line) {
   return pen;
 }
 
-/// Numbers of states that were learned from, as the ticks.
-QSharedPointer<QCPAxisTicker> statesTicker(const experiments::LearningCurve& curve) {
+/// Numbers of states that were learned from, as the ticks: the last, and of the others those with room.
+QSharedPointer<QCPAxisTicker> statesTicker(const experiments::LearningCurve& curve, const QCPAxis& axis) {
+  const QFontMetricsF metrics(axis.tickLabelFont());
   const auto ticker = QSharedPointer<QCPAxisTickerText>::create();
-  for (const auto& point : curve.points)
-    ticker->addTick(static_cast<double>(point.states), QString::number(point.states) + QLatin1Char('\n') +
-                                                           significantText(100.0 * point.share, 2) +
-                                                           QStringLiteral(" %"));
+  double right = std::numeric_limits<double>::infinity();
+  for (auto point = curve.points.rbegin(); point != curve.points.rend(); ++point) {
+    const QString words =
+        QStringLiteral("%1\n%2 %").arg(point->states).arg(significantText(100.0 * point->share, 2));
+    const auto states = static_cast<double>(point->states);
+    const double wide = metrics.size(0, words).width(), at = axis.coordToPixel(states);
+    if (at + 0.5 * wide + 0.5 * metrics.height() > right) continue;
+    right = at - 0.5 * wide;
+    ticker->addTick(states, words);
+  }
   return ticker;
 }
 
@@ -61,7 +69,7 @@ std::unique_ptr<Figure> LearningCurveFigure::copy() const {
 void LearningCurveFigure::build(bool angle) {
   const auto& points = data_.curve.points;
   const Panel& panel = addPanel({{angle ? tr("angle [deg]") : tr("distance [mm]"), true}},
-                                tr("states learned from, share of the training states"),
+                                tr("states learned from [–], share of the training states [%]"),
                                 angle ? tr("error [deg]") : tr("error [mm]"));
   panel.empty->setVisible(points.empty());
   QCPAxis* x = panel.axes->axis(QCPAxis::atBottom);
@@ -81,12 +89,18 @@ void LearningCurveFigure::build(bool angle) {
   curves.median->setData(keys, medians, true);
   curves.offset->setData({from, to}, QVector<double>(2, meanOf(data_.curve.offset, angle)), true);
   x->setRange(from, to);
-  x->setTicker(statesTicker(data_.curve));
   y->setRange(0.0, most > 0.0 ? 1.08 * most : 1.0);
   curves_.push_back(curves);
 }
 
 int LearningCurveFigure::columnsFor(QSize size) const { return size.width() >= 2 * kLeastPanelWidth ? 2 : 1; }
+
+void LearningCurveFigure::laidOut() {
+  for (const Panel& panel : panels()) {
+    QCPAxis* x = panel.axes->axis(QCPAxis::atBottom);
+    x->setTicker(statesTicker(data_.curve, *x));
+  }
+}
 
 void LearningCurveFigure::restyle() {
   const double line = scale().line;

@@ -24,6 +24,7 @@ class LearningCurveFigure : public PanelFigure {
  protected:
   int columnsFor(QSize size) const override;
   void restyle() override;
+  void laidOut() override;
 
  private:
   struct Curves {

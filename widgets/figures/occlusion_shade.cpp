@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace capstan::widgets {
 
@@ -23,29 +24,35 @@ void OcclusionShade::setTheme(const Theme& theme) {
   ink_ = theme.muted;
 }
 
+/// Occlusions that touch on the screen are one shade: shades upon each other would grow dark.
 void OcclusionShade::draw(QCPPainter* painter) {
   drawn_ = 0;
   labels_.clear();
   const QCPAxis* time = axes_->axis(QCPAxis::atBottom);
   const QCPRange range = time->range();
   const QRect area = axes_->rect();
-  const auto& spans = history_.occluded();
-  const std::size_t first = spans.partitionPoint([&](const auto& span) { return span.end < range.lower; });
   painter->setFont(textFont(9.0));
+  std::optional<QRectF> box;
+  history_.forEachOcclusion(range.lower, range.upper, kMostRows, [&](double begin, double end) {
+    const double left = std::max<double>(time->coordToPixel(begin), area.left());
+    const double right = std::min<double>(time->coordToPixel(end), area.right() + 1);
+    if (box && left > box->right()) drawBox(painter, *std::exchange(box, std::nullopt));
+    const QRectF next(left, area.top(), std::max(right - left, 1.0), area.height());
+    box = box ? box->united(next) : next;
+  });
+  if (box) drawBox(painter, *box);
+}
+
+void OcclusionShade::drawBox(QCPPainter* painter, const QRectF& box) {
+  painter->fillRect(box, shade_);
+  ++drawn_;
+  if (joint_ != 0) return;
   const QString word = QObject::tr("occluded");
-  const QSizeF word_size = QFontMetricsF(painter->font()).size(Qt::TextSingleLine, word);
-  for (std::size_t i = first; i < spans.size() && spans[i].begin <= range.upper; ++i) {
-    const double left = std::max<double>(time->coordToPixel(spans[i].begin), area.left());
-    const double right = std::min<double>(time->coordToPixel(spans[i].end), area.right() + 1);
-    const QRectF box(left, area.top(), std::max(right - left, 1.0), area.height());
-    painter->fillRect(box, shade_);
-    ++drawn_;
-    const auto place = joint_ == 0 ? placeFor(word_size, box) : std::nullopt;
-    if (!place) continue;
-    painter->setPen(ink_);
-    painter->drawText(*place, Qt::AlignCenter | Qt::TextDontClip, word);
-    labels_.push_back(*place);
-  }
+  const auto place = placeFor(QFontMetricsF(painter->font()).size(Qt::TextSingleLine, word), box);
+  if (!place) return;
+  painter->setPen(ink_);
+  painter->drawText(*place, Qt::AlignCenter | Qt::TextDontClip, word);
+  labels_.push_back(*place);
 }
 
 std::optional<QRectF> OcclusionShade::placeFor(const QSizeF& word, const QRectF& box) const {
@@ -75,9 +82,10 @@ std::optional<QCPRange> OcclusionShade::valuesWithin(double begin, double end) c
                               low.ukf - 2.0F * high.ukf_sigma, high.ukf + 2.0F * high.ukf_sigma})
       include(value);
   });
-  const auto& camera = history_.camera();
-  const std::size_t first = camera.partitionPoint([&](const auto& point) { return point.t < begin; });
-  for (std::size_t i = first; i < camera.size() && camera[i].t <= end; ++i) include(camera[i].value[joint_]);
+  history_.forEachCamera(begin, end, kMostRows, [&](double, double, const auto& low, const auto& high) {
+    include(low[joint_]);
+    include(high[joint_]);
+  });
   if (!(least <= most)) return std::nullopt;
   return QCPRange(static_cast<double>(least), static_cast<double>(most));
 }

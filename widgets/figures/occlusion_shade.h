@@ -31,6 +31,7 @@ class OcclusionShade : public QCPLayerable {
   void draw(QCPPainter* painter) override;
 
  private:
+  void drawBox(QCPPainter* painter, const QRectF& box);
   std::optional<QRectF> placeFor(const QSizeF& word, const QRectF& box) const;
   /// Values of everything drawn in [begin, end] seconds; none: an empty optional.
   std::optional<QCPRange> valuesWithin(double begin, double end) const;

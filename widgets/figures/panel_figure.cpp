@@ -3,14 +3,14 @@
 #include <algorithm>
 
 #include "widgets/figures/round_ticker.h"
+#include "widgets/figures/tick_fit.h"
 
 namespace capstan::widgets {
 
 namespace {
 
-constexpr int kMargin = 6;            ///< about everything [px]
-constexpr int kLeastAxesHeight = 34;  ///< below it headers lose their second rank [px]
-constexpr int kPanelSpacing = 10;     ///< between panels [px]
+constexpr int kMargin = 6;         ///< about everything [px]
+constexpr int kPanelSpacing = 10;  ///< between panels [px]
 
 }  // namespace
 
@@ -47,9 +47,14 @@ QString PanelFigure::caption() const {
 
 PanelFigure::Panel& PanelFigure::addPanel(std::vector<TextRow::Line> header, const QString& x_label,
                                           const QString& y_label, QCPAxisRect* axes) {
-  Panel panel{new QCPLayoutGrid, new TextRow(this), axes ? axes : new QCPAxisRect(this, true),
-              x_label,           y_label,           nullptr};
-  panel.header->setLines(std::move(header));
+  Panel panel{new QCPLayoutGrid,
+              new TextRow(this),
+              axes ? axes : new QCPAxisRect(this, true),
+              x_label,
+              y_label,
+              nullptr,
+              group_ >= 0 ? group_ : static_cast<int>(panels_.size()),
+              std::move(header)};
   panel.cell->setRowSpacing(1);
   panel.cell->addElement(0, 0, panel.header);
   panel.cell->addElement(1, 0, panel.axes);
@@ -71,6 +76,7 @@ PanelFigure::Panel& PanelFigure::addPanel(std::vector<TextRow::Line> header, con
   panel.empty->position->setCoords(0.5, 0.5);
   panel.empty->setText(tr("no data"));
   panel.empty->setVisible(false);
+  shown_.push_back(panels_.size());
   panels_.push_back(panel);
   columns_ = 0;
   return panels_.back();
@@ -81,52 +87,105 @@ void PanelFigure::setTheme(const Theme& theme) {
   fit();
 }
 
+void PanelFigure::setTitled(bool titled) {
+  titled_ = titled;
+  fit();
+}
+
+void PanelFigure::setShown(std::vector<std::size_t> panels) {
+  shown_ = std::move(panels);
+  columns_ = 0;
+  fit();
+}
+
+void PanelFigure::setYielding(bool yielding) {
+  yielding_ = yielding;
+  fit();
+}
+
+bool PanelFigure::fits() const {
+  const auto whole = [](const auto& row) { return row.rect().height() >= row.needed(); };
+  return whole(*title_) && whole(*legend_) && std::all_of(shown_.begin(), shown_.end(), [&](std::size_t i) {
+           const Panel& panel = panels_[i];
+           return whole(*panel.header) && panel.axes->height() >= leastHeight(i) &&
+                  panel.axes->width() >= kLeastAxesWidth;
+         });
+}
+
 void PanelFigure::fit() {
   setViewport(rect());
   scale_ = SheetScale::of(width());
-  const double inner = width() - 2.0 * kMargin;
   setBackground(QBrush(theme_->surface));
+  title_->setVisible(titled_);
   title_->setColours(theme_->text, theme_->muted);
-  title_->fit(scale_.title, scale_.text, inner);
   restyle();
   legend_->setColour(theme_->text);
-  legend_->fit(scale_.text, inner);
-  const int columns = std::clamp(columnsFor(size()), 1, std::max(1, static_cast<int>(panels_.size())));
-  arrange(columns);
-  const double wide = (inner - (columns - 1) * kPanelSpacing) / columns;
+  legend_->fit(scale_.text, width() - 2.0 * kMargin);
+  arrange(std::clamp(columnsFor(size()), 1, std::max(1, static_cast<int>(shown_.size()))));
   for (const Panel& panel : panels_) styleAxes(panel);
-  fitHeaders(wide, false);
-  fitLabels();
-  const bool crowded = std::any_of(panels_.begin(), panels_.end(), [](const Panel& panel) {
-    return panel.axes->height() < kLeastAxesHeight;
-  });
-  if (crowded) {
-    fitHeaders(wide, true);
-    fitLabels();
+  for (const Words words : {Words::kAll, Words::kNoSecondRank, Words::kNoNote, Words::kOneLabel}) {
+    fitWords(words);
+    if (!yielding_ || fits()) break;
   }
-  laidOut();
+  hideOthers();
   replot(rpQueuedReplot);
 }
 
+void PanelFigure::fitWords(Words words) {
+  const double inner = width() - 2.0 * kMargin, wide = (inner - (columns_ - 1) * kPanelSpacing) / columns_;
+  chooseHeaders();
+  title_->setBrief(words >= Words::kNoNote);
+  title_->fit(scale_.title, scale_.text, inner);
+  for (const Panel& panel : panels_) {
+    panel.header->setBrief(words >= Words::kNoSecondRank);
+    panel.header->setColours(theme_->text, theme_->muted);
+    panel.header->fit(scale_.text, scale_.tick, wide);
+  }
+  fitLabels(words >= Words::kOneLabel);
+  laidOut();
+  fitTicks();
+}
+
+void PanelFigure::chooseHeaders() {
+  for (std::size_t i = 0; i < shown_.size(); ++i) {
+    const Panel& panel = panels_[shown_[i]];
+    const bool below = columns_ == 1 && i > 0 && panels_[shown_[i - 1]].group == panel.group;
+    panel.header->setLines(below || panel.alone.empty() ? panel.lines : panel.alone);
+  }
+}
+
 void PanelFigure::arrange(int columns) {
-  if (columns == columns_ || panels_.empty()) return;
+  if (columns == columns_ || shown_.empty()) return;
   columns_ = columns;
   for (const Panel& panel : panels_) {
-    if (panel.cell->layout()) grid_->take(panel.cell);
+    if (panel.cell->layout()) panel.cell->layout()->take(panel.cell);
     panel.axes->setMarginGroup(QCP::msLeft | QCP::msRight | QCP::msBottom, nullptr);
   }
   grid_->simplify();
   qDeleteAll(groups_);
   groups_.clear();
   for (int row = 0; row < grid_->rowCount(); ++row) grid_->setRowStretchFactor(row, 1.0);
-  const int rows = (static_cast<int>(panels_.size()) + columns - 1) / columns;
+  const int rows = (static_cast<int>(shown_.size()) + columns - 1) / columns;
   for (int i = 0; i < columns + rows; ++i) groups_.push_back(new QCPMarginGroup(this));
-  for (std::size_t i = 0; i < panels_.size(); ++i) {
+  for (std::size_t i = 0; i < shown_.size(); ++i) {
     const int row = static_cast<int>(i) / columns, column = static_cast<int>(i) % columns;
-    grid_->addElement(row, column, panels_[i].cell);
-    panels_[i].axes->setMarginGroup(QCP::msLeft, groups_[static_cast<std::size_t>(column)]);
-    panels_[i].axes->setMarginGroup(QCP::msBottom, groups_[static_cast<std::size_t>(columns + row)]);
+    const Panel& panel = panels_[shown_[i]];
+    grid_->addElement(row, column, panel.cell);
+    panel.axes->setMarginGroup(QCP::msLeft, groups_[static_cast<std::size_t>(column)]);
+    panel.axes->setMarginGroup(QCP::msBottom, groups_[static_cast<std::size_t>(columns + row)]);
   }
+}
+
+/// What stands in panels of other pages is not drawn, and takes no part in the layout.
+void PanelFigure::hideOthers() {
+  const auto isShown = [&](const QCPAxisRect* axes) {
+    return std::any_of(shown_.begin(), shown_.end(), [&](std::size_t i) { return panels_[i].axes == axes; });
+  };
+  if (shown_.size() == panels_.size()) return;
+  for (const Panel& panel : panels_) panel.cell->setVisible(isShown(panel.axes));
+  for (int i = 0; i < itemCount(); ++i)
+    for (const QCPItemPosition* position : item(i)->positions())
+      if (position->axisRect() && !isShown(position->axisRect())) item(i)->setVisible(false);
 }
 
 void PanelFigure::styleAxes(const Panel& panel) const {
@@ -146,65 +205,92 @@ void PanelFigure::styleAxes(const Panel& panel) const {
   }
 }
 
-void PanelFigure::fitHeaders(double width, bool brief) {
-  for (const Panel& panel : panels_) {
-    panel.header->setBrief(brief);
-    panel.header->setColours(theme_->text, theme_->muted);
-    panel.header->fit(scale_.text, scale_.tick, width);
-  }
-}
-
 void PanelFigure::layOutPanels() {
   plotLayout()->update(QCPLayoutElement::upPreparation);
   plotLayout()->update(QCPLayoutElement::upMargins);
   plotLayout()->update(QCPLayoutElement::upLayout);
 }
 
-/// Labels and as many numbers as there is room for. Where panels of one x label stand below each other, the
-/// x axis is labelled below the lowest; a value axis too short for its label has its unit in the panel's
-/// header. A label with a unit stays beside its axis: beyond it, it would stand between the topmost number
-/// and the header.
-void PanelFigure::fitLabels() {
+/// Every axis with numbers has its label and unit; of panels below each other that share an x axis, or, with
+/// `one_label`, an x label, the lowest.
+void PanelFigure::fitLabels(bool one_label) {
+  const auto& first = panels_[shown_.empty() ? 0 : shown_[0]].x_label;
+  const bool same =
+      std::all_of(shown_.begin(), shown_.end(), [&](std::size_t i) { return panels_[i].x_label == first; });
+  const auto isLowest = [&](std::size_t i) {
+    return i + static_cast<std::size_t>(columns_) >= shown_.size();
+  };
+  for (std::size_t i = 0; i < shown_.size(); ++i) label(panels_[shown_[i]], isLowest(i), same && one_label);
+  layOutPanels();
+  const QFont font = textFont(scale_.tick);
+  for (std::size_t i = 0; i < shown_.size(); ++i) {
+    QCPAxis* x = panels_[shown_[i]].axes->axis(QCPAxis::atBottom);
+    const double room = panels_[shown_[i]].axes->width() + 2.0 * QFontMetricsF(font).height();
+    if (QFontMetricsF(font).horizontalAdvance(x->label()) > room)
+      x->setLabel(wrapText(x->label().replace(QLatin1String(" ["), QStringLiteral("\u00a0[")), font, room)
+                      .join(QLatin1Char('\n')));
+  }
+  layOutPanels();
+}
+
+void PanelFigure::label(const Panel& panel, bool lowest, bool one_label) {
+  const double height = QFontMetricsF(textFont(scale_.tick)).height();
+  QCPAxis* x = panel.axes->axis(QCPAxis::atBottom);
+  x->setTickLabels(lowest || !sharesX());
+  x->setLabel(lowest || !(sharesX() || one_label) ? panel.x_label : QString());
+  panel.axes->axis(QCPAxis::atLeft)->setLabel(panel.y_label);
+  panel.axes->setMinimumMargins(QMargins(4, 3, static_cast<int>(0.9 * height), 3));
+}
+
+/// A label longer than its axis would stand beside the header: its unit stays, in a window that is too low
+/// even for this its name.
+void PanelFigure::fitYLabel(const Panel& panel) const {
   const QFontMetricsF metrics(textFont(scale_.tick));
-  const double label = metrics.height();
-  const bool one_label = std::all_of(panels_.begin(), panels_.end(),
-                                     [&](const Panel& panel) { return panel.x_label == panels_[0].x_label; });
-  for (std::size_t i = 0; i < panels_.size(); ++i) {
-    QCPAxis* x = panels_[i].axes->axis(QCPAxis::atBottom);
-    const bool lowest = i + static_cast<std::size_t>(columns_) >= panels_.size();
-    x->setLabel(lowest || !one_label ? panels_[i].x_label : QString());
-    x->setTickLabels(lowest || !sharesX());
-    panels_[i].axes->axis(QCPAxis::atLeft)->setLabel(panels_[i].y_label);
-    panels_[i].axes->setMinimumMargins(QMargins(4, 3, static_cast<int>(0.9 * label), 3));
+  const int bracket = panel.y_label.lastIndexOf(QLatin1Char('['));
+  const QString name = panel.y_label.left(bracket).trimmed(), unit = panel.y_label.mid(bracket);
+  for (const QString& words : {panel.y_label, unit, name}) {
+    panel.axes->axis(QCPAxis::atLeft)->setLabel(words);
+    if (metrics.horizontalAdvance(words) <= panel.axes->height()) break;
+  }
+}
+
+/// As many numbers as stand apart, and room for the halves of those at the ends.
+void PanelFigure::fitTicks() {
+  layOutPanels();
+  const double height = QFontMetricsF(textFont(scale_.tick)).height();
+  for (const std::size_t i : shown_) {
+    const QCPAxisRect& axes = *panels_[i].axes;
+    fitTickCount(*axes.axis(QCPAxis::atBottom),
+                 std::min(10, static_cast<int>(axes.width() / (2.4 * height))));
+    fitTickCount(*axes.axis(QCPAxis::atLeft), std::min(7, static_cast<int>(axes.height() / (1.9 * height))));
   }
   layOutPanels();
-  for (const Panel& panel : panels_) {
-    QCPAxis* x = panel.axes->axis(QCPAxis::atBottom);
-    QCPAxis* y = panel.axes->axis(QCPAxis::atLeft);
-    const QString name = panel.y_label.section(QLatin1String(" ["), 0, 0);
-    for (const QString& words : {panel.y_label, name, QString()}) {
-      y->setLabel(words);
-      const double room = panel.axes->height() + (words == name ? label : 0.0);
-      if (metrics.horizontalAdvance(words) <= room) break;
-    }
-    x->ticker()->setTickCount(std::clamp(static_cast<int>(panel.axes->width() / (2.9 * label)), 2, 10));
-    y->ticker()->setTickCount(std::clamp(static_cast<int>(panel.axes->height() / (1.9 * label)), 2, 7));
+  for (const std::size_t i : shown_) {
+    QMargins margins = panels_[i].axes->minimumMargins();
+    margins.setTop(std::max(margins.top(), overhang(*panels_[i].axes->axis(QCPAxis::atLeft))));
+    margins.setRight(std::max(margins.right(), overhang(*panels_[i].axes->axis(QCPAxis::atBottom))));
+    panels_[i].axes->setMinimumMargins(margins);
   }
   layOutPanels();
-  if (columns_ == 1 && sharesX()) balanceRows();
+  if (sharesX()) balanceRows();
+  for (const std::size_t i : shown_) fitYLabel(panels_[i]);
+  layOutPanels();
 }
 
 /// Axes below each other become equally high, whatever stands above and below them.
 void PanelFigure::balanceRows() {
-  const auto rows = static_cast<int>(panels_.size());
-  double axes = 0.0;
-  std::vector<double> beside;
-  for (const Panel& panel : panels_) {
-    beside.push_back(panel.cell->outerRect().height() - panel.axes->height());
-    axes += panel.axes->height();
+  const auto columns = static_cast<std::size_t>(columns_);
+  std::vector<double> beside((shown_.size() + columns - 1) / columns, 0.0);
+  for (std::size_t i = 0; i < shown_.size(); ++i) {
+    const Panel& panel = panels_[shown_[i]];
+    double& most = beside[i / columns];
+    most = std::max<double>(most, panel.cell->outerRect().height() - panel.axes->height());
   }
-  for (int row = 0; row < rows; ++row)
-    grid_->setRowStretchFactor(row, std::max(1.0, beside[static_cast<std::size_t>(row)] + axes / rows));
+  double left = grid_->rect().height();
+  for (const double height : beside) left -= height;
+  for (std::size_t row = 0; row < beside.size(); ++row)
+    grid_->setRowStretchFactor(static_cast<int>(row),
+                               std::max(1.0, beside[row] + left / static_cast<double>(beside.size())));
   layOutPanels();
 }
 

@@ -11,6 +11,8 @@ namespace capstan::widgets {
 
 namespace {
 
+constexpr double kGap = 10.0;  ///< periods without an observation that are shaded
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr int kLeastPanelWidth = 280;                              ///< [px] of panels side by side
 constexpr std::array<std::size_t, 6> kOrder = {0, 3, 1, 4, 2, 5};  ///< positions left, angles right
 
@@ -49,7 +51,10 @@ std::unique_ptr<Figure> PoseTraceFigure::copy() const { return std::make_unique<
 void PoseTraceFigure::build(std::size_t degree) {
   const QString name = QString::fromUtf8(experiments::kDegreesOfFreedom[degree]);
   const QString unit = degree < 3 ? tr("mm") : tr("deg");
-  const Panel& panel = addPanel({{QStringLiteral("%1 [%2]").arg(name, unit), true}}, tr("time [s]"), {});
+  setGroup(degree < 3 ? 0 : 1);
+  const Panel& panel = addPanel({{QStringLiteral("%1 [%2]").arg(name, unit), true}}, tr("time [s]"),
+                                QStringLiteral("%1 [%2]").arg(name, unit));
+  gaps_.push_back(new TimeShade(panel.axes, gapsIn(data_.t, kGap * typicalPeriod(data_.t))));
   QCPAxis* x = panel.axes->axis(QCPAxis::atBottom);
   QCPAxis* y = panel.axes->axis(QCPAxis::atLeft);
   panel.empty->setVisible(data_.t.empty());
@@ -58,15 +63,19 @@ void PoseTraceFigure::build(std::size_t degree) {
   const QCPRange range = rangeOf(data_, left_out, degree);
   y->setRange(range);
   Curves curves{};
-  const QVector<double> t(data_.t.begin(), data_.t.end());
+  const double longest = kGap * typicalPeriod(data_.t);
   // The last estimate below, what it is to reach on top: each stays visible where they coincide.
   for (const std::size_t s : {std::size_t{1}, std::size_t{2}, std::size_t{0}}) {
     curves.course[s] = addGraph(x, y);
     curves.course[s]->setAdaptiveSampling(false);
-    QVector<double> course(data_.course[s][degree].begin(), data_.course[s][degree].end());
-    for (int k = 0; s > 0 && k < course.size(); ++k)
-      if (left_out[static_cast<std::size_t>(k)]) course[k] = std::numeric_limits<double>::quiet_NaN();
-    if (!course.isEmpty()) curves.course[s]->setData(t, course, true);
+    QVector<double> t, course;
+    for (std::size_t k = 0; k < data_.course[s][degree].size(); ++k) {
+      const bool gap = k > 0 && data_.t[k] - data_.t[k - 1] > longest;
+      if (gap) t << data_.t[k - 1], course << kNone;
+      t << data_.t[k];
+      course << (s > 0 && left_out[k] ? kNone : data_.course[s][degree][k]);
+    }
+    curves.course[s]->setData(t, course, true);
   }
   curves.rejected = addGraph(x, y);
   curves.rejected->setLineStyle(QCPGraph::lsNone);
@@ -99,6 +108,9 @@ void PoseTraceFigure::restyle() {
   for (const Curves& curves : curves_) curves.rejected->setScatterStyle(mark);
   if (std::find(data_.rejected.begin(), data_.rejected.end(), true) != data_.rejected.end())
     entries.push_back(markEntry(tr("rejected"), mark));
+  for (TimeShade* gap : gaps_) gap->setColour(theme().occluded);
+  if (!gaps_.front()->spans().empty())
+    entries.push_back(areaEntry(tr("occluded: no observation"), theme().occluded));
   setLegend(std::move(entries));
 }
 

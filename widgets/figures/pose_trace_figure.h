@@ -5,6 +5,7 @@
 
 #include "widgets/figures/panel_figure.h"
 #include "widgets/figures/pose_source.h"
+#include "widgets/figures/time_shade.h"
 
 namespace capstan::widgets {
 
@@ -45,6 +46,7 @@ class PoseTraceFigure : public PanelFigure {
 
   PoseTraceData data_;
   std::vector<Curves> curves_;
+  std::vector<TimeShade*> gaps_;
 };
 
 }  // namespace capstan::widgets

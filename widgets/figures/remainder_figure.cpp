@@ -6,6 +6,7 @@
 
 #include "core/diagnosis/shown.h"
 #include "widgets/figures/figure_text.h"
+#include "widgets/figures/legend_entries.h"
 
 namespace capstan::widgets {
 
@@ -100,11 +101,14 @@ void RemainderFigure::build(const RemainderTrace& trace) {
   const QString channel = fromUtf8(trace.channel), unit = fromUtf8(shownUnit(trace.unit).unit);
   const double scale = shownUnit(trace.unit).scale;
   const bool extended = !trace.extended.empty();
+  const std::vector<TimeSpan> gaps = gapsIn(trace.t, kGap * trace.period);
+  setGroup(static_cast<int>(noise_.size()));
   const QCPRange time = trace.t.size() > 1 ? QCPRange(trace.t.front(), trace.t.back()) : QCPRange(0.0, 1.0);
   const auto dress = [&](const Panel& panel, const QCPRange& values) {
     panel.axes->axis(QCPAxis::atBottom)->setRange(time);
     panel.axes->axis(QCPAxis::atLeft)->setRange(values);
     panel.empty->setVisible(trace.t.empty());
+    gaps_.push_back(new TimeShade(panel.axes, gaps));
     return panel.axes;
   };
   QCPAxisRect* traces =
@@ -193,6 +197,12 @@ void RemainderFigure::restyle() {
                        }});
   entries.push_back({tr("sensor noise ± 2σ"),
                      [shade](QCPPainter* painter, const QRectF& box) { painter->fillRect(box, shade); }});
+  bool some = false;
+  for (TimeShade* gap : gaps_) {
+    gap->setColour(theme().occluded);
+    some = some || !gap->spans().empty();
+  }
+  if (some) entries.push_back(areaEntry(tr("occluded: no sample"), theme().occluded));
   setLegend(std::move(entries));
 }
 

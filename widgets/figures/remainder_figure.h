@@ -5,6 +5,7 @@
 #include "core/diagnosis/report.h"
 #include "widgets/figures/panel_figure.h"
 #include "widgets/figures/sigma_band.h"
+#include "widgets/figures/time_shade.h"
 
 namespace capstan::widgets {
 
@@ -64,6 +65,7 @@ class RemainderFigure : public PanelFigure {
   RemainderData data_;
   std::vector<Curve> curves_;
   std::vector<SigmaBand*> noise_;
+  std::vector<TimeShade*> gaps_;
 };
 
 }  // namespace capstan::widgets

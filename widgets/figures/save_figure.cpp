@@ -4,7 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 
 #include "core/base/error.h"
 #include "core/base/yaml.h"
@@ -34,13 +37,13 @@ bool saveSvg(QCustomPlot& plot, const QString& file, QSize size) {
 /// A number as CSV has it, nine digits (those of a float); empty where there is none.
 std::string cell(float value) { return std::isnan(value) ? std::string(",") : fmt::format(",{:.9g}", value); }
 
-std::string tableHeader() {
+std::string tableHeader(bool blocks) {
   std::string line = "t [s]";
   for (int joint = 0; joint < JointHistory::kJoints; ++joint)
     for (const char* what : {"true", "kinematic", "camera", "ukf", "ukf_sigma"})
       line += fmt::format(",q{}_{} [{}]", joint + 1, what,
                           tracking::kJointUnits[static_cast<std::size_t>(joint)]);
-  return line + "\n";
+  return line + (blocks ? ",block [s],of block\n" : "\n");
 }
 
 /// The text of one row; `values` or `camera` may be missing.
@@ -52,7 +55,37 @@ std::string tableRow(double t, const JointHistory::Row* row, const JointHistory:
     for (const float value : {values.truth, values.kinematic, seen, values.ukf, values.ukf_sigma})
       line += cell(value);
   }
-  return line + "\n";
+  return line;
+}
+
+/// Rows of the time before the history's full detail, in the order of time.
+std::string blockRows(const JointHistory& history, double begin, double end) {
+  constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
+  std::multimap<double, std::string> lines;
+  const auto add = [&](double t, double step, const std::string& low, const std::string& high) {
+    lines.emplace(t, low + fmt::format(",{:.6f},lowest\n", step));
+    lines.emplace(t, high + fmt::format(",{:.6f},highest\n", step));
+  };
+  const double rows_end = history.detailBegin();
+  history.forEach(begin, std::min(end, rows_end), kAll,
+                  [&](double t, double step, const auto& low, const auto& high) {
+                    const JointHistory::Row least{t, low}, most{t, high};
+                    if (t >= begin && t <= end && t < rows_end)
+                      add(t, step, tableRow(t, &least, nullptr), tableRow(t, &most, nullptr));
+                  });
+  const double camera_end = history.camera().empty() ? 0.0 : history.camera()[0].t;
+  history.forEachCamera(begin, std::min(end, camera_end), kAll,
+                        [&](double t, double step, const auto& low, const auto& high) {
+                          const JointHistory::CameraPoint least{t, low}, most{t, high};
+                          if (t >= begin && t <= end && t < camera_end)
+                            add(t, step, tableRow(t, nullptr, &least), tableRow(t, nullptr, &most));
+                        });
+  const auto& camera = history.camera();
+  for (std::size_t i = 0; i < camera.size() && camera[i].t <= end && camera[i].t < rows_end; ++i)
+    if (camera[i].t >= begin) lines.emplace(camera[i].t, tableRow(camera[i].t, nullptr, &camera[i]) + ",,\n");
+  std::string text;
+  for (const auto& [t, line] : lines) text += line;
+  return text;
 }
 
 }  // namespace
@@ -81,34 +114,58 @@ void saveFigure(JointFigure& figure, const std::filesystem::path& path, QSize si
         {path.string(), 0, {}, {}, "cannot be written", "Check the folder and its rights."});
 }
 
+std::vector<std::unique_ptr<JointFigure>> jointPages(const JointHistory& history,
+                                                     const std::array<QString, 3>& joint_names, double begin,
+                                                     double end, QSize size) {
+  const auto page = [&](std::optional<int> joint) {
+    auto figure = std::make_unique<JointFigure>(history, JointFigure::Medium::kPaper);
+    figure->setTheme(Theme::light());
+    figure->setJointNames(joint_names);
+    if (joint) figure->showOnly(*joint);
+    figure->resize(size);
+    figure->setTimeRange(begin, end);
+    figure->refresh(true);  // lays out
+    figure->refresh(true);
+    return figure;
+  };
+  std::vector<std::unique_ptr<JointFigure>> pages;
+  pages.push_back(page({}));
+  if (pages.front()->fits()) return pages;
+  pages.clear();
+  for (int joint = 0; joint < JointHistory::kJoints; ++joint) pages.push_back(page(joint));
+  return pages;
+}
+
 void saveJointFigure(const JointHistory& history, const std::array<QString, 3>& joint_names, double begin,
                      double end, const std::filesystem::path& path, QSize size) {
-  JointFigure figure(history, JointFigure::Medium::kPaper);
-  figure.setTheme(Theme::light());
-  figure.setJointNames(joint_names);
-  figure.resize(size);
-  figure.setTimeRange(begin, end);
-  figure.refresh(true);  // lays out
-  figure.refresh(true);
-  saveFigure(figure, path, size);
+  const auto pages = jointPages(history, joint_names, begin, end, size);
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    const std::string number = pages.size() > 1 ? "-page-" + std::to_string(i + 1) : std::string();
+    const std::string name = path.stem().string() + number + path.extension().string();
+    saveFigure(*pages[i], path.parent_path() / name, size);
+  }
 }
 
 void saveJointTable(const JointHistory& history, double begin, double end,
                     const std::filesystem::path& path) {
-  std::string text = tableHeader();
+  const bool blocks = begin < history.detailBegin() && history.begin() < history.detailBegin();
+  const char* end_of_line = blocks ? ",,\n" : "\n";
+  std::string text = tableHeader(blocks);
+  if (blocks) text += blockRows(history, begin, end);
   const auto& camera = history.camera();
   const auto& rows = history.rows();
-  std::size_t next = camera.partitionPoint([&](const auto& point) { return point.t < begin; });
+  const double single = blocks ? std::max(begin, history.detailBegin()) : begin;
+  std::size_t next = camera.partitionPoint([&](const auto& point) { return point.t < single; });
   std::size_t i = rows.partitionPoint([&](const auto& row) { return row.t < begin; });
   for (; i < rows.size() && rows[i].t <= end; ++i) {
     for (; next < camera.size() && camera[next].t < rows[i].t; ++next)
-      text += tableRow(camera[next].t, nullptr, &camera[next]);
+      text += tableRow(camera[next].t, nullptr, &camera[next]) + end_of_line;
     const bool both = next < camera.size() && camera[next].t == rows[i].t;
-    text += tableRow(rows[i].t, &rows[i], both ? &camera[next] : nullptr);
+    text += tableRow(rows[i].t, &rows[i], both ? &camera[next] : nullptr) + end_of_line;
     if (both) ++next;
   }
   for (; next < camera.size() && camera[next].t <= end; ++next)
-    text += tableRow(camera[next].t, nullptr, &camera[next]);
+    text += tableRow(camera[next].t, nullptr, &camera[next]) + end_of_line;
   base::writeTextFile(path, text);
 }
 

@@ -3,7 +3,6 @@
 #include <qcustomplot.h>
 
 #include <QPdfWriter>
-#include <QResizeEvent>
 #include <QSvgGenerator>
 #include <cmath>
 
@@ -67,13 +66,6 @@ bool savePng(QCustomPlot& plot, const QString& file, PaperSize size) {
   return image.save(file, "png");
 }
 
-/// Lays out a plot that may not be on screen, where no resize event comes.
-void resizePlot(QCustomPlot& plot, QSize size) {
-  QResizeEvent event(size, plot.size());
-  plot.resize(size);
-  QCoreApplication::sendEvent(&plot, &event);
-}
-
 }  // namespace
 
 void savePlot(QCustomPlot& plot, const std::filesystem::path& path, PaperSize size, const QString& title) {
@@ -98,15 +90,16 @@ void savePlot(QCustomPlot& plot, const std::filesystem::path& path, PaperSize si
 }
 
 std::vector<std::filesystem::path> exportFigure(const Figure& figure, const std::filesystem::path& base,
-                                                PaperSize size, const std::vector<std::string>& endings) {
-  const auto paper = figure.copy();
-  paper->setTheme(Theme::light());
-  resizePlot(paper->canvas(), size.dots());
+                                                const PageOptions& options,
+                                                const std::vector<std::string>& endings) {
+  const auto pages = pagesOf(figure, options);
   std::vector<std::filesystem::path> written;
-  for (const std::string& ending : endings) {
-    written.emplace_back(base.string() + ending);
-    savePlot(paper->canvas(), written.back(), size, figure.caption());
-  }
+  for (std::size_t i = 0; i < pages.size(); ++i)
+    for (const std::string& ending : endings) {
+      const std::string number = pages.size() > 1 ? "-page-" + std::to_string(i + 1) : std::string();
+      written.emplace_back(base.string() + number + ending);
+      savePlot(pages[i]->canvas(), written.back(), options.size, figure.caption());
+    }
   for (const FigureNumbers& numbers : figure.numbers()) {
     written.emplace_back(base.string() + numbers.suffix + ".csv");
     base::writeTextFile(written.back(), numbers.csv);

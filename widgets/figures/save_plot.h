@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "widgets/figures/figure.h"
+#include "widgets/figures/page_layout.h"
 #include "widgets/figures/paper_size.h"
 
 namespace capstan::widgets {
@@ -17,10 +18,11 @@ inline const std::vector<std::string> kPictureEndings = {".pdf", ".svg", ".png"}
 /// is whole. Needs no display. Throws base::InputError for another ending or an unwritable place.
 void savePlot(QCustomPlot& plot, const std::filesystem::path& path, PaperSize size, const QString& title);
 
-/// The figure on paper, light whatever its theme on screen: base.pdf, base.svg and base.png (of `endings`),
-/// and its numbers as base*.csv. Returns what was written. Throws base::InputError.
+/// The figure on paper, light whatever its theme on screen, on as many pages as it needs (page_layout.h):
+/// base.pdf, base.svg and base.png (of `endings`), of several pages base-page-1.pdf, base-page-2.pdf …; and its numbers
+/// as base*.csv. Returns what was written. Throws base::InputError.
 std::vector<std::filesystem::path> exportFigure(const Figure& figure, const std::filesystem::path& base,
-                                                PaperSize size = {},
+                                                const PageOptions& options = {},
                                                 const std::vector<std::string>& endings = kPictureEndings);
 
 }  // namespace capstan::widgets

@@ -27,7 +27,7 @@ QString fromUtf8(const std::string& text) { return QString::fromStdString(text);
 bool isDirection(const Signature& signature) { return signature.kind == VariableKind::kDirection; }
 
 QString withUnit(const QString& name, const QString& unit) {
-  return unit.isEmpty() ? name : QStringLiteral("%1 [%2]").arg(name, unit);
+  return QStringLiteral("%1 [%2]").arg(name, unit.isEmpty() ? QStringLiteral("–") : unit);
 }
 
 QString percent(const Signature& signature) {

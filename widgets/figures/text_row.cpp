@@ -60,6 +60,7 @@ void TextRow::fit(double strong_points, double points, double width) {
   points_ = points;
   wrapped_.clear();
   height_ = 0;
+  if (!visible()) return;
   for (const Line& line : lines_) {
     if (line.beside && !wrapped_.empty() && widthOf(wrapped_.back()) + kGap + widthOf(line) <= width) {
       wrapped_.push_back(line);
@@ -74,22 +75,31 @@ void TextRow::fit(double strong_points, double points, double width) {
   if (height_ > 0) height_ += kBelow;
 }
 
-void TextRow::draw(QCPPainter* painter) {
+std::vector<QRectF> TextRow::boxes() const {
+  std::vector<QRectF> boxes;
   double below = rect().top(), right = rect().left();
   double top = below, height = 0.0;
   for (const Line& line : wrapped_) {
-    const QFont font = fontOf(line);
-    painter->setFont(font);
-    painter->setPen(line.strong ? strong_ : quiet_);
     if (!line.beside) {
       top = below;
-      height = lineHeight(font);
+      height = lineHeight(fontOf(line));
     }
-    const double left = line.beside ? right + kGap : rect().left(), width = widthOf(line);
-    painter->drawText(QRectF(left, top, width + 2.0, height),
-                      Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine | Qt::TextDontClip, line.text);
-    right = left + width;
+    const double left = line.beside ? right + kGap : rect().left();
+    boxes.emplace_back(left, top, widthOf(line), height);
+    right = boxes.back().right();
     below = top + height;
+  }
+  return boxes;
+}
+
+void TextRow::draw(QCPPainter* painter) {
+  const std::vector<QRectF> places = boxes();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    painter->setFont(fontOf(wrapped_[i]));
+    painter->setPen(wrapped_[i].strong ? strong_ : quiet_);
+    painter->drawText(places[i].adjusted(0.0, 0.0, 2.0, 0.0),
+                      Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine | Qt::TextDontClip,
+                      wrapped_[i].text);
   }
 }
 

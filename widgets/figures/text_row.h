@@ -21,10 +21,14 @@ class TextRow : public QCPLayoutElement {
   void setLines(std::vector<Line> lines) { lines_ = std::move(lines); }
   const std::vector<Line>& lines() const { return lines_; }
   void setColours(const QColor& strong, const QColor& quiet);
-  /// `strong_points` and `points`: font sizes [typographic points]; `width` [px].
+  /// Hidden, it takes no room. `strong_points` and `points`: font sizes [typographic points]; `width` [px].
   void fit(double strong_points, double points, double width);
   /// Strong lines only and those beside them, where there is no room for the others; until the next call.
   void setBrief(bool brief) { brief_ = brief; }
+  /// Height that the wrapped lines need [px].
+  int needed() const { return height_; }
+  /// Where each wrapped line is written, in pixels of the plot.
+  std::vector<QRectF> boxes() const;
 
  protected:
   QSize minimumOuterSizeHint() const override { return {10, height_}; }

@@ -13,9 +13,10 @@ namespace capstan::widgets {
 namespace {
 
 constexpr double kWidths = 0.5;       ///< of lines on a figure, against the window's
-constexpr double kStepsAPixel = 1.0;  ///< history steps drawn
-constexpr double kDotsAPixel = 0.3;   ///< camera observations drawn
+constexpr double kStepsAPixel = 2.5;  ///< history steps drawn
+constexpr double kDotsAPixel = 0.6;   ///< camera observations drawn
 constexpr std::size_t kLeastRows = 256;
+constexpr int kTwoColumns = 600;     ///< [px]
 constexpr double kLeastSpan = 1e-3;  ///< of a value axis [deg or mm]
 
 double inScreenUnit(double value, int joint) {
@@ -113,21 +114,25 @@ void TrajectoryFigure::fillHistories() {
 void TrajectoryFigure::addJoint(int joint) {
   const auto i = static_cast<std::size_t>(joint);
   const QString unit = tracking::kJointUnits[i];
+  setGroup(joint);
   const auto add = [&](std::unique_ptr<JointPlot>& plot, const JointHistory& history,
-                       std::vector<TextRow::Line> header, const QString& quantity) {
+                       std::vector<TextRow::Line> header, const QString& quantity) -> Panel& {
     plot = std::make_unique<JointPlot>(this, history, joint);
     plot->header()->setVisible(false);  // its numbers are those under a cursor
-    const Panel& panel = addPanel(std::move(header), tr("time [s]"),
-                                  QStringLiteral("%1 [%2]").arg(quantity, unit), plot->axes());
+    Panel& panel = addPanel(std::move(header), tr("time [s]"), QStringLiteral("%1 [%2]").arg(quantity, unit),
+                            plot->axes());
     plot->axes()->axis(QCPAxis::atBottom)->setTicker(QSharedPointer<EndTicker>::create());
     panel.empty->setVisible(data_.samples.empty());
+    return panel;
   };
   add(plots_[i], history_,
       {{QStringLiteral("%1 q%2 [%3]").arg(data_.joint_names[i]).arg(joint + 1).arg(unit), true},
        {words(joint), false, true}},
       QStringLiteral("q%1").arg(joint + 1));
   if (!knowsTruth(data_.samples, joint)) return;
-  add(error_plots_[i], errors_, {}, data_.error);
+  add(error_plots_[i], errors_, {}, data_.error).alone = {
+      {QStringLiteral("%1 q%2, %3 [%4]").arg(data_.joint_names[i]).arg(joint + 1).arg(data_.error, unit),
+       true}};
 }
 
 QString TrajectoryFigure::words(int joint) const {
@@ -148,7 +153,12 @@ std::vector<JointPlot*> TrajectoryFigure::all() const {
   return plots;
 }
 
-int TrajectoryFigure::columnsFor(QSize) const { return 1; }
+/// Errors stand beside the positions where a page is broad, else below.
+int TrajectoryFigure::columnsFor(QSize size) const {
+  const bool all =
+      std::all_of(error_plots_.begin(), error_plots_.end(), [](const auto& plot) { return plot != nullptr; });
+  return all && size.width() >= kTwoColumns && size.width() > size.height() ? 2 : 1;
+}
 
 void TrajectoryFigure::restyle() {
   for (JointPlot* plot : all()) plot->setTheme(theme(), true, kWidths * scale().line);

@@ -191,11 +191,13 @@ TEST(DiagnosisFigures, ShowBeforeAndAfterOnPaperAndScreen) {
     for (const PaperSize& size : {PaperSize{88.0, 80.0}, PaperSize{180.0, 120.0}}) {
       const QString file = QStringLiteral("%1_%2").arg(name).arg(size.width_mm);
       const auto base = std::filesystem::path(folder.path().toStdString()) / file.toStdString();
-      exportFigure(*figure, base, size);
-      const QImage png(QString::fromStdString(base.string() + ".png"));
-      test::leave(png, file);
-      for (const Quantity quantity : {Quantity::kKinematic, Quantity::kUkf})
-        EXPECT_GT(test::count(png, png.rect(), Theme::light().colour(quantity), 12).pixels, 100) << name;
+      for (const auto& written : exportFigure(*figure, base, size)) {
+        if (written.extension() != ".png") continue;
+        const QImage png(QString::fromStdString(written.string()));
+        test::leave(png, QString::fromStdString(written.stem().string()));
+        for (const Quantity quantity : {Quantity::kKinematic, Quantity::kUkf})
+          EXPECT_GT(test::count(png, png.rect(), Theme::light().colour(quantity), 12).pixels, 100) << name;
+      }
     }
     for (const Theme* theme : {&Theme::dark(), &Theme::light()}) {
       figure->setTheme(*theme);

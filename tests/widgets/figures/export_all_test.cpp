@@ -216,7 +216,7 @@ TEST_F(ExportAll, WritesOverItselfAndLeavesWhatOthersPutThere) {
   EXPECT_EQ(again.tables, 0U);
   EXPECT_GE(fs::last_write_time(at("out") / "C-boxplot-joint-1.csv"), before);
   EXPECT_EQ(base::readTextFile(at("out") / "mine.txt"), "mine");
-  EXPECT_TRUE(fs::exists(at("out") / "C-histogram-trial-1.pdf"));
+  EXPECT_TRUE(fs::exists(at("out") / "C-histogram-trial-1-page-1.pdf"));
 }
 
 TEST_F(ExportAll, RefusesFoldersThatAreNotItsOwn) {

@@ -123,7 +123,8 @@ TEST(TrajectoryNumbers, RmsIsThatOfTheRunWhereItIsGiven) {
 
 TEST(TrajectoryPanels, ShowTheErrorsInTheirOwnScaleBeneathEachJoint) {
   TrajectoryFigure figure(trajectorySample(30.0));
-  figure.canvas().resize(680, 454);
+  figure.canvas().resize(560, 640);
+  figure.setTheme(Theme::light());  // fits it: no resize event comes to what is not shown
   ASSERT_EQ(figure.panels().size(), 6U);
   for (int joint = 0; joint < 3; ++joint) {
     ASSERT_NE(figure.errorPlot(joint), nullptr);

@@ -79,17 +79,21 @@ inline ConvergencePanel convergenceSample(const char* title, const char* unit, d
 inline ConvergenceData radiusSample() {
   return {.title = "Experiment A: radius of joint 1's pulley",
           .note = "dual UKF, 200 s sinusoid",
-          .panels = {convergenceSample("radius r_l, joint 1", "mm", 63.095, 59.0, 41.0, 1)}};
+          .panels = {convergenceSample("radius r_l, joint 1", "mm", 63.095, 59.0, 41.0, 1)},
+          .occluded = {{30.0, 50.0}, {110.0, 115.0}}};
 }
 
 inline ConvergenceData cableSample() {
   ConvergenceData data{.title = "Experiment B: cable parameters", .note = "dual UKF, 200 s block transfer"};
+  for (double t = 18.0; t < 200.0; t += 20.0) data.occluded.emplace_back(t, t + 2.0);
   for (unsigned joint = 1; joint <= 3; ++joint) {
     const std::string name = "joint " + std::to_string(joint);
     data.panels.push_back(convergenceSample(("stiffness k_e, " + name).c_str(), "kN/m", 720.0,
                                             600.0 + 30.0 * joint, 80.0, joint));
     data.panels.push_back(convergenceSample(("damping b_e, " + name).c_str(), "N s/m", 95.0, 80.0,
                                             joint == 3 ? 0.0 : 120.0, 9 + joint));
+    for (std::size_t i = data.panels.size() - 2; i < data.panels.size(); ++i)
+      data.panels[i].group = static_cast<int>(joint);
   }
   return data;
 }

@@ -62,7 +62,7 @@ TEST_F(FigureVectors, SvgHasWordsAsText) {
     EXPECT_TRUE(svg.words.contains(word)) << word << " in\n" << svg.words.toStdString();
 
   const Svg boxes = read(exported(BoxplotFigure(boxplotSample()), ".svg"));
-  for (const char* word : {"1.00", "1.50", "trial, n below", "18800", "of 12346 outliers drawn"})
+  for (const char* word : {"1.00", "1.50", "trial [–], n below", "18800", "of 12346 outliers drawn"})
     EXPECT_TRUE(boxes.words.contains(word)) << word << " in\n" << boxes.words.toStdString();
 
   const Svg radius = read(exported(ConvergenceFigure(radiusSample()), ".svg"));

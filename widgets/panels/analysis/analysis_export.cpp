@@ -9,6 +9,7 @@
 #include "widgets/figures/save_plot.h"
 #include "widgets/panels/analysis/analysis_panel.h"
 #include "widgets/panels/analysis/figure_pair.h"
+#include "widgets/panels/analysis/options_bar.h"
 
 namespace capstan::widgets {
 
@@ -38,9 +39,10 @@ void AnalysisPanel::exportTo(const QString& base, PaperSize size) {
   if (!figures_->histogram()) return;
   const QString stem = QString(base).remove(QRegularExpression("\\.(pdf|svg|png|csv|md|tex)$"));
   const std::string path = stem.toStdString();
+  const PageOptions pages(size, options_->titles());
   try {
-    exportFigure(*figures_->histogram(), path + "-histogram", size);
-    exportFigure(*figures_->boxplot(), path + "-boxplot", size);
+    exportFigure(*figures_->histogram(), path + "-histogram", pages);
+    exportFigure(*figures_->boxplot(), path + "-boxplot", pages);
     writeTable(experiments::tableOf(analysis_), path + "-table");
     said_ = tr("Exported as %1-histogram, -boxplot and -table.").arg(stem);
     Q_EMIT exported(stem);
@@ -87,7 +89,7 @@ void AnalysisPanel::exportAllTo(const QString& folder, PaperSize size) {
   if (busy() || runs.empty()) return;
   said_.clear();
   try {
-    full_export_.start(runs, comparison(), folder, size);
+    full_export_.start(runs, comparison(), folder, {size, options_->titles()});
     onProgress(0.0, tr("reading"));
   } catch (const base::InputError& error) {
     said_ = QString::fromStdString(error.what());

@@ -54,7 +54,8 @@ void addJoint(AnalysisFigures& figures, const Analysis& analysis, const ErrorRun
     figures.histogram.panels.push_back({title + QStringLiteral(", ") + nameOf(quantity),
                                         unitOf(joint),
                                         {{{quantity, 0, QStringLiteral("A")}, std::move(values[0])},
-                                         {{quantity, 1, QStringLiteral("B")}, std::move(values[1])}}});
+                                         {{quantity, 1, QStringLiteral("B")}, std::move(values[1])}},
+                                        joint});
   }
   if (!b) figures.histogram.panels.push_back(std::move(together));
   figures.boxplot.panels.push_back(std::move(boxes));

@@ -50,10 +50,10 @@ FullExport::FullExport(QObject* parent) : QObject(parent) {
 }
 
 void FullExport::start(const std::vector<ExportedRun>& runs, ExportExtras extras, const QString& folder,
-                       PaperSize size) {
+                       const PageOptions& pages) {
   checkExportFolder(folder.toStdString());
   folder_ = folder;
-  size_ = size;
+  pages_ = pages;
   extras_ = std::move(extras);
   fault_.clear();
   std::vector<ExportedRun> once;
@@ -67,7 +67,8 @@ void FullExport::start(const std::vector<ExportedRun>& runs, ExportExtras extras
 void FullExport::onRead(std::vector<Results> all) {
   try {
     ExportOptions options;
-    options.size = size_;
+    options.size = pages_.size;
+    options.titles = pages_.titles;
     drawing_ =
         std::make_unique<FigureExport>(std::move(all), folder_.toStdString(), options, std::move(extras_));
     next_.start(0);

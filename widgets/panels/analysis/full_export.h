@@ -29,7 +29,7 @@ class FullExport : public QObject {
 
   /// Only if not busy(). Throws base::InputError for a folder that checkExportFolder() refuses.
   void start(const std::vector<ExportedRun>& runs, ExportExtras extras, const QString& folder,
-             PaperSize size);
+             const PageOptions& pages);
   /// What is drawn already stays, with an index page that says so.
   void cancel();
   bool busy() const { return job_.busy() || drawing_ != nullptr; }
@@ -47,7 +47,7 @@ class FullExport : public QObject {
   void end(const QString& index, const QString& words);
 
   QString folder_;
-  PaperSize size_;
+  PageOptions pages_;
   ExportExtras extras_;
   QString fault_;
   std::unique_ptr<FigureExport> drawing_;

@@ -75,13 +75,19 @@ void OptionsBar::addExport() {
   export_->setToolTip(tr("Figures as PDF, SVG, PNG and CSV, the table as Markdown, LaTeX and CSV (Alt+E)"));
   export_->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(export_);
-  for (const PaperSize size : {PaperSize{180.0, 120.0}, PaperSize{88.0, 110.0}, PaperSize{240.0, 135.0}}) {
-    const QString words = size.width_mm == 88.0    ? tr("one column, %1 × %2 mm")
-                          : size.width_mm == 180.0 ? tr("two columns, %1 × %2 mm")
-                                                   : tr("slide, %1 × %2 mm");
+  const std::pair<PaperSize, QString> sizes[] = {{{180.0, 120.0}, tr("two columns, %1 × %2 mm")},
+                                                 {{180.0, 240.0}, tr("page, %1 × %2 mm")},
+                                                 {{88.0, 60.0}, tr("one column, %1 × %2 mm")},
+                                                 {{88.0, 90.0}, tr("one column, %1 × %2 mm")},
+                                                 {{240.0, 135.0}, tr("slide, %1 × %2 mm")}};
+  for (const auto& [size, words] : sizes)
     menu->addAction(words.arg(size.width_mm).arg(size.height_mm), this,
-                    [this, size] { Q_EMIT exportRequested(size); });
-  }
+                    [this, size = size] { Q_EMIT exportRequested(size); });
+  menu->addSeparator();
+  titles_ = menu->addAction(tr("titles above the figures"));
+  titles_->setCheckable(true);
+  titles_->setChecked(true);
+  titles_->setToolTip(tr("Without: title and note are in the captions of the index page only"));
   export_->setMenu(menu);
   layout()->addWidget(export_);
 }
@@ -128,6 +134,7 @@ void OptionsBar::save(QSettings& settings) const {
   settings.setValue("analysis/joint", joint_->currentIndex());
   settings.setValue("analysis/error", error_->currentIndex());
   settings.setValue("analysis/time", share_->currentIndex());
+  settings.setValue("analysis/titles", titles());
   for (std::size_t i = 0; i < estimators_.size(); ++i)
     settings.setValue("analysis/" + estimators_[i]->objectName(), estimators_[i]->isChecked());
 }
@@ -140,6 +147,7 @@ void OptionsBar::restore(const QSettings& settings) {
     const int index = settings.value(key, 0).toInt();
     if (index >= 0 && index < box->count()) box->setCurrentIndex(index);
   }
+  titles_->setChecked(settings.value("analysis/titles", true).toBool());
   for (QCheckBox* box : estimators_)
     box->setChecked(settings.value("analysis/" + box->objectName(), box->isChecked()).toBool());
 }

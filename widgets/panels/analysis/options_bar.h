@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QAction>
 #include <QWidget>
 #include <array>
 
@@ -27,6 +28,8 @@ class OptionsBar : public QWidget {
   void save(QSettings& settings) const;
   void restore(const QSettings& settings);
   void setExportEnabled(bool on);
+  /// Whether exported figures have their titles above them.
+  bool titles() const { return titles_->isChecked(); }
 
  signals:
   void changed();
@@ -41,6 +44,7 @@ class OptionsBar : public QWidget {
   QComboBox *joint_, *error_, *share_;
   std::array<QCheckBox*, 3> estimators_{};
   QToolButton* export_;
+  QAction* titles_;
 };
 
 }  // namespace capstan::widgets
