@@ -84,6 +84,8 @@ struct TrialResult : TrialMotion {
   std::array<Eigen::Vector3d, kEstimators> rms = {noJoints(), noJoints(), noJoints(),
                                                   noJoints()};  ///< over every sample, not the thinned series
   std::array<std::uint64_t, kEstimators> counts{};              ///< samples behind it
+  /// RMS of the augmented filter on the same samples; rms of kUkf is that of the paper's six states.
+  Eigen::Vector3d rms_augmented = noJoints();
   double nis = kNone;   ///< mean of accepted camera samples over its 3 degrees of freedom
   double nees = kNone;  ///< mean of the positions over its 3 degrees of freedom
   std::uint64_t rescues = 0, late_dropped = 0;

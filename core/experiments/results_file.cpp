@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr int kFormat = 2;  ///< 2: trajectories of identifications
+constexpr int kFormat = 3;  ///< 2: trajectories of identifications; 3: the augmented filter
 constexpr const char* kFormatKey = "capstan_experiment_results";
 constexpr const char* kStampKey = "stamp";  ///< checksum of both files without it; the same in both
 

@@ -85,6 +85,7 @@ void fields(Self& trial, Visitor&& field) requires std::is_same_v<std::remove_co
   field("occluded_share", trial.occluded_share);
   field("rms", trial.rms);
   field("counts", trial.counts);
+  field("rms_augmented", trial.rms_augmented);
   field("nis", trial.nis);
   field("nees", trial.nees);
   field("rescues", trial.rescues);

@@ -331,10 +331,34 @@ Table boxplotTable(const Results& results) {
   return table;
 }
 
+Table filterTable(const Results& results) {
+  Table table;
+  table.title = nameOf(results) + ": the paper's six states and the augmented filter";
+  table.columns = {{"trial", "", 3, NumberStyle::kFixed, true},
+                   {"joint", ""},
+                   {"kinematic", ""},
+                   {"camera", ""},
+                   {"UKF, six states", ""},
+                   {"UKF, augmented", ""}};
+  for (const TrialResult& trial : results.trials) {
+    if (!trial.reference) continue;
+    for (int joint = 0; joint < 3; ++joint)
+      table.rows.push_back({trial.name, jointName(joint), rmsForPeople(trial, Estimator::kKinematic, joint),
+                            rmsForPeople(trial, Estimator::kCamera, joint),
+                            rmsForPeople(trial, Estimator::kUkf, joint),
+                            forPeople(trial.rms_augmented(joint), joint)});
+  }
+  table.note =
+      "RMS errors. The augmented filter carries, beside the six states, slow errors of the transmission. " +
+      robotNote(results) + simulatedNote(results);
+  return table;
+}
+
 std::vector<NamedTable> tablesOf(const Results& results, const Published* published) {
   if (results.work == Work::kIdentify) return {{"parameters", parameterTable(results, published)}};
   return {{"trials", trialTable(results, published)},
           {"means", meanTable(results, published)},
+          {"filters", filterTable(results)},
           {"boxplot", boxplotTable(results)}};
 }
 

@@ -42,6 +42,8 @@ base::Table meanTable(const Results& results, const Published* published);
 /// Identified parameters: where the methods began (nominal, or the robot of an identification before), truth,
 /// both methods' value ± σ, whether the 95 % interval covers the truth, time to converge.
 base::Table parameterTable(const Results& results, const Published* published);
+/// RMS of the six-state and of the augmented filter, a row for each trial and joint.
+base::Table filterTable(const Results& results);
 /// Figure 13: quartiles, whiskers and outliers of |error| of the UKF, beside the median of the kinematics.
 base::Table boxplotTable(const Results& results);
 

@@ -72,13 +72,22 @@ TrialResult trackTrial(const TrialSetup& setup, base::Progress& progress) {
   if (setup.recording.empty()) result.seed = setup.spec.seed;
   result.occlusion = setup.spec.occlusion;
   result.inputs = source.inputs();
-  tracking::TrackingPipeline pipeline =
-      tracking::makePipeline(info, tracking::sixState(tracking::trackingOptionsOf(info)));
+  tracking::TrackingOptions options = tracking::trackingOptionsOf(info);
+  tracking::TrackingPipeline pipeline = tracking::makePipeline(info, tracking::sixState(options));
+  options.filter = tracking::FilterKind::kAugmented;
+  tracking::TrackingPipeline augmented = tracking::makePipeline(info, options);
+  stats::RunningRms<3> augmented_rms;
   result.inputs.tracking = base::writeYaml(pipeline.options());
   TrialListener listener(source, result);
-  const tracking::TrackReport report = tracking::trackAll(
-      source, pipeline, &progress, info.duration,
-      [&](const tracking::Sample&, const tracking::Snapshot& snapshot) { listener(snapshot); });
+  const tracking::TrackReport report =
+      tracking::trackAll(source, pipeline, &progress, info.duration,
+                         [&](const tracking::Sample& sample, const tracking::Snapshot& snapshot) {
+                           listener(snapshot);
+                           const tracking::Snapshot& beside = augmented.step(sample);
+                           if (beside.reference_paired)
+                             augmented_rms.add(beside.q_link_ukf - beside.q_link_true);
+                         });
+  result.rms_augmented = augmented_rms.value();
   result.reference = info.reference;
   result.own_kinematics = info.own_kinematics;
   result.motor_samples = report.motor_samples;

@@ -6,7 +6,8 @@
 
 namespace capstan::experiments {
 
-/// Runs the tracking pipeline over one trial. Deterministic and single-threaded. Joint encoders enter the
+/// Runs the tracking pipeline over one trial, with the six-state filter of the UKF paper and, beside it, with
+/// the augmented one. Deterministic and single-threaded. Joint encoders enter the
 /// errors and nothing else. Nothing is worth keeping of a cancelled trial. Throws base::InputError for a
 /// recording that cannot be used.
 TrialResult trackTrial(const TrialSetup& setup, base::Progress& progress);
