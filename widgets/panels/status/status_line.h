@@ -9,12 +9,15 @@
 #include "core/tracking/snapshot.h"
 #include "widgets/figures/theme.h"
 
+class QAction;
 class QLabel;
+class QToolButton;
 
 namespace capstan::widgets {
 
-/// One line about the session: rates, lag, gate, motor encoders that failed, consistency, rescues, recording,
-/// disk. A verdict that is not good carries the warning or fault colour and says so in a word.
+/// One line about the session: the recording, rates, lag, gate, motor encoders that failed, consistency, rescues, recording,
+/// disk. A verdict that is not good carries the warning or fault colour and says so in a word. Where the window is
+/// too narrow, parts that ask for nothing are left to the tool tip.
 class StatusLine : public QWidget {
   Q_OBJECT
  public:
@@ -24,13 +27,22 @@ class StatusLine : public QWidget {
   void showSnapshot(const tracking::Snapshot& snapshot);
   void showStatus(const session::RunStatus& status, double recorded_seconds);
   void clear();
+  /// What is replayed, as "recording trial.capstan"; empty for a simulation.
+  void setSource(const QString& source);
+  /// What a button beside the NIS offers while it fails.
+  void setRemedies(const QList<QAction*>& remedies);
   /// Whose disk is shown: the folder of recordings.
   void setFolder(const QString& folder);
   /// The whole line, parts joined by " · ".
   QString text() const;
+  QSize minimumSizeHint() const override;
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   enum Part {
+    kSource,
     kState,
     kSpeed,
     kMotor,
@@ -45,6 +57,7 @@ class StatusLine : public QWidget {
     kParts
   };
   enum class Tone { kPlain, kGood, kWarning, kFault };
+  void showNis(const tracking::Snapshot& snapshot);
   void showMotors(const tracking::Snapshot& snapshot);
   void showRecorder(const session::RecorderStats& recorder, double recorded_seconds);
   void showDisk(std::optional<std::uint64_t> recorder_says);
@@ -55,6 +68,7 @@ class StatusLine : public QWidget {
   std::array<QLabel*, kParts> labels_{};
   std::array<QLabel*, kParts> dots_{};  ///< before each part but the first that is seen
   std::array<Tone, kParts> tones_{};
+  QToolButton* remedies_;
   QString folder_;
   bool tips_ = false;  ///< the camera samples are tips, not pictures
   QElapsedTimer disk_age_;
