@@ -57,7 +57,7 @@ int run(int argc, char** argv) {
     return cli.exit(error) == 0 ? 0 : 2;
   }
   imply(cli, arguments);
-  const QSize size = sizeOf(arguments.size);
+  const QSize size = capstan::workstation::sizeOf(arguments.size);
   if (!std::getenv("DISPLAY")) {
     std::cerr << "capstan: no display (DISPLAY is not set). Use capstan-cli, or xvfb-run.\n";
     return 2;

@@ -187,7 +187,10 @@ TEST_F(Operator, AReplayIsCalledARecordingByItsFile) {
     EXPECT_TRUE(words.contains("monday.capstan")) << words.toStdString();
   }
   window->open(atRest());
-  ASSERT_TRUE(waitFor([&] { return window->windowTitle().contains("simulated"); }));
+  ASSERT_TRUE(waitFor([&] {
+    const QString title = window->windowTitle();
+    return title.contains("simulated") && !title.contains("monday.capstan");
+  }));
   EXPECT_FALSE(window->windowTitle().contains("recording")) << window->windowTitle().toStdString();
   ASSERT_TRUE(waitFor([&] { return !line->text().contains("monday.capstan"); }));
 }

@@ -6,19 +6,35 @@
 #include <QKeyEvent>
 #include <QMainWindow>
 #include <QScrollArea>
+#include <QTabBar>
+#include <QTimer>
 #include <QToolButton>
 
 namespace capstan::widgets {
 
 namespace {
 
-/// Every scroll area around the control brings it into view, the innermost first.
-void bringIntoView(QWidget& control) {
+/// A control behind another dock's tab comes to the front with its dock.
+void raiseDockOf(const QWidget& control) {
+  for (QWidget* up = control.parentWidget(); up && !up->isWindow(); up = up->parentWidget())
+    if (auto* dock = qobject_cast<QDockWidget*>(up))
+      if (dock->visibleRegion().isEmpty()) dock->raise();
+}
+
+/// Of what is larger than the area, its beginning.
+void scrollTo(QScrollArea& area, const QWidget& control) {
   constexpr int kMargin = 4;  // [px]
+  const QSize room = area.viewport()->size() - QSize(2 * kMargin, 2 * kMargin);
+  const QRect place(control.mapTo(area.widget(), QPoint()), control.size().boundedTo(room));
+  area.ensureVisible(place.center().x(), place.center().y(), place.width() / 2 + kMargin,
+                     place.height() / 2 + kMargin);
+}
+
+/// Every scroll area around the control brings it into view, the innermost first.
+void bringIntoView(const QWidget& control) {
   for (QWidget* up = control.parentWidget(); up && !up->isWindow(); up = up->parentWidget())
     if (auto* area = qobject_cast<QScrollArea*>(up))
-      if (area->widget() && area->widget()->isAncestorOf(&control))
-        area->ensureWidgetVisible(&control, kMargin, kMargin);
+      if (area->widget() && area->widget()->isAncestorOf(&control)) scrollTo(*area, control);
 }
 
 void press(QAbstractButton& button) {
@@ -34,11 +50,22 @@ void press(QAbstractButton& button) {
 KeyboardReach::KeyboardReach(QMainWindow* window) : QObject(window), window_(window) {
   qApp->installEventFilter(this);
   connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
-    if (now && window_->isAncestorOf(now)) bringIntoView(*now);
+    if (!now || !window_->isAncestorOf(now)) return;
+    raiseDockOf(*now);
+    bringIntoView(*now);
+    // Once more when a dock that was raised has its size.
+    QTimer::singleShot(0, now, [now] {
+      if (now->hasFocus()) bringIntoView(*now);
+    });
   });
 }
 
 bool KeyboardReach::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Show) {
+    // Keys bring docks and Tab goes through all of them: a tab, which may be covered, is no stop between.
+    auto* tabs = qobject_cast<QTabBar*>(watched);
+    if (tabs && tabs->parentWidget() == window_) tabs->setFocusPolicy(Qt::NoFocus);
+  }
   if (event->type() != QEvent::KeyPress) return false;
   const auto* key = static_cast<QKeyEvent*>(event);
   if (key->key() != Qt::Key_Return && key->key() != Qt::Key_Enter) return false;

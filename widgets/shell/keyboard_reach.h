@@ -7,7 +7,7 @@ class QWidget;
 
 namespace capstan::widgets {
 
-/// For whoever works without a mouse: the control that takes the focus is scrolled into view, and Return
+/// For whoever works without a mouse: the control that takes the focus is brought into view, and Return
 /// presses the button that has it (Space runs and pauses the session). In the window and its floating docks.
 class KeyboardReach : public QObject {
   Q_OBJECT

@@ -13,6 +13,8 @@
 #include <QStackedWidget>
 #include <QStandardPaths>
 #include <QStatusBar>
+#include <QStyle>
+#include <QTabBar>
 #include <QVBoxLayout>
 
 #include "core/base/error.h"
@@ -49,6 +51,7 @@ namespace {
 
 constexpr int kLayoutVersion = 3;
 constexpr int kRoomForAll = 950;  ///< height below which calibration and notes share a place [px]
+constexpr int kBars = 130;        ///< menus, toolbar, status line and gaps, about [px]
 constexpr int kRoomForTwo = 680;  ///< height below which all panels of a side share one [px]
 
 QString documents() {
@@ -146,7 +149,11 @@ void MainWindow::addDocks() {
 void MainWindow::layOutDocks() {
   const auto dock = [this](const char* name) { return findChild<QDockWidget*>(name); };
   const int left = std::clamp(static_cast<int>(0.27 * width()), 240, 620);
-  const int right = std::clamp(static_cast<int>(0.19 * width()), 290, 380);
+  int room = 0;  // for the widest panel and its scroll bar
+  for (const char* name : {"occlusion", "calibration", "errors", "notes"})
+    room = std::max(room, dock(name)->widget()->sizeHint().width());
+  room += style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+  const int right = std::clamp(static_cast<int>(0.19 * width()), std::min(room, 400), 400);
   resizeDocks({dock("cameras"), dock("occlusion")}, {left, right}, Qt::Horizontal);
   resizeDocks({dock("cameras"), dock("scene")}, {64 * height() / 100, 36 * height() / 100}, Qt::Vertical);
   if (height() < kRoomForAll) {
@@ -158,9 +165,14 @@ void MainWindow::layOutDocks() {
     for (const char* name : {"calibration", "errors", "notes"}) tabifyDockWidget(dock("occlusion"), dock(name));
     dock("cameras")->raise();
     dock("occlusion")->raise();
+    for (auto* tabs : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
+      tabs->setStyleSheet("QTabBar::tab { padding: 4px 5px; }");  // so that four names fit
   }
+  const int occlusion = dock("occlusion")->sizeHint().height(), errors = dock("errors")->sizeHint().height();
+  const int rest = std::max(150, height() - kBars - occlusion - errors);  // calibration and, if it fits, notes
+  const int notes = height() < kRoomForAll ? rest : rest / 4;
   resizeDocks({dock("occlusion"), dock("calibration"), dock("errors"), dock("notes")},
-              {230, 450, 190, std::max(150, height() - 900)}, Qt::Vertical);
+              {occlusion, height() < kRoomForAll ? rest : rest - notes, errors, notes}, Qt::Vertical);
 }
 
 void MainWindow::showEvent(QShowEvent* event) {

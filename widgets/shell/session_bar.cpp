@@ -4,7 +4,9 @@
 #include <QComboBox>
 #include <QDesktopServices>
 #include <QDir>
+#include <QEvent>
 #include <QFileDialog>
+#include <QPainter>
 #include <QToolButton>
 #include <QUrl>
 
@@ -16,6 +18,7 @@ using session::RunState;
 
 SessionBar::SessionBar(QWidget* parent) : QToolBar(tr("Session"), parent) {
   setObjectName("session");
+  drawMore();
   setMovable(false);
   run_ = add("run", tr("▸ Run"), Qt::Key_Space, tr("Run or pause"));
   run_->setCheckable(true);
@@ -37,6 +40,30 @@ SessionBar::SessionBar(QWidget* parent) : QToolBar(tr("Session"), parent) {
           &SessionBar::helpRequested);
   connect(add("theme", tr("◐ Theme"), QKeySequence(QStringLiteral("Ctrl+T")), tr("Dark or light")),
           &QAction::triggered, this, &SessionBar::themeToggled);
+}
+
+/// The button of what has no room shows a sign in the theme's colour: the style's own is dark on dark.
+void SessionBar::drawMore() {
+  auto* more = findChild<QToolButton*>("qt_toolbar_ext_button");
+  if (!more) return;
+  constexpr int kSide = 16;  // [px]
+  QPixmap sign(QSize(kSide, kSide) * devicePixelRatioF());
+  sign.setDevicePixelRatio(devicePixelRatioF());
+  sign.fill(Qt::transparent);
+  QPainter painter(&sign);
+  QFont bold = font();
+  bold.setBold(true);
+  painter.setFont(bold);
+  painter.setPen(palette().color(QPalette::ButtonText));
+  painter.drawText(QRect(0, 0, kSide, kSide), Qt::AlignCenter, QStringLiteral("»"));
+  painter.end();
+  more->setIcon(sign);
+  more->setToolTip(tr("What has no room here; everything is also in the menus above"));
+}
+
+void SessionBar::changeEvent(QEvent* event) {
+  QToolBar::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange) drawMore();
 }
 
 QAction* SessionBar::add(const QString& name, const QString& text, const QKeySequence& key,

@@ -41,6 +41,8 @@ class SessionBar : public QToolBar {
   void themeToggled();
 
  private:
+  void changeEvent(QEvent* event) override;
+  void drawMore();
   QAction* add(const QString& name, const QString& text, const QKeySequence& key, const QString& tip);
   QAction* addOffBar(const QString& name, const QString& text, const QKeySequence& key,
                      std::function<void()> act);

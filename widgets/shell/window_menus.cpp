@@ -7,6 +7,8 @@
 
 #include "widgets/shell/keyboard_reach.h"
 #include "widgets/shell/main_window.h"
+#include "widgets/shell/session_bar.h"
+#include "widgets/shell/source_menu.h"
 
 namespace capstan::widgets {
 
@@ -42,7 +44,6 @@ QAction* addDock(QMenu& view, MainWindow& window, const char* name, int number) 
   action->setShortcut(QKeySequence(QStringLiteral("Ctrl+%1").arg(number)));
   action->setCheckable(true);
   window.addAction(action);
-  // On the next turn: a dock that was raised shows itself only then.
   QObject::connect(action, &QAction::triggered, dock, [dock] { toggle(*dock); });
   QObject::connect(dock, &QDockWidget::visibilityChanged, action, &QAction::setChecked);
   return action;
@@ -65,9 +66,11 @@ void addAllDocks(QMenu& view, MainWindow& window) {
 
 void addMenus(MainWindow& window, QMenuBar& menus) {
   auto* session = menus.addMenu(QObject::tr("Sessio&n"));
+  addActions(*session, window, {"run", "step"});
+  addActions(*session->addMenu(QObject::tr("Speed")), window, {"slower", "faster"});
+  session->addMenu(&window.bar().sources());
   addActions(*session, window,
-             {"run", "step", "slower", "faster", "", "simulate", "open", "recent", "", "record",
-              "recordingFolder", "showFolder", "", "note", "export"});
+             {"", "record", "recordingFolder", "showFolder", "", "note", "export"});
   auto* view = menus.addMenu(QObject::tr("&View"));
   for (std::size_t i = 0; i < kDocks.size(); ++i)
     addDock(*view, window, kDocks[i], static_cast<int>(i) + 1);

@@ -63,7 +63,11 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
     if (i == kNis) row->addWidget(remedies_ = new QToolButton);
   }
   remedies_->setObjectName("remedies");
-  remedies_->setText(tr("Identify or diagnose"));
+  remedies_->setText(tr("Identify or diagnose ▾"));
+  remedies_->setStyleSheet(
+      "QToolButton { border: 1px solid palette(mid); border-radius: 3px; padding: 1px 6px; margin: 0 4px 0 8px; }"
+      "QToolButton:focus { border-color: palette(highlight); }"
+      "QToolButton::menu-indicator { image: none; }");
   remedies_->setToolTip(tr("The NIS is too high: find which parameter of the robot file is wrong"));
   remedies_->setPopupMode(QToolButton::InstantPopup);
   remedies_->hide();
