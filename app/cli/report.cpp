@@ -142,7 +142,8 @@ void takeWindowOptions(ReportArguments& arguments, const CLI::App& command) {
   if (arguments.simulate && !arguments.file.empty())
     refuseOption("RECORDING", arguments.file, "is given together with --simulate", "Give one of them");
   if (arguments.file.empty() && command.count("--format") > 0)
-    refuseOption("--format", arguments.format, "is of a RECORDING, and none is given", "Give one, or leave it out");
+    refuseOption("--format", arguments.format, "is of a RECORDING, and none is given",
+                 "Give one, or leave it out");
   if (!arguments.theme.empty()) notice("--theme is the window's: a report has none");
 }
 

@@ -21,15 +21,18 @@ void addOptions(CLI::App& cli, Arguments& arguments) {
   auto& simulation = arguments.simulation;
   const auto of = [&](CLI::Option* option) { return option->group(kSimulation); };
   auto* session = cli.add_option("--session", arguments.file, "open a recorded session (.capstan)");
-  auto* table = cli.add_option("--table", arguments.file, "open a measured table or RAVEN-II motor log (.csv)")
-                    ->excludes(session);
+  auto* table =
+      cli.add_option("--table", arguments.file, "open a measured table or RAVEN-II motor log (.csv)")
+          ->excludes(session);
   cli.add_option("--robot", arguments.robot,
                  "robot file (.yaml) for a simulation or a table; default: the left RAVEN-II");
   of(cli.add_flag("--simulate", arguments.simulate, "open a simulated robot; each option here implies it"));
-  of(cli.add_option("--trajectory", simulation.trajectory,
-                    "fls (block transfer), sinusoid, hold, hard-stop, or a CSV of t [s], q1, q2 [rad], q3 [m]"))
+  of(cli.add_option(
+         "--trajectory", simulation.trajectory,
+         "fls (block transfer), sinusoid, hold, hard-stop, or a CSV of t [s], q1, q2 [rad], q3 [m]"))
       ->capture_default_str();
-  of(cli.add_option("--truth", simulation.truth, "what the robot really is: default, matched, or a truth file"))
+  of(cli.add_option("--truth", simulation.truth,
+                    "what the robot really is: default, matched, or a truth file"))
       ->capture_default_str();
   of(cli.add_option("--seed", simulation.seed, "whole number: surgeon, noise and texture of the simulation"))
       ->capture_default_str();
@@ -42,9 +45,10 @@ void addOptions(CLI::App& cli, Arguments& arguments) {
   cli.add_option("--theme", arguments.theme, "dark or light; default: the one chosen last")
       ->check(CLI::IsMember({"dark", "light"}));
   cli.add_option("--size", arguments.size, "width x height of the window [px]")->capture_default_str();
-  auto* picture = cli.add_option("--screenshot", arguments.picture,
-                                 "save a picture (.png) of the window, simulating unless a file is given, and "
-                                 "quit");
+  auto* picture =
+      cli.add_option("--screenshot", arguments.picture,
+                     "save a picture (.png) of the window, simulating unless a file is given, and "
+                     "quit");
   cli.add_option("--state", arguments.state, "of the window in the picture: running, occluded or paused")
       ->capture_default_str()
       ->check(CLI::IsMember({"running", "occluded", "paused"}))

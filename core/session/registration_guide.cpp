@@ -209,10 +209,12 @@ bool RegistrationGuide::refuseViews() {
   const double most = options_.detection_share * frames_seen_;
   if (exchanged_ > most) {
     refuse(RegistrationFault::kCamerasExchanged,
-           fmt::format("Both cameras saw the marker, but in {} of {} frames it would lie behind them. It lies in "
-                       "front of them when the left image is taken for the right one.",
-                       exchanged_, frames_seen_),
-           "Most likely the left and the right stream are exchanged: exchange them, or the two camera files, and "
+           fmt::format(
+               "Both cameras saw the marker, but in {} of {} frames it would lie behind them. It lies in "
+               "front of them when the left image is taken for the right one.",
+               exchanged_, frames_seen_),
+           "Most likely the left and the right stream are exchanged: exchange them, or the two camera files, "
+           "and "
            "open the source again.");
     return true;
   }

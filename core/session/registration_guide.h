@@ -41,7 +41,7 @@ struct RegistrationOptions {
   double rest_time = 0.5;                                  ///< stillness before collecting [s]
   double outlier_sigma = 4.0;                              ///< distance from the median that rejects a point
   double epipolar_limit = 3.0;  ///< farther off, two views show no one marker, as when tracking [px]
-  Eigen::Vector3d scatter_limit{0.0015, 0.0015, 0.006};    ///< largest σ of a point, camera x, y, z [m]
+  Eigen::Vector3d scatter_limit{0.0015, 0.0015, 0.006};  ///< largest σ of a point, camera x, y, z [m]
 };
 
 /// Where the arm is with respect to the hard stop.
@@ -162,8 +162,10 @@ template <>
 struct capstan::base::NamesOf<capstan::session::RegistrationFault> {
   using F = capstan::session::RegistrationFault;
   static constexpr std::array value = {
-      std::pair{F::kNone, "ok"}, std::pair{F::kNoRotation, "camera mounting unknown"},
-      std::pair{F::kArmMoved, "the arm moved"}, std::pair{F::kTooFewDetections, "too few detections"},
+      std::pair{F::kNone, "ok"},
+      std::pair{F::kNoRotation, "camera mounting unknown"},
+      std::pair{F::kArmMoved, "the arm moved"},
+      std::pair{F::kTooFewDetections, "too few detections"},
       std::pair{F::kScatterTooLarge, "scatter too large"},
       std::pair{F::kCamerasExchanged, "left and right camera seem to be exchanged"},
       std::pair{F::kViewsDisagree, "the two cameras do not see the same point"}};

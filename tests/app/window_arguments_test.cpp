@@ -25,8 +25,8 @@ TEST(WindowArguments, EachOptionOfTheSimulationAsksForOne) {
   EXPECT_FALSE(opened("--unregistered").simulation.registered);
   EXPECT_TRUE(opened("--distractors").simulation.distractors);
   EXPECT_EQ(opened("--seed 7").simulation.seed, 7U);
-  for (const char* alone : {"--distractors", "--uneven-light", "--seed 7", "--truth matched", "--trajectory hold",
-                            "--robot arm.yaml", "--screenshot a.png"})
+  for (const char* alone : {"--distractors", "--uneven-light", "--seed 7", "--truth matched",
+                            "--trajectory hold", "--robot arm.yaml", "--screenshot a.png"})
     EXPECT_TRUE(opened(alone).simulated) << alone;
   EXPECT_EQ(opened("--robot arm.yaml").simulation.robot, "arm.yaml");
 }

@@ -1,5 +1,5 @@
-// What an operator meets in a real window: exchanged cameras, keys, the end of a session, old faults, replays,
-// verdicts.
+// What an operator meets in a real window: exchanged cameras, keys, the end of a session, old faults,
+// replays, verdicts.
 #include <QAction>
 #include <QApplication>
 #include <QDockWidget>

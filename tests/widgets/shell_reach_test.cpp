@@ -67,7 +67,8 @@ bool inView(const QWidget& widget) {
     if (!area) continue;
     const QRect shown = area->viewport()->rect();
     const QRect place(widget.mapTo(area->viewport(), QPoint()), widget.size());
-    if (place.height() <= shown.height() && (place.top() < 0 || place.bottom() > shown.bottom())) return false;
+    if (place.height() <= shown.height() && (place.top() < 0 || place.bottom() > shown.bottom()))
+      return false;
     if (place.width() <= shown.width() && (place.left() < 0 || place.right() > shown.right())) return false;
     if (!shown.intersects(place)) return false;
   }

@@ -66,8 +66,8 @@ TEST(StatusLine, SaysWhatIsWrong) {
   auto status = running();
   status.real_time_factor = 0.4;
   line.showStatus(status, 0.0);
-  for (const char* words :
-       {"gate shut: left lost", "NIS 8.20 FAIL, too high", "rescues 3", "12 motor samples refused", "only ×0.4"})
+  for (const char* words : {"gate shut: left lost", "NIS 8.20 FAIL, too high", "rescues 3",
+                            "12 motor samples refused", "only ×0.4"})
     EXPECT_TRUE(line.text().contains(QString::fromUtf8(words)))
         << words << " in " << line.text().toStdString();
 }

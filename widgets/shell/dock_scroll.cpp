@@ -8,6 +8,7 @@ namespace capstan::widgets {
 
 namespace {
 
+constexpr int kBorder = 1;    ///< as the style sheet below has it [px]
 const QSize kLeast(150, 60);  ///< that still shows a control and its scroll bar [px]
 
 }  // namespace
@@ -17,9 +18,9 @@ DockScroll::DockScroll(QWidget* content, QWidget* parent) : QScrollArea(parent) 
   setFrameShape(QFrame::NoFrame);
   setSizePolicy(content->sizePolicy());
   setFocusPolicy(Qt::NoFocus);
-  setStyleSheet(QStringLiteral(
-      "capstan--widgets--DockScroll { border: 1px solid transparent; }"
-      "capstan--widgets--DockScroll:focus { border: 1px solid palette(highlight); }"));
+  setStyleSheet(
+      QStringLiteral("capstan--widgets--DockScroll { border: 1px solid transparent; }"
+                     "capstan--widgets--DockScroll:focus { border: 1px solid palette(highlight); }"));
   setWidget(content);
   setAccessibleName(content->windowTitle());
   viewport()->setAutoFillBackground(false);
@@ -28,8 +29,8 @@ DockScroll::DockScroll(QWidget* content, QWidget* parent) : QScrollArea(parent) 
 }
 
 QSize DockScroll::sizeHint() const {
-  const int frame = 2 * frameWidth();
-  return widget()->sizeHint().expandedTo(minimumSizeHint()) + QSize(frame, frame);
+  const int frame = 2 * kBorder;
+  return widget()->sizeHint().expandedTo(widget()->minimumSizeHint()) + QSize(frame, frame);
 }
 
 QSize DockScroll::minimumSizeHint() const { return widget()->minimumSizeHint().boundedTo(kLeast); }

@@ -51,7 +51,7 @@ namespace {
 
 constexpr int kLayoutVersion = 3;
 constexpr int kRoomForAll = 950;  ///< height below which calibration and notes share a place [px]
-constexpr int kBars = 130;        ///< menus, toolbar, status line and gaps, about [px]
+constexpr int kBars = 160;        ///< menus, toolbar, status line, tabs and gaps, about [px]
 constexpr int kRoomForTwo = 680;  ///< height below which all panels of a side share one [px]
 
 QString documents() {
@@ -97,7 +97,8 @@ MainWindow::MainWindow(const QString& settings, QWidget* parent)
 
 MainWindow::~MainWindow() = default;
 
-/// Menus above the toolbar, which outside of the window's own toolbar areas puts what has no room into a menu.
+/// Menus above the toolbar, which outside of the window's own toolbar areas puts what has no room into a
+/// menu.
 QMenuBar* MainWindow::addBars() {
   auto* bars = new QWidget;
   auto* column = new QVBoxLayout(bars);
@@ -162,14 +163,17 @@ void MainWindow::layOutDocks() {
   }
   if (height() < kRoomForTwo) {
     tabifyDockWidget(dock("cameras"), dock("scene"));
-    for (const char* name : {"calibration", "errors", "notes"}) tabifyDockWidget(dock("occlusion"), dock(name));
+    for (const char* name : {"calibration", "errors", "notes"})
+      tabifyDockWidget(dock("occlusion"), dock(name));
     dock("cameras")->raise();
     dock("occlusion")->raise();
     for (auto* tabs : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
-      tabs->setStyleSheet("QTabBar::tab { padding: 4px 5px; }");  // so that four names fit
+      tabs->setStyleSheet(
+          "QTabBar { font-size: 9pt; } QTabBar::tab { padding: 4px 3px; }");  // four names fit
   }
   const int occlusion = dock("occlusion")->sizeHint().height(), errors = dock("errors")->sizeHint().height();
-  const int rest = std::max(150, height() - kBars - occlusion - errors);  // calibration and, if it fits, notes
+  const int rest =
+      std::max(150, height() - kBars - occlusion - errors);  // calibration and, if it fits, notes
   const int notes = height() < kRoomForAll ? rest : rest / 4;
   resizeDocks({dock("occlusion"), dock("calibration"), dock("errors"), dock("notes")},
               {occlusion, height() < kRoomForAll ? rest : rest - notes, errors, notes}, Qt::Vertical);
@@ -286,7 +290,8 @@ void MainWindow::onOpened(const session::SourceInfo& info, const SourceChoice& c
   history_.clear();
   now_ = info.begin;
   title_ = titleOf(choice_, info.title);
-  status_->setSource(choice_.simulated ? QString() : tr("recording %1").arg(QFileInfo(choice_.file).fileName()));
+  status_->setSource(choice_.simulated ? QString()
+                                       : tr("recording %1").arg(QFileInfo(choice_.file).fileName()));
   for (std::size_t i = 0; i < 3; ++i)
     joint_names_[i] = i < info.robot.joints.size() ? QString::fromStdString(info.robot.joints[i].name)
                                                    : tr("joint %1").arg(i + 1);

@@ -69,11 +69,9 @@ void addMenus(MainWindow& window, QMenuBar& menus) {
   addActions(*session, window, {"run", "step"});
   addActions(*session->addMenu(QObject::tr("Speed")), window, {"slower", "faster"});
   session->addMenu(&window.bar().sources());
-  addActions(*session, window,
-             {"", "record", "recordingFolder", "showFolder", "", "note", "export"});
+  addActions(*session, window, {"", "record", "recordingFolder", "showFolder", "", "note", "export"});
   auto* view = menus.addMenu(QObject::tr("&View"));
-  for (std::size_t i = 0; i < kDocks.size(); ++i)
-    addDock(*view, window, kDocks[i], static_cast<int>(i) + 1);
+  for (std::size_t i = 0; i < kDocks.size(); ++i) addDock(*view, window, kDocks[i], static_cast<int>(i) + 1);
   view->addAction(window.action("register"));
   view->addSeparator();
   addAllDocks(*view, window);

@@ -18,7 +18,8 @@ TEST(NisVerdict, TooLowIsCautiousAndOnlyTooHighFails) {
 }
 
 TEST(NisVerdict, TheBandHolds1ForEveryCount) {
-  for (const int count : {1, 2, 3, 10, 150, 100000}) EXPECT_TRUE(chiSquareBand(3, count).contains(1.0)) << count;
+  for (const int count : {1, 2, 3, 10, 150, 100000})
+    EXPECT_TRUE(chiSquareBand(3, count).contains(1.0)) << count;
 }
 
 TEST(NisVerdict, AFailureNamesTheRemedyAndCautionNamesNone) {

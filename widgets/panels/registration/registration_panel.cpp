@@ -27,7 +27,8 @@ RegistrationPanel::RegistrationPanel(QWidget* parent) : QWidget(parent) {
   end_->setAlignment(Qt::AlignCenter);
   end_->setWordWrap(true);
   end_->setFont(textFont(12.0));
-  ended_ = new QLabel("The session has ended: the arm cannot be driven and no frames come. Begin it again (Space).");
+  ended_ = new QLabel(
+      "The session has ended: the arm cannot be driven and no frames come. Begin it again (Space).");
   ended_->setWordWrap(true);
   ended_->hide();
   close_ = new QPushButton("Cancel");

@@ -65,17 +65,18 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   remedies_->setObjectName("remedies");
   remedies_->setText(tr("Identify or diagnose ▾"));
   remedies_->setStyleSheet(
-      "QToolButton { border: 1px solid palette(mid); border-radius: 3px; padding: 1px 6px; margin: 0 4px 0 8px; }"
+      "QToolButton { border: 1px solid palette(mid); border-radius: 3px; padding: 1px 6px; margin: 0 4px 0 "
+      "8px; }"
       "QToolButton:focus { border-color: palette(highlight); }"
       "QToolButton::menu-indicator { image: none; }");
   remedies_->setToolTip(tr("The NIS is too high: find which parameter of the robot file is wrong"));
   remedies_->setPopupMode(QToolButton::InstantPopup);
   remedies_->hide();
   row->addStretch(1);
-  labels_[kNis]->setToolTip(
-      tr("Normalised innovation squared over its degrees of freedom. Pass: inside the 95 % χ² band. Cautious: "
-         "below it, the filter expects more noise than there is. FAIL, too high: above it, a parameter of the "
-         "robot file is wrong"));
+  labels_[kNis]->setToolTip(tr(
+      "Normalised innovation squared over its degrees of freedom. Pass: inside the 95 % χ² band. Cautious: "
+      "below it, the filter expects more noise than there is. FAIL, too high: above it, a parameter of the "
+      "robot file is wrong"));
   labels_[kMotors]->setToolTip(tr("An encoder that failed: its joint is estimated from the cameras alone"));
   labels_[kLag]->setToolTip(tr("From exposure to arrival of the newest camera sample"));
   labels_[kRescues]->setToolTip(tr("Cholesky down-dates that fell back to a safe path"));

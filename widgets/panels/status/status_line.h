@@ -15,9 +15,9 @@ class QToolButton;
 
 namespace capstan::widgets {
 
-/// One line about the session: the recording, rates, lag, gate, motor encoders that failed, consistency, rescues, recording,
-/// disk. A verdict that is not good carries the warning or fault colour and says so in a word. Where the window is
-/// too narrow, parts that ask for nothing are left to the tool tip.
+/// One line about the session: the recording, rates, lag, gate, motor encoders that failed, consistency,
+/// rescues, recording, disk. A verdict that is not good carries the warning or fault colour and says so in a
+/// word. Where the window is too narrow, parts that ask for nothing are left to the tool tip.
 class StatusLine : public QWidget {
   Q_OBJECT
  public:
