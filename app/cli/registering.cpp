@@ -48,7 +48,7 @@ Eigen::Isometry3d atHardStop(const std::string& mounting, const SourceFactory& o
   const auto info = open()->info();
   std::optional<Eigen::Isometry3d> known = info.base_from_camera;
   if (!mounting.empty()) known = readRegistration(mounting);
-  session::RegistrationGuide guide(info.robot);
+  session::RegistrationGuide guide(info.robot, {}, info.rig);
   guide.start(known);
   runUnregistered(open, options, [&](const tracking::Snapshot& snapshot) {
     if (guide.step() == session::RegistrationStep::kReview) return;

@@ -152,7 +152,7 @@ std::unique_ptr<session::Source> openFor(ReportArguments& arguments, const CLI::
 }
 
 /// The window's names for the same things.
-void takeWindowOptions(ReportArguments& arguments) {
+void takeWindowOptions(ReportArguments& arguments, const CLI::App& command) {
   if (!arguments.opened.empty()) {
     if (!arguments.file.empty())
       refuseOption("RECORDING", arguments.file, "is given together with " + arguments.opened,
@@ -161,6 +161,9 @@ void takeWindowOptions(ReportArguments& arguments) {
   }
   if (arguments.simulate && !arguments.file.empty())
     refuseOption("RECORDING", arguments.file, "is given together with --simulate", "Give one of them");
+  if (arguments.file.empty() && command.count("--format") > 0)
+    refuseOption("--format", arguments.format, "is of a RECORDING, and none is given",
+                 "Give one, or leave it out");
   if (!arguments.theme.empty()) notice("--theme is the window's: a report has none");
 }
 
@@ -179,7 +182,7 @@ void addWindowOptions(CLI::App& command, ReportArguments& arguments) {
 }
 
 ExitCode report(ReportArguments& arguments, const CLI::App& command) {
-  takeWindowOptions(arguments);
+  takeWindowOptions(arguments, command);
   const Output output(arguments.json);
   const fs::path folder = arguments.out;
   checkOutputs({{"--json", arguments.json}},

@@ -41,6 +41,11 @@ void check(const TrackArguments& arguments, const CLI::App& command) {
   if (!arguments.simulate && simulationAsked(command))
     refuseOption("--simulate", {}, "is missing, yet simulation options are given",
                  "Add --simulate or leave them out");
+  if (arguments.simulate && command.count("--format") > 0)
+    refuseOption("--format", arguments.format, "is of a FILE, yet --simulate is given", "Leave it out");
+  if (!arguments.mounting.empty() && arguments.registration != "hard-stop")
+    refuseOption("--mounting", arguments.mounting, "is given without --register hard-stop",
+                 "Add that, or leave it out");
 }
 
 std::vector<session::MotorFailure> failuresOf(const std::vector<std::string>& texts) {
@@ -93,7 +98,10 @@ ExitCode track(TrackArguments& arguments, const CLI::App& command) {
   } else if (info.rig && !info.base_from_camera) {
     notice("no registration is stored with this recording: the filter runs on kinematics (see --register)");
   }
-  if (!arguments.save_registration.empty() && info.base_from_camera)
+  if (!arguments.save_registration.empty() && !info.base_from_camera)
+    refuseOption("--save-registration", arguments.save_registration, "has no registration to write",
+                 "Find one with --register");
+  if (!arguments.save_registration.empty())
     writeRegistration(*info.base_from_camera, arguments.save_registration);
 
   tracking::TrackingPipeline pipeline = tracking::makePipeline(info, options);

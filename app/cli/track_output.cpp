@@ -103,16 +103,6 @@ std::optional<NisVerdict> nisVerdict(const TrackReport& report) {
   return NisVerdict{report.nisMean(), estimation::chiSquareBand(3, count)};
 }
 
-std::string NisVerdict::text() const {
-  return passed() ? "pass" : mean > band.high ? "FAIL, too high" : "FAIL, too low";
-}
-
-std::string NisVerdict::advice() const {
-  if (passed()) return {};
-  return mean > band.high ? "a parameter of the robot file is wrong: see identify"
-                          : "the filter expects more noise than there is: see its options";
-}
-
 std::string textOf(const TrackReport& report, const session::SourceInfo& info, double seconds) {
   std::string text;
   if (info.own_kinematics)
@@ -141,10 +131,11 @@ std::string textOf(const TrackReport& report, const session::SourceInfo& info, d
 }
 
 nlohmann::json jsonOf(const TrackReport& report, const session::SourceInfo& info) {
-  nlohmann::json band, consistent;
+  nlohmann::json band, consistent, verdict;
   if (const auto nis = nisVerdict(report)) {
     band = {nis->band.low, nis->band.high};
     consistent = nis->passed();
+    verdict = nis->text();
   }
   nlohmann::json gates = nlohmann::json::object();
   for (const auto& [gate, name] : base::NamesOf<Gate>::value)
@@ -156,6 +147,7 @@ nlohmann::json jsonOf(const TrackReport& report, const session::SourceInfo& info
           {"nis", report.nisMean()},
           {"nis_band", band},
           {"nis_consistent", consistent},
+          {"nis_verdict", verdict},
           {"nees", report.neesMean()},
           {"transmission", transmissionJson(report.transmission)},
           {"reference", referenceOf(info)},

@@ -9,6 +9,7 @@
 
 #include "core/base/part_file.h"
 #include "core/estimation/consistency.h"
+#include "core/estimation/nis_verdict.h"
 #include "core/session/source.h"
 #include "core/tracking/sample.h"
 #include "core/tracking/snapshot.h"
@@ -26,10 +27,11 @@ struct NisVerdict {
   double mean = 0.0;
   estimation::Band band;  ///< of the mean, 95 %
   bool passed() const { return band.contains(mean); }
-  /// "pass", or "FAIL" and in which direction.
-  std::string text() const;
-  /// What a failure says, and what to do; empty: it passed.
-  std::string advice() const;
+  estimation::NisVerdict verdict() const { return estimation::judgeNis(mean, passed()); }
+  /// "pass", "cautious" or "FAIL, too high".
+  std::string text() const { return std::string(base::nameOf(verdict())); }
+  /// What it says where it is no pass, and what to do; empty: it passed.
+  std::string advice() const { return std::string(estimation::adviceOf(verdict())); }
 };
 /// Empty: no camera sample was accepted.
 std::optional<NisVerdict> nisVerdict(const tracking::TrackReport& report);

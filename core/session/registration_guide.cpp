@@ -43,8 +43,11 @@ const char* adviceAgainst(vision::MarkerFault fault) {
 
 }  // namespace
 
-RegistrationGuide::RegistrationGuide(const robot::Description& robot, const RegistrationOptions& options)
-    : robot_(robot), options_(options) {}
+RegistrationGuide::RegistrationGuide(const robot::Description& robot, const RegistrationOptions& options,
+                                     const std::optional<vision::StereoRig>& rig)
+    : robot_(robot), options_(options) {
+  if (rig) triangulator_.emplace(*rig);
+}
 
 void RegistrationGuide::start(const std::optional<Eigen::Isometry3d>& current) {
   step_ = RegistrationStep::kDrive;
@@ -114,7 +117,7 @@ bool RegistrationGuide::collect() {
   advice_.clear();
   collect_pose_ = rest_pose_;
   collect_since_ = rest_since_;
-  frames_seen_ = 0;
+  frames_seen_ = exchanged_ = disagreeing_ = 0;
   lost_ = {};
   points_.clear();
   scatter_ = {};
@@ -132,6 +135,10 @@ void RegistrationGuide::takeFrame(const tracking::Snapshot& snapshot) {
   if (both && snapshot.tip_in_camera.allFinite()) {
     points_.push_back({snapshot.t_cam, snapshot.tip_in_camera});
     judgePoints();
+  } else if (both && triangulator_) {
+    const CameraOrder order = cameraOrder(*triangulator_, snapshot.marker, options_.epipolar_limit);
+    exchanged_ += order == CameraOrder::kExchanged;
+    disagreeing_ += order == CameraOrder::kNoFit;
   }
   if (scatter_.used >= options_.frames) return finish();
   if (frames_seen_ >= options_.frames && scatter_.used < options_.detection_share * frames_seen_)
@@ -197,7 +204,31 @@ void RegistrationGuide::finish() {
   step_ = RegistrationStep::kReview;
 }
 
+/// Both cameras saw a marker, yet in most frames not at one point. False: that was not it.
+bool RegistrationGuide::refuseViews() {
+  const double most = options_.detection_share * frames_seen_;
+  if (exchanged_ > most) {
+    refuse(RegistrationFault::kCamerasExchanged,
+           fmt::format(
+               "Both cameras saw the marker, but in {} of {} frames it would lie behind them. It lies in "
+               "front of them when the left image is taken for the right one.",
+               exchanged_, frames_seen_),
+           "Most likely the left and the right stream are exchanged: exchange them, or the two camera files, "
+           "and "
+           "open the source again.");
+    return true;
+  }
+  if (disagreeing_ + exchanged_ <= most) return false;
+  refuse(RegistrationFault::kViewsDisagree,
+         fmt::format("Both cameras saw a marker, but in {} of {} frames their lines of view do not meet.",
+                     disagreeing_ + exchanged_, frames_seen_),
+         "Check that the camera files belong to these cameras and that both images are of the same time, and "
+         "take other things of the marker's colour out of the view.");
+  return true;
+}
+
 void RegistrationGuide::refuseTooFew() {
+  if (refuseViews()) return;
   std::string why;
   vision::MarkerFault worst = vision::MarkerFault::kNoPixels;
   int most = 0;

@@ -8,6 +8,7 @@
 
 #include "core/base/names.h"
 #include "core/robot/description.h"
+#include "core/session/camera_order.h"
 #include "core/tracking/snapshot.h"
 #include "core/vision/registration.h"
 
@@ -18,7 +19,15 @@ namespace capstan::session {
 enum class RegistrationStep { kIdle, kDrive, kCollect, kRefused, kReview, kAccepted, kRejected };
 
 /// Why a collection was refused.
-enum class RegistrationFault { kNone, kNoRotation, kArmMoved, kTooFewDetections, kScatterTooLarge };
+enum class RegistrationFault {
+  kNone,
+  kNoRotation,
+  kArmMoved,
+  kTooFewDetections,
+  kScatterTooLarge,
+  kCamerasExchanged,
+  kViewsDisagree
+};
 
 /// What became of one triangulated point.
 enum class PointVerdict { kUsed, kOutlier };
@@ -31,7 +40,8 @@ struct RegistrationOptions {
   Eigen::Vector3d rest_tolerance{0.0018, 0.0018, 0.0002};  ///< travel that still counts as rest [rad, rad, m]
   double rest_time = 0.5;                                  ///< stillness before collecting [s]
   double outlier_sigma = 4.0;                              ///< distance from the median that rejects a point
-  Eigen::Vector3d scatter_limit{0.0015, 0.0015, 0.006};    ///< largest σ of a point, camera x, y, z [m]
+  double epipolar_limit = 3.0;  ///< farther off, two views show no one marker, as when tracking [px]
+  Eigen::Vector3d scatter_limit{0.0015, 0.0015, 0.006};  ///< largest σ of a point, camera x, y, z [m]
 };
 
 /// Where the arm is with respect to the hard stop.
@@ -76,7 +86,9 @@ struct RegistrationProposal {
 
 class RegistrationGuide {
  public:
-  explicit RegistrationGuide(const robot::Description& robot, const RegistrationOptions& options = {});
+  /// With the `rig` the guide knows exchanged cameras from a marker that was not found.
+  explicit RegistrationGuide(const robot::Description& robot, const RegistrationOptions& options = {},
+                             const std::optional<vision::StereoRig>& rig = {});
 
   /// Begins at step kDrive. `current` is the registration in use or the nominal mounting: its rotation is the
   /// known ⁰R of (1). Without one the guide refuses with kNoRotation.
@@ -118,6 +130,7 @@ class RegistrationGuide {
   void finish();
   void refuse(RegistrationFault fault, std::string reason, std::string advice);
   void refuseTooFew();
+  bool refuseViews();
 
   robot::Description robot_;
   RegistrationOptions options_;
@@ -133,6 +146,8 @@ class RegistrationGuide {
   double collect_since_ = 0.0;
   Eigen::Vector3d collect_pose_ = Eigen::Vector3d::Zero();
   int frames_seen_ = 0;
+  std::optional<vision::Triangulator> triangulator_;
+  int exchanged_ = 0, disagreeing_ = 0;  ///< frames whose two detections do not meet, by CameraOrder
   static constexpr std::size_t kFaults = base::NamesOf<vision::MarkerFault>::value.size();
   std::array<std::array<int, kFaults>, 2> lost_{};  ///< frames by camera and vision::MarkerFault
   std::vector<RegistrationPoint> points_;
@@ -147,7 +162,11 @@ template <>
 struct capstan::base::NamesOf<capstan::session::RegistrationFault> {
   using F = capstan::session::RegistrationFault;
   static constexpr std::array value = {
-      std::pair{F::kNone, "ok"}, std::pair{F::kNoRotation, "camera mounting unknown"},
-      std::pair{F::kArmMoved, "the arm moved"}, std::pair{F::kTooFewDetections, "too few detections"},
-      std::pair{F::kScatterTooLarge, "scatter too large"}};
+      std::pair{F::kNone, "ok"},
+      std::pair{F::kNoRotation, "camera mounting unknown"},
+      std::pair{F::kArmMoved, "the arm moved"},
+      std::pair{F::kTooFewDetections, "too few detections"},
+      std::pair{F::kScatterTooLarge, "scatter too large"},
+      std::pair{F::kCamerasExchanged, "left and right camera seem to be exchanged"},
+      std::pair{F::kViewsDisagree, "the two cameras do not see the same point"}};
 };

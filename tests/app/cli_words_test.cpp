@@ -63,6 +63,15 @@ TEST_F(Cli, TheNisVerdictHasItsBandAndSaysWhatFailureMeans) {
   EXPECT_NE(text.find("FAIL"), std::string::npos) << text;
   EXPECT_NE(text.find("a parameter of the robot file is wrong: see identify"), std::string::npos) << text;
 
+  const std::string matched = "track --simulate --truth matched --no-images --duration 20";
+  const json calm = json::parse(run(matched + " --json -").out);
+  ASSERT_LT(calm["nis"].get<double>(), calm["nis_band"][0].get<double>());
+  EXPECT_EQ(calm["nis_verdict"], "cautious");
+  const std::string cautious = run(matched).out;
+  EXPECT_NE(cautious.find(": cautious"), std::string::npos) << cautious;
+  EXPECT_EQ(cautious.find("FAIL"), std::string::npos) << cautious;
+  EXPECT_EQ(report["nis_verdict"], "FAIL, too high");
+
   const json none = json::parse(run("track --simulate --no-cameras --duration 1 --json -").out);
   EXPECT_TRUE(none["nis_band"].is_null());
   EXPECT_TRUE(none["nis_consistent"].is_null());
@@ -70,6 +79,21 @@ TEST_F(Cli, TheNisVerdictHasItsBandAndSaysWhatFailureMeans) {
   ASSERT_EQ(run("report " + file + " --out " + page).exit, 0);
   EXPECT_NE(textOf("r/index.html").find("FAIL"), std::string::npos);
   EXPECT_NE(textOf("r/index.html").find("see identify"), std::string::npos);
+}
+
+TEST_F(Cli, OptionsThatWouldBeIgnoredAreRefused) {
+  const std::string out = " --out " + path("r");
+  for (const auto& [arguments, named] :
+       {std::pair{std::string("track --simulate --no-images --duration 1 --mounting m.yaml"), "--mounting"},
+        std::pair{std::string("track --simulate --no-images --duration 1 --format table"), "--format"},
+        std::pair{"track --simulate --no-cameras --duration 1 --save-registration " + path("s.yaml"),
+                  "--save-registration"},
+        std::pair{"report --duration 1 --format raven" + out, "--format"},
+        std::pair{std::string("track --unregistered"), "--unregistered"}}) {
+    const Ran result = run(arguments);
+    EXPECT_EQ(result.exit, 2) << arguments;
+    EXPECT_NE(result.err.find(named), std::string::npos) << arguments << ": " << result.err;
+  }
 }
 
 TEST_F(Cli, ReportTakesTheWindowsNames) {

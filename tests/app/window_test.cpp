@@ -33,6 +33,10 @@ TEST(Window, UsageErrorsAreExitTwoWithoutADisplay) {
                             "--size 10x10", "--size 99999x800", "--size 1280x800x3", "--size big"})
     EXPECT_EQ(run(window + " " + wrong).exit, 2) << wrong;
   EXPECT_NE(run(window + " --size 10x10").said.find("--size = 10x10"), std::string::npos);
+  EXPECT_NE(
+      run(window + " --unregistered --session a.capstan").said.find("--unregistered excludes --session"),
+      std::string::npos);
+  EXPECT_NE(run(window + " --state paused").said.find("--state requires --screenshot"), std::string::npos);
   EXPECT_EQ(run(window + " --help").exit, 0);
   EXPECT_EQ(run(window).exit, 2) << "no display";
 }

@@ -88,6 +88,45 @@ TEST_F(Guide, RefusesTooFewDetectionsAndSaysWhichCameraAndWhy) {
   EXPECT_FALSE(guide.proposal());
 }
 
+/// What both detectors see of the marker at the stop; `exchanged`: the left image as the right one, else one
+/// row of one image lies lower by `lower` [px].
+tracking::Snapshot detected(test::RegistrationFeed& feed, bool exchanged, double lower) {
+  tracking::Snapshot snapshot = feed.next();
+  snapshot.tip_in_camera.setConstant(std::numeric_limits<double>::quiet_NaN());
+  const auto rig = test::stereoRig();
+  const Vector3d tip = feed.truth.inverse() * feed.arm.tip(feed.q);
+  std::array pixels = {*rig.left.project(tip), *rig.right.project(rig.right_from_left * tip)};
+  if (exchanged) std::swap(pixels[0], pixels[1]);
+  pixels[0].y() += lower;
+  for (std::size_t side = 0; side < 2; ++side) {
+    snapshot.marker[side].fault = vision::MarkerFault::kNone;
+    snapshot.marker[side].centroid = pixels[side];
+  }
+  return snapshot;
+}
+
+TEST_F(Guide, NamesExchangedCamerasAsTheCause) {
+  RegistrationGuide with_rig(feed.robot, {}, test::stereoRig());
+  with_rig.start(nominal());
+  feed.run(with_rig, 1.0);
+  ASSERT_TRUE(with_rig.collect());
+  for (int i = 0; i < 5000; ++i) with_rig.observe(detected(feed, true, 0.0));
+  EXPECT_EQ(with_rig.step(), RegistrationStep::kRefused);
+  EXPECT_EQ(with_rig.fault(), RegistrationFault::kCamerasExchanged) << with_rig.reason();
+  EXPECT_THAT(with_rig.reason(), HasSubstr("60 of 60 frames"));
+  EXPECT_THAT(with_rig.advice(), HasSubstr("the left and the right stream are exchanged"));
+}
+
+TEST_F(Guide, ViewsThatDisagreeAreNoExchange) {
+  RegistrationGuide with_rig(feed.robot, {}, test::stereoRig());
+  with_rig.start(nominal());
+  feed.run(with_rig, 1.0);
+  ASSERT_TRUE(with_rig.collect());
+  for (int i = 0; i < 5000; ++i) with_rig.observe(detected(feed, false, 12.0));
+  EXPECT_EQ(with_rig.fault(), RegistrationFault::kViewsDisagree) << with_rig.reason();
+  EXPECT_THAT(with_rig.advice(), HasSubstr("camera files"));
+}
+
 TEST_F(Guide, RefusesTooLargeAScatterWithAxisAndNumbers) {
   feed.noise.z() = 0.012;
   arrive();

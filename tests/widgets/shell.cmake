@@ -4,3 +4,14 @@ capstan_widget_test(
   LINKS capstan::shell)
 target_compile_definitions(shell_test PRIVATE CAPSTAN_CLI="$<TARGET_FILE:capstan-cli>")
 add_dependencies(shell_test capstan-cli)
+
+# In a real window, at the size of a small screen and with every pixel doubled.
+capstan_display_test(
+  NAME shell_reach_test
+  SOURCES shell_operator_test.cpp shell_reach_test.cpp
+  LINKS capstan::shell)
+target_compile_definitions(shell_reach_test PRIVATE CAPSTAN_CLI="$<TARGET_FILE:capstan-cli>")
+add_dependencies(shell_reach_test capstan-cli)
+add_test(NAME shell_reach_doubled_test COMMAND xvfb-run -a -s "-screen 0 1920x1080x24 -noreset"
+                                               $<TARGET_FILE:shell_reach_test> --gtest_filter=Reach.*)
+set_tests_properties(shell_reach_doubled_test PROPERTIES TIMEOUT 120 ENVIRONMENT "QT_SCALE_FACTOR=2")

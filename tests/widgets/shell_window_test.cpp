@@ -133,7 +133,7 @@ TEST_F(Shell, KeysTypedIntoFieldsStayThere) {
     field->setFocus();
     ASSERT_TRUE(field->hasFocus());
     QTest::keyClick(field, Qt::Key_Period);
-    QTest::keyClick(field, Qt::Key_L);
+    if (field != interval) QTest::keyClick(field, Qt::Key_L);  // no number holds an L
     QTest::keyClick(field, Qt::Key_R);
     if (field != interval) QTest::keyClick(field, Qt::Key_Space);
     QTest::qWait(100);

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <QAction>
 #include <QLabel>
 #include <QTemporaryDir>
+#include <QToolButton>
 
 #include "tests/widgets/picture.h"
 
@@ -64,8 +66,8 @@ TEST(StatusLine, SaysWhatIsWrong) {
   auto status = running();
   status.real_time_factor = 0.4;
   line.showStatus(status, 0.0);
-  for (const char* words :
-       {"gate shut: left lost", "NIS 8.20 FAIL", "rescues 3", "12 motor samples refused", "only ×0.4"})
+  for (const char* words : {"gate shut: left lost", "NIS 8.20 FAIL, too high", "rescues 3",
+                            "12 motor samples refused", "only ×0.4"})
     EXPECT_TRUE(line.text().contains(QString::fromUtf8(words)))
         << words << " in " << line.text().toStdString();
 }
@@ -84,6 +86,60 @@ TEST(StatusLine, NamesTheRobotInUseAndOcclusion) {
   EXPECT_TRUE(line.text().contains("occlusion 40 %, added to the recording")) << line.text().toStdString();
   line.showStatus(running(), 0.0);
   EXPECT_FALSE(line.text().contains("occlusion"));
+}
+
+TEST(StatusLine, AFilterThatIsTooCautiousIsNoFault) {
+  StatusLine line;
+  auto snapshot = calm();
+  snapshot.nis_mean = 0.13;
+  snapshot.nis_consistent = false;
+  line.showSnapshot(snapshot);
+  EXPECT_TRUE(line.text().contains("NIS 0.13 cautious")) << line.text().toStdString();
+  EXPECT_FALSE(line.text().contains("FAIL")) << line.text().toStdString();
+  for (auto* label : line.findChildren<QLabel*>())
+    if (label->text().contains("NIS")) {
+      EXPECT_EQ(label->palette().color(QPalette::WindowText), Theme::dark().text);
+      EXPECT_FALSE(label->font().bold());
+    }
+}
+
+TEST(StatusLine, OffersTheRemediesOnlyWhileTheVerdictFails) {
+  StatusLine line;
+  QAction identify("Identify");
+  line.setRemedies({&identify});
+  auto* button = line.findChild<QToolButton*>("remedies");
+  auto snapshot = calm();
+  for (const auto& [mean, consistent, offered] :
+       {std::tuple{8.2, false, true}, std::tuple{1.0, true, false}, std::tuple{0.1, false, false}}) {
+    snapshot.nis_mean = mean;
+    snapshot.nis_consistent = consistent;
+    line.showSnapshot(snapshot);
+    EXPECT_EQ(!button->isHidden(), offered) << mean;
+  }
+}
+
+TEST(StatusLine, InANarrowWindowWhatIsWrongStaysSeen) {
+  StatusLine line;
+  auto snapshot = calm();
+  snapshot.gate = tracking::Gate::kLeftLost;
+  snapshot.nis_mean = 8.2;
+  snapshot.nis_consistent = false;
+  line.setSource("recording a_rather_long_name_of_a_file.capstan");
+  line.showSnapshot(snapshot);
+  line.showStatus(running(), 0.0);
+  line.resize(500, 28);
+  line.show();
+  const auto seen = [&](const char* words) {
+    for (auto* label : line.findChildren<QLabel*>())
+      if (label->isVisible() && label->text().contains(words)) return true;
+    return false;
+  };
+  EXPECT_TRUE(seen("gate shut: left lost"));
+  EXPECT_TRUE(seen("FAIL, too high"));
+  EXPECT_FALSE(seen("1000 Hz"));
+  EXPECT_TRUE(line.toolTip().contains("1000 Hz"));
+  line.resize(2000, 28);
+  EXPECT_TRUE(seen("1000 Hz"));
 }
 
 TEST(StatusLine, FollowsTheRecording) {

@@ -5,6 +5,7 @@
 #include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QShortcut>
 #include <cmath>
 
 #include "widgets/scene/scene_renderer.h"
@@ -23,7 +24,26 @@ Eigen::Vector3d workspaceCentre(const WorkspaceGrid& grid) { return 0.5 * (grid.
 SceneView::SceneView(QWidget* parent) : QWidget(parent) {
   setAttribute(Qt::WA_OpaquePaintEvent);
   setAccessibleName("3-D view");
-  setToolTip("Drag: orbit · shift drag: pan · wheel: zoom · double click: back");
+  setToolTip(
+      "Drag or arrow keys: orbit · shift drag: pan · wheel, + and −: zoom · double click or Home: back · "
+      "menu key: more");
+  setFocusPolicy(Qt::StrongFocus);
+  const auto key = [this](Qt::Key code, auto act) {
+    auto* shortcut = new QShortcut(code, this);
+    shortcut->setContext(Qt::WidgetShortcut);
+    connect(shortcut, &QShortcut::activated, this, [this, act] {
+      act();
+      changed();
+    });
+  };
+  constexpr double kTurn = 0.1, kNearer = 0.9;  // [rad] and share of the distance, a press
+  key(Qt::Key_Left, [this] { camera_.orbit(kTurn, 0.0); });
+  key(Qt::Key_Right, [this] { camera_.orbit(-kTurn, 0.0); });
+  key(Qt::Key_Up, [this] { camera_.orbit(0.0, kTurn); });
+  key(Qt::Key_Down, [this] { camera_.orbit(0.0, -kTurn); });
+  key(Qt::Key_Plus, [this] { camera_.zoom(kNearer); });
+  key(Qt::Key_Minus, [this] { camera_.zoom(1.0 / kNearer); });
+  key(Qt::Key_Home, [this] { resetCamera(); });
   setRate(15.0);
   connect(&timer_, &QTimer::timeout, this, [this] {
     if (changed_ && isVisible()) draw();

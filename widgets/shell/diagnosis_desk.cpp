@@ -6,6 +6,7 @@
 #include "widgets/panels/calibration/calibration_panel.h"
 #include "widgets/panels/diagnosis/diagnosis_panel.h"
 #include "widgets/panels/notes/notes_panel.h"
+#include "widgets/shell/dock_scroll.h"
 #include "widgets/shell/session_bar.h"
 #include "widgets/shell/session_link.h"
 
@@ -33,7 +34,7 @@ void DiagnosisDesk::addAction(QStackedWidget& centre, SessionBar& bar) {
       "What the simulation gets wrong in recordings, and why, in the place of the plots, or back (Ctrl+D)"));
   bar.addPanelAction(action);
   connect(action, &QAction::toggled, &centre, [this, &centre](bool shown) {
-    centre.setCurrentIndex(shown ? centre.indexOf(&panel_) : 0);
+    centre.setCurrentIndex(shown ? pageWith(centre, panel_) : 0);
     if (shown) panel_.setFocus();
   });
 }

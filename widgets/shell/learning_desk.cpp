@@ -5,6 +5,7 @@
 
 #include "widgets/panels/learning/learning_panel.h"
 #include "widgets/panels/notes/notes_panel.h"
+#include "widgets/shell/dock_scroll.h"
 #include "widgets/shell/session_bar.h"
 #include "widgets/shell/session_link.h"
 
@@ -32,7 +33,7 @@ void LearningDesk::addAction(LearningPanel& panel, QStackedWidget& centre, Sessi
          "place of the plots, or back (Ctrl+Shift+L)"));
   bar.addPanelAction(action);
   connect(action, &QAction::toggled, &centre, [&panel, &centre](bool shown) {
-    centre.setCurrentIndex(shown ? centre.indexOf(&panel) : 0);
+    centre.setCurrentIndex(shown ? pageWith(centre, panel) : 0);
     if (shown) panel.setFocus();
   });
 }

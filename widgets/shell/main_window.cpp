@@ -7,10 +7,14 @@
 #include <QDateTime>
 #include <QDockWidget>
 #include <QFileDialog>
+#include <QMenuBar>
 #include <QRegularExpression>
+#include <QScreen>
 #include <QStackedWidget>
 #include <QStandardPaths>
 #include <QStatusBar>
+#include <QStyle>
+#include <QTabBar>
 #include <QVBoxLayout>
 
 #include "core/base/error.h"
@@ -29,13 +33,16 @@
 #include "widgets/shell/analysis_desk.h"
 #include "widgets/shell/calibration_desk.h"
 #include "widgets/shell/diagnosis_desk.h"
+#include "widgets/shell/dock_scroll.h"
 #include "widgets/shell/help_window.h"
+#include "widgets/shell/keyboard_reach.h"
 #include "widgets/shell/learning_desk.h"
 #include "widgets/shell/message_bar.h"
 #include "widgets/shell/motor_desk.h"
 #include "widgets/shell/registration_desk.h"
 #include "widgets/shell/session_bar.h"
 #include "widgets/shell/source_menu.h"
+#include "widgets/shell/window_menus.h"
 #include "widgets/video/stereo_view.h"
 
 namespace capstan::widgets {
@@ -44,6 +51,8 @@ namespace {
 
 constexpr int kLayoutVersion = 3;
 constexpr int kRoomForAll = 950;  ///< height below which calibration and notes share a place [px]
+constexpr int kBars = 160;        ///< menus, toolbar, status line, tabs and gaps, about [px]
+constexpr int kRoomForTwo = 680;  ///< height below which all panels of a side share one [px]
 
 QString documents() {
   return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + "/Capstan";
@@ -66,16 +75,19 @@ MainWindow::MainWindow(const QString& settings, QWidget* parent)
   column->addWidget(messages_);
   centre_ = new QStackedWidget;
   centre_->addWidget(figure_);
-  centre_->addWidget(analysis_ = new AnalysisPanel);
-  centre_->addWidget(diagnosis_ = new DiagnosisPanel(runDiagnosis));
-  centre_->addWidget(learning_ = new LearningPanel);
+  centre_->addWidget(new DockScroll(analysis_ = new AnalysisPanel));
+  centre_->addWidget(new DockScroll(diagnosis_ = new DiagnosisPanel(runDiagnosis)));
+  centre_->addWidget(new DockScroll(learning_ = new LearningPanel));
   column->addWidget(centre_, 1);
   setCentralWidget(middle);
   status_ = new StatusLine;
   statusBar()->addWidget(status_, 1);
   bar_ = new SessionBar(this);
-  addToolBar(bar_);
+  auto* menus = addBars();
   addDocks();
+  addMenus(*this, *menus);
+  status_->setRemedies({action("identify"), action("diagnose")});
+  new KeyboardReach(this);
   connectBar();
   connectLink();
   connectOcclusion();
@@ -85,13 +97,27 @@ MainWindow::MainWindow(const QString& settings, QWidget* parent)
 
 MainWindow::~MainWindow() = default;
 
+/// Menus above the toolbar, which outside of the window's own toolbar areas puts what has no room into a
+/// menu.
+QMenuBar* MainWindow::addBars() {
+  auto* bars = new QWidget;
+  auto* column = new QVBoxLayout(bars);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  auto* menus = new QMenuBar;
+  column->addWidget(menus);
+  column->addWidget(bar_);
+  setMenuWidget(bars);
+  return menus;
+}
+
 void MainWindow::addDocks() {
   const auto dock = [&](const QString& name, const QString& title, QWidget* content,
                         Qt::DockWidgetArea area) {
     auto* frame = new QDockWidget(title, this);
     frame->setObjectName(name);
     content->setAttribute(Qt::WA_StyledBackground);
-    frame->setWidget(content);
+    frame->setWidget(new DockScroll(content));
     addDockWidget(area, frame);
     return frame;
   };
@@ -106,6 +132,8 @@ void MainWindow::addDocks() {
                             Qt::RightDockWidgetArea);
   registration_dock_->setAllowedAreas(Qt::NoDockWidgetArea);  // too wide for a column
   registration_dock_->setFloating(true);
+  if (const QScreen* on = QGuiApplication::primaryScreen())
+    registration_dock_->resize(registration_dock_->sizeHint().boundedTo(0.9 * on->availableSize()));
   registration_dock_->hide();
   new RegistrationDesk(*registration_, *registration_dock_, link_, *bar_, *scene_, *notes_, this);
   new CalibrationDesk(*calibration_, *calibration, link_, *bar_, *notes_, this);
@@ -121,16 +149,34 @@ void MainWindow::addDocks() {
 /// Pictures and panels take their share of the window, unless the user's own layout came back.
 void MainWindow::layOutDocks() {
   const auto dock = [this](const char* name) { return findChild<QDockWidget*>(name); };
-  const int left = std::clamp(static_cast<int>(0.27 * width()), 380, 620);
-  const int right = std::clamp(static_cast<int>(0.19 * width()), 290, 380);
+  const int left = std::clamp(static_cast<int>(0.27 * width()), 240, 620);
+  int room = 0;  // for the widest panel and its scroll bar
+  for (const char* name : {"occlusion", "calibration", "errors", "notes"})
+    room = std::max(room, dock(name)->widget()->sizeHint().width());
+  room += style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+  const int right = std::clamp(static_cast<int>(0.19 * width()), std::min(room, 400), 400);
   resizeDocks({dock("cameras"), dock("occlusion")}, {left, right}, Qt::Horizontal);
   resizeDocks({dock("cameras"), dock("scene")}, {64 * height() / 100, 36 * height() / 100}, Qt::Vertical);
   if (height() < kRoomForAll) {
     tabifyDockWidget(dock("calibration"), dock("notes"));
     dock("calibration")->raise();
   }
+  if (height() < kRoomForTwo) {
+    tabifyDockWidget(dock("cameras"), dock("scene"));
+    for (const char* name : {"calibration", "errors", "notes"})
+      tabifyDockWidget(dock("occlusion"), dock(name));
+    dock("cameras")->raise();
+    dock("occlusion")->raise();
+    for (auto* tabs : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
+      tabs->setStyleSheet(
+          "QTabBar { font-size: 9pt; } QTabBar::tab { padding: 4px 3px; }");  // four names fit
+  }
+  const int occlusion = dock("occlusion")->sizeHint().height(), errors = dock("errors")->sizeHint().height();
+  const int rest =
+      std::max(150, height() - kBars - occlusion - errors);  // calibration and, if it fits, notes
+  const int notes = height() < kRoomForAll ? rest : rest / 4;
   resizeDocks({dock("occlusion"), dock("calibration"), dock("errors"), dock("notes")},
-              {230, 450, 190, std::max(150, height() - 900)}, Qt::Vertical);
+              {occlusion, height() < kRoomForAll ? rest : rest - notes, errors, notes}, Qt::Vertical);
 }
 
 void MainWindow::showEvent(QShowEvent* event) {
@@ -175,7 +221,7 @@ void MainWindow::connectLink() {
   connect(&link_, &SessionLink::failed, this, [this](const QString& text) {
     messages_->showMessage(text);
     notes_->addEvent(now_, "fault", text);
-    title_ = link_.runner() ? QString::fromStdString(link_.runner()->info().title) : tr("no source");
+    title_ = link_.runner() ? titleOf(choice_, link_.runner()->info().title) : tr("no source");
   });
   connect(&link_, &SessionLink::status, this, &MainWindow::onStatus);
   connect(&link_, &SessionLink::report, this,
@@ -238,9 +284,12 @@ void MainWindow::open(const SourceChoice& choice) {
 void MainWindow::onOpened(const session::SourceInfo& info, const SourceChoice& choice) {
   choice_ = choice;
   bar_->sources().remember(choice_);
+  messages_->hide();  // an old fault is none of this source
   history_.clear();
   now_ = info.begin;
-  title_ = QString::fromStdString(info.title);
+  title_ = titleOf(choice_, info.title);
+  status_->setSource(choice_.simulated ? QString()
+                                       : tr("recording %1").arg(QFileInfo(choice_.file).fileName()));
   for (std::size_t i = 0; i < 3; ++i)
     joint_names_[i] = i < info.robot.joints.size() ? QString::fromStdString(info.robot.joints[i].name)
                                                    : tr("joint %1").arg(i + 1);
@@ -320,13 +369,14 @@ void MainWindow::onStatus(const session::RunStatus& status) {
 void MainWindow::onRecording(bool recording, const session::RunStatus& status) {
   if (recording) {
     recording_since_ = status.t;
+    messages_->settle("recording");
     const QFileInfo file(QString::fromStdString(status.recording));
     notes_->addFile(status.t, "recording", file.absoluteFilePath());
   } else {
     recording_since_.reset();
     const bool failed = status.recorder && status.recorder->state == session::RecorderState::kFailed;
     const QString why = failed ? QString::fromStdString(status.recorder->error) : QString();
-    if (failed) messages_->showMessage(why);
+    if (failed) messages_->showMessage(why, "recording");
     notes_->addEvent(status.t, failed ? "fault" : "recording", failed ? why : tr("stopped"));
   }
   notes_->setRecording(recording);
@@ -356,8 +406,9 @@ void MainWindow::exportFigure(const QString& base) {
     const std::string path = QString(base).remove(QRegularExpression("\\.(pdf|svg|png|csv)$")).toStdString();
     exportJointFigure(history_, joint_names_, range.lower, range.upper, path);
     notes_->addFile(now_, "export", QString::fromStdString(path));
+    messages_->settle("export");
   } catch (const std::exception& error) {
-    messages_->showMessage(QString::fromStdString(error.what()));
+    messages_->showMessage(QString::fromStdString(error.what()), "export");
   }
 }
 

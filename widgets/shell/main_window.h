@@ -8,6 +8,7 @@
 #include "widgets/shell/session_link.h"
 
 class QDockWidget;
+class QMenuBar;
 class QStackedWidget;
 
 namespace capstan::widgets {
@@ -60,6 +61,7 @@ class MainWindow : public QMainWindow {
   void closeEvent(QCloseEvent* event) override;
 
  private:
+  QMenuBar* addBars();
   void addDocks();
   void layOutDocks();
   void connectBar();

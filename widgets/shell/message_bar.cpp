@@ -26,9 +26,14 @@ void MessageBar::setTheme(const Theme& theme) {
                     .arg(theme.fault.name(), theme.raised.name()));
 }
 
-void MessageBar::showMessage(const QString& text) {
+void MessageBar::showMessage(const QString& text, const QString& about) {
+  about_ = about;
   text_->setText(tr("Fault: %1").arg(text));
   show();
+}
+
+void MessageBar::settle(const QString& about) {
+  if (about == about_) hide();
 }
 
 QString MessageBar::message() const { return isHidden() ? QString() : text_->text(); }

@@ -15,11 +15,15 @@ class MessageBar : public QFrame {
  public:
   explicit MessageBar(QWidget* parent = nullptr);
   void setTheme(const Theme& theme);
-  void showMessage(const QString& text);
+  /// `about` names what it is of, so that settle() takes it away.
+  void showMessage(const QString& text, const QString& about = {});
+  /// What the message is about has succeeded since: it goes, if it is still that one.
+  void settle(const QString& about);
   QString message() const;
 
  private:
   QLabel* text_;
+  QString about_;
 };
 
 }  // namespace capstan::widgets

@@ -8,6 +8,7 @@
 #include "widgets/panels/notes/notes_panel.h"
 #include "widgets/panels/registration/registration_panel.h"
 #include "widgets/scene/scene_view.h"
+#include "widgets/shell/keyboard_reach.h"
 #include "widgets/shell/session_bar.h"
 #include "widgets/shell/session_link.h"
 
@@ -24,6 +25,9 @@ RegistrationDesk::RegistrationDesk(RegistrationPanel& panel, QDockWidget& dock, 
     now_ = info.begin;
     if (accepted_) keepAccepted(scene, notes);
     if (dock_.isVisible()) begin();
+  });
+  connect(&link, &SessionLink::status, this, [this](const session::RunStatus& status) {
+    panel_.setEnded(status.state == session::RunState::kEnded || status.state == session::RunState::kFailed);
   });
   connect(&link, &SessionLink::snapshot, this,
           [this](const tracking::Snapshot& snapshot) { now_ = snapshot.t; });
@@ -46,6 +50,9 @@ void RegistrationDesk::addAction(SessionBar& bar) {
   bar.addPanelAction(action);
   connect(action, &QAction::triggered, this, [this](bool shown) {
     if (shown && link_.runner() && !panel_.active()) begin();
+    if (!shown) return;
+    dock_.activateWindow();
+    focusFirst(panel_);
   });
 }
 

@@ -4,8 +4,9 @@
 #include <QComboBox>
 #include <QDesktopServices>
 #include <QDir>
+#include <QEvent>
 #include <QFileDialog>
-#include <QShortcut>
+#include <QPainter>
 #include <QToolButton>
 #include <QUrl>
 
@@ -19,6 +20,7 @@ using session::RunState;
 
 SessionBar::SessionBar(QWidget* parent) : QToolBar(tr("Session"), parent) {
   setObjectName("session");
+  drawMore();
   setMovable(false);
   run_ = add("run", tr("▸ Run"), Qt::Key_Space, tr("Run or pause"));
   run_->setCheckable(true);
@@ -42,6 +44,30 @@ SessionBar::SessionBar(QWidget* parent) : QToolBar(tr("Session"), parent) {
           &QAction::triggered, this, &SessionBar::themeToggled);
 }
 
+/// The button of what has no room shows a sign in the theme's colour: the style's own is dark on dark.
+void SessionBar::drawMore() {
+  auto* more = findChild<QToolButton*>("qt_toolbar_ext_button");
+  if (!more) return;
+  constexpr int kSide = 16;  // [px]
+  QPixmap sign(QSize(kSide, kSide) * devicePixelRatioF());
+  sign.setDevicePixelRatio(devicePixelRatioF());
+  sign.fill(Qt::transparent);
+  QPainter painter(&sign);
+  QFont bold = font();
+  bold.setBold(true);
+  painter.setFont(bold);
+  painter.setPen(palette().color(QPalette::ButtonText));
+  painter.drawText(QRect(0, 0, kSide, kSide), Qt::AlignCenter, QStringLiteral("»"));
+  painter.end();
+  more->setIcon(sign);
+  more->setToolTip(tr("What has no room here; everything is also in the menus above"));
+}
+
+void SessionBar::changeEvent(QEvent* event) {
+  QToolBar::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange) drawMore();
+}
+
 QAction* SessionBar::add(const QString& name, const QString& text, const QKeySequence& key,
                          const QString& tip) {
   auto* action = addAction(text);
@@ -61,13 +87,22 @@ void SessionBar::addSpeed() {
     speed_->addItem(QStringLiteral("×%1").arg(speed), speed);
   speed_->setCurrentIndex(2);
   speed_->setFocusPolicy(Qt::NoFocus);
-  addWidget(speed_);
+  addWidget(speed_)->setText(tr("Speed"));
   connect(speed_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
           [this] { Q_EMIT speedChanged(speed()); });
-  for (const auto& [key, by] : {std::pair{Qt::Key_BracketLeft, -1}, std::pair{Qt::Key_BracketRight, 1}}) {
-    auto* shortcut = new QShortcut(key, parentWidget());
-    connect(shortcut, &QShortcut::activated, this, [this, change = by] { shiftSpeed(change); });
-  }
+  addOffBar("slower", tr("Slower"), Qt::Key_BracketLeft, [this] { shiftSpeed(-1); });
+  addOffBar("faster", tr("Faster"), Qt::Key_BracketRight, [this] { shiftSpeed(1); });
+}
+
+/// In the window's menus only; its key works all the same.
+QAction* SessionBar::addOffBar(const QString& name, const QString& text, const QKeySequence& key,
+                               std::function<void()> act) {
+  auto* action = new QAction(text, parentWidget());
+  action->setObjectName(name);
+  action->setShortcut(key);
+  parentWidget()->addAction(action);
+  connect(action, &QAction::triggered, this, std::move(act));
+  return action;
 }
 
 void SessionBar::shiftSpeed(int by) {
@@ -82,15 +117,15 @@ void SessionBar::setSpeed(double speed) {
 }
 
 void SessionBar::addSources() {
-  auto* button = new QToolButton;
-  button->setText(tr("Source"));
-  button->setToolTip(tr("Simulate, or open a recording"));
-  button->setPopupMode(QToolButton::InstantPopup);
-  button->setFocusPolicy(Qt::NoFocus);
   sources_ = new SourceMenu(parentWidget());
-  button->setMenu(sources_);
+  sources_->setTitle(tr("Source"));
+  sources_->setToolTip(tr("Simulate, or open a recording"));
   parentWidget()->addActions(sources_->actions());  // so that their keys work while the menu is shut
-  addWidget(button);
+  addAction(sources_->menuAction());
+  if (auto* button = qobject_cast<QToolButton*>(widgetForAction(sources_->menuAction()))) {
+    button->setPopupMode(QToolButton::InstantPopup);
+    button->setFocusPolicy(Qt::NoFocus);
+  }
 }
 
 void SessionBar::addRecording() {
@@ -99,9 +134,9 @@ void SessionBar::addRecording() {
   connect(record_, &QAction::triggered, this, &SessionBar::recordToggled);
   auto* button = qobject_cast<QToolButton*>(widgetForAction(record_));
   auto* menu = new QMenu(button);
-  connect(menu->addAction(tr("Recording folder…")), &QAction::triggered, this, &SessionBar::askFolder);
-  connect(menu->addAction(tr("Show the folder")), &QAction::triggered, this,
-          [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder_)); });
+  menu->addAction(addOffBar("recordingFolder", tr("Recording folder…"), {}, [this] { askFolder(); }));
+  menu->addAction(addOffBar("showFolder", tr("Show the folder"), {},
+                            [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder_)); }));
   button->setMenu(menu);
   button->setPopupMode(QToolButton::MenuButtonPopup);
 }
@@ -114,7 +149,7 @@ void SessionBar::addPanelAction(QAction* action) {
 void SessionBar::addGap() {
   auto* gap = new QWidget;
   gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-  addWidget(gap);
+  addWidget(gap)->setSeparator(true);  // as which it stands in the menu of what has no room
 }
 
 void SessionBar::askFolder() {

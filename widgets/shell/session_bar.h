@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QToolBar>
+#include <functional>
 
 #include "core/session/runner.h"
 #include "widgets/shell/source_choice.h"
@@ -44,7 +45,11 @@ class SessionBar : public QToolBar {
   void themeToggled();
 
  private:
+  void changeEvent(QEvent* event) override;
+  void drawMore();
   QAction* add(const QString& name, const QString& text, const QKeySequence& key, const QString& tip);
+  QAction* addOffBar(const QString& name, const QString& text, const QKeySequence& key,
+                     std::function<void()> act);
   void addSpeed();
   void addSources();
   void addRecording();

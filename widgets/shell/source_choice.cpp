@@ -68,6 +68,15 @@ SourceChoice SourceChoice::restore(const QSettings& settings) {
   return choice;
 }
 
+QString titleOf(const SourceChoice& choice, const std::string& own_title) {
+  const QString own = QString::fromStdString(own_title);
+  if (choice.simulated || choice.file.isEmpty()) return own;
+  const QFileInfo file(choice.file);
+  const bool more = own != file.fileName() && own != file.completeBaseName();
+  return more ? QObject::tr("recording %1 of %2").arg(file.fileName(), own)
+              : QObject::tr("recording %1").arg(file.fileName());
+}
+
 std::unique_ptr<session::Source> openSource(const SourceChoice& choice) {
   if (choice.simulated)
     return std::make_unique<simulation::SimulatedSource>(simulation::optionsOf(choice.simulation));

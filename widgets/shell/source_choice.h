@@ -26,6 +26,9 @@ struct SourceChoice {
   bool operator==(const SourceChoice&) const = default;
 };
 
+/// What the window calls it: a recording by its file, and by what it says of itself where that is more.
+QString titleOf(const SourceChoice& choice, const std::string& own_title);
+
 /// Opens it. Takes a moment (a simulation registers its cameras first). Throws base::InputError.
 std::unique_ptr<session::Source> openSource(const SourceChoice& choice);
 

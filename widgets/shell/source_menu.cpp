@@ -20,6 +20,7 @@ SourceMenu::SourceMenu(QWidget* parent) : QMenu(parent), dialog_(new SimulationD
   open->setShortcut(QKeySequence::Open);
   connect(open, &QAction::triggered, this, &SourceMenu::askFile);
   recent_menu_ = addMenu(tr("Recent"));
+  recent_menu_->menuAction()->setObjectName("recent");
   connect(dialog_, &SimulationDialog::chosen, this, [this](const simulation::SimulationRequest& request) {
     Q_EMIT chosen(SourceChoice::ofSimulation(request));
   });

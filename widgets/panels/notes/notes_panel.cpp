@@ -27,7 +27,7 @@ NotesPanel::NotesPanel(QWidget* parent) : QWidget(parent), list_(new QTreeWidget
   list_->setUniformRowHeights(false);
   list_->setWordWrap(true);
   list_->setFrameShape(QFrame::NoFrame);
-  list_->setFocusPolicy(Qt::ClickFocus);
+  list_->setFocusPolicy(Qt::StrongFocus);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->header()->setSectionResizeMode(kTime, QHeaderView::ResizeToContents);
   list_->header()->setSectionResizeMode(kText, QHeaderView::Stretch);

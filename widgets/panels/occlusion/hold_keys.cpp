@@ -1,8 +1,8 @@
 #include "widgets/panels/occlusion/hold_keys.h"
 
-#include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QPlainTextEdit>
@@ -10,20 +10,34 @@
 
 namespace capstan::widgets {
 
+namespace {
+
+/// The main window, also of what stands in a floating dock.
+const QWidget* mainWindowOf(const QWidget& widget) {
+  const QWidget* window = widget.window();
+  while (qobject_cast<const QDockWidget*>(window) && window->parentWidget())
+    window = window->parentWidget()->window();
+  return window;
+}
+
+}  // namespace
+
 HoldKeys::HoldKeys(QWidget* owner) : QObject(owner), owner_(owner) { qApp->installEventFilter(this); }
 
 bool HoldKeys::typing() const {
   const QWidget* focus = QApplication::focusWidget();
-  return qobject_cast<const QLineEdit*>(focus) || qobject_cast<const QAbstractSpinBox*>(focus) ||
-         qobject_cast<const QTextEdit*>(focus) || qobject_cast<const QPlainTextEdit*>(focus) ||
-         qobject_cast<const QComboBox*>(focus);
+  if (const auto* line = qobject_cast<const QLineEdit*>(focus)) return !line->isReadOnly();
+  if (const auto* text = qobject_cast<const QTextEdit*>(focus)) return !text->isReadOnly();
+  if (const auto* text = qobject_cast<const QPlainTextEdit*>(focus)) return !text->isReadOnly();
+  const auto* box = qobject_cast<const QComboBox*>(focus);
+  return box && box->isEditable();
 }
 
 bool HoldKeys::eventFilter(QObject* watched, QEvent* event) {
   const bool press = event->type() == QEvent::KeyPress;
   if (!press && event->type() != QEvent::KeyRelease) return false;
   const auto* widget = qobject_cast<QWidget*>(watched);
-  if (!widget || widget->window() != owner_->window()) return false;
+  if (!widget || mainWindowOf(*widget) != mainWindowOf(*owner_)) return false;
   const auto* key = static_cast<QKeyEvent*>(event);
   const auto action = actions_.find(key->key());
   if (action == actions_.end() || key->isAutoRepeat()) return false;

@@ -23,8 +23,8 @@ class HoldToggle {
   QElapsedTimer pressed_;
 };
 
-/// Single keys for a whole window, with press and release and without auto-repeat; silent while a text or
-/// number is being typed.
+/// Single keys for a whole window and its floating docks, with press and release and without auto-repeat;
+/// silent while a text is being typed. No number holds them, so that number fields do not keep them.
 class HoldKeys : public QObject {
   Q_OBJECT
 

@@ -58,6 +58,11 @@ void CollectPage::setTheme(const Theme& theme) {
 
 QString CollectPage::refusal() const { return refusal_->isHidden() ? QString() : refusal_->text(); }
 
+void CollectPage::setEnded(bool ended) {
+  ended_ = ended;
+  if (ended) again_->setEnabled(false);
+}
+
 void CollectPage::showGuide(const session::RegistrationGuide& guide) {
   const auto& scatter = guide.scatter();
   const bool refused = guide.step() == session::RegistrationStep::kRefused;
@@ -77,7 +82,7 @@ void CollectPage::showGuide(const session::RegistrationGuide& guide) {
   listOutliers(guide);
   refusal_->setVisible(refused);
   again_->setVisible(refused);
-  again_->setEnabled(guide.canCollect());
+  again_->setEnabled(guide.canCollect() && !ended_);
   if (!refused) return;
   const auto name = base::nameOf(guide.fault());
   refusal_->setText(QString("<b>Refused: %1.</b><br>%2<br>%3")

@@ -22,6 +22,8 @@ class CollectPage : public QWidget {
   explicit CollectPage(QWidget* parent = nullptr);
   void setTheme(const Theme& theme);
   void showGuide(const session::RegistrationGuide& guide);
+  /// No frame comes any more.
+  void setEnded(bool ended);
   ScatterPlot& plot() { return *plot_; }
   QString refusal() const;
 
@@ -40,6 +42,7 @@ class CollectPage : public QWidget {
   QListWidget* outliers_;
   QLabel* refusal_;
   QPushButton *back_, *again_;
+  bool ended_ = false;
 };
 
 }  // namespace capstan::widgets

@@ -27,9 +27,14 @@ RegistrationPanel::RegistrationPanel(QWidget* parent) : QWidget(parent) {
   end_->setAlignment(Qt::AlignCenter);
   end_->setWordWrap(true);
   end_->setFont(textFont(12.0));
+  ended_ = new QLabel(
+      "The session has ended: the arm cannot be driven and no frames come. Begin it again (Space).");
+  ended_->setWordWrap(true);
+  ended_->hide();
   close_ = new QPushButton("Cancel");
   auto* bottom = new QHBoxLayout;
-  bottom->addStretch(1);
+  bottom->addWidget(ended_, 1);
+  bottom->addStretch();
   bottom->addWidget(close_);
   column->addWidget(steps_);
   column->addWidget(pages_, 1);
@@ -84,13 +89,22 @@ void RegistrationPanel::setTheme(const Theme& theme) {
 void RegistrationPanel::begin(const session::SourceInfo& source,
                               const std::optional<Eigen::Isometry3d>& current,
                               const session::RegistrationOptions& options) {
-  guide_ = std::make_unique<session::RegistrationGuide>(source.robot, options);
+  guide_ = std::make_unique<session::RegistrationGuide>(source.robot, options, source.rig);
   guide_->start(current);
   stop_->setDrivable(source.live);
   result_->setRig(source.robot, source.rig);
   close_->setText("Cancel");
   shown_ = RegistrationStep::kIdle;
   refresh();
+}
+
+void RegistrationPanel::setEnded(bool ended) {
+  if (ended == !ended_->isHidden()) return;
+  ended_->setVisible(ended);
+  stop_->setEnded(ended);
+  collect_->setEnded(ended);
+  result_->setEnded(ended);
+  if (guide_ && guide_->step() == RegistrationStep::kDrive) stop_->showGuide(*guide_);
 }
 
 bool RegistrationPanel::active() const {

@@ -38,6 +38,9 @@ class RegistrationPanel : public QWidget {
   void showSnapshot(const tracking::Snapshot& snapshot);
   void showFrames(const cv::Mat& left, const cv::Mat& right, const tracking::Snapshot& snapshot);
 
+  /// The session has ended: no frame comes any more, and the arm cannot be driven.
+  void setEnded(bool ended);
+
   bool active() const;
   const session::RegistrationGuide* guide() const { return guide_.get(); }
   StopPage& stopPage() { return *stop_; }
@@ -67,6 +70,7 @@ class RegistrationPanel : public QWidget {
   CollectPage* collect_;
   ResultPage* result_;
   QLabel* end_;
+  QLabel* ended_;
   QPushButton* close_;
 };
 

@@ -85,6 +85,8 @@ void ResultPage::setRig(const robot::Description& robot, const std::optional<vis
 
 QString ResultPage::summary() const { return numbers_->text(); }
 
+void ResultPage::setEnded(bool ended) { redo_->setEnabled(!ended); }
+
 void ResultPage::showGuide(const session::RegistrationGuide& guide) {
   const auto& proposal = guide.proposal();
   if (!proposal) return;

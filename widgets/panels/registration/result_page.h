@@ -29,6 +29,8 @@ class ResultPage : public QWidget {
   void setTheme(const Theme& theme);
   void setRig(const robot::Description& robot, const std::optional<vision::StereoRig>& rig);
   void showGuide(const session::RegistrationGuide& guide);
+  /// No frame comes any more: nothing can be collected again.
+  void setEnded(bool ended);
   void showFrames(const cv::Mat& left, const cv::Mat& right, const tracking::Snapshot& snapshot);
   StereoView& pictures() { return *pictures_; }
   QString summary() const;

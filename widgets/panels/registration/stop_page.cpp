@@ -85,6 +85,13 @@ void StopPage::setDrivable(bool drivable) {
             "in sight of both cameras.");
 }
 
+void StopPage::setEnded(bool ended) {
+  ended_ = ended;
+  drive_->setEnabled(!ended);
+  drive_->setToolTip(ended ? "The session has ended: begin it again (Space)" : QString());
+  if (ended) collect_->setEnabled(false);
+}
+
 void StopPage::showGuide(const session::RegistrationGuide& guide) {
   const auto& arrival = guide.arrival();
   for (std::size_t i = 0; i < 3; ++i) {
@@ -107,7 +114,7 @@ void StopPage::showGuide(const session::RegistrationGuide& guide) {
                   : near          ? QString("At the stop, waiting for %1 s of rest.").arg(wanted)
                   : can ? QString("At rest, %1.").arg("not at the stop: the encoders' error there counts")
                         : QString("Not at the hard stop yet."));
-  collect_->setEnabled(can);
+  collect_->setEnabled(can && !ended_);
 }
 
 }  // namespace capstan::widgets

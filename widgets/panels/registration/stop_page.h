@@ -24,6 +24,8 @@ class StopPage : public QWidget {
   /// A source that can be commanded gets a button; others are moved by hand, and their user may vouch for the
   /// place.
   void setDrivable(bool drivable);
+  /// Nothing moves and no frame comes any more.
+  void setEnded(bool ended);
   void showGuide(const session::RegistrationGuide& guide);
 
  signals:
@@ -40,7 +42,7 @@ class StopPage : public QWidget {
   QPushButton* drive_;
   QCheckBox* override_;
   QPushButton* collect_;
-  bool drivable_ = false;
+  bool drivable_ = false, ended_ = false;
 };
 
 }  // namespace capstan::widgets

@@ -2,7 +2,11 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
+#include <QToolButton>
 #include <cmath>
+
+#include "core/estimation/nis_verdict.h"
 
 namespace capstan::widgets {
 
@@ -58,10 +62,23 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
       label->setFont(numberFont(10.0));
       row->addWidget(label);
     }
+    if (i == kNis) row->addWidget(remedies_ = new QToolButton);
   }
+  remedies_->setObjectName("remedies");
+  remedies_->setText(tr("Identify or diagnose ▾"));
+  remedies_->setStyleSheet(
+      "QToolButton { border: 1px solid palette(mid); border-radius: 3px; padding: 1px 6px; margin: 0 4px 0 "
+      "8px; }"
+      "QToolButton:focus { border-color: palette(highlight); }"
+      "QToolButton::menu-indicator { image: none; }");
+  remedies_->setToolTip(tr("The NIS is too high: find which parameter of the robot file is wrong"));
+  remedies_->setPopupMode(QToolButton::InstantPopup);
+  remedies_->hide();
   row->addStretch(1);
-  labels_[kNis]->setToolTip(
-      tr("Normalised innovation squared over its degrees of freedom; pass: inside the 95 % χ² band"));
+  labels_[kNis]->setToolTip(tr(
+      "Normalised innovation squared over its degrees of freedom. Pass: inside the 95 % χ² band. Cautious: "
+      "below it, the filter expects more noise than there is. FAIL, too high: above it, a parameter of the "
+      "robot file is wrong"));
   labels_[kMotors]->setToolTip(tr("An encoder that failed: its joint is estimated from the cameras alone"));
   labels_[kLag]->setToolTip(tr("From exposure to arrival of the newest camera sample"));
   labels_[kRescues]->setToolTip(tr("Cholesky down-dates that fell back to a safe path"));
@@ -77,6 +94,14 @@ void StatusLine::setRobot(const QString& words, const QString& changes) {
   set(kRobot, words.isEmpty() ? QString() : tr("robot %1").arg(words));
   labels_[kRobot]->setToolTip(changes.isEmpty() ? tr("The filter uses the robot that the source brings")
                                                 : changes);
+}
+
+void StatusLine::setSource(const QString& source) { set(kSource, source); }
+
+void StatusLine::setRemedies(const QList<QAction*>& remedies) {
+  auto* menu = new QMenu(remedies_);
+  menu->addActions(remedies);
+  remedies_->setMenu(menu);
 }
 
 void StatusLine::setTheme(const Theme& theme) {
@@ -105,18 +130,41 @@ void StatusLine::set(Part part, const QString& text, Tone tone) {
 }
 
 void StatusLine::separate() {
+  std::array<bool, kParts> seen{};
+  int needed = layout()->contentsMargins().left() + layout()->contentsMargins().right();
+  if (!remedies_->isHidden()) needed += remedies_->sizeHint().width();
+  for (std::size_t i = 0; i < kParts; ++i)
+    if ((seen[i] = !labels_[i]->text().isEmpty()))
+      needed += labels_[i]->sizeHint().width() + dots_[i]->sizeHint().width();
+  for (const Part part : {kMotor, kFrames, kLag, kRescues, kDisk, kSource}) {
+    if (needed <= width()) break;
+    if (!seen[part] || tones_[part] == Tone::kWarning || tones_[part] == Tone::kFault) continue;
+    seen[part] = false;
+    needed -= labels_[part]->sizeHint().width() + dots_[part]->sizeHint().width();
+  }
   bool first = true;
   for (std::size_t i = 0; i < kParts; ++i) {
-    const bool seen = !labels_[i]->text().isEmpty();
-    labels_[i]->setVisible(seen);
-    dots_[i]->setVisible(seen && !first);
-    first = first && !seen;
+    labels_[i]->setVisible(seen[i]);
+    dots_[i]->setVisible(seen[i] && !first);
+    first = first && !seen[i];
   }
+}
+
+void StatusLine::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  separate();
+  setToolTip(text());
+}
+
+QSize StatusLine::minimumSizeHint() const {
+  constexpr int kLeastWidth = 200;  // [px] the rest is in the tool tip
+  return {kLeastWidth, QWidget::minimumSizeHint().height()};
 }
 
 void StatusLine::clear() {
   for (int part = 0; part < kParts; ++part) set(static_cast<Part>(part), {});
   tips_ = false;
+  remedies_->hide();
   set(kState, tr("no source"));
 }
 
@@ -130,18 +178,25 @@ void StatusLine::showSnapshot(const tracking::Snapshot& snapshot) {
   else
     set(kGate, tr("gate shut: %1").arg(reason), cameras ? Tone::kWarning : Tone::kPlain);
   showMotors(snapshot);
-  if (!std::isfinite(snapshot.nis_mean))
-    set(kNis, {});
-  else
-    set(kNis,
-        QStringLiteral("NIS %1 %2")
-            .arg(snapshot.nis_mean, 0, 'f', 2)
-            .arg(snapshot.nis_consistent ? "pass" : "FAIL"),
-        snapshot.nis_consistent ? Tone::kGood : Tone::kFault);
+  showNis(snapshot);
   QString troubles = QStringLiteral("rescues %1").arg(static_cast<qulonglong>(snapshot.rescues));
   if (snapshot.motor_refused > 0)
     troubles += tr(", %1 motor samples refused").arg(static_cast<qulonglong>(snapshot.motor_refused));
   set(kRescues, troubles, snapshot.rescues + snapshot.motor_refused > 0 ? Tone::kWarning : Tone::kPlain);
+}
+
+void StatusLine::showNis(const tracking::Snapshot& snapshot) {
+  using estimation::NisVerdict;
+  const bool known = std::isfinite(snapshot.nis_mean);
+  const NisVerdict verdict = estimation::judgeNis(snapshot.nis_mean, snapshot.nis_consistent);
+  const bool failed = known && verdict == NisVerdict::kTooHigh;
+  remedies_->setVisible(failed && remedies_->menu());
+  if (!known) return set(kNis, {});
+  const QString words = QString::fromStdString(std::string(base::nameOf(verdict)));
+  set(kNis, QStringLiteral("NIS %1 %2").arg(snapshot.nis_mean, 0, 'f', 2).arg(words),
+      failed                         ? Tone::kFault
+      : verdict == NisVerdict::kPass ? Tone::kGood
+                                     : Tone::kPlain);
 }
 
 void StatusLine::showMotors(const tracking::Snapshot& snapshot) {

@@ -10,13 +10,15 @@
 #include "core/tracking/snapshot.h"
 #include "widgets/figures/theme.h"
 
+class QAction;
 class QLabel;
+class QToolButton;
 
 namespace capstan::widgets {
 
-/// One line about the session: robot, rates, lag, gate, occlusion, motor encoders that failed, consistency,
-/// rescues, recording, disk. A verdict that is not good carries the warning or fault colour and says so in a
-/// word.
+/// One line about the session: the recording, robot, rates, lag, gate, occlusion, motor encoders that failed,
+/// consistency, rescues, recording, disk. A verdict that is not good carries the warning or fault colour and
+/// says so in a word. Where the window is too narrow, parts that ask for nothing are left to the tool tip.
 class StatusLine : public QWidget {
   Q_OBJECT
  public:
@@ -28,13 +30,22 @@ class StatusLine : public QWidget {
   void clear();
   /// Which robot the filter takes the arm for; `changes`: what it has other than the robot file.
   void setRobot(const QString& words, const QString& changes);
+  /// What is replayed, as "recording trial.capstan"; empty for a simulation.
+  void setSource(const QString& source);
+  /// What a button beside the NIS offers while it fails.
+  void setRemedies(const QList<QAction*>& remedies);
   /// Whose disk is shown: the folder of recordings.
   void setFolder(const QString& folder);
   /// The whole line, parts joined by " · ".
   QString text() const;
+  QSize minimumSizeHint() const override;
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   enum Part {
+    kSource,
     kState,
     kRobot,
     kSpeed,
@@ -51,6 +62,7 @@ class StatusLine : public QWidget {
     kParts
   };
   enum class Tone { kPlain, kGood, kWarning, kFault };
+  void showNis(const tracking::Snapshot& snapshot);
   void showMotors(const tracking::Snapshot& snapshot);
   void showRecorder(const session::RecorderStats& recorder, double recorded_seconds);
   void showOcclusion(const session::RunStatus& status);
@@ -63,6 +75,7 @@ class StatusLine : public QWidget {
   std::array<QLabel*, kParts> labels_{};
   std::array<QLabel*, kParts> dots_{};  ///< before each part but the first that is seen
   std::array<Tone, kParts> tones_{};
+  QToolButton* remedies_;
   QString folder_;
   bool tips_ = false;  ///< the camera samples are tips, not pictures
   QElapsedTimer disk_age_;

@@ -1,0 +1,86 @@
+#include "widgets/shell/window_menus.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QMenu>
+#include <QMenuBar>
+
+#include "widgets/shell/keyboard_reach.h"
+#include "widgets/shell/main_window.h"
+#include "widgets/shell/session_bar.h"
+#include "widgets/shell/source_menu.h"
+
+namespace capstan::widgets {
+
+namespace {
+
+// By number of the key; the registration has its own.
+constexpr std::array kDocks = {"cameras", "scene", "occlusion", "calibration", "errors", "notes"};
+
+void addActions(QMenu& menu, const MainWindow& window, std::initializer_list<const char*> names) {
+  for (const char* name : names)
+    if (*name)
+      menu.addAction(window.action(name));
+    else
+      menu.addSeparator();
+}
+
+bool inFront(const QDockWidget& dock) { return dock.isVisible() && !dock.visibleRegion().isEmpty(); }
+
+/// Behind another tab it comes to the front, with the focus; in front it goes.
+void toggle(QDockWidget& dock) {
+  const bool go = inFront(dock);
+  dock.setVisible(!go);
+  if (go) return;
+  dock.raise();
+  if (dock.isFloating()) dock.activateWindow();
+  focusFirst(*dock.widget());
+}
+
+QAction* addDock(QMenu& view, MainWindow& window, const char* name, int number) {
+  auto* dock = window.findChild<QDockWidget*>(name);
+  auto* action = view.addAction(dock->windowTitle());
+  action->setObjectName(QStringLiteral("view_%1").arg(name));
+  action->setShortcut(QKeySequence(QStringLiteral("Ctrl+%1").arg(number)));
+  action->setCheckable(true);
+  window.addAction(action);
+  QObject::connect(action, &QAction::triggered, dock, [dock] { toggle(*dock); });
+  QObject::connect(dock, &QDockWidget::visibilityChanged, action, &QAction::setChecked);
+  return action;
+}
+
+/// All docks away, and those that were there back.
+void addAllDocks(QMenu& view, MainWindow& window) {
+  auto* action = view.addAction(QObject::tr("All panels, or none"));
+  action->setObjectName("view_docks");
+  action->setShortcut(QKeySequence(QStringLiteral("Ctrl+0")));
+  window.addAction(action);
+  QObject::connect(action, &QAction::triggered, &window, [&window] {
+    int away = 0;
+    for (const char* name : kDocks) away += window.findChild<QDockWidget*>(name)->isHidden();
+    for (const char* name : kDocks) window.findChild<QDockWidget*>(name)->setVisible(away > 0);
+  });
+}
+
+}  // namespace
+
+void addMenus(MainWindow& window, QMenuBar& menus) {
+  auto* session = menus.addMenu(QObject::tr("Sessio&n"));
+  addActions(*session, window, {"run", "step"});
+  addActions(*session->addMenu(QObject::tr("Speed")), window, {"slower", "faster"});
+  session->addMenu(&window.bar().sources());
+  addActions(*session, window, {"", "record", "recordingFolder", "showFolder", "", "note", "export"});
+  auto* view = menus.addMenu(QObject::tr("&View"));
+  for (std::size_t i = 0; i < kDocks.size(); ++i) addDock(*view, window, kDocks[i], static_cast<int>(i) + 1);
+  view->addAction(window.action("register"));
+  view->addSeparator();
+  addAllDocks(*view, window);
+  view->addSeparator();
+  addActions(*view, window, {"analyse", "diagnose", "learn", "", "theme"});
+  auto* tools = menus.addMenu(QObject::tr("T&ools"));
+  addActions(*tools, window, {"register", "identify", "analyse", "diagnose", "learn", "motors"});
+  auto* help = menus.addMenu(QObject::tr("&Help"));
+  addActions(*help, window, {"help"});
+}
+
+}  // namespace capstan::widgets
