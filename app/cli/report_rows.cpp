@@ -11,6 +11,7 @@
 #include "app/cli/track_output.h"
 #include "core/base/units.h"
 #include "core/identification/live_text.h"
+#include "core/tracking/transmission_text.h"
 
 namespace capstan::cli {
 namespace {
@@ -72,6 +73,15 @@ std::string nisSentence(const TrackReport& report) {
   return text + (advice.empty() ? "." : ", " + advice + ".");
 }
 
+/// What the augmented filter carries on its own; empty: nothing.
+std::string carriedSentence(const TrackReport& report) {
+  const std::vector<std::string> lines = tracking::linesOf(report.transmission);
+  if (lines.empty()) return {};
+  return fmt::format(
+      " The filter carries a slow error that the camera shows ({}): a constant of the robot file is wrong.",
+      fmt::join(lines, "; "));
+}
+
 /// As the window's calibration has them: as many decimals as σ has meaning.
 std::string found(const std::vector<Estimate>& estimates) {
   std::vector<std::string> values;
@@ -128,13 +138,17 @@ std::string broken(const std::string& text, const std::string& indent) {
 std::vector<ReportRow> reportRows(const TrackReport& nominal, const IdentifyAndTrack& after,
                                   bool own_kinematics) {
   std::vector<ReportRow> rows = {
-      {"1 nominal", cellsOf(nominal), {}, nisSentence(nominal) + " " + comparison(nominal, own_kinematics)},
+      {"1 nominal",
+       cellsOf(nominal),
+       {},
+       nisSentence(nominal) + carriedSentence(nominal) + " " + comparison(nominal, own_kinematics)},
       foundRow(after)};
   if (after.tracked)
     rows.push_back({"3 tracked again",
                     cellsOf(*after.tracked),
                     {},
-                    nisSentence(*after.tracked) + " " + comparison(*after.tracked, own_kinematics)});
+                    nisSentence(*after.tracked) + carriedSentence(*after.tracked) + " " +
+                        comparison(*after.tracked, own_kinematics)});
   return rows;
 }
 

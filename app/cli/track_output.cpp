@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 #include <variant>
 
 #include "app/cli/console.h"
 #include "core/base/error.h"
+#include "core/tracking/transmission_text.h"
 
 namespace capstan::cli {
 namespace {
@@ -47,21 +47,8 @@ nlohmann::json failedJson(const TrackReport& report) {
 /// What the augmented filter found of the transmission, a line an error; empty: nothing.
 std::string transmissionText(const tracking::TransmissionEstimate& found) {
   std::string text;
-  const auto line = [&](int joint, std::string_view what) {
-    text += fmt::format("{:<15}joint {}: {}\n", text.empty() ? "transmission" : "", joint + 1, what);
-  };
-  for (int i = 0; i < 3; ++i) {
-    if (found.includesScale(i))
-      line(i, fmt::format("cable travel {:+.2f} ± {:.2f} % of nominal (pulley radius)",
-                          100.0 * found.scale(i), 100.0 * found.scale_sigma(i)));
-    if (found.includesOffset(i))
-      line(i, fmt::format("cable zero {:+.2f} ± {:.2f} mm off (homing)", 1e3 * found.offset(i),
-                          1e3 * found.offset_sigma(i)));
-  }
-  if (found.camera_moved_probability > 0.5)
-    text +=
-        fmt::format("registration   cameras moved since: rotation {:.2f}°, shift {:.1f} mm\n",
-                    found.camera_rotation.norm() * 180.0 / std::numbers::pi, 1e3 * found.camera_shift.norm());
+  for (const std::string& line : tracking::linesOf(found))
+    text += fmt::format("{:<15}{}\n", text.empty() ? "transmission" : "", line);
   return text;
 }
 

@@ -8,6 +8,8 @@
 
 #include "core/estimation/nis_verdict.h"
 
+#include "core/tracking/transmission_text.h"
+
 namespace capstan::widgets {
 
 namespace {
@@ -62,7 +64,7 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
       label->setFont(numberFont(10.0));
       row->addWidget(label);
     }
-    if (i == kNis) row->addWidget(remedies_ = new QToolButton);
+    if (i == kTransmission) row->addWidget(remedies_ = new QToolButton);
   }
   remedies_->setObjectName("remedies");
   remedies_->setText(tr("Identify or diagnose ▾"));
@@ -71,10 +73,13 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
       "8px; }"
       "QToolButton:focus { border-color: palette(highlight); }"
       "QToolButton::menu-indicator { image: none; }");
-  remedies_->setToolTip(tr("The NIS is too high: find which parameter of the robot file is wrong"));
+  remedies_->setToolTip(tr("Find which parameter of the robot file is wrong"));
   remedies_->setPopupMode(QToolButton::InstantPopup);
   remedies_->hide();
   row->addStretch(1);
+  labels_[kTransmission]->setToolTip(
+      tr("A slow error of the transmission that the filter found with the camera and carries. A constant of "
+         "the robot file is wrong: Identify puts it right."));
   labels_[kNis]->setToolTip(tr(
       "Normalised innovation squared over its degrees of freedom. Pass: inside the 95 % χ² band. Cautious: "
       "below it, the filter expects more noise than there is. FAIL, too high: above it, a parameter of the "
@@ -190,7 +195,9 @@ void StatusLine::showNis(const tracking::Snapshot& snapshot) {
   const bool known = std::isfinite(snapshot.nis_mean);
   const NisVerdict verdict = estimation::judgeNis(snapshot.nis_mean, snapshot.nis_consistent);
   const bool failed = known && verdict == NisVerdict::kTooHigh;
-  remedies_->setVisible(failed && remedies_->menu());
+  const std::string carried = tracking::shortTextOf(snapshot.transmission);
+  set(kTransmission, QString::fromStdString(carried), Tone::kWarning);
+  remedies_->setVisible((failed || !carried.empty()) && remedies_->menu());
   if (!known) return set(kNis, {});
   const QString words = QString::fromStdString(std::string(base::nameOf(verdict)));
   set(kNis, QStringLiteral("NIS %1 %2").arg(snapshot.nis_mean, 0, 'f', 2).arg(words),

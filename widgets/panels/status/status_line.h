@@ -32,7 +32,7 @@ class StatusLine : public QWidget {
   void setRobot(const QString& words, const QString& changes);
   /// What is replayed, as "recording trial.capstan"; empty for a simulation.
   void setSource(const QString& source);
-  /// What a button beside the NIS offers while it fails.
+  /// What a button beside the NIS offers while it fails, or while the filter carries a transmission error.
   void setRemedies(const QList<QAction*>& remedies);
   /// Whose disk is shown: the folder of recordings.
   void setFolder(const QString& folder);
@@ -56,6 +56,7 @@ class StatusLine : public QWidget {
     kOcclusion,
     kMotors,
     kNis,
+    kTransmission,
     kRescues,
     kRecording,
     kDisk,
