@@ -19,7 +19,7 @@ namespace capstan::cli {
 namespace {
 
 struct ConvertArguments {
-  std::string in, out, format = "auto", to = "auto", robot, json;
+  std::string in, out, format = "auto", to = "auto", read_as, robot, json;
   bool force = false;
 };
 
@@ -40,9 +40,10 @@ void needSession(RecordingFormat format, const std::string& target) {
 
 std::string writeTable(const ConvertArguments& arguments, RecordingFormat format,
                        const base::Progress& progress) {
-  const auto table = format == RecordingFormat::kSession
-                         ? session::sessionTable(arguments.in)
-                         : readTable(arguments.in, format, readRobot(arguments.robot));
+  const auto table =
+      format == RecordingFormat::kSession
+          ? session::sessionTable(arguments.in)
+          : readTable(arguments.in, format, readRobot(arguments.robot), readAsOf(arguments.read_as));
   const std::string text = session::formatMeasuredTable(table);
   if (progress.cancelled()) return {};
   base::writeTextFile(arguments.out, text);
@@ -66,7 +67,7 @@ std::string convertTo(const std::string& target, const ConvertArguments& argumen
                       base::Progress& progress) {
   if (target == "table") return writeTable(arguments, format, progress);
   if (target == "session") {
-    const auto source = openSource(arguments.in, format, arguments.robot);
+    const auto source = openSource(arguments.in, format, arguments.robot, readAsOf(arguments.read_as));
     session::importRecording(*source, arguments.out, session::headerOf(source->info(), isoNow()), &progress,
                              arguments.force ? session::Existing::kReplace : session::Existing::kRefuse);
     if (progress.cancelled()) return {};
@@ -101,6 +102,7 @@ ExitCode convert(const ConvertArguments& arguments) {
   const RecordingFormat format = formatOf(arguments.format, arguments.in);
   if (format == RecordingFormat::kRobot)
     refuseFile(arguments.in, "is no recording", "Give a session or a table");
+  refuseReadAs(arguments.in, format, readAsOf(arguments.read_as));
   const std::string target = targetOf(arguments);
   checkOut(arguments, target);
   base::Progress progress;
@@ -132,6 +134,7 @@ void addConvert(CLI::App& app, ExitCode& exit) {
   command->add_option("--format", arguments->format, "of IN: auto, session, table, raven")
       ->capture_default_str()
       ->check(CLI::IsMember({"auto", "session", "table", "raven"}));
+  addReadAs(*command, arguments->read_as);
   command->add_option("--robot", arguments->robot, "robot file for recordings that bring none");
   command->add_flag("--force", arguments->force,
                     "overwrite an existing file, or write into a folder that is not empty");
@@ -143,6 +146,7 @@ void addConvert(CLI::App& app, ExitCode& exit) {
       "  capstan-cli convert trial.capstan frames/ --to png\n"
       "  capstan-cli convert trial.capstan trial.mkv              (both views side by side)\n"
       "  capstan-cli convert joints123.csv table.csv              (RAVEN-II motor log to SI)\n"
+      "  capstan-cli convert degrees.csv si.csv --read-as q_m=deg,q=deg\n"
       "  capstan-cli convert recording.csv recording.capstan");
   command->callback([arguments, &exit] { exit = convert(*arguments); });
 }

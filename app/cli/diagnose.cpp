@@ -2,6 +2,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/diagnose_run.h"
+#include "app/cli/recordings.h"
 
 namespace capstan::cli {
 
@@ -16,6 +17,7 @@ void addDiagnose(CLI::App& app, ExitCode& exit) {
           "or one table of tip poses (.csv with traj, t_cam_s, cam_x …)")
       ->required();
   command->add_option("--robot", arguments->robot, "nominal robot file; a session brings its own");
+  addReadAs(*command, arguments->read_as);
   command->add_option("--only", arguments->options.only, "effects to consider, by their names in robot files")
       ->delimiter(',');
   command

@@ -45,8 +45,10 @@ void checkFiles(const DiagnoseArguments& arguments) {
         refuseFile(files[i], "is the same recording as " + files[j] + ": it would count twice",
                    "Give each recording once");
   for (const std::string& file : files)
-    if (detectFormat(file) == RecordingFormat::kRobot)
+    if (const RecordingFormat format = detectFormat(file); format == RecordingFormat::kRobot)
       refuseFile(file, "is a robot file and no recording", "Give it as --robot");
+    else
+      refuseReadAs(file, format, readAsOf(arguments.read_as));
   std::vector<std::string> inputs = files;
   inputs.push_back(arguments.robot);
   checkOutputs({{"--out", arguments.out}, {"--json", arguments.json}}, inputs);
@@ -60,6 +62,7 @@ std::vector<Evidence> readAll(const DiagnoseArguments& arguments, const robot::D
                               base::Progress& progress) {
   diagnosis::EvidenceOptions options;
   options.skip_start = arguments.skip_start;
+  options.read_as = readAsOf(arguments.read_as);
   std::vector<Evidence> all;
   for (const std::string& file : arguments.files) {
     try {
@@ -132,6 +135,8 @@ ExitCode cancelled(const DiagnoseArguments& arguments, const std::string& what) 
 ExitCode runDiagnose(const DiagnoseArguments& arguments, const Diagnose& diagnose) {
   const bool poses = arePoses(arguments.files);
   if (!poses) checkOptions(arguments);
+  if (poses && !arguments.read_as.empty())
+    refuseOption(kReadAs, arguments.read_as, "is not for tables of tip poses", "Leave it out");
   checkFiles(arguments);
   robot::Description nominal = readRobot(arguments.robot);
   const std::optional<Found> found =

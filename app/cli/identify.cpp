@@ -31,7 +31,7 @@ namespace {
 struct IdentifyArguments {
   std::vector<std::string> files;
   std::string robot, method = "both", parameters = identification::kDefaultParameters, options, out, trace,
-                     tracking_out, json;
+                     tracking_out, read_as, json;
   int threads = 2;
   bool simulate = false, exact_camera = false;
   simulation::SimulationRequest simulation;
@@ -43,6 +43,8 @@ void check(const IdentifyArguments& arguments, const CLI::App& command) {
     refuseOption("REC", arguments.files.front(), "is given together with --simulate", "Give one of them");
   if (!arguments.simulate && arguments.files.empty())
     refuseOption("REC", {}, "is missing", "Give one or more recordings, or --simulate");
+  if (arguments.simulate && !arguments.read_as.empty())
+    refuseOption(kReadAs, arguments.read_as, "is given together with --simulate", "Give one of them");
   if (!arguments.simulate && simulationAsked(command))
     refuseOption("--simulate", {}, "is missing, yet simulation options are given",
                  "Add --simulate or leave them out");
@@ -92,7 +94,8 @@ identification::IdentificationData collectAll(IdentifyArguments& arguments, base
   std::optional<identification::IdentificationData> all;
   for (const std::string& file : arguments.files) {
     const RecordingFormat format = detectFormat(file);
-    const auto source = openSource(file, format, format == RecordingFormat::kSession ? "" : arguments.robot);
+    const auto source = openSource(file, format, format == RecordingFormat::kSession ? "" : arguments.robot,
+                                   readAsOf(arguments.read_as));
     auto data = identification::collect(*source, &progress);
     if (data.left_out > 0 && data.motors.size() == 0)
       refuseFile(file,
@@ -235,6 +238,7 @@ ExitCode identify(IdentifyArguments& arguments, const CLI::App& command) {
   if (const auto drive = driveOf(arguments, command)) {
     arguments.drive.files = arguments.files;
     arguments.drive.robot = arguments.robot;
+    arguments.drive.read_as = readAsOf(arguments.read_as);
     arguments.drive.parameters = command.count("--parameters") > 0 ? arguments.parameters : "all";
     arguments.drive.out = arguments.out;
     arguments.drive.json = arguments.json;
@@ -266,6 +270,7 @@ void addIdentify(CLI::App& app, ExitCode& exit) {
   command->add_option("REC", arguments->files,
                       "recordings of one robot and rig: session (.capstan) or measured table (.csv)");
   command->add_option("--robot", arguments->robot, "nominal robot file; a session brings its own");
+  addReadAs(*command, arguments->read_as);
   command->add_option("--method", arguments->method, "dual-ukf, batch, or both, compared")
       ->capture_default_str()
       ->check(CLI::IsMember({"dual-ukf", "batch", "both"}));

@@ -19,13 +19,16 @@ namespace {
 using identification::DriveRecording;
 using identification::OffsetRule;
 
-std::vector<DriveRecording> readAll(const std::vector<std::string>& files, double step) {
+std::vector<DriveRecording> readAll(const std::vector<std::string>& files,
+                                    const IdentifyDriveArguments& arguments,
+                                    const robot::Description& nominal, double step) {
   std::vector<DriveRecording> all;
   for (const std::string& file : files) {
     if (detectFormat(file) != RecordingFormat::kTable)
       refuseFile(file, "is no measured table, which a robot of one joint needs",
                  "Give CSV files with the columns t, q_m1, tau_m1, q1, tau_ext1");
-    all.push_back(identification::driveRecording(session::readMeasuredTable(file), step));
+    all.push_back(identification::driveRecording(
+        readTable(file, RecordingFormat::kTable, nominal, arguments.read_as), step));
   }
   return all;
 }
@@ -89,8 +92,8 @@ ExitCode identifyDrive(const IdentifyDriveArguments& arguments, const robot::Des
   const identification::DriveParameters parameters(nominal, arguments.parameters);
   identification::DriveOptions options;
   options.offsets = base::fromName<OffsetRule>(arguments.offsets).value();
-  const std::vector<DriveRecording> training = readAll(arguments.files, options.step);
-  const std::vector<DriveRecording> held_out = readAll(arguments.held_out, options.step);
+  const std::vector<DriveRecording> training = readAll(arguments.files, arguments, nominal, options.step);
+  const std::vector<DriveRecording> held_out = readAll(arguments.held_out, arguments, nominal, options.step);
   base::Progress progress;
   identification::DriveReport report;
   {

@@ -5,6 +5,7 @@
 
 #include "app/cli/command.h"
 #include "core/robot/description.h"
+#include "core/session/column_units.h"
 
 namespace capstan::cli {
 
@@ -12,6 +13,7 @@ namespace capstan::cli {
 struct IdentifyDriveArguments {
   std::vector<std::string> files, held_out;
   std::string robot, parameters, out, json;
+  session::ReadAs read_as;       ///< units of the tables
   std::string offsets = "file";  ///< base::NamesOf<identification::OffsetRule>
 };
 

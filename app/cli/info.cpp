@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "app/cli/command.h"
@@ -18,7 +19,7 @@ namespace capstan::cli {
 namespace {
 
 struct InfoArguments {
-  std::string file, robot, json;
+  std::string file, robot, read_as, json;
 };
 
 const char* referenceOf(const session::SessionHeader& header) {
@@ -100,12 +101,37 @@ std::size_t measured(const std::vector<double>& column) {
       std::count_if(column.begin(), column.end(), [](double v) { return !std::isnan(v); }));
 }
 
-void infoTable(const std::string& file, const std::string& robot_file, RecordingFormat format,
-               const Output& output) {
-  const robot::Description robot = readRobot(robot_file);
-  const auto table = readTable(file, format, robot);
-  const std::vector<std::string> doubts = session::unitDoubts(table, robot);
-  for (const std::string& doubt : doubts) notice(doubt);
+/// What a table would be refused for; where it is, the table as it stands. None: it is in SI.
+std::optional<session::ImplausibleUnits> readOrRefuse(const InfoArguments& arguments, RecordingFormat format,
+                                                      session::MeasuredTable& table) {
+  const robot::Description robot = readRobot(arguments.robot);
+  try {
+    table = readTable(arguments.file, format, robot, readAsOf(arguments.read_as));
+  } catch (const session::ImplausibleUnits& refused) {
+    table = session::readMeasuredTable(arguments.file);
+    return refused;
+  }
+  return std::nullopt;
+}
+
+nlohmann::json jsonOf(const std::optional<session::ImplausibleUnits>& refused) {
+  nlohmann::json list = nlohmann::json::array();
+  if (!refused) return list;
+  for (const session::UnitFinding& found : refused->findings())
+    list.push_back({{"column", found.column},
+                    {"low", found.low},
+                    {"high", found.high},
+                    {"read_as", found.unit ? nlohmann::json(base::nameOf(*found.unit)) : nlohmann::json()},
+                    {"text", found.text}});
+  return list;
+}
+
+/// Throws session::ImplausibleUnits once everything is told.
+void infoTable(const InfoArguments& arguments, RecordingFormat format, const Output& output) {
+  const std::string& file = arguments.file;
+  session::MeasuredTable table;
+  const auto refused = readOrRefuse(arguments, format, table);
+  for (const std::string& line : session::unitNotices(table)) notice(file + ": " + line);
   const double first = table.t.empty() ? 0.0 : table.t.front(), last = table.t.empty() ? 0.0 : table.t.back();
   std::string text =
       fmt::format("{:<12} {}\njoints       {}\nrows         {}\ntime         {:.3f} … {:.3f} s\n",
@@ -137,13 +163,16 @@ void infoTable(const std::string& file, const std::string& robot_file, Recording
                {"values", columns},
                {"ignored", table.ignored},
                {"own_kinematics", table.own_kinematics},
-               {"doubts", doubts}});
+               {"implausible_units", jsonOf(refused)}});
+  if (refused) throw *refused;
 }
 
 ExitCode info(const InfoArguments& arguments) {
   const Output output(arguments.json);
   checkOutputs({{"--json", arguments.json}}, {arguments.file, arguments.robot});
-  switch (const RecordingFormat format = detectFormat(arguments.file); format) {
+  const RecordingFormat format = detectFormat(arguments.file);
+  refuseReadAs(arguments.file, format, readAsOf(arguments.read_as));
+  switch (format) {
     case RecordingFormat::kSession:
       infoSession(arguments.file, output);
       break;
@@ -151,7 +180,7 @@ ExitCode info(const InfoArguments& arguments) {
       infoRobot(arguments.file, output);
       break;
     default:
-      infoTable(arguments.file, arguments.robot, format, output);
+      infoTable(arguments, format, output);
   }
   return kOk;
 }
@@ -164,7 +193,8 @@ void addInfo(CLI::App& app, ExitCode& exit) {
       app.add_subcommand("info", "Say what is in a session, a measured table or a robot file");
   command->add_option("FILE", arguments->file, "session (.capstan), table (.csv) or robot file (.yaml)")
       ->required();
-  command->add_option("--robot", arguments->robot, "robot file for RAVEN-II motor recordings");
+  addReadAs(*command, arguments->read_as);
+  command->add_option("--robot", arguments->robot, "robot file, for the units of tables and RAVEN-II logs");
   command->add_option("--json", arguments->json, "result as JSON: a file, or - for standard output");
   command->footer(
       "Examples:\n"

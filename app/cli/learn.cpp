@@ -7,11 +7,11 @@
 #include "app/cli/learn_output.h"
 #include "app/cli/outputs.h"
 #include "app/cli/pose_motions.h"
-#include "core/base/checksum.h"
 #include "core/experiments/same_recording.h"
 #include "core/experiments/software.h"
 #include "core/learning/check_tables.h"
 #include "core/session/correction_file.h"
+#include "core/session/correction_source.h"
 #include "core/session/pose_table.h"
 
 namespace capstan::cli {
@@ -23,19 +23,6 @@ struct LearnArguments {
   learning::LearningOptions options;
   bool no_cleaning = false, no_weights = false, no_alignment = false;
 };
-
-/// Of a model that is learned onto another: with what that came from.
-session::CorrectionSource sourceOf(const LearnArguments& arguments, const learning::LearningReport& report,
-                                   session::CorrectionSource source) {
-  source.files.insert(source.files.end(), arguments.train.begin(), arguments.train.end());
-  for (const std::string& file : arguments.train) source.checksums.push_back(base::checksumOfFile(file));
-  source.towards = arguments.options.towards;
-  source.lag = report.prepared.taken_off;
-  source.states += report.cleaning.kept();
-  source.rejected += report.cleaning.reason.size() - report.cleaning.kept();
-  source.software = experiments::software();
-  return source;
-}
 
 void check(const LearnArguments& arguments) {
   checkDistinct(arguments.train);
@@ -106,7 +93,10 @@ ExitCode run(LearnArguments& arguments) {
     notice("Cancelled: no model is written.");
     return kFailed;
   }
-  session::writeCorrection({report->model, sourceOf(arguments, *report, std::move(before))}, arguments.model);
+  session::writeCorrection(
+      {report->model, session::correctionSource(arguments.train, options.towards, *report,
+                                                experiments::software(), std::move(before))},
+      arguments.model);
   LearnOutput told{*report, {}};
   if (!tests.empty()) told.test = testOf(arguments, tests, *report);
   const Output output(arguments.json);

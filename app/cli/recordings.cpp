@@ -6,6 +6,7 @@
 #include "app/cli/console.h"
 #include "core/base/error.h"
 #include "core/base/resource.h"
+#include "core/session/plausibility.h"
 #include "core/session/raven_motors.h"
 #include "core/session/session_file.h"
 #include "core/session/session_source.h"
@@ -51,14 +52,34 @@ robot::Description readRobot(const std::string& file) {
                                              : std::filesystem::path(file));
 }
 
+void addReadAs(CLI::App& command, std::string& read_as) {
+  command
+      .add_option(kReadAs, read_as,
+                  "units of a measured table that is not in SI: q_m, dq_m, q, p_c, t or one column of\n"
+                  "these, = deg, mm, ms, us, ns or keep (as it stands), e.g. q_m=deg,q3=mm,t=ms")
+      ->allow_extra_args(false);
+}
+
+session::ReadAs readAsOf(const std::string& text) { return session::parseReadAs(text, kReadAs); }
+
+void refuseReadAs(const std::string& file, RecordingFormat format, const session::ReadAs& read_as) {
+  if (format == RecordingFormat::kTable || read_as.empty()) return;
+  refuseOption(kReadAs, session::formatReadAs(read_as), file + " states its units", "Leave --read-as out");
+}
+
 session::MeasuredTable readTable(const std::string& file, RecordingFormat format,
-                                 const robot::Description& robot) {
-  return format == RecordingFormat::kRavenMotors ? session::readRavenMotors(file, robot)
-                                                 : session::readMeasuredTable(file);
+                                 const robot::Description& robot, const session::ReadAs& read_as) {
+  refuseReadAs(file, format, read_as);
+  if (format == RecordingFormat::kRavenMotors) return session::readRavenMotors(file, robot);
+  session::MeasuredTable table = session::readMeasuredTable(file);
+  session::settleUnits(table, robot, read_as);
+  return table;
 }
 
 std::unique_ptr<session::Source> openSource(const std::string& file, RecordingFormat format,
-                                            const std::string& robot_file, Notices notices) {
+                                            const std::string& robot_file, const session::ReadAs& read_as,
+                                            Notices notices) {
+  refuseReadAs(file, format, read_as);
   if (format == RecordingFormat::kRobot) refuseFile(file, "is no recording", "Give it as --robot");
   if (format == RecordingFormat::kSession) {
     if (!robot_file.empty())
@@ -67,7 +88,7 @@ std::unique_ptr<session::Source> openSource(const std::string& file, RecordingFo
     return std::make_unique<session::SessionSource>(file);
   }
   const robot::Description robot = readRobot(robot_file);
-  auto source = std::make_unique<session::TableSource>(readTable(file, format, robot), robot);
+  auto source = std::make_unique<session::TableSource>(readTable(file, format, robot, read_as), robot);
   if (notices == Notices::kSaid)
     for (const std::string& line : source->info().notices) notice(line);
   return source;

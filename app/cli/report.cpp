@@ -33,7 +33,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ReportArguments {
-  std::string file, format = "auto", robot, options, out = "report", json;
+  std::string file, format = "auto", read_as, robot, options, out = "report", json;
   std::string opened, theme;  ///< by the window's options
   bool simulate = false;
   simulation::SimulationRequest simulation;
@@ -129,9 +129,10 @@ struct LastFrame {
 /// The recording once more, from its beginning: of a simulation what was recorded of it.
 std::unique_ptr<session::Source> openAgain(const ReportArguments& arguments) {
   if (arguments.file.empty())
-    return openSource((fs::path(arguments.out) / "session.capstan").string(), RecordingFormat::kSession, {});
+    return openSource((fs::path(arguments.out) / "session.capstan").string(), RecordingFormat::kSession, {},
+                      {});
   return openSource(arguments.file, formatOf(arguments.format, arguments.file), arguments.robot,
-                    Notices::kQuiet);
+                    readAsOf(arguments.read_as), Notices::kQuiet);
 }
 
 experiments::IdentifyAndTrack identifyAndTrack(const ReportArguments& arguments,
@@ -144,11 +145,14 @@ experiments::IdentifyAndTrack identifyAndTrack(const ReportArguments& arguments,
 
 std::unique_ptr<session::Source> openFor(ReportArguments& arguments, const CLI::App& command) {
   arguments.simulation.robot = arguments.robot;
+  const session::ReadAs read_as = readAsOf(arguments.read_as);
+  if (arguments.file.empty() && !read_as.empty())
+    refuseOption(kReadAs, arguments.read_as, "is given without RECORDING", "Give a measured table");
   if (arguments.file.empty()) return makeSimulation(arguments.simulation);
   if (simulationAsked(command))
     refuseOption("RECORDING", arguments.file, "is given together with simulation options",
                  "Give one of them");
-  return openSource(arguments.file, formatOf(arguments.format, arguments.file), arguments.robot);
+  return openSource(arguments.file, formatOf(arguments.format, arguments.file), arguments.robot, read_as);
 }
 
 /// The window's names for the same things.
@@ -270,6 +274,7 @@ void addReport(CLI::App& app, ExitCode& exit) {
   command->add_option("--format", arguments->format, "of RECORDING: auto, session, table, raven")
       ->capture_default_str()
       ->check(CLI::IsMember({"auto", "session", "table", "raven"}));
+  addReadAs(*command, arguments->read_as);
   command->add_option("--robot", arguments->robot, "robot file; a session brings its own");
   command->add_option("--options", arguments->options,
                       "filter options (as resources/tracking/default.yaml); a session brings its own");

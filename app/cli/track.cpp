@@ -25,7 +25,7 @@ namespace {
 
 struct TrackArguments {
   std::string file, format = "auto", robot, estimator_robot, options, registration = "stored", mounting, out,
-                    save_registration, json;
+                    save_registration, read_as, json;
   bool simulate = false, whole_frame = false;
   double occlude = 0.0;
   std::vector<std::string> fail_motor;
@@ -38,6 +38,8 @@ void check(const TrackArguments& arguments, const CLI::App& command) {
     refuseOption("FILE", arguments.file, "is given together with --simulate", "Give one of them");
   if (!arguments.simulate && arguments.file.empty())
     refuseOption("FILE", {}, "is missing", "Give a recording, or --simulate");
+  if (arguments.simulate && !arguments.read_as.empty())
+    refuseOption(kReadAs, arguments.read_as, "is given together with --simulate", "Give one of them");
   if (!arguments.simulate && simulationAsked(command))
     refuseOption("--simulate", {}, "is missing, yet simulation options are given",
                  "Add --simulate or leave them out");
@@ -69,6 +71,7 @@ std::string robotText(const TrackArguments& arguments, const robot::Description&
 
 ExitCode track(TrackArguments& arguments, const CLI::App& command) {
   check(arguments, command);
+  const session::ReadAs read_as = readAsOf(arguments.read_as);
   const std::vector<session::MotorFailure> failures = failuresOf(arguments.fail_motor);
   checkOutputs(
       {{"--out", arguments.out},
@@ -82,7 +85,7 @@ ExitCode track(TrackArguments& arguments, const CLI::App& command) {
       arguments.simulate ? RecordingFormat::kTable : formatOf(arguments.format, arguments.file);
   const SourceFactory open = [&]() -> std::unique_ptr<session::Source> {
     if (arguments.simulate) return makeSimulation(arguments.simulation);
-    return openSource(arguments.file, format, arguments.robot);
+    return openSource(arguments.file, format, arguments.robot, read_as);
   };
 
   const auto source = open();
@@ -160,6 +163,7 @@ void addTrack(CLI::App& app, ExitCode& exit) {
   command->add_option("--format", arguments->format, "of FILE: auto, session, table, raven")
       ->capture_default_str()
       ->check(CLI::IsMember({"auto", "session", "table", "raven"}));
+  addReadAs(*command, arguments->read_as);
   command->add_option("--robot", arguments->robot,
                       "nominal robot file, of a simulation the plant's too; a session brings its own");
   command->add_option("--estimator-robot", arguments->estimator_robot,
@@ -199,6 +203,7 @@ void addTrack(CLI::App& app, ExitCode& exit) {
       "Examples:\n"
       "  capstan-cli track trial.capstan --out estimates.csv\n"
       "  capstan-cli track recording.csv --robot my_robot.yaml --json -\n"
+      "  capstan-cli track degrees.csv --read-as q_m=deg,q1=deg,q2=deg,p_c=mm\n"
       "  capstan-cli track trial.capstan --estimator-robot identified.yaml\n"
       "  capstan-cli track joints123.csv                 (RAVEN-II motor log, known by its header)\n"
       "  capstan-cli track --simulate --duration 200     (block transfer; add --distractors or "

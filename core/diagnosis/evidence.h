@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/robot/description.h"
+#include "core/session/column_units.h"
 
 namespace capstan::diagnosis {
 
@@ -91,6 +92,7 @@ struct EvidenceOptions {
                               ///< [s]; at least three steps
   double smoothing = 0.01;    ///< half width of the window that dq_m is differentiated in, where no velocity
                               ///< was measured [s]
+  session::ReadAs read_as;    ///< units of a measured table
 };
 
 /// Fewest rows that count (or tip sights, where there are no encoders) for anything to be said.

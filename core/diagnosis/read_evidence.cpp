@@ -6,15 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <numeric>
 #include <variant>
 
 #include "core/diagnosis/recorded_tracks.h"
-#include "core/session/csv.h"
 #include "core/session/plausibility.h"
-#include "core/session/raven_motors.h"
-#include "core/session/session_file.h"
+#include "core/session/read_table.h"
 #include "core/session/session_source.h"
 #include "core/tracking/make_pipeline.h"
 #include "core/tracking/track_all.h"
@@ -99,7 +96,7 @@ class TrackCollector {
   RecordedTracks tracks_;
 };
 
-RecordedTracks tracksOf(const session::MeasuredTable& table, const robot::Description& robot) {
+RecordedTracks tracksOf(const session::MeasuredTable& table) {
   RecordedTracks tracks;
   tracks.file = table.file;
   tracks.title = std::filesystem::path(table.file).filename().string();
@@ -114,26 +111,19 @@ RecordedTracks tracksOf(const session::MeasuredTable& table, const robot::Descri
     const Vector3d tip(table.p_c[0][i], table.p_c[1][i], table.p_c[2][i]);
     if (tip.allFinite()) tracks.t_tip.push_back(table.t[i]), tracks.tip.push_back(tip);
   }
-  for (std::string& doubt : session::unitDoubts(table, robot)) tracks.notices.push_back(std::move(doubt));
+  for (const std::string& line : session::unitNotices(table))
+    tracks.notices.push_back(table.file + ": " + line);
   if (!table.ignored.empty())
     tracks.notices.push_back(
         fmt::format("{}: columns not used: {}", table.file, fmt::join(table.ignored, ", ")));
   return tracks;
 }
 
-std::string beginOf(const std::filesystem::path& path) {
-  std::string text(1024, '\0');
-  std::ifstream in(path, std::ios::binary);
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  return text;
-}
-
 }  // namespace
 
 Evidence evidenceOf(const session::MeasuredTable& table, const robot::Description& robot,
                     const EvidenceOptions& options) {
-  return assembleEvidence(tracksOf(table, robot), robot, options);
+  return assembleEvidence(tracksOf(table), robot, options);
 }
 
 Evidence evidenceOf(session::Source& source, const EvidenceOptions& options, base::Progress* progress) {
@@ -152,16 +142,13 @@ Evidence evidenceOf(session::Source& source, const EvidenceOptions& options, bas
 
 Evidence readEvidence(const std::filesystem::path& path, const robot::Description& robot,
                       const EvidenceOptions& options, base::Progress* progress) {
-  const std::string begin = std::filesystem::is_regular_file(path) ? beginOf(path) : std::string();
-  if (path.extension() == session::kSessionSuffix || begin.starts_with("SQLite format 3")) {
+  if (session::isSession(path)) {
     session::SessionSource source(path);
     Evidence evidence = evidenceOf(source, options, progress);
     evidence.file = path.string();
     return evidence;
   }
-  const bool raven = session::isRavenMotors(session::csvHeaderLine(begin));
-  return evidenceOf(raven ? session::readRavenMotors(path, robot) : session::readMeasuredTable(path), robot,
-                    options);
+  return evidenceOf(session::readTable(path, robot, options.read_as), robot, options);
 }
 
 }  // namespace capstan::diagnosis

@@ -30,7 +30,8 @@ Evidence evidenceOf(session::Source& source, const EvidenceOptions& options = {}
                     base::Progress* progress = nullptr);
 
 /// Reads a session file, a recording of the RAVEN-II's own software, or a measured table. `robot` is for
-/// recordings that bring none. Throws base::InputError as the readers and as above.
+/// recordings that bring none. Throws session::ImplausibleUnits, base::InputError as the readers and as
+/// above.
 Evidence readEvidence(const std::filesystem::path& path, const robot::Description& robot,
                       const EvidenceOptions& options = {}, base::Progress* progress = nullptr);
 

@@ -34,6 +34,7 @@ struct OcclusionSpec {
 struct TrialSpec {
   std::string name;
   std::string recording;           ///< a session, measured table or motor log; empty: simulated
+  std::string read_as;             ///< units of a measured table, as session::parseReadAs() takes them
   std::string trajectory = "fls";  ///< of a simulation, as simulation::SimulationRequest::trajectory
   double duration = 200.0;         ///< of the movement [s]
   std::uint64_t seed = 1;
@@ -44,6 +45,7 @@ struct TrialSpec {
     field(self.name, {"name", "", "what tables and figures call it", {}, true});
     field(self.recording,
           {"recording", "", "session, measured table or motor log, in place of a simulation", {}, false});
+    field(self.read_as, {"read_as", "", "units of a measured table: q_m=deg,q3=mm,t=ms", {}, false});
     field(self.trajectory,
           {"trajectory", "", "fls, sinusoid, hold, hard-stop, a trajectory file or a CSV", {}, false});
     field(self.duration, {"duration", "s", "length of the movement", {0.1, 86400.0}, false});

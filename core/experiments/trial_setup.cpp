@@ -138,6 +138,9 @@ TrialSetup setUpTrial(const Specification& specification, const TrialSpec& trial
     setup.recording = specification.resolved(trial.recording);
     state = blaming(specification, trial.name, "recording", trial.recording,
                     [&] { return stateOf(setup.recording); });
+    setup.read_as = blaming(specification, trial.name, "read_as", trial.read_as,
+                            [&] { return session::parseReadAs(trial.read_as, "read_as"); });
+    if (!trial.read_as.empty()) state["read_as"] = trial.read_as;
     setup.inputs.recording =
         fmt::format("{}, {} bytes", state["file"].get<std::string>(), state["bytes"].get<std::uint64_t>());
   }
@@ -161,7 +164,7 @@ TrialSource::TrialSource(const TrialSetup& setup) : inputs_(setup.inputs) {
   if (setup.simulated)
     source_ = std::make_unique<simulation::SimulatedSource>(*setup.simulated);
   else
-    source_ = session::openRecording(setup.recording, setup.table_robot);
+    source_ = session::openRecording(setup.recording, setup.table_robot, setup.read_as);
   info_ = source_->info();
   nominal_ = info_.robot;
   info_.robot = setup.belief(nominal_);

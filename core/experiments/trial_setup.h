@@ -11,6 +11,7 @@
 #include "core/experiments/specification.h"
 #include "core/robot/description.h"
 #include "core/session/blocking.h"
+#include "core/session/column_units.h"
 #include "core/session/source.h"
 #include "core/simulation/simulated_source.h"
 
@@ -33,6 +34,7 @@ struct TrialSetup {
   std::string recording;                                  ///< path; empty: simulated
   std::optional<simulation::SimulatedOptions> simulated;  ///< of a simulation
   robot::Description table_robot;                         ///< of recordings that bring none
+  session::ReadAs read_as;                                ///< units of a measured table
   RobotBelief belief;
   TrialInputs inputs;          ///< as far as they are known before the recording is opened
   nlohmann::json fingerprint;  ///< everything that the result depends on

@@ -58,8 +58,14 @@ PreparedStates prepareAt(double lag, const std::vector<RawMotion>& motions, Stre
 
 LearningReport learn(const std::vector<RawMotion>& motions, const LearningOptions& options,
                      base::Progress* progress) {
-  constexpr double kPrepared = 0.1, kChosen = 0.25, kWeighed = 0.5;  // of the time
-  PreparedStates prepared = prepare(motions, options, progress, {0.0, kPrepared, {}});
+  constexpr double kPrepared = 0.1;  // of the time
+  return learnPrepared(prepare(motions, options, progress, {0.0, kPrepared, {}}), options, progress,
+                       {kPrepared, 1.0, {}});
+}
+
+LearningReport learnPrepared(PreparedStates prepared, const LearningOptions& options,
+                             base::Progress* progress, const base::ProgressPart& part) {
+  constexpr double kChosen = 0.15, kWeighed = 0.45;  // of the time
   if (prepared.cancelled) return {std::move(prepared), {}, {}, CorrectionModel(CorrectionParts{}), true};
   CleaningReport cleaned;
   if (options.clean)
@@ -72,12 +78,13 @@ LearningReport learn(const std::vector<RawMotion>& motions, const LearningOption
   CorrectionOptions correction = options.correction;
   correction.offset = training.offset;
   if (!correction.motion && !options.rigid)
-    correction.motion = chooseMotion(training.states, correction, progress, {kPrepared, kChosen, {}});
+    correction.motion = chooseMotion(training.states, correction, progress, part.within(0.0, kChosen));
   if (options.clean && options.weigh && !options.rigid)
-    weigh(training, prepared.states, options.cleaning, correction, progress, {kChosen, kWeighed, "weighing"});
-  CorrectionModel model =
-      options.rigid ? CorrectionModel::rigid(training.states, correction)
-                    : CorrectionModel::trained(training.states, correction, progress, {kWeighed, 1.0, {}});
+    weigh(training, prepared.states, options.cleaning, correction, progress,
+          {part.within(kChosen, kWeighed).begin, part.within(kChosen, kWeighed).end, "weighing"});
+  CorrectionModel model = options.rigid ? CorrectionModel::rigid(training.states, correction)
+                                        : CorrectionModel::trained(training.states, correction, progress,
+                                                                   part.within(kWeighed, 1.0));
   return {std::move(prepared), std::move(training.cleaning), std::move(training.weighing), std::move(model),
           progress && progress->cancelled()};
 }

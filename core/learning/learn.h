@@ -48,7 +48,12 @@ struct LearningReport {
   bool cancelled = false;
 };
 
-/// Learns a correction from motions. base::InputError: as prepare(); too few states are left; checkRelated().
+/// Learns a correction from states that prepare() made with the same options, of all of them.
+/// base::InputError: too few states are left; checkRelated().
+LearningReport learnPrepared(PreparedStates prepared, const LearningOptions& options = {},
+                             base::Progress* progress = nullptr, const base::ProgressPart& part = {});
+
+/// prepare() and learnPrepared(). base::InputError as both.
 LearningReport learn(const std::vector<RawMotion>& motions, const LearningOptions& options = {},
                      base::Progress* progress = nullptr);
 

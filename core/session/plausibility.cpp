@@ -3,32 +3,36 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "core/robot/transmission.h"
+#include "core/session/motor_speeds.h"
+#include "core/stats/quantile.h"
 
 namespace capstan::session {
 namespace {
 
 using robot::JointVector;
 
+constexpr double kShare = 0.01;        ///< of a column's values that may be wild: glitches are no units
+constexpr double kSlowestRate = 10.0;  ///< below which cable dynamics cannot be followed [1/s]
+
 struct Range {
   double low, high;
   double span() const { return high - low; }
   Range wider(double by) const { return {low - by, high + by}; }
+  Range times(double factor) const { return {factor * low, factor * high}; }
+  /// By how much `other` sticks out.
+  double leftBy(const Range& other) const { return std::max({low - other.low, other.high - high, 0.0}); }
 };
 
-/// The value of `column` farthest outside `range`; NaN: none is.
-double farthestOutside(const std::vector<double>& column, const Range& range) {
-  double farthest = std::numeric_limits<double>::quiet_NaN(), most = 0.0;
-  for (const double value : column) {
-    const double beyond = std::max(range.low - value, value - range.high);
-    if (!(beyond > most)) continue;
-    most = beyond;
-    farthest = value;
-  }
-  return farthest;
+/// What a column spans but for kShare of its values; NaN: it is empty.
+Range spanOf(const std::vector<double>& column) {
+  constexpr std::array kEnds = {kShare, 1.0 - kShare};
+  const std::vector<double> ends = stats::quantiles(column, kEnds);
+  return {ends[0], ends[1]};
 }
 
 /// `map` of every corner of the box `low` … `high`: the range of each component. A linear map is extreme
@@ -51,97 +55,311 @@ std::vector<Range> rangesOver(const JointVector& low, const JointVector& high, M
   return ranges;
 }
 
-class Doubts {
- public:
-  Doubts(const MeasuredTable& table, const robot::Description& robot) : table_(table), robot_(robot) {}
+/// What a column may span in SI units.
+struct Bounds {
+  Range usual;       ///< what the robot needs
+  Range widest;      ///< beyond which a column is implausible
+  std::string what;  ///< "the travel that joint 1 needs"
+  const char* unit;  ///< SI
+};
 
-  std::vector<std::string> all() {
+Bounds aroundZero(const Range& usual, double times, std::string what, const char* unit) {
+  const double most = times * std::max(std::abs(usual.low), std::abs(usual.high));
+  return {usual, {-most, most}, std::move(what), unit};
+}
+
+std::string_view wordOf(ColumnUnit unit) {
+  switch (unit) {
+    case ColumnUnit::kDegrees:
+      return "degrees";
+    case ColumnUnit::kMillimetres:
+      return "millimetres";
+    case ColumnUnit::kMilliseconds:
+      return "milliseconds";
+    case ColumnUnit::kMicroseconds:
+      return "microseconds";
+    case ColumnUnit::kNanoseconds:
+      return "nanoseconds";
+    case ColumnUnit::kSi:
+      break;
+  }
+  return "SI";
+}
+
+/// Of `units` the one in which `span` lies nearest to what is usual; none: it lies beyond the widest in each.
+std::optional<ColumnUnit> fitting(const Range& span, const Bounds& bounds,
+                                  const std::vector<ColumnUnit>& units) {
+  std::optional<ColumnUnit> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const ColumnUnit unit : units) {
+    const Range read = span.times(factorOf(unit));
+    if (bounds.widest.leftBy(read) > 0.0 || bounds.usual.leftBy(read) >= least) continue;
+    best = unit;
+    least = bounds.usual.leftBy(read);
+  }
+  return best;
+}
+
+std::string rangeText(const Range& range, const char* unit) {
+  return fmt::format("{:.4g} … {:.4g} {}", range.low, range.high, unit);
+}
+
+std::string readText(const Range& span, const Bounds& bounds, std::optional<ColumnUnit> unit) {
+  if (!unit) return "; in no unit that it may have does it lie within";
+  return fmt::format("; as {}, {}, it lies within", wordOf(*unit),
+                     rangeText(span.times(factorOf(*unit)), bounds.unit));
+}
+
+/// Looks at a table column by column.
+class Inspection {
+ public:
+  Inspection(const MeasuredTable& table, const robot::Description& robot) : table_(table), robot_(robot) {}
+
+  std::vector<UnitFinding> all() {
     time();
     if (table_.joints() == robot_.size()) {
-      joints();
       motors();
+      motorSpeeds();
+      joints();
     }
     tip();
-    return std::move(lines_);
+    return std::move(findings_);
   }
 
  private:
-  void add(const std::string& text) { lines_.push_back(table_.file + ": " + text); }
-
-  void time() {
-    if (table_.rows() < 2) return;
-    std::vector<double> periods(table_.rows() - 1);
-    for (std::size_t row = 0; row < periods.size(); ++row) periods[row] = table_.t[row + 1] - table_.t[row];
-    const auto middle = periods.begin() + static_cast<std::ptrdiff_t>(periods.size() / 2);
-    std::nth_element(periods.begin(), middle, periods.end());
-    if (*middle > 0.1) add(fmt::format("sample period {:.4g} s: is t in milliseconds?", *middle));
-    if (*middle < 1e-4) add(fmt::format("sample period {:.4g} s: is t not in seconds?", *middle));
+  UnitFinding finding(std::string_view quantity, std::size_t i, const Range& span) const {
+    return {fmt::format("{}{}", quantity, i + 1), std::string(quantity), span.low, span.high, true, {}, {}};
   }
 
-  void joints() {
-    for (std::size_t i = 0; i < table_.q.size(); ++i) {
-      const robot::Joint& joint = robot_.joints[i];
-      const Range limits{joint.limit_low, joint.limit_high};
-      const double value = farthestOutside(table_.q[i], limits.wider(limits.span()));
-      if (std::isnan(value)) continue;
-      const bool turns = joint.type == robot::JointType::kRevolute;
-      add(fmt::format("q{} = {:.4g} lies outside {:.4g}…{:.4g} {}: are these {}?", i + 1, value, limits.low,
-                      limits.high, turns ? "rad" : "m", turns ? "degrees" : "millimetres"));
+  /// A column outside its bounds, as a finding.
+  std::optional<UnitFinding> outside(std::string_view quantity, std::size_t i,
+                                     const std::vector<double>& column, const Bounds& bounds,
+                                     const std::vector<ColumnUnit>& units) const {
+    const Range span = spanOf(column);
+    if (!(bounds.widest.leftBy(span) > 0.0)) return std::nullopt;
+    UnitFinding found = finding(quantity, i, span);
+    found.unit = fitting(span, bounds, units);
+    found.text = fmt::format("spans {:.4g} … {:.4g}: as {} it would leave {}, {}, by {:.4g} {}{}", span.low,
+                             span.high, bounds.unit, bounds.what, rangeText(bounds.usual, bounds.unit),
+                             bounds.usual.leftBy(span), bounds.unit, readText(span, bounds, found.unit));
+    return found;
+  }
+
+  /// The columns of one quantity that `find` finds implausible, with the others that share their unit:
+  /// those for which `sharing` is true.
+  template <class Find, class Sharing>
+  void addQuantity(std::string_view quantity, const TableColumns& columns, Find&& find, Sharing&& sharing) {
+    std::vector<std::optional<UnitFinding>> found(columns.size());
+    std::optional<ColumnUnit> shared;
+    std::string because;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      found[i] = find(i);
+      if (!found[i] || !found[i]->unit || !sharing(i) || shared) continue;
+      shared = found[i]->unit;
+      because = found[i]->column;
     }
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      if (!found[i] && shared && sharing(i)) {
+        const Range span = spanOf(columns[i]);
+        if (std::isnan(span.low)) continue;
+        found[i] = finding(quantity, i, span);
+        found[i]->implausible = false;
+        found[i]->unit = shared;
+        found[i]->text = fmt::format("spans {:.4g} … {:.4g}: plausible by itself, but {} is beside it",
+                                     span.low, span.high, because);
+      }
+      if (found[i]) findings_.push_back(std::move(*found[i]));
+    }
+  }
+
+  static constexpr auto kAllShare = [](std::size_t) { return true; };
+
+  void time() {
+    const double period = medianPeriod(table_);
+    if (!(period > 1.0 / kSlowestRate)) return;
+    const MotorSpeeds speeds(table_, 1.0, 1.0);
+    if (speeds.any() && speeds.agree()) return;
+    UnitFinding found{"t", "t", table_.t.front(), table_.t.back(), true, {}, {}};
+    found.text =
+        fmt::format("has rows every {:.4g}: as seconds that is slower than any motor is read", period);
+    for (const ColumnUnit unit :
+         {ColumnUnit::kNanoseconds, ColumnUnit::kMicroseconds, ColumnUnit::kMilliseconds})
+      if (const double read = factorOf(unit) * period; read <= 1.0 / kSlowestRate) found.unit = unit;
+    if (found.unit)
+      found.text += fmt::format("; as {} there are {:.4g} rows a second", wordOf(*found.unit),
+                                1.0 / (factorOf(*found.unit) * period));
+    findings_.push_back(std::move(found));
   }
 
   void motors() {
     const robot::Transmission transmission(robot_);
-    JointVector low(robot_.size()), high(robot_.size()), speed(robot_.size());
+    JointVector low(robot_.size()), high(robot_.size());
     for (Eigen::Index i = 0; i < low.size(); ++i) {
-      const robot::Joint& joint = robot_.joints[static_cast<std::size_t>(i)];
-      low(i) = joint.limit_low;
-      high(i) = joint.limit_high;
-      speed(i) = joint.max_speed;
+      low(i) = robot_.joints[static_cast<std::size_t>(i)].limit_low;
+      high(i) = robot_.joints[static_cast<std::size_t>(i)].limit_high;
     }
     const auto travel =
         rangesOver(low, high, [&](const JointVector& q) { return transmission.motorFromJoint(q); });
-    const auto speeds = rangesOver(
-        -speed, speed, [&](const JointVector& dq) { return transmission.motorVelocityFromJoint(dq); });
-    compare(table_.q_m, "q_m", "rad", "degrees", travel, 3.0);
-    compare(table_.dq_m, "dq_m", "rad/s", "degrees per second", speeds, 10.0);
+    const auto find = [&](std::size_t i) {
+      return outside("q_m", i, table_.q_m[i],
+                     aroundZero(travel[i], 3.0, fmt::format("the travel that joint {} needs", i + 1), "rad"),
+                     {ColumnUnit::kDegrees});
+    };
+    addQuantity("q_m", table_.q_m, find, kAllShare);
   }
 
-  void compare(const TableColumns& columns, const char* name, const char* unit, const char* instead,
-               const std::vector<Range>& needed, double times) {
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      const double most = times * std::max(std::abs(needed[i].low), std::abs(needed[i].high));
-      const double value = farthestOutside(columns[i], {-most, most});
-      if (!std::isnan(value))
-        add(fmt::format("{}{} = {:.4g} lies far outside the {:.4g}…{:.4g} {} of this robot: are these {}?",
-                        name, i + 1, value, needed[i].low, needed[i].high, unit, instead));
-    }
+  /// Factor to SI of what was found so far of a column.
+  double factorFound(std::string_view column) const {
+    for (const UnitFinding& found : findings_)
+      if (found.column == column) return factorOf(found.unit.value_or(ColumnUnit::kSi));
+    return 1.0;
+  }
+
+  void motorSpeeds() {
+    const robot::Transmission transmission(robot_);
+    JointVector speed(robot_.size());
+    for (Eigen::Index i = 0; i < speed.size(); ++i)
+      speed(i) = robot_.joints[static_cast<std::size_t>(i)].max_speed;
+    const auto needed = rangesOver(
+        -speed, speed, [&](const JointVector& dq) { return transmission.motorVelocityFromJoint(dq); });
+    const MotorSpeeds shown(table_, factorFound("q_m1"), factorFound("t"));
+    const auto find = [&](std::size_t i) {
+      auto found =
+          outside("dq_m", i, table_.dq_m[i],
+                  aroundZero(needed[i], 10.0, fmt::format("the speeds that joint {} needs", i + 1), "rad/s"),
+                  {ColumnUnit::kDegrees});
+      if (found || !shown.inDegrees(i)) return found;
+      const Range span = spanOf(table_.dq_m[i]);
+      found = finding("dq_m", i, span);
+      found->unit = ColumnUnit::kDegrees;
+      found->text = fmt::format(
+          "spans {:.4g} … {:.4g}: as rad/s that is {:.3g} times the speed at which q_m{} changes; as degrees "
+          "per second they agree",
+          span.low, span.high, shown.ratio(i), i + 1);
+      return found;
+    };
+    addQuantity("dq_m", table_.dq_m, find, kAllShare);
+  }
+
+  void joints() {
+    const auto turns = [&](std::size_t i) { return robot_.joints[i].type == robot::JointType::kRevolute; };
+    const auto find = [&](std::size_t i) {
+      const robot::Joint& joint = robot_.joints[i];
+      const Range limits{joint.limit_low, joint.limit_high};
+      const Bounds bounds{limits, limits.wider(limits.span()), fmt::format("the range of joint {}", i + 1),
+                          turns(i) ? "rad" : "m"};
+      using enum ColumnUnit;
+      return outside("q", i, table_.q[i], bounds,
+                     turns(i) ? std::vector{kDegrees} : std::vector{kMillimetres, kDegrees});
+    };
+    addQuantity("q", table_.q, find, turns);
   }
 
   void tip() {
+    if (table_.p_c.empty()) return;
     double reach = robot_.marker.norm();
     for (const robot::Joint& joint : robot_.joints) {
       reach += std::abs(joint.dh.a) + std::abs(joint.dh.d);
       if (joint.type == robot::JointType::kPrismatic)
         reach += std::max(std::abs(joint.limit_low), std::abs(joint.limit_high));
     }
+    std::vector<double> distance(table_.rows());
+    for (std::size_t row = 0; row < distance.size(); ++row)
+      distance[row] = std::hypot(table_.p_c[0][row], table_.p_c[1][row], table_.p_c[2][row]);
+    const Range far = spanOf(distance);
+    const Bounds bounds{{0.0, reach}, {0.0, 3.0 * reach}, "the arm's reach", "m"};
+    if (!(bounds.widest.leftBy(far) > 0.0)) return;
+    const std::optional<ColumnUnit> unit = fitting(far, bounds, {ColumnUnit::kMillimetres});
     for (std::size_t i = 0; i < table_.p_c.size(); ++i) {
-      const double value = farthestOutside(table_.p_c[i], {-3.0 * reach, 3.0 * reach});
-      if (!std::isnan(value))
-        add(fmt::format("p_c{} = {:.4g} lies beyond the arm's reach of {:.2g} m: are these millimetres?",
-                        i + 1, value, reach));
+      const Range span = spanOf(table_.p_c[i]);
+      UnitFinding found = finding("p_c", i, span);
+      found.unit = unit;
+      found.text = fmt::format(
+          "spans {:.4g} … {:.4g}, the tip {:.4g} from the base: as m it would leave {}, {:.4g} m, by {:.4g} "
+          "m{}",
+          span.low, span.high, far.high, bounds.what, reach, bounds.usual.leftBy(far),
+          readText(far, bounds, unit));
+      findings_.push_back(std::move(found));
     }
   }
 
   const MeasuredTable& table_;
   const robot::Description& robot_;
-  std::vector<std::string> lines_;
+  std::vector<UnitFinding> findings_;
 };
+
+std::size_t columnsOf(const MeasuredTable& table, std::string_view name) {
+  for (const UnitQuantity& quantity : unitQuantities())
+    if (quantity.name == name) return quantity.columns ? (table.*quantity.columns).size() : 1;
+  return 0;
+}
+
+std::string faultText(const std::vector<UnitFinding>& findings) {
+  std::string text = "columns that this robot can hardly have measured in SI units. Nothing was read:";
+  for (const UnitFinding& found : findings) text += fmt::format("\n  {} {}", found.column, found.text);
+  return text;
+}
+
+std::string keepAll(const std::vector<UnitFinding>& findings) {
+  std::string text;
+  for (std::size_t i = 0; i < findings.size(); ++i)
+    if (i == 0 || findings[i].quantity != findings[i - 1].quantity)
+      text += fmt::format("{}{}=keep", text.empty() ? "" : ",", findings[i].quantity);
+  return text;
+}
 
 }  // namespace
 
-std::vector<std::string> unitDoubts(const MeasuredTable& table, const robot::Description& robot) {
-  return Doubts(table, robot).all();
+std::vector<UnitFinding> implausibleUnits(const MeasuredTable& table, const robot::Description& robot) {
+  return Inspection(table, robot).all();
+}
+
+std::string proposedReadAs(const MeasuredTable& table, const std::vector<UnitFinding>& findings) {
+  std::string text;
+  const auto add = [&](const std::string& name, std::optional<ColumnUnit> unit) {
+    text +=
+        fmt::format("{}{}={}", text.empty() ? "" : ",", name, base::nameOf(unit.value_or(ColumnUnit::kSi)));
+  };
+  for (auto begin = findings.begin(); begin != findings.end();) {
+    const auto end = std::find_if(
+        begin, findings.end(), [&](const UnitFinding& other) { return other.quantity != begin->quantity; });
+    const bool alike =
+        static_cast<std::size_t>(end - begin) == columnsOf(table, begin->quantity) &&
+        std::all_of(begin, end, [&](const UnitFinding& other) { return other.unit == begin->unit; });
+    if (alike)
+      add(begin->quantity, begin->unit);
+    else
+      for (auto found = begin; found != end; ++found) add(found->column, found->unit);
+    begin = end;
+  }
+  return text;
+}
+
+ImplausibleUnits::ImplausibleUnits(const MeasuredTable& table, std::vector<UnitFinding> findings)
+    : InputError({table.file,
+                  0,
+                  {},
+                  {},
+                  faultText(findings),
+                  fmt::format("\nRead it with --read-as {}, or take it as it stands with --read-as {}. A "
+                              "table of another robot needs its robot file",
+                              proposedReadAs(table, findings), keepAll(findings))}),
+      findings_(std::move(findings)) {}
+
+void settleUnits(MeasuredTable& table, const robot::Description& robot, const ReadAs& read_as) {
+  readColumnsAs(table, robot, read_as);
+  std::vector<UnitFinding> findings = implausibleUnits(table, robot);
+  std::erase_if(findings, [&](const UnitFinding& found) {
+    return read_as.of(found.quantity, found.column).has_value();
+  });
+  if (std::any_of(findings.begin(), findings.end(), [](const UnitFinding& f) { return f.implausible; }))
+    throw ImplausibleUnits(table, std::move(findings));
+}
+
+std::vector<std::string> unitNotices(const MeasuredTable& table) {
+  const double period = medianPeriod(table);
+  if (!(period < 1e-4)) return {};
+  return {fmt::format("sample period {:.4g} s: is t not in seconds?", period)};
 }
 
 }  // namespace capstan::session

@@ -4,14 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <array>
-#include <fstream>
 #include <limits>
 
 #include "core/base/error.h"
-#include "core/session/csv.h"
 #include "core/session/plausibility.h"
-#include "core/session/raven_motors.h"
-#include "core/session/session_file.h"
+#include "core/session/read_table.h"
 #include "core/session/session_source.h"
 
 namespace capstan::session {
@@ -47,21 +44,14 @@ void checkForTracking(const MeasuredTable& table, const robot::Description& robo
                              : "Choose a recording of a three-joint arm and its robot file"});
 }
 
-std::string firstBytes(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in || std::filesystem::is_directory(path))
-    throw base::InputError(
-        {path.string(), 0, {}, {}, "cannot be opened", "Check the path and its permissions"});
-  std::string text(1024, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  return text;
-}
-
 }  // namespace
 
-TableSource::TableSource(const std::filesystem::path& path, const robot::Description& robot)
-    : TableSource(readMeasuredTable(path), robot) {}
+TableSource::TableSource(const std::filesystem::path& path, const robot::Description& robot,
+                         const ReadAs& read_as)
+    : TableSource(readTable(path, robot, read_as), robot) {
+  if (!read_as.empty())
+    info_.notices.push_back(fmt::format("{}: read as {}", table_.file, formatReadAs(read_as)));
+}
 
 TableSource::TableSource(MeasuredTable table, const robot::Description& robot) : table_(std::move(table)) {
   checkForTracking(table_, robot);
@@ -71,7 +61,7 @@ TableSource::TableSource(MeasuredTable table, const robot::Description& robot) :
   info_.duration = table_.t.back() - table_.t.front();
   info_.reference = !table_.q.empty();
   info_.own_kinematics = table_.own_kinematics;
-  info_.notices = unitDoubts(table_, robot);
+  for (const std::string& line : unitNotices(table_)) info_.notices.push_back(table_.file + ": " + line);
   if (!table_.ignored.empty())
     info_.notices.push_back(
         fmt::format("{}: columns not used: {}", table_.file, fmt::join(table_.ignored, ", ")));
@@ -97,13 +87,10 @@ bool TableSource::next(tracking::Sample& out) {
   return false;
 }
 
-std::unique_ptr<Source> openRecording(const std::filesystem::path& path, const robot::Description& robot) {
-  if (path.extension() == kSessionSuffix) return std::make_unique<SessionSource>(path);
-  const std::string begin = firstBytes(path);
-  if (begin.starts_with("SQLite format 3")) return std::make_unique<SessionSource>(path);
-  if (isRavenMotors(csvHeaderLine(begin)))
-    return std::make_unique<TableSource>(readRavenMotors(path, robot), robot);
-  return std::make_unique<TableSource>(path, robot);
+std::unique_ptr<Source> openRecording(const std::filesystem::path& path, const robot::Description& robot,
+                                      const ReadAs& read_as) {
+  if (isSession(path)) return std::make_unique<SessionSource>(path);
+  return std::make_unique<TableSource>(path, robot, read_as);
 }
 
 }  // namespace capstan::session

@@ -5,19 +5,20 @@
 #include <string>
 
 #include "core/robot/description.h"
+#include "core/session/column_units.h"
 #include "core/session/measured_table.h"
 #include "core/session/source.h"
 
 namespace capstan::session {
 
 /// A measured table as a source: each row gives a motor sample, a joint sample where q is there (reference
-/// fitted), and a tip sample where p_c is there. Doubts about its units and columns that were not used come
-/// as notices of info().
+/// fitted), and a tip sample where p_c is there. Columns that were not used come as notices of info().
 class TableSource : public Source {
  public:
-  /// Throws base::InputError as readMeasuredTable() does, and for a table without q_m or whose number of
-  /// joints is not the robot's three.
-  TableSource(const std::filesystem::path& path, const robot::Description& robot);
+  /// Throws base::InputError as readTable() does, and for a table without q_m or whose number of joints is
+  /// not the robot's three.
+  TableSource(const std::filesystem::path& path, const robot::Description& robot, const ReadAs& read_as = {});
+  /// A table in SI units.
   TableSource(MeasuredTable table, const robot::Description& robot);
 
   const SourceInfo& info() const override { return info_; }
@@ -34,7 +35,9 @@ class TableSource : public Source {
 };
 
 /// Opens whatever `path` is: a session file, a RAVEN-II motor recording (raven_motors.h), a measured table.
-/// `robot` is for recordings that bring none. Throws base::InputError.
-std::unique_ptr<Source> openRecording(const std::filesystem::path& path, const robot::Description& robot);
+/// `robot` is for recordings that bring none, `read_as` for the units of tables. Throws ImplausibleUnits and
+/// other base::InputError as readTable().
+std::unique_ptr<Source> openRecording(const std::filesystem::path& path, const robot::Description& robot,
+                                      const ReadAs& read_as = {});
 
 }  // namespace capstan::session

@@ -9,19 +9,20 @@ using nlohmann::json;
 using testing::Cli;
 using testing::Ran;
 
-TEST_F(Cli, UnitsThatCannotBeAreDoubtedOnStandardError) {
+TEST_F(Cli, UnitsThatCannotBeAreRefusedOnStandardError) {
   std::string table = "t,q_m1,q_m2,q_m3,q1,q2,q3\n";
   for (int row = 0; row < 200; ++row) table += std::to_string(row) + ",80,-80,-480,0.6,1.6,340\n";
   write("mm.csv", table);
-  for (const char* command : {"track ", "info "}) {
+  for (const char* command : {"track ", "info ", "identify "}) {
     const Ran result = run(command + path("mm.csv"));
-    EXPECT_EQ(result.exit, 0) << command;
-    EXPECT_NE(result.err.find("q3 = 340 lies outside 0.23…0.56 m: are these millimetres?"), std::string::npos)
+    EXPECT_EQ(result.exit, 2) << command;
+    EXPECT_NE(result.err.find("q3 spans 340 … 340: as m it would leave the range of joint 3, 0.23 … 0.56 m"),
+              std::string::npos)
         << result.err;
-    EXPECT_NE(result.err.find("sample period 1 s: is t in milliseconds?"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("--read-as t=ms,q3=mm"), std::string::npos) << result.err;
   }
-  EXPECT_NE(run("identify " + path("mm.csv")).err.find("millimetres?"), std::string::npos);
-  EXPECT_EQ(json::parse(run("info --json - " + path("mm.csv")).out)["doubts"].size(), 2U);
+  const Ran info = run("info --json - " + path("mm.csv"));
+  EXPECT_EQ(json::parse(info.out)["implausible_units"].size(), 2U) << "told all the same";
 }
 
 TEST_F(Cli, AMotorLogIsComparedWithItsOwnKinematicsByName) {

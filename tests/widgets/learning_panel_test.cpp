@@ -7,6 +7,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QFile>
+#include <QProcess>
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
@@ -300,6 +301,30 @@ TEST_F(Learning, AModelIsSavedWithWhatItWasLearnedFrom) {
   panel->saveModel("/nowhere/arm.correction");
   EXPECT_EQ(saved.count(), 1);
   EXPECT_THAT(panel->words().toStdString(), HasSubstr("/nowhere"));
+}
+
+// Bytes of one file from two programs.
+TEST_F(Learning, TheModelIsThatOfTheCommandLine) {
+  LearningSettings settings;
+  settings.trial.correction.inducing_points = 200;
+  show(settings);
+  readAndTrain();
+  panel->saveModel(folder.filePath("window.correction"));
+  QProcess process;
+  process.start(CAPSTAN_CLI, {"learn", "--train", panel->choice().tables[0], "--inducing", "200", "--model",
+                              folder.filePath("line.correction")});
+  ASSERT_TRUE(process.waitForFinished(120000));
+  ASSERT_EQ(process.exitCode(), 0) << process.readAllStandardError().toStdString();
+  const auto bytes = [&](const char* name) {
+    QFile file(folder.filePath(name));
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << name;
+    return file.readAll();
+  };
+  const QByteArray window = bytes("window.correction"), line = bytes("line.correction");
+  EXPECT_GT(window.size(), 10000);
+  EXPECT_TRUE(window == line) << "sizes " << window.size() << " and " << line.size() << "\n"
+                              << window.left(600).toStdString() << "\n"
+                              << line.left(600).toStdString();
 }
 
 TEST_F(Learning, TheChoiceIsKeptAndReadWhenItIsLookedAt) {

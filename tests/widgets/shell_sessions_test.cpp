@@ -5,10 +5,12 @@
 #include <stdexcept>
 
 #include "core/base/resource.h"
+#include "tests/widgets/picture.h"
 #include "tests/widgets/shell_fixture.h"
 #include "widgets/panels/notes/notes_panel.h"
 #include "widgets/panels/occlusion/occlusion_panel.h"
 #include "widgets/shell/source_menu.h"
+#include "widgets/shell/units_dialog.h"
 
 namespace capstan::widgets {
 namespace {
@@ -181,6 +183,28 @@ TEST_F(Shell, StaysResponsiveWhileThePipelineIsStuck) {
            stateOf(*window) == session::RunState::kRunning;
   }));
   gate.count_down();
+}
+
+// Degrees in q_m: nothing is tracked before a person has chosen.
+TEST_F(Shell, ATableInDegreesAsksBeforeItIsTracked) {
+  QByteArray text = "t,q_m1,q_m2,q_m3\n";
+  for (int row = 0; row < 4000; ++row) text += QByteArray::number(1e-3 * row) + ",4600,-4600,-27500\n";
+  QFile table(file("degrees.csv"));
+  ASSERT_TRUE(table.open(QIODevice::WriteOnly));
+  table.write(text);
+  table.close();
+  auto window = makeWindow();
+  window->open(SourceChoice::ofFile(table.fileName()));
+  UnitsDialog* dialog = nullptr;
+  ASSERT_TRUE(waitFor([&] { return (dialog = window->findChild<UnitsDialog*>("units")) != nullptr; }));
+  EXPECT_FALSE(dialog->isModal());
+  EXPECT_EQ(window->link().runner(), nullptr) << "nothing is tracked yet";
+  EXPECT_EQ(dialog->readAs(), "q_m1=deg,q_m2=deg,q_m3=deg");
+  test::grab(*dialog, "shell_units");
+  QTest::keyClick(dialog, Qt::Key_Return);
+  ASSERT_TRUE(waitFor([&] { return window->link().runner() != nullptr; }));
+  EXPECT_EQ(window->lastSource().read_as, "q_m1=deg,q_m2=deg,q_m3=deg");
+  ASSERT_TRUE(waitFor([&] { return window->figure().history().end() > 0.5; }));
 }
 
 }  // namespace

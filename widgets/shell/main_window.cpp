@@ -42,6 +42,7 @@
 #include "widgets/shell/registration_desk.h"
 #include "widgets/shell/session_bar.h"
 #include "widgets/shell/source_menu.h"
+#include "widgets/shell/units_dialog.h"
 #include "widgets/shell/window_menus.h"
 #include "widgets/video/stereo_view.h"
 
@@ -223,6 +224,7 @@ void MainWindow::connectLink() {
     notes_->addEvent(now_, "fault", text);
     title_ = link_.runner() ? titleOf(choice_, link_.runner()->info().title) : tr("no source");
   });
+  connect(&link_, &SessionLink::unitsAsked, this, &MainWindow::askUnits);
   connect(&link_, &SessionLink::status, this, &MainWindow::onStatus);
   connect(&link_, &SessionLink::report, this,
           [this](const auto& report) { errors_->showErrors(report.errors); });
@@ -279,6 +281,19 @@ void MainWindow::connectNotes() {
 void MainWindow::open(const SourceChoice& choice) {
   title_ = tr("opening…");
   link_.open(choice);
+}
+
+/// Nothing is tracked of the table before its units are chosen; what was open stays.
+void MainWindow::askUnits(const session::ImplausibleUnits& refused, const SourceChoice& choice) {
+  title_ = link_.runner() ? QString::fromStdString(link_.runner()->info().title) : tr("no source");
+  auto* dialog = new UnitsDialog(refused, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &UnitsDialog::chosen, this, [this, choice](const QString& read_as) {
+    SourceChoice settled = choice;
+    settled.read_as = read_as;
+    open(settled);
+  });
+  dialog->show();
 }
 
 void MainWindow::onOpened(const session::SourceInfo& info, const SourceChoice& choice) {

@@ -68,6 +68,7 @@ class MainWindow : public QMainWindow {
   void connectLink();
   void connectOcclusion();
   void connectNotes();
+  void askUnits(const session::ImplausibleUnits& refused, const SourceChoice& choice);
   void onOpened(const session::SourceInfo& info, const SourceChoice& choice);
   void takeOcclusion(bool blockable);
   void noteOcclusion(const QString& what);

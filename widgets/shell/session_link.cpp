@@ -87,6 +87,8 @@ void SessionLink::finishOpening() {
       retire(std::move(runner));
     else
       begin(std::move(runner), choice_);
+  } catch (const session::ImplausibleUnits& refused) {
+    if (!waiting_) Q_EMIT unitsAsked(refused, choice_);
   } catch (const std::exception& error) {
     if (!waiting_) Q_EMIT failed(QString::fromStdString(error.what()));
   }

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/session/plausibility.h"
 #include "core/session/runner.h"
 #include "widgets/shell/robot_choice.h"
 #include "widgets/shell/source_choice.h"
@@ -22,8 +23,8 @@ class SessionLink : public QObject {
   explicit SessionLink(QObject* parent = nullptr);
   ~SessionLink() override;
 
-  /// Ends in opened() or failed(). While another one is opening, this one waits for it, takes its place and
-  /// that of what waited before: of several only the newest is heard of.
+  /// Ends in opened(), failed() or unitsAsked(). While another one is opening, this one waits for it, takes
+  /// its place and that of what waited before: of several only the newest is heard of.
   void open(const SourceChoice& choice);
   /// Takes a ready source, as tests have.
   void take(std::unique_ptr<session::Source> source);
@@ -54,6 +55,9 @@ class SessionLink : public QObject {
   void failed(const QString& message);
   /// What useRobot() put to use, before the notes hear of it.
   void robotChanged();
+  /// open() met a table whose units have to be chosen first (SourceChoice::read_as).
+  void unitsAsked(const capstan::session::ImplausibleUnits& refused,
+                  const capstan::widgets::SourceChoice& choice);
   void history(const std::vector<capstan::tracking::Snapshot>& snapshots);
   void snapshot(const capstan::tracking::Snapshot& snapshot);
   /// The newest pair of pictures and what the pipeline made of exactly these.

@@ -37,6 +37,7 @@ SourceChoice SourceChoice::ofSimulation(const simulation::SimulationRequest& req
 void SourceChoice::save(QSettings& settings) const {
   settings.setValue("source/simulated", simulated);
   settings.setValue("source/file", absolute(file));
+  settings.setValue("source/read_as", read_as);
   settings.setValue("source/robot", absolute(robot));
   settings.setValue("simulation/trajectory", absoluteUnlessName(simulation.trajectory));
   settings.setValue("simulation/duration", simulation.duration);
@@ -56,6 +57,7 @@ SourceChoice SourceChoice::restore(const QSettings& settings) {
   auto& request = choice.simulation;
   choice.simulated = settings.value("source/simulated", choice.simulated).toBool();
   choice.file = settings.value("source/file").toString();
+  choice.read_as = settings.value("source/read_as").toString();
   choice.robot = settings.value("source/robot").toString();
   request.trajectory = text("simulation/trajectory", request.trajectory);
   request.duration = settings.value("simulation/duration", request.duration).toDouble();
@@ -82,7 +84,9 @@ std::unique_ptr<session::Source> openSource(const SourceChoice& choice) {
     return std::make_unique<simulation::SimulatedSource>(simulation::optionsOf(choice.simulation));
   const auto robot = choice.robot.isEmpty() ? base::resource("robots/raven2_left.yaml")
                                             : std::filesystem::path(choice.robot.toStdString());
-  return session::openRecording(choice.file.toStdString(), robot::readDescription(robot));
+  return session::openRecording(
+      choice.file.toStdString(), robot::readDescription(robot),
+      session::parseReadAs(choice.read_as.toStdString(), choice.file.toStdString()));
 }
 
 }  // namespace capstan::widgets

@@ -14,8 +14,9 @@ namespace capstan::widgets {
 struct SourceChoice {
   bool simulated = true;
   simulation::SimulationRequest simulation;
-  QString file;   ///< session or measured table, where not simulated
-  QString robot;  ///< robot file for a recording that brings none; empty: the left RAVEN-II
+  QString file;     ///< session or measured table, where not simulated
+  QString read_as;  ///< units of a table, as session::parseReadAs() takes them; empty: SI
+  QString robot;    ///< robot file for a recording that brings none; empty: the left RAVEN-II
 
   static SourceChoice ofFile(const QString& file);
   static SourceChoice ofSimulation(const simulation::SimulationRequest& request);
@@ -29,7 +30,8 @@ struct SourceChoice {
 /// What the window calls it: a recording by its file, and by what it says of itself where that is more.
 QString titleOf(const SourceChoice& choice, const std::string& own_title);
 
-/// Opens it. Takes a moment (a simulation registers its cameras first). Throws base::InputError.
+/// Opens it. Takes a moment (a simulation registers its cameras first). Throws session::ImplausibleUnits and
+/// other base::InputError.
 std::unique_ptr<session::Source> openSource(const SourceChoice& choice);
 
 }  // namespace capstan::widgets

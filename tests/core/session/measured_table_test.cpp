@@ -130,35 +130,6 @@ TEST(TableSource, GivesMotorsReferenceAndTipsOfEachRow) {
   EXPECT_EQ(kinds, expected);
 }
 
-/// What is doubted of a table of the RAVEN-II with `cells` behind `columns`, at 1 kHz.
-std::string doubtsOf(const std::string& columns, const std::string& cells, double period = 1e-3) {
-  std::string text = "t,q_m1,q_m2,q_m3," + columns + "\n";
-  for (int row = 0; row < 4; ++row) text += fmt::format("{},80,-80,-480,{}\n", row * period, cells);
-  const TableSource source(parseMeasuredTable(text, "x.csv"), raven());
-  return fmt::format("{}", fmt::join(source.info().notices, "|"));
-}
-
-TEST(TableSource, UnitsThatTheRobotCannotHaveMeasuredAreDoubted) {
-  EXPECT_EQ(doubtsOf("q1,q2,q3", "0.6,1.6,0.34"), "");
-  EXPECT_EQ(doubtsOf("q1,q2,q3", "0.6,1.6,340"),
-            "x.csv: q3 = 340 lies outside 0.23…0.56 m: are these millimetres?");
-  EXPECT_NE(doubtsOf("q1,q2,q3", "35,92,0.34").find("q1 = 35 lies outside"), std::string::npos);
-  EXPECT_NE(doubtsOf("q1,q2,q3", "35,92,0.34").find("are these degrees?|x.csv: q2"), std::string::npos);
-  EXPECT_EQ(doubtsOf("dq_m1,dq_m2,dq_m3", "50,-50,200"), "");
-  EXPECT_NE(doubtsOf("dq_m1,dq_m2,dq_m3", "9e4,0,0").find("are these degrees per second?"),
-            std::string::npos);
-  EXPECT_NE(doubtsOf("p_c1,p_c2,p_c3", "71,-46,-101").find("p_c3 = -101 lies beyond"), std::string::npos);
-  EXPECT_EQ(doubtsOf("p_c1,p_c2,p_c3", "0.071,-0.046,-0.101"), "");
-  EXPECT_EQ(doubtsOf("note", "1", 1.0),
-            "x.csv: sample period 1 s: is t in milliseconds?|x.csv: columns not used: note");
-  EXPECT_NE(doubtsOf("note", "1", 1e-6).find("is t not in seconds?"), std::string::npos);
-  const auto degrees = parseMeasuredTable("t,q_m1,q_m2,q_m3\n0,4600,-4600,-27500\n", "x.csv");
-  ASSERT_FALSE(unitDoubts(degrees, raven()).empty());
-  EXPECT_NE(unitDoubts(degrees, raven()).front().find("q_m1 = 4600"), std::string::npos);
-  const auto one_joint = parseMeasuredTable("t,q1\n0,4600\n", "x.csv");
-  EXPECT_TRUE(unitDoubts(one_joint, raven()).empty()) << "another robot";
-}
-
 TEST(TableSource, RefusesOtherNumbersOfJointsAndTablesWithoutMotors) {
   EXPECT_THROW(TableSource(parseMeasuredTable("t,q_m1\n0,1\n", "x.csv"), raven()), base::InputError);
   EXPECT_THROW(TableSource(parseMeasuredTable("t,q1,q2,q3\n0,1,2,3\n", "x.csv"), raven()), base::InputError);
@@ -171,7 +142,7 @@ TEST(MeasuredTable, ReadsTheSharedRecordings) {
   EXPECT_EQ(table.rows(), 40001U);
   EXPECT_EQ(table.joints(), 3);
   EXPECT_EQ(table.q_m[2][1], -482.209340);
-  EXPECT_TRUE(unitDoubts(table, raven()).empty());
+  EXPECT_TRUE(implausibleUnits(table, raven()).empty());
   EXPECT_EQ(readMeasuredTable(dataFile("davinci-jaw/tool4_left_0.1Hz_load0.csv")).joints(), 1);
   EXPECT_EQ(readMeasuredTable(dataFile("emps/test.csv")).ignored, (std::vector<std::string>{"q_ref1"}));
 }
@@ -189,7 +160,7 @@ TEST(RavenMotors, TransmissionKinematicsIsTheRobotsOwnUpToItsDigits) {
   if (file.empty()) GTEST_SKIP() << "no data sets (CAPSTAN_DATA)";
   const auto table = readRavenMotors(file, raven());
   ASSERT_EQ(table.rows(), 19415U);
-  EXPECT_TRUE(unitDoubts(table, raven()).empty());
+  EXPECT_TRUE(implausibleUnits(table, raven()).empty());
   const robot::Transmission transmission(raven());
   Eigen::Vector3d worst = Eigen::Vector3d::Zero(), squares = Eigen::Vector3d::Zero();
   for (std::size_t row = 0; row < table.rows(); ++row) {

@@ -5,10 +5,10 @@
 #include <QPushButton>
 #include <QSettings>
 
-#include "core/base/checksum.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/experiments/software.h"
+#include "core/session/correction_source.h"
 #include "widgets/panels/learning/ablation_view.h"
 #include "widgets/panels/learning/clouds_view.h"
 #include "widgets/panels/learning/confidence_view.h"
@@ -140,10 +140,12 @@ void LearningPanel::trainOrCancel() {
 void LearningPanel::train() {
   if (!ready()) return;
   begin(Doing::kTraining, tr("training"));
-  job_.start([stages = results_.stages, options = settings_.trial](
-                 base::Progress& progress) { return correctionTrial(stages->states, options, &progress); },
-             [this](CorrectionTrial trial) {
-               results_.trial = std::make_shared<const CorrectionTrial>(std::move(trial));
+  job_.start([stages = results_.stages, settings = settings_](
+                 base::Progress& progress) { return trainCorrection(*stages, settings, progress); },
+             [this](TrainedCorrection trained) {
+               results_.trial = std::make_shared<const CorrectionTrial>(std::move(trained.trial));
+               results_.learned =
+                   std::make_shared<const learning::LearningReport>(std::move(trained.learned));
                pages_->showResults(results_);
              });
   refresh();
@@ -217,9 +219,9 @@ void LearningPanel::askModel() {
 }
 
 void LearningPanel::saveModel(const QString& path) {
-  if (!results_.trial || !results_.stages) return;
+  if (!results_.learned) return;
   try {
-    session::writeCorrection({*results_.trial->model, source()}, path.toStdString());
+    session::writeCorrection({results_.learned->model, source()}, path.toStdString());
     said_ = tr("Saved as %1.").arg(path);
     Q_EMIT modelSaved(path);
   } catch (const base::InputError& error) {
@@ -229,17 +231,9 @@ void LearningPanel::saveModel(const QString& path) {
 }
 
 session::CorrectionSource LearningPanel::source() const {
-  session::CorrectionSource source;
-  for (const QString& table : choice().tables) {
-    source.files.push_back(table.toStdString());
-    source.checksums.push_back(base::checksumOfFile(table.toStdString()));
-  }
-  source.towards = results_.stages->told;
-  source.lag = results_.stages->lag.lag;
-  source.states = results_.stages->cleaning.kept() + results_.trial->weighing.again.size();
-  source.rejected = results_.stages->states.size() - source.states;
-  source.software = experiments::software();
-  return source;
+  std::vector<std::string> tables;
+  for (const QString& table : choice().tables) tables.push_back(table.toStdString());
+  return session::correctionSource(tables, results_.stages->told, *results_.learned, experiments::software());
 }
 
 QString LearningPanel::failedHeadline() const {
@@ -299,8 +293,10 @@ void LearningPanel::refresh() {
   train_->setText(working                                        ? tr("Cancel")
                   : results_.stages || choice().tables.isEmpty() ? tr("Train")
                                                                  : tr("Read"));
-  train_->setToolTip(working ? tr("Stop what is being computed (Esc)")
-                             : tr("Learn a correction from four fifths of the trajectories (F5)"));
+  train_->setToolTip(
+      working
+          ? tr("Stop what is being computed (Esc)")
+          : tr("Take errors on a fifth of the trajectories, held out, and learn a correction from all (F5)"));
   train_->setEnabled(working || !choice().tables.isEmpty());
   pages_->ablation().setReady(ready());
   pages_->curve().setReady(ready());

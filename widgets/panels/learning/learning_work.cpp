@@ -6,6 +6,28 @@
 
 namespace capstan::widgets {
 
+learning::LearningOptions LearningSettings::learning(learning::StreamKind towards) const {
+  learning::LearningOptions options;
+  options.towards = towards;
+  options.lag = lag;
+  options.weigh = trial.weigh;
+  options.cleaning = trial.cleaning;
+  options.correction = trial.correction;
+  return options;
+}
+
+TrainedCorrection trainCorrection(const experiments::LearningStages& stages, const LearningSettings& settings,
+                                  base::Progress& progress) {
+  experiments::CorrectionTrial trial = correctionTrial(stages.states, settings.trial, &progress);
+  learning::LearningReport learned{{}, {}, {}, learning::CorrectionModel(learning::CorrectionParts{}), true};
+  if (!trial.cancelled)
+    learned = learning::learnPrepared({stages.screen, stages.lag, stages.lag.lag, stages.states, false},
+                                      settings.learning(stages.told), &progress,
+                                      {0.0, 1.0, "learning from all trajectories"});
+  trial.cancelled = trial.cancelled || learned.cancelled;
+  return {std::move(trial), std::move(learned)};
+}
+
 experiments::CorrectionStudyOptions LearningSettings::study(int splits) const {
   experiments::CorrectionStudyOptions options;
   options.splits = splits;

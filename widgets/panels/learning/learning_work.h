@@ -6,6 +6,7 @@
 #include "core/experiments/correction_trial.h"
 #include "core/experiments/learning_curve.h"
 #include "core/experiments/learning_stages.h"
+#include "core/learning/learn.h"
 #include "widgets/panels/learning/learning_choice.h"
 
 namespace capstan::widgets {
@@ -15,7 +16,16 @@ struct LearningSettings {
   learning::LagOptions lag;
   experiments::CorrectionTrialOptions trial;
 
-  LearningSettings() { trial.correction.motion.reset(); }  // as learning::chooseMotion() finds
+  /// As capstan-cli learn has them.
+  LearningSettings() {
+    const learning::LearningOptions defaults;
+    lag = defaults.lag;
+    trial.cleaning = defaults.cleaning;
+    trial.weigh = defaults.weigh;
+    trial.correction = defaults.correction;
+  }
+  /// Of the model that is saved.
+  learning::LearningOptions learning(learning::StreamKind towards) const;
   experiments::CorrectionStudyOptions study(int splits) const;
   experiments::LearningCurveOptions curve() const;
 };
@@ -23,11 +33,23 @@ struct LearningSettings {
 /// What there is so far; null: not yet.
 struct LearningResults {
   std::shared_ptr<const experiments::LearningStages> stages;
-  std::shared_ptr<const experiments::CorrectionTrial> trial;
+  std::shared_ptr<const experiments::CorrectionTrial> trial;  ///< errors of trajectories held out
+  std::shared_ptr<const learning::LearningReport> learned;    ///< from all of them: what is saved
   std::shared_ptr<const experiments::CorrectionStudyReport> study;
   std::shared_ptr<const experiments::LearningCurve> curve;
   int splits = 0;  ///< of the study
 };
+
+/// What training leaves.
+struct TrainedCorrection {
+  experiments::CorrectionTrial trial;
+  learning::LearningReport learned;
+};
+
+/// Takes errors on trajectories held out, and learns a model from all, as capstan-cli learn does.
+/// base::InputError as correctionTrial() and learning::learnPrepared().
+TrainedCorrection trainCorrection(const experiments::LearningStages& stages, const LearningSettings& settings,
+                                  base::Progress& progress);
 
 /// Reads the tables and goes through all stages up to the rigid offset, in the background. Of several tables
 /// trajectories carry the name of theirs. base::InputError as readPoseTable() and learningStages().

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "core/estimation/nis_verdict.h"
-
 #include "core/tracking/transmission_text.h"
 
 namespace capstan::widgets {
