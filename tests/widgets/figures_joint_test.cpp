@@ -84,6 +84,27 @@ TEST_F(JointFigureTest, StandsStillWhileDataComeAndLeadsBackToLive) {
   EXPECT_EQ(spy.count(), 2);
 }
 
+TEST_F(JointFigureTest, WhatStandsStillIsNotDrawnAgain) {
+  int drawn = 0;
+  QObject::connect(&figure_, &QCustomPlot::afterReplot, &figure_, [&drawn] { ++drawn; });
+  const auto after = [&](const auto& change) {
+    drawn = 0;
+    change();
+    figure_.refresh();
+    QApplication::processEvents();
+    return drawn;
+  };
+  figure_.setTimeRange(5.0, 15.0);
+  QApplication::processEvents();
+  EXPECT_EQ(after([&] { history_.append(syntheticSnapshot(30.5)); }), 0) << "new samples are not in view";
+  EXPECT_GT(after([&] { figure_.setCursor(7.0); }), 0);
+  EXPECT_GT(after([&] { figure_.setTheme(Theme::light()); }), 0);
+  EXPECT_GT(after([&] { figure_.setTimeRange(6.0, 15.0); }), 0);
+  EXPECT_GT(after([&] { figure_.setTimeRange(20.0, 40.0); }), 0);
+  EXPECT_GT(after([&] { history_.append(syntheticSnapshot(31.0)); }), 0) << "in view";
+  EXPECT_GT(after([&] { history_.append(syntheticSnapshot(3.0)); }), 0) << "another session";
+}
+
 TEST_F(JointFigureTest, EndAndDoubleClickFollowAgain) {
   figure_.setTimeRange(5.0, 15.0);
   QTest::keyClick(&figure_, Qt::Key_End);

@@ -126,6 +126,7 @@ void JointFigure::setRemarks(const std::array<QString, 3>& remarks) {
 }
 
 void JointFigure::setTitles() {
+  drawn_ = View();
   for (std::size_t i = 0; i < plots_.size(); ++i)
     plots_[i]->setTitle(names_[i], tracking::kJointUnits[i], remarks_[i]);
   fitHeaders();
@@ -184,6 +185,7 @@ void JointFigure::refresh(bool at_once) {
   if (following_)
     end_ = std::max(history_.end(), history_.begin() + span_ * (1.0 - kLiveMargin)) + kLiveMargin * span_;
   const QCPRange time(end_ - span_, end_);
+  if (!at_once && viewOf(time) == drawn_) return;
   const std::size_t most = static_cast<std::size_t>(std::max(kStepsAPixel * width(), 200.0));
   const double readout = cursor_.value_or(following_ ? history_.end() : std::min(end_, history_.end()));
   legend_->setTitle(history_.empty() ? QString()
@@ -198,7 +200,23 @@ void JointFigure::refresh(bool at_once) {
     cursor_lines_[i]->point1->setCoords(readout, 0.0);
     cursor_lines_[i]->point2->setCoords(readout, 1.0);
   }
+  drawn_ = viewOf(time);
   replot(at_once ? rpImmediateRefresh : rpQueuedReplot);
+}
+
+JointFigure::View JointFigure::viewOf(const QCPRange& time) const {
+  View view{.time = time,
+            .values = {},
+            .size = size(),
+            .theme = theme_,
+            .cursor = cursor_,
+            .begin = std::max(history_.begin(), time.lower),
+            .detail = std::clamp(history_.detailBegin(), time.lower, time.upper),
+            .block = history_.blockAt(std::max(history_.begin(), time.lower)),
+            .revision = history_.end() <= time.upper ? history_.revision() : 0};
+  for (std::size_t i = 0; i < plots_.size(); ++i)
+    view.values[i] = plots_[i]->axes()->axis(QCPAxis::atLeft)->range();
+  return view;
 }
 
 void JointFigure::placeLiveButton() {

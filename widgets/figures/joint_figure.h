@@ -36,7 +36,8 @@ class JointFigure : public QCustomPlot {
   /// Whether every plot has its least height (PanelFigure::kLeastAxesHeight) at the present size.
   bool fits() const;
 
-  /// Draws what the history holds now. `at_once`: inside this call, else when the event loop is next idle.
+  /// Draws what the history holds now. `at_once`: inside this call, else when the event loop is next idle and
+  /// only if anything in view has changed.
   void refresh(bool at_once = false);
 
   /// Following: the right edge stays at the newest sample. Otherwise the view stands still while data come
@@ -73,6 +74,18 @@ class JointFigure : public QCustomPlot {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  /// All that a drawing depends on, but for names and remarks, which draw anew themselves.
+  struct View {
+    QCPRange time;
+    std::array<QCPRange, 3> values;
+    QSize size;
+    const Theme* theme = nullptr;
+    std::optional<double> cursor;
+    double begin = 0.0, detail = 0.0, block = 0.0;  ///< of the history, as far as it is in view
+    std::uint64_t revision = 0;                     ///< of the history, where its end is in view
+    bool operator==(const View&) const = default;
+  };
+  View viewOf(const QCPRange& time) const;
   void layOut();
   void setTitles();
   void fitHeaders();
@@ -95,6 +108,7 @@ class JointFigure : public QCustomPlot {
   double span_ = 20.0;
   double end_ = 0.0;
   std::optional<double> cursor_;
+  View drawn_;  ///< last
   std::optional<QPointF> drag_from_;
   double drag_end_ = 0.0;
 };

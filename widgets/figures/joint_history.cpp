@@ -76,6 +76,7 @@ void JointHistory::append(const Snapshot& snapshot) {
   if (!empty() && snapshot.t < end() - kSetBack) clear();
   if (!empty() && snapshot.t < end()) return;
   const Row row = rowOf(snapshot);
+  ++revision_;
   if (!empty() && snapshot.t == end())
     rows_.replaceNewest(row);
   else

@@ -62,6 +62,8 @@ class JointHistory {
   double detailBegin() const { return rows_.detailBegin(); }
   /// Length of the shortest block about time t [s]; 0 where every row is there.
   double blockAt(double t) const { return rows_.blockAt(t); }
+  /// Changes with every snapshot that is taken.
+  std::uint64_t revision() const { return revision_; }
   /// Memory that it holds.
   std::size_t bytes() const;
 
@@ -103,6 +105,7 @@ class JointHistory {
   MinMaxPyramid<CameraPoint> camera_;
   Ring<Span> occluded_;
   bool occluded_now_ = false;
+  std::uint64_t revision_ = 0;
 };
 
 bool widen(JointHistory::Row& low, JointHistory::Row& high, const JointHistory::Row& by);
