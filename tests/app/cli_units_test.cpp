@@ -118,8 +118,8 @@ TEST_F(CliUnits, EveryCommandThatReadsTablesRefuses) {
   const Ran identified = run("identify " + file + " --parameters r_l1 --method dual-ukf --json -" + option);
   ASSERT_EQ(identified.exit, 0) << identified.err;
   const Ran expected = run("identify " + path("si.csv") + " --parameters r_l1 --method dual-ukf --json -");
-  const double r_l1 = json::parse(identified.out)["dual_ukf"]["estimates"][0]["value"];
-  EXPECT_NEAR(r_l1, json::parse(expected.out)["dual_ukf"]["estimates"][0]["value"].get<double>(), 1e-8);
+  const double r_l1 = json::parse(identified.out)["dual_ukf"]["parameters"][0]["value"];
+  EXPECT_NEAR(r_l1, json::parse(expected.out)["dual_ukf"]["parameters"][0]["value"].get<double>(), 1e-8);
 }
 
 TEST_F(CliUnits, OptionsThatMeanNothingAreRefused) {
