@@ -2,6 +2,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include "core/session/occlusion.h"
 #include "core/session/source.h"
@@ -12,9 +13,16 @@ namespace capstan::session {
 class Blocking {
  public:
   void setByHand(bool left, bool right) { by_hand_ = {left, right}; }
-  void setSchedule(const OcclusionSchedule& schedule) { schedule_ = schedule; }
+  /// True: another share or length of intervals.
+  bool setSchedule(const OcclusionSchedule& schedule) {
+    const bool changed = scheduleWords(schedule) != scheduleWords(schedule_);
+    schedule_ = schedule;
+    return changed;
+  }
   const OcclusionSchedule& schedule() const { return schedule_; }
   const std::array<bool, 2>& blocked() const { return blocked_; }
+  /// Now, or at some time by schedule.
+  bool asked() const { return any() || schedule_.percentage > 0.0; }
   bool any() const { return blocked_[0] || blocked_[1]; }
 
   /// At time t of the newest motor sample, before the next sample is fetched. True: something changed.
@@ -27,6 +35,13 @@ class Blocking {
     return true;
   }
 
+  /// The schedule, and what is blocked now.
+  std::vector<std::string> words() const {
+    std::vector<std::string> all;
+    if (schedule_.percentage > 0.0) all.push_back(scheduleWords(schedule_));
+    if (any()) all.push_back(text());
+    return all;
+  }
   std::string text() const {
     if (!any()) return "free";
     return blocked_[0] && blocked_[1] ? "both blocked" : blocked_[0] ? "left blocked" : "right blocked";

@@ -46,6 +46,10 @@ class RecordingSlot {
   void note(double t, std::string kind, std::string text) {
     if (recorder_) recorder_->note(t, std::move(kind), std::move(text));
   }
+  /// `added`: to a source that is a recording itself and had its own occlusion or none.
+  void noteOcclusion(double t, const std::string& what, bool added) {
+    note(t, "occlusion", added ? what + ", added to a recording" : what);
+  }
   void setRegistration(double t, const Eigen::Isometry3d& base_from_camera) {
     if (recorder_) recorder_->setRegistration(t, base_from_camera);
   }

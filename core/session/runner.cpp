@@ -16,17 +16,16 @@
 #include "core/session/publisher.h"
 #include "core/session/rate_meter.h"
 #include "core/session/recording_slot.h"
+#include "core/session/take_over.h"
 #include "core/tracking/make_pipeline.h"
 
 namespace capstan::session {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
 constexpr double kStepWithoutCameras = 1.0 / 15.0;  // [s]
 constexpr auto kReportPeriod = std::chrono::milliseconds(100);
 constexpr auto kPicturePeriod = std::chrono::milliseconds(30);
-
 }  // namespace
 
 class Runner::Impl {
@@ -90,17 +89,12 @@ class Runner::Impl {
   }
   void setOcclusion(const OcclusionSchedule& schedule) {
     post([this, schedule] {
-      const bool changed = scheduleWords(schedule) != scheduleWords(blocking_.schedule());
-      blocking_.setSchedule(schedule);
-      if (changed) noteOcclusion(scheduleWords(schedule));
+      if (blocking_.setSchedule(schedule)) recording_.noteOcclusion(t_, scheduleWords(schedule), !info_.live);
     });
   }
 
   void setRegistration(const Eigen::Isometry3d& pose) {
-    {
-      const std::lock_guard lock(mutex_);
-      registration_ = pose;
-    }
+    keep(registration_, pose);
     post([this, pose] {
       pipeline_.setRegistration(pose);
       if (listener_) listener_.begin(pipeline_);
@@ -112,15 +106,9 @@ class Runner::Impl {
     SourceInfo info = info_;
     info.robot = robot;
     auto next = std::make_shared<tracking::TrackingPipeline>(tracking::makePipeline(info, tracking_));
-    {
-      const std::lock_guard lock(mutex_);
-      robot_ = robot;
-    }
+    keep(robot_, robot);
     post([this, next, note] {
-      if (pipeline_.registration()) next->setRegistration(*pipeline_.registration());
-      const auto& failed = pipeline_.snapshot().motor_failed;
-      for (std::size_t i = 0; i < failed.size(); ++i)
-        if (failed[i] == tracking::MotorFault::kDeclared) next->setMotorFailed(static_cast<int>(i), true);
+      takeOver(pipeline_, *next);
       pipeline_ = std::move(*next);
       report_ = {};
       if (listener_) listener_.begin(pipeline_);
@@ -160,8 +148,7 @@ class Runner::Impl {
     auto recorder = std::make_shared<Recorder>(path, header, options);
     post([this, recorder] {
       recording_.begin(recorder);
-      if (blocking_.schedule().percentage > 0.0) noteOcclusion(scheduleWords(blocking_.schedule()));
-      if (blocking_.any()) noteOcclusion(blocking_.text());
+      for (const std::string& words : blocking_.words()) recording_.noteOcclusion(t_, words, !info_.live);
     });
   }
   void stopRecording() {
@@ -195,6 +182,11 @@ class Runner::Impl {
 
  private:
   enum class Mode { kPause, kRun, kStep, kDone };
+
+  void keep(auto& kept, const auto& value) {
+    const std::lock_guard lock(mutex_);
+    kept = value;
+  }
 
   void work() {
     while (!quit_) {
@@ -293,12 +285,7 @@ class Runner::Impl {
   }
 
   void applyBlocking() {
-    if (blocking_.apply(motor_t_, *source_)) noteOcclusion(blocking_.text());
-  }
-
-  /// Frames of a recording were whole: who replays this one must know.
-  void noteOcclusion(const std::string& what) {
-    recording_.note(t_, "occlusion", info_.live ? what : what + ", added to a recording");
+    if (blocking_.apply(motor_t_, *source_)) recording_.noteOcclusion(t_, blocking_.text(), !info_.live);
   }
 
   void finish(RunState state, std::string error) {
@@ -329,7 +316,7 @@ class Runner::Impl {
       status_.frame_rate = meter_.cameraRate();
       status_.blocked = blocking_.blocked();
       status_.occlusion = blocking_.schedule();
-      status_.occlusion_added = !info_.live && (blocking_.any() || blocking_.schedule().percentage > 0.0);
+      status_.occlusion_added = !info_.live && blocking_.asked();
     }
     if (mode_ == Mode::kPause || mode_ == Mode::kDone) idle_.notify_all();
   }

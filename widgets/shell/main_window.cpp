@@ -40,6 +40,7 @@
 #include "widgets/shell/message_bar.h"
 #include "widgets/shell/motor_desk.h"
 #include "widgets/shell/registration_desk.h"
+#include "widgets/shell/robot_desk.h"
 #include "widgets/shell/session_bar.h"
 #include "widgets/shell/source_menu.h"
 #include "widgets/shell/units_dialog.h"
@@ -93,6 +94,7 @@ MainWindow::MainWindow(const QString& settings, QWidget* parent)
   connectLink();
   connectOcclusion();
   connectNotes();
+  new RobotDesk(link_, *status_, *notes_, this);
   restore();
 }
 
@@ -218,7 +220,6 @@ void MainWindow::connectBar() {
 
 void MainWindow::connectLink() {
   connect(&link_, &SessionLink::opened, this, &MainWindow::onOpened);
-  connect(&link_, &SessionLink::robotChanged, this, &MainWindow::showRobot);
   connect(&link_, &SessionLink::failed, this, [this](const QString& text) {
     messages_->showMessage(text);
     notes_->addEvent(now_, "fault", text);
@@ -321,7 +322,6 @@ void MainWindow::onOpened(const session::SourceInfo& info, const SourceChoice& c
     notes_->addEvent(now_, "notice", tr("reference: the robot's own kinematics, no truth"));
   listRecordedEvents();
   link_.runner()->setSpeed(bar_->speed());
-  tellRobot(info);
   occlusion_->beginSession(info.begin, link_.again());
   if (occlusion_->schedule().percentage > 0.0)
     noteOcclusion(tr("still %1").arg(QString::fromStdString(session::scheduleWords(occlusion_->schedule()))));
@@ -333,26 +333,6 @@ void MainWindow::onOpened(const session::SourceInfo& info, const SourceChoice& c
 void MainWindow::noteOcclusion(const QString& what) {
   notes_->addEvent(now_, "occlusion",
                    link_.runner()->info().live ? what : tr("%1, added to the recording").arg(what));
-}
-
-void MainWindow::showRobot() {
-  const RobotChoice& robots = link_.robots();
-  const session::SourceInfo& info = link_.runner()->info();
-  status_->setRobot(robots.words(info), robots.robotFor(info) ? robots.summary() : QString());
-}
-
-/// A new session tells which robot it begins with, where that was chosen before.
-void MainWindow::tellRobot(const session::SourceInfo& info) {
-  showRobot();
-  const RobotChoice& robots = link_.robots();
-  if (robots.robotFor(info))
-    notes_->addEvent(now_, "robot",
-                     tr("%1: stays in use; Undo under Calibration takes it back (%2)")
-                         .arg(robots.words(info), robots.summary()));
-  else if (robots.any())
-    notes_->addEvent(now_, "robot",
-                     tr("%1, as this source brings it; the robot chosen before belongs to another arm")
-                         .arg(robots.words(info)));
 }
 
 /// What cannot be blocked is free, whatever the panel shows; what can is blocked as the panel shows.

@@ -72,8 +72,6 @@ class MainWindow : public QMainWindow {
   void onOpened(const session::SourceInfo& info, const SourceChoice& choice);
   void takeOcclusion(bool blockable);
   void noteOcclusion(const QString& what);
-  void showRobot();
-  void tellRobot(const session::SourceInfo& info);
   void onStatus(const session::RunStatus& status);
   void onRecording(bool recording, const session::RunStatus& status);
   void listRecordedEvents();
