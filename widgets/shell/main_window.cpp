@@ -33,12 +33,14 @@
 #include "widgets/shell/analysis_desk.h"
 #include "widgets/shell/calibration_desk.h"
 #include "widgets/shell/diagnosis_desk.h"
+#include "widgets/shell/dock_layout.h"
 #include "widgets/shell/dock_scroll.h"
 #include "widgets/shell/help_window.h"
 #include "widgets/shell/keyboard_reach.h"
 #include "widgets/shell/learning_desk.h"
 #include "widgets/shell/message_bar.h"
 #include "widgets/shell/motor_desk.h"
+#include "widgets/shell/occlusion_desk.h"
 #include "widgets/shell/registration_desk.h"
 #include "widgets/shell/robot_desk.h"
 #include "widgets/shell/session_bar.h"
@@ -52,9 +54,6 @@ namespace capstan::widgets {
 namespace {
 
 constexpr int kLayoutVersion = 3;
-constexpr int kRoomForAll = 950;  ///< height below which calibration and notes share a place [px]
-constexpr int kBars = 160;        ///< menus, toolbar, status line, tabs and gaps, about [px]
-constexpr int kRoomForTwo = 680;  ///< height below which all panels of a side share one [px]
 
 QString documents() {
   return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + "/Capstan";
@@ -92,7 +91,7 @@ MainWindow::MainWindow(const QString& settings, QWidget* parent)
   new KeyboardReach(this);
   connectBar();
   connectLink();
-  connectOcclusion();
+  occlusion_desk_ = new OcclusionDesk(*occlusion_, link_, *notes_, this);
   connectNotes();
   new RobotDesk(link_, *status_, *notes_, this);
   restore();
@@ -149,44 +148,11 @@ void MainWindow::addDocks() {
   new MotorDesk(*figure_, link_, *bar_, *messages_, *notes_, this);
 }
 
-/// Pictures and panels take their share of the window, unless the user's own layout came back.
-void MainWindow::layOutDocks() {
-  const auto dock = [this](const char* name) { return findChild<QDockWidget*>(name); };
-  const int left = std::clamp(static_cast<int>(0.27 * width()), 240, 620);
-  int room = 0;  // for the widest panel and its scroll bar
-  for (const char* name : {"occlusion", "calibration", "errors", "notes"})
-    room = std::max(room, dock(name)->widget()->sizeHint().width());
-  room += style()->pixelMetric(QStyle::PM_ScrollBarExtent);
-  const int right = std::clamp(static_cast<int>(0.19 * width()), std::min(room, 400), 400);
-  resizeDocks({dock("cameras"), dock("occlusion")}, {left, right}, Qt::Horizontal);
-  resizeDocks({dock("cameras"), dock("scene")}, {64 * height() / 100, 36 * height() / 100}, Qt::Vertical);
-  if (height() < kRoomForAll) {
-    tabifyDockWidget(dock("calibration"), dock("notes"));
-    dock("calibration")->raise();
-  }
-  if (height() < kRoomForTwo) {
-    tabifyDockWidget(dock("cameras"), dock("scene"));
-    for (const char* name : {"calibration", "errors", "notes"})
-      tabifyDockWidget(dock("occlusion"), dock(name));
-    dock("cameras")->raise();
-    dock("occlusion")->raise();
-    for (auto* tabs : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
-      tabs->setStyleSheet(
-          "QTabBar { font-size: 9pt; } QTabBar::tab { padding: 4px 3px; }");  // four names fit
-  }
-  const int occlusion = dock("occlusion")->sizeHint().height(), errors = dock("errors")->sizeHint().height();
-  const int rest =
-      std::max(150, height() - kBars - occlusion - errors);  // calibration and, if it fits, notes
-  const int notes = height() < kRoomForAll ? rest : rest / 4;
-  resizeDocks({dock("occlusion"), dock("calibration"), dock("errors"), dock("notes")},
-              {occlusion, height() < kRoomForAll ? rest : rest - notes, errors, notes}, Qt::Vertical);
-}
-
 void MainWindow::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
   if (laid_out_) return;
   laid_out_ = true;
-  layOutDocks();
+  layOutDocks(*this);
 }
 
 void MainWindow::connectBar() {
@@ -247,28 +213,11 @@ void MainWindow::connectLink() {
           });
 }
 
-void MainWindow::connectOcclusion() {
-  connect(occlusion_, &OcclusionPanel::blockChanged, this, [this](bool left, bool right) {
-    if (!link_.runner()) return;
-    link_.runner()->block(left, right);
-    noteOcclusion(left && right ? tr("both cameras blocked")
-                  : left        ? tr("left camera blocked")
-                  : right       ? tr("right camera blocked")
-                                : tr("cameras free"));
-  });
-  connect(occlusion_, &OcclusionPanel::scheduleChanged, this,
-          [this](const session::OcclusionSchedule& schedule) {
-            if (!link_.runner()) return;
-            link_.runner()->setOcclusion(schedule);
-            noteOcclusion(QString::fromStdString(session::scheduleWords(schedule)));
-          });
+void MainWindow::connectNotes() {
   connect(errors_, &ErrorsPanel::resetRequested, this, [this] {
     if (link_.runner()) link_.runner()->resetErrors();
     notes_->addEvent(now_, "errors", tr("begun anew"));
   });
-}
-
-void MainWindow::connectNotes() {
   connect(notes_, &NotesPanel::noteWritten, this, [this](const QString& text) {
     if (link_.runner()) link_.runner()->note(text.toStdString());
     notes_->addEvent(now_, "note", text);
@@ -322,24 +271,8 @@ void MainWindow::onOpened(const session::SourceInfo& info, const SourceChoice& c
     notes_->addEvent(now_, "notice", tr("reference: the robot's own kinematics, no truth"));
   listRecordedEvents();
   link_.runner()->setSpeed(bar_->speed());
-  occlusion_->beginSession(info.begin, link_.again());
-  if (occlusion_->schedule().percentage > 0.0)
-    noteOcclusion(tr("still %1").arg(QString::fromStdString(session::scheduleWords(occlusion_->schedule()))));
-  takeOcclusion(info.rig.has_value());
+  occlusion_desk_->begin(info);
   link_.setRunning(true);
-}
-
-/// In a recording, which had its own occlusion or none, what the user adds is called that.
-void MainWindow::noteOcclusion(const QString& what) {
-  notes_->addEvent(now_, "occlusion",
-                   link_.runner()->info().live ? what : tr("%1, added to the recording").arg(what));
-}
-
-/// What cannot be blocked is free, whatever the panel shows; what can is blocked as the panel shows.
-void MainWindow::takeOcclusion(bool blockable) {
-  occlusion_->setBlockable(blockable);
-  link_.runner()->setOcclusion(blockable ? occlusion_->schedule() : session::OcclusionSchedule{});
-  link_.runner()->block(blockable && occlusion_->blocked()[0], blockable && occlusion_->blocked()[1]);
 }
 
 void MainWindow::listRecordedEvents() {

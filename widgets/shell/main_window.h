@@ -21,6 +21,7 @@ class HelpWindow;
 class LearningPanel;
 class MessageBar;
 class NotesPanel;
+class OcclusionDesk;
 class OcclusionPanel;
 class RegistrationPanel;
 class SceneView;
@@ -63,15 +64,11 @@ class MainWindow : public QMainWindow {
  private:
   QMenuBar* addBars();
   void addDocks();
-  void layOutDocks();
   void connectBar();
   void connectLink();
-  void connectOcclusion();
   void connectNotes();
   void askUnits(const session::ImplausibleUnits& refused, const SourceChoice& choice);
   void onOpened(const session::SourceInfo& info, const SourceChoice& choice);
-  void takeOcclusion(bool blockable);
-  void noteOcclusion(const QString& what);
   void onStatus(const session::RunStatus& status);
   void onRecording(bool recording, const session::RunStatus& status);
   void listRecordedEvents();
@@ -95,6 +92,7 @@ class MainWindow : public QMainWindow {
   StereoView* video_;
   SceneView* scene_;
   OcclusionPanel* occlusion_;
+  OcclusionDesk* occlusion_desk_;
   CalibrationPanel* calibration_;
   AnalysisPanel* analysis_;
   DiagnosisPanel* diagnosis_;

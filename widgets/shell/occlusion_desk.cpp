@@ -1,0 +1,46 @@
+#include "widgets/shell/occlusion_desk.h"
+
+#include "widgets/panels/notes/notes_panel.h"
+#include "widgets/panels/occlusion/occlusion_panel.h"
+#include "widgets/shell/session_link.h"
+
+namespace capstan::widgets {
+
+OcclusionDesk::OcclusionDesk(OcclusionPanel& panel, SessionLink& link, NotesPanel& notes, QObject* parent)
+    : QObject(parent), panel_(panel), link_(link), notes_(notes) {
+  connect(&link, &SessionLink::snapshot, this, [this](const tracking::Snapshot& s) { now_ = s.t; });
+  connect(&panel, &OcclusionPanel::blockChanged, this, [this](bool left, bool right) {
+    if (!link_.runner()) return;
+    link_.runner()->block(left, right);
+    note(left && right ? tr("both cameras blocked")
+         : left        ? tr("left camera blocked")
+         : right       ? tr("right camera blocked")
+                       : tr("cameras free"));
+  });
+  connect(&panel, &OcclusionPanel::scheduleChanged, this, [this](const session::OcclusionSchedule& schedule) {
+    if (!link_.runner()) return;
+    link_.runner()->setOcclusion(schedule);
+    note(QString::fromStdString(session::scheduleWords(schedule)));
+  });
+}
+
+/// What cannot be blocked is free, whatever the panel shows; what can is blocked as the panel shows.
+void OcclusionDesk::begin(const session::SourceInfo& info) {
+  now_ = info.begin;
+  panel_.beginSession(info.begin, link_.again());
+  const session::OcclusionSchedule& schedule = panel_.schedule();
+  if (schedule.percentage > 0.0)
+    note(tr("still %1").arg(QString::fromStdString(session::scheduleWords(schedule))));
+  const bool blockable = info.rig.has_value();
+  panel_.setBlockable(blockable);
+  link_.runner()->setOcclusion(blockable ? schedule : session::OcclusionSchedule{});
+  link_.runner()->block(blockable && panel_.blocked()[0], blockable && panel_.blocked()[1]);
+}
+
+/// In a recording, which had its own occlusion or none, what the user adds is called that.
+void OcclusionDesk::note(const QString& what) {
+  notes_.addEvent(now_, "occlusion",
+                  link_.runner()->info().live ? what : tr("%1, added to the recording").arg(what));
+}
+
+}  // namespace capstan::widgets

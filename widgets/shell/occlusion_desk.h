@@ -1,0 +1,34 @@
+#pragma once
+
+#include <QObject>
+
+namespace capstan::session {
+struct SourceInfo;
+}
+
+namespace capstan::widgets {
+
+class NotesPanel;
+class OcclusionPanel;
+class SessionLink;
+
+/// Between the occlusion panel and the session: blocks the cameras as the panel shows, and notes it.
+class OcclusionDesk : public QObject {
+  Q_OBJECT
+
+ public:
+  OcclusionDesk(OcclusionPanel& panel, SessionLink& link, NotesPanel& notes, QObject* parent);
+
+  /// A session was opened. Call it when its notes have begun.
+  void begin(const session::SourceInfo& info);
+
+ private:
+  void note(const QString& what);
+
+  OcclusionPanel& panel_;
+  SessionLink& link_;
+  NotesPanel& notes_;
+  double now_ = 0.0;  ///< newest session time [s]
+};
+
+}  // namespace capstan::widgets
