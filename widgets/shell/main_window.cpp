@@ -201,8 +201,6 @@ void MainWindow::connectLink() {
   });
   connect(&link_, &SessionLink::snapshot, this, [this](const tracking::Snapshot& snapshot) {
     now_ = snapshot.t;
-    // Tips without pictures: known only when the first one comes.
-    if (snapshot.camera_samples > 0 && !occlusion_->isEnabled()) takeOcclusion(true);
     scene_->showSnapshot(snapshot);
     occlusion_->showSnapshot(snapshot);
     status_->showSnapshot(snapshot);

@@ -8,7 +8,11 @@ namespace capstan::widgets {
 
 OcclusionDesk::OcclusionDesk(OcclusionPanel& panel, SessionLink& link, NotesPanel& notes, QObject* parent)
     : QObject(parent), panel_(panel), link_(link), notes_(notes) {
-  connect(&link, &SessionLink::snapshot, this, [this](const tracking::Snapshot& s) { now_ = s.t; });
+  connect(&link, &SessionLink::snapshot, this, [this](const tracking::Snapshot& s) {
+    now_ = s.t;
+    // Tips without pictures: known only when the first one comes.
+    if (s.camera_samples > 0 && !panel_.isEnabled()) take(true);
+  });
   connect(&panel, &OcclusionPanel::blockChanged, this, [this](bool left, bool right) {
     if (!link_.runner()) return;
     link_.runner()->block(left, right);
@@ -24,16 +28,19 @@ OcclusionDesk::OcclusionDesk(OcclusionPanel& panel, SessionLink& link, NotesPane
   });
 }
 
-/// What cannot be blocked is free, whatever the panel shows; what can is blocked as the panel shows.
 void OcclusionDesk::begin(const session::SourceInfo& info) {
   now_ = info.begin;
   panel_.beginSession(info.begin, link_.again());
   const session::OcclusionSchedule& schedule = panel_.schedule();
   if (schedule.percentage > 0.0)
     note(tr("still %1").arg(QString::fromStdString(session::scheduleWords(schedule))));
-  const bool blockable = info.rig.has_value();
+  take(info.rig.has_value());
+}
+
+/// What cannot be blocked is free, whatever the panel shows; what can is blocked as the panel shows.
+void OcclusionDesk::take(bool blockable) {
   panel_.setBlockable(blockable);
-  link_.runner()->setOcclusion(blockable ? schedule : session::OcclusionSchedule{});
+  link_.runner()->setOcclusion(blockable ? panel_.schedule() : session::OcclusionSchedule{});
   link_.runner()->block(blockable && panel_.blocked()[0], blockable && panel_.blocked()[1]);
 }
 

@@ -23,6 +23,7 @@ class OcclusionDesk : public QObject {
   void begin(const session::SourceInfo& info);
 
  private:
+  void take(bool blockable);
   void note(const QString& what);
 
   OcclusionPanel& panel_;
