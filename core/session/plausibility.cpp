@@ -16,8 +16,9 @@ namespace {
 
 using robot::JointVector;
 
-constexpr double kShare = 0.01;        ///< of a column's values that may be wild: glitches are no units
-constexpr double kSlowestRate = 10.0;  ///< below which cable dynamics cannot be followed [1/s]
+constexpr double kShare = 0.01;          ///< of a column's values that may be wild: glitches are no units
+constexpr std::size_t kFewestRows = 50;  ///< below which rows tell no rate
+constexpr double kSlowestRate = 10.0;    ///< below which cable dynamics cannot be followed [1/s]
 
 struct Range {
   double low, high;
@@ -176,7 +177,7 @@ class Inspection {
 
   void time() {
     const double period = medianPeriod(table_);
-    if (!(period > 1.0 / kSlowestRate)) return;
+    if (table_.rows() < kFewestRows || !(period > 1.0 / kSlowestRate)) return;
     const MotorSpeeds speeds(table_, 1.0, 1.0);
     if (speeds.any() && speeds.agree()) return;
     UnitFinding found{"t", "t", table_.t.front(), table_.t.back(), true, {}, {}};

@@ -6,6 +6,14 @@
 
 namespace capstan::widgets {
 
+LearningSettings::LearningSettings() {
+  const learning::LearningOptions defaults;
+  lag = defaults.lag;
+  trial.cleaning = defaults.cleaning;
+  trial.weigh = defaults.weigh;
+  trial.correction.motion = defaults.correction.motion;
+}
+
 learning::LearningOptions LearningSettings::learning(learning::StreamKind towards) const {
   learning::LearningOptions options;
   options.towards = towards;

@@ -17,13 +17,7 @@ struct LearningSettings {
   experiments::CorrectionTrialOptions trial;
 
   /// As capstan-cli learn has them.
-  LearningSettings() {
-    const learning::LearningOptions defaults;
-    lag = defaults.lag;
-    trial.cleaning = defaults.cleaning;
-    trial.weigh = defaults.weigh;
-    trial.correction = defaults.correction;
-  }
+  LearningSettings();
   /// Of the model that is saved.
   learning::LearningOptions learning(learning::StreamKind towards) const;
   experiments::CorrectionStudyOptions study(int splits) const;
