@@ -57,14 +57,15 @@ struct TrackingOptions {
   int nis_window = 150;             ///< camera updates in the running mean of NIS
   /// Of the augmented filter (TransmissionEstimator). Standard deviation of a transmission error where there
   /// is one, and the prior probability that there is one, per joint.
-  double scale_sigma = 0.05;   ///< of a pulley's radius, relative
+  /// Of cable travel, relative: a pulley's radius; insertion has no pulley but the motor's own.
+  Eigen::Vector3d scale_sigma{0.05, 0.05, 0.01};
   double offset_sigma = 2e-3;  ///< of a cable's zero [m]
   double scale_probability = 0.15;
   double offset_probability =
       0.01;  ///< an offset is hard to tell from cameras that are turned about the base
   double transmission_memory = 120.0;  ///< how long an observation of the transmission error counts [s]
   /// What cables of a robot that is not identified leave unexplained, and for how long it has one sign.
-  Eigen::Vector3d cable_error{6e-4, 2e-3, 2e-4};
+  Eigen::Vector3d cable_error{6e-4, 4e-3, 2e-4};
   double cable_error_time = 1.0;           ///< [s]
   double camera_delay_sigma = 0.03;        ///< of the camera's stamps, beyond camera_delay [s]
   double camera_moved_probability = 0.02;  ///< that cameras were moved since their registration

@@ -15,7 +15,7 @@ using Prior = estimation::SparseRegression<13, 6>::Prior;
 Prior priorOf(const TrackingOptions& options) {
   const Vector3d one = Vector3d::Ones();
   Prior prior;
-  prior.sigma << options.scale_sigma * one, options.offset_sigma * one;
+  prior.sigma << options.scale_sigma, options.offset_sigma * one;
   prior.inclusion_probability << options.scale_probability * one, options.offset_probability * one;
   const double turn = std::max(options.registration_turn_sigma, 1e-9);
   const double shift = std::max(options.registration_shift_sigma, 1e-9);
