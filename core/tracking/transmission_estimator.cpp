@@ -10,7 +10,10 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using Prior = estimation::SparseRegression<13, 6>::Prior;
+using Prior = estimation::SparseRegression<14, 6>::Prior;
+
+/// Of the cameras' scale: what a calibration leaves in focal length and base line, and what a wrong one has.
+constexpr double kScaleSigma = 0.01, kWrongScaleSigma = 0.05;
 
 Prior priorOf(const TrackingOptions& options) {
   const Vector3d one = Vector3d::Ones();
@@ -19,9 +22,9 @@ Prior priorOf(const TrackingOptions& options) {
   prior.inclusion_probability << options.scale_probability * one, options.offset_probability * one;
   const double turn = std::max(options.registration_turn_sigma, 1e-9);
   const double shift = std::max(options.registration_shift_sigma, 1e-9);
-  prior.usual_sigma << turn * one, shift * one, options.camera_delay_sigma;
+  prior.usual_sigma << turn * one, shift * one, kScaleSigma, options.camera_delay_sigma;
   prior.unusual_sigma << std::max(turn, options.camera_moved_turn_sigma) * one,
-      std::max(shift, options.camera_moved_shift_sigma) * one, options.camera_delay_sigma;
+      std::max(shift, options.camera_moved_shift_sigma) * one, kWrongScaleSigma, options.camera_delay_sigma;
   prior.unusual_probability = options.camera_moved_probability;
   return prior;
 }
@@ -70,7 +73,7 @@ auto TransmissionEstimator::sensitivity(const Observation& seen, const Matrix3d&
     -> Sensitivity {
   Sensitivity h;
   h << jacobian * jointSensitivity(seen.travel), -cross(seen.tip - hard_stop_), Matrix3d::Identity(),
-      -jacobian * seen.dq;
+      seen.tip - hard_stop_, -jacobian * seen.dq;
   return h;
 }
 
@@ -82,7 +85,8 @@ auto TransmissionEstimator::innovation(const Observation& seen) const -> Innovat
   const Matrix3d jacobian = arm_.tipJacobian(seen.q);
   const Sensitivity h = sensitivity(seen, jacobian);
   Innovation innovation;
-  innovation.value = seen.tip - arm_.tip(seen.q) - h.rightCols<7>() * regression_.mean().tail<7>();
+  innovation.value =
+      seen.tip - arm_.tip(seen.q) - h.rightCols<kCamera>() * regression_.mean().tail<kCamera>();
   const Matrix3d predicted =
       h * covariance_ * h.transpose() + white_.value(seen.noise) + cableNoise(jacobian, 1.0);
   innovation.nis =
@@ -133,7 +137,7 @@ void TransmissionEstimator::publish() {
   estimate_.offset_probability = included.tail<3>();
   estimate_.camera_rotation = mean.segment<3>(6);
   estimate_.camera_shift = mean.segment<3>(9);
-  estimate_.camera_delay = mean(12);
+  estimate_.camera_delay = mean(13);
   estimate_.camera_moved_probability = regression_.unusualProbability();
   correction_.scale = estimate_.scale;
   correction_.offset = estimate_.offset.cwiseQuotient(Vector3d(transmission_.motorRadius()));
@@ -156,7 +160,8 @@ Matrix3d TransmissionEstimator::jointCovariance(const Vector3d& q_kin) const {
 
 Vector3d TransmissionEstimator::cameraError(const Observation& seen) const {
   const Matrix3d jacobian = arm_.tipJacobian(seen.q);
-  const Vector3d error = sensitivity(seen, jacobian).rightCols<7>() * regression_.mean().tail<7>();
+  const Vector3d error =
+      sensitivity(seen, jacobian).rightCols<kCamera>() * regression_.mean().tail<kCamera>();
   const Vector3d joints = jacobian.partialPivLu().solve(error);
   return joints.allFinite() ? joints : Vector3d::Zero();
 }

@@ -19,13 +19,15 @@ namespace capstan::tracking {
 /// milliseconds, so the joints follow the corrected motors and the two halves exchange a mean and a
 /// sensitivity. With the six-state estimate q at the exposure and tip position p seen by the camera,
 ///
-///     p − tip(q) = J A⁻¹ (1 / r_l) ∘ (s_m ∘ (e − e') + (o − o')) + c_t + c_r × (p − p_hs) − J dq tau + v,
+///     p − tip(q) = J A⁻¹ (1 / r_l) ∘ (s_m ∘ (e − e') + (o − o')) + c_t + c_r × (p − p_hs) + c_s (p − p_hs) −
+///     J dq tau + v,
 ///
 /// e', o' the correction in use. c_r, c_t are the registration's error (prior: registration_turn_sigma,
-/// registration_shift_sigma; or much wider, of cameras that were moved) and tau that of the stamps. They are
-/// estimated with it, for a camera that is turned and a pulley that is wrong look alike until the arm has
-/// moved. v is white noise, measured (WhiteNoise), plus J cable_error, which keeps its sign for
-/// cable_error_time: as noise that is new in each frame it counts 2 cable_error_time / camera_period times.
+/// registration_shift_sigma; or much wider, of cameras that were moved), c_s that of the cameras' scale
+/// (focal length, base line) and tau that of the stamps. They are estimated with it, for a camera that is
+/// turned and a pulley that is wrong look alike until the arm has moved. v is white noise, measured
+/// (WhiteNoise), plus J cable_error, which keeps its sign for cable_error_time: as noise that is new in each
+/// frame it counts 2 cable_error_time / camera_period times.
 ///
 /// Scale and offset are zero unless the camera's evidence says otherwise (SparseRegression): with a robot
 /// file that is right the filter is the six-state filter. No allocation.
@@ -68,7 +70,7 @@ class TransmissionEstimator {
   Eigen::Vector3d cameraError(const Observation& seen) const;
 
  private:
-  static constexpr int kStates = 13, kOptional = 6;
+  static constexpr int kStates = 14, kOptional = 6, kCamera = kStates - kOptional;
   using Regression = estimation::SparseRegression<kStates, kOptional>;
   using Sensitivity = Eigen::Matrix<double, 3, kStates>;
 

@@ -170,7 +170,8 @@ void MainWindow::connectBar() {
   });
   connect(bar_, &SessionBar::recordToggled, this, [this] { link_.toggleRecording(bar_->recordingFolder()); });
   connect(bar_, &SessionBar::recordingFolderChanged, status_, &StatusLine::setFolder);
-  connect(bar_, &SessionBar::recordingFolderRefused, messages_, &MessageBar::showMessage);
+  connect(bar_, &SessionBar::recordingFolderRefused, messages_,
+          [this](const QString& why) { messages_->showMessage(why); });
   connect(bar_, &SessionBar::exportRequested, this, &MainWindow::askExport);
   connect(bar_, &SessionBar::noteRequested, this, [this] {
     auto* dock = findChild<QDockWidget*>("notes");
