@@ -92,7 +92,7 @@ struct EvidenceOptions {
                               ///< [s]; at least three steps
   double smoothing = 0.01;    ///< half width of the window that dq_m is differentiated in, where no velocity
                               ///< was measured [s]
-  session::ReadAs read_as;    ///< units of a measured table
+  session::ReadAs read_as = {};  ///< units of a measured table
 };
 
 /// Fewest rows that count (or tip sights, where there are no encoders) for anything to be said.

@@ -130,7 +130,7 @@ TEST(Evidence, VelocityIsDifferentiatedWhereNoneWasMeasured) {
 }
 
 TEST(Evidence, TheStartMayBeSkipped) {
-  const Evidence evidence = evidenceOf(jointTable(), slide(), {.drive = DriveKind::kCable, .skip_start = 0.5});
+  const Evidence evidence = evidenceOf(jointTable(), slide(), {DriveKind::kCable, 0.0, 0.5});
   EXPECT_EQ(evidence.countingRows(), evidence.rows() - 500);
   EXPECT_EQ(evidence.doubts[0], kStart);
   EXPECT_TRUE(evidence.counts(500));
@@ -138,7 +138,7 @@ TEST(Evidence, TheStartMayBeSkipped) {
 
 TEST(Evidence, ACoarserGridTakesEveryFourthRow) {
   const session::MeasuredTable table = jointTable();
-  const Evidence evidence = evidenceOf(table, slide(), {.drive = DriveKind::kCable, .step = 4e-3});
+  const Evidence evidence = evidenceOf(table, slide(), {DriveKind::kCable, 4e-3});
   ASSERT_EQ(evidence.rows(), 501U);
   for (std::size_t i = 0; i < evidence.rows(); ++i) EXPECT_EQ(evidence.q[0][i], table.q[0][4 * i]);
   EXPECT_EQ(evidence.countingRows(), evidence.rows());
@@ -223,8 +223,8 @@ TEST(Evidence, RefusesByNameWithARemedy) {
   fault = faultOf(jointTable(0.05), slide());
   EXPECT_EQ(fault.key, "t");
   EXPECT_NE(fault.reason.find("100"), std::string::npos) << fault.reason;
-  EXPECT_EQ(faultOf(jointTable(), slide(), {.drive = DriveKind::kCable, .skip_start = 1.9505}).value, "50 rows");
-  EXPECT_EQ(faultOf(jointTable(), slide(), {.drive = DriveKind::kCable, .step = 5e-4}).key, "step");
+  EXPECT_EQ(faultOf(jointTable(), slide(), {DriveKind::kCable, 0.0, 1.9505}).value, "50 rows");
+  EXPECT_EQ(faultOf(jointTable(), slide(), {DriveKind::kCable, 5e-4}).key, "step");
 
   table = jointTable();
   std::fill(table.q[0].begin() + 50, table.q[0].end(), kNaN);
