@@ -333,7 +333,7 @@ Table boxplotTable(const Results& results) {
 
 Table filterTable(const Results& results) {
   Table table;
-  table.title = nameOf(results) + ": the paper's six states and the augmented filter";
+  table.title = nameOf(results) + ": six-state and augmented filter";
   table.columns = {{"trial", "", 3, NumberStyle::kFixed, true},
                    {"joint", ""},
                    {"kinematic", ""},

@@ -29,8 +29,12 @@ TEST_F(Cli, AnExperimentLeavesItsPageTablesAndNumbers) {
   const Ran again = run(command + " --json -");
   ASSERT_EQ(again.exit, 0) << again.err;
   const json numbers = json::parse(again.out)["experiments"]["small"]["trials"];
-  const json tracked = json::parse(
-      run("track --simulate --no-images --trajectory sinusoid --duration 3 --seed 4 --json -").out);
+  write("six.yaml", "filter: six_state\n");
+  const json tracked =
+      json::parse(run("track --simulate --no-images --trajectory sinusoid --duration 3 --seed 4 --json - "
+                      "--options " +
+                      path("six.yaml"))
+                      .out);
   ASSERT_EQ(numbers.size(), 2U);
   EXPECT_EQ(numbers[0]["rms"][0], tracked["rms"]["kin"]);
   EXPECT_EQ(numbers[0]["rms"][3], tracked["rms"]["ukf"]);

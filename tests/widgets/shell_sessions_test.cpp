@@ -45,7 +45,7 @@ TEST_F(Shell, SaysThatADriveOfOneJointIsForTheCommandLine) {
   EXPECT_EQ(stateOf(*window), session::RunState::kRunning) << "the session before goes on";
 }
 
-TEST_F(Shell, DoubtsAboutATableStandAmongTheNotes) {
+TEST_F(Shell, ATableInMillimetresAsksBeforeItIsTracked) {
   QFile table(file("mm.csv"));
   ASSERT_TRUE(table.open(QIODevice::WriteOnly));
   table.write("t,q_m1,q_m2,q_m3,q1,q2,q3\n");
@@ -54,9 +54,10 @@ TEST_F(Shell, DoubtsAboutATableStandAmongTheNotes) {
   table.close();
   const auto window = makeWindow();
   window->open(SourceChoice::ofFile(table.fileName()));
-  ASSERT_TRUE(waitFor([&] { return window->notes().rows() > 1; }));
-  EXPECT_TRUE(window->notes().row(1).contains("are these millimetres?"))
-      << window->notes().row(1).toStdString();
+  UnitsDialog* dialog = nullptr;
+  ASSERT_TRUE(waitFor([&] { return (dialog = window->findChild<UnitsDialog*>("units")) != nullptr; }));
+  EXPECT_EQ(window->link().runner(), nullptr) << "nothing is tracked yet";
+  EXPECT_EQ(dialog->readAs(), "q3=mm");
 }
 
 TEST_F(Shell, OfTwoChoicesTheNewerIsOpenedUnderItsOwnName) {

@@ -94,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(Effects, FilterGainOf,
 
 TEST(FilterGain, IsWhatTrackingTheTableGives) {
   session::TableSource source(plain().table, plain().robot);
-  tracking::TrackingPipeline pipeline(plain().robot, std::nullopt, {}, {});
+  tracking::TrackingPipeline pipeline(plain().robot, std::nullopt, {}, tracking::sixState());
   const Eigen::Vector3d expected = tracking::trackAll(source, pipeline).errors.ukf().value();
   const FilterGainReport report = filterGain({plainEvidence()}, threeTimes(plain().robot));
   ASSERT_EQ(report.joints.size(), 3U);

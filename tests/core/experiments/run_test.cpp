@@ -375,7 +375,7 @@ TEST_F(Experiments, AFolderWithoutResultsIsRefused) {
   (void)runIn("one", tracking());
   const fs::path results = folder_ / "one" / "small" / "results.json";
   std::string text = base::readTextFile(results);
-  const std::string version = "\"capstan_experiment_results\": 2";
+  const std::string version = "\"capstan_experiment_results\": 3";
   ASSERT_NE(text.find(version), std::string::npos);
   std::ofstream(results, std::ios::binary)
       << std::string(text).replace(text.find(version), version.size(), "\"capstan_experiment_results\": 1");

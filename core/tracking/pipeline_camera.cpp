@@ -1,0 +1,175 @@
+#include <limits>
+
+#include "core/tracking/pipeline_impl.h"
+
+namespace capstan::tracking {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using estimation::Lower;
+
+constexpr double kReferenceHold =
+    2.5e-3;  // [s], how long the newest reference stands for what comes after it
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+void TrackingPipeline::Impl::take(const StereoFrame& frame) {
+  if (!stereo_) return;
+  beginCamera(cameras_.time(frame.t) - options_.camera_delay, frame.t_arrival, true);
+  std::optional<Vector3d> expected;
+  if (options_.roi_search && base_from_camera_ && snapshot_.tip_kin_cam.allFinite())
+    expected = base_from_camera_->inverse() * cameras_.told(snapshot_.tip_kin_cam);
+  stereo_->find(frame, expected);
+  snapshot_.marker = stereo_->markers();
+  if ((snapshot_.gate = stereo_->gate()) == Gate::kOpen) {
+    const vision::Triangulation tip = stereo_->triangulate();
+    if (!tip.found() || std::abs(tip.epipolar_residual) > options_.epipolar_limit) {
+      snapshot_.gate = Gate::kJump;
+    } else {
+      snapshot_.tip_in_camera = tip.position;
+      snapshot_.tip_in_camera_covariance = tip.covariance;
+      if (base_from_camera_)
+        observeImagedTip(tip, *base_from_camera_);
+      else
+        snapshot_.gate = Gate::kUnregistered;
+    }
+  }
+  endCamera();
+}
+
+void TrackingPipeline::Impl::take(const TipSample& sample) {
+  beginCamera(cameras_.time(sample.t) - options_.camera_delay, sample.t_arrival, false);
+  snapshot_.gate = Gate::kBothLost;
+  if (sample.position.allFinite()) {
+    const Vector3d tip = cameras_.point(sample.position);
+    observeTip(tip, noise_.ofTip(tip), options_.tip_sigma.cwiseAbs2().asDiagonal());
+  }
+  endCamera();
+}
+
+void TrackingPipeline::Impl::beginCamera(double t, double t_arrival, bool images) {
+  snapshot_.camera_updated = true;
+  snapshot_.camera_images = images;
+  ++snapshot_.camera_samples;
+  snapshot_.t_cam = t;
+  snapshot_.lag = t_arrival - t;
+  for (Vector3d* v :
+       {&snapshot_.q_link_cam, &snapshot_.q_link_cam_sigma, &snapshot_.tip_in_camera, &snapshot_.tip_cam})
+    v->setConstant(kNan);
+  snapshot_.tip_in_camera_covariance.setConstant(kNan);
+  snapshot_.q_link_true_cam = reference_.at(t, kReferenceHold).value_or(Vector3d::Constant(kNan));
+  const auto kinematic = kinematicAt(t);
+  snapshot_.tip_kin_cam = kinematic ? arm_.tip(*kinematic) : Vector3d::Constant(kNan);
+}
+
+void TrackingPipeline::Impl::observeImagedTip(const vision::Triangulation& found,
+                                              const Eigen::Isometry3d& base_from_camera) {
+  noise_.pixels().add(found.chi_square);
+  const Vector3d tip = cameras_.point(base_from_camera * found.position);
+  const Matrix3d turn = base_from_camera.linear();
+  const Matrix3d covariance = cameras_.covariance(turn * found.covariance * turn.transpose());
+  observeTip(tip, noise_.ofImagedTip(tip, covariance), noise_.pixels().ratio() * covariance);
+}
+
+void TrackingPipeline::Impl::observeTip(const Vector3d& tip, const Matrix3d& covariance,
+                                        const Matrix3d& white) {
+  const double t = snapshot_.t_cam;
+  snapshot_.tip_cam = tip;
+  const auto kinematic = kinematicAt(t);
+  const auto state = filter_.at(t);
+  if (!started_ || !kinematic || !state) {
+    snapshot_.gate = Gate::kNoCamera;
+    return;
+  }
+  auto seen = observeJoints(arm_, tip, covariance, *kinematic);
+  if (!seen) {
+    snapshot_.gate = Gate::kUnreachable;
+    return;
+  }
+  const Filter::State mean = (*state)->mean();
+  seen->covariance = noise_.ofJoints(*seen, Vector3d(mean(1), mean(3), mean(5)));
+  snapshot_.q_link_cam = seen->position;
+  snapshot_.q_link_cam_sigma = seen->covariance.diagonal().cwiseSqrt();
+  if (const JointSet frozen = watch_.see(t, seen->position, seen->covariance, *kinematic); frozen != 0)
+    forgetFrozen(frozen);
+  const Lower<3> root = rootOf(seen->covariance);
+  snapshot_.nis = filter_.peek(t, positions_, seen->position, root)->nis;  // the state at t is there
+  Vector3d y = seen->position;
+  std::optional<TransmissionEstimator::Observation> slow;
+  if (slow_ && watch_.unknown() == 0) {
+    slow = slowObservation(t, tip, white, mean, *kinematic);
+    snapshot_.nis = slow_->innovation(*slow).nis;
+    y -= slow_->cameraError(*slow);
+  }
+  const bool accepted = accept(t, snapshot_.nis, *seen, *kinematic);
+  snapshot_.gate = accepted ? Gate::kOpen : Gate::kJump;
+  if (!accepted) return;
+  if (slow) learnTransmission(*slow, *kinematic);
+  if (!filter_.update(t, positions_, y, root)) {
+    snapshot_.gate = Gate::kNoCamera;
+    return;
+  }
+  nis_.add(snapshot_.nis);
+  last_seen_ = std::max(last_seen_, t);
+}
+
+TransmissionEstimator::Observation TrackingPipeline::Impl::slowObservation(double t, const Vector3d& tip,
+                                                                           const Matrix3d& white,
+                                                                           const Filter::State& mean,
+                                                                           const Vector3d& kinematic) const {
+  return {t,
+          tip,
+          white,
+          Vector3d(mean(0), mean(2), mean(4)),
+          Vector3d(mean(1), mean(3), mean(5)),
+          motors_.transmission().linkTravel(kinematic)};
+}
+
+void TrackingPipeline::Impl::learnTransmission(const TransmissionEstimator::Observation& seen,
+                                               const Vector3d& kinematic) {
+  const MotorCorrection before = slow_->correction();
+  slow_->add(seen);
+  const MotorCorrection now = slow_->correction();
+  if (now == before) return;
+  const Vector3d shift = slow_->shift(kinematic, before, now);
+  filter_.revise(
+      seen.t, [&now](CableArmModel::Control& control) { control.correction = now; },
+      [&shift](Filter::State& mean, Lower<6>&) {
+        for (int joint = 0; joint < 3; ++joint) mean(2 * joint) += shift(joint);
+      });
+}
+
+void TrackingPipeline::Impl::forgetFrozen(JointSet frozen) {
+  snapshot_.motor_failed = watch_.faults();
+  for (int motor = 0; motor < 3; ++motor)
+    if (contains(frozen, motor)) forget(1U << motor, watch_.stillSince(motor));
+}
+
+bool TrackingPipeline::Impl::accept(double t, double nis, const JointObservation& seen,
+                                    const Vector3d& kinematic) {
+  const JointSet unknown = watch_.unknown();
+  if (unknown == 0) return jump_.accept(t, nis, seen.position - kinematic, seen.covariance);
+  Vector3d path = seen.position - kinematicGiven(kinematic, seen.position);
+  Vector3d drift = options_.jump_drift, tolerance = options_.jump_tolerance;
+  for (int joint = 0; joint < 3; ++joint) {
+    if (!contains(unknown, joint)) continue;
+    path(joint) = seen.position(joint);
+    drift(joint) = options_.unknown_speed(joint);
+    tolerance(joint) = std::numeric_limits<double>::infinity();
+  }
+  return jump_.accept(t, nis, path, seen.covariance, drift, tolerance);
+}
+
+void TrackingPipeline::Impl::endCamera() {
+  if (snapshot_.gate == Gate::kOpen || observeKinematics(snapshot_.t_cam))
+    last_camera_ = snapshot_.t;
+  else if (started_)
+    ++snapshot_.late_dropped;
+  snapshot_.nis_mean = nis_.mean();
+  snapshot_.nis_consistent = nis_.consistent();
+  if (started_) showEstimate();
+}
+
+}  // namespace capstan::tracking
