@@ -79,7 +79,7 @@ TEST_F(Cli, TheNisVerdictHasItsBandAndSaysWhatFailureMeans) {
   EXPECT_TRUE(none["nis_band"].is_null());
   EXPECT_TRUE(none["nis_consistent"].is_null());
   const std::string page = path("r");
-  ASSERT_EQ(run("report " + file + " --out " + page).exit, 0);
+  ASSERT_EQ(run("report " + file + six + " --out " + page).exit, 0);
   EXPECT_NE(textOf("r/index.html").find("FAIL"), std::string::npos);
   EXPECT_NE(textOf("r/index.html").find("see identify"), std::string::npos);
 }

@@ -42,13 +42,13 @@ using testing::SamplePoses;
 
 template <class Condition>
 bool waitFor(Condition&& condition) {
-  return QTest::qWaitFor(condition, 60000);
+  return QTest::qWaitFor(condition, 180000);
 }
 
 LearningSettings quick() {
   LearningSettings settings;
   settings.trial.correction.likelihood_points = 200;
-  settings.trial.correction.inducing_points = 80;
+  settings.trial.correction.inducing_points = 200;
   return settings;
 }
 
@@ -311,7 +311,7 @@ TEST_F(Learning, TheModelIsThatOfTheCommandLine) {
   readAndTrain();
   panel->saveModel(folder.filePath("window.correction"));
   QProcess process;
-  process.start(CAPSTAN_CLI, {"learn", "--train", panel->choice().tables[0], "--inducing", "80", "--model",
+  process.start(CAPSTAN_CLI, {"learn", "--train", panel->choice().tables[0], "--inducing", "200", "--model",
                               folder.filePath("line.correction")});
   ASSERT_TRUE(process.waitForFinished(120000));
   ASSERT_EQ(process.exitCode(), 0) << process.readAllStandardError().toStdString();
