@@ -29,6 +29,7 @@ nlohmann::json jsonOf(const FilterStudy& study) {
   for (const auto& one : study.comparisons)
     comparisons.push_back({{"recording", one.recording},
                            {"robot", one.robot},
+                           {"disturbance", one.disturbance},
                            {"occlusion", one.occlusion / 100.0},
                            {"kinematic", toJson(one.kinematic)},
                            {"camera", toJson(one.camera)},
@@ -82,11 +83,15 @@ void addFilterStudy(CLI::App& study, ExitCode& exit) {
       ->capture_default_str()
       ->check(CLI::Range(0.0, 3600.0));
   command->add_flag("!--no-images", options->images, "tip positions instead of images");
+  command->add_flag("--disturbed", options->disturbed,
+                    "each session again with cameras that move, motors that slip, constants that are wrong "
+                    "(tip positions)");
   addStudyOptions(*command, *arguments, options->threads, "recordings");
   command->footer(
       "Examples:\n"
       "  capstan-cli study filter                               (ten sessions, nominal and true radii)\n"
       "  capstan-cli study filter --occlude 40 80 --seeds 3\n"
+      "  capstan-cli study filter --disturbed --seeds 1\n"
       "  capstan-cli study filter monday.csv tuesday.csv --robot arm.yaml --out filters");
   command->callback([options, files, arguments, &exit] { exit = run(*options, *files, *arguments); });
 }

@@ -7,24 +7,24 @@
 #include <cmath>
 #include <limits>
 
+#include "core/estimation/information.h"
+
 namespace capstan::estimation {
 
-/// Recursive Bayesian linear regression, some of whose coefficients may be absent.
+/// Bayesian linear regression, some of whose coefficients may be absent.
 ///
 ///     z_k = H_k x + v_k,   v_k ~ N(0, R_k),   x = [optional (K); present (N − K)]
 ///
 /// Each optional coefficient is zero, or has the prior N(0, sigma²) with a stated prior probability (spike
 /// and slab; Mitchell and Beauchamp, JASA 83, 1988). The present coefficients have the prior of one of two
 /// regimes, e.g. a camera that is mounted as registered and one that was moved since. The 2 · 2^K submodels
-/// share one information matrix, so that the evidence of each is closed:
+/// share one information matrix (Information), so that the evidence of each is closed:
 ///
-///     log p(z | S) = ½ h_Sᵀ (Λ_S + I)⁻¹ h_S − ½ log det(Λ_S + I) + const,
-///     Λ = Σ f Hᵀ R⁻¹ H,   h = Σ f Hᵀ R⁻¹ z,
+///     log p(z | S) = ½ h_Sᵀ (Λ_S + I)⁻¹ h_S − ½ log det(Λ_S + I) + const.
 ///
-/// with coefficients in units of their prior sigma and f = exp(−age / memory), a forgetting factor (Raftery,
-/// Kárný and Ettler, Technometrics 52, 2010). The estimate is that of the median probability model, which
-/// holds the coefficients whose inclusion probability exceeds ½ (Barbieri and Berger, Annals of Statistics
-/// 32, 2004): an absent coefficient is exactly zero.
+/// The estimate is that of one submodel: a coefficient enters it when its inclusion probability exceeds a
+/// stated one, and stays as long as it exceeds ½, as in the median probability model (Barbieri and Berger, Annals
+/// of Statistics 32, 2004). Any other is exactly zero.
 ///
 /// No allocation. Work of one select(): 2 · 2^K Cholesky factors of K × K.
 template <int N, int K>
@@ -43,51 +43,44 @@ class SparseRegression {
     Present usual_sigma;             ///< of present coefficients in the usual regime
     Present unusual_sigma;           ///< in the unusual one, none smaller than in the usual one
     double unusual_probability = 0.0;
+    Optional enters = Optional::Constant(0.5);  ///< inclusion probability from which one is estimated
+    /// An optional coefficient whose estimate lies outside is absent.
+    Optional lowest = Optional::Constant(-std::numeric_limits<double>::infinity());
+    Optional highest = Optional::Constant(std::numeric_limits<double>::infinity());
   };
 
   explicit SparseRegression(const Prior& prior) : prior_(prior) {
     sigma_ << prior.sigma, prior.usual_sigma;
-    reset();
+    select({});
   }
 
-  void reset() {
-    information_.setZero();
-    score_.setZero();
-    select();
+  /// The units of Information, of all coefficients.
+  const Vector& sigma() const { return sigma_; }
+  /// Precision of the prior with every coefficient present, in the unusual regime, in units of sigma().
+  Vector widestPrecision() const {
+    Vector all = Vector::Ones();
+    all.template tail<kPresent>() = precision(true);
+    return all;
   }
 
-  /// Earlier observations count for `factor` in (0, 1] of what they counted for.
-  void forget(double factor) {
-    information_ *= factor;
-    score_ *= factor;
+  /// Prior probabilities of this one from now on.
+  void setPrior(const Optional& inclusion_probability, double unusual_probability) {
+    prior_.inclusion_probability = inclusion_probability;
+    prior_.unusual_probability = unusual_probability;
   }
 
-  /// One observation z of M outputs; `r` is the covariance of its noise. False, and nothing done, where a
-  /// number is not finite or `r` not positive definite.
-  template <int M>
-  bool add(const Eigen::Matrix<double, M, N>& h, const Eigen::Matrix<double, M, 1>& z,
-           const Eigen::Matrix<double, M, M>& r) {
-    const Eigen::LLT<Eigen::Matrix<double, M, M>> root(r);
-    if (root.info() != Eigen::Success || !h.allFinite() || !z.allFinite()) return false;
-    const Eigen::Matrix<double, M, N> whitened = root.matrixL().solve(h * sigma_.asDiagonal());
-    const Eigen::Matrix<double, M, 1> y = root.matrixL().solve(z);
-    if (!whitened.allFinite() || !y.allFinite()) return false;
-    information_.noalias() += whitened.transpose() * whitened;
-    score_.noalias() += whitened.transpose() * y;
-    return true;
-  }
+  /// Weighs all submodels by what observations say and updates the estimate.
+  void select(const Information<N>& information);
 
-  /// Weighs all submodels and updates the estimate.
-  void select();
-
+  const Information<N>& information() const { return information_; }
   const Vector& mean() const { return mean_; }
   /// Posterior covariance of the selected submodel; zero for absent coefficients.
   const Matrix& covariance() const { return covariance_; }
-  /// The same when the newest observation has aged to `factor`: what is known when nothing new comes.
+  /// The same when observations have aged to `factor` of what they counted for.
   Matrix covarianceAged(double factor) const { return posterior(factor).covariance; }
   /// Posterior probability that each optional coefficient is not zero.
   const Optional& inclusionProbability() const { return inclusion_; }
-  bool included(int i) const { return inclusion_(i) > 0.5; }
+  bool included(int i) const { return ((included_ >> i) & 1U) != 0U; }
   double unusualProbability() const { return unusual_; }
 
  private:
@@ -103,37 +96,40 @@ class SparseRegression {
     if (!unusual) return Present::Ones();
     return prior_.usual_sigma.cwiseQuotient(prior_.unusual_sigma).cwiseAbs2();
   }
+  void weighSubmodels();
   void evidenceOf(bool unusual, std::array<double, kSubmodels>& log_evidence) const;
   Posterior posterior(double factor) const;
 
   Prior prior_;
-  Vector sigma_;  ///< of all coefficients, the units of information_ and score_
-  Matrix information_ = Matrix::Zero();
-  Vector score_ = Vector::Zero();
+  Vector sigma_;
+  Information<N> information_;
   Vector mean_ = Vector::Zero();
   Matrix covariance_ = Matrix::Zero();
   Optional inclusion_ = Optional::Zero();
   double unusual_ = 0.0;
+  unsigned included_ = 0;    ///< coefficients of the selected submodel, a bit each
+  unsigned impossible_ = 0;  ///< coefficients whose estimates lay outside their range, a bit each
 };
 
 /// Log evidence plus log prior probability of each submodel of one regime, present coefficients integrated
 /// out first (Schur complement).
 template <int N, int K>
 void SparseRegression<N, K>::evidenceOf(bool unusual, std::array<double, kSubmodels>& log_evidence) const {
-  PresentBlock present = information_.template bottomRightCorner<kPresent, kPresent>();
+  PresentBlock present = information_.matrix.template bottomRightCorner<kPresent, kPresent>();
   const Present prior_precision = precision(unusual);
   present.diagonal() += prior_precision;
   const Eigen::LLT<PresentBlock> root(present);
   const Eigen::Matrix<double, kPresent, K> cross =
-      root.matrixL().solve(information_.template bottomLeftCorner<kPresent, K>());
-  const Present y = root.matrixL().solve(score_.template tail<kPresent>());
-  const Block whole = information_.template topLeftCorner<K, K>() - cross.transpose() * cross;
-  const Optional score = score_.template head<K>() - cross.transpose() * y;
+      root.matrixL().solve(information_.matrix.template bottomLeftCorner<kPresent, K>());
+  const Present y = root.matrixL().solve(information_.score.template tail<kPresent>());
+  const Block whole = information_.matrix.template topLeftCorner<K, K>() - cross.transpose() * cross;
+  const Optional score = information_.score.template head<K>() - cross.transpose() * y;
   const double probability = unusual ? prior_.unusual_probability : 1.0 - prior_.unusual_probability;
   const double shared = 0.5 * y.squaredNorm() - root.matrixLLT().diagonal().array().log().sum() +
                         0.5 * prior_precision.array().log().sum() + std::log(probability);
 
   for (int submodel = 0; submodel < kSubmodels; ++submodel) {
+    if ((static_cast<unsigned>(submodel) & impossible_) != 0U) continue;
     Block block = Block::Identity();
     Optional kept = Optional::Zero();
     double log_evidence_here = shared;
@@ -154,17 +150,33 @@ void SparseRegression<N, K>::evidenceOf(bool unusual, std::array<double, kSubmod
 }
 
 template <int N, int K>
-void SparseRegression<N, K>::select() {
+void SparseRegression<N, K>::select(const Information<N>& information) {
+  information_ = information;
+  impossible_ = 0;
+  for (int round = 0; round <= K; ++round) {
+    weighSubmodels();
+    const unsigned before = impossible_;
+    for (int i = 0; i < K; ++i)
+      if (!(mean_(i) >= prior_.lowest(i) && mean_(i) <= prior_.highest(i))) impossible_ |= 1U << i;
+    if (impossible_ == before) return;
+  }
+}
+
+template <int N, int K>
+void SparseRegression<N, K>::weighSubmodels() {
   std::array<std::array<double, kSubmodels>, 2> evidence;
   evidenceOf(false, evidence[0]);
   evidenceOf(true, evidence[1]);
   double best = -std::numeric_limits<double>::infinity();
   for (const auto& regime : evidence)
-    for (const double one : regime) best = std::max(best, one);
+    for (int submodel = 0; submodel < kSubmodels; ++submodel)
+      if ((static_cast<unsigned>(submodel) & impossible_) == 0U)
+        best = std::max(best, regime[static_cast<std::size_t>(submodel)]);
   double total = 0.0, unusual = 0.0;
   Optional inclusion = Optional::Zero();
   for (int regime = 0; regime < 2; ++regime)
     for (int submodel = 0; submodel < kSubmodels; ++submodel) {
+      if ((static_cast<unsigned>(submodel) & impossible_) != 0U) continue;
       const double weight =
           std::exp(evidence[static_cast<std::size_t>(regime)][static_cast<std::size_t>(submodel)] - best);
       total += weight;
@@ -174,6 +186,11 @@ void SparseRegression<N, K>::select() {
     }
   inclusion_ = inclusion / total;
   unusual_ = unusual / total;
+  for (int i = 0; i < K; ++i) {
+    if (inclusion_(i) > prior_.enters(i)) included_ |= 1U << i;
+    if (inclusion_(i) <= 0.5) included_ &= ~(1U << i);
+  }
+  included_ &= ~impossible_;
   const Posterior now = posterior(1.0);
   mean_ = now.mean;
   covariance_ = now.covariance;
@@ -181,8 +198,8 @@ void SparseRegression<N, K>::select() {
 
 template <int N, int K>
 auto SparseRegression<N, K>::posterior(double factor) const -> Posterior {
-  Matrix block = factor * information_;
-  Vector score = factor * score_;
+  Matrix block = factor * information_.matrix;
+  Vector score = factor * information_.score;
   block.diagonal().template head<K>().array() += 1.0;
   block.diagonal().template tail<kPresent>() += precision(unusual_ > 0.5);
   for (int i = 0; i < K; ++i) {

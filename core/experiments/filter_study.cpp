@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "core/base/resource.h"
+#include "core/experiments/disturbances.h"
 #include "core/experiments/true_radii.h"
 #include "core/experiments/workers.h"
 #include "core/session/blocking.h"
@@ -23,7 +24,7 @@ using Eigen::Vector3d;
 using tracking::FilterKind;
 
 /// One filter, what it reports, and its NIS once settled.
-struct Contender {
+struct Candidate {
   tracking::TrackingPipeline pipeline;
   tracking::TrackReport report;
   double nis_sum = 0.0;
@@ -44,7 +45,7 @@ struct Contender {
   }
 };
 
-Contender contenderOf(const session::SourceInfo& info, const robot::Description& robot, FilterKind filter) {
+Candidate candidateOf(const session::SourceInfo& info, const robot::Description& robot, FilterKind filter) {
   session::SourceInfo believed = info;
   believed.robot = robot;
   tracking::TrackingOptions options = tracking::trackingOptionsOf(info);
@@ -59,11 +60,16 @@ struct Believed {
 };
 
 std::vector<FilterComparison> compare(session::Source& source, const std::vector<Believed>& robots,
-                                      FilterComparison about, double settled, base::Progress& progress) {
-  std::vector<Contender> contenders;
+                                      const Disturbance& disturbance, FilterComparison about,
+                                      double settled, base::Progress& progress) {
+  about.disturbance = disturbance.name;
+  std::vector<Candidate> candidates;
   for (const Believed& one : robots)
-    for (const FilterKind filter : {FilterKind::kSixState, FilterKind::kAugmented})
-      contenders.push_back(contenderOf(source.info(), one.robot, filter));
+    for (const FilterKind filter : {FilterKind::kSixState, FilterKind::kAugmented}) {
+      robot::Description file = one.robot;
+      if (disturbance.robot) disturbance.robot(file);
+      candidates.push_back(candidateOf(source.info(), file, filter));
+    }
   session::Blocking blocking;
   blocking.setSchedule({.percentage = about.occlusion});
   const double duration = source.info().duration;
@@ -73,16 +79,17 @@ std::vector<FilterComparison> compare(session::Source& source, const std::vector
     blocking.apply(t, source);
     if (!source.next(sample)) break;
     if (const auto* motor = std::get_if<tracking::MotorSample>(&sample)) t = motor->t;
-    for (Contender& contender : contenders) contender.take(sample, settled);
+    if (disturbance.samples) disturbance.samples(sample, duration);
+    for (Candidate& candidate : candidates) candidate.take(sample, settled);
     if (count % 256 == 0 && duration > 0.0) progress.report(std::min(1.0, t / duration), about.recording);
   }
   std::vector<FilterComparison> all;
   for (std::size_t i = 0; i < robots.size() && !progress.cancelled(); ++i) {
     about.robot = robots[i].name;
-    about.six_state = contenders[2 * i].result();
-    about.augmented = contenders[2 * i + 1].result();
-    about.kinematic = contenders[2 * i + 1].report.errors.kinematic().value();
-    about.camera = contenders[2 * i + 1].report.errors.camera().value();
+    about.six_state = candidates[2 * i].result();
+    about.augmented = candidates[2 * i + 1].result();
+    about.kinematic = candidates[2 * i + 1].report.errors.kinematic().value();
+    about.camera = candidates[2 * i + 1].report.errors.camera().value();
     all.push_back(about);
   }
   return all;
@@ -91,11 +98,11 @@ std::vector<FilterComparison> compare(session::Source& source, const std::vector
 using Comparisons = std::vector<FilterComparison>;
 
 Comparisons simulate(const FilterStudyOptions& options, int trial, double occlusion,
-                     base::Progress& progress) {
+                     const Disturbance& disturbance, base::Progress& progress) {
   simulation::SimulationRequest request;
   request.truth = options.truth;
   request.duration = options.duration;
-  request.images = options.images;
+  request.images = options.images && !options.disturbed;
   request.seed = options.seed + static_cast<std::uint64_t>(trial);
   const simulation::SimulatedOptions simulated = simulation::optionsOf(request);
   simulation::SimulatedSource source(simulated);
@@ -104,19 +111,19 @@ Comparisons simulate(const FilterStudyOptions& options, int trial, double occlus
   about.recording = fmt::format("seed {}", request.seed);
   about.occlusion = occlusion;
   return compare(source, {{"nominal", nominal}, {"true radii", withTrueRadii(nominal, simulated.truth)}},
-                 about, options.settled, progress);
+                 disturbance, about, options.settled, progress);
 }
 
 Comparisons replay(const FilterStudyOptions& options, const std::filesystem::path& file, double occlusion,
-                   base::Progress& progress) {
+                   const Disturbance& disturbance, base::Progress& progress) {
   const robot::Description robot = robot::readDescription(
       options.robot.empty() ? base::resource("robots/raven2_left.yaml") : options.robot);
   const auto source = session::openRecording(file, robot);
   FilterComparison about;
   about.recording = file.filename().string();
   about.occlusion = occlusion;
-  return compare(*source, {{source->info().robot.name, source->info().robot}}, about, options.settled,
-                 progress);
+  return compare(*source, {{source->info().robot.name, source->info().robot}}, disturbance, about,
+                 options.settled, progress);
 }
 
 /// For people: deg, deg, mm.
@@ -127,21 +134,23 @@ double shown(const Vector3d& value, int joint) {
 }  // namespace
 
 FilterStudy runFilterStudy(const FilterStudyOptions& options, base::Progress& progress) {
-  std::vector<Job> jobs;
+  const std::vector<Disturbance> all = disturbances();
+  const std::size_t disturbed = options.disturbed ? all.size() : 1;
   const std::size_t recordings =
       options.recordings.empty() ? static_cast<std::size_t>(options.seeds) : options.recordings.size();
-  std::vector<Comparisons> done(recordings * options.occlusions.size());
-  for (std::size_t o = 0; o < options.occlusions.size(); ++o)
-    for (std::size_t r = 0; r < recordings; ++r) {
-      Comparisons& into = done[o * recordings + r];
-      const double occlusion = options.occlusions[o];
-      jobs.push_back({fmt::format("{} of {}", o * recordings + r + 1, done.size()), 1.0,
-                      [&into, &options, occlusion, r](base::Progress& part) {
-                        into = options.recordings.empty()
-                                   ? simulate(options, static_cast<int>(r), occlusion, part)
-                                   : replay(options, options.recordings[r], occlusion, part);
-                      }});
-    }
+  std::vector<Comparisons> done(recordings * options.occlusions.size() * disturbed);
+  std::vector<Job> jobs;
+  for (std::size_t i = 0; i < done.size(); ++i) {
+    const std::size_t r = i / disturbed % recordings;
+    const double occlusion = options.occlusions[i / disturbed / recordings];
+    jobs.push_back({fmt::format("{} of {}", i + 1, done.size()), 1.0,
+                    [&into = done[i], &options, &disturbance = all[i % disturbed], occlusion, r](
+                        base::Progress& part) {
+                      into = options.recordings.empty()
+                                 ? simulate(options, static_cast<int>(r), occlusion, disturbance, part)
+                                 : replay(options, options.recordings[r], occlusion, disturbance, part);
+                    }});
+  }
   doAll(jobs, options.threads, {progress});
   FilterStudy study;
   study.cancelled = progress.cancelled();
@@ -153,7 +162,7 @@ FilterStudy runFilterStudy(const FilterStudyOptions& options, base::Progress& pr
 base::Table comparisonsOf(const FilterStudy& study) {
   base::Table table;
   table.title = "Six-state and augmented filter";
-  table.columns = {{"recording", {}}, {"robot", {}}, {"occlusion", "%", 0}, {"joint", {}}};
+  table.columns = {{"recording", {}}, {"robot", {}}, {"disturbance", {}}, {"occlusion", "%", 0}, {"joint", {}}};
   for (const char* name : {"kinematic", "camera", "six-state", "augmented"})
     table.columns.push_back({name, "deg or mm", 4});
   table.columns.push_back({"augmented <= both inputs", {}});
@@ -163,7 +172,7 @@ base::Table comparisonsOf(const FilterStudy& study) {
     for (int joint = 0; joint < 3; ++joint) {
       const bool holds = one.augmented.ukf(joint) <= one.kinematic(joint) &&
                          (std::isnan(one.camera(joint)) || one.augmented.ukf(joint) <= one.camera(joint));
-      table.rows.push_back({one.recording, one.robot, one.occlusion, fmt::format("q{}", joint + 1),
+      table.rows.push_back({one.recording, one.robot, one.disturbance, one.occlusion, fmt::format("q{}", joint + 1),
                             shown(one.kinematic, joint), shown(one.camera, joint),
                             shown(one.six_state.ukf, joint), shown(one.augmented.ukf, joint),
                             holds ? "yes" : "no", one.six_state.nis, one.augmented.nis,

@@ -152,6 +152,8 @@ class RememberedCables {
     driven_.memory = memory;
     return memory;
   }
+  /// The motors of the last sample are corrected otherwise from now on.
+  void correct(const MotorCorrection& correction) { driven_.correction = correction; }
 
  private:
   MotorState driven_;

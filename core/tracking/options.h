@@ -63,14 +63,20 @@ struct TrackingOptions {
   double scale_probability = 0.15;
   double offset_probability =
       0.01;  ///< an offset is hard to tell from cameras that are turned about the base
+  double compliance_sigma = 0.7;  ///< of 1 − k_e / k_e,true, where the robot file's stiffness is wrong
+  double compliance_probability = 0.03;
+  double change_log_odds = 12.0;  ///< against a change (cameras knocked, encoder slipped) in a given second
   double transmission_memory = 120.0;  ///< how long an observation of the transmission error counts [s]
   /// What cables of a robot that is not identified leave unexplained, and for how long it has one sign.
   Eigen::Vector3d cable_error{6e-4, 4e-3, 2e-4};
   double cable_error_time = 1.0;           ///< [s]
   double camera_delay_sigma = 0.03;        ///< of the camera's stamps, beyond camera_delay [s]
-  double camera_moved_probability = 0.02;  ///< that cameras were moved since their registration
+  double camera_moved_probability = 0.05;  ///< that cameras were moved since their registration
   double camera_moved_turn_sigma = 0.1;    ///< by how much, about each axis [rad]
   double camera_moved_shift_sigma = 0.03;  ///< and along each axis [m]
+  /// Of the cameras' scale, relative: what a calibration leaves in focal length and base line, and of cameras
+  /// whose calibration no longer holds.
+  double camera_scale_sigma = 0.01, camera_moved_scale_sigma = 0.05;
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& field) {
@@ -180,6 +186,19 @@ struct TrackingOptions {
           {"scale_probability", "", "prior probability of a wrong pulley radius", {1e-9, 0.999}, false});
     field(self.offset_probability,
           {"offset_probability", "", "prior probability of a wrong cable zero", {1e-9, 0.999}, false});
+    field(self.compliance_sigma,
+          {"compliance_sigma",
+           "",
+           "1 - nominal over true cable stiffness, where the stiffness is wrong",
+           {1e-6, 100.0},
+           false});
+    field(self.compliance_probability,
+          {"compliance_probability", "", "prior probability of a wrong cable stiffness", {1e-9, 0.999}, false});
+    field(self.change_log_odds, {"change_log_odds",
+                                 "",
+                                 "evidence for a change of cameras or encoders that is believed, natural logarithm",
+                                 {0.0, 1e6},
+                                 false});
     field(self.transmission_memory, {"transmission_memory",
                                      "s",
                                      "how long an observation of the transmission error counts",
@@ -209,6 +228,10 @@ struct TrackingOptions {
                                           "shift of cameras that moved, along each axis",
                                           {1e-6, 1.0},
                                           false});
+    field(self.camera_scale_sigma,
+          {"camera_scale_sigma", "", "relative error of the cameras' scale", {1e-9, 1.0}, false});
+    field(self.camera_moved_scale_sigma,
+          {"camera_moved_scale_sigma", "", "the same of cameras that moved", {1e-9, 1.0}, false});
   }
 };
 

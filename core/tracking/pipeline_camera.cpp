@@ -17,7 +17,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 void TrackingPipeline::Impl::take(const StereoFrame& frame) {
   if (!stereo_) return;
-  beginCamera(cameras_.time(frame.t) - options_.camera_delay, frame.t_arrival, true);
+  beginCamera(exposureOf(frame.t), frame.t_arrival, true);
   std::optional<Vector3d> expected;
   if (options_.roi_search && base_from_camera_ && snapshot_.tip_kin_cam.allFinite())
     expected = base_from_camera_->inverse() * cameras_.told(snapshot_.tip_kin_cam);
@@ -40,13 +40,17 @@ void TrackingPipeline::Impl::take(const StereoFrame& frame) {
 }
 
 void TrackingPipeline::Impl::take(const TipSample& sample) {
-  beginCamera(cameras_.time(sample.t) - options_.camera_delay, sample.t_arrival, false);
+  beginCamera(exposureOf(sample.t), sample.t_arrival, false);
   snapshot_.gate = Gate::kBothLost;
   if (sample.position.allFinite()) {
     const Vector3d tip = cameras_.point(sample.position);
     observeTip(tip, noise_.ofTip(tip), options_.tip_sigma.cwiseAbs2().asDiagonal());
   }
   endCamera();
+}
+
+double TrackingPipeline::Impl::exposureOf(double stamp) const {
+  return cameras_.time(stamp) - options_.camera_delay - (slow_ ? slow_->delay() : 0.0);
 }
 
 void TrackingPipeline::Impl::beginCamera(double t, double t_arrival, bool images) {
@@ -95,22 +99,24 @@ void TrackingPipeline::Impl::observeTip(const Vector3d& tip, const Matrix3d& cov
   if (const JointSet frozen = watch_.see(t, seen->position, seen->covariance, *kinematic); frozen != 0)
     forgetFrozen(frozen);
   const Lower<3> root = rootOf(seen->covariance);
-  snapshot_.nis = filter_.peek(t, positions_, seen->position, root)->nis;  // the state at t is there
-  Vector3d y = seen->position;
   std::optional<TransmissionEstimator::Observation> slow;
-  if (slow_ && watch_.unknown() == 0) {
+  if (slow_) {
     slow = slowObservation(t, tip, white, mean, *kinematic);
-    snapshot_.nis = slow_->innovation(*slow).nis;
-    y -= slow_->cameraError(*slow);
+    seen->position -= slow_->remainder(*slow);
   }
-  const bool accepted = accept(t, snapshot_.nis, *seen, *kinematic);
+  const bool whole = slow && watch_.unknown() == 0;
+  snapshot_.nis = whole ? slow_->innovation(*slow).nis
+                        : filter_.peek(t, positions_, seen->position, root)->nis;  // the state at t is there
+  const bool accepted = accept(t, snapshot_.nis, *seen, corrected(*kinematic));
   snapshot_.gate = accepted ? Gate::kOpen : Gate::kJump;
   if (!accepted) return;
-  if (slow) learnTransmission(*slow, *kinematic);
-  if (!filter_.update(t, positions_, y, root)) {
+  if (whole && t >= corrected_since_) learnTransmission(*slow);
+  if (!filter_.update(t, positions_, seen->position, root)) {
     snapshot_.gate = Gate::kNoCamera;
     return;
   }
+  if (whole != nis_of_transmission_) nis_.reset();
+  nis_of_transmission_ = whole;
   nis_.add(snapshot_.nis);
   last_seen_ = std::max(last_seen_, t);
 }
@@ -127,18 +133,24 @@ TransmissionEstimator::Observation TrackingPipeline::Impl::slowObservation(doubl
           motors_.transmission().linkTravel(kinematic)};
 }
 
-void TrackingPipeline::Impl::learnTransmission(const TransmissionEstimator::Observation& seen,
-                                               const Vector3d& kinematic) {
+void TrackingPipeline::Impl::learnTransmission(const TransmissionEstimator::Observation& seen) {
   const MotorCorrection before = slow_->correction();
   slow_->add(seen);
+  correctSince(seen.t, before);
+}
+
+void TrackingPipeline::Impl::correctSince(double t, const MotorCorrection& before) {
   const MotorCorrection now = slow_->correction();
-  if (now == before) return;
-  const Vector3d shift = slow_->shift(kinematic, before, now);
+  const auto kinematic = motors_.kinematicAt(t, options_.restart_gap);
+  if (now == before || !kinematic) return;
+  const Vector3d shift = slow_->shift(*kinematic, before, now);
   filter_.revise(
-      seen.t, [&now](CableArmModel::Control& control) { control.correction = now; },
+      t, [&now](CableArmModel::Control& control) { control.correction = now; },
       [&shift](Filter::State& mean, Lower<6>&) {
         for (int joint = 0; joint < 3; ++joint) mean(2 * joint) += shift(joint);
       });
+  cables_before_.correct(now);
+  corrected_since_ = t;
 }
 
 void TrackingPipeline::Impl::forgetFrozen(JointSet frozen) {

@@ -56,10 +56,15 @@ class TrackingPipeline::Impl {
     if (options.filter == FilterKind::kAugmented) slow_.emplace(numbers_, options);
   }
 
-  /// What was learned of the transmission rests on the registration.
+  /// What was learned of the cameras' error is of the old registration.
   void setRegistration(const Eigen::Isometry3d& base_from_camera) {
-    if (slow_ && base_from_camera_ && !base_from_camera_->isApprox(base_from_camera)) slow_->reset();
+    const bool anew = base_from_camera_ && !base_from_camera_->isApprox(base_from_camera);
     base_from_camera_ = base_from_camera;
+    if (!slow_ || !anew) return;
+    const MotorCorrection before = slow_->correction();
+    slow_->forgetCameras();
+    if (started_) correctSince(snapshot_.t, before);
+    nis_.reset();
   }
 
   void reset() {
@@ -70,6 +75,7 @@ class TrackingPipeline::Impl {
     jump_.reset();
     noise_.reset();
     nis_.reset();
+    corrected_since_ = -std::numeric_limits<double>::infinity();
     started_ = reference_pending_ = false;
     snapshot_ = emptySnapshot();
     snapshot_.motor_failed = watch_.faults();
@@ -104,6 +110,7 @@ class TrackingPipeline::Impl {
   // The camera's side: pipeline_camera.cpp.
   void take(const StereoFrame& frame);
   void take(const TipSample& sample);
+  double exposureOf(double stamp) const;
   void beginCamera(double t, double t_arrival, bool images);
   void observeImagedTip(const vision::Triangulation& found, const Eigen::Isometry3d& base_from_camera);
   /// A tip in frame 0 becomes q_cam and passes the gate, or does not. `covariance` of its error, `white` of
@@ -114,7 +121,9 @@ class TrackingPipeline::Impl {
                                                      const Vector3d& kinematic) const;
   /// Takes an observation of the slow errors and, where the correction changes, moves the joints' estimate
   /// with it from the exposure on.
-  void learnTransmission(const TransmissionEstimator::Observation& seen, const Vector3d& kinematic);
+  void learnTransmission(const TransmissionEstimator::Observation& seen);
+  /// The motors' correction changed from `before`, and so the estimates since t.
+  void correctSince(double t, const MotorCorrection& before);
   void forgetFrozen(JointSet frozen);
   /// The jump gate's opinion. Without motor j, nothing but the camera knows q_j: its path is judged by
   /// itself.
@@ -133,6 +142,10 @@ class TrackingPipeline::Impl {
     if (taken == MotorSide::Taken::kAnew) {
       watch_.startAnew();
       reference_.clear();
+      if (slow_) slow_->restartClock();
+      corrected_since_ = -std::numeric_limits<double>::infinity();
+      noise_.reset();
+      nis_.reset();
       started_ = reference_pending_ = false;
     }
     snapshot_.motor_failed = watch_.faults();
@@ -260,7 +273,13 @@ class TrackingPipeline::Impl {
       snapshot_.transmission = slow_->estimate();
       view_.setCorrection(slow_->correction());
     }
-    view_.show(filter_.mean(), covariance, motors_, watch_, snapshot_);
+    CableArmModel::State mean = filter_.mean();
+    if (slow_ && watch_.unknown() == 0) {
+      const Vector3d error =
+          slow_->stretchError(motors_.kinematic(), Vector3d(mean(0), mean(2), mean(4)));
+      for (int joint = 0; joint < 3; ++joint) mean(2 * joint) += error(joint);
+    }
+    view_.show(mean, covariance, motors_, watch_, snapshot_);
   }
 
   void pairReference() {
@@ -293,8 +312,10 @@ class TrackingPipeline::Impl {
   RememberedCables cables_before_;
   double last_camera_ = 0.0, last_kinematic_ = 0.0;  ///< by the motors' clock at arrival [s]
   double last_seen_ = 0.0;                           ///< exposure of the newest tip that was accepted [s]
+  double corrected_since_ = -std::numeric_limits<double>::infinity();  ///< the correction in use [s]
   double reference_time_ = 0.0;
   bool started_ = false, reference_pending_ = false;
+  bool nis_of_transmission_ = false;  ///< nis_ holds that of the slow errors' innovation, with all motors
 };
 
 }  // namespace capstan::tracking

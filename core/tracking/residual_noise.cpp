@@ -18,10 +18,10 @@ void average(const Vector3d& sample, double size, double outlier, int count, Mat
 
 }  // namespace
 
-WhiteNoise::WhiteNoise(int memory, double gap) : memory_(std::max(memory, kEnough)), gap_(gap) {}
+WhiteNoise::WhiteNoise(int memory, double gap) : memory_(memory == 0 ? 0 : std::max(memory, kEnough)), gap_(gap) {}
 
 void WhiteNoise::add(double t, const Vector3d& residual, const Matrix3d& stated) {
-  if (!residual.allFinite()) return;
+  if (memory_ == 0 || !residual.allFinite()) return;
   if (neighbours_ > 0 && (t <= newest_ || t - newest_ > gap_)) neighbours_ = 0;
   newest_ = t;
   if (neighbours_ >= 2) {
@@ -33,14 +33,6 @@ void WhiteNoise::add(double t, const Vector3d& residual, const Matrix3d& stated)
   before_[0] = before_[1];
   before_[1] = residual;
   ++neighbours_;
-}
-
-InnovationCovariance::InnovationCovariance(int memory) : memory_(std::max(memory, kEnough)) {}
-
-void InnovationCovariance::add(const Vector3d& innovation, double nis) {
-  if (!innovation.allFinite()) return;
-  count_ = std::min(count_ + 1, memory_);
-  average(innovation, nis / 3.0, kOutlier, count_, measured_);
 }
 
 }  // namespace capstan::tracking

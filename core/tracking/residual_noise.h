@@ -1,13 +1,15 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 
 namespace capstan::tracking {
 
 /// Covariance of the white part of a residual, from its second differences: for white noise
 /// cov(r_k − 2 r_{k−1} + r_{k−2}) = 6 R, and a residual that drifts evenly adds nothing (von Neumann, Annals
 /// of Mathematical Statistics 12, 1941). A running mean over about `memory` differences; one beyond kOutlier
-/// times what is expected counts as that.
+/// times what is expected counts as that. With no memory, what is stated.
 class WhiteNoise {
  public:
   /// `gap` is the longest time between neighbours [s].
@@ -16,7 +18,7 @@ class WhiteNoise {
   void reset() { *this = WhiteNoise(memory_, gap_); }
   /// The covariance in use: `stated` until kEnough differences were seen, then the measured one.
   Eigen::Matrix3d value(const Eigen::Matrix3d& stated) const {
-    return differences_ < kEnough ? stated : measured_;
+    return memory_ == 0 || differences_ < kEnough ? stated : measured_;
   }
   /// A residual of time t [s].
   void add(double t, const Eigen::Vector3d& residual, const Eigen::Matrix3d& stated);
@@ -34,29 +36,25 @@ class WhiteNoise {
   Eigen::Vector3d before_[2] = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
 };
 
-/// Covariance of innovations, measured from the innovations themselves (innovation-based adaptive
-/// estimation; Mehra, IEEE TAC 15, 1970; Mohamed and Schwarz, Journal of Geodesy 73, 1999): a running mean
-/// over about `memory` of them. By it the NIS of the next innovation says whether errors are as large as they
-/// were of late.
-class InnovationCovariance {
+/// The share in (0, 1] of a stated covariance that innovations bear out: it falls while their NIS over its
+/// degrees of freedom is below one, and rises while it is above, so that a covariance stated too large is
+/// lowered to what is seen (adaptive fading of process noise; Mehra, IEEE TAC 17, 1972). Never above what is
+/// stated: a NIS that stays above one is the filter's failure.
+class StatedShare {
  public:
-  explicit InnovationCovariance(int memory);
-
-  void reset() { *this = InnovationCovariance(memory_); }
-  /// The covariance in use: `predicted` until kEnough innovations were seen, then the measured one.
-  Eigen::Matrix3d value(const Eigen::Matrix3d& predicted) const {
-    return count_ < kEnough ? predicted : measured_;
+  double value() const { return std::exp(log_share_); }
+  void add(double nis_by_freedom) {
+    if (!std::isfinite(nis_by_freedom)) return;
+    const double excess = std::min(nis_by_freedom, kOutlier) - 1.0;
+    log_share_ = std::clamp(log_share_ + kGain * excess, kLeast, 0.0);
   }
-  /// `nis` is the innovation's, by value(); beyond kOutlier times what is expected it counts as that.
-  void add(const Eigen::Vector3d& innovation, double nis);
-
-  static constexpr int kEnough = 30;
-  static constexpr double kOutlier = 9.0;
+  void reset() { log_share_ = 0.0; }
 
  private:
-  Eigen::Matrix3d measured_ = Eigen::Matrix3d::Zero();
-  int memory_;
-  int count_ = 0;
+  static constexpr double kGain = 0.02;   ///< of the logarithm, per innovation
+  static constexpr double kLeast = -7.0;  ///< of the logarithm
+  static constexpr double kOutlier = 9.0;
+  double log_share_ = 0.0;
 };
 
 }  // namespace capstan::tracking

@@ -10,23 +10,48 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using Prior = estimation::SparseRegression<14, 6>::Prior;
+using Regression = estimation::SparseRegression<17, 9>;
+using Prior = Regression::Prior;
 
-/// Of the cameras' scale: what a calibration leaves in focal length and base line, and what a wrong one has.
-constexpr double kScaleSigma = 0.01, kWrongScaleSigma = 0.05;
+/// How long observations are gathered before they are weighed [s].
+constexpr double kSegment = 1.0, kLongestSegment = 2.0;
+constexpr double kCertain = 0.95;
+constexpr double kFound = 0.999;  ///< probability of a change that was found
+constexpr double kLead = 5.0;     ///< log odds of one kind of change against the others
+constexpr double kLongDelay = 0.015;  ///< one that is taken out of the stamps [s]
+constexpr double kOutlier = 9.0;  ///< NIS over its degrees of freedom counts as no more than this
 
 Prior priorOf(const TrackingOptions& options) {
   const Vector3d one = Vector3d::Ones();
   Prior prior;
-  prior.sigma << options.scale_sigma, options.offset_sigma * one;
-  prior.inclusion_probability << options.scale_probability * one, options.offset_probability * one;
-  const double turn = std::max(options.registration_turn_sigma, 1e-9);
+  prior.sigma << options.scale_sigma, options.offset_sigma * one, options.compliance_sigma * one;
+  prior.inclusion_probability << options.scale_probability * one, options.offset_probability * one,
+      options.compliance_probability * one;
+  const double rotation = std::max(options.registration_turn_sigma, 1e-9);
   const double shift = std::max(options.registration_shift_sigma, 1e-9);
-  prior.usual_sigma << turn * one, shift * one, kScaleSigma, options.camera_delay_sigma;
-  prior.unusual_sigma << std::max(turn, options.camera_moved_turn_sigma) * one,
-      std::max(shift, options.camera_moved_shift_sigma) * one, kWrongScaleSigma, options.camera_delay_sigma;
+  prior.usual_sigma << rotation * one, shift * one, options.camera_scale_sigma, options.camera_delay_sigma;
+  prior.unusual_sigma << std::max(rotation, options.camera_moved_turn_sigma) * one,
+      std::max(shift, options.camera_moved_shift_sigma) * one,
+      std::max(options.camera_scale_sigma, options.camera_moved_scale_sigma), options.camera_delay_sigma;
   prior.unusual_probability = options.camera_moved_probability;
+  // A wrong pulley is what laboratories begin with; the rest is believed once it is nearly certain.
+  prior.enters.tail<7>().setConstant(kCertain);
+  prior.highest = TransmissionEstimator::kMostSigmas * prior.sigma;
+  prior.lowest = -prior.highest;
+  prior.highest.tail<3>().setOnes();  // of 1 − k_e / k_e,true
+  prior.lowest.tail<3>().setConstant(1.0 - TransmissionEstimator::kHardest);
   return prior;
+}
+
+/// What changes add, in units of Regression::sigma(): an encoder that slips moves one cable's zero, cameras
+/// that are knocked turn and shift.
+using Changes = std::array<Regression::Vector, 4>;
+Changes changesOf(const Regression& regression) {
+  Changes changes;
+  changes.fill(Regression::Vector::Zero());
+  for (std::size_t joint = 0; joint < 3; ++joint) changes[joint](3 + static_cast<int>(joint)) = 1.0;
+  changes[3].segment<6>(9) = regression.widestPrecision().segment<6>(9).cwiseInverse();
+  return changes;
 }
 
 Matrix3d cross(const Vector3d& a) {
@@ -43,81 +68,157 @@ TransmissionEstimator::TransmissionEstimator(const robot::Description& robot, co
       homing_(robot::homingOf(robot)),
       hard_stop_(arm_.tip(homing_)),
       options_(options),
-      regression_(priorOf(options)),
-      white_(options.pixel_noise_memory, 1.5 * options.camera_period),
-      innovations_(options.nis_window) {
+      prior_(priorOf(options)),
+      regression_(prior_),
+      changes_(regression_.widestPrecision(), changesOf(regression_), options.change_log_odds, kLead),
+      white_(options.pixel_noise_memory, 1.5 * options.camera_period) {
   const Matrix3d coupling = transmission_.coupling();
   joints_from_travel_ = coupling.inverse() * Vector3d(transmission_.linkRadius()).cwiseInverse().asDiagonal();
-  publish();
+  select();
 }
 
 void TransmissionEstimator::reset() {
-  regression_.reset();
+  changes_.reset();
+  prior_ = priorOf(options_);
+  regression_ = Regression(prior_);
+  misfit_ = 1.0;
+  share_.reset();
+  delay_ = 0.0;
+  restartClock();
+  select();
+}
+
+void TransmissionEstimator::restartClock() {
+  segment_ = {};
   white_.reset();
-  innovations_.reset();
   started_ = false;
-  publish();
+}
+
+void TransmissionEstimator::forgetCameras() {
+  segment_ = {};
+  changes_.release(changesOf(regression_).back());
+  prior_.unusual_probability = options_.camera_moved_probability;
+  regression_.setPrior(prior_.inclusion_probability, prior_.unusual_probability);
+  select();
 }
 
 Vector3d TransmissionEstimator::travelOf(const Vector3d& q_kin) const {
   return transmission_.linkTravel(q_kin);  // q_kin is where the link side has travelled as far as the motors
 }
 
-Eigen::Matrix<double, 3, 6> TransmissionEstimator::jointSensitivity(const Vector3d& travel) const {
-  Eigen::Matrix<double, 3, 6> g;
+auto TransmissionEstimator::jointSensitivity(const Vector3d& travel) const
+    -> Eigen::Matrix<double, 3, kMotor> {
+  Eigen::Matrix<double, 3, kMotor> g;
   g << joints_from_travel_ * travel.asDiagonal(), joints_from_travel_;
   return g;
 }
 
-auto TransmissionEstimator::sensitivity(const Observation& seen, const Matrix3d& jacobian) const
-    -> Sensitivity {
-  Sensitivity h;
-  h << jacobian * jointSensitivity(seen.travel), -cross(seen.tip - hard_stop_), Matrix3d::Identity(),
-      seen.tip - hard_stop_, -jacobian * seen.dq;
-  return h;
-}
-
-Matrix3d TransmissionEstimator::cableNoise(const Matrix3d& jacobian, double times) const {
-  return times * jacobian * options_.cable_error.cwiseAbs2().asDiagonal() * jacobian.transpose();
-}
-
-auto TransmissionEstimator::innovation(const Observation& seen) const -> Innovation {
+auto TransmissionEstimator::look(const Observation& seen) const -> Look {
   const Matrix3d jacobian = arm_.tipJacobian(seen.q);
-  const Sensitivity h = sensitivity(seen, jacobian);
+  const Vector3d stretch = correctedTravel(seen.travel) - Vector3d(transmission_.linkTravel(seen.q));
+  Look look;
+  look.h << jacobian * jointSensitivity(seen.travel), jacobian * joints_from_travel_ * stretch.asDiagonal(),
+      -cross(seen.tip - hard_stop_), Matrix3d::Identity(), seen.tip - hard_stop_, -jacobian * seen.dq;
+  look.z = seen.tip - arm_.tip(seen.q) + look.h * used_;
+  look.white = white_.value(seen.noise);
+  look.cables = jacobian * options_.cable_error.cwiseAbs2().asDiagonal() * jacobian.transpose();
+  return look;
+}
+
+auto TransmissionEstimator::innovation(const Look& look) const -> Innovation {
   Innovation innovation;
-  innovation.value =
-      seen.tip - arm_.tip(seen.q) - h.rightCols<kCamera>() * regression_.mean().tail<kCamera>();
-  const Matrix3d predicted =
-      h * covariance_ * h.transpose() + white_.value(seen.noise) + cableNoise(jacobian, 1.0);
-  innovation.nis =
-      innovation.value.dot(Vector3d(innovations_.value(predicted).llt().solve(innovation.value)));
+  innovation.value = look.z - look.h * regression_.mean();
+  const Matrix3d slow = look.h * covariance_ * look.h.transpose() + look.cables;
+  const Matrix3d predicted = look.white + share_.value() * slow;
+  innovation.nis = innovation.value.dot(Vector3d(predicted.llt().solve(innovation.value)));
   return innovation;
 }
 
+auto TransmissionEstimator::innovation(const Observation& seen) const -> Innovation {
+  return innovation(look(seen));
+}
+
+/// Are innovations as large as expected, whatever is present?
+void TransmissionEstimator::judgeFit(const Look& look) {
+  const Vector3d innovation = look.z - look.h * widest_mean_;
+  const Matrix3d predicted = look.h * widest_covariance_ * look.h.transpose() + look.white + look.cables;
+  const double nis = innovation.dot(Vector3d(predicted.llt().solve(innovation))) / 3.0;
+  if (std::isfinite(nis)) misfit_ += (std::min(nis, kOutlier) - misfit_) / options_.nis_window;
+}
+
 void TransmissionEstimator::add(const Observation& seen) {
-  const Matrix3d jacobian = arm_.tipJacobian(seen.q);
-  const Sensitivity h = sensitivity(seen, jacobian);
-  const Innovation innovation = this->innovation(seen);
-  innovations_.add(innovation.value, innovation.nis);
+  if (segment_.count > 0 && seen.t - segment_start_ > kLongestSegment) closeSegment();
+  const Look look = this->look(seen);
+  const Innovation innovation = this->innovation(look);
   white_.add(seen.t, innovation.value, seen.noise);
-  if (started_) regression_.forget(std::exp(-std::max(seen.t - newest_, 0.0) / options_.transmission_memory));
-  newest_ = started_ ? std::max(newest_, seen.t) : seen.t;
-  started_ = true;
-  const Vector3d z = innovation.value + h * regression_.mean();
+  share_.add(innovation.nis / 3.0);
+  judgeFit(look);
+  passTime(seen.t);
+  if (segment_.count == 0) segment_start_ = seen.t;
   const double times = 2.0 * options_.cable_error_time / options_.camera_period;
-  const Matrix3d noise = white_.value(seen.noise) + cableNoise(jacobian, times);
-  if (!regression_.add<3>(h, z, noise)) return;
-  const auto before = included();
-  regression_.select();
-  if (included() != before) innovations_.reset();  // those of another model say nothing of this one's
+  (void)segment_.add<3>(look.h, look.z, look.white + times * look.cables, regression_.sigma());
+  // The first segments are short: little is known yet that a change could hide in.
+  const double whole = std::clamp(0.25 * regression_.information().count * options_.camera_period,
+                                  options_.camera_period, kSegment);
+  if (segment_.count * options_.camera_period >= whole) closeSegment();
+}
+
+/// As long as cameras are silent nothing is learned, and nothing is forgotten.
+void TransmissionEstimator::passTime(double t) {
+  const double longest = 2.0 * options_.camera_period;
+  if (started_)
+    forgotten_ *= std::exp(-std::clamp(t - newest_, 0.0, longest) / options_.transmission_memory);
+  newest_ = started_ ? std::max(newest_, t) : t;
+  started_ = true;
+}
+
+void TransmissionEstimator::closeSegment() {
+  changes_.forget(forgotten_);
+  forgotten_ = 1.0;
+  const int change = changes_.close(segment_, 1.0 / std::max(misfit_, 1.0));
+  if (change >= 0) expectChange(change);
+  segment_ = {};
+  select();
+  takeOutDelay();
+}
+
+/// The sensitivity to a delay holds while the arm's speed does: of a long one, observations begin anew.
+void TransmissionEstimator::takeOutDelay() {
+  const double delay = regression_.mean()(kDelay);
+  const double sigma = std::sqrt(covariance_(kDelay, kDelay));
+  if (std::abs(delay) < std::max(kLongDelay, 3.0 * sigma)) return;
+  delay_ += delay;
+  changes_.reset();
+  select();
+}
+
+/// A change that was found is one whose size is asked for, not whether there is one.
+void TransmissionEstimator::expectChange(int kind) {
+  misfit_ = 1.0;
+  if (kind < 3)
+    prior_.inclusion_probability(3 + kind) = kFound;
+  else
+    prior_.unusual_probability = kFound;
+  regression_.setPrior(prior_.inclusion_probability, prior_.unusual_probability);
+}
+
+/// Weighs what is known by how well it fits.
+void TransmissionEstimator::select() {
+  Information known = changes_.known();
+  known.scale(1.0 / std::max(misfit_, 1.0));
+  regression_.select(known);
+  Regression::Matrix widest = known.matrix;
+  widest.diagonal() += regression_.widestPrecision();
+  const Eigen::LLT<Regression::Matrix> root(widest);
+  const auto& sigma = regression_.sigma();
+  widest_mean_ = sigma.cwiseProduct(root.solve(known.score));
+  widest_covariance_ =
+      sigma.asDiagonal() * root.solve(Regression::Matrix::Identity()) * sigma.asDiagonal();
   publish();
 }
 
-unsigned TransmissionEstimator::included() const {
-  unsigned set = regression_.unusualProbability() > 0.5 ? 1U << kOptional : 0U;
-  for (int i = 0; i < kOptional; ++i)
-    if (regression_.included(i)) set |= 1U << i;
-  return set;
+Vector3d TransmissionEstimator::correctedTravel(const Vector3d& travel) const {
+  return travel + used_.head<3>().cwiseProduct(travel) + used_.segment<3>(3);
 }
 
 void TransmissionEstimator::age(double t) {
@@ -127,20 +228,27 @@ void TransmissionEstimator::age(double t) {
 
 void TransmissionEstimator::publish() {
   covariance_ = regression_.covariance();
-  const auto& mean = regression_.mean();
+  const Regression::Vector mean = regression_.mean();
   const auto& included = regression_.inclusionProbability();
   estimate_.scale = mean.head<3>();
   estimate_.offset = mean.segment<3>(3);
+  estimate_.compliance = mean.segment<3>(6);
   estimate_.scale_sigma = covariance_.diagonal().head<3>().cwiseSqrt();
   estimate_.offset_sigma = covariance_.diagonal().segment<3>(3).cwiseSqrt();
+  estimate_.compliance_sigma = covariance_.diagonal().segment<3>(6).cwiseSqrt();
   estimate_.scale_probability = included.head<3>();
-  estimate_.offset_probability = included.tail<3>();
-  estimate_.camera_rotation = mean.segment<3>(6);
-  estimate_.camera_shift = mean.segment<3>(9);
-  estimate_.camera_delay = mean(13);
+  estimate_.offset_probability = included.segment<3>(3);
+  estimate_.compliance_probability = included.tail<3>();
+  estimate_.camera_rotation = mean.segment<3>(9);
+  estimate_.camera_shift = mean.segment<3>(12);
+  estimate_.camera_scale = mean(15);
+  estimate_.camera_delay = delay_ + mean(kDelay);
   estimate_.camera_moved_probability = regression_.unusualProbability();
+  estimate_.change_in_question = changes_.inQuestion();
   correction_.scale = estimate_.scale;
   correction_.offset = estimate_.offset.cwiseQuotient(Vector3d(transmission_.motorRadius()));
+  used_.setZero();
+  used_.head<kMotor>() = mean.head<kMotor>();
 }
 
 Vector3d TransmissionEstimator::shift(const Vector3d& q_kin, const MotorCorrection& from,
@@ -155,15 +263,23 @@ Vector3d TransmissionEstimator::corrected(const Vector3d& q_kin) const {
 
 Matrix3d TransmissionEstimator::jointCovariance(const Vector3d& q_kin) const {
   const auto g = jointSensitivity(travelOf(q_kin));
-  return g * covariance_.topLeftCorner<6, 6>() * g.transpose();
+  Matrix3d covariance = g * covariance_.topLeftCorner<kMotor, kMotor>() * g.transpose();
+  covariance.diagonal() += options_.cable_error.cwiseAbs2();
+  return share_.value() * covariance;
 }
 
-Vector3d TransmissionEstimator::cameraError(const Observation& seen) const {
+Vector3d TransmissionEstimator::remainder(const Observation& seen) const {
+  Regression::Vector beside = regression_.mean() - used_;
+  if (!estimate_.camerasMoved()) beside.tail<kCamera>().setZero();
+  const Vector3d error = look(seen).h * beside;
   const Matrix3d jacobian = arm_.tipJacobian(seen.q);
-  const Vector3d error =
-      sensitivity(seen, jacobian).rightCols<kCamera>() * regression_.mean().tail<kCamera>();
   const Vector3d joints = jacobian.partialPivLu().solve(error);
   return joints.allFinite() ? joints : Vector3d::Zero();
+}
+
+Vector3d TransmissionEstimator::stretchError(const Vector3d& q_kin, const Vector3d& q) const {
+  const Vector3d stretch = correctedTravel(travelOf(q_kin)) - Vector3d(transmission_.linkTravel(q));
+  return joints_from_travel_ * stretch.cwiseProduct(estimate_.compliance);
 }
 
 }  // namespace capstan::tracking

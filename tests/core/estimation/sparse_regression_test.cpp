@@ -44,11 +44,17 @@ Data draw(std::uint64_t seed, const Eigen::Vector4d& x, int count) {
   return data;
 }
 
+Information<4> informationOf(const Data& data, const Eigen::Vector4d& sigma) {
+  Information<4> information;
+  for (std::size_t i = 0; i < data.h.size(); ++i)
+    EXPECT_TRUE(
+        information.add<1>(data.h[i], Scalar(data.z[i]), Scalar(data.sigma[i] * data.sigma[i]), sigma));
+  return information;
+}
+
 Regression regressed(const Data& data) {
   Regression regression(prior());
-  for (std::size_t i = 0; i < data.h.size(); ++i)
-    EXPECT_TRUE(regression.add<1>(data.h[i], Scalar(data.z[i]), Scalar(data.sigma[i] * data.sigma[i])));
-  regression.select();
+  regression.select(informationOf(data, regression.sigma()));
   return regression;
 }
 
@@ -119,36 +125,68 @@ TEST(SparseRegression, StatedSigmasHoldOverManyDraws) {
   EXPECT_NEAR(inside / static_cast<double>(count), 0.95, 0.04);
 }
 
-TEST(SparseRegression, WhatAgesIsKnownLessAndForgettingLeavesThePrior) {
-  Regression regression = regressed(draw(5, {1.5, 0.0, 0.2, -0.1}, 50));
+TEST(SparseRegression, ACoefficientEntersWhenItIsCertainAndLeavesWhenItIsDoubtful) {
+  Regression::Prior strict = prior();
+  strict.enters(0) = 0.95;
+  Regression regression(strict);
+  bool was_likely = false, was_in_doubt = false;
+  const Data data = draw(21, {0.35, 0.0, 0.2, -0.1}, 400);
+  for (std::size_t count = 1; count <= data.h.size(); ++count) {
+    Data some = data;
+    some.h.resize(count);
+    some.z.resize(count);
+    some.sigma.resize(count);
+    const bool before = regression.included(0);
+    regression.select(informationOf(some, regression.sigma()));
+    const double p = regression.inclusionProbability()(0);
+    const bool expected = p > 0.95 || (before && p > 0.5);
+    ASSERT_EQ(regression.included(0), expected) << count << " " << p;
+    was_likely |= p > 0.5 && p < 0.95 && !before;
+    was_in_doubt |= before;
+  }
+  EXPECT_TRUE(was_likely);
+  EXPECT_TRUE(was_in_doubt);
+}
+
+TEST(SparseRegression, AnEstimateOutsideItsRangeIsAbsent) {
+  const Data data = draw(5, {1.5, 0.0, 0.2, -0.1}, 400);
+  Regression::Prior bounded = prior();
+  bounded.highest(0) = 1.0;
+  Regression regression(bounded);
+  regression.select(informationOf(data, regression.sigma()));
+  EXPECT_FALSE(regression.included(0));
+  EXPECT_EQ(regression.mean()(0), 0.0);
+  bounded.highest(0) = 2.0;
+  Regression wider(bounded);
+  wider.select(informationOf(data, wider.sigma()));
+  EXPECT_TRUE(wider.included(0));
+}
+
+TEST(SparseRegression, WhatAgesIsKnownLess) {
+  const Regression regression = regressed(draw(5, {1.5, 0.0, 0.2, -0.1}, 50));
   double before = regression.covariance()(0, 0);
   for (const double factor : {0.5, 0.1, 0.01}) {
     const double aged = regression.covarianceAged(factor)(0, 0);
     EXPECT_GT(aged, before) << factor;
     before = aged;
   }
-  regression.forget(0.0);
-  regression.select();
-  EXPECT_NEAR(regression.inclusionProbability()(0), 0.1, 1e-12);
-  EXPECT_EQ(regression.mean(), Eigen::Vector4d::Zero());
 }
 
-TEST(SparseRegression, RefusesNumbersThatAreNotFinite) {
-  Regression regression(prior());
-  EXPECT_FALSE(regression.add<1>(Row(std::nan(""), 0, 0, 0), Scalar(1.0), Scalar(1.0)));
-  EXPECT_FALSE(regression.add<1>(Row(1, 0, 0, 0), Scalar(std::nan("")), Scalar(1.0)));
-  EXPECT_FALSE(regression.add<1>(Row(1, 0, 0, 0), Scalar(1.0), Scalar(-1.0)));
-  regression.select();
+TEST(SparseRegression, WithoutObservationsThePriorIsLeft) {
+  Regression regression = regressed(draw(5, {1.5, 0.0, 0.2, -0.1}, 50));
+  regression.select({});
+  EXPECT_NEAR(regression.inclusionProbability()(0), 0.1, 1e-12);
   EXPECT_EQ(regression.mean(), Eigen::Vector4d::Zero());
 }
 
 TEST(SparseRegression, DoesNotAllocate) {
   Regression regression(prior());
+  Information<4> information;
   const std::size_t before = test::allocations();
   for (int i = 0; i < 100; ++i) {
-    regression.add<1>(Row(1, 2, 3, 4), Scalar(1.0), Scalar(1.0));
-    regression.forget(0.99);
-    regression.select();
+    information.add<1>(Row(1, 2, 3, 4), Scalar(1.0), Scalar(1.0), regression.sigma());
+    information.scale(0.99);
+    regression.select(information);
   }
   EXPECT_EQ(test::allocations(), before);
 }

@@ -6,86 +6,14 @@
 #include <cmath>
 
 #include "core/base/random.h"
-#include "core/session/occlusion.h"
-#include "core/simulation/simulation_request.h"
-#include "core/simulation/truth.h"
-#include "tests/core/tracking/pipeline_scene.h"
+#include "tests/core/tracking/transfer_session.h"
 
 namespace capstan::tracking {
 namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using test::ListSource;
-using test::samplesOf;
-
-/// A block transfer of the default robot: joint 1 turns on a pulley of 59 mm where the robot file
-/// says 63.095.
-struct Session {
-  session::SourceInfo info;
-  std::vector<Sample> samples;
-};
-
-Session transfer(double duration, std::uint64_t seed, double occlusion = 0.0) {
-  simulation::SimulationRequest request;
-  request.duration = duration;
-  request.images = false;
-  request.seed = seed;
-  simulation::SimulatedSource source(simulation::optionsOf(request));
-  const session::OcclusionSchedule schedule{.percentage = occlusion};
-  Session session{source.info(), {}};
-  double t = 0.0;
-  for (Sample sample; source.next(sample);) {
-    if (const auto* motor = std::get_if<MotorSample>(&sample)) t = motor->t;
-    source.block(schedule.blockedAt(t), schedule.blockedAt(t));
-    session.samples.push_back(sample);
-  }
-  return session;
-}
-
-const Session& twoMinutes() {
-  static const Session session = transfer(120.0, 31);
-  return session;
-}
-
-struct Tracked {
-  TrackReport report;
-  Snapshot last;
-};
-
-/// Errors count from the time `from` on [s].
-Tracked tracked(const Session& session, const robot::Description& robot, FilterKind filter,
-                double from = 0.0) {
-  session::SourceInfo info = session.info;
-  info.robot = robot;
-  TrackingOptions options;
-  options.filter = filter;
-  TrackingPipeline pipeline = makePipeline(info, options);
-  ListSource source(session.samples);
-  TrackReport report;
-  trackAll(source, pipeline, nullptr, 0.0, [&](const Sample&, const Snapshot& s) {
-    if (s.t >= from) report.add(s);
-  });
-  return {report, pipeline.snapshot()};
-}
-
-robot::Description withRadius(robot::Description robot, double radius) {
-  robot.drives[0].link_radius = radius;
-  return robot;
-}
-
-/// Motors that count `offset` [rad] more than they turned, from the first sample on.
-Session withMotorOffset(Session session, const Vector3d& offset) {
-  for (Sample& sample : session.samples)
-    if (auto* motor = std::get_if<MotorSample>(&sample)) motor->position += offset;
-  return session;
-}
-
-Session withMovedCamera(Session session, const Vector3d& shift) {
-  for (Sample& sample : session.samples)
-    if (auto* tip = std::get_if<TipSample>(&sample)) tip->position += shift;
-  return session;
-}
+using namespace test;
 
 TEST(TransmissionEstimator, FindsAPulleyThatIsWrongAndBeatsBothInputs) {
   const Session& session = twoMinutes();
@@ -205,18 +133,28 @@ TEST(WhiteNoise, KeepsWhatIsStatedUntilEnoughNeighboursWereSeen) {
   EXPECT_NE(noise.value(stated), stated);
 }
 
-TEST(InnovationCovariance, MakesTheNisOfWhatFollowsOne) {
-  base::Random random(7, "innovations");
-  InnovationCovariance covariance(300);
-  const Matrix3d predicted = 100.0 * Matrix3d::Identity();
-  double sum = 0.0;
-  for (int k = 0; k < 5000; ++k) {
-    const Vector3d innovation(random.normal(0.0, 0.1), random.normal(0.0, 2.0), random.normal(0.0, 0.5));
-    const double nis = innovation.dot(covariance.value(predicted).llt().solve(innovation));
-    if (k >= 1000) sum += nis / 3.0 / 4000.0;
-    covariance.add(innovation, nis);
-  }
-  EXPECT_NEAR(sum, 1.0, 0.04);
+TEST(WhiteNoise, WithoutMemoryIsWhatIsStated) {
+  WhiteNoise noise(0, 0.1);
+  const Matrix3d stated = 4.0 * Matrix3d::Identity();
+  for (int k = 0; k < 100; ++k) noise.add(0.05 * k, Vector3d(k % 2, 0.0, 0.0), stated);
+  EXPECT_EQ(noise.value(stated), stated);
+}
+
+TEST(StatedShare, FallsToWhatIsSeenAndNeverRisesAboveWhatIsStated) {
+  base::Random random(7, "share");
+  const auto mean = [&](double true_variance) {
+    StatedShare share;
+    double sum = 0.0;
+    for (int k = 0; k < 5000; ++k) {
+      const double nis = std::pow(random.normal(0.0, std::sqrt(true_variance)), 2) / share.value();
+      if (k >= 1000) sum += nis / 4000.0;
+      share.add(nis);
+    }
+    return sum;
+  };
+  EXPECT_NEAR(mean(0.1), 1.0, 0.1);
+  EXPECT_NEAR(mean(0.01), 1.0, 0.1);
+  EXPECT_NEAR(mean(3.0), 3.0, 0.3) << "a filter that is wrong stays so";
 }
 
 }  // namespace

@@ -1,0 +1,165 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "core/estimation/information.h"
+
+namespace capstan::estimation {
+
+/// Information of a regression some of whose coefficients may change at once, at a time that nobody states.
+///
+/// Observations are gathered in segments. When one closes, the hypothesis that all segments share their
+/// coefficients is weighed against those of one change of one kind before any of the newest segments
+/// (generalised likelihood ratio; Willsky and Jones, IEEE TAC 21, 1976; here with the evidence in place of the
+/// maximum):
+///
+///     log p(newest | earlier, change) − log p(newest | earlier, none) > log_odds.
+///
+/// Then the change is in question: known() stays as it was before, until one kind is likelier than all others
+/// by `lead`, or none is likely after all. After a change of the coefficients by w, w ~ N(0, diag(variance)),
+/// what was known before counts as known of x + w. Units are those of Information. No allocation.
+template <int N, int kKinds, int kSegments>
+class ChangeTest {
+ public:
+  using Vector = typename Information<N>::Vector;
+  using Kinds = std::array<Vector, kKinds>;
+  static constexpr int kNoChange = -1, kInQuestion = -2;
+
+  /// `precision` of the prior; `kinds`: the variance of w of each kind of change; `log_odds` against a change
+  /// before a given segment.
+  ChangeTest(const Vector& precision, const Kinds& kinds, double log_odds, double lead)
+      : precision_(precision), kinds_(kinds), log_odds_(log_odds), lead_(lead) {}
+
+  /// A segment is whole. `weight` in (0, 1]: what observations count for from here on, where noise turned out
+  /// larger than stated. The kind of change that was found, kNoChange or kInQuestion.
+  int close(const Information<N>& information, double weight) {
+    if (in_question_) {
+      segments_[0].information += information;
+    } else {
+      if (size_ == kSegments) dropOldest();
+      segments_[size_++] = {information, next_weight_};
+      next_weight_ = weight;
+      const std::size_t change = likeliestChange();
+      if (change == kNone) return kNoChange;
+      split(change);
+    }
+    return decide();
+  }
+
+  bool inQuestion() const { return in_question_; }
+  /// All that is known: while a change is in question, what was known before.
+  Information<N> known() const {
+    Information<N> known = earlier_;
+    if (in_question_) return known;
+    for (std::size_t i = 0; i < size_; ++i) known += segments_[i].information;
+    return known;
+  }
+  /// Observations count for `factor` of what they counted for.
+  void forget(double factor) {
+    earlier_.scale(factor);
+    for (std::size_t i = 0; i < size_; ++i) segments_[i].information.scale(factor);
+  }
+  /// The coefficients have changed by a w of the stated variance.
+  void release(const Vector& variance) {
+    in_question_ = false;
+    earlier_ = known().released(variance);
+    size_ = 0;
+  }
+  void reset() {
+    in_question_ = false;
+    earlier_ = {};
+    size_ = 0;
+    next_weight_ = 1.0;
+  }
+
+ private:
+  struct Segment {
+    Information<N> information;
+    double weight = 1.0;  ///< of observations when it began
+  };
+  using Ratios = std::array<double, kKinds>;
+  static constexpr std::size_t kNone = kSegments;
+
+  void dropOldest() {
+    earlier_ += segments_[0].information;
+    for (std::size_t i = 1; i < size_; ++i) segments_[i - 1] = segments_[i];
+    --size_;
+  }
+
+  /// Log evidence for a change of each kind between `before` and `after`, against none.
+  Ratios ratios(Information<N> before, Information<N> after, double weight) const {
+    before.scale(weight);
+    after.scale(weight);
+    Information<N> whole = before;
+    whole += after;
+    const double same = whole.logEvidence(precision_) - before.logEvidence(precision_);
+    Ratios ratios;
+    for (std::size_t kind = 0; kind < kKinds; ++kind) {
+      const Information<N> released = before.released(kinds_[kind]);
+      whole = released;
+      whole += after;
+      ratios[kind] = whole.logEvidence(precision_) - released.logEvidence(precision_) - same;
+    }
+    return ratios;
+  }
+
+  /// The segment before which a change explains the rest best; kNone: no change does well enough.
+  std::size_t likeliestChange() const {
+    std::size_t likeliest = kNone;
+    double best = log_odds_;
+    Information<N> before = earlier_;
+    for (std::size_t i = 0; i < size_; ++i) {
+      if (i > 0) before += segments_[i - 1].information;
+      if (before.count == 0) continue;
+      Information<N> after = segments_[i].information;
+      for (std::size_t k = i + 1; k < size_; ++k) after += segments_[k].information;
+      for (const double ratio : ratios(before, after, segments_[i].weight))
+        if (ratio > best) best = ratio, likeliest = i;
+    }
+    return likeliest;
+  }
+
+  /// What came after is in question. Nobody knows to which side the segments about the change belong: they
+  /// are left out.
+  void split(std::size_t change) {
+    for (std::size_t i = 0; i + 1 < change; ++i) earlier_ += segments_[i].information;
+    Segment after{{}, segments_[change].weight};
+    for (std::size_t i = change + 1; i < size_; ++i) after.information += segments_[i].information;
+    segments_[0] = after;
+    size_ = 1;
+    in_question_ = true;
+  }
+
+  int decide() {
+    if (segments_[0].information.count == 0) return kInQuestion;
+    const Ratios weighed = ratios(earlier_, segments_[0].information, segments_[0].weight);
+    std::size_t kind = 0;
+    for (std::size_t i = 1; i < kKinds; ++i)
+      if (weighed[i] > weighed[kind]) kind = i;
+    double second = 0.0;
+    for (std::size_t i = 0; i < kKinds; ++i)
+      if (i != kind) second = std::max(second, weighed[i]);
+    if (weighed[kind] <= 0.0) {
+      in_question_ = false;
+      return kNoChange;
+    }
+    if (weighed[kind] < second + lead_) return kInQuestion;
+    in_question_ = false;
+    earlier_ = earlier_.released(kinds_[kind]);
+    next_weight_ = 1.0;
+    return static_cast<int>(kind);
+  }
+
+  Vector precision_;
+  Kinds kinds_;
+  double log_odds_, lead_;
+  Information<N> earlier_;
+  std::array<Segment, kSegments> segments_;
+  std::size_t size_ = 0;
+  double next_weight_ = 1.0;
+  bool in_question_ = false;
+};
+
+}  // namespace capstan::estimation
