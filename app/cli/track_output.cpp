@@ -61,11 +61,16 @@ nlohmann::json transmissionJson(const tracking::TransmissionEstimate& found) {
                       {"scale_probability", found.scale_probability(i)},
                       {"offset", found.offset(i)},
                       {"offset_sigma", found.offset_sigma(i)},
-                      {"offset_probability", found.offset_probability(i)}});
+                      {"offset_probability", found.offset_probability(i)},
+                      {"compliance", found.compliance(i)},
+                      {"compliance_sigma", found.compliance_sigma(i)},
+                      {"compliance_probability", found.compliance_probability(i)}});
   return {{"joints", joints},
           {"camera_rotation", toJson(found.camera_rotation)},
           {"camera_shift", toJson(found.camera_shift)},
+          {"camera_scale", found.camera_scale},
           {"camera_delay", found.camera_delay},
+          {"change_in_question", found.change_in_question},
           {"camera_moved_probability", found.camera_moved_probability}};
 }
 

@@ -12,14 +12,15 @@ namespace capstan::estimation {
 ///
 /// Observations are gathered in segments. When one closes, the hypothesis that all segments share their
 /// coefficients is weighed against those of one change of one kind before any of the newest segments
-/// (generalised likelihood ratio; Willsky and Jones, IEEE TAC 21, 1976; here with the evidence in place of the
-/// maximum):
+/// (generalised likelihood ratio; Willsky and Jones, IEEE TAC 21, 1976; here with the evidence in place of
+/// the maximum):
 ///
 ///     log p(newest | earlier, change) − log p(newest | earlier, none) > log_odds.
 ///
 /// Then the change is in question: known() stays as it was before, until one kind is likelier than all others
-/// by `lead`, or none is likely after all. After a change of the coefficients by w, w ~ N(0, diag(variance)),
-/// what was known before counts as known of x + w. Units are those of Information. No allocation.
+/// by `lead`, and by a quarter of its own log odds, or none is likely after all. After a change of the
+/// coefficients by w, w ~ N(0, diag(variance)), what was known before counts as known of x + w. Units are
+/// those of Information. No allocation.
 template <int N, int kKinds, int kSegments>
 class ChangeTest {
  public:
@@ -81,6 +82,7 @@ class ChangeTest {
   };
   using Ratios = std::array<double, kKinds>;
   static constexpr std::size_t kNone = kSegments;
+  static constexpr double kDoubt = 0.25;  ///< of log evidence: noise is not known better than this
 
   void dropOldest() {
     earlier_ += segments_[0].information;
@@ -145,7 +147,7 @@ class ChangeTest {
       in_question_ = false;
       return kNoChange;
     }
-    if (weighed[kind] < second + lead_) return kInQuestion;
+    if (weighed[kind] - second < std::max(lead_, kDoubt * weighed[kind])) return kInQuestion;
     in_question_ = false;
     earlier_ = earlier_.released(kinds_[kind]);
     next_weight_ = 1.0;

@@ -5,9 +5,10 @@ namespace capstan::estimation {
 std::string_view adviceOf(NisVerdict verdict) {
   switch (verdict) {
     case NisVerdict::kTooHigh:
-      return "a parameter of the robot file is wrong: see identify and diagnose";
+      return "the filter errs by more than it states, as with a wrong parameter of the robot file or cameras that "
+             "were moved: see identify and diagnose";
     case NisVerdict::kCautious:
-      return "the filter expects more noise than there is, so its standard deviations are too large";
+      return "the filter expects larger errors than there are; its estimate is no worse for that";
     case NisVerdict::kPass:
       break;
   }

@@ -23,8 +23,8 @@ namespace capstan::estimation {
 ///     log p(z | S) = ½ h_Sᵀ (Λ_S + I)⁻¹ h_S − ½ log det(Λ_S + I) + const.
 ///
 /// The estimate is that of one submodel: a coefficient enters it when its inclusion probability exceeds a
-/// stated one, and stays as long as it exceeds ½, as in the median probability model (Barbieri and Berger, Annals
-/// of Statistics 32, 2004). Any other is exactly zero.
+/// stated one, and stays as long as it exceeds ½, as in the median probability model (Barbieri and Berger,
+/// Annals of Statistics 32, 2004). Any other is exactly zero.
 ///
 /// No allocation. Work of one select(): 2 · 2^K Cholesky factors of K × K.
 template <int N, int K>

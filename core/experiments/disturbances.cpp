@@ -27,9 +27,9 @@ Disturbance ofTips(std::string name, From from, std::function<void(Vector3d&)> e
 
 Disturbance shifted(double millimetres, From from) {
   const Vector3d direction = Vector3d(-0.9, -0.4, 0.17).normalized();
-  return ofTips(
-      fmt::format("cameras shifted {} mm {}", millimetres, from == From::kStart ? "throughout" : "at half time"),
-      from, [shift = Vector3d(1e-3 * millimetres * direction)](Vector3d& tip) { tip += shift; });
+  return ofTips(fmt::format("cameras shifted {} mm {}", millimetres,
+                            from == From::kStart ? "throughout" : "at half time"),
+                from, [shift = Vector3d(1e-3 * millimetres * direction)](Vector3d& tip) { tip += shift; });
 }
 
 /// About an axis through a point in front of the arm, as of a tripod that is knocked.
@@ -55,7 +55,8 @@ Disturbance late(double seconds) {
 }
 
 Disturbance slipped(int motor, double radians) {
-  return {fmt::format("motor {} slips {} rad at half time", motor + 1, radians), {},
+  return {fmt::format("motor {} slips {} rad at half time", motor + 1, radians),
+          {},
           [=](Sample& sample, double duration) {
             auto* turned = std::get_if<MotorSample>(&sample);
             if (turned && turned->t >= 0.5 * duration) turned->position(motor) += radians;
@@ -78,11 +79,10 @@ Disturbance stiffness(int joint, double factor) {
 }
 
 Disturbance radius(int joint, double factor) {
-  return {fmt::format("robot file: radius of pulley {} x{}", joint + 1, factor),
-          [=](robot::Description& robot) {
-            robot.drives[static_cast<std::size_t>(joint)].link_radius *= factor;
-          },
-          {}};
+  return {
+      fmt::format("robot file: radius of pulley {} x{}", joint + 1, factor),
+      [=](robot::Description& robot) { robot.drives[static_cast<std::size_t>(joint)].link_radius *= factor; },
+      {}};
 }
 
 Disturbance friction(double factor) {

@@ -17,8 +17,8 @@ struct Disturbance {
   std::function<void(tracking::Sample&, double duration)> samples;  ///< of `duration` [s]; null: as they were
 };
 
-/// Errors that a filter must live with, of a three-joint arm whose cameras see tips: cameras that are moved or
-/// wrong, motors that slip, cable stiffness, friction and pulleys that the robot file has wrong. "None" is
+/// Errors that a filter must live with, of a three-joint arm whose cameras see tips: cameras that are moved
+/// or wrong, motors that slip, cable stiffness, friction and pulleys that the robot file has wrong. "None" is
 /// the first.
 std::vector<Disturbance> disturbances();
 

@@ -60,8 +60,8 @@ struct Believed {
 };
 
 std::vector<FilterComparison> compare(session::Source& source, const std::vector<Believed>& robots,
-                                      const Disturbance& disturbance, FilterComparison about,
-                                      double settled, base::Progress& progress) {
+                                      const Disturbance& disturbance, FilterComparison about, double settled,
+                                      base::Progress& progress) {
   about.disturbance = disturbance.name;
   std::vector<Candidate> candidates;
   for (const Believed& one : robots)
@@ -143,13 +143,13 @@ FilterStudy runFilterStudy(const FilterStudyOptions& options, base::Progress& pr
   for (std::size_t i = 0; i < done.size(); ++i) {
     const std::size_t r = i / disturbed % recordings;
     const double occlusion = options.occlusions[i / disturbed / recordings];
-    jobs.push_back({fmt::format("{} of {}", i + 1, done.size()), 1.0,
-                    [&into = done[i], &options, &disturbance = all[i % disturbed], occlusion, r](
-                        base::Progress& part) {
-                      into = options.recordings.empty()
-                                 ? simulate(options, static_cast<int>(r), occlusion, disturbance, part)
-                                 : replay(options, options.recordings[r], occlusion, disturbance, part);
-                    }});
+    jobs.push_back(
+        {fmt::format("{} of {}", i + 1, done.size()), 1.0,
+         [&into = done[i], &options, &disturbance = all[i % disturbed], occlusion, r](base::Progress& part) {
+           into = options.recordings.empty()
+                      ? simulate(options, static_cast<int>(r), occlusion, disturbance, part)
+                      : replay(options, options.recordings[r], occlusion, disturbance, part);
+         }});
   }
   doAll(jobs, options.threads, {progress});
   FilterStudy study;
@@ -162,7 +162,8 @@ FilterStudy runFilterStudy(const FilterStudyOptions& options, base::Progress& pr
 base::Table comparisonsOf(const FilterStudy& study) {
   base::Table table;
   table.title = "Six-state and augmented filter";
-  table.columns = {{"recording", {}}, {"robot", {}}, {"disturbance", {}}, {"occlusion", "%", 0}, {"joint", {}}};
+  table.columns = {
+      {"recording", {}}, {"robot", {}}, {"disturbance", {}}, {"occlusion", "%", 0}, {"joint", {}}};
   for (const char* name : {"kinematic", "camera", "six-state", "augmented"})
     table.columns.push_back({name, "deg or mm", 4});
   table.columns.push_back({"augmented <= both inputs", {}});
@@ -172,11 +173,11 @@ base::Table comparisonsOf(const FilterStudy& study) {
     for (int joint = 0; joint < 3; ++joint) {
       const bool holds = one.augmented.ukf(joint) <= one.kinematic(joint) &&
                          (std::isnan(one.camera(joint)) || one.augmented.ukf(joint) <= one.camera(joint));
-      table.rows.push_back({one.recording, one.robot, one.disturbance, one.occlusion, fmt::format("q{}", joint + 1),
-                            shown(one.kinematic, joint), shown(one.camera, joint),
-                            shown(one.six_state.ukf, joint), shown(one.augmented.ukf, joint),
-                            holds ? "yes" : "no", one.six_state.nis, one.augmented.nis,
-                            one.augmented.consistent});
+      table.rows.push_back({one.recording, one.robot, one.disturbance, one.occlusion,
+                            fmt::format("q{}", joint + 1), shown(one.kinematic, joint),
+                            shown(one.camera, joint), shown(one.six_state.ukf, joint),
+                            shown(one.augmented.ukf, joint), holds ? "yes" : "no", one.six_state.nis,
+                            one.augmented.nis, one.augmented.consistent});
     }
   table.note =
       "RMS errors against the joint encoders: q1, q2 in degrees, q3 in millimetres; the camera's where the "

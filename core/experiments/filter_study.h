@@ -24,7 +24,7 @@ struct FilterStudyOptions {
   int seeds = 10;                 ///< seed, seed + 1, …
   std::vector<double> occlusions = {0.0};  ///< share of the time that both cameras are blocked, 2 s each [%]
   bool images = true;                      ///< false: tip positions
-  bool disturbed = false;  ///< each session with each of disturbances(), by tip positions
+  bool disturbed = false;                  ///< each session with each of disturbances(), by tip positions
   double settled = 20.0;                   ///< NIS counts from here on [s]
   int threads = 2;                         ///< the result does not depend on it
 };
@@ -41,10 +41,10 @@ struct FilterResult {
 
 /// One recording tracked with one robot.
 struct FilterComparison {
-  std::string recording;   ///< "seed 3", or a file's name
-  std::string robot;       ///< "nominal", "true radii", or the robot's name
+  std::string recording;  ///< "seed 3", or a file's name
+  std::string robot;      ///< "nominal", "true radii", or the robot's name
   std::string disturbance = "none";
-  double occlusion = 0.0;  ///< [%]
+  double occlusion = 0.0;                                                   ///< [%]
   Eigen::Vector3d kinematic = Eigen::Vector3d::Zero(), camera = kinematic;  ///< RMS errors [rad, rad, m]
   FilterResult six_state, augmented;
 };

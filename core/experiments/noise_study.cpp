@@ -17,7 +17,7 @@ std::vector<NoiseVariant> allVariants() {
   const tracking::TrackingOptions sources = tracking::sixState();
   tracking::TrackingOptions constant = sources, pixels = sources, nothing = sources;
   constant.camera_noise = tracking::CameraNoiseKind::kConstant;
-  pixels.registration_turn_sigma = pixels.registration_shift_sigma = pixels.camera_clock_sigma = 0.0;
+  pixels.registration_rotation_sigma = pixels.registration_shift_sigma = pixels.camera_clock_sigma = 0.0;
   nothing.camera_noise = tracking::CameraNoiseKind::kConstant;
   nothing.constant_camera_sigma.setConstant(10.0);
   std::vector<NoiseVariant> all;

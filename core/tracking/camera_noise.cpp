@@ -23,7 +23,7 @@ CameraNoise::CameraNoise(const robot::Description& robot, const TrackingOptions&
 
 Matrix3d CameraNoise::ofRegistration(const Vector3d& tip) const {
   const Vector3d d = tip - hard_stop_;
-  const double turn = options_.registration_turn_sigma, shift = options_.registration_shift_sigma;
+  const double turn = options_.registration_rotation_sigma, shift = options_.registration_shift_sigma;
   return (shift * shift + turn * turn * d.squaredNorm()) * Matrix3d::Identity() -
          turn * turn * d * d.transpose();
 }

@@ -275,8 +275,7 @@ class TrackingPipeline::Impl {
     }
     CableArmModel::State mean = filter_.mean();
     if (slow_ && watch_.unknown() == 0) {
-      const Vector3d error =
-          slow_->stretchError(motors_.kinematic(), Vector3d(mean(0), mean(2), mean(4)));
+      const Vector3d error = slow_->stretchError(motors_.kinematic(), Vector3d(mean(0), mean(2), mean(4)));
       for (int joint = 0; joint < 3; ++joint) mean(2 * joint) += error(joint);
     }
     view_.show(mean, covariance, motors_, watch_, snapshot_);

@@ -18,7 +18,8 @@ void average(const Vector3d& sample, double size, double outlier, int count, Mat
 
 }  // namespace
 
-WhiteNoise::WhiteNoise(int memory, double gap) : memory_(memory == 0 ? 0 : std::max(memory, kEnough)), gap_(gap) {}
+WhiteNoise::WhiteNoise(int memory, double gap)
+    : memory_(memory == 0 ? 0 : std::max(memory, kEnough)), gap_(gap) {}
 
 void WhiteNoise::add(double t, const Vector3d& residual, const Matrix3d& stated) {
   if (memory_ == 0 || !residual.allFinite()) return;

@@ -17,8 +17,8 @@ struct TransmissionEstimate {
   Eigen::Vector3d compliance = Eigen::Vector3d::Zero();  ///< 1 − k_e of the robot file / k_e
   Eigen::Vector3d compliance_sigma = Eigen::Vector3d::Zero();
   Eigen::Vector3d compliance_probability = Eigen::Vector3d::Zero();
-  /// Error of the tip that cameras report: rotation about the tip's position at the hard stop, in frame 0 [rad],
-  /// and shift [m].
+  /// Error of the tip that cameras report: rotation about the tip's position at the hard stop, in frame 0
+  /// [rad], and shift [m].
   Eigen::Vector3d camera_rotation = Eigen::Vector3d::Zero(), camera_shift = Eigen::Vector3d::Zero();
   double camera_scale = 0.0;  ///< and scale about that position, relative (focal length, base line)
   double camera_delay = 0.0;  ///< stamps are later than exposures by this, beyond the option's [s]

@@ -16,10 +16,10 @@ using Prior = Regression::Prior;
 /// How long observations are gathered before they are weighed [s].
 constexpr double kSegment = 1.0, kLongestSegment = 2.0;
 constexpr double kCertain = 0.95;
-constexpr double kFound = 0.999;  ///< probability of a change that was found
-constexpr double kLead = 5.0;     ///< log odds of one kind of change against the others
+constexpr double kFound = 0.999;      ///< probability of a change that was found
+constexpr double kLead = 5.0;         ///< log odds of one kind of change against the others
 constexpr double kLongDelay = 0.015;  ///< one that is taken out of the stamps [s]
-constexpr double kOutlier = 9.0;  ///< NIS over its degrees of freedom counts as no more than this
+constexpr double kOutlier = 9.0;      ///< NIS over its degrees of freedom counts as no more than this
 
 Prior priorOf(const TrackingOptions& options) {
   const Vector3d one = Vector3d::Ones();
@@ -27,10 +27,10 @@ Prior priorOf(const TrackingOptions& options) {
   prior.sigma << options.scale_sigma, options.offset_sigma * one, options.compliance_sigma * one;
   prior.inclusion_probability << options.scale_probability * one, options.offset_probability * one,
       options.compliance_probability * one;
-  const double rotation = std::max(options.registration_turn_sigma, 1e-9);
+  const double rotation = std::max(options.registration_rotation_sigma, 1e-9);
   const double shift = std::max(options.registration_shift_sigma, 1e-9);
   prior.usual_sigma << rotation * one, shift * one, options.camera_scale_sigma, options.camera_delay_sigma;
-  prior.unusual_sigma << std::max(rotation, options.camera_moved_turn_sigma) * one,
+  prior.unusual_sigma << std::max(rotation, options.camera_moved_rotation_sigma) * one,
       std::max(shift, options.camera_moved_shift_sigma) * one,
       std::max(options.camera_scale_sigma, options.camera_moved_scale_sigma), options.camera_delay_sigma;
   prior.unusual_probability = options.camera_moved_probability;
@@ -166,8 +166,7 @@ void TransmissionEstimator::add(const Observation& seen) {
 /// As long as cameras are silent nothing is learned, and nothing is forgotten.
 void TransmissionEstimator::passTime(double t) {
   const double longest = 2.0 * options_.camera_period;
-  if (started_)
-    forgotten_ *= std::exp(-std::clamp(t - newest_, 0.0, longest) / options_.transmission_memory);
+  if (started_) forgotten_ *= std::exp(-std::clamp(t - newest_, 0.0, longest) / options_.transmission_memory);
   newest_ = started_ ? std::max(newest_, t) : t;
   started_ = true;
 }
@@ -212,8 +211,7 @@ void TransmissionEstimator::select() {
   const Eigen::LLT<Regression::Matrix> root(widest);
   const auto& sigma = regression_.sigma();
   widest_mean_ = sigma.cwiseProduct(root.solve(known.score));
-  widest_covariance_ =
-      sigma.asDiagonal() * root.solve(Regression::Matrix::Identity()) * sigma.asDiagonal();
+  widest_covariance_ = sigma.asDiagonal() * root.solve(Regression::Matrix::Identity()) * sigma.asDiagonal();
   publish();
 }
 

@@ -126,8 +126,8 @@ class TransmissionEstimator {
   estimation::ChangeTest<kStates, kKinds, kSegments> changes_;
   Information segment_;  ///< since the last one closed
   WhiteNoise white_;
-  Regression::Matrix covariance_;       ///< of all states, aged
-  Regression::Vector widest_mean_;      ///< with every coefficient present
+  Regression::Matrix covariance_;   ///< of all states, aged
+  Regression::Vector widest_mean_;  ///< with every coefficient present
   Regression::Matrix widest_covariance_;
   double misfit_ = 1.0;  ///< running mean of NIS over its degrees of freedom, every coefficient present
   StatedShare share_;    ///< of the covariance of coefficients and cables

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/base/units.h"
 
 namespace capstan::tracking {
@@ -14,7 +17,24 @@ std::string signedText(double value, int digits) {
   return text.front() == '-' ? "−" + text.substr(1) : text;
 }
 
-bool camerasMoved(const TransmissionEstimate& found) { return found.camera_moved_probability > 0.5; }
+/// Shorter delays are those of any exposure.
+constexpr double kDelayOfNote = 0.015;  // [s]
+constexpr double kScaleOfNote = 0.01;
+
+/// k_e of the cable by that of the robot file.
+double stiffnessRatio(const TransmissionEstimate& found, int joint) {
+  return 1.0 / std::max(1.0 - found.compliance(joint), 1e-3);
+}
+
+std::string camerasText(const TransmissionEstimate& found) {
+  std::string text = fmt::format("cameras moved since their registration: {:.2f}°, {:.1f} mm",
+                                 base::toDegrees(found.camera_rotation.norm()),
+                                 base::toMillimetres(found.camera_shift.norm()));
+  if (std::abs(found.camera_scale) > kScaleOfNote)
+    text +=
+        fmt::format(", scale {} % (base line or focal length)", signedText(100.0 * found.camera_scale, 1));
+  return text;
+}
 
 }  // namespace
 
@@ -29,10 +49,16 @@ std::vector<std::string> linesOf(const TransmissionEstimate& found) {
                                   signedText(base::toMillimetres(found.offset(i)), 2),
                                   base::toMillimetres(found.offset_sigma(i))));
   }
-  if (camerasMoved(found))
-    lines.push_back(fmt::format("cameras moved since their registration: {:.2f}°, {:.1f} mm",
-                                base::toDegrees(found.camera_rotation.norm()),
-                                base::toMillimetres(found.camera_shift.norm())));
+  for (int i = 0; i < 3; ++i)
+    if (found.includesCompliance(i))
+      lines.push_back(fmt::format("joint {}: cable stiffness {:.2g} times that of the robot file", i + 1,
+                                  stiffnessRatio(found, i)));
+  if (found.camerasMoved()) lines.push_back(camerasText(found));
+  if (std::abs(found.camera_delay) > kDelayOfNote)
+    lines.push_back(fmt::format("camera stamps {:.0f} ms {}", 1e3 * std::abs(found.camera_delay),
+                                found.camera_delay > 0.0 ? "late" : "early"));
+  if (found.change_in_question)
+    lines.emplace_back("cameras and motors no longer agree: cameras were moved, or an encoder slipped");
   return lines;
 }
 
@@ -45,7 +71,14 @@ std::string shortTextOf(const TransmissionEstimate& found) {
       parts.push_back(
           fmt::format("q{} zero {} mm", i + 1, signedText(base::toMillimetres(found.offset(i)), 1)));
   }
-  if (camerasMoved(found)) parts.emplace_back("cameras moved");
+  for (int i = 0; i < 3; ++i)
+    if (found.includesCompliance(i))
+      parts.push_back(fmt::format("q{} stiffness ×{:.2g}", i + 1, stiffnessRatio(found, i)));
+  if (found.camerasMoved()) parts.emplace_back("cameras moved");
+  if (std::abs(found.camera_delay) > kDelayOfNote)
+    parts.push_back(fmt::format("stamps {:.0f} ms {}", 1e3 * std::abs(found.camera_delay),
+                                found.camera_delay > 0.0 ? "late" : "early"));
+  if (found.change_in_question) parts.emplace_back("cameras or encoders changed");
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 

@@ -8,8 +8,9 @@
 namespace capstan::tracking {
 
 /// What the augmented filter includes, a line an error, for people: "joint 1: cable travel +6.97 ± 0.10 % of
-/// nominal (pulley radius)", "joint 3: cable zero −2.06 ± 0.09 mm off (homing)", "cameras moved since their
-/// registration: 0.62°, 12.1 mm". Empty: nothing is included.
+/// nominal (pulley radius)", "joint 3: cable zero −2.06 ± 0.09 mm off (homing)", "joint 2: cable stiffness
+/// 0.4 times that of the robot file", "cameras moved since their registration: 0.62°, 12.1 mm", "camera
+/// stamps 60 ms late", and that a change is in question. Empty: nothing is included.
 std::vector<std::string> linesOf(const TransmissionEstimate& found);
 
 /// The same in few words, for a line of status: "q1 travel +7.0 %, q3 zero −2.1 mm".

@@ -177,7 +177,7 @@ TEST_P(FilterGainWithClock, FollowsCamerasThatTheRobotSaysAreOff) {
   FilterRobots robots = threeTimes(plain().robot);
   robots.extended.effects.push_back({"camera_latency", 0, {{"delay", delay}}});
   FilterGainOptions trusting;  // of cameras: else stiff cables say all
-  trusting.tracking.registration_turn_sigma = trusting.tracking.registration_shift_sigma = 0.0;
+  trusting.tracking.registration_rotation_sigma = trusting.tracking.registration_shift_sigma = 0.0;
   trusting.tracking.camera_clock_sigma = 0.0;
   trusting.tracking.tip_sigma.setConstant(5e-4);
   const FilterGainReport punctual = filterGain({evidence}, threeTimes(plain().robot), trusting),

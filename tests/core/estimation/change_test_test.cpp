@@ -15,12 +15,12 @@ namespace {
 using Vector = Eigen::Vector3d;
 using Row = Eigen::RowVector3d;
 using Scalar = Eigen::Matrix<double, 1, 1>;
-using Test = ChangeTest<3, 2, 8>;
+using Changes = ChangeTest<3, 2, 8>;
 
 constexpr double kSigma = 0.5;
 
 /// Of a change of coefficient 0 alone, and of coefficients 1 and 2.
-const Test::Kinds kKinds = {Vector(1.0, 0.0, 0.0), Vector(0.0, 1.0, 1.0)};
+const Changes::Kinds kKinds = {Vector(1.0, 0.0, 0.0), Vector(0.0, 1.0, 1.0)};
 
 Information<3> segment(base::Random& random, const Vector& x, int count) {
   Information<3> information;
@@ -63,7 +63,7 @@ TEST(ChangeTest, FindsNoChangeWhereThereIsNone) {
   int changes = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     base::Random random(seed, "steady");
-    Test test(Vector::Ones(), kKinds, 9.0, 5.0);
+    Changes test(Vector::Ones(), kKinds, 9.0, 5.0);
     for (int i = 0; i < 50; ++i) changes += test.close(segment(random, {0.3, -0.7, 0.2}, 15), 1.0) != -1;
   }
   EXPECT_EQ(changes, 0);
@@ -72,11 +72,11 @@ TEST(ChangeTest, FindsNoChangeWhereThereIsNone) {
 TEST(ChangeTest, NamesTheKindAndKeepsWhatDidNotChange) {
   for (int kind = 0; kind < 2; ++kind) {
     base::Random random(7, "step");
-    Test test(Vector::Ones(), kKinds, 9.0, 5.0);
+    Changes test(Vector::Ones(), kKinds, 9.0, 5.0);
     const Vector before(0.3, -0.7, 0.2);
     const Vector after = before + (kind == 0 ? Vector(1.0, 0.0, 0.0) : Vector(0.0, 0.6, -0.8));
-    for (int i = 0; i < 30; ++i) EXPECT_EQ(test.close(segment(random, before, 15), 1.0), Test::kNoChange);
-    int found = Test::kNoChange, when = 0;
+    for (int i = 0; i < 30; ++i) EXPECT_EQ(test.close(segment(random, before, 15), 1.0), Changes::kNoChange);
+    int found = Changes::kNoChange, when = 0;
     for (; when < 10 && found < 0; ++when) found = test.close(segment(random, after, 15), 1.0);
     EXPECT_EQ(found, kind);
     EXPECT_LE(when, 3);
@@ -90,7 +90,7 @@ TEST(ChangeTest, NamesTheKindAndKeepsWhatDidNotChange) {
 /// Both kinds explain the change alike as long as the rows are those of one direction.
 TEST(ChangeTest, AChangeOfAKindThatNobodyCanTellIsInQuestionAndLeavesWhatWasKnown) {
   base::Random random(9, "alike");
-  Test test(Vector::Ones(), kKinds, 9.0, 5.0);
+  Changes test(Vector::Ones(), kKinds, 9.0, 5.0);
   for (int i = 0; i < 20; ++i) test.close(segment(random, {0.3, -0.7, 0.2}, 15), 1.0);
   const Vector known = estimateOf(test.known());
   int verdict = 0;
@@ -103,7 +103,7 @@ TEST(ChangeTest, AChangeOfAKindThatNobodyCanTellIsInQuestionAndLeavesWhatWasKnow
     }
     verdict = test.close(one, 1.0);
   }
-  EXPECT_EQ(verdict, Test::kInQuestion);
+  EXPECT_EQ(verdict, Changes::kInQuestion);
   EXPECT_TRUE(test.inQuestion());
   EXPECT_LT((estimateOf(test.known()) - known).norm(), 0.05);
   for (int i = 0; i < 6 && verdict < 0; ++i) verdict = test.close(segment(random, {1.3, -0.7, 0.2}, 15), 1.0);
@@ -112,7 +112,7 @@ TEST(ChangeTest, AChangeOfAKindThatNobodyCanTellIsInQuestionAndLeavesWhatWasKnow
 
 TEST(ChangeTest, DoesNotAllocate) {
   base::Random random(5, "none");
-  Test test(Vector::Ones(), kKinds, 9.0, 5.0);
+  Changes test(Vector::Ones(), kKinds, 9.0, 5.0);
   const std::size_t before = test::allocations();
   for (int i = 0; i < 40; ++i) {
     test.forget(0.99);

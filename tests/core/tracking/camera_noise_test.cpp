@@ -71,7 +71,7 @@ TEST(PixelNoise, WithoutMemoryTheStatedSigmaIsBelieved) {
 /// its shift, through the exact inverse kinematics.
 TEST(CameraNoise, IsTheSpreadOfJointsOverDrawnErrors) {
   TrackingOptions options;
-  options.registration_turn_sigma = 2e-3;
+  options.registration_rotation_sigma = 2e-3;
   options.registration_shift_sigma = 2e-4;
   options.camera_clock_sigma = 1e-3;
   const CameraNoise noise(raven(), options);
@@ -86,7 +86,7 @@ TEST(CameraNoise, IsTheSpreadOfJointsOverDrawnErrors) {
   constexpr int kDraws = 20000;
   Matrix3d spread = Matrix3d::Zero();
   for (int i = 0; i < kDraws; ++i) {
-    const Vector3d turn = options.registration_turn_sigma * draw();
+    const Vector3d turn = options.registration_rotation_sigma * draw();
     const Eigen::AngleAxisd mounting(turn.norm(), turn.normalized());
     const Vector3d seen =
         hard_stop + mounting * (tip - hard_stop) + options.registration_shift_sigma * draw() + root * draw();
@@ -107,7 +107,7 @@ TEST(CameraNoise, IsTheSpreadOfJointsOverDrawnErrors) {
 
 TEST(CameraNoise, ATipOfAnotherSystemHasItsStatedSigma) {
   TrackingOptions options;
-  options.registration_turn_sigma = options.registration_shift_sigma = 0.0;
+  options.registration_rotation_sigma = options.registration_shift_sigma = 0.0;
   options.tip_sigma = Vector3d(1e-3, 2e-3, 3e-3);
   const Matrix3d covariance = CameraNoise(raven(), options).ofTip(Vector3d(0.1, 0.0, 0.1));
   EXPECT_LT((covariance - Matrix3d(Vector3d(1e-6, 4e-6, 9e-6).asDiagonal())).norm(), 1e-15);

@@ -8,9 +8,7 @@
 #include "core/simulation/truth.h"
 #include "tests/core/tracking/pipeline_scene.h"
 
-namespace capstan::test {
-
-using namespace tracking;
+namespace capstan::tracking::test {
 
 /// A block transfer of the default robot: joint 1 turns on a pulley of 59 mm where the robot file
 /// says 63.095.
@@ -48,7 +46,7 @@ struct Tracked {
 
 /// Errors count from the time `from` on [s].
 inline Tracked tracked(const Session& session, const robot::Description& robot, FilterKind filter,
-                double from = 0.0) {
+                       double from = 0.0) {
   session::SourceInfo info = session.info;
   info.robot = robot;
   TrackingOptions options;
@@ -80,4 +78,4 @@ inline Session withMovedCamera(Session session, const Eigen::Vector3d& shift) {
   return session;
 }
 
-}  // namespace capstan::test
+}  // namespace capstan::tracking::test

@@ -108,11 +108,14 @@ TEST(TransmissionChanges, AfterTheClockIsSetBackLearningGoesOn) {
   for (const bool again : {false, true}) {
     ListSource source(session.samples);
     trackAll(source, pipeline, nullptr, 0.0, [&](const Sample&, const Snapshot& s) {
-      if (again && s.t > 1.0 && s.t < 1.1 && s.motor_updated)
+      if (again && s.t > 1.0 && s.t < 1.1 && s.motor_updated) {
         EXPECT_NEAR(s.transmission.scale(0), first(0), 1e-3) << "what was learned stays";
+      }
     });
     const TransmissionEstimate& found = pipeline.snapshot().transmission;
-    if (again) EXPECT_LT(found.scale_sigma(0), sigma) << "and more is learned";
+    if (again) {
+      EXPECT_LT(found.scale_sigma(0), sigma) << "and more is learned";
+    }
     first = found.scale;
     sigma = found.scale_sigma(0);
   }
