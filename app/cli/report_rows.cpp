@@ -47,15 +47,14 @@ std::string comparison(const TrackReport& report, bool own_kinematics) {
     return "The recording holds no joint encoders: there are no errors to compare.";
   std::vector<std::string> worse;
   for (int joint = 0; joint < 3; ++joint) {
-    const double kinematic = forPeople(report.errors.kinematic(), joint);
-    const double camera = forPeople(report.errors.camera(), joint);
-    const double ukf = forPeople(report.errors.ukf(), joint);
-    const bool by_camera = camera < kinematic;  // false without a camera
-    const double better = by_camera ? camera : kinematic;
-    if (ukf > better)
-      worse.push_back(fmt::format("q{} ({:.3f} {}, {} {:.3f})", joint + 1, ukf,
-                                  kUnits[static_cast<std::size_t>(joint)],
-                                  by_camera ? "the camera alone" : "kinematics alone", better));
+    const auto compare = [&](const tracking::JointRms& ukf, const tracking::JointRms& input,
+                             const char* name) {
+      if (forPeople(ukf, joint) > forPeople(input, joint))  // false without an input
+        worse.push_back(fmt::format("q{} ({:.3f} {}, {} {:.3f})", joint + 1, forPeople(ukf, joint),
+                                    kUnits[static_cast<std::size_t>(joint)], name, forPeople(input, joint)));
+    };
+    compare(report.errors.ukf(), report.errors.kinematic(), "kinematics alone");
+    compare(report.errors.ukfSeen(), report.errors.camera(), "the camera alone where it saw the tip");
   }
   return worse.empty()
              ? fmt::format("The filter is better than {} on every joint.",
@@ -73,13 +72,12 @@ std::string nisSentence(const TrackReport& report) {
   return text + (advice.empty() ? "." : ", " + advice + ".");
 }
 
-/// What the augmented filter carries on its own; empty: nothing.
+/// What the augmented filter found beside the joints, and what to do; empty: nothing.
 std::string carriedSentence(const TrackReport& report) {
   const std::vector<std::string> lines = tracking::linesOf(report.transmission);
   if (lines.empty()) return {};
-  return fmt::format(
-      " The filter carries a slow error that the camera shows ({}): a constant of the robot file is wrong.",
-      fmt::join(lines, "; "));
+  return fmt::format(" The filter found with the camera: {}. {}", fmt::join(lines, "; "),
+                     fmt::join(tracking::remediesOf(report.transmission), " "));
 }
 
 /// As the window's calibration has them: as many decimals as σ has meaning.

@@ -32,6 +32,7 @@ struct FilterStudyOptions {
 /// One filter on one recording.
 struct FilterResult {
   Eigen::Vector3d ukf = Eigen::Vector3d::Zero();  ///< RMS error [rad, rad, m]
+  Eigen::Vector3d seen = ukf;                     ///< the same where the camera was accepted
   double nis = 0.0;  ///< mean over 3 degrees of freedom of accepted camera samples, once settled
   double consistent =
       0.0;            ///< share of camera samples whose running mean of NIS lies in its 95 % band, settled

@@ -331,6 +331,12 @@ Table boxplotTable(const Results& results) {
   return table;
 }
 
+/// Experiments track with the six-state filter and with the augmented one; a recording that is analysed was
+/// tracked with one filter, which its options name.
+bool ranBothFilters(const TrialResult& trial) {
+  return trial.reference && trial.rms_augmented.allFinite();
+}
+
 Table filterTable(const Results& results) {
   Table table;
   table.title = nameOf(results) + ": six-state and augmented filter";
@@ -341,7 +347,7 @@ Table filterTable(const Results& results) {
                    {"UKF, six states", ""},
                    {"UKF, augmented", ""}};
   for (const TrialResult& trial : results.trials) {
-    if (!trial.reference) continue;
+    if (!ranBothFilters(trial)) continue;
     for (int joint = 0; joint < 3; ++joint)
       table.rows.push_back({trial.name, jointName(joint), rmsForPeople(trial, Estimator::kKinematic, joint),
                             rmsForPeople(trial, Estimator::kCamera, joint),
@@ -356,10 +362,12 @@ Table filterTable(const Results& results) {
 
 std::vector<NamedTable> tablesOf(const Results& results, const Published* published) {
   if (results.work == Work::kIdentify) return {{"parameters", parameterTable(results, published)}};
-  return {{"trials", trialTable(results, published)},
-          {"means", meanTable(results, published)},
-          {"filters", filterTable(results)},
-          {"boxplot", boxplotTable(results)}};
+  std::vector<NamedTable> tables = {{"trials", trialTable(results, published)},
+                                    {"means", meanTable(results, published)}};
+  if (std::any_of(results.trials.begin(), results.trials.end(), ranBothFilters))
+    tables.push_back({"filters", filterTable(results)});
+  tables.push_back({"boxplot", boxplotTable(results)});
+  return tables;
 }
 
 void writeTables(const std::vector<NamedTable>& tables, const std::filesystem::path& folder) {

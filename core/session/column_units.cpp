@@ -113,6 +113,11 @@ std::string formatReadAs(const ReadAs& read_as) {
   return text;
 }
 
+ReadAs overlaid(ReadAs earlier, const ReadAs& later) {
+  for (const auto& [name, unit] : later.units) earlier.units[name] = unit;
+  return earlier;
+}
+
 void readColumnsAs(MeasuredTable& table, const robot::Description& robot, const ReadAs& read_as) {
   std::map<std::string, bool, std::less<>> met;
   for (const auto& [name, unit] : read_as.units) met[name] = name == "t";

@@ -43,6 +43,9 @@ struct ReadAs {
 ReadAs parseReadAs(std::string_view text, const std::string& option);
 std::string formatReadAs(const ReadAs& read_as);
 
+/// `earlier`, with what `later` says of the same names in place of it.
+ReadAs overlaid(ReadAs earlier, const ReadAs& later);
+
 /// A quantity of the table whose unit can be mistaken.
 struct UnitQuantity {
   std::string_view name;

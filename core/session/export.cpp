@@ -246,7 +246,10 @@ void importRecording(Source& source, const std::filesystem::path& session, const
     }
   } catch (const SqliteError& error) {
     const bool kept = on_full_disk == OnFullDisk::kKeep && !former && committed.rows > 0;
-    if (kept) part.commit();
+    if (kept) {
+      foldLog(part.target());
+      part.commit();
+    }
     throw stopped(session, error, committed, kept, former);
   }
   if (progress && progress->cancelled()) return;

@@ -124,12 +124,27 @@ class Inspection {
       joints();
     }
     tip();
+    for (UnitFinding& found : findings_) found.units = unitsOf(found);
     return std::move(findings_);
   }
 
  private:
+  /// Of a sliding joint degrees too: some tables convert all joints alike.
+  std::vector<ColumnUnit> unitsOf(const UnitFinding& found) const {
+    using enum ColumnUnit;
+    if (found.quantity == "q") {
+      const std::size_t joint = std::stoul(found.column.substr(1)) - 1;
+      return turns(joint) ? std::vector{kDegrees} : std::vector{kMillimetres, kDegrees};
+    }
+    for (const UnitQuantity& quantity : unitQuantities())
+      if (quantity.name == found.quantity) return quantity.units;
+    return {};
+  }
+  bool turns(std::size_t joint) const { return robot_.joints[joint].type == robot::JointType::kRevolute; }
+
   UnitFinding finding(std::string_view quantity, std::size_t i, const Range& span) const {
-    return {fmt::format("{}{}", quantity, i + 1), std::string(quantity), span.low, span.high, true, {}, {}};
+    return {
+        fmt::format("{}{}", quantity, i + 1), std::string(quantity), span.low, span.high, true, {}, {}, {}};
   }
 
   /// A column outside its bounds, as a finding.
@@ -180,7 +195,7 @@ class Inspection {
     if (table_.rows() < kFewestRows || !(period > 1.0 / kSlowestRate)) return;
     const MotorSpeeds speeds(table_, 1.0, 1.0);
     if (speeds.any() && speeds.agree()) return;
-    UnitFinding found{"t", "t", table_.t.front(), table_.t.back(), true, {}, {}};
+    UnitFinding found{"t", "t", table_.t.front(), table_.t.back(), true, {}, {}, {}};
     found.text =
         fmt::format("has rows every {:.4g}: as seconds that is slower than any motor is read", period);
     for (const ColumnUnit unit :
@@ -243,7 +258,6 @@ class Inspection {
   }
 
   void joints() {
-    const auto turns = [&](std::size_t i) { return robot_.joints[i].type == robot::JointType::kRevolute; };
     const auto find = [&](std::size_t i) {
       const robot::Joint& joint = robot_.joints[i];
       const Range limits{joint.limit_low, joint.limit_high};
@@ -253,7 +267,7 @@ class Inspection {
       return outside("q", i, table_.q[i], bounds,
                      turns(i) ? std::vector{kDegrees} : std::vector{kMillimetres, kDegrees});
     };
-    addQuantity("q", table_.q, find, turns);
+    addQuantity("q", table_.q, find, [this](std::size_t i) { return turns(i); });
   }
 
   void tip() {

@@ -18,6 +18,7 @@ struct UnitFinding {
   double high = 0.0;               ///<
   bool implausible = true;         ///< false: plausible by itself
   std::optional<ColumnUnit> unit;  ///< that makes it plausible; none: no unit does
+  std::vector<ColumnUnit> units;   ///< that such a column may have besides SI
   std::string text;                ///< what was found, a sentence without the column's name
 };
 

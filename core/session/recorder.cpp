@@ -39,9 +39,13 @@ std::string adviceFor(const SqliteError& error) {
   }
 }
 
+DiskSpace spaceOf(const std::filesystem::path& path, const RecorderOptions& options) {
+  return options.disk_space(std::filesystem::absolute(path).parent_path());
+}
+
 /// Refuses a disk that has only its reserve left.
 std::uint64_t checkedReserve(const std::filesystem::path& path, const RecorderOptions& options) {
-  const DiskSpace space = diskSpaceAt(std::filesystem::absolute(path).parent_path());
+  const DiskSpace space = spaceOf(path, options);
   const std::uint64_t reserve = options.min_free_bytes.value_or(space.reserve);
   if (space.size > 0 && space.free < reserve)
     throw base::InputError({path.string(),
@@ -57,7 +61,7 @@ std::uint64_t checkedReserve(const std::filesystem::path& path, const RecorderOp
 /// On a small disk the log must not take what the file needs.
 std::uint64_t logThreshold(const std::filesystem::path& path, const RecorderOptions& options) {
   constexpr std::uint64_t kShare = 32, kLeast = 1U << 20;
-  const DiskSpace space = diskSpaceAt(std::filesystem::absolute(path).parent_path());
+  const DiskSpace space = spaceOf(path, options);
   if (space.size == 0) return options.checkpoint_bytes;
   return std::min(options.checkpoint_bytes, std::max(kLeast, space.size / kShare));
 }
@@ -87,7 +91,7 @@ class Recorder::Impl {
       writer_.database().run(fmt::format("PRAGMA max_page_count = {}", options.max_bytes / page));
     }
     checkpointer_.watch(writer_.database());
-    stats_.free_bytes = space().free;
+    takeSpace(space());
     stats_.reserve_bytes = reserve_;
     thread_ = std::thread([this] { write(); });
   }
@@ -154,8 +158,8 @@ class Recorder::Impl {
   bool hand(Record& slot) {
     slot.seq = seq_.fetch_add(1, std::memory_order_relaxed);
     slot.offered = Clock::now();
+    queued_.fetch_add(1, std::memory_order_relaxed);  // first: what is written was queued before
     records_.push();
-    queued_.fetch_add(1, std::memory_order_relaxed);
     return true;
   }
 
@@ -287,16 +291,17 @@ class Recorder::Impl {
 
   void lookAtDisk() {
     std::error_code fault;
-    const std::uint64_t free = space().free;
+    const DiskSpace now = space();
     if (!std::filesystem::exists(path_, fault))
       return fail("the file was removed, or its folder is gone",
                   "What was recorded is lost. Check the folder and start a new recording", Clock::now());
-    if (free < reserve_) return stopAtReserve();
+    const bool known = now.size > 0;
+    if (known && now.free < reserve_) return stopAtReserve();
     const std::lock_guard lock(mutex_);
-    stats_.free_bytes = free;
+    takeSpace(now);
     growth_.add(Clock::now(), writer_.fileBytes());
-    if (growth_.bytesPerSecond() > 0.0)
-      stats_.time_left = static_cast<double>(free - reserve_) / growth_.bytesPerSecond();
+    if (known && growth_.bytesPerSecond() > 0.0)
+      stats_.time_left = static_cast<double>(now.free - reserve_) / growth_.bytesPerSecond();
   }
 
   /// The reserve takes what is queued.
@@ -322,9 +327,10 @@ class Recorder::Impl {
     }
     {
       const std::lock_guard lock(mutex_);
-      stats_.lost = queued_.load(std::memory_order_relaxed) - stats_.written;
+      const std::uint64_t queued = queued_.load(std::memory_order_relaxed);
+      stats_.lost = queued - std::min(queued, stats_.written);
       stats_.lost_time = stats_.lost > 0 ? lost_time : 0.0;
-      stats_.free_bytes = space().free;
+      takeSpace(space());
     }
     std::error_code fault;
     if (!std::filesystem::exists(path_, fault)) return report(fmt::format("{}. {}", reason, advice));
@@ -349,7 +355,11 @@ class Recorder::Impl {
     stats_.error = path_.string() + ": " + std::move(fault);
   }
 
-  DiskSpace space() const { return diskSpaceAt(std::filesystem::absolute(path_).parent_path()); }
+  DiskSpace space() const { return spaceOf(path_, options_); }
+  void takeSpace(const DiskSpace& space) {
+    stats_.free_bytes = space.free;
+    stats_.free_known = space.size > 0;
+  }
 
   const std::filesystem::path path_;
   const RecorderOptions options_;

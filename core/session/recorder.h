@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "core/session/disk_space.h"
 #include "core/session/session_file.h"
 #include "core/tracking/sample.h"
 #include "core/tracking/snapshot.h"
@@ -25,6 +26,8 @@ struct RecorderOptions {
   std::uint64_t max_bytes = 0;  ///< largest file; 0: what the disk holds
   /// Recording stops before the disk has less than this; none: DiskSpace::reserve of the disk.
   std::optional<std::uint64_t> min_free_bytes;
+  /// Asked for the disk of the file; a test may answer for it.
+  std::function<DiskSpace(const std::filesystem::path& folder)> disk_space = diskSpaceAt;
   std::function<void()>
       before_commit;  ///< runs on the writer's thread before each commit; tests stall it here
 };
@@ -43,6 +46,7 @@ struct RecorderStats {
   std::uint64_t lost = 0;            ///< taken and not in the file: the fault came before their commit
   double lost_time = 0.0;            ///< age of the oldest of these at the fault [s]
   std::uint64_t free_bytes = 0;      ///< on the disk of the file
+  bool free_known = false;           ///< the system says how much that is
   std::uint64_t reserve_bytes = 0;   ///< recording stops before less is free
   double time_left = 0.0;            ///< until then at the present rate [s]; 0: not known yet
   std::uint64_t log_bytes = 0;       ///< write-ahead log not yet in the main file

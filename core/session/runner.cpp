@@ -155,6 +155,8 @@ class Runner::Impl {
     post([this] { recording_.end(); });
   }
 
+  std::shared_ptr<const Recorder> recorder() const { return recording_.newest(); }
+
   RunStatus status() const {
     RunStatus status;
     {
@@ -386,6 +388,7 @@ void Runner::startRecording(const std::filesystem::path& path, SessionHeader hea
   impl_->startRecording(path, std::move(header), options);
 }
 void Runner::stopRecording() { impl_->stopRecording(); }
+std::shared_ptr<const Recorder> Runner::recorder() const { return impl_->recorder(); }
 RunStatus Runner::status() const { return impl_->status(); }
 tracking::TrackReport Runner::report() const { return impl_->report(); }
 bool Runner::takeSnapshot(tracking::Snapshot& out) { return impl_->publisher().takeSnapshot(out); }

@@ -93,6 +93,8 @@ class Runner {
   void startRecording(const std::filesystem::path& path, SessionHeader header,
                       const RecorderOptions& options = {});
   void stopRecording();  ///< the file is closed in the background
+  /// The present recorder or the last one, closed once this runner is gone; null: none yet.
+  std::shared_ptr<const Recorder> recorder() const;
 
   RunStatus status() const;
   /// Over every step since the start or resetErrors(); at most 0.1 s old.

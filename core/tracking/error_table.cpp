@@ -13,6 +13,7 @@ void ErrorTable::add(const Snapshot& snapshot) {
   if (snapshot.reference_paired) {
     kinematic_.add(snapshot.q_link_kin - snapshot.q_link_true);
     ukf_.add(snapshot.q_link_ukf - snapshot.q_link_true);
+    if (snapshot.gate == Gate::kOpen) ukf_seen_.add(snapshot.q_link_ukf - snapshot.q_link_true);
   }
   if (snapshot.camera_updated && snapshot.gate == Gate::kOpen)
     camera_.add(snapshot.q_link_cam - snapshot.q_link_true_cam);

@@ -20,12 +20,14 @@ class ErrorTable {
   const JointRms& kinematic() const { return kinematic_; }
   const JointRms& camera() const { return camera_; }
   const JointRms& ukf() const { return ukf_; }
+  /// The UKF's where the filter accepted the newest camera sample: to be compared with camera().
+  const JointRms& ukfSeen() const { return ukf_seen_; }
 
   /// For people: RMS in deg, deg, mm; one row a joint, columns kinematic, camera, UKF.
   std::string text() const;
 
  private:
-  JointRms kinematic_, camera_, ukf_;
+  JointRms kinematic_, camera_, ukf_, ukf_seen_;
 };
 
 }  // namespace capstan::tracking

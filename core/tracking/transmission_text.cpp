@@ -26,6 +26,8 @@ double stiffnessRatio(const TransmissionEstimate& found, int joint) {
   return 1.0 / std::max(1.0 - found.compliance(joint), 1e-3);
 }
 
+bool delayed(const TransmissionEstimate& found) { return std::abs(found.camera_delay) > kDelayOfNote; }
+
 std::string camerasText(const TransmissionEstimate& found) {
   std::string text = fmt::format("cameras moved since their registration: {:.2f}°, {:.1f} mm",
                                  base::toDegrees(found.camera_rotation.norm()),
@@ -54,12 +56,33 @@ std::vector<std::string> linesOf(const TransmissionEstimate& found) {
       lines.push_back(fmt::format("joint {}: cable stiffness {:.2g} times that of the robot file", i + 1,
                                   stiffnessRatio(found, i)));
   if (found.camerasMoved()) lines.push_back(camerasText(found));
-  if (std::abs(found.camera_delay) > kDelayOfNote)
+  if (delayed(found))
     lines.push_back(fmt::format("camera stamps {:.0f} ms {}", 1e3 * std::abs(found.camera_delay),
                                 found.camera_delay > 0.0 ? "late" : "early"));
   if (found.change_in_question)
     lines.emplace_back("cameras and motors no longer agree: cameras were moved, or an encoder slipped");
   return lines;
+}
+
+std::vector<std::string> remediesOf(const TransmissionEstimate& found) {
+  bool constant = false, zero = false;
+  for (int i = 0; i < 3; ++i) {
+    constant |= found.includesScale(i) || found.includesCompliance(i);
+    zero |= found.includesOffset(i);
+  }
+  std::vector<std::string> remedies;
+  if (constant) remedies.emplace_back("A constant of the robot file is wrong: identify it.");
+  if (zero)
+    remedies.emplace_back(
+        "A cable's zero is off, as after a wrong homing or an encoder that slipped: home the arm again.");
+  if (found.camerasMoved())
+    remedies.emplace_back("The cameras are not where they were registered: register them again.");
+  if (delayed(found))
+    remedies.emplace_back("The camera's time stamps are off: state the delay in the options (camera_delay).");
+  if (found.change_in_question)
+    remedies.emplace_back(
+        "Register the cameras again or home the arm again, whichever was disturbed; movement shows which.");
+  return remedies;
 }
 
 std::string shortTextOf(const TransmissionEstimate& found) {
@@ -75,7 +98,7 @@ std::string shortTextOf(const TransmissionEstimate& found) {
     if (found.includesCompliance(i))
       parts.push_back(fmt::format("q{} stiffness ×{:.2g}", i + 1, stiffnessRatio(found, i)));
   if (found.camerasMoved()) parts.emplace_back("cameras moved");
-  if (std::abs(found.camera_delay) > kDelayOfNote)
+  if (delayed(found))
     parts.push_back(fmt::format("stamps {:.0f} ms {}", 1e3 * std::abs(found.camera_delay),
                                 found.camera_delay > 0.0 ? "late" : "early"));
   if (found.change_in_question) parts.emplace_back("cameras or encoders changed");

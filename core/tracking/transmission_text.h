@@ -13,7 +13,12 @@ namespace capstan::tracking {
 /// stamps 60 ms late", and that a change is in question. Empty: nothing is included.
 std::vector<std::string> linesOf(const TransmissionEstimate& found);
 
-/// The same in few words, for a line of status: "q1 travel +7.0 %, q3 zero −2.1 mm".
+/// What follows from it and what to do, a sentence a kind of error: "A constant of the robot file is wrong:
+/// identify it.", "The cameras are not where they were registered: register them again." Empty: nothing is
+/// included.
+std::vector<std::string> remediesOf(const TransmissionEstimate& found);
+
+/// linesOf() in few words, for a line of status: "q1 travel +7.0 %, q3 zero −2.1 mm".
 std::string shortTextOf(const TransmissionEstimate& found);
 
 }  // namespace capstan::tracking

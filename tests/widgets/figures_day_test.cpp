@@ -119,11 +119,45 @@ TEST_F(JointFigureOfADay, ScrolledBackByThirteenMinutesEveryCurveIsThere) {
     last = t;
   }
   EXPECT_GT(lines.size(), 1000) << "the numbers of what is drawn";
+  // Cameras are slower than motors: of this time every measurement is still there.
+  constexpr int kCamera = 3;
+  const auto seen = std::count_if(lines.begin() + 1, lines.end(), [](const QString& line) {
+    return line.endsWith(",,") && !line.section(',', kCamera, kCamera).isEmpty();
+  });
+  long measured = 0;
+  for (std::size_t i = 0; i < history_->camera().size(); ++i)
+    measured += history_->camera()[i].t >= 6.0 * 60.0 && history_->camera()[i].t <= 7.5 * 60.0;
+  ASSERT_GT(measured, 2000);
+  EXPECT_EQ(seen, measured);
   const auto kept =
       std::count_if(lines.begin(), lines.end(), [](const QString& line) { return line.endsWith(",lowest"); });
   EXPECT_EQ(std::count_if(lines.begin(), lines.end(),
                           [](const QString& line) { return line.endsWith(",highest"); }),
             kept);
+}
+
+// Where the motors' rows are all there, and where they begin to be blocks, no measurement is lost either.
+TEST_F(JointFigureOfADay, ATableOverTheBeginningOfDetailHoldsEveryMeasurementOnce) {
+  day_.feed(20.0 * 60.0);
+  const double begin = history_->detailBegin() - 20.0, end = history_->detailBegin() + 20.0;
+  QTemporaryDir folder;
+  const std::string table = folder.filePath("edge.csv").toStdString();
+  saveJointTable(*history_, begin, end, table);
+  const QStringList lines = QString::fromStdString(base::readTextFile(table)).trimmed().split('\n');
+  std::vector<double> times;
+  double last = 0.0;
+  for (int i = 1; i < lines.size(); ++i) {
+    const double t = lines[i].section(',', 0, 0).toDouble();
+    ASSERT_GE(t, last) << "the order of time";
+    last = t;
+    if (!lines[i].section(',', 3, 3).isEmpty()) times.push_back(t);
+  }
+  std::vector<double> measured;
+  for (std::size_t i = 0; i < history_->camera().size(); ++i)
+    if (history_->camera()[i].t >= begin && history_->camera()[i].t <= end)
+      measured.push_back(history_->camera()[i].t);
+  ASSERT_EQ(times.size(), measured.size());
+  for (std::size_t i = 0; i < times.size(); ++i) EXPECT_NEAR(times[i], measured[i], 1e-6);
 }
 
 TEST_F(JointFigureOfADay, ADayOfOneKilohertzIsThereWithItsSpikes) {

@@ -13,7 +13,6 @@
 namespace capstan::widgets {
 namespace {
 
-
 QString statusOf(MainWindow& window) { return window.findChild<StatusLine*>()->text(); }
 
 QString pathOf(const SmallDisk& disk) { return QString::fromStdString(disk.path().string()); }
@@ -65,6 +64,27 @@ TEST_F(Shell, ARecordingOntoAFullDiskIsWholeInItsOneFile) {
   ASSERT_TRUE(waitFor([&] { return window->message().contains("whole"); }));
   EXPECT_TRUE(window->message().contains("Free space")) << window->message().toStdString();
   EXPECT_EQ(stateOf(*window), session::RunState::kRunning) << "the session goes on";
+}
+
+// The source changes while it is recorded, onto a disk that is full by then: somebody has to hear of it.
+TEST_F(Shell, TheFaultOfARecordingIsToldAfterItsSessionIsGone) {
+  const SmallDisk disk(64);
+  if (!disk.mounted()) GTEST_SKIP() << disk.why();
+  const auto window = makeWindow();
+  chooseFolder(*window, pathOf(disk));
+  window->open(atRest());
+  ASSERT_TRUE(opened(*window));
+  window->action("record")->trigger();
+  ASSERT_TRUE(waitFor([&] { return window->link().recording(); })) << window->message().toStdString();
+  std::ofstream(disk / "other", std::ios::binary) << std::string(disk.freeBytes(), 'x') << std::flush;
+  auto* const before = window->link().runner();
+  window->open(atRest());
+  ASSERT_TRUE(waitFor([&] { return window->link().runner() != before && !window->link().opening(); }));
+  ASSERT_TRUE(waitFor([&] { return window->message().contains("recording"); })) << "nobody heard of it";
+  EXPECT_TRUE(window->message().contains(".capstan")) << window->message().toStdString();
+  const auto* notes = window->findChild<NotesPanel*>();
+  for (int i = 0; i < notes->rows(); ++i)
+    EXPECT_FALSE(notes->row(i).contains("stopped")) << notes->row(i).toStdString();
 }
 
 TEST_F(Shell, AReadOnlyFolderIsRefusedWhenChosen) {

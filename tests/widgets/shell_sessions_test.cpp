@@ -58,6 +58,9 @@ TEST_F(Shell, ATableInMillimetresAsksBeforeItIsTracked) {
   ASSERT_TRUE(waitFor([&] { return (dialog = window->findChild<UnitsDialog*>("units")) != nullptr; }));
   EXPECT_EQ(window->link().runner(), nullptr) << "nothing is tracked yet";
   EXPECT_EQ(dialog->readAs(), "q3=mm");
+  auto* unit = dialog->findChild<QComboBox*>("q3");
+  ASSERT_TRUE(unit);
+  EXPECT_GE(unit->findText("millimetres", Qt::MatchContains), 0);
 }
 
 TEST_F(Shell, OfTwoChoicesTheNewerIsOpenedUnderItsOwnName) {
@@ -206,6 +209,26 @@ TEST_F(Shell, ATableInDegreesAsksBeforeItIsTracked) {
   ASSERT_TRUE(waitFor([&] { return window->link().runner() != nullptr; }));
   EXPECT_EQ(window->lastSource().read_as, "q_m1=deg,q_m2=deg,q_m3=deg");
   ASSERT_TRUE(waitFor([&] { return window->figure().history().end() > 0.5; }));
+}
+
+// What was said of other columns before is kept.
+TEST_F(Shell, TheDialogOfUnitsKeepsWhatWasSaidBefore) {
+  QFile table(file("both.csv"));
+  ASSERT_TRUE(table.open(QIODevice::WriteOnly));
+  table.write("t,q_m1,q_m2,q_m3,q1,q2,q3\n");
+  for (int row = 0; row < 2000; ++row)
+    table.write(QStringLiteral("%1,4600,-4600,-27500,0.6,1.6,340\n").arg(row * 1e-3).toUtf8());
+  table.close();
+  auto window = makeWindow();
+  SourceChoice choice = SourceChoice::ofFile(table.fileName());
+  choice.read_as = "q_m=deg";
+  window->open(choice);
+  UnitsDialog* dialog = nullptr;
+  ASSERT_TRUE(waitFor([&] { return (dialog = window->findChild<UnitsDialog*>("units")) != nullptr; }));
+  EXPECT_EQ(dialog->readAs(), "q3=mm");
+  QTest::keyClick(dialog, Qt::Key_Return);
+  ASSERT_TRUE(waitFor([&] { return window->link().runner() != nullptr; })) << window->message().toStdString();
+  EXPECT_EQ(window->lastSource().read_as, "q3=mm,q_m=deg");
 }
 
 }  // namespace

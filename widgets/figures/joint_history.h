@@ -60,6 +60,8 @@ class JointHistory {
   double end() const { return rows_.end(); }
   /// From here on every row is there; before, the lowest and highest values of blocks.
   double detailBegin() const { return rows_.detailBegin(); }
+  /// The same of the camera's measurements, of which fewer come: earlier.
+  double cameraDetailBegin() const { return camera_.detailBegin(); }
   /// Length of the shortest block about time t [s]; 0 where every row is there.
   double blockAt(double t) const { return rows_.blockAt(t); }
   /// Changes with every snapshot that is taken.

@@ -58,34 +58,71 @@ std::string tableRow(double t, const JointHistory::Row* row, const JointHistory:
   return line;
 }
 
-/// Rows of the time before the history's full detail, in the order of time.
-std::string blockRows(const JointHistory& history, double begin, double end) {
-  constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
-  std::multimap<double, std::string> lines;
-  const auto add = [&](double t, double step, const std::string& low, const std::string& high) {
-    lines.emplace(t, low + fmt::format(",{:.6f},lowest\n", step));
-    lines.emplace(t, high + fmt::format(",{:.6f},highest\n", step));
+constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
+
+/// Lines of a table in the order of time, as their blocks say.
+class TableLines {
+ public:
+  void add(double t, std::string cells) { lines_.emplace(t, Line{std::move(cells), {}}); }
+  void addBlock(double t, double step, std::string low, std::string high) {
+    blocks_ = true;
+    lines_.emplace(t, Line{std::move(low), fmt::format(",{:.6f},lowest", step)});
+    lines_.emplace(t, Line{std::move(high), fmt::format(",{:.6f},highest", step)});
+  }
+  std::string text() const {
+    std::string text = tableHeader(blocks_);
+    for (const auto& [t, line] : lines_)
+      text += line.cells + (blocks_ && line.block.empty() ? ",," : line.block) + "\n";
+    return text;
+  }
+
+ private:
+  struct Line {
+    std::string cells, block;
   };
-  const double rows_end = history.detailBegin();
-  history.forEach(begin, std::min(end, rows_end), kAll,
-                  [&](double t, double step, const auto& low, const auto& high) {
-                    const JointHistory::Row least{t, low}, most{t, high};
-                    if (t >= begin && t <= end && t < rows_end)
-                      add(t, step, tableRow(t, &least, nullptr), tableRow(t, &most, nullptr));
-                  });
-  const double camera_end = history.camera().empty() ? 0.0 : history.camera()[0].t;
-  history.forEachCamera(begin, std::min(end, camera_end), kAll,
-                        [&](double t, double step, const auto& low, const auto& high) {
-                          const JointHistory::CameraPoint least{t, low}, most{t, high};
-                          if (t >= begin && t <= end && t < camera_end)
-                            add(t, step, tableRow(t, nullptr, &least), tableRow(t, nullptr, &most));
-                        });
+  std::multimap<double, Line> lines_;
+  bool blocks_ = false;
+};
+
+/// Motors' rows, with the camera's measurement where it has the same time; blocks where no row is left.
+void addRows(const JointHistory& history, double begin, double end, TableLines& lines) {
+  const double detail = history.detailBegin();
+  if (begin < detail)
+    history.forEach(begin, std::min(end, detail), kAll,
+                    [&](double t, double step, const auto& low, const auto& high) {
+                      if (t < begin || t > end || t >= detail) return;
+                      const JointHistory::Row least{t, low}, most{t, high};
+                      lines.addBlock(t, step, tableRow(t, &least, nullptr), tableRow(t, &most, nullptr));
+                    });
+  const auto& rows = history.rows();
   const auto& camera = history.camera();
-  for (std::size_t i = 0; i < camera.size() && camera[i].t <= end && camera[i].t < rows_end; ++i)
-    if (camera[i].t >= begin) lines.emplace(camera[i].t, tableRow(camera[i].t, nullptr, &camera[i]) + ",,\n");
-  std::string text;
-  for (const auto& [t, line] : lines) text += line;
-  return text;
+  std::size_t i = rows.partitionPoint([&](const auto& row) { return row.t < std::max(begin, detail); });
+  for (; i < rows.size() && rows[i].t <= end; ++i) {
+    const std::size_t seen = camera.partitionPoint([&](const auto& point) { return point.t < rows[i].t; });
+    const bool both = seen < camera.size() && camera[seen].t == rows[i].t;
+    lines.add(rows[i].t, tableRow(rows[i].t, &rows[i], both ? &camera[seen] : nullptr));
+  }
+}
+
+/// The camera's measurements but for those that are in a row; blocks where no measurement is left.
+void addCamera(const JointHistory& history, double begin, double end, TableLines& lines) {
+  const auto& camera = history.camera();
+  const double detail = history.cameraDetailBegin();
+  if (begin < detail)
+    history.forEachCamera(
+        begin, std::min(end, detail), kAll, [&](double t, double step, const auto& low, const auto& high) {
+          if (t < begin || t > end || t >= detail) return;
+          const JointHistory::CameraPoint least{t, low}, most{t, high};
+          lines.addBlock(t, step, tableRow(t, nullptr, &least), tableRow(t, nullptr, &most));
+        });
+  const auto& rows = history.rows();
+  std::size_t i = camera.partitionPoint([&](const auto& point) { return point.t < std::max(begin, detail); });
+  for (; i < camera.size() && camera[i].t <= end; ++i) {
+    const double t = camera[i].t;
+    const std::size_t row = rows.partitionPoint([&](const auto& one) { return one.t < t; });
+    const bool in_row = t >= history.detailBegin() && row < rows.size() && rows[row].t == t;
+    if (!in_row) lines.add(t, tableRow(t, nullptr, &camera[i]));
+  }
 }
 
 }  // namespace
@@ -148,25 +185,10 @@ void saveJointFigure(const JointHistory& history, const std::array<QString, 3>& 
 
 void saveJointTable(const JointHistory& history, double begin, double end,
                     const std::filesystem::path& path) {
-  const bool blocks = begin < history.detailBegin() && history.begin() < history.detailBegin();
-  const char* end_of_line = blocks ? ",,\n" : "\n";
-  std::string text = tableHeader(blocks);
-  if (blocks) text += blockRows(history, begin, end);
-  const auto& camera = history.camera();
-  const auto& rows = history.rows();
-  const double single = blocks ? std::max(begin, history.detailBegin()) : begin;
-  std::size_t next = camera.partitionPoint([&](const auto& point) { return point.t < single; });
-  std::size_t i = rows.partitionPoint([&](const auto& row) { return row.t < begin; });
-  for (; i < rows.size() && rows[i].t <= end; ++i) {
-    for (; next < camera.size() && camera[next].t < rows[i].t; ++next)
-      text += tableRow(camera[next].t, nullptr, &camera[next]) + end_of_line;
-    const bool both = next < camera.size() && camera[next].t == rows[i].t;
-    text += tableRow(rows[i].t, &rows[i], both ? &camera[next] : nullptr) + end_of_line;
-    if (both) ++next;
-  }
-  for (; next < camera.size() && camera[next].t <= end; ++next)
-    text += tableRow(camera[next].t, nullptr, &camera[next]) + end_of_line;
-  base::writeTextFile(path, text);
+  TableLines lines;
+  addRows(history, begin, end, lines);
+  addCamera(history, begin, end, lines);
+  base::writeTextFile(path, lines.text());
 }
 
 void exportJointFigure(const JointHistory& history, const std::array<QString, 3>& joint_names, double begin,

@@ -239,7 +239,9 @@ void MainWindow::askUnits(const session::ImplausibleUnits& refused, const Source
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &UnitsDialog::chosen, this, [this, choice](const QString& read_as) {
     SourceChoice settled = choice;
-    settled.read_as = read_as;
+    const auto said = [](const QString& text) { return session::parseReadAs(text.toStdString(), "--read-as"); };
+    settled.read_as =
+        QString::fromStdString(session::formatReadAs(session::overlaid(said(choice.read_as), said(read_as))));
     open(settled);
   });
   dialog->show();
@@ -263,6 +265,8 @@ void MainWindow::onOpened(const session::SourceInfo& info, const SourceChoice& c
   if (!info.rig) video_->clear(tr("this source has no images"));
   errors_->setReference(info.reference);
   notes_->clear();
+  recording_since_.reset();  // that was of the session before
+  notes_->setRecording(false);
   notes_->addEvent(now_, "source", title_);
   for (const std::string& notice : info.notices)
     notes_->addEvent(now_, "notice", QString::fromStdString(notice));

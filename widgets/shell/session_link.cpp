@@ -22,6 +22,11 @@ std::unique_ptr<session::Runner> makeRunner(std::unique_ptr<session::Source> sou
   return std::make_unique<session::Runner>(std::move(source), std::move(pipeline));
 }
 
+bool isRecording(const session::Runner& runner) {
+  const auto recorder = runner.recorder();
+  return recorder && recorder->stats().state == session::RecorderState::kRecording;
+}
+
 }  // namespace
 
 SessionLink::SessionLink(QObject* parent) : QObject(parent) {
@@ -32,6 +37,7 @@ SessionLink::SessionLink(QObject* parent) : QObject(parent) {
 SessionLink::~SessionLink() = default;
 
 void SessionLink::open(const SourceChoice& choice) {
+  recorded_when_left_ = recording();
   if (opening())
     waiting_ = choice;
   else
@@ -73,11 +79,27 @@ bool SessionLink::useRobot(const robot::Description& robot, const RobotWords& wo
   return true;
 }
 
+/// Ends in the background; what becomes of its recording is told by hearRetired().
 void SessionLink::retire(std::unique_ptr<session::Runner> runner) {
-  std::erase_if(retiring_,
-                [](auto& one) { return one.wait_for(std::chrono::seconds(0)) == std::future_status::ready; });
-  if (runner)
-    retiring_.push_back(std::async(std::launch::async, [old = std::move(runner)]() mutable { old.reset(); }));
+  if (!runner) return;
+  const bool recording = std::exchange(recorded_when_left_, false) || isRecording(*runner);
+  retiring_.push_back(std::async(std::launch::async, [old = std::move(runner), recording]() mutable {
+    const auto recorder = old->recorder();
+    old.reset();
+    return recording ? recorder->stats().error : std::string();
+  }));
+}
+
+void SessionLink::hearRetired() {
+  std::vector<std::string> faults;
+  std::erase_if(retiring_, [&](auto& one) {
+    if (one.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
+    faults.push_back(one.get());
+    return true;
+  });
+  for (const std::string& fault : faults)
+    if (!fault.empty())
+      Q_EMIT failed(tr("The recording of the session before failed: %1").arg(QString::fromStdString(fault)));
 }
 
 void SessionLink::finishOpening() {
@@ -121,11 +143,7 @@ void SessionLink::setRunning(bool on) {
     runner_->pause();
 }
 
-bool SessionLink::recording() const {
-  if (!runner_) return false;
-  const auto status = runner_->status();
-  return status.recorder && status.recorder->state == session::RecorderState::kRecording;
-}
+bool SessionLink::recording() const { return runner_ && isRecording(*runner_); }
 
 void SessionLink::toggleRecording(const QString& folder) {
   if (!runner_) return;
@@ -147,6 +165,7 @@ void SessionLink::toggleRecording(const QString& folder) {
 }
 
 void SessionLink::tick() {
+  hearRetired();
   if (opening() && opening_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) finishOpening();
   if (!runner_) return;
   history_.clear();

@@ -71,6 +71,7 @@ class SessionLink : public QObject {
   void finishOpening();
   void begin(std::unique_ptr<session::Runner> runner, const std::optional<SourceChoice>& choice);
   void retire(std::unique_ptr<session::Runner> runner);
+  void hearRetired();
 
   QTimer timer_;
   std::future<std::unique_ptr<session::Runner>> opening_;
@@ -79,7 +80,8 @@ class SessionLink : public QObject {
   std::optional<SourceChoice> running_by_;  ///< what runner_ was opened by
   bool again_ = false;
   RobotChoice robots_;
-  std::vector<std::future<void>> retiring_;  ///< old runners end in the background
+  std::vector<std::future<std::string>> retiring_;  ///< old runners end; a fault of their recordings
+  bool recorded_when_left_ = false;  ///< runner_ was recording when another source was asked for
   std::unique_ptr<session::Runner> runner_;
   std::map<const QObject*, session::Listener> listeners_;
   tracking::Snapshot snapshot_, seen_;

@@ -79,13 +79,7 @@ QComboBox* UnitsDialog::choiceOf(const session::UnitFinding& finding) {
   auto* box = new QComboBox;
   box->setObjectName(QString::fromStdString(finding.column));
   box->setAccessibleName(tr("unit of %1").arg(box->objectName()));
-  for (const session::UnitQuantity& quantity : session::unitQuantities()) {
-    if (quantity.name != finding.quantity) continue;
-    for (const ColumnUnit unit : quantity.units) {
-      const bool slides_only = unit == ColumnUnit::kMillimetres && finding.quantity == "q";
-      if (!slides_only || finding.unit == unit) box->addItem(wordOf(unit), static_cast<int>(unit));
-    }
-  }
+  for (const ColumnUnit unit : finding.units) box->addItem(wordOf(unit), static_cast<int>(unit));
   box->addItem(wordOf(ColumnUnit::kSi), static_cast<int>(ColumnUnit::kSi));
   box->setCurrentIndex(box->findData(static_cast<int>(finding.unit.value_or(ColumnUnit::kSi))));
   return box;

@@ -307,6 +307,8 @@ TEST(DiskFault, WhatIsSimulatedOntoAFullDiskIsWhole) {
     const SmallDisk disk(32);
     if (!disk.mounted()) GTEST_SKIP() << disk.why();
     const TemporaryFolder away;
+    // Left by a recording that was killed and whose main file somebody moved away.
+    std::ofstream(disk / "a.capstan-wal") << "of a former recording";
     EndlessSource source([&] {
       std::ofstream other(disk / "other", std::ios::binary);
       if (sudden) other << std::string(disk.freeBytes(), 'x') << std::flush;

@@ -204,6 +204,24 @@ TEST(Recorder, RefusesADiskThatHasOnlyItsReserveLeft) {
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
+TEST(Recorder, ADiskThatDoesNotSayWhatIsFreeIsRecordedTo) {
+  const TemporaryFolder folder;
+  RecorderOptions options;
+  options.min_free_bytes = 1U << 20;
+  options.disk_space = [](const std::filesystem::path&) { return DiskSpace{}; };
+  Recorder recorder(folder / "a.capstan", header(), options);
+  EXPECT_FALSE(recorder.stats().free_known);
+  // Longer than the recorder takes to look at the disk again.
+  const auto begin = std::chrono::steady_clock::now();
+  for (int i = 0; std::chrono::steady_clock::now() - begin < std::chrono::milliseconds(800); ++i) {
+    recorder.offer(motor(i));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  EXPECT_EQ(recorder.stats().state, RecorderState::kRecording) << recorder.stats().error;
+  recorder.close();
+  EXPECT_EQ(recorder.stats().written, recorder.stats().queued);
+}
+
 TEST(Recorder, ALogBeyondItsThresholdMovesIntoTheFile) {
   const TemporaryFolder folder;
   RecorderOptions options;

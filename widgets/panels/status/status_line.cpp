@@ -76,13 +76,11 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   remedies_->setPopupMode(QToolButton::InstantPopup);
   remedies_->hide();
   row->addStretch(1);
-  labels_[kTransmission]->setToolTip(
-      tr("A slow error of the transmission that the filter found with the camera and carries. A constant of "
-         "the robot file is wrong: Identify puts it right."));
   labels_[kNis]->setToolTip(tr(
       "Normalised innovation squared over its degrees of freedom. Pass: inside the 95 % χ² band. Cautious: "
-      "below it, the filter expects more noise than there is. FAIL, too high: above it, a parameter of the "
-      "robot file is wrong"));
+      "below it, the filter expects larger errors than there are. FAIL, too high: above it, the filter errs "
+      "by "
+      "more than it states, as with a wrong parameter of the robot file or cameras that were moved"));
   labels_[kMotors]->setToolTip(tr("An encoder that failed: its joint is estimated from the cameras alone"));
   labels_[kLag]->setToolTip(tr("From exposure to arrival of the newest camera sample"));
   labels_[kRescues]->setToolTip(tr("Cholesky down-dates that fell back to a safe path"));
@@ -196,6 +194,12 @@ void StatusLine::showNis(const tracking::Snapshot& snapshot) {
   const bool failed = known && verdict == NisVerdict::kTooHigh;
   const std::string carried = tracking::shortTextOf(snapshot.transmission);
   set(kTransmission, QString::fromStdString(carried), Tone::kWarning);
+  QStringList explained;
+  for (const std::string& line : tracking::linesOf(snapshot.transmission))
+    explained << QString::fromStdString(line);
+  for (const std::string& remedy : tracking::remediesOf(snapshot.transmission))
+    explained << QString::fromStdString(remedy);
+  labels_[kTransmission]->setToolTip(explained.join(QLatin1Char('\n')));
   remedies_->setVisible((failed || !carried.empty()) && remedies_->menu());
   if (!known) return set(kNis, {});
   const QString words = QString::fromStdString(std::string(base::nameOf(verdict)));
@@ -260,6 +264,7 @@ void StatusLine::showOcclusion(const session::RunStatus& status) {
 void StatusLine::showDisk(const session::RecorderStats* recording) {
   if (recording) {
     disk_age_.invalidate();
+    if (!recording->free_known) return set(kDisk, tr("disk: free space not known"));
     return setDisk({recording->free_bytes, recording->reserve_bytes, 0}, recording->time_left);
   }
   if (disk_age_.isValid() && disk_age_.elapsed() < kDiskPeriod) return;
