@@ -55,7 +55,8 @@ LiveRow rowOf(const Estimate& estimate, const Convergence* convergence, double c
   const double sigma = scaleOf(parameter) * estimate.valueSigma();
   row.value = fmt::format("{:.{}f}", scaleOf(parameter) * estimate.value(), decimalsFor(sigma));
   row.sigma = fmt::format("±{:.{}f}", sigma, decimalsFor(sigma));
-  row.change = base::withMinus(fmt::format("{:+.1f} %", change));
+  const bool rounds_to_zero = std::abs(change) < 0.05;  // and then has no sign
+  row.change = rounds_to_zero ? "0.0 %" : base::withMinus(fmt::format("{:+.1f} %", change));
   return row;
 }
 

@@ -115,10 +115,7 @@ class Runner::Impl {
       recording_.note(t_, "robot", note);
     });
   }
-  robot::Description robot() const {
-    const std::lock_guard lock(mutex_);
-    return robot_;
-  }
+  robot::Description robot() const { return kept(robot_); }
 
   void listen(Listener listener) {
     post([this, listener = std::move(listener)] {
@@ -158,11 +155,7 @@ class Runner::Impl {
   std::shared_ptr<const Recorder> recorder() const { return recording_.newest(); }
 
   RunStatus status() const {
-    RunStatus status;
-    {
-      const std::lock_guard lock(mutex_);
-      status = status_;
-    }
+    RunStatus status = kept(status_);
     if (const auto recorder = recording_.newest()) {
       status.recorder = recorder->stats();
       status.recording = recorder->path().string();
@@ -170,10 +163,7 @@ class Runner::Impl {
     return status;
   }
 
-  tracking::TrackReport report() const {
-    const std::lock_guard lock(mutex_);
-    return published_report_;
-  }
+  tracking::TrackReport report() const { return kept(published_report_); }
 
   bool waitUntilIdle(double seconds) {
     std::unique_lock lock(mutex_);
@@ -188,6 +178,11 @@ class Runner::Impl {
   void keep(auto& kept, const auto& value) {
     const std::lock_guard lock(mutex_);
     kept = value;
+  }
+  template <class T>
+  T kept(const T& value) const {
+    const std::lock_guard lock(mutex_);
+    return value;
   }
 
   void work() {

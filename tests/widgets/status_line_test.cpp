@@ -146,6 +146,7 @@ TEST(StatusLine, FollowsTheRecording) {
   StatusLine line;
   auto status = running();
   status.recorder.emplace();
+  status.recorder->free_known = true;
   status.recorder->free_bytes = 312'000'000'000;
   status.recorder->reserve_bytes = 268'435'456;
   status.recorder->time_left = 22'080.0;
@@ -180,7 +181,7 @@ TEST(StatusLine, TellsWhereTheRecordingGoes) {
   StatusLine line;
   line.setFolder("/data/arm");
   auto status = running();
-  status.recorder.emplace();
+  status.recorder.emplace().free_known = true;
   status.recording = "/data/arm/one.capstan";
   line.showStatus(status, 1.0);
   QStringList tips;
