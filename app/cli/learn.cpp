@@ -7,12 +7,12 @@
 #include "app/cli/learn_output.h"
 #include "app/cli/outputs.h"
 #include "app/cli/pose_motions.h"
-#include "core/experiments/same_recording.h"
-#include "core/experiments/software.h"
-#include "core/learning/check_tables.h"
-#include "core/session/correction_file.h"
-#include "core/session/correction_source.h"
-#include "core/session/pose_table.h"
+#include "core/base/same_recording.h"
+#include "core/base/software.h"
+#include "core/learning/model/correction_file.h"
+#include "core/learning/model/correction_source.h"
+#include "core/learning/poses/check_tables.h"
+#include "core/recording/pose_table.h"
 
 namespace capstan::cli {
 namespace {
@@ -28,16 +28,16 @@ void check(const LearnArguments& arguments) {
   checkDistinct(arguments.train);
   for (const std::string& test : arguments.test)
     for (const std::string& train : arguments.train)
-      if (experiments::sameRecording(train, test))
+      if (base::sameRecording(train, test))
         refuseFile(test, "is learned from as well: errors on it say nothing", "Test on other trajectories");
 }
 
-learning::LearningReport learnOnto(const LearnArguments& arguments, session::CorrectionFile old,
+learning::LearningReport learnOnto(const LearnArguments& arguments, learning::CorrectionFile old,
                                    base::Progress& progress) {
   checkProcesses(old.model, arguments.onto);
   checkNew(arguments.train, old.source);
   checkNew(arguments.test, old.source);
-  return session::namingTables(arguments.train, [&] {
+  return recording::namingTables(arguments.train, [&] {
     return learning::learnMore(std::move(old.model), old.source.lag, readMotions(arguments.train),
                                arguments.options, &progress);
   });
@@ -69,20 +69,20 @@ ExitCode run(LearnArguments& arguments) {
   options.correction.fit.kernel = *base::fromName<learning::Kernel>(arguments.kernel);
   options.rigid = arguments.method == "offset";
   options.correction.motion = base::fromName<learning::Motion>(arguments.method);
-  std::optional<session::CorrectionFile> old;
+  std::optional<learning::CorrectionFile> old;
   if (!arguments.onto.empty()) {
-    old = session::readCorrection(arguments.onto);
+    old = learning::readCorrection(arguments.onto);
     options.towards = old->source.towards;
   }
   const std::vector<learning::RawMotion> tests = readMotions(arguments.test);
   if (!tests.empty()) learning::checkTables(tests, options.towards);
   base::Progress progress;
   std::optional<learning::LearningReport> report;
-  session::CorrectionSource before;
+  learning::CorrectionSource before;
   {
     const ProgressLine line(progress);
     if (arguments.onto.empty()) {
-      report = session::namingTables(
+      report = recording::namingTables(
           arguments.train, [&] { return learning::learn(readMotions(arguments.train), options, &progress); });
     } else {
       before = old->source;
@@ -93,9 +93,9 @@ ExitCode run(LearnArguments& arguments) {
     notice("Cancelled: no model is written.");
     return kFailed;
   }
-  session::writeCorrection(
-      {report->model, session::correctionSource(arguments.train, options.towards, *report,
-                                                experiments::software(), std::move(before))},
+  learning::writeCorrection(
+      {report->model, learning::correctionSource(arguments.train, options.towards, *report, base::software(),
+                                                 std::move(before))},
       arguments.model);
   LearnOutput told{*report, {}};
   if (!tests.empty()) told.test = testOf(arguments, tests, *report);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/learning/related_streams.h"
+#include "core/learning/poses/related_streams.h"
 
 namespace capstan::cli {
 namespace {
@@ -22,7 +22,7 @@ TestedStates testedStates(const std::vector<learning::State>& states,
   TestedStates tested;
   tested.states = states.size();
   const std::vector<Eigen::Isometry3d> corrected = model.correct(states);
-  experiments::PoseErrors none, offset, by_model;
+  learning::PoseErrors none, offset, by_model;
   for (std::size_t k = 0; k < states.size(); ++k) {
     const auto& [seen, told] = states[k].pair;
     none.add(seen, told);
@@ -75,7 +75,7 @@ std::string screenText(const learning::ScreenReport& screen) {
   return text;
 }
 
-Json errorJson(const experiments::CorrectionErrors& error) {
+Json errorJson(const learning::CorrectionErrors& error) {
   const auto mean = [&](double x) { return error.states > 0 ? x : NAN; };
   return {{"distance", {{"mean", mean(error.distance)}, {"median", error.median_distance}}},
           {"angle", {{"mean", mean(error.angle)}, {"median", error.median_angle}}}};
@@ -91,7 +91,7 @@ Json testedJson(const TestedStates& tested) {
 std::string testedText(const char* name, const TestedStates& tested) {
   std::string text = fmt::format("  {} ({} states)\n", name, tested.states);
   if (tested.states == 0) return text;
-  const auto line = [&](const char* what, const experiments::CorrectionErrors& error) {
+  const auto line = [&](const char* what, const learning::CorrectionErrors& error) {
     text += fmt::format("    {:16}{:8.2f} mm {:8.2f} deg   median {:8.2f} mm {:8.2f} deg\n", what,
                         kMillimetres * error.distance, kDegrees * error.angle,
                         kMillimetres * error.median_distance, kDegrees * error.median_angle);

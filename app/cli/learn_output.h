@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "core/experiments/correction_errors.h"
-#include "core/learning/learn.h"
+#include "core/learning/evaluation/correction_errors.h"
+#include "core/learning/model/learn.h"
 
 namespace capstan::cli {
 
@@ -13,7 +13,7 @@ namespace capstan::cli {
 /// model.
 struct TestedStates {
   std::size_t states = 0;
-  experiments::CorrectionErrors none, offset, corrected;
+  learning::CorrectionErrors none, offset, corrected;
 };
 
 struct TestReport {

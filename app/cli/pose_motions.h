@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "core/learning/correction_model.h"
-#include "core/learning/pose_motion.h"
-#include "core/session/correction_file.h"
+#include "core/learning/model/correction_file.h"
+#include "core/learning/model/correction_model.h"
+#include "core/learning/poses/pose_motion.h"
 
 namespace capstan::cli {
 
@@ -20,7 +20,7 @@ void checkProcesses(const learning::CorrectionModel& model, const std::string& f
 void checkDistinct(const std::vector<std::string>& files);
 
 /// base::InputError: what the model has learned already would count twice, or tells nothing of it.
-void checkNew(const std::vector<std::string>& files, const session::CorrectionSource& source);
+void checkNew(const std::vector<std::string>& files, const learning::CorrectionSource& source);
 
 /// base::InputError: no pose of the file is anywhere near what was learned.
 void checkNear(const learning::CorrectionModel& model, const std::vector<learning::State>& states,

@@ -18,7 +18,7 @@
 
 #include "core/base/error.h"
 #include "core/base/yaml.h"
-#include "core/session/correction_file.h"
+#include "core/learning/model/correction_file.h"
 #include "tests/support/sample_poses.h"
 #include "tests/widgets/picture.h"
 #include "widgets/panels/learning/ablation_view.h"
@@ -293,7 +293,7 @@ TEST_F(Learning, AModelIsSavedWithWhatItWasLearnedFrom) {
   const QString path = folder.filePath("arm.correction");
   panel->saveModel(path);
   EXPECT_EQ(saved.count(), 1);
-  const session::CorrectionFile file = session::readCorrection(path.toStdString());
+  const learning::CorrectionFile file = learning::readCorrection(path.toStdString());
   EXPECT_FALSE(file.model.processes().empty());
   ASSERT_EQ(file.source.files.size(), 1U);
   EXPECT_EQ(file.source.files[0], panel->choice().tables[0].toStdString());

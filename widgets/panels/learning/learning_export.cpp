@@ -62,7 +62,7 @@ void LearningExport::start(const LearningResults& results, int which, const lear
 }
 
 void LearningExport::addTables(const LearningResults& results, const std::string& base) {
-  using namespace experiments;
+  using namespace learning;
   if (results.stages)
     steps_.push_back({tr("rejected"), [stages = results.stages, path = base + "rejected.csv"] {
                         base::writeTextFile(path, rejectedCsv(*stages));

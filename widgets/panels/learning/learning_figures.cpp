@@ -5,13 +5,13 @@
 #include <cmath>
 
 #include "core/base/units.h"
-#include "core/learning/pose_features.h"
+#include "core/learning/poses/pose_features.h"
 #include "core/stats/quantile.h"
 #include "widgets/figures/figure_text.h"
 
 namespace capstan::widgets {
 
-using namespace experiments;
+using namespace learning;
 using learning::Reason;
 using learning::State;
 

@@ -6,9 +6,9 @@
 #include <QSettings>
 
 #include "core/base/error.h"
+#include "core/base/software.h"
 #include "core/base/units.h"
-#include "core/experiments/software.h"
-#include "core/session/correction_source.h"
+#include "core/learning/model/correction_source.h"
 #include "widgets/panels/learning/ablation_view.h"
 #include "widgets/panels/learning/clouds_view.h"
 #include "widgets/panels/learning/confidence_view.h"
@@ -22,7 +22,7 @@
 
 namespace capstan::widgets {
 
-using namespace experiments;
+using namespace learning;
 
 LearningPanel::LearningPanel(LearningSettings settings, QWidget* parent)
     : WorkPanel(parent), settings_(std::move(settings)) {
@@ -221,7 +221,7 @@ void LearningPanel::askModel() {
 void LearningPanel::saveModel(const QString& path) {
   if (!results_.learned) return;
   try {
-    session::writeCorrection({results_.learned->model, source()}, path.toStdString());
+    learning::writeCorrection({results_.learned->model, source()}, path.toStdString());
     said_ = tr("Saved as %1.").arg(path);
     Q_EMIT modelSaved(path);
   } catch (const base::InputError& error) {
@@ -230,10 +230,10 @@ void LearningPanel::saveModel(const QString& path) {
   refresh();
 }
 
-session::CorrectionSource LearningPanel::source() const {
+learning::CorrectionSource LearningPanel::source() const {
   std::vector<std::string> tables;
   for (const QString& table : choice().tables) tables.push_back(table.toStdString());
-  return session::correctionSource(tables, results_.stages->told, *results_.learned, experiments::software());
+  return learning::correctionSource(tables, results_.stages->told, *results_.learned, base::software());
 }
 
 QString LearningPanel::failedHeadline() const {

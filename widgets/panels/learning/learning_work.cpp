@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "core/session/pose_table.h"
+#include "core/recording/pose_table.h"
 
 namespace capstan::widgets {
 
@@ -24,9 +24,9 @@ learning::LearningOptions LearningSettings::learning(learning::StreamKind toward
   return options;
 }
 
-TrainedCorrection trainCorrection(const experiments::LearningStages& stages, const LearningSettings& settings,
+TrainedCorrection trainCorrection(const learning::LearningStages& stages, const LearningSettings& settings,
                                   base::Progress& progress) {
-  experiments::CorrectionTrial trial = correctionTrial(stages.states, settings.trial, &progress);
+  learning::CorrectionTrial trial = correctionTrial(stages.states, settings.trial, &progress);
   learning::LearningReport learned{{}, {}, {}, learning::CorrectionModel(learning::CorrectionParts{}), true};
   if (!trial.cancelled)
     learned = learning::learnPrepared({stages.screen, stages.lag, stages.lag.lag, stages.states, false},
@@ -36,8 +36,8 @@ TrainedCorrection trainCorrection(const experiments::LearningStages& stages, con
   return {std::move(trial), std::move(learned)};
 }
 
-experiments::CorrectionStudyOptions LearningSettings::study(int splits) const {
-  experiments::CorrectionStudyOptions options;
+learning::CorrectionStudyOptions LearningSettings::study(int splits) const {
+  learning::CorrectionStudyOptions options;
   options.splits = splits;
   options.test_share = trial.test_share;
   options.cleaning = trial.cleaning;
@@ -46,8 +46,8 @@ experiments::CorrectionStudyOptions LearningSettings::study(int splits) const {
   return options;
 }
 
-experiments::LearningCurveOptions LearningSettings::curve() const {
-  experiments::LearningCurveOptions options;
+learning::LearningCurveOptions LearningSettings::curve() const {
+  learning::LearningCurveOptions options;
   options.test_share = trial.test_share;
   options.cleaning = trial.cleaning;
   options.correction = trial.correction;
@@ -55,13 +55,13 @@ experiments::LearningCurveOptions LearningSettings::curve() const {
   return options;
 }
 
-experiments::LearningStages readStages(const LearningChoice& choice, const LearningSettings& settings,
-                                       base::Progress& progress) {
+learning::LearningStages readStages(const LearningChoice& choice, const LearningSettings& settings,
+                                    base::Progress& progress) {
   std::vector<learning::RawMotion> motions;
   for (const QString& table : choice.tables) {
     const std::filesystem::path path = table.toStdString();
     progress.report(0.0, "reading " + path.filename().string());
-    for (learning::RawMotion& motion : session::readPoseTable(path)) {
+    for (learning::RawMotion& motion : recording::readPoseTable(path)) {
       if (choice.tables.size() > 1) motion.name = path.stem().string() + ", " + motion.name;
       motions.push_back(std::move(motion));
     }
@@ -69,9 +69,8 @@ experiments::LearningStages readStages(const LearningChoice& choice, const Learn
   }
   std::vector<std::string> paths;
   for (const QString& table : choice.tables) paths.push_back(table.toStdString());
-  return session::namingTables(paths, [&] {
-    return experiments::learningStages(motions, {choice.told, settings.lag, settings.trial.cleaning},
-                                       &progress);
+  return recording::namingTables(paths, [&] {
+    return learning::learningStages(motions, {choice.told, settings.lag, settings.trial.cleaning}, &progress);
   });
 }
 

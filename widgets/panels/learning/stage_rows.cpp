@@ -10,7 +10,7 @@
 
 namespace capstan::widgets {
 
-using namespace experiments;
+using namespace learning;
 using learning::Reason;
 using learning::StreamKind;
 

@@ -11,7 +11,7 @@
 
 namespace capstan::widgets {
 
-using experiments::TrajectoryStates;
+using learning::TrajectoryStates;
 
 namespace {
 

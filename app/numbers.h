@@ -1,0 +1,38 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+namespace capstan {
+
+/// Refuses what CLI11 reads without a word: nan and inf where a number is asked for, and a sign before or more
+/// digits than fit a whole number without one.
+inline void checkNumbers(CLI::App& app) {
+  const CLI::Validator finite(
+      [](std::string& text) {
+        char* end = nullptr;
+        const double value = std::strtod(text.c_str(), &end);
+        return *end != '\0' || std::isfinite(value) ? std::string() : text + " is not a finite number";
+      },
+      "", "finite");
+  const CLI::Validator whole(
+      [](std::string& text) {
+        constexpr std::size_t kDigits = 19;  // all below 2^64
+        const bool digits = std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c); });
+        return digits && text.size() <= kDigits ? std::string()
+                                                : text + " is not a whole number from 0 to 9999999999999999999";
+      },
+      "", "whole");
+  for (CLI::Option* option : app.get_options()) {
+    const std::string type = option->get_type_name();
+    if (type.starts_with("FLOAT")) option->check(finite);
+    if (type.starts_with("UINT")) option->check(whole);
+  }
+  for (CLI::App* command : app.get_subcommands({})) checkNumbers(*command);
+}
+
+}  // namespace capstan
