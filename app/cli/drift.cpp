@@ -92,7 +92,7 @@ std::string textOf(const learning::PreparedStates& prepared, std::size_t states,
 learning::PreparedStates preparedFor(const learning::CorrectionFile& file,
                                      const std::vector<std::string>& tables) {
   learning::PreparedStates prepared =
-      learning::prepareAt(file.source.lag, readMotions(tables), file.source.towards);
+      learning::prepareAt(file.source.lag, recording::readPoseTables(tables), file.source.towards);
   learning::checkRelated(prepared.screen.motions, prepared.states, file.model.offset(), file.source.towards);
   return prepared;
 }
@@ -101,7 +101,6 @@ ExitCode run(const DriftArguments& arguments) {
   std::vector<std::string> inputs = arguments.tables;
   inputs.push_back(arguments.model);
   checkOutputs({{"--json", arguments.json}}, inputs);
-  checkDistinct(arguments.tables);
   const learning::CorrectionFile file = learning::readCorrection(arguments.model);
   checkProcesses(file.model, arguments.model);
   checkNew(arguments.tables, file.source);

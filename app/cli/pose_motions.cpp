@@ -3,38 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
 
 #include "app/cli/console.h"
 #include "core/base/checksum.h"
-#include "core/base/same_recording.h"
-#include "core/recording/pose_table.h"
 
 namespace capstan::cli {
-
-std::vector<learning::RawMotion> readMotions(const std::vector<std::string>& files) {
-  std::vector<learning::RawMotion> all;
-  for (const std::string& file : files) {
-    std::vector<learning::RawMotion> motions = recording::readPoseTable(file);
-    if (files.size() > 1)
-      for (learning::RawMotion& motion : motions) motion.name = file + ", " + motion.name;
-    all.insert(all.end(), std::make_move_iterator(motions.begin()), std::make_move_iterator(motions.end()));
-  }
-  return all;
-}
 
 void checkProcesses(const learning::CorrectionModel& model, const std::string& file) {
   if (model.processes().empty())
     refuseFile(file, "is a rigid offset alone, which neither ages nor takes anything in",
                "Learn Gaussian processes from all tables");
-}
-
-void checkDistinct(const std::vector<std::string>& files) {
-  for (std::size_t a = 0; a < files.size(); ++a)
-    for (std::size_t b = a + 1; b < files.size(); ++b)
-      if (base::sameRecording(files[a], files[b]))
-        refuseFile(files[b], "is given twice: its motions would count twice", "Give each table once");
 }
 
 void checkNew(const std::vector<std::string>& files, const learning::CorrectionSource& source) {

@@ -9,15 +9,8 @@
 
 namespace capstan::cli {
 
-/// The motions of tables of tip poses; of several tables each motion carries the name of its own.
-/// base::InputError as readPoseTable().
-std::vector<learning::RawMotion> readMotions(const std::vector<std::string>& files);
-
 /// base::InputError: the model of the file is a rigid offset alone, which neither ages nor takes anything in.
 void checkProcesses(const learning::CorrectionModel& model, const std::string& file);
-
-/// base::InputError: a table is given twice.
-void checkDistinct(const std::vector<std::string>& files);
 
 /// base::InputError: what the model has learned already would count twice, or tells nothing of it.
 void checkNew(const std::vector<std::string>& files, const learning::CorrectionSource& source);

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/base/same_recording.h"
 #include "core/base/yaml.h"
 #include "core/recording/csv.h"
 
@@ -125,6 +126,43 @@ std::vector<learning::RawMotion> parseTipTable(std::string_view text, const std:
 
 std::vector<learning::RawMotion> readPoseTable(const std::filesystem::path& path) {
   return parsePoseTable(base::readTextFile(path), path.string());
+}
+
+namespace {
+
+void checkDistinct(const std::vector<std::string>& paths) {
+  for (std::size_t a = 0; a < paths.size(); ++a)
+    for (std::size_t b = a + 1; b < paths.size(); ++b)
+      if (base::sameRecording(paths[a], paths[b]))
+        throw base::InputError(
+            {paths[b], 0, {}, {}, "is given twice: its motions would count twice", "Give each table once"});
+}
+
+/// The file's name; its whole path where another table has the same name.
+std::string shortName(const std::string& path, const std::vector<std::string>& paths) {
+  const std::string name = std::filesystem::path(path).filename().string();
+  const auto same = std::count_if(paths.begin(), paths.end(), [&](const std::string& other) {
+    return std::filesystem::path(other).filename() == name;
+  });
+  return same > 1 ? path : name;
+}
+
+}  // namespace
+
+std::vector<learning::RawMotion> readPoseTables(const std::vector<std::string>& paths,
+                                                base::Progress* progress) {
+  checkDistinct(paths);
+  std::vector<learning::RawMotion> all;
+  for (const std::string& path : paths) {
+    if (progress && progress->cancelled()) break;
+    const std::string name = shortName(path, paths);
+    if (progress) progress->report(0.0, "reading " + name);
+    for (learning::RawMotion& motion : readPoseTable(path)) {
+      if (paths.size() > 1) motion.name = name + ", " + motion.name;
+      all.push_back(std::move(motion));
+    }
+  }
+  return all;
 }
 
 std::string nameOfTables(const std::vector<std::string>& paths) {

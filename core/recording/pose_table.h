@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/progress.h"
 #include "core/learning/poses/pose_motion.h"
 
 namespace capstan::recording {
@@ -22,6 +23,12 @@ inline constexpr std::array<std::string_view, learning::kStreams> kStreamPrefixe
 /// that is missing, a cell that is no number, no rows.
 std::vector<learning::RawMotion> parsePoseTable(std::string_view text, const std::string& file);
 std::vector<learning::RawMotion> readPoseTable(const std::filesystem::path& path);
+
+/// The motions of several tables, one behind the other; each carries the name of its table, "a.csv, traj 3".
+/// Of one table as readPoseTable(). Cancelled: those of the tables read until then. base::InputError as
+/// readPoseTable(), and where a table is given twice, which would count twice.
+std::vector<learning::RawMotion> readPoseTables(const std::vector<std::string>& paths,
+                                                base::Progress* progress = nullptr);
 
 /// The same of a table that may have no quaternions: all of a stream without them are of NaN.
 std::vector<learning::RawMotion> parseTipTable(std::string_view text, const std::string& file);

@@ -6,7 +6,6 @@
 
 #include "core/base/error.h"
 #include "core/base/table.h"
-#include "core/learning/model/learn.h"
 #include "core/learning/poses/related_streams.h"
 #include "core/stats/quantile.h"
 
@@ -68,19 +67,12 @@ void takeOffset(LearningStages& stages) {
 
 }  // namespace
 
-LearningStages learningStages(const std::vector<learning::RawMotion>& motions,
-                              const LearningStagesOptions& options, base::Progress* progress) {
+LearningStages learningStages(const std::vector<learning::RawMotion>& motions, const LearningOptions& options,
+                              base::Progress* progress) {
   LearningStages stages;
-  stages.told = options.told;
   constexpr double kPrepared = 0.7;  // of the time
-  learning::LearningOptions preparing;
-  preparing.towards = options.told;
-  preparing.lag = options.lag;
-  learning::PreparedStates prepared = learning::prepare(motions, preparing, progress, {0.2, kPrepared, {}});
-  stages.screen = std::move(prepared.screen);
-  stages.lag = std::move(prepared.lag);
-  stages.states = std::move(prepared.states);
-  stages.cancelled = prepared.cancelled;
+  stages.told = options.towards;
+  static_cast<PreparedStates&>(stages) = prepare(motions, options, progress, {0.2, kPrepared, {}});
   if (stages.cancelled) return stages;
   stages.unpaired = stages.screen.poses[kCamera] - stages.states.size();
   checkStates(stages);
@@ -89,7 +81,7 @@ LearningStages learningStages(const std::vector<learning::RawMotion>& motions,
   stages.cleaning = learning::cleanStates(stages.states, options.cleaning);
   stages.motions = motionsOf(stages.states, stages.cleaning);
   takeOffset(stages);
-  learning::checkRelated(stages.screen.motions, stages.states, stages.offset, options.told);
+  learning::checkRelated(stages.screen.motions, stages.states, stages.offset, options.towards);
   if (progress) progress->report(1.0, "done");
   return stages;
 }

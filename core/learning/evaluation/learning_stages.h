@@ -4,19 +4,11 @@
 
 #include "core/base/progress.h"
 #include "core/learning/evaluation/correction_errors.h"
-#include "core/learning/poses/clean_states.h"
-#include "core/learning/poses/screen_poses.h"
-#include "core/learning/poses/states.h"
+#include "core/learning/model/learn.h"
 
 /// From tables of tip poses to states that a correction can be learned from, each stage with its numbers (GPR
 /// paper, section IV).
 namespace capstan::learning {
-
-struct LearningStagesOptions {
-  learning::StreamKind told = learning::StreamKind::kCommand;
-  learning::LagOptions lag;
-  learning::CleaningOptions cleaning;
-};
 
 /// How fast what was seen moved: median, and the speed that one in a hundred exceeds.
 struct SpeedSummary {
@@ -30,25 +22,22 @@ struct TrajectoryStates {
   std::size_t states() const { return end - begin; }
 };
 
-struct LearningStages {
+/// What a correction is learned from, and what each stage found.
+struct LearningStages : PreparedStates {
   learning::StreamKind told = learning::StreamKind::kCommand;
-  learning::ScreenReport screen;
-  learning::LagReport lag;
-  std::vector<learning::State> states;                       ///< every sight that something was told for
   std::size_t unpaired = 0;                                  ///< sights for which nothing was told
   SpeedSummary speed, turn_rate;                             ///< [m/s], [rad/s]
   learning::CleaningReport cleaning;                         ///< of the states
   std::vector<TrajectoryStates> motions;                     ///< those that have states, in their order
   Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();  ///< rigid, of all states that count
   CorrectionErrors before, after;  ///< of these, as seen and with the offset taken off
-  bool cancelled = false;          ///< what came behind is empty
 };
 
 /// Screens, pairs with the clocks' lag, takes velocities, cleans, and takes off the rigid offset.
 /// base::InputError: as learning::prepare() and learning::checkRelated(); too few poses lie beside the
 /// cameras'.
-LearningStages learningStages(const std::vector<learning::RawMotion>& motions,
-                              const LearningStagesOptions& options, base::Progress* progress = nullptr);
+LearningStages learningStages(const std::vector<learning::RawMotion>& motions, const LearningOptions& options,
+                              base::Progress* progress = nullptr);
 
 /// Every row and every state that was left out, a line each, as CSV: trajectory, stream, line of its table,
 /// reason.

@@ -16,8 +16,10 @@ using learning::StreamKind;
 using testing::SamplePoses;
 
 LearningStages stagesOf(const SamplePoses& sample, StreamKind told = StreamKind::kCommand) {
-  return learningStages(recording::parsePoseTable(testing::samplePoseTable(sample), "poses.csv"),
-                        {told, {}, {}});
+  LearningOptions options;
+  options.towards = told;
+  options.cleaning = {};
+  return learningStages(recording::parsePoseTable(testing::samplePoseTable(sample), "poses.csv"), options);
 }
 
 TEST(LearningStages, FindEveryFlawWhereItWasPut) {

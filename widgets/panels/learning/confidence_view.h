@@ -34,7 +34,7 @@ class ConfidenceView : public LearningView {
   void ask();
   void compute();
 
-  std::shared_ptr<const learning::CorrectionTrial> trial_;
+  std::shared_ptr<const learning::LearningReport> learned_;
   bool stale_ = false;  ///< what is shown is not what is chosen
   QComboBox* axis_;
   QSlider* depth_;

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "core/learning/evaluation/correction_study.h"
-#include "core/learning/evaluation/correction_trial.h"
+#include "core/learning/evaluation/evaluate.h"
 #include "core/learning/evaluation/learning_curve.h"
 #include "core/learning/evaluation/learning_stages.h"
 #include "core/learning/model/learn.h"
@@ -11,15 +11,13 @@
 
 namespace capstan::widgets {
 
-/// How is learned: the same of every figure and table of the panel.
+/// How is learned and evaluated: the same of every figure and table of the panel. Defaults are those of
+/// capstan-cli learn.
 struct LearningSettings {
-  learning::LagOptions lag;
-  learning::CorrectionTrialOptions trial;
+  learning::LearningOptions learning;  ///< towards: as the choice of tables says
+  learning::HoldOut hold_out;
 
-  /// As capstan-cli learn has them.
-  LearningSettings();
-  /// Of the model that is saved.
-  learning::LearningOptions learning(learning::StreamKind towards) const;
+  learning::LearningOptions towards(learning::StreamKind stream) const;
   learning::CorrectionStudyOptions study(int splits) const;
   learning::LearningCurveOptions curve() const;
 };
@@ -27,8 +25,8 @@ struct LearningSettings {
 /// What there is so far; null: not yet.
 struct LearningResults {
   std::shared_ptr<const learning::LearningStages> stages;
-  std::shared_ptr<const learning::CorrectionTrial> trial;   ///< errors of trajectories held out
-  std::shared_ptr<const learning::LearningReport> learned;  ///< from all of them: what is saved
+  std::shared_ptr<const learning::LearningReport> learned;  ///< from all trajectories: what is saved
+  std::shared_ptr<const learning::HeldOutEvaluation> evaluation;
   std::shared_ptr<const learning::CorrectionStudyReport> study;
   std::shared_ptr<const learning::LearningCurve> curve;
   int splits = 0;  ///< of the study
@@ -36,17 +34,17 @@ struct LearningResults {
 
 /// What training leaves.
 struct TrainedCorrection {
-  learning::CorrectionTrial trial;
   learning::LearningReport learned;
+  learning::HeldOutEvaluation evaluation;
 };
 
-/// Takes errors on trajectories held out, and learns a model from all, as capstan-cli learn does.
-/// base::InputError as correctionTrial() and learning::learnPrepared().
+/// Evaluates on trajectories held out, and learns a model from all. base::InputError as evaluateHeldOut() and
+/// learnPrepared().
 TrainedCorrection trainCorrection(const learning::LearningStages& stages, const LearningSettings& settings,
                                   base::Progress& progress);
 
-/// Reads the tables and goes through all stages up to the rigid offset, in the background. Of several tables
-/// trajectories carry the name of theirs. base::InputError as readPoseTable() and learningStages().
+/// Reads the tables and goes through all stages up to the rigid offset, in the background. base::InputError
+/// as readPoseTables() and learningStages().
 learning::LearningStages readStages(const LearningChoice& choice, const LearningSettings& settings,
                                     base::Progress& progress);
 

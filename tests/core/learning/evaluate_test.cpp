@@ -1,6 +1,6 @@
 // A correction of an error that is known, judged on trajectories it has not seen, and the more states the
 // better.
-#include "core/learning/evaluation/correction_trial.h"
+#include "core/learning/evaluation/evaluate.h"
 
 #include <gtest/gtest.h>
 
@@ -18,56 +18,78 @@
 namespace capstan::learning {
 namespace {
 
-using learning::State;
-
-const std::vector<State>& states() {
-  static const std::vector<State> made =
-      learningStages(recording::parsePoseTable(testing::samplePoseTable(), "poses.csv"), {}).states;
-  return made;
-}
-
-constexpr double kRounding = 1e-6;  ///< a search ends elsewhere when sums are rounded elsewhere [m, rad]
-
-CorrectionTrialOptions quickTrial() {
-  CorrectionTrialOptions options;
+/// The paper's share of a trajectory that is rejected whole, as the study has it.
+LearningOptions quick() {
+  LearningOptions options;
+  options.cleaning = {};
   options.correction = learning::quickOptions();
   return options;
 }
 
-TEST(CorrectionTrial, HeldOutTrajectoriesAreBetterAtEachStep) {
-  const CorrectionTrial trial = correctionTrial(states(), quickTrial());
-  ASSERT_TRUE(trial.model);
-  EXPECT_EQ(trial.motions, 20U);
-  EXPECT_EQ(trial.motions_held, 4U);
-  EXPECT_EQ(trial.corrected.size(), states().size());
-  for (const State& state : trial.learned) EXPECT_FALSE(trial.held[state.motion]);
-  const double none = trial.clean[0].summed().median_distance,
-               offset = trial.clean[1].summed().median_distance,
-               corrected = trial.clean[2].summed().median_distance;
+const PreparedStates& sample() {
+  static const PreparedStates made =
+      prepare(recording::parsePoseTable(testing::samplePoseTable(), "poses.csv"), quick());
+  return made;
+}
+const std::vector<State>& states() { return sample().states; }
+
+constexpr double kRounding = 1e-6;  ///< a search ends elsewhere when sums are rounded elsewhere [m, rad]
+
+TEST(EvaluateHeldOut, TrajectoriesHeldOutAreBetterAtEachStep) {
+  const HeldOutEvaluation evaluation = evaluateHeldOut(sample(), quick(), {});
+  ASSERT_TRUE(evaluation.learned);
+  EXPECT_EQ(evaluation.motions, 20U);
+  EXPECT_EQ(evaluation.motions_held, 4U);
+  EXPECT_EQ(evaluation.corrected.size(), states().size());
+  for (const State& state : evaluation.learned->prepared.states) EXPECT_FALSE(evaluation.held[state.motion]);
+  const StepErrors& clean = evaluation.test.clean;
+  const double none = clean[0].summed().median_distance, offset = clean[1].summed().median_distance,
+               corrected = clean[2].summed().median_distance;
   EXPECT_GT(none, 0.1);
   EXPECT_LT(offset, 5e-3);
   EXPECT_LT(corrected, 0.4 * offset);
-  EXPECT_GE(trial.dirty[2].apart.size(), trial.clean[2].apart.size());
+  EXPECT_GE(evaluation.test.all[2].apart.size(), clean[2].apart.size());
+  EXPECT_EQ(evaluation.test.clean_states, clean[2].apart.size());
 }
 
-TEST(CorrectionTrial, ErrorsAreThoseOfTheStudysLastMethod) {
-  CorrectionTrialOptions with_history = quickTrial();
+TEST(EvaluateHeldOut, ErrorsAreThoseOfTheStudysLastMethod) {
+  LearningOptions with_history = quick();
   with_history.correction.motion = learning::Motion::kHistory;
-  const CorrectionTrial trial = correctionTrial(states(), with_history);
+  const HeldOutEvaluation evaluation = evaluateHeldOut(sample(), with_history, {});
   CorrectionStudyOptions options;
   options.splits = 1;
   options.correction = learning::quickOptions();
   const CorrectionStudyReport study = correctionStudy(states(), options);
-  EXPECT_NEAR(study.clean.back().distance, trial.clean[2].summed().distance, kRounding);
-  EXPECT_NEAR(study.dirty.back().angle, trial.dirty[2].summed().angle, kRounding);
+  EXPECT_NEAR(study.clean.back().distance, evaluation.test.clean[2].summed().distance, kRounding);
+  EXPECT_NEAR(study.dirty.back().angle, evaluation.test.all[2].summed().angle, kRounding);
 }
 
-std::vector<State> noisyStates() {
+TEST(EvaluateHeldOut, TrainsAsLearnDoes) {
+  const HeldOutEvaluation evaluation = evaluateHeldOut(sample(), quick(), {});
+  PreparedStates others = sample();
+  std::erase_if(others.states, [&](const State& state) { return evaluation.held[state.motion]; });
+  const LearningReport learned = learnPrepared(others, quick());
+  const std::vector<Eigen::Isometry3d> corrected = learned.model.correct(states());
+  for (std::size_t k = 0; k < corrected.size(); ++k)
+    EXPECT_TRUE(corrected[k].isApprox(evaluation.corrected[k], 1e-12)) << k;
+}
+
+TEST(Evaluate, OfTheStatesHeldOutIsThatOfHoldingThemOut) {
+  const HeldOutEvaluation evaluation = evaluateHeldOut(sample(), quick(), {});
+  const std::vector<State> test = splitStates(states(), evaluation.held).test;
+  const Evaluation again = evaluate(*evaluation.learned, test, quick());
+  EXPECT_EQ(again.states, evaluation.test.states);
+  EXPECT_EQ(again.clean_states, evaluation.test.clean_states);
+  EXPECT_EQ(again.clean[2].summed().distance, evaluation.test.clean[2].summed().distance);
+  EXPECT_EQ(again.all[1].summed().angle, evaluation.test.all[1].summed().angle);
+}
+
+PreparedStates noisySample() {
   testing::SamplePoses noisy;
   noisy.trajectories = 60;
   noisy.noise = 5e-4;
   noisy.turn_noise = 5e-3;
-  return learningStages(recording::parsePoseTable(testing::samplePoseTable(noisy), "p.csv"), {}).states;
+  return prepare(recording::parsePoseTable(testing::samplePoseTable(noisy), "p.csv"), quick());
 }
 
 /// White noise, all that a correction leaves here, changes from one sight to the next.
@@ -93,18 +115,15 @@ TEST(CorrectionStudy, WhatJittersIsNoise) {
 }
 
 /// Pooled: shares of the twelve trajectories that one trial holds out differ from seed to seed.
-TEST(CorrectionTrial, TellsHowOftenErrorsAreAsStated) {
-  const std::vector<State> states = noisyStates();
+TEST(EvaluateHeldOut, TellsHowOftenErrorsAreAsStated) {
+  const PreparedStates noisy = noisySample();
   StatedErrors pooled;
   std::size_t held = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-    CorrectionTrialOptions options = quickTrial();
-    options.seed = seed;
-    const CorrectionTrial trial = correctionTrial(states, options);
-    held += trial.clean[2].distance.size();
+    const Evaluation test = evaluateHeldOut(noisy, quick(), {.seed = seed}).test;
+    held += test.clean[2].distance.size();
     for (std::size_t k = 0; k < 6; ++k)
-      pooled.ratio[k].insert(pooled.ratio[k].end(), trial.stated.ratio[k].begin(),
-                             trial.stated.ratio[k].end());
+      pooled.ratio[k].insert(pooled.ratio[k].end(), test.stated.ratio[k].begin(), test.stated.ratio[k].end());
   }
   ASSERT_EQ(pooled.states(), held);
   for (std::size_t k = 0; k < 6; ++k) {
@@ -123,18 +142,18 @@ TEST(StatedErrors, SharesAreThoseOfANormalDistribution) {
   EXPECT_EQ(StatedErrors().within(0, 1.0), 0.0);
 }
 
-TEST(CorrectionTrial, NeedsTrajectoriesToHoldOut) {
-  std::vector<State> one = states();
-  std::erase_if(one, [](const State& state) { return state.motion > 0; });
-  EXPECT_THROW(correctionTrial(one, quickTrial()), base::InputError);
+TEST(EvaluateHeldOut, NeedsTrajectoriesToHoldOut) {
+  PreparedStates one = sample();
+  std::erase_if(one.states, [](const State& state) { return state.motion > 0; });
+  EXPECT_THROW(evaluateHeldOut(one, quick(), {}), base::InputError);
 }
 
-TEST(CorrectionTrial, StopsWithoutAModel) {
+TEST(EvaluateHeldOut, StopsWithoutAModel) {
   base::Progress progress;
   progress.cancel();
-  const CorrectionTrial trial = correctionTrial(states(), quickTrial(), &progress);
-  EXPECT_TRUE(trial.cancelled);
-  EXPECT_FALSE(trial.model);
+  const HeldOutEvaluation evaluation = evaluateHeldOut(sample(), quick(), {}, &progress);
+  EXPECT_TRUE(evaluation.cancelled);
+  EXPECT_FALSE(evaluation.learned);
   CorrectionStudyOptions study;
   study.correction = learning::quickOptions();
   EXPECT_TRUE(correctionStudy(states(), study, &progress).cancelled);
@@ -155,16 +174,17 @@ TEST(LearningCurve, FallsWithMoreStates) {
   EXPECT_EQ(curve.motions_held, 4U);
 }
 
-TEST(LearningCurve, OfAllStatesIsTheTrial) {
+TEST(LearningCurve, OfAllStatesIsTheEvaluation) {
   LearningCurveOptions options;
   options.correction = learning::quickOptions();
   options.shares = {1.0};
   const LearningCurve curve = learningCurve(states(), options);
-  CorrectionTrialOptions plain = quickTrial();
+  LearningOptions plain = quick();
   plain.weigh = false;
-  const CorrectionTrial trial = correctionTrial(states(), plain);
-  EXPECT_EQ(curve.points[0].states, trial.learned.size());
-  EXPECT_NEAR(curve.points[0].errors.distance, trial.clean[2].summed().distance, kRounding);
+  plain.correction.motion = options.correction.motion;
+  const HeldOutEvaluation evaluation = evaluateHeldOut(sample(), plain, {});
+  EXPECT_EQ(curve.points[0].states, evaluation.learned->cleaning.kept());
+  EXPECT_NEAR(curve.points[0].errors.distance, evaluation.test.clean[2].summed().distance, kRounding);
 }
 
 TEST(LearningCurve, KeepsWhatWasDone) {
@@ -186,13 +206,14 @@ TEST(HeldOut, SplitsByTrajectoryAndBySeed) {
 }
 
 TEST(ConfidenceSlice, IsSureWhereItWasTaughtAndNowhereFarFromIt) {
-  const CorrectionTrial trial = correctionTrial(states(), quickTrial());
+  const LearningReport learned = learnPrepared(sample(), quick());
+  const std::vector<State> inliers = kept(learned.prepared.states, learned.cleaning);
   learning::SliceOptions options;
   options.cells = 17;
   options.margin = 0.06;
   for (int axis = 0; axis < 3; ++axis) {
     options.axis = axis;
-    const learning::ConfidenceSlice slice = confidenceSlice(*trial.model, trial.learned, options);
+    const learning::ConfidenceSlice slice = confidenceSlice(learned.model, inliers, options);
     ASSERT_EQ(std::max(slice.confidence.rows(), slice.confidence.cols()), 17);
     EXPECT_GT(slice.confidence.maxCoeff(), 0.6) << axis;
     EXPECT_LT(slice.confidence(0, 0), 0.05) << "a corner, six centimetres away";
@@ -204,11 +225,11 @@ TEST(ConfidenceSlice, IsSureWhereItWasTaughtAndNowhereFarFromIt) {
 }
 
 TEST(ConfidenceSlice, SaysOfManyWhatCorrectSaysOfOne) {
-  const CorrectionTrial trial = correctionTrial(states(), quickTrial());
-  const std::vector<State> some(trial.learned.begin(), trial.learned.begin() + 5);
-  const Eigen::VectorXd many = trial.model->confidence(some);
+  const LearningReport learned = learnPrepared(sample(), quick());
+  const std::vector<State> some(states().begin(), states().begin() + 5);
+  const Eigen::VectorXd many = learned.model.confidence(some);
   for (std::size_t k = 0; k < some.size(); ++k)
-    EXPECT_NEAR(many[static_cast<Eigen::Index>(k)], trial.model->correct(some[k]).confidence, 1e-9);
+    EXPECT_NEAR(many[static_cast<Eigen::Index>(k)], learned.model.correct(some[k]).confidence, 1e-9);
 }
 
 }  // namespace
