@@ -82,7 +82,8 @@ void addFilterStudy(CLI::App& study, ExitCode& exit) {
   command->add_option("--settled", options->settled, "start of the NIS statistics [s]")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 3600.0));
-  command->add_flag("!--no-images", options->images, "tip positions instead of images");
+  command->add_flag_callback(
+      "--no-images", [options] { options->images = false; }, "tip positions instead of images");
   command->add_flag("--disturbed", options->disturbed,
                     "each session again with cameras that move, motors that slip, constants that are wrong "
                     "(tip positions)");

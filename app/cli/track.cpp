@@ -69,6 +69,14 @@ std::string robotText(const TrackArguments& arguments, const robot::Description&
   return fmt::format("robot          {} ({})\n", robot.name, from);
 }
 
+/// Failures that come after the recording's end do nothing.
+void noticeLate(const std::vector<live::MotorFailure>& failures, const tracking::SourceInfo& info) {
+  for (const live::MotorFailure& failure : failures)
+    if (info.duration > 0.0 && failure.time > info.duration)
+      notice(fmt::format("--fail-motor: the recording ends at {:.4g} s, before {:.4g} s", info.duration,
+                         failure.time));
+}
+
 ExitCode track(TrackArguments& arguments, const CLI::App& command) {
   check(arguments, command);
   const recording::ReadAs read_as = readAsOf(arguments.read_as);
@@ -107,6 +115,7 @@ ExitCode track(TrackArguments& arguments, const CLI::App& command) {
   if (!arguments.save_registration.empty())
     writeRegistration(*info.base_from_camera, arguments.save_registration);
 
+  noticeLate(failures, info);
   tracking::TrackingPipeline pipeline = tracking::makePipeline(info, options);
   for (const int motor : arguments.failed_motors) pipeline.setMotorFailed(motor - 1, true);
   live::FailingMotors failing(*source, failures);

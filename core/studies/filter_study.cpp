@@ -167,7 +167,7 @@ base::Table comparisonsOf(const FilterStudy& study) {
       {"recording", {}}, {"robot", {}}, {"disturbance", {}}, {"occlusion", "%", 0}, {"joint", {}}};
   for (const char* name : {"kinematic", "camera", "six-state", "augmented"})
     table.columns.push_back({name, "deg or mm", 4});
-  table.columns.push_back({"augmented <= both inputs", {}});
+  table.columns.push_back({"augmented ≤ both inputs", {}});
   for (const char* name : {"NIS six-state", "NIS augmented", "in band"})
     table.columns.push_back({name, {}, 3});
   for (const FilterComparison& one : study.comparisons)

@@ -78,9 +78,10 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   row->addStretch(1);
   labels_[kNis]->setToolTip(tr(
       "Normalised innovation squared over its degrees of freedom. Pass: inside the 95 % χ² band. Cautious: "
-      "below it, the filter expects larger errors than there are. FAIL, too high: above it, the filter errs "
-      "by "
-      "more than it states, as with a wrong parameter of the robot file or cameras that were moved"));
+      "below it, the camera agrees with the filter more closely than the filter expects. FAIL, too high: "
+      "above "
+      "it, the filter errs by more than it states, as with a wrong parameter of the robot file or cameras "
+      "that were moved"));
   labels_[kMotors]->setToolTip(tr("An encoder that failed: its joint is estimated from the cameras alone"));
   labels_[kLag]->setToolTip(tr("From exposure to arrival of the newest camera sample"));
   labels_[kRescues]->setToolTip(tr("Cholesky down-dates that fell back to a safe path"));
