@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t kFewestRows = 50;  ///< below which rows tell no rate
 constexpr double kSlowestRate = 10.0;    ///< below which cable dynamics cannot be followed [1/s]
+constexpr double kFastestRate = 1e5;     ///< above which no motor is read [1/s]
 
 std::string rangeText(const Range& range, const char* unit) {
   return fmt::format("{:.4g} … {:.4g} {}", range.low, range.high, unit);
@@ -99,19 +100,31 @@ class Inspection {
 
   void time() {
     const double period = medianPeriod(table_);
-    if (table_.rows() < kFewestRows || !(period > 1.0 / kSlowestRate)) return;
+    if (table_.rows() < kFewestRows) return;
+    if (period > 1.0 / kSlowestRate) slowRows(period);
+    if (period > 0.0 && period < 1.0 / kFastestRate)
+      addTime(fmt::format("has rows every {:.4g}: as seconds that is faster than any motor is read", period),
+              {});
+  }
+
+  /// Rows as slow as that are in another unit, but where dq_m shows that t is right.
+  void slowRows(double period) {
     const MotorSpeeds speeds(table_, MotorFactors(table_.q_m.size(), 1.0), 1.0);
     if (speeds.any() && speeds.agree()) return;
-    UnitFinding found{"t", "t", table_.t.front(), table_.t.back(), true, {}, {}, {}};
-    found.text =
+    std::string text =
         fmt::format("has rows every {:.4g}: as seconds that is slower than any motor is read", period);
+    std::optional<ColumnUnit> read_as;
     for (const ColumnUnit unit :
          {ColumnUnit::kNanoseconds, ColumnUnit::kMicroseconds, ColumnUnit::kMilliseconds})
-      if (const double read = factorOf(unit) * period; read <= 1.0 / kSlowestRate) found.unit = unit;
-    if (found.unit)
-      found.text += fmt::format("; as {} there are {:.4g} rows a second", wordOf(*found.unit),
-                                1.0 / (factorOf(*found.unit) * period));
-    findings_.push_back(std::move(found));
+      if (factorOf(unit) * period <= 1.0 / kSlowestRate) read_as = unit;
+    if (read_as)
+      text += fmt::format("; as {} there are {:.4g} rows a second", wordOf(*read_as),
+                          1.0 / (factorOf(*read_as) * period));
+    addTime(std::move(text), read_as);
+  }
+
+  void addTime(std::string text, std::optional<ColumnUnit> unit) {
+    findings_.push_back({"t", "t", table_.t.front(), table_.t.back(), true, unit, {}, std::move(text)});
   }
 
   void motors() {

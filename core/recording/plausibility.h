@@ -24,10 +24,10 @@ struct UnitFinding {
 
 /// The columns of `table` whose numbers `robot` can hardly have given in SI units, with their neighbours of
 /// the same quantity and unit. A column is implausible where more than 1 % of its values are:
-///   t      median period above 0.1 s over 50 rows or more, where dq_m does not say that t is right
-///   q      outside the limits by more than their range
-///   q_m    beyond three times the travel that the joint limits need
-///   dq_m   beyond ten times what the joints' highest speeds need; or 30 to 110 times the speed that q_m
+///   t      over 50 rows or more, median period below 1e-5 s, or above 0.1 s where dq_m does not show t to be
+///   right q      outside the limits by more than their range q_m    beyond three times the travel that the
+///   joint limits need dq_m   beyond ten times what the joints' highest speeds need; or 30 to 110 times the
+///   speed that q_m
 ///          shows (degrees per second would be 57 times)
 ///   p_c    |p_c| below a third of the least, or above three times the greatest, distance from the base
 ///   within the

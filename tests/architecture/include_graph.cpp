@@ -77,7 +77,8 @@ std::map<std::string, Room> roomsOf(const fs::path& root, const std::string& top
     room.name = name;
     const auto layer = layers.find(name.substr(top.size() + 1));
     if (layer != layers.end()) room.layer = layer->second;
-    const std::string cmake = base::readTextFile(root / name / "CMakeLists.txt");
+    const std::string cmake =
+        std::regex_replace(base::readTextFile(root / name / "CMakeLists.txt"), std::regex("#[^\n]*"), "");
     if (const auto target = matches(cmake, "NAME ([a-z_]+)"); !target.empty()) room.target = target.front();
     const auto links = matches(cmake, "capstan::([a-z_]+)");
     room.links = {links.begin(), links.end()};

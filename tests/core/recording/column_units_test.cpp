@@ -118,7 +118,7 @@ TEST(ColumnUnits, AStatedUnitThatDoesNotSuitTheTableIsRefusedByName) {
   };
   for (const auto& [table, stated, column] :
        {Case{millimetres, "q=deg", "q3 "}, Case{si, "p_c=mm", "p_c1 "}, Case{si, "q_m=deg", "dq_m1 "},
-        Case{si, "t=ms", "dq_m1 "}, Case{si, "dq_m=deg", ""}}) {
+        Case{si, "t=ms", "t "}, Case{si, "dq_m=deg", ""}}) {
     MeasuredTable read = table;
     std::string message;
     try {
