@@ -17,6 +17,7 @@
 
 #include "core/base/error.h"
 #include "core/recording/session_file.h"
+#include "widgets/figures/save_figure.h"
 #include "widgets/panels/analysis/analysis_panel.h"
 #include "widgets/panels/diagnosis/diagnosis_panel.h"
 #include "widgets/panels/errors/errors_panel.h"
