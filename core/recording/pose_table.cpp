@@ -138,11 +138,11 @@ void checkDistinct(const std::vector<std::string>& paths) {
             {paths[b], 0, {}, {}, "is given twice: its motions would count twice", "Give each table once"});
 }
 
-/// The file's name; its whole path where another table has the same name.
+/// The file's name without its ending; its whole path where another table has the same name.
 std::string shortName(const std::string& path, const std::vector<std::string>& paths) {
-  const std::string name = std::filesystem::path(path).filename().string();
+  const std::string name = std::filesystem::path(path).stem().string();
   const auto same = std::count_if(paths.begin(), paths.end(), [&](const std::string& other) {
-    return std::filesystem::path(other).filename() == name;
+    return std::filesystem::path(other).stem() == name;
   });
   return same > 1 ? path : name;
 }

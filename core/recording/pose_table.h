@@ -24,9 +24,9 @@ inline constexpr std::array<std::string_view, learning::kStreams> kStreamPrefixe
 std::vector<learning::RawMotion> parsePoseTable(std::string_view text, const std::string& file);
 std::vector<learning::RawMotion> readPoseTable(const std::filesystem::path& path);
 
-/// The motions of several tables, one behind the other; each carries the name of its table, "a.csv, traj 3".
-/// Of one table as readPoseTable(). Cancelled: those of the tables read until then. base::InputError as
-/// readPoseTable(), and where a table is given twice, which would count twice.
+/// The motions of several tables, one behind the other; each carries the name of its table, "monday,
+/// trajectory 3". Of one table as readPoseTable(). Cancelled: those of the tables read until then.
+/// base::InputError as readPoseTable(), and where a table is given twice, which would count twice.
 std::vector<learning::RawMotion> readPoseTables(const std::vector<std::string>& paths,
                                                 base::Progress* progress = nullptr);
 

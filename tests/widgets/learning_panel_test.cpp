@@ -310,9 +310,10 @@ TEST_F(Learning, ModelAndErrorsAreThoseOfTheCommandLine) {
   LearningSettings settings;
   settings.learning.correction.inducing_points = 200;
   show(settings);
-  SamplePoses other;
-  other.seed = 2;
-  const QStringList tables = {table("monday.csv"), table("tuesday.csv", other)};
+  SamplePoses monday, tuesday;
+  monday.trajectories = tuesday.trajectories = 6;
+  tuesday.seed = 2;
+  const QStringList tables = {table("monday.csv", monday), table("tuesday.csv", tuesday)};
   panel->choose({.tables = tables});
   ASSERT_TRUE(waitFor([&] { return !panel->busy(); }));
   panel->train();
