@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/session/occlusion.h"
+#include "core/live/occlusion.h"
 #include "core/simulation/simulated_source.h"
 #include "core/tracking/snapshot.h"
 
@@ -16,7 +16,7 @@ namespace capstan::cli {
 /// not count.
 class CentroidStudy {
  public:
-  CentroidStudy(const simulation::SimulatedSource& source, const session::OcclusionSchedule& occlusion)
+  CentroidStudy(const simulation::SimulatedSource& source, const live::OcclusionSchedule& occlusion)
       : source_(source), occlusion_(occlusion) {}
   void add(const tracking::Snapshot& snapshot);
 
@@ -27,7 +27,7 @@ class CentroidStudy {
   bool blockedAt(double exposed) const;
 
   const simulation::SimulatedSource& source_;
-  const session::OcclusionSchedule occlusion_;
+  const live::OcclusionSchedule occlusion_;
   std::vector<double> errors_;   ///< of detections that belong to the marker [px]
   std::uint64_t in_view_ = 0;    ///< pictures that show the whole marker, unblocked
   std::uint64_t detected_ = 0;   ///< of these, with any detection

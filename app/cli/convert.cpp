@@ -12,8 +12,8 @@
 #include "app/cli/recordings.h"
 #include "core/base/error.h"
 #include "core/base/yaml.h"
-#include "core/session/export.h"
-#include "core/session/session_file.h"
+#include "core/recording/export.h"
+#include "core/recording/session_file.h"
 
 namespace capstan::cli {
 namespace {
@@ -27,7 +27,7 @@ std::string targetOf(const ConvertArguments& arguments) {
   if (arguments.to != "auto") return arguments.to;
   const std::string suffix = std::filesystem::path(arguments.out).extension().string();
   if (suffix == ".csv") return "table";
-  if (suffix == session::kSessionSuffix) return "session";
+  if (suffix == recording::kSessionSuffix) return "session";
   if (suffix == ".avi" || suffix == ".mkv" || suffix == ".mp4") return "video";
   refuseOption("OUT", arguments.out, "does not say by its suffix what to write",
                "End it in .csv, .capstan, .avi, .mkv or .mp4, or give --to csv-folder or png");
@@ -42,9 +42,9 @@ std::string writeTable(const ConvertArguments& arguments, RecordingFormat format
                        const base::Progress& progress) {
   const auto table =
       format == RecordingFormat::kSession
-          ? session::sessionTable(arguments.in)
+          ? recording::sessionTable(arguments.in)
           : readTable(arguments.in, format, readRobot(arguments.robot), readAsOf(arguments.read_as));
-  const std::string text = session::formatMeasuredTable(table);
+  const std::string text = recording::formatMeasuredTable(table);
   if (progress.cancelled()) return {};
   base::writeTextFile(arguments.out, text);
   for (const auto& column : table.ignored)
@@ -55,7 +55,7 @@ std::string writeTable(const ConvertArguments& arguments, RecordingFormat format
 }
 
 std::string writeVideo(const ConvertArguments& arguments, base::Progress& progress) {
-  const session::VideoReport video = session::exportVideo(arguments.in, arguments.out, &progress);
+  const recording::VideoReport video = recording::exportVideo(arguments.in, arguments.out, &progress);
   if (video.other_size > 0)
     notice(fmt::format("{} frames of another size than the first are left out: a video has one size",
                        video.other_size));
@@ -68,16 +68,17 @@ std::string convertTo(const std::string& target, const ConvertArguments& argumen
   if (target == "table") return writeTable(arguments, format, progress);
   if (target == "session") {
     const auto source = openSource(arguments.in, format, arguments.robot, readAsOf(arguments.read_as));
-    session::importRecording(*source, arguments.out, session::headerOf(source->info(), isoNow()), &progress,
-                             arguments.force ? session::Existing::kReplace : session::Existing::kRefuse);
+    recording::importRecording(
+        *source, arguments.out, recording::headerOf(source->info(), isoNow()), &progress,
+        arguments.force ? recording::Existing::kReplace : recording::Existing::kRefuse);
     if (progress.cancelled()) return {};
-    return fmt::format("{} motor samples", session::readSessionSummary(arguments.out).motor);
+    return fmt::format("{} motor samples", recording::readSessionSummary(arguments.out).motor);
   }
   needSession(format, target);
   if (target == "csv-folder")
-    return fmt::format("{} files", session::exportCsv(arguments.in, arguments.out, &progress).size());
+    return fmt::format("{} files", recording::exportCsv(arguments.in, arguments.out, &progress).size());
   if (target == "png")
-    return fmt::format("{} pictures", session::exportPng(arguments.in, arguments.out, &progress));
+    return fmt::format("{} pictures", recording::exportPng(arguments.in, arguments.out, &progress));
   return writeVideo(arguments, progress);
 }
 

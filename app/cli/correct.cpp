@@ -8,8 +8,8 @@
 #include "app/cli/outputs.h"
 #include "app/cli/pose_motions.h"
 #include "core/base/yaml.h"
-#include "core/session/correction_file.h"
-#include "core/session/pose_path.h"
+#include "core/learning/model/correction_file.h"
+#include "core/recording/pose_path.h"
 
 namespace capstan::cli {
 namespace {
@@ -20,14 +20,14 @@ struct CorrectArguments {
 
 ExitCode run(const CorrectArguments& arguments) {
   checkOutputs({{"OUT", arguments.out}}, {arguments.model, arguments.in});
-  const session::CorrectionFile file = session::readCorrection(arguments.model);
-  const session::PosePaths paths = session::readPosePaths(arguments.in);
-  const std::vector<learning::State> wanted = session::statesOf(paths);
+  const learning::CorrectionFile file = learning::readCorrection(arguments.model);
+  const recording::PosePaths paths = recording::readPosePaths(arguments.in);
+  const std::vector<learning::State> wanted = recording::statesOf(paths);
   checkNear(file.model, wanted, arguments.in);
   const std::vector<learning::Corrected> corrected = file.model.correctSurely(wanted);
   const auto unsure = std::count_if(corrected.begin(), corrected.end(),
                                     [](const auto& one) { return one.confidence < learning::kUnsure; });
-  base::writeTextFile(arguments.out, session::formatCorrected(paths, corrected));
+  base::writeTextFile(arguments.out, recording::formatCorrected(paths, corrected));
   if (!paths.timed) notice("The table has no t_s: every pose is corrected as one to rest at.");
   if (file.model.processes().empty())
     notice("The model is a rigid offset alone: it tells no confidence.");

@@ -6,9 +6,9 @@
 #include <sstream>
 #include <vector>
 
-#include "core/diagnosis/pose_hypotheses.h"
-#include "core/diagnosis/report_tables.h"
-#include "core/diagnosis/shown.h"
+#include "core/diagnosis/hypotheses/pose_hypotheses.h"
+#include "core/diagnosis/report/report_tables.h"
+#include "core/diagnosis/report/shown.h"
 
 namespace capstan::cli {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "core/base/table.h"
-#include "core/diagnosis/report.h"
+#include "core/diagnosis/report/report.h"
 
 namespace capstan::cli {
 

@@ -6,7 +6,7 @@
 
 #include "app/cli/console.h"
 #include "app/cli/recordings.h"
-#include "core/session/csv.h"
+#include "core/recording/csv.h"
 
 namespace capstan::cli {
 namespace {
@@ -16,7 +16,7 @@ bool isPoses(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
   std::string line;
   std::getline(in, line);
-  return diagnosis::isPoseTable(session::csvHeaderLine(line));
+  return diagnosis::isPoseTable(recording::csvHeaderLine(line));
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/cli/diagnose_run.h"
-#include "core/diagnosis/pose_diagnosis.h"
+#include "core/diagnosis/poses/pose_diagnosis.h"
 
 namespace capstan::cli {
 

@@ -11,12 +11,12 @@
 #include "app/cli/outputs.h"
 #include "app/cli/recordings.h"
 #include "core/base/error.h"
+#include "core/base/same_recording.h"
+#include "core/base/software.h"
 #include "core/base/yaml.h"
-#include "core/diagnosis/extended_robot.h"
-#include "core/diagnosis/read_evidence.h"
-#include "core/diagnosis/report_json.h"
-#include "core/experiments/same_recording.h"
-#include "core/experiments/software.h"
+#include "core/diagnosis/evidence/read_evidence.h"
+#include "core/diagnosis/report/extended_robot.h"
+#include "core/diagnosis/report/report_json.h"
 #include "core/robot/effects.h"
 #include "widgets/figures/diagnosis_export.h"
 
@@ -41,7 +41,7 @@ void checkFiles(const DiagnoseArguments& arguments) {
   const std::vector<std::string>& files = arguments.files;
   for (std::size_t i = 0; i < files.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      if (experiments::sameRecording(files[j], files[i]))
+      if (base::sameRecording(files[j], files[i]))
         refuseFile(files[i], "is the same recording as " + files[j] + ": it would count twice",
                    "Give each recording once");
   for (const std::string& file : files)
@@ -107,7 +107,7 @@ Found findInPoses(const DiagnoseArguments& arguments, const robot::Description& 
 }
 
 void writeRobot(const DiagnoseArguments& arguments, const Report& report) {
-  base::writeTextFile(arguments.out, diagnosis::extendedRobotText(report, experiments::software()));
+  base::writeTextFile(arguments.out, diagnosis::extendedRobotText(report, base::software()));
   if (report.causes.empty()) notice("nothing was named: " + arguments.out + " is the refitted robot");
 }
 
@@ -116,8 +116,7 @@ bool writePage(const DiagnoseArguments& arguments, const Report& report, const r
   const FileDrawing drawing;
   base::Progress progress;
   const ProgressLine line(progress);
-  widgets::exportDiagnosis(report, {nominal.name, experiments::software(), isoNow()}, arguments.report,
-                           &progress);
+  widgets::exportDiagnosis(report, {nominal.name, base::software(), isoNow()}, arguments.report, &progress);
   return !progress.cancelled();
 }
 

@@ -15,7 +15,7 @@ struct DiagnoseArguments {
   std::string towards;                   ///< of tip poses: kinematics, command; empty: what there is
   std::string zeros;                     ///< of encoders: known, shared, each; empty: options.zeros
   double skip_start = 0.0;               ///< [s]
-  std::string read_as;                   ///< units of tables, as session::parseReadAs() takes them
+  std::string read_as;                   ///< units of tables, as recording::parseReadAs() takes them
   diagnosis::DiagnosisOptions options;
 };
 

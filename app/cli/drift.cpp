@@ -7,11 +7,11 @@
 #include "app/cli/console.h"
 #include "app/cli/outputs.h"
 #include "app/cli/pose_motions.h"
-#include "core/learning/drift_monitor.h"
-#include "core/learning/learn.h"
-#include "core/learning/related_streams.h"
-#include "core/session/correction_file.h"
-#include "core/session/pose_table.h"
+#include "core/learning/model/correction_file.h"
+#include "core/learning/model/drift_monitor.h"
+#include "core/learning/model/learn.h"
+#include "core/learning/poses/related_streams.h"
+#include "core/recording/pose_table.h"
 
 namespace capstan::cli {
 namespace {
@@ -89,10 +89,10 @@ std::string textOf(const learning::PreparedStates& prepared, std::size_t states,
                                   : "Nothing shows that the model has aged.\n");
 }
 
-learning::PreparedStates preparedFor(const session::CorrectionFile& file,
+learning::PreparedStates preparedFor(const learning::CorrectionFile& file,
                                      const std::vector<std::string>& tables) {
   learning::PreparedStates prepared =
-      learning::prepareAt(file.source.lag, readMotions(tables), file.source.towards);
+      learning::prepareAt(file.source.lag, recording::readPoseTables(tables), file.source.towards);
   learning::checkRelated(prepared.screen.motions, prepared.states, file.model.offset(), file.source.towards);
   return prepared;
 }
@@ -101,12 +101,11 @@ ExitCode run(const DriftArguments& arguments) {
   std::vector<std::string> inputs = arguments.tables;
   inputs.push_back(arguments.model);
   checkOutputs({{"--json", arguments.json}}, inputs);
-  checkDistinct(arguments.tables);
-  const session::CorrectionFile file = session::readCorrection(arguments.model);
+  const learning::CorrectionFile file = learning::readCorrection(arguments.model);
   checkProcesses(file.model, arguments.model);
   checkNew(arguments.tables, file.source);
   learning::PreparedStates prepared =
-      session::namingTables(arguments.tables, [&] { return preparedFor(file, arguments.tables); });
+      recording::namingTables(arguments.tables, [&] { return preparedFor(file, arguments.tables); });
   const std::size_t states = prepared.states.size();
   prepared.states = learning::kept(
       prepared.states, learning::cleanStates(prepared.states, learning::LearningOptions{}.cleaning));

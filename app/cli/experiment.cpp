@@ -12,11 +12,11 @@
 #include "app/cli/console.h"
 #include "app/cli/experiment_output.h"
 #include "app/cli/outputs.h"
+#include "core/base/software.h"
 #include "core/base/yaml.h"
 #include "core/experiments/comparison.h"
 #include "core/experiments/published.h"
 #include "core/experiments/run.h"
-#include "core/experiments/software.h"
 #include "core/experiments/tables.h"
 
 namespace capstan::cli {
@@ -69,7 +69,7 @@ ExitCode experiment(const ExperimentArguments& arguments) {
                                {.out = arguments.out,
                                 .threads = arguments.threads,
                                 .images = arguments.images,
-                                .software = experiments::software()},
+                                .software = base::software()},
                                done);
   if (!finished) {
     notice(cancelledText(done, arguments.out));

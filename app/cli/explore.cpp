@@ -8,9 +8,9 @@
 #include "app/cli/outputs.h"
 #include "app/cli/pose_motions.h"
 #include "core/base/yaml.h"
-#include "core/learning/next_poses.h"
-#include "core/session/correction_file.h"
-#include "core/session/pose_path.h"
+#include "core/learning/model/correction_file.h"
+#include "core/learning/model/next_poses.h"
+#include "core/recording/pose_path.h"
 
 namespace capstan::cli {
 namespace {
@@ -22,7 +22,7 @@ struct ExploreArguments {
 
 /// What is asked for to visit them, in their order.
 struct Visits {
-  session::PosePaths paths;
+  recording::PosePaths paths;
   std::vector<learning::Corrected> corrected;
 };
 
@@ -60,13 +60,13 @@ std::string textOf(std::size_t candidates, const std::vector<learning::NextPose>
 ExitCode run(const ExploreArguments& arguments) {
   constexpr int kEach = 4;
   checkOutputs({{"OUT", arguments.out}}, {arguments.model, arguments.among});
-  const session::CorrectionFile file = session::readCorrection(arguments.model);
+  const learning::CorrectionFile file = learning::readCorrection(arguments.model);
   if (file.model.processes().empty())
     refuseFile(arguments.model, "is a rigid offset alone: it is equally sure everywhere",
                "Learn a model with Gaussian processes (--method auto)");
   const std::vector<learning::State> candidates =
       arguments.among.empty() ? learning::posesWithin(file.model, kEach)
-                              : session::statesOf(session::readPosePaths(arguments.among));
+                              : recording::statesOf(recording::readPosePaths(arguments.among));
   if (!arguments.among.empty()) checkNear(file.model, candidates, arguments.among);
   base::Progress progress;
   std::vector<learning::NextPose> next;
@@ -76,7 +76,7 @@ ExitCode run(const ExploreArguments& arguments) {
   }
   if (progress.cancelled()) return kFailed;
   const Visits visits = visitsOf(candidates, next, file.model);
-  base::writeTextFile(arguments.out, session::formatCorrected(visits.paths, visits.corrected));
+  base::writeTextFile(arguments.out, recording::formatCorrected(visits.paths, visits.corrected));
   if (next.empty()) {
     Output({}).text("No visit would make the model surer.\n");
     return kOk;

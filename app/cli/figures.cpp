@@ -9,9 +9,9 @@
 #include "app/cli/console.h"
 #include "app/cli/file_drawing.h"
 #include "app/cli/outputs.h"
+#include "core/analysis/results_to_draw.h"
 #include "core/base/error.h"
-#include "core/experiments/results_to_draw.h"
-#include "core/experiments/software.h"
+#include "core/base/software.h"
 #include "widgets/figures/export_all.h"
 
 namespace capstan::cli {
@@ -30,7 +30,7 @@ struct FiguresArguments {
 bool track(const fs::path& file, std::vector<Results>& all) {
   base::Progress progress;
   const ProgressLine line(progress);
-  Results results = experiments::resultsOfRecording(file, {}, experiments::software(), progress);
+  Results results = analysis::resultsOfRecording(file, {}, base::software(), progress);
   if (results.cancelled) return false;
   all.push_back(std::move(results));
   return true;
@@ -56,7 +56,7 @@ bool readInputs(const std::vector<std::string>& inputs, std::vector<Results>& al
       if (!track(input, all)) return false;
       continue;
     }
-    for (const fs::path& folder : experiments::resultFolders(input))
+    for (const fs::path& folder : analysis::resultFolders(input))
       all.push_back(experiments::readResults(folder));
   }
   refuseTwins(all);
@@ -135,7 +135,8 @@ void addFigures(CLI::App& app, ExitCode& exit) {
       "Each figure is written as PDF, SVG, PNG (300 dpi) and its numbers as CSV, each table as CSV, LaTeX "
       "and\n"
       "Markdown. A figure whose panels would be lower than 10 mm is written as a page for each joint:\n"
-      "NAME-page-1.pdf, NAME-page-2.pdf and so on. Nothing but files of the same names is written over, and nothing is deleted. Examples:\n"
+      "NAME-page-1.pdf, NAME-page-2.pdf and so on. Nothing but files of the same names is written over, and "
+      "nothing is deleted. Examples:\n"
       "  capstan-cli figures results --out figures           (all that capstan-cli experiment left there)\n"
       "  capstan-cli figures results --out column --size 88x90 --only boxplots,histograms\n"
       "  capstan-cli figures trial.capstan --out trial_figures");

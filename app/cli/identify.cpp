@@ -15,15 +15,15 @@
 #include "app/cli/recordings.h"
 #include "app/cli/simulation_arguments.h"
 #include "core/base/error.h"
+#include "core/base/same_recording.h"
+#include "core/base/software.h"
 #include "core/base/yaml.h"
 #include "core/experiments/identified.h"
 #include "core/experiments/identify_recording.h"
 #include "core/experiments/identify_trials.h"
-#include "core/experiments/same_recording.h"
-#include "core/experiments/software.h"
 #include "core/identification/identification_data.h"
 #include "core/identification/options.h"
-#include "core/session/source.h"
+#include "core/tracking/source.h"
 
 namespace capstan::cli {
 namespace {
@@ -61,7 +61,7 @@ void checkFiles(const IdentifyArguments& arguments) {
   const std::vector<std::string>& files = arguments.files;
   for (std::size_t i = 0; i < files.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      if (experiments::sameRecording(files[j], files[i]))
+      if (base::sameRecording(files[j], files[i]))
         refuseFile(files[i], "is the same recording as " + files[j] + ": it would count twice",
                    "Give each recording once");
   std::vector<std::string> inputs = withFilesOf(arguments.simulation, arguments.files);
@@ -219,7 +219,7 @@ void writeRobot(const IdentifyArguments& arguments, const Findings& found) {
   origin.duration = found.duration;
   origin.method = base::nameOf(*found.identified->choice.method);
   origin.values = valueLines(found.identified->estimates());
-  origin.software = experiments::software();
+  origin.software = base::software();
   base::writeTextFile(arguments.out, experiments::identifiedRobotText(found.identified->set.nominal(),
                                                                       found.identified->robot(), origin));
 }

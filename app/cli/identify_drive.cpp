@@ -8,10 +8,10 @@
 #include "app/cli/identify_output.h"
 #include "app/cli/outputs.h"
 #include "app/cli/recordings.h"
+#include "core/base/same_recording.h"
+#include "core/base/software.h"
 #include "core/base/yaml.h"
 #include "core/experiments/identified.h"
-#include "core/experiments/same_recording.h"
-#include "core/experiments/software.h"
 
 namespace capstan::cli {
 namespace {
@@ -39,7 +39,7 @@ void checkRepeats(const IdentifyDriveArguments& arguments) {
   all.insert(all.end(), arguments.held_out.begin(), arguments.held_out.end());
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
-      if (all[j] != all[i] && !experiments::sameRecording(all[j], all[i])) continue;
+      if (all[j] != all[i] && !base::sameRecording(all[j], all[i])) continue;
       if (j < arguments.files.size() && i >= arguments.files.size())
         refuseOption("--held-out", all[i], "is also a recording to identify from", "Leave one of them out");
       refuseFile(all[i], "is the same recording as " + all[j] + ": it would count twice",
@@ -77,7 +77,7 @@ void writeRobot(const robot::Description& nominal, const DriveFindings& findings
     if (!recording.t.empty()) origin.duration += recording.t.back() - recording.t.front();
   origin.method = "output-error";
   origin.values = valueLines(findings.report.estimates);
-  origin.software = experiments::software();
+  origin.software = base::software();
   base::writeTextFile(path, experiments::identifiedRobotText(nominal, findings.report.robot, origin));
 }
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "app/cli/command.h"
+#include "core/recording/column_units.h"
 #include "core/robot/description.h"
-#include "core/session/column_units.h"
 
 namespace capstan::cli {
 
@@ -13,7 +13,7 @@ namespace capstan::cli {
 struct IdentifyDriveArguments {
   std::vector<std::string> files, held_out;
   std::string robot, parameters, out, json;
-  session::ReadAs read_as;       ///< units of the tables
+  recording::ReadAs read_as;     ///< units of the tables
   std::string offsets = "file";  ///< base::NamesOf<identification::OffsetRule>
 };
 

@@ -10,10 +10,10 @@
 #include "app/cli/outputs.h"
 #include "app/cli/recordings.h"
 #include "core/base/units.h"
+#include "core/recording/measured_table.h"
+#include "core/recording/settle_units.h"
+#include "core/recording/session_file.h"
 #include "core/robot/description.h"
-#include "core/session/measured_table.h"
-#include "core/session/plausibility.h"
-#include "core/session/session_file.h"
 
 namespace capstan::cli {
 namespace {
@@ -22,16 +22,16 @@ struct InfoArguments {
   std::string file, robot, read_as, json;
 };
 
-const char* referenceOf(const session::SessionHeader& header) {
+const char* referenceOf(const recording::SessionHeader& header) {
   return header.own_kinematics ? "the robot's own kinematics, no truth"
          : header.reference    ? "joint encoders"
                                : "none";
 }
 
 void infoSession(const std::string& file, const Output& output) {
-  const auto summary = session::readSessionSummary(file);
+  const auto summary = recording::readSessionSummary(file);
   const auto& header = summary.header;
-  const auto events = session::readSessionEvents(file);
+  const auto events = recording::readSessionEvents(file);
   std::string text = fmt::format("session      {}\ntitle        {}\ncreated      {}\nsoftware     {}\n", file,
                                  header.title, header.created, header.software);
   text += fmt::format("time         {:.3f} … {:.3f} s\n", summary.first_t, summary.last_t);
@@ -102,22 +102,23 @@ std::size_t measured(const std::vector<double>& column) {
 }
 
 /// What a table would be refused for; where it is, the table as it stands. None: it is in SI.
-std::optional<session::ImplausibleUnits> readOrRefuse(const InfoArguments& arguments, RecordingFormat format,
-                                                      session::MeasuredTable& table) {
+std::optional<recording::ImplausibleUnits> readOrRefuse(const InfoArguments& arguments,
+                                                        RecordingFormat format,
+                                                        recording::MeasuredTable& table) {
   const robot::Description robot = readRobot(arguments.robot);
   try {
     table = readTable(arguments.file, format, robot, readAsOf(arguments.read_as));
-  } catch (const session::ImplausibleUnits& refused) {
-    table = session::readMeasuredTable(arguments.file);
+  } catch (const recording::ImplausibleUnits& refused) {
+    table = recording::readMeasuredTable(arguments.file);
     return refused;
   }
   return std::nullopt;
 }
 
-nlohmann::json jsonOf(const std::optional<session::ImplausibleUnits>& refused) {
+nlohmann::json jsonOf(const std::optional<recording::ImplausibleUnits>& refused) {
   nlohmann::json list = nlohmann::json::array();
   if (!refused) return list;
-  for (const session::UnitFinding& found : refused->findings())
+  for (const recording::UnitFinding& found : refused->findings())
     list.push_back({{"column", found.column},
                     {"low", found.low},
                     {"high", found.high},
@@ -126,19 +127,19 @@ nlohmann::json jsonOf(const std::optional<session::ImplausibleUnits>& refused) {
   return list;
 }
 
-/// Throws session::ImplausibleUnits once everything is told.
+/// Throws recording::ImplausibleUnits once everything is told.
 void infoTable(const InfoArguments& arguments, RecordingFormat format, const Output& output) {
   const std::string& file = arguments.file;
-  session::MeasuredTable table;
+  recording::MeasuredTable table;
   const auto refused = readOrRefuse(arguments, format, table);
-  for (const std::string& line : session::unitNotices(table)) notice(file + ": " + line);
+  for (const std::string& line : recording::unitNotices(table)) notice(file + ": " + line);
   const double first = table.t.empty() ? 0.0 : table.t.front(), last = table.t.empty() ? 0.0 : table.t.back();
   std::string text =
       fmt::format("{:<12} {}\njoints       {}\nrows         {}\ntime         {:.3f} … {:.3f} s\n",
                   format == RecordingFormat::kRavenMotors ? "RAVEN motors" : "table", file, table.joints(),
                   table.rows(), first, last);
   nlohmann::json columns = nlohmann::json::object();
-  const auto list = [&](const char* name, const session::TableColumns& quantity) {
+  const auto list = [&](const char* name, const recording::TableColumns& quantity) {
     for (std::size_t i = 0; i < quantity.size(); ++i) {
       const std::string key = name + std::to_string(i + 1);
       const std::size_t count = measured(quantity[i]);

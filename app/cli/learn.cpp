@@ -7,12 +7,12 @@
 #include "app/cli/learn_output.h"
 #include "app/cli/outputs.h"
 #include "app/cli/pose_motions.h"
-#include "core/experiments/same_recording.h"
-#include "core/experiments/software.h"
-#include "core/learning/check_tables.h"
-#include "core/session/correction_file.h"
-#include "core/session/correction_source.h"
-#include "core/session/pose_table.h"
+#include "core/base/same_recording.h"
+#include "core/base/software.h"
+#include "core/learning/model/correction_file.h"
+#include "core/learning/model/correction_source.h"
+#include "core/learning/poses/check_tables.h"
+#include "core/recording/pose_table.h"
 
 namespace capstan::cli {
 namespace {
@@ -21,25 +21,25 @@ struct LearnArguments {
   std::vector<std::string> train, test;
   std::string method = "auto", towards = "command", kernel = "matern", onto, model, json;
   learning::LearningOptions options;
+  double hold_out = 0.0;  ///< percent of the trajectories
   bool no_cleaning = false, no_weights = false, no_alignment = false;
 };
 
 void check(const LearnArguments& arguments) {
-  checkDistinct(arguments.train);
   for (const std::string& test : arguments.test)
     for (const std::string& train : arguments.train)
-      if (experiments::sameRecording(train, test))
+      if (base::sameRecording(train, test))
         refuseFile(test, "is learned from as well: errors on it say nothing", "Test on other trajectories");
 }
 
-learning::LearningReport learnOnto(const LearnArguments& arguments, session::CorrectionFile old,
+learning::LearningReport learnOnto(const LearnArguments& arguments, learning::CorrectionFile old,
                                    base::Progress& progress) {
   checkProcesses(old.model, arguments.onto);
   checkNew(arguments.train, old.source);
   checkNew(arguments.test, old.source);
-  return session::namingTables(arguments.train, [&] {
-    return learning::learnMore(std::move(old.model), old.source.lag, readMotions(arguments.train),
-                               arguments.options, &progress);
+  return recording::namingTables(arguments.train, [&] {
+    return learning::learnMore(std::move(old.model), old.source.lag,
+                               recording::readPoseTables(arguments.train), arguments.options, &progress);
   });
 }
 
@@ -54,13 +54,8 @@ TestReport testOf(const LearnArguments& arguments, const std::vector<learning::R
   }
 }
 
-ExitCode run(LearnArguments& arguments) {
-  check(arguments);
-  std::vector<std::string> inputs = arguments.train;
-  inputs.push_back(arguments.onto);
-  inputs.insert(inputs.end(), arguments.test.begin(), arguments.test.end());
-  checkOutputs({{"--model", arguments.model}, {"--json", arguments.json}}, inputs);
-  learning::LearningOptions& options = arguments.options;
+learning::LearningOptions optionsOf(const LearnArguments& arguments) {
+  learning::LearningOptions options = arguments.options;
   options.towards =
       arguments.towards == "command" ? learning::StreamKind::kCommand : learning::StreamKind::kRobot;
   options.clean = !arguments.no_cleaning;
@@ -69,39 +64,66 @@ ExitCode run(LearnArguments& arguments) {
   options.correction.fit.kernel = *base::fromName<learning::Kernel>(arguments.kernel);
   options.rigid = arguments.method == "offset";
   options.correction.motion = base::fromName<learning::Motion>(arguments.method);
-  std::optional<session::CorrectionFile> old;
-  if (!arguments.onto.empty()) {
-    old = session::readCorrection(arguments.onto);
-    options.towards = old->source.towards;
-  }
-  const std::vector<learning::RawMotion> tests = readMotions(arguments.test);
-  if (!tests.empty()) learning::checkTables(tests, options.towards);
+  return options;
+}
+
+void checkFiles(const LearnArguments& arguments) {
+  std::vector<std::string> inputs = arguments.train;
+  inputs.push_back(arguments.onto);
+  inputs.insert(inputs.end(), arguments.test.begin(), arguments.test.end());
+  checkOutputs({{"--model", arguments.model}, {"--json", arguments.json}}, inputs);
+}
+
+learning::LearningReport learnAll(const LearnArguments& arguments,
+                                  std::optional<learning::CorrectionFile> old) {
   base::Progress progress;
-  std::optional<learning::LearningReport> report;
-  session::CorrectionSource before;
-  {
-    const ProgressLine line(progress);
-    if (arguments.onto.empty()) {
-      report = session::namingTables(
-          arguments.train, [&] { return learning::learn(readMotions(arguments.train), options, &progress); });
-    } else {
-      before = old->source;
-      report = learnOnto(arguments, std::move(*old), progress);
-    }
-  }
-  if (report->cancelled) {
+  const ProgressLine line(progress);
+  if (old) return learnOnto(arguments, std::move(*old), progress);
+  return recording::namingTables(arguments.train, [&] {
+    return learning::learn(recording::readPoseTables(arguments.train, &progress), arguments.options,
+                           &progress);
+  });
+}
+
+/// Of a model that is on disk already, whatever becomes of it.
+std::optional<learning::HeldOutEvaluation> heldOutOf(const LearnArguments& arguments,
+                                                     const learning::LearningReport& report) {
+  if (arguments.hold_out == 0.0) return std::nullopt;
+  base::Progress progress;
+  const ProgressLine line(progress);
+  const learning::HoldOut hold_out{arguments.hold_out / 100.0, arguments.options.correction.seed};
+  auto evaluation = recording::namingTables(arguments.train, [&] {
+    return learning::evaluateHeldOut(report.prepared, arguments.options, hold_out, &progress);
+  });
+  if (!evaluation.cancelled) return evaluation;
+  notice(fmt::format("Cancelled: the model is in {}, not evaluated.", arguments.model));
+  return std::nullopt;
+}
+
+ExitCode run(LearnArguments& arguments) {
+  check(arguments);
+  checkFiles(arguments);
+  arguments.options = optionsOf(arguments);
+  std::optional<learning::CorrectionFile> old;
+  if (!arguments.onto.empty()) old = learning::readCorrection(arguments.onto);
+  if (old) arguments.options.towards = old->source.towards;
+  const std::vector<learning::RawMotion> tests = recording::readPoseTables(arguments.test);
+  if (!tests.empty()) learning::checkTables(tests, arguments.options.towards);
+  learning::CorrectionSource before = old ? old->source : learning::CorrectionSource{};
+  LearnOutput found{learnAll(arguments, std::move(old)), {}, {}};
+  if (found.report.cancelled) {
     notice("Cancelled: no model is written.");
     return kFailed;
   }
-  session::writeCorrection(
-      {report->model, session::correctionSource(arguments.train, options.towards, *report,
-                                                experiments::software(), std::move(before))},
+  learning::writeCorrection(
+      {found.report.model, learning::correctionSource(arguments.train, arguments.options.towards,
+                                                      found.report, base::software(), std::move(before))},
       arguments.model);
-  LearnOutput told{*report, {}};
-  if (!tests.empty()) told.test = testOf(arguments, tests, *report);
+  if (!tests.empty()) found.test = testOf(arguments, tests, found.report);
+  found.held_out = heldOutOf(arguments, found.report);
   const Output output(arguments.json);
-  output.text(textOf(told) + fmt::format("The model is in {}.\n", arguments.model));
-  output.json(jsonOf(told));
+  output.text(textOf(found) + fmt::format("The model is in {}.\n", arguments.model));
+  output.json(jsonOf(found));
   return kOk;
 }
 
@@ -115,6 +137,13 @@ void addLearn(CLI::App& app, ExitCode& exit) {
                    "tables of tip poses (.csv with traj, t_cam_s, cam_x …, and the same of robot or cmd)")
       ->required();
   command->add_option("--test", arguments->test, "tables of other trajectories, to tell how good it is");
+  CLI::Option* hold_out =
+      command
+          ->add_option(
+              "--hold-out", arguments->hold_out,
+              "share of the training trajectories [%] for an evaluation: a model of the others is tested on "
+              "them;\nthe model that is written is learned from all")
+          ->check(CLI::Range(1.0, 90.0));
   command
       ->add_option(
           "--method", arguments->method,
@@ -159,6 +188,7 @@ void addLearn(CLI::App& app, ExitCode& exit) {
   for (const char* fixed : {"--method", "--towards", "--no-cleaning", "--no-weights", "--kernel",
                             "--no-alignment", "--members", "--inducing", "--threads", "--seed"})
     onto->excludes(command->get_option(fixed));
+  onto->excludes(hold_out);
   command->add_option("--json", arguments->json, "result as JSON, SI: a file, or - for standard output");
   command->footer(
       "Rows that are no poses, states that no robot can have been in and the clocks' lag are listed.\n"

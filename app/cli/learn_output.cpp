@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
-#include "core/learning/related_streams.h"
+#include "core/learning/poses/related_streams.h"
 
 namespace capstan::cli {
 namespace {
@@ -16,22 +17,6 @@ using learning::StreamKind;
 using Json = nlohmann::json;
 
 constexpr double kMillimetres = 1e3, kDegrees = 180.0 / std::numbers::pi;
-
-TestedStates testedStates(const std::vector<learning::State>& states,
-                          const learning::CorrectionModel& model) {
-  TestedStates tested;
-  tested.states = states.size();
-  const std::vector<Eigen::Isometry3d> corrected = model.correct(states);
-  experiments::PoseErrors none, offset, by_model;
-  for (std::size_t k = 0; k < states.size(); ++k) {
-    const auto& [seen, told] = states[k].pair;
-    none.add(seen, told);
-    offset.add(model.offset() * seen, told);
-    by_model.add(corrected[k], told);
-  }
-  tested.none = none.summed(), tested.offset = offset.summed(), tested.corrected = by_model.summed();
-  return tested;
-}
 
 /// Reasons and how many rows or states have them.
 template <class Count>
@@ -75,31 +60,39 @@ std::string screenText(const learning::ScreenReport& screen) {
   return text;
 }
 
-Json errorJson(const experiments::CorrectionErrors& error) {
+Json errorJson(const learning::CorrectionErrors& error) {
   const auto mean = [&](double x) { return error.states > 0 ? x : NAN; };
   return {{"distance", {{"mean", mean(error.distance)}, {"median", error.median_distance}}},
           {"angle", {{"mean", mean(error.angle)}, {"median", error.median_angle}}}};
 }
 
-Json testedJson(const TestedStates& tested) {
-  return {{"states", tested.states},
-          {"none", errorJson(tested.none)},
-          {"offset", errorJson(tested.offset)},
-          {"corrected", errorJson(tested.corrected)}};
+Json stepsJson(std::size_t states, const learning::StepErrors& steps) {
+  Json json = {{"states", states}};
+  for (const auto& [step, name] : base::NamesOf<learning::CorrectionStep>::value)
+    json[std::string(name)] = errorJson(steps[static_cast<std::size_t>(step)].summed());
+  return json;
 }
 
-std::string testedText(const char* name, const TestedStates& tested) {
-  std::string text = fmt::format("  {} ({} states)\n", name, tested.states);
-  if (tested.states == 0) return text;
-  const auto line = [&](const char* what, const experiments::CorrectionErrors& error) {
-    text += fmt::format("    {:16}{:8.2f} mm {:8.2f} deg   median {:8.2f} mm {:8.2f} deg\n", what,
+std::string stepsText(const char* name, std::size_t states, const learning::StepErrors& steps) {
+  std::string text = fmt::format("  {} ({} states)\n", name, states);
+  if (states == 0) return text;
+  constexpr std::array kWords = {"not corrected", "rigid offset", "corrected"};
+  for (std::size_t s = 0; s < learning::kCorrectionSteps; ++s) {
+    const learning::CorrectionErrors error = steps[s].summed();
+    text += fmt::format("    {:16}{:8.2f} mm {:8.2f} deg   median {:8.2f} mm {:8.2f} deg\n", kWords[s],
                         kMillimetres * error.distance, kDegrees * error.angle,
                         kMillimetres * error.median_distance, kDegrees * error.median_angle);
-  };
-  line("not corrected", tested.none);
-  line("rigid offset", tested.offset);
-  line("corrected", tested.corrected);
+  }
   return text;
+}
+
+std::string evaluationText(const learning::Evaluation& errors) {
+  return stepsText("all", errors.states, errors.all) + stepsText("clean", errors.clean_states, errors.clean);
+}
+
+void addEvaluation(Json& json, const learning::Evaluation& errors) {
+  json["all"] = stepsJson(errors.states, errors.all);
+  json["clean"] = stepsJson(errors.clean_states, errors.clean);
 }
 
 std::string motionText(learning::Motion motion) {
@@ -163,19 +156,10 @@ std::string weighingText(const learning::WeighingReport& weighing) {
 
 TestReport testedOn(const std::vector<learning::RawMotion>& motions, const learning::LearningReport& report,
                     const learning::LearningOptions& options) {
-  TestReport test{};
-  test.prepared.screen = learning::screenPoses(motions);
-  test.prepared.taken_off = report.prepared.taken_off;
-  test.prepared.states =
-      learning::statesOf(test.prepared.screen.motions, options.towards, report.prepared.taken_off);
+  TestReport test{learning::prepareAt(report.prepared.taken_off, motions, options.towards), {}};
   const std::vector<learning::State>& states = test.prepared.states;
   learning::checkRelated(test.prepared.screen.motions, states, report.model.offset(), options.towards);
-  test.all = testedStates(states, report.model);
-  const learning::CleaningReport limits =
-      options.clean ? report.cleaning : learning::cleanStates(report.prepared.states, options.cleaning);
-  learning::CleaningReport judged;
-  judged.reason = learning::judgedBy(limits, states, options.cleaning);
-  test.clean = testedStates(learning::kept(states, judged), report.model);
+  test.errors = learning::evaluate(report, states, options);
   return test;
 }
 
@@ -198,9 +182,11 @@ std::string textOf(const LearnOutput& output) {
   text += fmt::format("Rigid offset: {:.2f}, {:.2f}, {:.2f} mm and a turn of {:.2f} deg\n", t.x(), t.y(),
                       t.z(), kDegrees * turn);
   if (!output.report.model.processes().empty()) text += processesText(output.report.model);
-  if (!output.test) return text;
-  text += "Errors on the test tables, mean\n" + testedText("all", output.test->all) +
-          testedText("clean", output.test->clean);
+  if (output.held_out)
+    text += fmt::format("Errors on {} of {} trajectories, held out of a training of the others, mean\n",
+                        output.held_out->motions_held, output.held_out->motions) +
+            evaluationText(output.held_out->test);
+  if (output.test) text += "Errors on the test tables, mean\n" + evaluationText(output.test->errors);
   return text;
 }
 
@@ -221,10 +207,15 @@ Json jsonOf(const LearnOutput& output) {
                  {"doubted", output.report.weighing.doubted},
                  {"again", againCounts(output.report.weighing)}}},
                {"model", modelJson(output.report.model)}};
-  if (output.test)
-    json["test"] = {{"screening", screenJson(output.test->prepared.screen)},
-                    {"all", testedJson(output.test->all)},
-                    {"clean", testedJson(output.test->clean)}};
+  if (output.test) {
+    json["test"]["screening"] = screenJson(output.test->prepared.screen);
+    addEvaluation(json["test"], output.test->errors);
+  }
+  if (output.held_out) {
+    json["held_out"] = {{"trajectories", output.held_out->motions},
+                        {"held_out", output.held_out->motions_held}};
+    addEvaluation(json["held_out"], output.held_out->test);
+  }
   return json;
 }
 

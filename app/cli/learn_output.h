@@ -4,26 +4,21 @@
 #include <optional>
 #include <string>
 
-#include "core/experiments/correction_errors.h"
-#include "core/learning/learn.h"
+#include "core/learning/evaluation/evaluate.h"
+#include "core/learning/model/learn.h"
 
 namespace capstan::cli {
 
-/// Distances [m] and geodesic angles [rad] on one set of states: nothing corrected, by the offset, by the
-/// model.
-struct TestedStates {
-  std::size_t states = 0;
-  experiments::CorrectionErrors none, offset, corrected;
-};
-
+/// Errors on tables that nothing was learned from.
 struct TestReport {
   learning::PreparedStates prepared;
-  TestedStates all, clean;  ///< clean: those that the training data's limits keep
+  learning::Evaluation errors;
 };
 
 struct LearnOutput {
-  const learning::LearningReport& report;
+  learning::LearningReport report;
   std::optional<TestReport> test;
+  std::optional<learning::HeldOutEvaluation> held_out;
 };
 
 /// base::InputError: checkRelated() of the tables.

@@ -7,7 +7,9 @@
 #include <string>
 
 #include "app/cli/command.h"
+#include "app/numbers.h"
 #include "core/base/error.h"
+#include "core/base/software.h"
 
 namespace {
 
@@ -42,7 +44,7 @@ int run(int argc, char** argv) {
   using namespace capstan;
   cli::ExitCode exit = cli::kOk;
   CLI::App app(kAbout, "capstan-cli");
-  app.set_version_flag("--version", CAPSTAN_VERSION);
+  app.set_version_flag("--version", base::version());
   app.require_subcommand(1);
   app.get_formatter()->column_width(34);
   cli::addSimulate(app, exit);
@@ -60,6 +62,7 @@ int run(int argc, char** argv) {
   cli::addReport(app, exit);
   cli::addFigures(app, exit);
   cli::addStudy(app, exit);
+  checkNumbers(app);
   refuseUnknownCommand(app, argc, argv);
   try {
     app.parse(argc, argv);

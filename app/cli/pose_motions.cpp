@@ -3,26 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
 
 #include "app/cli/console.h"
 #include "core/base/checksum.h"
-#include "core/experiments/same_recording.h"
-#include "core/session/pose_table.h"
 
 namespace capstan::cli {
-
-std::vector<learning::RawMotion> readMotions(const std::vector<std::string>& files) {
-  std::vector<learning::RawMotion> all;
-  for (const std::string& file : files) {
-    std::vector<learning::RawMotion> motions = session::readPoseTable(file);
-    if (files.size() > 1)
-      for (learning::RawMotion& motion : motions) motion.name = file + ", " + motion.name;
-    all.insert(all.end(), std::make_move_iterator(motions.begin()), std::make_move_iterator(motions.end()));
-  }
-  return all;
-}
 
 void checkProcesses(const learning::CorrectionModel& model, const std::string& file) {
   if (model.processes().empty())
@@ -30,14 +16,7 @@ void checkProcesses(const learning::CorrectionModel& model, const std::string& f
                "Learn Gaussian processes from all tables");
 }
 
-void checkDistinct(const std::vector<std::string>& files) {
-  for (std::size_t a = 0; a < files.size(); ++a)
-    for (std::size_t b = a + 1; b < files.size(); ++b)
-      if (experiments::sameRecording(files[a], files[b]))
-        refuseFile(files[b], "is given twice: its motions would count twice", "Give each table once");
-}
-
-void checkNew(const std::vector<std::string>& files, const session::CorrectionSource& source) {
+void checkNew(const std::vector<std::string>& files, const learning::CorrectionSource& source) {
   for (const std::string& file : files)
     if (std::ranges::count(source.checksums, base::checksumOfFile(file)) > 0)
       refuseFile(file, "has been learned from already", "Give motions that are new to the model");

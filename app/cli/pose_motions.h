@@ -3,24 +3,17 @@
 #include <string>
 #include <vector>
 
-#include "core/learning/correction_model.h"
-#include "core/learning/pose_motion.h"
-#include "core/session/correction_file.h"
+#include "core/learning/model/correction_file.h"
+#include "core/learning/model/correction_model.h"
+#include "core/learning/poses/pose_motion.h"
 
 namespace capstan::cli {
-
-/// The motions of tables of tip poses; of several tables each motion carries the name of its own.
-/// base::InputError as readPoseTable().
-std::vector<learning::RawMotion> readMotions(const std::vector<std::string>& files);
 
 /// base::InputError: the model of the file is a rigid offset alone, which neither ages nor takes anything in.
 void checkProcesses(const learning::CorrectionModel& model, const std::string& file);
 
-/// base::InputError: a table is given twice.
-void checkDistinct(const std::vector<std::string>& files);
-
 /// base::InputError: what the model has learned already would count twice, or tells nothing of it.
-void checkNew(const std::vector<std::string>& files, const session::CorrectionSource& source);
+void checkNew(const std::vector<std::string>& files, const learning::CorrectionSource& source);
 
 /// base::InputError: no pose of the file is anywhere near what was learned.
 void checkNear(const learning::CorrectionModel& model, const std::vector<learning::State>& states,

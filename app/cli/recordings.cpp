@@ -6,18 +6,18 @@
 #include "app/cli/console.h"
 #include "core/base/error.h"
 #include "core/base/resource.h"
-#include "core/session/plausibility.h"
-#include "core/session/raven_motors.h"
-#include "core/session/session_file.h"
-#include "core/session/session_source.h"
-#include "core/session/table_source.h"
+#include "core/recording/settle_units.h"
+#include "core/recording/raven_motors.h"
+#include "core/recording/session_file.h"
+#include "core/recording/session_source.h"
+#include "core/recording/table_source.h"
 
 namespace capstan::cli {
 
 RecordingFormat detectFormat(const std::string& file) {
   std::error_code fault;
   const std::string suffix = std::filesystem::path(file).extension().string();
-  if (suffix == session::kSessionSuffix && std::filesystem::is_regular_file(file, fault))
+  if (suffix == recording::kSessionSuffix && std::filesystem::is_regular_file(file, fault))
     return RecordingFormat::kSession;  // unopened: SQLite's locks on it would go with the closing
   std::ifstream in(file, std::ios::binary);
   const bool folder = std::filesystem::is_directory(file, fault);
@@ -34,7 +34,7 @@ RecordingFormat detectFormat(const std::string& file) {
   in.seekg(0);
   std::string line;
   std::getline(in, line);
-  if (session::isRavenMotors(line)) return RecordingFormat::kRavenMotors;
+  if (recording::isRavenMotors(line)) return RecordingFormat::kRavenMotors;
   if (suffix == ".yaml" || suffix == ".yml") return RecordingFormat::kRobot;
   return RecordingFormat::kTable;
 }
@@ -60,35 +60,37 @@ void addReadAs(CLI::App& command, std::string& read_as) {
       ->allow_extra_args(false);
 }
 
-session::ReadAs readAsOf(const std::string& text) { return session::parseReadAs(text, kReadAs); }
+recording::ReadAs readAsOf(const std::string& text) { return recording::parseReadAs(text, kReadAs); }
 
-void refuseReadAs(const std::string& file, RecordingFormat format, const session::ReadAs& read_as) {
+void refuseReadAs(const std::string& file, RecordingFormat format, const recording::ReadAs& read_as) {
   if (format == RecordingFormat::kTable || read_as.empty()) return;
-  refuseOption(kReadAs, session::formatReadAs(read_as), file + " states its units", "Leave --read-as out");
+  refuseOption(kReadAs, recording::formatReadAs(read_as), file + " states its units", "Leave --read-as out");
 }
 
-session::MeasuredTable readTable(const std::string& file, RecordingFormat format,
-                                 const robot::Description& robot, const session::ReadAs& read_as) {
+recording::MeasuredTable readTable(const std::string& file, RecordingFormat format,
+                                   const robot::Description& robot, const recording::ReadAs& read_as) {
   refuseReadAs(file, format, read_as);
-  if (format == RecordingFormat::kRavenMotors) return session::readRavenMotors(file, robot);
-  session::MeasuredTable table = session::readMeasuredTable(file);
-  session::settleUnits(table, robot, read_as);
+  if (format == RecordingFormat::kRavenMotors) return recording::readRavenMotors(file, robot);
+  recording::MeasuredTable table = recording::readMeasuredTable(file);
+  recording::settleUnits(table, robot, read_as);
   return table;
 }
 
-std::unique_ptr<session::Source> openSource(const std::string& file, RecordingFormat format,
-                                            const std::string& robot_file, const session::ReadAs& read_as,
-                                            Notices notices) {
+std::unique_ptr<tracking::Source> openSource(const std::string& file, RecordingFormat format,
+                                             const std::string& robot_file, const recording::ReadAs& read_as,
+                                             Notices notices) {
   refuseReadAs(file, format, read_as);
-  if (format == RecordingFormat::kRobot) refuseFile(file, "is no recording", "Give it as --robot");
+  if (format == RecordingFormat::kRobot)
+    refuseFile(file, "is a YAML file, not a recording",
+               "Give a robot file as --robot, a truth file as --truth, filter options as --options");
   if (format == RecordingFormat::kSession) {
     if (!robot_file.empty())
       refuseOption("--robot", robot_file, "the session brings its own robot",
                    "Leave --robot out; what the filter believes is --estimator-robot of track");
-    return std::make_unique<session::SessionSource>(file);
+    return std::make_unique<recording::SessionSource>(file);
   }
   const robot::Description robot = readRobot(robot_file);
-  auto source = std::make_unique<session::TableSource>(readTable(file, format, robot, read_as), robot);
+  auto source = std::make_unique<recording::TableSource>(readTable(file, format, robot, read_as), robot);
   if (notices == Notices::kSaid)
     for (const std::string& line : source->info().notices) notice(line);
   return source;

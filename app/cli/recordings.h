@@ -4,10 +4,10 @@
 #include <memory>
 #include <string>
 
+#include "core/recording/column_units.h"
+#include "core/recording/measured_table.h"
 #include "core/robot/description.h"
-#include "core/session/column_units.h"
-#include "core/session/measured_table.h"
-#include "core/session/source.h"
+#include "core/tracking/source.h"
 
 namespace capstan::cli {
 
@@ -24,20 +24,20 @@ robot::Description readRobot(const std::string& file);
 inline constexpr const char* kReadAs = "--read-as";
 /// Adds --read-as, whose text readAsOf() takes.
 void addReadAs(CLI::App& command, std::string& read_as);
-session::ReadAs readAsOf(const std::string& text);
+recording::ReadAs readAsOf(const std::string& text);
 /// Throws base::InputError where --read-as is given, but `file` is no measured table: only of these units can
 /// be chosen.
-void refuseReadAs(const std::string& file, RecordingFormat format, const session::ReadAs& read_as);
+void refuseReadAs(const std::string& file, RecordingFormat format, const recording::ReadAs& read_as);
 
 /// A measured table or RAVEN-II motor recording, in SI units; columns of a table are read as `read_as` says.
-/// Throws session::ImplausibleUnits.
-session::MeasuredTable readTable(const std::string& file, RecordingFormat format,
-                                 const robot::Description& robot, const session::ReadAs& read_as);
+/// Throws recording::ImplausibleUnits.
+recording::MeasuredTable readTable(const std::string& file, RecordingFormat format,
+                                   const robot::Description& robot, const recording::ReadAs& read_as);
 enum class Notices { kSaid, kQuiet };
 /// Any recording as a source; its notices go to standard error. `robot_file` is for recordings that bring no
 /// robot; with a session, which brings its own, it is an error. `read_as` as of readTable().
-std::unique_ptr<session::Source> openSource(const std::string& file, RecordingFormat format,
-                                            const std::string& robot_file, const session::ReadAs& read_as,
-                                            Notices notices = Notices::kSaid);
+std::unique_ptr<tracking::Source> openSource(const std::string& file, RecordingFormat format,
+                                             const std::string& robot_file, const recording::ReadAs& read_as,
+                                             Notices notices = Notices::kSaid);
 
 }  // namespace capstan::cli

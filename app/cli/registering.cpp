@@ -7,7 +7,7 @@
 
 #include "app/cli/console.h"
 #include "core/base/yaml.h"
-#include "core/session/registration_guide.h"
+#include "core/live/registration_guide.h"
 #include "core/tracking/make_pipeline.h"
 #include "core/tracking/track_all.h"
 #include "core/vision/registration.h"
@@ -30,7 +30,7 @@ struct RegistrationFile {
 template <class Each>
 void runUnregistered(const SourceFactory& open, const tracking::TrackingOptions& options, Each each) {
   const auto source = open();
-  session::SourceInfo info = source->info();
+  tracking::SourceInfo info = source->info();
   info.base_from_camera.reset();
   tracking::TrackingPipeline pipeline = tracking::makePipeline(info, options);
   tracking::trackAll(*source, pipeline, nullptr, 0.0,
@@ -46,14 +46,17 @@ std::string clause(std::string text) {
 Eigen::Isometry3d atHardStop(const std::string& mounting, const SourceFactory& open,
                              const tracking::TrackingOptions& options, std::string& message) {
   const auto info = open()->info();
+  if (!info.rig)
+    refuseOption("--register", "hard-stop", "the recording holds no images",
+                 "Give a recording with images, or --register kinematics or a file");
   std::optional<Eigen::Isometry3d> known = info.base_from_camera;
   if (!mounting.empty()) known = readRegistration(mounting);
-  session::RegistrationGuide guide(info.robot, {}, info.rig);
+  live::RegistrationGuide guide(info.robot, {}, info.rig);
   guide.start(known);
   runUnregistered(open, options, [&](const tracking::Snapshot& snapshot) {
-    if (guide.step() == session::RegistrationStep::kReview) return;
+    if (guide.step() == live::RegistrationStep::kReview) return;
     guide.observe(snapshot);
-    if (guide.step() != session::RegistrationStep::kReview && guide.canCollect()) guide.collect();
+    if (guide.step() != live::RegistrationStep::kReview && guide.canCollect()) guide.collect();
   });
   if (!guide.proposal())
     refuseOption("--register", "hard-stop",

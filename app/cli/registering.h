@@ -5,13 +5,13 @@
 #include <memory>
 #include <string>
 
-#include "core/session/source.h"
 #include "core/tracking/options.h"
+#include "core/tracking/source.h"
 
 namespace capstan::cli {
 
 /// Opens the same recording again, from its beginning.
-using SourceFactory = std::function<std::unique_ptr<session::Source>()>;
+using SourceFactory = std::function<std::unique_ptr<tracking::Source>()>;
 
 /// base_from_camera by --register: "hard-stop" is UKF paper (1) over frames at rest at the hard stop;
 /// "kinematics" is the rigid transform (Kabsch) from the seen to the kinematic tip over the whole recording;

@@ -24,7 +24,7 @@
 #include "core/base/part_file.h"
 #include "core/base/yaml.h"
 #include "core/experiments/identify_and_track.h"
-#include "core/session/recorder.h"
+#include "core/recording/recorder.h"
 #include "core/tracking/make_pipeline.h"
 
 namespace capstan::cli {
@@ -69,7 +69,7 @@ void makeRoom(const fs::path& folder, const std::string& recording) {
 /// Records a source that runs faster than the disk: waits for the recorder where a live session would drop.
 class PatientRecorder {
  public:
-  PatientRecorder(const fs::path& file, const session::SessionHeader& header)
+  PatientRecorder(const fs::path& file, const recording::SessionHeader& header)
       : recorder_(file, header, hastyCommits()) {}
 
   void add(const tracking::Sample& sample, const tracking::Snapshot& snapshot) {
@@ -77,7 +77,7 @@ class PatientRecorder {
     if (std::holds_alternative<tracking::MotorSample>(sample)) recorder_.offer(snapshot);
     if (++added_ % kBetweenLooks != 0) return;
     for (auto now = recorder_.stats();
-         now.state == session::RecorderState::kRecording && now.queued - now.written > kMostWaiting;
+         now.state == recording::RecorderState::kRecording && now.queued - now.written > kMostWaiting;
          now = recorder_.stats())
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
@@ -94,13 +94,13 @@ class PatientRecorder {
 
  private:
   static constexpr std::uint64_t kBetweenLooks = 64, kMostWaiting = 1000;
-  static session::RecorderOptions hastyCommits() {
-    session::RecorderOptions options;
+  static recording::RecorderOptions hastyCommits() {
+    recording::RecorderOptions options;
     options.commit_interval = 0.02;
     return options;
   }
 
-  session::Recorder recorder_;
+  recording::Recorder recorder_;
   std::uint64_t added_ = 0;
 };
 
@@ -127,7 +127,7 @@ struct LastFrame {
 };
 
 /// The recording once more, from its beginning: of a simulation what was recorded of it.
-std::unique_ptr<session::Source> openAgain(const ReportArguments& arguments) {
+std::unique_ptr<tracking::Source> openAgain(const ReportArguments& arguments) {
   if (arguments.file.empty())
     return openSource((fs::path(arguments.out) / "session.capstan").string(), RecordingFormat::kSession, {},
                       {});
@@ -143,9 +143,9 @@ experiments::IdentifyAndTrack identifyAndTrack(const ReportArguments& arguments,
   return experiments::identifyAndTrack(data, *openAgain(arguments), options, progress);
 }
 
-std::unique_ptr<session::Source> openFor(ReportArguments& arguments, const CLI::App& command) {
+std::unique_ptr<tracking::Source> openFor(ReportArguments& arguments, const CLI::App& command) {
   arguments.simulation.robot = arguments.robot;
-  const session::ReadAs read_as = readAsOf(arguments.read_as);
+  const recording::ReadAs read_as = readAsOf(arguments.read_as);
   if (arguments.file.empty() && !read_as.empty())
     refuseOption(kReadAs, arguments.read_as, "is given without RECORDING", "Give a measured table");
   if (arguments.file.empty()) return makeSimulation(arguments.simulation);
@@ -192,13 +192,13 @@ ExitCode report(ReportArguments& arguments, const CLI::App& command) {
   checkOutputs({{"--json", arguments.json}},
                withFilesOf(arguments.simulation, {arguments.file, arguments.robot, arguments.options}));
   const auto source = openFor(arguments, command);
-  const session::SourceInfo info = source->info();
+  const tracking::SourceInfo info = source->info();
   const auto options = arguments.options.empty() ? tracking::trackingOptionsOf(info)
                                                  : tracking::readTrackingOptions(arguments.options);
   tracking::TrackingPipeline pipeline = tracking::makePipeline(info, options);
   makeRoom(folder, arguments.file);
 
-  session::SessionHeader header = session::headerOf(info, isoNow());
+  recording::SessionHeader header = recording::headerOf(info, isoNow());
   header.tracking = base::writeYaml(options);
   const bool simulates = arguments.file.empty();
   std::optional<PatientRecorder> recorder;

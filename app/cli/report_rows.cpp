@@ -181,7 +181,7 @@ std::string htmlOf(const std::vector<ReportRow>& rows) {
   return html + "</table>\n";
 }
 
-nlohmann::json jsonOf(const IdentifyAndTrack& after, const session::SourceInfo& info) {
+nlohmann::json jsonOf(const IdentifyAndTrack& after, const tracking::SourceInfo& info) {
   nlohmann::json document = {{"fault", after.fault}, {"cancelled", after.cancelled}};
   document["tracked"] = after.tracked ? jsonOf(*after.tracked, info) : nlohmann::json();
   document["parameters"] = nlohmann::json::array();

@@ -27,6 +27,6 @@ std::string textOf(const std::vector<ReportRow>& rows);
 std::string htmlOf(const std::vector<ReportRow>& rows);
 
 /// {"parameters": […], "method": …, "fault": …, "tracked": {"rms": …, "nis": …, …}}, SI.
-nlohmann::json jsonOf(const experiments::IdentifyAndTrack& after, const session::SourceInfo& info);
+nlohmann::json jsonOf(const experiments::IdentifyAndTrack& after, const tracking::SourceInfo& info);
 
 }  // namespace capstan::cli

@@ -9,8 +9,8 @@
 #include "app/cli/outputs.h"
 #include "app/cli/simulation_arguments.h"
 #include "core/base/error.h"
-#include "core/session/export.h"
-#include "core/session/session_file.h"
+#include "core/recording/export.h"
+#include "core/recording/session_file.h"
 
 namespace capstan::cli {
 namespace {
@@ -24,7 +24,7 @@ struct SimulateArguments {
 ExitCode simulate(const SimulateArguments& arguments) {
   const Output output(arguments.json);
   checkOutputs({{"--out", arguments.out}, {"--json", arguments.json}}, withFilesOf(arguments.simulation, {}));
-  if (std::filesystem::path(arguments.out).extension() != session::kSessionSuffix)
+  if (std::filesystem::path(arguments.out).extension() != recording::kSessionSuffix)
     refuseOption("--out", arguments.out, "does not end in .capstan",
                  "Name a session so, and convert it to a table or a video afterwards");
   if (!arguments.force && std::filesystem::exists(arguments.out))
@@ -33,15 +33,16 @@ ExitCode simulate(const SimulateArguments& arguments) {
   base::Progress progress;
   {
     const ProgressLine line(progress);
-    session::importRecording(*source, arguments.out, session::headerOf(source->info(), isoNow()), &progress,
-                             arguments.force ? session::Existing::kReplace : session::Existing::kRefuse,
-                             session::OnFullDisk::kKeep);
+    recording::importRecording(*source, arguments.out, recording::headerOf(source->info(), isoNow()),
+                               &progress,
+                               arguments.force ? recording::Existing::kReplace : recording::Existing::kRefuse,
+                               recording::OnFullDisk::kKeep);
   }
   if (progress.cancelled()) {
     notice("cancelled");
     return kFailed;
   }
-  const auto summary = session::readSessionSummary(arguments.out);
+  const auto summary = recording::readSessionSummary(arguments.out);
   output.text(fmt::format(
       "{}: {:.3f} s, {} motor samples, {} references, {} pairs of images, {} tip samples, {:.1f} MB\n",
       arguments.out, summary.last_t - summary.first_t, summary.motor, summary.joint, summary.frames,

@@ -14,9 +14,10 @@ void addSimulationOptions(CLI::App& command, simulation::SimulationRequest& requ
   grouped(command.add_option("--duration", request.duration, "length of the movement [s]"))
       ->capture_default_str()
       ->check(CLI::Range(0.1, 86400.0));
-  grouped(command.add_option(
-              "--trajectory", request.trajectory,
-              "fls (block transfer), sinusoid, hold, hard-stop (rests there), or a CSV with t, q1, q2, q3"))
+  grouped(command.add_option("--trajectory", request.trajectory,
+                             "fls (block transfer), sinusoid, hold, hard-stop (rests there), a trajectory "
+                             "file (.yaml), or a CSV with "
+                             "t, q1, q2, q3"))
       ->capture_default_str();
   grouped(command.add_option("--truth", request.truth,
                              "what the robot really is: default, matched, or a truth file"))

@@ -6,23 +6,23 @@
 
 #include "app/cli/study_frame.h"
 #include "core/base/names.h"
-#include "core/experiments/cramer_rao_tables.h"
+#include "core/studies/cramer_rao_tables.h"
 
 namespace capstan::cli {
 namespace {
 
-using experiments::CramerRaoOptions;
-using experiments::CramerRaoStudy;
-using experiments::NoiseStudy;
-using experiments::NoiseStudyOptions;
-using experiments::NoiseTold;
+using studies::CramerRaoOptions;
+using studies::CramerRaoStudy;
+using studies::NoiseStudy;
+using studies::NoiseStudyOptions;
+using studies::NoiseTold;
 
 nlohmann::json jsonOf(const CramerRaoStudy& study, const CramerRaoOptions& options) {
   nlohmann::json json = {{"runs", study.runs},
                          {"duration", options.duration},
                          {"seed", options.seed},
                          {"pixel_sigma", options.pixel_sigma},
-                         {"goal", experiments::kCramerRaoGoal},
+                         {"goal", studies::kCramerRaoGoal},
                          {"bound", toJson(study.bound)},
                          {"camera_rms", toJson(study.camera)},
                          {"constant_sigma", toJson(study.constant_sigma)},
@@ -77,17 +77,17 @@ struct Options {
 
 Studies studied(const Options& options, base::Progress& progress) {
   Studies studies;
-  studies.noise = experiments::studyNoise(options.noise, progress);
-  if (!progress.cancelled()) studies.bound = experiments::studyCramerRao(options.bound, progress);
-  if (!progress.cancelled()) studies.smooth = experiments::studyCramerRao(options.smooth(), progress);
+  studies.noise = studies::studyNoise(options.noise, progress);
+  if (!progress.cancelled()) studies.bound = studies::studyCramerRao(options.bound, progress);
+  if (!progress.cancelled()) studies.smooth = studies::studyCramerRao(options.smooth(), progress);
   studies.cancelled = progress.cancelled();
   return studies;
 }
 
 StudyReport reportOf(const Studies& studies, const Options& options) {
-  const base::Table matched = experiments::closenessOf(studies.bound, options.bound),
-                    smooth = experiments::closenessOf(studies.smooth, options.smooth()),
-                    noises = experiments::noisesOf(studies.noise, options.noise);
+  const base::Table matched = studies::closenessOf(studies.bound, options.bound),
+                    smooth = studies::closenessOf(studies.smooth, options.smooth()),
+                    noises = studies::noisesOf(studies.noise, options.noise);
   return {base::markdownOf(matched) + "\n" + base::markdownOf(smooth) + "\n" + base::markdownOf(noises),
           {{"matched", jsonOf(studies.bound, options.bound)},
            {"matched_without_friction", jsonOf(studies.smooth, options.smooth())},

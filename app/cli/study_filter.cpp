@@ -6,14 +6,14 @@
 
 #include "app/cli/study_frame.h"
 #include "core/base/table.h"
-#include "core/experiments/filter_study.h"
+#include "core/studies/filter_study.h"
 
 namespace capstan::cli {
 namespace {
 
-using experiments::FilterResult;
-using experiments::FilterStudy;
-using experiments::FilterStudyOptions;
+using studies::FilterResult;
+using studies::FilterStudy;
+using studies::FilterStudyOptions;
 
 nlohmann::json jsonOf(const FilterResult& result) {
   return {{"ukf", toJson(result.ukf)},
@@ -47,10 +47,10 @@ ExitCode run(FilterStudyOptions& options, const std::vector<std::string>& files,
   options.recordings.assign(files.begin(), files.end());
   return runStudy(
       arguments, "filter",
-      [&](base::Progress& progress) { return experiments::runFilterStudy(options, progress); },
+      [&](base::Progress& progress) { return studies::runFilterStudy(options, progress); },
       [](const FilterStudy& study) { return !study.comparisons.empty(); },
       [&](const FilterStudy& study) {
-        const base::Table table = experiments::comparisonsOf(study);
+        const base::Table table = studies::comparisonsOf(study);
         return StudyReport{base::markdownOf(table), jsonOf(study), {{"filter.csv", base::csvOf(table)}}};
       });
 }
@@ -82,7 +82,8 @@ void addFilterStudy(CLI::App& study, ExitCode& exit) {
   command->add_option("--settled", options->settled, "start of the NIS statistics [s]")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 3600.0));
-  command->add_flag("!--no-images", options->images, "tip positions instead of images");
+  command->add_flag_callback(
+      "--no-images", [options] { options->images = false; }, "tip positions instead of images");
   command->add_flag("--disturbed", options->disturbed,
                     "each session again with cameras that move, motors that slip, constants that are wrong "
                     "(tip positions)");

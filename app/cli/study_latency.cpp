@@ -5,13 +5,13 @@
 
 #include "app/cli/study_frame.h"
 #include "core/base/table.h"
-#include "core/experiments/latency_study.h"
+#include "core/studies/latency_study.h"
 
 namespace capstan::cli {
 namespace {
 
-using experiments::LatencyStudy;
-using experiments::LatencyStudyOptions;
+using studies::LatencyStudy;
+using studies::LatencyStudyOptions;
 
 nlohmann::json rmsJson(const std::array<Eigen::Vector3d, 3>& rms) {
   return {{"as_stamped", toJson(rms[0])}, {"corrected", toJson(rms[1])}, {"true_delay", toJson(rms[2])}};
@@ -40,11 +40,11 @@ ExitCode run(LatencyStudyOptions& options, const StudyArguments& arguments) {
   if (!arguments.out.empty()) options.out = std::filesystem::path(arguments.out) / "recordings";
   return runStudy(
       arguments, "latency",
-      [&](base::Progress& progress) { return experiments::runLatencyStudy(options, progress); },
+      [&](base::Progress& progress) { return studies::runLatencyStudy(options, progress); },
       [](const LatencyStudy&) { return false; },
       [&](const LatencyStudy& study) {
-        const base::Table estimates = experiments::estimatesOf(study, options),
-                          gain = experiments::gainOf(study, options);
+        const base::Table estimates = studies::estimatesOf(study, options),
+                          gain = studies::gainOf(study, options);
         return StudyReport{
             base::markdownOf(estimates) + "\n" + base::markdownOf(gain),
             jsonOf(study, options),

@@ -7,20 +7,20 @@
 #include "app/cli/study_frame.h"
 #include "core/base/table.h"
 #include "core/base/yaml.h"
-#include "core/experiments/motor_failure_study.h"
+#include "core/studies/motor_failure_study.h"
 
 namespace capstan::cli {
 namespace {
 
-using experiments::MotorFailureStudy;
-using experiments::MotorFailureStudyOptions;
-using experiments::NormalError;
+using studies::MotorFailureStudy;
+using studies::MotorFailureStudyOptions;
+using studies::NormalError;
 
 /// Beside each normal error: how long the failed joints stay within twice of it.
-nlohmann::json normalsOf(const experiments::MotorFailureResult& cell) {
+nlohmann::json normalsOf(const studies::MotorFailureResult& cell) {
   nlohmann::json all;
   for (const auto& [normal, name] : base::NamesOf<NormalError>::value) {
-    const experiments::Endurance& endurance = cell.endurance(normal);
+    const studies::Endurance& endurance = cell.endurance(normal);
     all[std::string(name)] = {{"rms", toJson(cell.normal(normal))},
                               {"held", endurance.held},
                               {"share", endurance.share},
@@ -56,16 +56,16 @@ ExitCode run(MotorFailureStudyOptions& options, const std::string& csv, const St
   if (!arguments.out.empty()) options.out = std::filesystem::path(arguments.out) / "trials";
   return runStudy(
       arguments, "motor-failure",
-      [&](base::Progress& progress) { return experiments::runMotorFailureStudy(options, progress); },
+      [&](base::Progress& progress) { return studies::runMotorFailureStudy(options, progress); },
       [](const MotorFailureStudy&) { return false; },
       [&](const MotorFailureStudy& study) {
         StudyReport report;
         for (const NormalError normal : {NormalError::kOwn, NormalError::kNominal}) {
           if (normal == NormalError::kNominal && !options.true_radii) continue;  // the same
-          report.text += (report.text.empty() ? "" : "\n") +
-                         base::markdownOf(experiments::mapOf(study, options, normal));
+          report.text +=
+              (report.text.empty() ? "" : "\n") + base::markdownOf(studies::mapOf(study, options, normal));
         }
-        const std::string details = base::csvOf(experiments::detailsOf(study, options));
+        const std::string details = base::csvOf(studies::detailsOf(study, options));
         if (!csv.empty()) base::writeTextFile(csv, details);
         report.json = jsonOf(study, options);
         report.files = {{"motor-failure.csv", details}};

@@ -5,15 +5,15 @@
 
 #include "app/cli/study_frame.h"
 #include "core/base/resource.h"
-#include "core/experiments/world_study.h"
+#include "core/studies/world_study.h"
 
 namespace capstan::cli {
 namespace {
 
 using experiments::Method;
-using experiments::Recovery;
-using experiments::WorldStudy;
-using experiments::WorldStudyOptions;
+using studies::Recovery;
+using studies::WorldStudy;
+using studies::WorldStudyOptions;
 
 /// By parameter and method. Coverage counts worlds in which the parameter was seen; coverage_of_all all of
 /// them.
@@ -56,13 +56,13 @@ nlohmann::json jsonOf(const WorldStudy& study, const WorldStudyOptions& options)
           {"duration", options.duration},
           {"pixel_sigma", options.pixel_sigma},
           {"software", options.software},
-          {"coverage_goal", experiments::kCoverageGoal},
+          {"coverage_goal", studies::kCoverageGoal},
           {"recovery", recoveries(study)},
           {"worlds", worlds}};
 }
 
 StudyReport reportOf(const WorldStudy& study, const WorldStudyOptions& options) {
-  const base::Table table = experiments::recoveriesOf(study, options);
+  const base::Table table = studies::recoveriesOf(study, options);
   return {base::markdownOf(table), jsonOf(study, options), {{"worlds.csv", base::csvOf(table)}}};
 }
 
@@ -71,7 +71,7 @@ ExitCode run(WorldStudyOptions& options, const StudyArguments& arguments) {
   options.out = arguments.out;
   return runStudy(
       arguments, "worlds",
-      [&](base::Progress& progress) { return experiments::runWorldStudy(options, progress); },
+      [&](base::Progress& progress) { return studies::runWorldStudy(options, progress); },
       [](const WorldStudy& study) { return !study.worlds.empty(); },
       [&](const WorldStudy& study) { return reportOf(study, options); });
 }
@@ -83,7 +83,7 @@ void addWorldStudy(CLI::App& study, ExitCode& exit) {
   auto arguments = std::make_shared<StudyArguments>();
   options->truth = base::resource("truth/laboratory.yaml");
   options->trajectory = base::resource("experiments/fls.yaml");
-  options->software = experiments::software();
+  options->software = base::software();
   CLI::App* command = study.add_subcommand(
       "worlds", "Coverage and error of identified parameters in simulated robots drawn at random");
   command->add_option("--count", options->worlds, "worlds")

@@ -10,14 +10,14 @@
 #include "app/cli/centroid_study.h"
 #include "app/cli/command.h"
 #include "app/cli/console.h"
-#include "app/cli/occluded_source.h"
 #include "app/cli/outputs.h"
 #include "app/cli/recordings.h"
 #include "app/cli/registering.h"
 #include "app/cli/simulation_arguments.h"
 #include "app/cli/track_output.h"
 #include "core/base/error.h"
-#include "core/session/motor_failures.h"
+#include "core/live/motor_failures.h"
+#include "core/live/occluded_source.h"
 #include "core/tracking/make_pipeline.h"
 
 namespace capstan::cli {
@@ -50,10 +50,10 @@ void check(const TrackArguments& arguments, const CLI::App& command) {
                  "Add that, or leave it out");
 }
 
-std::vector<session::MotorFailure> failuresOf(const std::vector<std::string>& texts) {
-  std::vector<session::MotorFailure> all;
+std::vector<live::MotorFailure> failuresOf(const std::vector<std::string>& texts) {
+  std::vector<live::MotorFailure> all;
   for (const std::string& text : texts) {
-    const auto failures = session::parseMotorFailure(text, "--fail-motor");
+    const auto failures = live::parseMotorFailure(text, "--fail-motor");
     all.insert(all.end(), failures.begin(), failures.end());
   }
   return all;
@@ -69,10 +69,18 @@ std::string robotText(const TrackArguments& arguments, const robot::Description&
   return fmt::format("robot          {} ({})\n", robot.name, from);
 }
 
+/// Failures that come after the recording's end do nothing.
+void noticeLate(const std::vector<live::MotorFailure>& failures, const tracking::SourceInfo& info) {
+  for (const live::MotorFailure& failure : failures)
+    if (info.duration > 0.0 && failure.time > info.duration)
+      notice(fmt::format("--fail-motor: the recording ends at {:.4g} s, before {:.4g} s", info.duration,
+                         failure.time));
+}
+
 ExitCode track(TrackArguments& arguments, const CLI::App& command) {
   check(arguments, command);
-  const session::ReadAs read_as = readAsOf(arguments.read_as);
-  const std::vector<session::MotorFailure> failures = failuresOf(arguments.fail_motor);
+  const recording::ReadAs read_as = readAsOf(arguments.read_as);
+  const std::vector<live::MotorFailure> failures = failuresOf(arguments.fail_motor);
   checkOutputs(
       {{"--out", arguments.out},
        {"--save-registration", arguments.save_registration},
@@ -83,13 +91,13 @@ ExitCode track(TrackArguments& arguments, const CLI::App& command) {
   arguments.simulation.robot = arguments.robot;
   const RecordingFormat format =
       arguments.simulate ? RecordingFormat::kTable : formatOf(arguments.format, arguments.file);
-  const SourceFactory open = [&]() -> std::unique_ptr<session::Source> {
+  const SourceFactory open = [&]() -> std::unique_ptr<tracking::Source> {
     if (arguments.simulate) return makeSimulation(arguments.simulation);
     return openSource(arguments.file, format, arguments.robot, read_as);
   };
 
   const auto source = open();
-  session::SourceInfo info = source->info();
+  tracking::SourceInfo info = source->info();
   if (!arguments.estimator_robot.empty()) info.robot = readRobot(arguments.estimator_robot);
   auto options = arguments.options.empty() ? tracking::trackingOptionsOf(info)
                                            : tracking::readTrackingOptions(arguments.options);
@@ -107,11 +115,12 @@ ExitCode track(TrackArguments& arguments, const CLI::App& command) {
   if (!arguments.save_registration.empty())
     writeRegistration(*info.base_from_camera, arguments.save_registration);
 
+  noticeLate(failures, info);
   tracking::TrackingPipeline pipeline = tracking::makePipeline(info, options);
   for (const int motor : arguments.failed_motors) pipeline.setMotorFailed(motor - 1, true);
-  session::FailingMotors failing(*source, failures);
-  const session::OcclusionSchedule occlusion{.percentage = arguments.occlude};
-  OccludedSource occluded(failing, occlusion);
+  live::FailingMotors failing(*source, failures);
+  const live::OcclusionSchedule occlusion{.percentage = arguments.occlude};
+  live::OccludedSource occluded(failing, occlusion);
   EstimateWriter estimates(arguments.out);
   std::optional<CentroidStudy> study;
   if (const auto* simulated = dynamic_cast<const simulation::SimulatedSource*>(source.get());

@@ -85,7 +85,7 @@ constexpr const char* kColumns =
 
 }  // namespace
 
-const char* referenceOf(const session::SourceInfo& info) {
+const char* referenceOf(const tracking::SourceInfo& info) {
   return info.own_kinematics ? "own kinematics" : info.reference ? "joint encoders" : "none";
 }
 
@@ -95,7 +95,7 @@ std::optional<NisVerdict> nisVerdict(const TrackReport& report) {
   return NisVerdict{report.nisMean(), estimation::chiSquareBand(3, count)};
 }
 
-std::string textOf(const TrackReport& report, const session::SourceInfo& info, double seconds) {
+std::string textOf(const TrackReport& report, const tracking::SourceInfo& info, double seconds) {
   std::string text;
   if (info.own_kinematics)
     text += "reference: the robot's own kinematics, no truth; these are differences from it, no errors\n\n";
@@ -122,7 +122,7 @@ std::string textOf(const TrackReport& report, const session::SourceInfo& info, d
   return text;
 }
 
-nlohmann::json jsonOf(const TrackReport& report, const session::SourceInfo& info) {
+nlohmann::json jsonOf(const TrackReport& report, const tracking::SourceInfo& info) {
   nlohmann::json band, consistent, verdict;
   if (const auto nis = nisVerdict(report)) {
     band = {nis->band.low, nis->band.high};

@@ -10,16 +10,16 @@
 #include "core/base/part_file.h"
 #include "core/estimation/consistency.h"
 #include "core/estimation/nis_verdict.h"
-#include "core/session/source.h"
 #include "core/tracking/sample.h"
 #include "core/tracking/snapshot.h"
+#include "core/tracking/source.h"
 #include "core/tracking/track_all.h"
 
 namespace capstan::cli {
 
 /// What the errors of a recording are taken against: "joint encoders", "own kinematics" (which is no truth),
 /// "none".
-const char* referenceOf(const session::SourceInfo& info);
+const char* referenceOf(const tracking::SourceInfo& info);
 
 /// Whether the mean NIS of accepted camera samples, by its degrees of freedom, is what chance makes of a
 /// consistent filter.
@@ -38,11 +38,11 @@ std::optional<NisVerdict> nisVerdict(const tracking::TrackReport& report);
 
 /// The report for people: errors in deg, deg, mm; detection, gate, consistency; `seconds` of computing for
 /// the speed.
-std::string textOf(const tracking::TrackReport& report, const session::SourceInfo& info, double seconds);
+std::string textOf(const tracking::TrackReport& report, const tracking::SourceInfo& info, double seconds);
 /// The report in SI: {"rms": {"kin": […], "cam": […], "ukf": […]}, "nis": …, "nis_band": […],
 /// "samples": …, "reference": …, …}. No times of
 /// computing, so that the same input gives the same document.
-nlohmann::json jsonOf(const tracking::TrackReport& report, const session::SourceInfo& info);
+nlohmann::json jsonOf(const tracking::TrackReport& report, const tracking::SourceInfo& info);
 
 /// Writes one CSV row a motor sample and a camera sample: t, camera flag, t_cam, q_kin, q_cam, q_ukf, dq_ukf,
 /// sigma, reference (of t, on rows of cameras of t_cam), gate, NIS; SI, 17 digits, empty where nothing is

@@ -6,6 +6,7 @@
 #include <exception>
 #include <iostream>
 
+#include "app/numbers.h"
 #include "app/workstation/arguments.h"
 #include "widgets/shell/main_window.h"
 
@@ -51,6 +52,7 @@ int run(int argc, char** argv) {
   CLI::App cli("Capstan: the workstation's window", "capstan");
   cli.get_formatter()->column_width(34);
   addOptions(cli, arguments);
+  capstan::checkNumbers(cli);
   try {
     cli.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -9,11 +9,11 @@
 
 #include "core/base/error.h"
 #include "core/diagnosis/filter_gain.h"
-#include "core/diagnosis/gains.h"
-#include "core/diagnosis/joint_scales.h"
-#include "core/diagnosis/selection.h"
-#include "core/diagnosis/spectral_line.h"
-#include "core/diagnosis/verdict.h"
+#include "core/diagnosis/hypotheses/joint_scales.h"
+#include "core/diagnosis/selection/gains.h"
+#include "core/diagnosis/selection/selection.h"
+#include "core/diagnosis/selection/spectral_line.h"
+#include "core/diagnosis/selection/verdict.h"
 
 namespace capstan::diagnosis {
 namespace {

@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/diagnosis/encoder_zeros.h"
-#include "core/diagnosis/evidence.h"
-#include "core/diagnosis/report.h"
+#include "core/diagnosis/evidence/encoder_zeros.h"
+#include "core/diagnosis/evidence/evidence.h"
+#include "core/diagnosis/report/report.h"
 #include "core/robot/description.h"
 
 namespace capstan::diagnosis {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/diagnosis/evidence.h"
-#include "core/diagnosis/report.h"
+#include "core/diagnosis/evidence/evidence.h"
+#include "core/diagnosis/report/report.h"
 #include "core/robot/description.h"
 #include "core/tracking/options.h"
 

@@ -11,7 +11,7 @@ namespace capstan::estimation {
 /// What a mean NIS, divided by its degrees of freedom, says of a filter whose expectation is 1.
 enum class NisVerdict {
   kPass,      ///< inside the band that chance leaves
-  kCautious,  ///< below it: the filter expects more noise than there is; its estimate is no worse for that
+  kCautious,  ///< below it: the filter expects larger differences than the camera shows
   kTooHigh,   ///< above it: the filter errs by more than it believes
 };
 

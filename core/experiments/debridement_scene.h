@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/base/random.h"
-#include "core/learning/command_correction.h"
+#include "core/learning/model/command_correction.h"
 #include "core/robot/description.h"
 #include "core/robot/joint_vector.h"
 

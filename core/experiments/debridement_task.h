@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/experiments/training_motions.h"
-#include "core/learning/looks.h"
+#include "core/learning/poses/looks.h"
 
 /// Surgical debridement on a simulated arm (GPR paper, section V-D): each foam fragment is found, approached,
 /// grasped and taken to a receptacle.

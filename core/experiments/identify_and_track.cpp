@@ -1,7 +1,7 @@
 #include "core/experiments/identify_and_track.h"
 
 #include "core/base/error.h"
-#include "core/experiments/workers.h"
+#include "core/base/workers.h"
 #include "core/tracking/make_pipeline.h"
 
 namespace capstan::experiments {
@@ -31,9 +31,9 @@ void identify(const IdentificationData& data, base::Progress& progress, Identify
   }
 }
 
-void track(session::Source& recording, const tracking::TrackingOptions& options, base::Progress& progress,
+void track(tracking::Source& recording, const tracking::TrackingOptions& options, base::Progress& progress,
            IdentifyAndTrack& result) {
-  session::SourceInfo info = recording.info();
+  tracking::SourceInfo info = recording.info();
   info.robot = result.identified->robot();
   tracking::TrackingPipeline pipeline = tracking::makePipeline(info, options);
   tracking::TrackReport report = tracking::trackAll(recording, pipeline, &progress, info.duration);
@@ -42,18 +42,18 @@ void track(session::Source& recording, const tracking::TrackingOptions& options,
 
 }  // namespace
 
-IdentifyAndTrack identifyAndTrack(const IdentificationData& data, session::Source& recording,
+IdentifyAndTrack identifyAndTrack(const IdentificationData& data, tracking::Source& recording,
                                   const tracking::TrackingOptions& options, base::Progress& progress) {
   IdentifyAndTrack result;
   result.duration = data.duration();
   result.fault = faultOf(data);
   if (!result.fault.empty()) return result;
-  doAll({{"identifying", 1.0, [&](base::Progress& own) { identify(data, own, result); }},
-         {"tracking again", 1.0,
-          [&](base::Progress& own) {
-            if (result.fault.empty() && result.identified) track(recording, options, own, result);
-          }}},
-        1, {progress});
+  base::doAll({{"identifying", 1.0, [&](base::Progress& own) { identify(data, own, result); }},
+               {"tracking again", 1.0,
+                [&](base::Progress& own) {
+                  if (result.fault.empty() && result.identified) track(recording, options, own, result);
+                }}},
+              1, {progress});
   result.cancelled = progress.cancelled();
   if (!result.cancelled) progress.report(1.0, "tracking again");
   return result;

@@ -6,8 +6,8 @@
 #include "core/base/progress.h"
 #include "core/experiments/identify_recording.h"
 #include "core/identification/identification_data.h"
-#include "core/session/source.h"
 #include "core/tracking/options.h"
+#include "core/tracking/source.h"
 #include "core/tracking/track_all.h"
 
 namespace capstan::experiments {
@@ -28,7 +28,7 @@ struct IdentifyAndTrack {
 /// the nominal robot (identification::DataCollector). Neither truth nor joint encoders are an input; these
 /// enter the errors of `tracked` alone. Cancellable. Throws base::InputError for a recording that cannot be
 /// read.
-IdentifyAndTrack identifyAndTrack(const identification::IdentificationData& data, session::Source& recording,
+IdentifyAndTrack identifyAndTrack(const identification::IdentificationData& data, tracking::Source& recording,
                                   const tracking::TrackingOptions& options, base::Progress& progress);
 
 }  // namespace capstan::experiments

@@ -51,13 +51,13 @@ Collected collectTrial(const TrialSetup& setup, base::Progress& progress) {
 }
 
 std::vector<Collected> collectAll(const std::vector<TrialSetup>& trials, int threads,
-                                  const ProgressSlice& progress) {
+                                  const base::ProgressSlice& progress) {
   std::vector<Collected> all(trials.size());
-  std::vector<Job> jobs;
+  std::vector<base::Job> jobs;
   for (std::size_t i = 0; i < trials.size(); ++i)
     jobs.push_back({trials[i].spec.name, trials[i].weight(),
                     [&trials, &all, i](base::Progress& own) { all[i] = collectTrial(trials[i], own); }});
-  doAll(jobs, threads, progress);
+  base::doAll(jobs, threads, progress);
   return all;
 }
 
@@ -224,7 +224,7 @@ std::vector<double> trueValues(const std::string& truth, const robot::Descriptio
 }
 
 IdentificationResult identifyTrials(const std::vector<TrialSetup>& trials, const IdentificationSetup& setup,
-                                    int threads, const ProgressSlice& progress) {
+                                    int threads, const base::ProgressSlice& progress) {
   IdentificationResult result;
   const auto begin = std::chrono::steady_clock::now();
   std::vector<Collected> all = collectAll(trials, threads, progress.part(0.0, 0.5));
@@ -239,9 +239,9 @@ IdentificationResult identifyTrials(const std::vector<TrialSetup>& trials, const
   for (const TrialSetup& trial : trials) result.recordings.push_back(trial.spec.name);
   for (Collected& one : all) result.motions.push_back(std::move(one.motion));
   const identification::ParameterSet set(data.robot, setup.spec.parameters, setup.options.parameters);
-  doAll({{"identification", 1.0,
-          [&](base::Progress& own) { identify(data, set, setup, threads, own, result); }}},
-        1, progress.part(0.5, 1.0));
+  base::doAll({{"identification", 1.0,
+                [&](base::Progress& own) { identify(data, set, setup, threads, own, result); }}},
+              1, progress.part(0.5, 1.0));
   if (progress.whole.cancelled()) return result;
   const std::vector<double> truth = trueValues(result.inputs.truth, all.front().nominal, set);
   for (std::size_t i = 0; i < result.parameters.size(); ++i) result.parameters[i].truth = truth[i];

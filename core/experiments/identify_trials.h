@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "core/base/workers.h"
 #include "core/experiments/results.h"
 #include "core/experiments/trial_setup.h"
-#include "core/experiments/workers.h"
 #include "core/identification/options.h"
 #include "core/identification/parameters.h"
 
@@ -28,7 +28,7 @@ IdentificationSetup setUpIdentification(const Specification& specification,
 /// else. Where the method whose robot should go on found nothing, that of the other one does. Cancelled: an
 /// unfinished result. Throws base::InputError for a trial in which the cameras see nothing.
 IdentificationResult identifyTrials(const std::vector<TrialSetup>& trials, const IdentificationSetup& setup,
-                                    int threads, const ProgressSlice& progress);
+                                    int threads, const base::ProgressSlice& progress);
 
 /// True values of `set`'s parameters by a truth file's text, SI, in the set's order; NaN without one.
 /// Friction is the nominal robot's: a truth file changes it at low speed only.

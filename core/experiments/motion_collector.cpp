@@ -64,7 +64,7 @@ void SessionMotion::take(const tracking::Snapshot& s) {
     for (std::size_t i = 0; 2 * i < points_.size(); ++i) points_[i] = points_[2 * i];
     points_.resize((points_.size() + 1) / 2);
     rate_ *= 0.5;
-    due_ = session::DueTimes(rate_);
+    due_ = base::DueTimes(rate_);
     (void)due_.due(points_.back().t);
     if (!due_.due(s.t)) return;
   }
@@ -78,7 +78,7 @@ void SessionMotion::restart() {
   const std::lock_guard lock(mutex_);
   points_.clear();
   rate_ = kRate;
-  due_ = session::DueTimes(rate_);
+  due_ = base::DueTimes(rate_);
   seen_ = noJoints();
 }
 

@@ -5,10 +5,10 @@
 #include <mutex>
 #include <vector>
 
+#include "core/base/due_times.h"
 #include "core/experiments/results.h"
 #include "core/experiments/trial_setup.h"
 #include "core/robot/transmission.h"
-#include "core/session/due_times.h"
 #include "core/tracking/snapshot.h"
 
 namespace capstan::experiments {
@@ -43,7 +43,7 @@ class MotionCollector {
   TrialMotion& motion_;
   robot::Transmission nominal_;
   bool reference_;
-  session::DueTimes due_{kRate};
+  base::DueTimes due_{kRate};
   Eigen::Vector3d seen_ = noJoints();
   std::uint64_t samples_ = 0, blocked_ = 0;
 };
@@ -70,7 +70,7 @@ class SessionMotion {
   const bool reference_;
   mutable std::mutex mutex_;
   double rate_ = kRate;
-  session::DueTimes due_{kRate};
+  base::DueTimes due_{kRate};
   std::vector<TrajectoryPoint> points_;
   Eigen::Vector3d seen_ = noJoints();
 };

@@ -8,13 +8,13 @@
 #include <mutex>
 
 #include "core/base/error.h"
+#include "core/base/same_recording.h"
+#include "core/base/workers.h"
 #include "core/experiments/identify_trials.h"
 #include "core/experiments/results_json.h"
-#include "core/experiments/same_recording.h"
 #include "core/experiments/track_trial.h"
 #include "core/experiments/trial_setup.h"
 #include "core/experiments/trial_store.h"
-#include "core/experiments/workers.h"
 
 namespace capstan::experiments {
 namespace {
@@ -74,7 +74,7 @@ void checkRepeats(const Specification& specification) {
     const bool alike = a.occlusion.percentage == b.occlusion.percentage &&
                        (a.occlusion.percentage == 0.0 || a.occlusion.interval == b.occlusion.interval);
     return (specification.work == Work::kIdentify || alike) && !a.recording.empty() && !b.recording.empty() &&
-           sameRecording(specification.resolved(a.recording), specification.resolved(b.recording));
+           base::sameRecording(specification.resolved(a.recording), specification.resolved(b.recording));
   };
   for (std::size_t i = 0; i < trials.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
@@ -116,7 +116,7 @@ class Experiment {
     results_.specification = specification.text;
   }
 
-  Results run(const ProgressSlice& progress) {
+  Results run(const base::ProgressSlice& progress) {
     const auto begin = std::chrono::steady_clock::now();
     if (specification_.work == Work::kTrack)
       track(progress);
@@ -134,10 +134,10 @@ class Experiment {
  private:
   std::filesystem::path folder() const { return options_.out / specification_.name; }
 
-  void track(const ProgressSlice& progress) {
+  void track(const base::ProgressSlice& progress) {
     std::vector<TrialResult> trials(setups_.size());
     std::vector<char> done(setups_.size(), 0);
-    std::vector<Job> jobs;
+    std::vector<base::Job> jobs;
     for (std::size_t i = 0; i < setups_.size(); ++i) {
       if (takeKept(setups_[i], trials[i])) {
         done[i] = 1;
@@ -151,14 +151,14 @@ class Experiment {
                       }});
     }
     results_.resumed = static_cast<int>(setups_.size() - jobs.size());
-    doAll(jobs, options_.threads, progress);
+    base::doAll(jobs, options_.threads, progress);
     complete_ = std::all_of(done.begin(), done.end(), [](char one) { return one != 0; });
     for (std::size_t i = 0; i < trials.size(); ++i)
       if (done[i] != 0) results_.trials.push_back(std::move(trials[i]));
     for (const TrialResult& trial : results_.trials) results_.simulated &= trial.simulated;
   }
 
-  void identify(const ProgressSlice& progress) {
+  void identify(const base::ProgressSlice& progress) {
     IdentificationSetup setup = setUpIdentification(specification_, setups_.front().table_robot);
     setup.software = options_.software;
     json fingerprint = {{"identification", setup.fingerprint}, {"trials", json::array()}};

@@ -18,7 +18,7 @@ enum class Work {
 /// Whose estimates are the robot of experiments that build on this one.
 enum class Method { kDualUkf, kBatch };
 
-/// Cameras blocked for a share of the time, at equal spacing (session::OcclusionSchedule).
+/// Cameras blocked for a share of the time, at equal spacing (live::OcclusionSchedule).
 struct OcclusionSpec {
   double percentage = 0.0;  ///< 0: never
   double interval = 2.0;    ///< [s]
@@ -34,7 +34,7 @@ struct OcclusionSpec {
 struct TrialSpec {
   std::string name;
   std::string recording;           ///< a session, measured table or motor log; empty: simulated
-  std::string read_as;             ///< units of a measured table, as session::parseReadAs() takes them
+  std::string read_as;             ///< units of a measured table, as recording::parseReadAs() takes them
   std::string trajectory = "fls";  ///< of a simulation, as simulation::SimulationRequest::trajectory
   double duration = 200.0;         ///< of the movement [s]
   std::uint64_t seed = 1;

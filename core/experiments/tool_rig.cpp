@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/learning/pose_features.h"
+#include "core/learning/poses/pose_features.h"
 #include "core/stats/quantile.h"
 
 namespace capstan::experiments {

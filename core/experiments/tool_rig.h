@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/learning/command_correction.h"
+#include "core/learning/model/command_correction.h"
 #include "core/simulation/pose_camera.h"
 #include "core/simulation/tool_robot.h"
 

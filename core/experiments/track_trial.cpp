@@ -2,8 +2,8 @@
 
 #include <chrono>
 
+#include "core/base/due_times.h"
 #include "core/experiments/motion_collector.h"
-#include "core/session/due_times.h"
 #include "core/stats/running_rms.h"
 #include "core/tracking/make_pipeline.h"
 #include "core/tracking/track_all.h"
@@ -57,7 +57,7 @@ class TrialListener {
   TrialResult& result_;
   MotionCollector motion_;
   std::array<stats::RunningRms<3>, kEstimators> rms_;
-  session::DueTimes errors_due_{kErrorRate};
+  base::DueTimes errors_due_{kErrorRate};
 };
 
 }  // namespace
@@ -65,7 +65,7 @@ class TrialListener {
 TrialResult trackTrial(const TrialSetup& setup, base::Progress& progress) {
   const auto begin = std::chrono::steady_clock::now();
   TrialSource source(setup);
-  const session::SourceInfo& info = source.info();
+  const tracking::SourceInfo& info = source.info();
   TrialResult result;
   result.name = setup.spec.name;
   result.simulated = setup.recording.empty() || !info.truth.empty();

@@ -2,8 +2,8 @@
 
 #include "core/experiments/require_option.h"
 #include "core/experiments/tool_rig.h"
-#include "core/learning/rotation_vector.h"
-#include "core/learning/screen_poses.h"
+#include "core/learning/poses/rotation_vector.h"
+#include "core/learning/poses/screen_poses.h"
 
 namespace capstan::experiments {
 namespace {

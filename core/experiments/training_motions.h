@@ -4,8 +4,8 @@
 
 #include "core/base/progress.h"
 #include "core/experiments/debridement_scene.h"
-#include "core/learning/clean_states.h"
-#include "core/learning/correction_model.h"
+#include "core/learning/model/correction_model.h"
+#include "core/learning/poses/clean_states.h"
 #include "core/simulation/tool_truth.h"
 
 /// Training of a correction on a simulated arm, as on a real one: from recorded poses to states to a model.

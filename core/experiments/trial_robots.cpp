@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "core/experiments/error_run.h"
 #include "core/experiments/specification.h"
 #include "core/robot/description.h"
 
@@ -46,6 +45,12 @@ std::string filterRobotOf(const Results& results, const TrialResult& trial) {
   if (trial.inputs.robot == trial.inputs.nominal) return kinematicRobotOf(trial);
   const std::string name = nameIn(trial.inputs.robot), how = believed(results);
   return how.empty() ? name : fmt::format("{} ({})", name, how);
+}
+
+std::string robotWords(const std::string& kinematic_robot, const std::string& filter_robot) {
+  if (filter_robot.empty()) return {};
+  if (kinematic_robot == filter_robot) return fmt::format("kinematics and UKF of {}", filter_robot);
+  return fmt::format("kinematics of {}, UKF of {}", kinematic_robot, filter_robot);
 }
 
 std::string robotNote(const Results& results) {

@@ -12,6 +12,9 @@ namespace capstan::experiments {
 std::string kinematicRobotOf(const TrialResult& trial);
 /// That the filter believed in: the nominal one, a robot file, or "RAVEN-II left as identified by A, B".
 std::string filterRobotOf(const Results& results, const TrialResult& trial);
+/// "kinematics and UKF of RAVEN-II left", "kinematics of nominal.yaml, UKF of mine.yaml"; empty: not known.
+std::string robotWords(const std::string& kinematic_robot, const std::string& filter_robot);
+
 /// robotWords() of the first trial with errors, and a full stop; empty: not known.
 std::string robotNote(const Results& results);
 

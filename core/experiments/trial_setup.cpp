@@ -11,7 +11,7 @@
 #include "core/base/yaml.h"
 #include "core/experiments/results_json.h"
 #include "core/identification/parameters.h"
-#include "core/session/table_source.h"
+#include "core/recording/table_source.h"
 #include "core/simulation/simulation_request.h"
 #include "core/tracking/options.h"
 #include "core/vision/camera.h"
@@ -139,7 +139,7 @@ TrialSetup setUpTrial(const Specification& specification, const TrialSpec& trial
     state = blaming(specification, trial.name, "recording", trial.recording,
                     [&] { return stateOf(setup.recording); });
     setup.read_as = blaming(specification, trial.name, "read_as", trial.read_as,
-                            [&] { return session::parseReadAs(trial.read_as, "read_as"); });
+                            [&] { return recording::parseReadAs(trial.read_as, "read_as"); });
     if (!trial.read_as.empty()) state["read_as"] = trial.read_as;
     setup.inputs.recording =
         fmt::format("{}, {} bytes", state["file"].get<std::string>(), state["bytes"].get<std::uint64_t>());
@@ -164,7 +164,7 @@ TrialSource::TrialSource(const TrialSetup& setup) : inputs_(setup.inputs) {
   if (setup.simulated)
     source_ = std::make_unique<simulation::SimulatedSource>(*setup.simulated);
   else
-    source_ = session::openRecording(setup.recording, setup.table_robot, setup.read_as);
+    source_ = recording::openRecording(setup.recording, setup.table_robot, setup.read_as);
   info_ = source_->info();
   nominal_ = info_.robot;
   info_.robot = setup.belief(nominal_);
@@ -174,16 +174,9 @@ TrialSource::TrialSource(const TrialSetup& setup) : inputs_(setup.inputs) {
   if (inputs_.truth.empty()) inputs_.truth = info_.truth;
   if (inputs_.tracking.empty()) inputs_.tracking = info_.tracking;
   const OcclusionSpec& occlusion = setup.spec.occlusion;
-  blocking_.setSchedule(
-      {.percentage = occlusion.percentage, .interval = occlusion.interval, .start = info_.begin});
-  t_ = info_.begin;
-}
-
-bool TrialSource::next(tracking::Sample& out) {
-  blocking_.apply(t_, *source_);
-  if (!source_->next(out)) return false;
-  if (const auto* motor = std::get_if<tracking::MotorSample>(&out)) t_ = motor->t;
-  return true;
+  occluded_.emplace(*source_, live::OcclusionSchedule{.percentage = occlusion.percentage,
+                                                      .interval = occlusion.interval,
+                                                      .start = info_.begin});
 }
 
 }  // namespace capstan::experiments

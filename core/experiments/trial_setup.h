@@ -9,11 +9,11 @@
 
 #include "core/experiments/results.h"
 #include "core/experiments/specification.h"
+#include "core/live/occluded_source.h"
+#include "core/recording/column_units.h"
 #include "core/robot/description.h"
-#include "core/session/blocking.h"
-#include "core/session/column_units.h"
-#include "core/session/source.h"
 #include "core/simulation/simulated_source.h"
+#include "core/tracking/source.h"
 
 namespace capstan::experiments {
 
@@ -34,7 +34,7 @@ struct TrialSetup {
   std::string recording;                                  ///< path; empty: simulated
   std::optional<simulation::SimulatedOptions> simulated;  ///< of a simulation
   robot::Description table_robot;                         ///< of recordings that bring none
-  session::ReadAs read_as;                                ///< units of a measured table
+  recording::ReadAs read_as;                              ///< units of a measured table
   RobotBelief belief;
   TrialInputs inputs;          ///< as far as they are known before the recording is opened
   nlohmann::json fingerprint;  ///< everything that the result depends on
@@ -49,25 +49,25 @@ TrialSetup setUpTrial(const Specification& specification, const TrialSpec& trial
 
 /// A trial's samples: cameras blocked on schedule, and the robot that the estimator believes in in place of
 /// the nominal one. The plant of a simulation stays what it is.
-class TrialSource {
+class TrialSource final : public tracking::Source {
  public:
   /// Throws base::InputError for a recording that cannot be read.
   explicit TrialSource(const TrialSetup& setup);
 
-  const session::SourceInfo& info() const { return info_; }
+  const tracking::SourceInfo& info() const override { return info_; }
   const robot::Description& nominal() const { return nominal_; }
-  bool next(tracking::Sample& out);
-  bool blocked() const { return blocking_.any(); }
+  bool next(tracking::Sample& out) override { return occluded_->next(out); }
+  void block(bool left, bool right) override { occluded_->block(left, right); }
+  bool blocked() const { return occluded_->blocked(); }
   /// The trial's inputs, all known now.
   TrialInputs inputs() const { return inputs_; }
 
  private:
-  std::unique_ptr<session::Source> source_;
-  session::SourceInfo info_;
+  std::unique_ptr<tracking::Source> source_;
+  tracking::SourceInfo info_;
   robot::Description nominal_;
-  session::Blocking blocking_;
+  std::optional<live::OccludedSource> occluded_;
   TrialInputs inputs_;
-  double t_ = 0.0;
 };
 
 }  // namespace capstan::experiments

@@ -10,12 +10,12 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-[[noreturn]] void refuse(const session::MeasuredTable& table, const std::string& column,
+[[noreturn]] void refuse(const recording::MeasuredTable& table, const std::string& column,
                          const std::string& value, const std::string& reason, const std::string& remedy) {
   throw base::InputError({table.file, 0, column, value, reason, remedy});
 }
 
-void check(const session::MeasuredTable& table) {
+void check(const recording::MeasuredTable& table) {
   if (table.joints() > 1)
     refuse(table, "q_m1…" + std::to_string(table.joints()), std::to_string(table.joints()) + " joints",
            "is a recording of more than the one joint of this robot",
@@ -45,13 +45,13 @@ double slopeAt(const std::vector<double>& t, const std::vector<double>& x, std::
   return spread > 0.0 ? (n * stx - st * sx) / spread : 0.0;
 }
 
-double cellOf(const session::TableColumns& columns, std::size_t row) {
+double cellOf(const recording::TableColumns& columns, std::size_t row) {
   return columns.empty() ? kNone : columns.front()[row];
 }
 
 }  // namespace
 
-DriveRecording driveRecording(const session::MeasuredTable& table, double step) {
+DriveRecording driveRecording(const recording::MeasuredTable& table, double step) {
   check(table);
   DriveRecording recording;
   recording.title = table.file;

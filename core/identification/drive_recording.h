@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/session/measured_table.h"
+#include "core/recording/measured_table.h"
 
 namespace capstan::identification {
 
@@ -24,7 +24,7 @@ struct DriveRecording {
 /// table's, or else the slope of a straight line through the motor positions within `step` of the row. Rows
 /// without motor position or load are left out. Throws base::InputError naming file, column and remedy:
 /// another number of joints than one, no q_m1, no tau_ext1, no q1, or less than two rows left.
-DriveRecording driveRecording(const session::MeasuredTable& table, double step);
+DriveRecording driveRecording(const recording::MeasuredTable& table, double step);
 
 /// +1 where tau_m drives the motor, as in the measured table; −1 where it is what the drive answers, as a
 /// torque cell between motor and drive may count it. A passive drive takes energy in: ∫ tau_m dq_m over the

@@ -100,7 +100,7 @@ class DataCollector {
   Eigen::Vector3d tip_sigma_, jump_tolerance_;
 };
 
-/// Runs the tracking pipeline over `source` (session::Source or anything with info() and next()) and keeps
+/// Runs the tracking pipeline over `source` (tracking::Source or anything with info() and next()) and keeps
 /// what identification needs: motors and stereo vision. Joint encoder samples are passed over. `each(sample,
 /// snapshot)` sees every step besides. Throws base::InputError for a robot that is no three-joint
 /// remote-centre arm.

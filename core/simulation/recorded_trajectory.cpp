@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/session/measured_table.h"
+#include "core/recording/measured_table.h"
 
 namespace capstan::simulation {
 namespace {
 
 class Recorded final : public Trajectory {
  public:
-  explicit Recorded(const session::MeasuredTable& table)
+  explicit Recorded(const recording::MeasuredTable& table)
       : t_(table.t), q_(table.rows()), slope_(table.rows()) {
     const double start = t_.front();
     for (double& t : t_) t -= start;
@@ -44,7 +44,7 @@ class Recorded final : public Trajectory {
 }  // namespace
 
 std::unique_ptr<Trajectory> recordedTrajectory(const std::string& file) {
-  const session::MeasuredTable table = session::readMeasuredTable(file);
+  const recording::MeasuredTable table = recording::readMeasuredTable(file);
   if (table.q.size() != 3)
     throw base::InputError(
         {file, 1, "q1, q2, q3", {}, "are not all there", "Give a table with t, q1, q2, q3 (SI)"});

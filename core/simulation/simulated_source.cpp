@@ -37,7 +37,7 @@ struct SimulatedSource::Parts {
   tracking::JointSample jointSample() const;
 
   SimulatedOptions options;
-  session::SourceInfo info;
+  tracking::SourceInfo info;
   robot::ArmKinematics kinematics;
   std::optional<robot::ChainModel> effects;  // of the robot file
   std::unique_ptr<Trajectory> trajectory;
@@ -175,7 +175,7 @@ SimulatedSource::SimulatedSource(SimulatedOptions options)
     : parts_(std::make_unique<Parts>(std::move(options))) {}
 SimulatedSource::~SimulatedSource() = default;
 
-const session::SourceInfo& SimulatedSource::info() const { return parts_->info; }
+const tracking::SourceInfo& SimulatedSource::info() const { return parts_->info; }
 
 bool SimulatedSource::next(tracking::Sample& out) {
   Parts& parts = *parts_;

@@ -5,10 +5,10 @@
 #include <optional>
 
 #include "core/robot/description.h"
-#include "core/session/source.h"
 #include "core/simulation/stereo_cameras.h"
 #include "core/simulation/trajectory.h"
 #include "core/simulation/truth.h"
+#include "core/tracking/source.h"
 #include "core/vision/camera.h"
 
 namespace capstan::simulation {
@@ -33,13 +33,13 @@ struct SimulatedOptions {
 /// exposure, but not on the registration that is made before.
 /// MotorSample (and JointSample) at 1 kHz; StereoFrame at the camera's rate, delivered when it arrives. Ends
 /// when the trajectory has. The commands and block() may come from any thread while another calls next().
-class SimulatedSource final : public session::Source {
+class SimulatedSource final : public tracking::Source {
  public:
   /// Throws base::InputError for a robot that is no three-joint remote-centre arm or an unusable trajectory.
   explicit SimulatedSource(SimulatedOptions options);
   ~SimulatedSource() override;
 
-  const session::SourceInfo& info() const override;
+  const tracking::SourceInfo& info() const override;
   bool next(tracking::Sample& out) override;
   void block(bool left, bool right) override;
 

@@ -47,6 +47,13 @@ TrajectorySpec trajectoryOf(const SimulationRequest& request) {
 }
 
 Truth truthOf(const SimulationRequest& request) {
+  if (request.truth != "default" && request.truth != "matched" && !std::filesystem::exists(request.truth))
+    throw base::InputError({{},
+                            0,
+                            "truth",
+                            request.truth,
+                            "is neither a known truth nor a file",
+                            "Give default, matched, or a truth file (.yaml)"});
   Truth truth = request.truth == "default"   ? defaultTruth()
                 : request.truth == "matched" ? matchedTruth()
                                              : readTruth(request.truth);

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "core/session/occlusion.h"
 #include "core/tracking/stereo_tip.h"
+#include "core/vision/cover_image.h"
 #include "core/vision/registration.h"
 
 namespace capstan::simulation {
@@ -67,7 +67,7 @@ void StereoCameras::expose(const Exposure& exposure) {
     Picture& picture = freePicture();
     for (std::size_t side = 0; side < 2; ++side) {
       renderers_[side].render(shown, picture[side]);
-      if (exposure.blocked[side]) session::coverImage(picture[side], exposure.t, static_cast<int>(side));
+      if (exposure.blocked[side]) vision::coverImage(picture[side], exposure.t, static_cast<int>(side));
     }
     flight.left = picture[0];
     flight.right = picture[1];

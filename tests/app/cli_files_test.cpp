@@ -1,6 +1,6 @@
 /// What capstan-cli does to files: inputs stay, nothing is replaced unasked, what cannot be written shows.
-#include "core/session/export.h"
-#include "core/session/table_source.h"
+#include "core/recording/export.h"
+#include "core/recording/table_source.h"
 #include "tests/app/cli_fixture.h"
 #include "tests/support/small_disk.h"
 

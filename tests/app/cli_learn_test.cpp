@@ -47,6 +47,20 @@ TEST_F(CliLearn, LearnsTellsAndCorrects) {
   EXPECT_EQ(std::ranges::count(textOf("out.csv"), '\n'), 3);
 }
 
+TEST_F(CliLearn, EvaluatesOnTrajectoriesHeldOutAndLearnsFromAll) {
+  ASSERT_EQ(learn("").exit, 0);
+  const std::string all = textOf("m.correction");
+  const Ran learned = learn("--hold-out 20 --json " + path("m.json"));
+  ASSERT_EQ(learned.exit, 0) << learned.err;
+  EXPECT_TRUE(textOf("m.correction") == all) << "holding out is for the evaluation alone";
+  EXPECT_THAT(learned.out, HasSubstr("4 of 20 trajectories"));
+  const json held_out = json::parse(textOf("m.json"))["held_out"];
+  EXPECT_LT(held_out["clean"]["corrected"]["distance"]["mean"],
+            held_out["clean"]["offset"]["distance"]["mean"]);
+  EXPECT_EQ(learn("--hold-out 0").exit, 2);
+  EXPECT_EQ(learn("--hold-out 20 --onto " + path("m.correction")).exit, 2);
+}
+
 TEST_F(CliLearn, LearnsAsThePaperDoes) {
   ASSERT_EQ(learn("--method velocity --no-weights --kernel rbf --members 1 --json " + path("m.json")).exit,
             0);

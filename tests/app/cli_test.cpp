@@ -1,8 +1,8 @@
 /// Runs the real capstan-cli: exit codes, JSON, files, and numbers equal to the library's to the last bit.
 #include "core/base/yaml.h"
-#include "core/session/export.h"
-#include "core/session/measured_table.h"
-#include "core/session/session_source.h"
+#include "core/recording/export.h"
+#include "core/recording/measured_table.h"
+#include "core/recording/session_source.h"
 #include "core/tracking/make_pipeline.h"
 #include "core/tracking/track_all.h"
 #include "tests/app/cli_fixture.h"
@@ -71,7 +71,7 @@ TEST_F(Cli, TrackEqualsTheLibraryToTheLastBit) {
     const Ran result = run("track " + file + " --json -");
     ASSERT_EQ(result.exit, 0) << result.err;
     const json document = json::parse(result.out);
-    session::SessionSource source(file);
+    recording::SessionSource source(file);
     tracking::TrackingPipeline pipeline = tracking::makePipeline(source.info());
     const tracking::TrackReport report = tracking::trackAll(source, pipeline);
     for (std::size_t joint = 0; joint < 3; ++joint) {
@@ -144,8 +144,8 @@ TEST_F(Cli, InfoAndConvertGoRound) {
 
   ASSERT_EQ(run("convert " + path("c.csv") + " " + path("again.capstan")).exit, 0);
   ASSERT_EQ(run("convert " + path("again.capstan") + " " + path("again.csv")).exit, 0);
-  const auto first = session::readMeasuredTable(path("c.csv")),
-             second = session::readMeasuredTable(path("again.csv"));
+  const auto first = recording::readMeasuredTable(path("c.csv")),
+             second = recording::readMeasuredTable(path("again.csv"));
   EXPECT_EQ(first.t, second.t);
   EXPECT_EQ(first.q_m, second.q_m);
   EXPECT_EQ(first.q, second.q);
@@ -200,12 +200,12 @@ TEST_F(Cli, AnInterruptedImportIsCancelled) {
 TEST_F(Cli, ReportTracksWithTheSessionsOwnOptionsLikeTrack) {
   const std::string plain = simulate("p.capstan", "--trajectory sinusoid --no-images --duration 3");
   {
-    session::SessionSource source(plain);
+    recording::SessionSource source(plain);
     tracking::TrackingOptions options;
     options.camera_sigma_floor *= 5.0;
-    session::SessionHeader header = session::headerOf(source.info(), "2026-11-21");
+    recording::SessionHeader header = recording::headerOf(source.info(), "2026-11-21");
     header.tracking = base::writeYaml(options);
-    session::importRecording(source, path("own.capstan"), header);
+    recording::importRecording(source, path("own.capstan"), header);
   }
   const auto rmsOf = [&](const std::string& command) {
     const Ran result = run(command + " --json -");

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/session/measured_table.h"
+#include "core/recording/measured_table.h"
 #include "tests/app/cli_fixture.h"
 
 namespace capstan {
@@ -13,7 +13,7 @@ using testing::Ran;
 
 constexpr double kDegrees = 180.0 / 3.14159265358979323846;
 
-void scale(session::TableColumns& columns, double factor) {
+void scale(recording::TableColumns& columns, double factor) {
   for (auto& column : columns)
     for (double& value : column) value *= factor;
 }
@@ -24,15 +24,15 @@ class CliUnits : public Cli {
   CliUnits() {
     const std::string file = simulate("s.capstan", "--trajectory sinusoid --no-images --duration 12");
     EXPECT_EQ(run("convert " + file + " " + path("si.csv")).exit, 0);
-    si_ = session::readMeasuredTable(path("si.csv"));
+    si_ = recording::readMeasuredTable(path("si.csv"));
   }
 
   /// Writes what `change` makes of the table in SI; its path.
   template <class Change>
   std::string written(const std::string& name, const Change& change) const {
-    session::MeasuredTable table = si_;
+    recording::MeasuredTable table = si_;
     change(table);
-    write(name, session::formatMeasuredTable(table));
+    write(name, recording::formatMeasuredTable(table));
     return path(name);
   }
 
@@ -42,7 +42,7 @@ class CliUnits : public Cli {
     return ran.exit == 0 ? json::parse(ran.out) : json();
   }
 
-  session::MeasuredTable si_;
+  recording::MeasuredTable si_;
 };
 
 void expectSameRms(const json& si, const json& other) {
@@ -111,7 +111,7 @@ TEST_F(CliUnits, EveryCommandThatReadsTablesRefuses) {
   EXPECT_FALSE(std::filesystem::exists(path("out.csv"))) << "nothing is written of a table that is refused";
   EXPECT_EQ(run("info " + file + option).exit, 0);
   ASSERT_EQ(run("convert " + file + " " + path("back.csv") + option).exit, 0);
-  const auto back = session::readMeasuredTable(path("back.csv"));
+  const auto back = recording::readMeasuredTable(path("back.csv"));
   for (std::size_t joint = 0; joint < 3; ++joint)
     for (std::size_t row = 0; row < back.rows(); ++row)
       ASSERT_NEAR(back.q_m[joint][row], si_.q_m[joint][row], 1e-9);

@@ -5,8 +5,8 @@
 
 #include <sstream>
 
-#include "core/diagnosis/hypothesis.h"
-#include "core/diagnosis/report_tables.h"
+#include "core/diagnosis/hypotheses/hypothesis.h"
+#include "core/diagnosis/report/report_tables.h"
 #include "tests/support/sample_diagnosis.h"
 
 namespace capstan::cli {

@@ -6,7 +6,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "core/session/frame_codec.h"
+#include "core/recording/frame_codec.h"
 
 namespace {
 
@@ -47,7 +47,7 @@ void run(benchmark::State& state, Encode&& encode) {
 }
 
 void recorderCodec(benchmark::State& state) {
-  capstan::session::FrameEncoder encoder(640, 480);
+  capstan::recording::FrameEncoder encoder(640, 480);
   run(state, [&](const cv::Mat& image) { return encoder.encode(image).size(); });
 }
 void pngLevel1(benchmark::State& state) {
@@ -58,9 +58,9 @@ void pngLevel1(benchmark::State& state) {
   });
 }
 void decode(benchmark::State& state) {
-  capstan::session::FrameEncoder encoder(640, 480);
+  capstan::recording::FrameEncoder encoder(640, 480);
   const auto packet = encoder.encode(pictures()[0]);
-  capstan::session::FrameDecoder decoder(encoder.parameters(), "benchmark");
+  capstan::recording::FrameDecoder decoder(encoder.parameters(), "benchmark");
   cv::Mat image;
   for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(decoder.decode(packet, image));
 }

@@ -9,7 +9,7 @@
 
 #include "core/base/resource.h"
 #include "core/diagnosis/diagnose.h"
-#include "core/diagnosis/read_evidence.h"
+#include "core/diagnosis/evidence/read_evidence.h"
 #include "tests/support/planted/planted_case.h"
 
 namespace {
@@ -88,8 +88,8 @@ int main() {
           timed(recorded(robot, 60.0), robot, {}), whole.seconds);
   }
   for (const std::size_t count : {6, 13})
-    print(fmt::format("60 s, {} hypotheses", count),
-          timed(recorded(raven, 60.0), raven, firstNames(count)), whole.seconds);
+    print(fmt::format("60 s, {} hypotheses", count), timed(recorded(raven, 60.0), raven, firstNames(count)),
+          whole.seconds);
   fmt::print("\ngoal: 60 s, 3 joints, whole library in 30 s on two cores. Where its time goes:\n");
   for (const auto& stage : whole.report.stages)
     fmt::print("  {:32} {:9.2f} s {:5.0f} %\n", stage.name, stage.seconds,

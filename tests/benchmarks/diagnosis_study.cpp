@@ -9,8 +9,8 @@
 
 #include "core/base/checksum.h"
 #include "core/base/error.h"
+#include "core/base/software.h"
 #include "core/diagnosis/diagnose.h"
-#include "core/experiments/software.h"
 #include "tests/support/planted_study/run_study.h"
 #include "tests/support/planted_study/study_tables.h"
 
@@ -27,7 +27,7 @@ struct Wanted {
 
 /// The program; a build that no commit stands for is told by its bytes.
 std::string program() {
-  const std::string software = experiments::software();
+  const std::string software = base::software();
   const bool exact = software.find('(') != std::string::npos && software.find("dirty") == std::string::npos;
   return exact ? software : software + " " + base::checksumOfFile("/proc/self/exe");
 }

@@ -12,9 +12,9 @@
 
 #include "core/base/resource.h"
 #include "core/diagnosis/diagnose.h"
+#include "core/diagnosis/evidence/read_evidence.h"
 #include "core/diagnosis/filter_gain.h"
-#include "core/diagnosis/read_evidence.h"
-#include "core/diagnosis/shown.h"
+#include "core/diagnosis/report/shown.h"
 #include "tests/support/planted/planted_case.h"
 
 namespace {
@@ -29,14 +29,14 @@ struct Wanted {
   int joint = -1, threads = 2;
 };
 
-session::MeasuredTable rowsOf(const session::MeasuredTable& whole, std::size_t begin, std::size_t end) {
-  session::MeasuredTable part = whole;
+recording::MeasuredTable rowsOf(const recording::MeasuredTable& whole, std::size_t begin, std::size_t end) {
+  recording::MeasuredTable part = whole;
   const auto cut = [&](std::vector<double>& column) {
     column = std::vector<double>(column.begin() + static_cast<std::ptrdiff_t>(begin),
                                  column.begin() + static_cast<std::ptrdiff_t>(end));
   };
   cut(part.t);
-  for (session::TableColumns* columns :
+  for (recording::TableColumns* columns :
        {&part.q_m, &part.dq_m, &part.tau_m, &part.q, &part.p_c, &part.tau_ext})
     for (std::vector<double>& column : *columns) cut(column);
   return part;

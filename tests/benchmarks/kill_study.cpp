@@ -4,10 +4,10 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "tests/core/session/recording_child.h"
+#include "tests/core/recording/recording_child.h"
 
 int main(int argc, char** argv) {
-  using namespace capstan::session;
+  using namespace capstan::recording;
   const int kills = argc > 1 ? std::atoi(argv[1]) : 100;
   const std::filesystem::path root = argc > 2 ? argv[2] : std::filesystem::temp_directory_path();
   std::filesystem::create_directories(root);

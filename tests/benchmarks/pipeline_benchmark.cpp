@@ -43,7 +43,7 @@ void measure(const Case& one) {
   options.trajectory.kind = simulation::TrajectoryKind::kSinusoid;
   options.trajectory.duration = one.duration;
   simulation::SimulatedSource source(options);
-  session::SourceInfo info = source.info();
+  tracking::SourceInfo info = source.info();
   if (one.full_frame) info.base_from_camera.reset();
   tracking::TrackingPipeline pipeline = tracking::makePipeline(info);
 

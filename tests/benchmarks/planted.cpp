@@ -99,7 +99,7 @@ int main(int argc, char** argv) {
     const test::PlantedCase drawn = test::draw(wanted.seed, optionsOf(wanted));
     const auto [recording, truth] = test::recordWithTruth(drawn);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    if (!wanted.out.empty()) write(wanted.out, session::formatMeasuredTable(recording.table));
+    if (!wanted.out.empty()) write(wanted.out, recording::formatMeasuredTable(recording.table));
     nlohmann::json json = jsonOf(truth, wanted.seed);
     const std::string text = json.dump() + "\n";
     if (wanted.truth.empty())

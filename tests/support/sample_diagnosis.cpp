@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "core/base/resource.h"
-#include "core/diagnosis/decimated_remainder.h"
+#include "core/diagnosis/residuals/decimated_remainder.h"
 #include "tests/support/sample_motion.h"
 
 namespace capstan::testing {

@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-#include "core/diagnosis/evidence.h"
-#include "core/diagnosis/report.h"
+#include "core/diagnosis/evidence/evidence.h"
+#include "core/diagnosis/report/report.h"
 
 namespace capstan::testing {
 

@@ -7,7 +7,7 @@
 
 namespace capstan::testing {
 
-/// A table of tip poses (session::readPoseTable) whose flaws are known: cameras in a frame of their own and
+/// A table of tip poses (recording::readPoseTable) whose flaws are known: cameras in a frame of their own and
 /// late, an error that goes smoothly with place and speed, sights that jump, rows without a sight.
 struct SamplePoses {
   int trajectories = 20, rows = 60;  ///< of each trajectory, at 100 Hz

@@ -117,8 +117,8 @@ double spreadOf(const std::vector<double>& values) {
 }
 
 /// To the last bit, empty cells too.
-bool sameBytes(const session::MeasuredTable& a, const session::MeasuredTable& b) {
-  using session::MeasuredTable;
+bool sameBytes(const recording::MeasuredTable& a, const recording::MeasuredTable& b) {
+  using recording::MeasuredTable;
   for (const auto columns : {&MeasuredTable::q_m, &MeasuredTable::dq_m, &MeasuredTable::tau_m,
                              &MeasuredTable::q, &MeasuredTable::p_c, &MeasuredTable::tau_ext}) {
     if ((a.*columns).size() != (b.*columns).size()) return false;
@@ -139,7 +139,7 @@ TEST(PlantedRecording, AnEffectOfSizeZeroIsNoneAndALargeOneIsSeen) {
     PlantedCase large = none, without = none;
     large.effects.front().size = 1e6;  // the largest plausible
     without.effects.clear();
-    const session::MeasuredTable plain = record(without).table;
+    const recording::MeasuredTable plain = record(without).table;
     EXPECT_TRUE(sameBytes(record(none).table, plain)) << facts.name;
     EXPECT_FALSE(sameBytes(record(large).table, plain)) << facts.name;
   }
@@ -155,7 +155,7 @@ TEST(PlantedRecording, SameSeedSameBytes) {
 
 TEST(PlantedRecording, SensorsCountAndPicturesComeAtTheirRate) {
   PlantedCase plain = caseOf(Effect::kBacklash, 0.0, 6.0);
-  const session::MeasuredTable table = record(plain).table;
+  const recording::MeasuredTable table = record(plain).table;
   ASSERT_EQ(table.rows(), 6001U);
   ASSERT_EQ(table.joints(), 3);
   EXPECT_EQ(table.file, "recording");
@@ -230,7 +230,7 @@ TEST(PlantedRecording, ChainsOfOneToSevenJointsFollowTheirController) {
       plain.robot = chainOf(n);
       plain.rigid = rigid;
       plain.duration = 2.0;
-      const session::MeasuredTable table = record(plain).table;
+      const recording::MeasuredTable table = record(plain).table;
       ASSERT_EQ(table.joints(), n);
       base::Random way(plain.seed, "excitation");
       const Excitation wanted(plain.robot, plain.duration, way);
@@ -257,7 +257,7 @@ TEST(PlantedRecording, SensorsThatAreAbsentLeaveNoColumns) {
   plain.sensors = {};
   plain.sensors.motor_velocity = plain.sensors.motor_torque = false;
   plain.sensors.joint_encoders = plain.sensors.cameras = false;
-  const session::MeasuredTable table = record(plain).table;
+  const recording::MeasuredTable table = record(plain).table;
   EXPECT_FALSE(table.q_m.empty());
   EXPECT_TRUE(table.dq_m.empty() && table.tau_m.empty() && table.q.empty() && table.p_c.empty());
   EXPECT_TRUE(table.tau_ext.empty());
@@ -267,10 +267,11 @@ TEST(PlantedRecording, SensorsThatAreAbsentLeaveNoColumns) {
 TEST(PlantedRecording, LooksLikeRecordingsMadeElsewhere) {
   const auto path = sharedFile("data") / "plant" / "rec101.csv";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "no " << path;
-  const session::MeasuredTable theirs = session::readMeasuredTable(path);
+  const recording::MeasuredTable theirs = recording::readMeasuredTable(path);
   PlantedCase plain = caseOf(Effect::kBacklash, 0.0, 40.0);
-  const session::MeasuredTable ours = record(plain).table;
-  const auto alike = [](const session::TableColumns& a, const session::TableColumns& b, const char* what) {
+  const recording::MeasuredTable ours = record(plain).table;
+  const auto alike = [](const recording::TableColumns& a, const recording::TableColumns& b,
+                        const char* what) {
     ASSERT_EQ(a.size(), b.size());
     for (std::size_t i = 0; i < a.size(); ++i) {
       const double ratio = spreadOf(a[i]) / spreadOf(b[i]);

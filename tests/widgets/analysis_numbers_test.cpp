@@ -20,9 +20,9 @@
 namespace capstan::widgets {
 namespace {
 
-using experiments::AnalysisRow;
+using analysis::AnalysisRow;
+using analysis::Measure;
 using experiments::Estimator;
-using experiments::Measure;
 using Kind = RunChoice::Kind;
 
 template <class Condition>
@@ -132,7 +132,7 @@ TEST_F(AnalysisNumbers, OfTheScreenAreThoseOfEveryExportedTable) {
     EXPECT_NEAR(of(session, estimator), a, 1e-9) << "A, q" << row.joint + 1 << ' ' << estimator.toStdString();
     EXPECT_NEAR(of(recording, estimator), b, 1e-9)
         << "B, q" << row.joint + 1 << ' ' << estimator.toStdString();
-    for (const Measure measure : experiments::kMeasures) {
+    for (const Measure measure : analysis::kMeasures) {
       const QStringList keys = {QStringLiteral("q%1").arg(row.joint + 1), estimator,
                                 QString::fromStdString(std::string(base::nameOf(measure)))};
       EXPECT_NEAR(cell(comparison, keys, "A"), row.a.of(measure), 1e-12) << keys.join(' ').toStdString();

@@ -14,7 +14,7 @@
 
 #include "core/base/error.h"
 #include "core/base/yaml.h"
-#include "core/session/export.h"
+#include "core/recording/export.h"
 #include "core/simulation/simulation_request.h"
 #include "core/stats/rms.h"
 #include "tests/widgets/analysis_recordings.h"
@@ -27,8 +27,8 @@
 namespace capstan::widgets {
 namespace {
 
+using analysis::Measure;
 using experiments::Estimator;
-using experiments::Measure;
 using Kind = RunChoice::Kind;
 using ::testing::HasSubstr;
 
@@ -66,13 +66,13 @@ TEST_F(Analysed, OneRecordingHasFiguresAndNumbers) {
   const auto& results = panel.figures().histogram()->results();
   ASSERT_EQ(results.size(), 3U);
   base::Progress progress;
-  const auto run = experiments::trackErrors(path("trial.capstan").toStdString(), {}, progress);
+  const auto run = analysis::trackErrors(path("trial.capstan").toStdString(), {}, progress);
   for (int joint = 0; joint < 3; ++joint) {
-    const auto values = experiments::selectedErrors(run, Estimator::kUkf, joint, {}).value;
+    const auto values = analysis::selectedErrors(run, Estimator::kUkf, joint, {}).value;
     ASSERT_GT(values.size(), 700U);
     EXPECT_EQ(results[static_cast<std::size_t>(joint)][1].n, values.size());
     EXPECT_EQ(cell(Measure::kRms, joint, Estimator::kUkf, AnalysisTable::kA),
-              shown(stats::rms(values), experiments::decimalsOf(panel.analysis())));
+              shown(stats::rms(values), analysis::decimalsOf(panel.analysis())));
     EXPECT_EQ(cell(Measure::kRms, joint, Estimator::kUkf, AnalysisTable::kCountA),
               QString::number(values.size()));
   }
@@ -90,7 +90,7 @@ TEST_F(Analysed, ARunAgainstItselfHasNoDifference) {
   ASSERT_TRUE(settled());
   EXPECT_TRUE(panel.analysis().intervals);
   ASSERT_EQ(panel.analysis().rows.size(), 2U);
-  for (const Measure measure : experiments::kMeasures) {
+  for (const Measure measure : analysis::kMeasures) {
     EXPECT_EQ(cell(measure, 1, Estimator::kUkf, AnalysisTable::kA),
               cell(measure, 1, Estimator::kUkf, AnalysisTable::kB));
     const QString difference = cell(measure, 1, Estimator::kUkf, AnalysisTable::kDifference);
@@ -225,7 +225,7 @@ TEST_F(Analysed, TheSessionSoFarIsAskedFor) {
   int asked = 0;
   panel.setSession([&asked] {
     ++asked;
-    experiments::ErrorRun run{.title = "live"};
+    analysis::ErrorRun run{.title = "live"};
     for (int i = 0; i < 300; ++i) {
       const Eigen::Vector3d error = Eigen::Vector3d::Constant(1e-3 * std::cos(0.3 * i * asked));
       run.errors.push_back({0.01 * i, error, error, 0.5 * error, false});
@@ -295,7 +295,7 @@ class ExportsAll : public Analysed {
 
 TEST_F(ExportsAll, FiguresAndTablesOfBothRuns) {
   panel.setSession([] {
-    experiments::ErrorRun run{.title = "live", .simulated = true};
+    analysis::ErrorRun run{.title = "live", .simulated = true};
     for (int i = 0; i < 300; ++i) {
       const Eigen::Vector3d error = Eigen::Vector3d::Constant(1e-3 * std::cos(0.3 * i));
       run.errors.push_back({0.01 * i, error, error, 0.5 * error, false});

@@ -3,7 +3,7 @@
 #include <QTemporaryDir>
 #include <fstream>
 
-#include "core/session/export.h"
+#include "core/recording/export.h"
 #include "core/simulation/simulation_request.h"
 
 namespace capstan::widgets {
@@ -18,8 +18,8 @@ class Recordings {
     request.images = false;
     simulation::SimulatedSource source(simulation::optionsOf(request));
     robot = source.info().robot;
-    session::importRecording(source, path("trial.capstan").toStdString(),
-                             session::headerOf(source.info(), "today"));
+    recording::importRecording(source, path("trial.capstan").toStdString(),
+                               recording::headerOf(source.info(), "today"));
     robot.drives[0].link_radius *= 0.97;
     std::ofstream(path("mine.yaml").toStdString()) << robot::formatDescription(robot);
   }

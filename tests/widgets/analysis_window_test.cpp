@@ -17,8 +17,8 @@
 namespace capstan::widgets {
 namespace {
 
+using analysis::Measure;
 using experiments::Estimator;
-using experiments::Measure;
 
 template <class Condition>
 bool waitFor(Condition&& condition) {

@@ -12,10 +12,10 @@
 #include "tests/support/sample_diagnosis.h"
 #include "tests/widgets/picture.h"
 #include "widgets/panels/analysis/analysis_panel.h"
-#include "widgets/panels/calibration/calibration_panel.h"
 #include "widgets/panels/diagnosis/diagnosis_panel.h"
 #include "widgets/panels/diagnosis/report_pages.h"
 #include "widgets/panels/diagnosis/signature_view.h"
+#include "widgets/panels/identification/identification_panel.h"
 #include "widgets/panels/notes/notes_panel.h"
 #include "widgets/shell/main_window.h"
 #include "widgets/shell/session_bar.h"
@@ -127,8 +127,8 @@ TEST_F(DiagnosisWindow, ShowsLargePicturesAndItsRobotIsUsed) {
               HasSubstr("extended robot in use"));
   // The calibration begins with it.
   QTest::keyClick(window_.get(), Qt::Key_I);
-  ASSERT_EQ(window_->calibration().live().phase(), identification::LivePhase::kCollecting);
-  EXPECT_EQ(window_->calibration().live().set()->nominal().drives[1].cable_stiffness,
+  ASSERT_EQ(window_->identification().live().phase(), identification::LivePhase::kCollecting);
+  EXPECT_EQ(window_->identification().live().set()->nominal().drives[1].cable_stiffness,
             report.extended.drives[1].cable_stiffness);
 }
 

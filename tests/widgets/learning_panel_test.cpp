@@ -2,7 +2,9 @@
 #include "widgets/panels/learning/learning_panel.h"
 
 #include <gmock/gmock.h>
+
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <QApplication>
 #include <QComboBox>
@@ -18,7 +20,7 @@
 
 #include "core/base/error.h"
 #include "core/base/yaml.h"
-#include "core/session/correction_file.h"
+#include "core/learning/model/correction_file.h"
 #include "tests/support/sample_poses.h"
 #include "tests/widgets/picture.h"
 #include "widgets/panels/learning/ablation_view.h"
@@ -47,8 +49,8 @@ bool waitFor(Condition&& condition) {
 
 LearningSettings quick() {
   LearningSettings settings;
-  settings.trial.correction.likelihood_points = 200;
-  settings.trial.correction.inducing_points = 200;
+  settings.learning.correction.likelihood_points = 200;
+  settings.learning.correction.inducing_points = 200;
   return settings;
 }
 
@@ -74,7 +76,7 @@ class Learning : public ::testing::Test {
     QTest::keyClick(panel.get(), Qt::Key_F5);
     ASSERT_TRUE(panel->busy());
     ASSERT_TRUE(waitFor([&] { return !panel->busy(); }));
-    ASSERT_TRUE(panel->results().trial) << panel->summary().toStdString();
+    ASSERT_TRUE(panel->results().evaluation) << panel->summary().toStdString();
   }
   QPushButton* button(const char* name) { return panel->findChild<QPushButton*>(name); }
   std::string headline() { return panel->headline().toStdString(); }
@@ -151,12 +153,12 @@ TEST_F(Learning, TrainsInTheBackgroundAndJudgesOnTrajectoriesHeldOut) {
   EXPECT_THAT(
       lines,
       HasSubstr(
-          QStringLiteral("… doubted | %1\n").arg(panel->results().trial->weighing.doubted).toStdString()));
+          QStringLiteral("… doubted | %1\n").arg(panel->results().learned->weighing.doubted).toStdString()));
   EXPECT_THAT(lines, HasSubstr("Errors on 4 trajectories held out"));
   EXPECT_THAT(panel->summary().toStdString(), HasSubstr("Learned from pose"));
   const auto* reliability = qobject_cast<ReliabilityFigure*>(pages().reliability().sheet().figure());
   ASSERT_TRUE(reliability);
-  EXPECT_EQ(reliability->data().stated.states(), panel->results().trial->clean[2].distance.size());
+  EXPECT_EQ(reliability->data().stated.states(), panel->results().evaluation->test.clean[2].distance.size());
   EXPECT_EQ(reliability->numbers().at(0).csv.substr(0, 20), "stated,sigmas,x,y,z,");
   for (const PointCloud& cloud : pages().clouds().view().clouds())
     EXPECT_FALSE(cloud.points.empty()) << cloud.name.toStdString();
@@ -179,8 +181,8 @@ TEST_F(Learning, TheSliceFollowsAxisAndDepth) {
 
 TEST_F(Learning, TrainingIsCancelledAndWhatWasThereStays) {
   LearningSettings slow;
-  slow.trial.correction.fit.tolerance = 0.0;
-  slow.trial.correction.fit.iterations = 100000;
+  slow.learning.correction.fit.tolerance = 0.0;
+  slow.learning.correction.fit.iterations = 100000;
   show(slow);
   read(table("poses.csv"));
   QTest::keyClick(panel.get(), Qt::Key_F5);
@@ -190,7 +192,7 @@ TEST_F(Learning, TrainingIsCancelledAndWhatWasThereStays) {
   QTest::keyClick(panel.get(), Qt::Key_Escape);
   ASSERT_TRUE(waitFor([&] { return !panel->busy(); }));
   EXPECT_THAT(panel->words().toStdString(), HasSubstr("Cancelled"));
-  EXPECT_FALSE(panel->results().trial);
+  EXPECT_FALSE(panel->results().evaluation);
   EXPECT_THAT(headline(), HasSubstr("states count")) << "the stages stay";
   EXPECT_EQ(button("train")->text(), "Train");
 }
@@ -249,7 +251,7 @@ TEST_F(Learning, OtherTablesForgetWhatWasLearned) {
   SamplePoses other;
   other.seed = 2;
   panel->choose({.tables = {table("poses.csv"), table("more.csv", other)}});
-  EXPECT_FALSE(panel->results().trial);
+  EXPECT_FALSE(panel->results().evaluation);
   panel->choose(panel->choice());  // while it is being read
   ASSERT_TRUE(waitFor([&] { return !panel->busy() && panel->results().stages; }));
   ASSERT_EQ(pages().trajectories().list().topLevelItemCount(), 40);
@@ -293,7 +295,7 @@ TEST_F(Learning, AModelIsSavedWithWhatItWasLearnedFrom) {
   const QString path = folder.filePath("arm.correction");
   panel->saveModel(path);
   EXPECT_EQ(saved.count(), 1);
-  const session::CorrectionFile file = session::readCorrection(path.toStdString());
+  const learning::CorrectionFile file = learning::readCorrection(path.toStdString());
   EXPECT_FALSE(file.model.processes().empty());
   ASSERT_EQ(file.source.files.size(), 1U);
   EXPECT_EQ(file.source.files[0], panel->choice().tables[0].toStdString());
@@ -303,17 +305,26 @@ TEST_F(Learning, AModelIsSavedWithWhatItWasLearnedFrom) {
   EXPECT_THAT(panel->words().toStdString(), HasSubstr("/nowhere"));
 }
 
-// Bytes of one file from two programs.
-TEST_F(Learning, TheModelIsThatOfTheCommandLine) {
+// Bytes of one file, and errors, from two programs.
+TEST_F(Learning, ModelAndErrorsAreThoseOfTheCommandLine) {
   LearningSettings settings;
-  settings.trial.correction.inducing_points = 200;
+  settings.learning.correction.inducing_points = 200;
   show(settings);
-  readAndTrain();
+  SamplePoses monday, tuesday;
+  monday.trajectories = tuesday.trajectories = 6;
+  tuesday.seed = 2;
+  const QStringList tables = {table("monday.csv", monday), table("tuesday.csv", tuesday)};
+  panel->choose({.tables = tables});
+  ASSERT_TRUE(waitFor([&] { return !panel->busy(); }));
+  panel->train();
+  ASSERT_TRUE(waitFor([&] { return !panel->busy(); }));
+  ASSERT_TRUE(panel->results().evaluation) << panel->summary().toStdString();
   panel->saveModel(folder.filePath("window.correction"));
   QProcess process;
-  process.start(CAPSTAN_CLI, {"learn", "--train", panel->choice().tables[0], "--inducing", "200", "--model",
-                              folder.filePath("line.correction")});
-  ASSERT_TRUE(process.waitForFinished(120000));
+  process.start(CAPSTAN_CLI,
+                {"learn", "--train", tables[0], tables[1], "--inducing", "200", "--hold-out", "20", "--model",
+                 folder.filePath("line.correction"), "--json", folder.filePath("line.json")});
+  ASSERT_TRUE(process.waitForFinished(240000));
   ASSERT_EQ(process.exitCode(), 0) << process.readAllStandardError().toStdString();
   const auto bytes = [&](const char* name) {
     QFile file(folder.filePath(name));
@@ -325,6 +336,11 @@ TEST_F(Learning, TheModelIsThatOfTheCommandLine) {
   EXPECT_TRUE(window == line) << "sizes " << window.size() << " and " << line.size() << "\n"
                               << window.left(600).toStdString() << "\n"
                               << line.left(600).toStdString();
+  const auto held_out = nlohmann::json::parse(bytes("line.json").toStdString())["held_out"];
+  const learning::HeldOutEvaluation& evaluation = *panel->results().evaluation;
+  EXPECT_EQ(held_out["held_out"], evaluation.motions_held);
+  EXPECT_EQ(held_out["all"]["states"], evaluation.test.states);
+  EXPECT_EQ(held_out["clean"]["corrected"]["distance"]["mean"], evaluation.test.clean[2].summed().distance);
 }
 
 TEST_F(Learning, TheChoiceIsKeptAndReadWhenItIsLookedAt) {

@@ -42,8 +42,8 @@ class LearningWindow : public ::testing::Test {
     QApplication::setActiveWindow(window_.get());  // for its keys
     window_->action("learn")->trigger();
     LearningSettings quick;
-    quick.trial.correction.likelihood_points = 400;
-    quick.trial.correction.inducing_points = 500;
+    quick.learning.correction.likelihood_points = 400;
+    quick.learning.correction.inducing_points = 500;
     panel().setSettings(quick);
   }
   LearningPanel& panel() { return window_->learning(); }
@@ -95,7 +95,7 @@ TEST_F(LearningWindow, CloudsMoveTogetherByTheCorrection) {
   done();
   panel().train();
   done();
-  ASSERT_TRUE(panel().results().trial);
+  ASSERT_TRUE(panel().results().evaluation);
   EXPECT_EQ(window_->size(), QSize(1280, 800)) << "the panel does not force a larger window";
   panel().pages().setCurrentWidget(&panel().pages().clouds());
   CloudView& view = panel().pages().clouds().view();

@@ -21,7 +21,7 @@ class Panel : public testing::Test {
     QObject::connect(&panel, &OcclusionPanel::blockChanged,
                      [this](bool left, bool right) { asked.emplace_back(left, right); });
     QObject::connect(&panel, &OcclusionPanel::scheduleChanged,
-                     [this](const session::OcclusionSchedule& schedule) { schedules.push_back(schedule); });
+                     [this](const live::OcclusionSchedule& schedule) { schedules.push_back(schedule); });
   }
   QPushButton* button(const QString& text) {
     for (auto* each : panel.findChildren<QPushButton*>())
@@ -32,7 +32,7 @@ class Panel : public testing::Test {
 
   OcclusionPanel panel;
   std::vector<Sides> asked;
-  std::vector<session::OcclusionSchedule> schedules;
+  std::vector<live::OcclusionSchedule> schedules;
 };
 
 TEST_F(Panel, ClickStaysUntilTheNext) {

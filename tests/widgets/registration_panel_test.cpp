@@ -4,7 +4,7 @@
 #include <QTest>
 #include <opencv2/imgproc.hpp>
 
-#include "core/session/arm_overlay.h"
+#include "core/live/arm_overlay.h"
 #include "tests/widgets/picture.h"
 #include "tests/widgets/registration_feed.h"
 #include "widgets/panels/registration/collect_page.h"
@@ -19,7 +19,7 @@ namespace {
 class Panel : public testing::Test {
  protected:
   void begin(bool live) {
-    session::SourceInfo source;
+    tracking::SourceInfo source;
     source.robot = feed.robot;
     source.rig = test::stereoRig();
     source.live = live;
@@ -40,7 +40,7 @@ class Panel : public testing::Test {
   std::array<cv::Mat, 2> frames() const {
     std::array<cv::Mat, 2> images;
     const auto seen =
-        session::projectArm(feed.arm, feed.robot.marker_radius, test::stereoRig(), feed.truth, feed.q);
+        live::projectArm(feed.arm, feed.robot.marker_radius, test::stereoRig(), feed.truth, feed.q);
     for (std::size_t side = 0; side < 2; ++side) {
       images[side] = cv::Mat(480, 640, CV_8UC3, cv::Scalar(92, 96, 104));
       const auto point = [](const Eigen::Vector2d& p) { return cv::Point(cvRound(p.x()), cvRound(p.y())); };
@@ -57,7 +57,7 @@ class Panel : public testing::Test {
   tracking::Snapshot seen() {
     tracking::Snapshot snapshot = feed.next();
     const auto arm =
-        session::projectArm(feed.arm, feed.robot.marker_radius, test::stereoRig(), feed.truth, feed.q);
+        live::projectArm(feed.arm, feed.robot.marker_radius, test::stereoRig(), feed.truth, feed.q);
     for (std::size_t side = 0; side < 2; ++side) {
       auto& marker = snapshot.marker[side];
       marker.centroid = *arm.sides[side].marker;
@@ -95,7 +95,7 @@ TEST_F(Panel, LeadsFromTheStopToAnAcceptedRegistration) {
   EXPECT_EQ(panel.collectPage().plot().outliersShown(), panel.guide()->scatter().outliers);
   EXPECT_GT(panel.collectPage().plot().outliersShown(), 1);
   run(3.0);
-  ASSERT_EQ(panel.guide()->step(), session::RegistrationStep::kReview);
+  ASSERT_EQ(panel.guide()->step(), live::RegistrationStep::kReview);
   const auto images = frames();
   panel.showFrames(images[0], images[1], seen());
   const QImage picture = test::grab(panel, "registration_3_result");
@@ -117,14 +117,14 @@ TEST_F(Panel, RefusalIsShownWithReasonAndAdvice) {
   click("Collect frames");
   feed.fault = vision::MarkerFault::kNoPixels;
   run(5.0);
-  ASSERT_EQ(panel.guide()->step(), session::RegistrationStep::kRefused);
+  ASSERT_EQ(panel.guide()->step(), live::RegistrationStep::kRefused);
   EXPECT_TRUE(panel.collectPage().refusal().contains("too few detections"));
   EXPECT_TRUE(panel.collectPage().refusal().contains("Unblock the view"));
   test::grab(panel, "registration_2_refused");
   feed.fault = vision::MarkerFault::kNone;
   click("Collect again");
   run(5.0);
-  EXPECT_EQ(panel.guide()->step(), session::RegistrationStep::kReview);
+  EXPECT_EQ(panel.guide()->step(), live::RegistrationStep::kReview);
 }
 
 TEST_F(Panel, RejectionNeedsAReason) {

@@ -5,8 +5,8 @@
 
 #include "core/base/resource.h"
 #include "tests/widgets/shell_fixture.h"
-#include "widgets/panels/calibration/calibration_panel.h"
-#include "widgets/panels/calibration/parameter_choice.h"
+#include "widgets/panels/identification/identification_panel.h"
+#include "widgets/panels/identification/parameter_choice.h"
 #include "widgets/panels/notes/notes_panel.h"
 #include "widgets/panels/occlusion/occlusion_panel.h"
 #include "widgets/panels/registration/registration_panel.h"
@@ -52,14 +52,14 @@ SourceChoice wrongRadius(double duration = 30.0) {
 /// Runs `choice` to its end and accepts the radius that was identified meanwhile.
 void identifyAndAccept(MainWindow& window, const SourceChoice& choice) {
   window.bar().setSpeed(10.0);
-  window.calibration().choice().setNames("r_l1");
+  window.identification().choice().setNames("r_l1");
   window.open(choice);
   ASSERT_TRUE(waitFor([&] { return window.link().running(); }));
   QTest::keyClick(&window, Qt::Key_I);
   ASSERT_TRUE(ended(window));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return window.calibration().live().acceptable(); }, 2 * kPatience))
-      << window.calibration().words().toStdString();
-  window.calibration().findChild<QPushButton*>("accept")->click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window.identification().live().acceptable(); }, 2 * kPatience))
+      << window.identification().words().toStdString();
+  window.identification().findChild<QPushButton*>("accept")->click();
   ASSERT_NEAR(radiusInUse(window), 0.059, 0.01 * 0.059);
 }
 
@@ -80,7 +80,7 @@ TEST_F(Shell, TheAcceptedRobotStaysInUseWhenTheSessionBeginsAgain) {
   ASSERT_TRUE(ended(*window));
   EXPECT_LT(errorOfJoint1(*window), 0.2) << "with the identified radius some hundredths, else degrees";
 
-  auto* undo = window->calibration().findChild<QPushButton*>("revert");
+  auto* undo = window->identification().findChild<QPushButton*>("revert");
   ASSERT_TRUE(undo->isVisible()) << "only a person takes it back, and can";
   undo->click();
   EXPECT_EQ(radiusInUse(*window), nominal);
@@ -128,7 +128,7 @@ TEST_F(Shell, RegistrationAndFailedMotorsStayWhenTheSessionBeginsAgain) {
   EXPECT_TRUE(waitFor([&] { return window->action("motor1failed")->isChecked(); }))
       << "a motor that was declared failed is believed again";
   bool registered = false, asked = false;
-  window->link().runner()->post([&](session::Source&, tracking::TrackingPipeline& pipeline) {
+  window->link().runner()->post([&](tracking::Source&, tracking::TrackingPipeline& pipeline) {
     registered = pipeline.registration().has_value();
     asked = true;
   });
@@ -182,11 +182,11 @@ TEST_F(Shell, OcclusionAddedToARecordingIsSaidEverywhere) {
   window->action("record")->trigger();
   ASSERT_TRUE(waitFor([&] {
     const auto status = window->link().runner()->status();
-    return status.recorder && status.recorder->state == session::RecorderState::kClosed;
+    return status.recorder && status.recorder->state == recording::RecorderState::kClosed;
   }));
   const auto made = window->link().runner()->status().recording;
   bool schedule = false, blocked = false;
-  for (const auto& event : session::readSessionEvents(made)) {
+  for (const auto& event : recording::readSessionEvents(made)) {
     schedule = schedule || event.text.find("80 % of the time, in intervals of 2.0 s, added to a recording") !=
                                std::string::npos;
     blocked = blocked || event.text == "both blocked, added to a recording";

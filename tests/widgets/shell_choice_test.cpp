@@ -61,16 +61,16 @@ TEST(SourceChoice, KeepsFilesByTheirAbsolutePath) {
 }
 
 TEST(RecorderOptions, HoldTwoSecondsOfASourceOfAnyRateAndSize) {
-  session::SourceInfo info;
+  tracking::SourceInfo info;
   info.rig.emplace();
   info.rig->left.width = info.rig->right.width = 1280;
   info.rig->left.height = info.rig->right.height = 720;
-  session::RunStatus status;
-  session::RecorderOptions options = recorderOptionsFor(info, status);
+  live::RunStatus status;
+  recording::RecorderOptions options = recorderOptionsFor(info, status);
   EXPECT_EQ(options.width, 1280);
   EXPECT_EQ(options.height, 720);
   EXPECT_NEAR(options.frame_rate, 15.0, 1e-12) << "what the pipeline expects";
-  EXPECT_EQ(options.buffered_time, session::RecorderOptions{}.buffered_time);
+  EXPECT_EQ(options.buffered_time, recording::RecorderOptions{}.buffered_time);
   status.frame_rate = 60.0;
   status.motor_rate = 2000.0;
   options = recorderOptionsFor(info, status);

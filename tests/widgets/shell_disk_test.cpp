@@ -3,8 +3,8 @@
 #include <QFileDialog>
 #include <fstream>
 
-#include "core/session/disk_space.h"
-#include "core/session/session_source.h"
+#include "core/recording/disk_space.h"
+#include "core/recording/session_source.h"
 #include "tests/support/small_disk.h"
 #include "tests/widgets/shell_fixture.h"
 #include "widgets/panels/notes/notes_panel.h"
@@ -28,7 +28,7 @@ void chooseFolder(MainWindow& window, const QString& folder) {
 }
 
 double endOf(const std::filesystem::path& file) {
-  session::SessionSource source(file);
+  recording::SessionSource source(file);
   double end = -1.0;
   for (tracking::Sample sample; source.next(sample);)
     if (const auto* motor = std::get_if<tracking::MotorSample>(&sample)) end = motor->t;
@@ -49,21 +49,21 @@ TEST_F(Shell, ARecordingOntoAFullDiskIsWholeInItsOneFile) {
   ASSERT_TRUE(waitFor([&] {
     const auto status = window->link().runner()->status();
     if (statusOf(*window).contains("min left")) told = statusOf(*window);
-    if (status.recorder->state != session::RecorderState::kFailed) end = status.t;
-    return status.recorder->state == session::RecorderState::kFailed;
+    if (status.recorder->state != recording::RecorderState::kFailed) end = status.t;
+    return status.recorder->state == recording::RecorderState::kFailed;
   })) << "the disk was never full";
   EXPECT_TRUE(told.contains("reserve 6.7 MB")) << told.toStdString();
   const auto status = window->link().runner()->status();
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(disk.path()), {}), 1) << "the one file";
   const auto copy = file("copy.capstan").toStdString();
   std::filesystem::copy_file(status.recording, copy);
-  EXPECT_GT(session::readSessionSummary(copy).motor, 1000);
+  EXPECT_GT(recording::readSessionSummary(copy).motor, 1000);
   EXPECT_LE(end - endOf(copy), 0.5) << "lost";
   std::printf("running to %.3f s, in the copy to %.3f s; %s\n%s\n", end, endOf(copy),
               status.recorder->error.c_str(), told.toStdString().c_str());
   ASSERT_TRUE(waitFor([&] { return window->message().contains("whole"); }));
   EXPECT_TRUE(window->message().contains("Free space")) << window->message().toStdString();
-  EXPECT_EQ(stateOf(*window), session::RunState::kRunning) << "the session goes on";
+  EXPECT_EQ(stateOf(*window), live::RunState::kRunning) << "the session goes on";
 }
 
 // The source changes while it is recorded, onto a disk that is full by then: somebody has to hear of it.

@@ -49,11 +49,11 @@ class Shell : public testing::Test {
     return SourceChoice::ofSimulation(request);
   }
 
-  static session::RunState stateOf(MainWindow& window) {
-    return window.link().runner() ? window.link().runner()->status().state : session::RunState::kFailed;
+  static live::RunState stateOf(MainWindow& window) {
+    return window.link().runner() ? window.link().runner()->status().state : live::RunState::kFailed;
   }
   static bool opened(MainWindow& window) {
-    return waitFor([&] { return stateOf(window) == session::RunState::kRunning; });
+    return waitFor([&] { return stateOf(window) == live::RunState::kRunning; });
   }
 
   QTemporaryDir folder_;

@@ -2,7 +2,7 @@
 // hand.
 #include <QAction>
 
-#include "core/session/motor_failures.h"
+#include "core/live/motor_failures.h"
 #include "core/simulation/simulation_request.h"
 #include "tests/widgets/picture.h"
 #include "tests/widgets/shell_fixture.h"
@@ -14,12 +14,12 @@ namespace capstan::widgets {
 namespace {
 
 /// A simulated robot whose motor encoders fail as said.
-class FailingRobot final : public session::Source {
+class FailingRobot final : public tracking::Source {
  public:
   explicit FailingRobot(const std::string& failure)
       : robot_(simulation::optionsOf(request())),
-        failing_(robot_, session::parseMotorFailure(failure, "--fail-motor")) {}
-  const session::SourceInfo& info() const override { return failing_.info(); }
+        failing_(robot_, live::parseMotorFailure(failure, "--fail-motor")) {}
+  const tracking::SourceInfo& info() const override { return failing_.info(); }
   bool next(tracking::Sample& out) override { return failing_.next(out); }
   void block(bool left, bool right) override { failing_.block(left, right); }
 
@@ -32,7 +32,7 @@ class FailingRobot final : public session::Source {
     return request;
   }
   simulation::SimulatedSource robot_;
-  session::FailingMotors failing_;
+  live::FailingMotors failing_;
 };
 
 QString titleOf(MainWindow& window, int joint) { return window.figure().plot(joint).header()->title(); }

@@ -38,11 +38,11 @@ class Operator : public Shell {
 };
 
 /// The left camera's images come as the right one's.
-class ExchangedCameras final : public session::Source {
+class ExchangedCameras final : public tracking::Source {
  public:
   explicit ExchangedCameras(const simulation::SimulationRequest& request)
       : source_(simulation::optionsOf(request)) {}
-  const session::SourceInfo& info() const override { return source_.info(); }
+  const tracking::SourceInfo& info() const override { return source_.info(); }
   bool next(tracking::Sample& out) override {
     if (!source_.next(out)) return false;
     if (auto* frame = std::get_if<tracking::StereoFrame>(&out)) cv::swap(frame->left, frame->right);
@@ -67,7 +67,7 @@ TEST_F(Operator, ExchangedCamerasAreNamedAsTheCause) {
   auto* collect = button(*panel, "Collect frames");
   ASSERT_TRUE(waitFor([&] { return collect->isEnabled(); }));
   collect->click();
-  ASSERT_TRUE(waitFor([&] { return panel->guide()->step() == session::RegistrationStep::kRefused; }));
+  ASSERT_TRUE(waitFor([&] { return panel->guide()->step() == live::RegistrationStep::kRefused; }));
   const std::string said = panel->collectPage().refusal().toStdString();
   EXPECT_NE(said.find("exchanged"), std::string::npos) << said;
   EXPECT_NE(said.find("left"), std::string::npos) << said;
@@ -160,7 +160,7 @@ TEST_F(Operator, AnOldFaultGoesWhenAFileOpens) {
   ASSERT_TRUE(waitFor([&] { return !window->message().isEmpty(); }));
   window->open(SourceChoice::ofFile(recording));
   ASSERT_TRUE(waitFor([&] { return window->link().runner() != nullptr; }));
-  EXPECT_TRUE(waitFor([&] { return stateOf(*window) != session::RunState::kPaused; }));
+  EXPECT_TRUE(waitFor([&] { return stateOf(*window) != live::RunState::kPaused; }));
   EXPECT_TRUE(window->message().isEmpty()) << window->message().toStdString();
 }
 

@@ -25,7 +25,7 @@ namespace capstan::widgets {
 namespace {
 
 const QSize kSmall(960, 540);
-constexpr std::array kDocks = {"cameras", "scene", "occlusion", "calibration", "errors", "notes"};
+constexpr std::array kDocks = {"cameras", "scene", "occlusion", "identification", "errors", "notes"};
 
 std::string nameOf(const QWidget& widget) {
   const auto* button = qobject_cast<const QAbstractButton*>(&widget);
@@ -221,7 +221,7 @@ TEST_F(Reach, ReturnPressesTheButtonThatHasTheFocus) {
   left->setFocus();
   QTest::keyClick(left, Qt::Key_Return);
   EXPECT_TRUE(waitFor([&] { return window->link().runner()->status().blocked[0]; }));
-  EXPECT_EQ(stateOf(*window), session::RunState::kRunning);
+  EXPECT_EQ(stateOf(*window), live::RunState::kRunning);
 }
 
 void gather(const QList<QAction*>& actions, QSet<QAction*>& all) {

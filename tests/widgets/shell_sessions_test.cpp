@@ -22,7 +22,7 @@ TEST_F(Shell, SaysWhatIsWrongWithAFileAndKeepsTheSession) {
   window->open(SourceChoice::ofFile(file("gone.capstan")));
   ASSERT_TRUE(waitFor([&] { return !window->message().isEmpty(); }));
   EXPECT_TRUE(window->message().contains("gone.capstan")) << window->message().toStdString();
-  EXPECT_EQ(stateOf(*window), session::RunState::kRunning);
+  EXPECT_EQ(stateOf(*window), live::RunState::kRunning);
   EXPECT_TRUE(window->lastSource().simulated) << "a file that could not be opened is no last source";
   EXPECT_TRUE(window->bar().sources().recentFiles().isEmpty());
 }
@@ -42,7 +42,7 @@ TEST_F(Shell, SaysThatADriveOfOneJointIsForTheCommandLine) {
   EXPECT_TRUE(window->message().contains("da Vinci jaw has 1")) << window->message().toStdString();
   EXPECT_TRUE(window->message().contains("tracking is made for three"));
   EXPECT_TRUE(window->message().contains("capstan-cli identify"));
-  EXPECT_EQ(stateOf(*window), session::RunState::kRunning) << "the session before goes on";
+  EXPECT_EQ(stateOf(*window), live::RunState::kRunning) << "the session before goes on";
 }
 
 TEST_F(Shell, ATableInMillimetresAsksBeforeItIsTracked) {
@@ -80,11 +80,11 @@ TEST_F(Shell, ShowsACommandThatFailed) {
   auto window = makeWindow();
   window->open(atRest());
   ASSERT_TRUE(opened(*window));
-  window->link().runner()->post([](session::Source&, tracking::TrackingPipeline&) {
+  window->link().runner()->post([](tracking::Source&, tracking::TrackingPipeline&) {
     throw std::runtime_error("the brake does not answer");
   });
   ASSERT_TRUE(waitFor([&] { return window->message().contains("the brake does not answer"); }));
-  EXPECT_EQ(stateOf(*window), session::RunState::kRunning);
+  EXPECT_EQ(stateOf(*window), live::RunState::kRunning);
 }
 
 TEST_F(Shell, AScheduleBeginsAnewWhenItsSessionDoes) {
@@ -105,13 +105,13 @@ TEST_F(Shell, AScheduleBeginsAnewWhenItsSessionDoes) {
 }
 
 /// Stuck inside next() until the test lets it go.
-class StuckSource final : public session::Source {
+class StuckSource final : public tracking::Source {
  public:
   explicit StuckSource(std::latch& gate) : gate_(gate) {
     info_.title = "stuck";
     info_.robot = robot::readDescription(base::resource("robots/raven2_left.yaml"));
   }
-  const session::SourceInfo& info() const override { return info_; }
+  const tracking::SourceInfo& info() const override { return info_; }
   bool next(tracking::Sample&) override {
     gate_.wait();
     return false;
@@ -119,18 +119,18 @@ class StuckSource final : public session::Source {
   void block(bool, bool) override {}
 
  private:
-  session::SourceInfo info_;
+  tracking::SourceInfo info_;
   std::latch& gate_;
 };
 
 /// Motors at rest for two seconds; with tips where `tips` says so; never pictures.
-class WithoutPictures final : public session::Source {
+class WithoutPictures final : public tracking::Source {
  public:
   explicit WithoutPictures(bool tips) : tips_(tips) {
     info_.title = "without pictures";
     info_.robot = robot::readDescription(base::resource("robots/raven2_left.yaml"));
   }
-  const session::SourceInfo& info() const override { return info_; }
+  const tracking::SourceInfo& info() const override { return info_; }
   bool next(tracking::Sample& out) override {
     const double t = 1e-3 * ++count_;
     if (tips_ && count_ % 66 == 0)
@@ -143,7 +143,7 @@ class WithoutPictures final : public session::Source {
   void block(bool, bool) override {}
 
  private:
-  session::SourceInfo info_;
+  tracking::SourceInfo info_;
   bool tips_;
   int count_ = 0;
 };
@@ -184,7 +184,7 @@ TEST_F(Shell, StaysResponsiveWhileThePipelineIsStuck) {
   window->open(atRest());  // away from the stuck one, without waiting for it
   EXPECT_TRUE(waitFor([&] {
     return window->link().runner() && window->link().runner()->info().title != "stuck" &&
-           stateOf(*window) == session::RunState::kRunning;
+           stateOf(*window) == live::RunState::kRunning;
   }));
   gate.count_down();
 }

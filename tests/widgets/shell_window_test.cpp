@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/resource.h"
-#include "core/session/session_file.h"
+#include "core/recording/session_file.h"
 #include "core/simulation/camera_mounting.h"
 #include "tests/widgets/picture.h"
 #include "tests/widgets/shell_fixture.h"
@@ -32,7 +32,7 @@ TEST_F(Shell, ShowsTheCommandLinesNumbersToTheLastBit) {
   auto window = makeWindow();
   window->bar().setSpeed(10.0);
   window->open(SourceChoice::ofFile(recording));
-  ASSERT_TRUE(waitFor([&] { return stateOf(*window) == session::RunState::kEnded; }));
+  ASSERT_TRUE(waitFor([&] { return stateOf(*window) == live::RunState::kEnded; }));
   const auto report = window->link().runner()->report();
   for (int i = 0; i < 3; ++i) {
     const auto at = static_cast<std::size_t>(i);
@@ -82,17 +82,17 @@ TEST_F(Shell, RecordsWithItsNotes) {
   QTest::keyClick(window.get(), Qt::Key_R);
   ASSERT_TRUE(waitFor([&] {
     const auto status = window->link().runner()->status();
-    return status.recorder && status.recorder->state == session::RecorderState::kClosed;
+    return status.recorder && status.recorder->state == recording::RecorderState::kClosed;
   }));
   const QString path = QString::fromStdString(window->link().runner()->status().recording);
   window->close();
   window.reset();
 
-  const auto summary = session::readSessionSummary(path.toStdString());
+  const auto summary = recording::readSessionSummary(path.toStdString());
   EXPECT_GT(summary.motor, 200);
   EXPECT_GT(summary.frames, 2);
   EXPECT_GT(summary.estimates, 200);
-  const auto events = session::readSessionEvents(path.toStdString());
+  const auto events = recording::readSessionEvents(path.toStdString());
   EXPECT_TRUE(std::any_of(events.begin(), events.end(), [](const auto& event) {
     return event.kind == "note" && event.text == "cable 2 re. tightened";
   }));
@@ -111,15 +111,15 @@ TEST_F(Shell, KeysRunPauseAndStep) {
   window->open(atRest());
   ASSERT_TRUE(opened(*window));
   QTest::keyClick(window.get(), Qt::Key_Space);
-  ASSERT_TRUE(waitFor([&] { return stateOf(*window) == session::RunState::kPaused; }));
+  ASSERT_TRUE(waitFor([&] { return stateOf(*window) == live::RunState::kPaused; }));
   const double t = window->link().runner()->status().t;
   const auto before = window->link().runner()->report().camera_samples;
   QTest::keyClick(window.get(), Qt::Key_Period);
   ASSERT_TRUE(waitFor([&] { return window->link().runner()->report().camera_samples == before + 1; }));
   EXPECT_GT(window->link().runner()->status().t, t);
-  EXPECT_EQ(stateOf(*window), session::RunState::kPaused);
+  EXPECT_EQ(stateOf(*window), live::RunState::kPaused);
   QTest::keyClick(window.get(), Qt::Key_Space);
-  ASSERT_TRUE(waitFor([&] { return stateOf(*window) == session::RunState::kRunning; }));
+  ASSERT_TRUE(waitFor([&] { return stateOf(*window) == live::RunState::kRunning; }));
   QTest::keyClick(window.get(), Qt::Key_BracketRight);
   EXPECT_EQ(window->bar().speed(), 2.0);
 }
@@ -138,7 +138,7 @@ TEST_F(Shell, KeysTypedIntoFieldsStayThere) {
     if (field != interval) QTest::keyClick(field, Qt::Key_Space);
     QTest::qWait(100);
     const auto status = window->link().runner()->status();
-    EXPECT_EQ(status.state, session::RunState::kRunning);
+    EXPECT_EQ(status.state, live::RunState::kRunning);
     EXPECT_FALSE(status.blocked[0]);
     EXPECT_FALSE(window->link().recording());
   }
@@ -195,7 +195,7 @@ TEST_F(Shell, RegistersAnUnregisteredSimulation) {
   auto* panel = window->findChild<RegistrationPanel*>();
   ASSERT_TRUE(panel->active());
   ASSERT_TRUE(panel->guide());
-  EXPECT_EQ(panel->guide()->fault(), session::RegistrationFault::kNone) << panel->guide()->reason();
+  EXPECT_EQ(panel->guide()->fault(), live::RegistrationFault::kNone) << panel->guide()->reason();
   const auto press = [&](const QString& text) {
     for (auto* button : panel->findChildren<QPushButton*>())
       if (button->text() == text && button->isVisible()) {
@@ -207,7 +207,7 @@ TEST_F(Shell, RegistersAnUnregisteredSimulation) {
   test::grab(*panel, "registration_1_stop");
   press("Drive to the hard stop");
   press("Collect frames");
-  ASSERT_TRUE(waitFor([&] { return panel->guide()->step() == session::RegistrationStep::kReview; }))
+  ASSERT_TRUE(waitFor([&] { return panel->guide()->step() == live::RegistrationStep::kReview; }))
       << panel->guide()->reason();
   EXPECT_FALSE(test::grab(*panel, "registration_3_result").isNull());
   const auto found = panel->guide()->proposal()->registration.base_from_camera;

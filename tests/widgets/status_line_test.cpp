@@ -24,9 +24,9 @@ tracking::Snapshot calm() {
   return snapshot;
 }
 
-session::RunStatus running() {
-  session::RunStatus status;
-  status.state = session::RunState::kRunning;
+live::RunStatus running() {
+  live::RunStatus status;
+  status.state = live::RunState::kRunning;
   status.motor_rate = 1000.0;
   status.frame_rate = 15.0;
   status.speed = 1.0;
@@ -159,7 +159,7 @@ TEST(StatusLine, FollowsTheRecording) {
   status.recorder->dropped = 7;
   line.showStatus(status, 192.7);
   EXPECT_TRUE(line.text().contains("7 dropped"));
-  status.recorder->state = session::RecorderState::kFailed;
+  status.recorder->state = recording::RecorderState::kFailed;
   line.showStatus(status, 192.7);
   EXPECT_TRUE(line.text().contains("recording failed"));
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/learning/confidence_slice.h"
+#include "core/learning/model/confidence_slice.h"
 #include "widgets/figures/panel_figure.h"
 
 namespace capstan::widgets {

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "core/base/yaml.h"
-#include "core/diagnosis/extended_robot.h"
-#include "core/diagnosis/report_json.h"
+#include "core/diagnosis/report/extended_robot.h"
+#include "core/diagnosis/report/report_json.h"
 #include "widgets/figures/remainder_figure.h"
 #include "widgets/figures/save_plot.h"
 #include "widgets/figures/signature_figure.h"

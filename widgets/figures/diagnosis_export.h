@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/diagnosis/report.h"
+#include "core/diagnosis/report/report.h"
 #include "widgets/figures/diagnosis_page.h"
 #include "widgets/figures/export_folder.h"
 #include "widgets/figures/figure.h"

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "core/diagnosis/pose_hypotheses.h"
-#include "core/diagnosis/report_tables.h"
-#include "core/diagnosis/shown.h"
+#include "core/diagnosis/hypotheses/pose_hypotheses.h"
+#include "core/diagnosis/report/report_tables.h"
+#include "core/diagnosis/report/shown.h"
 #include "widgets/figures/html_parts.h"
 
 namespace capstan::widgets {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/diagnosis/report.h"
+#include "core/diagnosis/report/report.h"
 
 namespace capstan::widgets {
 

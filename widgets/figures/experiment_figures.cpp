@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/analysis/error_run.h"
 #include "core/base/names.h"
-#include "core/experiments/error_run.h"
 #include "core/experiments/tables.h"
 #include "core/experiments/trial_robots.h"
 #include "core/stats/running_rms.h"

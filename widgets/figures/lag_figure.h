@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/learning/states.h"
+#include "core/learning/poses/states.h"
 #include "widgets/figures/panel_figure.h"
 #include "widgets/figures/sigma_band.h"
 

@@ -12,7 +12,7 @@ namespace capstan::widgets {
 
 namespace {
 
-using experiments::CorrectionErrors;
+using learning::CorrectionErrors;
 
 constexpr int kLeastPanelWidth = 330;  ///< [px] of panels side by side
 
@@ -36,7 +36,7 @@ QPen offsetPen(const Theme& theme, double line) {
 }
 
 /// Numbers of states that were learned from, as the ticks: the last, and of the others those with room.
-QSharedPointer<QCPAxisTicker> statesTicker(const experiments::LearningCurve& curve, const QCPAxis& axis) {
+QSharedPointer<QCPAxisTicker> statesTicker(const learning::LearningCurve& curve, const QCPAxis& axis) {
   const QFontMetricsF metrics(axis.tickLabelFont());
   const auto ticker = QSharedPointer<QCPAxisTickerText>::create();
   double right = std::numeric_limits<double>::infinity();
@@ -121,7 +121,7 @@ std::vector<FigureNumbers> LearningCurveFigure::numbers() const {
   std::string rows =
       "share,states,distance mean [mm],distance median [mm],angle mean [deg],angle median [deg]";
   for (std::size_t k = 0; k < 6; ++k)
-    rows += std::string(",") + experiments::kDegreesOfFreedom[k] + (k < 3 ? " mean [mm]" : " mean [deg]");
+    rows += std::string(",") + learning::kDegreesOfFreedom[k] + (k < 3 ? " mean [mm]" : " mean [deg]");
   rows += '\n';
   for (const auto& point : data_.curve.points) {
     rows += csvNumber(point.share) + "," + std::to_string(point.states);

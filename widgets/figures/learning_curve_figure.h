@@ -1,13 +1,13 @@
 #pragma once
 
-#include "core/experiments/learning_curve.h"
+#include "core/learning/evaluation/learning_curve.h"
 #include "widgets/figures/panel_figure.h"
 
 namespace capstan::widgets {
 
 struct LearningCurveData {
   QString title = {}, note = {};
-  experiments::LearningCurve curve = {};
+  learning::LearningCurve curve = {};
 };
 
 /// Error on trajectories held out against the number of states learned from (GPR paper, figure 5): distance

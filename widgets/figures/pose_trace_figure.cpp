@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/experiments/correction_errors.h"
+#include "core/learning/evaluation/correction_errors.h"
 #include "widgets/figures/figure_text.h"
 #include "widgets/figures/legend_entries.h"
 
@@ -49,7 +49,7 @@ PoseTraceFigure::PoseTraceFigure(PoseTraceData data, QWidget* parent)
 std::unique_ptr<Figure> PoseTraceFigure::copy() const { return std::make_unique<PoseTraceFigure>(data_); }
 
 void PoseTraceFigure::build(std::size_t degree) {
-  const QString name = QString::fromUtf8(experiments::kDegreesOfFreedom[degree]);
+  const QString name = QString::fromUtf8(learning::kDegreesOfFreedom[degree]);
   const QString unit = degree < 3 ? tr("mm") : tr("deg");
   setGroup(degree < 3 ? 0 : 1);
   const Panel& panel = addPanel({{QStringLiteral("%1 [%2]").arg(name, unit), true}}, tr("time [s]"),
@@ -121,7 +121,7 @@ std::vector<FigureNumbers> PoseTraceFigure::numbers() const {
       if (!data_.course[s][d].empty())
         rows += "," +
                 csvText(nameOf(kSources[s]) + QLatin1Char(' ') +
-                        QString::fromUtf8(experiments::kDegreesOfFreedom[d])) +
+                        QString::fromUtf8(learning::kDegreesOfFreedom[d])) +
                 (d < 3 ? " [mm]" : " [deg]");
   rows += '\n';
   for (std::size_t k = 0; k < data_.t.size(); ++k) {

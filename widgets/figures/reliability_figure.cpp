@@ -49,7 +49,7 @@ void ReliabilityFigure::build(bool turn) {
     QVector<double> stated, found;
     for (int step = 0; step <= kSteps; ++step) {
       stated << 100.0 * stepShare(step);
-      found << 100.0 * data_.stated.within(turn ? 3 + k : k, experiments::normalSigmas(stepShare(step)));
+      found << 100.0 * data_.stated.within(turn ? 3 + k : k, learning::normalSigmas(stepShare(step)));
     }
     curves_.push_back(addGraph(x, y));
     if (data_.stated.states() > 0) curves_.back()->setData(stated, found, true);
@@ -71,7 +71,7 @@ void ReliabilityFigure::restyle() {
 std::vector<FigureNumbers> ReliabilityFigure::numbers() const {
   std::string rows = "stated,sigmas,x,y,z,about x,about y,about z\n";
   for (int step = 1; step <= kSteps; ++step) {
-    const double sigmas = experiments::normalSigmas(stepShare(step));
+    const double sigmas = learning::normalSigmas(stepShare(step));
     rows += csvNumber(stepShare(step)) + "," + csvNumber(sigmas);
     for (std::size_t k = 0; k < 6; ++k) rows += "," + csvNumber(data_.stated.within(k, sigmas));
     rows += '\n';

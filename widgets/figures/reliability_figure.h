@@ -1,13 +1,13 @@
 #pragma once
 
-#include "core/experiments/stated_errors.h"
+#include "core/learning/evaluation/stated_errors.h"
 #include "widgets/figures/panel_figure.h"
 
 namespace capstan::widgets {
 
 struct ReliabilityData {
   QString title = {}, note = {};
-  experiments::StatedErrors stated = {};
+  learning::StatedErrors stated = {};
 };
 
 /// Share of the errors that are within the interval stated for them, against the share that the interval is

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/diagnosis/shown.h"
+#include "core/diagnosis/report/shown.h"
 #include "widgets/figures/figure_text.h"
 #include "widgets/figures/legend_entries.h"
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/diagnosis/report.h"
+#include "core/diagnosis/report/report.h"
 #include "widgets/figures/panel_figure.h"
 #include "widgets/figures/sigma_band.h"
 #include "widgets/figures/time_shade.h"

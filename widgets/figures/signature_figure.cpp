@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/diagnosis/shown.h"
+#include "core/diagnosis/report/shown.h"
 #include "widgets/figures/figure_text.h"
 
 namespace capstan::widgets {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/diagnosis/report.h"
+#include "core/diagnosis/report/report.h"
 #include "widgets/figures/panel_figure.h"
 #include "widgets/figures/sigma_band.h"
 

@@ -10,7 +10,7 @@ namespace capstan::widgets {
 
 namespace {
 
-constexpr int kRoomForAll = 950;  ///< height below which calibration and notes share a place [px]
+constexpr int kRoomForAll = 950;  ///< height below which identification and notes share a place [px]
 constexpr int kBars = 160;        ///< menus, toolbar, status line, tabs and gaps, about [px]
 constexpr int kRoomForTwo = 680;  ///< height below which all panels of a side share one [px]
 
@@ -21,19 +21,19 @@ void layOutDocks(QMainWindow& window) {
   const int width = window.width(), height = window.height();
   const int left = std::clamp(static_cast<int>(0.27 * width), 240, 620);
   int room = 0;  // for the widest panel and its scroll bar
-  for (const char* name : {"occlusion", "calibration", "errors", "notes"})
+  for (const char* name : {"occlusion", "identification", "errors", "notes"})
     room = std::max(room, dock(name)->widget()->sizeHint().width());
   room += window.style()->pixelMetric(QStyle::PM_ScrollBarExtent);
   const int right = std::clamp(static_cast<int>(0.19 * width), std::min(room, 400), 400);
   window.resizeDocks({dock("cameras"), dock("occlusion")}, {left, right}, Qt::Horizontal);
   window.resizeDocks({dock("cameras"), dock("scene")}, {64 * height / 100, 36 * height / 100}, Qt::Vertical);
   if (height < kRoomForAll) {
-    window.tabifyDockWidget(dock("calibration"), dock("notes"));
-    dock("calibration")->raise();
+    window.tabifyDockWidget(dock("identification"), dock("notes"));
+    dock("identification")->raise();
   }
   if (height < kRoomForTwo) {
     window.tabifyDockWidget(dock("cameras"), dock("scene"));
-    for (const char* name : {"calibration", "errors", "notes"})
+    for (const char* name : {"identification", "errors", "notes"})
       window.tabifyDockWidget(dock("occlusion"), dock(name));
     dock("cameras")->raise();
     dock("occlusion")->raise();
@@ -42,9 +42,10 @@ void layOutDocks(QMainWindow& window) {
           "QTabBar { font-size: 9pt; } QTabBar::tab { padding: 4px 3px; }");  // four names fit
   }
   const int occlusion = dock("occlusion")->sizeHint().height(), errors = dock("errors")->sizeHint().height();
-  const int rest = std::max(150, height - kBars - occlusion - errors);  // calibration and, if it fits, notes
+  const int rest =
+      std::max(150, height - kBars - occlusion - errors);  // identification and, if it fits, notes
   const int notes = height < kRoomForAll ? rest : rest / 4;
-  window.resizeDocks({dock("occlusion"), dock("calibration"), dock("errors"), dock("notes")},
+  window.resizeDocks({dock("occlusion"), dock("identification"), dock("errors"), dock("notes")},
                      {occlusion, height < kRoomForAll ? rest : rest - notes, errors, notes}, Qt::Vertical);
 }
 

@@ -13,36 +13,34 @@
 #include <QStackedWidget>
 #include <QStandardPaths>
 #include <QStatusBar>
-#include <QStyle>
-#include <QTabBar>
 #include <QVBoxLayout>
 
 #include "core/base/error.h"
-#include "core/session/session_file.h"
+#include "core/recording/session_file.h"
 #include "widgets/figures/save_figure.h"
 #include "widgets/panels/analysis/analysis_panel.h"
-#include "widgets/panels/calibration/calibration_panel.h"
 #include "widgets/panels/diagnosis/diagnosis_panel.h"
 #include "widgets/panels/errors/errors_panel.h"
+#include "widgets/panels/identification/identification_panel.h"
 #include "widgets/panels/learning/learning_panel.h"
 #include "widgets/panels/notes/notes_panel.h"
 #include "widgets/panels/occlusion/occlusion_panel.h"
 #include "widgets/panels/registration/registration_panel.h"
 #include "widgets/panels/status/status_line.h"
 #include "widgets/scene/scene_view.h"
-#include "widgets/shell/analysis_desk.h"
-#include "widgets/shell/calibration_desk.h"
-#include "widgets/shell/diagnosis_desk.h"
+#include "widgets/shell/analysis_controller.h"
+#include "widgets/shell/diagnosis_controller.h"
 #include "widgets/shell/dock_layout.h"
 #include "widgets/shell/dock_scroll.h"
 #include "widgets/shell/help_window.h"
+#include "widgets/shell/identification_controller.h"
 #include "widgets/shell/keyboard_reach.h"
-#include "widgets/shell/learning_desk.h"
+#include "widgets/shell/learning_controller.h"
 #include "widgets/shell/message_bar.h"
-#include "widgets/shell/motor_desk.h"
-#include "widgets/shell/occlusion_desk.h"
-#include "widgets/shell/registration_desk.h"
-#include "widgets/shell/robot_desk.h"
+#include "widgets/shell/motor_controller.h"
+#include "widgets/shell/occlusion_controller.h"
+#include "widgets/shell/registration_controller.h"
+#include "widgets/shell/robot_controller.h"
 #include "widgets/shell/session_bar.h"
 #include "widgets/shell/source_menu.h"
 #include "widgets/shell/units_dialog.h"
@@ -91,9 +89,9 @@ MainWindow::MainWindow(const QString& settings, QWidget* parent)
   new KeyboardReach(this);
   connectBar();
   connectLink();
-  occlusion_desk_ = new OcclusionDesk(*occlusion_, link_, *notes_, this);
+  occlusion_controller_ = new OcclusionController(*occlusion_, link_, *notes_, this);
   connectNotes();
-  new RobotDesk(link_, *status_, *notes_, this);
+  new RobotController(link_, *status_, *notes_, this);
   restore();
 }
 
@@ -126,8 +124,8 @@ void MainWindow::addDocks() {
   dock("cameras", tr("Cameras"), video_ = new StereoView, Qt::LeftDockWidgetArea);
   dock("scene", tr("Scene"), scene_ = new SceneView, Qt::LeftDockWidgetArea);
   dock("occlusion", tr("Occlusion"), occlusion_ = new OcclusionPanel, Qt::RightDockWidgetArea);
-  auto* calibration =
-      dock("calibration", tr("Calibration"), calibration_ = new CalibrationPanel, Qt::RightDockWidgetArea);
+  auto* identification = dock("identification", tr("Identification"),
+                              identification_ = new IdentificationPanel, Qt::RightDockWidgetArea);
   dock("errors", tr("Errors (RMS)"), errors_ = new ErrorsPanel, Qt::RightDockWidgetArea);
   dock("notes", tr("Notes"), notes_ = new NotesPanel, Qt::RightDockWidgetArea);
   registration_dock_ = dock("registration", tr("Registration"), registration_ = new RegistrationPanel,
@@ -137,15 +135,15 @@ void MainWindow::addDocks() {
   if (const QScreen* on = QGuiApplication::primaryScreen())
     registration_dock_->resize(registration_dock_->sizeHint().boundedTo(0.9 * on->availableSize()));
   registration_dock_->hide();
-  new RegistrationDesk(*registration_, *registration_dock_, link_, *bar_, *scene_, *notes_, this);
-  new CalibrationDesk(*calibration_, *calibration, link_, *bar_, *notes_, this);
-  new AnalysisDesk(*analysis_, *centre_, link_, *bar_, *errors_, *notes_, this);
-  new DiagnosisDesk(*diagnosis_, *centre_, link_, *bar_, *calibration_, *notes_, this);
-  new LearningDesk(*learning_, *centre_, link_, *bar_, *notes_, this);
+  new RegistrationController(*registration_, *registration_dock_, link_, *bar_, *scene_, *notes_, this);
+  new IdentificationController(*identification_, *identification, link_, *bar_, *notes_, this);
+  new AnalysisController(*analysis_, *centre_, link_, *bar_, *errors_, *notes_, this);
+  new DiagnosisController(*diagnosis_, *centre_, link_, *bar_, *identification_, *notes_, this);
+  new LearningController(*learning_, *centre_, link_, *bar_, *notes_, this);
   auto* in_the_centre = new QActionGroup(this);  // one at a time, or the plots
   in_the_centre->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
   for (const char* name : {"analyse", "diagnose", "learn"}) in_the_centre->addAction(action(name));
-  new MotorDesk(*figure_, link_, *bar_, *messages_, *notes_, this);
+  new MotorController(*figure_, link_, *bar_, *messages_, *notes_, this);
 }
 
 void MainWindow::showEvent(QShowEvent* event) {
@@ -233,21 +231,23 @@ void MainWindow::open(const SourceChoice& choice) {
 }
 
 /// Nothing is tracked of the table before its units are chosen; what was open stays.
-void MainWindow::askUnits(const session::ImplausibleUnits& refused, const SourceChoice& choice) {
+void MainWindow::askUnits(const recording::ImplausibleUnits& refused, const SourceChoice& choice) {
   title_ = link_.runner() ? QString::fromStdString(link_.runner()->info().title) : tr("no source");
   auto* dialog = new UnitsDialog(refused, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &UnitsDialog::chosen, this, [this, choice](const QString& read_as) {
     SourceChoice settled = choice;
-    const auto said = [](const QString& text) { return session::parseReadAs(text.toStdString(), "--read-as"); };
-    settled.read_as =
-        QString::fromStdString(session::formatReadAs(session::overlaid(said(choice.read_as), said(read_as))));
+    const auto said = [](const QString& text) {
+      return recording::parseReadAs(text.toStdString(), "--read-as");
+    };
+    settled.read_as = QString::fromStdString(
+        recording::formatReadAs(recording::overlaid(said(choice.read_as), said(read_as))));
     open(settled);
   });
   dialog->show();
 }
 
-void MainWindow::onOpened(const session::SourceInfo& info, const SourceChoice& choice) {
+void MainWindow::onOpened(const tracking::SourceInfo& info, const SourceChoice& choice) {
   choice_ = choice;
   bar_->sources().remember(choice_);
   messages_->hide();  // an old fault is none of this source
@@ -274,22 +274,22 @@ void MainWindow::onOpened(const session::SourceInfo& info, const SourceChoice& c
     notes_->addEvent(now_, "notice", tr("reference: the robot's own kinematics, no truth"));
   listRecordedEvents();
   link_.runner()->setSpeed(bar_->speed());
-  occlusion_desk_->begin(info);
+  occlusion_controller_->begin(info);
   link_.setRunning(true);
 }
 
 void MainWindow::listRecordedEvents() {
-  if (choice_.simulated || !choice_.file.endsWith(session::kSessionSuffix)) return;
+  if (choice_.simulated || !choice_.file.endsWith(recording::kSessionSuffix)) return;
   try {
-    for (const auto& event : session::readSessionEvents(choice_.file.toStdString()))
+    for (const auto& event : recording::readSessionEvents(choice_.file.toStdString()))
       notes_->addEvent(event.t, QString::fromStdString(event.kind), QString::fromStdString(event.text));
   } catch (const base::InputError& error) {
     messages_->showMessage(QString::fromStdString(error.what()));
   }
 }
 
-void MainWindow::onStatus(const session::RunStatus& status) {
-  const bool recording = status.recorder && status.recorder->state == session::RecorderState::kRecording;
+void MainWindow::onStatus(const live::RunStatus& status) {
+  const bool recording = status.recorder && status.recorder->state == recording::RecorderState::kRecording;
   if (recording != recording_since_.has_value()) onRecording(recording, status);
   status_->showStatus(status, status.t - recording_since_.value_or(status.t));
   occlusion_->showBlocked(status.blocked);
@@ -297,7 +297,7 @@ void MainWindow::onStatus(const session::RunStatus& status) {
   retitle(status);
 }
 
-void MainWindow::onRecording(bool recording, const session::RunStatus& status) {
+void MainWindow::onRecording(bool recording, const live::RunStatus& status) {
   if (recording) {
     recording_since_ = status.t;
     messages_->settle("recording");
@@ -305,7 +305,7 @@ void MainWindow::onRecording(bool recording, const session::RunStatus& status) {
     notes_->addFile(status.t, "recording", file.absoluteFilePath());
   } else {
     recording_since_.reset();
-    const bool failed = status.recorder && status.recorder->state == session::RecorderState::kFailed;
+    const bool failed = status.recorder && status.recorder->state == recording::RecorderState::kFailed;
     const QString why = failed ? QString::fromStdString(status.recorder->error) : QString();
     if (failed) messages_->showMessage(why, "recording");
     notes_->addEvent(status.t, failed ? "fault" : "recording", failed ? why : tr("stopped"));
@@ -313,7 +313,7 @@ void MainWindow::onRecording(bool recording, const session::RunStatus& status) {
   notes_->setRecording(recording);
 }
 
-void MainWindow::retitle(const session::RunStatus& status) {
+void MainWindow::retitle(const live::RunStatus& status) {
   QString title = tr("Capstan ─ %1").arg(title_);
   if (recording_since_)
     title += QStringLiteral(" ─ %1 ● REC %2")
@@ -357,7 +357,7 @@ void MainWindow::setThemeNamed(const QString& name) {
   video_->setTheme(theme_);
   scene_->setTheme(theme_);
   occlusion_->setTheme(theme_);
-  calibration_->setTheme(theme_);
+  identification_->setTheme(theme_);
   analysis_->setTheme(theme_);
   diagnosis_->setTheme(theme_);
   learning_->setTheme(theme_);

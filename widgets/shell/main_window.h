@@ -14,14 +14,14 @@ class QStackedWidget;
 namespace capstan::widgets {
 
 class AnalysisPanel;
-class CalibrationPanel;
+class IdentificationPanel;
 class DiagnosisPanel;
 class ErrorsPanel;
 class HelpWindow;
 class LearningPanel;
 class MessageBar;
 class NotesPanel;
-class OcclusionDesk;
+class OcclusionController;
 class OcclusionPanel;
 class RegistrationPanel;
 class SceneView;
@@ -29,7 +29,7 @@ class SessionBar;
 class StatusLine;
 class StereoView;
 
-/// The workstation's window: pictures and scene left, joint plots in the middle, occlusion, calibration,
+/// The workstation's window: pictures and scene left, joint plots in the middle, occlusion, identification,
 /// errors and notes right, status below. `settings` (an .ini path) keeps layout, theme, folders and last
 /// source; empty: the user's own.
 class MainWindow : public QMainWindow {
@@ -47,7 +47,7 @@ class MainWindow : public QMainWindow {
   NotesPanel& notes() { return *notes_; }
   ErrorsPanel& errors() { return *errors_; }
   SessionBar& bar() { return *bar_; }
-  CalibrationPanel& calibration() { return *calibration_; }
+  IdentificationPanel& identification() { return *identification_; }
   AnalysisPanel& analysis() { return *analysis_; }
   DiagnosisPanel& diagnosis() { return *diagnosis_; }
   LearningPanel& learning() { return *learning_; }
@@ -67,14 +67,14 @@ class MainWindow : public QMainWindow {
   void connectBar();
   void connectLink();
   void connectNotes();
-  void askUnits(const session::ImplausibleUnits& refused, const SourceChoice& choice);
-  void onOpened(const session::SourceInfo& info, const SourceChoice& choice);
-  void onStatus(const session::RunStatus& status);
-  void onRecording(bool recording, const session::RunStatus& status);
+  void askUnits(const recording::ImplausibleUnits& refused, const SourceChoice& choice);
+  void onOpened(const tracking::SourceInfo& info, const SourceChoice& choice);
+  void onStatus(const live::RunStatus& status);
+  void onRecording(bool recording, const live::RunStatus& status);
   void listRecordedEvents();
   void askExport();
   void showHelp();
-  void retitle(const session::RunStatus& status);
+  void retitle(const live::RunStatus& status);
   void restore();
 
   std::unique_ptr<QSettings> settings_;
@@ -92,8 +92,8 @@ class MainWindow : public QMainWindow {
   StereoView* video_;
   SceneView* scene_;
   OcclusionPanel* occlusion_;
-  OcclusionDesk* occlusion_desk_;
-  CalibrationPanel* calibration_;
+  OcclusionController* occlusion_controller_;
+  IdentificationPanel* identification_;
   AnalysisPanel* analysis_;
   DiagnosisPanel* diagnosis_;
   LearningPanel* learning_;

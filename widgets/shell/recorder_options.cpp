@@ -13,9 +13,9 @@ constexpr double kFastest = 60.0;   ///< pairs of pictures a second that are hel
 
 }  // namespace
 
-session::RecorderOptions recorderOptionsFor(const session::SourceInfo& info,
-                                            const session::RunStatus& status) {
-  session::RecorderOptions options;
+recording::RecorderOptions recorderOptionsFor(const tracking::SourceInfo& info,
+                                              const live::RunStatus& status) {
+  recording::RecorderOptions options;
   const double pace = std::max(1.0, status.speed);
   const double frames = std::max(1.0 / tracking::trackingOptionsOf(info).camera_period, status.frame_rate);
   options.frame_rate = std::min(pace * frames, kFastest);

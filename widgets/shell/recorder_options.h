@@ -1,13 +1,13 @@
 #pragma once
 
-#include "core/session/runner.h"
+#include "core/live/runner.h"
 
 namespace capstan::widgets {
 
 /// What a recorder must hold for a source: its pictures' size (none without a rig), and rows and pictures at
 /// the rates expected or reached by now, whichever is higher, at the speed asked for. 2 s of them at least,
 /// for up to 60 pairs of pictures a second: 120 pairs are the most memory that is taken.
-session::RecorderOptions recorderOptionsFor(const session::SourceInfo& info,
-                                            const session::RunStatus& status);
+recording::RecorderOptions recorderOptionsFor(const tracking::SourceInfo& info,
+                                              const live::RunStatus& status);
 
 }  // namespace capstan::widgets

@@ -6,13 +6,13 @@ namespace capstan::widgets {
 
 namespace {
 
-std::string armOf(const session::SourceInfo& source) {
+std::string armOf(const tracking::SourceInfo& source) {
   return robot::formatDescription(source.robot) + source.truth;
 }
 
 }  // namespace
 
-void RobotChoice::choose(const session::SourceInfo& source, const robot::Description& robot,
+void RobotChoice::choose(const tracking::SourceInfo& source, const robot::Description& robot,
                          const RobotWords& words) {
   if (robot::formatDescription(robot) == robot::formatDescription(source.robot))
     chosen_.reset();
@@ -20,11 +20,11 @@ void RobotChoice::choose(const session::SourceInfo& source, const robot::Descrip
     chosen_ = {armOf(source), robot, words};
 }
 
-const robot::Description* RobotChoice::robotFor(const session::SourceInfo& source) const {
+const robot::Description* RobotChoice::robotFor(const tracking::SourceInfo& source) const {
   return chosen_ && chosen_->arm == armOf(source) ? &chosen_->robot : nullptr;
 }
 
-QString RobotChoice::words(const session::SourceInfo& source) const {
+QString RobotChoice::words(const tracking::SourceInfo& source) const {
   const QString name = QString::fromStdString(source.robot.name);
   return robotFor(source) ? QStringLiteral("%1, %2").arg(name, chosen_->words.word) : name;
 }

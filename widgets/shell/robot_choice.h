@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "core/robot/description.h"
-#include "core/session/source.h"
+#include "core/tracking/source.h"
 
 namespace capstan::widgets {
 
@@ -22,12 +22,12 @@ struct RobotWords {
 class RobotChoice {
  public:
   /// For the arm of `source`, whose own robot takes the choice back.
-  void choose(const session::SourceInfo& source, const robot::Description& robot, const RobotWords& words);
+  void choose(const tracking::SourceInfo& source, const robot::Description& robot, const RobotWords& words);
   /// The chosen robot where it belongs to the arm of `source`, else null: the source's own.
-  const robot::Description* robotFor(const session::SourceInfo& source) const;
+  const robot::Description* robotFor(const tracking::SourceInfo& source) const;
 
   /// "RAVEN-II left, identified": what is in use with `source`.
-  QString words(const session::SourceInfo& source) const;
+  QString words(const tracking::SourceInfo& source) const;
   QString origin() const { return chosen_ ? chosen_->words.origin : QString(); }
   QString summary() const { return chosen_ ? chosen_->words.summary : QString(); }
   bool any() const { return chosen_.has_value(); }

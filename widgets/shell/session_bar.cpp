@@ -11,12 +11,12 @@
 #include <QUrl>
 
 #include "core/base/error.h"
-#include "core/session/disk_space.h"
+#include "core/recording/disk_space.h"
 #include "widgets/shell/source_menu.h"
 
 namespace capstan::widgets {
 
-using session::RunState;
+using live::RunState;
 
 SessionBar::SessionBar(QWidget* parent) : QToolBar(tr("Session"), parent) {
   setObjectName("session");
@@ -163,7 +163,7 @@ void SessionBar::askFolder() {
 
 void SessionBar::chooseRecordingFolder(const QString& folder) {
   try {
-    session::checkRecordingFolder(folder.toStdString());
+    recording::checkRecordingFolder(folder.toStdString());
     setRecordingFolder(folder);
   } catch (const base::InputError& error) {
     Q_EMIT recordingFolderRefused(QString::fromStdString(error.what()));
@@ -176,12 +176,12 @@ void SessionBar::setRecordingFolder(const QString& folder) {
   Q_EMIT recordingFolderChanged(folder);
 }
 
-void SessionBar::showStatus(const session::RunStatus& status) {
+void SessionBar::showStatus(const live::RunStatus& status) {
   const bool running = status.state == RunState::kRunning;
   run_->setChecked(running);
   run_->setText(running ? tr("‖ Pause") : status.state == RunState::kEnded ? tr("↻ Again") : tr("▸ Run"));
   step_->setEnabled(status.state == RunState::kPaused || running);
-  const bool recording = status.recorder && status.recorder->state == session::RecorderState::kRecording;
+  const bool recording = status.recorder && status.recorder->state == recording::RecorderState::kRecording;
   record_->setChecked(recording);
   record_->setText(recording ? tr("■ Stop") : tr("● Record"));
 }

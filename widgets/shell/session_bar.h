@@ -3,7 +3,7 @@
 #include <QToolBar>
 #include <functional>
 
-#include "core/session/runner.h"
+#include "core/live/runner.h"
 #include "widgets/shell/source_choice.h"
 
 class QComboBox;
@@ -21,7 +21,7 @@ class SessionBar : public QToolBar {
  public:
   explicit SessionBar(QWidget* parent);
 
-  void showStatus(const session::RunStatus& status);
+  void showStatus(const live::RunStatus& status);
   void setRecordingFolder(const QString& folder);
   /// As somebody chose it; refused where nothing can be recorded.
   void chooseRecordingFolder(const QString& folder);

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/session/disk_space.h"
-#include "core/session/session_file.h"
+#include "core/recording/disk_space.h"
+#include "core/recording/session_file.h"
 #include "core/tracking/make_pipeline.h"
 #include "widgets/shell/recorder_options.h"
 
@@ -17,14 +17,14 @@ namespace {
 constexpr int kPeriod = 33;       ///< [ms]
 constexpr int kReportTicks = 10;  ///< the error table is renewed three times a second
 
-std::unique_ptr<session::Runner> makeRunner(std::unique_ptr<session::Source> source) {
+std::unique_ptr<live::Runner> makeRunner(std::unique_ptr<tracking::Source> source) {
   auto pipeline = tracking::makePipeline(source->info());
-  return std::make_unique<session::Runner>(std::move(source), std::move(pipeline));
+  return std::make_unique<live::Runner>(std::move(source), std::move(pipeline));
 }
 
-bool isRecording(const session::Runner& runner) {
+bool isRecording(const live::Runner& runner) {
   const auto recorder = runner.recorder();
-  return recorder && recorder->stats().state == session::RecorderState::kRecording;
+  return recorder && recorder->stats().state == recording::RecorderState::kRecording;
 }
 
 }  // namespace
@@ -49,17 +49,17 @@ void SessionLink::beginOpening(const SourceChoice& choice) {
   opening_ = std::async(std::launch::async, [choice] { return makeRunner(openSource(choice)); });
 }
 
-void SessionLink::take(std::unique_ptr<session::Source> source) {
+void SessionLink::take(std::unique_ptr<tracking::Source> source) {
   begin(makeRunner(std::move(source)), std::nullopt);
 }
 
-void SessionLink::begin(std::unique_ptr<session::Runner> runner, const std::optional<SourceChoice>& choice) {
+void SessionLink::begin(std::unique_ptr<live::Runner> runner, const std::optional<SourceChoice>& choice) {
   again_ = runner_ && choice && choice == running_by_;
   running_by_ = choice;
   retire(std::move(runner_));
   runner_ = std::move(runner);
   listeners_.clear();
-  last_state_ = session::RunState::kPaused;
+  last_state_ = live::RunState::kPaused;
   command_faults_ = 0;
   if (const auto* chosen = robots_.robotFor(runner_->info()))
     runner_->setRobot(*chosen, robots_.summary().toStdString());
@@ -80,7 +80,7 @@ bool SessionLink::useRobot(const robot::Description& robot, const RobotWords& wo
 }
 
 /// Ends in the background; what becomes of its recording is told by hearRetired().
-void SessionLink::retire(std::unique_ptr<session::Runner> runner) {
+void SessionLink::retire(std::unique_ptr<live::Runner> runner) {
   if (!runner) return;
   const bool recording = std::exchange(recorded_when_left_, false) || isRecording(*runner);
   retiring_.push_back(std::async(std::launch::async, [old = std::move(runner), recording]() mutable {
@@ -109,7 +109,7 @@ void SessionLink::finishOpening() {
       retire(std::move(runner));
     else
       begin(std::move(runner), choice_);
-  } catch (const session::ImplausibleUnits& refused) {
+  } catch (const recording::ImplausibleUnits& refused) {
     if (!waiting_) Q_EMIT unitsAsked(refused, choice_);
   } catch (const std::exception& error) {
     if (!waiting_) Q_EMIT failed(QString::fromStdString(error.what()));
@@ -117,14 +117,14 @@ void SessionLink::finishOpening() {
   if (waiting_ && !opening()) beginOpening(*std::exchange(waiting_, std::nullopt));
 }
 
-void SessionLink::listen(const QObject* who, session::Listener listener) {
+void SessionLink::listen(const QObject* who, live::Listener listener) {
   if (listener)
     listeners_[who] = std::move(listener);
   else
     listeners_.erase(who);
   if (!runner_) return;
   if (listeners_.empty()) return runner_->listen({});
-  std::vector<session::Listener> all;
+  std::vector<live::Listener> all;
   for (const auto& [one, hears] : listeners_) all.push_back(hears);
   runner_->listen({[all](const tracking::TrackingPipeline& pipeline) {
                      for (const auto& one : all)
@@ -152,12 +152,12 @@ void SessionLink::toggleRecording(const QString& folder) {
     return;
   }
   const QDateTime now = QDateTime::currentDateTime();
-  const QString file = QDir(folder).filePath(now.toString("yyyy-MM-dd_HHmmss") + session::kSessionSuffix);
+  const QString file = QDir(folder).filePath(now.toString("yyyy-MM-dd_HHmmss") + recording::kSessionSuffix);
   try {
-    session::checkRecordingFolder(folder.toStdString());
+    recording::checkRecordingFolder(folder.toStdString());
     QDir().mkpath(folder);
     runner_->startRecording(file.toStdString(),
-                            session::headerOf(runner_->info(), now.toString(Qt::ISODate).toStdString()),
+                            recording::headerOf(runner_->info(), now.toString(Qt::ISODate).toStdString()),
                             recorderOptionsFor(runner_->info(), runner_->status()));
   } catch (const base::InputError& error) {
     Q_EMIT failed(QString::fromStdString(error.what()));
@@ -173,7 +173,7 @@ void SessionLink::tick() {
   if (runner_->takeSnapshot(snapshot_)) Q_EMIT snapshot(snapshot_);
   if (runner_->takeFrames(frame_, &seen_)) Q_EMIT frames(frame_, seen_);
   const auto now = runner_->status();
-  if (now.state == session::RunState::kFailed && last_state_ != now.state)
+  if (now.state == live::RunState::kFailed && last_state_ != now.state)
     Q_EMIT failed(QString::fromStdString(now.error));
   last_state_ = now.state;
   if (now.command_fault_count != std::exchange(command_faults_, now.command_fault_count))

@@ -4,7 +4,7 @@
 #include <QSettings>
 
 #include "core/base/resource.h"
-#include "core/session/table_source.h"
+#include "core/recording/table_source.h"
 
 namespace capstan::widgets {
 
@@ -79,14 +79,14 @@ QString titleOf(const SourceChoice& choice, const std::string& own_title) {
               : QObject::tr("recording %1").arg(file.fileName());
 }
 
-std::unique_ptr<session::Source> openSource(const SourceChoice& choice) {
+std::unique_ptr<tracking::Source> openSource(const SourceChoice& choice) {
   if (choice.simulated)
     return std::make_unique<simulation::SimulatedSource>(simulation::optionsOf(choice.simulation));
   const auto robot = choice.robot.isEmpty() ? base::resource("robots/raven2_left.yaml")
                                             : std::filesystem::path(choice.robot.toStdString());
-  return session::openRecording(
+  return recording::openRecording(
       choice.file.toStdString(), robot::readDescription(robot),
-      session::parseReadAs(choice.read_as.toStdString(), choice.file.toStdString()));
+      recording::parseReadAs(choice.read_as.toStdString(), choice.file.toStdString()));
 }
 
 }  // namespace capstan::widgets

@@ -13,24 +13,12 @@ namespace capstan::widgets {
 
 namespace {
 
-using session::ColumnUnit;
+using recording::ColumnUnit;
 
-QString wordOf(ColumnUnit unit) {
-  switch (unit) {
-    case ColumnUnit::kDegrees:
-      return UnitsDialog::tr("read as degrees");
-    case ColumnUnit::kMillimetres:
-      return UnitsDialog::tr("read as millimetres");
-    case ColumnUnit::kMilliseconds:
-      return UnitsDialog::tr("read as milliseconds");
-    case ColumnUnit::kMicroseconds:
-      return UnitsDialog::tr("read as microseconds");
-    case ColumnUnit::kNanoseconds:
-      return UnitsDialog::tr("read as nanoseconds");
-    case ColumnUnit::kSi:
-      break;
-  }
-  return UnitsDialog::tr("keep");
+QString choiceText(ColumnUnit unit) {
+  if (unit == ColumnUnit::kSi) return UnitsDialog::tr("keep");
+  const std::string_view word = recording::wordOf(unit);
+  return UnitsDialog::tr("read as %1").arg(QString::fromUtf8(word.data(), static_cast<int>(word.size())));
 }
 
 QLabel* wrapped(const QString& text) {
@@ -42,7 +30,7 @@ QLabel* wrapped(const QString& text) {
 
 }  // namespace
 
-UnitsDialog::UnitsDialog(const session::ImplausibleUnits& refused, QWidget* parent) : QDialog(parent) {
+UnitsDialog::UnitsDialog(const recording::ImplausibleUnits& refused, QWidget* parent) : QDialog(parent) {
   setObjectName("units");
   setWindowTitle(tr("Units of %1").arg(QFileInfo(QString::fromStdString(refused.file())).fileName()));
   auto* column = new QVBoxLayout(this);
@@ -52,7 +40,7 @@ UnitsDialog::UnitsDialog(const session::ImplausibleUnits& refused, QWidget* pare
   auto* content = new QWidget;
   auto* grid = new QGridLayout(content);
   grid->setColumnStretch(1, 1);
-  for (const session::UnitFinding& finding : refused.findings()) {
+  for (const recording::UnitFinding& finding : refused.findings()) {
     const int row = grid->rowCount();
     const QString name = QString::fromStdString(finding.column);
     rows_.push_back({name, choiceOf(finding)});
@@ -75,21 +63,21 @@ UnitsDialog::UnitsDialog(const session::ImplausibleUnits& refused, QWidget* pare
   resize(760, std::min(140 + 52 * static_cast<int>(rows_.size()), 520));
 }
 
-QComboBox* UnitsDialog::choiceOf(const session::UnitFinding& finding) {
+QComboBox* UnitsDialog::choiceOf(const recording::UnitFinding& finding) {
   auto* box = new QComboBox;
   box->setObjectName(QString::fromStdString(finding.column));
   box->setAccessibleName(tr("unit of %1").arg(box->objectName()));
-  for (const ColumnUnit unit : finding.units) box->addItem(wordOf(unit), static_cast<int>(unit));
-  box->addItem(wordOf(ColumnUnit::kSi), static_cast<int>(ColumnUnit::kSi));
+  for (const ColumnUnit unit : finding.units) box->addItem(choiceText(unit), static_cast<int>(unit));
+  box->addItem(choiceText(ColumnUnit::kSi), static_cast<int>(ColumnUnit::kSi));
   box->setCurrentIndex(box->findData(static_cast<int>(finding.unit.value_or(ColumnUnit::kSi))));
   return box;
 }
 
 QString UnitsDialog::readAs() const {
-  session::ReadAs read_as;
+  recording::ReadAs read_as;
   for (const Row& row : rows_)
     read_as.units[row.column.toStdString()] = static_cast<ColumnUnit>(row.choice->currentData().toInt());
-  return QString::fromStdString(session::formatReadAs(read_as));
+  return QString::fromStdString(recording::formatReadAs(read_as));
 }
 
 }  // namespace capstan::widgets

@@ -3,7 +3,7 @@
 #include <QDialog>
 #include <vector>
 
-#include "core/session/plausibility.h"
+#include "core/recording/settle_units.h"
 
 class QComboBox;
 
@@ -15,8 +15,8 @@ class UnitsDialog : public QDialog {
   Q_OBJECT
 
  public:
-  UnitsDialog(const session::ImplausibleUnits& refused, QWidget* parent = nullptr);
-  /// What is chosen now, of every column that was asked for, as session::parseReadAs() takes it.
+  UnitsDialog(const recording::ImplausibleUnits& refused, QWidget* parent = nullptr);
+  /// What is chosen now, of every column that was asked for, as recording::parseReadAs() takes it.
   QString readAs() const;
 
  signals:
@@ -27,7 +27,7 @@ class UnitsDialog : public QDialog {
     QString column;
     QComboBox* choice;
   };
-  QComboBox* choiceOf(const session::UnitFinding& finding);
+  QComboBox* choiceOf(const recording::UnitFinding& finding);
 
   std::vector<Row> rows_;
 };

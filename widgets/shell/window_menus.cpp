@@ -15,7 +15,7 @@ namespace capstan::widgets {
 namespace {
 
 // By number of the key; the registration has its own.
-constexpr std::array kDocks = {"cameras", "scene", "occlusion", "calibration", "errors", "notes"};
+constexpr std::array kDocks = {"cameras", "scene", "occlusion", "identification", "errors", "notes"};
 
 void addActions(QMenu& menu, const MainWindow& window, std::initializer_list<const char*> names) {
   for (const char* name : names)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/diagnosis/hypothesis.h"
+#include "core/diagnosis/hypotheses/hypothesis.h"
 
 /// The hypotheses one by one, each in the file of its name; hypotheses() lists them. A new one has its facts
 /// in core/robot/effects.cpp, its law in core/robot/chain/chain_law.h, and its file, its line here and its

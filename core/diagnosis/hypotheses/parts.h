@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/diagnosis/hypothesis.h"
+#include "core/diagnosis/hypotheses/hypothesis.h"
 
 /// What hypotheses have in common.
 namespace capstan::diagnosis::library {

@@ -1,12 +1,12 @@
 // For how many samples a remainder counts.
-#include "core/diagnosis/cross_validation.h"
+#include "core/diagnosis/fit/cross_validation.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "core/base/random.h"
-#include "core/diagnosis/read_evidence.h"
+#include "core/diagnosis/evidence/read_evidence.h"
 #include "tests/support/planted/planted_case.h"
 
 namespace capstan::diagnosis {

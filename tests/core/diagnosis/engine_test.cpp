@@ -11,10 +11,10 @@
 #include "core/base/random.h"
 #include "core/base/resource.h"
 #include "core/diagnosis/diagnose.h"
-#include "core/diagnosis/joint_scales.h"
-#include "core/diagnosis/read_evidence.h"
-#include "core/diagnosis/selection.h"
-#include "core/diagnosis/spectral_line.h"
+#include "core/diagnosis/evidence/read_evidence.h"
+#include "core/diagnosis/hypotheses/joint_scales.h"
+#include "core/diagnosis/selection/selection.h"
+#include "core/diagnosis/selection/spectral_line.h"
 #include "tests/support/planted/planted_case.h"
 
 namespace capstan::diagnosis {

@@ -9,8 +9,8 @@
 
 #include "core/base/error.h"
 #include "core/base/random.h"
-#include "core/diagnosis/read_evidence.h"
-#include "core/diagnosis/recorded_tracks.h"
+#include "core/diagnosis/evidence/read_evidence.h"
+#include "core/diagnosis/evidence/recorded_tracks.h"
 #include "tests/core/diagnosis/data_folder.h"
 
 namespace capstan::diagnosis {
@@ -22,8 +22,8 @@ double motorAt(double t) { return 20.0 * std::sin(2.0 * t); }
 double jointAt(double t) { return 0.4 * std::sin(2.0 * t - 0.05); }
 
 /// One joint for `seconds` at 1 kHz.
-session::MeasuredTable jointTable(double seconds = 2.0) {
-  session::MeasuredTable table;
+recording::MeasuredTable jointTable(double seconds = 2.0) {
+  recording::MeasuredTable table;
   table.file = "joint.csv";
   table.q_m = table.dq_m = table.tau_m = table.q = Columns(1);
   for (int i = 0; 1e-3 * i <= seconds; ++i) {
@@ -37,7 +37,7 @@ session::MeasuredTable jointTable(double seconds = 2.0) {
   return table;
 }
 
-void eraseRows(session::MeasuredTable& table, std::size_t begin, std::size_t end) {
+void eraseRows(recording::MeasuredTable& table, std::size_t begin, std::size_t end) {
   const auto cut = [&](std::vector<double>& x) {
     x.erase(x.begin() + static_cast<std::ptrdiff_t>(begin), x.begin() + static_cast<std::ptrdiff_t>(end));
   };
@@ -47,7 +47,7 @@ void eraseRows(session::MeasuredTable& table, std::size_t begin, std::size_t end
 }
 
 TEST(Evidence, LoadsThatWereNotReadDoNotCount) {
-  session::MeasuredTable table = jointTable();
+  recording::MeasuredTable table = jointTable();
   table.tau_ext = {std::vector<double>(table.rows(), 0.5)};
   for (std::size_t i = 0; i < 5; ++i) table.tau_ext[0][i] = kNaN;
   const Evidence evidence = evidenceOf(table, slide());
@@ -58,7 +58,7 @@ TEST(Evidence, LoadsThatWereNotReadDoNotCount) {
 }
 
 TEST(Evidence, AnEvenTableKeepsItsNumbers) {
-  const session::MeasuredTable table = jointTable();
+  const recording::MeasuredTable table = jointTable();
   const Evidence evidence = evidenceOf(table, slide());
   ASSERT_EQ(evidence.rows(), table.rows());
   EXPECT_NEAR(evidence.step, 1e-3, 1e-12);
@@ -73,7 +73,7 @@ TEST(Evidence, AnEvenTableKeepsItsNumbers) {
 }
 
 TEST(Evidence, AnUnevenClockIsInterpolated) {
-  session::MeasuredTable table = jointTable();
+  recording::MeasuredTable table = jointTable();
   base::Random random(2);
   for (std::size_t i = 1; i < table.rows(); ++i) {
     table.t[i] += random.uniform(-3e-4, 3e-4);
@@ -93,7 +93,7 @@ TEST(Evidence, AnUnevenClockIsInterpolated) {
 }
 
 TEST(Evidence, ShortGapsAreBridgedAndLongOnesPart) {
-  session::MeasuredTable table = jointTable(3.0);
+  recording::MeasuredTable table = jointTable(3.0);
   eraseRows(table, 2000, 2400);
   eraseRows(table, 500, 520);
   const Evidence evidence = evidenceOf(table, slide());
@@ -108,7 +108,7 @@ TEST(Evidence, ShortGapsAreBridgedAndLongOnesPart) {
 }
 
 TEST(Evidence, AnEncoderReadNowAndThenStaysSparse) {
-  session::MeasuredTable table = jointTable();
+  recording::MeasuredTable table = jointTable();
   for (std::size_t i = 0; i < table.rows(); ++i)
     if (i % 5 != 2) table.q[0][i] = kNaN;
   const Evidence evidence = evidenceOf(table, slide());
@@ -117,7 +117,7 @@ TEST(Evidence, AnEncoderReadNowAndThenStaysSparse) {
 }
 
 TEST(Evidence, VelocityIsDifferentiatedWhereNoneWasMeasured) {
-  session::MeasuredTable table = jointTable();
+  recording::MeasuredTable table = jointTable();
   table.dq_m.clear();
   const Evidence whole = evidenceOf(table, slide());
   for (std::size_t i = 0; i < whole.rows(); ++i)
@@ -137,7 +137,7 @@ TEST(Evidence, TheStartMayBeSkipped) {
 }
 
 TEST(Evidence, ACoarserGridTakesEveryFourthRow) {
-  const session::MeasuredTable table = jointTable();
+  const recording::MeasuredTable table = jointTable();
   const Evidence evidence = evidenceOf(table, slide(), {DriveKind::kCable, 4e-3});
   ASSERT_EQ(evidence.rows(), 501U);
   for (std::size_t i = 0; i < evidence.rows(); ++i) EXPECT_EQ(evidence.q[0][i], table.q[0][4 * i]);
@@ -145,7 +145,7 @@ TEST(Evidence, ACoarserGridTakesEveryFourthRow) {
 }
 
 TEST(Evidence, AnEncoderAtItsEndIsNoReading) {
-  session::MeasuredTable table = jointTable(4.0);
+  recording::MeasuredTable table = jointTable(4.0);
   std::size_t cut = 0;
   for (double& q : table.q[0])
     if (q > 0.3) q = 0.3, ++cut;
@@ -158,7 +158,7 @@ TEST(Evidence, AnEncoderAtItsEndIsNoReading) {
 
 /// A motion that stops at its farthest point and rests there is none.
 TEST(Evidence, RestAtTheFarthestPointCounts) {
-  session::MeasuredTable table = jointTable(4.0);
+  recording::MeasuredTable table = jointTable(4.0);
   for (std::size_t i = 0; i < table.rows(); ++i) {
     const double t = std::min(1e-3 * static_cast<double>(i), 2.0), s = t / 2.0;
     const double path = s * s * s * (10.0 - 15.0 * s + 6.0 * s * s);
@@ -172,7 +172,7 @@ TEST(Evidence, RestAtTheFarthestPointCounts) {
 }
 
 TEST(Evidence, ATorqueBeyondTheMotorDoesNotCount) {
-  const session::MeasuredTable table = jointTable();
+  const recording::MeasuredTable table = jointTable();
   EvidenceOptions rigid;
   rigid.drive = DriveKind::kRigid;
   const Evidence evidence = evidenceOf(table, slide(15.0), rigid);
@@ -180,7 +180,7 @@ TEST(Evidence, ATorqueBeyondTheMotorDoesNotCount) {
   EXPECT_EQ(evidence.doubts[1700], kSaturated);
 }
 
-base::InputFault faultOf(const session::MeasuredTable& table, const robot::Description& robot,
+base::InputFault faultOf(const recording::MeasuredTable& table, const robot::Description& robot,
                          const EvidenceOptions& options = {}) {
   try {
     evidenceOf(table, robot, options);
@@ -192,7 +192,7 @@ base::InputFault faultOf(const session::MeasuredTable& table, const robot::Descr
 }
 
 TEST(Evidence, WhatTheRobotComputedIsNoReference) {
-  session::MeasuredTable table = jointTable();
+  recording::MeasuredTable table = jointTable();
   table.own_kinematics = true;
   const base::InputFault fault = faultOf(table, slide());
   EXPECT_EQ(fault.key, "q1, p_c1");
@@ -202,7 +202,7 @@ TEST(Evidence, WhatTheRobotComputedIsNoReference) {
 TEST(Evidence, RefusesByNameWithARemedy) {
   EvidenceOptions rigid;
   rigid.drive = DriveKind::kRigid;
-  session::MeasuredTable table = jointTable();
+  recording::MeasuredTable table = jointTable();
   table.q.clear();
   base::InputFault fault = faultOf(table, slide());
   EXPECT_EQ(fault.file, "joint.csv");

@@ -10,8 +10,8 @@
 #include <limits>
 
 #include "core/diagnosis/diagnose.h"
-#include "core/diagnosis/read_evidence.h"
-#include "core/session/table_source.h"
+#include "core/diagnosis/evidence/read_evidence.h"
+#include "core/recording/table_source.h"
 #include "core/tracking/track_all.h"
 #include "tests/core/diagnosis/data_folder.h"
 #include "tests/support/planted/planted_case.h"
@@ -93,7 +93,7 @@ INSTANTIATE_TEST_SUITE_P(Effects, FilterGainOf,
                          [](const auto& of) { return std::string(of.param.effect); });
 
 TEST(FilterGain, IsWhatTrackingTheTableGives) {
-  session::TableSource source(plain().table, plain().robot);
+  recording::TableSource source(plain().table, plain().robot);
   tracking::TrackingPipeline pipeline(plain().robot, std::nullopt, {}, tracking::sixState());
   const Eigen::Vector3d expected = tracking::trackAll(source, pipeline).errors.ukf().value();
   const FilterGainReport report = filterGain({plainEvidence()}, threeTimes(plain().robot));

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/diagnosis/hypothesis.h"
+#include "core/diagnosis/hypotheses/hypothesis.h"
 #include "core/robot/chain/chain_model.h"
 #include "core/robot/chain/chain_state.h"
 #include "core/robot/chain/chain_step.h"

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/diagnosis/hypothesis.h"
+#include "core/diagnosis/hypotheses/hypothesis.h"
 #include "tests/core/diagnosis/data_folder.h"
 
 namespace capstan::diagnosis {

@@ -1,14 +1,14 @@
 // Noise of load cells comes through the simulation as large as it is told to; effects are not named for it.
-#include "core/diagnosis/input_noise.h"
+#include "core/diagnosis/fit/input_noise.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "core/diagnosis/diagnose.h"
-#include "core/diagnosis/joint_scales.h"
-#include "core/diagnosis/read_evidence.h"
-#include "core/diagnosis/selection.h"
+#include "core/diagnosis/evidence/read_evidence.h"
+#include "core/diagnosis/hypotheses/joint_scales.h"
+#include "core/diagnosis/selection/selection.h"
 #include "tests/support/planted/planted_case.h"
 
 namespace capstan::diagnosis {

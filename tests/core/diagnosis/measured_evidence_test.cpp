@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/diagnosis/read_evidence.h"
+#include "core/diagnosis/evidence/read_evidence.h"
 #include "core/robot/kinematics.h"
 #include "tests/core/diagnosis/data_folder.h"
 

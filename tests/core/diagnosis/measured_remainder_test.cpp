@@ -7,9 +7,9 @@
 #include <string>
 
 #include "core/base/units.h"
-#include "core/diagnosis/read_evidence.h"
-#include "core/diagnosis/remainder_process.h"
-#include "core/diagnosis/signature.h"
+#include "core/diagnosis/evidence/read_evidence.h"
+#include "core/diagnosis/residuals/remainder_process.h"
+#include "core/diagnosis/residuals/signature.h"
 #include "core/robot/kinematics.h"
 #include "core/robot/transmission.h"
 #include "tests/core/diagnosis/data_folder.h"

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "core/base/random.h"
-#include "core/diagnosis/channel_noise.h"
-#include "core/diagnosis/smooth_derivative.h"
+#include "core/diagnosis/evidence/channel_noise.h"
+#include "core/diagnosis/evidence/smooth_derivative.h"
 
 namespace capstan::diagnosis {
 namespace {

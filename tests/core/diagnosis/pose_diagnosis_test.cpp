@@ -1,5 +1,5 @@
 // What is wrong between kinematics (or command) and cameras, planted with numbers drawn from a seed.
-#include "core/diagnosis/pose_diagnosis.h"
+#include "core/diagnosis/poses/pose_diagnosis.h"
 
 #include <gtest/gtest.h>
 

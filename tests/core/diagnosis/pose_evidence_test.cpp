@@ -1,5 +1,5 @@
 // Tables of tip poses: what is a placeholder, a repeat, an outlier, and what is refused.
-#include "core/diagnosis/pose_evidence.h"
+#include "core/diagnosis/evidence/pose_evidence.h"
 
 #include <gtest/gtest.h>
 

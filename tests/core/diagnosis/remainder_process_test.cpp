@@ -1,5 +1,5 @@
 // The Gaussian process of a remainder: gradient, limits with a closed form, planted dependences.
-#include "core/diagnosis/remainder_process.h"
+#include "core/diagnosis/residuals/remainder_process.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/diagnosis/ard_process.h"
+#include "core/diagnosis/residuals/ard_process.h"
 #include "tests/core/diagnosis/synthetic.h"
 
 namespace capstan::diagnosis {

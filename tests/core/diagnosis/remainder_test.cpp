@@ -1,5 +1,5 @@
 // Statistics of remainders whose making is known.
-#include "core/diagnosis/remainder.h"
+#include "core/diagnosis/residuals/remainder.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "core/diagnosis/decimated_remainder.h"
+#include "core/diagnosis/residuals/decimated_remainder.h"
 #include "tests/core/diagnosis/synthetic.h"
 
 namespace capstan::diagnosis {

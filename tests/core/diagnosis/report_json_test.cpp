@@ -1,5 +1,5 @@
 // What scripts read of a diagnosis is what the report says, to the last bit, and JSON everywhere.
-#include "core/diagnosis/report_json.h"
+#include "core/diagnosis/report/report_json.h"
 
 #include <gtest/gtest.h>
 

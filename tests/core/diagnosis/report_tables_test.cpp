@@ -1,12 +1,12 @@
 // Tables and robot file of a report say its numbers, in units for people.
-#include "core/diagnosis/report_tables.h"
+#include "core/diagnosis/report/report_tables.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-#include "core/diagnosis/extended_robot.h"
-#include "core/diagnosis/hypothesis.h"
+#include "core/diagnosis/hypotheses/hypothesis.h"
+#include "core/diagnosis/report/extended_robot.h"
 #include "tests/support/sample_diagnosis.h"
 
 namespace capstan::diagnosis {

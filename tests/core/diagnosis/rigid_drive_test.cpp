@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "core/diagnosis/diagnose.h"
-#include "core/diagnosis/joint_scales.h"
-#include "core/diagnosis/read_evidence.h"
-#include "core/diagnosis/selection.h"
+#include "core/diagnosis/evidence/read_evidence.h"
+#include "core/diagnosis/hypotheses/joint_scales.h"
+#include "core/diagnosis/selection/selection.h"
 #include "tests/support/planted/planted_case.h"
 
 namespace capstan::diagnosis {

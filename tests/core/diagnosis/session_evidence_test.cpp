@@ -8,10 +8,10 @@
 
 #include "core/base/error.h"
 #include "core/base/resource.h"
-#include "core/diagnosis/read_evidence.h"
+#include "core/diagnosis/evidence/read_evidence.h"
+#include "core/recording/export.h"
+#include "core/recording/session_file.h"
 #include "core/robot/kinematics.h"
-#include "core/session/export.h"
-#include "core/session/session_file.h"
 #include "core/simulation/simulated_source.h"
 #include "core/simulation/truth.h"
 #include "core/vision/camera.h"
@@ -62,7 +62,7 @@ TEST(SessionEvidence, ASessionFileGivesWhatItsSourceGave) {
   std::string name = (std::filesystem::temp_directory_path() / "capstan-evidence-XXXXXX").string();
   const std::filesystem::path folder = mkdtemp(name.data()), file = folder / "a.capstan";
   simulation::SimulatedSource recorded(options(6.0, false)), live(options(6.0, false));
-  session::importRecording(recorded, file, session::headerOf(recorded.info(), "2026-01-01T00:00:00Z"));
+  recording::importRecording(recorded, file, recording::headerOf(recorded.info(), "2026-01-01T00:00:00Z"));
   const Evidence from_file = readEvidence(file, raven()), from_source = evidenceOf(live);
   std::filesystem::remove_all(folder);
   EXPECT_EQ(from_file.t, from_source.t);

@@ -1,5 +1,5 @@
 // Numbers as people read them: units by hand calculation.
-#include "core/diagnosis/shown.h"
+#include "core/diagnosis/report/shown.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "core/base/random.h"
-#include "core/diagnosis/read_evidence.h"
+#include "core/diagnosis/evidence/read_evidence.h"
 #include "core/robot/kinematics.h"
 #include "core/robot/transmission.h"
 #include "tests/core/diagnosis/data_folder.h"
@@ -20,12 +20,12 @@ Eigen::Vector3d jointsAt(double t) {
 }
 
 /// RAVEN-II for twenty seconds; a tip every 66 rows, `latency` late, with noise of 0.3, 0.3 and 1.5 mm.
-session::MeasuredTable armTable(bool encoders, double latency) {
+recording::MeasuredTable armTable(bool encoders, double latency) {
   const robot::Description robot = raven();
   const robot::Transmission transmission(robot);
   const robot::Chain chain(robot);
   base::Random random(3, "tips");
-  session::MeasuredTable table;
+  recording::MeasuredTable table;
   table.file = "arm.csv";
   table.q_m = table.p_c = Columns(3);
   if (encoders) table.q = Columns(3);
@@ -67,7 +67,7 @@ TEST_P(Sights, OfALateCameraCount) {
 }
 
 TEST_P(Sights, FarFromTheirNeighboursDoNotCount) {
-  session::MeasuredTable table = armTable(GetParam(), 0.0);
+  recording::MeasuredTable table = armTable(GetParam(), 0.0);
   table.p_c[1][7 + 66 * 40] += 0.02;
   table.p_c[2][7 + 66 * 100] -= 0.05;
   const Evidence evidence = evidenceOf(table, raven());

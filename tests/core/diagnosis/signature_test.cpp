@@ -1,6 +1,6 @@
 // A remainder with a known cause shows it against the right variable, with the share that it has; noise shows
 // nothing.
-#include "core/diagnosis/signature.h"
+#include "core/diagnosis/residuals/signature.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Smoothed readings are nearer the motion than the readings, and never further from them than their noise.
-#include "core/diagnosis/smooth_readings.h"
+#include "core/diagnosis/evidence/smooth_readings.h"
 
 #include <gtest/gtest.h>
 

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "core/base/random.h"
-#include "core/diagnosis/evidence.h"
-#include "core/diagnosis/remainder.h"
+#include "core/diagnosis/evidence/evidence.h"
+#include "core/diagnosis/residuals/remainder.h"
 #include "core/robot/description.h"
 #include "core/robot/transmission.h"
 

@@ -75,7 +75,8 @@ TEST(DebridementStudy, correctionClearsWhatOpenLoopMisses) {
 
 TEST(DebridementStudy, looksWhereTheCorrectionIsUnsure) {
   constexpr auto kUnsure = static_cast<std::size_t>(DebridementMethod::kWhereUnsure);
-  const DebridementSummary on = summaryOf(study().runs[kUnsure]), beyond = summaryOf(study().beyond[kUnsure]);
+  const DebridementSummary on = summaryOf(study().runs[kUnsure]),
+                           beyond = summaryOf(study().beyond[kUnsure]);
   EXPECT_EQ(beyond.fragments, 3);
   EXPECT_GT(beyond.looks, on.looks);
   EXPECT_GT(beyond.time, on.time);

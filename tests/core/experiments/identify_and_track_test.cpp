@@ -24,14 +24,14 @@ std::unique_ptr<simulation::SimulatedSource> simulated(bool cameras = true) {
 }
 
 /// A recording from which truth and joint encoders have been taken.
-class Blind final : public session::Source {
+class Blind final : public tracking::Source {
  public:
-  explicit Blind(std::unique_ptr<session::Source> source)
+  explicit Blind(std::unique_ptr<tracking::Source> source)
       : source_(std::move(source)), info_(source_->info()) {
     info_.truth.clear();
     info_.reference = false;
   }
-  const session::SourceInfo& info() const override { return info_; }
+  const tracking::SourceInfo& info() const override { return info_; }
   bool next(tracking::Sample& out) override {
     while (source_->next(out))
       if (!std::holds_alternative<tracking::JointSample>(out)) return true;
@@ -40,11 +40,11 @@ class Blind final : public session::Source {
   void block(bool left, bool right) override { source_->block(left, right); }
 
  private:
-  std::unique_ptr<session::Source> source_;
-  session::SourceInfo info_;
+  std::unique_ptr<tracking::Source> source_;
+  tracking::SourceInfo info_;
 };
 
-IdentifyAndTrack after(session::Source& first, session::Source& second, base::Progress& progress) {
+IdentifyAndTrack after(tracking::Source& first, tracking::Source& second, base::Progress& progress) {
   const identification::IdentificationData data = identification::collect(first);
   return identifyAndTrack(data, second, {}, progress);
 }

@@ -15,7 +15,7 @@
 #include "core/base/yaml.h"
 #include "core/experiments/results_json.h"
 #include "core/experiments/series.h"
-#include "core/session/export.h"
+#include "core/recording/export.h"
 #include "core/simulation/simulation_request.h"
 
 namespace capstan::experiments {
@@ -179,7 +179,7 @@ TEST_F(Experiments, RecordedSessionsGoThroughTheSameRunner) {
   request.seed = 4;
   request.images = false;
   simulation::SimulatedSource source(simulation::optionsOf(request));
-  session::importRecording(source, folder_ / "recorded.capstan", session::headerOf(source.info(), "now"));
+  recording::importRecording(source, folder_ / "recorded.capstan", recording::headerOf(source.info(), "now"));
   const Results recorded =
       runIn("recorded", parseSpecification("name: mine\nwork: track\ntrials:\n"
                                            "  - {name: recorded, recording: recorded.capstan}\n",

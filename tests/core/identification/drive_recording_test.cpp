@@ -11,7 +11,9 @@
 namespace capstan::identification {
 namespace {
 
-session::MeasuredTable table(const std::string& text) { return session::parseMeasuredTable(text, "jaw.csv"); }
+recording::MeasuredTable table(const std::string& text) {
+  return recording::parseMeasuredTable(text, "jaw.csv");
+}
 
 base::InputFault faultOf(const std::string& text) {
   try {

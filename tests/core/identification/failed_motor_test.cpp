@@ -8,14 +8,14 @@
 #include "core/identification/identification_data.h"
 #include "core/identification/live_recording.h"
 #include "core/identification/parameters.h"
-#include "core/session/motor_failures.h"
+#include "core/live/motor_failures.h"
 #include "core/simulation/simulated_source.h"
 #include "core/simulation/simulation_request.h"
 
 namespace capstan::identification {
 namespace {
 
-using session::FailingMotors;
+using live::FailingMotors;
 using tracking::MotorFault;
 
 simulation::SimulatedSource sinusoid(double duration) {
@@ -26,7 +26,7 @@ simulation::SimulatedSource sinusoid(double duration) {
   return simulation::SimulatedSource(simulation::optionsOf(request));
 }
 
-IdentificationData recorded(double duration, const std::vector<session::MotorFailure>& failures) {
+IdentificationData recorded(double duration, const std::vector<live::MotorFailure>& failures) {
   simulation::SimulatedSource source = sinusoid(duration);
   FailingMotors failing(source, failures);
   return collect(failing);

@@ -26,7 +26,7 @@ inline std::vector<DriveRecording> jawRecordings(bool odd, double step) {
   for (const char* frequency : {"0.1", "0.3", "0.5"})
     for (int load = odd ? 1 : 0; load < 10; load += 2)
       all.push_back(driveRecording(
-          session::readMeasuredTable(
+          recording::readMeasuredTable(
               root / ("tool4_left_" + std::string(frequency) + "Hz_load" + std::to_string(load) + ".csv")),
           step));
   return all;

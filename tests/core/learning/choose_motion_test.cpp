@@ -1,5 +1,5 @@
 // History is chosen where errors depend on it, and only there.
-#include "core/learning/choose_motion.h"
+#include "core/learning/poses/choose_motion.h"
 
 #include <gtest/gtest.h>
 

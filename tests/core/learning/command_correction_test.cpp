@@ -1,5 +1,5 @@
 // Paths through a correction whose error is known: what ends where, what is within reach, when to look.
-#include "core/learning/command_correction.h"
+#include "core/learning/model/command_correction.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 
 #include "core/base/error.h"
 #include "core/base/random.h"
-#include "core/learning/looks.h"
-#include "core/learning/rotation_vector.h"
+#include "core/learning/poses/looks.h"
+#include "core/learning/poses/rotation_vector.h"
 
 namespace capstan::learning {
 namespace {

@@ -1,12 +1,12 @@
 // Sparse processes that are averaged.
-#include "core/learning/committee.h"
+#include "core/learning/process/committee.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "core/base/random.h"
-#include "core/learning/process_fit.h"
+#include "core/learning/process/process_fit.h"
 
 namespace capstan::learning {
 namespace {

@@ -1,5 +1,5 @@
 // Corrections of an error that is known, and of nothing.
-#include "core/learning/correction_model.h"
+#include "core/learning/model/correction_model.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/random.h"
-#include "core/learning/rotation_vector.h"
+#include "core/learning/poses/rotation_vector.h"
 #include "tests/core/learning/quick_options.h"
 
 namespace capstan::learning {

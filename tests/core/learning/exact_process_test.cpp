@@ -1,13 +1,13 @@
 // The process beside the textbook's formulas by Eigen.
-#include "core/learning/exact_process.h"
+#include "core/learning/process/exact_process.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
 #include <cmath>
 
-#include "core/learning/marginal_likelihood.h"
-#include "core/learning/process_fit.h"
+#include "core/learning/process/marginal_likelihood.h"
+#include "core/learning/process/process_fit.h"
 #include "tests/support/textbook_process.h"
 
 namespace capstan::learning {

@@ -5,8 +5,8 @@
 #include <set>
 
 #include "core/base/random.h"
-#include "core/learning/drift_monitor.h"
-#include "core/learning/next_poses.h"
+#include "core/learning/model/drift_monitor.h"
+#include "core/learning/model/next_poses.h"
 
 namespace capstan::learning {
 namespace {

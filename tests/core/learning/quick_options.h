@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/learning/correction_model.h"
+#include "core/learning/model/correction_model.h"
 
 namespace capstan::learning {
 

@@ -1,10 +1,10 @@
 // Rigid offsets of pairs that were made from a known one.
-#include "core/learning/rigid_offset.h"
+#include "core/learning/poses/rigid_offset.h"
 
 #include <gtest/gtest.h>
 
 #include "core/base/random.h"
-#include "core/learning/rotation_vector.h"
+#include "core/learning/poses/rotation_vector.h"
 
 namespace capstan::learning {
 namespace {

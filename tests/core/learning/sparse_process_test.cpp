@@ -1,5 +1,5 @@
 // The sparse process beside the exact one.
-#include "core/learning/sparse_process.h"
+#include "core/learning/process/sparse_process.h"
 
 #include <gtest/gtest.h>
 

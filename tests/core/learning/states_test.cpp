@@ -1,5 +1,5 @@
 // Screening, pairing and cleaning of motions that were made up, so that all is known.
-#include "core/learning/states.h"
+#include "core/learning/poses/states.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <numbers>
 
 #include "core/base/random.h"
-#include "core/learning/clean_states.h"
-#include "core/learning/rotation_vector.h"
-#include "core/learning/screen_poses.h"
+#include "core/learning/poses/clean_states.h"
+#include "core/learning/poses/rotation_vector.h"
+#include "core/learning/poses/screen_poses.h"
 
 namespace capstan::learning {
 namespace {

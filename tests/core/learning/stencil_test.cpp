@@ -1,5 +1,5 @@
 // Velocities beside derivatives in closed form.
-#include "core/learning/stencil.h"
+#include "core/learning/poses/stencil.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "core/base/random.h"
-#include "core/learning/rotation_vector.h"
+#include "core/learning/poses/rotation_vector.h"
 
 namespace capstan::learning {
 namespace {

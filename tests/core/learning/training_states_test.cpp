@@ -1,12 +1,12 @@
 // What other trajectories tell counts, what cleaning took of it, too; what they contradict counts little.
-#include "core/learning/training_states.h"
+#include "core/learning/poses/training_states.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "core/base/random.h"
-#include "core/learning/trial_model.h"
+#include "core/learning/model/trial_model.h"
 #include "core/stats/rms.h"
 #include "tests/core/learning/quick_options.h"
 

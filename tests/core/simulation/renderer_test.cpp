@@ -6,7 +6,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "core/session/occlusion.h"
+#include "core/vision/cover_image.h"
 #include "core/vision/marker_detector.h"
 #include "tests/core/simulation/simulated_robot.h"
 
@@ -224,7 +224,7 @@ TEST(Renderer, ACoveredPictureShowsNoMarker) {
   CameraRenderer renderer = rendererOf(defaultTruth().images);
   cv::Mat image;
   renderer.render(toolAt({0.0, 0.05, 0.5}), image);
-  session::coverImage(image, 1.0, 0);
+  vision::coverImage(image, 1.0, 0);
   vision::MarkerDetector detector({}, 640, 480);
   EXPECT_FALSE(detector.detect(image).found());
 }

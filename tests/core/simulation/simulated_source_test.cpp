@@ -111,7 +111,7 @@ TEST(SimulatedSource, SaysWhatItKnows) {
   SimulatedOptions options = cameraOptions(5.0, true);
   options.registered = false;
   const SimulatedSource source(options);
-  const session::SourceInfo& info = source.info();
+  const tracking::SourceInfo& info = source.info();
   EXPECT_EQ(info.robot.name, options.robot.name);
   EXPECT_TRUE(info.rig);
   EXPECT_FALSE(info.base_from_camera);

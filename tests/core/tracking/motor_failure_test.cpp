@@ -8,8 +8,8 @@
 #include "core/base/error.h"
 #include "core/base/random.h"
 #include "core/base/units.h"
+#include "core/live/motor_failures.h"
 #include "core/robot/arm_dynamics.h"
-#include "core/session/motor_failures.h"
 #include "core/tracking/cable_arm_model.h"
 #include "core/tracking/partial_kinematics.h"
 #include "tests/core/tracking/cable_arm_scene.h"
@@ -22,8 +22,8 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using session::FailingMotors;
-using session::MotorFailure;
+using live::FailingMotors;
+using live::MotorFailure;
 using simulation::SimulatedSource;
 using test::simulated;
 
@@ -128,16 +128,16 @@ TEST(PartialKinematics, KnownCablesAndTheReferenceForTheOthers) {
 }
 
 TEST(MotorFailure, IsReadFromText) {
-  const auto all = session::parseMotorFailure("all@30:lost", "--fail-motor");
+  const auto all = live::parseMotorFailure("all@30:lost", "--fail-motor");
   ASSERT_EQ(all.size(), 3u);
   EXPECT_EQ(all[2].motor, 2);
   EXPECT_EQ(all[2].time, 30.0);
   EXPECT_EQ(all[2].fault, MotorFault::kLost);
-  const auto one = session::parseMotorFailure("2@1.5", "--fail-motor");
+  const auto one = live::parseMotorFailure("2@1.5", "--fail-motor");
   ASSERT_EQ(one.size(), 1u);
   EXPECT_EQ(one[0].fault, MotorFault::kFrozen);
   for (const char* wrong : {"", "2", "4@1", "0@1", "2@", "2@x", "2@-1", "2@1:broken", "2:lost@1", "@1"}) try {
-      session::parseMotorFailure(wrong, "--fail-motor");
+      live::parseMotorFailure(wrong, "--fail-motor");
       ADD_FAILURE() << wrong;
     } catch (const base::InputError& error) {
       EXPECT_EQ(error.fault().key, "--fail-motor");

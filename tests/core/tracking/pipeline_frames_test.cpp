@@ -26,7 +26,7 @@ TEST(PipelineFrames, RenderedFramesGiveJointAngles) {
 
 TEST(PipelineFrames, BeforeRegistrationTheWholeFrameIsSearchedAndKinematicsRuns) {
   SimulatedSource source(simulated(simulation::matchedTruth(), 3.0, true));
-  session::SourceInfo info = source.info();
+  tracking::SourceInfo info = source.info();
   info.base_from_camera.reset();
   TrackingPipeline pipeline = makePipeline(info);
   int frames = 0;

@@ -29,7 +29,7 @@ inline simulation::SimulatedOptions simulated(const simulation::Truth& truth, do
 }
 
 /// All samples of a source without images.
-inline std::vector<Sample> samplesOf(session::Source& source) {
+inline std::vector<Sample> samplesOf(tracking::Source& source) {
   std::vector<Sample> samples;
   for (Sample sample; source.next(sample);) samples.push_back(sample);
   return samples;

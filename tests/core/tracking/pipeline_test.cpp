@@ -67,7 +67,7 @@ TEST(Pipeline, LateCameraSamplesEqualPunctualOnes) {
   truth.cameras.latency = 0.06;
   truth.cameras.latency_jitter = 0.01;
   SimulatedSource source(simulated(truth, 4.0, false));
-  const session::SourceInfo info = source.info();
+  const tracking::SourceInfo info = source.info();
   const std::vector<Sample> late = samplesOf(source);
   const auto timeOf = [](const Sample& s) { return std::visit([](const auto& one) { return one.t; }, s); };
   std::vector<Sample> punctual = late;

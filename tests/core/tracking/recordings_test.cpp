@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/units.h"
-#include "core/session/table_source.h"
+#include "core/recording/table_source.h"
 #include "tests/core/tracking/pipeline_scene.h"
 
 namespace capstan::tracking {
@@ -10,7 +10,7 @@ namespace {
 
 TrackReport trackFile(const std::filesystem::path& file, double& worst_kinematic_deg) {
   const auto robot = robot::readDescription(test::kResources + "/robots/raven2_left.yaml");
-  const auto source = session::openRecording(file, robot);
+  const auto source = recording::openRecording(file, robot);
   TrackingPipeline pipeline = makePipeline(source->info());
   worst_kinematic_deg = 0.0;
   return trackAll(*source, pipeline, nullptr, 0.0, [&](const Sample&, const Snapshot& s) {

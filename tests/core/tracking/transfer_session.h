@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "core/session/occlusion.h"
+#include "core/live/occlusion.h"
 #include "core/simulation/simulation_request.h"
 #include "core/simulation/truth.h"
 #include "tests/core/tracking/pipeline_scene.h"
@@ -13,7 +13,7 @@ namespace capstan::tracking::test {
 /// A block transfer of the default robot: joint 1 turns on a pulley of 59 mm where the robot file
 /// says 63.095.
 struct Session {
-  session::SourceInfo info;
+  tracking::SourceInfo info;
   std::vector<Sample> samples;
 };
 
@@ -23,7 +23,7 @@ inline Session transfer(double duration, std::uint64_t seed, double occlusion = 
   request.images = false;
   request.seed = seed;
   simulation::SimulatedSource source(simulation::optionsOf(request));
-  const session::OcclusionSchedule schedule{.percentage = occlusion};
+  const live::OcclusionSchedule schedule{.percentage = occlusion};
   Session session{source.info(), {}};
   double t = 0.0;
   for (Sample sample; source.next(sample);) {
@@ -47,7 +47,7 @@ struct Tracked {
 /// Errors count from the time `from` on [s].
 inline Tracked tracked(const Session& session, const robot::Description& robot, FilterKind filter,
                        double from = 0.0) {
-  session::SourceInfo info = session.info;
+  tracking::SourceInfo info = session.info;
   info.robot = robot;
   TrackingOptions options;
   options.filter = filter;

@@ -146,7 +146,7 @@ TEST(TransmissionChanges, ANewRegistrationKeepsWhatMotorsTaught) {
 /// A joint whose encoder failed is seen by the camera alone: by one whose error is known.
 TEST(TransmissionChanges, WithAFailedMotorTheCamerasErrorIsStillTakenOut) {
   const auto error = [](const Session& session) {
-    session::SourceInfo info = session.info;
+    tracking::SourceInfo info = session.info;
     info.robot = rightRobot();
     TrackingPipeline pipeline = makePipeline(info, TrackingOptions{});
     ListSource source(session.samples);

@@ -6,14 +6,14 @@
 #include <fstream>
 #include <utility>
 
-#include "core/session/pose_table.h"
+#include "core/recording/pose_table.h"
 
 namespace capstan::study {
 
 using learning::State;
 
 LearningData readLearningData(const LearningStudyOptions& options) {
-  const learning::ScreenReport screen = learning::screenPoses(session::readPoseTable(options.data));
+  const learning::ScreenReport screen = learning::screenPoses(recording::readPoseTable(options.data));
   const auto target = [&](learning::StreamKind towards) {
     Target one{towards, learning::lagBetween(screen.motions, towards), {}, {}};
     one.states = learning::statesOf(screen.motions, towards, one.lag.lag);

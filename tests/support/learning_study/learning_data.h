@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/learning/learn.h"
+#include "core/learning/model/learn.h"
 
 /// The GPR paper's numbers on a recording, beside other programs'.
 namespace capstan::study {

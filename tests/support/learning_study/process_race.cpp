@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/learning/marginal_likelihood.h"
+#include "core/learning/process/marginal_likelihood.h"
 #include "core/math/dense.h"
 #include "core/stats/quantile.h"
 

@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "core/base/parallel.h"
-#include "core/experiments/correction_study.h"
-#include "core/experiments/held_out.h"
+#include "core/learning/evaluation/correction_study.h"
+#include "core/learning/evaluation/held_out.h"
 #include "core/math/dense.h"
 
 namespace capstan::study {
@@ -23,7 +23,7 @@ constexpr Index kPlainStates = 1500, kPlainFitted = 1000;
 /// States, hyperparameters and test states of one split for scikit-learn.
 void writeSplit(const std::filesystem::path& folder, const std::vector<State>& states,
                 const std::vector<bool>& held, const LearningStudyOptions& options) {
-  const auto [train, test] = experiments::splitStates(states, held);
+  const auto [train, test] = learning::splitStates(states, held);
   const learning::CleaningReport cleaned = learning::cleanStates(train);
   const std::vector<State> clean = learning::kept(train, cleaned);
   const std::vector<learning::Reason> reasons = learning::judgedBy(cleaned, test);
@@ -66,16 +66,16 @@ Means sklearnMeans(const nlohmann::json& answer, const char* kind) {
   return means;
 }
 
-void tellCalibration(const experiments::CorrectionStudyReport& report) {
+void tellCalibration(const learning::CorrectionStudyReport& report) {
   fmt::print("Within the stated σ, held out, last method: x, y, z, turns\n");
   for (const double sigmas : {0.5, 1.0, 1.5, 2.0, 2.5, 3.0}) {
     fmt::print("  {:.1f} σ:", sigmas);
     for (std::size_t i = 0; i < 6; ++i) fmt::print(" {:5.1f} %", 100.0 * report.stated.within(i, sigmas));
-    fmt::print("  normal {:5.1f} %\n", 100.0 * experiments::normalShare(sigmas));
+    fmt::print("  normal {:5.1f} %\n", 100.0 * learning::normalShare(sigmas));
   }
 }
 
-void tellBeside(const experiments::CorrectionStudyReport& report, const nlohmann::json& plain) {
+void tellBeside(const learning::CorrectionStudyReport& report, const nlohmann::json& plain) {
   if (plain.is_null()) return;
   const auto& ours_dirty = report.dirty.back();
   const auto& ours_clean = report.clean.back();
@@ -95,19 +95,19 @@ void raceSplits(const LearningData& data, const LearningStudyOptions& options) {
     const std::string name(base::nameOf(target->towards));
     if (std::ranges::count(options.towards, name) == 0) continue;
     const auto begin = std::chrono::steady_clock::now();
-    experiments::CorrectionStudyOptions study;
+    learning::CorrectionStudyOptions study;
     study.splits = options.splits;
     study.seed = options.seed;
     study.correction = options.correction;
-    const auto report = experiments::correctionStudy(target->states, study);
+    const auto report = learning::correctionStudy(target->states, study);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     fmt::print("\nTable I towards the {}, {} splits by trajectory, lag of {:.1f} ms taken off ({:.0f} s)\n",
                name, options.splits, 1e3 * target->lag.lag, took.count());
     fmt::print("{}\n{}\n",
-               base::markdownOf(experiments::correctionTable(report.dirty, experiments::paperDirty(),
-                                                             "Dirty, towards the " + name)),
-               base::markdownOf(experiments::correctionTable(report.clean, experiments::paperClean(),
-                                                             "Clean, towards the " + name)));
+               base::markdownOf(learning::correctionTable(report.dirty, learning::paperDirty(),
+                                                          "Dirty, towards the " + name)),
+               base::markdownOf(learning::correctionTable(report.clean, learning::paperClean(),
+                                                          "Clean, towards the " + name)));
     tellCalibration(report);
     fmt::print(
         "Of the mean square of these errors, clean, {:.0f} % (distance) and {:.0f} % (angle) change from one "
@@ -116,8 +116,8 @@ void raceSplits(const LearningData& data, const LearningStudyOptions& options) {
     const std::filesystem::path folder = folderFor(options, "table_" + name);
     for (int split = 0; split < options.splits; ++split)
       writeSplit(folder / fmt::format("split_{:02}", split), target->as_told,
-                 experiments::heldOut(target->states, study.test_share,
-                                      options.seed + static_cast<std::uint64_t>(split)),
+                 learning::heldOut(target->states, study.test_share,
+                                   options.seed + static_cast<std::uint64_t>(split)),
                  options);
     fmt::print(
         "Means of ‖Δt‖ and of the geodesic angle, beside a plain scikit-learn process on the same splits,\n"

@@ -5,8 +5,8 @@
 #include <chrono>
 #include <numbers>
 
-#include "core/experiments/correction_errors.h"
-#include "core/experiments/held_out.h"
+#include "core/learning/evaluation/correction_errors.h"
+#include "core/learning/evaluation/held_out.h"
 
 namespace capstan::study {
 namespace {
@@ -74,10 +74,10 @@ void tellSizes(const std::vector<State>& train, const std::vector<State>& test,
     const auto begin = std::chrono::steady_clock::now();
     const auto model = learning::CorrectionModel::trained(some, options);
     const double seconds = secondsSince(begin);
-    experiments::PoseErrors error;
+    learning::PoseErrors error;
     const std::vector<Eigen::Isometry3d> corrected = model.correct(test);
     for (std::size_t k = 0; k < test.size(); ++k) error.add(corrected[k], test[k].pair.told);
-    const experiments::CorrectionErrors sum = error.summed();
+    const learning::CorrectionErrors sum = error.summed();
     fmt::print("  {:6} states {:8.2f} s {:8.3f} mm {:8.3f} deg\n", count, seconds,
                kMillimetres * sum.distance, kDegrees * sum.angle);
     std::fflush(stdout);
@@ -89,8 +89,7 @@ void tellSizes(const std::vector<State>& train, const std::vector<State>& test,
 
 void tellTrainingSizes(const LearningData& data, const LearningStudyOptions& options) {
   const std::vector<State>& states = data.robot.states;
-  const auto [raw, test_raw] =
-      experiments::splitStates(states, experiments::heldOut(states, 0.2, options.seed));
+  const auto [raw, test_raw] = learning::splitStates(states, learning::heldOut(states, 0.2, options.seed));
   const learning::CleaningReport cleaned = learning::cleanStates(raw);
   const std::vector<State> train = learning::kept(raw, cleaned);
   learning::CleaningReport judged;

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "core/diagnosis/diagnose.h"
-#include "core/diagnosis/joint_scales.h"
-#include "core/diagnosis/read_evidence.h"
+#include "core/diagnosis/evidence/read_evidence.h"
+#include "core/diagnosis/hypotheses/joint_scales.h"
 #include "core/robot/chain/chain_model.h"
 #include "core/robot/chain/chain_state.h"
 #include "core/robot/chain/chain_step.h"

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/diagnosis/joint_scales.h"
-#include "core/diagnosis/read_evidence.h"
+#include "core/diagnosis/evidence/read_evidence.h"
+#include "core/diagnosis/hypotheses/joint_scales.h"
 #include "tests/support/measured_diagnosis/steps.h"
 #include "tests/support/measured_diagnosis/whole_fit.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/diagnosis/selection.h"
+#include "core/diagnosis/selection/selection.h"
 #include "core/robot/description.h"
 
 namespace capstan::measured {

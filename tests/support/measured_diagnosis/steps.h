@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "core/diagnosis/fit.h"
-#include "core/diagnosis/selection.h"
+#include "core/diagnosis/fit/fit.h"
+#include "core/diagnosis/selection/selection.h"
 
 namespace capstan::measured {
 

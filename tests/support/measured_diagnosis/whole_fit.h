@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/diagnosis/fit.h"
+#include "core/diagnosis/fit/fit.h"
 
 namespace capstan::measured {
 

@@ -34,7 +34,7 @@ struct PlantedCase {
 
 /// What a diagnosis may see.
 struct Recording {
-  session::MeasuredTable table;
+  recording::MeasuredTable table;
   robot::Description robot;  ///< nominal
   bool rigid = false;
 };

@@ -33,17 +33,17 @@ Vector3d misregistered(const Vector3d& point, const std::vector<Planted>& effect
   return p;
 }
 
-session::TableColumns columns(int n, std::size_t rows, double value = 0.0) {
-  return session::TableColumns(static_cast<std::size_t>(n), std::vector<double>(rows, value));
+recording::TableColumns columns(int n, std::size_t rows, double value = 0.0) {
+  return recording::TableColumns(static_cast<std::size_t>(n), std::vector<double>(rows, value));
 }
 
-void copyJoints(const std::vector<Joints>& from, session::TableColumns& to) {
+void copyJoints(const std::vector<Joints>& from, recording::TableColumns& to) {
   for (std::size_t i = 0; i < to.size(); ++i)
     for (std::size_t k = 0; k < from.size(); ++k) to[i][k] = from[k][i];
 }
 
 void senseLoads(const PlantedMotion& motion, const std::vector<Planted>& effects, double sigma,
-                session::TableColumns& to, base::Random& random) {
+                recording::TableColumns& to, base::Random& random) {
   for (std::size_t i = 0; i < to.size(); ++i) {
     const bool magnitude_only = tellsNoSign(effects, static_cast<int>(i));
     for (std::size_t k = 0; k < motion.load.size(); ++k) {
@@ -54,7 +54,7 @@ void senseLoads(const PlantedMotion& motion, const std::vector<Planted>& effects
 }
 
 void senseTip(const PlantedMotion& motion, const robot::Description& nominal,
-              const std::vector<Planted>& effects, const SensorOptions& options, session::TableColumns& to,
+              const std::vector<Planted>& effects, const SensorOptions& options, recording::TableColumns& to,
               base::Random& random) {
   RigidChain chain(nominal);
   const auto frames = exposures(motion, options, random);
@@ -129,12 +129,12 @@ double jointReading(const PlantedMotion& motion, std::size_t k, int i, const std
   return reading;
 }
 
-session::MeasuredTable sense(const PlantedMotion& motion, const robot::Description& nominal,
-                             const std::vector<Planted>& effects, const SensorOptions& options,
-                             base::Random& random) {
+recording::MeasuredTable sense(const PlantedMotion& motion, const robot::Description& nominal,
+                               const std::vector<Planted>& effects, const SensorOptions& options,
+                               base::Random& random) {
   const int n = nominal.size();
   const std::size_t rows = motion.t.size();
-  session::MeasuredTable table;
+  recording::MeasuredTable table;
   table.file = "recording";
   table.t = motion.t;
   if (options.motor_encoders) copyJoints(motion.motor_reading, table.q_m = columns(n, rows));

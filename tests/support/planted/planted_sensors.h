@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "core/session/measured_table.h"
+#include "core/recording/measured_table.h"
 #include "tests/support/planted/planted_motion.h"
 
 namespace capstan::test {
@@ -56,8 +56,8 @@ Eigen::Vector3d cameraTip(const PlantedMotion& motion, std::size_t k, RigidChain
 double jointReading(const PlantedMotion& motion, std::size_t k, int i, const std::vector<Planted>& effects);
 
 /// The recording of all sensors. Seeds: `random` feeds cameras and load cells.
-session::MeasuredTable sense(const PlantedMotion& motion, const robot::Description& nominal,
-                             const std::vector<Planted>& effects, const SensorOptions& options,
-                             base::Random& random);
+recording::MeasuredTable sense(const PlantedMotion& motion, const robot::Description& nominal,
+                               const std::vector<Planted>& effects, const SensorOptions& options,
+                               base::Random& random);
 
 }  // namespace capstan::test

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/diagnosis/report.h"
+#include "core/diagnosis/report/report.h"
 
 namespace capstan::study {
 

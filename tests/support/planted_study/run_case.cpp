@@ -3,7 +3,7 @@
 #include <chrono>
 #include <limits>
 
-#include "core/diagnosis/read_evidence.h"
+#include "core/diagnosis/evidence/read_evidence.h"
 #include "tests/support/planted_study/ideal_limit.h"
 
 namespace capstan::study {

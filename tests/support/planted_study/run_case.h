@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "core/diagnosis/evidence.h"
+#include "core/diagnosis/evidence/evidence.h"
 #include "tests/support/planted_study/case_outcome.h"
 
 namespace capstan::study {

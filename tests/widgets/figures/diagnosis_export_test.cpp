@@ -9,8 +9,8 @@
 
 #include "core/base/error.h"
 #include "core/base/yaml.h"
-#include "core/diagnosis/hypothesis.h"
-#include "core/diagnosis/report_tables.h"
+#include "core/diagnosis/hypotheses/hypothesis.h"
+#include "core/diagnosis/report/report_tables.h"
 #include "tests/support/sample_diagnosis.h"
 
 /// The page of a diagnosis says what its report says, and leads nowhere but to its own files.

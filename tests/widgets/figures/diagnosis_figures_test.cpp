@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/diagnosis/shown.h"
+#include "core/diagnosis/report/shown.h"
 #include "core/stats/rms.h"
 #include "tests/support/sample_diagnosis.h"
 #include "tests/widgets/picture.h"

@@ -43,7 +43,7 @@ void AnalysisPanel::exportTo(const QString& base, PaperSize size) {
   try {
     exportFigure(*figures_->histogram(), path + "-histogram", pages);
     exportFigure(*figures_->boxplot(), path + "-boxplot", pages);
-    writeTable(experiments::tableOf(analysis_), path + "-table");
+    writeTable(analysis::tableOf(analysis_), path + "-table");
     said_ = tr("Exported as %1-histogram, -boxplot and -table.").arg(stem);
     Q_EMIT exported(stem);
   } catch (const base::InputError& error) {
@@ -69,7 +69,7 @@ ExportExtras AnalysisPanel::comparison() const {
             [histogram] { return std::make_unique<HistogramFigure>(histogram); }},
            {"comparison-boxplot", FigureKind::kBoxplot,
             [boxplot] { return std::make_unique<BoxplotFigure>(boxplot); }}},
-          {{"comparison-table", experiments::tableOf(analysis_)}}};
+          {{"comparison-table", analysis::tableOf(analysis_)}}};
 }
 
 void AnalysisPanel::askExportAll() {

@@ -6,6 +6,7 @@
 
 namespace capstan::widgets {
 
+using namespace analysis;
 using namespace experiments;
 
 namespace {

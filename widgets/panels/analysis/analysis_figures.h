@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/experiments/analysis.h"
+#include "core/analysis/analysis.h"
 #include "widgets/figures/boxplot_figure.h"
 #include "widgets/figures/histogram_figure.h"
 
@@ -14,8 +14,8 @@ struct AnalysisFigures {
 };
 
 /// `b` null: one run. `joint_names`: as the robot's file has them, empty ones stay away.
-AnalysisFigures analysisFigures(const experiments::Analysis& analysis, const experiments::ErrorRun& a,
-                                const experiments::ErrorRun* b, const std::array<QString, 3>& joint_names);
+AnalysisFigures analysisFigures(const analysis::Analysis& analysis, const analysis::ErrorRun& a,
+                                const analysis::ErrorRun* b, const std::array<QString, 3>& joint_names);
 
 /// The colour that stands for an estimator.
 Quantity quantityOf(experiments::Estimator estimator);

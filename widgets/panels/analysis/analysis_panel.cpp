@@ -15,8 +15,8 @@
 
 namespace capstan::widgets {
 
-using experiments::Analysis;
-using experiments::ErrorRun;
+using analysis::Analysis;
+using analysis::ErrorRun;
 using Kind = RunChoice::Kind;
 
 namespace {
@@ -29,9 +29,9 @@ QString text(const std::string& words) { return QString::fromStdString(words); }
 
 ErrorRun readRun(const RunChoice& choice, base::Progress& progress) {
   if (choice.kind == Kind::kRecording)
-    return experiments::trackErrors(choice.path.toStdString(), choice.robot.toStdString(), progress);
+    return analysis::trackErrors(choice.path.toStdString(), choice.robot.toStdString(), progress);
   progress.report(0.0, "reading");
-  return experiments::readErrors(choice.path.toStdString(), choice.trial.toStdString());
+  return analysis::readErrors(choice.path.toStdString(), choice.trial.toStdString());
 }
 
 }  // namespace
@@ -282,7 +282,7 @@ void AnalysisPanel::prepare() {
   progress_->setFormat(tr("counting"));
   job_.start(
       [a, b, options = options_->options(), names = joint_names_](base::Progress&) {
-        Prepared prepared{experiments::analyse(*a, b.get(), options), {}};
+        Prepared prepared{analysis::analyse(*a, b.get(), options), {}};
         prepared.figures = analysisFigures(prepared.analysis, *a, b.get(), names);
         return prepared;
       },
@@ -294,14 +294,14 @@ void AnalysisPanel::prepare() {
 }
 
 void AnalysisPanel::addIntervals() {
-  if (analysis_.against == experiments::Against::kNothing || analysis_.rows.empty()) return;
+  if (analysis_.against == analysis::Against::kNothing || analysis_.rows.empty()) return;
   const auto a = sides_[0].run, b = sides_[1].run;
   work_ = Work::kIntervals;
   progress_->setValue(0);
   progress_->setFormat(tr("intervals"));
   job_.start(
       [a, b, analysis = analysis_](base::Progress& progress) mutable {
-        experiments::addIntervals(analysis, *a, b.get(), progress);
+        analysis::addIntervals(analysis, *a, b.get(), progress);
         return std::move(analysis);
       },
       [this](Analysis analysis) {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <memory>
 
-#include "core/experiments/analysis.h"
+#include "core/analysis/analysis.h"
 #include "widgets/figures/paper_size.h"
 #include "widgets/figures/theme.h"
 #include "widgets/jobs/job.h"
@@ -39,7 +39,7 @@ class AnalysisPanel : public QWidget {
 
   void setTheme(const Theme& theme);
   /// Gives the errors of the running session so far; throws base::InputError where there are none.
-  void setSession(std::function<experiments::ErrorRun()> session);
+  void setSession(std::function<analysis::ErrorRun()> session);
   /// Another session: the former one's errors are gone.
   void sessionOpened();
   void setJointNames(const std::array<QString, 3>& names);
@@ -63,7 +63,7 @@ class AnalysisPanel : public QWidget {
   OptionsBar& options() { return *options_; }
   AnalysisTable& table() { return *table_; }
   FigurePair& figures() { return *figures_; }
-  const experiments::Analysis& analysis() const { return analysis_; }
+  const analysis::Analysis& analysis() const { return analysis_; }
   QString words() const;
   bool busy() const { return job_.busy() || full_export_.busy(); }
   /// Nothing is left to be done for what was chosen.
@@ -80,12 +80,12 @@ class AnalysisPanel : public QWidget {
   enum class Work { kNothing, kLoadingA, kLoadingB, kAnalysing, kIntervals };
   struct Side {
     RunPicker* picker = nullptr;
-    std::shared_ptr<const experiments::ErrorRun> run;
+    std::shared_ptr<const analysis::ErrorRun> run;
     bool stale = true;  ///< `run` is not what was chosen, or not yet
     QString fault;      ///< why there is none
   };
   struct Prepared {
-    experiments::Analysis analysis;
+    analysis::Analysis analysis;
     AnalysisFigures figures;
   };
 
@@ -95,7 +95,7 @@ class AnalysisPanel : public QWidget {
   void onOptionsChanged();
   void proceed();
   bool load(std::size_t run);
-  void took(std::size_t run, experiments::ErrorRun loaded);
+  void took(std::size_t run, analysis::ErrorRun loaded);
   void prepare();
   void addIntervals();
   void onFailed(const QString& why);
@@ -106,10 +106,10 @@ class AnalysisPanel : public QWidget {
   std::vector<ExportedRun> exportedRuns() const;
   ExportExtras comparison() const;
 
-  std::function<experiments::ErrorRun()> session_;
+  std::function<analysis::ErrorRun()> session_;
   std::array<QString, 3> joint_names_;
   std::array<Side, 2> sides_;
-  experiments::Analysis analysis_;
+  analysis::Analysis analysis_;
   bool analysis_stale_ = true, intervals_stale_ = true, halted_ = false;
   QString fault_, said_;
   Work work_ = Work::kNothing;

@@ -13,6 +13,7 @@
 
 namespace capstan::widgets {
 
+using namespace analysis;
 using namespace experiments;
 
 namespace {

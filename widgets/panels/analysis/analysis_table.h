@@ -2,7 +2,7 @@
 
 #include <QTreeWidget>
 
-#include "core/experiments/analysis.h"
+#include "core/analysis/analysis.h"
 #include "widgets/figures/theme.h"
 
 namespace capstan::widgets {
@@ -19,10 +19,9 @@ class AnalysisTable : public QTreeWidget {
 
   explicit AnalysisTable(QWidget* parent = nullptr);
   void setTheme(const Theme& theme);
-  void showAnalysis(const experiments::Analysis& analysis);
+  void showAnalysis(const analysis::Analysis& analysis);
   /// The line of a measure, joint (0…2) and estimator; null: not shown.
-  const QTreeWidgetItem* line(experiments::Measure measure, int joint,
-                              experiments::Estimator estimator) const;
+  const QTreeWidgetItem* line(analysis::Measure measure, int joint, experiments::Estimator estimator) const;
   /// The lines before the groups: whose kinematics and filter.
   QString noteWords() const;
   QSize sizeHint() const override { return {560, 230}; }
@@ -34,13 +33,13 @@ class AnalysisTable : public QTreeWidget {
  private:
   void addNotes();
   void addNote(const QString& text);
-  void addGroup(experiments::Measure measure);
-  void fill(QTreeWidgetItem& item, const experiments::AnalysisRow& row, experiments::Measure measure) const;
+  void addGroup(analysis::Measure measure);
+  void fill(QTreeWidgetItem& item, const analysis::AnalysisRow& row, analysis::Measure measure) const;
 
   Theme theme_ = Theme::dark();
   QString numberText(double value, bool sign = false) const;
 
-  experiments::Analysis analysis_;
+  analysis::Analysis analysis_;
   int notes_ = 0;  ///< lines before the groups
   int decimals_ = 3;
 };

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <exception>
 
-#include "core/experiments/results_to_draw.h"
-#include "core/experiments/software.h"
+#include "core/analysis/results_to_draw.h"
+#include "core/base/software.h"
 
 namespace capstan::widgets {
 
@@ -18,7 +18,7 @@ constexpr double kReading = 0.5;  ///< share of the progress
 
 Results resultsOf(const ExportedRun& run) {
   if (run.choice.kind == Kind::kResults) return experiments::readResults(run.choice.path.toStdString());
-  return experiments::resultsOfErrors(*run.run, experiments::software());
+  return analysis::resultsOfErrors(*run.run, base::software());
 }
 
 /// A folder of results is drawn whole, so two of its trials are one export.
@@ -32,7 +32,7 @@ std::vector<Results> readAll(const std::vector<ExportedRun>& runs, base::Progres
   std::vector<Results> all;
   for (const ExportedRun& run : runs)
     if (!progress.cancelled()) all.push_back(resultsOf(run));
-  experiments::tellApart(all);
+  analysis::tellApart(all);
   return all;
 }
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/experiments/error_run.h"
+#include "core/analysis/error_run.h"
 #include "widgets/figures/export_all.h"
 #include "widgets/jobs/job.h"
 #include "widgets/panels/analysis/run_picker.h"
@@ -15,7 +15,7 @@ namespace capstan::widgets {
 /// A chosen run, and its errors as the panel shows them. Results of an experiment are read whole.
 struct ExportedRun {
   RunChoice choice;
-  std::shared_ptr<const experiments::ErrorRun> run = {};
+  std::shared_ptr<const analysis::ErrorRun> run = {};
 };
 
 /// All figures and tables of runs, and of their comparison, into a folder with an index page. Results are

@@ -13,8 +13,8 @@
 
 namespace capstan::widgets {
 
+using analysis::TimeShare;
 using experiments::Estimator;
-using experiments::TimeShare;
 
 namespace {
 
@@ -115,8 +115,8 @@ void OptionsBar::setTheme(const Theme& theme) {
         QStringLiteral("QCheckBox { color: %1; }").arg(theme.colour(quantityOf(kEstimators[i])).name()));
 }
 
-experiments::AnalysisOptions OptionsBar::options() const {
-  experiments::AnalysisOptions options;
+analysis::AnalysisOptions OptionsBar::options() const {
+  analysis::AnalysisOptions options;
   if (joint_->currentIndex() > 0) options.joint = joint_->currentIndex() - 1;
   options.absolute = error_->currentIndex() == 1;
   options.share = static_cast<TimeShare>(share_->currentIndex());

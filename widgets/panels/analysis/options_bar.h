@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <array>
 
-#include "core/experiments/analysis.h"
+#include "core/analysis/analysis.h"
 #include "widgets/figures/paper_size.h"
 #include "widgets/figures/theme.h"
 
@@ -23,7 +23,7 @@ class OptionsBar : public QWidget {
   explicit OptionsBar(QWidget* parent = nullptr);
 
   void setTheme(const Theme& theme);
-  experiments::AnalysisOptions options() const;
+  analysis::AnalysisOptions options() const;
   void setJoint(std::optional<int> joint);
   void save(QSettings& settings) const;
   void restore(const QSettings& settings);

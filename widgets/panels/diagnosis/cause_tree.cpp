@@ -7,10 +7,10 @@
 #include <QTreeWidgetItemIterator>
 #include <algorithm>
 
-#include "core/diagnosis/report_tables.h"
-#include "core/diagnosis/shown.h"
-#include "widgets/panels/diagnosis/diagnosis_text.h"
+#include "core/diagnosis/report/report_tables.h"
+#include "core/diagnosis/report/shown.h"
 #include "widgets/figures/share_bar.h"
+#include "widgets/panels/diagnosis/diagnosis_text.h"
 
 namespace capstan::widgets {
 

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "core/base/progress.h"
-#include "core/diagnosis/report.h"
+#include "core/diagnosis/report/report.h"
 
 class QSettings;
 

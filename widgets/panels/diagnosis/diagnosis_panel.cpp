@@ -8,8 +8,8 @@
 #include <QSplitter>
 
 #include "core/base/error.h"
-#include "core/diagnosis/extended_robot.h"
-#include "core/experiments/software.h"
+#include "core/base/software.h"
+#include "core/diagnosis/report/extended_robot.h"
 #include "widgets/panels/diagnosis/cause_tree.h"
 #include "widgets/panels/diagnosis/diagnosis_text.h"
 #include "widgets/panels/diagnosis/hypothesis_card.h"
@@ -210,7 +210,7 @@ void DiagnosisPanel::askFile() {
 void DiagnosisPanel::saveRobot(const QString& path) {
   if (!report()) return;
   const QByteArray content =
-      QByteArray::fromStdString(diagnosis::extendedRobotText(*report_, experiments::software()));
+      QByteArray::fromStdString(diagnosis::extendedRobotText(*report_, base::software()));
   QSaveFile file(path);
   const bool saved =
       file.open(QIODevice::WriteOnly) && file.write(content) == content.size() && file.commit();

@@ -3,7 +3,7 @@
 #include <memory>
 #include <optional>
 
-#include "core/diagnosis/report.h"
+#include "core/diagnosis/report/report.h"
 #include "widgets/figures/theme.h"
 #include "widgets/jobs/job.h"
 #include "widgets/panels/diagnosis/diagnosis_choice.h"

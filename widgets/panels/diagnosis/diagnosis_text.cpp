@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/diagnosis/report_tables.h"
-#include "core/diagnosis/shown.h"
+#include "core/diagnosis/report/report_tables.h"
+#include "core/diagnosis/report/shown.h"
 #include "widgets/figures/number_text.h"
 
 namespace capstan::widgets {

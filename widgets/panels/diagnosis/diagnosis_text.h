@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "core/diagnosis/report.h"
+#include "core/diagnosis/report/report.h"
 
 namespace capstan::widgets {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/diagnosis/shown.h"
+#include "core/diagnosis/report/shown.h"
 #include "widgets/figures/figure_text.h"
 #include "widgets/panels/diagnosis/diagnosis_text.h"
 

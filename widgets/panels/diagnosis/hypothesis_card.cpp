@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "core/diagnosis/hypothesis.h"
-#include "core/diagnosis/shown.h"
+#include "core/diagnosis/hypotheses/hypothesis.h"
+#include "core/diagnosis/report/shown.h"
 #include "widgets/panels/diagnosis/diagnosis_text.h"
 
 namespace capstan::widgets {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/diagnosis/shown.h"
+#include "core/diagnosis/report/shown.h"
 #include "widgets/figures/number_text.h"
 #include "widgets/panels/diagnosis/diagnosis_text.h"
 

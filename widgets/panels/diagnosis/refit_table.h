@@ -2,7 +2,7 @@
 
 #include <QTreeWidget>
 
-#include "core/diagnosis/report.h"
+#include "core/diagnosis/report/report.h"
 #include "widgets/figures/theme.h"
 
 namespace capstan::widgets {

@@ -4,7 +4,7 @@
 #include <QDir>
 
 #include "core/base/error.h"
-#include "core/experiments/software.h"
+#include "core/base/software.h"
 
 namespace capstan::widgets {
 
@@ -15,7 +15,7 @@ ReportExport::ReportExport(QObject* parent) : QObject(parent) {
 
 void ReportExport::start(const diagnosis::Report& report, const std::string& robot, const QString& folder) {
   Q_ASSERT(!busy());
-  const DiagnosisOrigin origin{robot, experiments::software(),
+  const DiagnosisOrigin origin{robot, base::software(),
                                QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()};
   drawing_ = std::make_unique<DiagnosisExport>(report, origin, folder.toStdString());
   folder_ = folder;

@@ -3,7 +3,7 @@
 #include <QTabWidget>
 #include <memory>
 
-#include "core/diagnosis/report.h"
+#include "core/diagnosis/report/report.h"
 #include "widgets/figures/theme.h"
 
 namespace capstan::widgets {

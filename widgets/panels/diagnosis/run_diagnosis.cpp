@@ -1,8 +1,8 @@
 #include "core/base/error.h"
 #include "core/base/resource.h"
+#include "core/base/same_recording.h"
 #include "core/diagnosis/diagnose.h"
-#include "core/diagnosis/read_evidence.h"
-#include "core/experiments/same_recording.h"
+#include "core/diagnosis/evidence/read_evidence.h"
 #include "core/robot/description.h"
 #include "widgets/panels/diagnosis/diagnosis_choice.h"
 
@@ -34,7 +34,7 @@ robot::Description nominalOf(const std::vector<diagnosis::Evidence>& recordings,
 void checkRecordings(const QStringList& files) {
   for (int i = 0; i < files.size(); ++i)
     for (int j = 0; j < i; ++j)
-      if (experiments::sameRecording(files[j].toStdString(), files[i].toStdString()))
+      if (base::sameRecording(files[j].toStdString(), files[i].toStdString()))
         throw base::InputError(
             {files[i].toStdString(),
              0,

@@ -8,10 +8,10 @@
 #include <QSplitter>
 #include <QTreeWidget>
 
-#include "core/diagnosis/shown.h"
+#include "core/diagnosis/report/shown.h"
 #include "widgets/figures/number_text.h"
-#include "widgets/panels/diagnosis/diagnosis_text.h"
 #include "widgets/figures/share_bar.h"
+#include "widgets/panels/diagnosis/diagnosis_text.h"
 
 namespace capstan::widgets {
 

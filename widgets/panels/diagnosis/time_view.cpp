@@ -5,7 +5,7 @@
 #include <QLabel>
 #include <QShortcut>
 
-#include "core/diagnosis/shown.h"
+#include "core/diagnosis/report/shown.h"
 #include "widgets/figures/figure_text.h"
 #include "widgets/panels/diagnosis/diagnosis_text.h"
 

@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <memory>
 
-#include "core/diagnosis/report.h"
+#include "core/diagnosis/report/report.h"
 #include "widgets/figures/remainder_figure.h"
 
 class QComboBox;

@@ -16,7 +16,7 @@
 
 namespace capstan::widgets {
 
-using namespace experiments;
+using namespace learning;
 
 namespace {
 

@@ -32,10 +32,10 @@ class AblationView : public LearningView {
 
  private:
   void fill();
-  void addMethod(experiments::CorrectionMethod method, bool clean);
+  void addMethod(learning::CorrectionMethod method, bool clean);
 
   Theme theme_ = Theme::dark();
-  std::shared_ptr<const experiments::CorrectionStudyReport> study_;
+  std::shared_ptr<const learning::CorrectionStudyReport> study_;
   int of_splits_ = 0;
   QSpinBox* splits_;
   QPushButton* run_;

@@ -62,7 +62,7 @@ void CloudsView::gather() {
   points_ = {};
   if (!results_.stages) return;
   const auto& stages = *results_.stages;
-  const bool corrected = results_.trial && !results_.trial->corrected.empty();
+  const bool corrected = results_.evaluation && !results_.evaluation->corrected.empty();
   for (std::size_t k = 0; k < stages.states.size(); ++k) {
     const learning::PosePair& pair = stages.states[k].pair;
     const Eigen::Vector3d moved = (stages.offset * pair.seen).translation();
@@ -73,7 +73,7 @@ void CloudsView::gather() {
     points_[kTold].emplace_back(pair.told.translation());
     points_[kSeen].emplace_back(pair.seen.translation());
     points_[kOffset].push_back(moved);
-    if (corrected) points_[kCorrected].emplace_back(results_.trial->corrected[k].translation());
+    if (corrected) points_[kCorrected].emplace_back(results_.evaluation->corrected[k].translation());
   }
 }
 

@@ -67,11 +67,11 @@ void ConfidenceView::setTheme(const Theme& theme) {
 }
 
 void ConfidenceView::showResults(const LearningResults& results) {
-  if (trial_ == results.trial) return;
-  trial_ = results.trial;
+  if (learned_ == results.learned) return;
+  learned_ = results.learned;
   sheet_->setFigure(nullptr);
   for (QWidget* one : {static_cast<QWidget*>(axis_), static_cast<QWidget*>(depth_)})
-    one->setEnabled(trial_ != nullptr);
+    one->setEnabled(learned_ != nullptr);
   ask();
 }
 
@@ -81,7 +81,7 @@ const learning::ConfidenceSlice* ConfidenceView::slice() const {
 }
 
 void ConfidenceView::ask() {
-  stale_ = trial_ != nullptr;
+  stale_ = learned_ != nullptr;
   job_.cancel();
   soon_.start();
 }
@@ -94,8 +94,9 @@ void ConfidenceView::compute() {
   options.axis = axis_->currentIndex();
   options.depth = static_cast<double>(depth_->value()) / kSteps;
   job_.start(
-      [trial = trial_, options](base::Progress& progress) {
-        return learning::confidenceSlice(*trial->model, trial->learned, options, &progress);
+      [learned = learned_, options](base::Progress& progress) {
+        return learning::confidenceSlice(
+            learned->model, learning::kept(learned->prepared.states, learned->cleaning), options, &progress);
       },
       [this](learning::ConfidenceSlice slice) {
         sheet_->setFigure(std::make_unique<ConfidenceFigure>(confidenceData(slice)));

@@ -2,7 +2,7 @@
 
 #include <QTimer>
 
-#include "core/learning/confidence_slice.h"
+#include "core/learning/model/confidence_slice.h"
 #include "widgets/jobs/job.h"
 #include "widgets/panels/learning/learning_view.h"
 
@@ -34,7 +34,7 @@ class ConfidenceView : public LearningView {
   void ask();
   void compute();
 
-  std::shared_ptr<const experiments::CorrectionTrial> trial_;
+  std::shared_ptr<const learning::LearningReport> learned_;
   bool stale_ = false;  ///< what is shown is not what is chosen
   QComboBox* axis_;
   QSlider* depth_;

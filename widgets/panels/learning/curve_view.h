@@ -24,7 +24,7 @@ class CurveView : public LearningView {
   void runRequested();
 
  private:
-  std::shared_ptr<const experiments::LearningCurve> curve_;
+  std::shared_ptr<const learning::LearningCurve> curve_;
   QPushButton* run_;
   FigureSheet* sheet_;
 };

@@ -49,20 +49,21 @@ ErrorsView::ErrorsView(QWidget* parent) : LearningView(parent) {
 void ErrorsView::setTheme(const Theme& theme) { sheet_->setTheme(theme); }
 
 void ErrorsView::showResults(const LearningResults& results) {
-  if (trial_ == results.trial) return;
-  trial_ = results.trial;
+  if (evaluation_ == results.evaluation) return;
+  evaluation_ = results.evaluation;
   draw();
 }
 
 void ErrorsView::draw() {
-  which_->setVisible(trial_ != nullptr);
-  seen_->setVisible(trial_ != nullptr);
+  which_->setVisible(evaluation_ != nullptr);
+  seen_->setVisible(evaluation_ != nullptr);
   words_->clear();
-  if (!trial_) return sheet_->setFigure(nullptr);
+  if (!evaluation_) return sheet_->setFigure(nullptr);
   const bool clean = which_->currentIndex() == 0;
   if (!clean)
-    words_->setText(tr("Medians, as seen → rigid offset → corrected: %1.").arg(errorWords(*trial_, clean)));
-  sheet_->setFigure(std::make_unique<BoxplotFigure>(errorData(*trial_, clean, seen_->isChecked())));
+    words_->setText(
+        tr("Medians, as seen → rigid offset → corrected: %1.").arg(errorWords(*evaluation_, clean)));
+  sheet_->setFigure(std::make_unique<BoxplotFigure>(errorData(*evaluation_, clean, seen_->isChecked())));
 }
 
 QString ErrorsView::words() const { return words_->text(); }

@@ -25,7 +25,7 @@ class ErrorsView : public LearningView {
  private:
   void draw();
 
-  std::shared_ptr<const experiments::CorrectionTrial> trial_;
+  std::shared_ptr<const learning::HeldOutEvaluation> evaluation_;
   QLabel* words_;
   QCheckBox* seen_;
   QComboBox* which_;

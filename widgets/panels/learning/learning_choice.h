@@ -3,7 +3,7 @@
 #include <QString>
 #include <QStringList>
 
-#include "core/learning/pose_motion.h"
+#include "core/learning/poses/pose_motion.h"
 
 class QSettings;
 

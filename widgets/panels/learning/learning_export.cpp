@@ -62,7 +62,7 @@ void LearningExport::start(const LearningResults& results, int which, const lear
 }
 
 void LearningExport::addTables(const LearningResults& results, const std::string& base) {
-  using namespace experiments;
+  using namespace learning;
   if (results.stages)
     steps_.push_back({tr("rejected"), [stages = results.stages, path = base + "rejected.csv"] {
                         base::writeTextFile(path, rejectedCsv(*stages));
@@ -81,18 +81,18 @@ void LearningExport::addFigures(const LearningResults& results, int which, const
   if (results.stages)
     steps_.push_back({tr("lag"), drawing<LagFigure>(lagData(*results.stages), base + "lag")});
   if (results.stages && which >= 0)
-    steps_.push_back({tr("trajectory"),
-                      drawing<PoseTraceFigure>(
-                          traceData(*results.stages, results.trial.get(), static_cast<std::size_t>(which)),
-                          base + "trajectory", kTall)});
-  if (results.trial)
+    steps_.push_back(
+        {tr("trajectory"), drawing<PoseTraceFigure>(traceData(*results.stages, results.evaluation.get(),
+                                                              static_cast<std::size_t>(which)),
+                                                    base + "trajectory", kTall)});
+  if (results.evaluation)
     for (const bool clean : {true, false})
       steps_.push_back(
-          {tr("errors"), drawing<BoxplotFigure>(errorData(*results.trial, clean),
+          {tr("errors"), drawing<BoxplotFigure>(errorData(*results.evaluation, clean),
                                                 base + (clean ? "errors-clean" : "errors-all"), kTall)});
-  if (results.trial)
-    steps_.push_back({tr("reliability"),
-                      drawing<ReliabilityFigure>(reliabilityData(*results.trial), base + "reliability")});
+  if (results.evaluation)
+    steps_.push_back({tr("reliability"), drawing<ReliabilityFigure>(reliabilityData(*results.evaluation),
+                                                                    base + "reliability")});
   if (results.curve)
     steps_.push_back(
         {tr("learning curve"), drawing<LearningCurveFigure>(curveData(*results.curve), base + "curve")});

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "core/learning/confidence_slice.h"
+#include "core/learning/model/confidence_slice.h"
 #include "widgets/panels/learning/learning_work.h"
 
 namespace capstan::widgets {

@@ -5,13 +5,13 @@
 #include <cmath>
 
 #include "core/base/units.h"
-#include "core/learning/pose_features.h"
+#include "core/learning/poses/pose_features.h"
 #include "core/stats/quantile.h"
 #include "widgets/figures/figure_text.h"
 
 namespace capstan::widgets {
 
-using namespace experiments;
+using namespace learning;
 using learning::Reason;
 using learning::State;
 
@@ -19,8 +19,8 @@ namespace {
 
 constexpr std::array kSteps = {PoseSource::kSeen, PoseSource::kOffset, PoseSource::kCorrected};
 
-const StepErrors& errorsOf(const CorrectionTrial& trial, bool clean) {
-  return clean ? trial.clean : trial.dirty;
+const StepErrors& errorsOf(const HeldOutEvaluation& evaluation, bool clean) {
+  return clean ? evaluation.test.clean : evaluation.test.all;
 }
 
 /// One value a state, in units for people.
@@ -60,12 +60,12 @@ LagData lagData(const LearningStages& stages) {
   return {QObject::tr("Lag of what cameras saw behind the %1").arg(nameOf(stages.told)), {}, stages.lag};
 }
 
-BoxplotData errorData(const CorrectionTrial& trial, bool clean, bool seen) {
-  const StepErrors& errors = errorsOf(trial, clean);
+BoxplotData errorData(const HeldOutEvaluation& evaluation, bool clean, bool seen) {
+  const StepErrors& errors = errorsOf(evaluation, clean);
   BoxplotData data;
   data.title = QObject::tr("Errors on %1 of %2 trajectories, held out of training")
-                   .arg(trial.motions_held)
-                   .arg(trial.motions);
+                   .arg(evaluation.motions_held)
+                   .arg(evaluation.motions);
   data.note = clean ? QObject::tr("states that cleaning keeps") : QObject::tr("all states");
   data.quantity = QObject::tr("|error|");
   data.most_columns = 4;
@@ -81,9 +81,9 @@ BoxplotData errorData(const CorrectionTrial& trial, bool clean, bool seen) {
   return data;
 }
 
-QString medianWords(const CorrectionTrial& trial, bool clean, bool angle) {
+QString medianWords(const HeldOutEvaluation& evaluation, bool clean, bool angle) {
   QStringList parts;
-  for (const PoseErrors& step : errorsOf(trial, clean)) {
+  for (const PoseErrors& step : errorsOf(evaluation, clean)) {
     const CorrectionErrors sums = step.summed();
     parts << (angle ? QString::number(base::toDegrees(sums.median_angle), 'f', 1)
                     : QString::number(base::toMillimetres(sums.median_distance), 'f', 1));
@@ -91,10 +91,10 @@ QString medianWords(const CorrectionTrial& trial, bool clean, bool angle) {
   return parts.join(QStringLiteral(" → "));
 }
 
-QString errorWords(const CorrectionTrial& trial, bool clean) {
+QString errorWords(const HeldOutEvaluation& evaluation, bool clean) {
   return QObject::tr("position\u00a0%1, angle\u00a0%2")
-      .arg(unbroken(medianWords(trial, clean, false) + QStringLiteral(" mm")),
-           unbroken(medianWords(trial, clean, true) + QStringLiteral("°")));
+      .arg(unbroken(medianWords(evaluation, clean, false) + QStringLiteral(" mm")),
+           unbroken(medianWords(evaluation, clean, true) + QStringLiteral("°")));
 }
 
 QString motionWords(learning::Motion motion) {
@@ -116,16 +116,18 @@ LearningCurveData curveData(const LearningCurve& curve) {
           curve};
 }
 
-PoseTraceData traceData(const LearningStages& stages, const CorrectionTrial* trial, std::size_t which) {
+PoseTraceData traceData(const LearningStages& stages, const HeldOutEvaluation* evaluation,
+                        std::size_t which) {
   const TrajectoryStates& motion = stages.motions[which];
   PoseTraceData data;
   data.title = QString::fromStdString(stages.screen.motions[motion.motion].name);
   data.note =
       QObject::tr("%1 states, %2 rejected").arg(countText(motion.states()), countText(motion.rejected));
-  if (trial)
-    data.note +=
-        trial->held[motion.motion] ? QObject::tr("; held out of training") : QObject::tr("; learned from");
-  const Eigen::Isometry3d offset = trial && trial->model ? trial->model->offset() : stages.offset;
+  if (evaluation)
+    data.note += evaluation->held[motion.motion] ? QObject::tr("; held out of training")
+                                                 : QObject::tr("; learned from");
+  const Eigen::Isometry3d offset =
+      evaluation && evaluation->learned ? evaluation->learned->model.offset() : stages.offset;
   Eigen::Vector3d angles = Eigen::Vector3d::Zero();
   for (std::size_t k = motion.begin; k < motion.end; ++k) {
     const State& state = stages.states[k];
@@ -137,18 +139,18 @@ PoseTraceData traceData(const LearningStages& stages, const CorrectionTrial* tri
     data.rejected.push_back(stages.cleaning.reason[k] != Reason::kNone);
     append(data.course[0], state.pair.told, angles);
     append(data.course[1], moved, anglesBeside(moved, angles));
-    if (trial && !trial->corrected.empty())
-      append(data.course[2], trial->corrected[k], anglesBeside(trial->corrected[k], angles));
+    if (evaluation && !evaluation->corrected.empty())
+      append(data.course[2], evaluation->corrected[k], anglesBeside(evaluation->corrected[k], angles));
   }
   return data;
 }
 
-ReliabilityData reliabilityData(const CorrectionTrial& trial) {
+ReliabilityData reliabilityData(const HeldOutEvaluation& evaluation) {
   return {QObject::tr("Whether errors are as large as stated"),
           QObject::tr("%1 states of %2 trajectories held out, those that cleaning keeps")
-              .arg(countText(trial.stated.states()))
-              .arg(trial.motions_held),
-          trial.stated};
+              .arg(countText(evaluation.test.stated.states()))
+              .arg(evaluation.motions_held),
+          evaluation.test.stated};
 }
 
 ConfidenceData confidenceData(const learning::ConfidenceSlice& slice) {

@@ -11,21 +11,21 @@
 /// What the figures of the learning panel show, on screen and on paper.
 namespace capstan::widgets {
 
-LagData lagData(const experiments::LearningStages& stages);
+LagData lagData(const learning::LearningStages& stages);
 /// Errors of held-out states as seen (where `seen`), with the offset, corrected; `clean`: of those that
 /// cleaning keeps.
-BoxplotData errorData(const experiments::CorrectionTrial& trial, bool clean, bool seen = true);
-LearningCurveData curveData(const experiments::LearningCurve& curve);
-/// Trajectory `which` of stages.motions; corrected where there is a trial.
-PoseTraceData traceData(const experiments::LearningStages& stages, const experiments::CorrectionTrial* trial,
+BoxplotData errorData(const learning::HeldOutEvaluation& evaluation, bool clean, bool seen = true);
+LearningCurveData curveData(const learning::LearningCurve& curve);
+/// Trajectory `which` of stages.motions; corrected where there is a evaluation.
+PoseTraceData traceData(const learning::LearningStages& stages, const learning::HeldOutEvaluation* evaluation,
                         std::size_t which);
-ReliabilityData reliabilityData(const experiments::CorrectionTrial& trial);
+ReliabilityData reliabilityData(const learning::HeldOutEvaluation& evaluation);
 ConfidenceData confidenceData(const learning::ConfidenceSlice& slice);
 
 /// Medians "26.1 → 6.2 → 1.9" as seen, with the offset, corrected: distances [mm], or angles [deg].
-QString medianWords(const experiments::CorrectionTrial& trial, bool clean, bool angle);
+QString medianWords(const learning::HeldOutEvaluation& evaluation, bool clean, bool angle);
 /// "position 26.1 → 6.2 → 1.9 mm, angle 93.1 → 8.4 → 2.8°", medians.
-QString errorWords(const experiments::CorrectionTrial& trial, bool clean);
+QString errorWords(const learning::HeldOutEvaluation& evaluation, bool clean);
 /// "pose and velocity"
 QString motionWords(learning::Motion motion);
 /// "12,345"

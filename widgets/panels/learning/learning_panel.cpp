@@ -6,9 +6,9 @@
 #include <QSettings>
 
 #include "core/base/error.h"
+#include "core/base/software.h"
 #include "core/base/units.h"
-#include "core/experiments/software.h"
-#include "core/session/correction_source.h"
+#include "core/learning/model/correction_source.h"
 #include "widgets/panels/learning/ablation_view.h"
 #include "widgets/panels/learning/clouds_view.h"
 #include "widgets/panels/learning/confidence_view.h"
@@ -22,7 +22,7 @@
 
 namespace capstan::widgets {
 
-using namespace experiments;
+using namespace learning;
 
 LearningPanel::LearningPanel(LearningSettings settings, QWidget* parent)
     : WorkPanel(parent), settings_(std::move(settings)) {
@@ -143,7 +143,7 @@ void LearningPanel::train() {
   job_.start([stages = results_.stages, settings = settings_](
                  base::Progress& progress) { return trainCorrection(*stages, settings, progress); },
              [this](TrainedCorrection trained) {
-               results_.trial = std::make_shared<const CorrectionTrial>(std::move(trained.trial));
+               results_.evaluation = std::make_shared<const HeldOutEvaluation>(std::move(trained.evaluation));
                results_.learned =
                    std::make_shared<const learning::LearningReport>(std::move(trained.learned));
                pages_->showResults(results_);
@@ -221,7 +221,7 @@ void LearningPanel::askModel() {
 void LearningPanel::saveModel(const QString& path) {
   if (!results_.learned) return;
   try {
-    session::writeCorrection({results_.learned->model, source()}, path.toStdString());
+    learning::writeCorrection({results_.learned->model, source()}, path.toStdString());
     said_ = tr("Saved as %1.").arg(path);
     Q_EMIT modelSaved(path);
   } catch (const base::InputError& error) {
@@ -230,10 +230,10 @@ void LearningPanel::saveModel(const QString& path) {
   refresh();
 }
 
-session::CorrectionSource LearningPanel::source() const {
+learning::CorrectionSource LearningPanel::source() const {
   std::vector<std::string> tables;
   for (const QString& table : choice().tables) tables.push_back(table.toStdString());
-  return session::correctionSource(tables, results_.stages->told, *results_.learned, experiments::software());
+  return learning::correctionSource(tables, results_.stages->told, *results_.learned, base::software());
 }
 
 QString LearningPanel::failedHeadline() const {
@@ -255,13 +255,13 @@ void LearningPanel::showState() {
   if (!failed_.isEmpty()) {
     head = failedHeadline();
     below = failed_;
-  } else if (results_.trial) {
-    head = tr("● Corrected: %1").arg(errorWords(*results_.trial, true));
+  } else if (results_.evaluation) {
+    head = tr("● Corrected: %1").arg(errorWords(*results_.evaluation, true));
     below = tr("As seen → rigid offset → corrected: medians on %1 of %2 trajectories, held out of training. "
                "Learned from %3.")
-                .arg(results_.trial->motions_held)
-                .arg(results_.trial->motions)
-                .arg(motionWords(results_.trial->model->motion()));
+                .arg(results_.evaluation->motions_held)
+                .arg(results_.evaluation->motions)
+                .arg(motionWords(results_.learned->model.motion()));
   } else if (stages) {
     head = tr("○ %1 of %2 states count; a rigid offset leaves %3\u00a0mm,\u00a0%4°")
                .arg(countText(stages->cleaning.kept()), countText(stages->states.size()))
@@ -301,7 +301,7 @@ void LearningPanel::refresh() {
   pages_->ablation().setReady(ready());
   pages_->curve().setReady(ready());
   export_button_->setVisible(results_.stages && !working);
-  model_button_->setVisible(results_.trial && !working);
+  model_button_->setVisible(results_.evaluation && !working);
 }
 
 }  // namespace capstan::widgets

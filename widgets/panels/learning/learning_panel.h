@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/session/correction_file.h"
+#include "core/learning/model/correction_file.h"
 #include "widgets/figures/theme.h"
 #include "widgets/jobs/job.h"
 #include "widgets/panels/learning/learning_export.h"
@@ -55,7 +55,7 @@ class LearningPanel : public WorkPanel {
   void showEvent(QShowEvent* event) override;
 
  private:
-  session::CorrectionSource source() const;
+  learning::CorrectionSource source() const;
   enum class Doing { kNothing, kReading, kTraining, kAblation, kCurve };
 
   void makeButtons();

@@ -1,77 +1,53 @@
 #include "widgets/panels/learning/learning_work.h"
 
-#include <filesystem>
-
-#include "core/session/pose_table.h"
+#include "core/recording/pose_table.h"
 
 namespace capstan::widgets {
 
-LearningSettings::LearningSettings() {
-  const learning::LearningOptions defaults;
-  lag = defaults.lag;
-  trial.cleaning = defaults.cleaning;
-  trial.weigh = defaults.weigh;
-  trial.correction.motion = defaults.correction.motion;
-}
-
-learning::LearningOptions LearningSettings::learning(learning::StreamKind towards) const {
-  learning::LearningOptions options;
-  options.towards = towards;
-  options.lag = lag;
-  options.weigh = trial.weigh;
-  options.cleaning = trial.cleaning;
-  options.correction = trial.correction;
+learning::LearningOptions LearningSettings::towards(learning::StreamKind stream) const {
+  learning::LearningOptions options = learning;
+  options.towards = stream;
   return options;
 }
 
-TrainedCorrection trainCorrection(const experiments::LearningStages& stages, const LearningSettings& settings,
+TrainedCorrection trainCorrection(const learning::LearningStages& stages, const LearningSettings& settings,
                                   base::Progress& progress) {
-  experiments::CorrectionTrial trial = correctionTrial(stages.states, settings.trial, &progress);
-  learning::LearningReport learned{{}, {}, {}, learning::CorrectionModel(learning::CorrectionParts{}), true};
-  if (!trial.cancelled)
-    learned = learning::learnPrepared({stages.screen, stages.lag, stages.lag.lag, stages.states, false},
-                                      settings.learning(stages.told), &progress,
-                                      {0.0, 1.0, "learning from all trajectories"});
-  trial.cancelled = trial.cancelled || learned.cancelled;
-  return {std::move(trial), std::move(learned)};
+  constexpr double kEvaluated = 0.5;  // of the time
+  const learning::LearningOptions options = settings.towards(stages.told);
+  learning::HeldOutEvaluation evaluation =
+      evaluateHeldOut(stages, options, settings.hold_out, &progress, {0.0, kEvaluated, "evaluating"});
+  learning::LearningReport learned =
+      learnPrepared(stages, options, &progress, {kEvaluated, 1.0, "learning from all trajectories"});
+  return {std::move(learned), std::move(evaluation)};
 }
 
-experiments::CorrectionStudyOptions LearningSettings::study(int splits) const {
-  experiments::CorrectionStudyOptions options;
+learning::CorrectionStudyOptions LearningSettings::study(int splits) const {
+  learning::CorrectionStudyOptions options;
   options.splits = splits;
-  options.test_share = trial.test_share;
-  options.cleaning = trial.cleaning;
-  options.correction = trial.correction;
-  options.seed = trial.seed;
+  options.test_share = hold_out.share;
+  options.cleaning = learning.cleaning;
+  options.correction = learning.correction;
+  options.seed = hold_out.seed;
   return options;
 }
 
-experiments::LearningCurveOptions LearningSettings::curve() const {
-  experiments::LearningCurveOptions options;
-  options.test_share = trial.test_share;
-  options.cleaning = trial.cleaning;
-  options.correction = trial.correction;
-  options.seed = trial.seed;
+learning::LearningCurveOptions LearningSettings::curve() const {
+  learning::LearningCurveOptions options;
+  options.test_share = hold_out.share;
+  options.cleaning = learning.cleaning;
+  options.correction = learning.correction;
+  options.seed = hold_out.seed;
   return options;
 }
 
-experiments::LearningStages readStages(const LearningChoice& choice, const LearningSettings& settings,
-                                       base::Progress& progress) {
-  std::vector<learning::RawMotion> motions;
-  for (const QString& table : choice.tables) {
-    const std::filesystem::path path = table.toStdString();
-    progress.report(0.0, "reading " + path.filename().string());
-    for (learning::RawMotion& motion : session::readPoseTable(path)) {
-      if (choice.tables.size() > 1) motion.name = path.stem().string() + ", " + motion.name;
-      motions.push_back(std::move(motion));
-    }
-    if (progress.cancelled()) return {};
-  }
+learning::LearningStages readStages(const LearningChoice& choice, const LearningSettings& settings,
+                                    base::Progress& progress) {
   std::vector<std::string> paths;
   for (const QString& table : choice.tables) paths.push_back(table.toStdString());
-  return session::namingTables(paths, [&] {
-    return experiments::learningStages(motions, {choice.told, settings.lag, settings.trial.cleaning},
-                                       &progress);
+  return recording::namingTables(paths, [&] {
+    const auto motions = recording::readPoseTables(paths, &progress);
+    return progress.cancelled() ? learning::LearningStages{}
+                                : learning::learningStages(motions, settings.towards(choice.told), &progress);
   });
 }
 

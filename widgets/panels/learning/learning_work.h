@@ -2,52 +2,50 @@
 
 #include <memory>
 
-#include "core/experiments/correction_study.h"
-#include "core/experiments/correction_trial.h"
-#include "core/experiments/learning_curve.h"
-#include "core/experiments/learning_stages.h"
-#include "core/learning/learn.h"
+#include "core/learning/evaluation/correction_study.h"
+#include "core/learning/evaluation/evaluate.h"
+#include "core/learning/evaluation/learning_curve.h"
+#include "core/learning/evaluation/learning_stages.h"
+#include "core/learning/model/learn.h"
 #include "widgets/panels/learning/learning_choice.h"
 
 namespace capstan::widgets {
 
-/// How is learned: the same of every figure and table of the panel.
+/// How is learned and evaluated: the same of every figure and table of the panel. Defaults are those of
+/// capstan-cli learn.
 struct LearningSettings {
-  learning::LagOptions lag;
-  experiments::CorrectionTrialOptions trial;
+  learning::LearningOptions learning;  ///< towards: as the choice of tables says
+  learning::HoldOut hold_out;
 
-  /// As capstan-cli learn has them.
-  LearningSettings();
-  /// Of the model that is saved.
-  learning::LearningOptions learning(learning::StreamKind towards) const;
-  experiments::CorrectionStudyOptions study(int splits) const;
-  experiments::LearningCurveOptions curve() const;
+  learning::LearningOptions towards(learning::StreamKind stream) const;
+  learning::CorrectionStudyOptions study(int splits) const;
+  learning::LearningCurveOptions curve() const;
 };
 
 /// What there is so far; null: not yet.
 struct LearningResults {
-  std::shared_ptr<const experiments::LearningStages> stages;
-  std::shared_ptr<const experiments::CorrectionTrial> trial;  ///< errors of trajectories held out
-  std::shared_ptr<const learning::LearningReport> learned;    ///< from all of them: what is saved
-  std::shared_ptr<const experiments::CorrectionStudyReport> study;
-  std::shared_ptr<const experiments::LearningCurve> curve;
+  std::shared_ptr<const learning::LearningStages> stages;
+  std::shared_ptr<const learning::LearningReport> learned;  ///< from all trajectories: what is saved
+  std::shared_ptr<const learning::HeldOutEvaluation> evaluation;
+  std::shared_ptr<const learning::CorrectionStudyReport> study;
+  std::shared_ptr<const learning::LearningCurve> curve;
   int splits = 0;  ///< of the study
 };
 
 /// What training leaves.
 struct TrainedCorrection {
-  experiments::CorrectionTrial trial;
   learning::LearningReport learned;
+  learning::HeldOutEvaluation evaluation;
 };
 
-/// Takes errors on trajectories held out, and learns a model from all, as capstan-cli learn does.
-/// base::InputError as correctionTrial() and learning::learnPrepared().
-TrainedCorrection trainCorrection(const experiments::LearningStages& stages, const LearningSettings& settings,
+/// Evaluates on trajectories held out, and learns a model from all. base::InputError as evaluateHeldOut() and
+/// learnPrepared().
+TrainedCorrection trainCorrection(const learning::LearningStages& stages, const LearningSettings& settings,
                                   base::Progress& progress);
 
-/// Reads the tables and goes through all stages up to the rigid offset, in the background. Of several tables
-/// trajectories carry the name of theirs. base::InputError as readPoseTable() and learningStages().
-experiments::LearningStages readStages(const LearningChoice& choice, const LearningSettings& settings,
-                                       base::Progress& progress);
+/// Reads the tables and goes through all stages up to the rigid offset, in the background. base::InputError
+/// as readPoseTables() and learningStages().
+learning::LearningStages readStages(const LearningChoice& choice, const LearningSettings& settings,
+                                    base::Progress& progress);
 
 }  // namespace capstan::widgets

@@ -18,10 +18,10 @@ ReliabilityView::ReliabilityView(QWidget* parent) : LearningView(parent) {
 void ReliabilityView::setTheme(const Theme& theme) { sheet_->setTheme(theme); }
 
 void ReliabilityView::showResults(const LearningResults& results) {
-  if (trial_ == results.trial) return;
-  trial_ = results.trial;
-  if (trial_)
-    sheet_->setFigure(std::make_unique<ReliabilityFigure>(reliabilityData(*trial_)));
+  if (evaluation_ == results.evaluation) return;
+  evaluation_ = results.evaluation;
+  if (evaluation_)
+    sheet_->setFigure(std::make_unique<ReliabilityFigure>(reliabilityData(*evaluation_)));
   else
     sheet_->setFigure(nullptr);
 }

@@ -18,7 +18,7 @@ class ReliabilityView : public LearningView {
 
  private:
   FigureSheet* sheet_;
-  std::shared_ptr<const experiments::CorrectionTrial> trial_;
+  std::shared_ptr<const learning::HeldOutEvaluation> evaluation_;
 };
 
 }  // namespace capstan::widgets

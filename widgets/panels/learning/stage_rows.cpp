@@ -10,7 +10,7 @@
 
 namespace capstan::widgets {
 
-using namespace experiments;
+using namespace learning;
 using learning::Reason;
 using learning::StreamKind;
 
@@ -149,19 +149,19 @@ QString inducingWords(const learning::Committee& committee) {
   return members == 1 ? each : QStringLiteral("%1 × %2").arg(countText(members), each);
 }
 
-StageGroup process(const CorrectionTrial& trial) {
+StageGroup process(const LearningReport& learned) {
   StageGroup group{tr("6  Gaussian process"), {}};
-  group.rows.push_back({tr("states learned from"), countText(trial.learned.size())});
+  group.rows.push_back({tr("states learned from"), countText(learned.cleaning.kept())});
   group.rows.push_back(
-      {tr("… that cleaning had taken"), countText(trial.weighing.again.size()), std::nan(""), false,
+      {tr("… that cleaning had taken"), countText(learned.weighing.again.size()), std::nan(""), false,
        tr("States out of place in the same way on several trajectories, where the robot does not "
           "follow its command, say: they can be learned, and count again. What is wrong by chance does "
           "not.")});
   group.rows.push_back(
-      {tr("… doubted"), countText(trial.weighing.doubted), std::nan(""), false,
+      {tr("… doubted"), countText(learned.weighing.doubted), std::nan(""), false,
        tr("States that models learned from other trajectories do not tell: a sight that jumps a little, a "
           "trajectory apart from the others. They count with noise of their own.")});
-  const auto& processes = trial.model->processes();
+  const auto& processes = learned.model.processes();
   if (!processes.empty())
     group.rows.push_back({tr("inducing points"), inducingWords(processes[0]), std::nan(""), false,
                           tr("Members of each committee, whose corrections are averaged, and the states of "
@@ -182,12 +182,12 @@ StageGroup process(const CorrectionTrial& trial) {
   return group;
 }
 
-StageGroup heldOut(const CorrectionTrial& trial) {
-  StageGroup group{QObject::tr("7  Errors on %1 trajectories held out").arg(trial.motions_held), {}};
+StageGroup heldOut(const HeldOutEvaluation& evaluation) {
+  StageGroup group{QObject::tr("7  Errors on %1 trajectories held out").arg(evaluation.motions_held), {}};
   group.rows.push_back({tr("distance, median: seen → offset → corrected"),
-                        medianWords(trial, true, false) + QStringLiteral(" mm")});
-  group.rows.push_back(
-      {tr("angle, median: seen → offset → corrected"), medianWords(trial, true, true) + QStringLiteral("°")});
+                        medianWords(evaluation, true, false) + QStringLiteral(" mm")});
+  group.rows.push_back({tr("angle, median: seen → offset → corrected"),
+                        medianWords(evaluation, true, true) + QStringLiteral("°")});
   return group;
 }
 
@@ -198,9 +198,9 @@ std::vector<StageGroup> stageGroups(const LearningResults& results) {
   if (!results.stages) return groups;
   for (const auto& group : {&screening, &pairing, &velocities, &cleaning, &rigidOffset})
     groups.push_back(group(*results.stages));
-  if (!results.trial || !results.trial->model) return groups;
-  groups.push_back(process(*results.trial));
-  groups.push_back(heldOut(*results.trial));
+  if (!results.evaluation || !results.learned) return groups;
+  groups.push_back(process(*results.learned));
+  groups.push_back(heldOut(*results.evaluation));
   return groups;
 }
 

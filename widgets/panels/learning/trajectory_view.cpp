@@ -11,7 +11,7 @@
 
 namespace capstan::widgets {
 
-using experiments::TrajectoryStates;
+using learning::TrajectoryStates;
 
 namespace {
 
@@ -102,7 +102,7 @@ void TrajectoryView::fill() {
     for (std::size_t k = 0; k < count; ++k) {
       const TrajectoryStates& motion = results_.stages->motions[k];
       const double share = static_cast<double>(motion.rejected) / static_cast<double>(motion.states());
-      const bool held = results_.trial && results_.trial->held[motion.motion];
+      const bool held = results_.evaluation && results_.evaluation->held[motion.motion];
       auto* item = new TrajectoryItem;
       const QString name = QString::fromStdString(results_.stages->screen.motions[motion.motion].name);
       item->setText(kName, QString(name).remove(QStringLiteral("trajectory ")));
@@ -123,7 +123,7 @@ void TrajectoryView::fill() {
       list_->addTopLevelItem(item);
       if (static_cast<int>(k) == before || !current) current = item;
     }
-    list_->setColumnHidden(kHeld, !results_.trial);
+    list_->setColumnHidden(kHeld, !results_.evaluation);
     list_->setSortingEnabled(true);
     if (list_->header()->sortIndicatorSection() >= kColumns || before < 0)
       list_->sortByColumn(kName, Qt::AscendingOrder);
@@ -159,7 +159,7 @@ void TrajectoryView::draw() {
   if (which < 0 || !results_.stages) return sheet_->setFigure(nullptr);
   if (stale_) return;
   sheet_->setFigure(std::make_unique<PoseTraceFigure>(
-      traceData(*results_.stages, results_.trial.get(), static_cast<std::size_t>(which))));
+      traceData(*results_.stages, results_.evaluation.get(), static_cast<std::size_t>(which))));
 }
 
 }  // namespace capstan::widgets

@@ -163,7 +163,7 @@ void OcclusionPanel::showBlocked(const std::array<bool, 2>& blocked) {
                                                        : QString("in sight"));
 }
 
-void OcclusionPanel::setSchedule(const session::OcclusionSchedule& schedule) {
+void OcclusionPanel::setSchedule(const live::OcclusionSchedule& schedule) {
   schedule_ = schedule;
   const QSignalBlocker quiet(interval_);
   interval_->setValue(schedule.interval);

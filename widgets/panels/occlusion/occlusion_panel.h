@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "core/session/occlusion.h"
+#include "core/live/occlusion.h"
 #include "core/tracking/snapshot.h"
 #include "widgets/figures/theme.h"
 #include "widgets/panels/occlusion/hold_keys.h"
@@ -34,21 +34,21 @@ class OcclusionPanel : public QWidget {
   /// What is blocked in fact, by hand or by schedule: marks the buttons.
   void showBlocked(const std::array<bool, 2>& blocked);
   /// Takes a schedule over without emitting it; for a restored session.
-  void setSchedule(const session::OcclusionSchedule& schedule);
+  void setSchedule(const live::OcclusionSchedule& schedule);
   /// Another session begins at `t` [s], free: occlusion belongs to a session. `again`: it is the same one
   /// from its beginning; block and schedule stay as they are set, the schedule begins anew.
   void beginSession(double t, bool again);
   /// Nothing to block: a recording without cameras, or none at all.
   void setBlockable(bool blockable);
 
-  const session::OcclusionSchedule& schedule() const { return schedule_; }
+  const live::OcclusionSchedule& schedule() const { return schedule_; }
   std::array<bool, 2> blocked() const { return hand_; }
   QString observation() const;
   QString reason() const;
 
  signals:
   void blockChanged(bool left, bool right);
-  void scheduleChanged(const capstan::session::OcclusionSchedule& schedule);
+  void scheduleChanged(const capstan::live::OcclusionSchedule& schedule);
 
  private:
   enum Which { kLeft, kRight, kBoth };
@@ -74,7 +74,7 @@ class OcclusionPanel : public QWidget {
   QLabel* reason_ = nullptr;
   QLabel* schedule_state_ = nullptr;
   HoldKeys* keys_ = nullptr;
-  session::OcclusionSchedule schedule_;
+  live::OcclusionSchedule schedule_;
   tracking::Gate gate_ = tracking::Gate::kNoCamera;
   std::string_view gate_words_ = base::nameOf(gate_);
   bool tip_alone_ = false;  // measured elsewhere, no pictures

@@ -19,7 +19,7 @@ void OcclusionTimeline::setTheme(const Theme& theme) {
   update();
 }
 
-void OcclusionTimeline::setSchedule(const session::OcclusionSchedule& schedule) {
+void OcclusionTimeline::setSchedule(const live::OcclusionSchedule& schedule) {
   schedule_ = schedule;
   update();
 }

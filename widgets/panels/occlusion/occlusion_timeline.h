@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "core/session/occlusion.h"
+#include "core/live/occlusion.h"
 #include "widgets/figures/theme.h"
 
 namespace capstan::widgets {
@@ -16,7 +16,7 @@ class OcclusionTimeline : public QWidget {
   explicit OcclusionTimeline(QWidget* parent = nullptr);
 
   void setTheme(const Theme& theme);
-  void setSchedule(const session::OcclusionSchedule& schedule);
+  void setSchedule(const live::OcclusionSchedule& schedule);
   void setNow(double t);
   /// Seconds shown, a quarter of them past.
   void setSpan(double seconds);
@@ -30,7 +30,7 @@ class OcclusionTimeline : public QWidget {
 
  private:
   Theme theme_ = Theme::dark();
-  session::OcclusionSchedule schedule_;
+  live::OcclusionSchedule schedule_;
   double now_ = 0.0;
   double span_ = 24.0;
 };

@@ -12,7 +12,7 @@
 
 namespace capstan::widgets {
 
-using session::RegistrationStep;
+using live::RegistrationStep;
 
 RegistrationPanel::RegistrationPanel(QWidget* parent) : QWidget(parent) {
   auto* column = new QVBoxLayout(this);
@@ -86,10 +86,10 @@ void RegistrationPanel::setTheme(const Theme& theme) {
   result_->setTheme(theme);
 }
 
-void RegistrationPanel::begin(const session::SourceInfo& source,
+void RegistrationPanel::begin(const tracking::SourceInfo& source,
                               const std::optional<Eigen::Isometry3d>& current,
-                              const session::RegistrationOptions& options) {
-  guide_ = std::make_unique<session::RegistrationGuide>(source.robot, options, source.rig);
+                              const live::RegistrationOptions& options) {
+  guide_ = std::make_unique<live::RegistrationGuide>(source.robot, options, source.rig);
   guide_->start(current);
   stop_->setDrivable(source.live);
   result_->setRig(source.robot, source.rig);

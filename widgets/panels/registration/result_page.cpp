@@ -7,7 +7,7 @@
 #include <QPushButton>
 #include <QVariant>
 
-#include "core/session/arm_overlay.h"
+#include "core/live/arm_overlay.h"
 #include "widgets/video/stereo_view.h"
 
 namespace capstan::widgets {
@@ -87,7 +87,7 @@ QString ResultPage::summary() const { return numbers_->text(); }
 
 void ResultPage::setEnded(bool ended) { redo_->setEnabled(!ended); }
 
-void ResultPage::showGuide(const session::RegistrationGuide& guide) {
+void ResultPage::showGuide(const live::RegistrationGuide& guide) {
   const auto& proposal = guide.proposal();
   if (!proposal) return;
   old_ = guide.current();
@@ -113,12 +113,12 @@ void ResultPage::showFrames(const cv::Mat& left, const cv::Mat& right, const tra
   pictures_->showFrames(left, right, snapshot);
 }
 
-void ResultPage::overlay(const session::RegistrationGuide& guide, const Eigen::Vector3d& q) {
+void ResultPage::overlay(const live::RegistrationGuide& guide, const Eigen::Vector3d& q) {
   std::array<std::vector<ImageLine>, 2> lines;
   if (!rig_) return;
   const auto add = [&](const Eigen::Isometry3d& pose, const QColor& colour, bool dashed,
                        const QString& label) {
-    const auto seen = session::projectArm(*arm_, marker_radius_, *rig_, pose, q);
+    const auto seen = live::projectArm(*arm_, marker_radius_, *rig_, pose, q);
     for (std::size_t side = 0; side < 2; ++side)
       lines[side].push_back({seen.sides[side].shaft, colour, dashed, seen.sides[side].marker_radius, label});
   };

@@ -4,8 +4,8 @@
 #include <array>
 #include <opencv2/core/mat.hpp>
 
+#include "core/live/registration_guide.h"
 #include "core/robot/arm_kinematics.h"
-#include "core/session/registration_guide.h"
 #include "core/tracking/snapshot.h"
 #include "core/vision/camera.h"
 #include "widgets/figures/theme.h"
@@ -28,7 +28,7 @@ class ResultPage : public QWidget {
   ~ResultPage() override;
   void setTheme(const Theme& theme);
   void setRig(const robot::Description& robot, const std::optional<vision::StereoRig>& rig);
-  void showGuide(const session::RegistrationGuide& guide);
+  void showGuide(const live::RegistrationGuide& guide);
   /// No frame comes any more: nothing can be collected again.
   void setEnded(bool ended);
   void showFrames(const cv::Mat& left, const cv::Mat& right, const tracking::Snapshot& snapshot);
@@ -41,7 +41,7 @@ class ResultPage : public QWidget {
   void rejectRequested(const QString& reason);
 
  private:
-  void overlay(const session::RegistrationGuide& guide, const Eigen::Vector3d& q);
+  void overlay(const live::RegistrationGuide& guide, const Eigen::Vector3d& q);
 
   Theme theme_ = Theme::dark();
   std::optional<robot::ArmKinematics> arm_;

@@ -92,7 +92,7 @@ void StopPage::setEnded(bool ended) {
   if (ended) collect_->setEnabled(false);
 }
 
-void StopPage::showGuide(const session::RegistrationGuide& guide) {
+void StopPage::showGuide(const live::RegistrationGuide& guide) {
   const auto& arrival = guide.arrival();
   for (std::size_t i = 0; i < 3; ++i) {
     const auto& joint = guide.robot().joints[i];

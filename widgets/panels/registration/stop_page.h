@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <array>
 
-#include "core/session/registration_guide.h"
+#include "core/live/registration_guide.h"
 #include "widgets/figures/theme.h"
 
 class QCheckBox;
@@ -26,7 +26,7 @@ class StopPage : public QWidget {
   void setDrivable(bool drivable);
   /// Nothing moves and no frame comes any more.
   void setEnded(bool ended);
-  void showGuide(const session::RegistrationGuide& guide);
+  void showGuide(const live::RegistrationGuide& guide);
 
  signals:
   void driveRequested();

@@ -13,8 +13,8 @@ namespace capstan::widgets {
 
 namespace {
 
-using session::RecorderState;
-using session::RunState;
+using live::RunState;
+using recording::RecorderState;
 using tracking::Gate;
 
 constexpr double kBehind = 0.9;        ///< of the speed asked for; less is said
@@ -22,7 +22,7 @@ constexpr qint64 kDiskPeriod = 10000;  ///< between looks at the disk [ms]
 
 constexpr double kSoonFull = 300.0;  ///< until the reserve is reached; less is a warning [s]
 
-QString sizeText(std::uint64_t bytes) { return QString::fromStdString(session::sizeText(bytes)); }
+QString sizeText(std::uint64_t bytes) { return QString::fromStdString(recording::sizeText(bytes)); }
 
 QString minutesText(double seconds) {
   const double minutes = seconds / 60.0;
@@ -78,9 +78,10 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   row->addStretch(1);
   labels_[kNis]->setToolTip(tr(
       "Normalised innovation squared over its degrees of freedom. Pass: inside the 95 % χ² band. Cautious: "
-      "below it, the filter expects larger errors than there are. FAIL, too high: above it, the filter errs "
-      "by "
-      "more than it states, as with a wrong parameter of the robot file or cameras that were moved"));
+      "below it, the camera agrees with the filter more closely than the filter expects. FAIL, too high: "
+      "above "
+      "it, the filter errs by more than it states, as with a wrong parameter of the robot file or cameras "
+      "that were moved"));
   labels_[kMotors]->setToolTip(tr("An encoder that failed: its joint is estimated from the cameras alone"));
   labels_[kLag]->setToolTip(tr("From exposure to arrival of the newest camera sample"));
   labels_[kRescues]->setToolTip(tr("Cholesky down-dates that fell back to a safe path"));
@@ -217,7 +218,7 @@ void StatusLine::showMotors(const tracking::Snapshot& snapshot) {
   set(kMotors, failed.join(QStringLiteral(", ")), Tone::kFault);
 }
 
-void StatusLine::showStatus(const session::RunStatus& status, double recorded_seconds) {
+void StatusLine::showStatus(const live::RunStatus& status, double recorded_seconds) {
   const QString state = QString::fromStdString(std::string(base::nameOf(status.state)));
   set(kState, state, status.state == RunState::kFailed ? Tone::kFault : Tone::kPlain);
   const bool behind = status.state == RunState::kRunning && status.real_time_factor > 0.0 &&
@@ -235,7 +236,7 @@ void StatusLine::showStatus(const session::RunStatus& status, double recorded_se
                                                                                   : nullptr);
 }
 
-void StatusLine::showRecorder(const session::RecorderStats& recorder, double recorded_seconds) {
+void StatusLine::showRecorder(const recording::RecorderStats& recorder, double recorded_seconds) {
   const QString clock = clockText(recorded_seconds);
   if (recorder.state == RecorderState::kFailed)
     set(kRecording, tr("recording failed"), Tone::kFault);
@@ -249,7 +250,7 @@ void StatusLine::showRecorder(const session::RecorderStats& recorder, double rec
 }
 
 /// Cameras that somebody blocks; in a recording that is no part of it.
-void StatusLine::showOcclusion(const session::RunStatus& status) {
+void StatusLine::showOcclusion(const live::RunStatus& status) {
   QString what;
   if (status.occlusion.percentage > 0.0)
     what = tr("occlusion %1 %").arg(status.occlusion.percentage, 0, 'f', 0);
@@ -261,7 +262,7 @@ void StatusLine::showOcclusion(const session::RunStatus& status) {
 }
 
 /// Of the recording under way, else of the folder that the next one goes to.
-void StatusLine::showDisk(const session::RecorderStats* recording) {
+void StatusLine::showDisk(const recording::RecorderStats* recording) {
   if (recording) {
     disk_age_.invalidate();
     if (!recording->free_known) return set(kDisk, tr("disk: free space not known"));
@@ -269,13 +270,13 @@ void StatusLine::showDisk(const session::RecorderStats* recording) {
   }
   if (disk_age_.isValid() && disk_age_.elapsed() < kDiskPeriod) return;
   disk_age_.start();
-  const session::DiskSpace space =
-      folder_.isEmpty() ? session::DiskSpace{} : session::diskSpaceAt(folder_.toStdString());
+  const recording::DiskSpace space =
+      folder_.isEmpty() ? recording::DiskSpace{} : recording::diskSpaceAt(folder_.toStdString());
   if (space.size == 0) return set(kDisk, {});
   setDisk(space, 0.0);
 }
 
-void StatusLine::setDisk(const session::DiskSpace& space, double time_left) {
+void StatusLine::setDisk(const recording::DiskSpace& space, double time_left) {
   QString text = tr("disk %1, reserve %2").arg(sizeText(space.free), sizeText(space.reserve));
   if (time_left > 0.0) text += QStringLiteral(", ") + minutesText(time_left);
   const bool full = space.free < space.reserve;

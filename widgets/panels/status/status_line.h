@@ -5,8 +5,8 @@
 #include <array>
 #include <optional>
 
-#include "core/session/disk_space.h"
-#include "core/session/runner.h"
+#include "core/live/runner.h"
+#include "core/recording/disk_space.h"
 #include "core/tracking/snapshot.h"
 #include "widgets/figures/theme.h"
 
@@ -26,7 +26,7 @@ class StatusLine : public QWidget {
 
   void setTheme(const Theme& theme);
   void showSnapshot(const tracking::Snapshot& snapshot);
-  void showStatus(const session::RunStatus& status, double recorded_seconds);
+  void showStatus(const live::RunStatus& status, double recorded_seconds);
   void clear();
   /// Which robot the filter takes the arm for; `changes`: what it has other than the robot file.
   void setRobot(const QString& words, const QString& changes);
@@ -65,10 +65,10 @@ class StatusLine : public QWidget {
   enum class Tone { kPlain, kGood, kWarning, kFault };
   void showNis(const tracking::Snapshot& snapshot);
   void showMotors(const tracking::Snapshot& snapshot);
-  void showRecorder(const session::RecorderStats& recorder, double recorded_seconds);
-  void showOcclusion(const session::RunStatus& status);
-  void showDisk(const session::RecorderStats* recording);
-  void setDisk(const session::DiskSpace& space, double time_left);
+  void showRecorder(const recording::RecorderStats& recorder, double recorded_seconds);
+  void showOcclusion(const live::RunStatus& status);
+  void showDisk(const recording::RecorderStats* recording);
+  void setDisk(const recording::DiskSpace& space, double time_left);
   void separate();
   void set(Part part, const QString& text, Tone tone = Tone::kPlain);
 

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace capstan::analysis {
+
+/// Points of a stream in fixed memory: all of them, and whenever `capacity` are held, every other one of
+/// these and from then on of what comes.
+template <class Point>
+class KeptPoints {
+ public:
+  /// `reserved` points take their memory now, so that add() allocates nothing up to there.
+  KeptPoints(std::size_t capacity, std::size_t reserved) : capacity_(capacity) { points_.reserve(reserved); }
+
+  void add(const Point& point) {
+    if (offered_++ % stride_ != 0) return;
+    if (points_.size() == capacity_) {
+      dropEveryOther();
+      if ((offered_ - 1) % stride_ != 0) return;
+    }
+    points_.push_back(point);
+  }
+  void clear() {
+    points_.clear();
+    offered_ = 0;
+    stride_ = 1;
+  }
+  const std::vector<Point>& points() const { return points_; }
+
+ private:
+  void dropEveryOther() {
+    for (std::size_t i = 0; 2 * i < points_.size(); ++i) points_[i] = points_[2 * i];
+    points_.resize((points_.size() + 1) / 2);
+    stride_ *= 2;
+  }
+
+  std::size_t capacity_;
+  std::vector<Point> points_;
+  std::uint64_t offered_ = 0, stride_ = 1;
+};
+
+}  // namespace capstan::analysis

@@ -1,0 +1,108 @@
+#include "core/diagnosis/evidence/channel_noise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace capstan::diagnosis {
+namespace {
+
+constexpr std::size_t kFewestDifferences = 20;
+
+/// |changes| from one finite sample to the next that are more than rounding of the last digits.
+std::vector<double> changesOf(std::span<const double> values) {
+  double largest = 0.0, last = std::numeric_limits<double>::quiet_NaN();
+  for (const double x : values)
+    if (std::isfinite(x)) largest = std::max(largest, std::abs(x));
+  std::vector<double> changes;
+  for (const double x : values) {
+    if (!std::isfinite(x)) continue;
+    const double change = std::abs(x - last);
+    if (change > 1e-13 * largest) changes.push_back(change);  // false for the first, whose change is NaN
+    last = x;
+  }
+  return changes;
+}
+
+/// Mean square without what lies beyond 4.5 RMS of the others, found in passes.
+double trimmedMeanSquare(const std::vector<double>& values) {
+  double mean_square = std::numeric_limits<double>::infinity();
+  for (int pass = 0; pass < 6; ++pass) {
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (const double x : values)
+      if (x * x <= 4.5 * 4.5 * mean_square) sum += x * x, ++count;
+    const double next = sum / static_cast<double>(count);
+    if (next == mean_square) break;
+    mean_square = next;
+  }
+  return mean_square;
+}
+
+/// Differences of one order in place; NaN where a sample was.
+void difference(std::vector<double>& x) {
+  for (std::size_t i = 0; i + 1 < x.size(); ++i) x[i] = x[i + 1] - x[i];
+  x.pop_back();
+}
+
+/// Does any of the changes [i, i + order) differ from 0?
+class Motion {
+ public:
+  explicit Motion(std::span<const double> values) : moved_(values.size(), 0) {
+    for (std::size_t i = 1; i < values.size(); ++i)
+      moved_[i] = moved_[i - 1] + (values[i] != values[i - 1] ? 1U : 0U);
+  }
+  bool within(std::size_t i, std::size_t order) const { return moved_[i + order] != moved_[i]; }
+
+ private:
+  std::vector<std::size_t> moved_;
+};
+
+}  // namespace
+
+double quantisationStep(std::span<const double> values) {
+  const std::vector<double> changes = changesOf(values);
+  if (changes.size() < kFewestDifferences) return 0.0;
+  const double least = *std::min_element(changes.begin(), changes.end());
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (const double change : changes)
+    if (change < 1.5 * least) sum += change, ++count;
+  const double step = sum / static_cast<double>(count);
+  std::size_t near = 0, whole = 0;
+  for (const double change : changes) {
+    const double multiple = change / step;
+    if (multiple > 10.5) continue;
+    ++near;
+    if (std::abs(multiple - std::round(multiple)) <= 0.05) ++whole;
+  }
+  const bool quantised = near >= kFewestDifferences && 20 * whole >= 19 * near;
+  return quantised ? step : 0.0;
+}
+
+double whiteNoise(std::span<const double> values) {
+  if (values.size() < kFewestDifferences) return 0.0;
+  const Motion motion(values);
+  std::vector<double> differences(values.begin(), values.end()), kept;
+  double least = std::numeric_limits<double>::infinity(), gain = 1.0;
+  for (std::size_t order = 1; order <= 6; ++order) {
+    difference(differences);
+    const auto d = static_cast<double>(order);
+    gain *= 2.0 * (2.0 * d - 1.0) / d;  // C(2d, d)
+    if (order == 1) continue;
+    kept.clear();
+    for (std::size_t i = 0; i < differences.size(); ++i)
+      if (std::isfinite(differences[i]) && motion.within(i, order)) kept.push_back(differences[i]);
+    if (kept.size() < kFewestDifferences) break;
+    least = std::min(least, trimmedMeanSquare(kept) / gain);
+  }
+  return std::isfinite(least) ? std::sqrt(least) : 0.0;
+}
+
+ChannelNoise channelNoise(std::span<const double> values) {
+  return {quantisationStep(values), whiteNoise(values)};
+}
+
+}  // namespace capstan::diagnosis

@@ -1,0 +1,400 @@
+#include "core/diagnosis/fit/chain_simulation.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/diagnosis/evidence/smooth_readings.h"
+#include "core/robot/chain/chain_state.h"
+#include "core/robot/chain/chain_step.h"
+
+namespace capstan::diagnosis {
+namespace {
+
+using robot::kChainLanes;
+
+constexpr double kLongestStep = 1e-3;        // of the integration [s]
+constexpr double kLongestFreeStep = 0.5e-3;  // of a rigid drive, whose errors add up [s]
+constexpr double kContactStep = 0.25e-3;     // likewise, where contacts open or cables yield [s]
+constexpr double kFastestTurn = 0.7;         // of an oscillation in one step [rad]
+constexpr int kMostSteps = 80;               // a row
+constexpr double kOutputStep = 5e-3;         // of what the kernel hands out [s]
+constexpr double kAfterRestart = 0.12;       // sights so soon after a restart may look behind it [s]
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+
+/// Position at row `begin` and slope of a column, from a line through its rows [begin, end).
+std::pair<double, double> lineAround(const std::vector<double>& column, std::size_t begin, std::size_t end,
+                                     double step) {
+  double n = 0, st = 0, stt = 0, sx = 0, stx = 0;
+  for (std::size_t k = begin; k < end; ++k) {
+    if (!std::isfinite(column[k])) continue;
+    const double t = static_cast<double>(k - begin) * step;
+    n += 1, st += t, stt += t * t, sx += column[k], stx += t * column[k];
+  }
+  const double det = n * stt - st * st;
+  if (n < 2 || det <= 0.0) return {n > 0 ? sx / n : kNothing, 0.0};
+  const double slope = (n * stx - st * sx) / det;
+  return {(sx - slope * st) / n, slope};
+}
+
+/// The same from a parabola: for a start that a long simulation has to bear.
+std::pair<double, double> parabolaFrom(const std::vector<double>& column, std::size_t begin, std::size_t end,
+                                       double step) {
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  const double span = static_cast<double>(end - begin) * step;
+  for (std::size_t k = begin; k < end; ++k) {
+    if (!std::isfinite(column[k])) continue;
+    const double s = static_cast<double>(k - begin) * step / span;
+    const Eigen::Vector3d row(1.0, s, s * s);
+    normal += row * row.transpose();
+    right += column[k] * row;
+  }
+  if (!(normal(0, 0) >= 4.0)) return lineAround(column, begin, end, step);
+  const Eigen::Vector3d found = normal.ldlt().solve(right);
+  return {found[0], found[1] / span};
+}
+
+/// None where none was estimated.
+ChannelNoise noiseOf(const std::vector<ChannelNoise>& noise, std::size_t joint) {
+  return joint < noise.size() ? noise[joint] : ChannelNoise{};
+}
+
+/// A column without its sensor's noise, segment by segment: what drives a simulation must not shake it.
+std::vector<double> smooth(const Evidence& evidence, std::vector<double> column, const ChannelNoise& noise) {
+  for (const Segment& segment : evidence.segments) {
+    const auto readings = std::span(column).subspan(segment.begin, segment.size());
+    std::ranges::copy(smoothReadings(readings, noise.floor()), readings.begin());
+  }
+  return column;
+}
+
+/// Torques as they were asked for; motor positions without the steps of their encoders, each of which would
+/// be a jerk of the cable.
+Columns driveOf(const Evidence& evidence) {
+  if (evidence.drive == DriveKind::kRigid) return evidence.tau_m;
+  Columns columns;
+  for (std::size_t j = 0; j < evidence.q_m.size(); ++j)
+    columns.push_back(smooth(evidence, evidence.q_m[j], noiseOf(evidence.noise.q_m, j)));
+  return columns;
+}
+
+/// Lane `lane` of a structure of lanes.
+template <template <class> class Of>
+void put(const Of<double>& from, int lane, Of<robot::ChainLane>& to) {
+  constexpr std::size_t kCount = sizeof(Of<double>) / sizeof(double);
+  static_assert(sizeof(Of<robot::ChainLane>) == kCount * sizeof(robot::ChainLane));
+  const double* numbers = reinterpret_cast<const double*>(&from);
+  auto* lanes = reinterpret_cast<robot::ChainLane*>(&to);
+  for (std::size_t k = 0; k < kCount; ++k) lanes[k].value[lane] = numbers[k];
+}
+
+}  // namespace
+
+ChainSimulation::ChainSimulation(const Evidence& evidence, const robot::Description& robot, double horizon)
+    : evidence_(evidence), chain_(robot), joints_(evidence.joints) {
+  stride_ = std::max(1, static_cast<int>(std::lround(kOutputStep / evidence.step)));
+  drive_ = driveOf(evidence);
+  rows_.t = evidence.t.data();
+  for (int j = 0; j < joints_; ++j) {
+    const auto at = static_cast<std::size_t>(j);
+    rows_.drive[j] = drive_[at].data();
+    if (evidence.tau_ext.empty()) continue;
+    load_.push_back(smooth(evidence, evidence.tau_ext[at], noiseOf(evidence.noise.tau_ext, at)));
+    signed_load_.push_back(
+        smooth(evidence, withSigns(evidence.tau_ext[at]), noiseOf(evidence.noise.tau_ext, at)));
+  }
+  for (std::size_t j = 0; j < load_.size(); ++j) {
+    rows_.load[j] = load_[j].data();
+    rows_.signed_load[j] = signed_load_[j].data();
+  }
+  findWindows(evidence.drive == DriveKind::kRigid ? horizon : 0.0);
+  findInitialStates(robot);
+  findSamples(robot);
+}
+
+void ChainSimulation::findWindows(double horizon) {
+  constexpr std::size_t kLeastWindow = 50;  // rows, of a coarse recording
+  const auto most =
+      horizon > 0.0 ? std::max(kLeastWindow, static_cast<std::size_t>(std::lround(horizon / evidence_.step)))
+                    : std::numeric_limits<std::size_t>::max() / 2;
+  for (const Segment& segment : evidence_.segments) {
+    const std::size_t pieces = std::max<std::size_t>(1, (segment.size() + most / 2) / most);
+    for (std::size_t k = 0; k < pieces; ++k)
+      windows_.push_back(
+          {segment.begin + k * segment.size() / pieces, segment.begin + (k + 1) * segment.size() / pieces});
+  }
+}
+
+void ChainSimulation::findInitialStates(const robot::Description& robot) {
+  const bool rigid = evidence_.drive == DriveKind::kRigid;
+  initial_.setZero(4 * joints_, static_cast<Eigen::Index>(windows_.size()));
+  const robot::ChainModel nominal(robot);
+  const auto reach = std::max<std::size_t>(4, static_cast<std::size_t>(0.02 / evidence_.step));
+  const bool whole = rigid && windows_.size() == evidence_.segments.size();
+  const auto startOf = whole ? parabolaFrom : lineAround;
+  for (std::size_t w = 0; w < windows_.size(); ++w) {
+    const Window& window = windows_[w];
+    robot::JointVector q_m = robot::JointVector::Zero(joints_);
+    for (int j = 0; j < joints_ && !rigid; ++j)
+      q_m[j] = evidence_.q_m[static_cast<std::size_t>(j)][window.begin];
+    const robot::JointVector from_motors = robot::jointsFromMotors(nominal, q_m);
+    for (int j = 0; j < joints_; ++j) {
+      std::pair<double, double> line{kNothing, 0.0};
+      if (evidence_.hasEncoders())
+        line = startOf(evidence_.q[static_cast<std::size_t>(j)], window.begin,
+                       std::min(window.end, window.begin + reach), evidence_.step);
+      if (!std::isfinite(line.first)) line.first = rigid ? nominal.shape.middle[j] : from_motors[j];
+      const auto at = static_cast<Eigen::Index>(w);
+      initial_(j, at) = line.first;
+      initial_(joints_ + j, at) = rigid ? line.second : 0.0;
+    }
+  }
+}
+
+void ChainSimulation::findSamples(const robot::Description& robot) {
+  const Evidence& e = evidence_;
+  std::vector<int> encoder_channel(static_cast<std::size_t>(joints_), -1);
+  for (int j = 0; j < joints_ && e.hasEncoders(); ++j) {
+    const auto at = static_cast<std::size_t>(j);
+    const bool turns = robot.joints[at].type == robot::JointType::kRevolute;
+    encoder_channel[at] = static_cast<int>(compared_.channels.size());
+    compared_.channels.push_back(
+        {"q" + std::to_string(j + 1), turns ? "rad" : "m", j + 1, -1, e.noise.q[at].floor()});
+  }
+  const int first_tip = static_cast<int>(compared_.channels.size());
+  for (int axis = 0; axis < 3 && e.hasCameras(); ++axis)
+    compared_.channels.push_back({std::string("tip ") + "xyz"[axis], "m", 0, axis,
+                                  e.noise.tip[static_cast<std::size_t>(axis)].floor()});
+  const int thin = std::max(1, static_cast<int>(std::lround(1.0 / (kComparedRate * e.step * stride_))));
+  const double skip = e.hasEncoders() ? 0.0 : kSettling;
+  std::vector<double> measured;
+  const auto add = [&](int channel, double t, double value) {
+    compared_.channel.push_back(channel);
+    compared_.t.push_back(t);
+    measured.push_back(value);
+    return measured.size() - 1;
+  };
+  for (const Window& window : windows_) {
+    compared_.window_begin.push_back(measured.size());
+    samples_.emplace_back();
+    sights_.emplace_back();
+    const std::size_t outputs = (window.end - window.begin - 1) / static_cast<std::size_t>(stride_) + 1;
+    for (int j = 0; j < joints_ && e.hasEncoders(); ++j)
+      for (std::size_t k = 0; k < outputs; k += static_cast<std::size_t>(thin)) {
+        const std::size_t row = window.begin + k * static_cast<std::size_t>(stride_);
+        const double q = e.q[static_cast<std::size_t>(j)][row];
+        if (!e.counts(row) || !std::isfinite(q)) continue;
+        const std::size_t number = add(encoder_channel[static_cast<std::size_t>(j)], e.t[row], q);
+        samples_.back().push_back({number, k, j});
+      }
+    std::vector<const TipSight*> seen;
+    const bool restarts = windows_.size() > e.segments.size();
+    const double from =
+        std::max(skip, restarts ? kAfterRestart : 0.0) / e.step + static_cast<double>(window.begin);
+    for (const TipSight& sight : e.tip)
+      if (sight.counts && sight.row >= from && sight.row <= static_cast<double>(window.end - 1))
+        seen.push_back(&sight);
+    const std::size_t first = measured.size();
+    for (int axis = 0; axis < 3; ++axis)
+      for (const TipSight* sight : seen) add(first_tip + axis, sight->t, sight->position[axis]);
+    for (std::size_t k = 0; k < seen.size(); ++k)
+      sights_.back().push_back(
+          {first + k, seen.size(), (seen[k]->row - static_cast<double>(window.begin)) / stride_});
+  }
+  compared_.window_begin.push_back(measured.size());
+  compared_.measured =
+      Eigen::Map<Eigen::VectorXd>(measured.data(), static_cast<Eigen::Index>(measured.size()));
+}
+
+robot::ChainShape ChainSimulation::shapeOf(std::span<const Robot> robots) const {
+  robot::ChainShape shape = robots.front().model->shape;
+  for (const Robot& robot : robots)
+    for (int j = 0; j < joints_; ++j) shape.laws[j] |= robot.model->shape.laws[j];
+  return shape;
+}
+
+int ChainSimulation::stepsFor(const robot::ChainModel& model) const {
+  double rate = 1.0 / (model.shape.rigid ? kLongestFreeStep : kLongestStep);
+  for (int j = 0; j < joints_; ++j)
+    if (model.shape.laws[j] & (robot::kLawPlay | robot::kLawSlack | robot::kLawHysteresis))
+      rate = 1.0 / kContactStep;
+  for (const double share : {-0.5, 0.0, 0.5}) {
+    robot::JointVector q(joints_);
+    for (int j = 0; j < joints_; ++j)
+      q[j] = model.shape.middle[j] + share / model.shape.inverse_half_range[j];
+    rate = std::max(rate, robot::chainOscillation(model, q) / kFastestTurn);
+  }
+  return std::isfinite(rate)
+             ? std::clamp(static_cast<int>(std::ceil(evidence_.step * rate - 1e-9)), 1, kMostSteps)
+             : kMostSteps;
+}
+
+robot::ChainState<double> ChainSimulation::initialState(const robot::ChainModel& model,
+                                                        const Eigen::MatrixXd* beyond,
+                                                        std::size_t window) const {
+  const auto at = static_cast<Eigen::Index>(window);
+  robot::JointVector q(joints_), dq(joints_), q_m(joints_);
+  for (int j = 0; j < joints_; ++j) {
+    q[j] = initial_(j, at) + (beyond ? (*beyond)(j, at) : 0.0);
+    dq[j] = initial_(joints_ + j, at) + (beyond ? (*beyond)(joints_ + j, at) : 0.0);
+    q_m[j] = rows_.drive[j][windows_[window].begin];
+  }
+  if (!evidence_.hasEncoders() && !model.shape.rigid) q = robot::jointsFromMotors(model, q_m);
+  robot::ChainState<double> state = robot::stateAt(model, q, dq);
+  if (model.shape.rigid) robot::windUp(model, inputAt(windows_[window].begin, windows_[window].begin), state);
+  for (int j = 0; j < joints_; ++j) {
+    const robot::JointNumbers<double>& p = model.numbers.joints[j];
+    state.motor[j] += beyond ? (*beyond)(2 * joints_ + j, at) : 0.0;
+    state.motor_rate[j] += beyond ? (*beyond)(3 * joints_ + j, at) : 0.0;
+    if (model.shape.laws[j] & robot::kLawCreep)
+      state.creep[j] =
+          p.creep_begun * p.creep_share / (1.0 + p.creep_share) * robot::stretchAt(model, j, q_m[j], q);
+  }
+  return state;
+}
+
+void ChainSimulation::simulate(std::span<const Robot> robots, Eigen::Ref<Eigen::MatrixXd> told) const {
+  simulate(rows_, robots, told);
+}
+
+void ChainSimulation::simulateShaken(const Robot& robot, base::Random& random,
+                                     Eigen::Ref<Eigen::MatrixXd> told) const {
+  const EvidenceNoise& noise = evidence_.noise;
+  const auto shaken = [&](std::vector<double> column, const ChannelNoise& of) {
+    for (double& x : column) x += random.normal(0.0, of.floor());
+    return smooth(evidence_, std::move(column), of);
+  };
+  robot::ChainRows rows = rows_;
+  Columns drive = drive_, load = load_, signed_load = signed_load_;
+  for (std::size_t j = 0; j < drive.size(); ++j) {
+    if (evidence_.drive == DriveKind::kCable)
+      rows.drive[j] = (drive[j] = shaken(std::move(drive[j]), noiseOf(noise.q_m, j))).data();
+    if (load.empty()) continue;
+    rows.load[j] = (load[j] = shaken(std::move(load[j]), noiseOf(noise.tau_ext, j))).data();
+    rows.signed_load[j] =
+        (signed_load[j] = shaken(std::move(signed_load[j]), noiseOf(noise.tau_ext, j))).data();
+  }
+  simulate(rows, {&robot, 1}, told);
+}
+
+void ChainSimulation::simulate(const robot::ChainRows& rows, std::span<const Robot> robots,
+                               Eigen::Ref<Eigen::MatrixXd> told) const {
+  static const robot::SimulateChain kernel = robot::simulateChainKernel();
+  const robot::ChainShape shape = shapeOf(robots);
+  const auto numbers = std::make_unique<robot::ChainNumbers<robot::ChainLane>>();
+  const auto state = std::make_unique<robot::ChainState<robot::ChainLane>>();
+  robot::ChainRun run;
+  run.stride = stride_;
+  for (int lane = 0; lane < kChainLanes; ++lane) {
+    const Robot& robot = robots[std::min<std::size_t>(static_cast<std::size_t>(lane), robots.size() - 1)];
+    put<robot::ChainNumbers>(robot.model->numbers, lane, *numbers);
+    if (static_cast<std::size_t>(lane) < robots.size())
+      run.steps = std::max(run.steps, stepsFor(*robot.model));
+  }
+  Lanes q, dq;
+  for (std::size_t w = 0; w < windows_.size(); ++w) {
+    for (int lane = 0; lane < kChainLanes; ++lane) {
+      const Robot& robot = robots[std::min<std::size_t>(static_cast<std::size_t>(lane), robots.size() - 1)];
+      put<robot::ChainState>(initialState(*robot.model, robot.initial, w), lane, *state);
+    }
+    run.begin = windows_[w].begin;
+    run.end = windows_[w].end;
+    const std::size_t outputs = (run.end - run.begin - 1) / static_cast<std::size_t>(stride_) + 1;
+    const std::size_t count = outputs * static_cast<std::size_t>(joints_);
+    if (q.size() < count) q.resize(count), dq.resize(count);
+    run.q = q.front().value;
+    run.dq = dq.front().value;
+    kernel(shape, *numbers, rows, run, *state);
+    tell(w, robots, q, dq, told);
+  }
+}
+
+void ChainSimulation::tell(std::size_t window, std::span<const Robot> robots, const Lanes& q, const Lanes& dq,
+                           Eigen::Ref<Eigen::MatrixXd> told) const {
+  const std::size_t outputs =
+      (windows_[window].end - windows_[window].begin - 1) / static_cast<std::size_t>(stride_) + 1;
+  for (std::size_t lane = 0; lane < robots.size(); ++lane) {
+    const auto column = static_cast<Eigen::Index>(lane);
+    for (const Sample& sample : samples_[window])
+      told(static_cast<Eigen::Index>(sample.number), column) =
+          q[sample.output * static_cast<std::size_t>(joints_) + static_cast<std::size_t>(sample.joint)]
+              .value[lane];
+    const robot::ChainModel& model = *robots[lane].model;
+    const double late = model.camera.delay / (evidence_.step * stride_);
+    for (const Sight& sight : sights_[window]) {
+      const Eigen::Vector3d tip = model.camera.tell(tipAt(sight.output - late, outputs, lane, q, dq));
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        told(static_cast<Eigen::Index>(sight.number + axis * sight.stride), column) =
+            tip[static_cast<Eigen::Index>(axis)];
+    }
+  }
+}
+
+Eigen::Vector3d ChainSimulation::tipAt(double output, std::size_t outputs, std::size_t lane, const Lanes& q,
+                                       const Lanes& dq) const {
+  const double x = std::clamp(output, 0.0, static_cast<double>(outputs - 1));
+  const auto k = std::min(static_cast<std::size_t>(x), outputs >= 2 ? outputs - 2 : 0);
+  const double s = outputs >= 2 ? x - static_cast<double>(k) : 0.0, h = evidence_.step * stride_;
+  const double s2 = s * s, s3 = s2 * s;
+  robot::JointVector at(joints_);
+  for (int j = 0; j < joints_; ++j) {  // cubic through both ends and their velocities
+    const std::size_t here = k * static_cast<std::size_t>(joints_) + static_cast<std::size_t>(j);
+    const std::size_t next = outputs >= 2 ? here + static_cast<std::size_t>(joints_) : here;
+    at[j] = (2 * s3 - 3 * s2 + 1) * q[here].value[lane] + (s3 - 2 * s2 + s) * h * dq[here].value[lane] +
+            (3 * s2 - 2 * s3) * q[next].value[lane] + (s3 - s2) * h * dq[next].value[lane];
+  }
+  return chain_.marker(at);
+}
+
+robot::ChainInput ChainSimulation::inputAt(std::size_t row, std::size_t next) const {
+  robot::ChainInput input;
+  input.t = evidence_.t[row];
+  input.dt = next > row ? evidence_.t[next] - evidence_.t[row] : evidence_.step;
+  for (int j = 0; j < joints_; ++j) {
+    input.torque[j] = input.motor[j] = rows_.drive[j][row];
+    input.motor_end[j] = rows_.drive[j][next];
+    input.load[j] = rows_.load[j] ? rows_.load[j][row] : 0.0;
+    input.signed_load[j] = rows_.signed_load[j] ? rows_.signed_load[j][row] : input.load[j];
+  }
+  return input;
+}
+
+SimulatedMotion ChainSimulation::motion(const robot::ChainModel& model) const {
+  const auto n = static_cast<std::size_t>(joints_);
+  SimulatedMotion motion;
+  for (Columns* columns : {&motion.q, &motion.dq, &motion.ddq, &motion.tau, &motion.stretch})
+    columns->assign(n, std::vector<double>(evidence_.rows(), 0.0));
+  const int steps = stepsFor(model);
+  robot::ChainStep<double> step(model.shape, model.numbers);
+  std::size_t w = 0;
+  for (const Segment& segment : evidence_.segments) {
+    while (w + 1 < windows_.size() && windows_[w].begin < segment.begin) ++w;
+    robot::ChainState<double> state = initialState(model, nullptr, w);
+    for (std::size_t k = segment.begin; k < segment.end; ++k) {
+      const std::size_t next = std::min(k + 1, segment.end - 1);
+      const robot::ChainInput input = inputAt(k, next);
+      step.look(input, state);
+      for (std::size_t j = 0; j < n; ++j) {
+        motion.q[j][k] = state.q[j];
+        motion.dq[j][k] = state.dq[j];
+        motion.ddq[j][k] = step.acceleration()[j];
+        motion.tau[j][k] = step.torque()[j];
+        motion.stretch[j][k] = step.stretch()[j];
+      }
+      if (next > k) step.advance(input, steps, state);
+    }
+  }
+  if (evidence_.hasCameras()) {
+    for (const TipSight& sight : evidence_.tip) {
+      const double row = std::max(sight.row - model.camera.delay / evidence_.step, 0.0);
+      robot::JointVector q(joints_);
+      for (int j = 0; j < joints_; ++j) q[j] = Evidence::at(motion.q[static_cast<std::size_t>(j)], row);
+      motion.tip.push_back(model.camera.tell(chain_.marker(q)));
+    }
+  }
+  return motion;
+}
+
+}  // namespace capstan::diagnosis

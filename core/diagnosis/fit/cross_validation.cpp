@@ -1,0 +1,180 @@
+#include "core/diagnosis/fit/cross_validation.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/random.h"
+#include "core/diagnosis/fit/linear_system.h"
+#include "core/stats/quantile.h"
+
+namespace capstan::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// The instant of something that happens once: one block alone knows it.
+bool isEvent(const FitParameter& parameter) { return parameter.name.ends_with(".time"); }
+
+/// Weighted Jacobian and residual of the free parameters, and which rows each block has.
+struct FreeSystem {
+  std::vector<Index> free;
+  MatrixXd jacobian;
+  VectorXd e;
+  MatrixXd normal;  ///< Jᵀ J + priors
+  std::vector<std::vector<Index>> rows;
+
+  FreeSystem(const FitData& data, const Fit& fit, const Trust& trust, bool hold_events) {
+    for (Index k = 0; k < fit.u.size(); ++k) {
+      const bool held = !fit.bound.empty() && fit.bound[static_cast<std::size_t>(k)];
+      if (!held && !(hold_events && isEvent(fit.model.parameters()[static_cast<std::size_t>(k)])))
+        free.push_back(k);
+    }
+    jacobian = trust.weights.asDiagonal() * fit.jacobian(Eigen::all, free);
+    e = trust.weights.cwiseProduct(fit.e);
+    normal = jacobian.transpose() * jacobian;
+    normal.diagonal() += priorPrecision(fit.model)(free);
+    rows.resize(static_cast<std::size_t>(data.blocks()));
+    for (std::size_t i = 0; i < data.block().size(); ++i)
+      rows[static_cast<std::size_t>(data.block()[i])].push_back(static_cast<Index>(i));
+  }
+};
+
+/// Remainder of one channel, a run a block.
+using Runs = std::vector<std::vector<double>>;
+
+double covarianceAt(const Runs& runs, std::size_t lag) {
+  double sum = 0.0, count = 0.0;
+  for (const std::vector<double>& run : runs)
+    for (std::size_t i = 0; i + lag < run.size(); ++i) sum += run[i] * run[i + lag], count += 1.0;
+  return count > 0.0 ? sum / count : 0.0;
+}
+
+/// Numbers in which a run forgets itself: 1 + 2 Σ ρ_k up to the first ρ_k that is not positive. Not centred:
+/// a mean of its own is remembered, too.
+double correlationTime(const Runs& runs) {
+  const double variance = covarianceAt(runs, 0);
+  double time = 1.0;
+  for (std::size_t lag = 1; variance > 0.0; ++lag) {
+    const double rho = covarianceAt(runs, lag) / variance;
+    if (!(rho > 0.0)) break;
+    time += 2.0 * rho;
+  }
+  return time;
+}
+
+}  // namespace
+
+BlockSquares squaresOf(const FitData& data, const VectorXd& e) {
+  const auto channels = static_cast<Index>(data.channels().size());
+  BlockSquares squares{MatrixXd::Zero(channels, data.blocks()), MatrixXd::Zero(channels, data.blocks()),
+                       VectorXd::Ones(channels)};
+  MatrixXd sum = MatrixXd::Zero(channels, data.blocks());
+  std::vector<Runs> runs(static_cast<std::size_t>(channels), Runs(static_cast<std::size_t>(data.blocks())));
+  for (std::size_t i = 0; i < data.channel().size(); ++i) {
+    const double x = e[static_cast<Index>(i)];
+    const int c = data.channel()[i], b = data.block()[i];
+    squares.sum(c, b) += x * x;
+    squares.count(c, b) += 1.0;
+    sum(c, b) += x;
+    runs[static_cast<std::size_t>(c)][static_cast<std::size_t>(b)].push_back(x);
+  }
+  for (Index c = 0; c < channels; ++c) {
+    const double total = squares.sum.row(c).sum(), n = squares.count.row(c).sum();
+    if (!(total > 0.0)) continue;
+    const double between = sum.row(c).squaredNorm() / total;
+    squares.inflation[c] = std::clamp(std::max(between, correlationTime(runs[static_cast<std::size_t>(c)])),
+                                      1.0, std::max(1.0, n / 8.0));
+  }
+  return squares;
+}
+
+VectorXd leftOut(const FitData& data, const Fit& fit, const Trust& trust) {
+  const FreeSystem system(data, fit, trust, true);
+  const int folds = std::min(kFolds, data.blocks());
+  std::vector<VectorXd> numbers;
+  for (int f = 0; f < folds; ++f) {
+    MatrixXd others = system.normal;
+    VectorXd score = VectorXd::Zero(system.jacobian.cols());
+    for (int b = f; b < data.blocks(); b += folds) {
+      const std::vector<Index>& rows = system.rows[static_cast<std::size_t>(b)];
+      const MatrixXd part = system.jacobian(rows, Eigen::all);
+      others -= part.transpose() * part;
+      score += part.transpose() * system.e(rows);
+    }
+    const VectorXd step = others.ldlt().solve(-score).cwiseMax(-kLongestWay).cwiseMin(kLongestWay);
+    VectorXd u = fit.u;
+    for (std::size_t k = 0; k < system.free.size(); ++k) u[system.free[k]] += step[static_cast<Index>(k)];
+    numbers.push_back(fit.model.clipped(u));
+  }
+  const MatrixXd e = residualsWith(data, fit, numbers, trust);
+  VectorXd left(data.size());
+  for (Index i = 0; i < left.size(); ++i) left[i] = e(i, data.block()[static_cast<std::size_t>(i)] % folds);
+  return left;
+}
+
+MatrixXd covarianceOf(const FitData& data, const Fit& fit, const Trust& trust) {
+  const FreeSystem system(data, fit, trust, false);
+  const auto p = static_cast<Index>(system.free.size());
+  const MatrixXd model = system.normal.ldlt().solve(MatrixXd::Identity(p, p));
+  MatrixXd meat = MatrixXd::Zero(p, p);
+  for (const std::vector<Index>& rows : system.rows) {
+    if (rows.empty()) continue;
+    const VectorXd score = system.jacobian(rows, Eigen::all).transpose() * system.e(rows);
+    meat += score * score.transpose();
+  }
+  const double blocks = static_cast<double>(system.rows.size());
+  MatrixXd sandwich = model * meat * model * (blocks / std::max(blocks - 1.0, 1.0));
+  MatrixXd covariance = MatrixXd::Zero(fit.u.size(), fit.u.size());
+  VectorXd stretch(p);
+  for (Index k = 0; k < p; ++k) stretch[k] = std::sqrt(std::max(1.0, sandwich(k, k) / model(k, k)));
+  const MatrixXd free = stretch.asDiagonal() * model * stretch.asDiagonal();
+  for (Index i = 0; i < p; ++i)
+    for (Index j = 0; j < p; ++j)
+      covariance(system.free[static_cast<std::size_t>(i)], system.free[static_cast<std::size_t>(j)]) =
+          free(i, j);
+  return covariance;
+}
+
+Comparison::Comparison(Index blocks, int draws, std::uint64_t seed) {
+  times_ = MatrixXd::Zero(blocks, draws + 1);
+  times_.col(0).setOnes();
+  base::Random random(seed, "block bootstrap");
+  for (Index d = 1; d <= draws; ++d)
+    for (Index b = 0; b < blocks; ++b)
+      times_(static_cast<Index>(random.bits() % static_cast<std::uint64_t>(blocks)), d) += 1.0;
+}
+
+std::vector<double> Comparison::gain(const BlockSquares& worse, const BlockSquares& better) const {
+  const MatrixXd n = worse.count * times_, before = worse.sum * times_, after = better.sum * times_;
+  std::vector<double> gains(static_cast<std::size_t>(times_.cols()), 0.0);
+  for (Index d = 0; d < times_.cols(); ++d)
+    for (Index c = 0; c < n.rows(); ++c) {
+      if (!(n(c, d) > 0.0) || !(before(c, d) > 0.0) || !(after(c, d) > 0.0)) continue;
+      const double samples = n(c, d) / std::min(worse.inflation[c], better.inflation[c]);
+      gains[static_cast<std::size_t>(d)] += 0.5 * samples * std::log(before(c, d) / after(c, d));
+    }
+  return gains;
+}
+
+Reduction largestReduction(const BlockSquares& worse, const BlockSquares& better) {
+  constexpr double kNone = -1e9;
+  Reduction largest{kNone, 0};
+  for (Index c = 0; c < worse.sum.rows(); ++c) {
+    const double before = worse.sum.row(c).sum(), after = better.sum.row(c).sum();
+    if (before > 0.0 && 1.0 - after / before > largest.share)
+      largest = {1.0 - after / before, static_cast<int>(c)};
+  }
+  return largest.share == kNone ? Reduction{} : largest;
+}
+
+double lowerOf(const std::vector<double>& gain, double p) {
+  std::vector<double> draws(gain.begin() + 1, gain.end());
+  if (draws.empty()) return gain.front();
+  std::sort(draws.begin(), draws.end());
+  return draws[static_cast<std::size_t>(p * static_cast<double>(draws.size() - 1))];
+}
+
+}  // namespace capstan::diagnosis

@@ -1,0 +1,132 @@
+#include "core/diagnosis/fit/fit_step.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace capstan::diagnosis {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr double kLongestStep = 3.0;  // of any u in one iteration
+
+struct Attempt {
+  double damping, length;
+};
+constexpr Attempt kAttempts[] = {{0.0, 1.0},  {0.0, 0.5},  {0.0, 0.2},  {1e-2, 1.0}, {1e-2, 0.5}, {1e-2, 0.2},
+                                 {0.1, 1.0},  {0.1, 0.5},  {0.1, 0.2},  {1.0, 1.0},  {1.0, 0.5},  {1.0, 0.2},
+                                 {10.0, 1.0}, {10.0, 0.5}, {10.0, 0.2}, {100.0, 1.0}};
+/// Of rigid drives, each with some shares of the initial states' way.
+constexpr double kShares[] = {1.0, 0.4, 0.1};
+constexpr Attempt kRigidAttempts[] = {{0.0, 1.0}, {0.0, 0.4}, {0.0, 0.1}, {0.1, 1.0}, {1.0, 1.0}};
+
+/// Initial states as a step of u moves them, and by `share` of the way to where the linearisation puts them.
+InitialStates movedStates(const FitData& data, const System& system, const VectorXd& step, double share) {
+  InitialStates initial = following(data, system.at, step);
+  if (data.rigid())
+    forStretches(data, [&](std::size_t r, Index w, std::size_t stretch) {
+      initial[r].col(w) += share * system.off_residual[stretch].col(0);
+    });
+  return initial;
+}
+
+/// Each attempt with each share, side by side; not judged yet.
+std::vector<Trial> simulated(const FitData& data, const System& system, const BoundedStep& stepFor,
+                             std::span<const Attempt> attempts, std::span<const double> shares) {
+  const FitModel& model = system.at.model;
+  std::vector<Trial> trials;
+  std::vector<robot::ChainModel> robots;
+  std::vector<InitialStates> starts;
+  for (const auto& [damping, length] : attempts) {
+    VectorXd step = stepFor(damping);
+    const double longest = step.size() ? step.cwiseAbs().maxCoeff() : 0.0;
+    step *= length * std::min(1.0, kLongestStep / std::max(longest, 1e-12));
+    const VectorXd u = model.clipped(system.at.u + step);
+    for (const double share : shares) {
+      trials.push_back({u, {}, movedStates(data, system, u - system.at.u, share)});
+      robots.push_back(model.chain(u));
+      starts.push_back(trials.back().initial);
+    }
+  }
+  const MatrixXd told = data.simulate(robots, starts);
+  for (std::size_t k = 0; k < trials.size(); ++k)
+    trials[k].e = data.measured() - told.col(static_cast<Index>(k));
+  return trials;
+}
+
+/// Of trials with the same u, each stretch from the one whose initial states suit it best.
+Trial mixed(const FitData& data, std::span<const Trial> trials, const Trust& trust) {
+  Trial best = trials.front();
+  forStretches(data, [&](std::size_t r, Index w, std::size_t stretch) {
+    const auto [begin, end] = data.stretches()[stretch];
+    const VectorXd weight = trust.weights.segment(begin, end - begin);
+    double least = std::numeric_limits<double>::infinity();
+    for (const Trial& trial : trials) {
+      const double misfit = weight.cwiseProduct(trial.e.segment(begin, end - begin)).squaredNorm();
+      if (!(misfit < least)) continue;
+      least = misfit;
+      best.e.segment(begin, end - begin) = trial.e.segment(begin, end - begin);
+      best.initial[r].col(w) = trial.initial[r].col(w);
+    }
+  });
+  return best;
+}
+
+}  // namespace
+
+VectorXd BoundedStep::operator()(double damping, std::vector<bool>* bound) const {
+  std::vector<bool> held(static_cast<std::size_t>(u_.size()), false);
+  VectorXd step;
+  for (int pass = 0; pass < 4; ++pass) {
+    step = solve(damping, held);
+    const VectorXd kept = model_.clipped(u_ + step);
+    bool more = false;
+    for (Index k = 0; k < u_.size(); ++k) {
+      const bool stays = std::abs(kept[k] - u_[k]) < 1e-9 && std::abs(step[k]) > 1e-9;
+      if (!stays || held[static_cast<std::size_t>(k)]) continue;
+      held[static_cast<std::size_t>(k)] = more = true;
+    }
+    if (!more) break;
+  }
+  if (bound) *bound = held;
+  return step;
+}
+
+VectorXd BoundedStep::solve(double damping, const std::vector<bool>& held) const {
+  MatrixXd a = normal_;
+  VectorXd b = gradient_;
+  a.diagonal() *= 1.0 + damping;
+  for (Index k = 0; k < u_.size(); ++k) {
+    if (!held[static_cast<std::size_t>(k)]) continue;
+    a.row(k).setZero();
+    a.col(k).setZero();
+    a(k, k) = 1.0;
+    b[k] = 0.0;
+  }
+  return a.ldlt().solve(b);
+}
+
+Trial bestOf(const FitData& data, const System& system, const BoundedStep& stepFor, const Trust& trust) {
+  const std::size_t shares = data.rigid() ? std::size(kShares) : 1;
+  const std::vector<Trial> trials =
+      data.rigid() ? simulated(data, system, stepFor, kRigidAttempts, kShares)
+                   : simulated(data, system, stepFor, kAttempts, std::span(kShares).first(1));
+  const VectorXd precision = nuisancePrecision(data, system.at.model.chain(system.at.u));
+  Trial best;
+  for (std::size_t k = 0; k < trials.size(); k += shares) {
+    Trial trial = data.rigid() ? mixed(data, std::span(trials).subspan(k, shares), trust) : trials[k];
+    if (!trial.e.allFinite()) continue;
+    const VectorXd as_simulated = trial.e;
+    takeOffNuisances(data, system.at.nuisance, precision, trust.weights, trial.e);
+    trial.objective = reached(data, system.at.model, trial.u, as_simulated, trial.e, trust);
+    if (best.u.size() == 0 || trial.objective < best.objective) best = std::move(trial);
+  }
+  return best;
+}
+
+}  // namespace capstan::diagnosis

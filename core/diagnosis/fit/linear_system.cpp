@@ -1,0 +1,189 @@
+#include "core/diagnosis/fit/linear_system.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace capstan::diagnosis {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr double kDifference = 1e-3;  // of u, for derivatives
+
+/// Turns of the motor by one of the joint.
+double ratioOf(const robot::ChainModel& model, int j) {
+  return model.numbers.joints[j].link_radius / model.numbers.joints[j].lever;
+}
+
+/// Rate of a compliant motor on its cable, the joint held [rad/s].
+double motorRate(const robot::ChainModel& model, int j) {
+  const robot::JointNumbers<double>& p = model.numbers.joints[j];
+  return p.lever / std::sqrt(p.compliance * p.motor_inertia);
+}
+
+/// Small changes of the initial states: of joint positions by their range, of speeds by the largest, of
+/// compliant motors as their joints; 0: a state that the robot does not have.
+VectorXd initialDifferences(const robot::ChainModel& model) {
+  const int n = model.shape.joints;
+  VectorXd h = VectorXd::Zero(4 * n);
+  for (int j = 0; j < n; ++j) {
+    h[j] = 1e-5 / model.shape.inverse_half_range[j];
+    h[n + j] = 1e-5 * model.shape.fastest[j];
+    if (!(model.shape.laws[j] & robot::kLawCompliance)) continue;
+    h[2 * n + j] = ratioOf(model, j) * h[j];
+    h[3 * n + j] = ratioOf(model, j) * h[n + j];
+  }
+  return h;
+}
+
+InitialStates shifted(InitialStates initial, Index state, double h) {
+  for (MatrixXd& x : initial) x.row(state).array() += h;
+  return initial;
+}
+
+/// Ones where an encoder of joint j told.
+MatrixXd encoderZeros(const FitData& data, int joints) {
+  MatrixXd zeros = MatrixXd::Zero(data.size(), joints);
+  for (std::size_t i = 0; i < data.channel().size(); ++i) {
+    const ComparedChannel& channel = data.channels()[static_cast<std::size_t>(data.channel()[i])];
+    if (channel.joint > 0) zeros(static_cast<Index>(i), channel.joint - 1) = 1.0;
+  }
+  return zeros;
+}
+
+/// Place of the parameter in another model that has it in the same terms; −1: none.
+int placeIn(const FitModel& other, const FitParameter& parameter) {
+  for (int k = 0; k < other.size(); ++k) {
+    const FitParameter& p = other.parameters()[static_cast<std::size_t>(k)];
+    if (p.name == parameter.name && p.joint == parameter.joint && p.scale == parameter.scale &&
+        p.logarithmic == parameter.logarithmic)
+      return k;
+  }
+  return -1;
+}
+
+/// u with number k moved a little, away from a bound.
+VectorXd moved(const FitModel& model, const VectorXd& u, int k) {
+  VectorXd to = u;
+  to[k] += kDifference;
+  if ((model.clipped(to) - to).cwiseAbs().maxCoeff() > 1e-12) to[k] -= 2.0 * kDifference;
+  return to;
+}
+
+}  // namespace
+
+VectorXd nuisancePrecision(const FitData& data, const robot::ChainModel& model) {
+  const int n = model.shape.joints;
+  if (!data.rigid()) return VectorXd::Zero(n);
+  constexpr double kWholeSlope = 500.0;  // of the noise [1/s]
+  constexpr double kMotorSwing = 0.1;    // of compliant motors, in what joint speeds are off
+  const ChainSimulation& first = data.simulation(0);
+  const bool whole = first.windows().size() == first.evidence().segments.size();
+  VectorXd precision = VectorXd::Ones(4 * n);  // of what is not there: anything
+  for (int j = 0; j < n; ++j) {
+    double noise = 0.0;
+    for (const ComparedChannel& channel : data.channels())
+      if (channel.joint == j + 1) noise = std::max(noise, channel.noise);
+    const double position = noise > 0.0 ? 4.0 * noise : 0.1 / model.shape.inverse_half_range[j];
+    const double most = 0.1 * model.shape.fastest[j] / 20.0;
+    const double speed = whole && noise > 0.0 ? std::min(kWholeSlope * noise, most) : most;
+    precision[j] = 1.0 / (position * position);
+    precision[n + j] = 1.0 / (speed * speed);
+    if (!(model.shape.laws[j] & robot::kLawCompliance)) continue;
+    const double swing = kMotorSwing * ratioOf(model, j) * most, arc = swing / motorRate(model, j);
+    precision[2 * n + j] = 1.0 / (arc * arc);
+    precision[3 * n + j] = 1.0 / (swing * swing);
+  }
+  return precision;
+}
+
+std::vector<MatrixXd> takeOffNuisances(const FitData& data, const MatrixXd& nuisance,
+                                       const VectorXd& precision, const VectorXd& weights,
+                                       Eigen::Ref<MatrixXd> x) {
+  std::vector<MatrixXd> coefficients;
+  if (nuisance.cols() == 0) return coefficients;
+  for (const auto& [begin, end] : data.stretches()) {
+    const MatrixXd part = nuisance.middleRows(begin, end - begin);
+    const MatrixXd heavy = weights.segment(begin, end - begin).cwiseAbs2().asDiagonal() * part;
+    MatrixXd normal = heavy.transpose() * part;
+    normal.diagonal() += precision;
+    normal.diagonal() *= 1.0 + 1e-12;
+    coefficients.push_back(normal.ldlt().solve(heavy.transpose() * x.middleRows(begin, end - begin)));
+    x.middleRows(begin, end - begin) -= part * coefficients.back();
+  }
+  return coefficients;
+}
+
+double reached(const FitData& data, const FitModel& model, const VectorXd& u, const VectorXd& simulated,
+               const VectorXd& taken_off, const Trust& trust) {
+  return objectiveOf(model, u, data.rigid() ? simulated : taken_off, trust);
+}
+
+System systemAt(const FitData& data, const FitModel& model, const VectorXd& u, const InitialStates& initial,
+                const Trust& trust, const Fit* known) {
+  const int p = model.size();
+  std::vector<robot::ChainModel> robots(1, model.chain(u));
+  MatrixXd jacobian(data.size(), p);
+  std::vector<std::pair<int, double>> steps;  // parameters to simulate, and how far they move
+  for (int k = 0; k < p; ++k) {
+    const int place = known ? placeIn(known->model, model.parameters()[static_cast<std::size_t>(k)]) : -1;
+    if (place >= 0) {
+      jacobian.col(k) = known->jacobian.col(place);
+      continue;
+    }
+    const VectorXd to = moved(model, u, k);
+    steps.emplace_back(k, to[k] - u[k]);
+    robots.push_back(model.chain(to));
+  }
+  std::vector<InitialStates> starts(robots.size(), initial);
+  const VectorXd h = initialDifferences(robots.front());
+  for (Index s = 0; data.rigid() && s < h.size(); ++s) {
+    if (h[s] == 0.0) continue;
+    robots.push_back(robots.front());
+    starts.push_back(shifted(initial, s, h[s]));
+  }
+  const MatrixXd told = data.simulate(robots, starts);
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    jacobian.col(steps[i].first) = (told.col(static_cast<Index>(i) + 1) - told.col(0)) / steps[i].second;
+  System system{{model, u, initial, data.measured() - told.col(0), std::move(jacobian)}, {}, {}};
+  if (data.rigid()) {
+    system.at.nuisance.setZero(data.size(), h.size());
+    auto shifted_column = static_cast<Index>(steps.size()) + 1;
+    for (Index s = 0; s < h.size(); ++s)
+      if (h[s] != 0.0) system.at.nuisance.col(s) = (told.col(shifted_column++) - told.col(0)) / h[s];
+  } else if (data.zerosFree()) {
+    system.at.nuisance = encoderZeros(data, robots.front().shape.joints);
+  }
+  const VectorXd precision = nuisancePrecision(data, robots.front());
+  const VectorXd simulated = system.at.e;
+  system.off_residual = takeOffNuisances(data, system.at.nuisance, precision, trust.weights, system.at.e);
+  system.at.taken_off =
+      takeOffNuisances(data, system.at.nuisance, precision, trust.weights, system.at.jacobian);
+  system.at.objective = objectiveOf(model, u, system.at.e, trust);
+  system.objective = reached(data, model, u, simulated, system.at.e, trust);
+  return system;
+}
+
+VectorXd priorPrecision(const FitModel& model) {
+  VectorXd precision(model.size());
+  for (int k = 0; k < model.size(); ++k) {
+    const double prior = model.parameters()[static_cast<std::size_t>(k)].prior;
+    precision[k] = 1.0 / (prior * prior);
+  }
+  return precision;
+}
+
+InitialStates following(const FitData& data, const Fit& at, const VectorXd& step) {
+  InitialStates initial = at.initial;
+  if (data.rigid())
+    forStretches(data, [&](std::size_t r, Index w, std::size_t stretch) {
+      initial[r].col(w) -= at.taken_off[stretch] * step;
+    });
+  return initial;
+}
+
+}  // namespace capstan::diagnosis

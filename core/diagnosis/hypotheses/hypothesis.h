@@ -1,0 +1,82 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/diagnosis/evidence/evidence.h"
+#include "core/robot/effects.h"
+
+namespace capstan::diagnosis {
+
+/// Where in the chain from motor to camera an effect sits.
+enum class Place { kTransmission, kCable, kFriction, kRigidBody, kSensor, kClock };
+
+/// What people are told of a hypothesis.
+struct HypothesisWords {
+  std::string_view title;       ///< "Backlash of the cable drive"
+  std::string_view what;        ///< in plain words, one or two sentences
+  std::string_view equation;    ///< plain text, symbols of the papers
+  std::string_view source;      ///< where the equation is from
+  std::string_view changes;     ///< what it does to the model
+  std::string_view signature;   ///< how the remainder looks
+  std::string_view experiment;  ///< the motion that would show it best
+};
+
+/// The sizes that a robot's numbers suggest, for starts of fits: SI, of one joint.
+struct JointScales {
+  double range = 0.0;      ///< of the joint limits [rad or m]
+  double speed = 0.0;      ///< top speed that the recording shows [rad/s or m/s]
+  double coulomb = 0.0;    ///< refitted Coulomb friction [N·m or N]
+  double viscous = 0.0;    ///< refitted viscous friction
+  double inertia = 0.0;    ///< of the mass matrix's diagonal at the middle [kg·m² or kg]
+  double radius = 0.0;     ///< r_l [m/rad or m/m]
+  double capstan = 0.0;    ///< r_mc [m]
+  double gear = 1.0;       ///< N
+  double stiffness = 0.0;  ///< 2 k_e a [N/m]; 0: a rigid drive
+  double stretch = 0.0;    ///< largest of the cable in the recording, simulated [m]
+  double load = 0.0;       ///< largest that is measured [N·m or N]; 0: none is
+  double duration = 0.0;   ///< of the recording [s]
+  int joints = 1;
+};
+
+/// One start of a fit: values in the order of EffectFacts::parameters. Each carries its scale, the size that
+/// would be large; 0 keeps the value as it is in this fit.
+struct EffectStart {
+  std::vector<double> value;
+  std::vector<double> scale;
+};
+
+/// A physical cause that diagnosis can name. Stateless; one file each in hypotheses/.
+class Hypothesis {
+ public:
+  virtual ~Hypothesis() = default;
+  const robot::EffectFacts& facts() const { return *facts_; }
+  std::string_view name() const { return facts_->name; }
+  virtual Place place() const = 0;
+  virtual const HypothesisWords& words() const = 0;
+  /// Values at which the model is the nominal one, in the order of the parameters.
+  virtual std::vector<double> neutral() const = 0;
+  /// Grid of starts for joint `joint` (from 1; 0: whole arm): shapes that are not linear in their numbers
+  /// have several. Never empty where the hypothesis makes sense.
+  virtual std::vector<EffectStart> starts(const JointScales& scales, int joint) const = 0;
+  /// Size up to which every robot has some of it, in the unit of size(); 0: none.
+  virtual double everyday(const JointScales&) const { return 0.0; }
+  /// The cable remembers what was before the recording: how far, is one more number of a fit.
+  virtual bool remembers() const { return false; }
+  /// One number that tells how much of the effect there is: usually the first parameter's magnitude.
+  virtual double size(const std::vector<double>& values) const;
+
+ protected:
+  explicit Hypothesis(std::string_view name);
+
+ private:
+  const robot::EffectFacts* facts_;
+};
+
+/// The library, in the order of robot::effectFacts().
+const std::vector<const Hypothesis*>& hypotheses();
+/// Null: none of this name.
+const Hypothesis* hypothesisNamed(std::string_view name);
+
+}  // namespace capstan::diagnosis

@@ -1,0 +1,276 @@
+#include "core/diagnosis/poses/pose_diagnosis.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/diagnosis/poses/pose_channels.h"
+#include "core/diagnosis/poses/pose_selection.h"
+#include "core/diagnosis/report/report_tables.h"
+#include "core/diagnosis/residuals/remainder_process.h"
+#include "core/diagnosis/selection/gains.h"
+#include "core/diagnosis/selection/verdict.h"
+#include "core/stats/quantile.h"
+
+namespace capstan::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix3Xd;
+
+PoseReference referenceOf(const PoseEvidence& evidence, const PoseOptions& options) {
+  if (options.towards) return *options.towards;
+  return evidence.robot.rows > 0 ? PoseReference::kKinematics : PoseReference::kCommand;
+}
+
+std::vector<PoseHypothesis> chosen(std::vector<PoseHypothesis> all, const std::vector<std::string>& only) {
+  if (only.empty()) return all;
+  std::vector<PoseHypothesis> some;
+  for (const std::string& name : only) {
+    const auto found = std::ranges::find(all, name, &PoseHypothesis::name);
+    if (found != all.end()) {
+      some.push_back(*found);
+      continue;
+    }
+    std::string names;
+    for (const PoseHypothesis& one : all) names += (names.empty() ? "" : ", ") + std::string(one.name);
+    throw base::InputError(
+        {"", 0, "only", name, "is no effect that these poses can show", "Effects: " + names});
+  }
+  return some;
+}
+
+class Work {
+ public:
+  Work(const PoseEvidence& evidence, const PoseOptions& options, PoseReport& result)
+      : options_(options), result_(result), report_(result.report), fitted_({}), held_out_({}) {
+    result.towards = referenceOf(evidence, options);
+    std::vector<PoseMotion> motions = motionsOf(evidence, result.towards), fitted, held_out;
+    for (std::size_t k = 0; k < motions.size(); ++k)
+      (k % kHeldOut == kHeldOut - 1 ? held_out : fitted).push_back(std::move(motions[k]));
+    fitted_ = PoseData(std::move(fitted));
+    held_out_ = PoseData(std::move(held_out));
+    result.fitted = fitted_.motions().size();
+    result.held_out = held_out_.motions().size();
+    effects_ = chosen(poseHypotheses(result.towards, evidence.turns), options.only);
+  }
+
+  void run(base::Progress* progress) {
+    selection_ = selectPoses(fitted_, effects_, options_.seed, progress);
+    report_.candidates = selection_.candidates;
+    lap("select");
+    addSteps();
+    noise_ = noiseOf(held_out_, remainders_.back());
+    addCauses();
+    addChannels();
+    judge();
+    lap("judge");
+    if (options_.show && somethingLeft()) addProcess(progress);
+    lap("show");
+  }
+
+  void addRobots(const robot::Description& nominal) {
+    report_.refitted = report_.extended = nominal;
+    if (result_.towards != PoseReference::kKinematics) return;
+    for (const Cause& cause : report_.causes) {
+      if (!robot::effectNamed(cause.effect)) continue;
+      robot::Effect effect{cause.effect, cause.joint, {}};
+      for (const FoundParameter& one : cause.parameters) effect.values.push_back({one.name, one.value});
+      report_.extended.effects.push_back(std::move(effect));
+    }
+  }
+
+ private:
+  void lap(const char* name) {
+    const auto now = std::chrono::steady_clock::now();
+    report_.stages.push_back({name, std::chrono::duration<double>(now - last_).count()});
+    last_ = now;
+  }
+
+  Matrix3Xd heldOut(const PoseFit& fit) const {
+    return remainderOf(held_out_, numbersOf(fit.effects, fit.value));
+  }
+
+  void addStep(const PoseFit& fit, const std::string& effect) {
+    const Matrix3Xd e = heldOut(fit);
+    const BlockSquares squares = squaresOf(held_out_, e);
+    BlockSquares together{squares.sum.colwise().sum(), squares.count.row(0), {}};
+    const Gain gain = gainOf(ComparedChannel{}, together, together, 0);
+    PoseStep step{effect, gain.rms_after, gain.after, {}, 0.0};
+    for (Index axis = 0; axis < 3; ++axis)
+      step.axis[static_cast<std::size_t>(axis)] =
+          std::sqrt(squares.sum.row(axis).sum() / squares.count.row(axis).sum());
+    const Eigen::VectorXd distance = e.colwise().norm();
+    step.median = stats::median({distance.data(), static_cast<std::size_t>(distance.size())});
+    result_.steps.push_back(step);
+    remainders_.push_back(e);
+    squares_.push_back(squares);
+  }
+
+  /// Effects one by one, those known until then fitted anew each time.
+  void addSteps() {
+    PoseFit fit = selection_.base;
+    addStep(fit, {});
+    for (const PoseTaken& taken : selection_.taken) {
+      const bool last = &taken == &selection_.taken.back();
+      fit = last ? selection_.best : with(fitted_, fit, taken.effect);
+      addStep(fit, std::string(taken.effect.name));
+    }
+  }
+
+  Cause causeOf(const PoseHypothesis& effect, double probability) const {
+    Cause cause;
+    cause.effect = effect.name;
+    cause.probability = probability;
+    const Index place = selection_.best.placeOf(effect.name);
+    if (place < 0) return cause;
+    const Eigen::MatrixXd covariance = covarianceOf(fitted_, selection_.best);
+    for (std::size_t i = 0; i < effect.size(); ++i) {
+      const Index at = place + static_cast<Index>(i);
+      const robot::EffectParameter& parameter = (*effect.parameters)[i];
+      cause.parameters.push_back({std::string(parameter.name), std::string(parameter.unit),
+                                  selection_.best.value[at], std::sqrt(covariance(at, at))});
+    }
+    return cause;
+  }
+
+  Gain gainBetween(std::size_t before, std::size_t after, int axis) const {
+    return gainOf(comparedChannel(axis, noise_), squares_[before], squares_[after], axis);
+  }
+
+  void addCauses() {
+    for (std::size_t k = 0; k < selection_.taken.size(); ++k) {
+      const PoseTaken& taken = selection_.taken[k];
+      Cause cause = causeOf(taken.effect, taken.needed);
+      cause.gain = gainBetween(k, k + 1, largestReduction(squares_[k], squares_[k + 1]).channel);
+      if (!taken.rivals.empty()) addTie(taken, cause);
+      report_.causes.push_back(std::move(cause));
+    }
+  }
+
+  void addTie(const PoseTaken& taken, const Cause& cause) {
+    Tie tie{{cause}, {}};
+    for (std::size_t r = 0; r < taken.rivals.size(); ++r)
+      tie.causes.push_back(causeOf(taken.rivals[r], taken.shares[r]));
+    const PoseHypothesis& rival = taken.rivals.front();
+    tie.separate = fmt::format("For {}: {} For {}: {}", taken.effect.name, taken.effect.words->experiment,
+                               rival.name, rival.words->experiment);
+    report_.ties.push_back(std::move(tie));
+  }
+
+  void addChannels() {
+    const Matrix3Xd &before = remainders_.front(), &after = remainders_.back();
+    variables_ = poseVariables(held_out_);
+    for (int axis = 0; axis < 3; ++axis) {
+      ChannelReport channel;
+      channel.nominal = channel.refitted = poseChannel(held_out_, before, axis, noise_);
+      channel.extended = poseChannel(held_out_, after, axis, noise_);
+      channel.nominal_statistics = channel.refitted_statistics = statisticsOf(channel.refitted);
+      channel.extended_statistics = statisticsOf(channel.extended);
+      if (options_.show) {
+        channel.before = strongestFirst(signaturesOf(channel.refitted, variables_));
+        channel.after = strongestFirst(signaturesOf(channel.extended, variables_));
+      }
+      channel.gain = gainBetween(0, squares_.size() - 1, axis);
+      report_.channels.push_back(std::move(channel));
+    }
+  }
+
+  static std::vector<Signature> strongestFirst(std::vector<Signature> signatures) {
+    std::ranges::stable_sort(signatures, std::greater<>(), &Signature::share);
+    return signatures;
+  }
+
+  static double meanSquare(const BlockSquares& squares, Index axis) {
+    return squares.sum.row(axis).sum() / squares.count.row(axis).sum();
+  }
+
+  /// Some axis has more than noise, and it lasts from sight to sight.
+  bool somethingLeft() const {
+    for (Index axis = 0; axis < 3; ++axis)
+      if (meanSquare(squares_.back(), axis) > std::pow(kBeyondNoise * noise_[axis], 2.0) &&
+          squares_.back().inflation[axis] > 2.0)
+        return true;
+    return false;
+  }
+
+  double explained() const {
+    double before = 0.0, after = 0.0;
+    for (Index axis = 0; axis < 3; ++axis) {
+      const double noise = noise_[axis] * noise_[axis];
+      before += std::max(0.0, meanSquare(squares_.front(), axis) - noise);
+      after += std::max(0.0, meanSquare(squares_.back(), axis) - noise);
+    }
+    return before > 0.0 ? std::clamp(1.0 - after / before, 0.0, 1.0) : 0.0;
+  }
+
+  void judge() {
+    const bool named = !report_.causes.empty();
+    report_.explained = named ? explained() : 0.0;
+    if (named && report_.explained >= kExplains)
+      report_.verdict = !report_.ties.empty()       ? Verdict::kTie
+                        : report_.causes.size() > 1 ? Verdict::kSeveral
+                                                    : Verdict::kFound;
+    else
+      report_.verdict = named || somethingLeft() ? Verdict::kUnexplained : Verdict::kNothing;
+    report_.summary = summary();
+  }
+
+  std::string summary() const {
+    const std::string reference = result_.towards == PoseReference::kKinematics
+                                      ? "the robot's kinematics tell"
+                                      : "the command asks for";
+    if (report_.verdict == Verdict::kNothing)
+      return "Nothing worth naming: cameras see the tip where " + reference + ", down to noise.";
+    const std::string off = fmt::format("On trajectories held out the tip is {:.2f} mm (RMS) from where {}",
+                                        1e3 * result_.steps.front().rms, reference);
+    if (report_.causes.empty()) return off + ", and no hypothesis explains it.";
+    std::vector<std::string> names;
+    for (const Cause& cause : report_.causes) names.push_back(cause.effect);
+    std::string text = fmt::format("{}, and {:.2f} mm with {}.", off, 1e3 * result_.steps.back().rms,
+                                   fmt::join(names, ", "));
+    for (const Tie& tie : report_.ties)
+      text += fmt::format(" It cannot tell {} from {}.", tie.causes[0].effect, tie.causes[1].effect);
+    return text;
+  }
+
+  void addProcess(base::Progress* progress) {
+    if (progress) progress->report(0.9, "Asking what the remainder depends on");
+    const auto beyond = [this](const ChannelReport& channel) {
+      return channel.extended_statistics.rms / std::max(noise_[channel.extended.axis], 1e-12);
+    };
+    const auto most = std::ranges::max_element(report_.channels, {}, beyond);
+    report_.processes.push_back(remainderProcess(most->extended, variables_, {}, progress));
+  }
+
+  const PoseOptions& options_;
+  PoseReport& result_;
+  Report& report_;
+  PoseData fitted_, held_out_;
+  std::vector<PoseHypothesis> effects_;
+  PoseSelection selection_;
+  std::vector<Matrix3Xd> remainders_;  ///< of each step, held out
+  std::vector<BlockSquares> squares_;
+  Eigen::Vector3d noise_ = Eigen::Vector3d::Zero();
+  std::vector<Variable> variables_;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+PoseReport diagnosePoses(const PoseEvidence& evidence, const robot::Description& nominal,
+                         const PoseOptions& options, base::Progress* progress) {
+  PoseReport result;
+  Work work(evidence, options, result);
+  result.report.recordings = {evidence.title};
+  result.report.notices = evidence.notices;
+  work.run(progress);
+  work.addRobots(nominal);
+  result.report.cancelled = progress && progress->cancelled();
+  return result;
+}
+
+}  // namespace capstan::diagnosis

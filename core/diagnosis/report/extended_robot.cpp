@@ -1,0 +1,56 @@
+#include "core/diagnosis/report/extended_robot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/diagnosis/report/report_tables.h"
+#include "core/diagnosis/report/shown.h"
+
+namespace capstan::diagnosis {
+namespace {
+
+/// Comments end with their line.
+std::string oneLine(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
+  return text;
+}
+
+/// "stribeck friction (joint 1), …": effects that are no causes.
+std::string everydayEffects(const Report& report) {
+  std::string names;
+  for (const robot::Effect& effect : report.extended.effects) {
+    const auto is_it = [&](const Cause& c) { return c.effect == effect.effect && c.joint == effect.joint; };
+    if (std::ranges::any_of(report.causes, is_it)) continue;
+    names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", shownName(effect.effect),
+                         shownJoint(effect.effect, effect.joint));
+  }
+  return names;
+}
+
+}  // namespace
+
+std::string extendedRobotText(const Report& report, const std::string& software) {
+  std::string recordings;
+  for (const std::string& title : report.recordings) recordings += (recordings.empty() ? "" : ", ") + title;
+  std::string text = "# Extended by a diagnosis of " + oneLine(recordings);
+  if (!software.empty()) text += ", by " + oneLine(software);
+  text += report.causes.empty() ? "; no missing effect was named.\n" : "; value ± one standard deviation:\n";
+  for (const Cause& cause : report.causes)
+    text +=
+        fmt::format("#   {}; probability {:.0f} %\n", oneLine(causeText(cause)), 100.0 * cause.probability);
+  if (const std::string everyday = everydayEffects(report); !everyday.empty())
+    text += "# Beside these, within what every robot has of it: " + everyday + "\n";
+  bool moved = false;
+  for (const RefitNumber& one : report.refit) {
+    if (!one.moved) continue;
+    if (!moved) text += "# Numbers that the refit of the nominal model moved:\n";
+    moved = true;
+    text += fmt::format("#   {}: {} instead of {}\n", oneLine(shownName(one.name)),
+                        shownNumber(one.value, one.sigma, one.unit), shownNumber(one.nominal, 0.0, one.unit));
+  }
+  return text + robot::formatDescription(report.extended);
+}
+
+}  // namespace capstan::diagnosis

@@ -1,0 +1,166 @@
+#include "core/diagnosis/report/report_json.h"
+
+#include <cmath>
+
+namespace capstan::diagnosis {
+namespace {
+
+using nlohmann::json;
+
+/// Not finite is null, as JSON has it.
+json number(double value) { return std::isfinite(value) ? json(value) : json(); }
+
+json interval(const stats::Interval& bounds) { return {number(bounds.low), number(bounds.high)}; }
+
+template <class Items, class Write>
+json list(const Items& items, Write&& write) {
+  json all = json::array();
+  for (const auto& item : items) all.push_back(write(item));
+  return all;
+}
+
+json gainJson(const Gain& gain) {
+  return {{"channel", gain.channel},
+          {"unit", gain.unit},
+          {"rms_before", number(gain.rms_before)},
+          {"rms_after", number(gain.rms_after)},
+          {"before", interval(gain.before)},
+          {"after", interval(gain.after)},
+          {"interval", interval(gain.interval)}};
+}
+
+json tieJson(const Tie& tie) {
+  return {{"causes", list(tie.causes, [](const Cause& cause) { return jsonOf(cause); })},
+          {"separate", tie.separate}};
+}
+
+json refitJson(const std::vector<RefitNumber>& refit) {
+  json all = json::object();
+  for (const RefitNumber& one : refit)
+    all[one.name] = {{"nominal", number(one.nominal)},
+                     {"value", number(one.value)},
+                     {"sigma", number(one.sigma)},
+                     {"unit", one.unit},
+                     {"moved", one.moved},
+                     {"at_bound", one.at_bound}};
+  return all;
+}
+
+json candidateJson(const Candidate& candidate) {
+  return {{"effect", candidate.effect},       {"joint", candidate.joint},
+          {"round", candidate.round},         {"screened", number(candidate.screened)},
+          {"refitted", candidate.refitted},   {"reduction", number(candidate.reduction)},
+          {"score", number(candidate.score)}, {"probability", number(candidate.probability)}};
+}
+
+json statisticsJson(const ChannelStatistics& statistics) {
+  return {{"samples", statistics.samples},
+          {"rms", number(statistics.rms)},
+          {"mean", number(statistics.mean)},
+          {"fit", number(statistics.fit)},
+          {"noise", number(statistics.noise)},
+          {"beyond_noise", number(statistics.beyond_noise)},
+          {"whiteness",
+           {{"q", number(statistics.whiteness.q)},
+            {"p_value", number(statistics.whiteness.p_value)},
+            {"period", number(statistics.whiteness_period)}}},
+          {"effective_samples", number(statistics.effective_samples)}};
+}
+
+json binJson(const SignatureBin& bin) {
+  return {{"low", number(bin.low)},   {"high", number(bin.high)}, {"centre", number(bin.centre)},
+          {"mean", number(bin.mean)}, {"samples", bin.samples},   {"interval", interval(bin.interval)}};
+}
+
+json signatureJson(const Signature& signature) {
+  return {{"variable", signature.variable},
+          {"kind", base::nameOf(signature.kind)},
+          {"joint", signature.joint},
+          {"unit", signature.unit},
+          {"share", number(signature.share)},
+          {"sigma", number(signature.share_sigma)},
+          {"bins", list(signature.bins, binJson)}};
+}
+
+json channelJson(const ChannelReport& channel) {
+  return {{"recording", channel.recording},
+          {"name", channel.refitted.name},
+          {"unit", channel.refitted.unit},
+          {"joint", channel.refitted.joint},
+          {"nominal", statisticsJson(channel.nominal_statistics)},
+          {"refitted", statisticsJson(channel.refitted_statistics)},
+          {"extended", statisticsJson(channel.extended_statistics)},
+          {"before", list(channel.before, signatureJson)},
+          {"after", list(channel.after, signatureJson)},
+          {"gain", gainJson(channel.gain)}};
+}
+
+json processJson(const RemainderProcess& process) {
+  return {{"channel", process.channel},
+          {"end", base::nameOf(process.end)},
+          {"words", process.words},
+          {"points", process.points},
+          {"explained", number(process.explained)},
+          {"amplitude", number(process.amplitude)},
+          {"noise", number(process.noise)},
+          {"lasting", number(process.lasting)},
+          {"memory", number(process.memory)},
+          {"variables", list(process.variables, [](const ProcessVariable& one) {
+             return json{{"variable", one.name},         {"kind", base::nameOf(one.kind)},
+                         {"joint", one.joint},           {"unit", one.unit},
+                         {"length", number(one.length)}, {"relevance", number(one.relevance)},
+                         {"sigma", number(one.sigma)}};
+           })}};
+}
+
+json lineJson(const SpectralLine& line) {
+  return {{"channel", line.channel},
+          {"frequency", number(line.frequency)},
+          {"amplitude", number(line.amplitude)},
+          {"p_value", number(line.p_value)}};
+}
+
+json filterJson(const FilterGain& gain) {
+  return {{"joint", gain.joint},
+          {"unit", gain.unit},
+          {"nominal", number(gain.nominal)},
+          {"refitted", number(gain.refitted)},
+          {"extended", number(gain.extended)}};
+}
+
+}  // namespace
+
+json jsonOf(const Cause& cause) {
+  json parameters = json::object();
+  for (const FoundParameter& parameter : cause.parameters)
+    parameters[parameter.name] = {
+        {"value", number(parameter.value)}, {"sigma", number(parameter.sigma)}, {"unit", parameter.unit}};
+  return {{"effect", cause.effect},
+          {"joint", cause.joint},
+          {"parameters", parameters},
+          {"probability", number(cause.probability)},
+          {"gain", gainJson(cause.gain)}};
+}
+
+json jsonOf(const Report& report) {
+  return {{"verdict", report.cancelled ? json() : json(base::nameOf(report.verdict))},
+          {"summary", report.summary},
+          {"explained", number(report.explained)},
+          {"cancelled", report.cancelled},
+          {"recordings", report.recordings},
+          {"causes", list(report.causes, [](const Cause& cause) { return jsonOf(cause); })},
+          {"ties", list(report.ties, tieJson)},
+          {"refit", refitJson(report.refit)},
+          {"candidates", list(report.candidates, candidateJson)},
+          {"channels", list(report.channels, channelJson)},
+          {"processes", list(report.processes, processJson)},
+          {"lines", list(report.lines, lineJson)},
+          {"filter", list(report.filter, filterJson)},
+          {"stages", list(report.stages,
+                          [](const Stage& stage) {
+                            return json{{"name", stage.name}, {"seconds", number(stage.seconds)}};
+                          })},
+          {"notices", report.notices}};
+}
+
+}  // namespace capstan::diagnosis

@@ -1,0 +1,229 @@
+#include "core/diagnosis/report/report_tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/diagnosis/hypotheses/pose_hypotheses.h"
+#include "core/diagnosis/report/shown.h"
+
+namespace capstan::diagnosis {
+namespace {
+
+using base::NumberStyle;
+using base::Table;
+using base::TableCell;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+base::TableColumn text(std::string name) { return {std::move(name), {}, 0, NumberStyle::kFixed, false}; }
+
+base::TableColumn number(std::string name, std::string unit, int digits, NumberStyle style) {
+  return {std::move(name), std::move(unit), digits, style, false};
+}
+
+std::string percentages(double value, const stats::Interval& interval) {
+  if (!std::isfinite(value)) return {};
+  if (!std::isfinite(interval.low) || !std::isfinite(interval.high))
+    return fmt::format("{:.1f}", 100.0 * value);
+  return fmt::format("{:.1f} ({:.1f} … {:.1f})", 100.0 * value, 100.0 * interval.low, 100.0 * interval.high);
+}
+
+double ratioOf(const Gain& gain) { return gain.rms_before > 0.0 ? gain.rms_after / gain.rms_before : kNaN; }
+
+std::string nameOf(const Channel& channel) {
+  return channel.name + " [" + shownUnit(channel.unit).unit + "]";
+}
+
+std::string recordingOf(const Report& report, int recording) {
+  const auto i = static_cast<std::size_t>(recording);
+  return i < report.recordings.size() ? report.recordings[i] : fmt::format("recording {}", recording + 1);
+}
+
+/// Refitted before not refitted, likelier before less likely, then by score and by promise.
+bool ahead(const Candidate& a, const Candidate& b) {
+  if (a.round != b.round) return a.round < b.round;
+  if (a.refitted != b.refitted) return a.refitted;
+  if (a.probability != b.probability) return a.probability > b.probability;
+  if (a.refitted && a.score != b.score) return a.score > b.score;
+  return a.screened > b.screened;
+}
+
+std::string changeOf(const RefitNumber& one) {
+  if (one.nominal == 0.0) return {};
+  return fmt::format("{:+.1f} %", 100.0 * (one.value / one.nominal - 1.0));
+}
+
+}  // namespace
+
+std::string titleOf(std::string_view effect) {
+  const HypothesisWords* words = wordsOf(effect);
+  return std::string(words ? words->title : effect);
+}
+
+std::string causeText(const Cause& cause) {
+  std::string text = titleOf(cause.effect) + ", " + shownJoint(cause.effect, cause.joint);
+  for (const FoundParameter& parameter : cause.parameters)
+    text += (&parameter == &cause.parameters.front() ? ": " : ", ") + shownParameter(parameter);
+  return text;
+}
+
+std::string gainText(const Gain& gain) {
+  const double ratio = ratioOf(gain);
+  std::string text =
+      fmt::format("{}: RMS {} becomes {}", gain.channel, shownNumber(gain.rms_before, 0.0, gain.unit),
+                  shownNumber(gain.rms_after, 0.0, gain.unit));
+  if (std::isfinite(ratio)) {
+    text += fmt::format(", {:.1f} % of it", 100.0 * ratio);
+    if (std::isfinite(gain.interval.low) && std::isfinite(gain.interval.high))
+      text +=
+          fmt::format(" (95 %: {:.1f} to {:.1f} %)", 100.0 * gain.interval.low, 100.0 * gain.interval.high);
+  }
+  return text + ", on data that were not fitted";
+}
+
+Table channelTable(const Report& report) {
+  const bool extended = !report.causes.empty();
+  Table table;
+  table.title = "RMS of measured − simulated, model by model";
+  table.columns = {text("recording"), text("channel"),
+                   number("RMS nominal", "", 3, NumberStyle::kSignificant),
+                   number("refitted", "", 3, NumberStyle::kSignificant)};
+  table.columns.front().grouped = true;
+  if (report.recordings.size() < 2) table.columns.erase(table.columns.begin());
+  if (extended) table.columns.push_back(number("extended", "", 3, NumberStyle::kSignificant));
+  table.columns.push_back(number("noise", "", 2, NumberStyle::kSignificant));
+  table.columns.push_back(number("fit before", "%", 2, NumberStyle::kFixed));
+  if (extended) {
+    table.columns.push_back(number("fit after", "%", 2, NumberStyle::kFixed));
+    table.columns.push_back(text("left, held out [%]"));
+  }
+  for (const ChannelReport& channel : report.channels) {
+    const double scale = shownUnit(channel.refitted.unit).scale;
+    std::vector<TableCell> row = {recordingOf(report, channel.recording), nameOf(channel.refitted),
+                                  scale * channel.nominal_statistics.rms,
+                                  scale * channel.refitted_statistics.rms};
+    if (extended) row.emplace_back(scale * channel.extended_statistics.rms);
+    row.emplace_back(channel.refitted.noise > 0.0 ? scale * channel.refitted.noise : kNaN);
+    row.emplace_back(channel.refitted_statistics.fit);
+    if (extended) {
+      row.emplace_back(channel.extended_statistics.fit);
+      row.emplace_back(percentages(ratioOf(channel.gain), channel.gain.interval));
+    }
+    if (report.recordings.size() < 2) row.erase(row.begin());
+    table.rows.push_back(std::move(row));
+  }
+  table.note = "Noise is the sensor's own, and fit 100 (1 − ‖e‖ / ‖y − mean‖).";
+  if (extended)
+    table.note +=
+        " Left: of the RMS, on stretches that were not fitted, with the 95 % interval of a block bootstrap.";
+  return table;
+}
+
+Table refitTable(const Report& report) {
+  Table table;
+  table.title = "What the refit of the nominal model moved";
+  table.columns = {text("number"), text("nominal"), text("refitted"), text("change"), text("remark")};
+  std::vector<RefitNumber> numbers = report.refit;
+  std::stable_partition(numbers.begin(), numbers.end(), [](const RefitNumber& one) { return one.moved; });
+  for (const RefitNumber& one : numbers)
+    table.rows.push_back({shownName(one.name), shownNumber(one.nominal, 0.0, one.unit),
+                          shownNumber(one.value, one.sigma, one.unit), changeOf(one),
+                          one.at_bound ? "at its bound: it would go further"
+                          : one.moved  ? "moved"
+                                       : "not moved"});
+  table.note =
+      "Moved: by more than two standard deviations. A number that is only mistuned is no missing effect.";
+  return table;
+}
+
+Table rankingTable(const Report& report, std::size_t most) {
+  Table table;
+  table.title = "Which effects were weighed";
+  table.columns = {number("round", "", 0, NumberStyle::kFixed),
+                   text("effect"),
+                   text("where"),
+                   number("promised", "%", 1, NumberStyle::kFixed),
+                   number("held out", "%", 1, NumberStyle::kFixed),
+                   number("score", "nats", 1, NumberStyle::kFixed),
+                   number("probability", "%", 0, NumberStyle::kFixed)};
+  table.columns.front().grouped = true;
+  std::vector<Candidate> all = report.candidates;
+  std::stable_sort(all.begin(), all.end(), ahead);
+  std::size_t in_round = 0, left_out = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    in_round = i > 0 && all[i].round == all[i - 1].round ? in_round + 1 : 0;
+    if (in_round >= most) {
+      ++left_out;
+      continue;
+    }
+    const Candidate& one = all[i];
+    table.rows.push_back({static_cast<double>(one.round), titleOf(one.effect),
+                          shownJoint(one.effect, one.joint), 100.0 * one.screened,
+                          one.refitted ? 100.0 * one.reduction : kNaN, one.refitted ? one.score : kNaN,
+                          100.0 * one.probability});
+  }
+  table.note =
+      "Promised: share of the remainder's mean square that the score test says would go; held out and "
+      "score (logarithm of the likelihood): of those that were refitted, on stretches that were not fitted.";
+  if (left_out > 0) table.note += fmt::format(" {} more promise less.", left_out);
+  return table;
+}
+
+Table filterTable(const Report& report) {
+  Table table;
+  table.title = "What the Kalman filter gains";
+  table.columns = {text("joint"), number("RMS nominal", "", 3, NumberStyle::kSignificant),
+                   number("refitted", "", 3, NumberStyle::kSignificant),
+                   number("extended", "", 3, NumberStyle::kSignificant)};
+  for (const FilterGain& one : report.filter) {
+    const ShownUnit unit = shownUnit(one.unit);
+    table.rows.push_back({one.joint + " [" + unit.unit + "]", unit.scale * one.nominal,
+                          unit.scale * one.refitted, unit.scale * one.extended});
+  }
+  table.note = "RMS of the unscented Kalman filter's joints against the encoders.";
+  return table;
+}
+
+Table lineTable(const Report& report) {
+  Table table;
+  table.title = "Lines in the spectrum of the remainder";
+  table.columns = {text("channel"), number("frequency", "Hz", 2, NumberStyle::kFixed), text("amplitude"),
+                   number("p", "", 2, NumberStyle::kSignificant)};
+  for (const SpectralLine& line : report.lines) {
+    std::string unit;
+    for (const ChannelReport& channel : report.channels)
+      if (channel.refitted.name == line.channel) unit = channel.refitted.unit;
+    table.rows.push_back(
+        {line.channel, line.frequency, shownNumber(line.amplitude, 0.0, unit), line.p_value});
+  }
+  table.note =
+      "A vibration, hum or ripple that no variable of the motion carries; p of as high a line in noise.";
+  return table;
+}
+
+Table processTable(const RemainderProcess& process) {
+  Table table;
+  table.title = "What the remainder of " + process.channel + " depends on";
+  table.columns = {text("variable"), text("share of the variance [%]"), text("changes over")};
+  std::size_t left_out = 0;
+  for (const ProcessVariable& one : process.variables) {
+    if (!table.rows.empty() && one.relevance < kWeakly) {
+      ++left_out;
+      continue;
+    }
+    const bool has_length = one.kind != VariableKind::kDirection;
+    table.rows.push_back({one.name, fmt::format("{:.1f} ± {:.1f}", 100.0 * one.relevance, 100.0 * one.sigma),
+                          has_length ? shownNumber(one.length, 0.0, one.unit) : std::string()});
+  }
+  table.note = fmt::format(
+      "A Gaussian process on {} points predicts {:.0f} % of the variance of stretches that it was not fitted "
+      "to.",
+      process.points, 100.0 * process.explained);
+  if (left_out > 0) table.note += fmt::format(" {} more variables hardly matter.", left_out);
+  return table;
+}
+
+}  // namespace capstan::diagnosis

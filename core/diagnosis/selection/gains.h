@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/diagnosis/fit/cross_validation.h"
+#include "core/diagnosis/report/report.h"
+
+namespace capstan::diagnosis {
+
+/// RMS of channel c on blocks left out before and after, with 95 % intervals by 1000 block bootstraps.
+Gain gainOf(const FitData& data, const BlockSquares& before, const BlockSquares& after, int c);
+Gain gainOf(const ComparedChannel& channel, const BlockSquares& before, const BlockSquares& after, int c);
+
+}  // namespace capstan::diagnosis

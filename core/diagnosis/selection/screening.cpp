@@ -1,0 +1,233 @@
+#include "core/diagnosis/selection/screening.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "core/diagnosis/fit/linear_system.h"
+
+namespace capstan::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kLittle = 0.1;     // of a size that would be large
+constexpr double kFarthest = 3.0;   // of it, where a refit may start
+constexpr double kOwn = 1e-6;       // share of a response that the fit cannot make itself: less is none
+constexpr double kEventStep = 0.1;  // between instants of an event that are tried [s]
+
+/// One start of one suspect and its columns among the responses.
+struct Probe {
+  Suspect suspect;
+  EffectStart start;
+  std::vector<std::size_t> numbers;  ///< that move; empty: the effect as a whole
+  std::size_t column = 0;
+  double from = -1.0;  ///< an event's time: the response counts from then on [s]; negative: no event
+};
+
+/// Numbers whose neutral value is 0 and that the start leaves there: small ones can be tried both ways.
+std::vector<std::size_t> smallNumbers(const Hypothesis& hypothesis, const EffectStart& start) {
+  const std::vector<double> neutral = hypothesis.neutral();
+  std::vector<std::size_t> numbers;
+  for (std::size_t k = 0; k < neutral.size(); ++k)
+    if (neutral[k] == 0.0 && start.scale[k] > 0.0 && start.value[k] == 0.0) numbers.push_back(k);
+  return numbers;
+}
+
+int timeOf(const Hypothesis& hypothesis) {
+  const auto& numbers = hypothesis.facts().parameters;
+  for (std::size_t k = 0; k < numbers.size(); ++k)
+    if (numbers[k].name == "time") return static_cast<int>(k);
+  return -1;
+}
+
+robot::ChainModel with(const Fit& fit, const Suspect& suspect, const EffectStart& start) {
+  const FitModel model = fit.model.with(*suspect.hypothesis, suspect.joint, start);
+  return model.chain(model.startFrom(fit.model, fit.u));
+}
+
+/// Numbers that the fit has of the effect as an everyday one: what small changes go out from.
+std::vector<double> everydayValues(const Fit& fit, const Suspect& suspect) {
+  for (std::size_t k = 0; k < fit.model.effects().size(); ++k) {
+    const EffectTerm& term = fit.model.effects()[k];
+    if (term.everyday && term.hypothesis == suspect.hypothesis && term.joint == suspect.joint)
+      return fit.model.effectValues(k, fit.u);
+  }
+  return std::vector<double>(suspect.hypothesis->neutral().size(), 0.0);
+}
+
+/// Probes of a suspect; their robots are appended.
+void addProbes(const Fit& fit, const Suspect& suspect, std::vector<Probe>& probes,
+               std::vector<robot::ChainModel>& robots) {
+  const JointScales& scales = scalesOf(fit.model.scales(), suspect.joint);
+  const int time = timeOf(*suspect.hypothesis);
+  const std::vector<double> everyday = everydayValues(fit, suspect);
+  for (const EffectStart& start : suspect.hypothesis->starts(scales, suspect.joint)) {
+    Probe probe{suspect, start, smallNumbers(*suspect.hypothesis, start), robots.size(), -1.0};
+    if (time >= 0) probe.start.value[static_cast<std::size_t>(time)] = 0.0;
+    for (const std::size_t number : probe.numbers) probe.start.value[number] = everyday[number];
+    if (probe.numbers.empty()) robots.push_back(with(fit, suspect, probe.start));
+    for (const std::size_t number : probe.numbers) {
+      EffectStart little = probe.start;
+      little.value[number] += kLittle * little.scale[number];
+      robots.push_back(with(fit, suspect, little));
+    }
+    if (time < 0) {
+      probes.push_back(probe);
+      continue;
+    }
+    for (double from = 0.02 * scales.duration; from < 0.98 * scales.duration; from += kEventStep) {
+      probe.from = from;
+      probe.start.value[static_cast<std::size_t>(time)] = from;
+      probes.push_back(probe);
+    }
+    break;  // one response serves all instants
+  }
+}
+
+/// The remainder and responses as a test sees them: weighted, fit's own free parameters projected off.
+class Projection {
+ public:
+  Projection(const Fit& fit, const Trust& trust) : weights_(trust.weights) {
+    std::vector<Index> free;
+    for (Index k = 0; k < fit.u.size(); ++k)
+      if (fit.bound.empty() || !fit.bound[static_cast<std::size_t>(k)]) free.push_back(k);
+    jacobian_ = weights_.asDiagonal() * fit.jacobian(Eigen::all, free);
+    MatrixXd normal = jacobian_.transpose() * jacobian_;
+    normal.diagonal() += priorPrecision(fit.model)(free);
+    normal_ = normal.ldlt();
+    e_ = weights_.cwiseProduct(fit.e);
+  }
+
+  double left() const { return e_.squaredNorm(); }
+  const VectorXd& weights() const { return weights_; }
+
+  /// Sizes of the columns d (weighted) that take most off the remainder, and how much they take.
+  std::pair<VectorXd, double> best(const MatrixXd& d) const {
+    const auto [s, g] = ownDirections(d);
+    std::vector<Index> seen;  // not those that the fit's own numbers could make as well
+    for (Index k = 0; k < s.rows(); ++k)
+      if (s(k, k) > kOwn * d.col(k).squaredNorm()) seen.push_back(k);
+    VectorXd size = VectorXd::Zero(g.size());
+    if (seen.empty()) return {size, 0.0};
+    MatrixXd seen_s = s(seen, seen);
+    seen_s.diagonal() *= 1.0 + 1e-9;
+    const VectorXd solved = seen_s.ldlt().solve(g(seen));
+    for (std::size_t k = 0; k < seen.size(); ++k) size[seen[k]] = solved[static_cast<Index>(k)];
+    return {size, 2.0 * size.dot(g) - size.dot(s * size)};
+  }
+  /// What given sizes would take off.
+  double gain(const MatrixXd& d, const VectorXd& size) const {
+    const auto [s, g] = ownDirections(d);
+    return 2.0 * size.dot(g) - size.dot(s * size);
+  }
+
+ private:
+  /// Curvature and slope of the misfit along d, the fit's own numbers following.
+  std::pair<MatrixXd, VectorXd> ownDirections(const MatrixXd& d) const {
+    const MatrixXd own = jacobian_.transpose() * d;
+    return {d.transpose() * d - own.transpose() * normal_.solve(own),
+            d.transpose() * e_ - own.transpose() * normal_.solve(jacobian_.transpose() * e_)};
+  }
+
+  VectorXd weights_, e_;
+  MatrixXd jacobian_;
+  Eigen::LDLT<MatrixXd> normal_;
+};
+
+/// Response columns of a probe, weighted; those of an event are zero before it.
+MatrixXd columnsOf(const FitData& data, const Probe& probe, const MatrixXd& responses,
+                   const VectorXd& weights) {
+  const auto count = static_cast<Index>(std::max<std::size_t>(probe.numbers.size(), 1));
+  MatrixXd d = weights.asDiagonal() * responses.middleCols(static_cast<Index>(probe.column), count);
+  if (probe.from < 0.0) return d;
+  for (int r = 0; r < data.recordings(); ++r) {
+    const auto& t = data.simulation(r).compared().t;
+    const double begin = data.simulation(r).evidence().t.front();
+    for (std::size_t i = 0; i < t.size(); ++i)
+      if (t[i] - begin < probe.from) d.row(data.first(r) + static_cast<Index>(i)).setZero();
+  }
+  return d;
+}
+
+/// What each robot tells beyond what the fit's tells; those that run away promise nothing.
+MatrixXd responsesOf(const FitData& data, const Fit& fit, const std::vector<robot::ChainModel>& robots,
+                     const Trust& trust) {
+  MatrixXd change = -(residualsOf(data, fit, robots, trust).colwise() - fit.e);
+  for (Index k = 0; k < change.cols(); ++k)
+    if (!change.col(k).allFinite()) change.col(k).setZero();
+  return change;
+}
+
+/// The promise of one probe.
+Promise judge(const Probe& probe, const Projection& projection, const MatrixXd& d) {
+  auto [size, gain] = projection.best(d);
+  const bool whole = probe.numbers.empty();
+  const VectorXd before = size;
+  for (Index k = 0; k < size.size(); ++k) {
+    const double most = whole ? kFarthest : kFarthest / kLittle;
+    const bool one_way =
+        whole ||
+        probe.suspect.hypothesis->facts().parameters[probe.numbers[static_cast<std::size_t>(k)]].low >= 0.0;
+    size[k] = std::clamp(size[k], one_way ? 0.0 : -most, most);
+  }
+  if (size != before) gain = projection.gain(d, size);
+  Promise promise{probe.suspect.hypothesis, probe.suspect.joint, probe.start, std::max(gain, 0.0), 0.0};
+  promise.share = promise.gain / projection.left();
+  for (std::size_t k = 0; k < probe.numbers.size(); ++k) {
+    const std::size_t number = probe.numbers[k];
+    promise.start.value[number] += kLittle * size[static_cast<Index>(k)] * promise.start.scale[number];
+  }
+  if (whole && size.size() > 0 && probe.start.scale[0] > 0.0 && probe.start.value[0] > 0.0 &&
+      probe.suspect.hypothesis->neutral()[0] == 0.0)
+    promise.start.value[0] *= std::clamp(size[0], 0.2, kFarthest);
+  return promise;
+}
+
+}  // namespace
+
+std::vector<Suspect> suspectsOf(const std::vector<Evidence>& recordings, const FitModel& model,
+                                const std::vector<std::string>& only) {
+  const Evidence& first = recordings.front();
+  const bool cameras =
+      std::any_of(recordings.begin(), recordings.end(), [](const Evidence& e) { return e.hasCameras(); });
+  std::vector<Suspect> suspects;
+  for (const Hypothesis* hypothesis : hypotheses()) {
+    const robot::EffectFacts& facts = hypothesis->facts();
+    if (!(model.rigid() ? facts.rigid : facts.cable)) continue;
+    if (!only.empty() && std::find(only.begin(), only.end(), facts.name) == only.end()) continue;
+    const bool of_camera = facts.name.starts_with("camera_");
+    if (of_camera && !cameras) continue;
+    if (facts.name == "sensor_sign" && first.tau_ext.empty()) continue;
+    for (int joint = facts.whole ? 0 : 1; joint <= (facts.whole ? 0 : first.joints); ++joint)
+      if (!model.has(*hypothesis, joint)) suspects.push_back({hypothesis, joint});
+  }
+  return suspects;
+}
+
+std::vector<Promise> screen(const FitData& data, const Fit& fit, const Trust& trust,
+                            const std::vector<Suspect>& suspects) {
+  std::vector<Probe> probes;
+  std::vector<robot::ChainModel> robots;
+  for (const Suspect& suspect : suspects) addProbes(fit, suspect, probes, robots);
+  const MatrixXd response = responsesOf(data, fit, robots, trust);
+  const Projection projection(fit, trust);
+  std::vector<Promise> promises;
+  for (const Probe& probe : probes) {
+    const MatrixXd d = columnsOf(data, probe, response, projection.weights());
+    Promise promise = judge(probe, projection, d);
+    if (!promises.empty() && promises.back().hypothesis == promise.hypothesis &&
+        promises.back().joint == promise.joint) {
+      if (promise.gain > promises.back().gain) promises.back() = std::move(promise);
+    } else {
+      promises.push_back(std::move(promise));
+    }
+  }
+  std::stable_sort(promises.begin(), promises.end(),
+                   [](const Promise& a, const Promise& b) { return a.gain > b.gain; });
+  return promises;
+}
+
+}  // namespace capstan::diagnosis

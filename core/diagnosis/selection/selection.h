@@ -1,0 +1,73 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/diagnosis/fit/cross_validation.h"
+#include "core/diagnosis/report/report.h"
+#include "core/diagnosis/selection/screening.h"
+
+namespace capstan::diagnosis {
+
+/// A model that was fitted, and how it does on blocks left out.
+struct Contender {
+  Suspect added = {};  ///< to the model of the round; none for the base itself
+  Fit fit;
+  BlockSquares squares = {};
+  std::vector<double> gain = {};  ///< Comparison::gain above the round's model
+  Reduction reduction = {};       ///< on the round's model
+  double share = 0.0;             ///< share of draws in which it is the best of its round
+};
+
+/// Effects that one recording cannot tell from the one that was taken.
+struct Rivals {
+  Suspect taken;
+  std::vector<Suspect> others;
+  std::vector<double> shares;  ///< of taken, then of the others
+};
+
+struct SelectionOptions {
+  int most_causes = 4;
+  int refits = 8;
+  std::vector<std::string> only;
+  std::uint64_t seed = 1;
+  double progress_end = 0.95;  ///< of the caller's whole work, when the selection is done
+};
+
+struct Selection {
+  Fit base;  ///< nominal structure, refitted
+  BlockSquares base_squares = {};
+  /// RMS of each channel that noise of the loads' and motors' sensors brings into it (inputNoise()).
+  Eigen::VectorXd input_noise = {};
+  Fit best;  ///< with the effects that were taken
+  BlockSquares best_squares = {};
+  Trust trust = {};                   ///< of `best`
+  std::vector<Contender> taken = {};  ///< in the order in which they came
+  std::vector<Rivals> rivals = {};
+  std::vector<Candidate> candidates = {};  ///< of all rounds, for the report
+};
+
+/// What an effect must bring before it is named: a share of a channel's mean square, and a score that block
+/// bootstraps leave above zero.
+inline constexpr double kWorthNaming = 0.06;
+inline constexpr double kLeastScore = 6.0;        ///< [nats]: against some hundred hypotheses
+inline constexpr double kSure = 0.02;             ///< quantile of the bootstrap that must be above zero
+inline constexpr double kMoreThanEveryday = 1.2;  ///< times Hypothesis::everyday
+inline constexpr double kClear = 3.0;             ///< σ of its own numbers together
+/// Another effect is not told apart from the best where it is the best in this share of draws, or scores this
+/// share of the best: a rival explains nearly as much only where the motion does not part the two, and what
+/// is left between them is then within what contacts and stiff cables leave to the steps of an integration.
+inline constexpr double kRival = 0.08, kAsGood = 0.7;
+/// Nor where both take off most of a remainder and leave nearly the same.
+inline constexpr double kTakesMost = 0.9, kSameLeft = 1.15;
+/// Forward selection: in each round score tests of every hypothesis on every joint, refits of the most
+/// promising, and the best of them is taken; drops again what later ones make superfluous.
+Selection select(const FitData& data, const std::vector<Evidence>& recordings, const FitModel& base,
+                 const SelectionOptions& options, base::Progress* progress);
+/// The same on other data of the same recordings: starts with what `before` took, fitted anew, and drops what
+/// these data do not need.
+Selection selectFurther(const FitData& data, const std::vector<Evidence>& recordings, const Selection& before,
+                        const SelectionOptions& options, base::Progress* progress);
+
+}  // namespace capstan::diagnosis

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+
+#include "core/diagnosis/report/report.h"
+#include "core/diagnosis/selection/selection.h"
+
+namespace capstan::diagnosis {
+
+/// How much of what is beyond noise the named effects take off: of the channel that had most of it,
+/// 1 − (S_after − n noise²) / (S_before − n noise²), between 0 and 1.
+double explainedShare(const FitData& data, const Selection& selection);
+
+/// Mean square of channel c up to which there is nothing in it but noise: of its sensor,
+/// and of those that drive the simulation.
+double mostByChance(const FitData& data, const Selection& selection, Eigen::Index c);
+
+/// Whether the remainder of the selection's best model has more than noise and chance in it: some channel's
+/// mean square, of what the fit itself leaves, is beyond mostByChance(), and it lasts from sample to sample
+/// or is far beyond it.
+bool somethingLeft(const FitData& data, const Selection& selection);
+inline constexpr double kBeyondNoise = 1.2;  ///< RMS, in noise of the sensor
+/// Share that effects must explain before they, and not something unknown, are the verdict, where something
+/// is left.
+inline constexpr double kExplains = 0.96;
+
+/// Fills verdict, causes, ties, explained and summary of the report. The σ of a cause's number is that of the
+/// fit, 1 % of the number, which a simplified law leaves at best, and half of what every robot has of it.
+void judge(const FitData& data, const Selection& selection, Report& report);
+
+}  // namespace capstan::diagnosis

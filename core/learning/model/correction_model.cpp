@@ -1,0 +1,346 @@
+#include "core/learning/model/correction_model.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <atomic>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/learning/poses/choose_motion.h"
+#include "core/learning/poses/rotation_vector.h"
+#include "core/math/dense.h"
+#include "core/stats/quantile.h"
+
+namespace capstan::learning {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+namespace {
+
+constexpr Index kOutputs = 6;
+/// Outputs that share a kernel.
+struct Group {
+  Index first, count;
+};
+constexpr std::array<Group, 4> kGroups = {{{0, 1}, {1, 1}, {2, 1}, {3, 3}}};
+
+constexpr double kChoiceShare = 0.3;                // of the time, where it is made
+constexpr double kFitShare = 0.6, kAllShare = 0.3;  // of the time: hyperparameters, all states
+/// Seeds of the members' draws, apart for each of the options'.
+constexpr std::uint64_t kDraws = 1000, kInducingDraw = 300, kCalibrationDraw = 600;
+
+/// Of a group's outputs in scales, their mean where they are three.
+Eigen::VectorXd doubtsOf(const std::vector<State>& states, const Group& group,
+                         const Eigen::RowVectorXd& scale) {
+  const Eigen::VectorXd precision =
+      scale.segment(group.first, group.count).array().square().inverse().transpose();
+  Eigen::VectorXd doubts(static_cast<Index>(states.size()));
+  for (std::size_t k = 0; k < states.size(); ++k)
+    doubts[static_cast<Index>(k)] = precision.dot(states[k].doubt.segment(group.first, group.count));
+  return doubts / static_cast<double>(group.count);
+}
+
+/// Of each group those of its members.
+using GroupParameters = std::array<std::vector<KernelParameters>, kGroups.size()>;
+
+/// How many members differ: more than one where not all have all states.
+std::size_t membersOf(Index states, const CorrectionOptions& options) {
+  const bool all = states <= options.likelihood_points && states <= options.inducing_points;
+  return all ? 1 : static_cast<std::size_t>(std::max(options.members, 1));
+}
+
+/// Hyperparameters of every member of every group, from its own drawn states.
+GroupParameters fitted(const MatrixXd& x, const MatrixXd& y, const CorrectionOptions& options,
+                       base::Progress* progress, const base::ProgressPart& part) {
+  constexpr const char* kLearning = "learning hyperparameters";
+  const std::size_t members = membersOf(x.rows(), options), fits = kGroups.size() * members;
+  GroupParameters found;
+  found.fill(std::vector<KernelParameters>(members));
+  part.report(progress, 0.0, kLearning);
+  std::atomic<int> ready = 0;
+  math::setDenseThreads(1);
+  base::parallelFor(fits, options.threads, [&](std::size_t fit) {
+    const std::size_t member = fit / kGroups.size(), g = fit % kGroups.size();
+    const auto drawn = drawnPoints(x.rows(), options.likelihood_points, kDraws * options.seed + member);
+    const MatrixXd own_x = x(drawn, Eigen::all);
+    const MatrixXd own_y = y(drawn, Eigen::seqN(kGroups[g].first, kGroups[g].count));
+    const KernelParameters start = startOf(own_x, own_y, options.fit);
+    found[g][member] = fitProcess(own_x, own_y, start, options.fit, progress).parameters;
+    part.report(progress, ++ready / static_cast<double>(fits), kLearning);
+  });
+  return found;
+}
+
+/// A committee of some hyperparameters that knows no states yet, each member's inducing points drawn of `x`.
+Committee knowingNothing(const MatrixXd& x, Index outputs, const std::vector<KernelParameters>& members,
+                         Index inducing_points, std::uint64_t seed) {
+  std::vector<SparseProcess> processes;
+  for (const KernelParameters& parameters : members)
+    processes.emplace_back(x(drawnPoints(x.rows(), inducing_points, seed++), Eigen::all), outputs,
+                           parameters);
+  return Committee(std::move(processes));
+}
+
+std::vector<KernelParameters> parametersOf(const Committee& committee) {
+  std::vector<KernelParameters> all;
+  for (const SparseProcess& member : committee.members()) all.push_back(member.parameters());
+  return all;
+}
+
+/// Factor to σ by which shares of `multiples`, |e| / σ, within it and its double are a normal distribution's
+/// at least; of normal errors a little more, as the larger of two quantiles that chance moves. 1 of an output
+/// that never errs.
+double inflationOf(const std::vector<double>& multiples) {
+  constexpr std::array<double, 2> kShares = {kWithinSigma, kWithinTwoSigma};
+  const std::vector<double> at = stats::quantiles(multiples, kShares);
+  const double factor = std::max(at[0], at[1] / 2.0);
+  return factor > 0.0 ? factor : 1.0;
+}
+
+void checkEnough(std::size_t states) {
+  if (states < kFewestStates)
+    throw base::InputError({{},
+                            0,
+                            "states",
+                            fmt::format("{}", states),
+                            fmt::format("are too few to learn from; {} at least", kFewestStates),
+                            "Record longer, or clean less"});
+}
+
+}  // namespace
+
+Vector6d errorsInSigma(const Corrected& corrected, const Eigen::Isometry3d& told) {
+  const PoseFeatures tangent(RotationForm::kTangent, Motion::kNone, Eigen::Quaterniond::Identity());
+  return tangent.correction(corrected.pose, told).cwiseQuotient(corrected.sigma);
+}
+
+CorrectionModel::CorrectionModel(CorrectionParts parts) : known_(std::move(parts)) {
+  for (std::vector<SparseProcessParts>& group : known_.groups) {
+    std::vector<SparseProcess> members;
+    for (SparseProcessParts& member : group) members.emplace_back(std::move(member));
+    processes_.emplace_back(std::move(members));
+  }
+  known_.groups.clear();
+}
+
+CorrectionParts CorrectionModel::parts() const {
+  CorrectionParts parts = known_;
+  for (const Committee& committee : processes_) {
+    parts.groups.emplace_back();
+    for (const SparseProcess& member : committee.members()) parts.groups.back().push_back(member.parts());
+  }
+  return parts;
+}
+
+CorrectionModel CorrectionModel::rigid(const std::vector<State>& states, const CorrectionOptions& options) {
+  checkEnough(states.size());
+  const std::vector<PosePair> pairs = pairsOf(states);
+  CorrectionParts parts;
+  parts.offset = options.offset ? *options.offset : rigidOffset(pairs, options.lever);
+  parts.lever = options.lever;
+  std::vector<Eigen::Isometry3d> moved;
+  for (const PosePair& pair : pairs) moved.push_back(parts.offset * pair.seen);
+  parts.features =
+      PoseFeatures(options.rotation, options.motion.value_or(Motion::kVelocity), middleTurn(moved));
+  CorrectionModel model(std::move(parts));
+  for (const Eigen::Isometry3d& pose : moved) model.extendBy(pose);
+  model.findScales(states);
+  return model;
+}
+
+CorrectionModel CorrectionModel::trained(const std::vector<State>& states, const CorrectionOptions& options,
+                                         base::Progress* progress, const base::ProgressPart& part) {
+  if (!options.motion) {
+    CorrectionOptions chosen = options;
+    chosen.motion = chooseMotion(states, options, progress, part.within(0.0, kChoiceShare));
+    return trained(states, chosen, progress, part.within(kChoiceShare, 1.0));
+  }
+  CorrectionModel model = rigid(states, options);
+  const MatrixXd x = model.featuresOf(states), y = model.targetsOf(states);
+
+  const GroupParameters parameters = fitted(x, y, options, progress, part.within(0.0, kFitShare));
+  math::setDenseThreads(options.threads);
+  for (std::size_t g = 0; g < kGroups.size() && !(progress && progress->cancelled()); ++g) {
+    part.report(progress, kFitShare + kAllShare * static_cast<double>(g) / kGroups.size(),
+                "learning all states");
+    Committee committee = knowingNothing(x, kGroups[g].count, parameters[g], options.inducing_points,
+                                         kDraws * options.seed + kInducingDraw);
+    committee.add(x, y.middleCols(kGroups[g].first, kGroups[g].count),
+                  doubtsOf(states, kGroups[g], model.known_.scale));
+    model.processes_.push_back(std::move(committee));
+  }
+  if (progress && progress->cancelled())
+    model.processes_.clear();
+  else if (options.calibrate)
+    model.findInflation(states, options);
+  return model;
+}
+
+void CorrectionModel::findScales(const std::vector<State>& states) {
+  const Index features = known_.features.size();
+  known_.middle = Eigen::RowVectorXd::Zero(features);
+  known_.deviation = Eigen::RowVectorXd::Ones(features);
+  known_.scale = known_.inflation = Eigen::RowVectorXd::Ones(kOutputs);
+  const auto orOne = [](double x) { return x > 1e-12 ? x : 1.0; };  // of what never changes
+  MatrixXd x(static_cast<Index>(states.size()), features);
+  for (std::size_t k = 0; k < states.size(); ++k)
+    x.row(static_cast<Index>(k)) = known_.features.of(known_.offset, states[k]);
+  known_.middle = x.colwise().mean();
+  known_.deviation =
+      (x.rowwise() - known_.middle).array().square().colwise().mean().sqrt().matrix().unaryExpr(orOne);
+  known_.scale = targetsOf(states).array().square().colwise().mean().sqrt().matrix().unaryExpr(orOne);
+}
+
+MatrixXd CorrectionModel::featuresOf(const std::vector<State>& states) const {
+  MatrixXd x(static_cast<Index>(states.size()), known_.features.size());
+  for (std::size_t k = 0; k < states.size(); ++k)
+    x.row(static_cast<Index>(k)) = known_.features.of(known_.offset, states[k]);
+  x = (x.rowwise() - known_.middle).array().rowwise() / known_.deviation.array();
+  return x.cwiseMax(-kFarthestFeature).cwiseMin(kFarthestFeature);
+}
+
+MatrixXd CorrectionModel::targetsOf(const std::vector<State>& states) const {
+  MatrixXd y(static_cast<Index>(states.size()), kOutputs);
+  for (std::size_t k = 0; k < states.size(); ++k)
+    y.row(static_cast<Index>(k)) =
+        known_.features.correction(known_.offset * states[k].pair.seen, states[k].pair.told).transpose();
+  return y.array().rowwise() / known_.scale.array();
+}
+
+Corrected CorrectionModel::correct(const Eigen::Isometry3d& desired, const Vector6d& velocity) const {
+  State state;
+  state.pair.seen = desired;
+  state.velocity = velocity;
+  state.drift.fill(velocity);
+  return correct(state);
+}
+
+Corrected CorrectionModel::correct(const State& desired) const { return correctSurely({desired}).front(); }
+
+std::vector<Corrected> CorrectionModel::correctSurely(const std::vector<State>& desired) const {
+  const Corrected rigid{Eigen::Isometry3d::Identity(), known_.scale.transpose(), 0.0};
+  std::vector<Corrected> corrected(desired.size(), rigid);
+  const auto n = static_cast<Index>(desired.size());
+  MatrixXd corrections = MatrixXd::Zero(n, kOutputs), sigma = known_.scale.replicate(n, 1);
+  Eigen::VectorXd left = Eigen::VectorXd::Zero(n);
+  double all = 0.0;
+  const MatrixXd x = featuresOf(desired);
+  for (std::size_t g = 0; g < processes_.size(); ++g) {
+    const auto [first, count] = kGroups[g];
+    const Prediction told = processes_[g].predict(x);
+    const Eigen::RowVectorXd scale = known_.scale.segment(first, count);
+    corrections.middleCols(first, count) = told.mean * scale.asDiagonal();
+    sigma.middleCols(first, count) = (told.variance.array() + processes_[g].noiseVariance()).sqrt().matrix() *
+                                     scale.cwiseProduct(known_.inflation.segment(first, count));
+    const double weight = weightOf(g);
+    left += weight * told.variance;
+    all += weight * processes_[g].signalVariance();
+  }
+  for (Index k = 0; k < n; ++k) {
+    Corrected& one = corrected[static_cast<std::size_t>(k)];
+    one.pose = known_.offset * desired[static_cast<std::size_t>(k)].pair.seen;
+    one.sigma = sigma.row(k).transpose();
+    if (processes_.empty()) continue;
+    const double faded = fading(one.pose);
+    one.confidence = faded * std::max(1.0 - left[k] / all, 0.0);
+    one.pose = known_.features.corrected(one.pose, faded * corrections.row(k).transpose());
+  }
+  return corrected;
+}
+
+std::vector<Eigen::Isometry3d> CorrectionModel::correct(const std::vector<State>& desired) const {
+  std::vector<Eigen::Isometry3d> poses;
+  const MatrixXd x = featuresOf(desired);
+  MatrixXd corrections = MatrixXd::Zero(x.rows(), kOutputs);
+  for (std::size_t g = 0; g < processes_.size(); ++g)
+    corrections.middleCols(kGroups[g].first, kGroups[g].count) = processes_[g].mean(x);
+  corrections *= known_.scale.asDiagonal();
+  for (std::size_t k = 0; k < desired.size(); ++k) {
+    const Eigen::Isometry3d moved = known_.offset * desired[k].pair.seen;
+    const Vector6d correction = corrections.row(static_cast<Index>(k)).transpose();
+    poses.push_back(known_.features.corrected(moved, fading(moved) * correction));
+  }
+  return poses;
+}
+
+/// Errors of motions held out, from the others at the same hyperparameters: their shares within σ and 2 σ
+/// shall be those of a normal distribution at least (errors' tails are heavier than its). Every eighth motion
+/// is, of one motion each eighth of its course; where that makes few, more such eighths in turn.
+void CorrectionModel::findInflation(const std::vector<State>& states, const CorrectionOptions& options) {
+  constexpr std::size_t kEighths = 8, kEnough = 20;  // motions held out
+  const std::vector<std::size_t> places = motionPlaces(states);
+  const std::size_t motions = places.back() + 1;
+  const auto eighthOf = [&](std::size_t k) {
+    return motions == 1 ? kEighths * k / states.size() : places[k] % kEighths;
+  };
+  const std::size_t folds = std::min(kEighths, (kEnough * kEighths + motions - 1) / motions);
+  std::array<std::vector<double>, kOutputs> ratios;
+  for (std::size_t fold = 0; fold < folds; ++fold) {
+    std::vector<State> seen, held;
+    for (std::size_t k = 0; k < states.size(); ++k)
+      (eighthOf(k) == kEighths - 1 - fold ? held : seen).push_back(states[k]);
+    if (!held.empty() && !seen.empty()) addRatios(seen, held, options, ratios);
+  }
+  for (std::size_t k = 0; k < ratios.size(); ++k)
+    if (!ratios[k].empty()) known_.inflation[static_cast<Index>(k)] = inflationOf(ratios[k]);
+}
+
+/// |e| / σ of states held out, from a model of those seen.
+void CorrectionModel::addRatios(const std::vector<State>& seen, const std::vector<State>& held,
+                                const CorrectionOptions& options,
+                                std::array<std::vector<double>, 6>& ratios) const {
+  const MatrixXd x = featuresOf(seen), y = targetsOf(seen), at = featuresOf(held), told = targetsOf(held);
+  for (std::size_t g = 0; g < kGroups.size(); ++g) {
+    const auto [first, count] = kGroups[g];
+    Committee committee = knowingNothing(x, count, parametersOf(processes_[g]), options.inducing_points,
+                                         kDraws * options.seed + kCalibrationDraw);
+    committee.add(x, y.middleCols(first, count), doubtsOf(seen, kGroups[g], known_.scale));
+    const Prediction guess = committee.predict(at);
+    const Eigen::ArrayXd sigma = (guess.variance.array() + committee.noiseVariance()).sqrt();
+    for (Index k = 0; k < count; ++k) {
+      const Eigen::ArrayXd off = ((told.col(first + k) - guess.mean.col(k)).array() / sigma).abs();
+      std::vector<double>& all = ratios[static_cast<std::size_t>(first + k)];
+      all.insert(all.end(), off.begin(), off.end());
+    }
+  }
+}
+
+double CorrectionModel::weightOf(std::size_t process) const {
+  const auto [first, count] = kGroups[process];
+  return known_.scale.segment(first, count).squaredNorm() * (first < 3 ? 1.0 : known_.lever * known_.lever);
+}
+
+Eigen::VectorXd CorrectionModel::confidence(const std::vector<State>& desired) const {
+  Eigen::VectorXd sure(static_cast<Index>(desired.size()));
+  const std::vector<Corrected> corrected = correctSurely(desired);
+  for (std::size_t k = 0; k < corrected.size(); ++k) sure[static_cast<Index>(k)] = corrected[k].confidence;
+  return sure;
+}
+
+Eigen::Vector3d CorrectionModel::turnOf(const Eigen::Isometry3d& moved) const {
+  return rotationVector(known_.features.middle().conjugate() * Eigen::Quaterniond(moved.linear()));
+}
+
+void CorrectionModel::extendBy(const Eigen::Isometry3d& moved) {
+  known_.workspace.extend(moved.translation());
+  known_.turns.extend(turnOf(moved));
+}
+
+double CorrectionModel::fading(const Eigen::Isometry3d& moved) const {
+  const double turned = known_.lever * known_.lever * known_.turns.squaredExteriorDistance(turnOf(moved));
+  const double away = known_.workspace.squaredExteriorDistance(moved.translation());
+  return std::exp(-0.5 * (away + turned) / (kFade * kFade));
+}
+
+void CorrectionModel::add(const std::vector<State>& states) {
+  const MatrixXd x = featuresOf(states), y = targetsOf(states);
+  for (const State& state : states) extendBy(known_.offset * state.pair.seen);
+  for (std::size_t g = 0; g < processes_.size(); ++g)
+    processes_[g].add(x, y.middleCols(kGroups[g].first, kGroups[g].count),
+                      doubtsOf(states, kGroups[g], known_.scale));
+}
+
+}  // namespace capstan::learning

@@ -1,0 +1,121 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "core/base/progress_part.h"
+#include "core/learning/poses/pose_features.h"
+#include "core/learning/process/committee.h"
+#include "core/learning/process/process_fit.h"
+
+namespace capstan::learning {
+
+struct CorrectionOptions {
+  /// History pays with thousands of states, and misleads with hundreds; unset: as chooseMotion() finds.
+  std::optional<Motion> motion = Motion::kVelocity;
+  RotationForm rotation = RotationForm::kTangent;
+  int members = 3;                       ///< of each committee; one where it would have all states
+  Eigen::Index likelihood_points = 800;  ///< states that a member's hyperparameters are learned from, at most
+  Eigen::Index inducing_points = 1000;   ///< of a member, at most
+  ProcessFitOptions fit{.kernel = Kernel::kMatern, .farthest_signal = 3.0, .farthest_noise = 2.5};
+  double lever = kLever;
+  std::optional<Eigen::Isometry3d> offset = std::nullopt;  ///< G; unset: least squares of the states
+  int threads = 2;
+  std::uint64_t seed = 1;
+  bool calibrate = true;  ///< σ, by motions held out
+};
+
+/// What is to be asked for, and how sure that is.
+struct Corrected {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  /// Of the correction, with the noise of what was learned: position along the axes of what is told [m], turn
+  /// about the tool's [rad]. Of a model without processes the RMS of what the rigid offset left.
+  Vector6d sigma = Vector6d::Zero();
+  /// 1 − variance / variance without data, of all outputs together (turns by the lever): 1 where the data are
+  /// dense; times what is left of the correction beyond the workspace.
+  double confidence = 0.0;
+};
+
+/// What was told ⊖ a corrected pose, in units of the stated σ.
+Vector6d errorsInSigma(const Corrected& corrected, const Eigen::Isometry3d& told);
+
+/// Everything that a model knows, as a file keeps it.
+struct CorrectionParts {
+  Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();  ///< G
+  PoseFeatures features{RotationForm::kTangent, Motion::kHistory, Eigen::Quaterniond::Identity()};
+  double lever = kLever;
+  Eigen::AlignedBox3d turns;             ///< of their rotation vectors from the features' middle turn [rad]
+  Eigen::AlignedBox3d workspace;         ///< of the offset's positions [m]
+  Eigen::RowVectorXd middle, deviation;  ///< of the features
+  Eigen::RowVectorXd scale;              ///< RMS of the six targets
+  Eigen::RowVectorXd inflation;          ///< of the outputs' σ, so that they hold for motions not learned
+  /// Members' of x, of y, of z and of the turn; none: the rigid offset alone.
+  std::vector<std::vector<SparseProcessParts>> groups;
+};
+
+/// F = H ∘ G (GPR paper, section III): what to ask for so that cameras see a desired state. G is the rigid
+/// offset; H are Gaussian processes of the difference that G leaves, whose mean is 0 far from all data: a
+/// committee each of x, y and z, and one of the turn, whose three outputs share kernels. Features count in
+/// deviations from their middle, kFarthestFeature at most. An output that does not depend on where the tip is
+/// has no such distance: all corrections fade besides, as exp(−½ d²/kFade²) of the distance d from the boxes
+/// of all positions and of all turns learned, turns by the lever.
+class CorrectionModel {
+ public:
+  /// From states that count; `part` of `progress` is its own. base::InputError: fewer than kFewestStates.
+  /// Cancelled: of a rigid offset alone.
+  static CorrectionModel trained(const std::vector<State>& states, const CorrectionOptions& options = {},
+                                 base::Progress* progress = nullptr, const base::ProgressPart& part = {});
+  /// Of the rigid offset alone.
+  static CorrectionModel rigid(const std::vector<State>& states, const CorrectionOptions& options = {});
+  explicit CorrectionModel(CorrectionParts parts);
+
+  /// Of what shall be seen: pair.seen, velocity and drift of `desired` in the cameras' frame.
+  Corrected correct(const State& desired) const;
+  /// The same of a steady motion.
+  Corrected correct(const Eigen::Isometry3d& desired, const Vector6d& velocity) const;
+  /// The same of many.
+  std::vector<Corrected> correctSurely(const std::vector<State>& desired) const;
+  /// Poses alone, faster.
+  std::vector<Eigen::Isometry3d> correct(const std::vector<State>& desired) const;
+
+  /// Corrected::confidence of many.
+  Eigen::VectorXd confidence(const std::vector<State>& desired) const;
+
+  /// Learns more states with the same hyperparameters and inducing points.
+  void add(const std::vector<State>& states);
+
+  const Eigen::Isometry3d& offset() const { return known_.offset; }
+  const PoseFeatures& features() const { return known_.features; }
+  Motion motion() const { return known_.features.motion(); }
+  const Eigen::AlignedBox3d& workspace() const { return known_.workspace; }
+  /// Of x, y, z and of the turn, of outputs in units of their scale.
+  const std::vector<Committee>& processes() const { return processes_; }
+  /// Of a committee's variance among all [m²]: its outputs' scales, of turns by the lever.
+  double weightOf(std::size_t process) const;
+  CorrectionParts parts() const;
+
+  /// What the processes are told and tell, a row a state: features in deviations, outputs in scales.
+  Eigen::MatrixXd featuresOf(const std::vector<State>& states) const;
+  Eigen::MatrixXd targetsOf(const std::vector<State>& states) const;
+
+ private:
+  void findScales(const std::vector<State>& states);
+  void findInflation(const std::vector<State>& states, const CorrectionOptions& options);
+  void addRatios(const std::vector<State>& seen, const std::vector<State>& held,
+                 const CorrectionOptions& options, std::array<std::vector<double>, 6>& ratios) const;
+  Eigen::Vector3d turnOf(const Eigen::Isometry3d& moved) const;  ///< from the features' middle [rad]
+  void extendBy(const Eigen::Isometry3d& moved);
+  double fading(const Eigen::Isometry3d& moved) const;
+
+  CorrectionParts known_;  ///< without groups
+  std::vector<Committee> processes_;
+};
+/// Below this confidence a pose is corrected by little more than the rigid offset.
+inline constexpr double kUnsure = 0.5;
+/// Shares of a normal distribution: σ are calibrated by them.
+inline constexpr double kWithinSigma = 0.6827, kWithinTwoSigma = 0.9545;
+inline constexpr std::size_t kFewestStates = 20;
+inline constexpr double kFarthestFeature = 4.0;
+inline constexpr double kFade = 0.01;  ///< [m]
+
+}  // namespace capstan::learning

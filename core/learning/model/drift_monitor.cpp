@@ -1,0 +1,116 @@
+#include "core/learning/model/drift_monitor.h"
+
+#include <algorithm>
+#include <array>
+#include <boost/math/distributions/binomial.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "core/stats/quantile.h"
+
+namespace capstan::learning {
+namespace {
+
+constexpr double kOutputs = 6.0;
+constexpr std::size_t kAtOnce = 500;  // states that are corrected together
+
+}  // namespace
+
+DriftReport DriftMonitor::add(const State& state, const Corrected& corrected) {
+  if (window_.empty() || state.t >= window_.back().t + options_.spacing)
+    window_.push_back({state.t, Vector6d::Zero(), 0});
+  const Eigen::Array<double, 6, 1> off = errorsInSigma(corrected, state.pair.told).array().abs();
+  window_.back().beyond.array() += 1.0 - (off <= 1.0).cast<double>();
+  ++window_.back().states;
+  while (window_.size() > 1 && window_.front().t < state.t - options_.span) window_.pop_front();
+  DriftReport worst = reportOver(window_.size());
+  std::size_t pieces = window_.size() / 2;
+  for (std::size_t part = 1; part < kWindows && pieces >= kFewestPieces; pieces /= 2, ++part)
+    if (const DriftReport report = reportOver(pieces);
+        report.beyond / report.limit > worst.beyond / worst.limit)
+      worst = report;
+  return worst;
+}
+
+/// Of the last pieces of the window.
+DriftReport DriftMonitor::reportOver(std::size_t pieces) const {
+  DriftReport report;
+  Vector6d sum = Vector6d::Zero();
+  const std::size_t first = window_.size() - pieces;
+  for (std::size_t k = first; k < window_.size(); ++k)
+    sum += window_[k].beyond / static_cast<double>(window_[k].states);
+  const auto n = static_cast<double>(pieces);
+  report.span = window_.back().t - window_[first].t;
+  report.beyond = sum.maxCoeff(&report.output) / n;
+  const double chance = std::erfc(1.0 / (options_.sigma_known * std::numbers::sqrt2));
+  const boost::math::binomial number(n, chance);
+  report.limit =
+      boost::math::quantile(boost::math::complement(number, options_.level / (kOutputs * kWindows))) / n;
+  report.told = pieces >= kFewestPieces;
+  report.aged = report.told && report.beyond > report.limit;
+  return report;
+}
+
+namespace {
+
+/// Takes states to a monitor, one motion behind the other, and keeps what it says.
+class Walk {
+ public:
+  Walk(const CorrectionModel& model, const DriftOptions& options)
+      : monitor_(model, options), options_(options) {}
+
+  void take(std::size_t place, const State& state, const Corrected& corrected) {
+    if (corrected.confidence < options_.least_confidence) {
+      ++course_.unsure;
+      return;
+    }
+    State now = state;
+    if (course_.t.empty() || state.motion != motion_)
+      begun_ = state.t - (course_.t.empty() ? 0.0 : course_.t.back() + options_.spacing);
+    motion_ = state.motion;
+    now.t -= begun_;
+    course_.state.push_back(place);
+    course_.t.push_back(now.t);
+    course_.reports.push_back(monitor_.add(now, corrected));
+    const Vector6d off = errorsInSigma(corrected, state.pair.told);
+    for (std::size_t i = 0; i < off_.size(); ++i)
+      off_[i].push_back(std::abs(off[static_cast<Eigen::Index>(i)]));
+    const std::size_t at = course_.t.size() - 1;
+    if (!course_.reports.back().aged) return;
+    if (course_.aged.empty() || course_.aged.back().second != at) course_.aged.emplace_back(at, at);
+    course_.aged.back().second = at + 1;
+  }
+
+  DriftCourse ended() {
+    for (std::size_t i = 0; i < off_.size() && !course_.t.empty(); ++i)
+      course_.factor[static_cast<Eigen::Index>(i)] = stats::quantile(off_[i], kWithinSigma);
+    return std::move(course_);
+  }
+
+ private:
+  DriftMonitor monitor_;
+  DriftOptions options_;
+  DriftCourse course_;
+  std::array<std::vector<double>, 6> off_;
+  std::size_t motion_ = 0;
+  double begun_ = 0.0;  ///< the motion's clock at the whole's zero
+};
+
+}  // namespace
+
+DriftCourse driftAlong(const CorrectionModel& model, const std::vector<State>& states,
+                       const DriftOptions& options, base::Progress* progress) {
+  Walk walk(model, options);
+  for (std::size_t from = 0; from < states.size() && !(progress && progress->cancelled()); from += kAtOnce) {
+    if (progress)
+      progress->report(static_cast<double>(from) / static_cast<double>(states.size()), "looking for drift");
+    const std::size_t to = std::min(from + kAtOnce, states.size());
+    const std::vector<State> some(states.begin() + static_cast<std::ptrdiff_t>(from),
+                                  states.begin() + static_cast<std::ptrdiff_t>(to));
+    const std::vector<Corrected> corrected = model.correctSurely(some);
+    for (std::size_t k = 0; k < some.size(); ++k) walk.take(from + k, some[k], corrected[k]);
+  }
+  return walk.ended();
+}
+
+}  // namespace capstan::learning

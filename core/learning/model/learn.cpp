@@ -1,0 +1,128 @@
+#include "core/learning/model/learn.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "core/base/error.h"
+#include "core/learning/model/drift_monitor.h"
+#include "core/learning/poses/check_tables.h"
+#include "core/learning/poses/choose_motion.h"
+#include "core/learning/poses/related_streams.h"
+#include "core/learning/poses/training_states.h"
+
+namespace capstan::learning {
+namespace {
+
+void pairAt(PreparedStates& prepared, StreamKind towards) {
+  prepared.states = statesOf(prepared.screen.motions, towards, prepared.taken_off);
+  if (prepared.states.empty())
+    throw base::InputError(
+        {{},
+         0,
+         std::string(base::nameOf(towards)),
+         {},
+         "has no pose at an instant at which the camera has one",
+         "Choose another stream, or look at the stamps: both must tell the same clock's time"});
+}
+
+}  // namespace
+
+PreparedStates prepare(const std::vector<RawMotion>& motions, const LearningOptions& options,
+                       base::Progress* progress, const base::ProgressPart& part) {
+  PreparedStates prepared;
+  const auto goOn = [&](double fraction, const char* doing) {
+    part.report(progress, fraction, doing);
+    prepared.cancelled = progress && progress->cancelled();
+    return !prepared.cancelled;
+  };
+  if (!goOn(0.0, "screening")) return prepared;
+  checkTables(motions, options.towards);
+  prepared.screen = screenPoses(motions);
+  if (!goOn(0.2, "looking for the lag")) return prepared;
+  prepared.lag = lagBetween(prepared.screen.motions, options.towards, options.lag);
+  if (!goOn(0.7, "pairing")) return prepared;
+  if (options.align) prepared.taken_off = prepared.lag.lag;
+  pairAt(prepared, options.towards);
+  return prepared;
+}
+
+PreparedStates prepareAt(double lag, const std::vector<RawMotion>& motions, StreamKind towards) {
+  PreparedStates prepared;
+  checkTables(motions, towards);
+  prepared.screen = screenPoses(motions);
+  prepared.lag.lag = prepared.taken_off = lag;
+  pairAt(prepared, towards);
+  return prepared;
+}
+
+LearningReport learn(const std::vector<RawMotion>& motions, const LearningOptions& options,
+                     base::Progress* progress) {
+  constexpr double kPrepared = 0.1;  // of the time
+  return learnPrepared(prepare(motions, options, progress, {0.0, kPrepared, {}}), options, progress,
+                       {kPrepared, 1.0, {}});
+}
+
+LearningReport learnPrepared(PreparedStates prepared, const LearningOptions& options,
+                             base::Progress* progress, const base::ProgressPart& part) {
+  constexpr double kChosen = 0.15, kWeighed = 0.45;  // of the time
+  if (prepared.cancelled) return {std::move(prepared), {}, {}, CorrectionModel(CorrectionParts{}), true};
+  CleaningReport cleaned;
+  if (options.clean)
+    cleaned = cleanStates(prepared.states, options.cleaning);
+  else
+    cleaned.reason.assign(prepared.states.size(), Reason::kNone);
+  TrainingStates training = trainingStates(prepared.states, std::move(cleaned), options.correction.lever);
+  checkRelated(prepared.screen.motions, prepared.states,
+               options.clean ? training.cleaning.offset : training.offset, options.towards);
+  CorrectionOptions correction = options.correction;
+  correction.offset = training.offset;
+  if (!correction.motion && !options.rigid)
+    correction.motion = chooseMotion(training.states, correction, progress, part.within(0.0, kChosen));
+  if (options.clean && options.weigh && !options.rigid)
+    weigh(training, prepared.states, options.cleaning, correction, progress,
+          {part.within(kChosen, kWeighed).begin, part.within(kChosen, kWeighed).end, "weighing"});
+  CorrectionModel model = options.rigid ? CorrectionModel::rigid(training.states, correction)
+                                        : CorrectionModel::trained(training.states, correction, progress,
+                                                                   part.within(kWeighed, 1.0));
+  return {std::move(prepared), std::move(training.cleaning), std::move(training.weighing), std::move(model),
+          progress && progress->cancelled()};
+}
+
+LearningReport learnMore(CorrectionModel model, double lag, const std::vector<RawMotion>& motions,
+                         const LearningOptions& options, base::Progress* progress) {
+  constexpr double kPrepared = 0.3, kJudged = 0.7;  // of the time
+  if (model.processes().empty())
+    throw base::InputError({{},
+                            0,
+                            "model",
+                            {},
+                            "is a rigid offset alone, which takes nothing in",
+                            "Learn anew from all tables"});
+  if (progress) progress->report(0.0, "pairing");
+  PreparedStates prepared = prepareAt(lag, motions, options.towards);
+  checkRelated(prepared.screen.motions, prepared.states, model.offset(), options.towards);
+  CleaningReport cleaning = cleanStates(prepared.states, options.cleaning);
+  const std::vector<State> counting = kept(prepared.states, cleaning);
+  if (counting.size() < kFewestStates)
+    throw base::InputError({{},
+                            0,
+                            "states",
+                            fmt::format("{}", counting.size()),
+                            fmt::format("are left to learn from; {} at least", kFewestStates),
+                            "Record longer"});
+  if (progress) progress->report(kPrepared, "comparing with what is known");
+  if (const DriftCourse course = driftAlong(model, counting); course.agedNow())
+    throw base::InputError({{},
+                            0,
+                            "motions",
+                            {},
+                            "contradict what the model has learned: it has aged",
+                            "Learn anew from motions that are as the robot is now"});
+  if (progress) progress->report(kJudged, "learning more states");
+  const bool cancelled = progress && progress->cancelled();
+  if (!cancelled) model.add(counting);
+  return {std::move(prepared), std::move(cleaning), {}, std::move(model), cancelled};
+}
+
+}  // namespace capstan::learning

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "core/learning/model/correction_model.h"
+#include "core/learning/poses/clean_states.h"
+#include "core/learning/poses/screen_poses.h"
+#include "core/learning/poses/training_states.h"
+
+/// From tables of tip poses to a model: every stage of learning in its order (GPR paper, section IV).
+namespace capstan::learning {
+
+struct LearningOptions {
+  StreamKind towards = StreamKind::kCommand;  ///< what corrected poses will be asked of
+  LagOptions lag;
+  bool align = true;  ///< take the lag of what is seen behind what is told off
+  bool clean = true;
+  /// States, those too that cleaning took, by how well others tell them; where states are cleaned, and
+  /// processes learned.
+  bool weigh = true;
+  bool rigid = false;  ///< learn the rigid offset alone
+  /// Of a trajectory that is wrong in part (axes swapped, say) some states pass by chance: less is trusted
+  /// than the paper's P.
+  CleaningOptions cleaning{.most_rejected = 0.4};
+  CorrectionOptions correction{.motion = std::nullopt};
+};
+
+/// What becomes of the rows of a recording before anything is learned.
+struct PreparedStates {
+  ScreenReport screen;
+  LagReport lag;              ///< as measured, taken off or not; nothing tried: as it was given
+  double taken_off = 0.0;     ///< [s]
+  std::vector<State> states;  ///< paired, with velocities
+  bool cancelled = false;     ///< what came behind is empty
+};
+
+/// What statesOf() finds in the motions at a lag that is known.
+PreparedStates prepareAt(double lag, const std::vector<RawMotion>& motions, StreamKind towards);
+
+/// Screens, aligns and pairs. base::InputError as checkTables(), and where no motion has both streams at
+/// once.
+PreparedStates prepare(const std::vector<RawMotion>& motions, const LearningOptions& options,
+                       base::Progress* progress = nullptr, const base::ProgressPart& part = {});
+
+struct LearningReport {
+  PreparedStates prepared;
+  CleaningReport cleaning;  ///< of prepared.states; where nothing is cleaned all count
+  WeighingReport weighing;  ///< kept ones of `cleaning` are those that count after it
+  CorrectionModel model;
+  bool cancelled = false;
+};
+
+/// Learns a correction from states that prepare() made with the same options, of all of them.
+/// base::InputError: too few states are left; checkRelated().
+LearningReport learnPrepared(PreparedStates prepared, const LearningOptions& options = {},
+                             base::Progress* progress = nullptr, const base::ProgressPart& part = {});
+
+/// prepare() and learnPrepared(). base::InputError as both.
+LearningReport learn(const std::vector<RawMotion>& motions, const LearningOptions& options = {},
+                     base::Progress* progress = nullptr);
+
+/// A model that has been learned takes in new motions, seconds instead of minutes: screened, paired with the
+/// `lag` of the model's source (which is not measured again) and cleaned by options.cleaning, added with the
+/// model's offset, hyperparameters, inducing points and scales of σ, so that it gains less than learn() where
+/// it has never been. base::InputError as learn(), and where the motions contradict the model (driftAlong) or
+/// it has no processes.
+LearningReport learnMore(CorrectionModel model, double lag, const std::vector<RawMotion>& motions,
+                         const LearningOptions& options = {}, base::Progress* progress = nullptr);
+
+}  // namespace capstan::learning

@@ -1,0 +1,84 @@
+#include "core/learning/poses/clean_states.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace capstan::learning {
+namespace {
+
+Reason judged(const State& state, const CleaningReport& report, const CleaningOptions& options) {
+  const Eigen::Isometry3d seen = report.offset * state.pair.seen;
+  const double turn =
+      Eigen::Quaterniond(seen.linear()).angularDistance(Eigen::Quaterniond(state.pair.told.linear()));
+  if (turn > options.most_turned) return Reason::kTooFarTurned;
+  if (!report.workspace.contains(seen.translation())) return Reason::kOutside;
+  if (state.velocity.head<3>().norm() > options.most_speed) return Reason::kTooFast;
+  if (state.velocity.tail<3>().norm() > options.most_turn_rate) return Reason::kTurnsTooFast;
+  return Reason::kNone;
+}
+
+/// Trajectories of which most is out of place, go.
+void rejectTrajectories(const std::vector<State>& states, double most, std::vector<Reason>& reason) {
+  for (std::size_t begin = 0, end = 0; begin < states.size(); begin = end) {
+    std::size_t gone = 0;
+    for (end = begin; end < states.size() && states[end].motion == states[begin].motion; ++end)
+      gone += misplaced(reason[end]);
+    if (static_cast<double>(gone) <= most * static_cast<double>(end - begin)) continue;
+    for (std::size_t k = begin; k < end; ++k)
+      if (reason[k] == Reason::kNone) reason[k] = Reason::kTrajectory;
+  }
+}
+
+}  // namespace
+
+bool misplaced(Reason reason) {
+  return reason == Reason::kOutlier || reason == Reason::kTooFarTurned || reason == Reason::kOutside;
+}
+
+bool tooFast(const State& state, const CleaningOptions& options) {
+  return state.velocity.head<3>().norm() > options.most_speed ||
+         state.velocity.tail<3>().norm() > options.most_turn_rate;
+}
+
+std::size_t CleaningReport::count(Reason of) const {
+  return static_cast<std::size_t>(std::count(reason.begin(), reason.end(), of));
+}
+
+CleaningReport cleanStates(const std::vector<State>& states, const CleaningOptions& options) {
+  CleaningReport report;
+  const std::vector<PosePair> pairs = pairsOf(states);
+  for (const PosePair& pair : pairs) report.workspace.extend(pair.told.translation());
+  const MedianReport median = leastMedianOffset(pairs, options.median);
+  report.offset = median.offset;
+  report.deviation = median.deviation;
+  if (!states.empty()) {
+    report.workspace.min().array() -= options.margin;
+    report.workspace.max().array() += options.margin;
+  }
+  for (std::size_t k = 0; k < states.size(); ++k)
+    report.reason.push_back(median.belongs[k] ? judged(states[k], report, options) : Reason::kOutlier);
+  rejectTrajectories(states, options.most_rejected, report.reason);
+  return report;
+}
+
+std::vector<Reason> judgedBy(const CleaningReport& found, const std::vector<State>& states,
+                             const CleaningOptions& options) {
+  std::vector<Reason> reason;
+  const double most = std::pow(options.median.reach * found.deviation, 2);
+  for (const State& state : states) {
+    const bool belongs =
+        squaredDistance(found.offset * state.pair.seen, state.pair.told, options.median.lever) <= most;
+    reason.push_back(belongs ? judged(state, found, options) : Reason::kOutlier);
+  }
+  rejectTrajectories(states, options.most_rejected, reason);
+  return reason;
+}
+
+std::vector<State> kept(const std::vector<State>& states, const CleaningReport& report) {
+  std::vector<State> some;
+  for (std::size_t k = 0; k < states.size(); ++k)
+    if (report.reason[k] == Reason::kNone) some.push_back(states[k]);
+  return some;
+}
+
+}  // namespace capstan::learning

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/learning/poses/states.h"
+
+namespace capstan::learning {
+
+/// What the robot can do.
+struct CleaningOptions {
+  MedianOptions median = {};
+  double most_turned = 1.0;     ///< of what was seen, the offset taken off, from what was told [rad]
+  double margin = 0.03;         ///< of what was seen outside of all that was told [m]
+  double most_speed = 0.2;      ///< [m/s]: the paper's robot was driven at 0.05
+  double most_turn_rate = 6.0;  ///< [rad/s]
+  double most_rejected = 0.9;   ///< share of a trajectory, beyond which all of it goes: the paper's P
+};
+
+/// Out of place, by one of these reasons: a speed is wrong beside a jump, too.
+bool misplaced(Reason reason);
+
+/// Faster than the robot moves or turns?
+bool tooFast(const State& state, const CleaningOptions& options);
+
+struct CleaningReport {
+  std::vector<Reason> reason;                                ///< by state; kNone: it counts
+  Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();  ///< of the least median of squares
+  double deviation = 0.0;                                    ///< robust, of what belongs [m]
+  Eigen::AlignedBox3d workspace;                             ///< of what was told, the margin wider [m]
+  std::size_t count(Reason reason) const;
+  std::size_t kept() const { return count(Reason::kNone); }
+};
+
+/// Which states a robot can have been in (GPR paper, section IV-A): within reach of the least median of
+/// squares, and within limits of turn, position, speed and turn rate; a trajectory of which more than
+/// `most_rejected` is out of place goes as a whole. Each state that goes has the first reason of these.
+CleaningReport cleanStates(const std::vector<State>& states, const CleaningOptions& options = {});
+
+/// Others, by what was found: the median's reach around its offset, and the limits; trajectories likewise.
+std::vector<Reason> judgedBy(const CleaningReport& found, const std::vector<State>& states,
+                             const CleaningOptions& options = {});
+
+/// The states that count.
+std::vector<State> kept(const std::vector<State>& states, const CleaningReport& report);
+
+}  // namespace capstan::learning

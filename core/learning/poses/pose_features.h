@@ -1,0 +1,67 @@
+#pragma once
+
+#include "core/base/names.h"
+#include "core/learning/poses/states.h"
+
+/// Poses and velocities as the numbers that a process learns from and of.
+namespace capstan::learning {
+
+enum class RotationForm {
+  kTangent,       ///< rotation vectors: of features from a middle turn, of corrections in the tool's frame
+  kYawPitchRoll,  ///< the paper's: R = R_z(yaw) R_y(pitch) R_x(roll), each angle alone
+};
+
+/// What of the motion a process is told besides the pose.
+enum class Motion {
+  kNone,
+  kVelocity,  ///< the paper's
+  kHistory,   ///< mean velocities of the last kSpans besides
+};
+
+/// Angles of R = R_z(yaw) R_y(pitch) R_x(roll) [rad], pitch in ±π/2, the others in ±π; where the pitch is
+/// ±π/2, roll is 0.
+Eigen::Vector3d yawPitchRoll(const Eigen::Matrix3d& rotation);
+Eigen::Matrix3d fromYawPitchRoll(const Eigen::Vector3d& angles);
+
+/// The turn in the middle of some (Markley, Averaging quaternions, 2007): identity of none.
+Eigen::Quaterniond middleTurn(const std::vector<Eigen::Isometry3d>& poses);
+
+class PoseFeatures {
+ public:
+  /// Of poses around `middle`.
+  PoseFeatures(RotationForm form, Motion motion, const Eigen::Quaterniond& middle);
+
+  Eigen::Index size() const;
+  /// [position [m], turn [rad], velocity [m/s], turn rate [rad/s], and those of each of kSpans] of what
+  /// `seen` saw, moved by `offset` on its left.
+  Eigen::RowVectorXd of(const Eigen::Isometry3d& offset, const State& seen) const;
+  /// What takes `from` to `to`: [position [m], turn [rad]].
+  Vector6d correction(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to) const;
+  /// The pose that a correction leads to.
+  Eigen::Isometry3d corrected(const Eigen::Isometry3d& from, const Vector6d& correction) const;
+
+  RotationForm form() const { return form_; }
+  Motion motion() const { return motion_; }
+  const Eigen::Quaterniond& middle() const { return middle_; }
+
+ private:
+  RotationForm form_;
+  Motion motion_;
+  Eigen::Quaterniond middle_;
+};
+
+}  // namespace capstan::learning
+
+template <>
+struct capstan::base::NamesOf<capstan::learning::RotationForm> {
+  using F = capstan::learning::RotationForm;
+  static constexpr std::array value = {std::pair{F::kTangent, "tangent"},
+                                       std::pair{F::kYawPitchRoll, "yaw_pitch_roll"}};
+};
+
+template <>
+struct capstan::base::NamesOf<capstan::learning::Motion> {
+  using M = capstan::learning::Motion;
+  static constexpr std::array value = {std::pair{M::kNone, "none"}, std::pair{M::kVelocity, "velocity"},
+                                       std::pair{M::kHistory, "history"}};
+};

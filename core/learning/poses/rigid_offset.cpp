@@ -1,0 +1,75 @@
+#include "core/learning/poses/rigid_offset.h"
+
+#include <Eigen/SVD>
+#include <cmath>
+#include <limits>
+
+#include "core/base/random.h"
+#include "core/stats/quantile.h"
+
+namespace capstan::learning {
+namespace {
+
+std::vector<double> squaredDistances(std::span<const PosePair> pairs, const Eigen::Isometry3d& offset,
+                                     double lever) {
+  std::vector<double> squares;
+  squares.reserve(pairs.size());
+  for (const PosePair& pair : pairs) squares.push_back(squaredDistance(offset * pair.seen, pair.told, lever));
+  return squares;
+}
+
+}  // namespace
+
+double squaredDistance(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, double lever) {
+  const double angle = Eigen::Quaterniond(a.linear()).angularDistance(Eigen::Quaterniond(b.linear()));
+  return (a.translation() - b.translation()).squaredNorm() + std::pow(lever * angle, 2);
+}
+
+Eigen::Isometry3d rigidOffset(std::span<const PosePair> pairs, double lever) {
+  Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();
+  if (pairs.empty()) return offset;
+  Eigen::Vector3d seen = Eigen::Vector3d::Zero(), told = seen;
+  for (const PosePair& pair : pairs) seen += pair.seen.translation(), told += pair.told.translation();
+  seen /= static_cast<double>(pairs.size());
+  told /= static_cast<double>(pairs.size());
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (const PosePair& pair : pairs)
+    sum += (pair.told.translation() - told) * (pair.seen.translation() - seen).transpose() / (lever * lever) +
+           pair.told.linear() * pair.seen.linear().transpose();
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const double turned = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0 ? -1.0 : 1.0;
+  offset.linear() =
+      svd.matrixU() * Eigen::Vector3d(1.0, 1.0, turned).asDiagonal() * svd.matrixV().transpose();
+  offset.translation() = told - offset.linear() * seen;
+  return offset;
+}
+
+MedianReport leastMedianOffset(std::span<const PosePair> pairs, const MedianOptions& options) {
+  MedianReport report;
+  report.belongs.assign(pairs.size(), true);
+  const auto sample = static_cast<std::size_t>(options.sample);
+  if (pairs.size() <= sample) {
+    report.offset = rigidOffset(pairs, options.lever);
+    return report;
+  }
+  base::Random random(options.seed, "least median of squares");
+  double least = std::numeric_limits<double>::infinity();
+  std::vector<PosePair> drawn(sample);
+  for (int draw = 0; draw < options.draws; ++draw) {
+    for (PosePair& pair : drawn) pair = pairs[random.bits() % pairs.size()];
+    const Eigen::Isometry3d offset = rigidOffset(drawn, options.lever);
+    const double median = stats::median(squaredDistances(pairs, offset, options.lever));
+    if (median < least) least = median, report.offset = offset;
+  }
+  const double n = static_cast<double>(pairs.size() - sample);
+  report.deviation = 1.4826 * (1.0 + 5.0 / n) * std::sqrt(least);
+  const std::vector<double> squares = squaredDistances(pairs, report.offset, options.lever);
+  const double most = std::pow(options.reach * report.deviation, 2);
+  std::vector<PosePair> belonging;
+  for (std::size_t k = 0; k < pairs.size(); ++k)
+    if ((report.belongs[k] = squares[k] <= most)) belonging.push_back(pairs[k]);
+  report.offset = rigidOffset(belonging, options.lever);
+  return report;
+}
+
+}  // namespace capstan::learning

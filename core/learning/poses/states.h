@@ -1,0 +1,75 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "core/learning/poses/pose_motion.h"
+#include "core/learning/poses/rigid_offset.h"
+
+namespace capstan::learning {
+
+using Vector6d = Eigen::Matrix<double, 6, 1>;
+
+/// Spans over which a state remembers how it moved [s].
+inline constexpr std::array kSpans = {0.1, 0.4, 1.6};
+
+/// Mean velocity over each of kSpans.
+using Drift = std::array<Vector6d, kSpans.size()>;
+inline Drift atRest() {
+  Drift drift;
+  drift.fill(Vector6d::Zero());
+  return drift;
+}
+
+/// An observed state and what was told at that instant (GPR paper, section III: x_o = (p, ṗ) and p_c).
+struct State {
+  std::size_t motion = 0;  ///< place among the motions
+  std::size_t row = 0;     ///< line of the camera's row
+  double t = 0.0;          ///< of the camera's clock [s]
+  PosePair pair;
+  Vector6d velocity = Vector6d::Zero();  ///< of what was seen, [m/s], then [rad/s] in its own frame
+  /// Mean velocities of the last kSpans, likewise: cables that stick remember where they came from. Before
+  /// the motion's first sight it stood still.
+  Drift drift = atRest();
+  /// Variances that its noise has in learning besides that of all, of each output of a correction
+  /// (PoseFeatures::correction): of the position [m²], then of the turn [rad²].
+  Vector6d doubt = Vector6d::Zero();
+};
+
+/// Of each state the place of its motion among those that have states; a motion's states stand together.
+std::vector<std::size_t> motionPlaces(const std::vector<State>& states);
+
+/// What was seen and told of each.
+std::vector<PosePair> pairsOf(const std::vector<State>& states);
+
+/// A stream's pose at a time, between the two stamps around it: positions in line, turns along the shorter
+/// arc. Nothing before the first, after the last or in a gap longer than kLongestGap.
+std::optional<Eigen::Isometry3d> poseAt(const std::vector<StampedPose>& stream, double t);
+inline constexpr double kLongestGap = 0.1;  ///< [s]
+
+/// Every sight with its velocity (five-point stencil on the camera's own stamps), how it moved before, and
+/// what `told` said `lag` seconds before: told(t − lag). Sights without such a pose are left out.
+std::vector<State> statesOf(const std::vector<PoseMotion>& motions, StreamKind told, double lag);
+
+/// States of a path to be followed, or of one that was seen: poses, velocities and drifts; nothing told.
+std::vector<State> statesAlong(const std::vector<StampedPose>& path);
+
+struct LagOptions {
+  double earliest = -0.1, latest = 0.4;  ///< [s]
+  double step = 0.01;                    ///< of the first search [s]
+};
+
+struct LagReport {
+  double lag = 0.0;                   ///< by which what is seen comes behind what is told [s]
+  double sigma = 0.0;                 ///< its standard deviation, from motion to motion by the jackknife [s]
+  std::vector<double> tried, misfit;  ///< of the first search: RMS of the difference of speeds [m/s]
+};
+
+/// The lag between both clocks and of the robot behind its command, by speeds, which no rigid offset
+/// changes: least mean of |‖v_seen(t)‖ − ‖v_told(t − lag)‖|, the mean robust against sights that jump
+/// (differences beyond kJump count as that). Searched in steps, then by a parabola through the least three of
+/// those near it, compared by the sights that all of these have a counterpart for.
+LagReport lagBetween(const std::vector<PoseMotion>& motions, StreamKind told, const LagOptions& options = {});
+inline constexpr double kJump = 0.05;  ///< [m/s]
+
+}  // namespace capstan::learning

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/live/blocking.h"
+#include "core/tracking/source.h"
+
+namespace capstan::live {
+
+/// A source whose cameras are blocked on schedule, by the time of the motor sample before.
+class OccludedSource final : public tracking::Source {
+ public:
+  /// `source` outlives this one.
+  OccludedSource(tracking::Source& source, const OcclusionSchedule& schedule)
+      : source_(source), t_(source.info().begin) {
+    blocking_.setSchedule(schedule);
+  }
+
+  const tracking::SourceInfo& info() const override { return source_.info(); }
+  bool next(tracking::Sample& out) override {
+    blocking_.apply(t_, source_);
+    if (!source_.next(out)) return false;
+    if (const auto* motor = std::get_if<tracking::MotorSample>(&out)) t_ = motor->t;
+    return true;
+  }
+  /// By hand, beside the schedule.
+  void block(bool left, bool right) override { blocking_.setByHand(left, right); }
+  /// A camera is blocked now.
+  bool blocked() const { return blocking_.any(); }
+
+ private:
+  tracking::Source& source_;
+  Blocking blocking_;
+  double t_;
+};
+
+}  // namespace capstan::live

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <future>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/due_times.h"
+#include "core/recording/recorder.h"
+
+namespace capstan::live {
+
+/// The recorder that the pipeline's thread feeds, or none. Old ones are closed in the background.
+class RecordingSlot {
+ public:
+  /// Estimates that come with motor samples are thinned to `estimate_rate` [1/s of recording].
+  explicit RecordingSlot(double estimate_rate) : estimates_(estimate_rate) {}
+  ~RecordingSlot() {
+    if (recorder_) recorder_->close();
+  }
+
+  // The pipeline's thread.
+  void begin(std::shared_ptr<recording::Recorder> recorder) {
+    end();
+    recorder_ = std::move(recorder);
+    estimates_.restart();
+    const std::lock_guard lock(mutex_);
+    newest_ = recorder_;
+  }
+  void end() {
+    if (!recorder_) return;
+    closing_.push_back(
+        std::async(std::launch::async, [recorder = std::move(recorder_)] { recorder->close(); }));
+    recorder_ = nullptr;
+  }
+  void offer(const tracking::Sample& sample) {
+    if (recorder_) recorder_->offer(sample);
+  }
+  void offer(const tracking::Snapshot& snapshot) {
+    if (!recorder_) return;
+    if (snapshot.camera_updated || (snapshot.motor_updated && estimates_.due(snapshot.t)))
+      recorder_->offer(snapshot);
+  }
+  void note(double t, std::string kind, std::string text) {
+    if (recorder_) recorder_->note(t, std::move(kind), std::move(text));
+  }
+  /// `added`: to a source that is a recording itself and had its own occlusion or none.
+  void noteOcclusion(double t, const std::string& what, bool added) {
+    note(t, "occlusion", added ? what + ", added to a recording" : what);
+  }
+  void setRegistration(double t, const Eigen::Isometry3d& base_from_camera) {
+    if (recorder_) recorder_->setRegistration(t, base_from_camera);
+  }
+
+  /// Any thread: the present recorder or the last one; null: none yet.
+  std::shared_ptr<recording::Recorder> newest() const {
+    const std::lock_guard lock(mutex_);
+    return newest_;
+  }
+
+ private:
+  base::DueTimes estimates_;
+  std::shared_ptr<recording::Recorder> recorder_;
+  std::vector<std::future<void>> closing_;
+  mutable std::mutex mutex_;
+  std::shared_ptr<recording::Recorder> newest_;
+};
+
+}  // namespace capstan::live

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <opencv2/core/mat.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace capstan::recording {
+
+/// What a decoder must know besides the packet.
+struct CodecParameters {
+  std::string name;  ///< libavcodec's
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> extradata;
+  std::uint32_t fourcc = 0;  ///< variant of the codec, first letter lowest
+};
+
+/// Lossless intra-only encoder for 8-bit BGR images of one size: each packet stands alone. One thread, that
+/// of the caller.
+class FrameEncoder {
+ public:
+  /// At least 2×2 pixels. Throws std::runtime_error for sizes that cannot be encoded.
+  FrameEncoder(int width, int height);
+  ~FrameEncoder();
+  FrameEncoder(FrameEncoder&&) noexcept;
+  FrameEncoder& operator=(FrameEncoder&&) noexcept;
+
+  const CodecParameters& parameters() const;
+  /// Packet of `bgr` (8UC3, the encoder's size); valid until the next call.
+  std::span<const std::uint8_t> encode(const cv::Mat& bgr);
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+class FrameDecoder {
+ public:
+  /// Throws base::InputError (about `file`) for a codec that this libavcodec lacks.
+  FrameDecoder(const CodecParameters& parameters, const std::string& file);
+  ~FrameDecoder();
+  FrameDecoder(FrameDecoder&&) noexcept;
+  FrameDecoder& operator=(FrameDecoder&&) noexcept;
+
+  /// Decodes into `bgr`, whose memory is reused. False: the packet is damaged.
+  bool decode(std::span<const std::uint8_t> packet, cv::Mat& bgr);
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace capstan::recording

@@ -1,0 +1,186 @@
+#include "core/recording/measured_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <iterator>
+#include <set>
+
+#include "core/base/error.h"
+#include "core/base/yaml.h"
+#include "core/recording/csv.h"
+
+namespace capstan::recording {
+namespace {
+
+constexpr int kMaxJoints = 7;
+
+/// One quantity of the table: its columns are prefix1 … prefixn.
+struct Quantity {
+  std::string_view prefix;
+  TableColumns MeasuredTable::*columns;
+  bool by_joint;
+};
+
+constexpr std::array kQuantities = {
+    Quantity{"q_m", &MeasuredTable::q_m, true},     Quantity{"dq_m", &MeasuredTable::dq_m, true},
+    Quantity{"tau_m", &MeasuredTable::tau_m, true}, Quantity{"q", &MeasuredTable::q, true},
+    Quantity{"p_c", &MeasuredTable::p_c, false},    Quantity{"tau_ext", &MeasuredTable::tau_ext, true},
+};
+
+std::string columnName(const Quantity& quantity, std::size_t index) {
+  return fmt::format("{}{}", quantity.prefix, index + 1);
+}
+
+/// The quantity and 0-based index that `name` says; null: none.
+const Quantity* quantityOf(std::string_view name, std::size_t& index) {
+  for (const Quantity& quantity : kQuantities) {
+    if (!name.starts_with(quantity.prefix)) continue;
+    const std::string_view digits = name.substr(quantity.prefix.size());
+    const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
+    if (fault != std::errc() || end != digits.data() + digits.size() || digits.front() == '0') continue;
+    --index;
+    return &quantity;
+  }
+  return nullptr;
+}
+
+/// Columns by (quantity, index) while they are being found, in any order.
+class ColumnCollector {
+ public:
+  explicit ColumnCollector(MeasuredTable& table) : table_(table) {
+    for (auto& columns : found_) columns.resize(kMaxJoints);
+  }
+
+  std::vector<double>* operator()(std::string_view name) {
+    if (!name.empty() && !seen_.emplace(name).second)
+      throw base::InputError(
+          {table_.file, 1, std::string(name), {}, "stands in the header twice", "Rename or remove one"});
+    if (name == "t") return &table_.t;
+    std::size_t index = 0;
+    const Quantity* quantity = quantityOf(name, index);
+    if (!quantity) {
+      table_.ignored.emplace_back(name);
+      return nullptr;
+    }
+    const std::size_t most = quantity->by_joint ? kMaxJoints : 3;
+    if (index >= most)
+      throw base::InputError({table_.file,
+                              1,
+                              std::string(name),
+                              {},
+                              fmt::format("is beyond the {} that tables may have", most),
+                              "Rename the column or remove it"});
+    auto& column = found_[static_cast<std::size_t>(quantity - kQuantities.data())][index];
+    column.present = true;
+    return &column.values;
+  }
+
+  void finish() {
+    if (!seen_.contains("t"))
+      throw base::InputError({table_.file,
+                              1,
+                              "t",
+                              {},
+                              "is not among the columns",
+                              "Add the column t: time [s], strictly increasing"});
+    std::size_t joints = 0;
+    for (std::size_t i = 0; i < kQuantities.size(); ++i)
+      if (kQuantities[i].by_joint) joints = std::max(joints, lastPresent(found_[i]));
+    for (std::size_t i = 0; i < kQuantities.size(); ++i) {
+      const std::size_t have = lastPresent(found_[i]);
+      if (have == 0) continue;
+      const std::size_t want = kQuantities[i].by_joint ? joints : 3;
+      for (std::size_t k = 0; k < want; ++k) {
+        if (!found_[i][k].present)
+          throw base::InputError(
+              {table_.file,
+               1,
+               columnName(kQuantities[i], k),
+               {},
+               "is missing beside its neighbours",
+               fmt::format("Give all {} columns of {}, or none", want, kQuantities[i].prefix)});
+        (table_.*kQuantities[i].columns).push_back(std::move(found_[i][k].values));
+      }
+    }
+  }
+
+ private:
+  struct Found {
+    bool present = false;
+    std::vector<double> values;
+  };
+  static std::size_t lastPresent(const std::vector<Found>& columns) {
+    std::size_t last = 0;
+    for (std::size_t k = 0; k < columns.size(); ++k)
+      if (columns[k].present) last = k + 1;
+    return last;
+  }
+
+  MeasuredTable& table_;
+  std::array<std::vector<Found>, kQuantities.size()> found_;
+  std::set<std::string, std::less<>> seen_;
+};
+
+void checkTime(const MeasuredTable& table) {
+  for (std::size_t row = 0; row < table.t.size(); ++row) {
+    const int line = static_cast<int>(row) + 2;
+    if (std::isnan(table.t[row]))
+      throw base::InputError({table.file, line, "t", {}, "is empty", "Give every row its time [s]"});
+    if (row > 0 && table.t[row] <= table.t[row - 1])
+      throw base::InputError({table.file, line, "t", fmt::format("{}", table.t[row]),
+                              fmt::format("does not come after {} on the line before", table.t[row - 1]),
+                              "Sort the rows by time and remove repeated ones"});
+  }
+}
+
+}  // namespace
+
+int MeasuredTable::joints() const {
+  std::size_t most = 0;
+  for (const Quantity& quantity : kQuantities)
+    if (quantity.by_joint) most = std::max(most, (this->*quantity.columns).size());
+  return static_cast<int>(most);
+}
+
+MeasuredTable readMeasuredTable(const std::filesystem::path& path) {
+  return parseMeasuredTable(base::readTextFile(path), path.string());
+}
+
+MeasuredTable parseMeasuredTable(std::string_view text, const std::string& file) {
+  MeasuredTable table;
+  table.file = file;
+  ColumnCollector collector(table);
+  parseCsv(text, file, [&](std::string_view name, std::size_t) { return collector(name); });
+  collector.finish();
+  checkTime(table);
+  return table;
+}
+
+std::string formatMeasuredTable(const MeasuredTable& table) {
+  std::string text = "t";
+  std::vector<const std::vector<double>*> columns = {&table.t};
+  for (const Quantity& quantity : kQuantities) {
+    const TableColumns& values = table.*quantity.columns;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      text += "," + columnName(quantity, k);
+      columns.push_back(&values[k]);
+    }
+  }
+  text += '\n';
+  text.reserve(text.size() + table.rows() * columns.size() * 12);
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      if (i > 0) text += ',';
+      const double value = (*columns[i])[row];
+      if (!std::isnan(value)) fmt::format_to(std::back_inserter(text), "{}", value);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace capstan::recording

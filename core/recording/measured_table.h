@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace capstan::recording {
+
+/// Columns of one quantity over all joints (or axes): column(i)[row]. Empty: the table has no such columns.
+using TableColumns = std::vector<std::vector<double>>;
+
+/// The measured table (resources/manual/measured-table.md) for n joints (1–7): t, q_m1..n, dq_m1..n,
+/// tau_m1..n, q1..n, p_c1..3, tau_ext1..n; SI units; an empty cell is NaN.
+struct MeasuredTable {
+  std::string file;
+  std::vector<double> t;             ///< strictly increasing [s]
+  TableColumns q_m;                  ///< motor position from the hard stop [rad]
+  TableColumns dq_m;                 ///< [rad/s]
+  TableColumns tau_m;                ///< [N·m or N]
+  TableColumns q;                    ///< joint encoders, the reference [rad or m]
+  TableColumns p_c;                  ///< tip from the cameras, frame 0 [m]
+  TableColumns tau_ext;              ///< measured external joint load [N·m or N]
+  bool own_kinematics = false;       ///< q is what the robot computed from its motors: no reference of truth
+  std::vector<std::string> ignored;  ///< columns that the table has and nobody asked for
+
+  std::size_t rows() const { return t.size(); }
+  int joints() const;  ///< n: the longest of the joint quantities
+};
+
+/// Parses the CSV at `path`. Columns in any order, whole quantities may be missing. Throws base::InputError
+/// with file, line, column, value and remedy: no t, a cell that is no number, a wrong number of cells, t not
+/// strictly increasing, a joint's column missing between others (q_m1, q_m3), a column twice.
+MeasuredTable readMeasuredTable(const std::filesystem::path& path);
+/// The same from text; `file` names it in errors.
+MeasuredTable parseMeasuredTable(std::string_view text, const std::string& file);
+/// Shortest decimals that read back to the last bit; NaN as an empty cell.
+std::string formatMeasuredTable(const MeasuredTable& table);
+
+}  // namespace capstan::recording

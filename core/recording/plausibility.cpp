@@ -1,0 +1,217 @@
+#include "core/recording/plausibility.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/recording/motor_speeds.h"
+#include "core/recording/unit_bounds.h"
+
+namespace capstan::recording {
+namespace {
+
+constexpr std::size_t kFewestRows = 50;  ///< below which rows tell no rate
+constexpr double kSlowestRate = 10.0;    ///< below which cable dynamics cannot be followed [1/s]
+constexpr double kFastestRate = 1e5;     ///< above which no motor is read [1/s]
+
+std::string rangeText(const Range& range, const char* unit) {
+  return fmt::format("{:.4g} … {:.4g} {}", range.low, range.high, unit);
+}
+
+std::string readText(const Range& span, const UnitBounds& bounds, std::optional<ColumnUnit> unit) {
+  if (!unit) return "; in no unit that it may have does it lie within";
+  return fmt::format("; as {}, {}, it lies within", wordOf(*unit),
+                     rangeText(span.times(factorOf(*unit)), bounds.unit));
+}
+
+/// Looks at a table column by column.
+class Inspection {
+ public:
+  Inspection(const MeasuredTable& table, const robot::Description& robot) : table_(table), robot_(robot) {}
+
+  std::vector<UnitFinding> all() {
+    time();
+    if (table_.joints() == robot_.size()) {
+      motors();
+      motorSpeeds();
+      joints();
+    }
+    tip();
+    for (UnitFinding& found : findings_) found.units = unitsOf(found);
+    return std::move(findings_);
+  }
+
+ private:
+  /// Of a sliding joint degrees too: some tables convert all joints alike.
+  std::vector<ColumnUnit> unitsOf(std::size_t joint) const {
+    using enum ColumnUnit;
+    return turns(joint) ? std::vector{kDegrees} : std::vector{kMillimetres, kCentimetres, kDegrees};
+  }
+  std::vector<ColumnUnit> unitsOf(const UnitFinding& found) const {
+    if (found.quantity == "q") return unitsOf(std::stoul(found.column.substr(1)) - 1);
+    for (const UnitQuantity& quantity : unitQuantities())
+      if (quantity.name == found.quantity) return quantity.units;
+    return {};
+  }
+  bool turns(std::size_t joint) const { return robot_.joints[joint].type == robot::JointType::kRevolute; }
+
+  UnitFinding finding(std::string_view quantity, std::size_t i, const Range& span) const {
+    return {
+        fmt::format("{}{}", quantity, i + 1), std::string(quantity), span.low, span.high, true, {}, {}, {}};
+  }
+
+  /// A column outside its bounds, as a finding.
+  std::optional<UnitFinding> outside(std::string_view quantity, std::size_t i,
+                                     const std::vector<double>& column, const UnitBounds& bounds,
+                                     const std::vector<ColumnUnit>& units) const {
+    const Range span = spanOf(column);
+    if (!bounds.leftBy(span)) return std::nullopt;
+    UnitFinding found = finding(quantity, i, span);
+    found.unit = fittingUnit(span, bounds, units);
+    found.text = fmt::format("spans {:.4g} … {:.4g}: as {} it would leave {}, {}, by {:.4g} {}{}", span.low,
+                             span.high, bounds.unit, bounds.what, rangeText(bounds.usual, bounds.unit),
+                             bounds.usual.leftBy(span), bounds.unit, readText(span, bounds, found.unit));
+    return found;
+  }
+
+  /// The columns of one quantity that `find` finds implausible, with the others that share the unit of the
+  /// first of them: those for which `sharing(column, first)` is true.
+  template <class Find, class Sharing>
+  void addQuantity(std::string_view quantity, const TableColumns& columns, Find&& find, Sharing&& sharing) {
+    std::vector<std::optional<UnitFinding>> found(columns.size());
+    std::optional<std::size_t> first;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      found[i] = find(i);
+      if (found[i] && found[i]->unit && !first && sharing(i, i)) first = i;
+    }
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      if (!found[i] && first && sharing(i, *first)) {
+        const Range span = spanOf(columns[i]);
+        if (std::isnan(span.low)) continue;
+        found[i] = finding(quantity, i, span);
+        found[i]->implausible = false;
+        found[i]->unit = found[*first]->unit;
+        found[i]->text = fmt::format("spans {:.4g} … {:.4g}: plausible by itself, but {} is beside it",
+                                     span.low, span.high, found[*first]->column);
+      }
+      if (found[i]) findings_.push_back(std::move(*found[i]));
+    }
+  }
+
+  void time() {
+    const double period = medianPeriod(table_);
+    if (table_.rows() < kFewestRows) return;
+    if (period > 1.0 / kSlowestRate) slowRows(period);
+    if (period > 0.0 && period < 1.0 / kFastestRate)
+      addTime(fmt::format("has rows every {:.4g}: as seconds that is faster than any motor is read", period),
+              {});
+  }
+
+  /// Rows as slow as that are in another unit, but where dq_m shows that t is right.
+  void slowRows(double period) {
+    const MotorSpeeds speeds(table_, MotorFactors(table_.q_m.size(), 1.0), 1.0);
+    if (speeds.any() && speeds.agree()) return;
+    std::string text =
+        fmt::format("has rows every {:.4g}: as seconds that is slower than any motor is read", period);
+    std::optional<ColumnUnit> read_as;
+    for (const ColumnUnit unit :
+         {ColumnUnit::kNanoseconds, ColumnUnit::kMicroseconds, ColumnUnit::kMilliseconds})
+      if (factorOf(unit) * period <= 1.0 / kSlowestRate) read_as = unit;
+    if (read_as)
+      text += fmt::format("; as {} there are {:.4g} rows a second", wordOf(*read_as),
+                          1.0 / (factorOf(*read_as) * period));
+    addTime(std::move(text), read_as);
+  }
+
+  void addTime(std::string text, std::optional<ColumnUnit> unit) {
+    findings_.push_back({"t", "t", table_.t.front(), table_.t.back(), true, unit, {}, std::move(text)});
+  }
+
+  void motors() {
+    const auto bounds = motorPositionBounds(robot_);
+    const auto find = [&](std::size_t i) {
+      return outside("q_m", i, table_.q_m[i], bounds[i], {ColumnUnit::kDegrees});
+    };
+    addQuantity("q_m", table_.q_m, find,
+                [this](std::size_t i, std::size_t because) { return !shownInSi(i, because); });
+  }
+
+  /// Is motor i in SI though motor `because` is in degrees? It is where its speeds agree as they stand with
+  /// its positions, and those of `because` with its positions in radians.
+  bool shownInSi(std::size_t i, std::size_t because) const {
+    const auto agree = [](double ratio) { return ratio > 1.0 / 3.0 && ratio < 3.0; };
+    const MotorSpeeds stand(table_, MotorFactors(table_.q_m.size(), 1.0), factorFound("t"));
+    const MotorSpeeds read(table_, MotorFactors(table_.q_m.size(), factorOf(ColumnUnit::kDegrees)),
+                           factorFound("t"));
+    return agree(stand.ratio(i)) && agree(read.ratio(because));
+  }
+
+  /// Factor to SI of what was found so far of a column.
+  double factorFound(std::string_view column) const {
+    for (const UnitFinding& found : findings_)
+      if (found.column == column) return factorOf(found.unit.value_or(ColumnUnit::kSi));
+    return 1.0;
+  }
+
+  void motorSpeeds() {
+    const auto bounds = motorSpeedBounds(robot_);
+    MotorFactors positions;
+    for (std::size_t i = 0; i < table_.q_m.size(); ++i)
+      positions.push_back(factorFound(fmt::format("q_m{}", i + 1)));
+    const MotorSpeeds shown(table_, positions, factorFound("t"));
+    const auto find = [&](std::size_t i) {
+      auto found = outside("dq_m", i, table_.dq_m[i], bounds[i], {ColumnUnit::kDegrees});
+      if (found || !shown.inDegrees(i)) return found;
+      const Range span = spanOf(table_.dq_m[i]);
+      found = finding("dq_m", i, span);
+      found->unit = ColumnUnit::kDegrees;
+      found->text = fmt::format(
+          "spans {:.4g} … {:.4g}: as rad/s that is {:.3g} times the speed at which q_m{} changes; as degrees "
+          "per second they agree",
+          span.low, span.high, shown.ratio(i), i + 1);
+      return found;
+    };
+    addQuantity("dq_m", table_.dq_m, find,
+                [&](std::size_t i, std::size_t) { return !(shown.ratio(i) < 30.0); });
+  }
+
+  void joints() {
+    const auto bounds = jointBounds(robot_);
+    const auto find = [&](std::size_t i) { return outside("q", i, table_.q[i], bounds[i], unitsOf(i)); };
+    addQuantity("q", table_.q, find, [this](std::size_t i, std::size_t) { return turns(i); });
+  }
+
+  void tip() {
+    if (table_.p_c.empty()) return;
+    std::vector<double> distance(table_.rows());
+    for (std::size_t row = 0; row < distance.size(); ++row)
+      distance[row] = std::hypot(table_.p_c[0][row], table_.p_c[1][row], table_.p_c[2][row]);
+    const Range far = spanOf(distance);
+    const UnitBounds bounds = tipBounds(robot_);
+    if (!bounds.leftBy(far)) return;
+    using enum ColumnUnit;
+    const std::optional<ColumnUnit> unit = fittingUnit(far, bounds, {kMillimetres, kCentimetres});
+    for (std::size_t i = 0; i < table_.p_c.size(); ++i) {
+      const Range span = spanOf(table_.p_c[i]);
+      UnitFinding found = finding("p_c", i, span);
+      found.unit = unit;
+      found.text = fmt::format(
+          "spans {:.4g} … {:.4g}, the tip {:.4g} … {:.4g} from the base: as m it would leave {}, {}{}",
+          span.low, span.high, far.low, far.high, bounds.what, rangeText(bounds.usual, "m"),
+          readText(far, bounds, unit));
+      findings_.push_back(std::move(found));
+    }
+  }
+
+  const MeasuredTable& table_;
+  const robot::Description& robot_;
+  std::vector<UnitFinding> findings_;
+};
+
+}  // namespace
+
+std::vector<UnitFinding> implausibleUnits(const MeasuredTable& table, const robot::Description& robot) {
+  return Inspection(table, robot).all();
+}
+
+}  // namespace capstan::recording

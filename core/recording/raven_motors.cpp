@@ -1,0 +1,120 @@
+#include "core/recording/raven_motors.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <map>
+
+#include "core/base/error.h"
+#include "core/base/units.h"
+#include "core/base/yaml.h"
+#include "core/recording/csv.h"
+#include "core/robot/transmission.h"
+
+namespace capstan::recording {
+namespace {
+
+/// What the robot's software calls a column, whose it is, and the factor to SI. The insertion axis is
+/// published as metres times 180/π, its motor like the others in degrees: one factor serves all positions and
+/// speeds.
+struct RavenColumn {
+  std::string_view name;
+  TableColumns MeasuredTable::*quantity;
+  std::size_t joint;
+  double factor;
+};
+
+constexpr double kDegree = base::kRadiansPerDegree;
+constexpr std::array kColumns = {
+    RavenColumn{"mpos1_deg", &MeasuredTable::q_m, 0, kDegree},
+    RavenColumn{"mpos2_deg", &MeasuredTable::q_m, 1, kDegree},
+    RavenColumn{"mpos3_deg", &MeasuredTable::q_m, 2, kDegree},
+    RavenColumn{"mvel1_degps", &MeasuredTable::dq_m, 0, kDegree},
+    RavenColumn{"mvel2_degps", &MeasuredTable::dq_m, 1, kDegree},
+    RavenColumn{"mvel3_degps", &MeasuredTable::dq_m, 2, kDegree},
+    RavenColumn{"jpos1_deg", &MeasuredTable::q, 0, kDegree},
+    RavenColumn{"jpos2_deg", &MeasuredTable::q, 1, kDegree},
+    RavenColumn{"jpos3_m_times_57.2958", &MeasuredTable::q, 2, kDegree},
+    RavenColumn{"tau1", &MeasuredTable::tau_m, 0, 1.0},
+    RavenColumn{"tau2", &MeasuredTable::tau_m, 1, 1.0},
+    RavenColumn{"tau3", &MeasuredTable::tau_m, 2, 1.0},
+};
+
+/// TR of the robot's software, N r / r_mc [rad/rad, rad/rad, rad/m], and the published radii over its own.
+constexpr std::array kTransmissionRatio = {12.25 * 63.095e-3 / 5.675e-3, 12.25 * 56.297e-3 / 5.675e-3,
+                                           12.25 * 1.0 / 5.675e-3};
+constexpr std::array kRounding = {1.0, 56.298 / 56.297, 1.0};
+
+MeasuredTable parseRavenMotors(std::string_view text, const std::string& file) {
+  MeasuredTable table;
+  table.file = file;
+  table.own_kinematics = true;
+  for (const RavenColumn& column : kColumns) (table.*column.quantity).resize(3);
+  std::map<std::string_view, bool> found;
+  parseCsv(text, file, [&](std::string_view name, std::size_t) -> std::vector<double>* {
+    if (name == "t_s") {
+      found["t_s"] = true;
+      return &table.t;
+    }
+    for (const RavenColumn& column : kColumns) {
+      if (column.name != name) continue;
+      if (std::exchange(found[column.name], true))
+        throw base::InputError(
+            {file, 1, std::string(name), {}, "stands in the header twice", "Rename or remove one"});
+      return &(table.*column.quantity)[column.joint];
+    }
+    table.ignored.emplace_back(name);
+    return nullptr;
+  });
+  for (const RavenColumn& column : kColumns)
+    if (!found[column.name])
+      throw base::InputError(
+          {file,
+           1,
+           std::string(column.name),
+           {},
+           "is not among the columns",
+           "Export the recording with motor and joint positions, speeds and torques of joints 1 to 3"});
+  for (const RavenColumn& column : kColumns)
+    for (double& value : (table.*column.quantity)[column.joint]) value *= column.factor;
+  return table;
+}
+
+void checkTime(const MeasuredTable& table) {
+  for (std::size_t row = 1; row < table.rows(); ++row)
+    if (!(table.t[row] > table.t[row - 1]))
+      throw base::InputError({table.file, static_cast<int>(row) + 2, "t_s", fmt::format("{}", table.t[row]),
+                              "does not come after the line before",
+                              "Sort the rows by time and remove repeated ones"});
+}
+
+}  // namespace
+
+bool isRavenMotors(std::string_view header_line) {
+  return header_line.starts_with("t_s,") && header_line.find("mpos1_deg") != std::string_view::npos;
+}
+
+MeasuredTable readRavenMotors(const std::filesystem::path& path, const robot::Description& robot) {
+  if (robot.size() != 3)
+    throw base::InputError(
+        {path.string(),
+         0,
+         {},
+         {},
+         fmt::format("is of a three-joint arm, {} has {} joints", robot.name, robot.size()),
+         "Choose the robot file of a RAVEN-II"});
+  MeasuredTable table = parseRavenMotors(base::readTextFile(path), path.string());
+  checkTime(table);
+  // A q_hs: unit radii make the coupled travel of linkTravel(), which counts from the hard stop.
+  robot::Description unit = robot;
+  for (robot::Drive& drive : unit.drives) drive.link_radius = 1.0;
+  const robot::JointVector coupled = -robot::Transmission(unit).linkTravel(robot::JointVector::Zero(3));
+  for (std::size_t joint = 0; joint < 3; ++joint) {
+    const double at_stop = kTransmissionRatio[joint] * coupled(static_cast<Eigen::Index>(joint));
+    for (double& angle : table.q_m[joint]) angle = kRounding[joint] * (angle - at_stop);
+    for (double& speed : table.dq_m[joint]) speed *= kRounding[joint];
+  }
+  return table;
+}
+
+}  // namespace capstan::recording

@@ -1,0 +1,376 @@
+#include "core/recording/recorder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "core/recording/checkpointer.h"
+#include "core/recording/disk_space.h"
+#include "core/recording/record_queue.h"
+#include "core/recording/recording_space.h"
+#include "core/recording/session_writer.h"
+#include "core/recording/spsc_ring.h"
+
+namespace capstan::recording {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsBetween(Clock::time_point from, Clock::time_point to) {
+  return std::chrono::duration<double>(to - from).count();
+}
+
+const char* const kFreeSpace = "Free space, or choose another folder, and start a new recording";
+
+std::string adviceFor(const SqliteError& error) {
+  switch (error.code()) {
+    case SQLITE_FULL:
+      return kFreeSpace;
+    case SQLITE_MISUSE:
+      return "Give both cameras one image size";
+    default:
+      return "Check the disk and its folder and start a new recording";
+  }
+}
+
+}  // namespace
+
+class Recorder::Impl {
+ public:
+  Impl(const std::filesystem::path& path, const SessionHeader& header, const RecorderOptions& options)
+      : path_(path),
+        options_(options),
+        interval_(std::clamp(options.commit_interval, 0.01, 0.2)),
+        reserve_(checkedReserve(path, options)),
+        writer_(path, header, SessionWriter::Durability::kFast),
+        records_(
+            slots(3.0 * options.motor_rate + 4.0 * options.frame_rate, std::max(2.0, options.buffered_time))),
+        frames_(slots(options.frame_rate, std::max(2.0, options.buffered_time))),
+        checkpointer_(path, logThreshold(path, options)) {
+    frames_.prepare([&](FrameSlot& slot) {
+      for (cv::Mat& image : slot.image) {
+        image.create(options.height, options.width, CV_8UC3);
+        image.setTo(0);
+      }
+    });
+    if (options.max_bytes > 0) {
+      const auto page = static_cast<std::uint64_t>(writer_.database().number("PRAGMA page_size"));
+      writer_.database().run(fmt::format("PRAGMA max_page_count = {}", options.max_bytes / page));
+    }
+    checkpointer_.watch(writer_.database());
+    takeSpace(space());
+    stats_.reserve_bytes = reserve_;
+    thread_ = std::thread([this] { write(); });
+  }
+
+  ~Impl() { close(); }
+
+  bool offer(const tracking::Sample& sample) {
+    if (const auto* frame = std::get_if<tracking::StereoFrame>(&sample)) return offerFrame(*frame);
+    Record* slot = open();
+    if (!slot) return false;
+    if (const auto* motor = std::get_if<tracking::MotorSample>(&sample)) slot->row = *motor;
+    if (const auto* joint = std::get_if<tracking::JointSample>(&sample)) slot->row = *joint;
+    if (const auto* tip = std::get_if<tracking::TipSample>(&sample)) slot->row = *tip;
+    return hand(*slot);
+  }
+
+  bool offer(const tracking::Snapshot& snapshot) {
+    Record* slot = open();
+    if (!slot) return false;
+    slot->row = estimateOf(snapshot);
+    return hand(*slot);
+  }
+
+  void note(SessionEvent event, std::optional<Eigen::Isometry3d> registration) {
+    const std::lock_guard lock(mutex_);
+    messages_.push_back({seq_.fetch_add(1), std::move(event), std::move(registration)});
+  }
+
+  void close() {
+    {
+      const std::lock_guard lock(mutex_);
+      if (closing_) return;
+      closing_ = true;
+    }
+    wake_.notify_all();
+    thread_.join();
+    recording_.store(false, std::memory_order_relaxed);
+    discardQueued();
+    checkpointer_.stop();
+    if (!finished_) finish();
+    const std::lock_guard lock(mutex_);
+    if (stats_.state == RecorderState::kRecording) stats_.state = RecorderState::kClosed;
+    stats_.log_bytes = 0;
+  }
+
+  RecorderStats stats() const {
+    const std::lock_guard lock(mutex_);
+    RecorderStats now = stats_;
+    now.queued = queued_.load(std::memory_order_relaxed);
+    now.dropped = dropped_.load(std::memory_order_relaxed);
+    now.dropped_frames = dropped_frames_.load(std::memory_order_relaxed);
+    return now;
+  }
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  Record* open() {
+    Record* slot = recording_.load(std::memory_order_relaxed) ? records_.back() : nullptr;
+    if (!slot) dropped_.fetch_add(1, std::memory_order_relaxed);
+    return slot;
+  }
+
+  bool hand(Record& slot) {
+    slot.seq = seq_.fetch_add(1, std::memory_order_relaxed);
+    slot.offered = Clock::now();
+    queued_.fetch_add(1, std::memory_order_relaxed);  // first: what is written was queued before
+    records_.push();
+    return true;
+  }
+
+  bool offerFrame(const tracking::StereoFrame& frame) {
+    FrameSlot* images = frames_.back();
+    Record* slot = images ? open() : nullptr;
+    if (!slot) {
+      if (!images) dropped_.fetch_add(1, std::memory_order_relaxed);
+      dropped_frames_.fetch_add(1, std::memory_order_relaxed);
+      return false;
+    }
+    images->take(frame);
+    frames_.push();
+    slot->row = FrameMark{};
+    return hand(*slot);
+  }
+
+  void write() {
+    constexpr double kLookInterval = 0.25;  // [s]
+    Clock::time_point looked = Clock::now();
+    for (bool last = false; !last || records_.front();) {
+      {
+        std::unique_lock lock(mutex_);
+        last = wake_.wait_for(lock, std::chrono::duration<double>(cut_short_ ? 0.0 : interval_),
+                              [&] { return closing_; });
+      }
+      if (!finished_)
+        commitQueued();
+      else
+        discardQueued();
+      if (!finished_ && secondsBetween(looked, Clock::now()) > kLookInterval) {
+        looked = Clock::now();
+        lookAtDisk();
+      }
+    }
+  }
+
+  /// One transaction: what is queued, as far as it takes no longer than the commit interval to encode.
+  void commitQueued() {
+    std::vector<Message> messages;
+    {
+      const std::lock_guard lock(mutex_);
+      messages.swap(messages_);
+    }
+    if (!records_.front() && messages.empty()) return;
+    const Clock::time_point begin = Clock::now();
+    Clock::time_point oldest = begin;
+    std::uint64_t rows = 0, pairs = 0;
+    const auto giveUp = [&](const std::string& why, const std::string& advice) {
+      writer_.rollback();
+      fail("writing failed: " + why, advice, oldest);
+    };
+    try {
+      writer_.begin();
+      for (const Message& message : messages) {
+        writer_.write(message.seq, message.event);
+        if (message.registration) writer_.setRegistration(*message.registration);
+      }
+      cut_short_ = false;
+      while (const Record* record = records_.front()) {
+        oldest = std::min(oldest, record->offered);
+        pairs += writeRow(*record);
+        records_.pop();
+        ++rows;
+        cut_short_ = secondsBetween(begin, Clock::now()) > interval_;
+        if (cut_short_) break;
+      }
+      if (options_.before_commit) options_.before_commit();
+      const Clock::time_point committing = Clock::now();
+      writer_.commit();
+      account(rows, pairs, oldest, committing);
+      checkpointer_.wake();
+    } catch (const SqliteError& error) {
+      giveUp(error.what(), adviceFor(error));
+    } catch (const std::exception& error) {
+      giveUp(error.what(), "Start a new recording");
+    }
+  }
+
+  void finish() {
+    try {
+      writer_.finish();
+    } catch (const SqliteError& error) {
+      report(fmt::format("the file could not be closed: {}. {}. {}", error.what(), besideWords(),
+                         adviceFor(error)));
+    }
+  }
+
+  /// 1 for a pair of images.
+  std::uint64_t writeRow(const Record& record) {
+    return std::visit(
+        [&](const auto& row) -> std::uint64_t {
+          if constexpr (std::is_same_v<std::remove_cvref_t<decltype(row)>, FrameMark>) {
+            writer_.write(record.seq, frames_.front()->view());
+            frames_.pop();
+            return 1;
+          } else {
+            writer_.write(record.seq, row);
+            return 0;
+          }
+        },
+        record.row);
+  }
+
+  void account(std::uint64_t rows, std::uint64_t pairs, Clock::time_point oldest,
+               Clock::time_point committing) {
+    const Clock::time_point now = Clock::now();
+    const std::lock_guard lock(mutex_);
+    stats_.written += rows;
+    stats_.frames += pairs;
+    stats_.bytes = writer_.rowBytes();
+    stats_.log_bytes = checkpointer_.logBytes();
+    stats_.worst_commit = std::max(stats_.worst_commit, secondsBetween(committing, now));
+    stats_.worst_age = std::max(stats_.worst_age, secondsBetween(oldest, now));
+    if (writer_.images() > 0)
+      stats_.encode_time = writer_.encodeSeconds() / static_cast<double>(writer_.images());
+  }
+
+  void discardQueued() {
+    while (const Record* record = records_.front()) {
+      if (std::holds_alternative<FrameMark>(record->row)) {
+        frames_.pop();
+        dropped_frames_.fetch_add(1, std::memory_order_relaxed);
+      }
+      records_.pop();
+      dropped_.fetch_add(1, std::memory_order_relaxed);
+    }
+  }
+
+  void lookAtDisk() {
+    std::error_code fault;
+    const DiskSpace now = space();
+    if (!std::filesystem::exists(path_, fault))
+      return fail("the file was removed, or its folder is gone",
+                  "What was recorded is lost. Check the folder and start a new recording", Clock::now());
+    const bool known = now.size > 0;
+    if (known && now.free < reserve_) return stopAtReserve();
+    const std::lock_guard lock(mutex_);
+    takeSpace(now);
+    growth_.add(Clock::now(), writer_.fileBytes());
+    if (known && growth_.bytesPerSecond() > 0.0)
+      stats_.time_left = static_cast<double>(now.free - reserve_) / growth_.bytesPerSecond();
+  }
+
+  /// The reserve takes what is queued.
+  void stopAtReserve() {
+    recording_.store(false, std::memory_order_relaxed);
+    while (!finished_ && records_.front()) commitQueued();
+    if (!finished_)
+      fail("recording stopped: the disk is full but for its reserve of " + sizeText(reserve_), kFreeSpace,
+           Clock::now());
+  }
+
+  /// On the writer's thread. Closes the file first: once the fault is told, the file is as the words say.
+  /// `oldest`: when the oldest row was offered that is not in the file.
+  void fail(const std::string& reason, const std::string& advice, Clock::time_point oldest) {
+    const double lost_time = secondsBetween(oldest, Clock::now());
+    recording_.store(false, std::memory_order_relaxed);
+    checkpointer_.stop();
+    finished_ = true;
+    bool whole = false;
+    try {
+      whole = writer_.finish();
+    } catch (const SqliteError&) {  // the disk takes nothing more; the log stays as it is
+    }
+    {
+      const std::lock_guard lock(mutex_);
+      const std::uint64_t queued = queued_.load(std::memory_order_relaxed);
+      stats_.lost = queued - std::min(queued, stats_.written);
+      stats_.lost_time = stats_.lost > 0 ? lost_time : 0.0;
+      takeSpace(space());
+    }
+    std::error_code fault;
+    if (!std::filesystem::exists(path_, fault)) return report(fmt::format("{}. {}", reason, advice));
+    report(fmt::format("{}. {}. {}", reason, whole ? wholeWords() : besideWords(), advice));
+  }
+
+  std::string wholeWords() const {
+    const std::lock_guard lock(mutex_);
+    if (stats_.lost == 0) return "The file is closed and whole, with every row";
+    return fmt::format("The file is closed and whole up to {:.2f} s before that: {} rows are missing",
+                       stats_.lost_time, stats_.lost);
+  }
+  std::string besideWords() const {
+    return fmt::format("Its newest rows are beside it in {}-wal: keep both, and copy both",
+                       path_.filename().string());
+  }
+
+  void report(std::string fault) {
+    const std::lock_guard lock(mutex_);
+    if (stats_.state == RecorderState::kFailed) return;
+    stats_.state = RecorderState::kFailed;
+    stats_.error = path_.string() + ": " + std::move(fault);
+  }
+
+  DiskSpace space() const { return spaceOf(path_, options_); }
+  void takeSpace(const DiskSpace& space) {
+    stats_.free_bytes = space.free;
+    stats_.free_known = space.size > 0;
+  }
+
+  const std::filesystem::path path_;
+  const RecorderOptions options_;
+  const double interval_;
+  const std::uint64_t reserve_;
+  SessionWriter writer_;
+  SpscRing<Record> records_;
+  SpscRing<FrameSlot> frames_;
+  Checkpointer checkpointer_;
+  std::atomic<std::int64_t> seq_{1};
+  std::atomic<std::uint64_t> queued_{0}, dropped_{0}, dropped_frames_{0};
+  std::atomic<bool> recording_{true};
+  mutable std::mutex mutex_;  ///< closing_, messages_, stats_
+  std::condition_variable wake_;
+  bool closing_ = false;
+  std::vector<Message> messages_;
+  RecorderStats stats_;
+  bool cut_short_ = false;  ///< writer's thread: the last transaction left rows behind
+  bool finished_ = false;   ///< writer's thread until it is joined: a fault has closed the file
+  GrowthRate growth_;
+  std::thread thread_;
+};
+
+Recorder::Recorder(const std::filesystem::path& path, const SessionHeader& header,
+                   const RecorderOptions& options)
+    : impl_(std::make_unique<Impl>(path, header, options)) {}
+Recorder::~Recorder() = default;
+
+bool Recorder::offer(const tracking::Sample& sample) { return impl_->offer(sample); }
+bool Recorder::offer(const tracking::Snapshot& snapshot) { return impl_->offer(snapshot); }
+void Recorder::note(double t, std::string kind, std::string text) {
+  impl_->note({t, std::move(kind), std::move(text)}, std::nullopt);
+}
+void Recorder::setRegistration(double t, const Eigen::Isometry3d& base_from_camera) {
+  impl_->note({t, "registration", formatPose(base_from_camera)}, base_from_camera);
+}
+void Recorder::close() { impl_->close(); }
+RecorderStats Recorder::stats() const { return impl_->stats(); }
+const std::filesystem::path& Recorder::path() const { return impl_->path(); }
+
+}  // namespace capstan::recording

@@ -1,0 +1,131 @@
+#include "core/recording/session_reader.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "core/recording/schema.h"
+#include "core/recording/session_writer.h"
+
+namespace capstan::recording {
+namespace {
+
+const char* const kRecover = "Restore it from a copy, or save what is left with: sqlite3 FILE .recover";
+
+[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& reason,
+                         const std::string& remedy) {
+  throw base::InputError({path.string(), 0, {}, {}, reason, remedy});
+}
+
+base::InputError notASession(const std::filesystem::path& path) {
+  return base::InputError({path.string(),
+                           0,
+                           {},
+                           {},
+                           "is not a session file: it is no SQLite 3 database",
+                           fmt::format("Choose a file recorded by Capstan (*{})", kSessionSuffix)});
+}
+
+/// Only what can be told without opening the file: to close it would drop every lock that this process holds
+/// on it, those of a recorder too (POSIX; SQLite, How To Corrupt, 2.2).
+void checkFile(const std::filesystem::path& path) {
+  std::error_code fault;
+  if (!std::filesystem::is_regular_file(path, fault)) refuse(path, "is not a file", "Check the path");
+  if (::access(path.c_str(), R_OK) != 0) refuse(path, "cannot be opened", "Check its permissions");
+  if (std::filesystem::file_size(path, fault) == 0) throw notASession(path);  // SQLite takes it for a new one
+}
+
+void checkIdentity(Database& database, const std::filesystem::path& path) {
+  const std::int64_t application = database.number("PRAGMA application_id");
+  if (application != kApplicationId)
+    refuse(path, "is an SQLite database of another program",
+           fmt::format("Choose a file recorded by Capstan (*{})", kSessionSuffix));
+  const std::int64_t version = database.number("PRAGMA user_version");
+  if (version > kSchemaVersion)
+    refuse(path, fmt::format("has schema version {}, this program knows up to {}", version, kSchemaVersion),
+           "Open it with a newer Capstan");
+  for (const Table& table : tables())
+    if (!database.hasTable(table.name)) refuse(path, fmt::format("lacks the table {}", table.name), kRecover);
+}
+
+/// `file:` URI of `path` whose content nobody changes: SQLite then needs neither locks nor files beside it.
+std::string immutableUri(const std::filesystem::path& path) {
+  std::string uri = "file:";
+  for (const char c : std::filesystem::absolute(path).string())
+    uri += (c == '?' || c == '#' || c == '%') ? fmt::format("%{:02x}", static_cast<unsigned char>(c))
+                                              : std::string(1, c);
+  return uri + "?immutable=1";
+}
+
+}  // namespace
+
+Database openSession(const std::filesystem::path& path) {
+  checkFile(path);
+  try {
+    Database database(path, Database::Mode::kRead);
+    try {
+      checkIdentity(database, path);
+      return database;
+    } catch (const SqliteError& error) {
+      const std::filesystem::path log = path.string() + "-wal";
+      if (error.code() != SQLITE_CANTOPEN || std::filesystem::exists(log)) throw;
+    }
+    Database still(immutableUri(path), Database::Mode::kReadUri);
+    checkIdentity(still, path);
+    return still;
+  } catch (const SqliteError& error) {
+    throw damagedSession(path, error);
+  }
+}
+
+base::InputError damagedSession(const std::filesystem::path& path, const SqliteError& error) {
+  if (error.code() == SQLITE_CANTOPEN || error.code() == SQLITE_READONLY)
+    return base::InputError(
+        {path.string(),
+         0,
+         {},
+         {},
+         fmt::format("cannot be opened: {}", error.what()),
+         "Copy it, with the files of the same name beside it, to a folder that can be written"});
+  if (error.code() == SQLITE_NOTADB) return notASession(path);
+  if (error.code() == SQLITE_BUSY)
+    return base::InputError({path.string(), 0, {}, {}, "is locked by another program", "Close that program"});
+  return base::InputError({path.string(), 0, {}, {}, fmt::format("is damaged: {}", error.what()), kRecover});
+}
+
+SessionHeader readHeader(Database& database) {
+  std::map<std::string, std::string> value;
+  Statement rows(database, "SELECT key, value FROM header");
+  while (rows.step()) value[rows.text(0)] = rows.text(1);
+
+  SessionHeader header;
+  header.title = value["title"];
+  header.created = value["created"];
+  header.software = value["software"];
+  header.robot = value["robot"];
+  header.camera_left = value["camera_left"];
+  header.camera_right = value["camera_right"];
+  header.truth = value["truth"];
+  header.marker = value["marker"];
+  header.tracking = value["tracking"];
+  header.own_kinematics = value["reference"] == kOwnKinematics;
+  header.reference = value["reference"] == "1" || header.own_kinematics;
+  header.base_from_camera = parsePose(value["registration"]);
+  return header;
+}
+
+std::map<std::int64_t, FrameDecoder> readCodecs(Database& database, const std::string& file) {
+  std::map<std::int64_t, FrameDecoder> codecs;
+  Statement rows(database, "SELECT id, name, width, height, fourcc, extradata FROM codec");
+  while (rows.step()) {
+    const auto extradata = rows.blob(5);
+    const CodecParameters parameters = {rows.text(1),
+                                        static_cast<int>(rows.integer(2)),
+                                        static_cast<int>(rows.integer(3)),
+                                        {extradata.begin(), extradata.end()},
+                                        static_cast<std::uint32_t>(rows.integer(4))};
+    codecs.emplace(rows.integer(0), FrameDecoder(parameters, file));
+  }
+  return codecs;
+}
+
+}  // namespace capstan::recording

@@ -1,0 +1,138 @@
+#include "core/recording/session_source.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <limits>
+
+#include "core/base/yaml.h"
+#include "core/recording/schema.h"
+#include "core/recording/session_file.h"
+#include "core/recording/session_reader.h"
+#include "core/vision/cover_image.h"
+
+namespace capstan::recording {
+namespace {
+
+constexpr int kReplayed = kFrameTable + 1;  // motor, joint, tip, frame
+constexpr std::int64_t kEnd = std::numeric_limits<std::int64_t>::max();
+
+}  // namespace
+
+class SessionSource::Impl {
+ public:
+  explicit Impl(const std::filesystem::path& path) : path_(path), database_(openSession(path)) {
+    try {
+      readInfo();
+      codecs_ = readCodecs(database_, path.string());
+      for (int which = 0; which < kReplayed; ++which) {
+        rows_[static_cast<std::size_t>(which)] =
+            std::make_unique<Statement>(database_, selectStatement(table(static_cast<SampleTable>(which))));
+        advance(which);
+      }
+    } catch (const SqliteError& error) {
+      throw damagedSession(path, error);
+    }
+  }
+
+  const tracking::SourceInfo& info() const { return info_; }
+
+  bool next(tracking::Sample& out) {
+    int which = 0;
+    for (int other = 1; other < kReplayed; ++other)
+      if (next_[static_cast<std::size_t>(other)] < next_[static_cast<std::size_t>(which)]) which = other;
+    if (next_[static_cast<std::size_t>(which)] == kEnd) return false;
+    try {
+      read(static_cast<SampleTable>(which), *rows_[static_cast<std::size_t>(which)], out);
+      advance(which);
+    } catch (const SqliteError& error) {
+      throw damagedSession(path_, error);
+    }
+    return true;
+  }
+
+  void block(bool left, bool right) { blocked_ = {left, right}; }
+
+ private:
+  void readInfo() {
+    const SessionSummary summary = readSessionSummary(path_);
+    const SessionHeader& header = summary.header;
+    const std::string name = path_.string();
+    info_.title = header.title.empty() ? path_.stem().string() : header.title;
+    info_.robot = robot::parseDescription(header.robot, name + " (header robot)");
+    if (!header.camera_left.empty())
+      info_.rig = vision::parseStereoRig(header.camera_left, header.camera_right);
+    info_.base_from_camera = header.base_from_camera;
+    info_.truth = header.truth;
+    info_.marker = header.marker;
+    info_.tracking = header.tracking;
+    info_.begin = summary.first_t;
+    info_.duration = summary.last_t - summary.first_t;
+    info_.reference = summary.joint > 0;
+    info_.own_kinematics = header.own_kinematics;
+  }
+
+  void advance(int which) {
+    const auto index = static_cast<std::size_t>(which);
+    next_[index] = rows_[index]->step() ? rows_[index]->integer(0) : kEnd;
+  }
+
+  void read(SampleTable which, const Statement& row, tracking::Sample& out) {
+    switch (which) {
+      case kMotorTable:
+        out = tracking::MotorSample{row.real(1), vectorAt(row, 2), vectorAt(row, 5), vectorAt(row, 8)};
+        break;
+      case kJointTable:
+        out = tracking::JointSample{row.real(1), vectorAt(row, 2)};
+        break;
+      case kTipTable: {
+        tracking::TipSample tip{row.real(1), row.real(2), vectorAt(row, 3)};
+        if (blocked_[0] || blocked_[1]) tip.position.setConstant(std::numeric_limits<double>::quiet_NaN());
+        out = tip;
+        break;
+      }
+      default:
+        readFrame(row, out);
+    }
+  }
+
+  /// Hands out images that this source keeps, so that samples of other kinds in between do not cost their
+  /// memory.
+  void readFrame(const Statement& row, tracking::Sample& out) {
+    out = tracking::StereoFrame{row.real(1), row.real(2), {}, {}};
+    auto& frame = std::get<tracking::StereoFrame>(out);
+    const std::int64_t codec = row.integer(3);
+    frame.left = unpack(row, 6, codec, 0, frame.t);
+    frame.right = unpack(row, 7, codec, 1, frame.t);
+  }
+
+  cv::Mat unpack(const Statement& row, int column, std::int64_t codec, int side, double t) {
+    if (row.isNull(column)) return {};
+    cv::Mat& image = images_[static_cast<std::size_t>(side)];
+    if (image.u && image.u->refcount > 1) image = cv::Mat();  // somebody keeps the last one
+    const auto decoder = codecs_.find(codec);
+    if (decoder == codecs_.end() || !decoder->second.decode(row.blob(column), image))
+      throw base::InputError({path_.string(), 0, side == 0 ? "frame.left" : "frame.right",
+                              fmt::format("t = {} s", t), "is a damaged image",
+                              "Restore the file from a copy"});
+    if (blocked_[static_cast<std::size_t>(side)]) vision::coverImage(image, t, side);
+    return image;
+  }
+
+  const std::filesystem::path path_;
+  Database database_;
+  tracking::SourceInfo info_;
+  std::map<std::int64_t, FrameDecoder> codecs_;
+  std::array<std::unique_ptr<Statement>, kReplayed> rows_;
+  std::array<std::int64_t, kReplayed> next_{};
+  std::array<bool, 2> blocked_{};
+  std::array<cv::Mat, 2> images_;
+};
+
+SessionSource::SessionSource(const std::filesystem::path& path) : impl_(std::make_unique<Impl>(path)) {}
+SessionSource::~SessionSource() = default;
+const tracking::SourceInfo& SessionSource::info() const { return impl_->info(); }
+bool SessionSource::next(tracking::Sample& out) { return impl_->next(out); }
+void SessionSource::block(bool left, bool right) { impl_->block(left, right); }
+
+}  // namespace capstan::recording

@@ -1,0 +1,112 @@
+#include "core/recording/settle_units.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/recording/motor_speeds.h"
+
+namespace capstan::recording {
+namespace {
+
+std::size_t columnsOf(const MeasuredTable& table, std::string_view name) {
+  for (const UnitQuantity& quantity : unitQuantities())
+    if (quantity.name == name) return quantity.columns ? (table.*quantity.columns).size() : 1;
+  return 0;
+}
+
+std::string linesOf(const std::vector<UnitFinding>& findings) {
+  std::string text;
+  for (const UnitFinding& found : findings) text += fmt::format("\n  {} {}", found.column, found.text);
+  return text;
+}
+
+std::string keepAll(const std::vector<UnitFinding>& findings) {
+  std::string text;
+  for (std::size_t i = 0; i < findings.size(); ++i)
+    if (i == 0 || findings[i].quantity != findings[i - 1].quantity)
+      text += fmt::format("{}{}=keep", text.empty() ? "" : ",", findings[i].quantity);
+  return text;
+}
+
+bool anyImplausible(const std::vector<UnitFinding>& findings) {
+  return std::any_of(findings.begin(), findings.end(), [](const UnitFinding& f) { return f.implausible; });
+}
+
+/// Refuses `read_as` where it leaves or makes columns implausible: those of which it states a unit, and those
+/// that were plausible `before` it.
+void refuseStated(const MeasuredTable& table, const ReadAs& read_as, const std::vector<UnitFinding>& before,
+                  std::vector<UnitFinding> after) {
+  std::erase_if(after, [&](const UnitFinding& found) {
+    const bool stated = read_as.of(found.quantity, found.column).has_value();
+    const bool was = std::any_of(before.begin(), before.end(), [&](const UnitFinding& earlier) {
+      return earlier.implausible && earlier.column == found.column;
+    });
+    return !found.implausible || (was && !stated);
+  });
+  if (after.empty()) return;
+  throw base::InputError(
+      {table.file, 0, "--read-as", formatReadAs(read_as),
+       "does not suit the table. Read so:" + linesOf(after),
+       fmt::format("\nState only units that the table has, and those of all columns that are not "
+                   "in SI; {} takes these columns as they stand",
+                   keepAll(after))});
+}
+
+}  // namespace
+
+std::string proposedReadAs(const MeasuredTable& table, const std::vector<UnitFinding>& findings) {
+  std::string text;
+  const auto add = [&](const std::string& name, std::optional<ColumnUnit> unit) {
+    text +=
+        fmt::format("{}{}={}", text.empty() ? "" : ",", name, base::nameOf(unit.value_or(ColumnUnit::kSi)));
+  };
+  for (auto begin = findings.begin(); begin != findings.end();) {
+    const auto end = std::find_if(
+        begin, findings.end(), [&](const UnitFinding& other) { return other.quantity != begin->quantity; });
+    const bool alike =
+        static_cast<std::size_t>(end - begin) == columnsOf(table, begin->quantity) &&
+        std::all_of(begin, end, [&](const UnitFinding& other) { return other.unit == begin->unit; });
+    if (alike)
+      add(begin->quantity, begin->unit);
+    else
+      for (auto found = begin; found != end; ++found) add(found->column, found->unit);
+    begin = end;
+  }
+  return text;
+}
+
+ImplausibleUnits::ImplausibleUnits(const MeasuredTable& table, std::vector<UnitFinding> findings)
+    : InputError({table.file,
+                  0,
+                  {},
+                  {},
+                  "columns that this robot can hardly have measured in SI units. Nothing was read:" +
+                      linesOf(findings),
+                  fmt::format("\nRead it with --read-as {}, or take it as it stands with --read-as {}. A "
+                              "table of another robot needs its robot file",
+                              proposedReadAs(table, findings), keepAll(findings))}),
+      findings_(std::move(findings)) {}
+
+void settleUnits(MeasuredTable& table, const robot::Description& robot, const ReadAs& read_as) {
+  std::vector<UnitFinding> before;
+  if (!read_as.empty()) before = implausibleUnits(table, robot);
+  readColumnsAs(table, robot, read_as);
+  std::vector<UnitFinding> findings = implausibleUnits(table, robot);
+  std::erase_if(findings, [&](const UnitFinding& found) {
+    return read_as.of(found.quantity, found.column) == ColumnUnit::kSi;
+  });
+  if (!read_as.empty()) refuseStated(table, read_as, before, findings);
+  std::erase_if(findings, [&](const UnitFinding& found) {
+    return read_as.of(found.quantity, found.column).has_value();
+  });
+  if (anyImplausible(findings)) throw ImplausibleUnits(table, std::move(findings));
+}
+
+std::vector<std::string> unitNotices(const MeasuredTable& table) {
+  const double period = medianPeriod(table);
+  if (!(period < 1e-4)) return {};
+  return {fmt::format("sample period {:.4g} s: is t not in seconds?", period)};
+}
+
+}  // namespace capstan::recording

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/robot/description.h"
+#include "core/simulation/truth.h"
+
+namespace capstan::studies {
+
+/// `robot` with the effective pulley radii of `truth`, everything else as it was: what an estimator is told
+/// where a wrong radius would hide what a study asks for.
+inline robot::Description withTrueRadii(robot::Description robot, const simulation::Truth& truth) {
+  for (std::size_t joint = 0; joint < 3; ++joint)
+    robot.drives[joint].link_radius =
+        truth.joints[joint].link_radius.value_or(robot.drives[joint].link_radius);
+  return robot;
+}
+
+}  // namespace capstan::studies

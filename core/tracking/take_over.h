@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/tracking/pipeline.h"
+
+namespace capstan::tracking {
+
+/// What somebody has said of the arm goes on in the pipeline that replaces `former`: where the cameras stand,
+/// and which motor encoders are declared failed.
+inline void takeOver(const tracking::TrackingPipeline& former, tracking::TrackingPipeline& next) {
+  if (former.registration()) next.setRegistration(*former.registration());
+  const auto& failed = former.snapshot().motor_failed;
+  for (std::size_t i = 0; i < failed.size(); ++i)
+    if (failed[i] == tracking::MotorFault::kDeclared) next.setMotorFailed(static_cast<int>(i), true);
+}
+
+}  // namespace capstan::tracking

@@ -1,0 +1,17 @@
+// What results say of the program that computed them.
+#include "core/base/software.h"
+
+#include <gtest/gtest.h>
+
+#include <regex>
+
+namespace capstan::base {
+namespace {
+
+TEST(Software, IsNameVersionAndCommit) {
+  const std::regex form(R"(capstan \d+\.\d+\.\d+( \([0-9a-f]{7,}(-dirty)?\))?)");
+  EXPECT_TRUE(std::regex_match(software(), form)) << software();
+}
+
+}  // namespace
+}  // namespace capstan::base

@@ -1,0 +1,3 @@
+capstan_widget_test(NAME identification_panel_test SOURCES identification_panel_test.cpp
+                    LINKS capstan::identification_panel capstan::simulation)
+capstan_display_test(NAME identification_window_test SOURCES identification_window_test.cpp LINKS capstan::shell)

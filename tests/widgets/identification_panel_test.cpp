@@ -1,0 +1,156 @@
+// The calibration panel without a window around it: a session fed by hand, buttons pressed, files written.
+#include "widgets/panels/identification/identification_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <QCheckBox>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QtTest/QTest>
+
+#include "core/base/resource.h"
+#include "core/simulation/simulated_source.h"
+#include "core/simulation/simulation_request.h"
+#include "core/tracking/make_pipeline.h"
+#include "tests/widgets/picture.h"
+#include "widgets/panels/identification/parameter_choice.h"
+#include "widgets/panels/identification/parameter_table.h"
+#include "widgets/panels/identification/trace_plot.h"
+
+namespace capstan::widgets {
+namespace {
+
+using identification::LivePhase;
+
+template <class Condition>
+bool waitFor(Condition&& condition) {
+  return QTest::qWaitFor(condition, 60000);
+}
+
+class Calibration : public testing::Test {
+ protected:
+  void begin(double duration) {
+    simulation::SimulationRequest request;
+    request.trajectory = "sinusoid";
+    request.duration = duration;
+    request.images = false;
+    source_ = std::make_unique<simulation::SimulatedSource>(simulation::optionsOf(request));
+    QObject::connect(&panel_, &IdentificationPanel::listenerWanted, &panel_,
+                     [this](const auto& sink) { sink_ = sink; });
+    QObject::connect(&panel_, &IdentificationPanel::robotChosen, &panel_,
+                     [this](const robot::Description& robot) { chosen_.push_back(robot); });
+    panel_.begin(source_->info());
+    panel_.resize(360, 460);
+    panel_.show();
+  }
+  void press(const char* name) {
+    auto* button = panel_.findChild<QPushButton*>(name);
+    ASSERT_TRUE(button->isVisible() && button->isEnabled()) << name;
+    button->click();
+  }
+  /// All of the source into the recording that the panel asked for.
+  void feed() {
+    ASSERT_TRUE(sink_);
+    auto pipeline = tracking::makePipeline(source_->info());
+    sink_->begin(pipeline);
+    tracking::Sample sample;
+    while (source_->next(sample)) sink_->take(sample, pipeline.step(sample));
+  }
+  bool shown(double seconds) {
+    return waitFor([&] { return panel_.live().shown().recorded >= seconds && !panel_.busy(); });
+  }
+
+  std::unique_ptr<simulation::SimulatedSource> source_;
+  std::shared_ptr<identification::LiveRecording> sink_;
+  std::vector<robot::Description> chosen_;
+  IdentificationPanel panel_;
+};
+
+TEST_F(Calibration, FromStartToASavedRobot) {
+  begin(20.0);
+  test::grab(panel_, "identification_panel_idle");
+  panel_.choice().setNames("r_l1,b_e1");
+  press("start");
+  feed();
+  ASSERT_TRUE(shown(19.9)) << panel_.words().toStdString();
+  EXPECT_TRUE(panel_.table().text(0).startsWith("r_l1 5")) << panel_.table().text(0).toStdString();
+  EXPECT_TRUE(panel_.table().text(0).endsWith("%"));
+  EXPECT_TRUE(panel_.table().text(1).contains("weak")) << panel_.table().text(1).toStdString();
+  EXPECT_GT(panel_.trace().points(), 20);
+  panel_.table().choose(1);
+  EXPECT_TRUE(panel_.advice().contains("move faster")) << panel_.advice().toStdString();
+  test::grab(panel_, "identification_panel_results");
+  press("accept");
+  EXPECT_FALSE(sink_) << "nobody listens any more";
+  ASSERT_EQ(chosen_.size(), 1U);
+  EXPECT_NEAR(chosen_[0].drives[0].link_radius, 0.059, 0.01 * 0.059);
+  EXPECT_TRUE(panel_.changes().contains("drives[0].link_radius"));
+
+  const QTemporaryDir folder;
+  QSignalSpy saved(&panel_, &IdentificationPanel::robotSaved);
+  panel_.saveRobot(folder.filePath("nowhere/robot.yaml"));
+  EXPECT_EQ(saved.count(), 0);
+  EXPECT_TRUE(panel_.words().contains("nowhere/robot.yaml cannot be written"))
+      << panel_.words().toStdString();
+  panel_.saveRobot(folder.filePath("robot.yaml"));
+  EXPECT_EQ(saved.count(), 1);
+  const auto read = robot::readDescription(folder.filePath("robot.yaml").toStdString());
+  EXPECT_EQ(read.drives[0].link_radius, chosen_[0].drives[0].link_radius);
+  press("revert");
+  ASSERT_EQ(chosen_.size(), 2U);
+  EXPECT_EQ(chosen_[1].drives[0].link_radius, source_->info().robot.drives[0].link_radius);
+}
+
+TEST_F(Calibration, DiscardingChoosesNothing) {
+  begin(6.0);
+  panel_.choice().setNames("r_l1");
+  press("start");
+  feed();
+  ASSERT_TRUE(shown(5.9));
+  press("discard");
+  EXPECT_TRUE(chosen_.empty());
+  EXPECT_FALSE(sink_);
+  EXPECT_EQ(panel_.live().phase(), LivePhase::kIdle);
+}
+
+TEST_F(Calibration, ARefinementIsCancelledAndItsResultDropped) {
+  begin(40.0);
+  press("start");
+  feed();
+  ASSERT_TRUE(shown(39.9));
+  press("refine");
+  ASSERT_TRUE(waitFor([&] { return panel_.busy() && panel_.live().refining(); }));
+  press("refine");  // now: cancel
+  EXPECT_FALSE(panel_.live().refining());
+  ASSERT_TRUE(waitFor([&] { return !panel_.busy(); }));
+  EXPECT_FALSE(panel_.live().refined());
+  EXPECT_TRUE(panel_.live().acceptable()) << "what the dual filter found still stands";
+}
+
+TEST_F(Calibration, EndsCollectingWithTheSessionAndStartsOnlyWhereThereIsOne) {
+  EXPECT_FALSE(panel_.findChild<QPushButton*>("start")->isEnabled()) << "no session";
+  begin(6.0);
+  panel_.choice().setNames("");
+  EXPECT_FALSE(panel_.findChild<QPushButton*>("start")->isEnabled()) << "nothing ticked";
+  panel_.choice().box(identification::Quantity::kLinkRadius, 0).click();
+  EXPECT_EQ(panel_.choice().names(), "r_l1");
+  press("start");
+  feed();
+  live::RunStatus status;
+  status.state = live::RunState::kEnded;
+  panel_.showStatus(status);
+  EXPECT_EQ(panel_.live().phase(), LivePhase::kStopped);
+  ASSERT_TRUE(shown(5.9)) << "a last run over everything";
+  EXPECT_FALSE(panel_.findChild<QPushButton*>("start")->isEnabled()) << "there is nothing to go on with";
+}
+
+TEST(CalibrationChoice, NamesWhatIsTicked) {
+  ParameterChoice choice;
+  EXPECT_EQ(choice.names(), "r_l1,r_l2,r_l3,k_e1,k_e2,k_e3,b_e1,b_e2,b_e3,f_c1,f_c2,f_c3");
+  choice.setNames("k_e2,b_e");
+  EXPECT_EQ(choice.names(), "k_e2,b_e1,b_e2,b_e3");
+}
+
+}  // namespace
+}  // namespace capstan::widgets

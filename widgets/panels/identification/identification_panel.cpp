@@ -1,0 +1,376 @@
+#include "widgets/panels/identification/identification_panel.h"
+
+#include <QBoxLayout>
+#include <QFileDialog>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSaveFile>
+#include <QScrollArea>
+#include <QShortcut>
+#include <QStackedWidget>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "widgets/panels/identification/parameter_choice.h"
+#include "widgets/panels/identification/parameter_table.h"
+#include "widgets/panels/identification/trace_plot.h"
+
+namespace capstan::widgets {
+
+using identification::LivePhase;
+
+namespace {
+
+constexpr int kPoll = 200;          ///< [ms]
+constexpr int kRoomForTrace = 330;  ///< height of the panel below which the table needs it all [px]
+constexpr int kAdviceLines = 2;
+
+QString text(const std::string& words) { return QString::fromStdString(words); }
+
+/// "drives[0].link_radius\n  0.063095 → 0.059021  −6.46 %"
+QString changesText(const std::vector<identification::RobotChange>& changes) {
+  QStringList lines;
+  for (const auto& change : changes)
+    lines << text(change.key)
+          << QStringLiteral("  %1 → %2  %3 %")
+                 .arg(change.nominal, 0, 'g', 5)
+                 .arg(change.identified, 0, 'g', 5)
+                 .arg((change.percent < 0 ? QStringLiteral("−") : QStringLiteral("+")) +
+                      QString::number(std::abs(change.percent), 'f', 2));
+  return lines.isEmpty() ? QObject::tr("no difference") : lines.join('\n');
+}
+
+}  // namespace
+
+IdentificationPanel::IdentificationPanel(QWidget* parent) : QWidget(parent) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(10, 6, 10, 8);
+  column->setSpacing(6);
+  words_ = new QLabel;
+  words_->setWordWrap(true);
+  words_->setAccessibleName(tr("state of the identification"));
+  column->addWidget(words_);
+  addPages(column);
+  advice_ = new QLabel;
+  advice_->setWordWrap(true);
+  advice_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  advice_->setFont(textFont(9.5));
+  advice_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  advice_->setMinimumHeight(kAdviceLines * QFontMetrics(advice_->font()).lineSpacing());
+  column->addWidget(advice_);
+  progress_ = new QProgressBar;
+  progress_->setMaximumHeight(14);
+  progress_->setTextVisible(false);
+  column->addWidget(progress_);
+  addButtons(column);
+  addKeys();
+  connect(choice_, &ParameterChoice::changed, this, &IdentificationPanel::showButtons);
+  connect(table_, &ParameterTable::chosenChanged, this, &IdentificationPanel::showChosen);
+  connect(&polls_, &QTimer::timeout, this, &IdentificationPanel::poll);
+  connect(&job_, &Job::ended, this, &IdentificationPanel::poll);
+  connect(&job_, &Job::failed, this, [this](const QString& why) {
+    live_.failed(why.toStdString(), 1e-3 * static_cast<double>(clock_.elapsed()));
+    refresh();
+  });
+  connect(&job_, &Job::progressed, this,
+          [this](double fraction) { progress_->setValue(qRound(100.0 * fraction)); });
+  clock_.start();
+  polls_.setInterval(kPoll);
+  setTheme(theme_);
+  refresh();
+}
+
+IdentificationPanel::~IdentificationPanel() = default;
+
+void IdentificationPanel::addPages(QVBoxLayout* column) {
+  pages_ = new QStackedWidget;
+  choice_ = new ParameterChoice;
+  results_ = new QWidget;
+  auto* results = new QVBoxLayout(results_);
+  results->setContentsMargins(0, 0, 0, 0);
+  results->setSpacing(6);
+  table_ = new ParameterTable;
+  trace_ = new TracePlot;
+  results->addWidget(table_, 5);
+  results->addWidget(trace_, 2);
+  changes_ = new QPlainTextEdit;
+  changes_->setReadOnly(true);
+  changes_->setFrameShape(QFrame::NoFrame);
+  changes_->setFont(numberFont(9.5));
+  changes_->setLineWrapMode(QPlainTextEdit::NoWrap);
+  changes_->setMinimumHeight(60);
+  changes_->setAccessibleName(tr("what the robot in use has other than the robot file"));
+  auto* rolled = new QScrollArea;  // a low window does not show every check box
+  rolled->setFrameShape(QFrame::NoFrame);
+  rolled->setWidgetResizable(true);
+  rolled->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  rolled->setMinimumHeight(60);
+  rolled->setWidget(choice_);
+  for (QWidget* ground : {rolled->viewport(), static_cast<QWidget*>(choice_)})
+    ground->setAutoFillBackground(false);  // the panel's own shows
+  for (QWidget* page : {static_cast<QWidget*>(rolled), results_, static_cast<QWidget*>(changes_)})
+    pages_->addWidget(page);
+  column->addWidget(pages_, 1);
+}
+
+QPushButton* IdentificationPanel::button(const QString& name, const QString& tip,
+                                         void (IdentificationPanel::*pressed)()) {
+  auto* made = new QPushButton;
+  made->setObjectName(name);
+  made->setToolTip(tip);
+  made->setFocusPolicy(Qt::TabFocus);
+  made->setStyleSheet("padding: 4px 6px;");
+  connect(made, &QPushButton::clicked, this, pressed);
+  return made;
+}
+
+void IdentificationPanel::addButtons(QVBoxLayout* column) {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(4);
+  start_ =
+      button("start", tr("Collect from the running session, or stop (I)"), &IdentificationPanel::startOrStop);
+  refine_ = button("refine", tr("Stop, and let the batch method go over everything (Shift+I)"),
+                   &IdentificationPanel::refine);
+  discard_ = button("discard", tr("Forget what was found; nothing changes (Ctrl+Backspace)"),
+                    &IdentificationPanel::discard);
+  accept_ = button("accept", tr("The filter uses these values from now on; errors begin anew (Ctrl+Return)"),
+                   &IdentificationPanel::accept);
+  save_ = button("save", tr("Save the robot in use as a robot file (Ctrl+S)"), &IdentificationPanel::askFile);
+  revert_ = button("revert", tr("Back to the values of the robot file; errors begin anew"),
+                   &IdentificationPanel::revert);
+  discard_->setText(tr("Discard"));
+  accept_->setText(tr("Accept"));
+  save_->setText(tr("Save…"));
+  revert_->setText(tr("Undo"));
+  for (auto* one : {start_, refine_, revert_}) row->addWidget(one);
+  row->addStretch(1);
+  for (auto* one : {discard_, accept_, save_}) row->addWidget(one);
+  column->addLayout(row);
+}
+
+/// Keys act as their buttons do: only where these are shown and enabled.
+void IdentificationPanel::addKeys() {
+  const auto key = [this](const char* sequence, QPushButton* pressed) {
+    auto* shortcut = new QShortcut(QKeySequence(sequence), this);
+    shortcut->setAutoRepeat(false);
+    connect(shortcut, &QShortcut::activated, pressed, [pressed] {
+      if (pressed->isVisible()) pressed->click();
+    });
+  };
+  key("I", start_);
+  key("Shift+I", refine_);
+  key("Ctrl+Backspace", discard_);
+  key("Ctrl+Return", accept_);
+  key("Ctrl+S", save_);
+}
+
+void IdentificationPanel::setTheme(const Theme& theme) {
+  theme_ = theme;
+  choice_->setTheme(theme);
+  table_->setTheme(theme);
+  trace_->setTheme(theme);
+  QPalette palette = advice_->palette();
+  palette.setColor(QPalette::WindowText, theme.muted);
+  advice_->setPalette(palette);
+}
+
+void IdentificationPanel::begin(const tracking::SourceInfo& source) {
+  job_.cancel();
+  title_ = source.title;
+  live_.begin(source.robot, title_);
+  in_use_ = source.robot;
+  said_.clear();
+  sink_.reset();  // the new runner listens to nobody
+  open_ = true;
+  ended_ = false;
+  polls_.stop();
+  refresh();
+}
+
+void IdentificationPanel::useRobot(const robot::Description& robot, const QString& origin) {
+  live_.keep(robot, origin.toStdString());
+  in_use_ = robot;
+  said_.clear();
+  overtake();
+}
+
+void IdentificationPanel::showStatus(const live::RunStatus& status) {
+  const bool ended = status.state == live::RunState::kEnded || status.state == live::RunState::kFailed;
+  if (ended == ended_) return;
+  ended_ = ended;
+  if (ended && live_.phase() == LivePhase::kCollecting) {
+    live_.stop();
+    overtake();
+  }
+  refresh();
+}
+
+void IdentificationPanel::startOrStop() {
+  said_.clear();
+  try {
+    if (live_.phase() == LivePhase::kCollecting)
+      live_.stop();
+    else if (live_.phase() == LivePhase::kStopped)
+      live_.resume();
+    else
+      live_.start(in_use_, choice_->names());
+  } catch (const base::InputError& error) {
+    said_ = text(error.what());
+  }
+  overtake();
+}
+
+void IdentificationPanel::refine() {
+  said_.clear();
+  if (live_.refining())
+    live_.cancelRefinement();
+  else
+    live_.refine();
+  progress_->setValue(0);
+  overtake();
+}
+
+void IdentificationPanel::discard() {
+  said_.clear();
+  live_.discard();
+  overtake();
+}
+
+void IdentificationPanel::accept() {
+  if (!live_.acceptable()) return;
+  const QString summary = text(live_.summary());
+  in_use_ = live_.accept();
+  overtake();
+  said_ = tr("In use from now on; errors begin anew. Other than the robot file:");
+  Q_EMIT robotChosen(in_use_, tr("identified values in use, errors anew: %1").arg(summary));
+  refresh();
+}
+
+void IdentificationPanel::revert() {
+  in_use_ = live_.revert();
+  overtake();
+  said_ = tr("The robot file's values are in use again; errors begin anew.");
+  Q_EMIT robotChosen(in_use_, tr("the robot file's values in use again, errors anew"));
+  refresh();
+}
+
+void IdentificationPanel::askFile() {
+  auto* dialog = new QFileDialog(this, tr("Save the robot in use"), "identified.yaml",
+                                 tr("Robot files (*.yaml);;All files (*)"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix("yaml");
+  connect(dialog, &QFileDialog::fileSelected, this, &IdentificationPanel::saveRobot);
+  dialog->show();
+}
+
+void IdentificationPanel::saveRobot(const QString& path) {
+  QSaveFile file(path);
+  const QByteArray content = QByteArray::fromStdString(live_.robotFile());
+  const bool saved = !content.isEmpty() && file.open(QIODevice::WriteOnly) &&
+                     file.write(content) == content.size() && file.commit();
+  said_ = saved ? tr("Saved as %1.").arg(path)
+                : tr("%1 cannot be written (%2). Choose a folder that exists and has room.")
+                      .arg(path, file.errorString());
+  if (saved) Q_EMIT robotSaved(path);
+  refresh();
+}
+
+/// The user has decided: what runs no longer matters, and samples go where they should.
+void IdentificationPanel::overtake() {
+  job_.cancel();
+  if (live_.sink() != sink_) {
+    sink_ = live_.sink();
+    Q_EMIT listenerWanted(sink_);
+  }
+  const bool under_way = live_.phase() == LivePhase::kCollecting || live_.phase() == LivePhase::kStopped;
+  if (under_way)
+    polls_.start();
+  else
+    polls_.stop();
+  poll();
+}
+
+/// The next run, when its time has come.
+void IdentificationPanel::poll() {
+  const auto now = [this] { return 1e-3 * static_cast<double>(clock_.elapsed()); };
+  if (!job_.busy())
+    if (const auto request = live_.next(now()))
+      job_.start([request = *request](
+                     base::Progress& progress) { return identification::runLive(request, progress); },
+                 [this, now](identification::LiveReport report) { live_.take(std::move(report), now()); });
+  refresh();
+}
+
+QString IdentificationPanel::stateWords() const {
+  if (!said_.isEmpty()) return said_;
+  if (live_.phase() != LivePhase::kIdle) return text(live_.words());
+  if (!open_) return tr("No session: open one first.");
+  if (ended_) return tr("The session has ended: begin it again (Space), then Start.");
+  return tr("Finds what the robot file has wrong, from how the arm moves.");
+}
+
+void IdentificationPanel::refresh() {
+  const LivePhase phase = live_.phase();
+  const bool accepted = phase == LivePhase::kAccepted;
+  const bool results = phase == LivePhase::kCollecting || phase == LivePhase::kStopped;
+  words_->setText(stateWords());
+  pages_->setCurrentIndex(results ? 1 : accepted ? 2 : 0);
+  if (accepted) {
+    const QString changed = changesText(live_.changes());
+    if (changed != changes_->toPlainText()) changes_->setPlainText(changed);
+  }
+  if (auto rows = live_.rows(); rows != rows_) {
+    rows_ = std::move(rows);
+    table_->showRows(rows_);
+  }
+  advice_->setVisible(results);
+  progress_->setVisible(live_.refining());
+  showChosen();
+  showButtons();
+}
+
+void IdentificationPanel::showChosen() {
+  const int row = table_->chosen();
+  const bool any = row >= 0 && row < static_cast<int>(rows_.size()) && live_.set();
+  const QString words = any ? text(rows_[static_cast<std::size_t>(row)].name + ": " +
+                                   rows_[static_cast<std::size_t>(row)].words)
+                            : QString();
+  if (words != advice_->text()) advice_->setText(words);
+  const std::pair wanted{any ? live_.shown().serial : 0, any ? row : -1};
+  if (wanted == drawn_) return;
+  drawn_ = wanted;
+  if (any)
+    trace_->showTrace(live_.trace(), *live_.set(), row);
+  else
+    trace_->clear();
+}
+
+void IdentificationPanel::showButtons() {
+  const LivePhase phase = live_.phase();
+  const bool idle = phase == LivePhase::kIdle, accepted = phase == LivePhase::kAccepted;
+  start_->setText(phase == LivePhase::kCollecting ? tr("Stop")
+                  : phase == LivePhase::kStopped  ? tr("Go on")
+                  : accepted                      ? tr("Again")
+                                                  : tr("Start"));
+  start_->setEnabled(open_ && !(ended_ && phase != LivePhase::kCollecting) && !choice_->names().empty() &&
+                     !live_.refining());
+  refine_->setText(live_.refining() ? tr("Cancel") : tr("Refine"));
+  refine_->setEnabled(!live_.shown().estimates.empty());
+  accept_->setEnabled(live_.acceptable() && !live_.refining());
+  for (auto* one : {refine_, discard_, accept_}) one->setVisible(!idle && !accepted);
+  for (auto* one : {revert_, save_}) one->setVisible(accepted);
+}
+
+void IdentificationPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  trace_->setVisible(height() >= kRoomForTrace);
+}
+
+QString IdentificationPanel::words() const { return words_->text(); }
+QString IdentificationPanel::advice() const { return advice_->text(); }
+QString IdentificationPanel::changes() const { return changes_->toPlainText(); }
+
+}  // namespace capstan::widgets

@@ -1,0 +1,105 @@
+#include "widgets/panels/identification/parameter_table.h"
+
+#include <QHeaderView>
+#include <QPainter>
+#include <QStyledItemDelegate>
+
+namespace capstan::widgets {
+
+namespace {
+
+enum Column { kName, kValue, kSigma, kChange, kColumns };
+constexpr double kPoints = 10.0;
+constexpr int kRowHeight = 26, kBar = 3;  // [px]
+
+/// Leaves room for the bar.
+class Rows : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    return {QStyledItemDelegate::sizeHint(option, index).width(), kRowHeight};
+  }
+};
+
+QString shown(const std::string& text) { return QString::fromStdString(text); }
+
+}  // namespace
+
+ParameterTable::ParameterTable(QWidget* parent) : QTreeWidget(parent) {
+  setColumnCount(kColumns);
+  setItemDelegate(new Rows(this));
+  setHeaderHidden(true);
+  setRootIsDecorated(false);
+  setUniformRowHeights(true);
+  setFrameShape(QFrame::NoFrame);
+  setSelectionMode(QAbstractItemView::SingleSelection);
+  setAllColumnsShowFocus(true);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setAccessibleName(tr("identified parameters"));
+  header()->setMinimumSectionSize(10);
+  header()->setStretchLastSection(false);
+  for (const int column : {kName, kValue, kChange})
+    header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
+  header()->setSectionResizeMode(kSigma, QHeaderView::Stretch);
+  connect(this, &QTreeWidget::currentItemChanged, this, [this] { Q_EMIT chosenChanged(); });
+  setTheme(theme_);
+}
+
+void ParameterTable::setTheme(const Theme& theme) {
+  theme_ = theme;
+  setStyleSheet(QStringLiteral("QTreeWidget::item:selected { background: %1; color: %2; }")
+                    .arg(theme.raised.name(), theme.text.name()));
+  for (int i = 0; i < topLevelItemCount(); ++i) fill(*topLevelItem(i), rows_[static_cast<std::size_t>(i)]);
+  viewport()->update();
+}
+
+void ParameterTable::fill(QTreeWidgetItem& item, const identification::LiveRow& row) const {
+  const QString texts[] = {(row.settled ? tr("✓ ") : QStringLiteral("  ")) + shown(row.name),
+                           shown(row.value), shown(row.sigma + " " + row.unit).trimmed(), shown(row.change)};
+  for (int column = 0; column < kColumns; ++column) {
+    item.setText(column, texts[column]);
+    item.setFont(column, numberFont(kPoints, column == kValue && row.seen));
+    item.setForeground(column, column == kValue && row.seen ? theme_.text : theme_.muted);
+    item.setTextAlignment(
+        column, (column == kValue || column == kChange ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignTop);
+    item.setToolTip(column, shown(row.words));
+  }
+  item.setForeground(kName, theme_.text);
+}
+
+void ParameterTable::showRows(const std::vector<identification::LiveRow>& rows) {
+  rows_ = rows;
+  const int count = static_cast<int>(rows.size());
+  while (topLevelItemCount() > count) delete takeTopLevelItem(topLevelItemCount() - 1);
+  while (topLevelItemCount() < count) addTopLevelItem(new QTreeWidgetItem);
+  for (int i = 0; i < count; ++i) fill(*topLevelItem(i), rows_[static_cast<std::size_t>(i)]);
+  if (count > 0 && !currentItem()) choose(0);
+  viewport()->update();
+}
+
+int ParameterTable::chosen() const { return indexOfTopLevelItem(currentItem()); }
+
+void ParameterTable::choose(int row) { setCurrentItem(topLevelItem(row)); }
+
+QString ParameterTable::text(int row) const {
+  QStringList cells;
+  for (int column = 0; column < kColumns; ++column) cells << topLevelItem(row)->text(column).trimmed();
+  return cells.join(' ').simplified();
+}
+
+QSize ParameterTable::sizeHint() const { return {260, kRowHeight * std::max(1, topLevelItemCount()) + 2}; }
+
+void ParameterTable::drawRow(QPainter* painter, const QStyleOptionViewItem& option,
+                             const QModelIndex& index) const {
+  QTreeWidget::drawRow(painter, option, index);
+  const auto& row = rows_[static_cast<std::size_t>(index.row())];
+  QRect bar = option.rect;
+  bar.setTop(bar.bottom() - kBar);
+  bar.setHeight(kBar);
+  bar.setRight(viewport()->width() - 1);
+  painter->fillRect(bar, theme_.grid);
+  bar.setWidth(static_cast<int>(row.share * bar.width()));
+  painter->fillRect(bar, row.settled ? theme_.colour(Quantity::kUkf) : theme_.accent);
+}
+
+}  // namespace capstan::widgets

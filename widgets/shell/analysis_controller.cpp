@@ -1,0 +1,107 @@
+#include "widgets/shell/analysis_controller.h"
+
+#include <QAction>
+#include <QStackedWidget>
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "widgets/panels/analysis/analysis_panel.h"
+#include "widgets/panels/errors/errors_panel.h"
+#include "widgets/panels/notes/notes_panel.h"
+#include "widgets/shell/session_bar.h"
+#include "widgets/shell/session_link.h"
+
+namespace capstan::widgets {
+
+AnalysisController::AnalysisController(AnalysisPanel& panel, QStackedWidget& centre, SessionLink& link,
+                                       SessionBar& bar, ErrorsPanel& errors, NotesPanel& notes,
+                                       QObject* parent)
+    : QObject(parent), panel_(panel) {
+  addAction(centre, bar);
+  gather(link);
+  panel_.setSession([this, &link] { return sessionSoFar(link); });
+  connect(&errors, &ErrorsPanel::resetRequested, this, [this] { gathered_->restart(); });
+  connect(&panel, &AnalysisPanel::exported, this,
+          [this, &notes](const QString& base) { notes.addFile(now_, "export", base); });
+}
+
+void AnalysisController::addAction(QStackedWidget& centre, SessionBar& bar) {
+  auto* action = new QAction(tr("Analyse"), this);
+  action->setObjectName("analyse");
+  action->setCheckable(true);
+  action->setShortcut(QKeySequence(QStringLiteral("Ctrl+L")));
+  action->setToolTip(
+      tr("Histogram, box plot and comparison of runs in the place of the plots, or back (Ctrl+L)"));
+  bar.addPanelAction(action);
+  connect(action, &QAction::toggled, &centre, [this, &centre](bool shown) {
+    centre.setCurrentIndex(shown ? 1 : 0);
+    if (shown) panel_.setFocus();
+  });
+}
+
+/// On the pipeline's thread; a robot that was exchanged begins the errors anew, as it does in their table.
+void AnalysisController::gather(SessionLink& link) {
+  connect(&link, &SessionLink::opened, this,
+          [this, &link](const tracking::SourceInfo& info, const SourceChoice& choice) {
+            files_.clear();
+            if (!choice.simulated) noteFile(choice.file);
+            gathered_ = std::make_shared<Gathered>();
+            now_ = info.begin;
+            std::array<QString, 3> names;
+            for (std::size_t i = 0; i < names.size() && i < info.robot.joints.size(); ++i)
+              names[i] = QString::fromStdString(info.robot.joints[i].name);
+            panel_.setJointNames(names);
+            const auto robot = std::make_shared<std::string>(robot::formatDescription(info.robot));
+            link.listen(this,
+                        {[gathered = gathered_, robot](const tracking::TrackingPipeline& pipeline) {
+                           std::string now = robot::formatDescription(pipeline.robot());
+                           if (now != *robot) gathered->restart();
+                           *robot = std::move(now);
+                         },
+                         [gathered = gathered_](const tracking::Sample&, const tracking::Snapshot& snapshot) {
+                           gathered->errors.take(snapshot);
+                           gathered->motion.take(snapshot);
+                         }});
+            panel_.sessionOpened();
+          });
+  connect(&link, &SessionLink::status, this, [this](const live::RunStatus& status) {
+    now_ = status.t;
+    noteFile(QString::fromStdString(status.recording));
+  });
+}
+
+void AnalysisController::noteFile(const QString& file) {
+  const std::filesystem::path path = file.toStdString();
+  if (!path.empty() && std::find(files_.begin(), files_.end(), path) == files_.end()) files_.push_back(path);
+}
+
+analysis::ErrorRun AnalysisController::sessionSoFar(const SessionLink& link) const {
+  if (!link.runner())
+    throw base::InputError({"this session", 0, {}, {}, "is not open", "Open a source first"});
+  const tracking::SourceInfo& info = link.runner()->info();
+  analysis::ErrorRun run = gathered_->errors.run();
+  if (run.errors.empty()) {
+    const bool ever = info.reference || info.own_kinematics;
+    throw base::InputError({info.title,
+                            0,
+                            {},
+                            {},
+                            ever ? "has no errors yet" : "has no joint encoders, so its errors are not known",
+                            ever ? "Let it run, then Refresh (F5)" : "Choose a recording with a reference"});
+  }
+  run.trajectory = gathered_->motion.trajectory();
+  run.title = info.title;
+  run.motion = "session " + info.title;
+  run.files = files_;
+  run.filter_robot = link.runner()->robot().name;
+  if (robot::formatDescription(link.runner()->robot()) != robot::formatDescription(info.robot))
+    run.filter_robot += ", changed in this session";
+  run.kinematic_robot = run.filter_robot;
+  run.own_kinematics = info.own_kinematics;
+  run.simulated = !info.truth.empty();
+  if (info.own_kinematics)
+    run.notices.push_back("its reference is the robot's own kinematics: these are differences, not errors");
+  return run;
+}
+
+}  // namespace capstan::widgets

@@ -1,0 +1,72 @@
+#include "widgets/shell/diagnosis_controller.h"
+
+#include <QAction>
+#include <QStackedWidget>
+
+#include "widgets/panels/diagnosis/diagnosis_panel.h"
+#include "widgets/panels/identification/identification_panel.h"
+#include "widgets/panels/notes/notes_panel.h"
+#include "widgets/shell/dock_scroll.h"
+#include "widgets/shell/session_bar.h"
+#include "widgets/shell/session_link.h"
+
+namespace capstan::widgets {
+
+DiagnosisController::DiagnosisController(DiagnosisPanel& panel, QStackedWidget& centre, SessionLink& link,
+                                         SessionBar& bar, IdentificationPanel& identification,
+                                         NotesPanel& notes, QObject* parent)
+    : QObject(parent), panel_(panel) {
+  addAction(centre, bar);
+  offerRecordings(link);
+  useRobots(link, identification, notes);
+  connect(&panel, &DiagnosisPanel::robotSaved, this,
+          [this, &notes](const QString& path) { notes.addFile(now_, "robot", path); });
+  connect(&panel, &DiagnosisPanel::exported, this,
+          [this, &notes](const QString& index) { notes.addFile(now_, "export", index); });
+}
+
+void DiagnosisController::addAction(QStackedWidget& centre, SessionBar& bar) {
+  auto* action = new QAction(tr("Diagnose"), this);
+  action->setObjectName("diagnose");
+  action->setCheckable(true);
+  action->setShortcut(QKeySequence(QStringLiteral("Ctrl+D")));
+  action->setToolTip(tr(
+      "What the simulation gets wrong in recordings, and why, in the place of the plots, or back (Ctrl+D)"));
+  bar.addPanelAction(action);
+  connect(action, &QAction::toggled, &centre, [this, &centre](bool shown) {
+    centre.setCurrentIndex(shown ? pageWith(centre, panel_) : 0);
+    if (shown) panel_.setFocus();
+  });
+}
+
+void DiagnosisController::offerRecordings(SessionLink& link) {
+  connect(&link, &SessionLink::opened, this,
+          [this](const tracking::SourceInfo& info, const SourceChoice& choice) {
+            now_ = info.begin;
+            panel_.setSessionJoints(info.robot.size());
+            if (!choice.simulated) panel_.offer(choice.file, tr("Open recording"));
+          });
+  connect(&link, &SessionLink::status, this, &DiagnosisController::onStatus);
+}
+
+/// A recording is offered when its file is whole.
+void DiagnosisController::onStatus(const live::RunStatus& status) {
+  now_ = status.t;
+  const bool recording = status.recorder && status.recorder->state == recording::RecorderState::kRecording;
+  const bool failed = status.recorder && status.recorder->state == recording::RecorderState::kFailed;
+  if (!recording_.isEmpty() && !recording && !failed) panel_.offer(recording_, tr("Just recorded"));
+  recording_ = recording ? QString::fromStdString(status.recording) : QString();
+}
+
+void DiagnosisController::useRobots(SessionLink& link, IdentificationPanel& identification,
+                                    NotesPanel& notes) {
+  connect(&panel_, &DiagnosisPanel::robotChosen, this,
+          [this, &link, &identification, &notes](const robot::Description& robot, const QString& summary) {
+            const QString origin = tr("diagnosis");
+            if (!link.useRobot(robot, {tr("diagnosed"), origin, summary})) return;
+            identification.useRobot(robot, origin);
+            notes.addEvent(now_, "robot", summary);
+          });
+}
+
+}  // namespace capstan::widgets
