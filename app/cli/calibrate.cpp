@@ -52,7 +52,7 @@ std::string textOf(const vision::CalibrationReport& report) {
     if (view.used())
       text +=
           fmt::format("{:<28}{:>12.4f}{:>12.4f}{:>12.4f}{}\n", view.left + " " + view.right, view.left_error,
-                      view.right_error, view.stereo_error, view.suspect ? "  suspect" : "");
+                      view.right_error, view.stereo_error, view.outlying ? "  suspect" : "");
     else
       text += fmt::format("{:<28}  rejected: {}\n", view.left + " " + view.right, base::nameOf(view.fault));
   }
@@ -78,7 +78,7 @@ nlohmann::json jsonOf(const vision::CalibrationReport& report) {
                      {"right", view.right},
                      {"used", view.used()},
                      {"reason", std::string(base::nameOf(view.fault))},
-                     {"suspect", view.suspect},
+                     {"suspect", view.outlying},
                      {"left_rms", view.left_error},
                      {"right_rms", view.right_error},
                      {"stereo_rms", view.stereo_error}});
@@ -94,7 +94,7 @@ nlohmann::json jsonOf(const vision::CalibrationReport& report) {
 void checkOut(const CalibrateArguments& arguments, const vision::CalibrationInput& pairs) {
   std::vector<std::string> inputs;
   for (const auto* side : {&pairs.left, &pairs.right})
-    for (const auto& picture : *side) inputs.push_back(picture.string());
+    for (const auto& image : *side) inputs.push_back(image.string());
   checkOutputs({{"--json", arguments.json}}, inputs);
   if (!arguments.write) return;
   checkOutputFolder("--out", arguments.out, {kLeft, kRight}, inputs);

@@ -51,7 +51,9 @@ void Output::text(const std::string& text) const {
 
 void Output::json(const nlohmann::json& document) const {
   if (json_target_.empty()) return;
-  const std::string text = document.dump(2) + "\n";
+  nlohmann::json versioned = document;
+  if (versioned.is_object()) versioned["schema"] = kJsonSchema;
+  const std::string text = versioned.dump(2) + "\n";
   if (json_target_ == "-")
     fmt::print("{}", text);
   else

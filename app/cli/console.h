@@ -22,6 +22,10 @@ class ProgressLine {
   std::jthread thread_;
 };
 
+/// Version of the JSON documents that the manual describes (resources/manual/json.md). It rises when a key is
+/// renamed or removed, or its meaning changes; not when one is added.
+inline constexpr int kJsonSchema = 1;
+
 /// Where --json goes: empty (nowhere), "-" (standard output) or a file.
 class Output {
  public:
@@ -30,6 +34,7 @@ class Output {
   void text(const std::string& text) const;
   /// One JSON document, numbers to the last bit, NaN as null. Throws base::InputError when the file cannot be
   /// written.
+  /// With "schema": kJsonSchema beside what an object has.
   void json(const nlohmann::json& document) const;
 
  private:

@@ -40,10 +40,10 @@ void needSession(RecordingFormat format, const std::string& target) {
 
 std::string writeTable(const ConvertArguments& arguments, RecordingFormat format,
                        const base::Progress& progress) {
-  const auto table =
-      format == RecordingFormat::kSession
-          ? recording::sessionTable(arguments.in)
-          : readTable(arguments.in, format, readRobot(arguments.robot), readAsOf(arguments.read_as));
+  const auto table = format == RecordingFormat::kSession
+                         ? recording::sessionTable(arguments.in)
+                         : readTable(arguments.in, format, robot::readDescriptionOrDefault(arguments.robot),
+                                     readAsOf(arguments.read_as));
   const std::string text = recording::formatMeasuredTable(table);
   if (progress.cancelled()) return {};
   base::writeTextFile(arguments.out, text);

@@ -7,6 +7,7 @@
 #include "app/cli/console.h"
 #include "app/cli/outputs.h"
 #include "app/cli/pose_motions.h"
+#include "core/base/error.h"
 #include "core/base/yaml.h"
 #include "core/learning/model/correction_file.h"
 #include "core/recording/pose_path.h"
@@ -16,26 +17,56 @@ namespace {
 
 struct CorrectArguments {
   std::string model, in, out;
+  bool path = false, end_point = false;
 };
+
+/// Each trajectory as a planned motion, to be followed from its first waypoint to its last.
+ExitCode correctPaths(const CorrectArguments& arguments) {
+  const learning::CorrectionFile file = learning::readCorrection(arguments.model);
+  const recording::PosePaths paths = recording::readPosePaths(arguments.in);
+  checkNear(file.model, recording::statesOf(paths), arguments.in);
+  learning::CommandCorrectionOptions options;
+  options.mode =
+      arguments.path ? learning::CorrectionMode::kFullTrajectory : learning::CorrectionMode::kEndPoint;
+  std::vector<std::vector<learning::CorrectedWaypoint>> commands;
+  std::size_t waypoints = 0, low_confidence = 0;
+  for (const auto& motion : recording::plannedMotions(paths, arguments.in)) {
+    commands.push_back(
+        base::namingFile(arguments.in, [&] { return learning::correctedPath(file.model, motion, options); }));
+    waypoints += commands.back().size();
+    low_confidence += static_cast<std::size_t>(std::ranges::count_if(
+        commands.back(), [](const auto& one) { return one.confidence < learning::kLowConfidence; }));
+  }
+  base::writeTextFile(arguments.out, recording::formatCommands(paths, commands));
+  if (low_confidence > 0)
+    notice(fmt::format("{} of {} waypoints are far from what was learned (confidence below {}).",
+                       low_confidence, waypoints, learning::kLowConfidence));
+  Output({}).text(fmt::format("{} motions, {} waypoints corrected{} towards the {}.\n", commands.size(),
+                              waypoints, arguments.path ? " each" : " by their end points",
+                              base::nameOf(file.source.towards)));
+  return kOk;
+}
 
 ExitCode run(const CorrectArguments& arguments) {
   checkOutputs({{"OUT", arguments.out}}, {arguments.model, arguments.in});
+  if (arguments.path || arguments.end_point) return correctPaths(arguments);
   const learning::CorrectionFile file = learning::readCorrection(arguments.model);
   const recording::PosePaths paths = recording::readPosePaths(arguments.in);
-  const std::vector<learning::State> wanted = recording::statesOf(paths);
-  checkNear(file.model, wanted, arguments.in);
-  const std::vector<learning::Corrected> corrected = file.model.correctSurely(wanted);
-  const auto unsure = std::count_if(corrected.begin(), corrected.end(),
-                                    [](const auto& one) { return one.confidence < learning::kUnsure; });
+  const std::vector<learning::State> desired = recording::statesOf(paths);
+  checkNear(file.model, desired, arguments.in);
+  const std::vector<learning::Corrected> corrected = file.model.correctWithConfidence(desired);
+  const auto low_confidence = std::count_if(corrected.begin(), corrected.end(), [](const auto& one) {
+    return one.confidence < learning::kLowConfidence;
+  });
   base::writeTextFile(arguments.out, recording::formatCorrected(paths, corrected));
   if (!paths.timed) notice("The table has no t_s: every pose is corrected as one to rest at.");
   if (file.model.processes().empty())
     notice("The model is a rigid offset alone: it tells no confidence.");
-  else if (unsure > 0)
+  else if (low_confidence > 0)
     notice(
         fmt::format("{} of {} poses are far from what was learned (confidence below {}): they are corrected "
                     "by little more than the rigid offset.",
-                    unsure, corrected.size(), learning::kUnsure));
+                    low_confidence, corrected.size(), learning::kLowConfidence));
   Output({}).text(fmt::format("{} poses corrected towards the {}.\n", corrected.size(),
                               base::nameOf(file.source.towards)));
   return kOk;
@@ -54,9 +85,19 @@ void addCorrect(CLI::App& app, ExitCode& exit) {
   command
       ->add_option("OUT", arguments->out, "table of what to ask for, with standard deviations and confidence")
       ->required();
+  command->add_flag(
+      "--path", arguments->path,
+      "trajectories are planned motions (t_s, traj): each waypoint is corrected with its velocity");
+  command
+      ->add_flag(
+          "--end-point", arguments->end_point,
+          "trajectories are straight motions: their ends are corrected, the way between stays straight")
+      ->excludes("--path");
   command->footer(
       "Velocities come from t_s; far from what was learned corrections fade to the rigid offset.\n"
-      "Example: capstan-cli correct --model arm.correction wanted.csv commands.csv");
+      "Examples:\n"
+      "  capstan-cli correct --model arm.correction wanted.csv commands.csv\n"
+      "  capstan-cli correct --model arm.correction motions.csv commands.csv --path");
   command->callback([arguments, &exit] { exit = run(*arguments); });
 }
 

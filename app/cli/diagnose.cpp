@@ -55,12 +55,7 @@ void addDiagnose(CLI::App& app, ExitCode& exit) {
       "  capstan-cli diagnose trial.capstan\n"
       "  capstan-cli diagnose slow.csv fast.csv --robot arm.yaml --report diagnosis --out arm_extended.yaml\n"
       "  capstan-cli diagnose trial.capstan --only backlash,cable_hysteresis --json -");
-  command->callback([arguments, &exit] {
-    exit = runDiagnose(*arguments, [](const auto& recordings, const auto& robot, const auto& options,
-                                      base::Progress* progress) {
-      return diagnosis::diagnose(recordings, robot, options, progress);
-    });
-  });
+  command->callback([arguments, &exit] { exit = runDiagnose(*arguments); });
 }
 
 }  // namespace capstan::cli

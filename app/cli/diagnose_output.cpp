@@ -45,7 +45,7 @@ bool isWords(const base::Table& table, std::size_t column) {
                      [&](const auto& row) { return column < row.size() && !row[column].text.empty(); });
 }
 
-std::string told(const char* name, std::string_view words) {
+std::string commanded(const char* name, std::string_view words) {
   return words.empty() ? std::string() : wrapped(fmt::format("{}: {}", name, words), 2);
 }
 
@@ -54,7 +54,7 @@ std::string causeBlock(const Cause& cause) {
   text += wrapped(fmt::format("probability {:.0f} %", 100.0 * cause.probability), 2);
   if (!cause.gain.channel.empty()) text += wrapped(diagnosis::gainText(cause.gain), 2);
   if (const diagnosis::HypothesisWords* words = diagnosis::wordsOf(cause.effect))
-    text += told("what it is", words->what) + told("shown best by", words->experiment);
+    text += commanded("what it is", words->what) + commanded("shown best by", words->experiment);
   return text + "\n";
 }
 
@@ -80,9 +80,9 @@ std::string causesText(const Report& report) {
 
 std::string unexplainedText(const Report& report) {
   std::string text;
-  for (const diagnosis::RemainderProcess& process : report.processes)
+  for (const diagnosis::ResidualProcess& process : report.processes)
     if (process.end == diagnosis::ProcessEnd::kDone)
-      text += wrapped("The remainder of " + process.channel + " " + process.words + ".") + "\n";
+      text += wrapped("The residual of " + process.channel + " " + process.words + ".") + "\n";
   if (!report.lines.empty()) text += plainText(diagnosis::lineTable(report)) + "\n";
   return text;
 }

@@ -1,11 +1,10 @@
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "app/cli/command.h"
-#include "core/diagnosis/diagnose.h"
+#include "core/diagnosis/diagnose_files.h"
 
 namespace capstan::cli {
 
@@ -19,13 +18,9 @@ struct DiagnoseArguments {
   diagnosis::DiagnosisOptions options;
 };
 
-/// diagnosis::diagnose, or what stands in for it.
-using Diagnose =
-    std::function<diagnosis::Report(const std::vector<diagnosis::Evidence>&, const robot::Description&,
-                                    const diagnosis::DiagnosisOptions&, base::Progress*)>;
-
 /// The command behind its options: reads, diagnoses and writes. kFailed: cancelled. Throws base::InputError
 /// for files, options and outputs that will not do, before anything is computed.
-ExitCode runDiagnose(const DiagnoseArguments& arguments, const Diagnose& diagnose);
+ExitCode runDiagnose(const DiagnoseArguments& arguments,
+                     const diagnosis::Diagnose& diagnose = diagnosis::diagnose);
 
 }  // namespace capstan::cli

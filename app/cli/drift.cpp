@@ -24,15 +24,15 @@ struct DriftArguments {
 
 constexpr std::array kOutputs = {"x", "y", "z", "the turn about x", "the turn about y", "the turn about z"};
 
-enum class Finding { kHolds, kAged, kUnknown };
+enum class Finding { kHolds, kDrifted, kUnknown };
 
-Finding findingOf(const learning::DriftCourse& course) {
-  if (!course.told()) return Finding::kUnknown;
-  return course.agedNow() ? Finding::kAged : Finding::kHolds;
+Finding findingOf(const learning::DriftHistory& history) {
+  if (!history.known()) return Finding::kUnknown;
+  return history.driftedNow() ? Finding::kDrifted : Finding::kHolds;
 }
 
 const char* nameOf(Finding finding) {
-  return finding == Finding::kHolds ? "holds" : finding == Finding::kAged ? "aged" : "unknown";
+  return finding == Finding::kHolds ? "holds" : finding == Finding::kDrifted ? "drifted" : "unknown";
 }
 
 /// Where a state of the recording is found again.
@@ -41,58 +41,58 @@ std::string placeOf(const learning::PreparedStates& prepared, std::size_t state)
   return fmt::format("{}, t {:.1f} s (line {})", prepared.screen.motions[at.motion].name, at.t, at.row);
 }
 
-nlohmann::json jsonOf(const learning::PreparedStates& prepared, const learning::DriftCourse& course) {
-  nlohmann::json json = {{"finding", nameOf(findingOf(course))},
-                         {"judged", course.t.size()},
-                         {"unsure", course.unsure},
-                         {"factor", std::vector<double>(course.factor.begin(), course.factor.end())},
-                         {"t", course.t},
-                         {"aged", nlohmann::json::array()}};
-  for (const learning::DriftReport& report : course.reports) {
+nlohmann::json jsonOf(const learning::PreparedStates& prepared, const learning::DriftHistory& history) {
+  nlohmann::json json = {{"finding", nameOf(findingOf(history))},
+                         {"judged", history.t.size()},
+                         {"low_confidence", history.low_confidence},
+                         {"factor", std::vector<double>(history.factor.begin(), history.factor.end())},
+                         {"t", history.t},
+                         {"drifted", nlohmann::json::array()}};
+  for (const learning::DriftReport& report : history.reports) {
     json["output"].push_back(kOutputs[static_cast<std::size_t>(report.output)]);
     json["beyond"].push_back(report.beyond);
     json["limit"].push_back(report.limit);
   }
-  for (const auto& [from, to] : course.aged) {
-    const learning::State& begin = prepared.states[course.state[from]];
-    const learning::State& end = prepared.states[course.state[to - 1]];
-    json["aged"].push_back({{"from_line", begin.row}, {"to_line", end.row}});
+  for (const auto& [from, to] : history.drifted) {
+    const learning::State& begin = prepared.states[history.state[from]];
+    const learning::State& end = prepared.states[history.state[to - 1]];
+    json["drifted"].push_back({{"from_line", begin.row}, {"to_line", end.row}});
   }
   return json;
 }
 
 std::string textOf(const learning::PreparedStates& prepared, std::size_t states,
-                   const learning::DriftCourse& course) {
+                   const learning::DriftHistory& history) {
   std::string text = fmt::format(
       "{} of {} states count; {} of these lie where the model is unsure (confidence below {}) and say\n"
       "nothing of it.\n",
-      prepared.states.size(), states, course.unsure, learning::kUnsure);
-  if (2 * course.unsure > prepared.states.size())
+      prepared.states.size(), states, history.low_confidence, learning::kLowConfidence);
+  if (2 * history.low_confidence > prepared.states.size())
     text += "Most of what was recorded lies outside what was learned: learn it too.\n";
-  if (findingOf(course) == Finding::kUnknown)
+  if (findingOf(history) == Finding::kUnknown)
     return text + fmt::format("Too short to tell whether the model holds: {} s of motion at least.\n",
                               learning::kFewestPieces);
   text += "Errors, in what is stated for them (about 1 or less while the model holds):";
   for (std::size_t i = 0; i < kOutputs.size(); ++i)
     text += fmt::format("{} {} {:.2f}", i == 0 ? "" : ",", kOutputs[i],
-                        course.factor[static_cast<Eigen::Index>(i)]);
-  const learning::DriftReport& last = course.reports.back();
+                        history.factor[static_cast<Eigen::Index>(i)]);
+  const learning::DriftReport& last = history.reports.back();
   text += fmt::format(
       "\nIn the last {:.0f} s {:.0f} % of the errors of {} are beyond their σ:\n"
       "{:.0f} % at most are expected while it holds, more than {:.0f} % are no chance.\n",
       last.span, 100.0 * last.beyond, kOutputs[static_cast<std::size_t>(last.output)],
       100.0 * learning::kBeyond, 100.0 * last.limit);
-  for (const auto& [from, to] : course.aged)
-    text += fmt::format("Did not hold as noticed from {} to {}.\n", placeOf(prepared, course.state[from]),
-                        placeOf(prepared, course.state[to - 1]));
-  return text + (course.agedNow() ? "The model has aged: learn anew from motions as they are now.\n"
-                                  : "Nothing shows that the model has aged.\n");
+  for (const auto& [from, to] : history.drifted)
+    text += fmt::format("Did not hold as noticed from {} to {}.\n", placeOf(prepared, history.state[from]),
+                        placeOf(prepared, history.state[to - 1]));
+  return text + (history.driftedNow() ? "The model has aged: learn anew from motions as they are now.\n"
+                                      : "Nothing shows that the model has aged.\n");
 }
 
 learning::PreparedStates preparedFor(const learning::CorrectionFile& file,
                                      const std::vector<std::string>& tables) {
   learning::PreparedStates prepared =
-      learning::prepareAt(file.source.lag, recording::readPoseTables(tables), file.source.towards);
+      learning::prepareAt(file.source.clock_offset, recording::readPoseTables(tables), file.source.towards);
   learning::checkRelated(prepared.screen.motions, prepared.states, file.model.offset(), file.source.towards);
   return prepared;
 }
@@ -110,16 +110,16 @@ ExitCode run(const DriftArguments& arguments) {
   prepared.states = learning::kept(
       prepared.states, learning::cleanStates(prepared.states, learning::LearningOptions{}.cleaning));
   base::Progress progress;
-  learning::DriftCourse course;
+  learning::DriftHistory history;
   {
     const ProgressLine line(progress);
-    course = learning::driftAlong(file.model, prepared.states, arguments.options, &progress);
+    history = learning::driftAlong(file.model, prepared.states, arguments.options, &progress);
   }
   if (progress.cancelled()) return kFailed;
   const Output output(arguments.json);
-  output.text(textOf(prepared, states, course));
-  output.json(jsonOf(prepared, course));
-  return findingOf(course) == Finding::kHolds ? kOk : kFailed;
+  output.text(textOf(prepared, states, history));
+  output.json(jsonOf(prepared, history));
+  return findingOf(history) == Finding::kHolds ? kOk : kFailed;
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/console.h"
+#include "app/cli/experiment_correction.h"
 #include "app/cli/experiment_output.h"
 #include "app/cli/outputs.h"
 #include "core/base/software.h"
@@ -29,6 +30,7 @@ struct ExperimentArguments {
   std::string name, out = "capstan-experiments", json;
   int threads = 2;
   std::optional<bool> images;
+  CorrectionExperimentArguments correction;
 };
 
 std::vector<Specification> specificationsOf(const std::string& name) {
@@ -58,7 +60,13 @@ bool runAll(const std::vector<Specification>& specifications, const experiments:
   return true;
 }
 
-ExitCode experiment(const ExperimentArguments& arguments) {
+ExitCode experiment(ExperimentArguments& arguments) {
+  if (isCorrectionExperiment(arguments.name))
+    return runCorrectionExperiment(arguments.name, arguments.out, arguments.json, arguments.threads,
+                                   arguments.correction);
+  if (!arguments.correction.options.poses.empty())
+    refuseFile(arguments.correction.options.poses.front(), "is not for experiment " + arguments.name,
+               "Tables of tip poses are for E and F");
   const std::vector<Specification> specifications = specificationsOf(arguments.name);
   checkOutputFolder("--out", arguments.out, {}, {});
   checkOutputs({{"--json", arguments.json}}, {});
@@ -94,11 +102,14 @@ ExitCode experiment(const ExperimentArguments& arguments) {
 void addExperiment(CLI::App& app, ExitCode& exit) {
   auto arguments = std::make_shared<ExperimentArguments>();
   CLI::App* command = app.add_subcommand(
-      "experiment", "Run experiments of the UKF paper, or any specification, and compare with the paper");
+      "experiment",
+      "Run experiments of the UKF paper (A to D) or of the GPR paper (E to H), or any specification,\n"
+      "and compare with the paper");
   command
-      ->add_option(
-          "NAME", arguments->name,
-          "A (pulley radius), B (cables), C (errors), D (occlusion), all, or a specification (.yaml)")
+      ->add_option("NAME", arguments->name,
+                   "A (pulley radius), B (cables), C (errors), D (occlusion), all of these, or a "
+                   "specification (.yaml);\n"
+                   "E (errors of corrected poses), F (training size), G (arrival), H (debridement)")
       ->required();
   command->add_option("--out", arguments->out, "folder of results; finished trials in it are not run again")
       ->capture_default_str();
@@ -110,6 +121,7 @@ void addExperiment(CLI::App& app, ExitCode& exit) {
   command->add_flag_callback(
       "--no-images", [arguments] { arguments->images = false; },
       "tip positions with pixel noise instead of pictures: faster");
+  addCorrectionOptions(*command, arguments->correction);
   command->add_option("--json", arguments->json,
                       "numbers and goals as JSON, SI: a file, or - for standard output");
   command->footer(
@@ -117,7 +129,9 @@ void addExperiment(CLI::App& app, ExitCode& exit) {
       "identified, and run these first. resources/experiments holds A.yaml … D.yaml to copy from. Examples:\n"
       "  capstan-cli experiment all --out results\n"
       "  capstan-cli experiment C --no-images --json -\n"
-      "  capstan-cli experiment my_trials.yaml --out results     (simulated, or recorded sessions)");
+      "  capstan-cli experiment my_trials.yaml --out results     (simulated, or recorded sessions)\n"
+      "  capstan-cli experiment E poses.csv --towards robot      (a table of tip poses, as learn takes it)\n"
+      "  capstan-cli experiment H --fragments 20");
   command->callback([arguments, &exit] { exit = experiment(*arguments); });
 }
 

@@ -51,7 +51,7 @@ nlohmann::json jsonOf(const std::vector<experiments::Results>& done,
     document["goals"].push_back({{"goal", goal.what},
                                  {"measured", goal.measured},
                                  {"met", goal.verdict == experiments::Verdict::kMet},
-                                 {"verdict", base::nameOf(goal.verdict)}});
+                                 {"verdict", base::keyOf(goal.verdict)}});
   return document;
 }
 

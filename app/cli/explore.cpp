@@ -21,26 +21,26 @@ struct ExploreArguments {
 };
 
 /// What is asked for to visit them, in their order.
-struct Visits {
+struct QueryPoses {
   recording::PosePaths paths;
   std::vector<learning::Corrected> corrected;
 };
 
-Visits visitsOf(const std::vector<learning::State>& candidates, const std::vector<learning::NextPose>& next,
-                const learning::CorrectionModel& model) {
-  Visits visits;
-  visits.paths.paths.emplace_back();
+QueryPoses queryPosesOf(const std::vector<learning::State>& candidates,
+                        const std::vector<learning::NextPose>& next, const learning::CorrectionModel& model) {
+  QueryPoses queries;
+  queries.paths.paths.emplace_back();
   std::vector<learning::State> states;
-  for (const learning::NextPose& visit : next) {
-    states.push_back(candidates[visit.candidate]);
-    visits.paths.paths.back().poses.push_back({0, 0.0, states.back().pair.seen});
+  for (const learning::NextPose& query : next) {
+    states.push_back(candidates[query.candidate]);
+    queries.paths.paths.back().poses.push_back({0, 0.0, states.back().pair.observed});
   }
-  visits.corrected = model.correctSurely(states);
-  return visits;
+  queries.corrected = model.correctWithConfidence(states);
+  return queries;
 }
 
 std::string textOf(std::size_t candidates, const std::vector<learning::NextPose>& next,
-                   const Visits& visits) {
+                   const QueryPoses& queries) {
   std::string text = fmt::format(
       "{} of {} poses to visit, the most worth while first. Uncertainty (mean variance of the correction "
       "over\n"
@@ -49,12 +49,12 @@ std::string textOf(std::size_t candidates, const std::vector<learning::NextPose>
   for (std::size_t k = 0; k < next.size(); ++k)
     text += fmt::format("  visit {:3}   {:5.1f} % → {:5.1f} %\n", k + 1, 100.0 * next[k].before,
                         100.0 * next[k].after);
-  const auto unsure = std::ranges::count_if(
-      visits.corrected, [](const auto& one) { return one.confidence < learning::kUnsure; });
+  const auto low_confidence = std::ranges::count_if(
+      queries.corrected, [](const auto& one) { return one.confidence < learning::kLowConfidence; });
   return text + fmt::format(
                     "{} of them are corrected by little more than the rigid offset (confidence below\n"
                     "{}): go there with care.\n",
-                    unsure, learning::kUnsure);
+                    low_confidence, learning::kLowConfidence);
 }
 
 ExitCode run(const ExploreArguments& arguments) {
@@ -75,13 +75,13 @@ ExitCode run(const ExploreArguments& arguments) {
     next = learning::nextPoses(file.model, candidates, static_cast<std::size_t>(arguments.count), &progress);
   }
   if (progress.cancelled()) return kFailed;
-  const Visits visits = visitsOf(candidates, next, file.model);
-  base::writeTextFile(arguments.out, recording::formatCorrected(visits.paths, visits.corrected));
+  const QueryPoses queries = queryPosesOf(candidates, next, file.model);
+  base::writeTextFile(arguments.out, recording::formatCorrected(queries.paths, queries.corrected));
   if (next.empty()) {
     Output({}).text("No visit would make the model surer.\n");
     return kOk;
   }
-  Output({}).text(textOf(candidates.size(), next, visits));
+  Output({}).text(textOf(candidates.size(), next, queries));
   return kOk;
 }
 

@@ -97,7 +97,7 @@ identification::IdentificationData collectAll(IdentifyArguments& arguments, base
     const auto source = openSource(file, format, format == RecordingFormat::kSession ? "" : arguments.robot,
                                    readAsOf(arguments.read_as));
     auto data = identification::collect(*source, &progress);
-    if (data.left_out > 0 && data.motors.size() == 0)
+    if (data.excluded > 0 && data.motors.size() == 0)
       refuseFile(file,
                  "has a motor encoder that failed from the beginning: nothing can be identified from it",
                  "Give a recording with all motor encoders");
@@ -118,7 +118,8 @@ identification::IdentificationData collectAll(IdentifyArguments& arguments, base
 /// A robot of one joint has no cameras: its drive is identified from its encoders and its load.
 std::optional<robot::Description> driveOf(const IdentifyArguments& arguments, const CLI::App& command) {
   std::optional<robot::Description> robot;
-  if (!arguments.robot.empty() && !arguments.simulate) robot = readRobot(arguments.robot);
+  if (!arguments.robot.empty() && !arguments.simulate)
+    robot = robot::readDescriptionOrDefault(arguments.robot);
   const bool drive = robot && robot->size() == 1;
   for (const char* option : {"--held-out", "--offsets"})
     if (!drive && command.count(option) > 0)
@@ -138,7 +139,7 @@ struct Findings {
   tracking::TrackingOptions tracking;
   robot::Description recorded;  ///< the plant before its truth
   double duration = 0.0;        ///< of the motor samples [s]
-  std::uint64_t left_out = 0, used = 0;
+  std::uint64_t excluded = 0, used = 0;
   std::optional<experiments::Identified> identified;
 
   double delay() const {
@@ -150,7 +151,7 @@ struct Findings {
 void runMethods(const IdentifyArguments& arguments, const identification::IdentificationData& data,
                 base::Progress& progress, Findings& found) {
   robot::Description nominal = data.robot;
-  if (!arguments.robot.empty()) nominal = readRobot(arguments.robot);
+  if (!arguments.robot.empty()) nominal = robot::readDescriptionOrDefault(arguments.robot);
   identification::IdentificationOptions options;
   if (!arguments.options.empty())
     options = base::readYamlFile<identification::IdentificationOptions>(arguments.options);
@@ -180,7 +181,7 @@ std::optional<Findings> find(IdentifyArguments& arguments) {
   if (data.openCount() == 0 && !progress.cancelled())
     refuseOption("REC", data.title, "shows the marker nowhere",
                  "Give a recording in which cameras see the tip");
-  found.left_out = data.left_out;
+  found.excluded = data.excluded;
   found.used = data.motors.size();
   found.recorded = data.robot;
   found.duration = data.duration();
@@ -190,9 +191,9 @@ std::optional<Findings> find(IdentifyArguments& arguments) {
 }
 
 void writeReport(const IdentifyArguments& arguments, const Findings& found) {
-  if (found.left_out > 0)
+  if (found.excluded > 0)
     notice(fmt::format("{} of {} motor samples left out: an encoder had failed or gave no number",
-                       found.left_out, found.left_out + found.used));
+                       found.excluded, found.excluded + found.used));
   const experiments::Identified& identified = *found.identified;
   const auto& dual = identified.dual;
   const auto& batch = identified.batch;
@@ -201,7 +202,7 @@ void writeReport(const IdentifyArguments& arguments, const Findings& found) {
                                : experiments::trueValues(found.truth, found.recorded, identified.set);
   const Output output(arguments.json);
   output.text(textOf(dual ? &*dual : nullptr, batch ? &*batch : nullptr, truth));
-  nlohmann::json document = {{"motor_samples_left_out", found.left_out}};
+  nlohmann::json document = {{"motor_samples_excluded", found.excluded}};
   if (dual) document["dual_ukf"] = jsonOf(*dual, truth);
   if (batch) document["batch"] = jsonOf(*batch, truth);
   const auto& method = identified.choice.method;

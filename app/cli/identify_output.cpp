@@ -92,7 +92,8 @@ std::string advice(const std::vector<Estimate>& estimates, const DualUkfReport* 
 std::string poseText(const identification::CameraPose& pose, const identification::CameraPose& sigma) {
   std::string text = "  camera: turned by";
   for (int i = 0; i < 3; ++i)
-    text += fmt::format(" {:+.2f} ± {:.2f}", base::toDegrees(pose.turn(i)), base::toDegrees(sigma.turn(i)));
+    text += fmt::format(" {:+.2f} ± {:.2f}", base::toDegrees(pose.rotation(i)),
+                        base::toDegrees(sigma.rotation(i)));
   text += " deg, shifted by";
   for (int i = 0; i < 3; ++i)
     text += fmt::format(" {:+.2f} ± {:.2f}", base::toMillimetres(pose.shift(i)),
@@ -148,7 +149,7 @@ nlohmann::json matrixJson(const Eigen::MatrixXd& matrix) {
 }
 
 nlohmann::json poseJson(const identification::CameraPose& pose) {
-  return {{"turn", toJson(pose.turn)}, {"shift", toJson(pose.shift)}, {"delay", pose.delay}};
+  return {{"rotation", toJson(pose.rotation)}, {"shift", toJson(pose.shift)}, {"delay", pose.delay}};
 }
 
 }  // namespace
@@ -164,7 +165,7 @@ std::string textOf(const DualUkfReport* dual, const BatchReport* batch, const Tr
 }
 
 nlohmann::json jsonOf(const DualUkfReport& report, const TrueValues& truth) {
-  nlohmann::json document = {{"end", base::nameOf(report.end)},
+  nlohmann::json document = {{"end", base::keyOf(report.end)},
                              {"parameters", estimatesJson(report.estimates, truth)},
                              {"correlation", matrixJson(report.correlation)},
                              {"camera", poseJson(report.camera)},
@@ -186,7 +187,7 @@ nlohmann::json jsonOf(const DualUkfReport& report, const TrueValues& truth) {
 }
 
 nlohmann::json jsonOf(const BatchReport& report, const TrueValues& truth) {
-  return {{"end", base::nameOf(report.end)},
+  return {{"end", base::keyOf(report.end)},
           {"parameters", estimatesJson(report.estimates, truth)},
           {"covariance_log", matrixJson(report.covariance)},
           {"correlation", matrixJson(report.correlation)},

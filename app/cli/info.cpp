@@ -11,8 +11,8 @@
 #include "app/cli/recordings.h"
 #include "core/base/units.h"
 #include "core/recording/measured_table.h"
-#include "core/recording/settle_units.h"
 #include "core/recording/session_file.h"
+#include "core/recording/settle_units.h"
 #include "core/robot/description.h"
 
 namespace capstan::cli {
@@ -105,7 +105,7 @@ std::size_t measured(const std::vector<double>& column) {
 std::optional<recording::ImplausibleUnits> readOrRefuse(const InfoArguments& arguments,
                                                         RecordingFormat format,
                                                         recording::MeasuredTable& table) {
-  const robot::Description robot = readRobot(arguments.robot);
+  const robot::Description robot = robot::readDescriptionOrDefault(arguments.robot);
   try {
     table = readTable(arguments.file, format, robot, readAsOf(arguments.read_as));
   } catch (const recording::ImplausibleUnits& refused) {

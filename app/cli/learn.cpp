@@ -38,7 +38,7 @@ learning::LearningReport learnOnto(const LearnArguments& arguments, learning::Co
   checkNew(arguments.train, old.source);
   checkNew(arguments.test, old.source);
   return recording::namingTables(arguments.train, [&] {
-    return learning::learnMore(std::move(old.model), old.source.lag,
+    return learning::learnMore(std::move(old.model), old.source.clock_offset,
                                recording::readPoseTables(arguments.train), arguments.options, &progress);
   });
 }

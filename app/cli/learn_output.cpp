@@ -19,43 +19,52 @@ using Json = nlohmann::json;
 constexpr double kMillimetres = 1e3, kDegrees = 180.0 / std::numbers::pi;
 
 /// Reasons and how many rows or states have them.
+using ReasonCounts = std::vector<std::pair<Reason, std::size_t>>;
+
 template <class Count>
-Json countsOf(Count count) {
-  Json json = Json::object();
+ReasonCounts countsOf(Count count) {
+  ReasonCounts counts;
   for (const auto& [reason, name] : base::NamesOf<Reason>::value)
-    if (const std::size_t n = reason == Reason::kNone ? 0 : count(reason); n > 0) json[std::string(name)] = n;
+    if (const std::size_t n = reason == Reason::kNone ? 0 : count(reason); n > 0)
+      counts.emplace_back(reason, n);
+  return counts;
+}
+
+Json jsonOf(const ReasonCounts& counts) {
+  Json json = Json::object();
+  for (const auto& [reason, n] : counts) json[std::string(base::keyOf(reason))] = n;
   return json;
 }
 
-std::string wordsOf(const Json& counts) {
+std::string wordsOf(const ReasonCounts& counts) {
   std::string words;
-  for (const auto& [name, n] : counts.items())
-    words += fmt::format("{}{} {}", words.empty() ? "" : ", ", n.template get<std::size_t>(), name);
+  for (const auto& [reason, n] : counts)
+    words += fmt::format("{}{} {}", words.empty() ? "" : ", ", n, base::nameOf(reason));
   return words.empty() ? "none" : words;
+}
+
+ReasonCounts rejectedOf(const learning::ScreenReport& screen, StreamKind stream) {
+  return countsOf([&](Reason reason) { return screen.count(stream, reason); });
 }
 
 Json screenJson(const learning::ScreenReport& screen) {
   Json json = Json::object();
-  for (const auto& [kind, name] : base::NamesOf<StreamKind>::value) {
-    const auto at = static_cast<std::size_t>(kind);
-    const StreamKind stream = kind;
-    json[std::string(name)] = {
-        {"rows", screen.rows[at]},
-        {"poses", screen.poses[at]},
-        {"rejected", countsOf([&](Reason reason) { return screen.count(stream, reason); })}};
+  for (const auto& [stream, name] : base::NamesOf<StreamKind>::value) {
+    const auto at = static_cast<std::size_t>(stream);
+    json[std::string(name)] = {{"rows", screen.rows[at]},
+                               {"poses", screen.poses[at]},
+                               {"rejected", jsonOf(rejectedOf(screen, stream))}};
   }
   return json;
 }
 
 std::string screenText(const learning::ScreenReport& screen) {
   std::string text;
-  const Json json = screenJson(screen);
-  for (const auto& [kind, name] : base::NamesOf<StreamKind>::value) {
-    const Json& one = json[std::string(name)];
-    if (one["rows"] == 0) continue;
-    text +=
-        fmt::format("  {:8} {} of {} rows are poses; left out: {}\n", name, one["poses"].get<std::size_t>(),
-                    one["rows"].get<std::size_t>(), wordsOf(one["rejected"]));
+  for (const auto& [stream, name] : base::NamesOf<StreamKind>::value) {
+    const auto at = static_cast<std::size_t>(stream);
+    if (screen.rows[at] == 0) continue;
+    text += fmt::format("  {:8} {} of {} rows are poses; rejected: {}\n", name, screen.poses[at],
+                        screen.rows[at], wordsOf(rejectedOf(screen, stream)));
   }
   return text;
 }
@@ -139,7 +148,7 @@ std::string processesText(const learning::CorrectionModel& model) {
 std::string sigmaText(double sigma) { return sigma > 0.0 ? fmt::format(" ± {:.1f}", sigma) : ""; }
 
 /// Why those had been left out that count again.
-Json againCounts(const learning::WeighingReport& weighing) {
+ReasonCounts againCounts(const learning::WeighingReport& weighing) {
   return countsOf(
       [&](Reason reason) { return static_cast<std::size_t>(std::ranges::count(weighing.again, reason)); });
 }
@@ -149,14 +158,14 @@ std::string weighingText(const learning::WeighingReport& weighing) {
   return fmt::format(
       "Weights: {} states doubted, which other trajectories contradict: they count less\n"
       "         {} that were left out count again, which others tell the same; they were: {}\n",
-      weighing.doubted, weighing.again.size(), wordsOf(againCounts(weighing)));
+      weighing.down_weighted, weighing.again.size(), wordsOf(againCounts(weighing)));
 }
 
 }  // namespace
 
 TestReport testedOn(const std::vector<learning::RawMotion>& motions, const learning::LearningReport& report,
                     const learning::LearningOptions& options) {
-  TestReport test{learning::prepareAt(report.prepared.taken_off, motions, options.towards), {}};
+  TestReport test{learning::prepareAt(report.prepared.removed, motions, options.towards), {}};
   const std::vector<learning::State>& states = test.prepared.states;
   learning::checkRelated(test.prepared.screen.motions, states, report.model.offset(), options.towards);
   test.errors = learning::evaluate(report, states, options);
@@ -167,20 +176,21 @@ std::string textOf(const LearnOutput& output) {
   const learning::PreparedStates& prepared = output.report.prepared;
   const learning::CleaningReport& cleaning = output.report.cleaning;
   std::string text = "Screening\n" + screenText(prepared.screen);
-  if (prepared.lag.tried.empty())
-    text += fmt::format("Alignment: the model's lag of {:.1f} ms taken off\n", 1e3 * prepared.taken_off);
+  if (prepared.clock_offset.tried.empty())
+    text += fmt::format("Alignment: the model's lag of {:.1f} ms taken off\n", 1e3 * prepared.removed);
   else
-    text += fmt::format("Alignment: what is seen comes {:.1f}{} ms behind what is told{}\n",
-                        1e3 * prepared.lag.lag, sigmaText(1e3 * prepared.lag.sigma),
-                        prepared.taken_off == 0.0 ? ", not taken off" : "");
+    text +=
+        fmt::format("Alignment: what is seen comes {:.1f}{} ms behind what is told{}\n",
+                    1e3 * prepared.clock_offset.clock_offset, sigmaText(1e3 * prepared.clock_offset.sigma),
+                    prepared.removed == 0.0 ? ", not taken off" : "");
   text += fmt::format("Cleaning and weights: {} of {} states count; left out: {}\n", cleaning.kept(),
                       cleaning.reason.size(),
                       wordsOf(countsOf([&](Reason reason) { return cleaning.count(reason); })));
   text += weighingText(output.report.weighing);
   const Eigen::Vector3d t = kMillimetres * output.report.model.offset().translation();
-  const double turn = Eigen::AngleAxisd(output.report.model.offset().linear()).angle();
+  const double rotation = Eigen::AngleAxisd(output.report.model.offset().linear()).angle();
   text += fmt::format("Rigid offset: {:.2f}, {:.2f}, {:.2f} mm and a turn of {:.2f} deg\n", t.x(), t.y(),
-                      t.z(), kDegrees * turn);
+                      t.z(), kDegrees * rotation);
   if (!output.report.model.processes().empty()) text += processesText(output.report.model);
   if (output.held_out)
     text += fmt::format("Errors on {} of {} trajectories, held out of a training of the others, mean\n",
@@ -194,18 +204,18 @@ Json jsonOf(const LearnOutput& output) {
   const learning::PreparedStates& prepared = output.report.prepared;
   const learning::CleaningReport& cleaning = output.report.cleaning;
   Json json = {{"screening", screenJson(prepared.screen)},
-               {"lag",
-                {{"value", prepared.lag.lag},
-                 {"sigma", prepared.lag.sigma > 0.0 ? prepared.lag.sigma : NAN},
-                 {"taken_off", prepared.taken_off}}},
+               {"clock_offset",
+                {{"value", prepared.clock_offset.clock_offset},
+                 {"sigma", prepared.clock_offset.sigma > 0.0 ? prepared.clock_offset.sigma : NAN},
+                 {"removed", prepared.removed}}},
                {"cleaning",
                 {{"states", cleaning.reason.size()},
                  {"kept", cleaning.kept()},
-                 {"rejected", countsOf([&](Reason reason) { return cleaning.count(reason); })}}},
+                 {"rejected", jsonOf(countsOf([&](Reason reason) { return cleaning.count(reason); }))}}},
                {"weights",
                 {{"weighed", output.report.weighing.weighed},
-                 {"doubted", output.report.weighing.doubted},
-                 {"again", againCounts(output.report.weighing)}}},
+                 {"down_weighted", output.report.weighing.down_weighted},
+                 {"readmitted", jsonOf(againCounts(output.report.weighing))}}},
                {"model", modelJson(output.report.model)}};
   if (output.test) {
     json["test"]["screening"] = screenJson(output.test->prepared.screen);

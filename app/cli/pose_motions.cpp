@@ -27,8 +27,8 @@ void checkNear(const learning::CorrectionModel& model, const std::vector<learnin
   constexpr double kNear = 1.0;  // [m]
   double nearest = std::numeric_limits<double>::infinity();
   for (const learning::State& state : states)
-    nearest = std::min(nearest,
-                       model.workspace().exteriorDistance((model.offset() * state.pair.seen).translation()));
+    nearest = std::min(
+        nearest, model.workspace().exteriorDistance((model.offset() * state.pair.observed).translation()));
   if (model.workspace().isEmpty() || nearest <= kNear) return;
   refuseFile(file,
              fmt::format("has no pose within {} m of what was learned: the nearest is {:.3g} m away", kNear,

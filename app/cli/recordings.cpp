@@ -5,11 +5,10 @@
 
 #include "app/cli/console.h"
 #include "core/base/error.h"
-#include "core/base/resource.h"
-#include "core/recording/settle_units.h"
 #include "core/recording/raven_motors.h"
 #include "core/recording/session_file.h"
 #include "core/recording/session_source.h"
+#include "core/recording/settle_units.h"
 #include "core/recording/table_source.h"
 
 namespace capstan::cli {
@@ -45,11 +44,6 @@ RecordingFormat formatOf(const std::string& name, const std::string& file) {
   if (name == "table") return RecordingFormat::kTable;
   if (name == "raven") return RecordingFormat::kRavenMotors;
   return found;
-}
-
-robot::Description readRobot(const std::string& file) {
-  return robot::readDescription(file.empty() ? base::resource("robots/raven2_left.yaml")
-                                             : std::filesystem::path(file));
 }
 
 void addReadAs(CLI::App& command, std::string& read_as) {
@@ -89,7 +83,7 @@ std::unique_ptr<tracking::Source> openSource(const std::string& file, RecordingF
                    "Leave --robot out; what the filter believes is --estimator-robot of track");
     return std::make_unique<recording::SessionSource>(file);
   }
-  const robot::Description robot = readRobot(robot_file);
+  const robot::Description robot = robot::readDescriptionOrDefault(robot_file);
   auto source = std::make_unique<recording::TableSource>(readTable(file, format, robot, read_as), robot);
   if (notices == Notices::kSaid)
     for (const std::string& line : source->info().notices) notice(line);

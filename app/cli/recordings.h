@@ -18,9 +18,6 @@ RecordingFormat detectFormat(const std::string& file);
 /// The format of --format: auto (detectFormat), session, table, raven.
 RecordingFormat formatOf(const std::string& name, const std::string& file);
 
-/// The robot file, or the left RAVEN-II where `file` is empty.
-robot::Description readRobot(const std::string& file);
-
 inline constexpr const char* kReadAs = "--read-as";
 /// Adds --read-as, whose text readAsOf() takes.
 void addReadAs(CLI::App& command, std::string& read_as);

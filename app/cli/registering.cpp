@@ -7,7 +7,7 @@
 
 #include "app/cli/console.h"
 #include "core/base/yaml.h"
-#include "core/live/registration_guide.h"
+#include "core/registration/registration_guide.h"
 #include "core/tracking/make_pipeline.h"
 #include "core/tracking/track_all.h"
 #include "core/vision/registration.h"
@@ -51,12 +51,12 @@ Eigen::Isometry3d atHardStop(const std::string& mounting, const SourceFactory& o
                  "Give a recording with images, or --register kinematics or a file");
   std::optional<Eigen::Isometry3d> known = info.base_from_camera;
   if (!mounting.empty()) known = readRegistration(mounting);
-  live::RegistrationGuide guide(info.robot, {}, info.rig);
+  registration::RegistrationGuide guide(info.robot, {}, info.rig);
   guide.start(known);
   runUnregistered(open, options, [&](const tracking::Snapshot& snapshot) {
-    if (guide.step() == live::RegistrationStep::kReview) return;
+    if (guide.step() == registration::RegistrationStep::kReview) return;
     guide.observe(snapshot);
-    if (guide.step() != live::RegistrationStep::kReview && guide.canCollect()) guide.collect();
+    if (guide.step() != registration::RegistrationStep::kReview && guide.canCollect()) guide.collect();
   });
   if (!guide.proposal())
     refuseOption("--register", "hard-stop",

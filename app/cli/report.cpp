@@ -75,7 +75,7 @@ class PatientRecorder {
   void add(const tracking::Sample& sample, const tracking::Snapshot& snapshot) {
     recorder_.offer(sample);
     if (std::holds_alternative<tracking::MotorSample>(sample)) recorder_.offer(snapshot);
-    if (++added_ % kBetweenLooks != 0) return;
+    if (++added_ % kBetweenUpdates != 0) return;
     for (auto now = recorder_.stats();
          now.state == recording::RecorderState::kRecording && now.queued - now.written > kMostWaiting;
          now = recorder_.stats())
@@ -93,7 +93,7 @@ class PatientRecorder {
   }
 
  private:
-  static constexpr std::uint64_t kBetweenLooks = 64, kMostWaiting = 1000;
+  static constexpr std::uint64_t kBetweenUpdates = 64, kMostWaiting = 1000;
   static recording::RecorderOptions hastyCommits() {
     recording::RecorderOptions options;
     options.commit_interval = 0.02;

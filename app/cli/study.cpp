@@ -2,8 +2,8 @@
 #include "app/cli/study_cramer_rao.h"
 #include "app/cli/study_filter.h"
 #include "app/cli/study_latency.h"
+#include "app/cli/study_monte_carlo.h"
 #include "app/cli/study_motor_failure.h"
-#include "app/cli/study_worlds.h"
 
 /// `capstan-cli study NAME`: Monte-Carlo questions about the method rather than about a recording. A study a
 /// file, study_*.cpp; it adds its own subcommand to `study`.
@@ -13,7 +13,7 @@ void addStudy(CLI::App& app, ExitCode& exit) {
   CLI::App* study =
       app.add_subcommand("study", "Monte-Carlo studies of the method itself, on the simulated robot");
   study->require_subcommand(1);
-  addWorldStudy(*study, exit);
+  addMonteCarloStudy(*study, exit);
   addCramerRaoStudy(*study, exit);
   addMotorFailureStudy(*study, exit);
   addLatencyStudy(*study, exit);

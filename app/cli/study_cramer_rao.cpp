@@ -15,7 +15,7 @@ using studies::CramerRaoOptions;
 using studies::CramerRaoStudy;
 using studies::NoiseStudy;
 using studies::NoiseStudyOptions;
-using studies::NoiseTold;
+using studies::StatedNoise;
 
 nlohmann::json jsonOf(const CramerRaoStudy& study, const CramerRaoOptions& options) {
   nlohmann::json json = {{"runs", study.runs},
@@ -27,7 +27,7 @@ nlohmann::json jsonOf(const CramerRaoStudy& study, const CramerRaoOptions& optio
                          {"camera_rms", toJson(study.camera)},
                          {"constant_sigma", toJson(study.constant_sigma)},
                          {"rescues", study.rescues}};
-  for (const auto& [told, name] : base::NamesOf<NoiseTold>::value) {
+  for (const auto& [told, name] : base::NamesOf<StatedNoise>::value) {
     const auto i = static_cast<std::size_t>(told);
     nlohmann::json intervals = nlohmann::json::array();
     for (const auto& interval : study.interval[i]) intervals.push_back({interval.low, interval.high});

@@ -98,7 +98,8 @@ ExitCode track(TrackArguments& arguments, const CLI::App& command) {
 
   const auto source = open();
   tracking::SourceInfo info = source->info();
-  if (!arguments.estimator_robot.empty()) info.robot = readRobot(arguments.estimator_robot);
+  if (!arguments.estimator_robot.empty())
+    info.robot = robot::readDescriptionOrDefault(arguments.estimator_robot);
   auto options = arguments.options.empty() ? tracking::trackingOptionsOf(info)
                                            : tracking::readTrackingOptions(arguments.options);
   if (arguments.whole_frame) options.roi_search = false;

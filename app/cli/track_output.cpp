@@ -130,8 +130,8 @@ nlohmann::json jsonOf(const TrackReport& report, const tracking::SourceInfo& inf
     verdict = nis->text();
   }
   nlohmann::json gates = nlohmann::json::object();
-  for (const auto& [gate, name] : base::NamesOf<Gate>::value)
-    gates[std::string(name)] = report.gates[static_cast<std::size_t>(gate)];
+  for (const auto& [gate, key] : base::KeysOf<Gate>::value)
+    gates[std::string(key)] = report.gates[static_cast<std::size_t>(gate)];
   return {{"rms",
            {{"kin", toJson(report.errors.kinematic().value())},
             {"cam", toJson(report.errors.camera().value())},

@@ -45,18 +45,17 @@ void addOptions(CLI::App& cli, Arguments& arguments) {
   cli.add_option("--theme", arguments.theme, "dark or light; default: the one chosen last")
       ->check(CLI::IsMember({"dark", "light"}));
   cli.add_option("--size", arguments.size, "width x height of the window [px]")->capture_default_str();
-  auto* picture =
-      cli.add_option("--screenshot", arguments.picture,
-                     "save a picture (.png) of the window, simulating unless a file is given, and "
-                     "quit");
+  auto* image = cli.add_option("--screenshot", arguments.image,
+                               "save a picture (.png) of the window, simulating unless a file is given, and "
+                               "quit");
   cli.add_option("--state", arguments.state, "of the window in the picture: running, occluded or paused")
       ->capture_default_str()
       ->check(CLI::IsMember({"running", "occluded", "paused"}))
-      ->needs(picture);
+      ->needs(image);
   cli.add_option("--after", arguments.after, "time until the picture is taken [s]")
       ->capture_default_str()
       ->check(CLI::Range(2.0, 3600.0))
-      ->needs(picture);
+      ->needs(image);
 }
 
 void imply(const CLI::App& cli, Arguments& arguments) {
@@ -65,7 +64,7 @@ void imply(const CLI::App& cli, Arguments& arguments) {
   const bool any =
       std::any_of(asked.begin(), asked.end(), [](const CLI::Option* option) { return option->count() > 0; });
   const bool no_file = arguments.file.empty();
-  arguments.simulate = no_file && (any || !arguments.robot.empty() || !arguments.picture.empty());
+  arguments.simulate = no_file && (any || !arguments.robot.empty() || !arguments.image.empty());
 }
 
 widgets::SourceChoice choiceOf(const Arguments& arguments, const widgets::SourceChoice& last) {

@@ -10,7 +10,7 @@ namespace capstan::workstation {
 
 /// What the command line of the window says.
 struct Arguments {
-  std::string file, robot, theme, picture, size = "1920x1080", state = "running";
+  std::string file, robot, theme, image, size = "1920x1080", state = "running";
   simulation::SimulationRequest simulation;
   bool simulate = false;  ///< asked for, or implied by an option of the simulation
   double after = 12.0;    ///< [s]

@@ -15,9 +15,9 @@ namespace {
 using capstan::workstation::Arguments;
 
 /// No larger than the screen leaves room for; a picture is as large as was asked.
-void fitToScreen(QWidget& window, const QSize& size, bool picture) {
+void fitToScreen(QWidget& window, const QSize& size, bool image) {
   const QScreen* screen = QGuiApplication::primaryScreen();
-  window.resize(picture || !screen ? size : size.boundedTo(screen->availableGeometry().size()));
+  window.resize(image || !screen ? size : size.boundedTo(screen->availableGeometry().size()));
 }
 
 /// Nobody sees the window's message bar where only a picture was asked for.
@@ -31,7 +31,7 @@ void failWithoutSource(capstan::widgets::MainWindow& window) {
 }
 
 /// Brings the window into the state asked for, grabs it and quits.
-void planPicture(capstan::widgets::MainWindow& window, const Arguments& arguments) {
+void planScreenshot(capstan::widgets::MainWindow& window, const Arguments& arguments) {
   const int after = static_cast<int>(arguments.after * 1e3);
   if (arguments.state == "occluded")
     QTimer::singleShot(after * 3 / 4, Qt::PreciseTimer, &window, [&window] {
@@ -41,8 +41,8 @@ void planPicture(capstan::widgets::MainWindow& window, const Arguments& argument
     QTimer::singleShot(after - 800, Qt::PreciseTimer, &window,
                        [&window] { window.link().setRunning(false); });
   QTimer::singleShot(after, Qt::PreciseTimer, &window, [&window, &arguments] {
-    const bool saved = window.grab().save(QString::fromStdString(arguments.picture));
-    if (!saved) std::cerr << "capstan: " << arguments.picture << " cannot be written\n";
+    const bool saved = window.grab().save(QString::fromStdString(arguments.image));
+    if (!saved) std::cerr << "capstan: " << arguments.image << " cannot be written\n";
     QApplication::exit(saved ? 0 : 2);
   });
 }
@@ -65,15 +65,15 @@ int run(int argc, char** argv) {
     return 2;
   }
   QApplication application(argc, argv);
-  const bool picture = !arguments.picture.empty();
-  capstan::widgets::MainWindow window(picture ? QString("/dev/null") : QString());
+  const bool image = !arguments.image.empty();
+  capstan::widgets::MainWindow window(image ? QString("/dev/null") : QString());
   if (!arguments.theme.empty()) window.setThemeNamed(QString::fromStdString(arguments.theme));
   const auto choice = choiceOf(arguments, window.lastSource());
-  fitToScreen(window, size, picture);
-  if (picture) failWithoutSource(window);
+  fitToScreen(window, size, image);
+  if (image) failWithoutSource(window);
   window.show();
   window.open(choice);
-  if (picture) planPicture(window, arguments);
+  if (image) planScreenshot(window, arguments);
   return QApplication::exec();
 }
 

@@ -7,7 +7,6 @@
 
 #include "core/base/checksum.h"
 #include "core/base/error.h"
-#include "core/base/resource.h"
 #include "core/base/same_recording.h"
 #include "core/experiments/motion_collector.h"
 #include "core/experiments/trial_robots.h"
@@ -110,8 +109,7 @@ enum class Reference { kNeeded, kOptional };
 ErrorRun trackFile(const fs::path& recording, const fs::path& robot, Reference reference,
                    base::Progress& progress) {
   progress.report(0.0, "opening");
-  const robot::Description believed =
-      robot::readDescription(robot.empty() ? base::resource("robots/raven2_left.yaml") : robot);
+  const robot::Description believed = robot::readDescriptionOrDefault(robot);
   ErrorRun names;
   names.motion = motionOf(recording);  // before it is opened: closing a file takes SQLite's locks away
   names.files = {recording};
@@ -148,7 +146,7 @@ void requireResults(const fs::path& folder) {
 
 void ErrorRun::addMoments(experiments::Estimator which, const Eigen::Vector3d& error, bool occluded) {
   auto& sums = moments[static_cast<std::size_t>(which)];
-  for (const TimeShare share : {TimeShare::kAll, occluded ? TimeShare::kOccluded : TimeShare::kSeen})
+  for (const TimeShare share : {TimeShare::kAll, occluded ? TimeShare::kOccluded : TimeShare::kVisible})
     sums[static_cast<std::size_t>(share)].add(error);
 }
 

@@ -15,7 +15,7 @@
 namespace capstan::analysis {
 
 /// Which instants count. A camera sample that the filter took is always a seen one.
-enum class TimeShare { kAll, kOccluded, kSeen };
+enum class TimeShare { kAll, kOccluded, kVisible };
 inline constexpr std::size_t kTimeShares = 3;
 
 /// Errors of one run of a robot, wherever they came from: the only numbers that panels, histograms, box
@@ -102,5 +102,5 @@ template <>
 struct capstan::base::NamesOf<capstan::analysis::TimeShare> {
   using S = capstan::analysis::TimeShare;
   static constexpr std::array value = {std::pair{S::kAll, "all"}, std::pair{S::kOccluded, "occluded"},
-                                       std::pair{S::kSeen, "seen"}};
+                                       std::pair{S::kVisible, "seen"}};
 };

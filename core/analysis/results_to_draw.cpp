@@ -84,7 +84,7 @@ experiments::Results resultsOfErrors(const ErrorRun& run, const std::string& sof
   return results;
 }
 
-void tellApart(std::vector<experiments::Results>& all) {
+void distinguish(std::vector<experiments::Results>& all) {
   for (std::size_t i = 1; i < all.size(); ++i) {
     const auto taken = [&](const std::string& name) {
       return std::any_of(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(i),

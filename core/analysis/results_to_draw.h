@@ -26,6 +26,6 @@ experiments::Results resultsOfRecording(const std::filesystem::path& recording,
 experiments::Results resultsOfErrors(const ErrorRun& run, const std::string& software);
 
 /// Files begin with the results' names: those that meet a name again get -B, -C, … behind theirs.
-void tellApart(std::vector<experiments::Results>& all);
+void distinguish(std::vector<experiments::Results>& all);
 
 }  // namespace capstan::analysis

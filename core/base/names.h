@@ -34,4 +34,24 @@ constexpr std::optional<Enum> fromName(std::string_view text) {
   return std::nullopt;
 }
 
+/// Stable identifiers of an enum for programs that read our JSON: [a-z0-9_], never changed. Specialise it, in
+/// the shape of NamesOf, where the names are words for people.
+template <class Enum>
+struct KeysOf;
+
+template <class Enum>
+concept Keyed = requires {
+  KeysOf<Enum>::value.size();
+};
+
+/// The key of KeysOf; of an enum without keys its name, which is one.
+template <Named Enum>
+constexpr std::string_view keyOf(Enum which) {
+  if constexpr (Keyed<Enum>) {
+    for (const auto& [value, key] : KeysOf<Enum>::value)
+      if (value == which) return key;
+  }
+  return nameOf(which);
+}
+
 }  // namespace capstan::base

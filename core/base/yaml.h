@@ -73,8 +73,8 @@ concept FixedMatrix = std::is_base_of_v<Eigen::MatrixBase<T>, T> && T::SizeAtCom
 template <class T>
 struct IsMapEntry : std::false_type {};
 template <class T>
-  requires T::kMapEntry
-struct IsMapEntry<T> : std::true_type {};
+requires T::kMapEntry struct IsMapEntry<T> : std::true_type {
+};
 template <class T>
 concept EntryList = IsVector<T>::value && IsMapEntry<typename T::value_type>::value;
 
@@ -177,7 +177,7 @@ void readInto(T& value, const YAML::Node& node, const YamlPlace& place, const Fi
 
 /// Is the field left out of a file that is written?
 template <class T>
-bool leftOut(const T& field, const FieldInfo& info) {
+bool isOmitted(const T& field, const FieldInfo& info) {
   if constexpr (IsOptional<T>::value) return !field;
   if constexpr (IsVector<T>::value) return info.sparing && field.empty();
   if constexpr (std::is_enum_v<T>) return info.sparing && field == T{};
@@ -206,7 +206,7 @@ void emitYaml(YAML::Emitter& out, const T& value) {
   if constexpr (Visitable<T>) {
     out << YAML::BeginMap;
     T::visit(value, [&](const auto& field, const FieldInfo& info) {
-      if (leftOut(field, info)) return;
+      if (isOmitted(field, info)) return;
       out << YAML::Key << std::string(info.key) << YAML::Value;
       emitYaml(out, field);
       if (!info.unit.empty()) out << YAML::Comment(std::string(info.unit));

@@ -56,7 +56,7 @@ void check(const std::vector<Evidence>& recordings, const robot::Description& ro
 }
 
 void addRefit(const FitData& data, const Selection& s, Report& report) {
-  const Eigen::MatrixXd covariance = covarianceOf(data, s.best, s.trust);
+  const Eigen::MatrixXd covariance = covarianceOf(data, s.best, s.weighting);
   const FitModel& model = s.best.model;
   for (int k = 0; k < model.baseSize(); ++k) {
     const FitParameter& p = model.parameters()[static_cast<std::size_t>(k)];
@@ -91,8 +91,8 @@ class Assembly {
       const Evidence& evidence = simulation.evidence();
       report_.recordings.push_back(evidence.title);
       const SimulatedMotion before = simulation.motion(base), after = simulation.motion(best);
-      const auto first = remaindersOf(evidence, simulation.motion(nominal));
-      const auto refitted = remaindersOf(evidence, before), extended = remaindersOf(evidence, after);
+      const auto first = residualsOf(evidence, simulation.motion(nominal));
+      const auto refitted = residualsOf(evidence, before), extended = residualsOf(evidence, after);
       const auto variables_before = variablesOf(evidence, before, nominal_);
       const auto variables_after = variablesOf(evidence, after, nominal_);
       for (std::size_t c = 0; c < refitted.size() && c < first.size() && c < extended.size(); ++c) {
@@ -124,8 +124,8 @@ class Assembly {
         for (std::size_t i = 0; i < compared.channel.size(); ++i) {
           if (static_cast<std::size_t>(compared.channel[i]) != c) continue;
           channel.t.push_back(compared.t[i]);
-          channel.remainder.push_back(s_.best.e[data_.first(r) + static_cast<Eigen::Index>(i)]);
-          squares += channel.remainder.back() * channel.remainder.back();
+          channel.residual.push_back(s_.best.e[data_.first(r) + static_cast<Eigen::Index>(i)]);
+          squares += channel.residual.back() * channel.residual.back();
         }
         if (channel.t.empty()) continue;
         const double rms = std::sqrt(squares / static_cast<double>(channel.t.size()));
@@ -135,7 +135,7 @@ class Assembly {
     }
   }
 
-  /// What the remainder of the channel with most beyond noise depends on.
+  /// What the residual of the channel with most beyond noise depends on.
   void addProcess(base::Progress* progress) {
     const ChannelReport* most = nullptr;
     for (const ChannelReport& channel : report_.channels) {
@@ -149,12 +149,12 @@ class Assembly {
     const SimulatedMotion motion = simulation.motion(s_.best.model.chain(s_.best.u));
     std::vector<Variable> variables = variablesOf(simulation.evidence(), motion, nominal_);
     std::erase_if(variables, [&](const Variable& v) { return !concerns(v, most->extended); });
-    report_.processes.push_back(remainderProcess(most->extended, variables, {}, progress));
+    report_.processes.push_back(residualProcess(most->extended, variables, {}, progress));
   }
 
  private:
-  std::vector<Channel> remaindersOf(const Evidence& evidence, const SimulatedMotion& motion) const {
-    return remainderOf(evidence, motion, nominal_);
+  std::vector<Channel> residualsOf(const Evidence& evidence, const SimulatedMotion& motion) const {
+    return residualOf(evidence, motion, nominal_);
   }
 
   /// The channel's place among FitData::channels().
@@ -198,7 +198,7 @@ struct Selected {
 
 bool sameCauses(const Selection& a, const Selection& b) {
   return std::equal(a.taken.begin(), a.taken.end(), b.taken.begin(), b.taken.end(),
-                    [](const Contender& x, const Contender& y) {
+                    [](const CandidateModel& x, const CandidateModel& y) {
                       return x.added.hypothesis == y.added.hypothesis && x.added.joint == y.added.joint;
                     });
 }

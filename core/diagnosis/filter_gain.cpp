@@ -30,12 +30,12 @@ Vector3d rowOf(const Columns& columns, std::size_t row) {
 /// Motors and tips of a recording, without its joint encoders.
 class EvidenceSource {
  public:
-  /// Sights are known `wait` after their stamp [s].
+  /// Observations are known `wait` after their stamp [s].
   EvidenceSource(const Evidence& evidence, double wait, base::Progress* progress)
       : evidence_(evidence), wait_(wait), progress_(progress) {}
 
   bool next(tracking::Sample& out) {
-    if (row_ > 0 && nextSight(row_ - 1, out)) return true;
+    if (row_ > 0 && nextObservation(row_ - 1, out)) return true;
     if (row_ == evidence_.rows() || (progress_ && progress_->cancelled())) return false;
     out = tracking::MotorSample{evidence_.t[row_], rowOf(evidence_.q_m, row_), rowOf(evidence_.dq_m, row_),
                                 rowOf(evidence_.tau_m, row_)};
@@ -46,21 +46,22 @@ class EvidenceSource {
   std::size_t row() const { return row_ - 1; }
 
  private:
-  /// A sight that is known at `row`. Times of rows may be rounded otherwise than those of sights.
-  bool nextSight(std::size_t row, tracking::Sample& out) {
-    if (sight_ == evidence_.tip.size()) return false;
-    const TipSight& sight = evidence_.tip[sight_];
-    const double now = evidence_.t[row], known = sight.t + wait_;
+  /// An observation that is known at `row`. Times of rows may be rounded otherwise than those of
+  /// observations.
+  bool nextObservation(std::size_t row, tracking::Sample& out) {
+    if (observation_ == evidence_.tip.size()) return false;
+    const TipObservation& observation = evidence_.tip[observation_];
+    const double now = evidence_.t[row], known = observation.t + wait_;
     if (known > now + 1e-6 * evidence_.step) return false;
-    out = tracking::TipSample{std::min(sight.t, now), std::min(known, now), sight.position};
-    ++sight_;
+    out = tracking::TipSample{std::min(observation.t, now), std::min(known, now), observation.position};
+    ++observation_;
     return true;
   }
 
   const Evidence& evidence_;
   double wait_;
   base::Progress* progress_;
-  std::size_t row_ = 0, sight_ = 0;
+  std::size_t row_ = 0, observation_ = 0;
 };
 
 /// Errors of one recording: sums of each joint.

@@ -32,13 +32,13 @@ struct FilterGainReport {
   bool cancelled = false;
 };
 
-/// Runs the square-root UKF (tracking::TrackingPipeline) with each robot over the motors and the tip sights
-/// of the recordings, in order of time: a sight is known at its own instant, one that a robot's cameras stamp
-/// before its exposure (camera_latency below 0) only then. RMS_j = √(Σ (q_j,ukf − q_j,encoder)² / n) [rad or
-/// m] over the rows of all recordings that count and in which the encoder was read; the estimate of a row
-/// uses nothing later. Process noise is the same for all three, and stands for what the nominal model does
-/// not know: with much of it, a law with contacts (backlash) gains little. The encoders are the reference,
-/// never an input.
+/// Runs the square-root UKF (tracking::TrackingPipeline) with each robot over the motors and the tip
+/// observations of the recordings, in order of time: an observation is known at its own instant, one that a
+/// robot's cameras stamp before its exposure (camera_latency below 0) only then. RMS_j = √(Σ (q_j,ukf −
+/// q_j,encoder)² / n) [rad or m] over the rows of all recordings that count and in which the encoder was
+/// read; the estimate of a row uses nothing later. Process noise is the same for all three, and stands for
+/// what the nominal model does not know: with much of it, a law with contacts (backlash) gains little. The
+/// encoders are the reference, never an input.
 ///
 /// The filter has two kernels, of the nominal law and of laws with effects, which cut time and read motor
 /// velocity differently; that alone changes RMS at joints without effects. With `one_kernel` it does not

@@ -1,15 +1,16 @@
 #include "core/estimation/consistency.h"
 
 #include <boost/math/distributions/chi_squared.hpp>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
+#include "core/base/check.h"
+
 namespace capstan::estimation {
 
 Band chiSquareBand(int dof, std::int64_t count, double confidence) {
-  assert(dof > 0 && count > 0 && confidence > 0.0 && confidence < 1.0);
+  CAPSTAN_CHECK(dof > 0 && count > 0 && confidence > 0.0 && confidence < 1.0);
   const double all = static_cast<double>(dof) * static_cast<double>(count);
   const boost::math::chi_squared distribution(all);
   const double tail = 0.5 * (1.0 - confidence);
@@ -18,7 +19,7 @@ Band chiSquareBand(int dof, std::int64_t count, double confidence) {
 }
 
 ConsistencyWindow::ConsistencyWindow(int dof, int window, double confidence) : dof_(dof) {
-  assert(dof > 0 && window > 0);
+  CAPSTAN_CHECK(dof > 0 && window > 0);
   values_.resize(static_cast<std::size_t>(window));
   bands_.reserve(values_.size());
   for (int count = 1; count <= window; ++count) bands_.push_back(chiSquareBand(dof, count, confidence));

@@ -2,10 +2,10 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
-#include <cassert>
 #include <cstddef>
 #include <vector>
 
+#include "core/base/check.h"
 #include "core/estimation/models.h"
 
 namespace capstan::estimation {
@@ -61,7 +61,7 @@ class CramerRaoAverage {
 
   /// The runs of another average as well. The order of merging decides the last bits.
   void merge(const CramerRaoAverage& other) {
-    assert(other.sums_.size() == sums_.size());
+    CAPSTAN_CHECK(other.sums_.size() == sums_.size());
     for (std::size_t k = 0; k < sums_.size(); ++k) {
       sums_[k].transition += other.sums_[k].transition;
       sums_[k].weighted += other.sums_[k].weighted;
@@ -77,7 +77,7 @@ class CramerRaoAverage {
   }
   /// The same from `posterior` on, which is then that at the end of the last step.
   std::vector<Eigen::Matrix<double, N, 1>> bounds(PosteriorInformation<N>& posterior) const {
-    assert(runs_ > 0);
+    CAPSTAN_CHECK(runs_ > 0);
     std::vector<Eigen::Matrix<double, N, 1>> all;
     all.reserve(sums_.size());
     const double share = 1.0 / static_cast<double>(runs_);

@@ -1,15 +1,14 @@
 #pragma once
 
-namespace capstan::estimation {
+#include "core/stats/chi_square.h"
 
-/// Value that a chi-square variable of `dof` degrees of freedom stays below with `probability`. Boost.Math.
-double chiSquareQuantile(int dof, double probability);
+namespace capstan::estimation {
 
 /// Chi-square gate on the innovation: open for a measurement whose NIS a consistent filter would show with
 /// `probability`. A marker that jumps, or a reflection taken for it, shuts it.
 class OcclusionGate {
  public:
-  OcclusionGate(int dof, double probability) : threshold_(chiSquareQuantile(dof, probability)) {}
+  OcclusionGate(int dof, double probability) : threshold_(stats::chiSquareQuantile(dof, probability)) {}
   bool isOpen(double nis) const { return nis <= threshold_; }  // NaN: shut
   double threshold() const { return threshold_; }
 

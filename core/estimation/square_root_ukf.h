@@ -1,10 +1,10 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cassert>
 #include <cmath>
 #include <cstdint>
 
+#include "core/base/check.h"
 #include "core/estimation/models.h"
 #include "core/estimation/sigma_rule.h"
 #include "core/math/cholesky.h"
@@ -145,13 +145,13 @@ SquareRootUkf<N>::SquareRootUkf(const SigmaRule& rule)
       other_(rule.other(N)),
       sqrt_centre_(std::sqrt(rule.centreCovariance(N))),
       sqrt_other_(std::sqrt(rule.other(N))) {
-  assert(rule.isPositive(N));
+  CAPSTAN_CHECK(rule.isPositive(N));
   stack_.setZero();
 }
 
 template <int N>
 void SquareRootUkf<N>::reset(const State& mean, const Lower<N>& root) {
-  assert(detail::allFinite(mean) && detail::allFinite(root));
+  CAPSTAN_ASSERT(detail::allFinite(mean) && detail::allFinite(root));
   mean_ = mean;
   root_ = root;
 }

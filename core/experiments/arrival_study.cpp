@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "core/base/parallel.h"
 #include "core/experiments/require_option.h"
@@ -13,7 +14,7 @@ namespace {
 
 using learning::CorrectionMode;
 
-struct Visit {
+struct Arrival {
   std::size_t location = 0;
   Eigen::Vector3d off = Eigen::Vector3d::Zero();  ///< seen less desired [m]
   double angle = 0.0, confidence = 0.0;
@@ -37,45 +38,46 @@ double meanOf(const std::vector<double>& x) {
 }
 
 /// Pooled over locations: √(Σ Σ (x − x̄_location)² / Σ (visits − 1)).
-Eigen::Vector3d repeatabilityOf(const std::vector<Visit>& visits, std::size_t locations) {
+Eigen::Vector3d repeatabilityOf(const std::vector<Arrival>& repetitions, std::size_t locations) {
   Eigen::Vector3d squares = Eigen::Vector3d::Zero();
   double freedom = 0.0;
   for (std::size_t l = 0; l < locations; ++l) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     double count = 0.0;
-    for (const Visit& visit : visits)
+    for (const Arrival& visit : repetitions)
       if (visit.location == l) sum += visit.off, count += 1.0;
     if (count < 2.0) continue;
-    for (const Visit& visit : visits)
+    for (const Arrival& visit : repetitions)
       if (visit.location == l) squares += (visit.off - sum / count).cwiseAbs2();
     freedom += count - 1.0;
   }
   return (squares / std::max(freedom, 1.0)).cwiseSqrt();
 }
 
-ArrivalErrors summed(const std::vector<Visit>& visits, std::size_t locations) {
+ArrivalErrors summed(const std::vector<Arrival>& repetitions, std::size_t locations) {
   ArrivalErrors errors;
   std::vector<double> distance, angle, confidence;
-  for (const Visit& visit : visits) {
-    errors.mean += visit.off.cwiseAbs() / static_cast<double>(visits.size());
+  for (const Arrival& visit : repetitions) {
+    errors.mean += visit.off.cwiseAbs() / static_cast<double>(repetitions.size());
     distance.push_back(visit.off.norm());
     angle.push_back(visit.angle);
     confidence.push_back(visit.confidence);
   }
-  errors.repeatability = repeatabilityOf(visits, locations);
+  errors.repeatability = repeatabilityOf(repetitions, locations);
   errors.distance = meanOf(distance);
   errors.distance_deviation = deviationOf(distance, errors.distance);
   errors.angle = meanOf(angle);
   errors.angle_deviation = deviationOf(angle, errors.angle);
   errors.confidence = meanOf(confidence);
-  errors.arrived = static_cast<int>(visits.size());
+  errors.arrived = static_cast<int>(repetitions.size());
+  errors.distances = std::move(distance);
   return errors;
 }
 
 /// All visits in one mode.
-std::vector<Visit> visited(const robot::Description& robot, const simulation::ToolTruth& truth,
-                           const learning::CorrectionModel& model, CorrectionMode mode,
-                           const ArrivalOptions& options, const base::Progress* progress) {
+std::vector<Arrival> arrivalsOf(const robot::Description& robot, const simulation::ToolTruth& truth,
+                                const learning::CorrectionModel& model, CorrectionMode mode,
+                                const ArrivalOptions& options, const base::Progress* progress) {
   const DebridementScene scene = debridementScene(robot);
   ToolRig rig(robot, truth, scene.start, options.seed + 1);
   base::Random random(options.seed, "arrivals");
@@ -84,32 +86,33 @@ std::vector<Visit> visited(const robot::Description& robot, const simulation::To
     const Fragment fragment = drawnFragment(random, 0.0, options.most_yaw);
     places.push_back(scene.pose(fragment.place, fragment.yaw));
   }
-  std::vector<Visit> visits;
+  std::vector<Arrival> repetitions;
   Eigen::Isometry3d from = scene.pose({0.0, 0.0, DebridementScene::kHeight}, 0.0);
-  for (int visit = 0; visit < options.visits; ++visit)
+  for (int visit = 0; visit < options.repetitions; ++visit)
     for (const std::size_t location : shuffled(places.size(), random)) {
-      if (progress && progress->cancelled()) return visits;
+      if (progress && progress->cancelled()) return repetitions;
       const Eigen::Isometry3d& goal = places[location];
       const std::vector<learning::CorrectedWaypoint> path =
           learning::correctedPath(model, straightMotion(from, goal, options.speed, options.waypoints),
-                                  {mode, rig.reachable(), rig.told()});
+                                  {mode, rig.reachable(), rig.commanded()});
       if (!rig.follow(path)) continue;
       from = goal;
       rig.rest(options.settle);
-      const Eigen::Isometry3d seen =
+      const Eigen::Isometry3d observed =
           rig.camera().registration() * rig.robot().arm().pose() * rig.camera().mounting();
-      visits.push_back({location, seen.translation() - goal.translation(),
-                        Eigen::Quaterniond(seen.linear()).angularDistance(Eigen::Quaterniond(goal.linear())),
-                        path.back().confidence});
+      repetitions.push_back(
+          {location, observed.translation() - goal.translation(),
+           Eigen::Quaterniond(observed.linear()).angularDistance(Eigen::Quaterniond(goal.linear())),
+           path.back().confidence});
     }
-  return visits;
+  return repetitions;
 }
 
 }  // namespace
 
 void checkArrival(const ArrivalOptions& options) {
   requireOption("locations", options.locations, 1, 10'000);
-  requireOption("visits", options.visits, 2, 10'000);
+  requireOption("visits", options.repetitions, 2, 10'000);
   requireOption("waypoints", options.waypoints, 2, 10'000);
   requireOption("speed [m/s]", options.speed, 1e-4, 1.0);
   requireOption("settle [s]", options.settle, 0.0, 60.0);
@@ -121,8 +124,9 @@ ArrivalReport arrivalStudy(const robot::Description& robot, const simulation::To
   checkArrival(options);
   ArrivalReport report;
   base::parallelFor(learning::kCorrectionModes, options.threads, [&](std::size_t mode) {
-    report[mode] = summed(visited(robot, truth, model, static_cast<CorrectionMode>(mode), options, progress),
-                          static_cast<std::size_t>(options.locations));
+    report[mode] =
+        summed(arrivalsOf(robot, truth, model, static_cast<CorrectionMode>(mode), options, progress),
+               static_cast<std::size_t>(options.locations));
   });
   return report;
 }

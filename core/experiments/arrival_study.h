@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "core/experiments/training_motions.h"
 
@@ -10,7 +11,7 @@ namespace capstan::experiments {
 
 struct ArrivalOptions {
   int locations = 10;
-  int visits = 10;         ///< of each
+  int repetitions = 10;    ///< of each
   int waypoints = 10;      ///< of each motion
   double speed = 0.05;     ///< [m/s]
   double settle = 0.5;     ///< at rest, before it is measured [s]
@@ -32,6 +33,7 @@ struct ArrivalErrors {
   double distance = 0.0, distance_deviation = 0.0;  ///< of all visits [m]
   double angle = 0.0, angle_deviation = 0.0;        ///< [rad]
   double confidence = 0.0;                          ///< mean, where the motions ended
+  std::vector<double> distances;                    ///< visit by visit [m]
   int arrived = 0;                                  ///< visits; one that is out of reach is none
 };
 

@@ -35,7 +35,7 @@ Goal parameterGoal(const IdentificationResult& result, const IdentifiedParameter
   const ParameterEstimate& estimate = result.chosen(parameter);
   Goal goal;
   goal.what =
-      fmt::format("{} within {:g} % of the truth, or said to be out of sight", parameter.name, percent);
+      fmt::format("{} within {:g} % of the truth, or said to be not observable", parameter.name, percent);
   if (!estimate.seen) {
     goal.measured = "not seen: " + estimate.advice;
     goal.verdict = verdictOf(!estimate.advice.empty());

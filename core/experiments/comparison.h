@@ -25,7 +25,7 @@ struct Goal {
 
 /// The goals that `results` (those that are isPapers(), in any order; others are passed over) can tell:
 ///   A   joint 1's pulley radius within 0.3 % of the truth
-///   B   each k_e within 5 %, each b_e within 15 %, or said to be out of sight
+///   B   each k_e within 5 %, each b_e within 15 %, or said to be not observable
 ///   C   mean kinematic errors within 15 % of the paper's; improvement over transmission kinematics better
 ///   than
 ///       the paper's on each joint
@@ -45,4 +45,11 @@ struct capstan::base::NamesOf<capstan::experiments::Verdict> {
   using E = capstan::experiments::Verdict;
   static constexpr std::array value = {std::pair{E::kMet, "met"}, std::pair{E::kSaid, "not met, said so"},
                                        std::pair{E::kMissed, "not met"}};
+};
+
+template <>
+struct capstan::base::KeysOf<capstan::experiments::Verdict> {
+  using E = capstan::experiments::Verdict;
+  static constexpr std::array value = {std::pair{E::kMet, "met"}, std::pair{E::kSaid, "not_observable"},
+                                       std::pair{E::kMissed, "not_met"}};
 };

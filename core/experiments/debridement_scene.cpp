@@ -44,8 +44,8 @@ Fragment drawnFragment(base::Random& random, double margin, double most_yaw) {
 std::vector<learning::Waypoint> straightMotion(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to,
                                                double speed, int count) {
   const double way = (to.translation() - from.translation()).norm();
-  const double turn = Eigen::Quaterniond(from.linear()).angularDistance(Eigen::Quaterniond(to.linear()));
-  const double lasts = std::max({way / speed, turn / kTurnRate, kShortest});
+  const double rotation = Eigen::Quaterniond(from.linear()).angularDistance(Eigen::Quaterniond(to.linear()));
+  const double lasts = std::max({way / speed, rotation / kRotationRate, kShortest});
   std::vector<learning::Waypoint> motion;
   for (int k = 0; k < count; ++k) {
     const double share = static_cast<double>(k) / (count - 1);

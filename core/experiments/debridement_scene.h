@@ -35,9 +35,9 @@ struct Fragment {
 Fragment drawnFragment(base::Random& random, double margin, double most_yaw);
 
 /// From one pose to another in a straight line, at an even speed [m/s] or, where that would turn the tool
-/// faster than kTurnRate, slower; `count` waypoints at even times.
+/// faster than kRotationRate, slower; `count` waypoints at even times.
 std::vector<learning::Waypoint> straightMotion(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to,
                                                double speed, int count);
-inline constexpr double kTurnRate = 1.5;  ///< [rad/s]
+inline constexpr double kRotationRate = 1.5;  ///< [rad/s]
 
 }  // namespace capstan::experiments

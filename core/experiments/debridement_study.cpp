@@ -1,6 +1,7 @@
 #include "core/experiments/debridement_study.h"
 
 #include <cmath>
+#include <optional>
 
 #include "core/base/parallel.h"
 #include "core/base/resource.h"
@@ -10,6 +11,8 @@
 
 namespace capstan::experiments {
 namespace {
+
+constexpr double kTrained = 0.96;  ///< of the time
 
 struct Mean {
   double value = 0.0, standard_error = 0.0;
@@ -30,13 +33,50 @@ std::filesystem::path orResource(const std::filesystem::path& path, const char* 
   return path.empty() ? base::resource(file) : path;
 }
 
+void checkOptions(const DebridementStudyOptions& options) {
+  requireOption("threads", options.threads, 1, 256);
+  checkTraining(options.training);
+  checkArrival(options.arrival);
+  checkDebridementTask(options.task);
+  requireOption("fragments beyond", options.fragments_beyond, 1, 100'000);
+  requireOption("beyond [m]", options.beyond, 0.0, 0.1);
+}
+
 void fill(DebridementStudyReport& report, const TrainedCorrection& trained) {
   report.motions = trained.motions;
   report.rows = trained.rows;
   report.screened = trained.screened;
   report.states = trained.states;
   report.kept = trained.kept;
-  report.lag = trained.lag;
+  report.clock_offset = trained.clock_offset;
+}
+
+/// An arm, and a correction that was learned on it.
+struct TrainedArm {
+  robot::Description robot;
+  simulation::ToolTruth truth;
+  TrainedCorrection trained;
+};
+
+/// Null: cancelled.
+std::optional<TrainedArm> trainedArm(const DebridementStudyOptions& options, DebridementStudyReport& report,
+                                     base::Progress& progress) {
+  checkOptions(options);
+  robot::Description robot =
+      robot::readDescription(orResource(options.robot, "robots/raven2_left_tool.yaml"));
+  simulation::ToolTruth truth =
+      simulation::readToolTruth(orResource(options.truth, "truth/debridement.yaml"));
+  TrainingOptions training = options.training;
+  training.seed = training.correction.seed = training.cleaning.median.seed = options.seed;
+  training.correction.threads = 1;  // whose sums would come in another order
+  progress.report(0.0, "Recording motions");
+  const std::vector<learning::RawMotion> motions = recordTraining(robot, truth, training, &progress);
+  if ((report.cancelled = progress.cancelled())) return std::nullopt;
+  TrainedCorrection trained = trainedOn(motions, training, &progress);
+  fill(report, trained);
+  if ((report.cancelled = progress.cancelled())) return std::nullopt;
+  math::setDenseThreads(1);  // from here on methods run side by side
+  return TrainedArm{std::move(robot), std::move(truth), std::move(trained)};
 }
 
 }  // namespace
@@ -51,7 +91,7 @@ DebridementSummary summaryOf(const std::vector<FragmentRun>& of) {
     all.cleared += run.cleared;
     all.refused += run.refused;
     all.moving += run.moving / n;
-    all.looks += run.looks / n;
+    all.observations += run.observations / n;
     all.off += run.off / n;
   }
   const Mean mean = meanTime(of);
@@ -73,48 +113,37 @@ Speedup DebridementStudyReport::speedup() const {
   return {ratio, {ratio / factor, ratio * factor}};
 }
 
-DebridementStudyReport runDebridementStudy(const DebridementStudyOptions& options, base::Progress& progress) {
-  requireOption("threads", options.threads, 1, 256);
-  checkTraining(options.training);
-  checkArrival(options.arrival);
-  checkDebridementTask(options.task);
-  requireOption("fragments beyond", options.fragments_beyond, 1, 100'000);
-  requireOption("beyond [m]", options.beyond, 0.0, 0.1);
-  const robot::Description robot =
-      robot::readDescription(orResource(options.robot, "robots/raven2_left_tool.yaml"));
-  const simulation::ToolTruth truth =
-      simulation::readToolTruth(orResource(options.truth, "truth/debridement.yaml"));
-  TrainingOptions training = options.training;
-  ArrivalOptions arrival = options.arrival;
-  DebridementTaskOptions task = options.task;
-  training.seed = training.correction.seed = training.cleaning.median.seed = arrival.seed = task.seed =
-      options.seed;
-  training.correction.threads = 1;  // whose sums would come in another order
-  arrival.threads = options.threads;
-
+DebridementStudyReport runArrival(const DebridementStudyOptions& options, base::Progress& progress) {
   DebridementStudyReport report;
-  const auto stopped = [&] { return report.cancelled = progress.cancelled(); };
-  progress.report(0.0, "Recording motions");
-  const std::vector<learning::RawMotion> motions = recordTraining(robot, truth, training, &progress);
-  if (stopped()) return report;
-  const TrainedCorrection trained = trainedOn(motions, training, &progress);
-  fill(report, trained);
-  if (stopped()) return report;
-  math::setDenseThreads(1);  // from here on methods run side by side
-  progress.report(0.96, "Arriving at fragments");
-  report.arrival = arrivalStudy(robot, truth, trained.model, arrival, &progress);
-  if (stopped()) return report;
-  progress.report(0.98, "Debridement");
+  const std::optional<TrainedArm> arm = trainedArm(options, report, progress);
+  if (!arm) return report;
+  progress.report(kTrained, "Arriving at fragments");
+  ArrivalOptions arrival = options.arrival;
+  arrival.seed = options.seed;
+  arrival.threads = options.threads;
+  report.arrival = arrivalStudy(arm->robot, arm->truth, arm->trained.model, arrival, &progress);
+  report.cancelled = progress.cancelled();
+  return report;
+}
+
+DebridementStudyReport runDebridement(const DebridementStudyOptions& options, base::Progress& progress) {
+  DebridementStudyReport report;
+  const std::optional<TrainedArm> arm = trainedArm(options, report, progress);
+  if (!arm) return report;
+  progress.report(kTrained, "Debridement");
+  DebridementTaskOptions task = options.task;
+  task.seed = options.seed;
   DebridementTaskOptions beside = task;
   beside.fragments = options.fragments_beyond;
   beside.beside.x() -= options.beyond;
   base::parallelFor(2 * kDebridementMethods, options.threads, [&](std::size_t k) {
     const bool on = k < kDebridementMethods;
     const std::size_t method = on ? k : k - kDebridementMethods;
-    (on ? report.runs : report.beyond)[method] = debridementTask(
-        robot, truth, trained.model, static_cast<DebridementMethod>(method), on ? task : beside, &progress);
+    (on ? report.runs : report.beyond)[method] =
+        debridementTask(arm->robot, arm->truth, arm->trained.model, static_cast<DebridementMethod>(method),
+                        on ? task : beside, &progress);
   });
-  stopped();
+  report.cancelled = progress.cancelled();
   return report;
 }
 

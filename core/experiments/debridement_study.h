@@ -7,7 +7,7 @@
 #include "core/experiments/debridement_task.h"
 #include "core/stats/interval.h"
 
-/// Section V of the GPR paper on the simulated seven-joint arm: training, Table II, debridement.
+/// Section V of the GPR paper on the simulated seven-joint arm: training, then table II or debridement.
 namespace capstan::experiments {
 
 struct DebridementStudyOptions {
@@ -30,7 +30,7 @@ struct DebridementSummary {
   double time = 0.0;              ///< mean of a fragment [s]
   stats::Interval time_interval;  ///< 95 %, by the normal distribution [s]
   double moving = 0.0;            ///< of it, on the way [s]
-  double looks = 0.0;             ///< mean of a fragment
+  double observations = 0.0;      ///< mean of a fragment
   double off = 0.0;               ///< mean of jaws from fragments when they closed [m]
   stats::Interval success;        ///< of cleared / fragments, 95 %, Wilson's
 };
@@ -45,7 +45,7 @@ struct Speedup {
 
 struct DebridementStudyReport {
   std::size_t motions = 0, rows = 0, screened = 0, states = 0, kept = 0;  ///< as TrainedCorrection
-  double lag = 0.0;                                                       ///< [s]
+  double clock_offset = 0.0;                                              ///< [s]
   ArrivalReport arrival{};
   std::array<std::vector<FragmentRun>, kDebridementMethods> runs, beyond;  ///< by method
   bool cancelled = false;                                                  ///< what was done by then is there
@@ -57,8 +57,10 @@ struct DebridementStudyReport {
   Speedup speedup() const;
 };
 
-/// base::InputError: files or options that are unusable.
-DebridementStudyReport runDebridementStudy(const DebridementStudyOptions& options, base::Progress& progress);
+/// Both train a correction first, from motions that are recorded on the arm. base::InputError: files or
+/// options that are unusable.
+DebridementStudyReport runArrival(const DebridementStudyOptions& options, base::Progress& progress);
+DebridementStudyReport runDebridement(const DebridementStudyOptions& options, base::Progress& progress);
 
 /// How the correction was learned.
 base::Table trainingTable(const DebridementStudyReport& report);

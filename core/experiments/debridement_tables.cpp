@@ -51,7 +51,7 @@ base::Table methodsTable(std::string title,
     table.rows.push_back({std::string(base::nameOf(method)), fmt::format("{:.1f}", 100.0 * speed),
                           fmt::format("{:.1f}", s.time), range(s.time_interval, 1),
                           paper ? paperTime(method) : "", fmt::format("{:.1f}", s.moving),
-                          fmt::format("{:.1f}", s.looks), fmt::format("{:.1f}", toMillimetres(s.off)),
+                          fmt::format("{:.1f}", s.observations), fmt::format("{:.1f}", toMillimetres(s.off)),
                           fmt::format("{} of {}", s.grasped, s.fragments),
                           fmt::format("{} of {}", s.cleared, s.fragments), range(s.success, 1, 100.0),
                           fmt::format("{}", s.refused)});
@@ -73,7 +73,7 @@ base::Table trainingTable(const DebridementStudyReport& report) {
   row("of them no poses", fmt::format("{}", report.screened), "");
   row("states", fmt::format("{}", report.states), "24 000");
   row("kept by cleaning", fmt::format("{}", report.kept), "");
-  row("cameras behind commands [ms]", fmt::format("{:.1f}", 1e3 * report.lag), "");
+  row("cameras behind commands [ms]", fmt::format("{:.1f}", 1e3 * report.clock_offset), "");
   return table;
 }
 
@@ -140,7 +140,7 @@ base::Table beyondTable(const DebridementStudyReport& report, const DebridementS
   const std::string title =
       fmt::format("Debridement of a grid {:.0f} mm beside that of the data", toMillimetres(options.beyond));
   base::Table table = methodsTable(title, report.beyond, options.task, false);
-  table.note = fmt::format("Unsure: a confidence below {:g}.", options.task.looks.least_confidence);
+  table.note = fmt::format("Unsure: a confidence below {:g}.", options.task.observations.least_confidence);
   return table;
 }
 

@@ -73,9 +73,10 @@ class Worker {
     const Isometry3d jaws = seenTruly();
     const Vector3d off = fragment.linear().transpose() * (jaws.translation() - fragment.translation());
     run_.off = off.norm();
-    run_.off_turn = Eigen::Quaterniond(jaws.linear()).angularDistance(Eigen::Quaterniond(fragment.linear()));
+    run_.rotation_error =
+        Eigen::Quaterniond(jaws.linear()).angularDistance(Eigen::Quaterniond(fragment.linear()));
     run_.grasped = off.tail<2>().norm() <= options_.capture && std::abs(off.x()) <= options_.capture &&
-                   run_.off_turn <= options_.capture_turn;
+                   run_.rotation_error <= options_.capture_rotation;
   }
 
   void goTo(const Isometry3d& goal) {
@@ -87,11 +88,11 @@ class Worker {
   bool go(const Isometry3d& goal) {
     switch (method_) {
       case DebridementMethod::kReplanning:
-        return goLooking(goal);
+        return goObserving(goal);
       case DebridementMethod::kCorrected:
         return follow(planned(goal, options_.mode));
-      case DebridementMethod::kWhereUnsure:
-        return goWhereSure(goal);
+      case DebridementMethod::kWhereUncertain:
+        return goWhereConfident(goal);
       case DebridementMethod::kOpenLoop:
         break;
     }
@@ -110,33 +111,34 @@ class Worker {
   std::vector<learning::CorrectedWaypoint> planned(const Isometry3d& goal, learning::CorrectionMode mode) {
     rig_.rest(options_.plan_time);
     return learning::correctedPath(model_, straightMotion(here_, goal, options_.fast, options_.waypoints),
-                                   {mode, rig_.reachable(), rig_.told()});
+                                   {mode, rig_.reachable(), rig_.commanded()});
   }
 
-  bool goWhereSure(const Isometry3d& goal) {
+  bool goWhereConfident(const Isometry3d& goal) {
     std::vector<learning::CorrectedWaypoint> path = planned(goal, learning::CorrectionMode::kFullTrajectory);
     const std::size_t whole = path.size();
-    path.resize(learning::nextLook(path, 0, options_.looks) + 1);
-    return follow(path) && (path.size() == whole || goLooking(goal));
+    path.resize(learning::nextObservation(path, 0, options_.observations) + 1);
+    return follow(path) && (path.size() == whole || goObserving(goal));
   }
 
   /// Looks, takes the offset between what was told and what is seen for that of the next piece, moves it.
-  bool goLooking(const Isometry3d& goal) {
+  bool goObserving(const Isometry3d& goal) {
     const double whole = (goal.translation() - here_.translation()).norm();
     const int most = kMostPieces + static_cast<int>(whole / options_.piece);
     for (int piece = 0; piece < most; ++piece) {
-      const auto seen = rig_.look(options_.look);
-      ++run_.looks;
-      if (!seen) continue;
-      const double left = std::sqrt(learning::squaredDistance(*seen, goal, learning::kLever));
-      if ((goal.translation() - seen->translation()).norm() <= options_.near && piece > 0) return true;
+      const auto observed = rig_.look(options_.look);
+      ++run_.observations;
+      if (!observed) continue;
+      const double left = std::sqrt(learning::squaredDistance(*observed, goal, learning::kLever));
+      if ((goal.translation() - observed->translation()).norm() <= options_.near && piece > 0) return true;
       rig_.rest(options_.plan_time);
-      const Isometry3d next = learning::poseBetween(*seen, goal, std::min(1.0, options_.piece / left));
-      const Isometry3d command = learning::offsetSeen(rig_.told(), *seen) * next;
+      const Isometry3d next = learning::poseBetween(*observed, goal, std::min(1.0, options_.piece / left));
+      const Isometry3d command = learning::offsetObserved(rig_.commanded(), *observed) * next;
       const learning::WithinReach reached =
-          learning::withinReach(command, rig_.told(), rig_.told(), rig_.reachable());
-      const auto motion = straightMotion(rig_.told(), reached.pose, options_.slow, 2);
-      if (!follow({{motion[0].t, *seen, motion[0].pose}, {motion[1].t, next, motion[1].pose}})) return false;
+          learning::withinReach(command, rig_.commanded(), rig_.commanded(), rig_.reachable());
+      const auto motion = straightMotion(rig_.commanded(), reached.pose, options_.slow, 2);
+      if (!follow({{motion[0].t, *observed, motion[0].pose}, {motion[1].t, next, motion[1].pose}}))
+        return false;
     }
     return true;
   }

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/experiments/training_motions.h"
-#include "core/learning/poses/looks.h"
+#include "core/learning/poses/next_observation.h"
 
 /// Surgical debridement on a simulated arm (GPR paper, section V-D): each foam fragment is found, approached,
 /// grasped and taken to a receptacle.
@@ -12,11 +12,12 @@ namespace capstan::experiments {
 
 /// How the arm gets where it is to be.
 enum class DebridementMethod {
-  kReplanning,   ///< slow, in short pieces, with a look of the cameras and a new plan between, as in prior
-                 ///< work
-  kCorrected,    ///< fast, without looking, through the learned correction
-  kOpenLoop,     ///< fast, without looking, as the native controller goes
-  kWhereUnsure,  ///< as kCorrected as far as the correction is sure (looks.h), from there as kReplanning
+  kReplanning,      ///< slow, in short pieces, with a look of the cameras and a new plan between, as in prior
+                    ///< work
+  kCorrected,       ///< fast, without looking, through the learned correction
+  kOpenLoop,        ///< fast, without looking, as the native controller goes
+  kWhereUncertain,  ///< as kCorrected as far as the correction is sure (next_observation.h), from there as
+                    ///< kReplanning
 };
 inline constexpr std::size_t kDebridementMethods = 4;
 
@@ -28,7 +29,7 @@ struct DebridementTaskOptions {
   double piece = 0.02;                               ///< length of a piece of kReplanning [m]
   double near = 0.002;                               ///< distance within which kReplanning has arrived [m]
   learning::CorrectionMode mode = learning::CorrectionMode::kEndPoint;  ///< of kCorrected
-  learning::LookOptions looks;                                          ///< of kWhereUnsure
+  learning::ObservationOptions observations;                            ///< of kWhereUncertain
   int waypoints = 10;                                                   ///< of a motion without looks
   double most_yaw = 0.35;                                               ///< of fragments [rad]
   double hover = 0.02;             ///< above a fragment, before and after grasping [m]
@@ -43,8 +44,8 @@ struct DebridementTaskOptions {
   /// A grasp succeeds where the point between the jaws is no further than this from the fragment's middle,
   /// across and along the jaws alike [m], and
   double capture = 0.004;
-  double capture_turn = 0.45;  ///< turned by no more than this [rad].
-  double receptacle = 0.02;    ///< its radius [m]
+  double capture_rotation = 0.45;  ///< turned by no more than this [rad].
+  double receptacle = 0.02;        ///< its radius [m]
   std::uint64_t seed = 1;
 };
 
@@ -53,13 +54,13 @@ void checkDebridementTask(const DebridementTaskOptions& options);
 
 /// One fragment.
 struct FragmentRun {
-  double time = 0.0;      ///< from being sought to being dropped [s]
-  double moving = 0.0;    ///< of it, the arm was on its way [s]
-  double off = 0.0;       ///< jaws from the fragment when they closed [m]
-  double off_turn = 0.0;  ///< [rad]
+  double time = 0.0;            ///< from being sought to being dropped [s]
+  double moving = 0.0;          ///< of it, the arm was on its way [s]
+  double off = 0.0;             ///< jaws from the fragment when they closed [m]
+  double rotation_error = 0.0;  ///< [rad]
   bool grasped = false;
   bool cleared = false;  ///< grasped, and dropped into the receptacle
-  int looks = 0;         ///< of cameras at the tool
+  int observations = 0;  ///< of cameras at the tool
   int refused = 0;       ///< motions out of reach, and single commands that were
 };
 
@@ -77,5 +78,13 @@ struct capstan::base::NamesOf<capstan::experiments::DebridementMethod> {
   using M = capstan::experiments::DebridementMethod;
   static constexpr std::array value = {
       std::pair{M::kReplanning, "replanning"}, std::pair{M::kCorrected, "learned correction"},
-      std::pair{M::kOpenLoop, "no correction"}, std::pair{M::kWhereUnsure, "learned, looks where unsure"}};
+      std::pair{M::kOpenLoop, "no correction"}, std::pair{M::kWhereUncertain, "learned, looks where unsure"}};
+};
+
+template <>
+struct capstan::base::KeysOf<capstan::experiments::DebridementMethod> {
+  using M = capstan::experiments::DebridementMethod;
+  static constexpr std::array value = {
+      std::pair{M::kReplanning, "replanning"}, std::pair{M::kCorrected, "corrected"},
+      std::pair{M::kOpenLoop, "open_loop"}, std::pair{M::kWhereUncertain, "corrected_with_camera_checks"}};
 };

@@ -68,7 +68,7 @@ ParameterEstimate estimateOf(const identification::Estimate& estimate) {
 
 Eigen::Matrix<double, 7, 1> poseVector(const identification::CameraPose& pose) {
   Eigen::Matrix<double, 7, 1> all;
-  all << pose.turn, pose.shift, pose.delay;
+  all << pose.rotation, pose.shift, pose.delay;
   return all;
 }
 

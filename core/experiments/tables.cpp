@@ -333,9 +333,7 @@ Table boxplotTable(const Results& results) {
 
 /// Experiments track with the six-state filter and with the augmented one; a recording that is analysed was
 /// tracked with one filter, which its options name.
-bool ranBothFilters(const TrialResult& trial) {
-  return trial.reference && trial.rms_augmented.allFinite();
-}
+bool ranBothFilters(const TrialResult& trial) { return trial.reference && trial.rms_augmented.allFinite(); }
 
 Table filterTable(const Results& results) {
   Table table;

@@ -10,7 +10,7 @@ namespace capstan::experiments {
 namespace {
 
 constexpr double kPeriod = simulation::ToolRobot::kCommandPeriod;
-constexpr double kBelongs = 0.003;  // of the median position, within which a sight tells the turn [m]
+constexpr double kBelongs = 0.003;  // of the median position, within which an observation tells the turn [m]
 
 std::size_t ticksOf(double seconds) {
   return static_cast<std::size_t>(std::max(0L, std::lround(seconds / kPeriod)));
@@ -32,12 +32,12 @@ void ToolRig::tick(const Eigen::Isometry3d& command) {
   refused_ += robot_.ask(command, opening_) ? 0 : 1;
   const double asked = robot_.time();
   robot_.advance();
-  const simulation::PoseSight sight = camera_.see(robot_.time(), robot_.arm().pose());
-  if (looking_ && sight.seen) looking_->push_back(sight.pose);
+  const simulation::PoseObservation observation = camera_.see(robot_.time(), robot_.arm().pose());
+  if (observing_ && observation.observed) observing_->push_back(observation.pose);
   if (!recording_) return;
-  write(learning::StreamKind::kCommand, asked, robot_.told());
+  write(learning::StreamKind::kCommand, asked, robot_.commanded());
   write(learning::StreamKind::kRobot, robot_.time(), robot_.believed());
-  write(learning::StreamKind::kCamera, sight.t, sight.pose);
+  write(learning::StreamKind::kCamera, observation.t, observation.pose);
 }
 
 bool ToolRig::follow(const std::vector<learning::CorrectedWaypoint>& path) {
@@ -56,7 +56,7 @@ bool ToolRig::follow(const std::vector<learning::CorrectedWaypoint>& path) {
 }
 
 void ToolRig::rest(double seconds) {
-  for (std::size_t k = ticksOf(seconds); k > 0; --k) tick(robot_.told());
+  for (std::size_t k = ticksOf(seconds); k > 0; --k) tick(robot_.commanded());
 }
 
 void ToolRig::moveJaws(double opening, double seconds) {
@@ -64,26 +64,26 @@ void ToolRig::moveJaws(double opening, double seconds) {
   const std::size_t ticks = std::max<std::size_t>(ticksOf(seconds), 1);
   for (std::size_t k = 1; k <= ticks; ++k) {
     opening_ = from + (opening - from) * static_cast<double>(k) / static_cast<double>(ticks);
-    tick(robot_.told());
+    tick(robot_.commanded());
   }
 }
 
 std::optional<Eigen::Isometry3d> ToolRig::look(double seconds) {
-  std::vector<Eigen::Isometry3d> seen, belong;
-  looking_ = &seen;
+  std::vector<Eigen::Isometry3d> observed, belong;
+  observing_ = &observed;
   rest(seconds);
-  looking_ = nullptr;
-  if (seen.empty()) return std::nullopt;
+  observing_ = nullptr;
+  if (observed.empty()) return std::nullopt;
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<double> along;
-    along.reserve(seen.size());
-    for (const Eigen::Isometry3d& one : seen) along.push_back(one.translation()[axis]);
+    along.reserve(observed.size());
+    for (const Eigen::Isometry3d& one : observed) along.push_back(one.translation()[axis]);
     pose.translation()[axis] = stats::median(along);
   }
-  for (const Eigen::Isometry3d& one : seen)
+  for (const Eigen::Isometry3d& one : observed)
     if ((one.translation() - pose.translation()).norm() < kBelongs) belong.push_back(one);
-  pose.linear() = learning::middleTurn(belong.empty() ? seen : belong).toRotationMatrix();
+  pose.linear() = learning::meanRotation(belong.empty() ? observed : belong).toRotationMatrix();
   return pose;
 }
 

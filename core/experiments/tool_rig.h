@@ -33,7 +33,7 @@ class ToolRig {
   /// Of commands with the jaws as they are now.
   learning::Reachable reachable() const;
   double time() const { return robot_.time(); }  ///< [s]
-  const Eigen::Isometry3d& told() const { return robot_.told(); }
+  const Eigen::Isometry3d& commanded() const { return robot_.commanded(); }
   const simulation::ToolRobot& robot() const { return robot_; }
   const simulation::PoseCamera& camera() const { return camera_; }
   int refused() const { return refused_; }  ///< commands that the robot did not take
@@ -47,7 +47,7 @@ class ToolRig {
   double opening_;
   int refused_ = 0;
   learning::RawMotion* recording_ = nullptr;
-  std::vector<Eigen::Isometry3d>* looking_ = nullptr;
+  std::vector<Eigen::Isometry3d>* observing_ = nullptr;
 };
 
 }  // namespace capstan::experiments

@@ -59,9 +59,9 @@ std::vector<learning::RawMotion> recordTraining(const robot::Description& robot,
   base::Random random(options.seed, "training motions");
   std::vector<learning::RawMotion> motions;
   while (static_cast<int>(motions.size()) < options.motions && !(progress && progress->cancelled())) {
-    const auto path =
-        uncorrected(straightMotion(rig.told(), drawnPose(random, scene, options), options.speed, kWaypoints),
-                    rig.reachable());
+    const auto path = uncorrected(
+        straightMotion(rig.commanded(), drawnPose(random, scene, options), options.speed, kWaypoints),
+        rig.reachable());
     if (!learning::withinReach(path)) continue;  // a corner of the grid that the arm does not reach: another
     learning::RawMotion motion;
     motion.name = "motion " + std::to_string(motions.size() + 1);
@@ -78,8 +78,10 @@ std::vector<learning::RawMotion> recordTraining(const robot::Description& robot,
 TrainedCorrection trainedOn(const std::vector<learning::RawMotion>& motions, const TrainingOptions& options,
                             base::Progress* progress) {
   const learning::ScreenReport screened = learning::screenPoses(motions);
-  const double lag = learning::lagBetween(screened.motions, StreamKind::kCommand).lag;
-  const std::vector<learning::State> states = learning::statesOf(screened.motions, StreamKind::kCommand, lag);
+  const double clock_offset =
+      learning::clockOffsetBetween(screened.motions, StreamKind::kCommand).clock_offset;
+  const std::vector<learning::State> states =
+      learning::statesOf(screened.motions, StreamKind::kCommand, clock_offset);
   const learning::CleaningReport cleaned = learning::cleanStates(states, options.cleaning);
   const std::vector<learning::State> clean = learning::kept(states, cleaned);
   constexpr auto kCamera = static_cast<std::size_t>(StreamKind::kCamera);
@@ -89,7 +91,7 @@ TrainedCorrection trainedOn(const std::vector<learning::RawMotion>& motions, con
           .screened = screened.rows[kCamera] - screened.poses[kCamera],
           .states = states.size(),
           .kept = clean.size(),
-          .lag = lag};
+          .clock_offset = clock_offset};
 }
 
 }  // namespace capstan::experiments

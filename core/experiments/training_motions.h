@@ -42,10 +42,10 @@ struct TrainedCorrection {
   std::size_t motions = 0, rows = 0;  ///< recorded; poses of cameras
   std::size_t screened = 0;           ///< of them, left out as no poses
   std::size_t states = 0, kept = 0;   ///< paired with commands; after cleaning
-  double lag = 0.0;                   ///< of cameras behind commands [s]
+  double clock_offset = 0.0;          ///< of cameras behind commands [s]
 };
 
-/// screenPoses → lagBetween commands and cameras → statesOf → cleanStates → CorrectionModel::trained.
+/// screenPoses → clockOffsetBetween commands and cameras → statesOf → cleanStates → CorrectionModel::trained.
 /// base::InputError: too few states are left. Cancelled: a rigid offset alone.
 TrainedCorrection trainedOn(const std::vector<learning::RawMotion>& motions, const TrainingOptions& options,
                             base::Progress* progress = nullptr);

@@ -7,7 +7,6 @@
 
 #include "core/base/checksum.h"
 #include "core/base/error.h"
-#include "core/base/resource.h"
 #include "core/base/yaml.h"
 #include "core/experiments/results_json.h"
 #include "core/identification/parameters.h"
@@ -44,7 +43,7 @@ auto blaming(const Specification& specification, const std::string& trial, const
 }
 
 robot::Description nominalOf(const Specification& specification) {
-  if (specification.nominal.empty()) return robot::readDescription(base::resource("robots/raven2_left.yaml"));
+  if (specification.nominal.empty()) return robot::defaultDescription();
   return blaming(specification, {}, "nominal", specification.nominal,
                  [&] { return robot::readDescription(specification.resolved(specification.nominal)); });
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/estimation/occlusion_gate.h"
+#include "core/stats/chi_square.h"
 #include "core/stats/quantile.h"
 
 namespace capstan::identification {
@@ -135,7 +136,7 @@ BatchEnd endOf(const ceres::Solver::Summary& summary, const base::Progress* prog
 double limitFor(const VectorXd& residuals, double huber) {
   std::vector<double> sizes;
   for (Eigen::Index k = 0; k < residuals.size(); k += 3) sizes.push_back(residuals.segment<3>(k).norm());
-  const double expected = std::sqrt(estimation::chiSquareQuantile(3, 0.5));
+  const double expected = std::sqrt(stats::chiSquareQuantile(3, 0.5));
   return huber * std::max(1.0, stats::median(sizes) / expected);
 }
 
@@ -182,9 +183,9 @@ BatchEnd fit(OutputError& error, const ParameterSet& set, const BatchOptions& op
 
 /// What the observations say at the solution, see identifyBatch().
 struct Information {
-  MatrixXd hessian;  ///< Jᵀ W J + 1
-  MatrixXd meat;     ///< Σ_b g_b g_bᵀ
-  MatrixXd doubt;    ///< Σ_d G_d G_dᵀ + G_h G_hᵀ
+  MatrixXd hessian;      ///< Jᵀ W J + 1
+  MatrixXd meat;         ///< Σ_b g_b g_bᵀ
+  MatrixXd discrepancy;  ///< Σ_d G_d G_dᵀ + G_h G_hᵀ
   int blocks = 1;
 };
 
@@ -193,10 +194,10 @@ Information informationOf(const OutputError& error, const ParameterSet& set, con
   const int n = error.unknowns();
   Information all{MatrixXd::Identity(n, n), MatrixXd::Zero(n, n), MatrixXd::Zero(n, n)};
   VectorXd gradient = VectorXd::Zero(n);
-  MatrixXd by_doubt = MatrixXd::Zero(n, 3), by_hysteresis = by_doubt;
+  MatrixXd by_discrepancy = MatrixXd::Zero(n, 3), by_hysteresis = by_discrepancy;
   const tracking::CableArmConstants constants = set.constants(error.logs(x));
-  const Eigen::Matrix3d unknown = errorByDoubt(constants, options.doubt);
-  double start = error.observation(0).t, doubt_start = start;
+  const Eigen::Matrix3d unknown = errorByDiscrepancy(constants, options.discrepancy);
+  double start = error.observation(0).t, discrepancy_start = start;
   for (int k = 0; k < error.observations(); ++k) {
     const double t = error.observation(k).t;
     const bool fresh = k > 0 && !error.shooting().continues(static_cast<std::size_t>(k));
@@ -206,10 +207,10 @@ Information informationOf(const OutputError& error, const ParameterSet& set, con
       start = t;
       ++all.blocks;
     }
-    if (fresh || t - doubt_start >= options.doubt.memory) {
-      all.doubt += by_doubt * by_doubt.transpose();
-      by_doubt.setZero();
-      doubt_start = t;
+    if (fresh || t - discrepancy_start >= options.discrepancy.memory) {
+      all.discrepancy += by_discrepancy * by_discrepancy.transpose();
+      by_discrepancy.setZero();
+      discrepancy_start = t;
     }
     const double size = residuals.segment<3>(3 * k).norm();
     const double weight = size > options.huber ? options.huber / size : 1.0;
@@ -217,12 +218,12 @@ Information informationOf(const OutputError& error, const ParameterSet& set, con
     all.hessian.noalias() += weight * rows.transpose() * rows;
     gradient += weight * rows.transpose() * residuals.segment<3>(3 * k);
     const MatrixXd by_joint = weight * rows.transpose() * error.residualByJoint(x, k);
-    by_doubt += by_joint * unknown;
+    by_discrepancy += by_joint * unknown;
     const auto& arm = error.predictions()[static_cast<std::size_t>(k)];
-    by_hysteresis += by_joint * errorByHysteresis(constants, options.doubt, arm.hysteresis);
+    by_hysteresis += by_joint * errorByHysteresis(constants, options.discrepancy, arm.hysteresis);
   }
   all.meat += gradient * gradient.transpose();
-  all.doubt += by_doubt * by_doubt.transpose() + by_hysteresis * by_hysteresis.transpose();
+  all.discrepancy += by_discrepancy * by_discrepancy.transpose() + by_hysteresis * by_hysteresis.transpose();
   return all;
 }
 
@@ -230,7 +231,7 @@ Information informationOf(const OutputError& error, const ParameterSet& set, con
 MatrixXd covarianceOf(const Information& found) {
   const auto n = static_cast<int>(found.hessian.rows());
   const MatrixXd inverse = found.hessian.inverse();
-  const MatrixXd plain = inverse + inverse * found.doubt * inverse;
+  const MatrixXd plain = inverse + inverse * found.discrepancy * inverse;
   const double few = found.blocks / std::max(0.5 * found.blocks, static_cast<double>(found.blocks - n));
   const MatrixXd sandwich = inverse * (few * found.meat + MatrixXd::Identity(n, n)) * inverse;
   const auto byPlain = [&](int i) { return plain(i, i) >= sandwich(i, i); };

@@ -9,7 +9,7 @@
 #include "core/identification/estimate.h"
 #include "core/identification/identifiability.h"
 #include "core/identification/identification_data.h"
-#include "core/identification/model_doubt.h"
+#include "core/identification/model_discrepancy.h"
 #include "core/identification/shooting.h"
 
 namespace capstan::identification {
@@ -19,7 +19,7 @@ struct BatchOptions {
   ShootingOptions shooting = {};
   double huber = 3.37;  ///< residual of an observation beyond which it counts less: 99 % of χ with 3
   double block = 2.0;   ///< residuals this close in time may be correlated [s]
-  ModelDoubt doubt = {};
+  ModelDiscrepancy discrepancy = {};
   int max_iterations = 30;
   /// Where to start: logarithms in the set's order, as the dual UKF found them; empty: nominal. From pulleys
   /// that are per cents off, through a camera that may be turned, least squares may end in another minimum.
@@ -49,13 +49,13 @@ struct BatchReport {
 ///
 /// The covariance is the larger, parameter by parameter, of two. The one is
 /// H⁻¹ + H⁻¹ (Σ_d G_d G_dᵀ + G_h G_hᵀ) H⁻¹ with H = Jᵀ W J + 1, and G_d and G_h = Σ Jᵀ W D what the unknown
-/// forces of ModelDoubt, constant over d or against the cables' stretch rate all along, do to the gradient.
-/// The other is the sandwich H⁻¹ (c Σ_b g_b g_bᵀ + 1) H⁻¹ with g_b the gradient of one of B blocks of `block`
-/// seconds: what the model does not know (hysteresis, stiction) makes residuals that are correlated in time
-/// (Liang and Zeger, Biometrika 73 (1986)). c = B / (B − n) with n unknowns is the usual correction for few
-/// blocks, 2 at most: with fewer than 2 n the sandwich says little, and the first counts. Blocks end at gaps
-/// of the motor samples. A variance is never more than the prior's. Correlations are those of the one that
-/// both variances come from, else the sandwich's.
+/// forces of ModelDiscrepancy, constant over d or against the cables' stretch rate all along, do to the
+/// gradient. The other is the sandwich H⁻¹ (c Σ_b g_b g_bᵀ + 1) H⁻¹ with g_b the gradient of one of B blocks
+/// of `block` seconds: what the model does not know (hysteresis, stiction) makes residuals that are
+/// correlated in time (Liang and Zeger, Biometrika 73 (1986)). c = B / (B − n) with n unknowns is the usual
+/// correction for few blocks, 2 at most: with fewer than 2 n the sandwich says little, and the first counts.
+/// Blocks end at gaps of the motor samples. A variance is never more than the prior's. Correlations are those
+/// of the one that both variances come from, else the sandwich's.
 ///
 /// `seen` and `advice` of an estimate are by the σ that is stated; `before` is by noise alone.
 BatchReport identifyBatch(const IdentificationData& data, const ParameterSet& set,
@@ -69,5 +69,14 @@ struct capstan::base::NamesOf<capstan::identification::BatchEnd> {
   static constexpr std::array value = {
       std::pair{E::kConverged, "converged"}, std::pair{E::kIterationLimit, "iteration limit"},
       std::pair{E::kNoData, "no camera observations"}, std::pair{E::kCancelled, "cancelled"},
+      std::pair{E::kFailed, "failed"}};
+};
+
+template <>
+struct capstan::base::KeysOf<capstan::identification::BatchEnd> {
+  using E = capstan::identification::BatchEnd;
+  static constexpr std::array value = {
+      std::pair{E::kConverged, "converged"}, std::pair{E::kIterationLimit, "iteration_limit"},
+      std::pair{E::kNoData, "no_camera_observations"}, std::pair{E::kCancelled, "cancelled"},
       std::pair{E::kFailed, "failed"}};
 };

@@ -71,7 +71,7 @@ class Dual {
         model_(data.robot),
         centre_(centreOf(data)),
         parameters_(set, arm_, options.camera, centre_),
-        spread_(options.block, options.doubt.memory, options.score_memory) {
+        spread_(options.block, options.discrepancy.memory, options.score_memory) {
     start(0);
     last_ = t_;
   }
@@ -98,14 +98,18 @@ class Dual {
     }
   }
 
+  /// A motor reading beyond all bounds leaves no finite state: it starts again from the newest reading.
   void take(const CameraObservation& seen) {
+    if (!states_.mean().allFinite() || !states_.squareRoot().allFinite() ||
+        !parameters_.sensitivity().allFinite())
+      return start(at_);
     const CameraPose before = parameters_.pose();
     const Eigen::Matrix<double, 3, 6> by_state = tipByState(before);
     const Eigen::Matrix<double, 6, 6> covariance = states_.covariance();
     const Matrix3d noise = by_state * covariance * by_state.transpose();
     const ParameterSet::Logs old = parameters_.logs();
     const auto innovation = parameters_.update(seen, noise, options_.huber);
-    spread_.add(seen.t, innovation, tipByDoubt(old));
+    spread_.add(seen.t, innovation, tipByDiscrepancy(old));
     tally_.add(innovation, parameters_.sensitivity(), seen);
     nis_ += innovation.nis / 3.0;
     held_back_ += innovation.weight < 1.0 ? 1 : 0;
@@ -199,9 +203,10 @@ class Dual {
   }
 
   /// Tip by an unknown force of one standard deviation on each joint [m].
-  Matrix3d tipByDoubt(const ParameterSet::Logs& logs) const {
+  Matrix3d tipByDiscrepancy(const ParameterSet::Logs& logs) const {
     const State& x = states_.mean();
-    return arm_.tipJacobian({x(0), x(2), x(4)}) * errorByDoubt(set_.constants(logs), options_.doubt);
+    return arm_.tipJacobian({x(0), x(2), x(4)}) *
+           errorByDiscrepancy(set_.constants(logs), options_.discrepancy);
   }
 
   void retune(const ParameterSet::Logs& logs) {

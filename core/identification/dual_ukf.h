@@ -9,7 +9,7 @@
 #include "core/identification/convergence.h"
 #include "core/identification/estimate.h"
 #include "core/identification/identification_data.h"
-#include "core/identification/model_doubt.h"
+#include "core/identification/model_discrepancy.h"
 
 namespace capstan::identification {
 
@@ -24,7 +24,7 @@ struct DualUkfOptions {
   double huber = 3.37;           ///< innovation beyond which an observation counts less
   double block = 2.0;            ///< innovations this close in time may be correlated [s]
   double score_memory = 60.0;    ///< over which their correlation is measured [s]
-  ModelDoubt doubt = {};
+  ModelDiscrepancy discrepancy = {};
   double trace_period = 0.5;  ///< [s]
   bool stop_when_settled = false;
 };
@@ -57,8 +57,8 @@ using TraceSink = std::function<void(const TracePoint&)>;
 /// follow the parameters by Φ Δw; and the σ stated is widened to what the innovations show. A filter believes
 /// them white; where hysteresis or stiction, which the model does not know, correlate them over `block`
 /// seconds, the scores g = Hᵀ R⁻¹ ν of blocks vary more than their information I says, and σ grows by that
-/// ratio, measured over the last `score_memory` seconds, or by what the passing forces of ModelDoubt would
-/// make of them, if that is more. (Its lasting one, hysteresis, is the batch method's to count.)
+/// ratio, measured over the last `score_memory` seconds, or by what the passing forces of ModelDiscrepancy
+/// would make of them, if that is more. (Its lasting one, hysteresis, is the batch method's to count.)
 ///
 /// `sink`, if given, sees every point of the trace as it is made.
 DualUkfReport identifyDualUkf(const IdentificationData& data, const ParameterSet& set,
@@ -73,4 +73,12 @@ struct capstan::base::NamesOf<capstan::identification::DualUkfEnd> {
   static constexpr std::array value = {
       std::pair{E::kRecordingEnded, "recording ended"}, std::pair{E::kSettled, "settled"},
       std::pair{E::kNoData, "no camera observations"}, std::pair{E::kCancelled, "cancelled"}};
+};
+
+template <>
+struct capstan::base::KeysOf<capstan::identification::DualUkfEnd> {
+  using E = capstan::identification::DualUkfEnd;
+  static constexpr std::array value = {
+      std::pair{E::kRecordingEnded, "recording_ended"}, std::pair{E::kSettled, "settled"},
+      std::pair{E::kNoData, "no_camera_observations"}, std::pair{E::kCancelled, "cancelled"}};
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/estimation/occlusion_gate.h"
+#include "core/stats/chi_square.h"
 #include "core/stats/quantile.h"
 #include "core/tracking/encoder_watch.h"
 
@@ -38,7 +39,7 @@ std::vector<Triple> triplesOf(const std::vector<CameraObservation>& seen) {
 
 /// Mean of squares, then again without those that the first mean calls outliers.
 Matrix3d measuredCovariance(const std::vector<Triple>& triples) {
-  const double limit = estimation::chiSquareQuantile(3, 0.999);
+  const double limit = stats::chiSquareQuantile(3, 0.999);
   Matrix3d covariance = Matrix3d::Zero();
   for (int pass = 0; pass < 3; ++pass) {
     const Matrix3d before = covariance;
@@ -62,7 +63,7 @@ double measuredRatio(const std::vector<Triple>& triples, const std::vector<Camer
     squares.push_back(
         triple.difference.dot(seen[triple.middle].tip_covariance.llt().solve(triple.difference)) /
         kSecondDifference);
-  return std::sqrt(stats::median(squares) / estimation::chiSquareQuantile(3, 0.5));
+  return std::sqrt(stats::median(squares) / stats::chiSquareQuantile(3, 0.5));
 }
 
 }  // namespace
@@ -99,7 +100,7 @@ void measureNoise(IdentificationData& data) {
 void append(IdentificationData& data, const IdentificationData& more) {
   if (more.motors.t.empty()) return;
   const double shift = data.motors.t.empty() ? 0.0 : data.motors.t.back() + 1.0 - more.motors.t.front();
-  data.left_out += more.left_out;
+  data.excluded += more.excluded;
   for (const double t : more.motors.t) data.motors.t.push_back(t + shift);
   data.motors.position.insert(data.motors.position.end(), more.motors.position.begin(),
                               more.motors.position.end());
@@ -124,7 +125,7 @@ void DataCollector::addMotors(const tracking::Snapshot& snapshot) {
   MotorTrack& motors = data_.motors;
   leaveOutFrozen(snapshot);
   if (!motorsKnown(snapshot)) {
-    ++data_.left_out;
+    ++data_.excluded;
     return;
   }
   motors.t.push_back(snapshot.t);
@@ -144,7 +145,7 @@ void DataCollector::leaveOutFrozen(const tracking::Snapshot& snapshot) {
       motors.t.pop_back();
       motors.position.pop_back();
       motors.velocity.pop_back();
-      ++data_.left_out;
+      ++data_.excluded;
     }
   }
 }

@@ -18,7 +18,7 @@
 
 namespace capstan::identification {
 
-/// Time without motor samples from which on every method starts anew: the arm was lost sight of [s].
+/// Time without motor samples from which on every method starts anew: the arm was lost observation of [s].
 inline constexpr double kMotorGap = 0.05;
 
 /// Motor encoders in rising time: t [s], q_m from the hard stop [rad], dq_m [rad/s].
@@ -52,7 +52,7 @@ struct IdentificationData {
   double noise_ratio = 1.0;
   bool images = false;  ///< markers were found in pictures
   /// Motor samples left out because an encoder gave no number, or had failed (DataCollector).
-  std::uint64_t left_out = 0;
+  std::uint64_t excluded = 0;
   bool cancelled = false;
 
   std::size_t openCount() const;

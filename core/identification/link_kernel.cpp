@@ -1,6 +1,6 @@
 #include "core/identification/link_kernel.h"
 
-#include <cassert>
+#include "core/base/check.h"
 
 namespace capstan::identification {
 
@@ -18,7 +18,7 @@ CAPSTAN_DECLARE_KERNEL(Avx512)
 #undef CAPSTAN_DECLARE_KERNEL
 
 AdvanceLink advanceLinkKernel(math::InstructionSet set) {
-  assert(math::isAvailable(set));
+  CAPSTAN_CHECK(math::isAvailable(set));
 #ifdef CAPSTAN_X86_KERNELS
   if (set == math::InstructionSet::kAvx512) return detail::advanceLinkAvx512;
   if (set == math::InstructionSet::kAvx2) return detail::advanceLinkAvx2;

@@ -167,7 +167,7 @@ std::optional<LiveRequest> LiveIdentification::next(double now) {
     forget();
     restarts_ = extent.restarts;
   }
-  if (extent.sightings == 0) {
+  if (extent.observations == 0) {
     refining_ = false;
     return std::nullopt;
   }

@@ -21,10 +21,10 @@ std::string wordsOf(const LiveExtent& extent) {
     return "a motor's encoder has failed: nothing can be identified";
   if (extent.motors == 0) return "waiting for the arm's motors";
   if (!extent.registered) return "the cameras are not registered: nothing can be identified before they are";
-  if (extent.sightings == 0 && extent.seconds < kPatience) return "waiting for the cameras";
+  if (extent.observations == 0 && extent.seconds < kPatience) return "waiting for the cameras";
   if (extent.cameras == 0) return "no camera here: nothing can be identified";
-  if (extent.sightings == 0) return "the marker is not seen: nothing can be identified";
-  const auto text = fmt::format("{:.0f} s, tip seen {} times", extent.seconds, extent.sightings);
+  if (extent.observations == 0) return "the marker is not seen: nothing can be identified";
+  const auto text = fmt::format("{:.0f} s, tip seen {} times", extent.seconds, extent.observations);
   if (extent.motor_failed) return text + "; a motor's encoder has failed, nothing more is taken";
   return extent.full ? text + "; that is as much as is kept" : text;
 }
@@ -41,21 +41,21 @@ void LiveRecording::begin(const tracking::TrackingPipeline& pipeline) {
   robot_ = robot;
   registration_ = pipeline.registration();
   blank_.emplace(pipeline, title_);
-  beginAnew();
+  restart();
 }
 
-void LiveRecording::beginAnew() {
+void LiveRecording::restart() {
   motors_.clear();
   cameras_.clear();
   const std::uint64_t restarts = extent_.motors > 0 ? extent_.restarts + 1 : extent_.restarts;
   extent_ = {};
   extent_.restarts = restarts;
   failed_ = {};
-  anew_ = true;
+  restarted_ = true;
 }
 
 void LiveRecording::takeMotors(const tracking::Snapshot& snapshot) {
-  if (extent_.motors > 0 && snapshot.t <= last_) beginAnew();
+  if (extent_.motors > 0 && snapshot.t <= last_) restart();
   const bool news = snapshot.motor_failed != failed_;
   failed_ = snapshot.motor_failed;
   extent_.motor_failed = tracking::anyMotorFailed(snapshot);
@@ -77,7 +77,7 @@ void LiveRecording::take(const tracking::Sample&, const tracking::Snapshot& snap
   ++extent_.cameras;
   extent_.registered = snapshot.gate != tracking::Gate::kUnregistered;
   if (!snapshot.tip_cam.allFinite() || !snapshot.q_link_cam.allFinite()) return;
-  ++extent_.sightings;
+  ++extent_.observations;
   cameras_.push_back(snapshot);
 }
 
@@ -110,11 +110,11 @@ IdentificationData LiveRecording::data() {
     const std::lock_guard lock(mutex_);
     motors.swap(motors_);
     cameras.swap(cameras_);
-    if (anew_) {
+    if (restarted_) {
       collector_ = blank_;
       fed_ = 0;
     }
-    anew_ = false;
+    restarted_ = false;
   }
   if (!collector_) return {};
   feed(motors, cameras);

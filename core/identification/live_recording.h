@@ -15,14 +15,14 @@ namespace capstan::identification {
 
 /// How much a live recording holds.
 struct LiveExtent {
-  double seconds = 0.0;         ///< from the first motor sample to the newest, pauses included
-  std::uint64_t motors = 0;     ///< motor samples
-  std::uint64_t cameras = 0;    ///< camera samples, the tip seen or not
-  std::uint64_t sightings = 0;  ///< of these, with the tip seen and within reach
-  std::uint64_t restarts = 0;   ///< times that what was held became worthless: see LiveRecording::take()
-  bool motor_failed = false;    ///< an encoder has failed; from then on nothing is taken
-  bool registered = true;       ///< frames can be turned into joint angles, as far as the newest one tells
-  bool full = false;            ///< the longest was reached, nothing more is taken
+  double seconds = 0.0;            ///< from the first motor sample to the newest, pauses included
+  std::uint64_t motors = 0;        ///< motor samples
+  std::uint64_t cameras = 0;       ///< camera samples, the tip seen or not
+  std::uint64_t observations = 0;  ///< of these, with the tip seen and within reach
+  std::uint64_t restarts = 0;      ///< times that what was held became worthless: see LiveRecording::take()
+  bool motor_failed = false;       ///< an encoder has failed; from then on nothing is taken
+  bool registered = true;          ///< frames can be turned into joint angles, as far as the newest one tells
+  bool full = false;               ///< the longest was reached, nothing more is taken
 };
 
 /// In plain words: what has come, or why nothing has.
@@ -56,7 +56,7 @@ class LiveRecording {
     std::array<tracking::MotorFault, 3> failed;
   };
 
-  void beginAnew();
+  void restart();
   void takeMotors(const tracking::Snapshot& snapshot);
   void feed(const std::vector<Motor>& motors, const std::vector<tracking::Snapshot>& cameras);
 
@@ -66,7 +66,7 @@ class LiveRecording {
   std::vector<Motor> motors_;
   std::vector<tracking::Snapshot> cameras_;
   std::optional<DataCollector> blank_;  ///< of the present pipeline
-  bool anew_ = false;                   ///< data() starts from blank_
+  bool restarted_ = false;              ///< data() starts from blank_
   std::string robot_;
   std::optional<Eigen::Isometry3d> registration_;
   double first_ = 0.0, last_ = 0.0;

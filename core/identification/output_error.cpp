@@ -58,14 +58,14 @@ bool OutputError::evaluate(const Vector& x, Vector& residuals, Eigen::MatrixXd* 
 Matrix3d OutputError::residualByJoint(const Vector& x, int k) const {
   const CameraPose camera = pose(x);
   const ArmPrediction& arm = predictions_[static_cast<std::size_t>(k)];
-  return -whitening_[static_cast<std::size_t>(k)] * (Matrix3d::Identity() + crossMatrix(camera.turn)) *
+  return -whitening_[static_cast<std::size_t>(k)] * (Matrix3d::Identity() + crossMatrix(camera.rotation)) *
          arm_.tipJacobian(arm.q - camera.delay * arm.dq);
 }
 
 void OutputError::compare(const Vector& x, Vector& residuals, Eigen::MatrixXd* jacobian) const {
   const int n = set_.size();
   const CameraPose camera = pose(x);
-  const Matrix3d turned = Matrix3d::Identity() + crossMatrix(camera.turn);
+  const Matrix3d rotated = Matrix3d::Identity() + crossMatrix(camera.rotation);
   residuals.resize(3 * observations());
   if (jacobian) jacobian->resize(3 * observations(), unknowns());
   for (int k = 0; k < observations(); ++k) {
@@ -75,7 +75,7 @@ void OutputError::compare(const Vector& x, Vector& residuals, Eigen::MatrixXd* j
     const Vector3d tip = arm_.tip(q);
     residuals.segment<3>(3 * k) = white * (observation(k).tip - camera.seen(tip, centre_));
     if (!jacobian) continue;
-    const Matrix3d by_joint = white * turned * arm_.tipJacobian(q);
+    const Matrix3d by_joint = white * rotated * arm_.tipJacobian(q);
     auto rows = jacobian->middleRows<3>(3 * k);
     rows.leftCols(n) = -by_joint * (arm.q_by_log - camera.delay * arm.dq_by_log).leftCols(n);
     rows.middleCols<3>(n) = white * crossMatrix(tip - centre_);

@@ -6,11 +6,11 @@
 namespace capstan::identification {
 
 void ScoreSpread::add(double t, const ParameterFilter::Innovation& innovation,
-                      const Eigen::Matrix3d& by_doubt) {
-  if (!started_) start_ = doubt_start_ = t;
+                      const Eigen::Matrix3d& by_discrepancy) {
+  if (!started_) start_ = discrepancy_start_ = t;
   started_ = true;
   if (t - start_ >= block_) close(t);
-  if (t - doubt_start_ >= doubt_memory_) closeDoubt(t);
+  if (t - discrepancy_start_ >= discrepancy_memory_) closeDiscrepancy(t);
   // The score is of the innovation as the filter would have whitened it: covariance R + H P Hᵀ is near R once
   // P is small, and before that blocks say little.
   const Eigen::Matrix3d inverse =
@@ -18,7 +18,7 @@ void ScoreSpread::add(double t, const ParameterFilter::Innovation& innovation,
   const auto& h = innovation.by_unknown;
   score_ += h.transpose() * inverse * innovation.value;
   block_information_ += h.transpose() * inverse * h;
-  doubt_score_ += h.transpose() * inverse * by_doubt;
+  discrepancy_score_ += h.transpose() * inverse * by_discrepancy;
 }
 
 void ScoreSpread::close(double t) {
@@ -31,20 +31,21 @@ void ScoreSpread::close(double t) {
   start_ = t;
 }
 
-void ScoreSpread::closeDoubt(double t) {
-  doubt_ = std::exp(-(t - doubt_start_) / memory_) * doubt_ + doubt_score_ * doubt_score_.transpose();
-  doubt_score_.setZero();
-  doubt_start_ = t;
+void ScoreSpread::closeDiscrepancy(double t) {
+  discrepancy_ = std::exp(-(t - discrepancy_start_) / memory_) * discrepancy_ +
+                 discrepancy_score_ * discrepancy_score_.transpose();
+  discrepancy_score_.setZero();
+  discrepancy_start_ = t;
 }
 
 ScoreSpread::Unknowns ScoreSpread::factors(const Square& covariance) const {
   constexpr double kFewest = 5.0;
   if (blocks_ < kFewest) return Unknowns::Ones();
-  const Square believed = covariance * information_ * covariance, found = covariance * meat_ * covariance,
-               doubted = covariance * doubt_ * covariance;
+  const Square stated = covariance * information_ * covariance, found = covariance * meat_ * covariance,
+               discrepant = covariance * discrepancy_ * covariance;
   Unknowns factor;
   for (int i = 0; i < factor.size(); ++i) {
-    const double noise = believed(i, i), most = std::max(found(i, i), noise + doubted(i, i));
+    const double noise = stated(i, i), most = std::max(found(i, i), noise + discrepant(i, i));
     factor(i) = noise > 0.0 ? std::sqrt(std::max(1.0, most / noise)) : 1.0;
   }
   return factor;

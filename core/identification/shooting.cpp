@@ -47,7 +47,7 @@ LinkTangents unstretched(const tracking::CableArmConstants& c, const TangentOrde
   return x;
 }
 
-/// A hysteresis of each cable that the model does not know (model_doubt.h): a force that grows with the
+/// A hysteresis of each cable that the model does not know (model_discrepancy.h): a force that grows with the
 /// stretch and slips where it would exceed what Coulomb friction holds, Prandtl's stop operator
 ///     z ← clamp(z + Δ stretch / yield, −1, 1),
 /// and the link's first-order way there, held back by its damping and by friction that creeps,
@@ -102,21 +102,21 @@ MotorStep motorStep(const MotorTrack& motors, const tracking::CableArmConstants&
 int stepsFor(double rate, double dt) { return std::max(1, static_cast<int>(std::ceil(0.5 * rate * dt))); }
 
 /// Motor samples without a gap, and the warm-up within them.
-struct Stretch {
+struct Segment {
   std::size_t first = 0, last = 0;
   double warm_up = 0.0;
 };
 
-std::vector<Stretch> stretchesOf(const MotorTrack& motors, const ParameterSet& set, double warm_up) {
+std::vector<Segment> segmentsOf(const MotorTrack& motors, const ParameterSet& set, double warm_up) {
   const double forgotten = std::clamp(kWarmUpTimes * set.slowestTime(), kShortestWarmUp, kLongestWarmUp);
-  std::vector<Stretch> all;
+  std::vector<Segment> all;
   for (std::size_t i = 0; i < motors.size(); ++i) {
     if (all.empty() || motors.t[i] - motors.t[i - 1] > kMotorGap) all.push_back({i, i});
     all.back().last = i;
   }
-  for (Stretch& stretch : all) {
-    const double third = (motors.t[stretch.last] - motors.t[stretch.first]) / 3.0;
-    stretch.warm_up = warm_up > 0.0 ? warm_up : std::min(forgotten, third);
+  for (Segment& segment : all) {
+    const double third = (motors.t[segment.last] - motors.t[segment.first]) / 3.0;
+    segment.warm_up = warm_up > 0.0 ? warm_up : std::min(forgotten, third);
   }
   return all;
 }
@@ -128,17 +128,17 @@ Shooting::Shooting(const IdentificationData& data, const ParameterSet& set, cons
   const MotorTrack& motors = data.motors;
   if (motors.size() < 2) return;
   std::size_t i = 0;
-  for (const Stretch& stretch : stretchesOf(motors, set, options.warm_up)) {
-    const double from = motors.t[stretch.first] + stretch.warm_up, to = motors.t[stretch.last];
+  for (const Segment& segment : segmentsOf(motors, set, options.warm_up)) {
+    const double from = motors.t[segment.first] + segment.warm_up, to = motors.t[segment.last];
     bool fresh = true;
     for (; i < data.cameras.size() && data.cameras[i].t <= to; ++i) {
       const CameraObservation& seen = data.cameras[i];
       if (!seen.open || seen.t < from) continue;
       if (fresh || seen.t - data.cameras[used_[pieces_.back().first]].t >= options.segment)
-        pieces_.push_back({used_.size(), used_.size(), motors.at(seen.t - stretch.warm_up)});
+        pieces_.push_back({used_.size(), used_.size(), motors.at(seen.t - segment.warm_up)});
       fresh = false;
       used_.push_back(i);
-      stretch_.push_back(stretch.first);
+      segment_.push_back(segment.first);
       pieces_.back().last = used_.size();
     }
   }

@@ -45,7 +45,7 @@ class Shooting {
   /// Indices into data.cameras of the observations in use: gate open, warmed up.
   const std::vector<std::size_t>& used() const { return used_; }
   /// used()[k] stands in the same stretch of motor samples as used()[k − 1]: no gap between them.
-  bool continues(std::size_t k) const { return k > 0 && stretch_[k] == stretch_[k - 1]; }
+  bool continues(std::size_t k) const { return k > 0 && segment_[k] == segment_[k - 1]; }
 
   /// One prediction per used() observation. False: cancelled.
   bool predict(const ParameterSet::Logs& logs, bool derivatives, std::vector<ArmPrediction>& out,
@@ -63,7 +63,7 @@ class Shooting {
   const ParameterSet& set_;
   ShootingOptions options_;
   std::vector<std::size_t> used_;
-  std::vector<std::size_t> stretch_;  ///< motor sample that the stretch of a used() observation begins with
+  std::vector<std::size_t> segment_;  ///< motor sample that the stretch of a used() observation begins with
   std::vector<Piece> pieces_;
 };
 

@@ -6,7 +6,7 @@ namespace capstan::live {
 
 /// Cameras blocked for `percentage` of the time, in intervals of `interval` seconds at equal spacing (UKF
 /// paper, section V-D: 10, 20, 40, 60 and 80 % in intervals of 2 s). The period is interval / share; it
-/// begins with sight.
+/// begins with observation.
 struct OcclusionSchedule {
   double percentage = 0.0;  ///< 0…100; 0: never
   double interval = 2.0;    ///< [s]

@@ -11,7 +11,7 @@
 #include "core/base/due_times.h"
 #include "core/base/yaml.h"
 #include "core/live/blocking.h"
-#include "core/live/pacer.h"
+#include "core/live/playback_clock.h"
 #include "core/live/publisher.h"
 #include "core/live/rate_meter.h"
 #include "core/live/recording_slot.h"
@@ -25,7 +25,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr double kStepWithoutCameras = 1.0 / 15.0;  // [s]
 constexpr auto kReportPeriod = std::chrono::milliseconds(100);
-constexpr auto kPicturePeriod = std::chrono::milliseconds(30);
+constexpr auto kImagePeriod = std::chrono::milliseconds(30);
 }  // namespace
 
 class Runner::Impl {
@@ -276,9 +276,9 @@ class Runner::Impl {
     const auto* frame = std::get_if<tracking::StereoFrame>(&sample_);
     if (!frame) return;
     const auto now = Clock::now();
-    const bool paced = mode_ == Mode::kStep || speed_ > 0.0;
-    if (!paced && !publisher_.framesTaken() && now - pictured_ < kPicturePeriod) return;
-    pictured_ = now;
+    const bool at_rate = mode_ == Mode::kStep || speed_ > 0.0;
+    if (!at_rate && !publisher_.framesTaken() && now - imaged_ < kImagePeriod) return;
+    imaged_ = now;
     publisher_.publish(*frame, snapshot);
   }
 
@@ -338,9 +338,9 @@ class Runner::Impl {
   RecordingSlot recording_{options_.estimate_rate};
   Listener listener_;
   tracking::TrackReport report_;
-  Pacer pacer_;
+  PlaybackClock pacer_;
   RateMeter meter_;
-  Clock::time_point reported_{}, pictured_{};
+  Clock::time_point reported_{}, imaged_{};
 
   mutable std::mutex mutex_;  ///< everything below
   std::condition_variable wake_, idle_;

@@ -2,7 +2,7 @@
 
 #include <cblas.h>
 
-#include <cassert>
+#include "core/base/check.h"
 
 // OpenBLAS carries LAPACK; its Fortran names need no header of their own.
 extern "C" {
@@ -16,7 +16,7 @@ namespace {
 int size(Eigen::Index n) { return static_cast<int>(n); }
 
 void solveTriangle(const Eigen::MatrixXd& l, Eigen::Ref<Eigen::MatrixXd> b, CBLAS_TRANSPOSE transposed) {
-  assert(l.rows() == l.cols() && l.rows() == b.rows());
+  CAPSTAN_ASSERT(l.rows() == l.cols() && l.rows() == b.rows());
   if (b.size() == 0) return;
   cblas_dtrsm(CblasColMajor, CblasLeft, CblasLower, transposed, CblasNonUnit, size(b.rows()), size(b.cols()),
               1.0, l.data(), size(l.rows()), b.data(), size(b.outerStride()));
@@ -34,7 +34,7 @@ void squareInto(double scale, const Eigen::MatrixXd& a, double before, Eigen::Ma
 void setDenseThreads(int threads) { openblas_set_num_threads(threads); }
 
 bool choleskyInPlace(Eigen::MatrixXd& a) {
-  assert(a.rows() == a.cols());
+  CAPSTAN_ASSERT(a.rows() == a.cols());
   const int n = size(a.rows());
   int info = 0;
   if (n > 0) dpotrf_("L", &n, a.data(), &n, &info);
@@ -45,7 +45,7 @@ void invertFromCholesky(Eigen::MatrixXd& l) {
   const int n = size(l.rows());
   int info = 0;
   if (n > 0) dpotri_("L", &n, l.data(), &n, &info);
-  assert(info == 0);
+  CAPSTAN_ASSERT(info == 0);
 }
 
 void solveLower(const Eigen::MatrixXd& l, Eigen::Ref<Eigen::MatrixXd> b) {
@@ -57,18 +57,18 @@ void solveLowerTransposed(const Eigen::MatrixXd& l, Eigen::Ref<Eigen::MatrixXd> 
 }
 
 void addSquare(double scale, const Eigen::MatrixXd& a, Eigen::MatrixXd& c) {
-  assert(c.rows() == a.rows() && c.cols() == a.rows());
+  CAPSTAN_ASSERT(c.rows() == a.rows() && c.cols() == a.rows());
   squareInto(scale, a, 1.0, c);
 }
 
 void setSquare(double scale, const Eigen::MatrixXd& a, Eigen::MatrixXd& c) {
-  assert(&a != &c);
+  CAPSTAN_ASSERT(&a != &c);
   c.resize(a.rows(), a.rows());
   squareInto(scale, a, 0.0, c);
 }
 
 Eigen::MatrixXd timesSymmetric(const Eigen::MatrixXd& s, const Eigen::MatrixXd& b) {
-  assert(s.rows() == s.cols() && s.cols() == b.rows());
+  CAPSTAN_ASSERT(s.rows() == s.cols() && s.cols() == b.rows());
   Eigen::MatrixXd c(b.rows(), b.cols());
   if (c.size() > 0)
     cblas_dsymm(CblasColMajor, CblasLeft, CblasLower, size(b.rows()), size(b.cols()), 1.0, s.data(),
@@ -77,7 +77,7 @@ Eigen::MatrixXd timesSymmetric(const Eigen::MatrixXd& s, const Eigen::MatrixXd& 
 }
 
 Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, bool transposed) {
-  assert(a.cols() == (transposed ? b.cols() : b.rows()));
+  CAPSTAN_ASSERT(a.cols() == (transposed ? b.cols() : b.rows()));
   Eigen::MatrixXd c(a.rows(), transposed ? b.rows() : b.cols());
   if (a.cols() == 0) c.setZero();
   if (c.size() > 0 && a.cols() > 0)

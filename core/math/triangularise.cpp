@@ -1,6 +1,6 @@
 #include "core/math/triangularise.h"
 
-#include <cassert>
+#include "core/base/check.h"
 
 namespace capstan::math {
 
@@ -13,7 +13,7 @@ void triangulariseAvx512(double* a, int rows, int columns, double* lower);
 }  // namespace detail
 
 TriangulariseKernel triangulariseKernel(InstructionSet set) {
-  assert(isAvailable(set));
+  CAPSTAN_CHECK(isAvailable(set));
 #ifdef CAPSTAN_X86_KERNELS
   if (set == InstructionSet::kAvx512) return detail::triangulariseAvx512;
   if (set == InstructionSet::kAvx2) return detail::triangulariseAvx2;

@@ -6,11 +6,11 @@ extern "C" {
 }
 
 #include <algorithm>
-#include <cassert>
 #include <cstring>
 #include <opencv2/core.hpp>
 #include <stdexcept>
 
+#include "core/base/check.h"
 #include "core/base/error.h"
 
 namespace capstan::recording {
@@ -86,7 +86,7 @@ class FrameEncoder::Impl {
   const CodecParameters& parameters() const { return parameters_; }
 
   std::span<const std::uint8_t> encode(const cv::Mat& bgr) {
-    assert(bgr.type() == CV_8UC3 && bgr.cols == parameters_.width && bgr.rows == parameters_.height);
+    CAPSTAN_CHECK(bgr.type() == CV_8UC3 && bgr.cols == parameters_.width && bgr.rows == parameters_.height);
     if (av_frame_make_writable(frame_.get()) < 0) throw std::bad_alloc();
     auto planes = planesOf(*frame_, bgr.cols);
     cv::split(bgr, planes.data());

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cassert>
 #include <cmath>
 
+#include "core/base/check.h"
 #include "core/base/error.h"
 #include "core/base/yaml.h"
 #include "core/learning/poses/screen_poses.h"
@@ -56,11 +56,11 @@ learning::StampedPose poseOf(const Columns& columns, std::size_t row, const std:
     if (!std::isfinite(columns.part[i][row]))
       refuse(file, pose.row, kParts[i], columns.part[i][row], "is no number", "Give every row a whole pose");
   const auto part = [&](std::size_t i) { return columns.part[i][row]; };
-  const Eigen::Quaterniond turn(part(6), part(3), part(4), part(5));
-  if (std::abs(turn.norm() - 1.0) > learning::kNorm)
-    refuse(file, pose.row, "qw", turn.norm(), "is the norm of the quaternion, which must be 1",
+  const Eigen::Quaterniond rotation(part(6), part(3), part(4), part(5));
+  if (std::abs(rotation.norm() - 1.0) > learning::kNorm)
+    refuse(file, pose.row, "qw", rotation.norm(), "is the norm of the quaternion, which must be 1",
            "Give unit quaternions as x, y, z, w");
-  pose.pose.linear() = turn.normalized().toRotationMatrix();
+  pose.pose.linear() = rotation.normalized().toRotationMatrix();
   pose.pose.translation() = Eigen::Vector3d(part(0), part(1), part(2));
   return pose;
 }
@@ -102,6 +102,18 @@ std::vector<learning::State> statesOf(const PosePaths& paths) {
   return all;
 }
 
+namespace {
+
+/// x, y, z, qx, qy, qz, qw
+std::string poseCells(const Eigen::Isometry3d& pose) {
+  const Eigen::Vector3d p = pose.translation();
+  const Eigen::Vector4d q = Eigen::Quaterniond(pose.linear()).coeffs();
+  return fmt::format("{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}", p.x(), p.y(), p.z(), q.x(), q.y(),
+                     q.z(), q.w());
+}
+
+}  // namespace
+
 std::string formatCorrected(const PosePaths& paths, const std::vector<learning::Corrected>& corrected) {
   std::string text = "traj,";
   if (paths.timed) text += "t_s,";
@@ -109,17 +121,37 @@ std::string formatCorrected(const PosePaths& paths, const std::vector<learning::
   std::size_t k = 0;
   for (const PosePath& path : paths.paths)
     for (const learning::StampedPose& pose : path.poses) {
-      assert(k < corrected.size());
+      CAPSTAN_ASSERT(k < corrected.size());
       const learning::Corrected& one = corrected[k++];
       text += fmt::format("{},", path.trajectory);
       if (paths.timed) text += fmt::format("{},", pose.t);
-      const Eigen::Vector3d p = one.pose.translation();
-      const Eigen::Vector4d q = Eigen::Quaterniond(one.pose.linear()).coeffs();
-      text += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}", p.x(), p.y(), p.z(), q.x(),
-                          q.y(), q.z(), q.w());
+      text += poseCells(one.pose);
       for (const double sigma : one.sigma) text += fmt::format(",{:.4g}", sigma);
       text += fmt::format(",{:.4f}\n", one.confidence);
     }
+  return text;
+}
+
+std::vector<std::vector<learning::Waypoint>> plannedMotions(const PosePaths& paths, const std::string& file) {
+  if (!paths.timed)
+    throw base::InputError(
+        {file, 1, "t_s", {}, "is missing: a path has a time at each waypoint", "Add the column"});
+  std::vector<std::vector<learning::Waypoint>> motions;
+  for (const PosePath& path : paths.paths) {
+    std::vector<learning::Waypoint>& motion = motions.emplace_back();
+    for (const learning::StampedPose& pose : path.poses) motion.push_back({pose.t, pose.pose});
+  }
+  return motions;
+}
+
+std::string formatCommands(const PosePaths& paths,
+                           const std::vector<std::vector<learning::CorrectedWaypoint>>& commands) {
+  CAPSTAN_CHECK(commands.size() == paths.paths.size());
+  std::string text = "traj,t_s,x,y,z,qx,qy,qz,qw,confidence\n";
+  for (std::size_t m = 0; m < commands.size(); ++m)
+    for (const learning::CorrectedWaypoint& waypoint : commands[m])
+      text += fmt::format("{},{},{},{:.4f}\n", paths.paths[m].trajectory, waypoint.t,
+                          poseCells(waypoint.command), waypoint.confidence);
   return text;
 }
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/learning/model/correction_model.h"
+#include "core/learning/model/command_correction.h"
 
 namespace capstan::recording {
 
@@ -33,5 +33,12 @@ std::vector<learning::State> statesOf(const PosePaths& paths);
 /// Table of what to ask for, a line a row of the paths: traj, t_s (where timed), x, y, z, qx, qy, qz, qw,
 /// then standard deviations sigma_x … [m] and sigma_rx … [rad] in the tool's frame, and confidence.
 std::string formatCorrected(const PosePaths& paths, const std::vector<learning::Corrected>& corrected);
+
+/// The paths as planned motions. base::InputError with `file`: they have no t_s.
+std::vector<std::vector<learning::Waypoint>> plannedMotions(const PosePaths& paths, const std::string& file);
+/// Table of commands along motions, a line a waypoint: traj, t_s, x, y, z, qx, qy, qz, qw, confidence.
+/// `commands` has one path for each of `paths`.
+std::string formatCommands(const PosePaths& paths,
+                           const std::vector<std::vector<learning::CorrectedWaypoint>>& commands);
 
 }  // namespace capstan::recording

@@ -59,8 +59,8 @@ void check(const Columns& columns, const std::string& file) {
   const bool robot = !columns.streams[1].stamp.empty(), command = !columns.streams[2].stamp.empty();
   for (std::size_t s = 0; s < columns.streams.size(); ++s) {
     const StreamColumns& stream = columns.streams[s];
-    const bool wanted = s == 0 || !stream.stamp.empty() || (!robot && !command);
-    if (!wanted) continue;
+    const bool desired = s == 0 || !stream.stamp.empty() || (!robot && !command);
+    if (!desired) continue;
     need(stream.stamp, fmt::format("t_{}_s", kStreamPrefixes[s]), file);
     const std::size_t parts = stream.turns() ? kParts.size() : kPositions;
     for (std::size_t i = 0; i < parts; ++i)

@@ -4,9 +4,9 @@
 
 #include "core/base/error.h"
 #include "core/recording/csv.h"
-#include "core/recording/settle_units.h"
 #include "core/recording/raven_motors.h"
 #include "core/recording/session_file.h"
+#include "core/recording/settle_units.h"
 
 namespace capstan::recording {
 namespace {

@@ -151,7 +151,7 @@ class Recorder::Impl {
   }
 
   void write() {
-    constexpr double kLookInterval = 0.25;  // [s]
+    constexpr double kCheckInterval = 0.25;  // [s]
     Clock::time_point looked = Clock::now();
     for (bool last = false; !last || records_.front();) {
       {
@@ -163,9 +163,9 @@ class Recorder::Impl {
         commitQueued();
       else
         discardQueued();
-      if (!finished_ && secondsBetween(looked, Clock::now()) > kLookInterval) {
+      if (!finished_ && secondsBetween(looked, Clock::now()) > kCheckInterval) {
         looked = Clock::now();
-        lookAtDisk();
+        checkDisk();
       }
     }
   }
@@ -246,7 +246,7 @@ class Recorder::Impl {
     stats_.bytes = writer_.rowBytes();
     stats_.log_bytes = checkpointer_.logBytes();
     stats_.worst_commit = std::max(stats_.worst_commit, secondsBetween(committing, now));
-    stats_.worst_age = std::max(stats_.worst_age, secondsBetween(oldest, now));
+    stats_.worst_backlog = std::max(stats_.worst_backlog, secondsBetween(oldest, now));
     if (writer_.images() > 0)
       stats_.encode_time = writer_.encodeSeconds() / static_cast<double>(writer_.images());
   }
@@ -262,7 +262,7 @@ class Recorder::Impl {
     }
   }
 
-  void lookAtDisk() {
+  void checkDisk() {
     std::error_code fault;
     const DiskSpace now = space();
     if (!std::filesystem::exists(path_, fault))

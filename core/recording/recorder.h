@@ -51,7 +51,7 @@ struct RecorderStats {
   double time_left = 0.0;            ///< until then at the present rate [s]; 0: not known yet
   std::uint64_t log_bytes = 0;       ///< write-ahead log not yet in the main file
   double worst_commit = 0.0;         ///< longest commit [s]
-  double worst_age = 0.0;            ///< oldest row at its commit: from offer to commit [s]
+  double worst_backlog = 0.0;        ///< oldest row at its commit: from offer to commit [s]
   double encode_time = 0.0;          ///< processor time of frame encoding, mean a frame [s]
 };
 

@@ -7,9 +7,9 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "core/recording/settle_units.h"
 #include "core/recording/read_table.h"
 #include "core/recording/session_source.h"
+#include "core/recording/settle_units.h"
 
 namespace capstan::recording {
 namespace {

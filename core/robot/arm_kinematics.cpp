@@ -1,10 +1,10 @@
 #include "core/robot/arm_kinematics.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <numbers>
 
+#include "core/base/check.h"
 #include "core/robot/kinematics.h"
 #include "core/robot/remote_centre.h"
 
@@ -71,7 +71,7 @@ Vector3d ArmKinematics::tip(const Vector3d& q) const {
 }
 
 Isometry3d ArmKinematics::frame(int i, const Vector3d& q) const {
-  assert(i >= 0 && i <= 3);
+  CAPSTAN_ASSERT(i >= 0 && i <= 3);
   Matrix3d rotation = Matrix3d::Identity();
   const std::array<Turn, 3> theta = {turnOf(theta1_ + q[0]), turnOf(theta2_ + q[1]), theta3_};
   for (std::size_t k = 0; k < static_cast<std::size_t>(i); ++k) {
@@ -178,7 +178,7 @@ base::Result<Vector3d, ReachFault> ArmKinematics::solvePosition(const Vector3d& 
 }
 
 Isometry3d ArmKinematics::toolPose(const Vector6d& q) const {
-  assert(has_wrist_);
+  CAPSTAN_ASSERT(has_wrist_);
   const double right_angle = 0.5 * std::numbers::pi;
   const JointTransform roll({0.0, 0.0, d4_, theta4_}, JointType::kRevolute);
   const JointTransform wrist({sign5_ * right_angle, 0.0, 0.0, theta5_}, JointType::kRevolute);
@@ -191,7 +191,7 @@ Isometry3d ArmKinematics::toolPose(const Vector6d& q) const {
 /// centre and p5, so z5 · p5 = 0 = sin phi_6 (Rᵀp)_x + cos phi_6 (Rᵀp)_y. Two phi_6 half a turn apart; each
 /// p5 then has its four branches.
 ArmKinematics::PoseBranches ArmKinematics::poseBranches(const Isometry3d& pose) const {
-  assert(has_wrist_);
+  CAPSTAN_ASSERT(has_wrist_);
   PoseBranches branches;
   const Matrix3d rotation = pose.linear();
   const Vector3d seen = rotation.transpose() * pose.translation();

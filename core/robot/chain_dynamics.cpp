@@ -1,7 +1,8 @@
 #include "core/robot/chain_dynamics.h"
 
 #include <Eigen/Cholesky>
-#include <cassert>
+
+#include "core/base/check.h"
 
 namespace capstan::robot {
 namespace {
@@ -104,7 +105,7 @@ ChainDynamics::ChainDynamics(const Description& description)
 JointVector ChainDynamics::inverse(const JointVector& q, const JointVector& dq,
                                    const JointVector& ddq) const {
   const int n = size();
-  assert(q.size() == n && dq.size() == n && ddq.size() == n);
+  CAPSTAN_ASSERT(q.size() == n && dq.size() == n && ddq.size() == n);
   std::array<Isometry3d, kMaxJoints> joints;
   std::array<Wrench, kMaxJoints> wrenches;
   Motion motion;
@@ -133,7 +134,7 @@ JointVector ChainDynamics::bias(const JointVector& q, const JointVector& dq) con
 
 JointMatrix ChainDynamics::massMatrix(const JointVector& q) const {
   const int n = size();
-  assert(q.size() == n);
+  CAPSTAN_ASSERT(q.size() == n);
   std::array<Isometry3d, kMaxJoints> joints;
   for (int i = 0; i < n; ++i) joints[static_cast<std::size_t>(i)] = chain_.joint(i).at(q[i]);
   JointMatrix mass(n, n);

@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "core/base/resource.h"
 #include "core/base/yaml.h"
 #include "core/robot/arm_kinematics.h"
 #include "core/robot/check_effects.h"
@@ -90,6 +91,12 @@ Description parseDescription(const std::string& text, const std::string& name) {
 
 Description readDescription(const std::filesystem::path& path) {
   return parseDescription(base::readTextFile(path), path.string());
+}
+
+Description defaultDescription() { return readDescription(base::resource("robots/raven2_left.yaml")); }
+
+Description readDescriptionOrDefault(const std::filesystem::path& path) {
+  return path.empty() ? defaultDescription() : readDescription(path);
 }
 
 std::string formatDescription(const Description& description) { return base::writeYaml(description); }

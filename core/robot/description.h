@@ -159,6 +159,12 @@ struct Description {
 /// limits, effects that are known, complete and within their bounds. Throws base::InputError naming file,
 /// line, key, value and remedy.
 Description readDescription(const std::filesystem::path& path);
+
+/// The robot that is meant where none is named: the left arm of a RAVEN-II,
+/// resources/robots/raven2_left.yaml.
+Description defaultDescription();
+/// readDescription(); of an empty path defaultDescription().
+Description readDescriptionOrDefault(const std::filesystem::path& path);
 /// The same from text; `name` stands for the file in errors.
 Description parseDescription(const std::string& text, const std::string& name);
 /// The robot file of `description`; parseDescription() of it gives it back to the last bit.

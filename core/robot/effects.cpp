@@ -31,6 +31,10 @@ std::vector<EffectFacts> transmissionEffects() {
                {"other", "", 1.0, 7.0, "joint whose motion is carried over, from 1"}}),
       factsOf("homing_offset", kCableDrive,
               {{"offset", "rad or m", -3.2, 3.2, "added to q_hs, the position at the hard stop"}}),
+      factsOf(
+          "zero_drift", kCableDrive,
+          {{"drift", "rad or m", -3.2, 3.2, "that is added to q_hs in the long run"},
+           {"time_constant", "s", 1e-3, 1e6, "with which it gets there, from the begin of the recording"}}),
       factsOf("encoder_slip", kCableDrive,
               {{"slip", "rad", -1e3, 1e3, "by which the motor's reading falls short from then on"},
                {"time", "s", 0.0, 1e6, "when it slips, since the begin of the recording"}}),

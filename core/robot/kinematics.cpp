@@ -1,7 +1,8 @@
 #include "core/robot/kinematics.h"
 
-#include <cassert>
 #include <cmath>
+
+#include "core/base/check.h"
 
 namespace capstan::robot {
 
@@ -22,13 +23,13 @@ Eigen::Isometry3d JointTransform::at(double q) const {
 }
 
 Chain::Chain(const Description& description) : size_(description.size()), marker_(description.marker) {
-  assert(size_ >= 1 && size_ <= kMaxJoints);
+  CAPSTAN_CHECK(size_ >= 1 && size_ <= kMaxJoints);
   for (int i = 0; i < size_; ++i)
     joints_[static_cast<std::size_t>(i)] = JointTransform(description.joints[static_cast<std::size_t>(i)]);
 }
 
 Eigen::Isometry3d Chain::linkPose(int link, const JointVector& q) const {
-  assert(link >= 0 && link <= size_ && q.size() == size_);
+  CAPSTAN_ASSERT(link >= 0 && link <= size_ && q.size() == size_);
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   for (int i = 0; i < link; ++i) pose = pose * joint(i).at(q[i]);
   return pose;

@@ -1,13 +1,14 @@
 #include "core/robot/transmission.h"
 
 #include <Eigen/LU>
-#include <cassert>
+
+#include "core/base/check.h"
 
 namespace capstan::robot {
 
 Transmission::Transmission(const Description& description) {
   const int n = description.size();
-  assert(n >= 1 && n <= kMaxJoints);
+  CAPSTAN_CHECK(n >= 1 && n <= kMaxJoints);
   homing_.resize(n);
   motor_radius_.resize(n);
   link_radius_.resize(n);

@@ -39,12 +39,12 @@ cv::Mat lightField(int width, int height, double unevenness, base::Random& rando
   return light;
 }
 
-void addDistractors(cv::Mat& image, const ImageTruth& look, base::Random& random) {
+void addDistractors(cv::Mat& image, const ImageTruth& appearance, base::Random& random) {
   constexpr double kMargin = 0.18, kBorder = 0.03, kMiddle = 0.3;  // of the width: where they stand
   constexpr int kFraction = 4;  // bits of a pixel in OpenCV's drawing coordinates
-  const Eigen::Vector3f colour = bgrOf(look.marker_hue + look.distractor_hue, 165.0, 190.0);
+  const Eigen::Vector3f colour = bgrOf(appearance.marker_hue + appearance.distractor_hue, 165.0, 190.0);
   constexpr int kRings = 10;
-  for (int i = 0; i < look.distractors; ++i) {
+  for (int i = 0; i < appearance.distractors; ++i) {
     const double inset = random.uniform(kBorder, kMargin) * image.cols;
     const double within = random.uniform(kMiddle, 1.0 - kMiddle) * image.cols;
     const double u = i % 3 == 0 ? inset : i % 3 == 1 ? image.cols - inset : within;
@@ -73,30 +73,30 @@ Eigen::Vector3f bgrOf(double hue, double saturation, double value) {
   return {channel(1.0), channel(3.0), channel(5.0)};
 }
 
-Background makeBackground(int picture_width, int height, const ImageTruth& look, std::uint64_t seed,
+Background makeBackground(int image_width, int height, const ImageTruth& appearance, std::uint64_t seed,
                           int shift) {
-  const int width = picture_width + kSceneMargin;
+  const int width = image_width + kSceneMargin;
   base::Random random(seed, "background");
   const cv::Mat relief = octaves(width, height, random), veins = octaves(width, height, random);
   Background made;
-  made.light = lightField(width, height, look.unevenness, random);
+  made.light = lightField(width, height, appearance.unevenness, random);
   made.image.create(height, width, CV_8UC3);
   const Eigen::Vector3f flesh(105.0F, 115.0F, 175.0F), blood(-20.0F, -35.0F, -15.0F);
-  const auto contrast = static_cast<float>(look.texture);
+  const auto contrast = static_cast<float>(appearance.texture);
   for (int v = 0; v < height; ++v)
     for (int u = 0; u < width; ++u) {
       const float tone = 1.0F + 0.5F * contrast * relief.at<float>(v, u);
       const Eigen::Vector3f bgr = tone * flesh + contrast * std::max(0.0F, veins.at<float>(v, u)) * blood;
       for (int c = 0; c < 3; ++c) made.image.at<cv::Vec3b>(v, u)[c] = cv::saturate_cast<std::uint8_t>(bgr[c]);
     }
-  addDistractors(made.image, look, random);
+  addDistractors(made.image, appearance, random);
   for (int v = 0; v < height; ++v)
     for (int u = 0; u < width; ++u)
       for (int c = 0; c < 3; ++c) {
         std::uint8_t& value = made.image.at<cv::Vec3b>(v, u)[c];
         value = cv::saturate_cast<std::uint8_t>(made.light.at<float>(v, u) * static_cast<float>(value));
       }
-  const cv::Rect part(shift, 0, picture_width, height);
+  const cv::Rect part(shift, 0, image_width, height);
   return {made.image(part).clone(), made.light(part).clone()};
 }
 

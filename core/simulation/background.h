@@ -22,6 +22,6 @@ struct Background {
 /// Tissue-like texture of several octaves, lit from one side when the light is uneven, with the distractors
 /// at the left and right margins, outside the region in which the tool works. The picture begins `shift` [px]
 /// right of the left camera's, 0…kSceneMargin. Same seed, same bytes.
-Background makeBackground(int width, int height, const ImageTruth& look, std::uint64_t seed, int shift);
+Background makeBackground(int width, int height, const ImageTruth& appearance, std::uint64_t seed, int shift);
 
 }  // namespace capstan::simulation

@@ -31,16 +31,18 @@ ExtendedArm::ExtendedArm(const robot::Description& robot, const Truth& truth) : 
   }
 }
 
-ExtendedArm::Cables ExtendedArm::cablesOf(const Vector& x) const {
+ExtendedArm::Cables ExtendedArm::cablesOf(double t, const Vector& x) const {
   const robot::ChainNumbers<double>& p = model_.numbers;
+  robot::ZeroShift<double> zero[3];
+  for (int j = 0; j < 3; ++j) zero[j] = robot::zeroShiftAt(p.joints[j], t);
   Cables cables;
   for (int i = 0; i < 3; ++i) {
     const robot::JointNumbers<double>& joint = p.joints[i];
     const unsigned laws = model_.shape.laws[i];
     double travel = 0.0, speed = 0.0;
     for (int j = 0; j < 3; ++j) {
-      travel += p.coupling[i][j] * (x[6 + j] - p.joints[j].homing);
-      speed += p.coupling[i][j] * x[9 + j];
+      travel += p.coupling[i][j] * (x[6 + j] - p.joints[j].homing - zero[j].by);
+      speed += p.coupling[i][j] * (x[9 + j] - zero[j].rate);
     }
     const double lever = robot::motorLever(joint, laws, x[i]);
     const double stretch = robot::motorTravel(joint, laws, x[i]) - joint.link_radius * travel;
@@ -68,9 +70,9 @@ double ExtendedArm::friction(int joint, const Vector& x, double drive) const {
   return force + frictionForce(coulomb, excess, x[9 + joint]) - frictionForce(coulomb, {}, x[9 + joint]);
 }
 
-ExtendedArm::Vector ExtendedArm::derivative(const Vector& x, const Vector3d& torque) const {
+ExtendedArm::Vector ExtendedArm::derivative(double t, const Vector& x, const Vector3d& torque) const {
   const robot::ChainNumbers<double>& p = model_.numbers;
-  const Cables cables = cablesOf(x);
+  const Cables cables = cablesOf(t, x);
   robot::ChainBodies<double> bodies;
   robot::chainBodies<double>(model_.shape, p, x.data() + 6, x.data() + 9, bodies);
   double acceleration[robot::kChainJoints];
@@ -98,7 +100,7 @@ ExtendedArm::Vector ExtendedArm::derivative(const Vector& x, const Vector3d& tor
   return dx;
 }
 
-Vector3d ExtendedArm::cableForce(const Vector& x) const { return cablesOf(x).force; }
+Vector3d ExtendedArm::cableForce(double t, const Vector& x) const { return cablesOf(t, x).force; }
 
 Vector3d ExtendedArm::jointsFromMotors(const Vector3d& q_motor) const {
   return robot::jointsFromMotors(model_, q_motor);

@@ -21,10 +21,11 @@ class ExtendedArm {
   /// q_m, dq_m, q, dq, Bouc–Wen z of the truth, z of the effects, creep.
   static constexpr int kStates = 21;
   using Vector = Eigen::Matrix<double, kStates, 1>;
-  Vector derivative(const Vector& x, const Eigen::Vector3d& torque) const;
+  /// t from the begin of the recording [s].
+  Vector derivative(double t, const Vector& x, const Eigen::Vector3d& torque) const;
   /// gamma [N].
-  Eigen::Vector3d cableForce(const Vector& x) const;
-  /// Joints that unstretched cables give [rad or m].
+  Eigen::Vector3d cableForce(double t, const Vector& x) const;
+  /// Joints that unstretched cables give before the begin of the recording [rad or m].
   Eigen::Vector3d jointsFromMotors(const Eigen::Vector3d& q_motor) const;
 
   const robot::ChainModel& model() const { return model_; }
@@ -33,7 +34,7 @@ class ExtendedArm {
   struct Cables {
     Eigen::Vector3d force, lever, rate, loop_rate, creep_rate;
   };
-  Cables cablesOf(const Vector& x) const;
+  Cables cablesOf(double t, const Vector& x) const;
   double friction(int joint, const Vector& x, double drive) const;
 
   robot::ChainModel model_;

@@ -56,8 +56,9 @@ Plant::Plant(const robot::Description& nominal, const Truth& truth)
   reset(Eigen::Vector3d::Zero());
 }
 
-void Plant::reset(const Eigen::Vector3d& q_motor) {
+void Plant::reset(const Eigen::Vector3d& q_motor, double lead) {
   state_ = PlantState{};
+  state_.t = -lead;
   state_.q_motor = q_motor;
   if (extended_)
     state_.q_link = extended_->jointsFromMotors(q_motor);
@@ -79,7 +80,7 @@ ExtendedArm::Vector Plant::extendedState() const {
 }
 
 Eigen::Vector3d Plant::cableForce() const {
-  if (extended_) return extended_->cableForce(extendedState());
+  if (extended_) return extended_->cableForce(state_.t, extendedState());
   const Eigen::Vector3d stretch =
       motor_radius_.cwiseProduct(state_.q_motor) - travel_by_joint_ * (state_.q_link - homing_);
   const Eigen::Vector3d rate =
@@ -118,17 +119,21 @@ void Plant::step(const Eigen::Vector3d& torque, double dt) {
   const double h = dt / steps;
   if (extended_) {
     ExtendedArm::Vector x = extendedState();
-    const auto motion = [&](double, const ExtendedArm::Vector& at) { return extended_->derivative(at, cut); };
-    for (int i = 0; i < steps; ++i) x = math::rk4Step(motion, 0.0, x, h);
-    state_ = {x.segment<3>(0),  x.segment<3>(3),  x.segment<3>(6), x.segment<3>(9),
-              x.segment<3>(12), x.segment<3>(15), x.segment<3>(18)};
+    const auto motion = [&](double t, const ExtendedArm::Vector& at) {
+      return extended_->derivative(t, at, cut);
+    };
+    for (int i = 0; i < steps; ++i) x = math::rk4Step(motion, state_.t + i * h, x, h);
+    state_ = {x.segment<3>(0),  x.segment<3>(3),  x.segment<3>(6),  x.segment<3>(9),
+              x.segment<3>(12), x.segment<3>(15), x.segment<3>(18), state_.t + dt};
     return;
   }
   Vector x;
   x << state_.q_motor, state_.dq_motor, state_.q_link, state_.dq_link, state_.hysteresis;
   const auto motion = [&](double, const Vector& at) { return derivative(at, cut); };
   for (int i = 0; i < steps; ++i) x = math::rk4Step(motion, 0.0, x, h);
-  state_ = {x.segment<3>(0), x.segment<3>(3), x.segment<3>(6), x.segment<3>(9), x.segment<3>(12)};
+  const Eigen::Vector3d none = Eigen::Vector3d::Zero();
+  state_ = {x.segment<3>(0), x.segment<3>(3), x.segment<3>(6), x.segment<3>(9), x.segment<3>(12), none, none,
+            state_.t + dt};
 }
 
 }  // namespace capstan::simulation

@@ -20,6 +20,7 @@ struct PlantState {
   Eigen::Vector3d hysteresis = Eigen::Vector3d::Zero();  ///< Bouc–Wen z of each cable [m]
   Eigen::Vector3d loop = Eigen::Vector3d::Zero();        ///< that of a robot file's cable_hysteresis [m]
   Eigen::Vector3d creep = Eigen::Vector3d::Zero();       ///< of a robot file's cable_creep [m]
+  double t = 0.0;  ///< from the begin of the recording, for a robot file's zero_drift [s]
 };
 
 /// The three-joint arm as the truth has it, UKF paper (2)–(8) with more:
@@ -35,8 +36,9 @@ class Plant {
   /// Throws base::InputError for a robot that is no three-joint remote-centre arm, or not cable-driven.
   Plant(const robot::Description& nominal, const Truth& truth);
 
-  /// At rest with unstretched cables; the joints follow from the true transmission.
-  void reset(const Eigen::Vector3d& q_motor);
+  /// At rest with unstretched cables, `lead` [s] before the begin of the recording; the joints follow from
+  /// the true transmission.
+  void reset(const Eigen::Vector3d& q_motor, double lead = 0.0);
   void setState(const PlantState& state) { state_ = state; }
   /// Advances by `dt` [s] under constant motor torque [N·m], cut at the motors' limits.
   void step(const Eigen::Vector3d& torque, double dt);

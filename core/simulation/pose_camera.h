@@ -8,10 +8,10 @@
 namespace capstan::simulation {
 
 /// A pose as motion capture tells it; position 0 and no turn where it saw none.
-struct PoseSight {
+struct PoseObservation {
   double t = 0.0;  ///< stamp [s]
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  bool seen = false;
+  bool observed = false;
 };
 
 /// Motion capture of the lights on a tool:
@@ -23,7 +23,7 @@ class PoseCamera {
   PoseCamera(const PoseCameraTruth& truth, std::uint64_t seed);
 
   /// The tool's pose (frame 0) at `t` [s]; called once a sample, in the order of time.
-  PoseSight see(double t, const Eigen::Isometry3d& pose);
+  PoseObservation see(double t, const Eigen::Isometry3d& pose);
 
   /// Cameras' base frame from frame 0.
   const Eigen::Isometry3d& registration() const { return registration_; }

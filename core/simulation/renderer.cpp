@@ -16,11 +16,11 @@ constexpr int kDisparity = 42;  // of a background at 0.75 m: 650 px · 48 mm / 
 
 /// What drawing needs and outlines do not; made at the first picture.
 struct CameraRenderer::Drawing {
-  Drawing(const vision::Camera& camera, const SceneSizes& sizes, const ImageTruth& look, std::uint64_t seed,
-          int side)
-      : background(makeBackground(camera.width, camera.height, look, seed, side == 0 ? 0 : kDisparity)),
-        painter(camera, sizes, look, background.light),
-        noise(camera.width, camera.height, look.noise, look.exposure_noise,
+  Drawing(const vision::Camera& camera, const SceneSizes& sizes, const ImageTruth& appearance,
+          std::uint64_t seed, int side)
+      : background(makeBackground(camera.width, camera.height, appearance, seed, side == 0 ? 0 : kDisparity)),
+        painter(camera, sizes, appearance, background.light),
+        noise(camera.width, camera.height, appearance.noise, appearance.exposure_noise,
               2 * seed + static_cast<std::uint64_t>(side)) {}
 
   Background background;
@@ -29,12 +29,12 @@ struct CameraRenderer::Drawing {
 };
 
 CameraRenderer::CameraRenderer(const vision::Camera& camera, const Eigen::Isometry3d& camera_from_base,
-                               const SceneSizes& sizes, const ImageTruth& look, double exposure,
+                               const SceneSizes& sizes, const ImageTruth& appearance, double exposure,
                                std::uint64_t seed, int side)
     : camera_(camera),
       camera_from_base_(camera_from_base),
       sizes_(sizes),
-      look_(look),
+      appearance_(appearance),
       exposure_(exposure),
       seed_(seed),
       side_(side) {}
@@ -42,7 +42,7 @@ CameraRenderer::~CameraRenderer() = default;
 CameraRenderer::CameraRenderer(CameraRenderer&&) noexcept = default;
 
 void CameraRenderer::render(const ToolPose& pose, cv::Mat& image) {
-  if (!drawing_) drawing_ = std::make_unique<Drawing>(camera_, sizes_, look_, seed_, side_);
+  if (!drawing_) drawing_ = std::make_unique<Drawing>(camera_, sizes_, appearance_, seed_, side_);
   drawing_->background.image.copyTo(image);
   const Eigen::Matrix3d rotation = camera_from_base_.linear();
   drawing_->painter.paint(camera_from_base_ * pose.tip, rotation * pose.axis,

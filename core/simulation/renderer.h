@@ -41,7 +41,7 @@ class CameraRenderer {
   /// `camera_from_base` is the true pose. `seed` chooses background and noise; `side` is 0 for the left
   /// camera of a rig, 1 for the right one, which sees the same background shifted and has noise of its own.
   CameraRenderer(const vision::Camera& camera, const Eigen::Isometry3d& camera_from_base,
-                 const SceneSizes& sizes, const ImageTruth& look, double exposure, std::uint64_t seed,
+                 const SceneSizes& sizes, const ImageTruth& appearance, double exposure, std::uint64_t seed,
                  int side);
   ~CameraRenderer();
   CameraRenderer(CameraRenderer&&) noexcept;
@@ -57,7 +57,7 @@ class CameraRenderer {
   vision::Camera camera_;
   Eigen::Isometry3d camera_from_base_;
   SceneSizes sizes_;
-  ImageTruth look_;
+  ImageTruth appearance_;
   double exposure_;
   std::uint64_t seed_;
   int side_;

@@ -29,7 +29,7 @@ struct SimulatedSource::Parts {
   void advance();
   void exposeDue();
   ToolPose toolAt(const Eigen::Vector3d& q, const Eigen::Vector3d& dq) const;
-  std::optional<ToolPose> toldOf(const ToolPose& tool) const;
+  std::optional<ToolPose> commandedOf(const ToolPose& tool) const;
   Eigen::Vector3d slipped(double t) const;
   void readEncoders();
   bool jointDue() const { return options.joint_decimation > 0 && tick % options.joint_decimation == 0; }
@@ -116,7 +116,7 @@ void SimulatedSource::Parts::control(const JointTarget& target) {
 
 void SimulatedSource::Parts::settleAt(const Eigen::Vector3d& joints) {
   const JointTarget target{joints, Eigen::Vector3d::Zero()};
-  plant.reset(controller.motorsFor(joints));
+  plant.reset(controller.motorsFor(joints), kSettleTicks * kTick);
   encoders.reset(plant.state().q_motor);
   for (int i = 0; i < kSettleTicks; ++i) {
     control(target);
@@ -131,12 +131,12 @@ ToolPose SimulatedSource::Parts::toolAt(const Eigen::Vector3d& q, const Eigen::V
 }
 
 /// What cameras that mislead tell of the tool.
-std::optional<ToolPose> SimulatedSource::Parts::toldOf(const ToolPose& tool) const {
+std::optional<ToolPose> SimulatedSource::Parts::commandedOf(const ToolPose& tool) const {
   if (!effects) return std::nullopt;
   const robot::CameraNumbers& camera = effects->camera;
-  const Eigen::Vector3d origin = camera.tell(Eigen::Vector3d::Zero());
-  return ToolPose{camera.tell(tool.tip), camera.tell(tool.velocity) - origin,
-                  (camera.tell(tool.axis) - origin).normalized()};
+  const Eigen::Vector3d origin = camera.measure(Eigen::Vector3d::Zero());
+  return ToolPose{camera.measure(tool.tip), camera.measure(tool.velocity) - origin,
+                  (camera.measure(tool.axis) - origin).normalized()};
 }
 
 void SimulatedSource::Parts::advance() {
@@ -158,7 +158,7 @@ void SimulatedSource::Parts::exposeDue() {
     const Eigen::Vector3d q = before.q_link + share * (after.q_link - before.q_link);
     const Eigen::Vector3d dq = before.dq_link + share * (after.dq_link - before.dq_link);
     const ToolPose tool = toolAt(q, dq);
-    cameras->expose({t, q, tool, {block_left.load(), block_right.load()}, toldOf(tool)});
+    cameras->expose({t, q, tool, {block_left.load(), block_right.load()}, commandedOf(tool)});
   }
 }
 

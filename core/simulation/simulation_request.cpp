@@ -72,8 +72,7 @@ vision::StereoRig rigOf(const std::filesystem::path& folder) {
 
 SimulatedOptions optionsOf(const SimulationRequest& request) {
   SimulatedOptions options;
-  options.robot = robot::readDescription(request.robot.empty() ? base::resource("robots/raven2_left.yaml")
-                                                               : request.robot);
+  options.robot = robot::readDescriptionOrDefault(request.robot);
   options.truth = truthOf(request);
   options.trajectory = trajectoryOf(request);
   options.seed = request.seed;

@@ -28,7 +28,7 @@ StereoCameras::StereoCameras(const vision::StereoRig& rig, const Eigen::Isometry
     : timing_(truth.cameras),
       images_(images),
       triangulator_(rig),
-      pictures_(static_cast<std::size_t>(images ? std::max(1, buffers) : 0)),
+      frames_(static_cast<std::size_t>(images ? std::max(1, buffers) : 0)),
       clock_(seed, "camera clock"),
       pixels_(seed, "marker pixels") {
   flights_.reserve(64);
@@ -40,19 +40,19 @@ StereoCameras::StereoCameras(const vision::StereoRig& rig, const Eigen::Isometry
 
 double StereoCameras::jitter(double sigma) { return sigma * std::clamp(clock_.normal(), -3.0, 3.0); }
 
-StereoCameras::Picture& StereoCameras::freePicture() {
-  for (std::size_t tried = 0; tried < pictures_.size(); ++tried) {
-    Picture& picture = pictures_[next_picture_++ % pictures_.size()];
-    if (isFree(picture[0]) && isFree(picture[1])) return picture;
+StereoCameras::ImagePair& StereoCameras::freePair() {
+  for (std::size_t tried = 0; tried < frames_.size(); ++tried) {
+    ImagePair& images_now = frames_[next_frame_++ % frames_.size()];
+    if (isFree(images_now[0]) && isFree(images_now[1])) return images_now;
   }
-  Picture& picture = pictures_[next_picture_++ % pictures_.size()];
-  picture = Picture{};
-  return picture;
+  ImagePair& images_now = frames_[next_frame_++ % frames_.size()];
+  images_now = ImagePair{};
+  return images_now;
 }
 
 void StereoCameras::expose(const Exposure& exposure) {
   Flight flight;
-  const ToolPose& shown = exposure.told ? *exposure.told : exposure.tool;
+  const ToolPose& shown = exposure.displaced ? *exposure.displaced : exposure.tool;
   flight.truth = {exposure.t,
                   exposure.joints,
                   exposure.tool.tip,
@@ -64,13 +64,13 @@ void StereoCameras::expose(const Exposure& exposure) {
   last_stamp_ = flight.stamp;
   last_arrival_ = flight.arrival;
   if (images_) {
-    Picture& picture = freePicture();
+    ImagePair& images_now = freePair();
     for (std::size_t side = 0; side < 2; ++side) {
-      renderers_[side].render(shown, picture[side]);
-      if (exposure.blocked[side]) vision::coverImage(picture[side], exposure.t, static_cast<int>(side));
+      renderers_[side].render(shown, images_now[side]);
+      if (exposure.blocked[side]) vision::coverImage(images_now[side], exposure.t, static_cast<int>(side));
     }
-    flight.left = picture[0];
-    flight.right = picture[1];
+    flight.left = images_now[0];
+    flight.right = images_now[1];
   } else {
     flight.measured = triangulated(flight.truth, exposure.blocked);
   }

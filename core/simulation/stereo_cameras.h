@@ -29,8 +29,9 @@ struct Exposure {
   double t = 0.0;  ///< true mid exposure [s]
   Eigen::Vector3d joints;
   ToolPose tool;
-  std::array<bool, 2> blocked{};   ///< left, right
-  std::optional<ToolPose> told{};  ///< where the pictures show it, of cameras that mislead; absent: at `tool`
+  std::array<bool, 2> blocked{};  ///< left, right
+  std::optional<ToolPose>
+      displaced{};  ///< where the pictures show it, of cameras that mislead; absent: at `tool`
 };
 
 /// The rig: exposes at its own rate, stamps by its own clock, delivers after its latency, in order. Pictures
@@ -66,9 +67,9 @@ class StereoCameras {
     cv::Mat left, right;       // with images
     Eigen::Vector3d measured;  // without: left camera's frame [m], NaN: not seen
   };
-  using Picture = std::array<cv::Mat, 2>;
+  using ImagePair = std::array<cv::Mat, 2>;
 
-  Picture& freePicture();
+  ImagePair& freePair();
   Eigen::Vector3d triangulated(const FrameTruth& truth, const std::array<bool, 2>& blocked);
   double jitter(double sigma);
 
@@ -76,8 +77,8 @@ class StereoCameras {
   bool images_;
   vision::Triangulator triangulator_;
   std::vector<CameraRenderer> renderers_;  // left, right
-  std::vector<Picture> pictures_;
-  std::size_t next_picture_ = 0;
+  std::vector<ImagePair> frames_;
+  std::size_t next_frame_ = 0;
   std::vector<Flight> flights_;  // oldest first
   base::Random clock_, pixels_;
   std::int64_t exposures_ = 0;

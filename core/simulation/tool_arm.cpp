@@ -14,7 +14,7 @@ namespace {
 using robot::JointVector;
 using robot::kToolJoints;
 
-constexpr int kRounds = 2000;           // through all joints, at most
+constexpr int kRounds = 2000;          // through all joints, at most
 constexpr double kStandstill = 1e-11;  // [rad or m]
 
 }  // namespace

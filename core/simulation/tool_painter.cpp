@@ -14,13 +14,13 @@ float lambert(const Eigen::Vector3f& normal) { return 0.55F + 0.5F * std::max(0.
 
 }  // namespace
 
-ToolPainter::ToolPainter(const vision::Camera& camera, const SceneSizes& sizes, const ImageTruth& look,
+ToolPainter::ToolPainter(const vision::Camera& camera, const SceneSizes& sizes, const ImageTruth& appearance,
                          const cv::Mat& light)
     : camera_(camera),
       grid_(camera),
       sizes_(sizes),
       light_(light),
-      marker_colour_(bgrOf(look.marker_hue, 195.0, 215.0)),
+      marker_colour_(bgrOf(appearance.marker_hue, 195.0, 215.0)),
       spans_(static_cast<std::size_t>(camera.height)) {}
 
 void ToolPainter::paint(const Eigen::Vector3d& tip, const Eigen::Vector3d& axis, const Eigen::Vector3d& smear,

@@ -15,7 +15,7 @@ namespace capstan::simulation {
 /// Camera frame.
 class ToolPainter {
  public:
-  ToolPainter(const vision::Camera& camera, const SceneSizes& sizes, const ImageTruth& look,
+  ToolPainter(const vision::Camera& camera, const SceneSizes& sizes, const ImageTruth& appearance,
               const cv::Mat& light);
 
   /// `axis` is the unit vector from tip up the shaft; the marker travels ±`smear` [m] about `tip` [m] while

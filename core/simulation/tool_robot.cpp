@@ -23,7 +23,7 @@ ToolRobot::ToolRobot(const robot::Description& nominal, const ToolTruth& truth,
     throw base::InputError({nominal.name, 0, "start", joints.str(), "is not seven joints inside the limits",
                             "Start inside of them"});
   }
-  told_ = kinematics_.pose(start);
+  commanded_ = kinematics_.pose(start);
   former_ = target_ = transmission_.motorFromJoint(start);
   arm_.reset(target_);
   for (int k = 0; k < kSettling; ++k) advance();
@@ -38,7 +38,7 @@ bool ToolRobot::ask(const Eigen::Isometry3d& pose, double opening) {
   const auto q = kinematics_.solve(pose, opening, goal_);
   if (!q) return false;
   goal_ = *q;
-  told_ = pose;
+  commanded_ = pose;
   target_ = transmission_.motorFromJoint(goal_);
   return true;
 }

@@ -25,10 +25,10 @@ class ToolRobot {
   /// One command period.
   void advance();
 
-  double time() const { return t_; }                              ///< [s]
-  const Eigen::Isometry3d& told() const { return told_; }         ///< last pose taken
-  const robot::JointVector& toldJoints() const { return goal_; }  ///< those of it, nominal
-  Eigen::Isometry3d believed() const;                             ///< nominal kinematics of the encoders
+  double time() const { return t_; }                                   ///< [s]
+  const Eigen::Isometry3d& commanded() const { return commanded_; }    ///< last pose taken
+  const robot::JointVector& commandedJoints() const { return goal_; }  ///< those of it, nominal
+  Eigen::Isometry3d believed() const;                                  ///< nominal kinematics of the encoders
   const ToolArm& arm() const { return arm_; }
   const robot::ToolKinematics& kinematics() const { return kinematics_; }
 
@@ -38,7 +38,7 @@ class ToolRobot {
   ToolArm arm_;
   robot::JointVector goal_;             ///< nominal joints of the last pose
   robot::JointVector target_, former_;  ///< motor angles, now and a command before [rad]
-  Eigen::Isometry3d told_;
+  Eigen::Isometry3d commanded_;
   double t_ = 0.0;
 };
 

@@ -61,19 +61,19 @@ struct ToolControlTruth {
 
 /// Motion capture of lights on the tool: what its poses have of errors.
 struct PoseCameraTruth {
-  double rate = 100.0;                                           ///< [1/s]
-  double latency = 0.0;                                          ///< of the stamps behind the motion [s]
-  double clock_jitter = 0.0;                                     ///< of the stamps, standard deviation [s]
-  double position_sigma = 0.0;                                   ///< an axis [m]
-  double turn_sigma = 0.0;                                       ///< an axis [rad]
-  Eigen::Vector3d registration_turn = Eigen::Vector3d::Zero();   ///< of the base, rotation vector [rad]
-  Eigen::Vector3d registration_shift = Eigen::Vector3d::Zero();  ///< [m]
-  Eigen::Vector3d mounting_turn = Eigen::Vector3d::Zero();       ///< of the lights on the tool [rad]
-  double jump_rate = 0.0;   ///< how often a light hides and the rest is mistaken for another pose [1/s]
-  double jump_time = 0.1;   ///< how long that lasts on average [s]
-  double jump_size = 0.03;  ///< how far it jumps, an axis, standard deviation [m]
-  double jump_turn = 0.3;   ///< and turns [rad]
-  double miss_share = 0.0;  ///< of samples without any pose
+  double rate = 100.0;                                              ///< [1/s]
+  double latency = 0.0;                                             ///< of the stamps behind the motion [s]
+  double clock_jitter = 0.0;                                        ///< of the stamps, standard deviation [s]
+  double position_sigma = 0.0;                                      ///< an axis [m]
+  double rotation_sigma = 0.0;                                      ///< an axis [rad]
+  Eigen::Vector3d registration_rotation = Eigen::Vector3d::Zero();  ///< of the base, rotation vector [rad]
+  Eigen::Vector3d registration_shift = Eigen::Vector3d::Zero();     ///< [m]
+  Eigen::Vector3d mounting_rotation = Eigen::Vector3d::Zero();      ///< of the lights on the tool [rad]
+  double jump_rate = 0.0;      ///< how often a light hides and the rest is mistaken for another pose [1/s]
+  double jump_time = 0.1;      ///< how long that lasts on average [s]
+  double jump_size = 0.03;     ///< how far it jumps, an axis, standard deviation [m]
+  double jump_rotation = 0.3;  ///< and turns [rad]
+  double miss_share = 0.0;     ///< of samples without any pose
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& field) {
@@ -81,16 +81,16 @@ struct PoseCameraTruth {
     field(self.latency, {"latency", "s", "of the stamps", {0.0, 0.5}, false});
     field(self.clock_jitter, {"clock_jitter", "s", "of the stamps", {0.0, 0.01}, false});
     field(self.position_sigma, {"position_sigma", "m", "noise, an axis", {0.0, 0.1}, false});
-    field(self.turn_sigma, {"turn_sigma", "rad", "noise, an axis", {0.0, 1.0}, false});
-    field(self.registration_turn,
+    field(self.rotation_sigma, {"turn_sigma", "rad", "noise, an axis", {0.0, 1.0}, false});
+    field(self.registration_rotation,
           {"registration_turn", "rad", "error of the base's pose", {-0.5, 0.5}, false});
     field(self.registration_shift,
           {"registration_shift", "m", "error of the base's pose", {-0.2, 0.2}, false});
-    field(self.mounting_turn, {"mounting_turn", "rad", "of the lights on the tool", {-0.5, 0.5}, false});
+    field(self.mounting_rotation, {"mounting_turn", "rad", "of the lights on the tool", {-0.5, 0.5}, false});
     field(self.jump_rate, {"jump_rate", "1/s", "how often a light hides", {0.0, 10.0}, false});
     field(self.jump_time, {"jump_time", "s", "how long, on average", {0.01, 10.0}, false});
     field(self.jump_size, {"jump_size", "m", "how far the pose jumps, an axis", {0.0, 1.0}, false});
-    field(self.jump_turn, {"jump_turn", "rad", "how far it turns, an axis", {0.0, 3.0}, false});
+    field(self.jump_rotation, {"jump_turn", "rad", "how far it turns, an axis", {0.0, 3.0}, false});
     field(self.miss_share, {"miss_share", "", "samples without a pose", {0.0, 0.9}, false});
   }
 };

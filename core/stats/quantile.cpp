@@ -1,9 +1,10 @@
 #include "core/stats/quantile.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
+
+#include "core/base/check.h"
 
 namespace capstan::stats {
 
@@ -17,7 +18,7 @@ std::vector<double> quantiles(std::span<const double> values, std::span<const do
   std::vector<double> result;
   result.reserve(shares.size());
   for (const double share : shares) {
-    assert(share >= 0.0 && share <= 1.0);
+    CAPSTAN_ASSERT(share >= 0.0 && share <= 1.0);
     if (sorted.empty()) {
       result.push_back(std::numeric_limits<double>::quiet_NaN());
       continue;

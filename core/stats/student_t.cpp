@@ -3,9 +3,10 @@
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <boost/math/special_functions/gamma.hpp>
-#include <cassert>
 #include <cmath>
 #include <limits>
+
+#include "core/base/check.h"
 
 namespace capstan::stats {
 namespace {
@@ -48,7 +49,7 @@ double logTail(double t, double nu) {
 }  // namespace
 
 double log10TwoSidedP(double t, double degrees_of_freedom) {
-  assert(std::isfinite(t) && degrees_of_freedom > 0.0);
+  CAPSTAN_ASSERT(std::isfinite(t) && degrees_of_freedom > 0.0);
   constexpr double kFar = 1e50;      // beyond it Boost's t² would come near overflow
   constexpr double kSmall = 1e-280;  // below it P is near what a double can hold
   if (std::abs(t) < kFar) {

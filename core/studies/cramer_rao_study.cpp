@@ -87,7 +87,7 @@ class Scene {
 };
 
 robot::Description robotOf(const CramerRaoOptions& options) {
-  robot::Description robot = robot::readDescription(base::resource("robots/raven2_left.yaml"));
+  robot::Description robot = robot::defaultDescription();
   if (options.coulomb_friction) return robot;
   for (robot::Joint& joint : robot.joints) joint.friction.coulomb = 0.0;
   return robot;
@@ -145,9 +145,9 @@ std::optional<tracking::JointObservation> Scene::joints(const Pixels& pixels, co
   const vision::Triangulation found =
       triangulator_.triangulate(pixels.head<2>(), pixels.tail<2>(), pixel_sigma_, pixel_sigma_);
   if (!found.found()) return std::nullopt;
-  const Matrix3d turn = base_from_camera_.linear();
+  const Matrix3d rotation = base_from_camera_.linear();
   const auto seen = tracking::observeJoints(arm_, base_from_camera_ * found.position,
-                                            turn * found.covariance * turn.transpose(), near);
+                                            rotation * found.covariance * rotation.transpose(), near);
   if (!seen) return std::nullopt;
   return *seen;
 }
@@ -167,9 +167,9 @@ Vector3d meanVariance(const Scene& scene) {
 }
 
 struct RunResult {
-  std::array<Vector3d, kNoisesTold> mean_square{Vector3d::Zero(), Vector3d::Zero()};
-  std::array<double, kNoisesTold> nees{}, nis{};  // sums
-  Vector3d camera_square = Vector3d::Zero();      // sum
+  std::array<Vector3d, kStatedNoises> mean_square{Vector3d::Zero(), Vector3d::Zero()};
+  std::array<double, kStatedNoises> nees{}, nis{};  // sums
+  Vector3d camera_square = Vector3d::Zero();        // sum
   std::uint64_t updates = 0, rescues = 0;
 };
 
@@ -199,7 +199,7 @@ class Run {
       for (Filter& filter : filters_) filter.predict(scene_.model, input, kStep, noise);
       if (scene_.seenAfter(k)) observe(k - from, average);
       if (k < settled) continue;
-      for (std::size_t i = 0; i < kNoisesTold; ++i)
+      for (std::size_t i = 0; i < kStatedNoises; ++i)
         result_.mean_square[i] += positionsOf(filters_[i].mean() - truth_).cwiseAbs2() /
                                   static_cast<double>(scene_.steps() - settled);
     }
@@ -208,7 +208,7 @@ class Run {
 
   /// After the last step.
   RunResult result() {
-    for (std::size_t i = 0; i < kNoisesTold; ++i) {
+    for (std::size_t i = 0; i < kStatedNoises; ++i) {
       result_.nees[i] = estimation::nees<6>(filters_[i].mean() - truth_, filters_[i].squareRoot());
       result_.rescues += filters_[i].rescues();
     }
@@ -229,7 +229,7 @@ class Run {
     const auto seen = scene_.joints(pixels, positionsOf(filters_[0].mean()));
     if (!seen) return;
     roots_[0] = Lower<3>(seen->covariance.llt().matrixL());
-    for (std::size_t i = 0; i < kNoisesTold; ++i)
+    for (std::size_t i = 0; i < kStatedNoises; ++i)
       result_.nis[i] += filters_[i].update(positions_, seen->position, roots_[i]).nis;
     result_.camera_square += (seen->position - q).cwiseAbs2();
     ++result_.updates;
@@ -240,8 +240,8 @@ class Run {
   base::Random random_;
   State truth_;
   tracking::JointMeasurement positions_ = tracking::positionsOnly();
-  std::array<Filter, kNoisesTold> filters_;
-  std::array<Lower<3>, kNoisesTold> roots_{Lower<3>::Identity(), Lower<3>::Identity()};
+  std::array<Filter, kStatedNoises> filters_;
+  std::array<Lower<3>, kStatedNoises> roots_{Lower<3>::Identity(), Lower<3>::Identity()};
   RunResult result_;
 };
 
@@ -261,7 +261,7 @@ CramerRaoStudy summarise(const std::vector<RunResult>& all, const CramerRaoOptio
   study.updates = updates / all.size();
   study.camera = (camera / seen).cwiseSqrt();
   base::Random random(options.seed, "cramer-rao bootstrap");
-  for (std::size_t i = 0; i < kNoisesTold; ++i) {
+  for (std::size_t i = 0; i < kStatedNoises; ++i) {
     for (const RunResult& run : all) {
       study.nees[i] += run.nees[i] / (6.0 * static_cast<double>(all.size()));
       study.nis[i] += run.nis[i] / (3.0 * seen);
@@ -342,12 +342,12 @@ CramerRaoStudy studyCramerRao(const CramerRaoOptions& options, base::Progress& p
   const Scene scene(options);
   const Vector3d constant = meanVariance(scene);
   Ensemble ensemble(scene, options, constant);
-  const auto stretch = static_cast<std::size_t>(std::max(1L, std::lround(options.stretch / kStep)));
+  const auto segment = static_cast<std::size_t>(std::max(1L, std::lround(options.segment / kStep)));
   const auto share = [&](std::size_t step) {
     return static_cast<double>(step) / static_cast<double>(scene.steps());
   };
-  for (std::size_t from = 0; from < scene.steps() && !progress.cancelled(); from += stretch) {
-    const std::size_t to = std::min(from + stretch, scene.steps());
+  for (std::size_t from = 0; from < scene.steps() && !progress.cancelled(); from += segment) {
+    const std::size_t to = std::min(from + segment, scene.steps());
     ensemble.follow(from, to, {progress, share(from), share(to)});
   }
   if (progress.cancelled()) {

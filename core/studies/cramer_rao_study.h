@@ -27,15 +27,15 @@ struct CramerRaoOptions {
   int threads = 2;  ///< the result does not depend on it
   /// Time that all runs go through before any goes on [s]: the memory held for the bound, 7 kB a step of it;
   /// the result does not depend on it.
-  double stretch = 1.0;
+  double segment = 1.0;
 };
 
 /// The measurement noise that a filter is told.
-enum class NoiseTold {
+enum class StatedNoise {
   kPixels,   ///< each sample's own: J⁻¹ Sigma_pixels J⁻ᵀ (tracking::CameraNoise)
   kConstant  ///< diag of its mean over the movement: the best that a constant can be
 };
-inline constexpr std::size_t kNoisesTold = 2;
+inline constexpr std::size_t kStatedNoises = 2;
 
 struct CramerRaoStudy {
   int runs = 0;
@@ -43,10 +43,10 @@ struct CramerRaoStudy {
   Eigen::Vector3d bound = noVector();   ///< √ mean bound on the joint positions' variance [rad, rad, m]
   Eigen::Vector3d camera = noVector();  ///< RMS error of q_cam [rad, rad, m]
   Eigen::Vector3d constant_sigma = noVector();  ///< √ of the constant R [rad, rad, m]
-  std::array<Eigen::Vector3d, kNoisesTold> rms{noVector(), noVector()};    ///< of the filter's positions
-  std::array<Eigen::Vector3d, kNoisesTold> ratio{noVector(), noVector()};  ///< rms / bound
-  std::array<std::array<stats::Interval, 3>, kNoisesTold> interval{};      ///< of ratio, 95 %, over runs
-  std::array<double, kNoisesTold> nees{}, nis{};  ///< means over their degrees of freedom (6 and 3)
+  std::array<Eigen::Vector3d, kStatedNoises> rms{noVector(), noVector()};    ///< of the filter's positions
+  std::array<Eigen::Vector3d, kStatedNoises> ratio{noVector(), noVector()};  ///< rms / bound
+  std::array<std::array<stats::Interval, 3>, kStatedNoises> interval{};      ///< of ratio, 95 %, over runs
+  std::array<double, kStatedNoises> nees{}, nis{};  ///< means over their degrees of freedom (6 and 3)
   std::uint64_t rescues = 0;
   bool cancelled = false;  ///< nothing else is filled in
 };
@@ -62,7 +62,7 @@ CramerRaoStudy studyCramerRao(const CramerRaoOptions& options, base::Progress& p
 }  // namespace capstan::studies
 
 template <>
-struct capstan::base::NamesOf<capstan::studies::NoiseTold> {
-  using N = capstan::studies::NoiseTold;
+struct capstan::base::NamesOf<capstan::studies::StatedNoise> {
+  using N = capstan::studies::StatedNoise;
   static constexpr std::array value = {std::pair{N::kPixels, "pixels"}, std::pair{N::kConstant, "constant"}};
 };

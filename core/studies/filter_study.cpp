@@ -7,7 +7,6 @@
 #include <memory>
 #include <numbers>
 
-#include "core/base/resource.h"
 #include "core/base/workers.h"
 #include "core/live/occluded_source.h"
 #include "core/recording/table_source.h"
@@ -117,8 +116,7 @@ Comparisons simulate(const FilterStudyOptions& options, int trial, double occlus
 
 Comparisons replay(const FilterStudyOptions& options, const std::filesystem::path& file, double occlusion,
                    const Disturbance& disturbance, base::Progress& progress) {
-  const robot::Description robot = robot::readDescription(
-      options.robot.empty() ? base::resource("robots/raven2_left.yaml") : options.robot);
+  const robot::Description robot = robot::readDescriptionOrDefault(options.robot);
   const auto source = recording::openRecording(file, robot);
   FilterComparison about;
   about.recording = file.filename().string();

@@ -14,7 +14,7 @@
 #include "core/simulation/simulation_request.h"
 #include "core/stats/quantile.h"
 #include "core/studies/kept_trials.h"
-#include "core/studies/paced_transfer.h"
+#include "core/studies/transfer_at_rate.h"
 #include "core/studies/true_radii.h"
 #include "core/tracking/make_pipeline.h"
 
@@ -104,7 +104,7 @@ simulation::SimulatedOptions robotOf(const MotorFailureStudyOptions& options, st
 TrialResults runTrial(const MotorFailureStudyOptions& options, simulation::SimulatedOptions simulated,
                       double speed, double occlusion, std::uint64_t seed, base::Progress& progress) {
   const double length = options.warm_up + options.duration;
-  const PacedTransfer path(simulated.robot, speed, length, seed);
+  const TransferAtRate path(simulated.robot, speed, length, seed);
   simulated.trajectory.kind = simulation::TrajectoryKind::kRecorded;
   simulated.trajectory.recorded.file = path.file().string();
   simulated.joint_decimation = 10;

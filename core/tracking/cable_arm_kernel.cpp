@@ -1,6 +1,6 @@
 #include "core/tracking/cable_arm_kernel.h"
 
-#include <cassert>
+#include "core/base/check.h"
 
 namespace capstan::tracking {
 
@@ -27,7 +27,7 @@ CAPSTAN_DECLARE_KERNEL(Avx512)
 #undef CAPSTAN_DECLARE_KERNEL
 
 const CableArmKernel& cableArmKernel(math::InstructionSet set) {
-  assert(math::isAvailable(set));
+  CAPSTAN_CHECK(math::isAvailable(set));
 #ifdef CAPSTAN_X86_KERNELS
   if (set == math::InstructionSet::kAvx512) return kKernelAvx512;
   if (set == math::InstructionSet::kAvx2) return kKernelAvx2;

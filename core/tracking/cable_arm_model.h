@@ -1,10 +1,10 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cassert>
 #include <cmath>
 #include <memory>
 
+#include "core/base/check.h"
 #include "core/estimation/models.h"
 #include "core/robot/description.h"
 #include "core/tracking/cable_arm_kernel.h"
@@ -75,8 +75,9 @@ double cableArmRate(const robot::Description& robot);
 ///
 /// A robot file's effects act: those that the model's numbers can hold (robot::foldEffects()) in them, others
 /// through the laws of robot/chain (ExtendedArmModel). What cables remember comes with the control, and
-/// remember() tells what it is next. While a motor is unknown, the numbers alone act. encoder_slip and the
-/// cameras' effects are not the arm's. A StateModel and SampledStateModel; copyable; thread-safe when const.
+/// remember() tells what it is next. While a motor is unknown, the numbers alone act. encoder_slip,
+/// zero_drift and the cameras' effects are not the arm's. A StateModel and SampledStateModel; copyable;
+/// thread-safe when const.
 class CableArmModel {
  public:
   static constexpr int kStates = 6;
@@ -116,7 +117,7 @@ class CableArmModel {
   /// fields. `rate` bounds the eigenvalues with the new values, as cableArmRate() does. Only of a model whose
   /// robot has no extended().
   void setConstants(const CableArmConstants& constants, double rate) {
-    assert(!extended_);
+    CAPSTAN_ASSERT(!extended_);
     constants_ = constants;
     rate_ = rate;
   }

@@ -23,9 +23,9 @@ CameraNoise::CameraNoise(const robot::Description& robot, const TrackingOptions&
 
 Matrix3d CameraNoise::ofRegistration(const Vector3d& tip) const {
   const Vector3d d = tip - hard_stop_;
-  const double turn = options_.registration_rotation_sigma, shift = options_.registration_shift_sigma;
-  return (shift * shift + turn * turn * d.squaredNorm()) * Matrix3d::Identity() -
-         turn * turn * d * d.transpose();
+  const double rotation = options_.registration_rotation_sigma, shift = options_.registration_shift_sigma;
+  return (shift * shift + rotation * rotation * d.squaredNorm()) * Matrix3d::Identity() -
+         rotation * rotation * d * d.transpose();
 }
 
 Matrix3d CameraNoise::ofImagedTip(const Vector3d& tip, const Matrix3d& pixels) const {

@@ -15,15 +15,15 @@ class CameraReading {
   /// When what is stamped t was exposed [s].
   double time(double t) const { return t - numbers_.delay; }
   /// Where the tip is that is told to be at `told` [m], frame 0.
-  Eigen::Vector3d point(const Eigen::Vector3d& told) const {
-    return misleading_ ? numbers_.understand(told) : told;
+  Eigen::Vector3d point(const Eigen::Vector3d& measured) const {
+    return misleading_ ? numbers_.undo(measured) : measured;
   }
-  Eigen::Matrix3d covariance(const Eigen::Matrix3d& told) const {
-    return misleading_ ? numbers_.understand(told) : told;
+  Eigen::Matrix3d covariance(const Eigen::Matrix3d& measured) const {
+    return misleading_ ? numbers_.undo(measured) : measured;
   }
   /// Where a tip at `point` will be told to be.
-  Eigen::Vector3d told(const Eigen::Vector3d& point) const {
-    return misleading_ ? numbers_.tell(point) : point;
+  Eigen::Vector3d measured(const Eigen::Vector3d& point) const {
+    return misleading_ ? numbers_.measure(point) : point;
   }
 
  private:

@@ -43,14 +43,14 @@ EncoderWatch::EncoderWatch(const robot::Description& robot, const TrackingOption
       longest_gap_(3.5 * options.camera_period),
       samples_(options.jump_samples) {}
 
-void EncoderWatch::startAnew() {
+void EncoderWatch::restart() {
   still_ = {};
   seen_ = {};
   newest_.reset();
 }
 
 void EncoderWatch::clear() {
-  startAnew();
+  restart();
   gap_ = 0;
   for (int motor = 0; motor < 3; ++motor)
     if (MotorFault& fault = faults_[static_cast<std::size_t>(motor)]; fault != MotorFault::kDeclared) {
@@ -121,7 +121,7 @@ JointSet EncoderWatch::see(double t, const Vector3d& q_cam, const Matrix3d& cova
   seen_ = now;
   const Vector3d link = coupling_ * q_cam, disagreement = coupling_ * (q_cam - q_kin);
   const Vector3d variance = (coupling_ * covariance * coupling_.transpose()).diagonal();
-  JointSet suspects = 0, dissent = 0;
+  JointSet candidates = 0, dissent = 0;
   for (int motor = 0; motor < 3; ++motor) {
     Still& still = still_[static_cast<std::size_t>(motor)];
     if (contains(unknown(), motor) || !still.valid || t < still.since) continue;
@@ -132,15 +132,15 @@ JointSet EncoderWatch::see(double t, const Vector3d& q_cam, const Matrix3d& cova
       still.variance = variance(motor);
     }
     const double bound = tolerance_(motor) + kSigmas * std::sqrt(variance(motor) + still.variance);
-    if (std::abs(link(motor) - still.link) > bound) suspects |= 1U << motor;
+    if (std::abs(link(motor) - still.link) > bound) candidates |= 1U << motor;
   }
   for (int motor = 0; motor < 3; ++motor)
-    if (!contains(suspects | unknown(), motor) && !(std::abs(disagreement(motor)) <= believable_(motor)))
+    if (!contains(candidates | unknown(), motor) && !(std::abs(disagreement(motor)) <= believable_(motor)))
       dissent |= 1U << motor;
   JointSet frozen = 0;
   for (int motor = 0; motor < 3; ++motor) {
     int& run = still_[static_cast<std::size_t>(motor)].run;
-    run = contains(suspects, motor) && dissent == 0 ? run + 1 : 0;
+    run = contains(candidates, motor) && dissent == 0 ? run + 1 : 0;
     if (run < samples_) continue;
     fail(motor, MotorFault::kFrozen);
     frozen |= 1U << motor;

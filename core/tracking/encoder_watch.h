@@ -35,7 +35,7 @@ class EncoderWatch {
   /// Forgets what was detected and every sample; what was declared stays.
   void clear();
   /// A new time line: forgets what it was comparing with, not the faults.
-  void startAnew();
+  void restart();
 
   /// `sample` with the last known position (at first: what holds the joint in the middle of its range), at
   /// rest, in place of what is not finite. Nothing when the sample is of no use: time or all positions not

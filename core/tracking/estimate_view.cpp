@@ -23,7 +23,7 @@ Snapshot emptySnapshot() {
     v->setConstant(kNan);
   s.tip_in_camera_covariance.setConstant(kNan);
   s.tip_ukf_covariance.setConstant(kNan);
-  s.t_cam = s.lag = s.nis = s.nis_mean = s.nees = kNan;
+  s.t_cam = s.latency = s.nis = s.nis_mean = s.nees = kNan;
   return s;
 }
 
@@ -32,8 +32,8 @@ EstimateView::EstimateView(const robot::Description& robot, const ExtendedArmMod
 
 void EstimateView::show(const CableArmModel::State& mean, const Eigen::Matrix<double, 6, 6>& covariance,
                         const MotorSide& motors, const EncoderWatch& watch, Snapshot& snapshot) {
-  snapshot.q_motor = motors.told().position;
-  snapshot.dq_motor = motors.told().velocity;
+  snapshot.q_motor = motors.measured().position;
+  snapshot.dq_motor = motors.measured().velocity;
   snapshot.q_link_kin = motors.kinematic();
   snapshot.tip_kin = arm_.tip(motors.kinematic());
   for (int joint = 0; joint < 3; ++joint) {

@@ -61,7 +61,8 @@ ExtendedArmModel::ExtendedArmModel(const robot::Description& robot, const double
   std::ranges::copy(low, low_);
   std::ranges::copy(high, high_);
   for (int i = 0; i < 3; ++i) {
-    model_.shape.laws[i] &= ~robot::kLawSlip;  // a matter of the reading (MotorReading)
+    model_.shape.laws[i] &=
+        ~(robot::kLawSlip | robot::kLawZeroDrift);  // matters of the reading (MotorReading)
     model_.shape.farthest[i] =
         std::max(high[2 * i] - model_.shape.middle[i], model_.shape.middle[i] - low[2 * i]);
     model_.shape.fastest[i] = high[2 * i + 1];

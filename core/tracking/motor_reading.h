@@ -9,9 +9,9 @@
 
 namespace capstan::tracking {
 
-/// What motor encoders tell, as those of a robot with round capstans and encoders that never slipped would
-/// tell it: the same cable travel at the motor (motorTravel and slipAt in robot/chain/chain_law.h) over
-/// r_mc / N.
+/// What motor encoders tell, as those of a robot with round capstans, encoders that never slipped and zeros
+/// that stay would tell it: the same cable travel at the motor, less that of the joints' zeros (motorTravel,
+/// slipAt and zeroShiftAt in robot/chain/chain_law.h), over r_mc / N.
 class MotorReading {
  public:
   explicit MotorReading(const robot::Description& robot) {
@@ -25,7 +25,7 @@ class MotorReading {
     for (int i = 0; i < 3; ++i) {
       const robot::JointNumbers<double>& p = model_->numbers.joints[i];
       const unsigned laws = model_->shape.laws[i];
-      if (!(laws & kLaws)) continue;
+      if (!(laws & kOwnLaws)) continue;
       double slip = 0.0, rate = 0.0;
       if (laws & robot::kLawSlip) {
         slip = robot::slipAt(p, sample.t);
@@ -35,6 +35,8 @@ class MotorReading {
       sample.position[i] = robot::motorTravel(p, laws, angle) / p.lever;
       sample.velocity[i] = robot::motorLever(p, laws, angle) * (sample.velocity[i] + rate) / p.lever;
     }
+    for (int j = 0; j < 3; ++j)
+      if (model_->shape.laws[j] & robot::kLawZeroDrift) holdZero(j, sample);
     return sample;
   }
 
@@ -46,9 +48,21 @@ class MotorReading {
   }
 
   /// Laws that are dealt with here.
-  static constexpr unsigned kLaws = robot::kLawEccentricity | robot::kLawSlip;
+  static constexpr unsigned kOwnLaws = robot::kLawEccentricity | robot::kLawSlip;  ///< by one motor each
+  static constexpr unsigned kLaws = kOwnLaws | robot::kLawZeroDrift;
 
  private:
+  /// To the cables a zero that moves is as if the motors went on by as much.
+  void holdZero(int j, MotorSample& sample) const {
+    const robot::ZeroShift<double> zero = robot::zeroShiftAt(model_->numbers.joints[j], sample.t);
+    for (int i = 0; i < 3; ++i) {
+      const robot::JointNumbers<double>& p = model_->numbers.joints[i];
+      const double ratio = p.link_radius * model_->numbers.coupling[i][j] / p.lever;
+      sample.position[i] += ratio * zero.by;
+      sample.velocity[i] += ratio * zero.rate;
+    }
+  }
+
   static constexpr double kStep = 1e-3;  // [s]
   std::optional<robot::ChainModel> model_;
 };

@@ -14,13 +14,13 @@
 namespace capstan::tracking {
 
 /// What the motor encoders say: q_m, dq_m (differentiated over `span` seconds where none is measured), q_kin
-/// and its past. Of a robot with eccentric capstans or slipped encoders, position() and velocity() are
-/// corrected for them (MotorReading), told() is not.
+/// and its past. Of a robot with eccentric capstans, slipped encoders or drifting zeros, position() and
+/// velocity() are corrected for them (MotorReading), told() is not.
 class MotorSide {
  public:
-  /// What became of a sample; kAnew: taken as the first of a new time line.
-  enum class Taken { kRefused, kYes, kAnew };
-  static constexpr int kRisingToStartAnew = 10;
+  /// What became of a sample; kRestart: taken as the first of a new time line.
+  enum class Taken { kRefused, kYes, kRestart };
+  static constexpr int kRisingToRestart = 10;
 
   /// Keeps `capacity` samples of the past.
   MotorSide(const robot::Description& robot, double span, std::size_t capacity)
@@ -37,7 +37,7 @@ class MotorSide {
   }
 
   /// Refused are a position that is not finite and a time that does not rise. Were it for ever, one stamp far
-  /// in the future or a clock set back would end the session: kRisingToStartAnew refused samples in a row
+  /// in the future or a clock set back would end the session: kRisingToRestart refused samples in a row
   /// that rise among themselves are the clock from now on, and what came before is forgotten.
   Taken take(const MotorSample& sample) {
     if (!sample.position.allFinite() || !std::isfinite(sample.t)) return Taken::kRefused;
@@ -45,16 +45,16 @@ class MotorSide {
     if (!motors_.empty() && !(sample.t > motors_.newestTime())) {
       rising_ = rising_ > 0 && sample.t > last_refused_ ? rising_ + 1 : 1;
       last_refused_ = sample.t;
-      if (rising_ < kRisingToStartAnew) return Taken::kRefused;
+      if (rising_ < kRisingToRestart) return Taken::kRefused;
       clear();
-      taken = Taken::kAnew;
+      taken = Taken::kRestart;
     }
     rising_ = 0;
     const double before = motors_.empty() ? sample.t : motors_.newestTime();
     motors_.push(sample.t, sample.position);
-    told_ = sample;
-    if (!sample.velocity.allFinite()) told_.velocity = difference(sample.t, before);
-    const MotorSample round = reading_.asRound(told_);
+    measured_ = sample;
+    if (!sample.velocity.allFinite()) measured_.velocity = difference(sample.t, before);
+    const MotorSample round = reading_.asRound(measured_);
     position_ = round.position;
     velocity_ = round.velocity;
     kinematic_ = transmission_.jointFromMotor(position_);
@@ -63,7 +63,7 @@ class MotorSide {
   }
 
   /// The newest sample as the encoders gave it, its velocity differentiated where they gave none.
-  const MotorSample& told() const { return told_; }
+  const MotorSample& measured() const { return measured_; }
   const robot::Transmission& transmission() const { return transmission_; }
   const Eigen::Vector3d& position() const { return position_; }
   const Eigen::Vector3d& velocity() const { return velocity_; }
@@ -76,7 +76,7 @@ class MotorSide {
   Eigen::Vector3d difference(double t, double before) const {
     const double from = motors_.at(t - span_, 0.0) ? t - span_ : before;
     if (!(from < t)) return Eigen::Vector3d::Zero();
-    return (told_.position - *motors_.at(from, 0.0)) / (t - from);
+    return (measured_.position - *motors_.at(from, 0.0)) / (t - from);
   }
 
   MotorReading reading_;
@@ -85,7 +85,7 @@ class MotorSide {
   TimeSeries motors_, joints_;
   int rising_ = 0;  ///< refused samples in a row whose times rise
   double last_refused_ = 0.0;
-  MotorSample told_;
+  MotorSample measured_;
   Eigen::Vector3d position_ = Eigen::Vector3d::Zero(), velocity_ = Eigen::Vector3d::Zero(),
                   kinematic_ = Eigen::Vector3d::Zero();
 };

@@ -20,7 +20,7 @@ void TrackingPipeline::Impl::take(const StereoFrame& frame) {
   beginCamera(exposureOf(frame.t), frame.t_arrival, true);
   std::optional<Vector3d> expected;
   if (options_.roi_search && base_from_camera_ && snapshot_.tip_kin_cam.allFinite())
-    expected = base_from_camera_->inverse() * cameras_.told(snapshot_.tip_kin_cam);
+    expected = base_from_camera_->inverse() * cameras_.measured(snapshot_.tip_kin_cam);
   stereo_->find(frame, expected);
   snapshot_.marker = stereo_->markers();
   if ((snapshot_.gate = stereo_->gate()) == Gate::kOpen) {
@@ -58,7 +58,7 @@ void TrackingPipeline::Impl::beginCamera(double t, double t_arrival, bool images
   snapshot_.camera_images = images;
   ++snapshot_.camera_samples;
   snapshot_.t_cam = t;
-  snapshot_.lag = t_arrival - t;
+  snapshot_.latency = t_arrival - t;
   for (Vector3d* v :
        {&snapshot_.q_link_cam, &snapshot_.q_link_cam_sigma, &snapshot_.tip_in_camera, &snapshot_.tip_cam})
     v->setConstant(kNan);
@@ -72,8 +72,8 @@ void TrackingPipeline::Impl::observeImagedTip(const vision::Triangulation& found
                                               const Eigen::Isometry3d& base_from_camera) {
   noise_.pixels().add(found.chi_square);
   const Vector3d tip = cameras_.point(base_from_camera * found.position);
-  const Matrix3d turn = base_from_camera.linear();
-  const Matrix3d covariance = cameras_.covariance(turn * found.covariance * turn.transpose());
+  const Matrix3d rotation = base_from_camera.linear();
+  const Matrix3d covariance = cameras_.covariance(rotation * found.covariance * rotation.transpose());
   observeTip(tip, noise_.ofImagedTip(tip, covariance), noise_.pixels().ratio() * covariance);
 }
 
@@ -102,7 +102,7 @@ void TrackingPipeline::Impl::observeTip(const Vector3d& tip, const Matrix3d& cov
   std::optional<TransmissionEstimator::Observation> slow;
   if (slow_) {
     slow = slowObservation(t, tip, white, mean, *kinematic);
-    seen->position -= slow_->remainder(*slow);
+    seen->position -= slow_->residual(*slow);
   }
   const bool whole = slow && watch_.unknown() == 0;
   snapshot_.nis = whole ? slow_->innovation(*slow).nis

@@ -11,6 +11,7 @@
 #include "core/estimation/occlusion_gate.h"
 #include "core/robot/arm_kinematics.h"
 #include "core/robot/fold_effects.h"
+#include "core/stats/chi_square.h"
 #include "core/tracking/cable_arm_model.h"
 #include "core/tracking/camera_noise.h"
 #include "core/tracking/camera_reading.h"
@@ -47,8 +48,8 @@ class TrackingPipeline::Impl {
                 static_cast<int>(memorySize(options))),
         view_(numbers_, filter_.model().extended()),
         noise_(numbers_, options),
-        jump_(estimation::chiSquareQuantile(3, options.gate_probability), options.jump_samples,
-              options.jump_drift, options.jump_tolerance),
+        jump_(stats::chiSquareQuantile(3, options.gate_probability), options.jump_samples, options.jump_drift,
+              options.jump_tolerance),
         nis_(3, options.nis_window),
         reference_(memorySize(options)),
         snapshot_(emptySnapshot()) {
@@ -139,8 +140,8 @@ class TrackingPipeline::Impl {
       ++snapshot_.motor_refused;
       return;
     }
-    if (taken == MotorSide::Taken::kAnew) {
-      watch_.startAnew();
+    if (taken == MotorSide::Taken::kRestart) {
+      watch_.restart();
       reference_.clear();
       if (slow_) slow_->restartClock();
       corrected_since_ = -std::numeric_limits<double>::infinity();

@@ -47,7 +47,7 @@ struct Snapshot {
   bool reference_paired = false;  ///< this step made q_link_true and the estimates speak of one time
 
   double t_cam = 0.0;                             ///< exposure time of the newest camera sample
-  double lag = 0.0;                               ///< its arrival minus exposure [s]
+  double latency = 0.0;                           ///< its arrival minus exposure [s]
   bool camera_updated = false;                    ///< this step took a camera sample
   bool camera_images = false;                     ///< the newest camera sample was a pair of images
   std::array<vision::MarkerDetection, 2> marker;  ///< left, right
@@ -115,3 +115,13 @@ inline bool markerLost(const Snapshot& s) {
 }
 
 }  // namespace capstan::tracking
+
+template <>
+struct capstan::base::KeysOf<capstan::tracking::Gate> {
+  using G = capstan::tracking::Gate;
+  static constexpr std::array value = {
+      std::pair{G::kOpen, "camera"},        std::pair{G::kNoCamera, "no_camera"},
+      std::pair{G::kLeftLost, "left_lost"}, std::pair{G::kRightLost, "right_lost"},
+      std::pair{G::kBothLost, "both_lost"}, std::pair{G::kUnreachable, "out_of_reach"},
+      std::pair{G::kJump, "marker_jumped"}, std::pair{G::kUnregistered, "not_registered"}};
+};

@@ -28,7 +28,7 @@ struct SourceInfo {
   /// What stands in the place of joint encoders is the robot's own transmission kinematics: no truth.
   bool own_kinematics = false;
   bool live = false;                 ///< can be commanded (simulated or real robot)
-  std::vector<std::string> notices;  ///< doubts and remarks for the user, a line each
+  std::vector<std::string> notices;  ///< exclusions and remarks for the user, a line each
 };
 
 /// Yields samples in order of arrival. Deterministic sources yield the same bytes each time.

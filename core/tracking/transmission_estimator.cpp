@@ -113,50 +113,52 @@ auto TransmissionEstimator::jointSensitivity(const Vector3d& travel) const
   return g;
 }
 
-auto TransmissionEstimator::look(const Observation& seen) const -> Look {
+auto TransmissionEstimator::reading(const Observation& seen) const -> Reading {
   const Matrix3d jacobian = arm_.tipJacobian(seen.q);
   const Vector3d stretch = correctedTravel(seen.travel) - Vector3d(transmission_.linkTravel(seen.q));
-  Look look;
-  look.h << jacobian * jointSensitivity(seen.travel), jacobian * joints_from_travel_ * stretch.asDiagonal(),
-      -cross(seen.tip - hard_stop_), Matrix3d::Identity(), seen.tip - hard_stop_, -jacobian * seen.dq;
-  look.z = seen.tip - arm_.tip(seen.q) + look.h * used_;
-  look.white = white_.value(seen.noise);
-  look.cables = jacobian * options_.cable_error.cwiseAbs2().asDiagonal() * jacobian.transpose();
-  return look;
+  Reading reading;
+  reading.h << jacobian * jointSensitivity(seen.travel),
+      jacobian * joints_from_travel_ * stretch.asDiagonal(), -cross(seen.tip - hard_stop_),
+      Matrix3d::Identity(), seen.tip - hard_stop_, -jacobian * seen.dq;
+  reading.z = seen.tip - arm_.tip(seen.q) + reading.h * used_;
+  reading.white = white_.value(seen.noise);
+  reading.cables = jacobian * options_.cable_error.cwiseAbs2().asDiagonal() * jacobian.transpose();
+  return reading;
 }
 
-auto TransmissionEstimator::innovation(const Look& look) const -> Innovation {
+auto TransmissionEstimator::innovation(const Reading& reading) const -> Innovation {
   Innovation innovation;
-  innovation.value = look.z - look.h * regression_.mean();
-  const Matrix3d slow = look.h * covariance_ * look.h.transpose() + look.cables;
-  const Matrix3d predicted = look.white + share_.value() * slow;
+  innovation.value = reading.z - reading.h * regression_.mean();
+  const Matrix3d slow = reading.h * covariance_ * reading.h.transpose() + reading.cables;
+  const Matrix3d predicted = reading.white + share_.value() * slow;
   innovation.nis = innovation.value.dot(Vector3d(predicted.llt().solve(innovation.value)));
   return innovation;
 }
 
 auto TransmissionEstimator::innovation(const Observation& seen) const -> Innovation {
-  return innovation(look(seen));
+  return innovation(reading(seen));
 }
 
 /// Are innovations as large as expected, whatever is present?
-void TransmissionEstimator::judgeFit(const Look& look) {
-  const Vector3d innovation = look.z - look.h * widest_mean_;
-  const Matrix3d predicted = look.h * widest_covariance_ * look.h.transpose() + look.white + look.cables;
+void TransmissionEstimator::judgeFit(const Reading& reading) {
+  const Vector3d innovation = reading.z - reading.h * widest_mean_;
+  const Matrix3d predicted =
+      reading.h * widest_covariance_ * reading.h.transpose() + reading.white + reading.cables;
   const double nis = innovation.dot(Vector3d(predicted.llt().solve(innovation))) / 3.0;
   if (std::isfinite(nis)) misfit_ += (std::min(nis, kOutlier) - misfit_) / options_.nis_window;
 }
 
 void TransmissionEstimator::add(const Observation& seen) {
   if (segment_.count > 0 && seen.t - segment_start_ > kLongestSegment) closeSegment();
-  const Look look = this->look(seen);
-  const Innovation innovation = this->innovation(look);
+  const Reading reading = this->reading(seen);
+  const Innovation innovation = this->innovation(reading);
   white_.add(seen.t, innovation.value, seen.noise);
   share_.add(innovation.nis / 3.0);
-  judgeFit(look);
+  judgeFit(reading);
   passTime(seen.t);
   if (segment_.count == 0) segment_start_ = seen.t;
   const double times = 2.0 * options_.cable_error_time / options_.camera_period;
-  (void)segment_.add<3>(look.h, look.z, look.white + times * look.cables, regression_.sigma());
+  (void)segment_.add<3>(reading.h, reading.z, reading.white + times * reading.cables, regression_.sigma());
   // The first segments are short: little is known yet that a change could hide in.
   const double whole = std::clamp(0.25 * regression_.information().count * options_.camera_period,
                                   options_.camera_period, kSegment);
@@ -266,10 +268,10 @@ Matrix3d TransmissionEstimator::jointCovariance(const Vector3d& q_kin) const {
   return share_.value() * covariance;
 }
 
-Vector3d TransmissionEstimator::remainder(const Observation& seen) const {
+Vector3d TransmissionEstimator::residual(const Observation& seen) const {
   Regression::Vector beside = regression_.mean() - used_;
   if (!estimate_.camerasMoved()) beside.tail<kCamera>().setZero();
-  const Vector3d error = look(seen).h * beside;
+  const Vector3d error = reading(seen).h * beside;
   const Matrix3d jacobian = arm_.tipJacobian(seen.q);
   const Vector3d joints = jacobian.partialPivLu().solve(error);
   return joints.allFinite() ? joints : Vector3d::Zero();

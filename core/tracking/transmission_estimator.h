@@ -85,7 +85,7 @@ class TransmissionEstimator {
   Eigen::Matrix3d jointCovariance(const Eigen::Vector3d& q_kin) const;
   /// How far q_cam differs from q beyond what the correction in use is for: by the estimated errors of
   /// registration, stamps and stiffness [rad, rad, m].
-  Eigen::Vector3d remainder(const Observation& seen) const;
+  Eigen::Vector3d residual(const Observation& seen) const;
 
  private:
   static constexpr int kStates = 17, kOptional = 9, kCamera = kStates - kOptional;
@@ -96,19 +96,19 @@ class TransmissionEstimator {
   static constexpr int kSegments = 12, kKinds = 4;
 
   /// What an observation says of the coefficients: z = h x + v.
-  struct Look {
+  struct Reading {
     Sensitivity h;
     Eigen::Vector3d z;
     Eigen::Matrix3d white;   ///< covariance of v that is new in each frame [m²]
     Eigen::Matrix3d cables;  ///< and of what cables leave unexplained
   };
 
-  Look look(const Observation& seen) const;
-  Innovation innovation(const Look& look) const;
+  Reading reading(const Observation& seen) const;
+  Innovation innovation(const Reading& reading) const;
   Eigen::Matrix<double, 3, kMotor> jointSensitivity(const Eigen::Vector3d& travel) const;
   Eigen::Vector3d travelOf(const Eigen::Vector3d& q_kin) const;
   Eigen::Vector3d correctedTravel(const Eigen::Vector3d& travel) const;
-  void judgeFit(const Look& look);
+  void judgeFit(const Reading& reading);
   void passTime(double t);
   void closeSegment();
   void expectChange(int kind);

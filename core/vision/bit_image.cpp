@@ -1,7 +1,8 @@
 #include "core/vision/bit_image.h"
 
 #include <algorithm>
-#include <cassert>
+
+#include "core/base/check.h"
 
 namespace capstan::vision {
 
@@ -15,7 +16,7 @@ void BitImage::resize(int width, int height) {
   width_ = width;
   height_ = height;
   words_ = (width + 63) / 64;
-  assert(data_.empty() || stride() * static_cast<std::size_t>(height) <= data_.size());
+  CAPSTAN_CHECK(data_.empty() || stride() * static_cast<std::size_t>(height) <= data_.size());
 }
 
 void BitImage::fillBeyond(int y, bool left, bool right) {

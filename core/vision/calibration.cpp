@@ -14,7 +14,7 @@ namespace capstan::vision {
 namespace {
 
 constexpr std::size_t kLeastViews = 3;
-constexpr double kSuspect = 3.0;  // times the median error
+constexpr double kOutlying = 3.0;  // times the median error
 const cv::TermCriteria kStop(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 200, 1e-12);
 
 using Corners = std::vector<std::vector<cv::Point2f>>;
@@ -113,7 +113,7 @@ void fitRig(const BoardViews& boards, const CalibrationOptions& options, base::P
   }
   const double typical = stats::median(stereo_errors);
   for (const std::size_t i : boards.seen)
-    report.views[i].suspect = report.views[i].stereo_error > kSuspect * typical;
+    report.views[i].outlying = report.views[i].stereo_error > kOutlying * typical;
 }
 
 /// Takes out of `boards` the views beyond `factor` times the median error; marks them in the report.
@@ -126,7 +126,7 @@ bool dropOutliers(BoardViews& boards, double factor, CalibrationReport& report) 
     CalibrationView& view = report.views[boards.seen[k]];
     if (view.stereo_error > limit) {
       view.fault = ViewFault::kBadView;
-      view.suspect = false;
+      view.outlying = false;
       continue;
     }
     kept.seen.push_back(boards.seen[k]);

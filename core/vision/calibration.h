@@ -71,7 +71,7 @@ struct CalibrationView {
   double stereo_error = 0.0;      ///< both images, one pose, through the rig
   double smallest_spacing = 0.0;  ///< between neighbouring corners, both images [px]
   bool crowded = false;           ///< spacing below 1.5 corner windows: neighbours disturb each other
-  bool suspect = false;           ///< used, yet beyond three times the median of all views' stereo error
+  bool outlying = false;          ///< used, yet beyond three times the median of all views' stereo error
   bool used() const { return fault == ViewFault::kNone; }
 };
 

@@ -1,8 +1,9 @@
 #include "core/vision/cover_image.h"
 
-#include <cassert>
 #include <cmath>
 #include <cstdint>
+
+#include "core/base/check.h"
 
 namespace capstan::vision {
 namespace {
@@ -32,7 +33,7 @@ void paintRow(std::uint8_t* pixel, int width, std::uint32_t x0, std::uint32_t y)
 }  // namespace
 
 void coverImage(cv::Mat& bgr, double t, int side) {
-  assert(bgr.type() == CV_8UC3);
+  CAPSTAN_CHECK(bgr.type() == CV_8UC3);
   // The hand drifts by a few pixels a second, each camera sees another part of it.
   const double sway = 24.0 * std::sin(1.7 * t + side);
   const auto x0 = static_cast<std::uint32_t>(4096 + side * 977 + static_cast<int>(std::lround(sway)));

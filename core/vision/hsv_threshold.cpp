@@ -1,10 +1,10 @@
 #include "core/vision/hsv_threshold.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <opencv2/core.hpp>
 
+#include "core/base/check.h"
 #include "core/vision/hsv_kernel.h"
 
 namespace capstan::vision {
@@ -88,7 +88,7 @@ std::uint64_t HsvKernel::portableRow(const HsvThreshold& test, const std::uint8_
 }
 
 RowSpan HsvKernel::rows(const HsvThreshold& test, const cv::Mat& bgr, Row* row, BitImage& result) {
-  assert(bgr.type() == CV_8UC3);
+  CAPSTAN_CHECK(bgr.type() == CV_8UC3);
   result.resize(bgr.cols, bgr.rows);
   RowSpan span;
   constexpr int kAhead = 12;  // rows of a region lie far apart: the processor cannot foresee them

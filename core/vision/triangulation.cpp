@@ -1,9 +1,9 @@
 #include "core/vision/triangulation.h"
 
 #include <Eigen/LU>
-#include <cassert>
 #include <cmath>
 
+#include "core/base/check.h"
 #include "core/vision/distortion.h"
 
 namespace capstan::vision {
@@ -11,12 +11,12 @@ namespace capstan::vision {
 namespace {
 
 /// A pixel as ideal image coordinates and their information matrix [1 / (x/z)²].
-struct Sight {
+struct Observation {
   Eigen::Vector2d ideal;
   Eigen::Matrix2d information;
 };
 
-Sight sightOf(const Camera& camera, const Eigen::Vector2d& pixel, double sigma_px) {
+Observation observationOf(const Camera& camera, const Eigen::Vector2d& pixel, double sigma_px) {
   const Distorted seen = undistort(
       camera.distortion, {(pixel.x() - camera.cx) / camera.fx, (pixel.y() - camera.cy) / camera.fy});
   const Eigen::Matrix2d pixel_by_ideal = Eigen::Vector2d(camera.fx, camera.fy).asDiagonal() * seen.jacobian;
@@ -25,18 +25,18 @@ Sight sightOf(const Camera& camera, const Eigen::Vector2d& pixel, double sigma_p
 
 /// Adds one camera's part of the normal equations at `point`, given in that camera's frame; `rotation` takes
 /// the unknown's frame to it. Returns the weighted squared residual.
-double addSight(const Sight& sight, const Eigen::Vector3d& point, const Eigen::Matrix3d& rotation,
-                Eigen::Matrix3d& information, Eigen::Vector3d& right) {
+double addObservation(const Observation& observation, const Eigen::Vector3d& point,
+                      const Eigen::Matrix3d& rotation, Eigen::Matrix3d& information, Eigen::Vector3d& right) {
   const double inverse = 1.0 / point.z();
   const Eigen::Vector2d image = point.head<2>() * inverse;
   Eigen::Matrix<double, 2, 3> projection;
   projection << inverse, 0.0, -image.x() * inverse, 0.0, inverse, -image.y() * inverse;
   const Eigen::Matrix<double, 2, 3> jacobian = projection * rotation;
-  const Eigen::Vector2d residual = sight.ideal - image;
-  const Eigen::Matrix<double, 3, 2> weighted = jacobian.transpose() * sight.information;
+  const Eigen::Vector2d residual = observation.ideal - image;
+  const Eigen::Matrix<double, 3, 2> weighted = jacobian.transpose() * observation.information;
   information += weighted * jacobian;
   right += weighted * residual;
-  return residual.dot(sight.information * residual);
+  return residual.dot(observation.information * residual);
 }
 
 }  // namespace
@@ -51,10 +51,10 @@ Triangulator::Triangulator(const StereoRig& rig)
 
 Triangulation Triangulator::triangulate(const Eigen::Vector2d& left_px, const Eigen::Vector2d& right_px,
                                         double sigma_px_left, double sigma_px_right) const {
-  assert(sigma_px_left > 0.0 && sigma_px_right > 0.0);
+  CAPSTAN_ASSERT(sigma_px_left > 0.0 && sigma_px_right > 0.0);
   Triangulation out;
-  const Sight left = sightOf(rig_.left, left_px, sigma_px_left);
-  const Sight right = sightOf(rig_.right, right_px, sigma_px_right);
+  const Observation left = observationOf(rig_.left, left_px, sigma_px_left);
+  const Observation right = observationOf(rig_.right, right_px, sigma_px_right);
   const Eigen::Vector3d line = essential_ * left.ideal.homogeneous();
   out.epipolar_residual =
       right.ideal.homogeneous().dot(line) / line.head<2>().norm() * std::sqrt(rig_.right.fx * rig_.right.fy);
@@ -78,8 +78,8 @@ Triangulation Triangulator::triangulate(const Eigen::Vector2d& left_px, const Ei
     if (!(out.position.z() > 0.0) || !(in_right.z() > 0.0)) return out;
     Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
     Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
-    out.chi_square = addSight(left, out.position, Eigen::Matrix3d::Identity(), information, gradient) +
-                     addSight(right, in_right, rotation_, information, gradient);
+    out.chi_square = addObservation(left, out.position, Eigen::Matrix3d::Identity(), information, gradient) +
+                     addObservation(right, in_right, rotation_, information, gradient);
     out.covariance = information.inverse();
     const Eigen::Vector3d change = out.covariance * gradient;
     if (!change.allFinite()) return out;

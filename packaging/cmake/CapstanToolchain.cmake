@@ -22,6 +22,11 @@ target_compile_options(capstan_options INTERFACE -Wall -Wextra -Wpedantic -Wshad
                                                  -Woverloaded-virtual -Werror)
 target_include_directories(capstan_options INTERFACE ${PROJECT_SOURCE_DIR})
 
+option(CAPSTAN_ASSERTIONS "Invariants that run per sample (core/base/check.h); OFF for packages" ON)
+if(NOT CAPSTAN_ASSERTIONS)
+  target_compile_definitions(capstan_options INTERFACE CAPSTAN_NO_ASSERTIONS)
+endif()
+
 set(CAPSTAN_SANITIZE "" CACHE STRING "Sanitizers, comma separated: address,undefined or thread")
 if(CAPSTAN_SANITIZE)
   target_compile_options(capstan_options INTERFACE -fsanitize=${CAPSTAN_SANITIZE} -fno-omit-frame-pointer)

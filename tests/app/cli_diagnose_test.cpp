@@ -1,3 +1,4 @@
+#include "core/base/resource.h"
 #include "tests/app/cli_fixture.h"
 #include "tests/app/diagnose_recording.h"
 
@@ -53,6 +54,18 @@ TEST_F(CliDiagnose, SaysWhatIsWrongWithItsArguments) {
   fails(slow + " --robot " + slow, "slow.csv");
   fails(slow + " --out " + slow, "is the same file as the input");
   fails(slow + " --skip-start 100", "slow.csv");
+}
+
+TEST_F(CliDiagnose, RefusesRecordingsOfDifferentRobots) {
+  std::string robot = base::readTextFile(base::resource("robots/raven2_left.yaml"));
+  robot.replace(robot.find("name: RAVEN-II left"), 19, "name: RAVEN-II two ");
+  write("other.yaml", robot);
+  const std::string quick = "--no-images --duration 4 --trajectory sinusoid";
+  const std::string one = simulate("one.capstan", quick),
+                    two = simulate("two.capstan", quick + " --robot " + path("other.yaml"));
+  const Ran ran = run("diagnose " + one + " " + two);
+  EXPECT_EQ(ran.exit, 2);
+  EXPECT_NE(ran.err.find("brings another robot than"), std::string::npos) << ran.err;
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/app/cli_fixture.h"
+#include "tests/support/sample_poses.h"
 
 namespace capstan::testing {
 namespace {
@@ -91,6 +92,48 @@ TEST_F(Cli, TheFilterMayBelieveInAnotherRobotThanThePlantIs) {
   const Ran refused = run("track " + session + " --robot " + path("believed.yaml"));
   EXPECT_EQ(refused.exit, 2);
   EXPECT_THAT(refused.err, HasSubstr("--estimator-robot"));
+}
+
+TEST_F(Cli, TheSecondPapersTableIsMadeOfAGivenTableOfPoses) {
+  writeSamplePoses(path("poses.csv"));
+  const std::string out = " --out " + path("out");
+  const Ran none = run("experiment E" + out);
+  EXPECT_EQ(none.exit, 2);
+  EXPECT_THAT(none.err, HasSubstr("needs a table of tip poses"));
+  const Ran ran = run("experiment E " + path("poses.csv") + " --splits 1 --inducing 60 --json -" + out);
+  ASSERT_EQ(ran.exit, 0) << ran.err;
+  const json clean = json::parse(ran.out)["clean"];
+  EXPECT_LT(clean["gp_velocity_cleaning"]["distance"]["mean"], clean["offset"]["distance"]["mean"]);
+  for (const char* file : {"comparison.md", "numbers.json", "table-1-clean.tex", "table-1-all.csv",
+                           "errors.pdf", "errors.svg", "errors.csv"})
+    EXPECT_TRUE(fs::exists(folder_ / "out/E" / file)) << file;
+  EXPECT_THAT(textOf("out/E/comparison.md"), HasSubstr("1.40 ± 1.70"))
+      << "the paper's x, all parts of the method";
+}
+
+TEST_F(Cli, TheSecondPapersTrainingSizes) {
+  writeSamplePoses(path("poses.csv"));
+  const Ran ran = run("experiment F " + path("poses.csv") + " --inducing 60 --json - --out " + path("out"));
+  ASSERT_EQ(ran.exit, 0) << ran.err;
+  const json points = json::parse(ran.out)["points"];
+  EXPECT_LT(points.back()["errors"]["distance"]["mean"], points.front()["errors"]["distance"]["mean"]);
+  EXPECT_THAT(textOf("out/F/comparison.md"), HasSubstr("460 states"));
+  EXPECT_TRUE(fs::exists(folder_ / "out/F/training-size.pdf"));
+}
+
+TEST_F(Cli, TheSecondPapersSimulatedExperiments) {
+  const std::string small = " --motions 40 --inducing 100 --json - --out " + path("out");
+  const Ran arrival = run("experiment G --visits 2" + small);
+  ASSERT_EQ(arrival.exit, 0) << arrival.err;
+  const json modes = json::parse(arrival.out)["arrival"];
+  EXPECT_LT(modes["end_point"]["distance"]["mean"], modes["none"]["distance"]["mean"]);
+  EXPECT_THAT(textOf("out/G/comparison.md"), HasSubstr("20.30 ± 0.80"));
+  EXPECT_TRUE(fs::exists(folder_ / "out/G/arrival.pdf"));
+  const Ran debridement = run("experiment H --fragments 3" + small);
+  ASSERT_EQ(debridement.exit, 0) << debridement.err;
+  EXPECT_EQ(json::parse(debridement.out)["methods"]["replanning"]["fragments"], 3);
+  EXPECT_TRUE(fs::exists(folder_ / "out/H/debridement.svg"));
+  EXPECT_EQ(run("experiment G " + path("poses.csv") + small).exit, 2) << "it simulates";
 }
 
 }  // namespace

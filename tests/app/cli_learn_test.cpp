@@ -29,9 +29,9 @@ TEST_F(CliLearn, LearnsTellsAndCorrects) {
   EXPECT_THAT(learned.out, HasSubstr("placeholder"));
   EXPECT_THAT(learned.out, HasSubstr("corrected"));
   const json said = json::parse(textOf("m.json"));
-  EXPECT_NEAR(said["lag"]["value"].get<double>(), 0.04, 0.01);
+  EXPECT_NEAR(said["clock_offset"]["value"].get<double>(), 0.04, 0.01);
   EXPECT_TRUE(said["weights"]["weighed"].get<bool>());
-  EXPECT_TRUE(said["weights"]["again"].is_object()) << "reasons and how many of each";
+  EXPECT_TRUE(said["weights"]["readmitted"].is_object()) << "reasons and how many of each";
   EXPECT_EQ(said["model"]["processes"][0]["kernel"], "matern");
   EXPECT_EQ(said["model"]["processes"][0]["members"].size(), 3U);
   const json& clean = said["test"]["clean"];
@@ -59,6 +59,28 @@ TEST_F(CliLearn, EvaluatesOnTrajectoriesHeldOutAndLearnsFromAll) {
             held_out["clean"]["offset"]["distance"]["mean"]);
   EXPECT_EQ(learn("--hold-out 0").exit, 2);
   EXPECT_EQ(learn("--hold-out 20 --onto " + path("m.correction")).exit, 2);
+}
+
+TEST_F(CliLearn, CorrectsPlannedMotionsAlongTheirPathsOrAtTheirEnds) {
+  ASSERT_EQ(learn("").exit, 0);
+  std::string text = "traj,t_s,x,y,z,qx,qy,qz,qw\n";
+  for (int k = 0; k <= 10; ++k)
+    text += "1," + std::to_string(0.1 * k) + "," + std::to_string(0.01 + 0.001 * k) + ",0,-0.15,0,0,0,1\n";
+  write("motions.csv", text);
+  const std::string correct = "correct --model " + path("m.correction") + " " + path("motions.csv") + " ";
+  const Ran whole = run(correct + path("path.csv") + " --path"),
+            ends = run(correct + path("ends.csv") + " --end-point");
+  ASSERT_EQ(whole.exit, 0) << whole.err;
+  ASSERT_EQ(ends.exit, 0) << ends.err;
+  EXPECT_THAT(whole.out, HasSubstr("1 motions, 11 waypoints"));
+  EXPECT_EQ(textOf("path.csv").rfind("traj,t_s,x,y,z,qx,qy,qz,qw,confidence\n", 0), 0U);
+  EXPECT_EQ(std::ranges::count(textOf("ends.csv"), '\n'), 12);
+  EXPECT_NE(textOf("path.csv"), textOf("ends.csv"));
+  EXPECT_EQ(run(correct + path("both.csv") + " --path --end-point").exit, 2);
+  write("motions.csv", "x,y,z,qx,qy,qz,qw\n0.01,0,-0.15,0,0,0,1\n");
+  const Ran untimed = run(correct + path("none.csv") + " --path");
+  EXPECT_EQ(untimed.exit, 2);
+  EXPECT_THAT(untimed.err, HasSubstr("t_s"));
 }
 
 TEST_F(CliLearn, LearnsAsThePaperDoes) {
@@ -128,10 +150,10 @@ TEST_F(CliLearn, SaysWhetherAModelHoldsAndLearnsOn) {
   const Ran more = run("learn --train " + path("test.csv") + " --onto " + model + " --model " +
                        path("more.correction") + " --test " + path("aged.csv"));
   EXPECT_EQ(more.exit, 0) << more.err;
-  const Ran told = run("learn --train " + path("train.csv") + " --onto " + path("more.correction") +
-                       " --model " + path("x.correction"));
-  EXPECT_EQ(told.exit, 2);
-  EXPECT_THAT(told.err, HasSubstr("train.csv: has been learned from already"));
+  const Ran commanded = run("learn --train " + path("train.csv") + " --onto " + path("more.correction") +
+                            " --model " + path("x.correction"));
+  EXPECT_EQ(commanded.exit, 2);
+  EXPECT_THAT(commanded.err, HasSubstr("train.csv: has been learned from already"));
   EXPECT_THAT(run("learn --train " + path("test.csv") + " --onto " + model + " --method none --model " +
                   path("x.correction"))
                   .err,

@@ -124,7 +124,7 @@ TEST_F(Cli, OcclusionShutsTheGateForItsShare) {
   ASSERT_EQ(result.exit, 0) << result.err;
   const json document = json::parse(result.out);
   const double share =
-      document["gates"]["both lost"].get<double>() / document["camera_samples"].get<double>();
+      document["gates"]["both_lost"].get<double>() / document["camera_samples"].get<double>();
   EXPECT_NEAR(share, 0.4, 0.05);
 }
 

@@ -1,4 +1,4 @@
-/// What capstan-cli says of a recording: doubts about units, what the reference is, the NIS verdict.
+/// What capstan-cli says of a recording: exclusions about units, what the reference is, the NIS verdict.
 #include "tests/app/cli_fixture.h"
 
 namespace capstan {
@@ -64,7 +64,9 @@ TEST_F(Cli, TheNisVerdictHasItsBandAndSaysWhatFailureMeans) {
   const std::string text = run(command).out;
   EXPECT_NE(text.find("95 % band"), std::string::npos) << text;
   EXPECT_NE(text.find("FAIL"), std::string::npos) << text;
-  EXPECT_NE(text.find("as with a wrong parameter of the robot file or cameras that were moved: see identify"), std::string::npos) << text;
+  EXPECT_NE(text.find("as with a wrong parameter of the robot file or cameras that were moved: see identify"),
+            std::string::npos)
+      << text;
 
   const std::string matched = "track --simulate --truth matched --no-images --duration 20" + six;
   const json calm = json::parse(run(matched + " --json -").out);

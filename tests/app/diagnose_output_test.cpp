@@ -40,7 +40,7 @@ TEST(DiagnoseText, BeginsWithTheVerdictThenCausesThenNumbers) {
   for (const std::size_t at : {cause, gain, channels, refit, ranking, filter})
     ASSERT_NE(at, std::string::npos) << text;
   EXPECT_TRUE(cause < gain && gain < channels && channels < refit && refit < ranking && ranking < filter);
-  EXPECT_TRUE(has(line, std::string(diagnosis::hypothesisNamed("backlash")->words().experiment)));
+  EXPECT_TRUE(has(line, std::string(diagnosis::hypothesisNamed("backlash")->words.experiment)));
   EXPECT_TRUE(has(line, "probability 97 %"));
   EXPECT_TRUE(has(line, "verdict: found"));
 }
@@ -58,12 +58,12 @@ TEST(DiagnoseText, TiesStandTogetherWithWhatWouldTellThemApart) {
 TEST(DiagnoseText, SaysWhatStaysUnexplained) {
   const Report report = sampleReport({.verdict = Verdict::kUnexplained});
   const std::string text = flat(textOf(report));
-  EXPECT_TRUE(has(text, "The remainder of q1 " + report.processes[0].words));
+  EXPECT_TRUE(has(text, "The residual of q1 " + report.processes[0].words));
   EXPECT_TRUE(has(text, "7.30"));
   EXPECT_FALSE(has(text, "Kalman"));
   Report short_one = report;
   short_one.processes[0].end = diagnosis::ProcessEnd::kTooFew;
-  EXPECT_FALSE(has(flat(textOf(short_one)), "The remainder of q1"))
+  EXPECT_FALSE(has(flat(textOf(short_one)), "The residual of q1"))
       << "a process that could not run says nothing";
 }
 

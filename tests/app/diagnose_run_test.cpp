@@ -12,7 +12,7 @@
 #include "core/base/error.h"
 #include "core/base/yaml.h"
 #include "tests/app/diagnose_recording.h"
-#include "tests/core/diagnosis/pose_world.h"
+#include "tests/core/diagnosis/sampled_poses.h"
 
 namespace capstan::cli {
 namespace {
@@ -134,8 +134,7 @@ TEST_F(DiagnoseRun, WritesTheExtendedRobotAndSaysWhereItIsFrom) {
 TEST_F(DiagnoseRun, WritesAPage) {
   arguments_.report = path("page");
   EXPECT_EQ(run(), kOk);
-  for (const char* name :
-       {"index.html", "report.json", "robot.yaml", "q2-remainder.svg", "q2-signatures.svg"})
+  for (const char* name : {"index.html", "report.json", "robot.yaml", "q2-residual.svg", "q2-signatures.svg"})
     EXPECT_TRUE(fs::exists(folder_ / "page" / name)) << name;
   EXPECT_NE(out_.find("index.html"), std::string::npos);
   EXPECT_NE(base::readTextFile(path("page/index.html")).find("RAVEN-II left"), std::string::npos);
@@ -229,7 +228,7 @@ TEST_F(DiagnoseRun, TipPosesAreDiagnosedWithoutMotors) {
     EXPECT_NE(out_.find(part), std::string::npos) << part << " in\n" << out_;
   EXPECT_NE(err_.find("poses.csv: "), std::string::npos) << err_;
   EXPECT_EQ(robot::readDescription(path("extended.yaml")).effects.at(0).effect, "camera_offset");
-  EXPECT_TRUE(fs::exists(folder_ / "page" / "tip-z-remainder.svg"));
+  EXPECT_TRUE(fs::exists(folder_ / "page" / "tip-z-residual.svg"));
   arguments_.out = arguments_.report = {};
   arguments_.towards = "command";
   arguments_.json = "-";

@@ -102,7 +102,7 @@ Forward kdlHybridSolver(const KDL::Chain& chain, const KDL::Vector& gravity) {
   };
 }
 
-struct Contender {
+struct CandidateModel {
   std::string title;
   bool kdl;
   std::function<Vector3d()> sweep;  ///< all states once; the sum keeps the work alive
@@ -140,7 +140,7 @@ Vector3d chainedSweep(const ArmDynamics& arm) {
   return sum;
 }
 
-std::vector<Contender> contenders() {
+std::vector<CandidateModel> candidate_models() {
   static const ArmDynamics arm(problem().robot);
   static const ChainDynamics general(problem().robot);
   static const KDL::Chain chain = testing::kdlChain(problem().robot);
@@ -170,19 +170,19 @@ std::string cpuName() {
 }
 
 /// Everybody solves the same problem: sums over all states agree.
-bool agree(std::vector<Contender>& all) {
+bool agree(std::vector<CandidateModel>& all) {
   const Vector3d first = all[0].sweep();
-  return std::all_of(all.begin(), all.end(), [&](Contender& c) {
+  return std::all_of(all.begin(), all.end(), [&](CandidateModel& c) {
     const double difference = (c.sweep() - first).norm() / first.norm();
     if (difference > 1e-9) std::printf("%s differs by %.1e\n", c.title.c_str(), difference);
     return difference <= 1e-9;
   });
 }
 
-void measure(std::vector<Contender>& all) {
+void measure(std::vector<CandidateModel>& all) {
   using Clock = std::chrono::steady_clock;
   for (int round = 0; round < kRounds; ++round)
-    for (Contender& contender : all) {
+    for (CandidateModel& contender : all) {
       const auto start = Clock::now();
       for (int k = 0; k < kSweeps; ++k) benchmark::DoNotOptimize(contender.sweep());
       const std::chrono::duration<double, std::nano> spent = Clock::now() - start;
@@ -190,16 +190,16 @@ void measure(std::vector<Contender>& all) {
     }
 }
 
-void printTable(const std::vector<Contender>& all) {
+void printTable(const std::vector<CandidateModel>& all) {
   double peer = 1e300, peer_median = 1e300;
-  for (const Contender& c : all)
+  for (const CandidateModel& c : all)
     if (c.kdl) {
       peer = std::min(peer, c.best());
       peer_median = std::min(peer_median, c.median());
     }
   std::printf("forward dynamics of RAVEN-II's three joints on %s\n", cpuName().c_str());
   std::printf("%-42s %10s %10s %22s\n", "", "best ns", "median ns", "x KDL's best (median)");
-  for (const Contender& c : all)
+  for (const CandidateModel& c : all)
     std::printf("%-42s %10.1f %10.1f %14.1f (%.1f)\n", c.title.c_str(), c.best(), c.median(), peer / c.best(),
                 peer_median / c.median());
   std::printf("target: closed form at least 20 x KDL's: %s\n\n",
@@ -209,11 +209,11 @@ void printTable(const std::vector<Contender>& all) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::vector<Contender> all = contenders();
+  std::vector<CandidateModel> all = candidate_models();
   if (!agree(all)) return 1;
   measure(all);
   printTable(all);
-  for (Contender& contender : all)
+  for (CandidateModel& contender : all)
     benchmark::RegisterBenchmark(contender.title.c_str(), [&contender](benchmark::State& state) {
       for (auto _ : state) benchmark::DoNotOptimize(contender.sweep());
       state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kStates));

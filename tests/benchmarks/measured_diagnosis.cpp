@@ -24,8 +24,8 @@ bool isHere(const std::filesystem::path& path) {
 }
 
 /// "+ backlash" or "+ backlash (or slack)".
-std::string named(const std::string& name, const std::vector<std::string>& rivals) {
-  return rivals.empty() ? name : fmt::format("{} (or {})", name, fmt::join(rivals, ", "));
+std::string named(const std::string& name, const std::vector<std::string>& competitors) {
+  return competitors.empty() ? name : fmt::format("{} (or {})", name, fmt::join(competitors, ", "));
 }
 
 void printNumbers(const robot::Description& robot) {
@@ -55,7 +55,7 @@ void emps(const std::filesystem::path& folder, measured::EmpsStart start, int th
   fmt::print("  {:40}{:>10}{:>10}{:>18}{:>10}\n", "", "training", "test", "training", "test");
   const auto steps = measured::empsSteps(folder, start, threads);
   for (const measured::EmpsStep& step : steps)
-    fmt::print("  {:40}{:>10.2f}{:>10.2f}{:>18.2f}{:>10.2f}\n", named(step.name, step.rivals),
+    fmt::print("  {:40}{:>10.2f}{:>10.2f}{:>18.2f}{:>10.2f}\n", named(step.name, step.competitors),
                step.train.at_rest, step.test.at_rest, step.train.moving, step.test.moving);
   fmt::print(
       "  others, test: four-number drive 9.4; with asymmetric and speed-dependent friction 4.2; best "
@@ -74,7 +74,7 @@ void jaw(const std::filesystem::path& folder, const std::vector<std::string>& fr
   fmt::print("  {:50}{:>8}{:>8}{:>18}\n", "load levels:", "even", "odd", "odd, a zero each");
   const auto steps = measured::jawSteps(folder, frequencies, {}, threads);
   for (const measured::JawStep& step : steps)
-    fmt::print("  {:50}{:>8.3f}{:>8.3f}{:>18.3f}\n", named(step.name, step.rivals), step.even_deg,
+    fmt::print("  {:50}{:>8.3f}{:>8.3f}{:>18.3f}\n", named(step.name, step.competitors), step.even_deg,
                step.odd_deg, step.odd_zero_each_deg);
   fmt::print(
       "  quick fits, odd levels: gear ratio alone 2.88; with linear stretch 1.73; with Coulomb friction too "

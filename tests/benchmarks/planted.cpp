@@ -84,8 +84,8 @@ int main(int argc, char** argv) {
   app.add_option("--out", wanted.out, "CSV file to write");
   app.add_option("--truth", wanted.truth, "JSON file of what was planted; unset: standard output");
   app.add_flag("--rigid", wanted.rigid, "motor torque drives the joints, no cables");
-  app.add_flag("--textured", wanted.textured, "with everyday texture; neither this nor --plain: drawn");
-  app.add_flag("--plain", wanted.plain, "without everyday texture");
+  app.add_flag("--textured", wanted.textured, "with background texture; neither this nor --plain: drawn");
+  app.add_flag("--plain", wanted.plain, "without background texture");
   app.add_flag("--no-cameras", wanted.no_cameras);
   app.add_flag("--no-encoders", wanted.no_encoders);
   app.add_flag("--list", wanted.list, "names of the effects");

@@ -29,10 +29,10 @@ using capstan::estimation::Lower;
 using capstan::math::InstructionSet;
 
 /// A contender takes sample k -> k + 1 each time it is called; begin() goes back to the first.
-class Contender {
+class CandidateModel {
  public:
-  Contender(std::string title, int steps) : title_(std::move(title)), problem_(problemFor(steps)) {}
-  virtual ~Contender() = default;
+  CandidateModel(std::string title, int steps) : title_(std::move(title)), problem_(problemFor(steps)) {}
+  virtual ~CandidateModel() = default;
   virtual void begin() = 0;
   virtual void step(int k) = 0;
   virtual double result() const = 0;
@@ -44,10 +44,10 @@ class Contender {
   const Problem& problem_;
 };
 
-class Ours : public Contender {
+class Ours : public CandidateModel {
  public:
   Ours(InstructionSet set, int steps, std::string title)
-      : Contender(std::move(title), steps), model_(problem().robot, set) {
+      : CandidateModel(std::move(title), steps), model_(problem().robot, set) {
     model_.setSteps(steps);
     sqrt_q_ = problem().sigma_q.asDiagonal();
     sqrt_r_ = problem().sigma_r.asDiagonal();
@@ -69,10 +69,10 @@ class Ours : public Contender {
   Lower<3> sqrt_r_;
 };
 
-class SimdFloor : public Contender {
+class SimdFloor : public CandidateModel {
  public:
   SimdFloor(InstructionSet set, int steps, std::string title)
-      : Contender(std::move(title), steps), model_(problem().robot, set) {
+      : CandidateModel(std::move(title), steps), model_(problem().robot, set) {
     model_.setSteps(steps);
   }
   void begin() override { points_.colwise() = problem().mean0; }
@@ -88,9 +88,9 @@ class SimdFloor : public Contender {
   alignas(64) CableArmModel::Points points_;
 };
 
-class ScalarFloor : public Contender {
+class ScalarFloor : public CandidateModel {
  public:
-  explicit ScalarFloor(int steps) : Contender("13 bare RK4, scalar", steps), arm_(steps) {}
+  explicit ScalarFloor(int steps) : CandidateModel("13 bare RK4, scalar", steps), arm_(steps) {}
   void begin() override { points_.colwise() = problem().mean0; }
   void step(int k) override {
     const auto& motor = problem().motor;
@@ -122,10 +122,10 @@ class OpenCvModel : public cv::detail::UkfSystemModel {
   ScalarArm arm_;
 };
 
-class OpenCv : public Contender {
+class OpenCv : public CandidateModel {
  public:
   explicit OpenCv(int steps)
-      : Contender("OpenCV tracking UKF", steps), model_(cv::makePtr<OpenCvModel>(steps)) {}
+      : CandidateModel("OpenCV tracking UKF", steps), model_(cv::makePtr<OpenCvModel>(steps)) {}
   void begin() override {
     cv::detail::UnscentedKalmanFilterParams p;
     p.init(6, 3, 12, 1.0, 1.0, model_, CV_64F);
@@ -163,22 +163,22 @@ std::string processorName() {
   return "unknown processor";
 }
 
-/// Nanoseconds a step of each contender: the fastest of several rounds, the contenders taking turns within a
-/// round.
-std::vector<double> timeInTurns(const std::vector<std::unique_ptr<Contender>>& contenders) {
+/// Nanoseconds a step of each contender: the fastest of several rounds, the candidate_models taking turns
+/// within a round.
+std::vector<double> timeInTurns(const std::vector<std::unique_ptr<CandidateModel>>& candidate_models) {
   constexpr int kRounds = 25;
   using Clock = std::chrono::steady_clock;
-  std::vector<double> fastest(contenders.size(), std::numeric_limits<double>::infinity());
+  std::vector<double> fastest(candidate_models.size(), std::numeric_limits<double>::infinity());
   for (int round = 0; round < kRounds; ++round)
-    for (std::size_t c = 0; c < contenders.size(); ++c) {
-      contenders[c]->begin();
-      for (int k = 0; k < 100; ++k) contenders[c]->step(k);
-      contenders[c]->begin();
+    for (std::size_t c = 0; c < candidate_models.size(); ++c) {
+      candidate_models[c]->begin();
+      for (int k = 0; k < 100; ++k) candidate_models[c]->step(k);
+      candidate_models[c]->begin();
       const auto start = Clock::now();
-      for (int k = 0; k < kSamples; ++k) contenders[c]->step(k);
+      for (int k = 0; k < kSamples; ++k) candidate_models[c]->step(k);
       const double ns = std::chrono::duration<double, std::nano>(Clock::now() - start).count() / kSamples;
       fastest[c] = std::min(fastest[c], ns);
-      benchmark::DoNotOptimize(contenders[c]->result());
+      benchmark::DoNotOptimize(candidate_models[c]->result());
     }
   return fastest;
 }
@@ -227,8 +227,8 @@ void printAgreement(int steps, int samples) {
       samples, mean, covariance, theirs);
 }
 
-std::vector<std::unique_ptr<Contender>> contendersFor(int steps) {
-  std::vector<std::unique_ptr<Contender>> list;
+std::vector<std::unique_ptr<CandidateModel>> contendersFor(int steps) {
+  std::vector<std::unique_ptr<CandidateModel>> list;
   list.push_back(
       std::make_unique<Ours>(capstan::math::bestInstructionSet(), steps, "srUKF predict + update"));
   list.push_back(std::make_unique<OpenCv>(steps));
@@ -243,12 +243,13 @@ std::vector<std::unique_ptr<Contender>> contendersFor(int steps) {
 }
 
 void printTable(int steps) {
-  const auto contenders = contendersFor(steps);
-  const std::vector<double> ns = timeInTurns(contenders);
+  const auto candidate_models = contendersFor(steps);
+  const std::vector<double> ns = timeInTurns(candidate_models);
   std::printf("\nA sample of %g ms in %d RK4 step%s\n", 1e3 * problemFor(steps).dt, steps,
               steps == 1 ? "" : "s");
-  for (std::size_t c = 0; c < contenders.size(); ++c)
-    std::printf("  %-38s %9.0f ns  %6.2f x srUKF\n", contenders[c]->title().c_str(), ns[c], ns[c] / ns[0]);
+  for (std::size_t c = 0; c < candidate_models.size(); ++c)
+    std::printf("  %-38s %9.0f ns  %6.2f x srUKF\n", candidate_models[c]->title().c_str(), ns[c],
+                ns[c] / ns[0]);
   std::printf(
       "  faster than OpenCV: %.1f x (wanted: 8)   srUKF over floor: %.2f x scalar, %.2f x side by side "
       "(wanted: 2.5)\n",
@@ -256,7 +257,7 @@ void printTable(int steps) {
   printAgreement(steps, 1000);
 }
 
-void run(benchmark::State& state, const std::function<std::unique_ptr<Contender>()>& make) {
+void run(benchmark::State& state, const std::function<std::unique_ptr<CandidateModel>()>& make) {
   const auto contender = make();
   contender->begin();
   int k = 0;

@@ -11,7 +11,7 @@
 #include "core/robot/description.h"
 #include "core/tracking/cable_arm_model.h"
 
-/// What the contenders of ukf_benchmark.cpp are given, and the scalar model that the slower ones run.
+/// What the candidate_models of ukf_benchmark.cpp are given, and the scalar model that the slower ones run.
 namespace capstan::bench {
 
 using tracking::CableArmModel;

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "core/base/resource.h"
-#include "core/diagnosis/residuals/decimated_remainder.h"
+#include "core/diagnosis/residuals/decimated_residual.h"
 #include "tests/support/sample_motion.h"
 
 namespace capstan::testing {
@@ -35,9 +35,9 @@ std::vector<Signature> strongestFirst(const Channel& channel, const std::vector<
 }
 
 void addChannels(Report& report, const SampleMotion& motion, const robot::Description& robot, int recording) {
-  const auto nominal = remainderOf(motion.evidence, motion.nominal, robot);
-  const auto refitted = remainderOf(motion.evidence, motion.refitted, robot);
-  const auto extended = remainderOf(motion.evidence, motion.extended, robot);
+  const auto nominal = residualOf(motion.evidence, motion.nominal, robot);
+  const auto refitted = residualOf(motion.evidence, motion.refitted, robot);
+  const auto extended = residualOf(motion.evidence, motion.extended, robot);
   const auto before = variablesOf(motion.evidence, motion.refitted, robot);
   const auto after = variablesOf(motion.evidence, motion.extended, robot);
   for (std::size_t i = 0; i < nominal.size(); ++i) {
@@ -53,7 +53,7 @@ void addChannels(Report& report, const SampleMotion& motion, const robot::Descri
     report.channels.push_back(std::move(channel));
     if (report.verdict == Verdict::kUnexplained && recording == 0 && refitted[i].joint == 1)
       report.processes.push_back(
-          remainderProcess(refitted[i], before, {.points = 200, .iterations = 15, .shuffles = 2}));
+          residualProcess(refitted[i], before, {.points = 200, .iterations = 15, .shuffles = 2}));
   }
 }
 

@@ -8,7 +8,7 @@
 namespace capstan::testing {
 
 /// What a diagnosis of a left RAVEN-II might report, without the engine that makes one: for tests of screens,
-/// files and pages. Motion, remainders, statistics, signatures, gains and processes belong together and
+/// files and pages. Motion, residuals, statistics, signatures, gains and processes belong together and
 /// follow from one another as in a real report; causes, ranking and refit are written to match.
 struct SampleDiagnosis {
   /// kFound: backlash in joint 2; kSeveral: an eccentric capstan of joint 1 as well; kTie: backlash or

@@ -58,7 +58,7 @@ Evidence emptyEvidence(const SampleDiagnosis& sample, int recording) {
   const auto rows = static_cast<std::size_t>(std::lround(sample.duration / kStep));
   for (std::size_t i = 0; i < rows; ++i) evidence.t.push_back(kStep * static_cast<double>(i));
   evidence.segments = {{0, rows}};
-  evidence.doubts.assign(rows, 0);
+  evidence.exclusions.assign(rows, 0);
   for (Columns* columns : {&evidence.q_m, &evidence.dq_m, &evidence.tau_m, &evidence.q})
     columns->assign(3, std::vector<double>(rows));
   evidence.noise.q.resize(3);

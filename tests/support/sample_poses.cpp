@@ -14,16 +14,17 @@ using Eigen::Vector3d;
 
 constexpr double kPeriod = 0.01;  ///< [s]
 
-Eigen::Isometry3d poseOf(const Vector3d& position, const Vector3d& turn) {
+Eigen::Isometry3d poseOf(const Vector3d& position, const Vector3d& rotation) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  if (turn.norm() > 0.0) pose.linear() = Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
+  if (rotation.norm() > 0.0)
+    pose.linear() = Eigen::AngleAxisd(rotation.norm(), rotation.normalized()).toRotationMatrix();
   pose.translation() = position;
   return pose;
 }
 
 /// One trajectory in the frame of the cameras: some centimetres at some centimetres a second.
 struct Path {
-  Vector3d middle, reach, phase, rate, turn;
+  Vector3d middle, reach, phase, rate, rotation;
 
   explicit Path(base::Random& random) {
     for (int i = 0; i < 3; ++i) {
@@ -31,24 +32,24 @@ struct Path {
       reach[i] = random.uniform(0.008, 0.02);
       phase[i] = random.uniform(0.0, 6.28);
       rate[i] = random.uniform(2.0, 4.0);
-      turn[i] = random.uniform(-0.15, 0.15);
+      rotation[i] = random.uniform(-0.15, 0.15);
     }
   }
-  Eigen::Isometry3d seen(double t) const {
+  Eigen::Isometry3d observed(double t) const {
     const Vector3d swing = (rate * t + phase).array().sin();
-    return poseOf(middle + reach.cwiseProduct(swing), turn + 0.2 * swing);
+    return poseOf(middle + reach.cwiseProduct(swing), rotation + 0.2 * swing);
   }
   Vector3d velocity(double t) const {
     return reach.array() * rate.array() * (rate * t + phase).array().cos();
   }
   /// What has to be told for seen(t): the offset, millimetres by place, degrees by speed.
-  Eigen::Isometry3d told(double t, double bias) const {
-    const Eigen::Isometry3d at = seen(t);
-    Eigen::Isometry3d told =
+  Eigen::Isometry3d commanded(double t, double bias) const {
+    const Eigen::Isometry3d at = observed(t);
+    Eigen::Isometry3d commanded =
         sampleOffset() * at * poseOf(Vector3d::Zero(), 0.7 * velocity(t).x() * Vector3d::UnitX());
-    told.translation() +=
+    commanded.translation() +=
         bias * Vector3d(std::sin(40.0 * at.translation().x()), std::cos(30.0 * at.translation().y()), 0.0);
-    return told;
+    return commanded;
   }
 };
 
@@ -59,7 +60,7 @@ std::string cells(const Eigen::Isometry3d& pose, double unit) {
                      q.z(), q.w());
 }
 
-constexpr const char* kNoSight = ",0,0,0,0,0,0,1";
+constexpr const char* kNoObservation = ",0,0,0,0,0,0,1";
 
 }  // namespace
 
@@ -80,21 +81,22 @@ std::string samplePoseTable(const SamplePoses& sample) {
       const double t = 5.0 * m + kPeriod * row, within = kPeriod * row;
       Vector3d noise(random.normal(), random.normal(), random.normal());
       if (sample.noise_seed > 0) noise = Vector3d(other.normal(), other.normal(), other.normal());
-      Eigen::Isometry3d seen = path.seen(within);
-      seen.translation() += sample.noise * noise;
+      Eigen::Isometry3d observed = path.observed(within);
+      observed.translation() += sample.noise * noise;
       if (sample.turn_noise > 0.0) {
         base::Random& from = sample.noise_seed > 0 ? other : random;
-        const Vector3d turned(from.normal(), from.normal(), from.normal());
-        seen.linear() *= poseOf(Vector3d::Zero(), sample.turn_noise * turned).linear();
+        const Vector3d rotated(from.normal(), from.normal(), from.normal());
+        observed.linear() *= poseOf(Vector3d::Zero(), sample.turn_noise * rotated).linear();
       }
-      if (all || (row >= 20 && row < 20 + sample.outliers)) seen.translation().x() += 0.06;
-      const bool sight = row < 40 || row >= 40 + sample.placeholders;
-      table += fmt::format("{},{},{:.6f}", m / 10, m % 10, t) + (sight ? cells(seen, sample.unit) : kNoSight);
-      const Eigen::Isometry3d told = path.told(within + sample.lag, sample.bias);
-      Eigen::Isometry3d believed = told;
+      if (all || (row >= 20 && row < 20 + sample.outliers)) observed.translation().x() += 0.06;
+      const bool observation = row < 40 || row >= 40 + sample.placeholders;
+      table += fmt::format("{},{},{:.6f}", m / 10, m % 10, t) +
+               (observation ? cells(observed, sample.unit) : kNoObservation);
+      const Eigen::Isometry3d commanded = path.commanded(within + sample.clock_offset, sample.bias);
+      Eigen::Isometry3d believed = commanded;
       believed.translation().z() += 1e-3;
       table += fmt::format(",{:.6f}", t) + cells(believed, sample.unit);
-      if (sample.command) table += fmt::format(",{:.6f}", t) + cells(told, sample.unit);
+      if (sample.command) table += fmt::format(",{:.6f}", t) + cells(commanded, sample.unit);
       table += '\n';
     }
   }

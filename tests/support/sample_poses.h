@@ -8,15 +8,16 @@
 namespace capstan::testing {
 
 /// A table of tip poses (recording::readPoseTable) whose flaws are known: cameras in a frame of their own and
-/// late, an error that goes smoothly with place and speed, sights that jump, rows without a sight.
+/// late, an error that goes smoothly with place and speed, observations that jump, rows without an
+/// observation.
 struct SamplePoses {
   int trajectories = 20, rows = 60;  ///< of each trajectory, at 100 Hz
-  double lag = 0.04;                 ///< of what is seen behind what is told [s]
+  double clock_offset = 0.04;        ///< of what is seen behind what is told [s]
   double bias = 4e-3;                ///< of the smooth error [m]
   double noise = 3e-5;               ///< of what is seen, each axis [m]
   double turn_noise = 0.0;           ///< likewise, of the turn [rad]
   int outliers = 2;                  ///< rows of each trajectory that jump by 6 cm; all of the last one
-  int placeholders = 1;              ///< rows of each trajectory without a sight
+  int placeholders = 1;              ///< rows of each trajectory without an observation
   bool command = true;               ///< false: the robot's kinematics alone
   double unit = 1.0;                 ///< that positions are written in [m]
   std::uint64_t seed = 1;

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "core/base/random.h"
-#include "core/learning/process/kernel.h"
+#include "core/learning/gaussian_process/kernel.h"
 
 /// What processes are tried on, and the formulas of their textbook (Rasmussen and Williams 2006).
 namespace capstan::testing {

@@ -19,7 +19,7 @@ TEST(PlantedEffects, HaveNamesOfTheirOwn) {
     EXPECT_TRUE(facts.cable || facts.rigid);
   }
   EXPECT_EQ(effectNamed("none"), nullptr);
-  EXPECT_EQ(names.size(), 30U);
+  EXPECT_EQ(names.size(), 31U);
 }
 
 TEST(PlantedCase, EverythingIsDrawnAndOnlyWhereItMakesSense) {
@@ -118,7 +118,7 @@ struct Bench {
   Bench(const robot::Description& nominal, bool rigid) : robot(nominal), parameters(nominal, rigid) {
     base::Random random(6);
     const Excitation excitation(robot, 5.0, random);
-    texture = everydayTexture(parameters, random);
+    texture = backgroundTexture(parameters, random);
     Plant plant(parameters, {});
     const Joints push{0.3 * parameters.coulomb[0], 0.3 * parameters.coulomb[1], 0.3 * parameters.coulomb[2]};
     const ExternalLoad load(push, random);

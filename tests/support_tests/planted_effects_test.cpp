@@ -99,6 +99,21 @@ TEST(PlantedEffects, BoucWenEndsAtItsYieldAndComesBackAnotherWay) {
   EXPECT_NEAR(z, 0.0, 2e-3 * yield);  // unloading is straight: dz = dx
 }
 
+/// The motor is held: the joint goes where its zero goes, behind it as mass, damper and friction say. Of
+/// k (z − x) + 2 b (dz − dx) − F_v dx = m d²x with z = c (1 − e^{s t}), s = −1/T, that is x = c (1 − H(s)
+/// e^{s t}), H(s) = (k + 2 b s) / (k + (2 b + F_v) s + m s²).
+TEST(PlantedEffects, AZeroSettlesExponentially) {
+  const auto drift = planted(Effect::kZeroDrift, 3e-3, 0.5);
+  const double s = -2.0;
+  const double behind = (kStiffness + 40.0 * s) / (kStiffness + 340.0 * s + 2.0 * s * s);
+  for (const double t : {0.5, 1.0, 8.0})
+    EXPECT_NEAR(restUnder(0.0, {drift}, t), 3e-3 * (1.0 - behind * std::exp(s * t)), 1e-8) << t;
+  EXPECT_EQ(law::settledZero(3e-3, -0.1, 0.5), 0.0);
+  const double h = 1e-6;
+  EXPECT_NEAR((law::settledZero(2.0, 0.3 + h, 0.5) - law::settledZero(2.0, 0.3 - h, 0.5)) / (2.0 * h),
+              law::settlingZero(2.0, 0.3, 0.5), 1e-8);
+}
+
 /// Slope of the joint's velocity at rest position and velocity v, without anything else moving.
 double acceleration(const std::vector<Planted>& effects, double q, double v, double t = 0.0) {
   robot::Description robot = slider();

@@ -19,10 +19,10 @@ namespace {
 using test::Effect;
 using test::Planted;
 
-constexpr double kTime = 4.0;      // [s]
-constexpr std::size_t kSeen = 10;  // rows from one that is compared to the next
-constexpr double kSlipAt = 0.4;    // of the time
-constexpr int kParts = 8;          // of a row in the chain's steps: laws are compared here, not steps
+constexpr double kTime = 4.0;          // [s]
+constexpr std::size_t kObserved = 10;  // rows from one that is compared to the next
+constexpr double kSlipAt = 0.4;        // of the time
+constexpr int kParts = 8;              // of a row in the chain's steps: laws are compared here, not steps
 
 /// The numbers of `planted` in the order in which core's effect has them.
 std::vector<double> valuesOf(const Planted& e) {
@@ -38,6 +38,7 @@ std::vector<double> valuesOf(const Planted& e) {
     case Effect::kCableHysteresis:
     case Effect::kCableCreep:
     case Effect::kStribeckFriction:
+    case Effect::kZeroDrift:
       return {m, s};
     case Effect::kSlack:
       return {s * (1.0 - m)};
@@ -90,14 +91,14 @@ struct Bench {
     test::Plant plant(parameters, effects);
     const test::PlantedMotion moved = replay(plant, motion, effects);
     test::RigidChain chain(robot);
-    Told told;
-    for (std::size_t k = 0; k < moved.t.size(); k += kSeen) {
-      std::vector<double>& line = told.emplace_back();
+    Told commanded;
+    for (std::size_t k = 0; k < moved.t.size(); k += kObserved) {
+      std::vector<double>& line = commanded.emplace_back();
       for (int i = 0; i < robot.size(); ++i) line.push_back(moved.q[k][i]);
       const Eigen::Vector3d tip = cameraTip(moved, k, chain, robot.marker, effects);
       line.insert(line.end(), tip.begin(), tip.end());
     }
-    return told;
+    return commanded;
   }
 
   /// Of the part'th of kParts pieces of a row.
@@ -133,16 +134,17 @@ struct Bench {
       for (int part = 0; part < kParts; ++part) step.advance(inputAt(k, part), steps, state);
     }
     test::RigidChain chain(robot);
-    Told told;
-    for (std::size_t k = 0; k < moved.q.size(); k += kSeen) {
-      std::vector<double>& line = told.emplace_back(moved.q[k].begin(), moved.q[k].begin() + robot.size());
+    Told commanded;
+    for (std::size_t k = 0; k < moved.q.size(); k += kObserved) {
+      std::vector<double>& line =
+          commanded.emplace_back(moved.q[k].begin(), moved.q[k].begin() + robot.size());
       Planted latency;
       latency.effect = Effect::kCameraLatency;
       latency.magnitude = model.camera.delay;
-      const Eigen::Vector3d tip = model.camera.tell(cameraTip(moved, k, chain, robot.marker, {latency}));
+      const Eigen::Vector3d tip = model.camera.measure(cameraTip(moved, k, chain, robot.marker, {latency}));
       line.insert(line.end(), tip.begin(), tip.end());
     }
-    return told;
+    return commanded;
   }
 
   robot::Description robot;

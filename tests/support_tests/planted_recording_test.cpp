@@ -233,12 +233,12 @@ TEST(PlantedRecording, ChainsOfOneToSevenJointsFollowTheirController) {
       const recording::MeasuredTable table = record(plain).table;
       ASSERT_EQ(table.joints(), n);
       base::Random way(plain.seed, "excitation");
-      const Excitation wanted(plain.robot, plain.duration, way);
+      const Excitation desired(plain.robot, plain.duration, way);
       for (int i = 0; i < n; ++i) {
         const auto& q = table.q[static_cast<std::size_t>(i)];
         double worst = 0.0;
         for (std::size_t k = 0; k < q.size(); ++k)
-          worst = std::max(worst, std::abs(q[k] - wanted.at(table.t[k])[static_cast<std::size_t>(i)]));
+          worst = std::max(worst, std::abs(q[k] - desired.at(table.t[k])[static_cast<std::size_t>(i)]));
         EXPECT_LT(worst, 0.06) << n << (rigid ? " rigid" : " cable") << " joint " << i + 1;
         EXPECT_GT(spreadOf(q), 1e-3);
       }

@@ -38,12 +38,12 @@ TEST(RigidChain, AgreesWithTheLibraryForEveryNumberOfJoints) {
       const Joints q = randomJoints(random, n, 2.0), dq = randomJoints(random, n, 3.0),
                    ddq = randomJoints(random, n, 9.0);
       chain.pose(q);
-      const robot::JointVector wanted = library.inverse(vectorOf(q, n), vectorOf(dq, n), vectorOf(ddq, n));
+      const robot::JointVector desired = library.inverse(vectorOf(q, n), vectorOf(dq, n), vectorOf(ddq, n));
       const robot::JointMatrix mass = library.massMatrix(vectorOf(q, n));
       const Joints tau = chain.inverse(dq, ddq);
       const RigidChain::Matrix m = chain.massMatrix();
       for (int i = 0; i < n; ++i) {
-        EXPECT_NEAR(tau[i], wanted(i), 1e-10 * (1.0 + wanted.norm()));
+        EXPECT_NEAR(tau[i], desired(i), 1e-10 * (1.0 + desired.norm()));
         for (int j = 0; j < n; ++j) EXPECT_NEAR(m[i][j], mass(i, j), 1e-11 * (1.0 + mass.norm()));
       }
       const double energy =
@@ -124,8 +124,8 @@ TEST(RigidChain, SolvesSymmetricSystems) {
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j) matrix[i][j] = a(i, j);
     const Joints b = randomJoints(random, n, 1.0), x = solveSymmetric(matrix, b, n);
-    const Eigen::VectorXd wanted = a.llt().solve(Eigen::VectorXd(vectorOf(b, n)));
-    for (int i = 0; i < n; ++i) EXPECT_NEAR(x[i], wanted(i), 1e-9 * (1.0 + wanted.norm()));
+    const Eigen::VectorXd desired = a.llt().solve(Eigen::VectorXd(vectorOf(b, n)));
+    for (int i = 0; i < n; ++i) EXPECT_NEAR(x[i], desired(i), 1e-9 * (1.0 + desired.norm()));
   }
 }
 

@@ -40,9 +40,9 @@ TEST(SampleDiagnosis, HasEveryVerdictSeveralRecordingsAndCameras) {
     EXPECT_EQ(report.ties.empty(), verdict != Verdict::kTie);
     EXPECT_EQ(report.lines.empty(), verdict != Verdict::kUnexplained);
   }
-  const Report seen = sampleReport({.cameras = true, .duration = 12.0});
-  EXPECT_EQ(seen.channels.size(), 6U);
-  EXPECT_EQ(seen.channels.back().refitted.name, "tip z");
+  const Report observed = sampleReport({.cameras = true, .duration = 12.0});
+  EXPECT_EQ(observed.channels.size(), 6U);
+  EXPECT_EQ(observed.channels.back().refitted.name, "tip z");
 }
 
 TEST(SampleDiagnosis, UnexplainedHasAProcessThatGoesWithThePosition) {
@@ -54,7 +54,7 @@ TEST(SampleDiagnosis, UnexplainedHasAProcessThatGoesWithThePosition) {
 }
 
 TEST(SampleDiagnosis, IsTheSameEveryTime) {
-  EXPECT_EQ(sampleReport().channels[0].refitted.remainder, sampleReport().channels[0].refitted.remainder);
+  EXPECT_EQ(sampleReport().channels[0].refitted.residual, sampleReport().channels[0].refitted.residual);
   EXPECT_EQ(sampleEvidence().q, sampleEvidence().q);
 }
 

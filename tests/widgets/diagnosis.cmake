@@ -2,3 +2,7 @@ capstan_widget_test(NAME diagnosis_panel_test SOURCES diagnosis_panel_test.cpp L
                     capstan_sample_diagnosis)
 capstan_display_test(NAME diagnosis_window_test SOURCES diagnosis_window_test.cpp LINKS capstan::shell
                      capstan_sample_diagnosis)
+capstan_widget_test(NAME diagnosis_run_test SOURCES diagnosis_run_test.cpp LINKS capstan::diagnosis_panel
+                    capstan_sample_diagnosis)
+target_compile_definitions(diagnosis_run_test PRIVATE CAPSTAN_CLI="$<TARGET_FILE:capstan-cli>")
+add_dependencies(diagnosis_run_test capstan-cli)

@@ -10,7 +10,7 @@
 namespace capstan::widgets {
 namespace {
 
-/// The rows of a figure of some width with the widest numbers that the columns promise to hold.
+/// The rows of a figure of some width with the widest numbers that the columns score_test to hold.
 class HeaderTest : public testing::TestWithParam<int> {
  protected:
   HeaderTest() : figure_(history_) {

@@ -28,7 +28,7 @@ bool waitFor(Condition&& condition) {
   return QTest::qWaitFor(condition, 60000);
 }
 
-class Calibration : public testing::Test {
+class Identification : public testing::Test {
  protected:
   void begin(double duration) {
     simulation::SimulationRequest request;
@@ -67,7 +67,7 @@ class Calibration : public testing::Test {
   IdentificationPanel panel_;
 };
 
-TEST_F(Calibration, FromStartToASavedRobot) {
+TEST_F(Identification, FromStartToASavedRobot) {
   begin(20.0);
   test::grab(panel_, "identification_panel_idle");
   panel_.choice().setNames("r_l1,b_e1");
@@ -102,7 +102,7 @@ TEST_F(Calibration, FromStartToASavedRobot) {
   EXPECT_EQ(chosen_[1].drives[0].link_radius, source_->info().robot.drives[0].link_radius);
 }
 
-TEST_F(Calibration, DiscardingChoosesNothing) {
+TEST_F(Identification, DiscardingChoosesNothing) {
   begin(6.0);
   panel_.choice().setNames("r_l1");
   press("start");
@@ -114,7 +114,7 @@ TEST_F(Calibration, DiscardingChoosesNothing) {
   EXPECT_EQ(panel_.live().phase(), LivePhase::kIdle);
 }
 
-TEST_F(Calibration, ARefinementIsCancelledAndItsResultDropped) {
+TEST_F(Identification, ARefinementIsCancelledAndItsResultDropped) {
   begin(40.0);
   press("start");
   feed();
@@ -128,7 +128,7 @@ TEST_F(Calibration, ARefinementIsCancelledAndItsResultDropped) {
   EXPECT_TRUE(panel_.live().acceptable()) << "what the dual filter found still stands";
 }
 
-TEST_F(Calibration, EndsCollectingWithTheSessionAndStartsOnlyWhereThereIsOne) {
+TEST_F(Identification, EndsCollectingWithTheSessionAndStartsOnlyWhereThereIsOne) {
   EXPECT_FALSE(panel_.findChild<QPushButton*>("start")->isEnabled()) << "no session";
   begin(6.0);
   panel_.choice().setNames("");
@@ -145,7 +145,7 @@ TEST_F(Calibration, EndsCollectingWithTheSessionAndStartsOnlyWhereThereIsOne) {
   EXPECT_FALSE(panel_.findChild<QPushButton*>("start")->isEnabled()) << "there is nothing to go on with";
 }
 
-TEST(CalibrationChoice, NamesWhatIsTicked) {
+TEST(IdentificationChoice, NamesWhatIsTicked) {
   ParameterChoice choice;
   EXPECT_EQ(choice.names(), "r_l1,r_l2,r_l3,k_e1,k_e2,k_e3,b_e1,b_e2,b_e3,f_c1,f_c2,f_c3");
   choice.setNames("k_e2,b_e");

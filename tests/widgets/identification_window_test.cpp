@@ -33,7 +33,7 @@ QPushButton* buttonOf(IdentificationPanel& panel, const char* name) {
 double radiusInUse(MainWindow& window) { return window.link().runner()->robot().drives[0].link_radius; }
 
 /// One window over a simulated sinusoid at ten times its speed.
-class CalibrationWindow : public testing::Test {
+class IdentificationWindow : public testing::Test {
  protected:
   /// One parameter is identified: the window does with one what it does with twelve, in a tenth of the time.
   void open(int width, int height, bool images) {
@@ -66,7 +66,7 @@ class CalibrationWindow : public testing::Test {
   std::unique_ptr<MainWindow> window_;
 };
 
-TEST_F(CalibrationWindow, AcceptingChangesTheRobotInUseDiscardingDoesNot) {
+TEST_F(IdentificationWindow, AcceptingChangesTheRobotInUseDiscardingDoesNot) {
   open(1920, 1080, false);
   const double nominal = radiusInUse(*window_);
   pictures("idle");
@@ -95,7 +95,7 @@ TEST_F(CalibrationWindow, AcceptingChangesTheRobotInUseDiscardingDoesNot) {
   EXPECT_EQ(radiusInUse(*window_), nominal);
 }
 
-TEST_F(CalibrationWindow, StandsInASmallWindowAndEndsWithIt) {
+TEST_F(IdentificationWindow, StandsInASmallWindowAndEndsWithIt) {
   open(1280, 800, true);
   EXPECT_EQ(window_->size(), QSize(1280, 800)) << "panels do not force a larger window";
   pictures("idle");
@@ -110,7 +110,7 @@ TEST_F(CalibrationWindow, StandsInASmallWindowAndEndsWithIt) {
   window_.reset();  // cancels, and waits for the thread
 }
 
-TEST_F(CalibrationWindow, TheBarsEntryBringsItToTheFront) {
+TEST_F(IdentificationWindow, TheBarsEntryBringsItToTheFront) {
   open(1280, 800, false);
   auto* dock = window_->findChild<QDockWidget*>("identification");
   QTest::keyClick(window_.get(), Qt::Key_N);
@@ -123,7 +123,7 @@ TEST_F(CalibrationWindow, TheBarsEntryBringsItToTheFront) {
   EXPECT_TRUE(waitFor([&] { return !dock->isVisible(); }));
 }
 
-TEST_F(CalibrationWindow, ANewSourceGivesUpWhatWasUnderWay) {
+TEST_F(IdentificationWindow, ANewSourceGivesUpWhatWasUnderWay) {
   open(1280, 800, false);
   QTest::keyClick(window_.get(), Qt::Key_I);
   ASSERT_TRUE(waitFor([&] { return panel().live().shown().recorded > 5.0; }));

@@ -107,7 +107,7 @@ TEST_F(Learning, EveryStageHasItsNumbers) {
   EXPECT_THAT(lines, HasSubstr("camera: poses of 1,200 rows | 1,180"));
   EXPECT_THAT(lines, HasSubstr("placeholder | 20"));
   EXPECT_THAT(lines, HasSubstr("lag behind the command, ± σ | "));
-  EXPECT_NEAR(panel->results().stages->lag.lag, 0.04, 0.006);
+  EXPECT_NEAR(panel->results().stages->clock_offset.clock_offset, 0.04, 0.006);
   EXPECT_THAT(lines, HasSubstr("trajectories rejected whole, of 20 | 1"));
   EXPECT_THAT(lines, HasSubstr("distance, median, before and after"));
   QTreeWidget& list = pages().trajectories().list();
@@ -150,10 +150,9 @@ TEST_F(Learning, TrainsInTheBackgroundAndJudgesOnTrajectoriesHeldOut) {
   EXPECT_EQ(figure->data().panels[4].unit, "deg");
   const std::string lines = pages().stages().lines().join('\n').toStdString();
   EXPECT_THAT(lines, HasSubstr("inducing points | 3 × 200"));
-  EXPECT_THAT(
-      lines,
-      HasSubstr(
-          QStringLiteral("… doubted | %1\n").arg(panel->results().learned->weighing.doubted).toStdString()));
+  EXPECT_THAT(lines, HasSubstr(QStringLiteral("… doubted | %1\n")
+                                   .arg(panel->results().learned->weighing.down_weighted)
+                                   .toStdString()));
   EXPECT_THAT(lines, HasSubstr("Errors on 4 trajectories held out"));
   EXPECT_THAT(panel->summary().toStdString(), HasSubstr("Learned from pose"));
   const auto* reliability = qobject_cast<ReliabilityFigure*>(pages().reliability().sheet().figure());
@@ -239,10 +238,10 @@ TEST_F(Learning, ABadTableIsNamedWithItsRemedyAndAnotherOneRead) {
   sample.command = false;
   read(table("robot.csv", sample));
   EXPECT_THAT(panel->summary().toStdString(), HasSubstr("command: these tables have no such poses"));
-  auto* told = panel->findChild<QComboBox*>("told");
-  QTest::keyClick(told, Qt::Key_Down);
+  auto* commanded = panel->findChild<QComboBox*>("told");
+  QTest::keyClick(commanded, Qt::Key_Down);
   ASSERT_TRUE(waitFor([&] { return !panel->busy(); }));
-  EXPECT_EQ(panel->choice().told, learning::StreamKind::kRobot);
+  EXPECT_EQ(panel->choice().towards, learning::StreamKind::kRobot);
   EXPECT_THAT(headline(), HasSubstr("states count"));
 }
 
@@ -309,6 +308,7 @@ TEST_F(Learning, AModelIsSavedWithWhatItWasLearnedFrom) {
 TEST_F(Learning, ModelAndErrorsAreThoseOfTheCommandLine) {
   LearningSettings settings;
   settings.learning.correction.inducing_points = 200;
+  settings.learning.correction.members = 1;
   show(settings);
   SamplePoses monday, tuesday;
   monday.trajectories = tuesday.trajectories = 6;
@@ -321,9 +321,9 @@ TEST_F(Learning, ModelAndErrorsAreThoseOfTheCommandLine) {
   ASSERT_TRUE(panel->results().evaluation) << panel->summary().toStdString();
   panel->saveModel(folder.filePath("window.correction"));
   QProcess process;
-  process.start(CAPSTAN_CLI,
-                {"learn", "--train", tables[0], tables[1], "--inducing", "200", "--hold-out", "20", "--model",
-                 folder.filePath("line.correction"), "--json", folder.filePath("line.json")});
+  process.start(CAPSTAN_CLI, {"learn", "--train", tables[0], tables[1], "--inducing", "200", "--members", "1",
+                              "--hold-out", "20", "--model", folder.filePath("line.correction"), "--json",
+                              folder.filePath("line.json")});
   ASSERT_TRUE(process.waitForFinished(240000));
   ASSERT_EQ(process.exitCode(), 0) << process.readAllStandardError().toStdString();
   const auto bytes = [&](const char* name) {
@@ -344,7 +344,7 @@ TEST_F(Learning, ModelAndErrorsAreThoseOfTheCommandLine) {
 }
 
 TEST_F(Learning, TheChoiceIsKeptAndReadWhenItIsLookedAt) {
-  const LearningChoice choice{.tables = {table("poses.csv")}, .told = learning::StreamKind::kRobot};
+  const LearningChoice choice{.tables = {table("poses.csv")}, .towards = learning::StreamKind::kRobot};
   panel->choose(choice);
   pages().ablation().setSplits(3);
   QSettings settings(folder.filePath("settings.ini"), QSettings::IniFormat);

@@ -101,7 +101,7 @@ TEST_F(LearningWindow, CloudsMoveTogetherByTheCorrection) {
   CloudView& view = panel().pages().clouds().view();
   EXPECT_GT(view.width(), 300);
   EXPECT_GT(view.height(), 300);
-  const QImage picture = view.picture();
+  const QImage picture = view.image();
   const Theme& theme = Theme::dark();
   for (const QColor& colour : {theme.colour(Quantity::kTrue), theme.colour(Quantity::kUkf), theme.warning})
     EXPECT_GT(test::count(picture, picture.rect(), colour, 40).pixels, 100) << colour.name().toStdString();

@@ -97,7 +97,7 @@ TEST_F(Panel, ScheduleIsThePapersAndBeginsNow) {
   auto* timeline = panel.findChild<OcclusionTimeline*>();
   timeline->resize(240, 46);
   const QImage image = test::grab(*timeline, "occlusion_timeline");
-  for (double t = 7.5; t < 23.0; t += 0.53) {  // 40 %: 3 s of sight, 2 s blocked
+  for (double t = 7.5; t < 23.0; t += 0.53) {  // 40 %: 3 s of observation, 2 s blocked
     const bool blocked = std::fmod(t - 7.5, 5.0) >= 3.0;
     const double edge =
         std::min(std::abs(std::remainder(t - 7.5, 5.0)), std::abs(std::remainder(t - 10.5, 5.0)));

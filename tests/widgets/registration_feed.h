@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "core/base/random.h"
-#include "core/live/registration_guide.h"
+#include "core/registration/registration_guide.h"
 #include "tests/widgets/scene_snapshot.h"
 
 namespace capstan::test {
@@ -33,7 +33,7 @@ class RegistrationFeed {
     return snapshot_;
   }
   /// Feeds `seconds` to a guide.
-  void run(live::RegistrationGuide& guide, double seconds) {
+  void run(registration::RegistrationGuide& guide, double seconds) {
     for (int i = 0; i < 1000 * seconds; ++i) guide.observe(next());
   }
 

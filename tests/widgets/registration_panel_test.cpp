@@ -95,7 +95,7 @@ TEST_F(Panel, LeadsFromTheStopToAnAcceptedRegistration) {
   EXPECT_EQ(panel.collectPage().plot().outliersShown(), panel.guide()->scatter().outliers);
   EXPECT_GT(panel.collectPage().plot().outliersShown(), 1);
   run(3.0);
-  ASSERT_EQ(panel.guide()->step(), live::RegistrationStep::kReview);
+  ASSERT_EQ(panel.guide()->step(), registration::RegistrationStep::kReview);
   const auto images = frames();
   panel.showFrames(images[0], images[1], seen());
   const QImage picture = test::grab(panel, "registration_3_result");
@@ -117,14 +117,14 @@ TEST_F(Panel, RefusalIsShownWithReasonAndAdvice) {
   click("Collect frames");
   feed.fault = vision::MarkerFault::kNoPixels;
   run(5.0);
-  ASSERT_EQ(panel.guide()->step(), live::RegistrationStep::kRefused);
+  ASSERT_EQ(panel.guide()->step(), registration::RegistrationStep::kRefused);
   EXPECT_TRUE(panel.collectPage().refusal().contains("too few detections"));
   EXPECT_TRUE(panel.collectPage().refusal().contains("Unblock the view"));
   test::grab(panel, "registration_2_refused");
   feed.fault = vision::MarkerFault::kNone;
   click("Collect again");
   run(5.0);
-  EXPECT_EQ(panel.guide()->step(), live::RegistrationStep::kReview);
+  EXPECT_EQ(panel.guide()->step(), registration::RegistrationStep::kReview);
 }
 
 TEST_F(Panel, RejectionNeedsAReason) {

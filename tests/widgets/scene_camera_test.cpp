@@ -44,7 +44,7 @@ TEST(SceneView, SaysThatItNeedsADisplayAndLeavesVtkAlone) {
   view.showSnapshot(
       test::snapshotAt(robot::ArmKinematics(robot), 1.0, {0.7, 1.5, 0.4}, Vector3d::Constant(1e-3)));
   const QImage image = test::grab(view, "scene_no_display");
-  EXPECT_TRUE(view.picture().isNull());
+  EXPECT_TRUE(view.image().isNull());
   EXPECT_GT(test::count(image, image.rect(), Theme::dark().muted, 40).pixels, 100) << "the words";
 }
 

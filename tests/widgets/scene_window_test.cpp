@@ -44,11 +44,11 @@ TEST_F(SceneWindow, EllipsoidGrowsWithTheCovariance) {
   view.setEllipsoidScale(1.0);
   view.camera().look(arm.tip(kJoints), 0.6, 0.3, 0.2);
   view.showSnapshot(at(1.0, kJoints, 0.0));
-  const QImage bare = view.picture();
+  const QImage bare = view.image();
   std::array<test::Count, 2> seen;
   for (int i = 0; i < 2; ++i) {
     view.showSnapshot(at(1.0, kJoints, 0.015 * (i + 1)));
-    const QImage drawn = view.picture();
+    const QImage drawn = view.image();
     test::leave(drawn, QString("scene_ellipsoid_%1").arg(i));
     seen[static_cast<std::size_t>(i)] = difference(bare, drawn);
   }
@@ -67,10 +67,10 @@ TEST_F(SceneWindow, EllipsoidIsLongAlongTheUncertainAxis) {
   view.camera().look(arm.tip(kJoints), 0.6, 0.0, 0.0);
   auto snapshot = at(1.0, kJoints, 0.0);
   view.showSnapshot(snapshot);
-  const QImage bare = view.picture();
+  const QImage bare = view.image();
   snapshot.tip_ukf_covariance = Vector3d(0.02 * 0.02, 0.005 * 0.005, 0.005 * 0.005).asDiagonal();
   view.showSnapshot(snapshot);
-  const QImage drawn = view.picture();
+  const QImage drawn = view.image();
   test::leave(drawn, "scene_ellipsoid_long");
   const test::Count seen = difference(bare, drawn);
   EXPECT_NEAR(static_cast<double>(seen.box.height()) / seen.box.width(), 4.0, 0.5)
@@ -79,10 +79,10 @@ TEST_F(SceneWindow, EllipsoidIsLongAlongTheUncertainAxis) {
 
 TEST_F(SceneWindow, FrustaStandWhereTheRegistrationPutsThem) {
   view.showSnapshot(at(1.0, kJoints, 0.001));
-  const QImage with = view.picture();
+  const QImage with = view.image();
   const Vector3d apex = test::cameraBefore(arm.tip(kJoints)).translation();
   view.setRegistration(std::nullopt);
-  const test::Count seen = difference(with, view.picture());
+  const test::Count seen = difference(with, view.image());
   ASSERT_GT(seen.pixels, 150) << "the frusta are visible";
   const auto pixel = view.camera().project(apex, view.size());
   ASSERT_TRUE(pixel);
@@ -92,10 +92,10 @@ TEST_F(SceneWindow, FrustaStandWhereTheRegistrationPutsThem) {
 TEST_F(SceneWindow, LostCameraTurnsAmber) {
   auto snapshot = at(1.0, kJoints, 0.001);
   view.showSnapshot(snapshot);
-  const int before = test::count(view.picture(), view.rect(), Theme::dark().warning, 40).pixels;
+  const int before = test::count(view.image(), view.rect(), Theme::dark().warning, 40).pixels;
   snapshot.marker[0].fault = snapshot.marker[1].fault = vision::MarkerFault::kNoPixels;
   view.showSnapshot(snapshot);
-  const int after = test::count(view.picture(), view.rect(), Theme::dark().warning, 40).pixels;
+  const int after = test::count(view.image(), view.rect(), Theme::dark().warning, 40).pixels;
   EXPECT_GT(after, before + 80);
 }
 
@@ -105,7 +105,7 @@ TEST_F(SceneWindow, TrailFollowsTheTipAndEndsAfterItsSeconds) {
     return Vector3d(kJoints + Vector3d(0.25 * std::sin(t), 0.2 * std::cos(t), 0.0));
   };
   for (double t = 0.0; t <= 3.0; t += 0.02) view.showSnapshot(at(t, moved(t), 0.0));
-  const QImage with = view.picture();
+  const QImage with = view.image();
   test::leave(with, "scene_trail");
   const auto middle = view.camera().project(arm.tip(moved(2.0)), view.size());
   ASSERT_TRUE(middle);
@@ -116,7 +116,7 @@ TEST_F(SceneWindow, TrailFollowsTheTipAndEndsAfterItsSeconds) {
   EXPECT_GT(green(with), 8);
   for (double t = 8.0; t <= 8.1; t += 0.02)
     view.showSnapshot(at(t, kJoints + Vector3d(-0.4, -0.4, 0.0), 0.0));
-  EXPECT_EQ(green(view.picture()), 0) << "older than three seconds";
+  EXPECT_EQ(green(view.image()), 0) << "older than three seconds";
 }
 
 TEST_F(SceneWindow, CablesTakeTheColourOfTheirForce) {
@@ -132,16 +132,16 @@ TEST_F(SceneWindow, CablesTakeTheColourOfTheirForce) {
       }
     return pixels;
   };
-  const int pulling = orange(view.picture());
+  const int pulling = orange(view.image());
   snapshot.cable_tension = -snapshot.cable_tension;
   view.showSnapshot(snapshot);
   EXPECT_GT(pulling, 400);
-  EXPECT_LT(orange(view.picture()), pulling / 10);
+  EXPECT_LT(orange(view.image()), pulling / 10);
 }
 
 TEST_F(SceneWindow, MouseOrbitsPansZoomsAndComesBack) {
   view.showSnapshot(at(1.0, kJoints, 0.001));
-  const QImage opening = view.picture();
+  const QImage opening = view.image();
   const Vector3d from = view.camera().position();
   QTest::mousePress(&view, Qt::LeftButton, {}, {300, 300});
   QMouseEvent move(QEvent::MouseMove, QPointF(380, 320), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
@@ -153,9 +153,9 @@ TEST_F(SceneWindow, MouseOrbitsPansZoomsAndComesBack) {
   const double distance = view.camera().distance();
   QApplication::sendEvent(&view, &wheel);
   EXPECT_LT(view.camera().distance(), distance);
-  EXPECT_GT(difference(opening, view.picture()).pixels, 2000);
+  EXPECT_GT(difference(opening, view.image()).pixels, 2000);
   QTest::mouseDClick(&view, Qt::LeftButton);
-  EXPECT_LT(difference(opening, view.picture()).pixels, 50);
+  EXPECT_LT(difference(opening, view.image()).pixels, 50);
 }
 
 TEST_F(SceneWindow, BothThemesLargeAndSmall) {
@@ -166,7 +166,7 @@ TEST_F(SceneWindow, BothThemesLargeAndSmall) {
     for (const QSize size : {QSize(1000, 760), QSize(560, 330), QSize(300, 220)}) {
       view.setTheme(theme);
       view.resize(size);
-      const QImage scene = view.picture();
+      const QImage scene = view.image();
       EXPECT_LE(test::distance(scene.pixel(3, 3), theme.surface.rgb()), 3);
       test::grab(view, QString("scene_%1_%2").arg(theme.name).arg(size.width()));
     }

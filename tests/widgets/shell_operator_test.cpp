@@ -67,7 +67,7 @@ TEST_F(Operator, ExchangedCamerasAreNamedAsTheCause) {
   auto* collect = button(*panel, "Collect frames");
   ASSERT_TRUE(waitFor([&] { return collect->isEnabled(); }));
   collect->click();
-  ASSERT_TRUE(waitFor([&] { return panel->guide()->step() == live::RegistrationStep::kRefused; }));
+  ASSERT_TRUE(waitFor([&] { return panel->guide()->step() == registration::RegistrationStep::kRefused; }));
   const std::string said = panel->collectPage().refusal().toStdString();
   EXPECT_NE(said.find("exchanged"), std::string::npos) << said;
   EXPECT_NE(said.find("left"), std::string::npos) << said;

@@ -85,7 +85,7 @@ QSet<QWidget*> walk(QWidget& window) {
     QWidget* now = QApplication::focusWidget();
     if (!now || visited.contains(now)) break;
     EXPECT_TRUE(QTest::qWaitFor([&] { return inView(*now); }, 500))
-        << nameOf(*now) << " has the focus out of sight";
+        << nameOf(*now) << " has the focus not observable";
     visited.insert(now);
   }
   return visited;

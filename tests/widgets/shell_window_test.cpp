@@ -195,7 +195,7 @@ TEST_F(Shell, RegistersAnUnregisteredSimulation) {
   auto* panel = window->findChild<RegistrationPanel*>();
   ASSERT_TRUE(panel->active());
   ASSERT_TRUE(panel->guide());
-  EXPECT_EQ(panel->guide()->fault(), live::RegistrationFault::kNone) << panel->guide()->reason();
+  EXPECT_EQ(panel->guide()->fault(), registration::RegistrationFault::kNone) << panel->guide()->reason();
   const auto press = [&](const QString& text) {
     for (auto* button : panel->findChildren<QPushButton*>())
       if (button->text() == text && button->isVisible()) {
@@ -207,7 +207,7 @@ TEST_F(Shell, RegistersAnUnregisteredSimulation) {
   test::grab(*panel, "registration_1_stop");
   press("Drive to the hard stop");
   press("Collect frames");
-  ASSERT_TRUE(waitFor([&] { return panel->guide()->step() == live::RegistrationStep::kReview; }))
+  ASSERT_TRUE(waitFor([&] { return panel->guide()->step() == registration::RegistrationStep::kReview; }))
       << panel->guide()->reason();
   EXPECT_FALSE(test::grab(*panel, "registration_3_result").isNull());
   const auto found = panel->guide()->proposal()->registration.base_from_camera;

@@ -18,7 +18,7 @@ tracking::Snapshot calm() {
   snapshot.camera_samples = 10;
   snapshot.camera_images = true;
   snapshot.gate = tracking::Gate::kOpen;
-  snapshot.lag = 0.042;
+  snapshot.latency = 0.042;
   snapshot.nis_mean = 1.02;
   snapshot.nis_consistent = true;
   return snapshot;

@@ -28,8 +28,8 @@ TEST(RoiLayout, InsetMovesIntoACornerWhenThereIsNoRoomBeside) {
   EXPECT_TRUE(narrow.main.contains(narrow.inset));
 }
 
-TEST(PictureMap, PixelCentresLieHalfAPixelInside) {
-  const PictureMap map{QRectF(10, 20, 300, 300), {200, 100, 100, 100}};
+TEST(ImageMap, PixelCentresLieHalfAPixelInside) {
+  const ImageMap map{QRectF(10, 20, 300, 300), {200, 100, 100, 100}};
   EXPECT_DOUBLE_EQ(map.scale(), 3.0);
   EXPECT_EQ(map.toWidget({200.0, 100.0}), QPointF(11.5, 21.5));
   EXPECT_EQ(map.toWidget({199.5, 99.5}), QPointF(10.0, 20.0));

@@ -12,14 +12,14 @@ namespace {
 
 /// A grey, noisy 640×480 frame with a green ball; the detection is of the ball, as a perfect detector gives
 /// it.
-struct Sight {
+struct Observation {
   cv::Mat frame;
   vision::MarkerDetection detection;
 };
 
-Sight sightOf(const Eigen::Vector2d& centre, double radius, std::array<int, 4> roi) {
-  Sight sight;
-  sight.frame.create(480, 640, CV_8UC3);
+Observation observationOf(const Eigen::Vector2d& centre, double radius, std::array<int, 4> roi) {
+  Observation observation;
+  observation.frame.create(480, 640, CV_8UC3);
   base::Random random(3);
   for (int y = 0; y < 480; ++y)
     for (int x = 0; x < 640; ++x) {
@@ -28,14 +28,15 @@ Sight sightOf(const Eigen::Vector2d& centre, double radius, std::array<int, 4> r
       const double ball = std::clamp(radius + 0.5 - from, 0.0, 1.0), shade = 1.0 - 0.5 * from / radius;
       const cv::Vec3d green(60 * shade, 190 * shade, 50 * shade);
       for (int c = 0; c < 3; ++c)
-        sight.frame.at<cv::Vec3b>(y, x)[c] = cv::saturate_cast<uchar>((1.0 - ball) * light + ball * green[c]);
+        observation.frame.at<cv::Vec3b>(y, x)[c] =
+            cv::saturate_cast<uchar>((1.0 - ball) * light + ball * green[c]);
     }
-  sight.detection.fault = vision::MarkerFault::kNone;
-  sight.detection.centroid = centre;
-  sight.detection.radius = radius;
-  sight.detection.sigma = 0.083;
-  sight.detection.roi = roi;
-  return sight;
+  observation.detection.fault = vision::MarkerFault::kNone;
+  observation.detection.centroid = centre;
+  observation.detection.radius = radius;
+  observation.detection.sigma = 0.083;
+  observation.detection.roi = roi;
+  return observation;
 }
 
 vision::MarkerDetection lostBecause(vision::MarkerFault fault, std::array<int, 4> roi) {
@@ -48,14 +49,14 @@ vision::MarkerDetection lostBecause(vision::MarkerFault fault, std::array<int, 4
 TEST(RoiView, DrawsTheCircleAroundTheMagnifiedMarker) {
   RoiView view("LEFT");
   view.resize(620, 360);
-  const Sight sight = sightOf({311.35, 207.8}, 11.3, {270, 160, 100, 100});
-  view.showFrame(sight.frame, sight.detection);
+  const Observation observation = observationOf({311.35, 207.8}, 11.3, {270, 160, 100, 100});
+  view.showFrame(observation.frame, observation.detection);
   const QImage image = test::grab(view, "video_roi");
-  const PictureMap map = view.mainMap();
+  const ImageMap map = view.mainMap();
   const test::Count ring =
       test::count(image, map.target.toAlignedRect(), Theme::dark().colour(Quantity::kCamera), 24);
   ASSERT_GT(ring.pixels, 200);
-  const QPointF wanted = map.toWidget(sight.detection.centroid);
+  const QPointF wanted = map.toWidget(observation.detection.centroid);
   EXPECT_NEAR(ring.centre.x(), wanted.x(), 1.0);
   EXPECT_NEAR(ring.centre.y(), wanted.y(), 1.0);
   EXPECT_NEAR(ring.box.width(), 2.0 * 11.3 * map.scale(), 3.0);
@@ -65,9 +66,9 @@ TEST(RoiView, DrawsTheCircleAroundTheMagnifiedMarker) {
 
 TEST(RoiView, NarrowCaptionLeavesOutWholePartsAndCutsNoNumber) {
   RoiView view("LEFT");
-  Sight sight = sightOf({311.35, 207.8}, 11.3, {270, 160, 100, 100});
-  sight.detection.full_frame = true;
-  view.showFrame(sight.frame, sight.detection);
+  Observation observation = observationOf({311.35, 207.8}, 11.3, {270, 160, 100, 100});
+  observation.detection.full_frame = true;
+  view.showFrame(observation.frame, observation.detection);
   const QFontMetrics metrics(numberFont(10.0));
   for (const char* text :
        {"circle 11.3 px · 0.08 px σ · ok · found by full search", "circle 11.3 px · 0.08 px σ · ok",
@@ -82,13 +83,13 @@ TEST(RoiView, NarrowCaptionLeavesOutWholePartsAndCutsNoNumber) {
 TEST(RoiView, KeepsItsPicturesLargeAtTheWindowsSizes) {
   StereoView stereo;
   tracking::Snapshot snapshot{};
-  const Sight left = sightOf({311, 207}, 11.0, {270, 160, 100, 100});
+  const Observation left = observationOf({311, 207}, 11.0, {270, 160, 100, 100});
   snapshot.marker = {left.detection, lostBecause(vision::MarkerFault::kNoPixels, {220, 160, 100, 100})};
   stereo.showFrames(left.frame, left.frame, snapshot);
   for (const QSize size : {QSize(430, 460), QSize(430, 640)}) {
     stereo.resize(size);
     test::grab(stereo, QString("video_window_%1").arg(size.height()));
-    const PictureMap map = stereo.left().mainMap();
+    const ImageMap map = stereo.left().mainMap();
     EXPECT_GE(map.scale(), 1.5) << size.height();
     EXPECT_FALSE(map.target.intersects(stereo.left().insetMap().target)) << size.height();
     EXPECT_EQ(map.source, cv::Rect(270, 160, 100, 100));
@@ -102,7 +103,7 @@ TEST(RoiView, ShowsImagePixelsAsCrispSquares) {
   frame.at<cv::Vec3b>(210, 315) = {255, 255, 255};
   view.showFrame(frame, lostBecause(vision::MarkerFault::kNoPixels, {270, 160, 100, 100}));
   const QImage image = test::grab(view, "video_crisp");
-  const PictureMap map = view.mainMap();
+  const ImageMap map = view.mainMap();
   const test::Count white =
       test::count(image, map.target.toAlignedRect().adjusted(4, 4, -4, -4), Qt::white, 4);
   EXPECT_NEAR(white.pixels, map.scale() * map.scale(), 2.0 * map.scale());
@@ -113,10 +114,10 @@ TEST(RoiView, ShowsImagePixelsAsCrispSquares) {
 TEST(RoiView, MarksTheRegionInTheWholeFrame) {
   RoiView view("RIGHT");
   view.resize(620, 300);
-  const Sight sight = sightOf({480, 330}, 9.0, {430, 280, 100, 100});
-  view.showFrame(sight.frame, sight.detection);
+  const Observation observation = observationOf({480, 330}, 9.0, {430, 280, 100, 100});
+  view.showFrame(observation.frame, observation.detection);
   const QImage image = test::grab(view, "video_inset");
-  const PictureMap inset = view.insetMap();
+  const ImageMap inset = view.insetMap();
   const test::Count box =
       test::count(image, inset.target.toAlignedRect(), Theme::dark().colour(Quantity::kCamera), 24);
   EXPECT_NEAR(box.box.left(), inset.toWidget({429.5, 0}).x(), 2.0);
@@ -128,12 +129,12 @@ TEST(RoiView, MarksTheRegionInTheWholeFrame) {
 TEST(RoiView, SaysWhyTheMarkerIsLostInWordsAndColour) {
   RoiView view("LEFT");
   view.resize(620, 300);
-  Sight sight = sightOf({311, 207}, 11.0, {270, 160, 100, 100});
-  view.showFrame(sight.frame, sight.detection);
+  Observation observation = observationOf({311, 207}, 11.0, {270, 160, 100, 100});
+  view.showFrame(observation.frame, observation.detection);
   const QImage found = test::grab(view, "video_found");
   EXPECT_EQ(test::count(found, found.rect(), Theme::dark().warning, 4).pixels, 0);
-  sight.frame.setTo(cv::Scalar(28, 30, 34));
-  view.showFrame(sight.frame, lostBecause(vision::MarkerFault::kNoPixels, {270, 160, 100, 100}));
+  observation.frame.setTo(cv::Scalar(28, 30, 34));
+  view.showFrame(observation.frame, lostBecause(vision::MarkerFault::kNoPixels, {270, 160, 100, 100}));
   EXPECT_TRUE(view.lost());
   EXPECT_EQ(view.caption(), "no pixels of the marker's colour");
   const QImage lost = test::grab(view, "video_lost");
@@ -150,8 +151,8 @@ TEST(RoiView, SwapsThePicturesOnDoubleClick) {
   StereoView stereo;
   stereo.resize(700, 640);
   tracking::Snapshot snapshot{};
-  const Sight left = sightOf({311, 207}, 11.0, {270, 160, 100, 100}),
-              right = sightOf({260, 207}, 11.0, {220, 160, 100, 100});
+  const Observation left = observationOf({311, 207}, 11.0, {270, 160, 100, 100}),
+                    right = observationOf({260, 207}, 11.0, {220, 160, 100, 100});
   snapshot.marker = {left.detection, right.detection};
   stereo.showFrames(left.frame, right.frame, snapshot);
   EXPECT_EQ(stereo.left().mainMap().source, cv::Rect(270, 160, 100, 100));
@@ -170,13 +171,13 @@ TEST(RoiView, LightThemeAndSmallSizes) {
   StereoView stereo;
   stereo.setTheme(Theme::light());
   tracking::Snapshot snapshot{};
-  const Sight left = sightOf({311, 207}, 11.0, {270, 160, 100, 100});
+  const Observation left = observationOf({311, 207}, 11.0, {270, 160, 100, 100});
   snapshot.marker = {left.detection, lostBecause(vision::MarkerFault::kTwoCandidates, {220, 160, 100, 100})};
   stereo.showFrames(left.frame, left.frame, snapshot);
   for (const QSize size : {QSize(420, 420), QSize(230, 460), QSize(900, 260)}) {
     stereo.resize(size);
     const QImage image = test::grab(stereo, QString("video_light_%1").arg(size.width()));
-    const PictureMap map = stereo.left().mainMap();
+    const ImageMap map = stereo.left().mainMap();
     EXPECT_GT(map.target.width(), 80) << size.width();
     EXPECT_GT(
         test::count(image, map.target.toAlignedRect(), Theme::light().colour(Quantity::kCamera), 24).pixels,

@@ -5,7 +5,7 @@
 #include "core/base/yaml.h"
 #include "core/diagnosis/report/extended_robot.h"
 #include "core/diagnosis/report/report_json.h"
-#include "widgets/figures/remainder_figure.h"
+#include "widgets/figures/residual_figure.h"
 #include "widgets/figures/save_plot.h"
 #include "widgets/figures/signature_figure.h"
 
@@ -62,8 +62,8 @@ std::vector<DiagnosisFigure> figuresOf(const Report& report) {
   std::vector<DiagnosisFigure> figures;
   for (const ChannelReport* channel : channelsToDraw(report)) {
     const std::string name = fileName(channel->refitted.name), title = titleOf(report, *channel);
-    figures.push_back({name + "-remainder", title, {180.0, 110.0}, [&report, channel] {
-                         return std::make_unique<RemainderFigure>(remainderData(report, *channel));
+    figures.push_back({name + "-residual", title, {180.0, 110.0}, [&report, channel] {
+                         return std::make_unique<ResidualFigure>(residualData(report, *channel));
                        }});
     const SignatureData signatures = strongestSignatures(report, *channel);
     if (signatures.panels.empty()) continue;
@@ -88,13 +88,13 @@ double DiagnosisExport::fraction() const {
 void DiagnosisExport::draw() {
   const DiagnosisFigure& next = figures_[next_];
   const auto figure = next.make();
-  DiagnosisPicture picture{figure->caption().toStdString(), {}};
+  DiagnosisImage image{figure->caption().toStdString(), {}};
   for (const fs::path& file : exportFigure(*figure, folder_ / next.name, next.size, kEndings)) {
-    picture.files.push_back(file.filename().string());
+    image.files.push_back(file.filename().string());
     files_.push_back(file);
   }
   if (channels_.empty() || channels_.back().title != next.channel) channels_.push_back({next.channel, {}});
-  channels_.back().pictures.push_back(std::move(picture));
+  channels_.back().images.push_back(std::move(image));
   ++next_;
 }
 

@@ -23,8 +23,8 @@ struct DiagnosisFigure {
   std::function<std::unique_ptr<Figure>()> make;
 };
 
-/// Of every channel remainder and strongest signatures: CHANNEL-remainder and CHANNEL-signatures, from the
-/// recording in which it gains most (or, without causes, has the largest remainder). The channel of the first
+/// Of every channel residual and strongest signatures: CHANNEL-residual and CHANNEL-signatures, from the
+/// recording in which it gains most (or, without causes, has the largest residual). The channel of the first
 /// cause comes first. The report must outlive what is made.
 std::vector<DiagnosisFigure> figuresOf(const diagnosis::Report& report);
 

@@ -92,9 +92,9 @@ std::string causesHtml(const Report& report) {
 
 std::string unexplainedHtml(const Report& report) {
   std::string html;
-  for (const diagnosis::RemainderProcess& process : report.processes) {
+  for (const diagnosis::ResidualProcess& process : report.processes) {
     if (process.end != diagnosis::ProcessEnd::kDone) continue;
-    html += paragraph("The remainder of " + process.channel + " " + process.words + ".");
+    html += paragraph("The residual of " + process.channel + " " + process.words + ".");
     if (!process.variables.empty()) html += htmlTable(diagnosis::processTable(process));
   }
   if (!report.lines.empty()) html += htmlTable(diagnosis::lineTable(report));
@@ -108,13 +108,13 @@ std::string links(const std::vector<std::string>& files) {
   return html + "</div>\n";
 }
 
-std::string pictureHtml(const DiagnosisPicture& picture) {
+std::string imageHtml(const DiagnosisImage& image) {
   std::string html = "<figure>";
-  for (const std::string& file : picture.files)
+  for (const std::string& file : image.files)
     if (file.ends_with(".svg"))
       html += "<a href=\"" + htmlAddress(file) + "\"><img src=\"" + htmlAddress(file) +
-              "\" loading=\"lazy\" alt=\"" + htmlEscaped(picture.caption) + "\"></a>";
-  return html + links(picture.files) + "</figure>\n";
+              "\" loading=\"lazy\" alt=\"" + htmlEscaped(image.caption) + "\"></a>";
+  return html + links(image.files) + "</figure>\n";
 }
 
 std::string numbersHtml(const Report& report) {
@@ -175,7 +175,7 @@ std::string diagnosisPage(const Report& report, const DiagnosisOrigin& origin,
   if (!report.channels.empty()) html += htmlTable(diagnosis::channelTable(report));
   for (const DiagnosisChannel& channel : channels) {
     html += "<h3>" + htmlEscaped(channel.title) + "</h3>\n";
-    for (const DiagnosisPicture& picture : channel.pictures) html += pictureHtml(picture);
+    for (const DiagnosisImage& image : channel.images) html += imageHtml(image);
   }
   html += "<h2>Numbers</h2>\n" + numbersHtml(report) + endHtml(report, files);
   return html + "</body></html>\n";

@@ -18,7 +18,7 @@ struct DiagnosisOrigin {
 };
 
 /// A drawing on the page.
-struct DiagnosisPicture {
+struct DiagnosisImage {
   std::string caption;
   std::vector<std::string> files;  ///< within the folder; the .svg is shown
 };
@@ -26,7 +26,7 @@ struct DiagnosisPicture {
 /// The pictures of one channel.
 struct DiagnosisChannel {
   std::string title;  ///< "q2 in slow.csv"
-  std::vector<DiagnosisPicture> pictures;
+  std::vector<DiagnosisImage> images;
 };
 
 /// The verdict in words: "One cause found".

@@ -15,15 +15,15 @@ constexpr double kProminence = 4.0;                ///< of a spike that no gap m
 constexpr double kCasing = 0.8;                    ///< at each side of a dash [px]
 constexpr double kDotSize = 5.0;                   ///< [px]
 
-QPixmap dotPicture(const QColor& colour) {
-  QPixmap picture(static_cast<int>(kDotSize) + 1, static_cast<int>(kDotSize) + 1);
-  picture.fill(Qt::transparent);
-  QPainter painter(&picture);
+QPixmap dotImage(const QColor& colour) {
+  QPixmap image(static_cast<int>(kDotSize) + 1, static_cast<int>(kDotSize) + 1);
+  image.fill(Qt::transparent);
+  QPainter painter(&image);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(Qt::NoPen);
   painter.setBrush(colour);
   painter.drawEllipse(QRectF(0.5, 0.5, kDotSize, kDotSize));
-  return picture;
+  return image;
 }
 
 }  // namespace
@@ -99,7 +99,7 @@ void JointPlot::setTheme(const Theme& theme, bool vectors, double widths) {
   graph(Quantity::kCamera)->setPen(QPen(dots, 0));
   graph(Quantity::kCamera)
       ->setScatterStyle(vectors ? QCPScatterStyle(QCPScatterStyle::ssDisc, dots, dots, widths * kDotSize)
-                                : QCPScatterStyle(dotPicture(dots)));
+                                : QCPScatterStyle(dotImage(dots)));
   band_->setColour(theme.band());
 }
 

@@ -6,9 +6,9 @@ namespace capstan::widgets {
 
 QString nameOf(PoseSource source) {
   switch (source) {
-    case PoseSource::kTold:
+    case PoseSource::kCommanded:
       return QObject::tr("told");
-    case PoseSource::kSeen:
+    case PoseSource::kVisible:
       return QObject::tr("as seen");
     case PoseSource::kOffset:
       return QObject::tr("rigid offset");
@@ -20,9 +20,9 @@ QString nameOf(PoseSource source) {
 
 Quantity quantityOf(PoseSource source) {
   switch (source) {
-    case PoseSource::kTold:
+    case PoseSource::kCommanded:
       return Quantity::kTrue;
-    case PoseSource::kSeen:
+    case PoseSource::kVisible:
       return Quantity::kCamera;
     case PoseSource::kOffset:
       return Quantity::kKinematic;

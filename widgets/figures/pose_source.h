@@ -6,7 +6,7 @@
 /// is to reach, what cameras saw the camera's, the rigid offset the first estimate, the correction the last.
 namespace capstan::widgets {
 
-enum class PoseSource { kTold, kSeen, kOffset, kCorrected };
+enum class PoseSource { kCommanded, kVisible, kOffset, kCorrected };
 
 /// "told", "as seen", "rigid offset", "corrected"
 QString nameOf(PoseSource source);

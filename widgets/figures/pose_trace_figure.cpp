@@ -16,21 +16,21 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr int kLeastPanelWidth = 280;                              ///< [px] of panels side by side
 constexpr std::array<std::size_t, 6> kOrder = {0, 3, 1, 4, 2, 5};  ///< positions left, angles right
 
-/// Sights whose courses are not drawn: those rejected, unless all are.
+/// Observations whose courses are not drawn: those rejected, unless all are.
 std::vector<bool> leftOut(const PoseTraceData& data) {
   const bool all = std::find(data.rejected.begin(), data.rejected.end(), false) == data.rejected.end();
   return all ? std::vector<bool>(data.rejected.size(), false) : data.rejected;
 }
 
-/// A sight that jumps away is at the edge of the picture, and does not make the rest of it small.
-QCPRange rangeOf(const PoseTraceData& data, const std::vector<bool>& left_out, std::size_t degree) {
+/// An observation that jumps away is at the edge of the picture, and does not make the rest of it small.
+QCPRange rangeOf(const PoseTraceData& data, const std::vector<bool>& excluded, std::size_t degree) {
   QCPRange range;
   bool first = true;
-  for (const auto& course : data.course)
-    for (std::size_t k = 0; k < course[degree].size(); ++k) {
-      if (left_out[k] && &course != &data.course.front()) continue;
-      if (first) range = {course[degree][k], course[degree][k]};
-      range.expand(course[degree][k]);
+  for (const auto& history : data.history)
+    for (std::size_t k = 0; k < history[degree].size(); ++k) {
+      if (excluded[k] && &history != &data.history.front()) continue;
+      if (first) range = {history[degree][k], history[degree][k]};
+      range.expand(history[degree][k]);
       first = false;
     }
   const double margin = std::max(0.08 * range.size(), 0.5);
@@ -59,30 +59,30 @@ void PoseTraceFigure::build(std::size_t degree) {
   QCPAxis* y = panel.axes->axis(QCPAxis::atLeft);
   panel.empty->setVisible(data_.t.empty());
   if (!data_.t.empty()) x->setRange(data_.t.front(), data_.t.back());
-  const std::vector<bool> left_out = leftOut(data_);
-  const QCPRange range = rangeOf(data_, left_out, degree);
+  const std::vector<bool> excluded = leftOut(data_);
+  const QCPRange range = rangeOf(data_, excluded, degree);
   y->setRange(range);
   Curves curves{};
   const double longest = kGap * typicalPeriod(data_.t);
   // The last estimate below, what it is to reach on top: each stays visible where they coincide.
   for (const std::size_t s : {std::size_t{1}, std::size_t{2}, std::size_t{0}}) {
-    curves.course[s] = addGraph(x, y);
-    curves.course[s]->setAdaptiveSampling(false);
-    QVector<double> t, course;
-    for (std::size_t k = 0; k < data_.course[s][degree].size(); ++k) {
+    curves.history[s] = addGraph(x, y);
+    curves.history[s]->setAdaptiveSampling(false);
+    QVector<double> t, history;
+    for (std::size_t k = 0; k < data_.history[s][degree].size(); ++k) {
       const bool gap = k > 0 && data_.t[k] - data_.t[k - 1] > longest;
-      if (gap) t << data_.t[k - 1], course << kNone;
+      if (gap) t << data_.t[k - 1], history << kNone;
       t << data_.t[k];
-      course << (s > 0 && left_out[k] ? kNone : data_.course[s][degree][k]);
+      history << (s > 0 && excluded[k] ? kNone : data_.history[s][degree][k]);
     }
-    curves.course[s]->setData(t, course, true);
+    curves.history[s]->setData(t, history, true);
   }
   curves.rejected = addGraph(x, y);
   curves.rejected->setLineStyle(QCPGraph::lsNone);
   QVector<double> when, where;
   for (std::size_t k = 0; k < data_.t.size(); ++k)
-    if (data_.rejected[k] && !data_.course[1][degree].empty())
-      when << data_.t[k], where << std::clamp(data_.course[1][degree][k], range.lower, range.upper);
+    if (data_.rejected[k] && !data_.history[1][degree].empty())
+      when << data_.t[k], where << std::clamp(data_.history[1][degree][k], range.lower, range.upper);
   curves.rejected->setData(when, where, true);
   curves_.push_back(curves);
 }
@@ -91,9 +91,9 @@ int PoseTraceFigure::columnsFor(QSize size) const { return size.width() >= 2 * k
 
 QPen PoseTraceFigure::penOf(PoseSource source) const {
   QPen pen = theme().pen(quantityOf(source));
-  pen.setWidthF(scale().line * (source == PoseSource::kTold     ? 0.9
-                                : source == PoseSource::kOffset ? 1.3
-                                                                : 2.4));
+  pen.setWidthF(scale().line * (source == PoseSource::kCommanded ? 0.9
+                                : source == PoseSource::kOffset  ? 1.3
+                                                                 : 2.4));
   return pen;
 }
 
@@ -102,8 +102,8 @@ void PoseTraceFigure::restyle() {
                              5.5 * scale().line);
   std::vector<LegendEntry> entries;
   for (std::size_t s = 0; s < kSources.size(); ++s) {
-    for (const Curves& curves : curves_) curves.course[s]->setPen(penOf(kSources[s]));
-    if (!data_.course[s][0].empty()) entries.push_back(lineEntry(nameOf(kSources[s]), penOf(kSources[s])));
+    for (const Curves& curves : curves_) curves.history[s]->setPen(penOf(kSources[s]));
+    if (!data_.history[s][0].empty()) entries.push_back(lineEntry(nameOf(kSources[s]), penOf(kSources[s])));
   }
   for (const Curves& curves : curves_) curves.rejected->setScatterStyle(mark);
   if (std::find(data_.rejected.begin(), data_.rejected.end(), true) != data_.rejected.end())
@@ -118,7 +118,7 @@ std::vector<FigureNumbers> PoseTraceFigure::numbers() const {
   std::string rows = "t [s],rejected";
   for (std::size_t s = 0; s < kSources.size(); ++s)
     for (std::size_t d = 0; d < 6; ++d)
-      if (!data_.course[s][d].empty())
+      if (!data_.history[s][d].empty())
         rows += "," +
                 csvText(nameOf(kSources[s]) + QLatin1Char(' ') +
                         QString::fromUtf8(learning::kDegreesOfFreedom[d])) +
@@ -126,8 +126,8 @@ std::vector<FigureNumbers> PoseTraceFigure::numbers() const {
   rows += '\n';
   for (std::size_t k = 0; k < data_.t.size(); ++k) {
     rows += csvNumber(data_.t[k]) + (data_.rejected[k] ? ",1" : ",0");
-    for (const auto& course : data_.course)
-      for (const std::vector<double>& values : course)
+    for (const auto& history : data_.history)
+      for (const std::vector<double>& values : history)
         if (!values.empty()) rows += "," + csvNumber(values[k]);
     rows += '\n';
   }

@@ -13,17 +13,18 @@ namespace capstan::widgets {
 struct PoseTraceData {
   QString title = {}, note = {};
   std::vector<double> t = {};       ///< [s]
-  std::vector<bool> rejected = {};  ///< by sight
-  /// [source of kTold, kOffset, kCorrected][x, y, z, yaw, pitch, roll]; empty: there is none
-  std::array<std::array<std::vector<double>, 6>, 3> course = {};
+  std::vector<bool> rejected = {};  ///< by observation
+  /// [source of kCommanded, kOffset, kCorrected][x, y, z, yaw, pitch, roll]; empty: there is none
+  std::array<std::array<std::vector<double>, 6>, 3> history = {};
 };
 
 /// A trajectory over time, as it was told, as it was seen with the rigid offset, and corrected (GPR paper,
-/// figure 4); sights that were left out are marked in the colour of warnings.
+/// figure 4); observations that were left out are marked in the colour of warnings.
 class PoseTraceFigure : public PanelFigure {
   Q_OBJECT
  public:
-  static constexpr std::array kSources = {PoseSource::kTold, PoseSource::kOffset, PoseSource::kCorrected};
+  static constexpr std::array kSources = {PoseSource::kCommanded, PoseSource::kOffset,
+                                          PoseSource::kCorrected};
 
   explicit PoseTraceFigure(PoseTraceData data, QWidget* parent = nullptr);
 
@@ -38,7 +39,7 @@ class PoseTraceFigure : public PanelFigure {
 
  private:
   struct Curves {
-    std::array<QCPGraph*, 3> course;
+    std::array<QCPGraph*, 3> history;
     QCPGraph* rejected;
   };
   void build(std::size_t degree);

@@ -36,9 +36,9 @@ ReliabilityFigure::ReliabilityFigure(ReliabilityData data, QWidget* parent)
 
 std::unique_ptr<Figure> ReliabilityFigure::copy() const { return std::make_unique<ReliabilityFigure>(data_); }
 
-void ReliabilityFigure::build(bool turn) {
-  const Panel& panel = addPanel({{turn ? tr("turn [%]") : tr("position [%]"), true}}, tr("share stated [%]"),
-                                tr("errors within it [%]"));
+void ReliabilityFigure::build(bool rotation) {
+  const Panel& panel = addPanel({{rotation ? tr("turn [%]") : tr("position [%]"), true}},
+                                tr("share stated [%]"), tr("errors within it [%]"));
   panel.empty->setVisible(data_.stated.states() == 0);
   QCPAxis* x = panel.axes->axis(QCPAxis::atBottom);
   QCPAxis* y = panel.axes->axis(QCPAxis::atLeft);
@@ -49,7 +49,7 @@ void ReliabilityFigure::build(bool turn) {
     QVector<double> stated, found;
     for (int step = 0; step <= kSteps; ++step) {
       stated << 100.0 * stepShare(step);
-      found << 100.0 * data_.stated.within(turn ? 3 + k : k, learning::normalSigmas(stepShare(step)));
+      found << 100.0 * data_.stated.within(rotation ? 3 + k : k, learning::normalSigmas(stepShare(step)));
     }
     curves_.push_back(addGraph(x, y));
     if (data_.stated.states() > 0) curves_.back()->setData(stated, found, true);

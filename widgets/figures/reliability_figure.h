@@ -27,7 +27,7 @@ class ReliabilityFigure : public PanelFigure {
   void restyle() override;
 
  private:
-  void build(bool turn);
+  void build(bool rotation);
 
   ReliabilityData data_;
   std::vector<QCPGraph*> curves_;     ///< by degree of freedom

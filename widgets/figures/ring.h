@@ -1,9 +1,10 @@
 #pragma once
 
-#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
+
+#include "core/base/check.h"
 
 namespace capstan::widgets {
 
@@ -11,7 +12,7 @@ namespace capstan::widgets {
 template <class T>
 class Ring {
  public:
-  explicit Ring(std::size_t capacity) : items_(capacity) { assert(capacity > 0); }
+  explicit Ring(std::size_t capacity) : items_(capacity) { CAPSTAN_CHECK(capacity > 0); }
 
   void push(const T& item) {
     items_[static_cast<std::size_t>(pushed_ % items_.size())] = item;
@@ -48,7 +49,7 @@ class Ring {
 
  private:
   std::size_t slot(std::size_t i) const {
-    assert(i < size());
+    CAPSTAN_ASSERT(i < size());
     return static_cast<std::size_t>((pushed_ - size() + i) % items_.size());
   }
 

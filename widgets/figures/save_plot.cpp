@@ -15,7 +15,7 @@ namespace capstan::widgets {
 namespace {
 
 constexpr int kResolution = static_cast<int>(PaperSize::kDotsPerInch);  ///< text keeps its size everywhere
-constexpr double kPictureDotsPerInch = 300.0;
+constexpr double kImageDotsPerInch = 300.0;
 
 bool drawVectors(QCustomPlot& plot, QPaintDevice& device, QSize dots) {
   QCPPainter painter;
@@ -50,7 +50,7 @@ bool saveSvg(QCustomPlot& plot, const QString& file, PaperSize size, const QStri
 
 bool savePng(QCustomPlot& plot, const QString& file, PaperSize size) {
   const QSize dots = size.dots();
-  const double scale = kPictureDotsPerInch / PaperSize::kDotsPerInch;
+  const double scale = kImageDotsPerInch / PaperSize::kDotsPerInch;
   QImage image((QSizeF(dots) * scale).toSize(), QImage::Format_RGB32);
   image.fill(Qt::white);
   QCPPainter painter;
@@ -60,7 +60,7 @@ bool savePng(QCustomPlot& plot, const QString& file, PaperSize size) {
   painter.setMode(QCPPainter::pmNonCosmetic);
   plot.toPainter(&painter, dots.width(), dots.height());
   painter.end();
-  const int per_metre = static_cast<int>(std::lround(kPictureDotsPerInch / 0.0254));
+  const int per_metre = static_cast<int>(std::lround(kImageDotsPerInch / 0.0254));
   image.setDotsPerMeterX(per_metre);
   image.setDotsPerMeterY(per_metre);
   return image.save(file, "png");

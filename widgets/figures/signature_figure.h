@@ -13,7 +13,7 @@ namespace capstan::widgets {
 struct SignaturePanel {
   diagnosis::Signature before;                     ///< of the refitted model
   std::optional<diagnosis::Signature> after = {};  ///< of the extended one, against the same variable
-  std::string unit;                                ///< of the remainder: "rad" or "m"
+  std::string unit;                                ///< of the residual: "rad" or "m"
   double noise = 0.0;                              ///< standard deviation of the sensor; 0: not shown
 };
 
@@ -30,9 +30,9 @@ SignaturePanel signaturePanel(const diagnosis::ChannelReport& channel, std::size
 SignatureData strongestSignatures(const diagnosis::Report& report, const diagnosis::ChannelReport& channel,
                                   std::size_t most = 4);
 
-/// What a simulation gets wrong against what it may depend on: the remainder's mean in bins of a variable
+/// What a simulation gets wrong against what it may depend on: the residual's mean in bins of a variable
 /// with its 95 % interval, before and after causes were added to the model. Above each panel the share of the
-/// remainder's variance that the variable explains, in words and numbers. Panels of one channel have one
+/// residual's variance that the variable explains, in words and numbers. Panels of one channel have one
 /// value axis, so that a strong signature looks strong beside a weak one, and the sensor's noise, ± σ, is
 /// shaded and always within it, so that nothing does not look like something.
 ///     SignatureFigure figure({"q2", {}, {signaturePanel(channel, 0, !report.causes.empty())}});

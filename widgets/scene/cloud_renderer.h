@@ -18,7 +18,7 @@ struct PointCloud {
   QColor colour = {};
   double size = 2.5;  ///< of a point [px]
   bool shown = true;
-  bool framed = true;  ///< the grid is around it
+  bool framed = true;                        ///< the grid is around it
   std::vector<Eigen::Vector3d> points = {};  ///< [m]
 };
 

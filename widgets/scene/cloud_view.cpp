@@ -108,7 +108,7 @@ void CloudView::draw() {
   update();
 }
 
-QImage CloudView::picture() {
+QImage CloudView::image() {
   draw();
   return image_;
 }

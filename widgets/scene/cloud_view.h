@@ -29,7 +29,7 @@ class CloudView : public QWidget {
   OrbitCamera& camera() { return camera_; }
   void resetCamera();
   /// Draws now and gives the clouds without labels. For tests and exports.
-  QImage picture();
+  QImage image();
 
   QSize sizeHint() const override { return {640, 420}; }
   QSize minimumSizeHint() const override { return {200, 150}; }

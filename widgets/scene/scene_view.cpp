@@ -128,8 +128,8 @@ void SceneView::keepTrail(const tracking::Snapshot& snapshot) {
   while (!trail_.empty() && trail_.front().t < snapshot.t - trail_seconds_) trail_.pop_front();
 }
 
-void SceneView::setRate(double pictures_a_second) {
-  timer_.setInterval(static_cast<int>(1000.0 / pictures_a_second));
+void SceneView::setRate(double frames_a_second) {
+  timer_.setInterval(static_cast<int>(1000.0 / frames_a_second));
 }
 
 void SceneView::setEllipsoidScale(double factor) {
@@ -185,7 +185,7 @@ void SceneView::draw() {
   update();
 }
 
-QImage SceneView::picture() {
+QImage SceneView::image() {
   draw();
   return image_;
 }

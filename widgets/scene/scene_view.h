@@ -40,7 +40,7 @@ class SceneView : public QWidget {
   void setRegistration(const std::optional<Eigen::Isometry3d>& base_from_camera);
   void showSnapshot(const tracking::Snapshot& snapshot);
 
-  void setRate(double pictures_a_second);
+  void setRate(double frames_a_second);
   void setTrailSeconds(double seconds) { trail_seconds_ = seconds; }
   /// How much larger than life the ellipsoid is drawn; 0 chooses a round factor that keeps it visible.
   void setEllipsoidScale(double factor);
@@ -48,7 +48,7 @@ class SceneView : public QWidget {
   OrbitCamera& camera() { return camera_; }
   void resetCamera();
   /// Draws now and gives the scene without labels. For tests and exports.
-  QImage picture();
+  QImage image();
 
   QSize sizeHint() const override { return {420, 330}; }
   QSize minimumSizeHint() const override { return {160, 120}; }

@@ -3,7 +3,6 @@
 #include <QFileInfo>
 #include <QSettings>
 
-#include "core/base/resource.h"
 #include "core/recording/table_source.h"
 
 namespace capstan::widgets {
@@ -82,10 +81,8 @@ QString titleOf(const SourceChoice& choice, const std::string& own_title) {
 std::unique_ptr<tracking::Source> openSource(const SourceChoice& choice) {
   if (choice.simulated)
     return std::make_unique<simulation::SimulatedSource>(simulation::optionsOf(choice.simulation));
-  const auto robot = choice.robot.isEmpty() ? base::resource("robots/raven2_left.yaml")
-                                            : std::filesystem::path(choice.robot.toStdString());
   return recording::openRecording(
-      choice.file.toStdString(), robot::readDescription(robot),
+      choice.file.toStdString(), robot::readDescriptionOrDefault(choice.robot.toStdString()),
       recording::parseReadAs(choice.read_as.toStdString(), choice.file.toStdString()));
 }
 

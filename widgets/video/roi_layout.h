@@ -13,7 +13,7 @@ namespace capstan::widgets {
 
 /// Part of an image shown in part of a widget. Image pixel (0, 0) is the centre of the top-left pixel, so
 /// that the picture's edge lies at −0.5.
-struct PictureMap {
+struct ImageMap {
   QRectF target;    ///< in the widget
   cv::Rect source;  ///< whole pixels of the image
 

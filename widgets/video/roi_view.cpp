@@ -109,8 +109,8 @@ RoiLayout RoiView::layOut() const {
   return whole_large_ ? layOutRoi(size(), height, whole, part) : layOutRoi(size(), height, part, whole);
 }
 
-PictureMap RoiView::mainMap() const { return {layOut().main, whole_large_ ? wholeFrame() : region_}; }
-PictureMap RoiView::insetMap() const { return {layOut().inset, whole_large_ ? region_ : wholeFrame()}; }
+ImageMap RoiView::mainMap() const { return {layOut().main, whole_large_ ? wholeFrame() : region_}; }
+ImageMap RoiView::insetMap() const { return {layOut().inset, whole_large_ ? region_ : wholeFrame()}; }
 
 void RoiView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
@@ -124,8 +124,8 @@ void RoiView::paintEvent(QPaintEvent*) {
     painter.drawText(layout.main, Qt::AlignCenter | Qt::TextWordWrap, message_);
     return;
   }
-  drawPicture(painter, mainMap(), true);
-  drawPicture(painter, insetMap(), false);
+  drawImage_(painter, mainMap(), true);
+  drawImage_(painter, insetMap(), false);
   drawCaption(painter, layout.caption);
 }
 
@@ -146,7 +146,7 @@ void RoiView::drawHeader(QPainter& painter, const QRect& area) const {
     painter.drawText(rest, Qt::AlignRight | Qt::AlignVCenter, what);
 }
 
-void RoiView::drawPicture(QPainter& painter, const PictureMap& map, bool main) const {
+void RoiView::drawImage_(QPainter& painter, const ImageMap& map, bool main) const {
   if (map.target.isEmpty() || map.source.empty()) return;
   painter.setRenderHint(QPainter::SmoothPixmapTransform, false);
   painter.drawImage(map.target, cut(frame_, map.source, (map.target.size() * devicePixelRatioF()).toSize()));
@@ -170,7 +170,7 @@ void RoiView::drawPicture(QPainter& painter, const PictureMap& map, bool main) c
   painter.drawRect(map.target.adjusted(edge / 2, edge / 2, -edge / 2, -edge / 2));
 }
 
-void RoiView::drawMarker(QPainter& painter, const PictureMap& map, bool main) const {
+void RoiView::drawMarker(QPainter& painter, const ImageMap& map, bool main) const {
   if (lost()) return;
   const QPointF centre = map.toWidget(detection_.centroid);
   const double radius = detection_.radius * map.scale();
@@ -186,7 +186,7 @@ void RoiView::drawMarker(QPainter& painter, const PictureMap& map, bool main) co
   strokeWithHalo(painter, path, theme_.colour(Quantity::kCamera), main ? 2.0 : 1.2);
 }
 
-void RoiView::drawLines(QPainter& painter, const PictureMap& map) const {
+void RoiView::drawLines(QPainter& painter, const ImageMap& map) const {
   for (const ImageLine& line : lines_) {
     if (line.points.empty()) continue;
     QPainterPath path(map.toWidget(line.points.front()));

@@ -50,8 +50,8 @@ class RoiView : public QWidget {
   QString captionWithin(const QFontMetrics& metrics, int width) const;
   bool lost() const { return !detection_.found(); }
   /// The magnified picture and the inset as they lie now, for tests and for overlays of others.
-  PictureMap mainMap() const;
-  PictureMap insetMap() const;
+  ImageMap mainMap() const;
+  ImageMap insetMap() const;
   QSize sizeHint() const override { return {420, 250}; }
   QSize minimumSizeHint() const override { return {160, 120}; }
 
@@ -66,9 +66,9 @@ class RoiView : public QWidget {
   RoiLayout layOut() const;
   cv::Rect wholeFrame() const { return {0, 0, frame_.cols, frame_.rows}; }
   void drawHeader(QPainter& painter, const QRect& area) const;
-  void drawPicture(QPainter& painter, const PictureMap& map, bool main) const;
-  void drawMarker(QPainter& painter, const PictureMap& map, bool main) const;
-  void drawLines(QPainter& painter, const PictureMap& map) const;
+  void drawImage_(QPainter& painter, const ImageMap& map, bool main) const;
+  void drawMarker(QPainter& painter, const ImageMap& map, bool main) const;
+  void drawLines(QPainter& painter, const ImageMap& map) const;
   void drawCaption(QPainter& painter, const QRect& area) const;
 
   QString title_, message_;

@@ -127,36 +127,37 @@ void differentiate(Evidence& evidence, double smoothing) {
     }
 }
 
-void mark(std::vector<std::uint8_t>& doubts, const std::vector<std::uint8_t>& where, RowDoubt doubt) {
+void mark(std::vector<std::uint8_t>& exclusions, const std::vector<std::uint8_t>& where,
+          ExclusionReason doubt) {
   for (std::size_t i = 0; i < where.size(); ++i)
-    if (where[i]) doubts[i] |= doubt;
+    if (where[i]) exclusions[i] |= doubt;
 }
 
 void markSaturated(Evidence& evidence, const robot::Description& robot) {
   if (evidence.drive == DriveKind::kCable)
     for (std::size_t j = 0; j < evidence.q_m.size(); ++j)
-      mark(evidence.doubts, standsAtEnd(evidence.q_m[j], evidence.segments, evidence.noise.q_m[j].floor()),
-           kSaturated);
+      mark(evidence.exclusions,
+           standsAtEnd(evidence.q_m[j], evidence.segments, evidence.noise.q_m[j].floor()), kSaturated);
   if (evidence.drive == DriveKind::kRigid && robot.drives.size() == evidence.tau_m.size())
     for (std::size_t j = 0; j < evidence.tau_m.size(); ++j) {
       const double most = robot.drives[j].motor_torque_limit * (1.0 + 1e-6);
       for (std::size_t i = 0; i < evidence.rows() && most > 0.0; ++i)
-        if (std::abs(evidence.tau_m[j][i]) > most) evidence.doubts[i] |= kSaturated;
+        if (std::abs(evidence.tau_m[j][i]) > most) evidence.exclusions[i] |= kSaturated;
     }
 }
 
-void placeSights(Evidence& evidence, const EvenGrid& grid, const RecordedTracks& tracks,
-                 const robot::Description& robot) {
+void placeObservations(Evidence& evidence, const EvenGrid& grid, const RecordedTracks& tracks,
+                       const robot::Description& robot) {
   for (std::size_t i = 0; i < tracks.tip.size(); ++i) {
     const double row = tracks.tip[i].allFinite() ? rowOf(grid, tracks.t_tip[i]) : -1.0;
     if (row >= 0.0) evidence.tip.push_back({tracks.t_tip[i], row, tracks.tip[i], true});
   }
-  judgeSights(evidence, robot);
-  for (TipSight& sight : evidence.tip) {
-    const auto before = static_cast<std::size_t>(sight.row);
+  judgeObservations(evidence, robot);
+  for (TipObservation& observation : evidence.tip) {
+    const auto before = static_cast<std::size_t>(observation.row);
     const std::size_t after =
-        std::min(before + (sight.row > static_cast<double>(before) ? 1 : 0), evidence.rows() - 1);
-    if (!evidence.counts(before) || !evidence.counts(after)) sight.counts = false;
+        std::min(before + (observation.row > static_cast<double>(before) ? 1 : 0), evidence.rows() - 1);
+    if (!evidence.counts(before) || !evidence.counts(after)) observation.counts = false;
   }
 }
 
@@ -167,7 +168,7 @@ void fillLoads(Evidence& evidence) {
     const auto first = std::find_if(load.begin(), load.end(), [](double x) { return std::isfinite(x); });
     double nearest = first == load.end() ? 0.0 : *first;
     for (std::size_t i = 0; i < load.size(); ++i) {
-      if (!std::isfinite(load[i]) && first != load.end()) evidence.doubts[i] |= kGap;
+      if (!std::isfinite(load[i]) && first != load.end()) evidence.exclusions[i] |= kGap;
       if (std::isfinite(load[i])) nearest = load[i];
       load[i] = nearest;
     }
@@ -192,7 +193,7 @@ void placeChannels(Evidence& evidence, const EvenGrid& grid, const RecordedTrack
   Placed reference = placeReference(grid, tracks);
   evidence.q = std::move(reference.columns);
   evidence.noise.q = std::move(reference.noise);
-  mark(evidence.doubts, missing, kGap);
+  mark(evidence.exclusions, missing, kGap);
   fillLoads(evidence);
 }
 
@@ -200,8 +201,8 @@ void noticeLosses(Evidence& evidence, const RecordedTracks& tracks) {
   if (evidence.segments.size() > 1)
     evidence.notices.push_back(fmt::format("{}: {} pieces with gaps between them: simulated one by one",
                                            evidence.title, evidence.segments.size()));
-  const auto share = [&](RowDoubt doubt) {
-    const auto rows = std::count_if(evidence.doubts.begin(), evidence.doubts.end(),
+  const auto share = [&](ExclusionReason doubt) {
+    const auto rows = std::count_if(evidence.exclusions.begin(), evidence.exclusions.end(),
                                     [&](std::uint8_t bits) { return (bits & doubt) != 0; });
     return 100.0 * static_cast<double>(rows) / static_cast<double>(evidence.rows());
   };
@@ -213,9 +214,9 @@ void noticeLosses(Evidence& evidence, const RecordedTracks& tracks) {
         fmt::format("{}: {:.2g} % of the rows are saturated and do not count", evidence.title, stuck));
   const auto seen = static_cast<std::size_t>(std::count_if(
       tracks.tip.begin(), tracks.tip.end(), [](const Eigen::Vector3d& tip) { return tip.allFinite(); }));
-  if (const std::size_t kept = evidence.countingSights(); kept < seen)
+  if (const std::size_t kept = evidence.countingObservations(); kept < seen)
     evidence.notices.push_back(
-        fmt::format("{}: {} of {} tip sights do not count", evidence.title, seen - kept, seen));
+        fmt::format("{}: {} of {} tip observations do not count", evidence.title, seen - kept, seen));
 }
 
 /// Anything to be said from what counts?
@@ -227,11 +228,11 @@ void checkLength(const RecordedTracks& tracks, const Evidence& evidence) {
   std::size_t read = 0;
   for (const std::vector<double>& column : evidence.q)
     for (std::size_t i = 0; i < column.size(); ++i) read += evidence.counts(i) && std::isfinite(column[i]);
-  if (read < kFewestRows && evidence.countingSights() < kFewestSights)
+  if (read < kFewestRows && evidence.countingObservations() < kFewestObservations)
     refuse(tracks, evidence.hasEncoders() ? "q1" : "p_c1",
-           fmt::format("{} readings, {} tip sights", read, evidence.countingSights()),
-           fmt::format("are fewer than the {} readings or {} sights that diagnosis needs", kFewestRows,
-                       kFewestSights),
+           fmt::format("{} readings, {} tip observations", read, evidence.countingObservations()),
+           fmt::format("are fewer than the {} readings or {} observations that diagnosis needs", kFewestRows,
+                       kFewestObservations),
            "Give a longer recording");
 }
 
@@ -279,13 +280,13 @@ Evidence assembleEvidence(const RecordedTracks& tracks, const robot::Description
   evidence.step = grid.step;
   evidence.t = grid.t;
   evidence.segments = grid.segments;
-  evidence.doubts.assign(grid.t.size(), 0);
+  evidence.exclusions.assign(grid.t.size(), 0);
   placeChannels(evidence, grid, tracks, options);
   if (!evidence.q_m.empty()) differentiate(evidence, options.smoothing);
   markSaturated(evidence, robot);
   for (std::size_t i = 0; i < evidence.rows(); ++i)
-    if (evidence.t[i] < evidence.t.front() + options.skip_start) evidence.doubts[i] |= kStart;
-  placeSights(evidence, grid, tracks, robot);
+    if (evidence.t[i] < evidence.t.front() + options.skip_start) evidence.exclusions[i] |= kStart;
+  placeObservations(evidence, grid, tracks, robot);
   checkLength(tracks, evidence);
   noticeLosses(evidence, tracks);
   return evidence;

@@ -45,7 +45,7 @@ std::vector<double> interpolateTo(const EvenGrid& grid, const Track& track, doub
 /// nearest. NaN in the other rows.
 std::vector<double> placeOn(const EvenGrid& grid, const Track& track);
 
-/// Where on the grid time `t` falls: TipSight::row, or −1 outside of all segments.
+/// Where on the grid time `t` falls: TipObservation::row, or −1 outside of all segments.
 double rowOf(const EvenGrid& grid, double t);
 
 }  // namespace capstan::diagnosis

@@ -8,12 +8,12 @@ namespace capstan::diagnosis {
 double ChannelNoise::floor() const { return std::max(sigma, step / std::sqrt(12.0)); }
 
 std::size_t Evidence::countingRows() const {
-  return static_cast<std::size_t>(std::count(doubts.begin(), doubts.end(), 0));
+  return static_cast<std::size_t>(std::count(exclusions.begin(), exclusions.end(), 0));
 }
 
-std::size_t Evidence::countingSights() const {
-  return static_cast<std::size_t>(
-      std::count_if(tip.begin(), tip.end(), [](const TipSight& sight) { return sight.counts; }));
+std::size_t Evidence::countingObservations() const {
+  return static_cast<std::size_t>(std::count_if(
+      tip.begin(), tip.end(), [](const TipObservation& observation) { return observation.counts; }));
 }
 
 double Evidence::duration() const {

@@ -32,7 +32,7 @@ struct EvidenceNoise {
 };
 
 /// Where the cameras saw the tip, at an instant of their own clock.
-struct TipSight {
+struct TipObservation {
   double t = 0.0;    ///< stamp of the exposure [s]
   double row = 0.0;  ///< place among the rows: 3.25 is a quarter after row 3
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< frame 0 [m]
@@ -45,8 +45,8 @@ struct Segment {
   std::size_t size() const { return end - begin; }
 };
 
-/// Why a row does not count in what measured and simulated are compared by; bits of Evidence::doubts.
-enum RowDoubt : std::uint8_t {
+/// Why a row does not count in what measured and simulated are compared by; bits of Evidence::exclusions.
+enum ExclusionReason : std::uint8_t {
   kGap = 1,        ///< the drive was interpolated over rows that are missing
   kSaturated = 2,  ///< an encoder stands at its end, or the torque asked for is beyond the motor's
   kStart = 4,      ///< within EvidenceOptions::skip_start of the begin
@@ -58,29 +58,29 @@ struct Evidence {
   std::string file;   ///< for error messages; empty: none
   DriveKind drive = DriveKind::kCable;
   int joints = 0;
-  double step = 0.0;                 ///< between rows of a segment [s]
-  std::vector<double> t;             ///< rising [s]; within a segment t[begin] + k step
-  std::vector<Segment> segments;     ///< in order, together all rows
-  Columns q_m;                       ///< motor position from the hard stop [rad]
-  Columns dq_m;                      ///< motor velocity [rad/s]; there wherever q_m is
-  Columns tau_m;                     ///< motor torque (or force) [N·m or N]
-  Columns tau_ext;                   ///< load that pushes towards positive q [N·m or N]
-  Columns q;                         ///< joint encoders [rad or m]; NaN in rows where none was read
-  std::vector<TipSight> tip;         ///< in order of time, within the segments
-  std::vector<std::uint8_t> doubts;  ///< a row each; 0: it counts
+  double step = 0.0;                     ///< between rows of a segment [s]
+  std::vector<double> t;                 ///< rising [s]; within a segment t[begin] + k step
+  std::vector<Segment> segments;         ///< in order, together all rows
+  Columns q_m;                           ///< motor position from the hard stop [rad]
+  Columns dq_m;                          ///< motor velocity [rad/s]; there wherever q_m is
+  Columns tau_m;                         ///< motor torque (or force) [N·m or N]
+  Columns tau_ext;                       ///< load that pushes towards positive q [N·m or N]
+  Columns q;                             ///< joint encoders [rad or m]; NaN in rows where none was read
+  std::vector<TipObservation> tip;       ///< in order of time, within the segments
+  std::vector<std::uint8_t> exclusions;  ///< a row each; 0: it counts
   EvidenceNoise noise;
   std::optional<robot::Description> robot;  ///< nominal, where the recording brings one
-  std::vector<std::string> notices;         ///< doubts and remarks for the user, a line each
+  std::vector<std::string> notices;         ///< exclusions and remarks for the user, a line each
 
   std::size_t rows() const { return t.size(); }
-  bool counts(std::size_t row) const { return doubts[row] == 0; }
+  bool counts(std::size_t row) const { return exclusions[row] == 0; }
   std::size_t countingRows() const;
-  std::size_t countingSights() const;
+  std::size_t countingObservations() const;
   bool hasEncoders() const { return !q.empty(); }
   bool hasCameras() const { return !tip.empty(); }
   /// Of the segments together [s].
   double duration() const;
-  /// Column value between rows, linear; `row` as TipSight::row, within one segment.
+  /// Column value between rows, linear; `row` as TipObservation::row, within one segment.
   static double at(const std::vector<double>& column, double row);
 };
 
@@ -95,8 +95,8 @@ struct EvidenceOptions {
   recording::ReadAs read_as = {};  ///< units of a measured table
 };
 
-/// Fewest rows that count (or tip sights, where there are no encoders) for anything to be said.
+/// Fewest rows that count (or tip observations, where there are no encoders) for anything to be said.
 inline constexpr std::size_t kFewestRows = 100;
-inline constexpr std::size_t kFewestSights = 20;
+inline constexpr std::size_t kFewestObservations = 20;
 
 }  // namespace capstan::diagnosis

@@ -48,14 +48,14 @@ std::optional<Pose> poseOf(const RawPose& raw, const List& list) {
   Pose pose;
   pose.t = raw.t;
   pose.position = raw.position;
-  const Eigen::Vector4d turn = list.turns ? raw.quaternion : Eigen::Vector4d(0.0, 0.0, 0.0, 1.0);
-  if (!std::isfinite(pose.t) || !pose.position.allFinite() || !turn.allFinite()) return std::nullopt;
-  if (pose.position.isZero(0.0) && turn.head<3>().isZero(0.0)) return std::nullopt;
-  if (std::abs(turn.norm() - 1.0) > kNorm)
-    refuse(list.file, raw, fmt::format("{}_qw", list.prefix), turn[3],
-           fmt::format("the orientation has norm {:.4g} and not 1", turn.norm()),
+  const Eigen::Vector4d rotation = list.turns ? raw.quaternion : Eigen::Vector4d(0.0, 0.0, 0.0, 1.0);
+  if (!std::isfinite(pose.t) || !pose.position.allFinite() || !rotation.allFinite()) return std::nullopt;
+  if (pose.position.isZero(0.0) && rotation.head<3>().isZero(0.0)) return std::nullopt;
+  if (std::abs(rotation.norm() - 1.0) > kNorm)
+    refuse(list.file, raw, fmt::format("{}_qw", list.prefix), rotation[3],
+           fmt::format("the orientation has norm {:.4g} and not 1", rotation.norm()),
            "Write unit quaternions x, y, z, w, or leave the cells empty");
-  pose.turn = Eigen::Quaterniond(turn[3], turn[0], turn[1], turn[2]).normalized();
+  pose.rotation = Eigen::Quaterniond(rotation[3], rotation[0], rotation[1], rotation[2]).normalized();
   return pose;
 }
 
@@ -79,22 +79,23 @@ std::vector<Pose> posesOf(const std::vector<RawPose>& rows, const List& list, Po
   return poses;
 }
 
-/// Longest chain of sights, each within reach of the one before; the rest does not count.
-std::size_t markOutliers(std::vector<Pose>& sights) {
-  const std::size_t n = sights.size();
+/// Longest chain of observations, each within reach of the one before; the rest does not count.
+std::size_t markOutliers(std::vector<Pose>& observations) {
+  const std::size_t n = observations.size();
   std::vector<std::size_t> length(n, 1), before(n, n);
   std::size_t last = 0;
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = i; j-- > 0;) {
-      const double way = (sights[i].position - sights[j].position).norm();
-      if (length[j] < length[i] || way > kFastestTip * (sights[i].t - sights[j].t) + kStray) continue;
+      const double way = (observations[i].position - observations[j].position).norm();
+      if (length[j] < length[i] || way > kFastestTip * (observations[i].t - observations[j].t) + kStray)
+        continue;
       length[i] = length[j] + 1;
       before[i] = j;
     }
     if (length[i] > length[last]) last = i;
   }
-  for (Pose& sight : sights) sight.counts = false;
-  for (std::size_t i = last; i < n; i = before[i]) sights[i].counts = true;
+  for (Pose& observation : observations) observation.counts = false;
+  for (std::size_t i = last; i < n; i = before[i]) observations[i].counts = true;
   return n == 0 ? 0 : n - length[last];
 }
 
@@ -129,13 +130,13 @@ PoseEvidence parsePoseEvidence(std::string_view text, const std::string& file) {
   PoseEvidence evidence;
   evidence.file = file;
   evidence.title = std::filesystem::path(file).filename().string();
-  std::array<bool, learning::kStreams> turned;
-  for (std::size_t s = 0; s < turned.size(); ++s) turned[s] = turns(motions, static_cast<StreamKind>(s));
-  evidence.turns = turned[1] || turned[2];
+  std::array<bool, learning::kStreams> rotated;
+  for (std::size_t s = 0; s < rotated.size(); ++s) rotated[s] = turns(motions, static_cast<StreamKind>(s));
+  evidence.turns = rotated[1] || rotated[2];
   std::size_t too_short = 0;
   for (const RawMotion& motion : motions) {
     const auto poses = [&](std::size_t s, PoseCounts& counts) {
-      return posesOf(motion.streams[s], {file, recording::kStreamPrefixes[s], turned[s]}, counts);
+      return posesOf(motion.streams[s], {file, recording::kStreamPrefixes[s], rotated[s]}, counts);
     };
     PoseTrajectory trajectory;
     trajectory.name = motion.name;
@@ -155,7 +156,7 @@ PoseEvidence parsePoseEvidence(std::string_view text, const std::string& file) {
                             0,
                             "traj",
                             {},
-                            "no trajectory has two sights and two poses to compare with",
+                            "no trajectory has two observations and two poses to compare with",
                             "Record at least one motion with camera and robot"});
   addNotices(evidence, too_short);
   return evidence;

@@ -11,10 +11,10 @@ namespace capstan::diagnosis {
 
 /// Where something was at an instant of its own clock.
 struct Pose {
-  double t = 0.0;                                            ///< stamp [s]
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();        ///< [m]
-  Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();  ///< identity where the table has none
-  bool counts = true;                                        ///< false: an outlier
+  double t = 0.0;                                                ///< stamp [s]
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();            ///< [m]
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  ///< identity where the table has none
+  bool counts = true;                                            ///< false: an outlier
 };
 
 /// One motion, each list with rising stamps.
@@ -38,13 +38,13 @@ struct PoseCounts {
 struct PoseEvidence {
   std::string title;  ///< file name
   std::string file;
-  std::vector<PoseTrajectory> trajectories;  ///< those with two sights at least
+  std::vector<PoseTrajectory> trajectories;  ///< those with two observations at least
   PoseCounts camera, robot, command;
   bool turns = false;                ///< are there orientations of the robot?
   std::vector<std::string> notices;  ///< for the user, a line each
 };
 
-/// Faster than any tip of a surgical robot [m/s], and what a sight may stray beside it [m].
+/// Faster than any tip of a surgical robot [m/s], and what an observation may stray beside it [m].
 inline constexpr double kFastestTip = 0.5, kStray = 1e-3;
 
 /// Is this the first line of such a table? It has traj, t_cam_s and cam_x.
@@ -55,12 +55,11 @@ bool isPoseTable(std::string_view header_line);
 /// positions of all in one frame as far as anybody knew. Rows of one trajectory stand together.
 ///
 /// A pose of zeros with a turn of (0, 0, 0, ±1), and a pose with an empty cell, is a placeholder; a stamp
-/// that is the one before's is a repeat. Both are left out and counted. Outliers among the sights are those
-/// beyond the largest set that a tip could have passed through: from one to the next at most kFastestTip and
-/// kStray.
-/// base::InputError naming file, line, column, value and remedy: a column that is missing, an orientation
-/// that is none (norm not 1 within 1 %), stamps that go back within a trajectory, no trajectory with two
-/// sights and two poses to compare with.
+/// that is the one before's is a repeat. Both are left out and counted. Outliers among the observations are
+/// those beyond the largest set that a tip could have passed through: from one to the next at most
+/// kFastestTip and kStray. base::InputError naming file, line, column, value and remedy: a column that is
+/// missing, an orientation that is none (norm not 1 within 1 %), stamps that go back within a trajectory, no
+/// trajectory with two observations and two poses to compare with.
 PoseEvidence parsePoseEvidence(std::string_view text, const std::string& file);
 PoseEvidence readPoseEvidence(const std::filesystem::path& path);
 

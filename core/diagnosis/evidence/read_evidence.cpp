@@ -10,9 +10,9 @@
 #include <variant>
 
 #include "core/diagnosis/evidence/recorded_tracks.h"
-#include "core/recording/settle_units.h"
 #include "core/recording/read_table.h"
 #include "core/recording/session_source.h"
+#include "core/recording/settle_units.h"
 #include "core/tracking/make_pipeline.h"
 #include "core/tracking/track_all.h"
 

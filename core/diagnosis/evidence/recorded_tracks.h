@@ -33,9 +33,9 @@ std::vector<std::uint8_t> standsAtEnd(const std::vector<double>& column, const s
                                       double noise);
 
 /// Noise of the tips from their distance to where joints (encoders, or else the motors' transmission
-/// kinematics) put them, which takes the motion out; sights farther than eight times the spread (and a
+/// kinematics) put them, which takes the motion out; observations farther than eight times the spread (and a
 /// millimetre) from both the median of seven about them and the cubic through their neighbours no longer
 /// count.
-void judgeSights(Evidence& evidence, const robot::Description& robot);
+void judgeObservations(Evidence& evidence, const robot::Description& robot);
 
 }  // namespace capstan::diagnosis

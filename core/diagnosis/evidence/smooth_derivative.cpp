@@ -3,8 +3,9 @@
 #include <Eigen/Core>
 #include <Eigen/QR>
 #include <algorithm>
-#include <cassert>
 #include <cmath>
+
+#include "core/base/check.h"
 
 namespace capstan::diagnosis {
 namespace {
@@ -28,7 +29,7 @@ Eigen::MatrixXd windowWeights(std::size_t length, int order) {
 
 std::vector<double> smoothDerivative(std::span<const double> values, double step, std::size_t half,
                                      int order) {
-  assert(half >= 2 && (order == 1 || order == 2) && step > 0.0);
+  CAPSTAN_CHECK(half >= 2 && (order == 1 || order == 2) && step > 0.0);
   const std::size_t n = values.size();
   if (n < 2) return std::vector<double>(n, 0.0);
   const std::size_t length = std::min(n, 2 * half + 1), centre = length / 2;

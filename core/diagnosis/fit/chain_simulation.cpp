@@ -20,7 +20,7 @@ constexpr double kContactStep = 0.25e-3;     // likewise, where contacts open or
 constexpr double kFastestTurn = 0.7;         // of an oscillation in one step [rad]
 constexpr int kMostSteps = 80;               // a row
 constexpr double kOutputStep = 5e-3;         // of what the kernel hands out [s]
-constexpr double kAfterRestart = 0.12;       // sights so soon after a restart may look behind it [s]
+constexpr double kAfterRestart = 0.12;       // observations so soon after a restart may look behind it [s]
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 /// Position at row `begin` and slope of a column, from a line through its rows [begin, end).
@@ -179,7 +179,7 @@ void ChainSimulation::findSamples(const robot::Description& robot) {
   for (const Window& window : windows_) {
     compared_.window_begin.push_back(measured.size());
     samples_.emplace_back();
-    sights_.emplace_back();
+    observations_.emplace_back();
     const std::size_t outputs = (window.end - window.begin - 1) / static_cast<std::size_t>(stride_) + 1;
     for (int j = 0; j < joints_ && e.hasEncoders(); ++j)
       for (std::size_t k = 0; k < outputs; k += static_cast<std::size_t>(thin)) {
@@ -189,18 +189,20 @@ void ChainSimulation::findSamples(const robot::Description& robot) {
         const std::size_t number = add(encoder_channel[static_cast<std::size_t>(j)], e.t[row], q);
         samples_.back().push_back({number, k, j});
       }
-    std::vector<const TipSight*> seen;
+    std::vector<const TipObservation*> seen;
     const bool restarts = windows_.size() > e.segments.size();
     const double from =
         std::max(skip, restarts ? kAfterRestart : 0.0) / e.step + static_cast<double>(window.begin);
-    for (const TipSight& sight : e.tip)
-      if (sight.counts && sight.row >= from && sight.row <= static_cast<double>(window.end - 1))
-        seen.push_back(&sight);
+    for (const TipObservation& observation : e.tip)
+      if (observation.counts && observation.row >= from &&
+          observation.row <= static_cast<double>(window.end - 1))
+        seen.push_back(&observation);
     const std::size_t first = measured.size();
     for (int axis = 0; axis < 3; ++axis)
-      for (const TipSight* sight : seen) add(first_tip + axis, sight->t, sight->position[axis]);
+      for (const TipObservation* observation : seen)
+        add(first_tip + axis, observation->t, observation->position[axis]);
     for (std::size_t k = 0; k < seen.size(); ++k)
-      sights_.back().push_back(
+      observations_.back().push_back(
           {first + k, seen.size(), (seen[k]->row - static_cast<double>(window.begin)) / stride_});
   }
   compared_.window_begin.push_back(measured.size());
@@ -255,12 +257,8 @@ robot::ChainState<double> ChainSimulation::initialState(const robot::ChainModel&
   return state;
 }
 
-void ChainSimulation::simulate(std::span<const Robot> robots, Eigen::Ref<Eigen::MatrixXd> told) const {
-  simulate(rows_, robots, told);
-}
-
 void ChainSimulation::simulateShaken(const Robot& robot, base::Random& random,
-                                     Eigen::Ref<Eigen::MatrixXd> told) const {
+                                     Eigen::Ref<Eigen::MatrixXd> readings) const {
   const EvidenceNoise& noise = evidence_.noise;
   const auto shaken = [&](std::vector<double> column, const ChannelNoise& of) {
     for (double& x : column) x += random.normal(0.0, of.floor());
@@ -276,11 +274,11 @@ void ChainSimulation::simulateShaken(const Robot& robot, base::Random& random,
     rows.signed_load[j] =
         (signed_load[j] = shaken(std::move(signed_load[j]), noiseOf(noise.tau_ext, j))).data();
   }
-  simulate(rows, {&robot, 1}, told);
+  simulate(rows, {&robot, 1}, readings);
 }
 
 void ChainSimulation::simulate(const robot::ChainRows& rows, std::span<const Robot> robots,
-                               Eigen::Ref<Eigen::MatrixXd> told) const {
+                               Eigen::Ref<Eigen::MatrixXd> readings) const {
   static const robot::SimulateChain kernel = robot::simulateChainKernel();
   const robot::ChainShape shape = shapeOf(robots);
   const auto numbers = std::make_unique<robot::ChainNumbers<robot::ChainLane>>();
@@ -307,26 +305,26 @@ void ChainSimulation::simulate(const robot::ChainRows& rows, std::span<const Rob
     run.q = q.front().value;
     run.dq = dq.front().value;
     kernel(shape, *numbers, rows, run, *state);
-    tell(w, robots, q, dq, told);
+    writeReadings(w, robots, q, dq, readings);
   }
 }
 
-void ChainSimulation::tell(std::size_t window, std::span<const Robot> robots, const Lanes& q, const Lanes& dq,
-                           Eigen::Ref<Eigen::MatrixXd> told) const {
+void ChainSimulation::writeReadings(std::size_t window, std::span<const Robot> robots, const Lanes& q,
+                                    const Lanes& dq, Eigen::Ref<Eigen::MatrixXd> readings) const {
   const std::size_t outputs =
       (windows_[window].end - windows_[window].begin - 1) / static_cast<std::size_t>(stride_) + 1;
   for (std::size_t lane = 0; lane < robots.size(); ++lane) {
     const auto column = static_cast<Eigen::Index>(lane);
     for (const Sample& sample : samples_[window])
-      told(static_cast<Eigen::Index>(sample.number), column) =
+      readings(static_cast<Eigen::Index>(sample.number), column) =
           q[sample.output * static_cast<std::size_t>(joints_) + static_cast<std::size_t>(sample.joint)]
               .value[lane];
-    const robot::ChainModel& model = *robots[lane].model;
-    const double late = model.camera.delay / (evidence_.step * stride_);
-    for (const Sight& sight : sights_[window]) {
-      const Eigen::Vector3d tip = model.camera.tell(tipAt(sight.output - late, outputs, lane, q, dq));
+    const robot::CameraNumbers& camera = robots[lane].model->camera;
+    const double late = camera.delay / (evidence_.step * stride_);
+    for (const Observation& observation : observations_[window]) {
+      const Eigen::Vector3d tip = camera.measure(tipAt(observation.output - late, outputs, lane, q, dq));
       for (std::size_t axis = 0; axis < 3; ++axis)
-        told(static_cast<Eigen::Index>(sight.number + axis * sight.stride), column) =
+        readings(static_cast<Eigen::Index>(observation.number + axis * observation.stride), column) =
             tip[static_cast<Eigen::Index>(axis)];
     }
   }
@@ -387,11 +385,11 @@ SimulatedMotion ChainSimulation::motion(const robot::ChainModel& model) const {
     }
   }
   if (evidence_.hasCameras()) {
-    for (const TipSight& sight : evidence_.tip) {
-      const double row = std::max(sight.row - model.camera.delay / evidence_.step, 0.0);
+    for (const TipObservation& observation : evidence_.tip) {
+      const double row = std::max(observation.row - model.camera.delay / evidence_.step, 0.0);
       robot::JointVector q(joints_);
       for (int j = 0; j < joints_; ++j) q[j] = Evidence::at(motion.q[static_cast<std::size_t>(j)], row);
-      motion.tip.push_back(model.camera.tell(chain_.marker(q)));
+      motion.tip.push_back(model.camera.measure(chain_.marker(q)));
     }
   }
   return motion;

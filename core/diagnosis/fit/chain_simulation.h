@@ -8,7 +8,7 @@
 
 #include "core/base/random.h"
 #include "core/diagnosis/evidence/evidence.h"
-#include "core/diagnosis/residuals/remainder.h"
+#include "core/diagnosis/residuals/residual.h"
 #include "core/robot/chain/chain_lanes.h"
 #include "core/robot/chain/chain_model.h"
 #include "core/robot/kinematics.h"
@@ -49,7 +49,7 @@ struct Robot {
 /// where rigid cables would put them; what is seen within kSettling of a start without encoders is not
 /// compared). Rigid drives start anew after each `horizon` seconds too, from encoders and their slope, since
 /// a torque that is wrong by little leads far astray in time. Joint encoders are compared kComparedRate times
-/// a second, cameras at every sight.
+/// a second, cameras at every observation.
 class ChainSimulation {
  public:
   /// Keeps a reference to `evidence`.
@@ -66,10 +66,12 @@ class ChainSimulation {
 
   /// What each robot's sensors would tell, a column each, as Compared::measured. At most 16 robots. NaN where
   /// a simulation ran away.
-  void simulate(std::span<const Robot> robots, Eigen::Ref<Eigen::MatrixXd> told) const;
+  void simulate(std::span<const Robot> robots, Eigen::Ref<Eigen::MatrixXd> readings) const {
+    simulate(rows_, robots, readings);
+  }
 
   /// The same of one robot, with noise as their sensors have it on loads and on the motors of cable drives.
-  void simulateShaken(const Robot& robot, base::Random& random, Eigen::Ref<Eigen::MatrixXd> told) const;
+  void simulateShaken(const Robot& robot, base::Random& random, Eigen::Ref<Eigen::MatrixXd> readings) const;
 
   /// One robot through whole segments, all rows.
   SimulatedMotion motion(const robot::ChainModel& model) const;
@@ -85,9 +87,9 @@ class ChainSimulation {
   robot::ChainState<double> initialState(const robot::ChainModel& model, const Eigen::MatrixXd* beyond,
                                          std::size_t window) const;
   void simulate(const robot::ChainRows& rows, std::span<const Robot> robots,
-                Eigen::Ref<Eigen::MatrixXd> told) const;
-  void tell(std::size_t window, std::span<const Robot> robots, const Lanes& q, const Lanes& dq,
-            Eigen::Ref<Eigen::MatrixXd> told) const;
+                Eigen::Ref<Eigen::MatrixXd> readings) const;
+  void writeReadings(std::size_t window, std::span<const Robot> robots, const Lanes& q, const Lanes& dq,
+                     Eigen::Ref<Eigen::MatrixXd> readings) const;
   Eigen::Vector3d tipAt(double output, std::size_t outputs, std::size_t lane, const Lanes& q,
                         const Lanes& dq) const;
 
@@ -96,7 +98,7 @@ class ChainSimulation {
     std::size_t output;  ///< of the window
     int joint;           ///< from 0
   };
-  struct Sight {
+  struct Observation {
     std::size_t number;  ///< of x; y and z are `numbers` and twice that further
     std::size_t stride;
     double output;  ///< of the window, between rows
@@ -109,10 +111,10 @@ class ChainSimulation {
   std::vector<Window> windows_;
   Eigen::MatrixXd initial_;
   Compared compared_;
-  std::vector<std::vector<Sample>> samples_;  ///< by window
-  std::vector<std::vector<Sight>> sights_;    ///< by window
-  Columns drive_;                             ///< motor torque; of cable drives motor positions, smoothed
-  Columns load_, signed_load_;                ///< smoothed; as measured, and with the signs of withSigns()
+  std::vector<std::vector<Sample>> samples_;            ///< by window
+  std::vector<std::vector<Observation>> observations_;  ///< by window
+  Columns drive_;               ///< motor torque; of cable drives motor positions, smoothed
+  Columns load_, signed_load_;  ///< smoothed; as measured, and with the signs of withSigns()
   robot::ChainRows rows_;
 };
 inline constexpr double kSettling = 0.5;        ///< [s]

@@ -26,14 +26,14 @@ struct FreeSystem {
   MatrixXd normal;  ///< Jᵀ J + priors
   std::vector<std::vector<Index>> rows;
 
-  FreeSystem(const FitData& data, const Fit& fit, const Trust& trust, bool hold_events) {
+  FreeSystem(const FitData& data, const Fit& fit, const Weighting& weighting, bool hold_events) {
     for (Index k = 0; k < fit.u.size(); ++k) {
       const bool held = !fit.bound.empty() && fit.bound[static_cast<std::size_t>(k)];
       if (!held && !(hold_events && isEvent(fit.model.parameters()[static_cast<std::size_t>(k)])))
         free.push_back(k);
     }
-    jacobian = trust.weights.asDiagonal() * fit.jacobian(Eigen::all, free);
-    e = trust.weights.cwiseProduct(fit.e);
+    jacobian = weighting.weights.asDiagonal() * fit.jacobian(Eigen::all, free);
+    e = weighting.weights.cwiseProduct(fit.e);
     normal = jacobian.transpose() * jacobian;
     normal.diagonal() += priorPrecision(fit.model)(free);
     rows.resize(static_cast<std::size_t>(data.blocks()));
@@ -42,7 +42,7 @@ struct FreeSystem {
   }
 };
 
-/// Remainder of one channel, a run a block.
+/// Residual of one channel, a run a block.
 using Runs = std::vector<std::vector<double>>;
 
 double covarianceAt(const Runs& runs, std::size_t lag) {
@@ -66,6 +66,11 @@ double correlationTime(const Runs& runs) {
 }
 
 }  // namespace
+
+double BlockSquares::meanSquare(Eigen::Index channel) const {
+  const double n = count.row(channel).sum();
+  return n > 0.0 ? sum.row(channel).sum() / n : 0.0;
+}
 
 BlockSquares squaresOf(const FitData& data, const VectorXd& e) {
   const auto channels = static_cast<Index>(data.channels().size());
@@ -91,8 +96,8 @@ BlockSquares squaresOf(const FitData& data, const VectorXd& e) {
   return squares;
 }
 
-VectorXd leftOut(const FitData& data, const Fit& fit, const Trust& trust) {
-  const FreeSystem system(data, fit, trust, true);
+VectorXd heldOut(const FitData& data, const Fit& fit, const Weighting& weighting) {
+  const FreeSystem system(data, fit, weighting, true);
   const int folds = std::min(kFolds, data.blocks());
   std::vector<VectorXd> numbers;
   for (int f = 0; f < folds; ++f) {
@@ -109,14 +114,14 @@ VectorXd leftOut(const FitData& data, const Fit& fit, const Trust& trust) {
     for (std::size_t k = 0; k < system.free.size(); ++k) u[system.free[k]] += step[static_cast<Index>(k)];
     numbers.push_back(fit.model.clipped(u));
   }
-  const MatrixXd e = residualsWith(data, fit, numbers, trust);
+  const MatrixXd e = residualsWith(data, fit, numbers, weighting);
   VectorXd left(data.size());
   for (Index i = 0; i < left.size(); ++i) left[i] = e(i, data.block()[static_cast<std::size_t>(i)] % folds);
   return left;
 }
 
-MatrixXd covarianceOf(const FitData& data, const Fit& fit, const Trust& trust) {
-  const FreeSystem system(data, fit, trust, false);
+MatrixXd covarianceOf(const FitData& data, const Fit& fit, const Weighting& weighting) {
+  const FreeSystem system(data, fit, weighting, false);
   const auto p = static_cast<Index>(system.free.size());
   const MatrixXd model = system.normal.ldlt().solve(MatrixXd::Identity(p, p));
   MatrixXd meat = MatrixXd::Zero(p, p);
@@ -128,9 +133,9 @@ MatrixXd covarianceOf(const FitData& data, const Fit& fit, const Trust& trust) {
   const double blocks = static_cast<double>(system.rows.size());
   MatrixXd sandwich = model * meat * model * (blocks / std::max(blocks - 1.0, 1.0));
   MatrixXd covariance = MatrixXd::Zero(fit.u.size(), fit.u.size());
-  VectorXd stretch(p);
-  for (Index k = 0; k < p; ++k) stretch[k] = std::sqrt(std::max(1.0, sandwich(k, k) / model(k, k)));
-  const MatrixXd free = stretch.asDiagonal() * model * stretch.asDiagonal();
+  VectorXd inflation(p);
+  for (Index k = 0; k < p; ++k) inflation[k] = std::sqrt(std::max(1.0, sandwich(k, k) / model(k, k)));
+  const MatrixXd free = inflation.asDiagonal() * model * inflation.asDiagonal();
   for (Index i = 0; i < p; ++i)
     for (Index j = 0; j < p; ++j)
       covariance(system.free[static_cast<std::size_t>(i)], system.free[static_cast<std::size_t>(j)]) =

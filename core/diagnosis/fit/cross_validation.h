@@ -16,6 +16,9 @@ struct BlockSquares {
   /// says, or how much more sums of blocks vary than those of independent numbers, whichever is more; of tip
   /// poses the latter.
   Eigen::VectorXd inflation;
+
+  /// Of one channel, over all blocks [unit²]; 0: it has no numbers.
+  double meanSquare(Eigen::Index channel) const;
 };
 BlockSquares squaresOf(const FitData& data, const Eigen::VectorXd& e);
 
@@ -26,14 +29,14 @@ BlockSquares squaresOf(const FitData& data, const Eigen::VectorXd& e);
 /// robot is simulated anew, initial states of rigid drives following, and the fold's residuals are those;
 /// stretches left out fit nuisances of their own. Parameters at a bound stay there, and so do
 /// instants of events, which one block alone knows. Costs one simulation of kFolds robots side by side.
-Eigen::VectorXd leftOut(const FitData& data, const Fit& fit, const Trust& trust);
+Eigen::VectorXd heldOut(const FitData& data, const Fit& fit, const Weighting& weighting);
 inline constexpr int kFolds = 16;
 inline constexpr double kLongestWay = 1.0;
 
 /// Covariance of u: the larger, number by number of its diagonal, of the model's (weights taken for true) and
 /// the sandwich of the blocks' scores (Liang and Zeger 1986), which knows dependent and unequal errors. Rows
 /// of parameters at a bound are zero.
-Eigen::MatrixXd covarianceOf(const FitData& data, const Fit& fit, const Trust& trust);
+Eigen::MatrixXd covarianceOf(const FitData& data, const Fit& fit, const Weighting& weighting);
 
 /// Compares models by what they leave in blocks that they were not fitted to: Gaussian log likelihood with
 /// each channel's scale free,  −½ Σ_c N_c ln (S_c / n_c),  N_c = n_c / inflation.

@@ -38,7 +38,7 @@ class FitData {
   const std::vector<int>& block() const { return block_; }
   /// Stretches that have nuisances of their own (initial states of rigid drives; encoder zeros of a
   /// recording, or of all): numbers [begin, end) of each.
-  const std::vector<std::pair<Eigen::Index, Eigen::Index>>& stretches() const { return stretches_; }
+  const std::vector<std::pair<Eigen::Index, Eigen::Index>>& segments() const { return segments_; }
 
   /// What the robots of several models tell, a column each. `initial`: of each robot; empty: none beyond the
   /// simulations' own.
@@ -53,7 +53,7 @@ class FitData {
   Eigen::VectorXd measured_;
   std::vector<ComparedChannel> channels_;
   std::vector<int> channel_, block_;
-  std::vector<std::pair<Eigen::Index, Eigen::Index>> stretches_;
+  std::vector<std::pair<Eigen::Index, Eigen::Index>> segments_;
   int blocks_ = 0, threads_ = 1;
   bool rigid_ = false;
   EncoderZeros zeros_ = EncoderZeros::kKnown;
@@ -67,17 +67,17 @@ struct Fit {
   FitModel model;
   Eigen::VectorXd u = {};
   InitialStates initial = {};
-  Eigen::VectorXd e = {};                       ///< measured − simulated, nuisances taken off
-  Eigen::MatrixXd jacobian = {};                ///< d simulated / du, nuisances taken off; columns of `model`
-  Eigen::MatrixXd nuisance = {};                ///< d simulated / d nuisance of the number's own stretch
-  std::vector<Eigen::MatrixXd> taken_off = {};  ///< by stretch: nuisances that stand for a change of u
-  std::vector<bool> bound = {};                 ///< parameters that stand at a bound and would go on
-  double objective = 0.0;                       ///< of e
+  Eigen::VectorXd e = {};                     ///< measured − simulated, nuisances taken off
+  Eigen::MatrixXd jacobian = {};              ///< d simulated / du, nuisances taken off; columns of `model`
+  Eigen::MatrixXd nuisance = {};              ///< d simulated / d nuisance of the number's own stretch
+  std::vector<Eigen::MatrixXd> removed = {};  ///< by stretch: nuisances that stand for a change of u
+  std::vector<bool> bound = {};               ///< parameters that stand at a bound and would go on
+  double objective = 0.0;                     ///< of e
   int iterations = 0;
 };
 
 /// How numbers count in a fit.
-struct Trust {
+struct Weighting {
   Eigen::VectorXd weights;  ///< 1 over the standard deviation that each number is trusted with
 };
 
@@ -97,27 +97,28 @@ struct FitOptions {
 /// their steps are judged by what is simulated from there, since friction at rest is far from linear. Ends
 /// early, with what it has, when `progress` is cancelled.
 Fit fit(const FitData& data, const FitModel& model, const Eigen::VectorXd& u, const InitialStates& initial,
-        const Trust& trust, const FitOptions& options = {}, const base::Progress* progress = nullptr);
+        const Weighting& weighting, const FitOptions& options = {}, const base::Progress* progress = nullptr);
 
 /// Residuals and derivatives at `u` without a step.
 Fit linearise(const FitData& data, const FitModel& model, const Eigen::VectorXd& u,
-              const InitialStates& initial, const Trust& trust);
+              const InitialStates& initial, const Weighting& weighting);
 
 /// Measured less what each of `robots` tells, a column each, from the fit's initial states and with its
 /// nuisances taken off.
 Eigen::MatrixXd residualsOf(const FitData& data, const Fit& at, const std::vector<robot::ChainModel>& robots,
-                            const Trust& trust);
+                            const Weighting& weighting);
 
 /// Likewise of the fit's own model with other numbers u, from initial states that follow them.
 Eigen::MatrixXd residualsWith(const FitData& data, const Fit& at, const std::vector<Eigen::VectorXd>& numbers,
-                              const Trust& trust);
+                              const Weighting& weighting);
 
 /// Takes the fit's nuisances off the columns of `e`, numbers as the data's.
-void takeOffNuisances(const FitData& data, const Fit& at, const Trust& trust, Eigen::Ref<Eigen::MatrixXd> e);
+void takeOffNuisances(const FitData& data, const Fit& at, const Weighting& weighting,
+                      Eigen::Ref<Eigen::MatrixXd> e);
 
 /// Σ (w e)² and priors.
 double objectiveOf(const FitModel& model, const Eigen::VectorXd& u, const Eigen::VectorXd& e,
-                   const Trust& trust);
+                   const Weighting& weighting);
 
 /// 1 over max(noise, RMS of e), channel by channel, and over the root of the number of samples that it takes
 /// for e to forget itself.

@@ -16,7 +16,7 @@ FitData::FitData(const std::vector<Evidence>& recordings, const robot::Descripti
     simulations_.push_back(std::make_unique<ChainSimulation>(evidence, robot, horizon));
     stack(*simulations_.back());
   }
-  if (!rigid_ && zeros_ == EncoderZeros::kOneForAll) stretches_.emplace_back(0, measured_.size());
+  if (!rigid_ && zeros_ == EncoderZeros::kOneForAll) segments_.emplace_back(0, measured_.size());
 }
 
 void FitData::stack(const ChainSimulation& simulation) {
@@ -33,7 +33,7 @@ void FitData::stack(const ChainSimulation& simulation) {
     const std::size_t from = compared.window_begin[w], to = compared.window_begin[w + 1];
     if (from == to) continue;
     if (windows_have_own)
-      stretches_.emplace_back(begin + static_cast<Eigen::Index>(from), begin + static_cast<Eigen::Index>(to));
+      segments_.emplace_back(begin + static_cast<Eigen::Index>(from), begin + static_cast<Eigen::Index>(to));
     const auto [low, high] = std::minmax_element(compared.t.begin() + static_cast<std::ptrdiff_t>(from),
                                                  compared.t.begin() + static_cast<std::ptrdiff_t>(to));
     const double span = *high - *low;
@@ -46,7 +46,7 @@ void FitData::stack(const ChainSimulation& simulation) {
     blocks_ += pieces;
   }
   if (!windows_have_own && zeros_ == EncoderZeros::kOnePerRecording)
-    stretches_.emplace_back(begin, measured_.size());
+    segments_.emplace_back(begin, measured_.size());
 }
 
 namespace {
@@ -74,7 +74,7 @@ std::vector<std::vector<std::size_t>> groupsOf(const std::vector<robot::ChainMod
 
 Eigen::MatrixXd FitData::simulate(const std::vector<robot::ChainModel>& models,
                                   const std::vector<InitialStates>& initial) const {
-  Eigen::MatrixXd told(size(), static_cast<Eigen::Index>(models.size()));
+  Eigen::MatrixXd readings(size(), static_cast<Eigen::Index>(models.size()));
   const auto groups = groupsOf(models);
   const std::size_t files = simulations_.size();
   base::parallelFor(groups.size() * files, threads_, [&](std::size_t task) {
@@ -87,10 +87,10 @@ Eigen::MatrixXd FitData::simulate(const std::vector<robot::ChainModel>& models,
     Eigen::MatrixXd columns(rows, static_cast<Eigen::Index>(members.size()));
     simulations_[r]->simulate(robots, columns);
     for (std::size_t k = 0; k < members.size(); ++k)
-      told.col(static_cast<Eigen::Index>(members[k])).segment(first_[r], rows) =
+      readings.col(static_cast<Eigen::Index>(members[k])).segment(first_[r], rows) =
           columns.col(static_cast<Eigen::Index>(k));
   });
-  return told;
+  return readings;
 }
 
 Eigen::VectorXd weightsFor(const FitData& data, const Eigen::VectorXd& e) {

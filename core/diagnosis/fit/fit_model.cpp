@@ -12,7 +12,7 @@ constexpr double kFactorSigma = 0.3;   // of ln of a mistuned number
 constexpr double kCentreSigma = 0.15;  // of a centre of mass, by its distance from the joint
 constexpr double kMostCentre = 0.3;    // likewise, at most
 constexpr double kEffectPrior = 3.0;   // in sizes that would be large
-constexpr double kEverydayPrior = 0.5;
+constexpr double kBackgroundPrior = 0.5;
 constexpr double kFarShape = 8.0;  // times a start that speeds, times and lengths may go
 
 }  // namespace
@@ -38,11 +38,11 @@ const JointScales& scalesOf(const std::vector<JointScales>& scales, int joint) {
 FitModel::FitModel(const robot::Description& nominal, const std::vector<JointScales>& scales)
     : nominal_(nominal), rigid_(nominal.drive == robot::DriveType::kRigid), scales_(scales) {
   addBase();
-  for (const Hypothesis* hypothesis : hypotheses())
+  for (const Hypothesis& hypothesis : hypotheses())
     for (int joint = 1; joint <= nominal.size(); ++joint) {
-      const robot::EffectFacts& facts = hypothesis->facts();
+      const robot::EffectFacts& facts = *hypothesis.facts;
       if (facts.whole || !(rigid_ ? facts.rigid : facts.cable)) continue;
-      if (hypothesis->everyday(scalesOf(scales_, joint)) > 0.0) addTerm(everydayTerm(*hypothesis, joint));
+      if (hypothesis.background(scalesOf(scales_, joint)) > 0.0) addTerm(backgroundTerm(hypothesis, joint));
     }
 }
 
@@ -76,21 +76,21 @@ void FitModel::addBase() {
   }
 }
 
-EffectTerm FitModel::everydayTerm(const Hypothesis& hypothesis, int joint) const {
+EffectTerm FitModel::backgroundTerm(const Hypothesis& hypothesis, int joint) const {
   const JointScales& scales = scalesOf(scales_, joint);
-  const std::vector<double> neutral = hypothesis.neutral();
+  const std::vector<double>& neutral = hypothesis.neutral;
   const std::vector<EffectStart> starts = hypothesis.starts(scales, joint);
   EffectTerm term{&hypothesis, joint, starts[starts.size() / 2], true, {}};
   for (std::size_t k = 0; k < neutral.size(); ++k) {
     if (neutral[k] != 0.0) continue;  // a shape: free, as in the effect
     term.start.value[k] = 0.0;
-    term.start.scale[k] = hypothesis.everyday(scales);
+    term.start.scale[k] = hypothesis.background(scales);
   }
   return term;
 }
 
 void FitModel::addTerm(EffectTerm term) {
-  const auto& numbers = term.hypothesis->facts().parameters;
+  const auto& numbers = term.hypothesis->facts->parameters;
   term.index.assign(numbers.size(), -1);
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     const double start = term.start.value[k], scale = term.start.scale[k];
@@ -104,10 +104,10 @@ void FitModel::addTerm(EffectTerm term) {
                    numbers[k].low,
                    numbers[k].high,
                    kEffectPrior};
-    if (term.everyday && start == 0.0) {
+    if (term.background && start == 0.0) {
       p.low = std::max(p.low, -scale);
       p.high = std::min(p.high, scale);
-      p.prior = kEverydayPrior;
+      p.prior = kBackgroundPrior;
     } else if (start > 0.0 && numbers[k].low > 0.0) {  // a speed, time or length: no zero within reach
       p.logarithmic = true;
       p.scale = scale / start;
@@ -117,7 +117,7 @@ void FitModel::addTerm(EffectTerm term) {
     term.index[k] = size();
     parameters_.push_back(std::move(p));
   }
-  term.begun = term.hypothesis->remembers() ? addBegun(term) : -1;
+  term.begun = term.hypothesis->remembers ? addBegun(term) : -1;
   effects_.push_back(std::move(term));
 }
 
@@ -138,14 +138,14 @@ FitModel FitModel::rebuilt(std::vector<EffectTerm> terms) const {
 
 bool FitModel::has(const Hypothesis& hypothesis, int joint) const {
   return std::any_of(effects_.begin(), effects_.end(), [&](const EffectTerm& term) {
-    return term.hypothesis == &hypothesis && term.joint == joint && !term.everyday;
+    return term.hypothesis == &hypothesis && term.joint == joint && !term.background;
   });
 }
 
 FitModel FitModel::with(const Hypothesis& hypothesis, int joint, const EffectStart& start) const {
   std::vector<EffectTerm> terms = effects_;
   std::erase_if(terms, [&](const EffectTerm& term) {
-    return term.everyday && term.hypothesis == &hypothesis && term.joint == joint;
+    return term.background && term.hypothesis == &hypothesis && term.joint == joint;
   });
   terms.push_back({&hypothesis, joint, start, false, {}});
   return rebuilt(std::move(terms));
@@ -154,10 +154,10 @@ FitModel FitModel::with(const Hypothesis& hypothesis, int joint, const EffectSta
 FitModel FitModel::without(const Hypothesis& hypothesis, int joint) const {
   std::vector<EffectTerm> terms = effects_;
   std::erase_if(terms, [&](const EffectTerm& term) {
-    return !term.everyday && term.hypothesis == &hypothesis && term.joint == joint;
+    return !term.background && term.hypothesis == &hypothesis && term.joint == joint;
   });
-  if (joint > 0 && hypothesis.everyday(scalesOf(scales_, joint)) > 0.0)
-    terms.push_back(everydayTerm(hypothesis, joint));
+  if (joint > 0 && hypothesis.background(scalesOf(scales_, joint)) > 0.0)
+    terms.push_back(backgroundTerm(hypothesis, joint));
   return rebuilt(std::move(terms));
 }
 
@@ -213,7 +213,7 @@ robot::Description FitModel::extended(const Eigen::VectorXd& u) const {
 robot::Effect FitModel::effect(std::size_t k, const Eigen::VectorXd& u) const {
   const std::vector<double> values = effectValues(k, u);
   robot::Effect effect{std::string(effects_[k].hypothesis->name()), effects_[k].joint, {}};
-  const auto& numbers = effects_[k].hypothesis->facts().parameters;
+  const auto& numbers = effects_[k].hypothesis->facts->parameters;
   for (std::size_t i = 0; i < values.size(); ++i)
     effect.values.push_back({std::string(numbers[i].name), values[i]});
   return effect;
@@ -246,7 +246,7 @@ Eigen::VectorXd FitModel::carry(const FitModel& other, const Eigen::VectorXd& u_
 Eigen::VectorXd FitModel::startFrom(const FitModel& other, const Eigen::VectorXd& u_other) const {
   Eigen::VectorXd u = carry(other, u_other);
   for (const EffectTerm& term : effects_) {
-    if (term.everyday || other.has(*term.hypothesis, term.joint)) continue;
+    if (term.background || other.has(*term.hypothesis, term.joint)) continue;
     for (const int at : term.index)
       if (at >= 0) u[at] = 0.0;
     if (term.begun >= 0) u[term.begun] = 0.0;

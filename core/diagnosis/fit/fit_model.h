@@ -31,9 +31,9 @@ struct EffectTerm {
   const Hypothesis* hypothesis = nullptr;
   int joint = 0;  ///< from 1; 0: whole arm
   EffectStart start;
-  bool everyday = false;   ///< what every robot has some of, within Hypothesis::everyday
-  std::vector<int> index;  ///< of its numbers among the model's parameters; −1: stays as in `start`
-  int begun = -1;          ///< of JointNumbers::creep_begun, where the hypothesis remembers; −1: none
+  bool background = false;  ///< what every robot has some of, within Hypothesis::background
+  std::vector<int> index;   ///< of its numbers among the model's parameters; −1: stays as in `start`
+  int begun = -1;           ///< of JointNumbers::creep_begun, where the hypothesis remembers; −1: none
 };
 
 /// A structure to fit: the numbers of the nominal robot that may be mistuned, what every robot has some of,
@@ -54,24 +54,24 @@ class FitModel {
   const std::vector<EffectTerm>& effects() const { return effects_; }
   const std::vector<JointScales>& scales() const { return scales_; }
   bool rigid() const { return rigid_; }
-  /// As more than an everyday one.
+  /// As more than an background one.
   bool has(const Hypothesis& hypothesis, int joint) const;
 
-  /// The same with an effect more; an everyday one of the same effect and joint goes.
+  /// The same with an effect more; an background one of the same effect and joint goes.
   FitModel with(const Hypothesis& hypothesis, int joint, const EffectStart& start) const;
-  /// Without that effect, its everyday form back where it has one.
+  /// Without that effect, its background form back where it has one.
   FitModel without(const Hypothesis& hypothesis, int joint) const;
 
   const robot::Description& nominal() const { return nominal_; }
   robot::Description refitted(const Eigen::VectorXd& u) const;  ///< the nominal structure alone
-  robot::Description extended(const Eigen::VectorXd& u) const;  ///< with all effects, everyday ones too
+  robot::Description extended(const Eigen::VectorXd& u) const;  ///< with all effects, background ones too
   robot::Effect effect(std::size_t k, const Eigen::VectorXd& u) const;
   std::vector<double> effectValues(std::size_t k, const Eigen::VectorXd& u) const;
   robot::ChainModel chain(const Eigen::VectorXd& u) const;
 
   /// u of this model that has the values of `other` at `u_other` where both have a parameter, else 0.
   Eigen::VectorXd carry(const FitModel& other, const Eigen::VectorXd& u_other) const;
-  /// The same, with effects that `other` has not, or as everyday ones only, where they start.
+  /// The same, with effects that `other` has not, or as background ones only, where they start.
   Eigen::VectorXd startFrom(const FitModel& other, const Eigen::VectorXd& u_other) const;
   Eigen::VectorXd clipped(const Eigen::VectorXd& u) const;
 
@@ -82,7 +82,7 @@ class FitModel {
   void addFactor(Number number, const char* name, const char* unit, int joint, double nominal);
   void addTerm(EffectTerm term);
   int addBegun(const EffectTerm& term);
-  EffectTerm everydayTerm(const Hypothesis& hypothesis, int joint) const;
+  EffectTerm backgroundTerm(const Hypothesis& hypothesis, int joint) const;
   FitModel rebuilt(std::vector<EffectTerm> terms) const;
 
   robot::Description nominal_;

@@ -29,8 +29,8 @@ constexpr Attempt kRigidAttempts[] = {{0.0, 1.0}, {0.0, 0.4}, {0.0, 0.1}, {0.1, 
 InitialStates movedStates(const FitData& data, const System& system, const VectorXd& step, double share) {
   InitialStates initial = following(data, system.at, step);
   if (data.rigid())
-    forStretches(data, [&](std::size_t r, Index w, std::size_t stretch) {
-      initial[r].col(w) += share * system.off_residual[stretch].col(0);
+    forSegments(data, [&](std::size_t r, Index w, std::size_t segment) {
+      initial[r].col(w) += share * system.off_residual[segment].col(0);
     });
   return initial;
 }
@@ -53,18 +53,18 @@ std::vector<Trial> simulated(const FitData& data, const System& system, const Bo
       starts.push_back(trials.back().initial);
     }
   }
-  const MatrixXd told = data.simulate(robots, starts);
+  const MatrixXd readings = data.simulate(robots, starts);
   for (std::size_t k = 0; k < trials.size(); ++k)
-    trials[k].e = data.measured() - told.col(static_cast<Index>(k));
+    trials[k].e = data.measured() - readings.col(static_cast<Index>(k));
   return trials;
 }
 
 /// Of trials with the same u, each stretch from the one whose initial states suit it best.
-Trial mixed(const FitData& data, std::span<const Trial> trials, const Trust& trust) {
+Trial mixed(const FitData& data, std::span<const Trial> trials, const Weighting& weighting) {
   Trial best = trials.front();
-  forStretches(data, [&](std::size_t r, Index w, std::size_t stretch) {
-    const auto [begin, end] = data.stretches()[stretch];
-    const VectorXd weight = trust.weights.segment(begin, end - begin);
+  forSegments(data, [&](std::size_t r, Index w, std::size_t segment) {
+    const auto [begin, end] = data.segments()[segment];
+    const VectorXd weight = weighting.weights.segment(begin, end - begin);
     double least = std::numeric_limits<double>::infinity();
     for (const Trial& trial : trials) {
       const double misfit = weight.cwiseProduct(trial.e.segment(begin, end - begin)).squaredNorm();
@@ -111,7 +111,8 @@ VectorXd BoundedStep::solve(double damping, const std::vector<bool>& held) const
   return a.ldlt().solve(b);
 }
 
-Trial bestOf(const FitData& data, const System& system, const BoundedStep& stepFor, const Trust& trust) {
+Trial bestOf(const FitData& data, const System& system, const BoundedStep& stepFor,
+             const Weighting& weighting) {
   const std::size_t shares = data.rigid() ? std::size(kShares) : 1;
   const std::vector<Trial> trials =
       data.rigid() ? simulated(data, system, stepFor, kRigidAttempts, kShares)
@@ -119,11 +120,11 @@ Trial bestOf(const FitData& data, const System& system, const BoundedStep& stepF
   const VectorXd precision = nuisancePrecision(data, system.at.model.chain(system.at.u));
   Trial best;
   for (std::size_t k = 0; k < trials.size(); k += shares) {
-    Trial trial = data.rigid() ? mixed(data, std::span(trials).subspan(k, shares), trust) : trials[k];
+    Trial trial = data.rigid() ? mixed(data, std::span(trials).subspan(k, shares), weighting) : trials[k];
     if (!trial.e.allFinite()) continue;
     const VectorXd as_simulated = trial.e;
-    takeOffNuisances(data, system.at.nuisance, precision, trust.weights, trial.e);
-    trial.objective = reached(data, system.at.model, trial.u, as_simulated, trial.e, trust);
+    takeOffNuisances(data, system.at.nuisance, precision, weighting.weights, trial.e);
+    trial.objective = reached(data, system.at.model, trial.u, as_simulated, trial.e, weighting);
     if (best.u.size() == 0 || trial.objective < best.objective) best = std::move(trial);
   }
   return best;

@@ -36,6 +36,7 @@ struct Trial {
 
 /// The best of some steps, simulated side by side; of a rigid drive with initial states that follow the
 /// linearisation by more or less.
-Trial bestOf(const FitData& data, const System& system, const BoundedStep& stepFor, const Trust& trust);
+Trial bestOf(const FitData& data, const System& system, const BoundedStep& stepFor,
+             const Weighting& weighting);
 
 }  // namespace capstan::diagnosis

@@ -7,7 +7,7 @@
 
 namespace capstan::diagnosis {
 
-Eigen::VectorXd inputNoise(const FitData& data, const Fit& at, const Trust& trust) {
+Eigen::VectorXd inputNoise(const FitData& data, const Fit& at, const Weighting& weighting) {
   const robot::ChainModel robot = at.model.chain(at.u);
   Eigen::MatrixXd change(data.size(), kInputDraws);
   base::parallelFor(kInputDraws, data.threads(), [&](std::size_t draw) {
@@ -20,7 +20,7 @@ Eigen::VectorXd inputNoise(const FitData& data, const Fit& at, const Trust& trus
     }
   });
   change.colwise() -= data.simulate({robot}, {at.initial}).col(0);
-  takeOffNuisances(data, at, trust, change);
+  takeOffNuisances(data, at, weighting, change);
   const auto channels = static_cast<Eigen::Index>(data.channels().size());
   Eigen::VectorXd squares = Eigen::VectorXd::Zero(channels), count = Eigen::VectorXd::Zero(channels);
   for (std::size_t i = 0; i < data.channel().size(); ++i) {

@@ -10,7 +10,7 @@ namespace capstan::diagnosis {
 /// it: RMS [unit of the channel], a number each of FitData::channels(), nuisances taken off. Simulations of
 /// the fit's robot with noise of their size added, as often as kInputDraws; of rigid drives it adds up, and
 /// no model explains it.
-Eigen::VectorXd inputNoise(const FitData& data, const Fit& at, const Trust& trust);
+Eigen::VectorXd inputNoise(const FitData& data, const Fit& at, const Weighting& weighting);
 inline constexpr int kInputDraws = 4;
 /// Mean square, in that of the inputs' noise, up to which a few slow swings of it are what is left: it has
 /// few degrees of freedom.

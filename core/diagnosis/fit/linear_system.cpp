@@ -106,7 +106,7 @@ std::vector<MatrixXd> takeOffNuisances(const FitData& data, const MatrixXd& nuis
                                        Eigen::Ref<MatrixXd> x) {
   std::vector<MatrixXd> coefficients;
   if (nuisance.cols() == 0) return coefficients;
-  for (const auto& [begin, end] : data.stretches()) {
+  for (const auto& [begin, end] : data.segments()) {
     const MatrixXd part = nuisance.middleRows(begin, end - begin);
     const MatrixXd heavy = weights.segment(begin, end - begin).cwiseAbs2().asDiagonal() * part;
     MatrixXd normal = heavy.transpose() * part;
@@ -119,12 +119,12 @@ std::vector<MatrixXd> takeOffNuisances(const FitData& data, const MatrixXd& nuis
 }
 
 double reached(const FitData& data, const FitModel& model, const VectorXd& u, const VectorXd& simulated,
-               const VectorXd& taken_off, const Trust& trust) {
-  return objectiveOf(model, u, data.rigid() ? simulated : taken_off, trust);
+               const VectorXd& removed, const Weighting& weighting) {
+  return objectiveOf(model, u, data.rigid() ? simulated : removed, weighting);
 }
 
 System systemAt(const FitData& data, const FitModel& model, const VectorXd& u, const InitialStates& initial,
-                const Trust& trust, const Fit* known) {
+                const Weighting& weighting, const Fit* known) {
   const int p = model.size();
   std::vector<robot::ChainModel> robots(1, model.chain(u));
   MatrixXd jacobian(data.size(), p);
@@ -146,25 +146,26 @@ System systemAt(const FitData& data, const FitModel& model, const VectorXd& u, c
     robots.push_back(robots.front());
     starts.push_back(shifted(initial, s, h[s]));
   }
-  const MatrixXd told = data.simulate(robots, starts);
+  const MatrixXd readings = data.simulate(robots, starts);
   for (std::size_t i = 0; i < steps.size(); ++i)
-    jacobian.col(steps[i].first) = (told.col(static_cast<Index>(i) + 1) - told.col(0)) / steps[i].second;
-  System system{{model, u, initial, data.measured() - told.col(0), std::move(jacobian)}, {}, {}};
+    jacobian.col(steps[i].first) =
+        (readings.col(static_cast<Index>(i) + 1) - readings.col(0)) / steps[i].second;
+  System system{{model, u, initial, data.measured() - readings.col(0), std::move(jacobian)}, {}, {}};
   if (data.rigid()) {
     system.at.nuisance.setZero(data.size(), h.size());
     auto shifted_column = static_cast<Index>(steps.size()) + 1;
     for (Index s = 0; s < h.size(); ++s)
-      if (h[s] != 0.0) system.at.nuisance.col(s) = (told.col(shifted_column++) - told.col(0)) / h[s];
+      if (h[s] != 0.0) system.at.nuisance.col(s) = (readings.col(shifted_column++) - readings.col(0)) / h[s];
   } else if (data.zerosFree()) {
     system.at.nuisance = encoderZeros(data, robots.front().shape.joints);
   }
   const VectorXd precision = nuisancePrecision(data, robots.front());
   const VectorXd simulated = system.at.e;
-  system.off_residual = takeOffNuisances(data, system.at.nuisance, precision, trust.weights, system.at.e);
-  system.at.taken_off =
-      takeOffNuisances(data, system.at.nuisance, precision, trust.weights, system.at.jacobian);
-  system.at.objective = objectiveOf(model, u, system.at.e, trust);
-  system.objective = reached(data, model, u, simulated, system.at.e, trust);
+  system.off_residual = takeOffNuisances(data, system.at.nuisance, precision, weighting.weights, system.at.e);
+  system.at.removed =
+      takeOffNuisances(data, system.at.nuisance, precision, weighting.weights, system.at.jacobian);
+  system.at.objective = objectiveOf(model, u, system.at.e, weighting);
+  system.objective = reached(data, model, u, simulated, system.at.e, weighting);
   return system;
 }
 
@@ -180,8 +181,8 @@ VectorXd priorPrecision(const FitModel& model) {
 InitialStates following(const FitData& data, const Fit& at, const VectorXd& step) {
   InitialStates initial = at.initial;
   if (data.rigid())
-    forStretches(data, [&](std::size_t r, Index w, std::size_t stretch) {
-      initial[r].col(w) -= at.taken_off[stretch] * step;
+    forSegments(data, [&](std::size_t r, Index w, std::size_t segment) {
+      initial[r].col(w) -= at.removed[segment] * step;
     });
   return initial;
 }

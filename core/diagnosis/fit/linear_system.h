@@ -15,12 +15,12 @@ struct System {
 };
 
 System systemAt(const FitData& data, const FitModel& model, const Eigen::VectorXd& u,
-                const InitialStates& initial, const Trust& trust, const Fit* known = nullptr);
+                const InitialStates& initial, const Weighting& weighting, const Fit* known = nullptr);
 
 /// What a step is judged by. Initial states are where the simulation began, not where its linearisation would
 /// put them, which may be far from what friction at rest makes of it; encoder zeros are linear.
 double reached(const FitData& data, const FitModel& model, const Eigen::VectorXd& u,
-               const Eigen::VectorXd& simulated, const Eigen::VectorXd& taken_off, const Trust& trust);
+               const Eigen::VectorXd& simulated, const Eigen::VectorXd& removed, const Weighting& weighting);
 
 /// Precision of the nuisances' own estimates: initial positions are known to some counts of the encoder,
 /// speeds to a tenth of the largest, those of whole recordings' starts to what the encoder tells (a change of
@@ -39,13 +39,13 @@ InitialStates following(const FitData& data, const Fit& at, const Eigen::VectorX
 
 /// Of rigid drives: calls with recording, window and stretch of each window that has numbers.
 template <typename Use>
-void forStretches(const FitData& data, const Use& use) {
-  std::size_t stretch = 0;
+void forSegments(const FitData& data, const Use& use) {
+  std::size_t segment = 0;
   for (int r = 0; r < data.recordings(); ++r) {
     const Compared& compared = data.simulation(r).compared();
     for (std::size_t w = 0; w + 1 < compared.window_begin.size(); ++w)
       if (compared.window_begin[w] != compared.window_begin[w + 1])
-        use(static_cast<std::size_t>(r), static_cast<Eigen::Index>(w), stretch++);
+        use(static_cast<std::size_t>(r), static_cast<Eigen::Index>(w), segment++);
   }
 }
 

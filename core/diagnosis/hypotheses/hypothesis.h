@@ -19,7 +19,7 @@ struct HypothesisWords {
   std::string_view equation;    ///< plain text, symbols of the papers
   std::string_view source;      ///< where the equation is from
   std::string_view changes;     ///< what it does to the model
-  std::string_view signature;   ///< how the remainder looks
+  std::string_view signature;   ///< how the residual looks
   std::string_view experiment;  ///< the motion that would show it best
 };
 
@@ -47,35 +47,31 @@ struct EffectStart {
   std::vector<double> scale;
 };
 
-/// A physical cause that diagnosis can name. Stateless; one file each in hypotheses/.
-class Hypothesis {
- public:
-  virtual ~Hypothesis() = default;
-  const robot::EffectFacts& facts() const { return *facts_; }
-  std::string_view name() const { return facts_->name; }
-  virtual Place place() const = 0;
-  virtual const HypothesisWords& words() const = 0;
-  /// Values at which the model is the nominal one, in the order of the parameters.
-  virtual std::vector<double> neutral() const = 0;
+/// |first value|, which most sizes are.
+double firstMagnitude(const std::vector<double>& values);
+
+/// A physical cause that diagnosis can name: an entry in the file of its Place in hypotheses/.
+struct Hypothesis {
+  const robot::EffectFacts* facts;
+  Place place;
+  HypothesisWords words;
+  std::vector<double> neutral;  ///< values of its parameters at which the model is the nominal one
+  /// Starts before they are brought within the parameters' bounds, see starts().
+  std::vector<EffectStart> (*grid)(const JointScales& scales, int joint);
+  /// Size up to which every robot has some of it, in the unit of size(); 0: none.
+  double (*background)(const JointScales& scales) = [](const JointScales&) { return 0.0; };
+  bool remembers = false;  ///< what was before the recording: how far, is one more number of a fit
+  /// One number that tells how much of the effect there is: usually the first parameter's magnitude.
+  double (*size)(const std::vector<double>& values) = firstMagnitude;
+
+  std::string_view name() const { return facts->name; }
   /// Grid of starts for joint `joint` (from 1; 0: whole arm): shapes that are not linear in their numbers
   /// have several. Never empty where the hypothesis makes sense.
-  virtual std::vector<EffectStart> starts(const JointScales& scales, int joint) const = 0;
-  /// Size up to which every robot has some of it, in the unit of size(); 0: none.
-  virtual double everyday(const JointScales&) const { return 0.0; }
-  /// The cable remembers what was before the recording: how far, is one more number of a fit.
-  virtual bool remembers() const { return false; }
-  /// One number that tells how much of the effect there is: usually the first parameter's magnitude.
-  virtual double size(const std::vector<double>& values) const;
-
- protected:
-  explicit Hypothesis(std::string_view name);
-
- private:
-  const robot::EffectFacts* facts_;
+  std::vector<EffectStart> starts(const JointScales& scales, int joint) const;
 };
 
 /// The library, in the order of robot::effectFacts().
-const std::vector<const Hypothesis*>& hypotheses();
+const std::vector<Hypothesis>& hypotheses();
 /// Null: none of this name.
 const Hypothesis* hypothesisNamed(std::string_view name);
 

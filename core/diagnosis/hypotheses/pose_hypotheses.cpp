@@ -88,7 +88,7 @@ Eigen::Vector3d vectorOf(Values v) { return {v[0], v[1], v[2]}; }
 /// One that robot files know too.
 PoseHypothesis known(std::string_view name, double scale, void (*set)(PoseNumbers&, Values)) {
   const Hypothesis* hypothesis = hypothesisNamed(name);
-  return {hypothesis->name(), &hypothesis->words(), &hypothesis->facts().parameters, scale, 0.0, set};
+  return {hypothesis->name(), &hypothesis->words, &hypothesis->facts->parameters, scale, 0.0, set};
 }
 
 }  // namespace
@@ -111,13 +111,13 @@ std::vector<PoseHypothesis> poseHypotheses(PoseReference reference, bool turns) 
   } else {
     all.push_back({"command_delay", &kCommandDelay, &kDelayNumbers, 0.05, 0.0, delay});
     all.push_back({"following_lag", &kFollowingLag, &kLagNumbers, 0.05, 0.02,
-                   [](PoseNumbers& n, Values v) { n.lag = v[0]; }});
+                   [](PoseNumbers& n, Values v) { n.clock_offset = v[0]; }});
   }
   return all;
 }
 
 const HypothesisWords* wordsOf(std::string_view effect) {
-  if (const Hypothesis* hypothesis = hypothesisNamed(effect)) return &hypothesis->words();
+  if (const Hypothesis* hypothesis = hypothesisNamed(effect)) return &hypothesis->words;
   for (const PoseHypothesis& one : poseHypotheses(PoseReference::kCommand, true))
     if (one.name == effect) return one.words;
   return nullptr;

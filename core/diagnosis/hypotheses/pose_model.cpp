@@ -24,16 +24,16 @@ PoseMotion motionOf(const PoseTrajectory& trajectory, const std::vector<Pose>& p
   for (std::size_t i = 0; i < path.size(); ++i) {
     motion.t.push_back(path[i].t);
     motion.path.col(static_cast<Eigen::Index>(i)) = path[i].position;
-    motion.turn.push_back(path[i].turn);
+    motion.rotation.push_back(path[i].rotation);
   }
-  motion.seen.resize(3, static_cast<Eigen::Index>(trajectory.camera.size()));
+  motion.observed.resize(3, static_cast<Eigen::Index>(trajectory.camera.size()));
   Eigen::Index n = 0;
-  for (const Pose& sight : trajectory.camera) {
-    if (!sight.counts || !comparable(motion.t, sight.t)) continue;
-    motion.t_seen.push_back(sight.t);
-    motion.seen.col(n++) = sight.position;
+  for (const Pose& observation : trajectory.camera) {
+    if (!observation.counts || !comparable(motion.t, observation.t)) continue;
+    motion.t_seen.push_back(observation.t);
+    motion.observed.col(n++) = observation.position;
   }
-  motion.seen.conservativeResize(3, n);
+  motion.observed.conservativeResize(3, n);
   return motion;
 }
 
@@ -41,21 +41,21 @@ PoseMotion motionOf(const PoseTrajectory& trajectory, const std::vector<Pose>& p
 void moveTool(const PoseNumbers& numbers, const PoseMotion& motion, Eigen::Matrix3Xd& path) {
   if (!numbers.marker.isZero(0.0))
     for (Eigen::Index i = 0; i < path.cols(); ++i)
-      path.col(i) += motion.turn[static_cast<std::size_t>(i)] * numbers.marker;
+      path.col(i) += motion.rotation[static_cast<std::size_t>(i)] * numbers.marker;
   if (numbers.insertion != 0.0)
     for (Eigen::Index i = 0; i < path.cols(); ++i)
       path.col(i) += numbers.insertion * motion.path.col(i).normalized();
 }
 
 /// First-order lag, exact for a path that is linear between its stamps.
-void follow(double lag, const std::vector<double>& t, Eigen::Matrix3Xd& path) {
-  if (!(lag > 0.0)) return;
+void follow(double clock_offset, const std::vector<double>& t, Eigen::Matrix3Xd& path) {
+  if (!(clock_offset > 0.0)) return;
   Eigen::Vector3d behind = Eigen::Vector3d::Zero(), last = path.col(0);
   for (Eigen::Index i = 1; i < path.cols(); ++i) {
     const double step = t[static_cast<std::size_t>(i)] - t[static_cast<std::size_t>(i - 1)];
-    const double decay = std::exp(-step / lag);
+    const double decay = std::exp(-step / clock_offset);
     const Eigen::Vector3d now = path.col(i), rate = (now - last) / step;
-    behind = decay * behind + (1.0 - decay) * lag * rate;
+    behind = decay * behind + (1.0 - decay) * clock_offset * rate;
     path.col(i) = now - behind;
     last = now;
   }
@@ -99,13 +99,13 @@ std::vector<PoseMotion> motionsOf(const PoseEvidence& evidence, PoseReference re
 Eigen::Matrix3Xd seenBy(const PoseNumbers& numbers, const PoseMotion& motion) {
   Eigen::Matrix3Xd path = motion.path;
   moveTool(numbers, motion, path);
-  follow(numbers.lag, motion.t, path);
+  follow(numbers.clock_offset, motion.t, path);
   play(numbers.gap, path);
-  Eigen::Matrix3Xd seen(3, motion.seen.cols());
-  const Eigen::Vector3d origin = numbers.camera.tell(Eigen::Vector3d::Zero());
-  Eigen::Matrix3d turned;  // what they tell of a point is linear but for the offset
+  Eigen::Matrix3Xd observed(3, motion.observed.cols());
+  const Eigen::Vector3d origin = numbers.camera.measure(Eigen::Vector3d::Zero());
+  Eigen::Matrix3d rotated;  // what they tell of a point is linear but for the offset
   for (int axis = 0; axis < 3; ++axis)
-    turned.col(axis) = numbers.camera.tell(Eigen::Vector3d::Unit(axis)) - origin;
+    rotated.col(axis) = numbers.camera.measure(Eigen::Vector3d::Unit(axis)) - origin;
   std::size_t after = 1;
   for (std::size_t i = 0; i < motion.t_seen.size(); ++i) {
     const double t = std::clamp(motion.t_seen[i] - numbers.camera.delay, motion.t.front(), motion.t.back());
@@ -113,9 +113,9 @@ Eigen::Matrix3Xd seenBy(const PoseNumbers& numbers, const PoseMotion& motion) {
     const double share = (t - motion.t[after - 1]) / (motion.t[after] - motion.t[after - 1]);
     const auto k = static_cast<Eigen::Index>(after);
     const Eigen::Vector3d at = (1.0 - share) * path.col(k - 1) + share * path.col(k);
-    seen.col(static_cast<Eigen::Index>(i)) = turned * at + origin;
+    observed.col(static_cast<Eigen::Index>(i)) = rotated * at + origin;
   }
-  return seen;
+  return observed;
 }
 
 }  // namespace capstan::diagnosis

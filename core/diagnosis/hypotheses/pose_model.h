@@ -18,18 +18,18 @@ enum class PoseReference {
   kCommand,     ///< what it was asked for
 };
 
-/// A path that a simulation says and the sights to compare it with, of one trajectory.
+/// A path that a simulation says and the observations to compare it with, of one trajectory.
 struct PoseMotion {
   std::string name;
   std::vector<double> t;  ///< of the path, rising [s]
   Eigen::Matrix3Xd path;  ///< [m]
-  std::vector<Eigen::Quaterniond> turn;
-  std::vector<double> t_seen;  ///< of the sights, rising [s]
-  Eigen::Matrix3Xd seen;       ///< [m]
+  std::vector<Eigen::Quaterniond> rotation;
+  std::vector<double> t_seen;  ///< of the observations, rising [s]
+  Eigen::Matrix3Xd observed;   ///< [m]
 };
 
-/// Sights that count, later than kBefore after the path's begin (a delay reaches back), before its end, and
-/// not where the path has a gap longer than kLongestGap. Trajectories without any are left out.
+/// Observations that count, later than kBefore after the path's begin (a delay reaches back), before its end,
+/// and not where the path has a gap longer than kLongestGap. Trajectories without any are left out.
 /// base::InputError: the table has no such poses, or fewer than kFewestMotions trajectories are left.
 std::vector<PoseMotion> motionsOf(const PoseEvidence& evidence, PoseReference reference);
 inline constexpr double kBefore = 0.2, kLongestGap = 0.1;  ///< [s]
@@ -40,11 +40,11 @@ struct PoseNumbers {
   robot::CameraNumbers camera;
   Eigen::Vector3d marker = Eigen::Vector3d::Zero();  ///< in the tool's frame [m]
   Eigen::Vector3d gap = Eigen::Vector3d::Zero();     ///< half width of the play along each axis [m]
-  double insertion = 0.0;  ///< along the line from the remote centre, frame 0's origin [m]
-  double lag = 0.0;        ///< time constant with which the tip follows [s]
+  double insertion = 0.0;     ///< along the line from the remote centre, frame 0's origin [m]
+  double clock_offset = 0.0;  ///< time constant with which the tip follows [s]
 };
 
-/// What cameras should see at the sights, 3 × sights: the path p with its tool's turn R_t becomes
+/// What cameras should see at the observations, 3 × observations: the path p with its tool's turn R_t becomes
 ///     a = p + R_t marker + insertion p / |p|,
 ///     b: lag ḃ = a − b, b = a at the begin,
 ///     c: play of half width `gap` on b, axis by axis (c moves when it is half a width behind; it begins in

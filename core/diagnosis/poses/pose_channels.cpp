@@ -22,17 +22,17 @@ std::vector<double> timesOf(const PoseData& data) {
   std::vector<double> t;
   double begin = 0.0;
   for (const PoseMotion& motion : data.motions()) {
-    for (const double seen : motion.t_seen) t.push_back(begin + seen - motion.t_seen.front());
+    for (const double observed : motion.t_seen) t.push_back(begin + observed - motion.t_seen.front());
     begin = t.back() + kApart;
   }
   return t;
 }
 
-/// The path as it is told, `late` seconds before each sight.
+/// The path as it is told, `late` seconds before each observation.
 Matrix3Xd pathAt(const PoseData& data, double late) {
   PoseNumbers numbers;
   numbers.camera.delay = late;
-  Matrix3Xd path(3, data.sights());
+  Matrix3Xd path(3, data.observations());
   for (Index k = 0; k < data.blocks(); ++k)
     path.middleCols(data.first(k), data.count(k)) =
         seenBy(numbers, data.motions()[static_cast<std::size_t>(k)]);
@@ -67,13 +67,13 @@ Channel poseChannel(const PoseData& data, const Matrix3Xd& e, int axis, const Ei
   channel.axis = axis;
   channel.noise = compared.noise;
   channel.t = timesOf(data);
-  channel.remainder = rowOf(e, axis);
+  channel.residual = rowOf(e, axis);
   for (const PoseMotion& motion : data.motions())
-    for (Index i = 0; i < motion.seen.cols(); ++i) channel.measured.push_back(motion.seen(axis, i));
+    for (Index i = 0; i < motion.observed.cols(); ++i) channel.measured.push_back(motion.observed(axis, i));
   std::vector<double> periods;
   for (std::size_t i = 0; i < channel.t.size(); ++i) {
     channel.row.push_back(static_cast<double>(i));
-    channel.simulated.push_back(channel.measured[i] - channel.remainder[i]);
+    channel.simulated.push_back(channel.measured[i] - channel.residual[i]);
     if (i > 0) periods.push_back(channel.t[i] - channel.t[i - 1]);
   }
   channel.period = periods.empty() ? 0.0 : stats::median(periods);

@@ -10,7 +10,7 @@
 #include "core/diagnosis/poses/pose_channels.h"
 #include "core/diagnosis/poses/pose_selection.h"
 #include "core/diagnosis/report/report_tables.h"
-#include "core/diagnosis/residuals/remainder_process.h"
+#include "core/diagnosis/residuals/residual_process.h"
 #include "core/diagnosis/selection/gains.h"
 #include "core/diagnosis/selection/verdict.h"
 #include "core/stats/quantile.h"
@@ -63,12 +63,12 @@ class Work {
     report_.candidates = selection_.candidates;
     lap("select");
     addSteps();
-    noise_ = noiseOf(held_out_, remainders_.back());
+    noise_ = noiseOf(held_out_, residuals_.back());
     addCauses();
     addChannels();
     judge();
     lap("judge");
-    if (options_.show && somethingLeft()) addProcess(progress);
+    if (options_.show && hasResidual()) addProcess(progress);
     lap("show");
   }
 
@@ -91,7 +91,7 @@ class Work {
   }
 
   Matrix3Xd heldOut(const PoseFit& fit) const {
-    return remainderOf(held_out_, numbersOf(fit.effects, fit.value));
+    return residualOf(held_out_, numbersOf(fit.effects, fit.value));
   }
 
   void addStep(const PoseFit& fit, const std::string& effect) {
@@ -106,7 +106,7 @@ class Work {
     const Eigen::VectorXd distance = e.colwise().norm();
     step.median = stats::median({distance.data(), static_cast<std::size_t>(distance.size())});
     result_.steps.push_back(step);
-    remainders_.push_back(e);
+    residuals_.push_back(e);
     squares_.push_back(squares);
   }
 
@@ -146,23 +146,23 @@ class Work {
       const PoseTaken& taken = selection_.taken[k];
       Cause cause = causeOf(taken.effect, taken.needed);
       cause.gain = gainBetween(k, k + 1, largestReduction(squares_[k], squares_[k + 1]).channel);
-      if (!taken.rivals.empty()) addTie(taken, cause);
+      if (!taken.competitors.empty()) addTie(taken, cause);
       report_.causes.push_back(std::move(cause));
     }
   }
 
   void addTie(const PoseTaken& taken, const Cause& cause) {
     Tie tie{{cause}, {}};
-    for (std::size_t r = 0; r < taken.rivals.size(); ++r)
-      tie.causes.push_back(causeOf(taken.rivals[r], taken.shares[r]));
-    const PoseHypothesis& rival = taken.rivals.front();
+    for (std::size_t r = 0; r < taken.competitors.size(); ++r)
+      tie.causes.push_back(causeOf(taken.competitors[r], taken.shares[r]));
+    const PoseHypothesis& competitor = taken.competitors.front();
     tie.separate = fmt::format("For {}: {} For {}: {}", taken.effect.name, taken.effect.words->experiment,
-                               rival.name, rival.words->experiment);
+                               competitor.name, competitor.words->experiment);
     report_.ties.push_back(std::move(tie));
   }
 
   void addChannels() {
-    const Matrix3Xd &before = remainders_.front(), &after = remainders_.back();
+    const Matrix3Xd &before = residuals_.front(), &after = residuals_.back();
     variables_ = poseVariables(held_out_);
     for (int axis = 0; axis < 3; ++axis) {
       ChannelReport channel;
@@ -184,14 +184,10 @@ class Work {
     return signatures;
   }
 
-  static double meanSquare(const BlockSquares& squares, Index axis) {
-    return squares.sum.row(axis).sum() / squares.count.row(axis).sum();
-  }
-
-  /// Some axis has more than noise, and it lasts from sight to sight.
-  bool somethingLeft() const {
+  /// Some axis has more than noise, and it lasts from observation to observation.
+  bool hasResidual() const {
     for (Index axis = 0; axis < 3; ++axis)
-      if (meanSquare(squares_.back(), axis) > std::pow(kBeyondNoise * noise_[axis], 2.0) &&
+      if (squares_.back().meanSquare(axis) > std::pow(kBeyondNoise * noise_[axis], 2.0) &&
           squares_.back().inflation[axis] > 2.0)
         return true;
     return false;
@@ -201,8 +197,8 @@ class Work {
     double before = 0.0, after = 0.0;
     for (Index axis = 0; axis < 3; ++axis) {
       const double noise = noise_[axis] * noise_[axis];
-      before += std::max(0.0, meanSquare(squares_.front(), axis) - noise);
-      after += std::max(0.0, meanSquare(squares_.back(), axis) - noise);
+      before += std::max(0.0, squares_.front().meanSquare(axis) - noise);
+      after += std::max(0.0, squares_.back().meanSquare(axis) - noise);
     }
     return before > 0.0 ? std::clamp(1.0 - after / before, 0.0, 1.0) : 0.0;
   }
@@ -215,7 +211,7 @@ class Work {
                         : report_.causes.size() > 1 ? Verdict::kSeveral
                                                     : Verdict::kFound;
     else
-      report_.verdict = named || somethingLeft() ? Verdict::kUnexplained : Verdict::kNothing;
+      report_.verdict = named || hasResidual() ? Verdict::kUnexplained : Verdict::kNothing;
     report_.summary = summary();
   }
 
@@ -238,12 +234,12 @@ class Work {
   }
 
   void addProcess(base::Progress* progress) {
-    if (progress) progress->report(0.9, "Asking what the remainder depends on");
+    if (progress) progress->report(0.9, "Asking what the residual depends on");
     const auto beyond = [this](const ChannelReport& channel) {
       return channel.extended_statistics.rms / std::max(noise_[channel.extended.axis], 1e-12);
     };
     const auto most = std::ranges::max_element(report_.channels, {}, beyond);
-    report_.processes.push_back(remainderProcess(most->extended, variables_, {}, progress));
+    report_.processes.push_back(residualProcess(most->extended, variables_, {}, progress));
   }
 
   const PoseOptions& options_;
@@ -252,7 +248,7 @@ class Work {
   PoseData fitted_, held_out_;
   std::vector<PoseHypothesis> effects_;
   PoseSelection selection_;
-  std::vector<Matrix3Xd> remainders_;  ///< of each step, held out
+  std::vector<Matrix3Xd> residuals_;  ///< of each step, held out
   std::vector<BlockSquares> squares_;
   Eigen::Vector3d noise_ = Eigen::Vector3d::Zero();
   std::vector<Variable> variables_;

@@ -20,7 +20,7 @@ struct PoseOptions {
   std::optional<PoseReference> towards;  ///< none: kinematics where the table has them, else the command
   std::vector<std::string> only;         ///< names of effects to consider; empty: all
   std::uint64_t seed = 1;                ///< of the bootstraps
-  bool show = true;                      ///< also signatures, and what the remainder depends on
+  bool show = true;                      ///< also signatures, and what the residual depends on
 };
 
 /// How far off a tip is with the effects known until then, on trajectories held out: of the three axes
@@ -30,7 +30,7 @@ struct PoseStep {
   double rms = 0.0;
   stats::Interval interval;  ///< 95 %, bootstrap of trajectories
   std::array<double, 3> axis{};
-  double median = 0.0;  ///< distance that half of the sights are within
+  double median = 0.0;  ///< distance that half of the observations are within
 };
 
 struct PoseReport {
@@ -45,11 +45,11 @@ struct PoseReport {
 /// fifth ones tell what it is worth. Only positions are compared; the tool's orientation turns
 /// `marker_offset`, and the registration's rotation is from positions alone.
 ///
-/// The report's channels are the held-out sights, tip x, y, z of frame 0; each is "nominal" and "refitted" as
-/// measured, for there is nothing to refit, and its times are the trajectories' one behind the other. Noise
-/// is what differs from sight to sight. `nominal` is the robot file that effects of cameras are put into
-/// where the reference is the kinematics. base::InputError: as motionsOf(), and a name in `only` that is no
-/// effect of poses.
+/// The report's channels are the held-out observations, tip x, y, z of frame 0; each is "nominal" and
+/// "refitted" as measured, for there is nothing to refit, and its times are the trajectories' one behind the
+/// other. Noise is what differs from observation to observation. `nominal` is the robot file that effects of
+/// cameras are put into where the reference is the kinematics. base::InputError: as motionsOf(), and a name
+/// in `only` that is no effect of poses.
 PoseReport diagnosePoses(const PoseEvidence& evidence, const robot::Description& nominal,
                          const PoseOptions& options = {}, base::Progress* progress = nullptr);
 inline constexpr std::size_t kHeldOut = 5;  ///< one trajectory in so many

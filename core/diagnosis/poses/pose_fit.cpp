@@ -78,7 +78,7 @@ MatrixXd jacobianOf(const PoseData& data, const std::vector<PoseHypothesis>& eff
     VectorXd moved = value;
     const double step = moved[k] + kLittle * bounds.scale[k] > bounds.high[k] ? -kLittle : kLittle;
     moved[k] += step * bounds.scale[k];
-    const Matrix3Xd other = remainderOf(data, numbersOf(effects, moved));
+    const Matrix3Xd other = residualOf(data, numbersOf(effects, moved));
     jacobian.col(k) = (e - other).reshaped() / step;
   }
   return jacobian;
@@ -108,7 +108,7 @@ VectorXd scoreOf(const PoseFit& fit, Index first, Index count, const std::vector
 }  // namespace
 
 PoseData::PoseData(std::vector<PoseMotion> motions) : motions_(std::move(motions)), first_{0} {
-  for (const PoseMotion& motion : motions_) first_.push_back(first_.back() + motion.seen.cols());
+  for (const PoseMotion& motion : motions_) first_.push_back(first_.back() + motion.observed.cols());
 }
 
 Index PoseFit::placeOf(std::string_view effect) const {
@@ -139,11 +139,11 @@ PoseNumbers numbersOf(const std::vector<PoseHypothesis>& effects, const VectorXd
   return numbers;
 }
 
-Matrix3Xd remainderOf(const PoseData& data, const PoseNumbers& numbers) {
-  Matrix3Xd e(3, data.sights());
+Matrix3Xd residualOf(const PoseData& data, const PoseNumbers& numbers) {
+  Matrix3Xd e(3, data.observations());
   for (Index k = 0; k < data.blocks(); ++k) {
     const PoseMotion& motion = data.motions()[static_cast<std::size_t>(k)];
-    e.middleCols(data.first(k), data.count(k)) = motion.seen - seenBy(numbers, motion);
+    e.middleCols(data.first(k), data.count(k)) = motion.observed - seenBy(numbers, motion);
   }
   return e;
 }
@@ -158,14 +158,14 @@ double improve(const PoseData& data, PoseFit& fit, const Bounds& bounds, double&
   fit.jacobian = jacobianOf(data, fit.effects, fit.value, fit.e, bounds);
   std::vector<Index> all(static_cast<std::size_t>(fit.value.size()));
   std::iota(all.begin(), all.end(), Index{0});
-  const MatrixXd normal = normalOf(fit, 0, data.sights(), all);
-  const VectorXd score = scoreOf(fit, 0, data.sights(), all);
+  const MatrixXd normal = normalOf(fit, 0, data.observations(), all);
+  const VectorXd score = scoreOf(fit, 0, data.observations(), all);
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     MatrixXd damped = normal;
     damped.diagonal() += damping * normal.diagonal() + VectorXd::Constant(normal.rows(), kRidge);
     const VectorXd step = damped.ldlt().solve(score).cwiseProduct(bounds.scale);
     const VectorXd moved = (fit.value + step).cwiseMax(bounds.low).cwiseMin(bounds.high);
-    Matrix3Xd e = remainderOf(data, numbersOf(fit.effects, moved));
+    Matrix3Xd e = residualOf(data, numbersOf(fit.effects, moved));
     const double there = costOf(e, spread);
     if (there < cost) {
       fit.value = moved;
@@ -183,7 +183,7 @@ double improve(const PoseData& data, PoseFit& fit, const Bounds& bounds, double&
 PoseFit fitPoses(const PoseData& data, std::vector<PoseHypothesis> effects, VectorXd value) {
   PoseFit fit{std::move(effects), std::move(value), {}, {}, {}};
   const Bounds bounds = boundsOf(fit.effects);
-  fit.e = remainderOf(data, numbersOf(fit.effects, fit.value));
+  fit.e = residualOf(data, numbersOf(fit.effects, fit.value));
   double damping = 1e-4;
   for (int iteration = 0; iteration < kIterations && fit.value.size() > 0; ++iteration)
     if (improve(data, fit, bounds, damping) < kDone) break;
@@ -213,13 +213,13 @@ PoseFit without(const PoseData& data, const PoseFit& fit, std::string_view effec
                   Eigen::Map<const VectorXd>(value.data(), static_cast<Index>(value.size())));
 }
 
-Matrix3Xd leftOut(const PoseData& data, const PoseFit& fit) {
+Matrix3Xd heldOut(const PoseData& data, const PoseFit& fit) {
   if (fit.value.size() == 0) return fit.e;
   const Bounds bounds = boundsOf(fit.effects);
   const std::vector<Index> free = freeOf(fit, bounds);
-  const MatrixXd normal = normalOf(fit, 0, data.sights(), free);
-  const VectorXd score = scoreOf(fit, 0, data.sights(), free);
-  Matrix3Xd e(3, data.sights());
+  const MatrixXd normal = normalOf(fit, 0, data.observations(), free);
+  const VectorXd score = scoreOf(fit, 0, data.observations(), free);
+  Matrix3Xd e(3, data.observations());
   for (Index fold = 0; fold < std::min<Index>(kFolds, data.blocks()); ++fold) {
     MatrixXd others = normal;
     VectorXd rest = score;
@@ -234,7 +234,7 @@ Matrix3Xd leftOut(const PoseData& data, const PoseFit& fit) {
     const PoseNumbers numbers = numbersOf(fit.effects, value.cwiseMax(bounds.low).cwiseMin(bounds.high));
     for (Index k = fold; k < data.blocks(); k += kFolds) {
       const PoseMotion& motion = data.motions()[static_cast<std::size_t>(k)];
-      e.middleCols(data.first(k), data.count(k)) = motion.seen - seenBy(numbers, motion);
+      e.middleCols(data.first(k), data.count(k)) = motion.observed - seenBy(numbers, motion);
     }
   }
   return e;
@@ -244,7 +244,7 @@ MatrixXd covarianceOf(const PoseData& data, const PoseFit& fit) {
   const Bounds bounds = boundsOf(fit.effects);
   const std::vector<Index> free = freeOf(fit, bounds);
   const auto p = static_cast<Index>(free.size());
-  const MatrixXd inverse = normalOf(fit, 0, data.sights(), free).ldlt().solve(MatrixXd::Identity(p, p));
+  const MatrixXd inverse = normalOf(fit, 0, data.observations(), free).ldlt().solve(MatrixXd::Identity(p, p));
   MatrixXd meat = MatrixXd::Zero(p, p);
   for (Index k = 0; k < data.blocks(); ++k) {
     const VectorXd score = scoreOf(fit, data.first(k), data.count(k), free);

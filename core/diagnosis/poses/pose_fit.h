@@ -8,13 +8,13 @@
 
 namespace capstan::diagnosis {
 
-/// Motions to fit to, their sights in one row.
+/// Motions to fit to, their observations in one row.
 class PoseData {
  public:
   explicit PoseData(std::vector<PoseMotion> motions);
 
   const std::vector<PoseMotion>& motions() const { return motions_; }
-  Eigen::Index sights() const { return first_.back(); }
+  Eigen::Index observations() const { return first_.back(); }
   Eigen::Index blocks() const { return static_cast<Eigen::Index>(motions_.size()); }
   /// Columns of motion `k` begin here; there is one more, the end.
   Eigen::Index first(Eigen::Index k) const { return first_[static_cast<std::size_t>(k)]; }
@@ -29,7 +29,7 @@ class PoseData {
 struct PoseFit {
   std::vector<PoseHypothesis> effects;
   Eigen::VectorXd value;     ///< numbers of all effects, SI
-  Eigen::Matrix3Xd e;        ///< seen − told at each sight [m]
+  Eigen::Matrix3Xd e;        ///< seen − told at each observation [m]
   Eigen::VectorXd weight;    ///< of each number of e, column by column: Huber's over the axis' variance
   Eigen::MatrixXd jacobian;  ///< of told by value / scale
 
@@ -40,8 +40,8 @@ struct PoseFit {
 
 PoseNumbers numbersOf(const std::vector<PoseHypothesis>& effects, const Eigen::VectorXd& value);
 
-/// Seen − told of all sights.
-Eigen::Matrix3Xd remainderOf(const PoseData& data, const PoseNumbers& numbers);
+/// Seen − told of all observations.
+Eigen::Matrix3Xd residualOf(const PoseData& data, const PoseNumbers& numbers);
 
 /// Robust least squares: Σ ρ(e / s) by Levenberg and Marquardt within the parameters' bounds, ρ Huber's with
 /// kHuber, s each axis' 1.4826 median |e|, brought up to date as the fit proceeds. Begins at `value`.
@@ -54,7 +54,7 @@ PoseFit without(const PoseData& data, const PoseFit& fit, std::string_view effec
 
 /// Seen − told where each trajectory is told by the fit to the others: motions fall into kFolds folds;
 /// without a fold, values go by one Gauss–Newton step.
-Eigen::Matrix3Xd leftOut(const PoseData& data, const PoseFit& fit);
+Eigen::Matrix3Xd heldOut(const PoseData& data, const PoseFit& fit);
 
 /// Covariance of the values, dependent errors within a trajectory allowed for: sandwich by trajectories
 /// (Liang and Zeger 1986).

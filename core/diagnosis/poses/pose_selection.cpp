@@ -40,7 +40,7 @@ class Rounds {
       if (progress_) progress_->report(share, "Weighing effects");
       std::vector<Trial> trials = trialsOf(best);
       note(s, trials, round);
-      if (trials.empty() || !worthNaming(trials.front())) break;
+      if (trials.empty() || !isMaterial(trials.front())) break;
       s.taken.push_back({*trials.front().effect, 0.0, {}, {}});
       best = std::move(trials.front().rated);
     }
@@ -52,7 +52,7 @@ class Rounds {
 
  private:
   Rated rated(PoseFit fit) const {
-    BlockSquares squares = squaresOf(data_, leftOut(data_, fit));
+    BlockSquares squares = squaresOf(data_, heldOut(data_, fit));
     return {std::move(fit), std::move(squares)};
   }
 
@@ -63,9 +63,9 @@ class Rounds {
     return trial;
   }
 
-  static bool worthNaming(const Trial& trial) {
-    return trial.reduction.share > kWorthNaming && trial.gain.front() > kLeastScore &&
-           lowerOf(trial.gain, kSure) > 0.0;
+  static bool isMaterial(const Trial& trial) {
+    return trial.reduction.share > kMaterial && trial.gain.front() > kLeastScore &&
+           lowerOf(trial.gain, kHighConfidence) > 0.0;
   }
 
   /// All that are not in yet, the best first.
@@ -101,7 +101,7 @@ class Rounds {
   void dropSuperfluous(PoseSelection& s, Rated& best) const {
     for (std::size_t k = 0; k + 1 < s.taken.size() && !cancelled(progress_);) {
       Rated less;
-      if (worthNaming(lossOf(best, s.taken[k].effect, less))) {
+      if (isMaterial(lossOf(best, s.taken[k].effect, less))) {
         ++k;
         continue;
       }
@@ -118,8 +118,8 @@ class Rounds {
       if (best.fit.placeOf(effect.name) >= 0 || cancelled(progress_)) continue;
       const Trial instead = trialOf(less, effect);
       const double share = shareBelow(comparison_.gain(instead.rated.squares, best.squares));
-      if (share <= kRival || !worthNaming(instead)) continue;
-      taken.rivals.push_back(effect);
+      if (share <= kCompetitor || !isMaterial(instead)) continue;
+      taken.competitors.push_back(effect);
       taken.shares.push_back(share);
     }
   }

@@ -13,9 +13,9 @@ namespace capstan::diagnosis {
 /// An effect that was taken, and others that would do as well in its place.
 struct PoseTaken {
   PoseHypothesis effect;
-  double needed = 0.0;                 ///< share of bootstrap draws in which the model is better with it
-  std::vector<PoseHypothesis> rivals;  ///< not taken themselves
-  std::vector<double> shares;          ///< of draws in which each rival does better in its place
+  double needed = 0.0;                      ///< share of bootstrap draws in which the model is better with it
+  std::vector<PoseHypothesis> competitors;  ///< not taken themselves
+  std::vector<double> shares;               ///< of draws in which each competitor does better in its place
 };
 
 struct PoseSelection {
@@ -26,9 +26,9 @@ struct PoseSelection {
 };
 
 /// Forward selection as select() does for robots: each round every effect is fitted beside those taken, and
-/// the best on trajectories left out is taken if it is worth naming (kWorthNaming, kLeastScore, kSure of
-/// selection.h); in the end, what later ones made superfluous is dropped, and each that was taken is changed
-/// for each that was not. Cancelled: what there is until then.
+/// the best on trajectories left out is taken if it is worth naming (kMaterial, kLeastScore, kHighConfidence
+/// of selection.h); in the end, what later ones made superfluous is dropped, and each that was taken is
+/// changed for each that was not. Cancelled: what there is until then.
 PoseSelection selectPoses(const PoseData& data, const std::vector<PoseHypothesis>& effects,
                           std::uint64_t seed, base::Progress* progress);
 

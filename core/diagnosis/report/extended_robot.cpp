@@ -18,7 +18,7 @@ std::string oneLine(std::string text) {
 }
 
 /// "stribeck friction (joint 1), …": effects that are no causes.
-std::string everydayEffects(const Report& report) {
+std::string backgroundEffects(const Report& report) {
   std::string names;
   for (const robot::Effect& effect : report.extended.effects) {
     const auto is_it = [&](const Cause& c) { return c.effect == effect.effect && c.joint == effect.joint; };
@@ -40,8 +40,8 @@ std::string extendedRobotText(const Report& report, const std::string& software)
   for (const Cause& cause : report.causes)
     text +=
         fmt::format("#   {}; probability {:.0f} %\n", oneLine(causeText(cause)), 100.0 * cause.probability);
-  if (const std::string everyday = everydayEffects(report); !everyday.empty())
-    text += "# Beside these, within what every robot has of it: " + everyday + "\n";
+  if (const std::string background = backgroundEffects(report); !background.empty())
+    text += "# Beside these, within what every robot has of it: " + background + "\n";
   bool moved = false;
   for (const RefitNumber& one : report.refit) {
     if (!one.moved) continue;

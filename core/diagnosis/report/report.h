@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "core/base/names.h"
-#include "core/diagnosis/residuals/remainder.h"
-#include "core/diagnosis/residuals/remainder_process.h"
+#include "core/diagnosis/residuals/residual.h"
+#include "core/diagnosis/residuals/residual_process.h"
 #include "core/diagnosis/residuals/signature.h"
 #include "core/robot/description.h"
 #include "core/stats/interval.h"
@@ -60,7 +60,7 @@ struct Candidate {
   std::string effect;
   int joint = 0;
   int round = 1;          ///< of the forward selection
-  double screened = 0.0;  ///< share of the remainder's mean square that the score test promises to take off
+  double screened = 0.0;  ///< share of the residual's mean square that the score test score_tests to take off
   bool refitted = false;
   double reduction = 0.0;  ///< cross-validated, of the channel that gains most; NaN: not refitted
   double score = 0.0;      ///< cross-validated, above the model without it [nats]; NaN: not refitted
@@ -76,7 +76,7 @@ struct ChannelReport {
   Gain gain;                             ///< of extended over refitted, held out
 };
 
-/// A line in the spectrum of the remainder that stands out of what is around it.
+/// A line in the spectrum of the residual that stands out of what is around it.
 struct SpectralLine {
   std::string channel;
   double frequency = 0.0;  ///< [Hz]
@@ -104,12 +104,12 @@ struct Report {
   std::vector<RefitNumber> refit;
   std::vector<Candidate> candidates;
   std::vector<ChannelReport> channels;
-  std::vector<std::string> recordings;      ///< titles
-  std::vector<RemainderProcess> processes;  ///< where something stays unexplained
+  std::vector<std::string> recordings;     ///< titles
+  std::vector<ResidualProcess> processes;  ///< where something stays unexplained
   std::vector<SpectralLine> lines;
   std::vector<FilterGain> filter;  ///< empty: not asked for, or no joint encoders
   double explained =
-      0.0;  ///< share of what is beyond noise in the refitted remainder that the causes take off
+      0.0;  ///< share of what is beyond noise in the refitted residual that the causes take off
   robot::Description refitted, extended;  ///< robot files
   std::vector<Stage> stages;
   std::vector<std::string> notices;

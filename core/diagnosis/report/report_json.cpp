@@ -1,5 +1,6 @@
 #include "core/diagnosis/report/report_json.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace capstan::diagnosis {
@@ -34,15 +35,23 @@ json tieJson(const Tie& tie) {
           {"separate", tie.separate}};
 }
 
+/// "cable_stiffness of joint 2" as a key: "cable_stiffness_2".
+std::string keyOf(std::string name) {
+  const std::string of = " of joint ";
+  if (const auto at = name.find(of); at != std::string::npos) name.replace(at, of.size(), "_");
+  std::ranges::replace(name, ' ', '_');
+  return name;
+}
+
 json refitJson(const std::vector<RefitNumber>& refit) {
   json all = json::object();
   for (const RefitNumber& one : refit)
-    all[one.name] = {{"nominal", number(one.nominal)},
-                     {"value", number(one.value)},
-                     {"sigma", number(one.sigma)},
-                     {"unit", one.unit},
-                     {"moved", one.moved},
-                     {"at_bound", one.at_bound}};
+    all[keyOf(one.name)] = {{"nominal", number(one.nominal)},
+                            {"value", number(one.value)},
+                            {"sigma", number(one.sigma)},
+                            {"unit", one.unit},
+                            {"moved", one.moved},
+                            {"at_bound", one.at_bound}};
   return all;
 }
 
@@ -95,7 +104,7 @@ json channelJson(const ChannelReport& channel) {
           {"gain", gainJson(channel.gain)}};
 }
 
-json processJson(const RemainderProcess& process) {
+json processJson(const ResidualProcess& process) {
   return {{"channel", process.channel},
           {"end", base::nameOf(process.end)},
           {"words", process.words},

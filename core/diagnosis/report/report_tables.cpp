@@ -42,7 +42,7 @@ std::string recordingOf(const Report& report, int recording) {
   return i < report.recordings.size() ? report.recordings[i] : fmt::format("recording {}", recording + 1);
 }
 
-/// Refitted before not refitted, likelier before less likely, then by score and by promise.
+/// Refitted before not refitted, likelier before less likely, then by score and by score_test.
 bool ahead(const Candidate& a, const Candidate& b) {
   if (a.round != b.round) return a.round < b.round;
   if (a.refitted != b.refitted) return a.refitted;
@@ -152,11 +152,11 @@ Table rankingTable(const Report& report, std::size_t most) {
   table.columns.front().grouped = true;
   std::vector<Candidate> all = report.candidates;
   std::stable_sort(all.begin(), all.end(), ahead);
-  std::size_t in_round = 0, left_out = 0;
+  std::size_t in_round = 0, excluded = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
     in_round = i > 0 && all[i].round == all[i - 1].round ? in_round + 1 : 0;
     if (in_round >= most) {
-      ++left_out;
+      ++excluded;
       continue;
     }
     const Candidate& one = all[i];
@@ -166,9 +166,9 @@ Table rankingTable(const Report& report, std::size_t most) {
                           100.0 * one.probability});
   }
   table.note =
-      "Promised: share of the remainder's mean square that the score test says would go; held out and "
+      "Promised: share of the residual's mean square that the score test says would go; held out and "
       "score (logarithm of the likelihood): of those that were refitted, on stretches that were not fitted.";
-  if (left_out > 0) table.note += fmt::format(" {} more promise less.", left_out);
+  if (excluded > 0) table.note += fmt::format(" {} more promise less.", excluded);
   return table;
 }
 
@@ -189,7 +189,7 @@ Table filterTable(const Report& report) {
 
 Table lineTable(const Report& report) {
   Table table;
-  table.title = "Lines in the spectrum of the remainder";
+  table.title = "Lines in the spectrum of the residual";
   table.columns = {text("channel"), number("frequency", "Hz", 2, NumberStyle::kFixed), text("amplitude"),
                    number("p", "", 2, NumberStyle::kSignificant)};
   for (const SpectralLine& line : report.lines) {
@@ -204,14 +204,14 @@ Table lineTable(const Report& report) {
   return table;
 }
 
-Table processTable(const RemainderProcess& process) {
+Table processTable(const ResidualProcess& process) {
   Table table;
-  table.title = "What the remainder of " + process.channel + " depends on";
+  table.title = "What the residual of " + process.channel + " depends on";
   table.columns = {text("variable"), text("share of the variance [%]"), text("changes over")};
-  std::size_t left_out = 0;
+  std::size_t excluded = 0;
   for (const ProcessVariable& one : process.variables) {
     if (!table.rows.empty() && one.relevance < kWeakly) {
-      ++left_out;
+      ++excluded;
       continue;
     }
     const bool has_length = one.kind != VariableKind::kDirection;
@@ -222,7 +222,7 @@ Table processTable(const RemainderProcess& process) {
       "A Gaussian process on {} points predicts {:.0f} % of the variance of stretches that it was not fitted "
       "to.",
       process.points, 100.0 * process.explained);
-  if (left_out > 0) table.note += fmt::format(" {} more variables hardly matter.", left_out);
+  if (excluded > 0) table.note += fmt::format(" {} more variables hardly matter.", excluded);
   return table;
 }
 

@@ -28,10 +28,10 @@ base::Table refitTable(const Report& report);
 base::Table rankingTable(const Report& report, std::size_t most = 12);
 /// RMS of the Kalman filter's joints with the three models; no rows where it was not asked for.
 base::Table filterTable(const Report& report);
-/// Lines of the remainder's spectrum.
+/// Lines of the residual's spectrum.
 base::Table lineTable(const Report& report);
-/// What a Gaussian process found the remainder to depend on: the first variable, and what is weakly relevant
+/// What a Gaussian process found the residual to depend on: the first variable, and what is weakly relevant
 /// at least.
-base::Table processTable(const RemainderProcess& process);
+base::Table processTable(const ResidualProcess& process);
 
 }  // namespace capstan::diagnosis

@@ -78,16 +78,16 @@ Prediction fit(const BlockTable& table, const std::vector<bool>& member) {
 
 }  // namespace
 
-BlockTable::BlockTable(std::span<const double> remainder, std::span<const double> variable,
+BlockTable::BlockTable(std::span<const double> residual, std::span<const double> variable,
                        const TimeBlocks& blocks, std::span<const double> edges)
     : bins_(edges.size() - 1), cells_(blocks.count * bins_), squares_(blocks.count, 0.0) {
   const auto inner = edges.subspan(1, edges.size() - 2);
-  for (std::size_t i = 0; i < remainder.size(); ++i) {
+  for (std::size_t i = 0; i < residual.size(); ++i) {
     const std::size_t block = blocks.index[i];
     const auto bin =
         static_cast<std::size_t>(std::upper_bound(inner.begin(), inner.end(), variable[i]) - inner.begin());
-    cells_[block * bins_ + bin] += {1.0, remainder[i], variable[i]};
-    squares_[block] += remainder[i] * remainder[i];
+    cells_[block * bins_ + bin] += {1.0, residual[i], variable[i]};
+    squares_[block] += residual[i] * residual[i];
   }
 }
 
@@ -116,9 +116,9 @@ std::vector<BinMean> binMeans(const BlockTable& table, const std::vector<bool>& 
 }
 
 CrossValidated crossValidatedShare(const BlockTable& table, const std::vector<bool>& half,
-                                   const std::vector<std::size_t>& stretch) {
-  const std::size_t stretches = stretch.empty() ? 0 : stretch.back() + 1;
-  std::vector<double> gain(stretches, 0.0), total(stretches, 0.0);
+                                   const std::vector<std::size_t>& segment) {
+  const std::size_t segments = segment.empty() ? 0 : segment.back() + 1;
+  std::vector<double> gain(segments, 0.0), total(segments, 0.0);
   for (const bool fitted : {false, true}) {
     std::vector<bool> member(half);
     if (!fitted) member.flip();
@@ -126,22 +126,22 @@ CrossValidated crossValidatedShare(const BlockTable& table, const std::vector<bo
     const double mean = prediction.mean;
     for (std::size_t k = 0; k < table.blocks(); ++k) {
       if (member[k]) continue;
-      double& error = total[stretch[k]];
+      double& error = total[segment[k]];
       error += table.squares(k);
       for (std::size_t b = 0; b < table.bins(); ++b) {
         const Cell& cell = table.at(k, b);
         const double p = prediction.bins[b];
         error += mean * (mean * cell.n - 2.0 * cell.sum);
-        gain[stretch[k]] += (mean - p) * ((mean + p) * cell.n - 2.0 * cell.sum);
+        gain[segment[k]] += (mean - p) * ((mean + p) * cell.n - 2.0 * cell.sum);
       }
     }
   }
   double gained = 0.0, of = 0.0, scatter = 0.0;
-  for (std::size_t s = 0; s < stretches; ++s) gained += gain[s], of += total[s];
+  for (std::size_t s = 0; s < segments; ++s) gained += gain[s], of += total[s];
   if (!(of > 0.0)) return {};
   const double share = gained / of;
-  for (std::size_t s = 0; s < stretches; ++s) scatter += std::pow(gain[s] - share * total[s], 2);
-  const auto count = static_cast<double>(stretches);
+  for (std::size_t s = 0; s < segments; ++s) scatter += std::pow(gain[s] - share * total[s], 2);
+  const auto count = static_cast<double>(segments);
   return {share, count > 1.0 ? std::sqrt(scatter * count / (count - 1.0)) / of : 0.0};
 }
 

@@ -4,11 +4,11 @@
 #include <span>
 #include <vector>
 
-#include "core/diagnosis/residuals/decimated_remainder.h"
+#include "core/diagnosis/residuals/decimated_residual.h"
 
 namespace capstan::diagnosis {
 
-/// Number, sum of the remainder and of the variable, of a set of samples.
+/// Number, sum of the residual and of the variable, of a set of samples.
 struct Cell {
   double n = 0.0, sum = 0.0, variable = 0.0;
   Cell& operator+=(const Cell& other) {
@@ -21,7 +21,7 @@ struct Cell {
 class BlockTable {
  public:
   /// `edges` rise; bin b is [edges[b], edges[b + 1]), the outermost ones reach on.
-  BlockTable(std::span<const double> remainder, std::span<const double> variable, const TimeBlocks& blocks,
+  BlockTable(std::span<const double> residual, std::span<const double> variable, const TimeBlocks& blocks,
              std::span<const double> edges);
 
   std::size_t bins() const { return bins_; }
@@ -55,6 +55,6 @@ struct CrossValidated {
 /// Signature::share: fitted on each half of the blocks, scored on the other. `half[block]` says which; scores
 /// vary from `stretch[block]` to stretch.
 CrossValidated crossValidatedShare(const BlockTable& table, const std::vector<bool>& half,
-                                   const std::vector<std::size_t>& stretch);
+                                   const std::vector<std::size_t>& segment);
 
 }  // namespace capstan::diagnosis

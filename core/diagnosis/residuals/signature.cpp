@@ -60,19 +60,19 @@ std::vector<double> edgesOf(const Variable& variable, const std::vector<double>&
 }
 
 /// Which stretch of the recording a block lies in.
-std::vector<std::size_t> stretchesOf(const Channel& channel, const TimeBlocks& blocks) {
+std::vector<std::size_t> segmentsOf(const Channel& channel, const TimeBlocks& blocks) {
   const double span = channel.t.back() - channel.t.front();
-  const double length = std::max(blocks.length, span / kStretches);
-  std::vector<std::size_t> stretch;
+  const double length = std::max(blocks.length, span / kSegments);
+  std::vector<std::size_t> segment;
   for (const double begin : blocks.begin)
-    stretch.push_back(length > 0.0 ? static_cast<std::size_t>((begin - channel.t.front()) / length + 1e-9)
+    segment.push_back(length > 0.0 ? static_cast<std::size_t>((begin - channel.t.front()) / length + 1e-9)
                                    : 0);
-  return stretch;
+  return segment;
 }
 
-std::vector<bool> halves(const std::vector<std::size_t>& stretch) {
+std::vector<bool> halves(const std::vector<std::size_t>& segment) {
   std::vector<bool> half;
-  for (const std::size_t s : stretch) half.push_back(s % 2 == 1);
+  for (const std::size_t s : segment) half.push_back(s % 2 == 1);
   return half;
 }
 
@@ -114,17 +114,17 @@ Signature signatureOf(const Channel& channel, const TimeBlocks& blocks, const Va
   if (channel.size() == 0) return signature;
   const std::vector<double> values = variable.at(channel);
   const std::vector<double> edges = edgesOf(variable, values, options.bins);
-  const BlockTable table(channel.remainder, values, blocks, edges);
+  const BlockTable table(channel.residual, values, blocks, edges);
   signature.bins = binsOf(table, edges);
-  const std::vector<std::size_t> stretch = stretchesOf(channel, blocks);
-  const std::vector<bool> half = halves(stretch);
+  const std::vector<std::size_t> segment = segmentsOf(channel, blocks);
+  const std::vector<bool> half = halves(segment);
   CrossValidated scored;
   if (variable.kind == VariableKind::kTime) {
-    const std::size_t pairs = std::max<std::size_t>(1, (stretch.back() + 1) / 2);
+    const std::size_t pairs = std::max<std::size_t>(1, (segment.back() + 1) / 2);
     const std::vector<double> coarse = edgesOf(variable, values, std::min(pairs, options.bins));
-    scored = crossValidatedShare(BlockTable(channel.remainder, values, blocks, coarse), half, stretch);
+    scored = crossValidatedShare(BlockTable(channel.residual, values, blocks, coarse), half, segment);
   } else {
-    scored = crossValidatedShare(table, half, stretch);
+    scored = crossValidatedShare(table, half, segment);
   }
   signature.share = scored.share;
   signature.share_sigma = scored.sigma;

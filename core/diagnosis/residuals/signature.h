@@ -4,18 +4,18 @@
 #include <string>
 #include <vector>
 
-#include "core/diagnosis/residuals/decimated_remainder.h"
-#include "core/diagnosis/residuals/remainder.h"
+#include "core/diagnosis/residuals/decimated_residual.h"
+#include "core/diagnosis/residuals/residual.h"
 #include "core/diagnosis/residuals/variables.h"
 #include "core/stats/interval.h"
 
 namespace capstan::diagnosis {
 
-/// The remainder where the variable lies in [low, high).
+/// The residual where the variable lies in [low, high).
 struct SignatureBin {
   double low = 0.0, high = 0.0;  ///< of the variable
   double centre = 0.0;           ///< mean of the variable in the bin
-  double mean = 0.0;             ///< of the remainder in the bin
+  double mean = 0.0;             ///< of the residual in the bin
   /// 95 % of the mean, from the spread of the time blocks' own means: honest for dependent samples. NaN where
   /// fewer than two blocks' worth of time was spent in the bin.
   stats::Interval interval;
@@ -23,15 +23,15 @@ struct SignatureBin {
   double blocks = 0.0;  ///< time blocks that the samples are worth, (Σ n_k)² / Σ n_k²
 };
 
-/// How the remainder of a channel goes with a variable.
+/// How the residual of a channel goes with a variable.
 struct Signature {
   VariableKind kind = VariableKind::kTime;
   int joint = 0;  ///< of the variable, from 1; 0: of the whole recording
   std::string variable, unit;
   double period = 0.0;             ///< of the variable; 0: none
-  std::string channel;             ///< name of the remainder's channel
+  std::string channel;             ///< name of the residual's channel
   std::vector<SignatureBin> bins;  ///< rising; empty ones left out
-  /// Share of the remainder's variance that the bins' means explain on data that they were not fitted to:
+  /// Share of the residual's variance that the bins' means explain on data that they were not fitted to:
   ///     1 − Σ (e − p)² / Σ (e − ē)²,
   /// p the bins' means and ē the mean of every other stretch of time, scored on those between, both ways
   /// round. Means are drawn towards their common one by what the spread of the blocks makes of them (random
@@ -47,12 +47,12 @@ struct SignatureOptions {
 
 /// The signature of `channel` against `variable`. Bins of angles and of time are equally wide; the others
 /// stand half way between equally wide and equally full. `blocks` of timeBlocks(channel). Scored in stretches
-/// of a block or a kStretches-th of the recording, whichever is longer; time in as many bins as pairs of
+/// of a block or a kSegments-th of the recording, whichever is longer; time in as many bins as pairs of
 /// these. base::InputError: fewer than two bins asked for. A channel without samples gives no bins and share
 /// 0.
 Signature signatureOf(const Channel& channel, const TimeBlocks& blocks, const Variable& variable,
                       const SignatureOptions& options = {});
-inline constexpr double kStretches = 12.0;
+inline constexpr double kSegments = 12.0;
 
 /// Of every variable that concerns the channel, in their order.
 std::vector<Signature> signaturesOf(const Channel& channel, const std::vector<Variable>& variables,

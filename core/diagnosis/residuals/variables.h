@@ -5,11 +5,11 @@
 
 #include "core/base/names.h"
 #include "core/diagnosis/evidence/evidence.h"
-#include "core/diagnosis/residuals/remainder.h"
+#include "core/diagnosis/residuals/residual.h"
 
 namespace capstan::diagnosis {
 
-/// What a remainder may depend on.
+/// What a residual may depend on.
 enum class VariableKind {
   kPosition,
   kDirection,  ///< −1, 0, +1: the joint moves back, rests, moves on
@@ -25,7 +25,7 @@ enum class VariableKind {
 };
 
 /// A number a row that signatures are drawn against. Motion is the simulated one: the measured one carries
-/// the remainder itself and the sensor's noise.
+/// the residual itself and the sensor's noise.
 struct Variable {
   VariableKind kind = VariableKind::kTime;
   int joint = 0;               ///< from 1; 0: of the whole recording

@@ -20,7 +20,7 @@ constexpr double kEventStep = 0.1;  // between instants of an event that are tri
 
 /// One start of one suspect and its columns among the responses.
 struct Probe {
-  Suspect suspect;
+  EffectCandidate suspect;
   EffectStart start;
   std::vector<std::size_t> numbers;  ///< that move; empty: the effect as a whole
   std::size_t column = 0;
@@ -29,7 +29,7 @@ struct Probe {
 
 /// Numbers whose neutral value is 0 and that the start leaves there: small ones can be tried both ways.
 std::vector<std::size_t> smallNumbers(const Hypothesis& hypothesis, const EffectStart& start) {
-  const std::vector<double> neutral = hypothesis.neutral();
+  const std::vector<double>& neutral = hypothesis.neutral;
   std::vector<std::size_t> numbers;
   for (std::size_t k = 0; k < neutral.size(); ++k)
     if (neutral[k] == 0.0 && start.scale[k] > 0.0 && start.value[k] == 0.0) numbers.push_back(k);
@@ -37,37 +37,37 @@ std::vector<std::size_t> smallNumbers(const Hypothesis& hypothesis, const Effect
 }
 
 int timeOf(const Hypothesis& hypothesis) {
-  const auto& numbers = hypothesis.facts().parameters;
+  const auto& numbers = hypothesis.facts->parameters;
   for (std::size_t k = 0; k < numbers.size(); ++k)
     if (numbers[k].name == "time") return static_cast<int>(k);
   return -1;
 }
 
-robot::ChainModel with(const Fit& fit, const Suspect& suspect, const EffectStart& start) {
+robot::ChainModel with(const Fit& fit, const EffectCandidate& suspect, const EffectStart& start) {
   const FitModel model = fit.model.with(*suspect.hypothesis, suspect.joint, start);
   return model.chain(model.startFrom(fit.model, fit.u));
 }
 
-/// Numbers that the fit has of the effect as an everyday one: what small changes go out from.
-std::vector<double> everydayValues(const Fit& fit, const Suspect& suspect) {
+/// Numbers that the fit has of the effect as an background one: what small changes go out from.
+std::vector<double> backgroundValues(const Fit& fit, const EffectCandidate& suspect) {
   for (std::size_t k = 0; k < fit.model.effects().size(); ++k) {
     const EffectTerm& term = fit.model.effects()[k];
-    if (term.everyday && term.hypothesis == suspect.hypothesis && term.joint == suspect.joint)
+    if (term.background && term.hypothesis == suspect.hypothesis && term.joint == suspect.joint)
       return fit.model.effectValues(k, fit.u);
   }
-  return std::vector<double>(suspect.hypothesis->neutral().size(), 0.0);
+  return std::vector<double>(suspect.hypothesis->neutral.size(), 0.0);
 }
 
 /// Probes of a suspect; their robots are appended.
-void addProbes(const Fit& fit, const Suspect& suspect, std::vector<Probe>& probes,
+void addProbes(const Fit& fit, const EffectCandidate& suspect, std::vector<Probe>& probes,
                std::vector<robot::ChainModel>& robots) {
   const JointScales& scales = scalesOf(fit.model.scales(), suspect.joint);
   const int time = timeOf(*suspect.hypothesis);
-  const std::vector<double> everyday = everydayValues(fit, suspect);
+  const std::vector<double> background = backgroundValues(fit, suspect);
   for (const EffectStart& start : suspect.hypothesis->starts(scales, suspect.joint)) {
     Probe probe{suspect, start, smallNumbers(*suspect.hypothesis, start), robots.size(), -1.0};
     if (time >= 0) probe.start.value[static_cast<std::size_t>(time)] = 0.0;
-    for (const std::size_t number : probe.numbers) probe.start.value[number] = everyday[number];
+    for (const std::size_t number : probe.numbers) probe.start.value[number] = background[number];
     if (probe.numbers.empty()) robots.push_back(with(fit, suspect, probe.start));
     for (const std::size_t number : probe.numbers) {
       EffectStart little = probe.start;
@@ -87,10 +87,10 @@ void addProbes(const Fit& fit, const Suspect& suspect, std::vector<Probe>& probe
   }
 }
 
-/// The remainder and responses as a test sees them: weighted, fit's own free parameters projected off.
+/// The residual and responses as a test sees them: weighted, fit's own free parameters projected off.
 class Projection {
  public:
-  Projection(const Fit& fit, const Trust& trust) : weights_(trust.weights) {
+  Projection(const Fit& fit, const Weighting& weighting) : weights_(weighting.weights) {
     std::vector<Index> free;
     for (Index k = 0; k < fit.u.size(); ++k)
       if (fit.bound.empty() || !fit.bound[static_cast<std::size_t>(k)]) free.push_back(k);
@@ -104,7 +104,7 @@ class Projection {
   double left() const { return e_.squaredNorm(); }
   const VectorXd& weights() const { return weights_; }
 
-  /// Sizes of the columns d (weighted) that take most off the remainder, and how much they take.
+  /// Sizes of the columns d (weighted) that take most off the residual, and how much they take.
   std::pair<VectorXd, double> best(const MatrixXd& d) const {
     const auto [s, g] = ownDirections(d);
     std::vector<Index> seen;  // not those that the fit's own numbers could make as well
@@ -152,17 +152,17 @@ MatrixXd columnsOf(const FitData& data, const Probe& probe, const MatrixXd& resp
   return d;
 }
 
-/// What each robot tells beyond what the fit's tells; those that run away promise nothing.
+/// What each robot tells beyond what the fit's tells; those that run away score_test nothing.
 MatrixXd responsesOf(const FitData& data, const Fit& fit, const std::vector<robot::ChainModel>& robots,
-                     const Trust& trust) {
-  MatrixXd change = -(residualsOf(data, fit, robots, trust).colwise() - fit.e);
+                     const Weighting& weighting) {
+  MatrixXd change = -(residualsOf(data, fit, robots, weighting).colwise() - fit.e);
   for (Index k = 0; k < change.cols(); ++k)
     if (!change.col(k).allFinite()) change.col(k).setZero();
   return change;
 }
 
-/// The promise of one probe.
-Promise judge(const Probe& probe, const Projection& projection, const MatrixXd& d) {
+/// The score_test of one probe.
+ScoreTest judge(const Probe& probe, const Projection& projection, const MatrixXd& d) {
   auto [size, gain] = projection.best(d);
   const bool whole = probe.numbers.empty();
   const VectorXd before = size;
@@ -170,64 +170,64 @@ Promise judge(const Probe& probe, const Projection& projection, const MatrixXd& 
     const double most = whole ? kFarthest : kFarthest / kLittle;
     const bool one_way =
         whole ||
-        probe.suspect.hypothesis->facts().parameters[probe.numbers[static_cast<std::size_t>(k)]].low >= 0.0;
+        probe.suspect.hypothesis->facts->parameters[probe.numbers[static_cast<std::size_t>(k)]].low >= 0.0;
     size[k] = std::clamp(size[k], one_way ? 0.0 : -most, most);
   }
   if (size != before) gain = projection.gain(d, size);
-  Promise promise{probe.suspect.hypothesis, probe.suspect.joint, probe.start, std::max(gain, 0.0), 0.0};
-  promise.share = promise.gain / projection.left();
+  ScoreTest score_test{probe.suspect.hypothesis, probe.suspect.joint, probe.start, std::max(gain, 0.0), 0.0};
+  score_test.share = score_test.gain / projection.left();
   for (std::size_t k = 0; k < probe.numbers.size(); ++k) {
     const std::size_t number = probe.numbers[k];
-    promise.start.value[number] += kLittle * size[static_cast<Index>(k)] * promise.start.scale[number];
+    score_test.start.value[number] += kLittle * size[static_cast<Index>(k)] * score_test.start.scale[number];
   }
   if (whole && size.size() > 0 && probe.start.scale[0] > 0.0 && probe.start.value[0] > 0.0 &&
-      probe.suspect.hypothesis->neutral()[0] == 0.0)
-    promise.start.value[0] *= std::clamp(size[0], 0.2, kFarthest);
-  return promise;
+      probe.suspect.hypothesis->neutral[0] == 0.0)
+    score_test.start.value[0] *= std::clamp(size[0], 0.2, kFarthest);
+  return score_test;
 }
 
 }  // namespace
 
-std::vector<Suspect> suspectsOf(const std::vector<Evidence>& recordings, const FitModel& model,
-                                const std::vector<std::string>& only) {
+std::vector<EffectCandidate> candidatesOf(const std::vector<Evidence>& recordings, const FitModel& model,
+                                          const std::vector<std::string>& only) {
   const Evidence& first = recordings.front();
   const bool cameras =
       std::any_of(recordings.begin(), recordings.end(), [](const Evidence& e) { return e.hasCameras(); });
-  std::vector<Suspect> suspects;
-  for (const Hypothesis* hypothesis : hypotheses()) {
-    const robot::EffectFacts& facts = hypothesis->facts();
+  std::vector<EffectCandidate> candidates;
+  for (const Hypothesis& hypothesis : hypotheses()) {
+    const robot::EffectFacts& facts = *hypothesis.facts;
     if (!(model.rigid() ? facts.rigid : facts.cable)) continue;
     if (!only.empty() && std::find(only.begin(), only.end(), facts.name) == only.end()) continue;
     const bool of_camera = facts.name.starts_with("camera_");
     if (of_camera && !cameras) continue;
     if (facts.name == "sensor_sign" && first.tau_ext.empty()) continue;
     for (int joint = facts.whole ? 0 : 1; joint <= (facts.whole ? 0 : first.joints); ++joint)
-      if (!model.has(*hypothesis, joint)) suspects.push_back({hypothesis, joint});
+      if (!model.has(hypothesis, joint)) candidates.push_back({&hypothesis, joint});
   }
-  return suspects;
+  return candidates;
 }
 
-std::vector<Promise> screen(const FitData& data, const Fit& fit, const Trust& trust,
-                            const std::vector<Suspect>& suspects) {
+std::vector<ScoreTest> screen(const FitData& data, const Fit& fit, const Weighting& weighting,
+                              const std::vector<EffectCandidate>& candidates) {
   std::vector<Probe> probes;
   std::vector<robot::ChainModel> robots;
-  for (const Suspect& suspect : suspects) addProbes(fit, suspect, probes, robots);
-  const MatrixXd response = responsesOf(data, fit, robots, trust);
-  const Projection projection(fit, trust);
-  std::vector<Promise> promises;
+  for (const EffectCandidate& suspect : candidates) addProbes(fit, suspect, probes, robots);
+  const MatrixXd response = responsesOf(data, fit, robots, weighting);
+  const Projection projection(fit, weighting);
+  std::vector<ScoreTest> score_tests;
   for (const Probe& probe : probes) {
     const MatrixXd d = columnsOf(data, probe, response, projection.weights());
-    Promise promise = judge(probe, projection, d);
-    if (!promises.empty() && promises.back().hypothesis == promise.hypothesis &&
-        promises.back().joint == promise.joint) {
-      if (promise.gain > promises.back().gain) promises.back() = std::move(promise);
+    ScoreTest score_test = judge(probe, projection, d);
+    if (!score_tests.empty() && score_tests.back().hypothesis == score_test.hypothesis &&
+        score_tests.back().joint == score_test.joint) {
+      if (score_test.gain > score_tests.back().gain) score_tests.back() = std::move(score_test);
     } else {
-      promises.push_back(std::move(promise));
+      score_tests.push_back(std::move(score_test));
     }
   }
-  std::stable_sort(promises.begin(), promises.end(),
-                   [](const Promise& a, const Promise& b) { return a.gain > b.gain; });
-  return promises;
+  std::stable_sort(score_tests.begin(), score_tests.end(),
+                   [](const ScoreTest& a, const ScoreTest& b) { return a.gain > b.gain; });
+  return score_tests;
 }
 
 }  // namespace capstan::diagnosis

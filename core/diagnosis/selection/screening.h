@@ -8,7 +8,7 @@
 namespace capstan::diagnosis {
 
 /// An effect that a score test speaks for, and where its refit should start.
-struct Promise {
+struct ScoreTest {
   const Hypothesis* hypothesis = nullptr;
   int joint = 0;       ///< from 1; 0: whole arm
   EffectStart start;   ///< with the size that the test suggests
@@ -18,18 +18,18 @@ struct Promise {
 
 /// Pairs of hypotheses and joints (0: whole arm) that this robot and these sensors can have; `only`: names,
 /// empty: all.
-struct Suspect {
+struct EffectCandidate {
   const Hypothesis* hypothesis = nullptr;
   int joint = 0;
 };
-std::vector<Suspect> suspectsOf(const std::vector<Evidence>& recordings, const FitModel& model,
-                                const std::vector<std::string>& only);
+std::vector<EffectCandidate> candidatesOf(const std::vector<Evidence>& recordings, const FitModel& model,
+                                          const std::vector<std::string>& only);
 
 /// Score tests on sensitivities: each start of each suspect changes the fitted robot by a little (or, where
 /// an effect has no little, by the start itself), and the response, less what the fit's own parameters could
-/// do, is projected on the remainder. Best start of each suspect, most promising first. Cost: one simulation
+/// do, is projected on the residual. Best start of each suspect, most promising first. Cost: one simulation
 /// a start.
-std::vector<Promise> screen(const FitData& data, const Fit& fit, const Trust& trust,
-                            const std::vector<Suspect>& suspects);
+std::vector<ScoreTest> screen(const FitData& data, const Fit& fit, const Weighting& weighting,
+                              const std::vector<EffectCandidate>& candidates);
 
 }  // namespace capstan::diagnosis

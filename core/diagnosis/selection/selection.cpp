@@ -16,10 +16,10 @@ namespace {
 constexpr int kDraws = 400;
 constexpr int kFirstIterations = 3;  // of a refit before the poorest are left behind
 constexpr int kFirstIterationsRigid = 6;
-constexpr int kLastIterations = 12;    // of those that go on
-constexpr std::size_t kGoOn = 3;       // refits that do, at most
-constexpr double kSurelySensor = 0.9;  // of the sensor's mean square, whose estimate is some per cent off
-constexpr double kHopeless = 0.02;     // reduction after a first look
+constexpr int kLastIterations = 12;        // of those that go on
+constexpr std::size_t kGoOn = 3;           // refits that do, at most
+constexpr double kSensorConfidence = 0.9;  // of the sensor's mean square, whose estimate is some per cent off
+constexpr double kHopeless = 0.02;         // reduction after a first look
 
 /// Falls of the objective [nats] at which a fit stands still: of rigid drives, whose initial states creep,
 /// while weights still change; and at the end.
@@ -51,15 +51,15 @@ class Stand {
 };
 
 /// The nominal structure's fit from `u`, weights by what it leaves.
-Fit fitBase(const FitData& data, const FitModel& model, const Eigen::VectorXd& u, Trust& trust,
+Fit fitBase(const FitData& data, const FitModel& model, const Eigen::VectorXd& u, Weighting& weighting,
             const base::Progress* progress) {
   const InitialStates initial = noneBeyond(data);
-  trust.weights =
+  weighting.weights =
       weightsFor(data, linearise(data, model, u, initial, {Eigen::VectorXd::Ones(data.size())}).e);
-  Fit found = fit(data, model, u, initial, trust, {20, toleranceOf(data, 0), nullptr}, progress);
+  Fit found = fit(data, model, u, initial, weighting, {20, toleranceOf(data, 0), nullptr}, progress);
   for (int pass = 1; pass <= kPasses && !cancelled(progress); ++pass) {
-    trust.weights = weightsFor(data, found.e);
-    found = fit(data, model, found.u, found.initial, trust,
+    weighting.weights = weightsFor(data, found.e);
+    found = fit(data, model, found.u, found.initial, weighting,
                 {kLastIterations, toleranceOf(data, pass), nullptr}, progress);
   }
   return found;
@@ -85,8 +85,8 @@ class Rounds {
   Selection runFrom(const Selection& before) {
     Selection s = begun(before.base.model, before.base.u);
     s.candidates = before.candidates;
-    s.rivals = before.rivals;
-    for (const Contender& c : before.taken) takeAgain(s, before, c);
+    s.competitors = before.competitors;
+    for (const CandidateModel& c : before.taken) takeAgain(s, before, c);
     addOthers(s, before.candidates.empty() ? 1 : before.candidates.back().round + 1);
     return s;
   }
@@ -95,9 +95,9 @@ class Rounds {
   Selection begun(const FitModel& base, const Eigen::VectorXd& u) const {
     Selection s{.base = {.model = base}, .best = {.model = base}};
     stand_.tell(0.0, "Refitting the nominal structure");
-    s.base = s.best = fitBase(data_, base, u, s.trust, progress_);
-    s.base_squares = s.best_squares = squaresOf(data_, leftOut(data_, s.best, s.trust));
-    s.input_noise = inputNoise(data_, s.base, s.trust);
+    s.base = s.best = fitBase(data_, base, u, s.weighting, progress_);
+    s.base_squares = s.best_squares = squaresOf(data_, heldOut(data_, s.best, s.weighting));
+    s.input_noise = inputNoise(data_, s.base, s.weighting);
     return s;
   }
 
@@ -108,24 +108,24 @@ class Rounds {
     dropSuperfluous(s);
   }
 
-  /// A first look at a promise.
-  Contender contend(const Selection& s, const Promise& promise) const {
-    const FitModel model = s.best.model.with(*promise.hypothesis, promise.joint, promise.start);
-    Contender c{.added = {promise.hypothesis, promise.joint},
-                .fit = fit(data_, model, model.startFrom(s.best.model, s.best.u), s.best.initial, s.trust,
-                           firstLook(s), progress_)};
+  /// A first look at a score_test.
+  CandidateModel contend(const Selection& s, const ScoreTest& score_test) const {
+    const FitModel model = s.best.model.with(*score_test.hypothesis, score_test.joint, score_test.start);
+    CandidateModel c{.added = {score_test.hypothesis, score_test.joint},
+                     .fit = fit(data_, model, model.startFrom(s.best.model, s.best.u), s.best.initial,
+                                s.weighting, coarsePass(s), progress_)};
     judge(s, c);
     return c;
   }
 
   /// Rigid drives add up errors of force, and what the round's fit left bends its derivatives.
-  FitOptions firstLook(const Selection& s) const {
+  FitOptions coarsePass(const Selection& s) const {
     if (data_.rigid()) return {kFirstIterationsRigid, kRough, nullptr};
     return {kFirstIterations, 0.1, &s.best};
   }
 
-  void judge(const Selection& s, Contender& c) const {
-    if (c.fit.e.allFinite()) c.squares = squaresOf(data_, leftOut(data_, c.fit, s.trust));
+  void judge(const Selection& s, CandidateModel& c) const {
+    if (c.fit.e.allFinite()) c.squares = squaresOf(data_, heldOut(data_, c.fit, s.weighting));
     if (c.squares.sum.size() == 0 || !c.squares.sum.allFinite()) {  // a simulation that ran away
       c.gain.assign(kDraws + 1, -1e9);
       c.squares = s.best_squares;
@@ -141,68 +141,70 @@ class Rounds {
     BlockSquares left = squares;
     for (Eigen::Index c = 0; c < left.sum.rows(); ++c) {
       const double sensor = data_.channels()[static_cast<std::size_t>(c)].noise, input = s.input_noise[c];
-      const double least = kSurelySensor * sensor * sensor + kSwings * input * input;
+      const double least = kSensorConfidence * sensor * sensor + kSwings * input * input;
       if (left.sum.row(c).sum() < least * left.count.row(c).sum()) left.sum.row(c).setZero();
     }
     return left;
   }
 
   /// Refits the most promising: all a little, the best of these to the end.
-  std::vector<Contender> contendersOf(const Selection& s, const std::vector<Promise>& promises) const {
-    std::vector<Contender> contenders;
-    const std::size_t count = std::min(promises.size(), static_cast<std::size_t>(options_.refits));
+  std::vector<CandidateModel> candidateModelsOf(const Selection& s,
+                                                const std::vector<ScoreTest>& score_tests) const {
+    std::vector<CandidateModel> candidate_models;
+    const std::size_t count = std::min(score_tests.size(), static_cast<std::size_t>(options_.refits));
     for (std::size_t k = 0; k < count && !cancelled(progress_); ++k) {
       stand_.tell(0.2 + 0.4 * static_cast<double>(k) / static_cast<double>(count),
-                  fmt::format("Refitting with {}", promises[k].hypothesis->words().title));
-      contenders.push_back(contend(s, promises[k]));
+                  fmt::format("Refitting with {}", score_tests[k].hypothesis->words.title));
+      candidate_models.push_back(contend(s, score_tests[k]));
     }
-    const auto better = [](const Contender& a, const Contender& b) {
+    const auto better = [](const CandidateModel& a, const CandidateModel& b) {
       return a.gain.front() > b.gain.front();
     };
-    const Suspect promised = contenders.empty() ? Suspect{} : contenders.front().added;
-    std::stable_sort(contenders.begin(), contenders.end(), better);
-    for (std::size_t k = 0; k < contenders.size() && !cancelled(progress_); ++k) {
-      Contender& c = contenders[k];
+    const EffectCandidate promised =
+        candidate_models.empty() ? EffectCandidate{} : candidate_models.front().added;
+    std::stable_sort(candidate_models.begin(), candidate_models.end(), better);
+    for (std::size_t k = 0; k < candidate_models.size() && !cancelled(progress_); ++k) {
+      CandidateModel& c = candidate_models[k];
       const bool first_in_tests =
           c.added.hypothesis == promised.hypothesis && c.added.joint == promised.joint;
       if (!first_in_tests && (k >= kGoOn || c.reduction.share < kHopeless)) continue;
-      if (promises.front().share < kHopeless && c.reduction.share < kHopeless) continue;
-      stand_.tell(0.6 + 0.3 * static_cast<double>(k) / static_cast<double>(contenders.size()),
-                  fmt::format("Refitting with {}", c.added.hypothesis->words().title));
-      c.fit = fit(data_, c.fit.model, c.fit.u, c.fit.initial, s.trust, {kLastIterations, 0.1, nullptr},
+      if (score_tests.front().share < kHopeless && c.reduction.share < kHopeless) continue;
+      stand_.tell(0.6 + 0.3 * static_cast<double>(k) / static_cast<double>(candidate_models.size()),
+                  fmt::format("Refitting with {}", c.added.hypothesis->words.title));
+      c.fit = fit(data_, c.fit.model, c.fit.u, c.fit.initial, s.weighting, {kLastIterations, 0.1, nullptr},
                   progress_);
       judge(s, c);
     }
-    std::stable_sort(contenders.begin(), contenders.end(), better);
-    shareOut(contenders);
-    return contenders;
+    std::stable_sort(candidate_models.begin(), candidate_models.end(), better);
+    shareOut(candidate_models);
+    return candidate_models;
   }
 
   /// In how many draws each is the best.
-  static void shareOut(std::vector<Contender>& contenders) {
+  static void shareOut(std::vector<CandidateModel>& candidate_models) {
     for (int d = 1; d <= kDraws; ++d) {
       std::size_t best = 0;
-      for (std::size_t k = 1; k < contenders.size(); ++k)
-        if (contenders[k].gain[static_cast<std::size_t>(d)] >
-            contenders[best].gain[static_cast<std::size_t>(d)])
+      for (std::size_t k = 1; k < candidate_models.size(); ++k)
+        if (candidate_models[k].gain[static_cast<std::size_t>(d)] >
+            candidate_models[best].gain[static_cast<std::size_t>(d)])
           best = k;
-      if (!contenders.empty()) contenders[best].share += 1.0 / kDraws;
+      if (!candidate_models.empty()) candidate_models[best].share += 1.0 / kDraws;
     }
   }
 
-  bool worthNaming(const Selection& s, const Contender& c) const {
-    return c.reduction.share > kWorthNaming && c.gain.front() > kLeastScore && lowerOf(c.gain, kSure) > 0.0 &&
-           beyondEveryday(c) && clearOfNone(s, c);
+  bool isMaterial(const Selection& s, const CandidateModel& c) const {
+    return c.reduction.share > kMaterial && c.gain.front() > kLeastScore &&
+           lowerOf(c.gain, kHighConfidence) > 0.0 && beyondBackground(c) && clearOfNone(s, c);
   }
 
   /// The effect's numbers together are kClear of their own σ away from zero, where zero is none of it.
   /// Numbers of the robot that the round's model had at a bound have gone as far as they can: they do not
   /// blur it.
-  bool clearOfNone(const Selection& s, const Contender& c) const {
+  bool clearOfNone(const Selection& s, const CandidateModel& c) const {
     const std::size_t last = c.fit.model.effects().size() - 1;  // where `with` puts it
     const std::vector<int>& index = c.fit.model.effects()[last].index;
-    const std::vector<double> neutral = c.added.hypothesis->neutral();
-    const auto& numbers = c.added.hypothesis->facts().parameters;
+    const std::vector<double>& neutral = c.added.hypothesis->neutral;
+    const auto& numbers = c.added.hypothesis->facts->parameters;
     std::vector<Eigen::Index> own;
     for (std::size_t k = 0; k < neutral.size(); ++k) {
       if (neutral[k] != 0.0 || index[k] < 0 || numbers[k].name == "time") continue;
@@ -220,72 +222,74 @@ class Rounds {
     held.bound.resize(static_cast<std::size_t>(held.model.size()), false);
     for (std::size_t k = 0; k < static_cast<std::size_t>(held.model.baseSize()); ++k)
       held.bound[k] = held.bound[k] || (k < s.best.bound.size() && s.best.bound[k]);
-    const Eigen::MatrixXd covariance = covarianceOf(data_, held, s.trust)(own, own);
+    const Eigen::MatrixXd covariance = covarianceOf(data_, held, s.weighting)(own, own);
     return size.dot(covariance.completeOrthogonalDecomposition().solve(size)) > kClear * kClear;
   }
 
   /// Every robot has some of some effects: these have a name when there is clearly more.
-  static bool beyondEveryday(const Contender& c) {
+  static bool beyondBackground(const CandidateModel& c) {
     if (c.added.joint == 0) return true;
-    const double everyday = c.added.hypothesis->everyday(scalesOf(c.fit.model.scales(), c.added.joint));
+    const double background = c.added.hypothesis->background(scalesOf(c.fit.model.scales(), c.added.joint));
     const std::size_t last = c.fit.model.effects().size() - 1;  // where `with` puts it
-    return c.added.hypothesis->size(c.fit.model.effectValues(last, c.fit.u)) > kMoreThanEveryday * everyday;
+    return c.added.hypothesis->size(c.fit.model.effectValues(last, c.fit.u)) >
+           kMoreThanBackground * background;
   }
 
-  static bool sameLeft(const Contender& other, const Contender& best) {
+  static bool sameResidual(const CandidateModel& other, const CandidateModel& best) {
     const double left = 1.0 - other.reduction.share;
     return other.reduction.channel == best.reduction.channel && best.reduction.share > kTakesMost &&
-           other.reduction.share > kTakesMost && left < kSameLeft * (1.0 - best.reduction.share);
+           other.reduction.share > kTakesMost && left < kSameResidual * (1.0 - best.reduction.share);
   }
 
   bool addOne(Selection& s, int round) {
-    const std::vector<Suspect> suspects = suspectsOf(recordings_, s.best.model, options_.only);
+    const std::vector<EffectCandidate> candidates = candidatesOf(recordings_, s.best.model, options_.only);
     stand_.nextRound();
     stand_.tell(0.0, "Testing hypotheses");
-    const std::vector<Promise> promises = screen(data_, s.best, s.trust, suspects);
-    std::vector<Contender> contenders = contendersOf(s, promises);
-    note(s, promises, contenders, round);
-    if (contenders.empty() || cancelled(progress_)) return false;
-    std::erase_if(contenders, [&](const Contender& c) { return !worthNaming(s, c); });
-    if (contenders.empty()) return false;
-    Rivals rivals{contenders.front().added, {}, {contenders.front().share}};
-    for (std::size_t k = 1; k < contenders.size(); ++k)
-      if (contenders[k].share > kRival || sameLeft(contenders[k], contenders.front()) ||
-          contenders[k].gain.front() > kAsGood * contenders.front().gain.front()) {
-        rivals.others.push_back(contenders[k].added);
-        rivals.shares.push_back(contenders[k].share);
+    const std::vector<ScoreTest> score_tests = screen(data_, s.best, s.weighting, candidates);
+    std::vector<CandidateModel> candidate_models = candidateModelsOf(s, score_tests);
+    note(s, score_tests, candidate_models, round);
+    if (candidate_models.empty() || cancelled(progress_)) return false;
+    std::erase_if(candidate_models, [&](const CandidateModel& c) { return !isMaterial(s, c); });
+    if (candidate_models.empty()) return false;
+    CompetingExplanations competitors{candidate_models.front().added, {}, {candidate_models.front().share}};
+    for (std::size_t k = 1; k < candidate_models.size(); ++k)
+      if (candidate_models[k].share > kCompetitor ||
+          sameResidual(candidate_models[k], candidate_models.front()) ||
+          candidate_models[k].gain.front() > kAsGood * candidate_models.front().gain.front()) {
+        competitors.others.push_back(candidate_models[k].added);
+        competitors.shares.push_back(candidate_models[k].share);
       }
-    s.rivals.push_back(std::move(rivals));
+    s.competitors.push_back(std::move(competitors));
     stand_.tell(0.9, "Settling the extended model");
-    take(s, std::move(contenders.front()));
+    take(s, std::move(candidate_models.front()));
     return true;
   }
 
   /// A fit to its end, with weights by what it leaves.
   struct Settled {
     Fit fit;
-    Trust trust;
+    Weighting weighting;
     BlockSquares squares;
   };
   Settled settled(Fit from) const {
     Settled s{std::move(from), {}, {}};
     for (int pass = 1; pass <= kPasses; ++pass) {
-      s.trust.weights = weightsFor(data_, s.fit.e);
+      s.weighting.weights = weightsFor(data_, s.fit.e);
       if (cancelled(progress_)) break;
-      s.fit = fit(data_, s.fit.model, s.fit.u, s.fit.initial, s.trust,
+      s.fit = fit(data_, s.fit.model, s.fit.u, s.fit.initial, s.weighting,
                   {kLastIterations, toleranceOf(data_, pass), nullptr}, progress_);
     }
-    s.squares = squaresOf(data_, leftOut(data_, s.fit, s.trust));
+    s.squares = squaresOf(data_, heldOut(data_, s.fit, s.weighting));
     return s;
   }
 
   /// The contender's model settled, from where it stands and from the nominal numbers: the base had bent them
   /// to stand for the effect, at times too far to find back.
-  void take(Selection& s, Contender c) {
+  void take(Selection& s, CandidateModel c) {
     Settled best = settled(c.fit);
     Eigen::VectorXd fresh = c.fit.u;
     fresh.head(c.fit.model.baseSize()).setZero();
-    Settled other = settled(linearise(data_, c.fit.model, fresh, c.fit.initial, best.trust));
+    Settled other = settled(linearise(data_, c.fit.model, fresh, c.fit.initial, best.weighting));
     const bool finite = other.squares.sum.allFinite();
     if (finite &&
         (!best.squares.sum.allFinite() || comparison_.gain(best.squares, other.squares).front() > 0.0))
@@ -294,18 +298,18 @@ class Rounds {
   }
 
   /// What another selection took, from the numbers of its best.
-  void takeAgain(Selection& s, const Selection& before, Contender c) const {
+  void takeAgain(Selection& s, const Selection& before, CandidateModel c) const {
     const EffectStart& start = c.fit.model.effects().back().start;  // where `with` puts it
     const FitModel model = s.best.model.with(*c.added.hypothesis, c.added.joint, start);
     const Eigen::VectorXd u = model.carry(before.best.model, before.best.u);
-    c.fit = linearise(data_, model, u, s.best.initial, s.trust);
+    c.fit = linearise(data_, model, u, s.best.initial, s.weighting);
     Settled best = settled(c.fit);
     adopt(s, std::move(c), std::move(best));
   }
 
-  static void adopt(Selection& s, Contender c, Settled best) {
+  static void adopt(Selection& s, CandidateModel c, Settled best) {
     s.best = std::move(best.fit);
-    s.trust = std::move(best.trust);
+    s.weighting = std::move(best.weighting);
     s.best_squares = std::move(best.squares);
     c.squares = s.best_squares;
     s.taken.push_back(std::move(c));
@@ -315,39 +319,39 @@ class Rounds {
   /// without them nothing is lost.
   void dropSuperfluous(Selection& s) {
     for (std::size_t k = 0; s.taken.size() > 1 && k < s.taken.size() && !cancelled(progress_);) {
-      const Suspect suspect = s.taken[k].added;
+      const EffectCandidate suspect = s.taken[k].added;
       const FitModel model = s.best.model.without(*suspect.hypothesis, suspect.joint);
-      const Fit less = fit(data_, model, model.carry(s.best.model, s.best.u), s.best.initial, s.trust,
+      const Fit less = fit(data_, model, model.carry(s.best.model, s.best.u), s.best.initial, s.weighting,
                            {kLastIterations, 0.1, nullptr}, progress_);
-      const BlockSquares squares = squaresOf(data_, leftOut(data_, less, s.trust));
+      const BlockSquares squares = squaresOf(data_, heldOut(data_, less, s.weighting));
       const std::vector<double> gain = comparison_.gain(squares, s.best_squares);
       const Reduction reduction = largestReduction(explicable(s, squares), s.best_squares);
       const bool ran_away = !squares.sum.allFinite();
-      if (ran_away ||
-          (reduction.share > kWorthNaming && gain.front() > kLeastScore && lowerOf(gain, kSure) > 0.0)) {
+      if (ran_away || (reduction.share > kMaterial && gain.front() > kLeastScore &&
+                       lowerOf(gain, kHighConfidence) > 0.0)) {
         ++k;
         continue;
       }
       s.best = less;
       s.best_squares = squares;
       s.taken.erase(s.taken.begin() + static_cast<std::ptrdiff_t>(k));
-      s.rivals.erase(s.rivals.begin() + static_cast<std::ptrdiff_t>(k));
+      s.competitors.erase(s.competitors.begin() + static_cast<std::ptrdiff_t>(k));
     }
   }
 
-  static void note(Selection& s, const std::vector<Promise>& promises,
-                   const std::vector<Contender>& contenders, int round) {
-    for (const Promise& promise : promises) {
-      Candidate candidate{std::string(promise.hypothesis->name()),
-                          promise.joint,
+  static void note(Selection& s, const std::vector<ScoreTest>& score_tests,
+                   const std::vector<CandidateModel>& candidate_models, int round) {
+    for (const ScoreTest& score_test : score_tests) {
+      Candidate candidate{std::string(score_test.hypothesis->name()),
+                          score_test.joint,
                           round,
-                          promise.share,
+                          score_test.share,
                           false,
                           std::numeric_limits<double>::quiet_NaN(),
                           std::numeric_limits<double>::quiet_NaN(),
                           0.0};
-      for (const Contender& c : contenders) {
-        if (c.added.hypothesis != promise.hypothesis || c.added.joint != promise.joint) continue;
+      for (const CandidateModel& c : candidate_models) {
+        if (c.added.hypothesis != score_test.hypothesis || c.added.joint != score_test.joint) continue;
         candidate.refitted = true;
         candidate.reduction = c.reduction.share;
         candidate.score = c.gain.front();

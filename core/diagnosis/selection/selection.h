@@ -11,8 +11,8 @@
 namespace capstan::diagnosis {
 
 /// A model that was fitted, and how it does on blocks left out.
-struct Contender {
-  Suspect added = {};  ///< to the model of the round; none for the base itself
+struct CandidateModel {
+  EffectCandidate added = {};  ///< to the model of the round; none for the base itself
   Fit fit;
   BlockSquares squares = {};
   std::vector<double> gain = {};  ///< Comparison::gain above the round's model
@@ -21,9 +21,9 @@ struct Contender {
 };
 
 /// Effects that one recording cannot tell from the one that was taken.
-struct Rivals {
-  Suspect taken;
-  std::vector<Suspect> others;
+struct CompetingExplanations {
+  EffectCandidate taken;
+  std::vector<EffectCandidate> others;
   std::vector<double> shares;  ///< of taken, then of the others
 };
 
@@ -42,25 +42,26 @@ struct Selection {
   Eigen::VectorXd input_noise = {};
   Fit best;  ///< with the effects that were taken
   BlockSquares best_squares = {};
-  Trust trust = {};                   ///< of `best`
-  std::vector<Contender> taken = {};  ///< in the order in which they came
-  std::vector<Rivals> rivals = {};
+  Weighting weighting = {};                ///< of `best`
+  std::vector<CandidateModel> taken = {};  ///< in the order in which they came
+  std::vector<CompetingExplanations> competitors = {};
   std::vector<Candidate> candidates = {};  ///< of all rounds, for the report
 };
 
 /// What an effect must bring before it is named: a share of a channel's mean square, and a score that block
 /// bootstraps leave above zero.
-inline constexpr double kWorthNaming = 0.06;
-inline constexpr double kLeastScore = 6.0;        ///< [nats]: against some hundred hypotheses
-inline constexpr double kSure = 0.02;             ///< quantile of the bootstrap that must be above zero
-inline constexpr double kMoreThanEveryday = 1.2;  ///< times Hypothesis::everyday
-inline constexpr double kClear = 3.0;             ///< σ of its own numbers together
+inline constexpr double kMaterial = 0.06;
+inline constexpr double kLeastScore = 6.0;          ///< [nats]: against some hundred hypotheses
+inline constexpr double kHighConfidence = 0.02;     ///< quantile of the bootstrap that must be above zero
+inline constexpr double kMoreThanBackground = 1.2;  ///< times Hypothesis::background
+inline constexpr double kClear = 3.0;               ///< σ of its own numbers together
 /// Another effect is not told apart from the best where it is the best in this share of draws, or scores this
-/// share of the best: a rival explains nearly as much only where the motion does not part the two, and what
-/// is left between them is then within what contacts and stiff cables leave to the steps of an integration.
-inline constexpr double kRival = 0.08, kAsGood = 0.7;
-/// Nor where both take off most of a remainder and leave nearly the same.
-inline constexpr double kTakesMost = 0.9, kSameLeft = 1.15;
+/// share of the best: a competitor explains nearly as much only where the motion does not part the two, and
+/// what is left between them is then within what contacts and stiff cables leave to the steps of an
+/// integration.
+inline constexpr double kCompetitor = 0.08, kAsGood = 0.7;
+/// Nor where both take off most of a residual and leave nearly the same.
+inline constexpr double kTakesMost = 0.9, kSameResidual = 1.15;
 /// Forward selection: in each round score tests of every hypothesis on every joint, refits of the most
 /// promising, and the best of them is taken; drops again what later ones make superfluous.
 Selection select(const FitData& data, const std::vector<Evidence>& recordings, const FitModel& base,

@@ -20,12 +20,12 @@ Thinned thinned(const Channel& channel) {
   const std::size_t stride = std::max<std::size_t>(1, channel.size() / kMost);
   Thinned kept;
   double mean = 0.0;
-  for (const double e : channel.remainder) mean += e / static_cast<double>(channel.size());
+  for (const double e : channel.residual) mean += e / static_cast<double>(channel.size());
   const double begin = channel.t.front(), span = channel.t.back() - begin;
   for (std::size_t k = 0; k < channel.size(); k += stride) {
     const double window = std::sin(std::numbers::pi * (channel.t[k] - begin) / span);  // Hann
     kept.t.push_back(channel.t[k] - begin);
-    kept.e.push_back((channel.remainder[k] - mean) * window * window);
+    kept.e.push_back((channel.residual[k] - mean) * window * window);
   }
   return kept;
 }

@@ -14,11 +14,6 @@ namespace {
 
 constexpr double kFar = 4.0;  // times what may be chance: no test needed
 
-double meanSquare(const BlockSquares& squares, Eigen::Index c) {
-  const double n = squares.count.row(c).sum();
-  return n > 0.0 ? squares.sum.row(c).sum() / n : 0.0;
-}
-
 /// Of the sensor, and of what those of loads and motors bring in.
 double noiseSquare(const FitData& data, const Selection& s, Eigen::Index c) {
   const double sensor = data.channels()[static_cast<std::size_t>(c)].noise;
@@ -42,18 +37,18 @@ std::vector<FoundParameter> parametersOf(const FitModel& model, std::size_t effe
                                          const Eigen::MatrixXd& covariance) {
   const EffectTerm& term = model.effects()[effect];
   const std::vector<double> values = model.effectValues(effect, u);
-  const double everyday =
-      term.joint > 0 ? term.hypothesis->everyday(scalesOf(model.scales(), term.joint)) : 0.0;
-  const std::vector<double> neutral = term.hypothesis->neutral();
+  const double background =
+      term.joint > 0 ? term.hypothesis->background(scalesOf(model.scales(), term.joint)) : 0.0;
+  const std::vector<double>& neutral = term.hypothesis->neutral;
   std::vector<FoundParameter> found;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const auto& number = term.hypothesis->facts().parameters[i];
+    const auto& number = term.hypothesis->facts->parameters[i];
     double sigma = 0.0;
     if (const int at = term.index[i]; at >= 0)
       sigma =
           model.parameters()[static_cast<std::size_t>(at)].valueSigma(u[at], std::sqrt(covariance(at, at)));
     if (sigma > 0.0 && number.name != "time") sigma = std::hypot(sigma, kLawsAreGood * values[i]);
-    if (neutral[i] == 0.0) sigma = std::hypot(sigma, 0.5 * everyday);  // every robot has some of it
+    if (neutral[i] == 0.0) sigma = std::hypot(sigma, 0.5 * background);  // every robot has some of it
     found.push_back(
         {std::string(number.name), unitAt(number.unit, term.joint, model.nominal()), values[i], sigma});
   }
@@ -65,12 +60,12 @@ std::string nameOf(const std::string& effect, int joint) {
   return joint > 0 ? fmt::format("{} (joint {})", title, joint) : title;
 }
 
-std::string nameOf(const Suspect& suspect) {
+std::string nameOf(const EffectCandidate& suspect) {
   return nameOf(std::string(suspect.hypothesis->name()), suspect.joint);
 }
 
 /// Where a cause shows: on the encoder of its joint if that gains, else where most is gained.
-int channelOf(const FitData& data, const Suspect& suspect, const BlockSquares& before,
+int channelOf(const FitData& data, const EffectCandidate& suspect, const BlockSquares& before,
               const BlockSquares& after) {
   for (std::size_t c = 0; c < data.channels().size() && suspect.joint > 0; ++c) {
     const auto row = static_cast<Eigen::Index>(c);
@@ -81,15 +76,16 @@ int channelOf(const FitData& data, const Suspect& suspect, const BlockSquares& b
   return largestReduction(before, after).channel;
 }
 
-Cause causeOf(const FitData& data, const Suspect& suspect, double probability, const BlockSquares& before,
-              const BlockSquares& after, const Fit& fit, const Eigen::MatrixXd& covariance) {
+Cause causeOf(const FitData& data, const EffectCandidate& suspect, double probability,
+              const BlockSquares& before, const BlockSquares& after, const Fit& fit,
+              const Eigen::MatrixXd& covariance) {
   Cause cause;
   cause.effect = suspect.hypothesis->name();
   cause.joint = suspect.joint;
   cause.probability = probability;
   for (std::size_t k = 0; k < fit.model.effects().size(); ++k) {
     const EffectTerm& term = fit.model.effects()[k];
-    if (!term.everyday && term.hypothesis == suspect.hypothesis && term.joint == suspect.joint)
+    if (!term.background && term.hypothesis == suspect.hypothesis && term.joint == suspect.joint)
       cause.parameters = parametersOf(fit.model, k, fit.u, covariance);
   }
   cause.gain = gainOf(data, before, after, channelOf(data, suspect, before, after));
@@ -100,13 +96,13 @@ Cause causeOf(const FitData& data, const Suspect& suspect, double probability, c
 /// what was fitted to hold elsewhere.
 bool isTooShort(const FitData& data, const Selection& s) {
   for (Eigen::Index c = 0; c < s.best_squares.sum.rows(); ++c)
-    if (meanSquare(s.best_squares, c) > kFar * mostByChance(data, s, c)) return true;
+    if (s.best_squares.meanSquare(c) > kFar * mostByChance(data, s, c)) return true;
   return false;
 }
 
 std::string summaryOf(const Report& report, const Selection& s) {
   std::vector<std::string> names;
-  for (const Contender& c : s.taken) names.push_back(nameOf(c.added));
+  for (const CandidateModel& c : s.taken) names.push_back(nameOf(c.added));
   switch (report.verdict) {
     case Verdict::kNothing:
       return "Nothing worth naming: the refitted nominal robot explains the recording down to noise and what "
@@ -129,21 +125,21 @@ std::string summaryOf(const Report& report, const Selection& s) {
 }
 
 void addTies(const Selection& s, const FitData& data, const Eigen::MatrixXd& covariance, Report& report) {
-  for (const Rivals& rivals : s.rivals) {
-    if (rivals.others.empty()) continue;
+  for (const CompetingExplanations& competitors : s.competitors) {
+    if (competitors.others.empty()) continue;
     Tie tie;
-    tie.causes.push_back(causeOf(data, rivals.taken, rivals.shares.front(), s.base_squares, s.best_squares,
-                                 s.best, covariance));
-    for (std::size_t k = 0; k < rivals.others.size(); ++k) {
+    tie.causes.push_back(causeOf(data, competitors.taken, competitors.shares.front(), s.base_squares,
+                                 s.best_squares, s.best, covariance));
+    for (std::size_t k = 0; k < competitors.others.size(); ++k) {
       Cause cause;
-      cause.effect = rivals.others[k].hypothesis->name();
-      cause.joint = rivals.others[k].joint;
-      cause.probability = rivals.shares[k + 1];
+      cause.effect = competitors.others[k].hypothesis->name();
+      cause.joint = competitors.others[k].joint;
+      cause.probability = competitors.shares[k + 1];
       tie.causes.push_back(std::move(cause));
     }
-    tie.separate = fmt::format("For {}: {} For {}: {}", nameOf(rivals.taken),
-                               rivals.taken.hypothesis->words().experiment, nameOf(rivals.others.front()),
-                               rivals.others.front().hypothesis->words().experiment);
+    tie.separate = fmt::format(
+        "For {}: {} For {}: {}", nameOf(competitors.taken), competitors.taken.hypothesis->words.experiment,
+        nameOf(competitors.others.front()), competitors.others.front().hypothesis->words.experiment);
     report.ties.push_back(std::move(tie));
   }
 }
@@ -158,36 +154,36 @@ double mostByChance(const FitData& data, const Selection& s, Eigen::Index c) {
 double explainedShare(const FitData& data, const Selection& s) {
   double most = 0.0, share = 0.0;
   for (Eigen::Index c = 0; c < s.base_squares.sum.rows(); ++c) {
-    const double noise = noiseSquare(data, s, c), before = meanSquare(s.base_squares, c) - noise;
+    const double noise = noiseSquare(data, s, c), before = s.base_squares.meanSquare(c) - noise;
     const double beyond = noise > 0.0 ? before / noise : before;
     if (!(beyond > most)) continue;
     most = beyond;
-    share = 1.0 - std::max(0.0, meanSquare(s.best_squares, c) - noise) / before;
+    share = 1.0 - std::max(0.0, s.best_squares.meanSquare(c) - noise) / before;
   }
   return std::clamp(share, 0.0, 1.0);
 }
 
-bool somethingLeft(const FitData& data, const Selection& s) {
+bool hasResidual(const FitData& data, const Selection& s) {
   const BlockSquares left = squaresOf(data, s.best.e);
   for (Eigen::Index c = 0; c < left.sum.rows(); ++c)
-    if (meanSquare(left, c) > mostByChance(data, s, c) &&
-        (left.inflation[c] > 2.0 || meanSquare(left, c) > kFar * mostByChance(data, s, c)))
+    if (left.meanSquare(c) > mostByChance(data, s, c) &&
+        (left.inflation[c] > 2.0 || left.meanSquare(c) > kFar * mostByChance(data, s, c)))
       return true;
   return false;
 }
 
 void judge(const FitData& data, const Selection& s, Report& report) {
-  const Eigen::MatrixXd covariance = covarianceOf(data, s.best, s.trust);
+  const Eigen::MatrixXd covariance = covarianceOf(data, s.best, s.weighting);
   report.explained = explainedShare(data, s);
   const BlockSquares* before = &s.base_squares;
   for (std::size_t k = 0; k < s.taken.size(); ++k) {
-    const Contender& c = s.taken[k];
+    const CandidateModel& c = s.taken[k];
     const BlockSquares& after = k + 1 == s.taken.size() ? s.best_squares : c.squares;
     report.causes.push_back(causeOf(data, c.added, c.share, *before, after, s.best, covariance));
     before = &after;
   }
   addTies(s, data, covariance, report);
-  const bool left = !report.lines.empty() || somethingLeft(data, s);
+  const bool left = !report.lines.empty() || hasResidual(data, s);
   const bool explains = !s.taken.empty() && (report.explained >= kExplains || !left);
   if (explains)
     report.verdict = !report.ties.empty() ? Verdict::kTie

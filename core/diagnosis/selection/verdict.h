@@ -15,10 +15,10 @@ double explainedShare(const FitData& data, const Selection& selection);
 /// and of those that drive the simulation.
 double mostByChance(const FitData& data, const Selection& selection, Eigen::Index c);
 
-/// Whether the remainder of the selection's best model has more than noise and chance in it: some channel's
+/// Whether the residual of the selection's best model has more than noise and chance in it: some channel's
 /// mean square, of what the fit itself leaves, is beyond mostByChance(), and it lasts from sample to sample
 /// or is far beyond it.
-bool somethingLeft(const FitData& data, const Selection& selection);
+bool hasResidual(const FitData& data, const Selection& selection);
 inline constexpr double kBeyondNoise = 1.2;  ///< RMS, in noise of the sensor
 /// Share that effects must explain before they, and not something unknown, are the verdict, where something
 /// is left.

@@ -18,15 +18,16 @@ double meanOf(const std::vector<double>& x) {
 
 }  // namespace
 
-void PoseErrors::add(const Eigen::Isometry3d& corrected, const Eigen::Isometry3d& told) {
+void PoseErrors::add(const Eigen::Isometry3d& corrected, const Eigen::Isometry3d& commanded) {
   const learning::PoseFeatures angles(learning::RotationForm::kYawPitchRoll, learning::Motion::kNone,
                                       Eigen::Quaterniond::Identity());
   const Eigen::Isometry3d from_middle(middle.conjugate());
-  Vector6d off = angles.correction(from_middle * corrected, from_middle * told);
-  off.head<3>() = told.translation() - corrected.translation();
+  Vector6d off = angles.correction(from_middle * corrected, from_middle * commanded);
+  off.head<3>() = commanded.translation() - corrected.translation();
   apart.push_back(off.cwiseAbs());
-  distance.push_back((corrected.translation() - told.translation()).norm());
-  angle.push_back(Eigen::Quaterniond(corrected.linear()).angularDistance(Eigen::Quaterniond(told.linear())));
+  distance.push_back((corrected.translation() - commanded.translation()).norm());
+  angle.push_back(
+      Eigen::Quaterniond(corrected.linear()).angularDistance(Eigen::Quaterniond(commanded.linear())));
 }
 
 void PoseErrors::add(const PoseErrors& other) {
@@ -59,10 +60,10 @@ CorrectionErrors PoseErrors::summed() const {
   return errors;
 }
 
-Eigen::Quaterniond middleToldOf(const std::vector<learning::State>& states) {
-  std::vector<Eigen::Isometry3d> told;
-  for (const learning::State& state : states) told.push_back(state.pair.told);
-  return learning::middleTurn(told);
+Eigen::Quaterniond middleCommandOf(const std::vector<learning::State>& states) {
+  std::vector<Eigen::Isometry3d> commanded;
+  for (const learning::State& state : states) commanded.push_back(state.pair.commanded);
+  return learning::meanRotation(commanded);
 }
 
 }  // namespace capstan::learning

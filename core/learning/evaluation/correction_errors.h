@@ -28,7 +28,7 @@ struct PoseErrors {
   std::vector<learning::Vector6d> apart;  ///< |x|, |y|, |z| [m], |yaw|, |pitch|, |roll| [rad]
   std::vector<double> distance, angle;    ///< ‖Δt‖ [m], the geodesic angle [rad]
 
-  void add(const Eigen::Isometry3d& corrected, const Eigen::Isometry3d& told);
+  void add(const Eigen::Isometry3d& corrected, const Eigen::Isometry3d& commanded);
   void add(const PoseErrors& other);
   /// Of one degree of freedom, 0…5.
   std::vector<double> along(Eigen::Index degree) const;
@@ -36,7 +36,7 @@ struct PoseErrors {
 };
 
 /// Middle of the turns that were told, for PoseErrors.
-Eigen::Quaterniond middleToldOf(const std::vector<learning::State>& states);
+Eigen::Quaterniond middleCommandOf(const std::vector<learning::State>& states);
 
 /// The degrees of freedom as people read them, three of position and three of turn.
 inline constexpr std::array kDegreesOfFreedom = {"x", "y", "z", "yaw", "pitch", "roll"};

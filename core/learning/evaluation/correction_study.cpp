@@ -55,7 +55,7 @@ std::vector<Eigen::Isometry3d> byOffset(M method, const Split& split, double lev
   const auto pairs = learning::pairsOf(method == M::kOffsetCleaning ? split.clean : split.train);
   if (method != M::kUncorrected) offset = learning::rigidOffset(pairs, lever);
   std::vector<Eigen::Isometry3d> poses;
-  for (const State& state : split.test) poses.push_back(offset * state.pair.seen);
+  for (const State& state : split.test) poses.push_back(offset * state.pair.observed);
   return poses;
 }
 
@@ -77,8 +77,8 @@ std::pair<PoseErrors, PoseErrors> errorsOf(const Split& split, const std::vector
                                            const Eigen::Quaterniond& middle) {
   PoseErrors all{middle, {}, {}, {}}, kept = all;
   for (std::size_t k = 0; k < poses.size(); ++k) {
-    all.add(poses[k], split.test[k].pair.told);
-    if (split.judged[k] == learning::Reason::kNone) kept.add(poses[k], split.test[k].pair.told);
+    all.add(poses[k], split.test[k].pair.commanded);
+    if (split.judged[k] == learning::Reason::kNone) kept.add(poses[k], split.test[k].pair.commanded);
   }
   return {std::move(all), std::move(kept)};
 }
@@ -88,7 +88,7 @@ class Jitters {
  public:
   void add(const std::vector<State>& states, const std::vector<learning::Reason>& reason,
            const std::vector<Eigen::Isometry3d>& poses) {
-    const auto offAt = [&](std::size_t k) { return poses[k].inverse() * states[k].pair.told; };
+    const auto offAt = [&](std::size_t k) { return poses[k].inverse() * states[k].pair.commanded; };
     for (std::size_t k = 1; k < states.size(); ++k) {
       if (states[k].motion != states[k - 1].motion || reason[k] != learning::Reason::kNone ||
           reason[k - 1] != learning::Reason::kNone || states[k].t - states[k - 1].t > kNeighbours)
@@ -106,7 +106,7 @@ class Jitters {
 
  private:
   static constexpr double kNeighbours = 0.25;  // [s]
-  static double angleOf(const Eigen::Matrix3d& turn) { return Eigen::AngleAxisd(turn).angle(); }
+  static double angleOf(const Eigen::Matrix3d& rotation) { return Eigen::AngleAxisd(rotation).angle(); }
   static double shareOf(const std::vector<double>& change, const std::vector<double>& all) {
     const double of_change = stats::rms(change), of_all = stats::rms(all);
     return of_all > 0.0 ? 0.5 * of_change * of_change / (of_all * of_all) : 0.0;
@@ -121,7 +121,7 @@ CorrectionStudyReport correctionStudy(const std::vector<State>& states, const Co
   CorrectionStudyReport report;
   std::array<PoseErrors, kCorrectionMethods> dirty, clean;
   Jitters jitters;
-  const Eigen::Quaterniond middle = middleToldOf(states);
+  const Eigen::Quaterniond middle = middleCommandOf(states);
   for (int number = 0; number < options.splits; ++number) {
     // Weighing takes about as long as a method.
     const auto partOf = [&](std::size_t m, std::string_view doing) {
@@ -157,6 +157,8 @@ CorrectionStudyReport correctionStudy(const std::vector<State>& states, const Co
   for (std::size_t m = 0; m < kCorrectionMethods; ++m) {
     report.dirty[m] = dirty[m].summed();
     report.clean[m] = clean[m].summed();
+    report.distances[m] = std::move(clean[m].distance);
+    report.angles[m] = std::move(clean[m].angle);
   }
   return report;
 }

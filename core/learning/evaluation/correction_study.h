@@ -38,8 +38,9 @@ struct CorrectionStudyOptions {
   std::uint64_t seed = 1;
 };
 
-/// Share of the mean square of errors that changes from one sight of a trajectory to the next, ½ E|e' − e|² /
-/// E|e|²: about 1 of white noise, which no correction can know, about 0 of what stays for many sights.
+/// Share of the mean square of errors that changes from one observation of a trajectory to the next, ½ E|e' −
+/// e|² / E|e|²: about 1 of white noise, which no correction can know, about 0 of what stays for many
+/// observations.
 struct ErrorJitter {
   double distance = 0.0, angle = 0.0;
 };
@@ -47,6 +48,8 @@ struct ErrorJitter {
 struct CorrectionStudyReport {
   /// By method, on all test states and on those that cleaning keeps; pooled over the splits.
   std::array<CorrectionErrors, kCorrectionMethods> dirty{}, clean{};
+  std::array<std::vector<double>, kCorrectionMethods> distances,
+      angles;                                           ///< of each clean test state [m], [rad]
   std::vector<std::vector<CorrectionErrors>> by_split;  ///< of the last: [split][dirty, clean]
   StatedErrors stated;                                  ///< of the last, on clean states
   ErrorJitter jitter;                                   ///< likewise
@@ -89,4 +92,19 @@ struct capstan::base::NamesOf<capstan::learning::CorrectionMethod> {
                                        std::pair{M::kMatern, "… and Matérn kernel"},
                                        std::pair{M::kWeights, "… and weights"},
                                        std::pair{M::kCommittee, "… and a committee"}};
+};
+
+template <>
+struct capstan::base::KeysOf<capstan::learning::CorrectionMethod> {
+  using M = capstan::learning::CorrectionMethod;
+  static constexpr std::array value = {std::pair{M::kUncorrected, "none"},
+                                       std::pair{M::kOffset, "offset"},
+                                       std::pair{M::kOffsetCleaning, "offset_cleaning"},
+                                       std::pair{M::kProcess, "gp"},
+                                       std::pair{M::kProcessVelocity, "gp_velocity"},
+                                       std::pair{M::kAll, "gp_velocity_cleaning"},
+                                       std::pair{M::kHistory, "history"},
+                                       std::pair{M::kMatern, "matern"},
+                                       std::pair{M::kWeights, "weights"},
+                                       std::pair{M::kCommittee, "committee"}};
 };

@@ -35,10 +35,10 @@ Evaluation evaluated(const LearningReport& learned, const std::vector<State>& st
   std::vector<State> clean;
   for (std::size_t k = 0; k < states.size(); ++k) {
     const PosePair& pair = states[k].pair;
-    const std::array poses = {pair.seen, learned.model.offset() * pair.seen, corrected[k]};
+    const std::array poses = {pair.observed, learned.model.offset() * pair.observed, corrected[k]};
     for (std::size_t s = 0; s < kCorrectionSteps; ++s) {
-      evaluation.all[s].add(poses[s], pair.told);
-      if (reasons[k] == Reason::kNone) evaluation.clean[s].add(poses[s], pair.told);
+      evaluation.all[s].add(poses[s], pair.commanded);
+      if (reasons[k] == Reason::kNone) evaluation.clean[s].add(poses[s], pair.commanded);
     }
     if (reasons[k] == Reason::kNone) clean.push_back(states[k]);
   }
@@ -52,7 +52,7 @@ Evaluation evaluated(const LearningReport& learned, const std::vector<State>& st
 
 Evaluation evaluate(const LearningReport& learned, const std::vector<State>& states,
                     const LearningOptions& options) {
-  return evaluated(learned, states, learned.model.correct(states), options, middleToldOf(states));
+  return evaluated(learned, states, learned.model.correct(states), options, middleCommandOf(states));
 }
 
 HeldOutEvaluation evaluateHeldOut(const PreparedStates& prepared, const LearningOptions& options,
@@ -67,7 +67,7 @@ HeldOutEvaluation evaluateHeldOut(const PreparedStates& prepared, const Learning
   checkHeldOut(evaluation);
   SplitStates split = splitStates(states, evaluation.held);
   LearningReport learned =
-      learnPrepared({prepared.screen, prepared.lag, prepared.taken_off, std::move(split.train), false},
+      learnPrepared({prepared.screen, prepared.clock_offset, prepared.removed, std::move(split.train), false},
                     options, progress, part.within(0.0, kTrained));
   evaluation.cancelled = learned.cancelled;
   if (evaluation.cancelled) return evaluation;
@@ -76,7 +76,7 @@ HeldOutEvaluation evaluateHeldOut(const PreparedStates& prepared, const Learning
   std::vector<Eigen::Isometry3d> corrected;
   for (std::size_t k = 0; k < states.size(); ++k)
     if (evaluation.held[states[k].motion]) corrected.push_back(evaluation.corrected[k]);
-  evaluation.test = evaluated(learned, split.test, corrected, options, middleToldOf(states));
+  evaluation.test = evaluated(learned, split.test, corrected, options, middleCommandOf(states));
   evaluation.learned = std::move(learned);
   return evaluation;
 }

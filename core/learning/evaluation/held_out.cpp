@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/learning/process/sparse_process.h"
+#include "core/learning/gaussian_process/sparse_process.h"
 
 namespace capstan::learning {
 

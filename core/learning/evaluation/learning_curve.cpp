@@ -13,24 +13,24 @@ namespace {
 using learning::State;
 
 std::vector<State> drawnShare(const std::vector<State>& states, double share, std::uint64_t seed) {
-  const double wanted = std::max(std::round(share * static_cast<double>(states.size())),
-                                 static_cast<double>(learning::kFewestStates));
+  const double desired = std::max(std::round(share * static_cast<double>(states.size())),
+                                  static_cast<double>(learning::kFewestStates));
   std::vector<State> drawn;
   for (const Eigen::Index k : learning::drawnPoints(static_cast<Eigen::Index>(states.size()),
-                                                    static_cast<Eigen::Index>(wanted), seed))
+                                                    static_cast<Eigen::Index>(desired), seed))
     drawn.push_back(states[static_cast<std::size_t>(k)]);
   return drawn;
 }
 
 CorrectionErrors errorsOf(const std::vector<Eigen::Isometry3d>& poses, const std::vector<State>& test) {
   PoseErrors errors;
-  for (std::size_t k = 0; k < test.size(); ++k) errors.add(poses[k], test[k].pair.told);
+  for (std::size_t k = 0; k < test.size(); ++k) errors.add(poses[k], test[k].pair.commanded);
   return errors.summed();
 }
 
 std::vector<Eigen::Isometry3d> moved(const std::vector<State>& test, const Eigen::Isometry3d& by) {
   std::vector<Eigen::Isometry3d> poses;
-  for (const State& state : test) poses.push_back(by * state.pair.seen);
+  for (const State& state : test) poses.push_back(by * state.pair.observed);
   return poses;
 }
 

@@ -21,7 +21,7 @@ void checkStates(const LearningStages& stages) {
   if (stages.states.size() >= learning::kFewestStates) return;
   throw base::InputError({"pose tables", 0, "states", fmt::format("{}", stages.states.size()),
                           fmt::format("camera and {} overlap in time too little: {} states are needed",
-                                      base::nameOf(stages.told), learning::kFewestStates),
+                                      base::nameOf(stages.towards), learning::kFewestStates),
                           "Check the clocks of the streams, or record longer"});
 }
 
@@ -38,16 +38,16 @@ std::vector<TrajectoryStates> motionsOf(const std::vector<State>& states,
 }
 
 void takeSpeeds(LearningStages& stages) {
-  std::vector<double> speed, turn_rate;
+  std::vector<double> speed, rotation_rate;
   for (const State& state : stages.states) {
     speed.push_back(state.velocity.head<3>().norm());
-    turn_rate.push_back(state.velocity.tail<3>().norm());
+    rotation_rate.push_back(state.velocity.tail<3>().norm());
   }
   constexpr std::array kShares = {0.5, 0.99};
   const std::vector<double> speeds = stats::quantiles(speed, kShares);
-  const std::vector<double> rates = stats::quantiles(turn_rate, kShares);
+  const std::vector<double> rates = stats::quantiles(rotation_rate, kShares);
   stages.speed = {speeds[0], speeds[1]};
-  stages.turn_rate = {rates[0], rates[1]};
+  stages.rotation_rate = {rates[0], rates[1]};
 }
 
 void takeOffset(LearningStages& stages) {
@@ -55,11 +55,11 @@ void takeOffset(LearningStages& stages) {
   for (std::size_t k = 0; k < stages.states.size(); ++k)
     if (stages.cleaning.reason[k] == learning::Reason::kNone) pairs.push_back(stages.states[k].pair);
   stages.offset = learning::rigidOffset(pairs);
-  const Eigen::Quaterniond middle = middleToldOf(stages.states);
+  const Eigen::Quaterniond middle = middleCommandOf(stages.states);
   PoseErrors before{middle, {}, {}, {}}, after{middle, {}, {}, {}};
   for (const learning::PosePair& pair : pairs) {
-    before.add(pair.seen, pair.told);
-    after.add(stages.offset * pair.seen, pair.told);
+    before.add(pair.observed, pair.commanded);
+    after.add(stages.offset * pair.observed, pair.commanded);
   }
   stages.before = before.summed();
   stages.after = after.summed();
@@ -71,7 +71,7 @@ LearningStages learningStages(const std::vector<learning::RawMotion>& motions, c
                               base::Progress* progress) {
   LearningStages stages;
   constexpr double kPrepared = 0.7;  // of the time
-  stages.told = options.towards;
+  stages.towards = options.towards;
   static_cast<PreparedStates&>(stages) = prepare(motions, options, progress, {0.2, kPrepared, {}});
   if (stages.cancelled) return stages;
   stages.unpaired = stages.screen.poses[kCamera] - stages.states.size();

@@ -24,9 +24,9 @@ struct TrajectoryStates {
 
 /// What a correction is learned from, and what each stage found.
 struct LearningStages : PreparedStates {
-  learning::StreamKind told = learning::StreamKind::kCommand;
-  std::size_t unpaired = 0;                                  ///< sights for which nothing was told
-  SpeedSummary speed, turn_rate;                             ///< [m/s], [rad/s]
+  learning::StreamKind towards = learning::StreamKind::kCommand;
+  std::size_t unpaired = 0;                                  ///< observations for which nothing was told
+  SpeedSummary speed, rotation_rate;                         ///< [m/s], [rad/s]
   learning::CleaningReport cleaning;                         ///< of the states
   std::vector<TrajectoryStates> motions;                     ///< those that have states, in their order
   Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();  ///< rigid, of all states that count

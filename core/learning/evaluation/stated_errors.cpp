@@ -8,9 +8,9 @@
 namespace capstan::learning {
 
 void StatedErrors::add(const learning::CorrectionModel& model, const std::vector<learning::State>& states) {
-  const std::vector<learning::Corrected> corrected = model.correctSurely(states);
+  const std::vector<learning::Corrected> corrected = model.correctWithConfidence(states);
   for (std::size_t k = 0; k < states.size(); ++k) {
-    const learning::Vector6d ratios = learning::errorsInSigma(corrected[k], states[k].pair.told);
+    const learning::Vector6d ratios = learning::errorsInSigma(corrected[k], states[k].pair.commanded);
     for (std::size_t i = 0; i < ratio.size(); ++i)
       ratio[i].push_back(std::abs(ratios[static_cast<Eigen::Index>(i)]));
   }

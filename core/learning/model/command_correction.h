@@ -63,3 +63,10 @@ struct capstan::base::NamesOf<capstan::learning::CorrectionMode> {
                                        std::pair{M::kEndPoint, "end point"},
                                        std::pair{M::kFullTrajectory, "full trajectory"}};
 };
+
+template <>
+struct capstan::base::KeysOf<capstan::learning::CorrectionMode> {
+  using M = capstan::learning::CorrectionMode;
+  static constexpr std::array value = {std::pair{M::kNone, "none"}, std::pair{M::kEndPoint, "end_point"},
+                                       std::pair{M::kFullTrajectory, "full_trajectory"}};
+};

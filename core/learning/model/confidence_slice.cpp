@@ -13,7 +13,7 @@ struct Moved {
 
   Moved(const CorrectionModel& model, const std::vector<State>& learned) {
     for (const State& state : learned) {
-      poses.push_back(model.offset() * state.pair.seen);
+      poses.push_back(model.offset() * state.pair.observed);
       box.extend(poses.back().translation());
     }
   }
@@ -47,9 +47,9 @@ ConfidenceSlice confidenceSlice(const CorrectionModel& model, const std::vector<
   if (moved.poses.empty()) return {};
   ConfidenceSlice slice = planeOf(moved, options);
   State state;
-  Eigen::Isometry3d told = Eigen::Isometry3d::Identity();
-  told.linear() = middleTurn(moved.poses).toRotationMatrix();
-  const Eigen::Isometry3d seen_from_told = model.offset().inverse();
+  Eigen::Isometry3d commanded = Eigen::Isometry3d::Identity();
+  commanded.linear() = meanRotation(moved.poses).toRotationMatrix();
+  const Eigen::Isometry3d observed_from_commanded = model.offset().inverse();
   const Eigen::Vector2d step =
       (slice.high - slice.low)
           .cwiseQuotient(Eigen::Vector2d(static_cast<double>(slice.confidence.cols() - 1),
@@ -64,10 +64,10 @@ ConfidenceSlice confidenceSlice(const CorrectionModel& model, const std::vector<
     }
     std::vector<State> line;
     for (Eigen::Index column = 0; column < slice.confidence.cols(); ++column) {
-      told.translation()[slice.axis] = slice.at;
-      told.translation()[slice.right] = slice.low[0] + static_cast<double>(column) * step[0];
-      told.translation()[slice.up] = slice.low[1] + static_cast<double>(row) * step[1];
-      state.pair.seen = seen_from_told * told;
+      commanded.translation()[slice.axis] = slice.at;
+      commanded.translation()[slice.right] = slice.low[0] + static_cast<double>(column) * step[0];
+      commanded.translation()[slice.up] = slice.low[1] + static_cast<double>(row) * step[1];
+      state.pair.observed = observed_from_commanded * commanded;
       line.push_back(state);
     }
     slice.confidence.row(row) = model.confidence(line).transpose();

@@ -106,7 +106,7 @@ Json headerOf(const CorrectionParts& parts, const CorrectionSource& source) {
            {{"files", source.files},
             {"checksums", source.checksums},
             {"towards", base::nameOf(source.towards)},
-            {"lag", source.lag},
+            {"lag", source.clock_offset},
             {"states", source.states},
             {"rejected", source.rejected},
             {"software", source.software}}}};

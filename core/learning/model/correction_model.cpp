@@ -33,14 +33,14 @@ constexpr double kFitShare = 0.6, kAllShare = 0.3;  // of the time: hyperparamet
 constexpr std::uint64_t kDraws = 1000, kInducingDraw = 300, kCalibrationDraw = 600;
 
 /// Of a group's outputs in scales, their mean where they are three.
-Eigen::VectorXd doubtsOf(const std::vector<State>& states, const Group& group,
-                         const Eigen::RowVectorXd& scale) {
+Eigen::VectorXd downWeightsOf(const std::vector<State>& states, const Group& group,
+                              const Eigen::RowVectorXd& scale) {
   const Eigen::VectorXd precision =
       scale.segment(group.first, group.count).array().square().inverse().transpose();
-  Eigen::VectorXd doubts(static_cast<Index>(states.size()));
+  Eigen::VectorXd exclusions(static_cast<Index>(states.size()));
   for (std::size_t k = 0; k < states.size(); ++k)
-    doubts[static_cast<Index>(k)] = precision.dot(states[k].doubt.segment(group.first, group.count));
-  return doubts / static_cast<double>(group.count);
+    exclusions[static_cast<Index>(k)] = precision.dot(states[k].doubt.segment(group.first, group.count));
+  return exclusions / static_cast<double>(group.count);
 }
 
 /// Of each group those of its members.
@@ -112,9 +112,9 @@ void checkEnough(std::size_t states) {
 
 }  // namespace
 
-Vector6d errorsInSigma(const Corrected& corrected, const Eigen::Isometry3d& told) {
+Vector6d errorsInSigma(const Corrected& corrected, const Eigen::Isometry3d& commanded) {
   const PoseFeatures tangent(RotationForm::kTangent, Motion::kNone, Eigen::Quaterniond::Identity());
-  return tangent.correction(corrected.pose, told).cwiseQuotient(corrected.sigma);
+  return tangent.correction(corrected.pose, commanded).cwiseQuotient(corrected.sigma);
 }
 
 CorrectionModel::CorrectionModel(CorrectionParts parts) : known_(std::move(parts)) {
@@ -142,9 +142,9 @@ CorrectionModel CorrectionModel::rigid(const std::vector<State>& states, const C
   parts.offset = options.offset ? *options.offset : rigidOffset(pairs, options.lever);
   parts.lever = options.lever;
   std::vector<Eigen::Isometry3d> moved;
-  for (const PosePair& pair : pairs) moved.push_back(parts.offset * pair.seen);
+  for (const PosePair& pair : pairs) moved.push_back(parts.offset * pair.observed);
   parts.features =
-      PoseFeatures(options.rotation, options.motion.value_or(Motion::kVelocity), middleTurn(moved));
+      PoseFeatures(options.rotation, options.motion.value_or(Motion::kVelocity), meanRotation(moved));
   CorrectionModel model(std::move(parts));
   for (const Eigen::Isometry3d& pose : moved) model.extendBy(pose);
   model.findScales(states);
@@ -169,7 +169,7 @@ CorrectionModel CorrectionModel::trained(const std::vector<State>& states, const
     Committee committee = knowingNothing(x, kGroups[g].count, parameters[g], options.inducing_points,
                                          kDraws * options.seed + kInducingDraw);
     committee.add(x, y.middleCols(kGroups[g].first, kGroups[g].count),
-                  doubtsOf(states, kGroups[g], model.known_.scale));
+                  downWeightsOf(states, kGroups[g], model.known_.scale));
     model.processes_.push_back(std::move(committee));
   }
   if (progress && progress->cancelled())
@@ -206,21 +206,24 @@ MatrixXd CorrectionModel::targetsOf(const std::vector<State>& states) const {
   MatrixXd y(static_cast<Index>(states.size()), kOutputs);
   for (std::size_t k = 0; k < states.size(); ++k)
     y.row(static_cast<Index>(k)) =
-        known_.features.correction(known_.offset * states[k].pair.seen, states[k].pair.told).transpose();
+        known_.features.correction(known_.offset * states[k].pair.observed, states[k].pair.commanded)
+            .transpose();
   return y.array().rowwise() / known_.scale.array();
 }
 
 Corrected CorrectionModel::correct(const Eigen::Isometry3d& desired, const Vector6d& velocity) const {
   State state;
-  state.pair.seen = desired;
+  state.pair.observed = desired;
   state.velocity = velocity;
   state.drift.fill(velocity);
   return correct(state);
 }
 
-Corrected CorrectionModel::correct(const State& desired) const { return correctSurely({desired}).front(); }
+Corrected CorrectionModel::correct(const State& desired) const {
+  return correctWithConfidence({desired}).front();
+}
 
-std::vector<Corrected> CorrectionModel::correctSurely(const std::vector<State>& desired) const {
+std::vector<Corrected> CorrectionModel::correctWithConfidence(const std::vector<State>& desired) const {
   const Corrected rigid{Eigen::Isometry3d::Identity(), known_.scale.transpose(), 0.0};
   std::vector<Corrected> corrected(desired.size(), rigid);
   const auto n = static_cast<Index>(desired.size());
@@ -230,18 +233,19 @@ std::vector<Corrected> CorrectionModel::correctSurely(const std::vector<State>& 
   const MatrixXd x = featuresOf(desired);
   for (std::size_t g = 0; g < processes_.size(); ++g) {
     const auto [first, count] = kGroups[g];
-    const Prediction told = processes_[g].predict(x);
+    const Prediction commanded = processes_[g].predict(x);
     const Eigen::RowVectorXd scale = known_.scale.segment(first, count);
-    corrections.middleCols(first, count) = told.mean * scale.asDiagonal();
-    sigma.middleCols(first, count) = (told.variance.array() + processes_[g].noiseVariance()).sqrt().matrix() *
-                                     scale.cwiseProduct(known_.inflation.segment(first, count));
+    corrections.middleCols(first, count) = commanded.mean * scale.asDiagonal();
+    sigma.middleCols(first, count) =
+        (commanded.variance.array() + processes_[g].noiseVariance()).sqrt().matrix() *
+        scale.cwiseProduct(known_.inflation.segment(first, count));
     const double weight = weightOf(g);
-    left += weight * told.variance;
+    left += weight * commanded.variance;
     all += weight * processes_[g].signalVariance();
   }
   for (Index k = 0; k < n; ++k) {
     Corrected& one = corrected[static_cast<std::size_t>(k)];
-    one.pose = known_.offset * desired[static_cast<std::size_t>(k)].pair.seen;
+    one.pose = known_.offset * desired[static_cast<std::size_t>(k)].pair.observed;
     one.sigma = sigma.row(k).transpose();
     if (processes_.empty()) continue;
     const double faded = fading(one.pose);
@@ -259,7 +263,7 @@ std::vector<Eigen::Isometry3d> CorrectionModel::correct(const std::vector<State>
     corrections.middleCols(kGroups[g].first, kGroups[g].count) = processes_[g].mean(x);
   corrections *= known_.scale.asDiagonal();
   for (std::size_t k = 0; k < desired.size(); ++k) {
-    const Eigen::Isometry3d moved = known_.offset * desired[k].pair.seen;
+    const Eigen::Isometry3d moved = known_.offset * desired[k].pair.observed;
     const Vector6d correction = corrections.row(static_cast<Index>(k)).transpose();
     poses.push_back(known_.features.corrected(moved, fading(moved) * correction));
   }
@@ -279,29 +283,30 @@ void CorrectionModel::findInflation(const std::vector<State>& states, const Corr
   const std::size_t folds = std::min(kEighths, (kEnough * kEighths + motions - 1) / motions);
   std::array<std::vector<double>, kOutputs> ratios;
   for (std::size_t fold = 0; fold < folds; ++fold) {
-    std::vector<State> seen, held;
+    std::vector<State> observed, held;
     for (std::size_t k = 0; k < states.size(); ++k)
-      (eighthOf(k) == kEighths - 1 - fold ? held : seen).push_back(states[k]);
-    if (!held.empty() && !seen.empty()) addRatios(seen, held, options, ratios);
+      (eighthOf(k) == kEighths - 1 - fold ? held : observed).push_back(states[k]);
+    if (!held.empty() && !observed.empty()) addRatios(observed, held, options, ratios);
   }
   for (std::size_t k = 0; k < ratios.size(); ++k)
     if (!ratios[k].empty()) known_.inflation[static_cast<Index>(k)] = inflationOf(ratios[k]);
 }
 
 /// |e| / σ of states held out, from a model of those seen.
-void CorrectionModel::addRatios(const std::vector<State>& seen, const std::vector<State>& held,
+void CorrectionModel::addRatios(const std::vector<State>& observed, const std::vector<State>& held,
                                 const CorrectionOptions& options,
                                 std::array<std::vector<double>, 6>& ratios) const {
-  const MatrixXd x = featuresOf(seen), y = targetsOf(seen), at = featuresOf(held), told = targetsOf(held);
+  const MatrixXd x = featuresOf(observed), y = targetsOf(observed), at = featuresOf(held),
+                 commanded = targetsOf(held);
   for (std::size_t g = 0; g < kGroups.size(); ++g) {
     const auto [first, count] = kGroups[g];
     Committee committee = knowingNothing(x, count, parametersOf(processes_[g]), options.inducing_points,
                                          kDraws * options.seed + kCalibrationDraw);
-    committee.add(x, y.middleCols(first, count), doubtsOf(seen, kGroups[g], known_.scale));
+    committee.add(x, y.middleCols(first, count), downWeightsOf(observed, kGroups[g], known_.scale));
     const Prediction guess = committee.predict(at);
     const Eigen::ArrayXd sigma = (guess.variance.array() + committee.noiseVariance()).sqrt();
     for (Index k = 0; k < count; ++k) {
-      const Eigen::ArrayXd off = ((told.col(first + k) - guess.mean.col(k)).array() / sigma).abs();
+      const Eigen::ArrayXd off = ((commanded.col(first + k) - guess.mean.col(k)).array() / sigma).abs();
       std::vector<double>& all = ratios[static_cast<std::size_t>(first + k)];
       all.insert(all.end(), off.begin(), off.end());
     }
@@ -314,10 +319,11 @@ double CorrectionModel::weightOf(std::size_t process) const {
 }
 
 Eigen::VectorXd CorrectionModel::confidence(const std::vector<State>& desired) const {
-  Eigen::VectorXd sure(static_cast<Index>(desired.size()));
-  const std::vector<Corrected> corrected = correctSurely(desired);
-  for (std::size_t k = 0; k < corrected.size(); ++k) sure[static_cast<Index>(k)] = corrected[k].confidence;
-  return sure;
+  Eigen::VectorXd confident(static_cast<Index>(desired.size()));
+  const std::vector<Corrected> corrected = correctWithConfidence(desired);
+  for (std::size_t k = 0; k < corrected.size(); ++k)
+    confident[static_cast<Index>(k)] = corrected[k].confidence;
+  return confident;
 }
 
 Eigen::Vector3d CorrectionModel::turnOf(const Eigen::Isometry3d& moved) const {
@@ -330,17 +336,17 @@ void CorrectionModel::extendBy(const Eigen::Isometry3d& moved) {
 }
 
 double CorrectionModel::fading(const Eigen::Isometry3d& moved) const {
-  const double turned = known_.lever * known_.lever * known_.turns.squaredExteriorDistance(turnOf(moved));
+  const double rotated = known_.lever * known_.lever * known_.turns.squaredExteriorDistance(turnOf(moved));
   const double away = known_.workspace.squaredExteriorDistance(moved.translation());
-  return std::exp(-0.5 * (away + turned) / (kFade * kFade));
+  return std::exp(-0.5 * (away + rotated) / (kFade * kFade));
 }
 
 void CorrectionModel::add(const std::vector<State>& states) {
   const MatrixXd x = featuresOf(states), y = targetsOf(states);
-  for (const State& state : states) extendBy(known_.offset * state.pair.seen);
+  for (const State& state : states) extendBy(known_.offset * state.pair.observed);
   for (std::size_t g = 0; g < processes_.size(); ++g)
     processes_[g].add(x, y.middleCols(kGroups[g].first, kGroups[g].count),
-                      doubtsOf(states, kGroups[g], known_.scale));
+                      downWeightsOf(states, kGroups[g], known_.scale));
 }
 
 }  // namespace capstan::learning

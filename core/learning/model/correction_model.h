@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "core/base/progress_part.h"
+#include "core/learning/gaussian_process/committee.h"
+#include "core/learning/gaussian_process/process_fit.h"
 #include "core/learning/poses/pose_features.h"
-#include "core/learning/process/committee.h"
-#include "core/learning/process/process_fit.h"
 
 namespace capstan::learning {
 
@@ -37,7 +37,7 @@ struct Corrected {
 };
 
 /// What was told ⊖ a corrected pose, in units of the stated σ.
-Vector6d errorsInSigma(const Corrected& corrected, const Eigen::Isometry3d& told);
+Vector6d errorsInSigma(const Corrected& corrected, const Eigen::Isometry3d& commanded);
 
 /// Everything that a model knows, as a file keeps it.
 struct CorrectionParts {
@@ -74,7 +74,7 @@ class CorrectionModel {
   /// The same of a steady motion.
   Corrected correct(const Eigen::Isometry3d& desired, const Vector6d& velocity) const;
   /// The same of many.
-  std::vector<Corrected> correctSurely(const std::vector<State>& desired) const;
+  std::vector<Corrected> correctWithConfidence(const std::vector<State>& desired) const;
   /// Poses alone, faster.
   std::vector<Eigen::Isometry3d> correct(const std::vector<State>& desired) const;
 
@@ -101,7 +101,7 @@ class CorrectionModel {
  private:
   void findScales(const std::vector<State>& states);
   void findInflation(const std::vector<State>& states, const CorrectionOptions& options);
-  void addRatios(const std::vector<State>& seen, const std::vector<State>& held,
+  void addRatios(const std::vector<State>& observed, const std::vector<State>& held,
                  const CorrectionOptions& options, std::array<std::vector<double>, 6>& ratios) const;
   Eigen::Vector3d turnOf(const Eigen::Isometry3d& moved) const;  ///< from the features' middle [rad]
   void extendBy(const Eigen::Isometry3d& moved);
@@ -111,7 +111,7 @@ class CorrectionModel {
   std::vector<Committee> processes_;
 };
 /// Below this confidence a pose is corrected by little more than the rigid offset.
-inline constexpr double kUnsure = 0.5;
+inline constexpr double kLowConfidence = 0.5;
 /// Shares of a normal distribution: σ are calibrated by them.
 inline constexpr double kWithinSigma = 0.6827, kWithinTwoSigma = 0.9545;
 inline constexpr std::size_t kFewestStates = 20;

@@ -11,7 +11,7 @@ CorrectionSource correctionSource(const std::vector<std::string>& tables, learni
   source.files.insert(source.files.end(), tables.begin(), tables.end());
   for (const std::string& table : tables) source.checksums.push_back(base::checksumOfFile(table));
   source.towards = towards;
-  source.lag = report.prepared.taken_off;
+  source.clock_offset = report.prepared.removed;
   source.states += report.cleaning.kept();
   source.rejected += report.cleaning.reason.size() - report.cleaning.kept();
   source.software = software;

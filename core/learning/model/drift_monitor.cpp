@@ -19,7 +19,7 @@ constexpr std::size_t kAtOnce = 500;  // states that are corrected together
 DriftReport DriftMonitor::add(const State& state, const Corrected& corrected) {
   if (window_.empty() || state.t >= window_.back().t + options_.spacing)
     window_.push_back({state.t, Vector6d::Zero(), 0});
-  const Eigen::Array<double, 6, 1> off = errorsInSigma(corrected, state.pair.told).array().abs();
+  const Eigen::Array<double, 6, 1> off = errorsInSigma(corrected, state.pair.commanded).array().abs();
   window_.back().beyond.array() += 1.0 - (off <= 1.0).cast<double>();
   ++window_.back().states;
   while (window_.size() > 1 && window_.front().t < state.t - options_.span) window_.pop_front();
@@ -46,8 +46,8 @@ DriftReport DriftMonitor::reportOver(std::size_t pieces) const {
   const boost::math::binomial number(n, chance);
   report.limit =
       boost::math::quantile(boost::math::complement(number, options_.level / (kOutputs * kWindows))) / n;
-  report.told = pieces >= kFewestPieces;
-  report.aged = report.told && report.beyond > report.limit;
+  report.known = pieces >= kFewestPieces;
+  report.drifted = report.known && report.beyond > report.limit;
   return report;
 }
 
@@ -61,36 +61,37 @@ class Walk {
 
   void take(std::size_t place, const State& state, const Corrected& corrected) {
     if (corrected.confidence < options_.least_confidence) {
-      ++course_.unsure;
+      ++history_.low_confidence;
       return;
     }
     State now = state;
-    if (course_.t.empty() || state.motion != motion_)
-      begun_ = state.t - (course_.t.empty() ? 0.0 : course_.t.back() + options_.spacing);
+    if (history_.t.empty() || state.motion != motion_)
+      begun_ = state.t - (history_.t.empty() ? 0.0 : history_.t.back() + options_.spacing);
     motion_ = state.motion;
     now.t -= begun_;
-    course_.state.push_back(place);
-    course_.t.push_back(now.t);
-    course_.reports.push_back(monitor_.add(now, corrected));
-    const Vector6d off = errorsInSigma(corrected, state.pair.told);
+    history_.state.push_back(place);
+    history_.t.push_back(now.t);
+    history_.reports.push_back(monitor_.add(now, corrected));
+    const Vector6d off = errorsInSigma(corrected, state.pair.commanded);
     for (std::size_t i = 0; i < off_.size(); ++i)
       off_[i].push_back(std::abs(off[static_cast<Eigen::Index>(i)]));
-    const std::size_t at = course_.t.size() - 1;
-    if (!course_.reports.back().aged) return;
-    if (course_.aged.empty() || course_.aged.back().second != at) course_.aged.emplace_back(at, at);
-    course_.aged.back().second = at + 1;
+    const std::size_t at = history_.t.size() - 1;
+    if (!history_.reports.back().drifted) return;
+    if (history_.drifted.empty() || history_.drifted.back().second != at)
+      history_.drifted.emplace_back(at, at);
+    history_.drifted.back().second = at + 1;
   }
 
-  DriftCourse ended() {
-    for (std::size_t i = 0; i < off_.size() && !course_.t.empty(); ++i)
-      course_.factor[static_cast<Eigen::Index>(i)] = stats::quantile(off_[i], kWithinSigma);
-    return std::move(course_);
+  DriftHistory ended() {
+    for (std::size_t i = 0; i < off_.size() && !history_.t.empty(); ++i)
+      history_.factor[static_cast<Eigen::Index>(i)] = stats::quantile(off_[i], kWithinSigma);
+    return std::move(history_);
   }
 
  private:
   DriftMonitor monitor_;
   DriftOptions options_;
-  DriftCourse course_;
+  DriftHistory history_;
   std::array<std::vector<double>, 6> off_;
   std::size_t motion_ = 0;
   double begun_ = 0.0;  ///< the motion's clock at the whole's zero
@@ -98,8 +99,8 @@ class Walk {
 
 }  // namespace
 
-DriftCourse driftAlong(const CorrectionModel& model, const std::vector<State>& states,
-                       const DriftOptions& options, base::Progress* progress) {
+DriftHistory driftAlong(const CorrectionModel& model, const std::vector<State>& states,
+                        const DriftOptions& options, base::Progress* progress) {
   Walk walk(model, options);
   for (std::size_t from = 0; from < states.size() && !(progress && progress->cancelled()); from += kAtOnce) {
     if (progress)
@@ -107,7 +108,7 @@ DriftCourse driftAlong(const CorrectionModel& model, const std::vector<State>& s
     const std::size_t to = std::min(from + kAtOnce, states.size());
     const std::vector<State> some(states.begin() + static_cast<std::ptrdiff_t>(from),
                                   states.begin() + static_cast<std::ptrdiff_t>(to));
-    const std::vector<Corrected> corrected = model.correctSurely(some);
+    const std::vector<Corrected> corrected = model.correctWithConfidence(some);
     for (std::size_t k = 0; k < some.size(); ++k) walk.take(from + k, some[k], corrected[k]);
   }
   return walk.ended();

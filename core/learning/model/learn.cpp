@@ -15,7 +15,7 @@ namespace capstan::learning {
 namespace {
 
 void pairAt(PreparedStates& prepared, StreamKind towards) {
-  prepared.states = statesOf(prepared.screen.motions, towards, prepared.taken_off);
+  prepared.states = statesOf(prepared.screen.motions, towards, prepared.removed);
   if (prepared.states.empty())
     throw base::InputError(
         {{},
@@ -40,18 +40,18 @@ PreparedStates prepare(const std::vector<RawMotion>& motions, const LearningOpti
   checkTables(motions, options.towards);
   prepared.screen = screenPoses(motions);
   if (!goOn(0.2, "looking for the lag")) return prepared;
-  prepared.lag = lagBetween(prepared.screen.motions, options.towards, options.lag);
+  prepared.clock_offset = clockOffsetBetween(prepared.screen.motions, options.towards, options.clock_offset);
   if (!goOn(0.7, "pairing")) return prepared;
-  if (options.align) prepared.taken_off = prepared.lag.lag;
+  if (options.align) prepared.removed = prepared.clock_offset.clock_offset;
   pairAt(prepared, options.towards);
   return prepared;
 }
 
-PreparedStates prepareAt(double lag, const std::vector<RawMotion>& motions, StreamKind towards) {
+PreparedStates prepareAt(double clock_offset, const std::vector<RawMotion>& motions, StreamKind towards) {
   PreparedStates prepared;
   checkTables(motions, towards);
   prepared.screen = screenPoses(motions);
-  prepared.lag.lag = prepared.taken_off = lag;
+  prepared.clock_offset.clock_offset = prepared.removed = clock_offset;
   pairAt(prepared, towards);
   return prepared;
 }
@@ -89,7 +89,7 @@ LearningReport learnPrepared(PreparedStates prepared, const LearningOptions& opt
           progress && progress->cancelled()};
 }
 
-LearningReport learnMore(CorrectionModel model, double lag, const std::vector<RawMotion>& motions,
+LearningReport learnMore(CorrectionModel model, double clock_offset, const std::vector<RawMotion>& motions,
                          const LearningOptions& options, base::Progress* progress) {
   constexpr double kPrepared = 0.3, kJudged = 0.7;  // of the time
   if (model.processes().empty())
@@ -100,7 +100,7 @@ LearningReport learnMore(CorrectionModel model, double lag, const std::vector<Ra
                             "is a rigid offset alone, which takes nothing in",
                             "Learn anew from all tables"});
   if (progress) progress->report(0.0, "pairing");
-  PreparedStates prepared = prepareAt(lag, motions, options.towards);
+  PreparedStates prepared = prepareAt(clock_offset, motions, options.towards);
   checkRelated(prepared.screen.motions, prepared.states, model.offset(), options.towards);
   CleaningReport cleaning = cleanStates(prepared.states, options.cleaning);
   const std::vector<State> counting = kept(prepared.states, cleaning);
@@ -112,7 +112,7 @@ LearningReport learnMore(CorrectionModel model, double lag, const std::vector<Ra
                             fmt::format("are left to learn from; {} at least", kFewestStates),
                             "Record longer"});
   if (progress) progress->report(kPrepared, "comparing with what is known");
-  if (const DriftCourse course = driftAlong(model, counting); course.agedNow())
+  if (const DriftHistory history = driftAlong(model, counting); history.driftedNow())
     throw base::InputError({{},
                             0,
                             "motions",

@@ -10,7 +10,7 @@ namespace capstan::learning {
 
 struct LearningOptions {
   StreamKind towards = StreamKind::kCommand;  ///< what corrected poses will be asked of
-  LagOptions lag;
+  ClockOffsetOptions clock_offset;
   bool align = true;  ///< take the lag of what is seen behind what is told off
   bool clean = true;
   /// States, those too that cleaning took, by how well others tell them; where states are cleaned, and
@@ -26,14 +26,14 @@ struct LearningOptions {
 /// What becomes of the rows of a recording before anything is learned.
 struct PreparedStates {
   ScreenReport screen;
-  LagReport lag;              ///< as measured, taken off or not; nothing tried: as it was given
-  double taken_off = 0.0;     ///< [s]
-  std::vector<State> states;  ///< paired, with velocities
-  bool cancelled = false;     ///< what came behind is empty
+  ClockOffsetReport clock_offset;  ///< as measured, taken off or not; nothing tried: as it was given
+  double removed = 0.0;            ///< [s]
+  std::vector<State> states;       ///< paired, with velocities
+  bool cancelled = false;          ///< what came behind is empty
 };
 
 /// What statesOf() finds in the motions at a lag that is known.
-PreparedStates prepareAt(double lag, const std::vector<RawMotion>& motions, StreamKind towards);
+PreparedStates prepareAt(double clock_offset, const std::vector<RawMotion>& motions, StreamKind towards);
 
 /// Screens, aligns and pairs. base::InputError as checkTables(), and where no motion has both streams at
 /// once.
@@ -62,7 +62,7 @@ LearningReport learn(const std::vector<RawMotion>& motions, const LearningOption
 /// model's offset, hyperparameters, inducing points and scales of σ, so that it gains less than learn() where
 /// it has never been. base::InputError as learn(), and where the motions contradict the model (driftAlong) or
 /// it has no processes.
-LearningReport learnMore(CorrectionModel model, double lag, const std::vector<RawMotion>& motions,
+LearningReport learnMore(CorrectionModel model, double clock_offset, const std::vector<RawMotion>& motions,
                          const LearningOptions& options = {}, base::Progress* progress = nullptr);
 
 }  // namespace capstan::learning

@@ -18,7 +18,7 @@ struct Open {
   double gainOf(Index i) const {
     return weight * covariance.col(i).squaredNorm() / (covariance(i, i) + noise);
   }
-  void visit(Index i) {
+  void query(Index i) {
     const Eigen::VectorXd column = covariance.col(i) / std::sqrt(covariance(i, i) + noise);
     covariance -= column * column.transpose();
   }
@@ -55,7 +55,7 @@ std::vector<NextPose> nextPoses(const CorrectionModel& model, const std::vector<
                                 std::size_t count, base::Progress* progress) {
   std::vector<NextPose> chosen;
   std::vector<Open> open = openOf(model, candidates);
-  std::vector<bool> visited(candidates.size(), false);
+  std::vector<bool> queried(candidates.size(), false);
   double whole = 0.0, left = 0.0;  // without data, and now
   for (std::size_t g = 0; g < open.size(); ++g) {
     whole += open[g].weight * model.processes()[g].signalVariance() * static_cast<double>(candidates.size());
@@ -67,14 +67,14 @@ std::vector<NextPose> nextPoses(const CorrectionModel& model, const std::vector<
     double most = 0.0;
     std::size_t best = 0;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
-      if (visited[i]) continue;
+      if (queried[i]) continue;
       double gain = 0.0;
       for (const Open& one : open) gain += one.gainOf(static_cast<Index>(i));
       if (gain > most) most = gain, best = i;
     }
     if (!(most > kLeastGain * left)) break;
-    for (Open& one : open) one.visit(static_cast<Index>(best));
-    visited[best] = true;
+    for (Open& one : open) one.query(static_cast<Index>(best));
+    queried[best] = true;
     chosen.push_back({best, left / whole, (left - most) / whole});
     left -= most;
   }
@@ -83,7 +83,7 @@ std::vector<NextPose> nextPoses(const CorrectionModel& model, const std::vector<
 
 std::vector<State> posesWithin(const CorrectionModel& model, int each) {
   const CorrectionParts parts = model.parts();
-  const Eigen::Isometry3d seen_from_told = parts.offset.inverse();
+  const Eigen::Isometry3d observed_from_commanded = parts.offset.inverse();
   std::vector<Eigen::Vector3d> turns = {Eigen::Vector3d::Zero()};
   for (int axis = 0; axis < 3; ++axis)
     for (const double end : {parts.turns.min()[axis], parts.turns.max()[axis]})
@@ -91,13 +91,13 @@ std::vector<State> posesWithin(const CorrectionModel& model, int each) {
   const Eigen::Vector3d step = parts.workspace.sizes() / std::max(each - 1, 1);
   std::vector<State> all;
   for (int k = 0; k < each * each * each; ++k)
-    for (const Eigen::Vector3d& turn : turns) {
+    for (const Eigen::Vector3d& rotation : turns) {
       const Eigen::Vector3d place(k % each, k / each % each, k / each / each);
-      Eigen::Isometry3d told = Eigen::Isometry3d::Identity();
-      told.translation() = parts.workspace.min() + step.cwiseProduct(place);
-      told.linear() = (parts.features.middle() * turnBy(turn)).toRotationMatrix();
+      Eigen::Isometry3d commanded = Eigen::Isometry3d::Identity();
+      commanded.translation() = parts.workspace.min() + step.cwiseProduct(place);
+      commanded.linear() = (parts.features.middle() * turnBy(rotation)).toRotationMatrix();
       all.emplace_back();
-      all.back().pair.seen = seen_from_told * told;
+      all.back().pair.observed = observed_from_commanded * commanded;
     }
   const MatrixXd x = model.featuresOf(all), learned = learnedPoses(model);
   Eigen::RowVectorXd reach(6);

@@ -17,7 +17,7 @@ std::vector<Vector6d> leftOf(const CorrectionModel& model, const std::vector<Sta
   const std::vector<Eigen::Isometry3d> corrected = model.correct(states);
   std::vector<Vector6d> left(states.size());
   for (std::size_t k = 0; k < states.size(); ++k)
-    left[k] = model.features().correction(corrected[k], states[k].pair.told);
+    left[k] = model.features().correction(corrected[k], states[k].pair.commanded);
   return left;
 }
 

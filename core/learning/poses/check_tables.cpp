@@ -28,19 +28,19 @@ void checkPoses(const ScreenReport& screen, StreamKind stream) {
                           "Give tables with this stream, quaternions of norm 1 as x, y, z, w"});
 }
 
-/// Sights are paired with what is told near them, in kLongestGap: poses told seconds apart have stamps in
-/// another unit.
-void checkStamps(const ScreenReport& screen, StreamKind told) {
+/// Observations are paired with what is told near them, in kLongestGap: poses told seconds apart have stamps
+/// in another unit.
+void checkStamps(const ScreenReport& screen, StreamKind reference) {
   constexpr double kLongest = 2.0;  // [s]
   std::vector<double> steps;
   for (const PoseMotion& motion : screen.motions)
-    for (std::size_t k = 1; k < motion.of(told).size(); ++k)
-      steps.push_back(motion.of(told)[k].t - motion.of(told)[k - 1].t);
+    for (std::size_t k = 1; k < motion.of(reference).size(); ++k)
+      steps.push_back(motion.of(reference)[k].t - motion.of(reference)[k - 1].t);
   const double step = steps.empty() ? 0.0 : stats::median(std::move(steps));
   if (step <= kLongest) return;
   throw base::InputError({{},
                           0,
-                          fmt::format("stamps of the {}", base::nameOf(told)),
+                          fmt::format("stamps of the {}", base::nameOf(reference)),
                           fmt::format("{:.3g} s", step),
                           "is the median step from one pose to the next, too long to follow a motion",
                           "Give stamps in seconds, and poses at 10 Hz at least"});

@@ -7,13 +7,13 @@ namespace capstan::learning {
 namespace {
 
 Reason judged(const State& state, const CleaningReport& report, const CleaningOptions& options) {
-  const Eigen::Isometry3d seen = report.offset * state.pair.seen;
-  const double turn =
-      Eigen::Quaterniond(seen.linear()).angularDistance(Eigen::Quaterniond(state.pair.told.linear()));
-  if (turn > options.most_turned) return Reason::kTooFarTurned;
-  if (!report.workspace.contains(seen.translation())) return Reason::kOutside;
+  const Eigen::Isometry3d observed = report.offset * state.pair.observed;
+  const double rotation = Eigen::Quaterniond(observed.linear())
+                              .angularDistance(Eigen::Quaterniond(state.pair.commanded.linear()));
+  if (rotation > options.max_rotation) return Reason::kTooFarTurned;
+  if (!report.workspace.contains(observed.translation())) return Reason::kOutside;
   if (state.velocity.head<3>().norm() > options.most_speed) return Reason::kTooFast;
-  if (state.velocity.tail<3>().norm() > options.most_turn_rate) return Reason::kTurnsTooFast;
+  if (state.velocity.tail<3>().norm() > options.max_rotation_rate) return Reason::kTurnsTooFast;
   return Reason::kNone;
 }
 
@@ -37,7 +37,7 @@ bool misplaced(Reason reason) {
 
 bool tooFast(const State& state, const CleaningOptions& options) {
   return state.velocity.head<3>().norm() > options.most_speed ||
-         state.velocity.tail<3>().norm() > options.most_turn_rate;
+         state.velocity.tail<3>().norm() > options.max_rotation_rate;
 }
 
 std::size_t CleaningReport::count(Reason of) const {
@@ -47,7 +47,7 @@ std::size_t CleaningReport::count(Reason of) const {
 CleaningReport cleanStates(const std::vector<State>& states, const CleaningOptions& options) {
   CleaningReport report;
   const std::vector<PosePair> pairs = pairsOf(states);
-  for (const PosePair& pair : pairs) report.workspace.extend(pair.told.translation());
+  for (const PosePair& pair : pairs) report.workspace.extend(pair.commanded.translation());
   const MedianReport median = leastMedianOffset(pairs, options.median);
   report.offset = median.offset;
   report.deviation = median.deviation;
@@ -66,8 +66,8 @@ std::vector<Reason> judgedBy(const CleaningReport& found, const std::vector<Stat
   std::vector<Reason> reason;
   const double most = std::pow(options.median.reach * found.deviation, 2);
   for (const State& state : states) {
-    const bool belongs =
-        squaredDistance(found.offset * state.pair.seen, state.pair.told, options.median.lever) <= most;
+    const bool belongs = squaredDistance(found.offset * state.pair.observed, state.pair.commanded,
+                                         options.median.lever) <= most;
     reason.push_back(belongs ? judged(state, found, options) : Reason::kOutlier);
   }
   rejectTrajectories(states, options.most_rejected, reason);

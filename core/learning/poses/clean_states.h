@@ -7,11 +7,11 @@ namespace capstan::learning {
 /// What the robot can do.
 struct CleaningOptions {
   MedianOptions median = {};
-  double most_turned = 1.0;     ///< of what was seen, the offset taken off, from what was told [rad]
-  double margin = 0.03;         ///< of what was seen outside of all that was told [m]
-  double most_speed = 0.2;      ///< [m/s]: the paper's robot was driven at 0.05
-  double most_turn_rate = 6.0;  ///< [rad/s]
-  double most_rejected = 0.9;   ///< share of a trajectory, beyond which all of it goes: the paper's P
+  double max_rotation = 1.0;       ///< of what was seen, the offset taken off, from what was told [rad]
+  double margin = 0.03;            ///< of what was seen outside of all that was told [m]
+  double most_speed = 0.2;         ///< [m/s]: the paper's robot was driven at 0.05
+  double max_rotation_rate = 6.0;  ///< [rad/s]
+  double most_rejected = 0.9;      ///< share of a trajectory, beyond which all of it goes: the paper's P
 };
 
 /// Out of place, by one of these reasons: a speed is wrong beside a jump, too.

@@ -27,7 +27,7 @@ Eigen::Matrix3d fromYawPitchRoll(const Eigen::Vector3d& angles) {
       .toRotationMatrix();
 }
 
-Eigen::Quaterniond middleTurn(const std::vector<Eigen::Isometry3d>& poses) {
+Eigen::Quaterniond meanRotation(const std::vector<Eigen::Isometry3d>& poses) {
   if (poses.empty()) return Eigen::Quaterniond::Identity();
   Eigen::Matrix4d sum = Eigen::Matrix4d::Zero();
   for (const Eigen::Isometry3d& pose : poses) {
@@ -52,8 +52,8 @@ Eigen::Index PoseFeatures::size() const {
   }
 }
 
-Eigen::RowVectorXd PoseFeatures::of(const Eigen::Isometry3d& offset, const State& seen) const {
-  const Eigen::Isometry3d pose = offset * seen.pair.seen;
+Eigen::RowVectorXd PoseFeatures::of(const Eigen::Isometry3d& offset, const State& observed) const {
+  const Eigen::Isometry3d pose = offset * observed.pair.observed;
   Eigen::RowVectorXd features(size());
   features.head<3>() = pose.translation().transpose();
   if (form_ == RotationForm::kTangent)
@@ -65,9 +65,9 @@ Eigen::RowVectorXd PoseFeatures::of(const Eigen::Isometry3d& offset, const State
     features.segment<3>(at) = (offset.linear() * velocity.head<3>()).transpose();
     features.segment<3>(at + 3) = velocity.tail<3>().transpose();
   };
-  if (motion_ != Motion::kNone) put(6, seen.velocity);
+  if (motion_ != Motion::kNone) put(6, observed.velocity);
   for (std::size_t i = 0; i < kSpans.size() && motion_ == Motion::kHistory; ++i)
-    put(12 + 6 * static_cast<Eigen::Index>(i), seen.drift[i]);
+    put(12 + 6 * static_cast<Eigen::Index>(i), observed.drift[i]);
   return features;
 }
 

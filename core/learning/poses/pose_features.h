@@ -24,7 +24,7 @@ Eigen::Vector3d yawPitchRoll(const Eigen::Matrix3d& rotation);
 Eigen::Matrix3d fromYawPitchRoll(const Eigen::Vector3d& angles);
 
 /// The turn in the middle of some (Markley, Averaging quaternions, 2007): identity of none.
-Eigen::Quaterniond middleTurn(const std::vector<Eigen::Isometry3d>& poses);
+Eigen::Quaterniond meanRotation(const std::vector<Eigen::Isometry3d>& poses);
 
 class PoseFeatures {
  public:
@@ -34,7 +34,7 @@ class PoseFeatures {
   Eigen::Index size() const;
   /// [position [m], turn [rad], velocity [m/s], turn rate [rad/s], and those of each of kSpans] of what
   /// `seen` saw, moved by `offset` on its left.
-  Eigen::RowVectorXd of(const Eigen::Isometry3d& offset, const State& seen) const;
+  Eigen::RowVectorXd of(const Eigen::Isometry3d& offset, const State& observed) const;
   /// What takes `from` to `to`: [position [m], turn [rad]].
   Vector6d correction(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to) const;
   /// The pose that a correction leads to.

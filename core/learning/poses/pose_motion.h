@@ -77,12 +77,29 @@ struct capstan::base::NamesOf<capstan::learning::Reason> {
                                        std::pair{R::kNotFinite, "not a number"},
                                        std::pair{R::kPlaceholder, "placeholder"},
                                        std::pair{R::kNoRotation, "no unit quaternion"},
-                                       std::pair{R::kRepeat, "repeats the row before"},
+                                       std::pair{R::kRepeat, "repeated row"},
                                        std::pair{R::kBackInTime, "goes back in time"},
-                                       std::pair{R::kOutlier, "far from what the others say"},
-                                       std::pair{R::kTooFarTurned, "turned too far to be seen"},
+                                       std::pair{R::kOutlier, "far from the consensus"},
+                                       std::pair{R::kTooFarTurned, "rotated too far from the command"},
                                        std::pair{R::kOutside, "outside the workspace"},
                                        std::pair{R::kTooFast, "faster than the robot"},
-                                       std::pair{R::kTurnsTooFast, "turns faster than the robot"},
-                                       std::pair{R::kTrajectory, "of a trajectory that was rejected"}};
+                                       std::pair{R::kTurnsTooFast, "rotates faster than the robot"},
+                                       std::pair{R::kTrajectory, "in a rejected trajectory"}};
+};
+
+template <>
+struct capstan::base::KeysOf<capstan::learning::Reason> {
+  using R = capstan::learning::Reason;
+  static constexpr std::array value = {std::pair{R::kNone, "inlier"},
+                                       std::pair{R::kNotFinite, "not_a_number"},
+                                       std::pair{R::kPlaceholder, "placeholder"},
+                                       std::pair{R::kNoRotation, "no_unit_quaternion"},
+                                       std::pair{R::kRepeat, "repeated_row"},
+                                       std::pair{R::kBackInTime, "back_in_time"},
+                                       std::pair{R::kOutlier, "far_from_consensus"},
+                                       std::pair{R::kTooFarTurned, "rotated_too_far"},
+                                       std::pair{R::kOutside, "outside_workspace"},
+                                       std::pair{R::kTooFast, "too_fast"},
+                                       std::pair{R::kTurnsTooFast, "rotates_too_fast"},
+                                       std::pair{R::kTrajectory, "rejected_trajectory"}};
 };

@@ -29,10 +29,11 @@ Eigen::Vector3d widthsOf(const std::vector<State>& states, Eigen::Isometry3d Pos
 /// What makes two streams differ so: an axis far wider than all of the other's is in another unit.
 std::string unitsAdvice(const std::vector<State>& states, StreamKind towards) {
   constexpr double kOtherUnit = 4.0;  // a frame that is turned makes it √3
-  const Eigen::Vector3d seen = widthsOf(states, &PosePair::seen), told = widthsOf(states, &PosePair::told);
-  const bool is_seen = seen.maxCoeff() > told.maxCoeff();
-  const Eigen::Vector3d& wide = is_seen ? seen : told;
-  const double narrow = (is_seen ? told : seen).maxCoeff();
+  const Eigen::Vector3d observed = widthsOf(states, &PosePair::observed),
+                        commanded = widthsOf(states, &PosePair::commanded);
+  const bool is_seen = observed.maxCoeff() > commanded.maxCoeff();
+  const Eigen::Vector3d& wide = is_seen ? observed : commanded;
+  const double narrow = (is_seen ? commanded : observed).maxCoeff();
   std::string axes;
   for (Eigen::Index i = 0; i < 3; ++i)
     if (wide[i] > kOtherUnit * narrow) axes += fmt::format("{}{}", axes.empty() ? "" : ", ", "xyz"[i]);
@@ -45,29 +46,30 @@ std::string unitsAdvice(const std::vector<State>& states, StreamKind towards) {
 
 /// Median distance of what was told from its middle [m].
 double sizeOf(const std::vector<State>& states) {
-  std::array<std::vector<double>, 3> told;
+  std::array<std::vector<double>, 3> commanded;
   for (const State& state : states)
     for (std::size_t i = 0; i < 3; ++i)
-      told[i].push_back(state.pair.told.translation()[static_cast<Eigen::Index>(i)]);
-  const Eigen::Vector3d middle(stats::median(told[0]), stats::median(told[1]), stats::median(told[2]));
+      commanded[i].push_back(state.pair.commanded.translation()[static_cast<Eigen::Index>(i)]);
+  const Eigen::Vector3d middle(stats::median(commanded[0]), stats::median(commanded[1]),
+                               stats::median(commanded[2]));
   std::vector<double> way;
-  for (const State& state : states) way.push_back((state.pair.told.translation() - middle).norm());
+  for (const State& state : states) way.push_back((state.pair.commanded.translation() - middle).norm());
   return stats::median(std::move(way));
 }
 
 /// Medians of what the offset leaves.
 struct Left {
   double distance = 0.0;  ///< [m]
-  double turn = 0.0;      ///< [rad]
+  double rotation = 0.0;  ///< [rad]
 };
 Left leftOf(const std::vector<State>& states, const Eigen::Isometry3d& offset) {
-  std::vector<double> distance, turn;
+  std::vector<double> distance, rotation;
   for (const State& state : states) {
-    const Eigen::Isometry3d off = state.pair.told.inverse() * offset * state.pair.seen;
+    const Eigen::Isometry3d off = state.pair.commanded.inverse() * offset * state.pair.observed;
     distance.push_back(off.translation().norm());
-    turn.push_back(Eigen::AngleAxisd(off.linear()).angle());
+    rotation.push_back(Eigen::AngleAxisd(off.linear()).angle());
   }
-  return {stats::median(std::move(distance)), stats::median(std::move(turn))};
+  return {stats::median(std::move(distance)), stats::median(std::move(rotation))};
 }
 
 void checkDistance(const std::vector<State>& states, double left, double size, StreamKind towards) {
@@ -78,14 +80,14 @@ void checkDistance(const std::vector<State>& states, double left, double size, S
        0,
        "poses",
        fmt::format("{:.3g} m", left),
-       fmt::format("is what the best rigid offset leaves of half of the sights, and motions are "
+       fmt::format("is what the best rigid offset leaves of half of the observations, and motions are "
                    "{:.3g} m long",
                    size),
        unitsAdvice(states, towards) + "; both streams must be of one arm, and it must move"});
 }
 
-/// A mount that turns the marker turns all sights alike.
-void checkTurn(double left, double of_all) {
+/// A mount that turns the marker turns all observations alike.
+void checkRotation(double left, double of_all) {
   constexpr double kMost = 1.0;  // [rad]
   if (left <= of_all + kMost) return;
   throw base::InputError(
@@ -93,7 +95,7 @@ void checkTurn(double left, double of_all) {
        0,
        "quaternions",
        fmt::format("{:.0f} deg", left * 180.0 / std::numbers::pi),
-       fmt::format("is the turn that the best rigid offset leaves of half of the sights, of "
+       fmt::format("is the turn that the best rigid offset leaves of half of the observations, of "
                    "all tables' {:.0f} deg",
                    of_all * 180.0 / std::numbers::pi),
        "Give quaternions in the order x, y, z, w, of the same marker in all tables"});
@@ -105,12 +107,12 @@ void checkRelated(const std::vector<PoseMotion>& motions, const std::vector<Stat
                   const Eigen::Isometry3d& offset, StreamKind towards) {
   std::map<std::string, std::vector<State>> tables;
   for (const State& state : states) tables[motions[state.motion].table].push_back(state);
-  const double size = sizeOf(states), turn = leftOf(states, offset).turn;
+  const double size = sizeOf(states), rotation = leftOf(states, offset).rotation;
   for (const auto& [table, some] : tables)
     base::namingFile(table, [&] {
       const Left left = leftOf(some, offset);
       checkDistance(some, left.distance, size, towards);
-      checkTurn(left.turn, turn);
+      checkRotation(left.rotation, rotation);
     });
 }
 

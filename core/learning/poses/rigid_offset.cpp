@@ -14,7 +14,8 @@ std::vector<double> squaredDistances(std::span<const PosePair> pairs, const Eige
                                      double lever) {
   std::vector<double> squares;
   squares.reserve(pairs.size());
-  for (const PosePair& pair : pairs) squares.push_back(squaredDistance(offset * pair.seen, pair.told, lever));
+  for (const PosePair& pair : pairs)
+    squares.push_back(squaredDistance(offset * pair.observed, pair.commanded, lever));
   return squares;
 }
 
@@ -28,19 +29,21 @@ double squaredDistance(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, d
 Eigen::Isometry3d rigidOffset(std::span<const PosePair> pairs, double lever) {
   Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();
   if (pairs.empty()) return offset;
-  Eigen::Vector3d seen = Eigen::Vector3d::Zero(), told = seen;
-  for (const PosePair& pair : pairs) seen += pair.seen.translation(), told += pair.told.translation();
-  seen /= static_cast<double>(pairs.size());
-  told /= static_cast<double>(pairs.size());
+  Eigen::Vector3d observed = Eigen::Vector3d::Zero(), commanded = observed;
+  for (const PosePair& pair : pairs)
+    observed += pair.observed.translation(), commanded += pair.commanded.translation();
+  observed /= static_cast<double>(pairs.size());
+  commanded /= static_cast<double>(pairs.size());
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   for (const PosePair& pair : pairs)
-    sum += (pair.told.translation() - told) * (pair.seen.translation() - seen).transpose() / (lever * lever) +
-           pair.told.linear() * pair.seen.linear().transpose();
+    sum += (pair.commanded.translation() - commanded) * (pair.observed.translation() - observed).transpose() /
+               (lever * lever) +
+           pair.commanded.linear() * pair.observed.linear().transpose();
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const double turned = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0 ? -1.0 : 1.0;
+  const double rotated = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0 ? -1.0 : 1.0;
   offset.linear() =
-      svd.matrixU() * Eigen::Vector3d(1.0, 1.0, turned).asDiagonal() * svd.matrixV().transpose();
-  offset.translation() = told - offset.linear() * seen;
+      svd.matrixU() * Eigen::Vector3d(1.0, 1.0, rotated).asDiagonal() * svd.matrixV().transpose();
+  offset.translation() = commanded - offset.linear() * observed;
   return offset;
 }
 

@@ -10,8 +10,8 @@ namespace capstan::learning {
 /// Where something was seen, and where it was asked, or believed, to be: each [m] and a turn, in frames of
 /// their own.
 struct PosePair {
-  Eigen::Isometry3d seen = Eigen::Isometry3d::Identity();
-  Eigen::Isometry3d told = Eigen::Isometry3d::Identity();
+  Eigen::Isometry3d observed = Eigen::Isometry3d::Identity();
+  Eigen::Isometry3d commanded = Eigen::Isometry3d::Identity();
 };
 
 /// How far two poses are apart: |Δt|² + (`lever` · angle)² [m²], the lever what a turn counts for [m].

@@ -29,10 +29,10 @@ std::vector<Eigen::Quaterniond> turnsOf(const std::vector<StampedPose>& stream) 
 }
 
 constexpr double kSpeedSpan = 0.1;   // [s]
-constexpr double kFastestTip = 0.5;  // [m/s]: faster is a jump of sights
+constexpr double kFastestTip = 0.5;  // [m/s]: faster is a jump of observations
 
-/// Speeds of a stream over time: of the way over kSpeedSpan, since the noise of sights looks like speed, and
-/// the more the nearer they are in time.
+/// Speeds of a stream over time: of the way over kSpeedSpan, since the noise of observations looks like
+/// speed, and the more the nearer they are in time.
 struct Speeds {
   std::vector<double> t, speed;
 
@@ -62,31 +62,32 @@ struct Misfit {
   Eigen::VectorXd sum, count;
 };
 
-/// By sights that have a counterpart at every lag, since others would change what is compared from lag to
-/// lag; of a motion too short for that by all.
-Misfit misfitOf(const PoseMotion& motion, StreamKind told, const std::vector<double>& lags) {
+/// By observations that have a counterpart at every lag, since others would change what is compared from lag
+/// to lag; of a motion too short for that by all.
+Misfit misfitOf(const PoseMotion& motion, StreamKind reference, const std::vector<double>& clock_offsets) {
   constexpr double kEnough = 0.25;
-  const Speeds seen(motion.of(StreamKind::kCamera)), said(motion.of(told));
-  const auto n = static_cast<Eigen::Index>(lags.size());
+  const Speeds observed(motion.of(StreamKind::kCamera)), commanded(motion.of(reference));
+  const auto n = static_cast<Eigen::Index>(clock_offsets.size());
   Misfit all{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n)}, whole = all;
-  for (std::size_t k = 0; k < seen.t.size(); ++k) {
+  for (std::size_t k = 0; k < observed.t.size(); ++k) {
     Eigen::VectorXd difference = Eigen::VectorXd::Zero(n), there = Eigen::VectorXd::Zero(n);
     for (Eigen::Index l = 0; l < n; ++l)
-      if (const auto speed = said.at(seen.t[k] - lags[static_cast<std::size_t>(l)])) {
-        difference[l] = std::min(std::abs(seen.speed[k] - *speed), kJump);
+      if (const auto speed = commanded.at(observed.t[k] - clock_offsets[static_cast<std::size_t>(l)])) {
+        difference[l] = std::min(std::abs(observed.speed[k] - *speed), kJump);
         there[l] = 1.0;
       }
     all.sum += difference, all.count += there;
     if (there.minCoeff() > 0.0) whole.sum += difference, whole.count += there;
   }
-  return whole.count.sum() >= kEnough * static_cast<double>(n) * static_cast<double>(seen.t.size()) ? whole
-                                                                                                    : all;
+  return whole.count.sum() >= kEnough * static_cast<double>(n) * static_cast<double>(observed.t.size())
+             ? whole
+             : all;
 }
 
-std::vector<Misfit> misfitsOf(const std::vector<PoseMotion>& motions, StreamKind told,
-                              const std::vector<double>& lags) {
+std::vector<Misfit> misfitsOf(const std::vector<PoseMotion>& motions, StreamKind reference,
+                              const std::vector<double>& clock_offsets) {
   std::vector<Misfit> misfits;
-  for (const PoseMotion& motion : motions) misfits.push_back(misfitOf(motion, told, lags));
+  for (const PoseMotion& motion : motions) misfits.push_back(misfitOf(motion, reference, clock_offsets));
   return misfits;
 }
 
@@ -100,24 +101,26 @@ Eigen::VectorXd meanOf(const std::vector<Misfit>& misfits) {
 }
 
 /// Where the parabola through the least of all and its neighbours is least.
-double leastAt(const std::vector<double>& lags, const Eigen::VectorXd& mean) {
+double leastAt(const std::vector<double>& clock_offsets, const Eigen::VectorXd& mean) {
   Eigen::Index least = 0;
   mean.minCoeff(&least);
-  const double at = lags[static_cast<std::size_t>(least)];
+  const double at = clock_offsets[static_cast<std::size_t>(least)];
   if (least == 0 || least + 1 == mean.size()) return at;
   const double before = mean[least - 1], after = mean[least + 1];
   const double bend = before - 2.0 * mean[least] + after;
-  return bend > 0.0 ? at + 0.5 * (before - after) / bend * (lags[1] - lags[0]) : at;
+  return bend > 0.0 ? at + 0.5 * (before - after) / bend * (clock_offsets[1] - clock_offsets[0]) : at;
 }
 
-/// Mean velocity of the last `span` seconds before sight k.
-Vector6d driftAt(const std::vector<StampedPose>& seen, std::size_t k, double span) {
-  const double begin = seen[k].t - span;
-  const auto from = std::lower_bound(seen.begin(), seen.begin() + static_cast<std::ptrdiff_t>(k), begin,
-                                     [](const StampedPose& pose, double when) { return pose.t < when; });
-  const Eigen::Quaterniond here(seen[k].pose.linear()), there(from->pose.linear());
+/// Mean velocity of the last `span` seconds before observation k.
+Vector6d driftAt(const std::vector<StampedPose>& observed, std::size_t k, double span) {
+  const double begin = observed[k].t - span;
+  const auto from =
+      std::lower_bound(observed.begin(), observed.begin() + static_cast<std::ptrdiff_t>(k), begin,
+                       [](const StampedPose& pose, double when) { return pose.t < when; });
+  const Eigen::Quaterniond here(observed[k].pose.linear()), there(from->pose.linear());
   Vector6d drift;
-  drift << seen[k].pose.translation() - from->pose.translation(), rotationVector(there.conjugate() * here);
+  drift << observed[k].pose.translation() - from->pose.translation(),
+      rotationVector(there.conjugate() * here);
   return drift / span;
 }
 
@@ -163,45 +166,48 @@ std::vector<State> statesAlong(const std::vector<StampedPose>& path) {
     const auto at = static_cast<Eigen::Index>(k);
     states[k].row = path[k].row;
     states[k].t = path[k].t;
-    states[k].pair.seen = path[k].pose;
+    states[k].pair.observed = path[k].pose;
     states[k].velocity << v.col(at), w.col(at);
     for (std::size_t i = 0; i < kSpans.size(); ++i) states[k].drift[i] = driftAt(path, k, kSpans[i]);
   }
   return states;
 }
 
-std::vector<State> statesOf(const std::vector<PoseMotion>& motions, StreamKind told, double lag) {
+std::vector<State> statesOf(const std::vector<PoseMotion>& motions, StreamKind reference,
+                            double clock_offset) {
   std::vector<State> states;
   for (std::size_t m = 0; m < motions.size(); ++m)
     for (State& state : statesAlong(motions[m].of(StreamKind::kCamera))) {
-      const auto said = poseAt(motions[m].of(told), state.t - lag);
-      if (!said) continue;
+      const auto pose = poseAt(motions[m].of(reference), state.t - clock_offset);
+      if (!pose) continue;
       state.motion = m;
-      state.pair.told = *said;
+      state.pair.commanded = *pose;
       states.push_back(std::move(state));
     }
   return states;
 }
 
-LagReport lagBetween(const std::vector<PoseMotion>& motions, StreamKind told, const LagOptions& options) {
-  LagReport report;
-  for (double lag = options.earliest; lag <= options.latest + 0.5 * options.step; lag += options.step)
-    report.tried.push_back(lag);
-  const Eigen::VectorXd coarse = meanOf(misfitsOf(motions, told, report.tried));
+ClockOffsetReport clockOffsetBetween(const std::vector<PoseMotion>& motions, StreamKind reference,
+                                     const ClockOffsetOptions& options) {
+  ClockOffsetReport report;
+  for (double clock_offset = options.earliest; clock_offset <= options.latest + 0.5 * options.step;
+       clock_offset += options.step)
+    report.tried.push_back(clock_offset);
+  const Eigen::VectorXd coarse = meanOf(misfitsOf(motions, reference, report.tried));
   report.misfit.assign(coarse.data(), coarse.data() + coarse.size());
   Eigen::Index least = 0;
   coarse.minCoeff(&least);
-  std::vector<double> near;  // where hardly a sight has no counterpart
+  std::vector<double> near;  // where hardly an observation has no counterpart
   for (const int step : {-2, -1, 0, 1, 2})
     near.push_back(report.tried[static_cast<std::size_t>(least)] + step * options.step);
-  const std::vector<Misfit> misfits = misfitsOf(motions, told, near);
-  report.lag = leastAt(near, meanOf(misfits));
+  const std::vector<Misfit> misfits = misfitsOf(motions, reference, near);
+  report.clock_offset = leastAt(near, meanOf(misfits));
   double squares = 0.0, used = 0.0;
   for (std::size_t m = 0; m < misfits.size(); ++m) {
     if (misfits[m].count.maxCoeff() < 1.0) continue;
     std::vector<Misfit> others = misfits;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(m));
-    squares += std::pow(leastAt(near, meanOf(others)) - report.lag, 2);
+    squares += std::pow(leastAt(near, meanOf(others)) - report.clock_offset, 2);
     used += 1.0;
   }
   if (used > 1.0) report.sigma = std::sqrt(squares * (used - 1.0) / used);

@@ -29,7 +29,7 @@ struct State {
   PosePair pair;
   Vector6d velocity = Vector6d::Zero();  ///< of what was seen, [m/s], then [rad/s] in its own frame
   /// Mean velocities of the last kSpans, likewise: cables that stick remember where they came from. Before
-  /// the motion's first sight it stood still.
+  /// the motion's first observation it stood still.
   Drift drift = atRest();
   /// Variances that its noise has in learning besides that of all, of each output of a correction
   /// (PoseFeatures::correction): of the position [m²], then of the turn [rad²].
@@ -47,29 +47,31 @@ std::vector<PosePair> pairsOf(const std::vector<State>& states);
 std::optional<Eigen::Isometry3d> poseAt(const std::vector<StampedPose>& stream, double t);
 inline constexpr double kLongestGap = 0.1;  ///< [s]
 
-/// Every sight with its velocity (five-point stencil on the camera's own stamps), how it moved before, and
-/// what `told` said `lag` seconds before: told(t − lag). Sights without such a pose are left out.
-std::vector<State> statesOf(const std::vector<PoseMotion>& motions, StreamKind told, double lag);
+/// Every observation with its velocity (five-point stencil on the camera's own stamps), how it moved before,
+/// and what `told` said `lag` seconds before: told(t − lag). Observations without such a pose are left out.
+std::vector<State> statesOf(const std::vector<PoseMotion>& motions, StreamKind reference,
+                            double clock_offset);
 
 /// States of a path to be followed, or of one that was seen: poses, velocities and drifts; nothing told.
 std::vector<State> statesAlong(const std::vector<StampedPose>& path);
 
-struct LagOptions {
+struct ClockOffsetOptions {
   double earliest = -0.1, latest = 0.4;  ///< [s]
   double step = 0.01;                    ///< of the first search [s]
 };
 
-struct LagReport {
-  double lag = 0.0;                   ///< by which what is seen comes behind what is told [s]
+struct ClockOffsetReport {
+  double clock_offset = 0.0;          ///< by which what is seen comes behind what is told [s]
   double sigma = 0.0;                 ///< its standard deviation, from motion to motion by the jackknife [s]
   std::vector<double> tried, misfit;  ///< of the first search: RMS of the difference of speeds [m/s]
 };
 
 /// The lag between both clocks and of the robot behind its command, by speeds, which no rigid offset
-/// changes: least mean of |‖v_seen(t)‖ − ‖v_told(t − lag)‖|, the mean robust against sights that jump
+/// changes: least mean of |‖v_seen(t)‖ − ‖v_told(t − lag)‖|, the mean robust against observations that jump
 /// (differences beyond kJump count as that). Searched in steps, then by a parabola through the least three of
-/// those near it, compared by the sights that all of these have a counterpart for.
-LagReport lagBetween(const std::vector<PoseMotion>& motions, StreamKind told, const LagOptions& options = {});
+/// those near it, compared by the observations that all of these have a counterpart for.
+ClockOffsetReport clockOffsetBetween(const std::vector<PoseMotion>& motions, StreamKind reference,
+                                     const ClockOffsetOptions& options = {});
 inline constexpr double kJump = 0.05;  ///< [m/s]
 
 }  // namespace capstan::learning

@@ -1,8 +1,8 @@
 #include "core/learning/poses/stencil.h"
 
 #include <algorithm>
-#include <cassert>
 
+#include "core/base/check.h"
 #include "core/learning/poses/rotation_vector.h"
 
 namespace capstan::learning {
@@ -23,11 +23,11 @@ std::vector<double> derivativeWeights(std::span<const double> t, double at) {
     double scale = 1.0;
     for (std::size_t i = 0; i < n; ++i)
       if (i != k) scale *= t[k] - t[i];
-    for (std::size_t left_out = 0; left_out < n; ++left_out) {
-      if (left_out == k) continue;
+    for (std::size_t excluded = 0; excluded < n; ++excluded) {
+      if (excluded == k) continue;
       double product = 1.0;
       for (std::size_t i = 0; i < n; ++i)
-        if (i != k && i != left_out) product *= at - t[i];
+        if (i != k && i != excluded) product *= at - t[i];
       weights[k] += product / scale;
     }
   }
@@ -35,7 +35,7 @@ std::vector<double> derivativeWeights(std::span<const double> t, double at) {
 }
 
 Eigen::Matrix3Xd velocitiesOf(std::span<const double> t, const Eigen::Matrix3Xd& positions) {
-  assert(static_cast<Eigen::Index>(t.size()) == positions.cols());
+  CAPSTAN_CHECK(static_cast<Eigen::Index>(t.size()) == positions.cols());
   Eigen::Matrix3Xd velocities = Eigen::Matrix3Xd::Zero(3, positions.cols());
   for (std::size_t k = 0; k < t.size() && t.size() > 1; ++k) {
     const std::size_t first = firstAround(k, t.size()), width = std::min(kStencil, t.size());
@@ -48,7 +48,7 @@ Eigen::Matrix3Xd velocitiesOf(std::span<const double> t, const Eigen::Matrix3Xd&
 }
 
 Eigen::Matrix3Xd angularVelocitiesOf(std::span<const double> t, std::span<const Eigen::Quaterniond> turns) {
-  assert(t.size() == turns.size());
+  CAPSTAN_CHECK(t.size() == turns.size());
   Eigen::Matrix3Xd velocities = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(t.size()));
   for (std::size_t k = 0; k < t.size() && t.size() > 1; ++k) {
     const std::size_t first = firstAround(k, t.size()), width = std::min(kStencil, t.size());

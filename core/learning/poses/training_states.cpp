@@ -78,9 +78,9 @@ bool noWorse(const std::vector<double>& before, const std::vector<double>& after
 
 /// What is left of each by models of all, doubted, or, where these are worse, of what cleaning kept. Empty:
 /// cancelled, or too few.
-std::vector<Vector6d> leftOfEach(std::vector<State> states, const std::vector<bool>& kept,
-                                 const CorrectionOptions& options, base::Progress* progress,
-                                 const base::ProgressPart& part) {
+std::vector<Vector6d> residualOfEach(std::vector<State> states, const std::vector<bool>& kept,
+                                     const CorrectionOptions& options, base::Progress* progress,
+                                     const base::ProgressPart& part) {
   std::vector<bool> counts(states.size(), true);
   const Judgement by_all(leftByOthers(states, counts, options, progress, part.within(0.0, 0.33)), kept,
                          options.lever);
@@ -91,12 +91,13 @@ std::vector<Vector6d> leftOfEach(std::vector<State> states, const std::vector<bo
     counts[k] = by_all.counts(k);
     states[k].doubt = by_all.doubt(k);
   }
-  std::vector<Vector6d> by_doubted = leftByOthers(states, counts, options, progress, part.within(0.67, 1.0));
-  if (by_doubted.empty()) return {};
+  std::vector<Vector6d> by_down_weighted =
+      leftByOthers(states, counts, options, progress, part.within(0.67, 1.0));
+  if (by_down_weighted.empty()) return {};
   const auto ofKeptBy = [&](const std::vector<Vector6d>& left) {
     return ofKept(sizesOf(left, options.lever), kept);
   };
-  return noWorse(ofKeptBy(by_kept), ofKeptBy(by_doubted)) ? by_doubted : by_kept;
+  return noWorse(ofKeptBy(by_kept), ofKeptBy(by_down_weighted)) ? by_down_weighted : by_kept;
 }
 
 }  // namespace
@@ -124,14 +125,14 @@ void weigh(TrainingStates& training, const std::vector<State>& all, const Cleani
   if (some.empty() || motionPlaces(some).back() + 1 < kFewestMotions) return;
   CorrectionOptions own = options;
   own.offset = training.offset;
-  const Judgement judgement(leftOfEach(some, kept, own, progress, part), kept, options.lever);
+  const Judgement judgement(residualOfEach(some, kept, own, progress, part), kept, options.lever);
   if (!judgement.made()) return;
   training.states.clear();
   for (std::size_t k = 0; k < some.size(); ++k) {
     if (!judgement.counts(k)) continue;
     Reason& reason = cleaning.reason[places[k]];
     if (!kept[k]) training.weighing.again.push_back(std::exchange(reason, Reason::kNone));
-    training.weighing.doubted += judgement.weight(k) < kDoubted;
+    training.weighing.down_weighted += judgement.weight(k) < kDownWeighted;
     some[k].doubt = judgement.doubt(k);
     training.states.push_back(some[k]);
   }

@@ -7,9 +7,9 @@ namespace capstan::learning {
 
 /// What became of states by weigh().
 struct WeighingReport {
-  bool weighed = false;       ///< not: too few motions, nothing left over, or cancelled
-  std::vector<Reason> again;  ///< why cleaning had taken those that count again
-  std::size_t doubted = 0;    ///< of those that count, of a w of all six below kDoubted
+  bool weighed = false;           ///< not: too few motions, nothing left over, or cancelled
+  std::vector<Reason> again;      ///< why cleaning had taken those that count again
+  std::size_t down_weighted = 0;  ///< of those that count, of a w of all six below kDownWeighted
 };
 
 /// What a correction is learned from.
@@ -30,16 +30,16 @@ TrainingStates trainingStates(const std::vector<State>& all, CleaningReport clea
 /// the sum over the n = 3 of the position for these, and over the 3 of the turn for those: the variance that
 /// makes a noise of s² one of s² / w, w being the weights by which a multivariate t distribution of
 /// ν = kFreedom degrees of freedom is fitted (Lange, Little and Taylor, Robust statistical modeling using the
-/// t distribution, JASA 84 (1989)). It comes besides the noise that processes learn, which knows no doubts.
-/// Trial models take the motion of `options`, which has to be set: what history would explain is not to be
-/// doubted.
-/// What cleaning found misplaced() is judged with the rest, and counts again from a w of kAgain on, of all n
-/// = 6: a robot that does not follow a command, at a limit of a joint say, is out of place in the same way
-/// each time, and a sight that is wrong is not. What is faster than `limits` stays out, and the offset stays.
+/// t distribution, JASA 84 (1989)). It comes besides the noise that processes learn, which knows no
+/// exclusions. Trial models take the motion of `options`, which has to be set: what history would explain is
+/// not to be doubted. What cleaning found misplaced() is judged with the rest, and counts again from a w of
+/// kAgain on, of all n = 6: a robot that does not follow a command, at a limit of a joint say, is out of
+/// place in the same way each time, and an observation that is wrong is not. What is faster than `limits`
+/// stays out, and the offset stays.
 ///
-/// Models learned from all tell a first e, and models learned with its doubts a second, which holds. Where
-/// these leave more of what cleaning kept than models of that alone, by the median or by what is left of
-/// kWorst of them (within kByChance), too much is wrong to learn from all, and e is what the latter leave.
+/// Models learned from all tell a first e, and models learned with its exclusions a second, which holds.
+/// Where these leave more of what cleaning kept than models of that alone, by the median or by what is left
+/// of kWorst of them (within kByChance), too much is wrong to learn from all, and e is what the latter leave.
 /// Nothing changes with fewer than kFewestMotions, where nothing is left of half of the states, or when
 /// cancelled.
 void weigh(TrainingStates& training, const std::vector<State>& all, const CleaningOptions& limits,
@@ -48,7 +48,7 @@ void weigh(TrainingStates& training, const std::vector<State>& all, const Cleani
 inline constexpr double kFreedom = 4.0;
 inline constexpr double kScatterShare = 0.01;  ///< turns by the lever
 inline constexpr double kAgain = 0.03;         ///< all six by 7.4 of their scatters, or one by 18
-inline constexpr double kDoubted = 0.5;
+inline constexpr double kDownWeighted = 0.5;
 inline constexpr double kWorst = 0.9;
 inline constexpr double kByChance = 0.05;  ///< by which trial models of much the same states differ
 

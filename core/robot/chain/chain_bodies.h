@@ -30,7 +30,7 @@ CAPSTAN_CHAIN_INLINE Triple<S> scaled(const S& k, const Triple<S>& a) {
 
 /// Link i in the frame before: rotation RotX(alpha) RotZ(theta) by its sine and cosine, and origin.
 template <class S>
-struct LinkPlace {
+struct LinkPose {
   S sine, cosine;
   Triple<S> origin;
   double sin_alpha, cos_alpha;
@@ -46,9 +46,9 @@ struct LinkPlace {
 };
 
 template <class S>
-CAPSTAN_CHAIN_INLINE LinkPlace<S> placeOf(const ChainShape& shape, int i, const S& q) {
+CAPSTAN_CHAIN_INLINE LinkPose<S> placeOf(const ChainShape& shape, int i, const S& q) {
   using std::cos, std::sin;
-  LinkPlace<S> place;
+  LinkPose<S> place;
   place.sin_alpha = shape.sin_alpha[i];
   place.cos_alpha = shape.cos_alpha[i];
   const S zero = q - q;
@@ -96,7 +96,7 @@ CAPSTAN_CHAIN_INLINE Wrench<S> startingWrench(const LinkNumbers<S>& link, const 
 }
 
 template <class S>
-CAPSTAN_CHAIN_INLINE void carryBack(const LinkPlace<S>& place, const Wrench<S>& from, Wrench<S>& to) {
+CAPSTAN_CHAIN_INLINE void carryBack(const LinkPose<S>& place, const Wrench<S>& from, Wrench<S>& to) {
   const Triple<S> force = place.back(from.force);
   to.moment = to.moment + place.back(from.moment) + cross(place.origin, force);
   to.force = to.force + force;
@@ -111,14 +111,14 @@ struct ChainBodies {
 
 template <class S>
 CAPSTAN_CHAIN_INLINE void biasOf(const ChainShape& shape, const ChainNumbers<S>& p,
-                                 const LinkPlace<S> (&places)[kChainJoints], const S* dq,
+                                 const LinkPose<S> (&places)[kChainJoints], const S* dq,
                                  ChainBodies<S>& bodies) {
   const S zero = dq[0] - dq[0];
   Triple<S> omega = {zero, zero, zero}, alpha = omega;
   Triple<S> acceleration = {-p.gravity[0], -p.gravity[1], -p.gravity[2]};
   Wrench<S> wrenches[kChainJoints];
   for (int i = 0; i < shape.joints; ++i) {
-    const LinkPlace<S>& place = places[i];
+    const LinkPose<S>& place = places[i];
     acceleration =
         place.out(acceleration + cross(alpha, place.origin) + cross(omega, cross(omega, place.origin)));
     omega = place.out(omega);
@@ -141,7 +141,7 @@ CAPSTAN_CHAIN_INLINE void biasOf(const ChainShape& shape, const ChainNumbers<S>&
 
 template <class S>
 CAPSTAN_CHAIN_INLINE void massOf(const ChainShape& shape, const ChainNumbers<S>& p,
-                                 const LinkPlace<S> (&places)[kChainJoints], const S& zero,
+                                 const LinkPose<S> (&places)[kChainJoints], const S& zero,
                                  ChainBodies<S>& bodies) {
   for (int j = 0; j < shape.joints; ++j) {  // joint j alone accelerates by 1
     Wrench<S> wrenches[kChainJoints];
@@ -167,7 +167,7 @@ CAPSTAN_CHAIN_INLINE void massOf(const ChainShape& shape, const ChainNumbers<S>&
 template <class S>
 CAPSTAN_CHAIN_INLINE void chainBodies(const ChainShape& shape, const ChainNumbers<S>& p, const S* q,
                                       const S* dq, ChainBodies<S>& bodies) {
-  LinkPlace<S> places[kChainJoints];
+  LinkPose<S> places[kChainJoints];
   for (int i = 0; i < shape.joints; ++i) places[i] = placeOf<S>(shape, i, q[i]);
   biasOf<S>(shape, p, places, dq, bodies);
   massOf<S>(shape, p, places, q[0] - q[0], bodies);

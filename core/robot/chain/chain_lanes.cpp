@@ -1,6 +1,6 @@
 #include "core/robot/chain/chain_lanes.h"
 
-#include <cassert>
+#include "core/base/check.h"
 
 namespace capstan::robot {
 
@@ -15,7 +15,7 @@ CAPSTAN_DECLARE_KERNEL(Avx512)
 #undef CAPSTAN_DECLARE_KERNEL
 
 SimulateChain simulateChainKernel(math::InstructionSet set) {
-  assert(math::isAvailable(set));
+  CAPSTAN_CHECK(math::isAvailable(set));
 #ifdef CAPSTAN_X86_KERNELS
   if (set == math::InstructionSet::kAvx512) return detail::simulateChainAvx512;
   if (set == math::InstructionSet::kAvx2) return detail::simulateChainAvx2;

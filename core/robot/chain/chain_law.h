@@ -62,6 +62,23 @@ CAPSTAN_CHAIN_INLINE S slipAt(const JointNumbers<S>& p, double t) {
   return p.slip * (y * y * (3.0 - 2.0 * y));
 }
 
+/// How far a zero has moved, and how fast it moves.
+template <class S>
+struct ZeroShift {
+  S by;    ///< [rad or m]
+  S rate;  ///< [rad/s or m/s]
+};
+
+/// drift (1 − exp(−t / T)) of q_hs, as cables that seat or warm up move it; t from the begin of the recording
+/// [s], nothing before.
+template <class S>
+CAPSTAN_CHAIN_INLINE ZeroShift<S> zeroShiftAt(const JointNumbers<S>& p, double t) {
+  using std::exp;
+  if (t < 0.0) return {constantLike(p.zero_drift, 0.0), constantLike(p.zero_drift, 0.0)};
+  const S left = p.zero_drift * exp(-(p.zero_drift_rate * t));
+  return {p.zero_drift - left, p.zero_drift_rate * left};
+}
+
 /// One of the two cables of a pair [N]: nothing while it sags. `taut`: 1 or 0.
 template <class S>
 CAPSTAN_CHAIN_INLINE S oneCable(const JointNumbers<S>& p, const S& stretch, const S& rate, S& taut) {

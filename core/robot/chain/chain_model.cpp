@@ -43,7 +43,7 @@ JointNumbers<double> jointNumbers(const Joint& joint, const Drive& drive) {
   p.exponent = drive.cable_exponent;
   p.damping = drive.cable_damping;
   p.pretension = kSound;
-  p.inverse_yield = p.creep_rate = p.inverse_stribeck = p.wave_number = 1.0;
+  p.zero_drift_rate = p.inverse_yield = p.creep_rate = p.inverse_stribeck = p.wave_number = 1.0;
   p.coulomb = joint.friction.coulomb;
   p.viscous = joint.friction.viscous;
   p.inverse_smoothing = 1.0 / joint.friction.smoothing;
@@ -123,6 +123,7 @@ void addToTransmission(const Effect& e, JointNumbers<double>& p) {
   const std::string& name = e.effect;
   if (name == "pulley_radius") p.link_radius *= 1.0 + e["share"];
   if (name == "homing_offset") p.homing += e["offset"];
+  if (name == "zero_drift") p.zero_drift += e["drift"], p.zero_drift_rate = 1.0 / e["time_constant"];
   if (name == "encoder_slip") p.slip += e["slip"], p.slip_time = e["time"];
   if (name == "capstan_eccentricity") p.eccentric_sine += e["sine"], p.eccentric_cosine += e["cosine"];
 }
@@ -165,15 +166,15 @@ void addToBodyAndSensors(const Effect& e, JointNumbers<double>& p) {
 
 }  // namespace
 
-Eigen::Vector3d CameraNumbers::tell(const Eigen::Vector3d& point) const {
+Eigen::Vector3d CameraNumbers::measure(const Eigen::Vector3d& point) const {
   return (1.0 + scale) * (rotationOf(rotation) * point) + offset;
 }
 
-Eigen::Vector3d CameraNumbers::understand(const Eigen::Vector3d& told) const {
-  return rotationOf(rotation).transpose() * (told - offset) / (1.0 + scale);
+Eigen::Vector3d CameraNumbers::undo(const Eigen::Vector3d& measured) const {
+  return rotationOf(rotation).transpose() * (measured - offset) / (1.0 + scale);
 }
 
-Eigen::Matrix3d CameraNumbers::understand(const Eigen::Matrix3d& covariance) const {
+Eigen::Matrix3d CameraNumbers::undo(const Eigen::Matrix3d& covariance) const {
   const Eigen::Matrix3d turn = rotationOf(rotation);
   return turn.transpose() * covariance * turn / ((1.0 + scale) * (1.0 + scale));
 }
@@ -218,6 +219,7 @@ unsigned lawOf(std::string_view effect) {
   static constexpr std::pair<std::string_view, unsigned> kLaws[] = {
       {"capstan_eccentricity", kLawEccentricity},
       {"encoder_slip", kLawSlip},
+      {"zero_drift", kLawZeroDrift},
       {"cable_stiffening", kLawStiffening},
       {"position_stiffness", kLawPositionStiffness},
       {"backlash", kLawPlay},

@@ -18,11 +18,11 @@ struct CameraNumbers {
   double scale = 0.0;                                  ///< share beyond 1
   double delay = 0.0;                                  ///< [s]
 
-  Eigen::Vector3d tell(const Eigen::Vector3d& point) const;
+  Eigen::Vector3d measure(const Eigen::Vector3d& point) const;
   /// The point that was told of.
-  Eigen::Vector3d understand(const Eigen::Vector3d& told) const;
+  Eigen::Vector3d undo(const Eigen::Vector3d& measured) const;
   /// Covariance of the point by that of what was told.
-  Eigen::Matrix3d understand(const Eigen::Matrix3d& covariance) const;
+  Eigen::Matrix3d undo(const Eigen::Matrix3d& covariance) const;
 };
 
 /// A chain in the form that ChainStep runs: the nominal numbers of a robot file, and effects put into them.

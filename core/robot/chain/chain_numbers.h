@@ -25,6 +25,7 @@ enum ChainLaw : unsigned {
   kLawAsymmetricViscosity = 1u << 14,
   kLawExponential = 1u << 13,  ///< cables stretch so far that sinh y is not y + y³ / 6
   kLawCompliance = 1u << 12,   ///< of a rigid drive: motor and joint move apart
+  kLawZeroDrift = 1u << 15,
 };
 
 /// Motor, cable and friction of one joint. Neutral where a number says so.
@@ -38,6 +39,8 @@ struct JointNumbers {
   S slip_time;           ///< [s]
   S link_radius;         ///< r_l [m/rad or m/m]
   S homing;              ///< q_hs [rad or m]
+  S zero_drift;          ///< of q_hs in the long run [rad or m], neutral 0
+  S zero_drift_rate;     ///< 1 / time constant [1/s]
   S stiffness;           ///< k_e [N]
   S exponent;            ///< a [1/m]
   S damping;             ///< b_e [N·s/m]

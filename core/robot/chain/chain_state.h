@@ -14,11 +14,12 @@ ChainState<double> stateAt(const ChainModel& model, const JointVector& q, const 
 /// with q̈ of the same chain on rigid cables. What is left out is the motor's own oscillation.
 void windUp(const ChainModel& model, const ChainInput& input, ChainState<double>& state);
 
-/// Stretch of cable i (from 0) with its motor at q_m [rad] and the joints at q, a slip of the encoder aside
-/// [m].
+/// Stretch of cable i (from 0) with its motor at q_m [rad] and the joints at q, a slip of the encoder and a
+/// zero that has moved aside [m].
 double stretchAt(const ChainModel& model, int i, double q_m, const JointVector& q);
 
-/// q that the motors would give with rigid cables, with the model's own radii, coupling and zero [rad or m].
+/// q that the motors would give with rigid cables, with the model's own radii, coupling and zero at the
+/// begin of the recording [rad or m].
 JointVector jointsFromMotors(const ChainModel& model, const JointVector& q_m);
 
 }  // namespace capstan::robot

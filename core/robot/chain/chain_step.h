@@ -61,6 +61,20 @@ class ChainStep {
         for (int k = 0; k < shape_.joints; ++k)
           bodies_.mass[j][k] = bodies_.mass[j][k] + p_.coupling[i][j] * p_.coupling[i][k] * inertia;
     }
+    for (int j = 0; j < shape_.joints && !shape_.rigid; ++j)
+      if (shape_.laws[j] & kLawZeroDrift) moveZero(input, j);
+  }
+
+  /// The zero of joint j moves: to the cables it is as if the motors went on by as much.
+  CAPSTAN_CHAIN_INLINE void moveZero(const ChainInput& input, int j) {
+    const S begin = zeroShiftAt(p_.joints[j], input.t).by;
+    const S change = zeroShiftAt(p_.joints[j], input.t + input.dt).by - begin;
+    for (int i = 0; i < shape_.joints; ++i) {
+      const S lever = p_.joints[i].link_radius * p_.coupling[i][j];
+      travel_[i] = travel_[i] + lever * begin;
+      travel_change_[i] = travel_change_[i] + lever * change;
+      travel_rate_[i] = travel_rate_[i] + lever * change * (1.0 / input.dt);
+    }
   }
 
   /// Motor's side of a cable over the row.

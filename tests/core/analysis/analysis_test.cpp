@@ -73,7 +73,7 @@ TEST(Analysis, SelectsJointTimeAndUnit) {
   options.share = TimeShare::kOccluded;
   EXPECT_EQ(values(experiments::Estimator::kUkf, 2), Numbers{6.0});
   EXPECT_TRUE(values(experiments::Estimator::kCamera, 2).empty());
-  options.share = TimeShare::kSeen;
+  options.share = TimeShare::kVisible;
   EXPECT_EQ(values(experiments::Estimator::kUkf, 2), Numbers{4.0});
   EXPECT_EQ(values(experiments::Estimator::kCamera, 2), Numbers{7.0});
 }
@@ -116,7 +116,7 @@ TEST(Analysis, EverySampleCountsAndWhatWasThinnedIsSaid) {
   run.errors.resize(400);
   AnalysisOptions options;
   options.joint = 0;
-  for (const TimeShare share : {TimeShare::kAll, TimeShare::kOccluded, TimeShare::kSeen}) {
+  for (const TimeShare share : {TimeShare::kAll, TimeShare::kOccluded, TimeShare::kVisible}) {
     options.share = share;
     const Analysis all = analyse(whole, nullptr, options), thinned = analyse(run, nullptr, options);
     const ErrorSummary &a = all.rows.at(1).a, &b = thinned.rows.at(1).a;

@@ -61,7 +61,7 @@ TEST(ErrorCollector, MomentsAreOfEverySampleHoweverFewAreKept) {
   const ErrorRun run = collector.run();
   EXPECT_LE(run.errors.size(), 64U);
   const ErrorMoments &all = run.momentsOf(experiments::Estimator::kKinematic, TimeShare::kAll),
-                     &seen = run.momentsOf(experiments::Estimator::kUkf, TimeShare::kSeen),
+                     &seen = run.momentsOf(experiments::Estimator::kUkf, TimeShare::kVisible),
                      &hidden = run.momentsOf(experiments::Estimator::kUkf, TimeShare::kOccluded);
   EXPECT_EQ(all.n, 2000U);
   EXPECT_EQ(seen.n, 1000U);

@@ -105,7 +105,7 @@ TEST(SessionMotion, HalvesItsRateWhenItIsFull) {
 TEST_F(ResultsToDraw, NoTwoResultsHaveOneName) {
   std::vector<experiments::Results> all(4);
   for (std::size_t i = 0; i < 4; ++i) all[i].name = i == 2 ? "D" : "C";
-  tellApart(all);
+  distinguish(all);
   EXPECT_EQ(all[0].name, "C");
   EXPECT_EQ(all[1].name, "C-B");
   EXPECT_EQ(all[2].name, "D");

@@ -1,4 +1,4 @@
-// For how many samples a remainder counts.
+// For how many samples a residual counts.
 #include "core/diagnosis/fit/cross_validation.h"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ double inflationOf(double phi) {
 TEST(BlockSquares, WhiteNoiseCountsWhole) { EXPECT_NEAR(inflationOf(0.0), 1.0, 0.15); }
 
 /// 1 + 2 Σ φ^k = (1 + φ) / (1 − φ); of runs of 200 numbers whose mean is off somewhat less.
-TEST(BlockSquares, ASmoothRemainderCountsForAsFewAsItIs) {
+TEST(BlockSquares, ASmoothResidualCountsForAsFewAsItIs) {
   EXPECT_NEAR(inflationOf(0.5), 3.0, 0.5);
   EXPECT_NEAR(inflationOf(0.8), 9.0, 1.8);
 }

@@ -38,8 +38,8 @@ struct Planted {
     options.size = 0.6;
     options.textured = false;
     options.duration = duration;
-    auto [recording, told] = test::recordWithTruth(test::draw(seed, options));
-    truth = told;
+    auto [recording, measured] = test::recordWithTruth(test::draw(seed, options));
+    truth = measured;
     evidence.push_back(evidenceOf(recording.table, robot));
   }
 };
@@ -65,7 +65,7 @@ TEST(FitModel, carriesNumbersFromModelToModel) {
   }
 }
 
-TEST(FitModel, everydayEffectsGiveWayToTheSameEffectAsACause) {
+TEST(FitModel, backgroundEffectsGiveWayToTheSameEffectAsACause) {
   const Planted planted(1);
   const FitModel base(planted.robot, jointScales(planted.evidence, planted.robot));
   const Hypothesis& asymmetric = *hypothesisNamed("asymmetric_friction");
@@ -87,11 +87,11 @@ TEST(ChainSimulation, tellsWhatTheWholeMotionDoes) {
   const ChainSimulation simulation(planted.evidence.front(), planted.robot, 2.0);
   const robot::ChainModel model(planted.robot);
   const std::vector<Robot> robots(3, Robot{&model, nullptr});
-  Eigen::MatrixXd told(simulation.compared().measured.size(), 3);
-  simulation.simulate(robots, told);
-  EXPECT_EQ((told.col(0) - told.col(2)).norm(), 0.0);
+  Eigen::MatrixXd measured(simulation.compared().measured.size(), 3);
+  simulation.simulate(robots, measured);
+  EXPECT_EQ((measured.col(0) - measured.col(2)).norm(), 0.0);
   const SimulatedMotion motion = simulation.motion(model);
-  const auto channels = remainderOf(planted.evidence.front(), motion, planted.robot);
+  const auto channels = residualOf(planted.evidence.front(), motion, planted.robot);
   const Compared& compared = simulation.compared();
   for (std::size_t i = 0; i < compared.channel.size(); i += 37) {
     const ComparedChannel& own = compared.channels[static_cast<std::size_t>(compared.channel[i])];
@@ -101,7 +101,7 @@ TEST(ChainSimulation, tellsWhatTheWholeMotionDoes) {
     ASSERT_NE(same, channels.end());
     const auto at = std::lower_bound(same->t.begin(), same->t.end(), compared.t[i] - 1e-9) - same->t.begin();
     // Between outputs 5 ms apart the tip is a cubic, in the whole motion a line from row to row.
-    EXPECT_NEAR(told(static_cast<Eigen::Index>(i), 0), same->simulated[static_cast<std::size_t>(at)],
+    EXPECT_NEAR(measured(static_cast<Eigen::Index>(i), 0), same->simulated[static_cast<std::size_t>(at)],
                 own.joint > 0 ? 1e-9 : 2e-6)
         << own.name;
   }
@@ -141,9 +141,9 @@ TEST(Fit, freesEncoderZerosAsItIsAsked) {
   const auto means = [&](EncoderZeros zeros) {  // of the elbow's error in either recording
     const FitData data(planted.evidence, planted.robot, 0.0, zeros, 2);
     const FitModel model(planted.robot, jointScales(planted.evidence, planted.robot));
-    const Trust trust{Eigen::VectorXd::Ones(data.size())};
+    const Weighting weighting{Eigen::VectorXd::Ones(data.size())};
     const Eigen::VectorXd e =
-        linearise(data, model, Eigen::VectorXd::Zero(model.size()), noneBeyond(data), trust).e;
+        linearise(data, model, Eigen::VectorXd::Zero(model.size()), noneBeyond(data), weighting).e;
     Eigen::Vector2d sum = Eigen::Vector2d::Zero(), count = sum;
     for (std::size_t i = 0; i < data.channel().size(); ++i) {
       if (data.channels()[static_cast<std::size_t>(data.channel()[i])].joint != 2) continue;
@@ -165,13 +165,13 @@ TEST(LeftOut, isWorseThanTheFitAndNearIt) {
   const Planted planted(4);
   const FitData data(planted.evidence, planted.robot, 2.0, EncoderZeros::kOnePerRecording, 2);
   const FitModel model(planted.robot, jointScales(planted.evidence, planted.robot));
-  Trust trust;
+  Weighting weighting;
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(model.size());
-  trust.weights = weightsFor(data, data.measured() - data.simulate({model.chain(none)}).col(0));
-  const Fit found = fit(data, model, none, noneBeyond(data), trust, {20, 0.05, nullptr});
-  const Eigen::VectorXd left = leftOut(data, found, trust);
-  const double inside = trust.weights.cwiseProduct(found.e).squaredNorm();
-  const double outside = trust.weights.cwiseProduct(left).squaredNorm();
+  weighting.weights = weightsFor(data, data.measured() - data.simulate({model.chain(none)}).col(0));
+  const Fit found = fit(data, model, none, noneBeyond(data), weighting, {20, 0.05, nullptr});
+  const Eigen::VectorXd left = heldOut(data, found, weighting);
+  const double inside = weighting.weights.cwiseProduct(found.e).squaredNorm();
+  const double outside = weighting.weights.cwiseProduct(left).squaredNorm();
   EXPECT_GT(outside, inside);
   EXPECT_LT(outside, 1.5 * inside);
 }
@@ -198,9 +198,10 @@ TEST(WithSigns, turnsTheSignWhereTheMagnitudeTouchesZero) {
     load.push_back(x);
     magnitude.push_back(std::abs(x + random.normal(0.0, 0.002)));
   }
-  const std::vector<double> told = withSigns(magnitude);
+  const std::vector<double> measured = withSigns(magnitude);
   int wrong = 0;
-  for (std::size_t k = 0; k < load.size(); ++k) wrong += std::abs(load[k]) > 0.1 && told[k] * load[k] < 0.0;
+  for (std::size_t k = 0; k < load.size(); ++k)
+    wrong += std::abs(load[k]) > 0.1 && measured[k] * load[k] < 0.0;
   EXPECT_EQ(wrong, 0);
 }
 
@@ -211,11 +212,11 @@ TEST(WithSigns, turnsOnceWhereNoiseLingersAboutZero) {
     load.push_back(-0.3 * std::sin(2.0 * std::numbers::pi * k / 9000.0 - 0.9));
     magnitude.push_back(std::abs(load.back() + random.normal(0.0, 0.005)));
   }
-  const std::vector<double> told = withSigns(magnitude);
+  const std::vector<double> measured = withSigns(magnitude);
   const double start = load.front() < 0.0 ? -1.0 : 1.0;  // nobody can know
   int wrong = 0;
   for (std::size_t k = 0; k < load.size(); ++k)
-    wrong += std::abs(load[k]) > 0.05 && start * told[k] * load[k] < 0.0;
+    wrong += std::abs(load[k]) > 0.05 && start * measured[k] * load[k] < 0.0;
   EXPECT_EQ(wrong, 0);
 }
 
@@ -226,9 +227,10 @@ TEST(WithSigns, findsTheTurnsOfALoadNotMuchLargerThanItsNoise) {
     load.push_back(0.02 * std::sin(2.0 * std::numbers::pi * k / 4400.0 + 0.5));
     magnitude.push_back(std::abs(load.back() + random.normal(0.0, 0.005)));
   }
-  const std::vector<double> told = withSigns(magnitude);
+  const std::vector<double> measured = withSigns(magnitude);
   int wrong = 0;
-  for (std::size_t k = 0; k < load.size(); ++k) wrong += std::abs(load[k]) > 0.01 && told[k] * load[k] < 0.0;
+  for (std::size_t k = 0; k < load.size(); ++k)
+    wrong += std::abs(load[k]) > 0.01 && measured[k] * load[k] < 0.0;
   EXPECT_EQ(wrong, 0);
 }
 
@@ -246,6 +248,49 @@ TEST(Creep, mayHaveBegunBeforeTheRecording) {
   EXPECT_NEAR(found[1], truth.signature, 0.1 * truth.signature);
 }
 
+/// A zero that drifts beside what it could be taken for: all move a joint away from where its motor says it
+/// is.
+Selection amongMovingZeros(const Planted& planted) {
+  const FitData data(planted.evidence, planted.robot, 2.0, EncoderZeros::kKnown, 2);
+  return select(
+      data, planted.evidence, FitModel(planted.robot, jointScales(planted.evidence, planted.robot)),
+      {.most_causes = 1,
+       .refits = 3,
+       .only = {"zero_drift", "homing_offset", "encoder_slip", "cable_creep", "capstan_eccentricity"},
+       .seed = 1},
+      nullptr);
+}
+
+TEST(ZeroDrift, isFoundWithItsNumbers) {
+  for (const int joint : {1, 3}) {
+    const Planted planted(12, test::Effect::kZeroDrift, joint, 20.0);
+    const Selection s = amongMovingZeros(planted);
+    ASSERT_EQ(s.taken.size(), 1U) << joint;
+    EXPECT_EQ(s.taken.front().added.hypothesis->name(), "zero_drift");
+    EXPECT_TRUE(s.competitors.front().others.empty()) << joint;
+    EXPECT_EQ(s.taken.front().added.joint, joint);
+    const FitModel& model = s.best.model;
+    const std::vector<double> found = model.effectValues(model.effects().size() - 1, s.best.u);
+    const test::Planted& truth = planted.truth.items.front().planted;
+    EXPECT_NEAR(found[0], truth.magnitude, 0.1 * std::abs(truth.magnitude)) << joint;
+    EXPECT_NEAR(found[1], truth.signature, 0.2 * truth.signature) << joint;
+  }
+}
+
+/// On the elbow, whose cable gives enough for creep to show by its load; in less than twenty seconds that is
+/// not clear beside its stiffness.
+TEST(ZeroDrift, isNotTakenForWhatItResembles) {
+  for (const test::Effect effect : {test::Effect::kHomingOffset, test::Effect::kEncoderSlip,
+                                    test::Effect::kCableCreep, test::Effect::kCapstanEccentricity}) {
+    const Planted planted(13, effect, 2, effect == test::Effect::kCableCreep ? 24.0 : 12.0);
+    const Selection s = amongMovingZeros(planted);
+    const std::string_view name = test::factsOf(effect).name;
+    ASSERT_EQ(s.taken.size(), 1U) << name;
+    EXPECT_EQ(s.taken.front().added.hypothesis->name(), name);
+    EXPECT_EQ(s.taken.front().added.joint, 2) << name;
+  }
+}
+
 Channel channelOf(double line, double frequency) {
   Channel channel;
   channel.name = "q1";
@@ -254,8 +299,8 @@ Channel channelOf(double line, double frequency) {
   for (int k = 0; k < 3000; ++k) {
     slow = 0.98 * slow + random.normal(0.0, 1.0);
     channel.t.push_back(0.01 * k);
-    channel.remainder.push_back(slow + random.normal(0.0, 1.0) +
-                                line * std::sin(2.0 * std::numbers::pi * frequency * 0.01 * k));
+    channel.residual.push_back(slow + random.normal(0.0, 1.0) +
+                               line * std::sin(2.0 * std::numbers::pi * frequency * 0.01 * k));
   }
   return channel;
 }

@@ -101,7 +101,7 @@ TEST(Evidence, ShortGapsAreBridgedAndLongOnesPart) {
   EXPECT_EQ(evidence.segments[0].size(), 2000U);
   EXPECT_NEAR(evidence.t[evidence.segments[1].begin], 5.4, 1e-9);
   EXPECT_EQ(evidence.rows() - evidence.countingRows(), 20U);
-  EXPECT_EQ(evidence.doubts[510], kGap);
+  EXPECT_EQ(evidence.exclusions[510], kGap);
   EXPECT_NEAR(evidence.q_m[0][510], motorAt(3.51), 5e-3);
   EXPECT_TRUE(std::isnan(evidence.q[0][510]));
   EXPECT_EQ(evidence.notices.size(), 2U) << fmt::format("{}", fmt::join(evidence.notices, "; "));
@@ -132,7 +132,7 @@ TEST(Evidence, VelocityIsDifferentiatedWhereNoneWasMeasured) {
 TEST(Evidence, TheStartMayBeSkipped) {
   const Evidence evidence = evidenceOf(jointTable(), slide(), {DriveKind::kCable, 0.0, 0.5});
   EXPECT_EQ(evidence.countingRows(), evidence.rows() - 500);
-  EXPECT_EQ(evidence.doubts[0], kStart);
+  EXPECT_EQ(evidence.exclusions[0], kStart);
   EXPECT_TRUE(evidence.counts(500));
 }
 
@@ -177,7 +177,7 @@ TEST(Evidence, ATorqueBeyondTheMotorDoesNotCount) {
   rigid.drive = DriveKind::kRigid;
   const Evidence evidence = evidenceOf(table, slide(15.0), rigid);
   EXPECT_EQ(evidence.countingRows(), 1501U);
-  EXPECT_EQ(evidence.doubts[1700], kSaturated);
+  EXPECT_EQ(evidence.exclusions[1700], kSaturated);
 }
 
 base::InputFault faultOf(const recording::MeasuredTable& table, const robot::Description& robot,

@@ -146,7 +146,7 @@ TEST(FilterGain, LeavesRowsInDoubtAndReadingsThatAreMissingOut) {
   const FilterRobots robots = threeTimes(plain().robot);
   Evidence doubted = plainEvidence(), missing = doubted;
   for (std::size_t i = 2000; i < 3000; ++i) {
-    doubted.doubts[i] = kSaturated;
+    doubted.exclusions[i] = kSaturated;
     for (std::size_t j = 0; j < 3; ++j) {
       doubted.q[j][i] += 1.0;
       missing.q[j][i] = std::numeric_limits<double>::quiet_NaN();
@@ -173,7 +173,7 @@ TEST_P(FilterGainWithClock, FollowsCamerasThatTheRobotSaysAreOff) {
   const double delay = GetParam();
   const Evidence evidence = plainEvidence();
   Evidence stamped = evidence;
-  for (TipSight& sight : stamped.tip) sight.t += delay;
+  for (TipObservation& observation : stamped.tip) observation.t += delay;
   FilterRobots robots = threeTimes(plain().robot);
   robots.extended.effects.push_back({"camera_latency", 0, {{"delay", delay}}});
   FilterGainOptions trusting;  // of cameras: else stiff cables say all

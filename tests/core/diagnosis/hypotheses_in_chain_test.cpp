@@ -21,9 +21,9 @@ constexpr double kStep = 1e-3;
 constexpr int kJoint = 2;  ///< of the RAVEN-II, the elbow
 
 robot::Effect effectOf(const Hypothesis& hypothesis, const std::vector<double>& values) {
-  robot::Effect effect{std::string(hypothesis.name()), hypothesis.facts().whole ? 0 : kJoint, {}};
+  robot::Effect effect{std::string(hypothesis.name()), hypothesis.facts->whole ? 0 : kJoint, {}};
   for (std::size_t i = 0; i < values.size(); ++i)
-    effect.values.push_back({std::string(hypothesis.facts().parameters[i].name), values[i]});
+    effect.values.push_back({std::string(hypothesis.facts->parameters[i].name), values[i]});
   return effect;
 }
 
@@ -56,7 +56,7 @@ std::vector<double> seen(const robot::ChainModel& model) {
     step.advance(inputAt(row, model), steps, state);
     for (int j = 0; j < n; ++j) result.push_back(state.q[j]);
   }
-  const Eigen::Vector3d point = model.camera.tell({0.1, -0.2, 0.3});
+  const Eigen::Vector3d point = model.camera.measure({0.1, -0.2, 0.3});
   result.insert(result.end(), point.begin(), point.end());
   result.push_back(model.camera.delay);
   return result;
@@ -103,7 +103,7 @@ class HypothesesInChain : public testing::TestWithParam<bool> {
  protected:
   bool rigid() const { return GetParam(); }
   bool concerns(const Hypothesis& hypothesis) const {
-    return rigid() ? hypothesis.facts().rigid : hypothesis.facts().cable;
+    return rigid() ? hypothesis.facts->rigid : hypothesis.facts->cable;
   }
 };
 
@@ -115,34 +115,34 @@ TEST_P(HypothesesInChain, NeutralNumbersChangeNothing) {
     high = std::max(high, nominal[3 * row + kJoint - 1]);
   }
   ASSERT_GT(high - low, 0.01) << "the arm moves";
-  for (const Hypothesis* hypothesis : hypotheses()) {
-    if (!concerns(*hypothesis)) continue;
-    if (rigid() && hypothesis->name() == "cable_compliance") continue;  // a spring has to give
-    EXPECT_LT(farthest(seenWith(*hypothesis, hypothesis->neutral(), rigid()), nominal), 1e-8)
-        << hypothesis->name();
+  for (const Hypothesis& hypothesis : hypotheses()) {
+    if (!concerns(hypothesis)) continue;
+    if (rigid() && hypothesis.name() == "cable_compliance") continue;  // a spring has to give
+    EXPECT_LT(farthest(seenWith(hypothesis, hypothesis.neutral, rigid()), nominal), 1e-8)
+        << hypothesis.name();
   }
 }
 
 /// A scale away from the start on all numbers, half of one more on each.
 TEST_P(HypothesesInChain, EveryNumberChangesTheMotion) {
   const std::vector<double> nominal = seen(ravenDriven(rigid()));
-  for (const Hypothesis* hypothesis : hypotheses()) {
-    if (!concerns(*hypothesis)) continue;
-    SCOPED_TRACE(hypothesis->name());
-    const auto starts = hypothesis->starts(scalesOf(rigid()), hypothesis->facts().whole ? 0 : kJoint);
+  for (const Hypothesis& hypothesis : hypotheses()) {
+    if (!concerns(hypothesis)) continue;
+    SCOPED_TRACE(hypothesis.name());
+    const auto starts = hypothesis.starts(scalesOf(rigid()), hypothesis.facts->whole ? 0 : kJoint);
     ASSERT_FALSE(starts.empty());
     const EffectStart& start = starts[starts.size() / 2];
     std::vector<double> values = start.value;
     for (std::size_t i = 0; i < values.size(); ++i) values[i] += start.scale[i];
-    const std::vector<double> with = seenWith(*hypothesis, values, rigid());
+    const std::vector<double> with = seenWith(hypothesis, values, rigid());
     EXPECT_TRUE(std::ranges::all_of(with, [](double x) { return std::isfinite(x); }));
     EXPECT_GT(farthest(with, nominal), 1e-6);
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (start.scale[i] == 0.0) continue;
       std::vector<double> moved = values;
       moved[i] += 0.5 * start.scale[i];
-      EXPECT_GT(farthest(seenWith(*hypothesis, moved, rigid()), with), 1e-7)
-          << hypothesis->facts().parameters[i].name;
+      EXPECT_GT(farthest(seenWith(hypothesis, moved, rigid()), with), 1e-7)
+          << hypothesis.facts->parameters[i].name;
     }
   }
 }

@@ -61,7 +61,7 @@ std::vector<Asked> everyJoint() {
 
 bool makesSense(const Hypothesis& hypothesis, const Asked& asked) {
   if (hypothesis.name() == "cable_coupling" && asked.scales.joints == 1) return false;
-  return asked.rigid ? hypothesis.facts().rigid : hypothesis.facts().cable;
+  return asked.rigid ? hypothesis.facts->rigid : hypothesis.facts->cable;
 }
 
 const Hypothesis& named(std::string_view name) {
@@ -73,17 +73,17 @@ const Hypothesis& named(std::string_view name) {
 TEST(Hypotheses, AreOneForEachEffect) {
   ASSERT_EQ(hypotheses().size(), robot::effectFacts().size());
   for (std::size_t i = 0; i < hypotheses().size(); ++i) {
-    EXPECT_EQ(&hypotheses()[i]->facts(), &robot::effectFacts()[i]);
-    EXPECT_EQ(hypothesisNamed(hypotheses()[i]->name()), hypotheses()[i]);
+    EXPECT_EQ(hypotheses()[i].facts, &robot::effectFacts()[i]);
+    EXPECT_EQ(hypothesisNamed(hypotheses()[i].name()), &hypotheses()[i]);
   }
   EXPECT_EQ(hypothesisNamed("gremlins"), nullptr);
 }
 
 TEST(Hypotheses, SpeakInWholeSentences) {
   std::set<std::string_view> said;
-  for (const Hypothesis* hypothesis : hypotheses()) {
-    SCOPED_TRACE(hypothesis->name());
-    const HypothesisWords& words = hypothesis->words();
+  for (const Hypothesis& hypothesis : hypotheses()) {
+    SCOPED_TRACE(hypothesis.name());
+    const HypothesisWords& words = hypothesis.words;
     for (const std::string_view text : {words.what, words.changes, words.signature, words.experiment}) {
       SCOPED_TRACE(text);
       ASSERT_GT(text.size(), 20U);
@@ -121,41 +121,41 @@ TEST(Hypotheses, SayWhereTheySit) {
     }
     return "";
   };
-  for (const Hypothesis* hypothesis : hypotheses())
-    EXPECT_TRUE(hypothesis->words().changes.starts_with(word(hypothesis->place()))) << hypothesis->name();
+  for (const Hypothesis& hypothesis : hypotheses())
+    EXPECT_TRUE(hypothesis.words.changes.starts_with(word(hypothesis.place))) << hypothesis.name();
 }
 
 /// Each number of an effect stands in its equation by name.
 TEST(Hypotheses, EquationsNameTheirNumbers) {
-  for (const Hypothesis* hypothesis : hypotheses())
-    for (const robot::EffectParameter& parameter : hypothesis->facts().parameters) {
+  for (const Hypothesis& hypothesis : hypotheses())
+    for (const robot::EffectParameter& parameter : hypothesis.facts->parameters) {
       if (parameter.name == "mass" || parameter.name == "present") continue;  // of the body's; a yes or no
-      EXPECT_NE(hypothesis->words().equation.find(parameter.name), std::string_view::npos)
-          << hypothesis->name() << ": " << parameter.name;
+      EXPECT_NE(hypothesis.words.equation.find(parameter.name), std::string_view::npos)
+          << hypothesis.name() << ": " << parameter.name;
     }
 }
 
 TEST(Hypotheses, NeutralIsWithinBoundsAndNothing) {
-  for (const Hypothesis* hypothesis : hypotheses()) {
-    SCOPED_TRACE(hypothesis->name());
-    const auto& parameters = hypothesis->facts().parameters;
-    const std::vector<double> neutral = hypothesis->neutral();
+  for (const Hypothesis& hypothesis : hypotheses()) {
+    SCOPED_TRACE(hypothesis.name());
+    const auto& parameters = hypothesis.facts->parameters;
+    const std::vector<double>& neutral = hypothesis.neutral;
     ASSERT_EQ(neutral.size(), parameters.size());
     for (std::size_t i = 0; i < neutral.size(); ++i) {
       EXPECT_GE(neutral[i], parameters[i].low);
       EXPECT_LE(neutral[i], parameters[i].high);
     }
-    EXPECT_EQ(hypothesis->size(neutral), 0.0);
+    EXPECT_EQ(hypothesis.size(neutral), 0.0);
   }
 }
 
 TEST(Hypotheses, StartsAreWithinBounds) {
-  for (const Hypothesis* hypothesis : hypotheses())
+  for (const Hypothesis& hypothesis : hypotheses())
     for (const Asked& asked : everyJoint()) {
-      if (!makesSense(*hypothesis, asked)) continue;
-      SCOPED_TRACE(hypothesis->name());
-      const auto& parameters = hypothesis->facts().parameters;
-      const auto starts = hypothesis->starts(asked.scales, hypothesis->facts().whole ? 0 : asked.joint);
+      if (!makesSense(hypothesis, asked)) continue;
+      SCOPED_TRACE(hypothesis.name());
+      const auto& parameters = hypothesis.facts->parameters;
+      const auto starts = hypothesis.starts(asked.scales, hypothesis.facts->whole ? 0 : asked.joint);
       EXPECT_FALSE(starts.empty());
       for (const EffectStart& start : starts) {
         ASSERT_EQ(start.value.size(), parameters.size());
@@ -166,7 +166,7 @@ TEST(Hypotheses, StartsAreWithinBounds) {
           EXPECT_GE(start.scale[i], 0.0) << parameters[i].name;
           EXPECT_LE(start.scale[i], parameters[i].high - parameters[i].low) << parameters[i].name;
         }
-        EXPECT_EQ(start.scale[0] == 0.0, hypothesis->name() == "sensor_sign");
+        EXPECT_EQ(start.scale[0] == 0.0, hypothesis.name() == "sensor_sign");
       }
     }
 }
@@ -175,13 +175,13 @@ TEST(Hypotheses, StartsAreWithinBounds) {
 TEST(Hypotheses, ShapesStartWithSomeOfIt) {
   const std::set<std::string_view> shapes = {
       "backlash", "slack", "cable_hysteresis", "cable_creep", "stribeck_friction", "sensor_sign"};
-  for (const Hypothesis* hypothesis : hypotheses())
+  for (const Hypothesis& hypothesis : hypotheses())
     for (const Asked& asked : everyJoint()) {
-      if (!makesSense(*hypothesis, asked)) continue;
-      const bool spring = asked.rigid && hypothesis->name() == "cable_compliance";
-      for (const EffectStart& start : hypothesis->starts(asked.scales, asked.joint))
-        EXPECT_EQ(hypothesis->size(start.value) > 0.0, spring || shapes.contains(hypothesis->name()))
-            << hypothesis->name();
+      if (!makesSense(hypothesis, asked)) continue;
+      const bool spring = asked.rigid && hypothesis.name() == "cable_compliance";
+      for (const EffectStart& start : hypothesis.starts(asked.scales, asked.joint))
+        EXPECT_EQ(hypothesis.size(start.value) > 0.0, spring || shapes.contains(hypothesis.name()))
+            << hypothesis.name();
     }
 }
 
@@ -194,11 +194,11 @@ TEST(Hypotheses, StrangeScalesGiveNoStrangeStarts) {
   JointScales frictionless = scalesOf(raven(), 1, false);
   frictionless.coulomb = 0.0;
   for (const JointScales& scales : {JointScales{}, stiff, stretched, frictionless})
-    for (const Hypothesis* hypothesis : hypotheses())
-      for (const EffectStart& start : hypothesis->starts(scales, 1))
+    for (const Hypothesis& hypothesis : hypotheses())
+      for (const EffectStart& start : hypothesis.starts(scales, 1))
         for (std::size_t i = 0; i < start.value.size(); ++i) {
-          const robot::EffectParameter& parameter = hypothesis->facts().parameters[i];
-          SCOPED_TRACE(std::string(hypothesis->name()) + ": " + std::string(parameter.name));
+          const robot::EffectParameter& parameter = hypothesis.facts->parameters[i];
+          SCOPED_TRACE(std::string(hypothesis.name()) + ": " + std::string(parameter.name));
           EXPECT_GE(start.value[i], parameter.low);
           EXPECT_LE(start.value[i], parameter.high);
           EXPECT_TRUE(std::isfinite(start.scale[i]));
@@ -293,18 +293,18 @@ TEST(Hypotheses, SlackGrowsAsPretensionFalls) {
 
 TEST(Hypotheses, EveryRobotHasALittleOfThree) {
   const JointScales scales = scalesOf(raven(), 2, false);
-  for (const Hypothesis* hypothesis : hypotheses()) {
-    const double everyday = hypothesis->everyday(scales);
-    const bool expected = hypothesis->name() == "asymmetric_friction" ||
-                          hypothesis->name() == "stribeck_friction" ||
-                          hypothesis->name() == "capstan_eccentricity";
-    EXPECT_EQ(everyday > 0.0, expected) << hypothesis->name();
+  for (const Hypothesis& hypothesis : hypotheses()) {
+    const double background = hypothesis.background(scales);
+    const bool expected = hypothesis.name() == "asymmetric_friction" ||
+                          hypothesis.name() == "stribeck_friction" ||
+                          hypothesis.name() == "capstan_eccentricity";
+    EXPECT_EQ(background > 0.0, expected) << hypothesis.name();
     if (expected) {  // a tenth or so of what would be large
-      EXPECT_LT(5.0 * everyday, hypothesis->size(hypothesis->starts(scales, 2).at(0).scale));
+      EXPECT_LT(5.0 * background, hypothesis.size(hypothesis.starts(scales, 2).at(0).scale));
     }
   }
-  EXPECT_NEAR(named("capstan_eccentricity").everyday(scales), 1.1e-3 * raven().drives[1].motor_capstan_radius,
-              1e-15);
+  EXPECT_NEAR(named("capstan_eccentricity").background(scales),
+              1.1e-3 * raven().drives[1].motor_capstan_radius, 1e-15);
 }
 
 }  // namespace

@@ -54,17 +54,17 @@ TEST(MeasuredEvidence, SimulatedArmsOfOthers) {
   for (const ChannelNoise& noise : evidence.noise.q_m)
     EXPECT_NEAR(noise.step, 2.0 * std::numbers::pi / robot.drives[0].encoder_counts, 1e-6);
   EXPECT_GT(evidence.tip.size(), 500U);
-  EXPECT_GE(evidence.countingSights() * 100, evidence.tip.size() * 98);
+  EXPECT_GE(evidence.countingObservations() * 100, evidence.tip.size() * 98);
   const robot::Chain chain(robot);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     EXPECT_GT(evidence.noise.tip[axis].sigma, 5e-6);
     EXPECT_LT(evidence.noise.tip[axis].sigma, 2e-3);
   }
-  for (const TipSight& sight : evidence.tip) {
+  for (const TipObservation& observation : evidence.tip) {
     robot::JointVector q(3);
     for (Eigen::Index j = 0; j < 3; ++j)
-      q(j) = Evidence::at(evidence.q[static_cast<std::size_t>(j)], sight.row);
-    EXPECT_LT((chain.marker(q) - sight.position).norm(), 0.03) << "at " << sight.t;
+      q(j) = Evidence::at(evidence.q[static_cast<std::size_t>(j)], observation.row);
+    EXPECT_LT((chain.marker(q) - observation.position).norm(), 0.03) << "at " << observation.t;
   }
 }
 

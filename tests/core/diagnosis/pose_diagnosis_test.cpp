@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "tests/core/diagnosis/data_folder.h"
-#include "tests/core/diagnosis/pose_world.h"
+#include "tests/core/diagnosis/sampled_poses.h"
 
 namespace capstan::diagnosis {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "tests/core/diagnosis/pose_world.h"
+#include "tests/core/diagnosis/sampled_poses.h"
 
 namespace capstan::diagnosis {
 namespace {
@@ -59,7 +59,7 @@ TEST(PoseEvidence, PlaceholdersAndRepeatsAreLeftOutAndCounted) {
 TEST(PoseEvidence, SightsThatNoTipCouldReachDoNotCount) {
   std::string text = kShort;
   for (int k = 0; k < 40; ++k) {
-    const double x = k >= 10 && k < 13 ? 0.2 : 1e-3 * k;  // three sights of something else
+    const double x = k >= 10 && k < 13 ? 0.2 : 1e-3 * k;  // three observations of something else
     text +=
         fmt::format("7,{:.3f},{:.4f},0.02,-0.1,{:.3f},{:.4f},0.02,-0.1\n", 0.02 * k, x, 0.02 * k, 1e-3 * k);
   }

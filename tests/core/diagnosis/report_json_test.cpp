@@ -27,9 +27,8 @@ TEST(ReportJson, SaysWhatTheReportSays) {
   EXPECT_EQ(cause.at("parameters").at("half_width").at("unit"), "m");
   EXPECT_EQ(cause.at("gain").at("rms_after").get<double>(), report.causes[0].gain.rms_after);
   EXPECT_EQ(cause.at("gain").at("interval")[1].get<double>(), report.causes[0].gain.interval.high);
-  EXPECT_EQ(document.at("refit").at("cable_stiffness of joint 2").at("value").get<double>(),
-            report.refit[0].value);
-  EXPECT_EQ(document.at("refit").at("cable_stiffness of joint 2").at("moved"), true);
+  EXPECT_EQ(document.at("refit").at("cable_stiffness_2").at("value").get<double>(), report.refit[0].value);
+  EXPECT_EQ(document.at("refit").at("cable_stiffness_2").at("moved"), true);
   ASSERT_EQ(document.at("channels").size(), report.channels.size());
   const json& channel = document.at("channels")[1];
   EXPECT_EQ(channel.at("name"), "q2");

@@ -83,7 +83,7 @@ TEST(ReportTables, LinesProcessesAndFilter) {
   EXPECT_EQ(process.rows[0][0].text, report.processes[0].variables[0].name);
   EXPECT_LT(process.rows.size(), report.processes[0].variables.size());
   EXPECT_NE(process.note.find("more variables hardly matter"), std::string::npos) << process.note;
-  RemainderProcess nothing = report.processes[0];
+  ResidualProcess nothing = report.processes[0];
   for (ProcessVariable& variable : nothing.variables) variable.relevance = -0.01;
   EXPECT_EQ(processTable(nothing).rows.size(), 1U);
   EXPECT_TRUE(filterTable(report).rows.empty());
@@ -97,7 +97,7 @@ TEST(ReportTables, CausesInWords) {
   EXPECT_EQ(causeText(report.causes[0]), titleOf("backlash") + ", joint 2: half width 0.930 ± 0.030 mm");
   EXPECT_EQ(causeText(report.ties[0].causes[1]),
             titleOf("cable_hysteresis") + ", joint 2: force 31.0 ± 4.0 N, yield 0.110 ± 0.060 mm");
-  EXPECT_EQ(titleOf("backlash"), hypothesisNamed("backlash")->words().title);
+  EXPECT_EQ(titleOf("backlash"), hypothesisNamed("backlash")->words.title);
   EXPECT_EQ(titleOf("no such effect"), "no such effect");
   Gain gain{"q3", "m", 2e-3, 1e-3, {}, {}, {0.4, 0.6}};
   EXPECT_EQ(

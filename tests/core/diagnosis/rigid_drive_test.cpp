@@ -30,8 +30,8 @@ struct Sticking {
     options.sensors.joint_encoders = encoders;
     options.textured = false;
     options.duration = 20.0;
-    auto [recording, told] = test::recordWithTruth(test::draw(30003012, options));
-    truth = told;
+    auto [recording, measured] = test::recordWithTruth(test::draw(30003012, options));
+    truth = measured;
     EvidenceOptions read;
     read.drive = DriveKind::kRigid;
     evidence.push_back(evidenceOf(recording.table, robot, read));

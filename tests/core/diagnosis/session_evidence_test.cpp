@@ -32,16 +32,16 @@ simulation::SimulatedOptions options(double seconds, bool images) {
   return options;
 }
 
-/// Root of the mean square distance of sights from where the joint encoders put the marker [m].
+/// Root of the mean square distance of observations from where the joint encoders put the marker [m].
 double tipError(const Evidence& evidence) {
   const robot::Chain chain(raven());
   double sum = 0.0, count = 0.0;
-  for (const TipSight& sight : evidence.tip) {
+  for (const TipObservation& observation : evidence.tip) {
     robot::JointVector q(3);
     for (Eigen::Index j = 0; j < 3; ++j)
-      q(j) = Evidence::at(evidence.q[static_cast<std::size_t>(j)], sight.row);
+      q(j) = Evidence::at(evidence.q[static_cast<std::size_t>(j)], observation.row);
     if (!q.allFinite()) continue;
-    sum += (chain.marker(q) - sight.position).squaredNorm(), count += 1.0;
+    sum += (chain.marker(q) - observation.position).squaredNorm(), count += 1.0;
   }
   return std::sqrt(sum / count);
 }
@@ -93,7 +93,7 @@ TEST(SessionEvidence, CamerasAloneWillDo) {
   simulation::SimulatedSource source(seen);
   const Evidence evidence = evidenceOf(source);
   EXPECT_FALSE(evidence.hasEncoders());
-  EXPECT_GE(evidence.countingSights(), 50U);
+  EXPECT_GE(evidence.countingObservations(), 50U);
   for (const ChannelNoise& noise : evidence.noise.tip) EXPECT_GT(noise.sigma, 0.0);
 }
 

@@ -1,4 +1,4 @@
-// A remainder with a known cause shows it against the right variable, with the share that it has; noise shows
+// A residual with a known cause shows it against the right variable, with the share that it has; noise shows
 // nothing.
 #include "core/diagnosis/residuals/signature.h"
 
@@ -20,10 +20,10 @@ struct Found {
   double of(const std::string& variable) const { return signatures.at(variable).share; }
 };
 
-/// Signatures of joint 1's remainder.
+/// Signatures of joint 1's residual.
 Found signaturesIn(const Scene& s, std::size_t channel = 0) {
   Found found{variablesOf(s.evidence, s.simulated, s.robot), {}};
-  const std::vector<Channel> channels = remainderOf(s.evidence, s.simulated, s.robot);
+  const std::vector<Channel> channels = residualOf(s.evidence, s.simulated, s.robot);
   for (const Signature& signature : signaturesOf(channels[channel], found.variables))
     found.signatures[signature.variable] = signature;
   return found;
@@ -210,7 +210,7 @@ TEST(Signature, OfCamerasIsTakenAtTheirOwnInstants) {
 TEST(Signature, AskingForOneBinIsRefused) {
   const Scene s = scene(1, 1.0, 1);
   const auto variables = variablesOf(s.evidence, s.simulated, s.robot);
-  const auto channels = remainderOf(s.evidence, s.simulated, s.robot);
+  const auto channels = residualOf(s.evidence, s.simulated, s.robot);
   EXPECT_THROW(signaturesOf(channels[0], variables, {1}), base::InputError);
 }
 

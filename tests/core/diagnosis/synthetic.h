@@ -1,4 +1,4 @@
-/// Recordings whose remainder is known, made of sines.
+/// Recordings whose residual is known, made of sines.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 #include "core/base/random.h"
 #include "core/diagnosis/evidence/evidence.h"
-#include "core/diagnosis/residuals/remainder.h"
+#include "core/diagnosis/residuals/residual.h"
 #include "core/robot/description.h"
 #include "core/robot/transmission.h"
 
@@ -62,7 +62,7 @@ inline Scene scene(int joints, double seconds, std::uint64_t seed, double step =
   s.evidence.joints = joints;
   s.evidence.step = step;
   s.evidence.segments = {{0, rows}};
-  s.evidence.doubts.assign(rows, 0);
+  s.evidence.exclusions.assign(rows, 0);
   for (std::size_t i = 0; i < rows; ++i) s.evidence.t.push_back(step * static_cast<double>(i));
   const robot::Transmission transmission(s.robot);
   for (int j = 0; j < joints; ++j) {

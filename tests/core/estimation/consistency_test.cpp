@@ -7,15 +7,16 @@
 
 #include "core/base/random.h"
 #include "core/estimation/occlusion_gate.h"
+#include "core/stats/chi_square.h"
 
 namespace capstan::estimation {
 namespace {
 
 // Quantiles from the printed tables of Abramowitz and Stegun, table 26.8.
 TEST(ChiSquare, QuantilesAreThoseOfTheTables) {
-  EXPECT_NEAR(chiSquareQuantile(1, 0.95), 3.84146, 1e-5);
-  EXPECT_NEAR(chiSquareQuantile(3, 0.95), 7.81473, 1e-5);
-  EXPECT_NEAR(chiSquareQuantile(3, 0.999), 16.266, 1e-3);
+  EXPECT_NEAR(stats::chiSquareQuantile(1, 0.95), 3.84146, 1e-5);
+  EXPECT_NEAR(stats::chiSquareQuantile(3, 0.95), 7.81473, 1e-5);
+  EXPECT_NEAR(stats::chiSquareQuantile(3, 0.999), 16.266, 1e-3);
 }
 
 TEST(ChiSquare, BandIsForTheMean) {

@@ -22,7 +22,7 @@ DebridementStudyOptions small() {
   options.training.correction.inducing_points = 200;
   options.training.correction.fit.iterations = 25;
   options.arrival.locations = 5;
-  options.arrival.visits = 3;
+  options.arrival.repetitions = 3;
   options.task.fragments = 6;
   options.fragments_beyond = 3;
   return options;
@@ -31,7 +31,9 @@ DebridementStudyOptions small() {
 const DebridementStudyReport& study() {
   static const DebridementStudyReport report = [] {
     base::Progress progress;
-    return runDebridementStudy(small(), progress);
+    DebridementStudyReport both = runDebridement(small(), progress);
+    both.arrival = runArrival(small(), progress).arrival;
+    return both;
   }();
   return report;
 }
@@ -43,8 +45,8 @@ TEST(DebridementStudy, learnsFromWhatCamerasSaw) {
   EXPECT_GT(study().screened, 0U);
   EXPECT_GT(study().kept, study().states * 9 / 10);
   EXPECT_LT(study().kept, study().states);
-  EXPECT_GT(study().lag, 0.04);  // that of the stamps, and the arm's own
-  EXPECT_LT(study().lag, 0.08);
+  EXPECT_GT(study().clock_offset, 0.04);  // that of the stamps, and the arm's own
+  EXPECT_LT(study().clock_offset, 0.08);
 }
 
 TEST(DebridementStudy, correctionArrivesNearer) {
@@ -65,8 +67,8 @@ TEST(DebridementStudy, correctionClearsWhatOpenLoopMisses) {
   EXPECT_EQ(blind.cleared, 0);
   EXPECT_GE(slow.cleared, 5);
   EXPECT_GE(fast.cleared, 4);
-  EXPECT_EQ(fast.looks, 0.0);
-  EXPECT_GT(slow.looks, 5.0);
+  EXPECT_EQ(fast.observations, 0.0);
+  EXPECT_GT(slow.observations, 5.0);
   const Speedup speedup = study().speedup();
   EXPECT_GT(speedup.interval.low, 1.5);
   EXPECT_TRUE(speedup.interval.contains(speedup.value));
@@ -74,11 +76,11 @@ TEST(DebridementStudy, correctionClearsWhatOpenLoopMisses) {
 }
 
 TEST(DebridementStudy, looksWhereTheCorrectionIsUnsure) {
-  constexpr auto kUnsure = static_cast<std::size_t>(DebridementMethod::kWhereUnsure);
-  const DebridementSummary on = summaryOf(study().runs[kUnsure]),
-                           beyond = summaryOf(study().beyond[kUnsure]);
+  constexpr auto kLowConfidence = static_cast<std::size_t>(DebridementMethod::kWhereUncertain);
+  const DebridementSummary on = summaryOf(study().runs[kLowConfidence]),
+                           beyond = summaryOf(study().beyond[kLowConfidence]);
   EXPECT_EQ(beyond.fragments, 3);
-  EXPECT_GT(beyond.looks, on.looks);
+  EXPECT_GT(beyond.observations, on.observations);
   EXPECT_GT(beyond.time, on.time);
 }
 
@@ -97,17 +99,17 @@ TEST(DebridementStudy, correctedCommandsStayWithinTheArmsLimits) {
     const Eigen::Vector3d place(random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3),
                                 random.uniform(-0.2, 0.1));
     const auto motion = straightMotion(scene.pose({0, 0, 0}, 0.0), scene.pose(place, 0.0), 0.2, 10);
-    const auto path = learning::correctedPath(trained.model, motion,
-                                              {CorrectionMode::kFullTrajectory, rig.reachable(), rig.told()});
+    const auto path = learning::correctedPath(
+        trained.model, motion, {CorrectionMode::kFullTrajectory, rig.reachable(), rig.commanded()});
     for (const learning::CorrectedWaypoint& waypoint : path) {
-      const auto q = kinematics.solve(waypoint.command, 0.0, rig.robot().toldJoints());
+      const auto q = kinematics.solve(waypoint.command, 0.0, rig.robot().commandedJoints());
       nowhere += waypoint.limit == learning::ReachLimit::kNowhere;
       shrunk += waypoint.limit == learning::ReachLimit::kCorrection ||
                 waypoint.limit == learning::ReachLimit::kOffset;
       EXPECT_EQ(q.has_value(), waypoint.limit != learning::ReachLimit::kNowhere);
     }
     EXPECT_EQ(rig.follow(path), learning::withinReach(path));
-    EXPECT_TRUE(kinematics.insideLimits(rig.robot().toldJoints()));
+    EXPECT_TRUE(kinematics.insideLimits(rig.robot().commandedJoints()));
   }
   EXPECT_GT(shrunk, 0);
   EXPECT_GT(nowhere, 0);
@@ -125,28 +127,30 @@ TEST(DebridementStudy, doesNotDependOnThreads) {
   DebridementStudyOptions options = small();
   options.training.motions = 12;
   options.training.correction.fit.iterations = 3;
-  options.arrival.locations = 2, options.arrival.visits = 2;
+  options.arrival.locations = 2, options.arrival.repetitions = 2;
   options.task.fragments = 2, options.fragments_beyond = 1;
   base::Progress progress;
   options.threads = 1;
-  const DebridementStudyReport one = runDebridementStudy(options, progress);
+  const DebridementStudyReport one = runDebridement(options, progress);
+  const ArrivalReport arrival_of_one = runArrival(options, progress).arrival;
   options.threads = 3;
-  const DebridementStudyReport three = runDebridementStudy(options, progress);
-  for (std::size_t k = 0; k < one.arrival.size(); ++k)
-    EXPECT_NEAR(one.arrival[k].distance, three.arrival[k].distance, 1e-9);
+  const DebridementStudyReport three = runDebridement(options, progress);
+  const ArrivalReport arrival_of_three = runArrival(options, progress).arrival;
+  for (std::size_t k = 0; k < arrival_of_one.size(); ++k)
+    EXPECT_NEAR(arrival_of_one[k].distance, arrival_of_three[k].distance, 1e-9);
   for (std::size_t k = 0; k < kDebridementMethods; ++k)
     for (std::size_t f = 0; f < 2; ++f) {
       EXPECT_NEAR(one.runs[k][f].off, three.runs[k][f].off, 1e-9);
       EXPECT_NEAR(one.runs[k][f].time, three.runs[k][f].time, 1e-9);
     }
   options.seed = 2;
-  EXPECT_NE(runDebridementStudy(options, progress).arrival[0].distance, one.arrival[0].distance);
+  EXPECT_NE(runArrival(options, progress).arrival[0].distance, arrival_of_one[0].distance);
 }
 
 TEST(DebridementStudy, canBeStopped) {
   base::Progress progress;
   progress.cancel();
-  const DebridementStudyReport stopped = runDebridementStudy(small(), progress);
+  const DebridementStudyReport stopped = runDebridement(small(), progress);
   EXPECT_TRUE(stopped.cancelled);
   EXPECT_EQ(stopped.states, 0U);
   EXPECT_TRUE(stopped.runs[0].empty());
@@ -157,7 +161,7 @@ TEST(DebridementStudy, canBeStopped) {
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
     later.cancel();
   });
-  EXPECT_TRUE(runDebridementStudy(endless, later).cancelled);
+  EXPECT_TRUE(runDebridement(endless, later).cancelled);
 }
 
 TEST(DebridementStudy, refusesWhatMakesNoSense) {
@@ -165,11 +169,11 @@ TEST(DebridementStudy, refusesWhatMakesNoSense) {
   const auto refused = [&](auto change) {
     DebridementStudyOptions options = small();
     change(options);
-    EXPECT_THROW(runDebridementStudy(options, progress), base::InputError);
+    EXPECT_THROW(runDebridement(options, progress), base::InputError);
   };
   refused([](auto& o) { o.training.motions = 0; });
   refused([](auto& o) { o.training.speed = 0.0; });
-  refused([](auto& o) { o.arrival.visits = 1; });
+  refused([](auto& o) { o.arrival.repetitions = 1; });
   refused([](auto& o) { o.arrival.waypoints = 1; });
   refused([](auto& o) { o.task.fragments = 0; });
   refused([](auto& o) { o.task.capture = -1.0; });

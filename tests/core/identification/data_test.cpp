@@ -73,12 +73,12 @@ TEST(ScoreSpread, CorrelatedInnovationsWidenSigma) {
 /// An unknown force that moves the tip by d over n observations adds n² d² to the variance n of their scores.
 TEST(ScoreSpread, AnUnknownForceWidensSigmaByWhatItWouldDo) {
   constexpr double kStep = 1.0 / 16.0, kShift = 0.3;
-  Eigen::Matrix3d by_doubt = Eigen::Matrix3d::Zero();
-  by_doubt(0, 1) = kShift;
+  Eigen::Matrix3d by_discrepancy = Eigen::Matrix3d::Zero();
+  by_discrepancy(0, 1) = kShift;
   base::Random random(3, "scores");
   ScoreSpread spread(10.0, 1.0, 1e9);
   for (int k = 0; k <= 100000; ++k)  // the last one closes both kinds of block
-    spread.add(kStep * k, innovation(random.normal()), by_doubt);
+    spread.add(kStep * k, innovation(random.normal()), by_discrepancy);
   const ScoreSpread::Square covariance = ScoreSpread::Square::Identity();
   EXPECT_NEAR(std::pow(spread.factors(covariance)(0), 2), 1.0 + 16.0 * kShift * kShift, 1e-4);
 }

@@ -15,7 +15,7 @@ using test::softRaven;
 
 constexpr double kLate = 0.08;  // [s]
 constexpr CameraPoseOptions kLooseClock = {.delay_sigma = 0.05};
-constexpr ModelDoubt kNoDoubt = {.friction_share = 0.0};
+constexpr ModelDiscrepancy kNoDoubt = {.friction_share = 0.0};
 
 /// Of the filter's own model, with stamps late by `delay`.
 IdentificationData lateRecording(double delay) {
@@ -53,7 +53,7 @@ TEST(DelayPasses, NothingIsObservedInAGapOfTheMotors) {
 TEST(DelayPasses, BatchFindsALargeDelay) {
   const auto data = lateRecording(kLate);
   const ParameterSet set(data.robot, "r_l");
-  const BatchOptions options{.camera = kLooseClock, .doubt = kNoDoubt};
+  const BatchOptions options{.camera = kLooseClock, .discrepancy = kNoDoubt};
   const BatchReport once = identifyBatch(data, set, options),
                     twice = identifyBatchInPasses(data, set, options);
   EXPECT_LT(std::abs(twice.camera.delay - kLate), 4.0 * twice.camera_sigma.delay);
@@ -66,7 +66,7 @@ TEST(DelayPasses, BatchFindsALargeDelay) {
 TEST(DelayPasses, DualFilterFindsALargeDelay) {
   const auto data = lateRecording(kLate);
   const ParameterSet set(data.robot, "r_l");
-  const DualUkfOptions options{.camera = kLooseClock, .doubt = kNoDoubt};
+  const DualUkfOptions options{.camera = kLooseClock, .discrepancy = kNoDoubt};
   const DualUkfReport once = identifyDualUkf(data, set, options),
                       twice = identifyDualUkfInPasses(data, set, options);
   EXPECT_LT(std::abs(twice.camera.delay - kLate), 4.0 * twice.camera_sigma.delay);
@@ -80,7 +80,7 @@ TEST(DelayPasses, ThePriorStaysThatOfTheWholeDelay) {
   const auto data = lateRecording(kLate);
   const ParameterSet set(data.robot, "r_l");
   const auto with = [&](double prior) {
-    return identifyDualUkfInPasses(data, set, {.camera = {.delay_sigma = prior}, .doubt = kNoDoubt});
+    return identifyDualUkfInPasses(data, set, {.camera = {.delay_sigma = prior}, .discrepancy = kNoDoubt});
   };
   const DualUkfReport free = with(0.05), held = with(0.0015);
   const double lost = kLate * std::pow(held.delay_noise / 0.0015, 2);
@@ -92,19 +92,19 @@ TEST(DelayPasses, ThePriorStaysThatOfTheWholeDelay) {
 TEST(DelayPasses, DoubtInTheModelDoesNotPullTheDelay) {
   const auto data = lateRecording(0.03);
   const ParameterSet set(data.robot, "r_l");
-  const auto with = [&](const ModelDoubt& doubt) {
-    return identifyDualUkfInPasses(data, set, {.doubt = doubt});
+  const auto with = [&](const ModelDiscrepancy& discrepancy) {
+    return identifyDualUkfInPasses(data, set, {.discrepancy = discrepancy});
   };
-  const DualUkfReport sure = with(kNoDoubt), unsure = with({});
-  EXPECT_GT(unsure.camera_sigma.delay, 2.0 * sure.camera_sigma.delay) << "else nothing is tested";
-  EXPECT_DOUBLE_EQ(unsure.camera.delay, sure.camera.delay);
-  EXPECT_NEAR(unsure.camera.delay, 0.03, 4.0 * sure.camera_sigma.delay + 1e-4);
+  const DualUkfReport sure = with(kNoDoubt), low_confidence = with({});
+  EXPECT_GT(low_confidence.camera_sigma.delay, 2.0 * sure.camera_sigma.delay) << "else nothing is tested";
+  EXPECT_DOUBLE_EQ(low_confidence.camera.delay, sure.camera.delay);
+  EXPECT_NEAR(low_confidence.camera.delay, 0.03, 4.0 * sure.camera_sigma.delay + 1e-4);
 }
 
 TEST(DelayPasses, ASmallDelayTakesOnePass) {
   const auto data = lateRecording(0.003);
   const ParameterSet set(data.robot, "r_l");
-  const DualUkfOptions options{.camera = kLooseClock, .doubt = kNoDoubt};
+  const DualUkfOptions options{.camera = kLooseClock, .discrepancy = kNoDoubt};
   const DualUkfReport once = identifyDualUkf(data, set, options),
                       passes = identifyDualUkfInPasses(data, set, options);
   EXPECT_EQ(once.camera.delay, passes.camera.delay);

@@ -35,7 +35,7 @@ IdentificationData recorded(double duration, const std::vector<live::MotorFailur
 /// What is left lies before `end` and is what the healthy recording holds there.
 void expectBeginning(const IdentificationData& found, const IdentificationData& healthy, double end) {
   ASSERT_GT(found.motors.size(), 0U);
-  EXPECT_EQ(found.motors.size() + found.left_out, healthy.motors.size());
+  EXPECT_EQ(found.motors.size() + found.excluded, healthy.motors.size());
   EXPECT_EQ(found.motors.velocity.size(), found.motors.size());
   EXPECT_LE(found.motors.t.back(), end);
   for (std::size_t i = 0; i < found.motors.size(); ++i)
@@ -49,7 +49,7 @@ void expectBeginning(const IdentificationData& found, const IdentificationData& 
 TEST(FailedMotor, LeavesTheRecordingBeforeIt) {
   constexpr double kFailure = 4.0, kDuration = 9.0;
   const IdentificationData healthy = recorded(kDuration, {});
-  EXPECT_EQ(healthy.left_out, 0U);
+  EXPECT_EQ(healthy.excluded, 0U);
   EXPECT_GE(healthy.motors.t.back(), kDuration);
   for (int motor = 0; motor < 3; ++motor)
     for (const MotorFault fault : {MotorFault::kLost, MotorFault::kFrozen}) {
@@ -78,7 +78,7 @@ TEST(FailedMotor, IsAGapWhereItComesBack) {
   EXPECT_EQ(held.motors.t, found.motors.t);
   ASSERT_EQ(held.cameras.size(), found.cameras.size());
   EXPECT_EQ(live.extent().motors, found.motors.size());
-  EXPECT_NEAR(static_cast<double>(found.left_out), 2000.0, 3.0);
+  EXPECT_NEAR(static_cast<double>(found.excluded), 2000.0, 3.0);
   for (const double t : found.motors.t) EXPECT_TRUE(t < 3.002 || t > 4.998) << t;
   std::size_t before = 0, after = 0;
   for (const CameraObservation& seen : found.cameras) {
@@ -100,7 +100,7 @@ TEST(FailedMotor, AMomentWithoutNumbersIsLeftOutAndTheCamerasBesideItStay) {
     collector.add(sample, pipeline.step(sample));
   }
   const IdentificationData found = collector.finish(), healthy = recorded(6.0, {});
-  EXPECT_NEAR(static_cast<double>(found.left_out), 20.0, 2.0);
+  EXPECT_NEAR(static_cast<double>(found.excluded), 20.0, 2.0);
   for (const double t : found.motors.t) EXPECT_TRUE(t < 3.001 || t > 3.019) << t;
   EXPECT_EQ(found.cameras.size(), healthy.cameras.size());
 }

@@ -218,7 +218,7 @@ TEST(Live, SaysWhyNothingComes) {
   EXPECT_NE(wordsOf(extent).find("not seen"), std::string::npos);
   extent.registered = false;
   EXPECT_NE(wordsOf(extent).find("not registered"), std::string::npos);
-  extent = {.seconds = 12.4, .motors = 12400, .cameras = 180, .sightings = 160};
+  extent = {.seconds = 12.4, .motors = 12400, .cameras = 180, .observations = 160};
   EXPECT_EQ(wordsOf(extent), "12 s, tip seen 160 times");
 }
 

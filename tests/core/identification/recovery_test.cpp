@@ -26,17 +26,17 @@ robot::Description wrongBy(robot::Description robot) {
 
 const char* const kAsked = "r_l1,k_e2,k_e3,b_e2";
 /// Recordings of the filter's own model hold no force that it does not know.
-constexpr ModelDoubt kNoDoubt = {.friction_share = 0.0};
+constexpr ModelDiscrepancy kNoDoubt = {.friction_share = 0.0};
 
 TEST(Recovery, BatchFindsWhatTheRecordingHolds) {
   const auto truth = softRaven(), nominal = wrongBy(truth);
   CameraPose pose;
-  pose.turn = {0.008, -0.006, 0.004};
+  pose.rotation = {0.008, -0.006, 0.004};
   pose.shift = {0.001, -0.002, 0.0015};
   pose.delay = 0.003;
   const auto data = matchedRecording(truth, nominal, {.duration = 60.0, .pose = pose});
   const ParameterSet set(nominal, kAsked);
-  const BatchReport report = identifyBatch(data, set, {.doubt = kNoDoubt});
+  const BatchReport report = identifyBatch(data, set, {.discrepancy = kNoDoubt});
   ASSERT_EQ(report.end, BatchEnd::kConverged);
   EXPECT_NEAR(report.residual_after, 1.0, 0.05);
   const double wrong[] = {1.05, 1.8, 0.6, 1.5};
@@ -46,7 +46,10 @@ TEST(Recovery, BatchFindsWhatTheRecordingHolds) {
     EXPECT_LT(std::abs(found.log + std::log(wrong[i])), 4.0 * found.sigma) << found.parameter.name();
     EXPECT_LT(found.sigma, i == 0 ? 0.002 : 0.05) << found.parameter.name();
   }
-  EXPECT_LT((report.camera.turn - pose.turn).cwiseQuotient(report.camera_sigma.turn).cwiseAbs().maxCoeff(),
+  EXPECT_LT((report.camera.rotation - pose.rotation)
+                .cwiseQuotient(report.camera_sigma.rotation)
+                .cwiseAbs()
+                .maxCoeff(),
             4.0);
   EXPECT_LT(std::abs(report.camera.delay - pose.delay), 4.0 * report.camera_sigma.delay);
 }
@@ -57,7 +60,7 @@ TEST(Recovery, DualFilterFindsTheSame) {
   const ParameterSet set(nominal, kAsked);
   int points = 0;
   const DualUkfReport report =
-      identifyDualUkf(data, set, {.doubt = kNoDoubt}, nullptr, [&](const TracePoint&) { ++points; });
+      identifyDualUkf(data, set, {.discrepancy = kNoDoubt}, nullptr, [&](const TracePoint&) { ++points; });
   ASSERT_EQ(report.end, DualUkfEnd::kRecordingEnded);
   EXPECT_EQ(points, static_cast<int>(report.trace.size()));
   EXPECT_NEAR(report.nis, 1.0, 0.35);
@@ -78,7 +81,8 @@ TEST(Recovery, StandardDeviationsAreHonestOverManyRecordings) {
   for (int run = 0; run < kRuns; ++run) {
     const auto data =
         matchedRecording(robot, robot, {.duration = 20.0, .seed = 100U + static_cast<unsigned>(run)});
-    const BatchReport report = identifyBatch(data, set, {.shooting = {.warm_up = 3.0}, .doubt = kNoDoubt});
+    const BatchReport report =
+        identifyBatch(data, set, {.shooting = {.warm_up = 3.0}, .discrepancy = kNoDoubt});
     for (const Estimate& found : report.estimates) squares += std::pow(found.log / found.sigma, 2);
   }
   // 24 squares; the two of a run are correlated: between the 0.1 % and 99.9 % points of chi-square with 12.
@@ -94,9 +98,9 @@ TEST(Recovery, ForcesThatNoModelKnowsWidenTheIntervals) {
   for (const bool batch : {true, false}) {
     std::vector<double> variance, value;
     for (const double share : {0.5, 1.0, 2.0}) {
-      const ModelDoubt doubt{.friction_share = share};
-      const Estimate found = batch ? identifyBatch(data, set, {.doubt = doubt}).estimates[0]
-                                   : identifyDualUkf(data, set, {.doubt = doubt}).estimates[0];
+      const ModelDiscrepancy discrepancy{.friction_share = share};
+      const Estimate found = batch ? identifyBatch(data, set, {.discrepancy = discrepancy}).estimates[0]
+                                   : identifyDualUkf(data, set, {.discrepancy = discrepancy}).estimates[0];
       variance.push_back(found.sigma * found.sigma);
       value.push_back(found.log);
     }
@@ -118,9 +122,9 @@ TEST(Recovery, ManyShortRecordingsAreAsGoodAsALongOne) {
   int joins = 0;
   for (std::size_t k = 1; k < shooting.used().size(); ++k) joins += shooting.continues(k) ? 0 : 1;
   EXPECT_EQ(joins, 2);
-  const BatchReport report = identifyBatch(data, set, {.doubt = kNoDoubt}),
+  const BatchReport report = identifyBatch(data, set, {.discrepancy = kNoDoubt}),
                     one = identifyBatch(matchedRecording(truth, nominal, {.duration = 20.0}), set,
-                                        {.doubt = kNoDoubt});
+                                        {.discrepancy = kNoDoubt});
   ASSERT_EQ(report.end, BatchEnd::kConverged);
   const double wrong[] = {1.05, 1.8, 0.6, 1.5};
   for (int i = 0; i < set.size(); ++i) {
@@ -137,18 +141,18 @@ TEST(Recovery, SeenMeansByTheStatedSigma) {
   const auto truth = softRaven();
   const auto data = matchedRecording(truth, truth, {.duration = 30.0});
   const ParameterSet set(truth, "k_e2");
-  const BatchReport sure = identifyBatch(data, set, {.doubt = kNoDoubt});
-  const double by_one = identifyBatch(data, set, {.doubt = {.friction_share = 1.0}}).estimates[0].sigma;
+  const BatchReport sure = identifyBatch(data, set, {.discrepancy = kNoDoubt});
+  const double by_one = identifyBatch(data, set, {.discrepancy = {.friction_share = 1.0}}).estimates[0].sigma;
   const double share = 0.7 * set[0].prior_sigma / by_one;  // beyond kSeenShare, within the prior
-  const BatchReport unsure = identifyBatch(data, set, {.doubt = {.friction_share = share}});
+  const BatchReport low_confidence = identifyBatch(data, set, {.discrepancy = {.friction_share = share}});
   EXPECT_TRUE(sure.estimates[0].seen);
   EXPECT_EQ(sure.estimates[0].advice, "");
-  EXPECT_TRUE(unsure.before.parameters[0].seen) << "by noise alone";
-  EXPECT_GT(unsure.estimates[0].sigma, kSeenShare * set[0].prior_sigma);
-  EXPECT_FALSE(unsure.estimates[0].seen);
-  EXPECT_NE(unsure.estimates[0].advice.find("friction and hysteresis"), std::string::npos)
-      << unsure.estimates[0].advice;
-  EXPECT_EQ(identifiedRobot(set, unsure.estimates).drives[1].cable_stiffness,
+  EXPECT_TRUE(low_confidence.before.parameters[0].seen) << "by noise alone";
+  EXPECT_GT(low_confidence.estimates[0].sigma, kSeenShare * set[0].prior_sigma);
+  EXPECT_FALSE(low_confidence.estimates[0].seen);
+  EXPECT_NE(low_confidence.estimates[0].advice.find("friction and hysteresis"), std::string::npos)
+      << low_confidence.estimates[0].advice;
+  EXPECT_EQ(identifiedRobot(set, low_confidence.estimates).drives[1].cable_stiffness,
             truth.drives[1].cable_stiffness);
 }
 
@@ -168,7 +172,7 @@ TEST(Recovery, TheClocksOriginDoesNotMatter) {
 }
 
 /// Half a spring and half a damper in the cable of joint 2, which the model does not have, one standard
-/// deviation of ModelDoubt strong: noise alone would be too sure of the damping.
+/// deviation of ModelDiscrepancy strong: noise alone would be too sure of the damping.
 TEST(Recovery, HysteresisOfACableIsInTheIntervals) {
   simulation::SimulationRequest request;
   request.trajectory = "fls";
@@ -180,7 +184,7 @@ TEST(Recovery, HysteresisOfACableIsInTheIntervals) {
   const robot::Drive& drive = options.robot.drives[1];
   constexpr double kYield = 5e-5;
   const double force =
-      ModelDoubt{}.friction_share * options.robot.joints[1].friction.coulomb / drive.link_radius;
+      ModelDiscrepancy{}.friction_share * options.robot.joints[1].friction.coulomb / drive.link_radius;
   options.truth.joints[1].hysteresis = {.stiffness = force / kYield, .yield = kYield};
   simulation::SimulatedSource source(options);
   const IdentificationData data = collect(source);

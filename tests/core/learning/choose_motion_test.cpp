@@ -26,9 +26,9 @@ std::vector<State> states(std::size_t motions, double lost) {
       state.velocity[0] = velocity;
       state.drift[1][0] = before;
       state.drift[0][0] = velocity;
-      state.pair.seen.translation() = Eigen::Vector3d(x, random.uniform(-0.02, 0.02), 0.0);
-      state.pair.told = state.pair.seen;
-      state.pair.told.translation()[1] += 0.02 * velocity + lost * before + random.normal(0.0, 5e-5);
+      state.pair.observed.translation() = Eigen::Vector3d(x, random.uniform(-0.02, 0.02), 0.0);
+      state.pair.commanded = state.pair.observed;
+      state.pair.commanded.translation()[1] += 0.02 * velocity + lost * before + random.normal(0.0, 5e-5);
       made.push_back(state);
     }
   }

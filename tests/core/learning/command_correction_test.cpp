@@ -7,16 +7,16 @@
 
 #include "core/base/error.h"
 #include "core/base/random.h"
-#include "core/learning/poses/looks.h"
+#include "core/learning/poses/next_observation.h"
 #include "core/learning/poses/rotation_vector.h"
 
 namespace capstan::learning {
 namespace {
 
 Eigen::Isometry3d pose(const Eigen::Vector3d& position,
-                       const Eigen::Vector3d& turn = Eigen::Vector3d::Zero()) {
+                       const Eigen::Vector3d& rotation = Eigen::Vector3d::Zero()) {
   Eigen::Isometry3d made = Eigen::Isometry3d::Identity();
-  made.linear() = turnBy(turn).toRotationMatrix();
+  made.linear() = turnBy(rotation).toRotationMatrix();
   made.translation() = position;
   return made;
 }
@@ -31,11 +31,11 @@ const CorrectionModel& model() {
     std::vector<State> states;
     while (states.size() < 400) {
       State state;
-      state.pair.seen = pose(draw(0.05), draw(0.3));
+      state.pair.observed = pose(draw(0.05), draw(0.3));
       state.velocity << draw(0.1), draw(0.5);
-      const Eigen::Vector3d p = state.pair.seen.translation();
-      state.pair.told = pose({0.02, -0.01, 0.015}, {0.1, 0.0, -0.1}) * state.pair.seen;
-      state.pair.told.translation() +=
+      const Eigen::Vector3d p = state.pair.observed.translation();
+      state.pair.commanded = pose({0.02, -0.01, 0.015}, {0.1, 0.0, -0.1}) * state.pair.observed;
+      state.pair.commanded.translation() +=
           Eigen::Vector3d(4e-3 * std::sin(40.0 * p.x()) + 0.05 * state.velocity[0], 3e-3 * p.y() / 0.05, 0.0);
       states.push_back(state);
     }
@@ -168,7 +168,7 @@ TEST(CorrectedPath, refusesWhatIsNoMotion) {
                base::InputError);
 }
 
-std::vector<CorrectedWaypoint> sure(const std::vector<double>& confidence) {
+std::vector<CorrectedWaypoint> confident(const std::vector<double>& confidence) {
   std::vector<CorrectedWaypoint> path;
   for (const double each : confidence) {
     CorrectedWaypoint waypoint;
@@ -181,23 +181,24 @@ std::vector<CorrectedWaypoint> sure(const std::vector<double>& confidence) {
 }
 
 TEST(NextLook, isAtTheEndWhereAllIsSure) {
-  EXPECT_EQ(nextLook(sure({0.9, 0.8, 0.9, 0.9, 0.9}), 0, {0.5, 0.01}), 4U);
+  EXPECT_EQ(nextObservation(confident({0.9, 0.8, 0.9, 0.9, 0.9}), 0, {0.5, 0.01}), 4U);
 }
 
 TEST(NextLook, comesEachCentimetreWhereItIsNot) {
-  const auto path = sure({0.4, 0.4, 0.4, 0.4, 0.4, 0.4, 0.9});
-  EXPECT_EQ(nextLook(path, 0, {0.5, 0.01}), 3U);  // 12 mm on
-  EXPECT_EQ(nextLook(path, 3, {0.5, 0.01}), 6U);
-  EXPECT_EQ(nextLook(path, 6, {0.5, 0.01}), 6U);
+  const auto path = confident({0.4, 0.4, 0.4, 0.4, 0.4, 0.4, 0.9});
+  EXPECT_EQ(nextObservation(path, 0, {0.5, 0.01}), 3U);  // 12 mm on
+  EXPECT_EQ(nextObservation(path, 3, {0.5, 0.01}), 6U);
+  EXPECT_EQ(nextObservation(path, 6, {0.5, 0.01}), 6U);
 }
 
 TEST(NextLook, goesInOnePieceToTheLastThatIsSure) {
-  EXPECT_EQ(nextLook(sure({0.9, 0.9, 0.9, 0.9, 0.9, 0.9, 0.1, 0.1}), 0, {0.5, 0.01}), 5U);
+  EXPECT_EQ(nextObservation(confident({0.9, 0.9, 0.9, 0.9, 0.9, 0.9, 0.1, 0.1}), 0, {0.5, 0.01}), 5U);
 }
 
 TEST(OffsetSeen, takesWhatIsSeenToWhatWasTold) {
-  const Eigen::Isometry3d told = pose({0.1, 0, 0}, {0.1, 0.2, 0}), seen = pose({0.12, 0.01, 0}, {0, 0.3, 0});
-  EXPECT_LT(apart(offsetSeen(told, seen) * seen, told), 1e-12);
+  const Eigen::Isometry3d commanded = pose({0.1, 0, 0}, {0.1, 0.2, 0}),
+                          observed = pose({0.12, 0.01, 0}, {0, 0.3, 0});
+  EXPECT_LT(apart(offsetObserved(commanded, observed) * observed, commanded), 1e-12);
 }
 
 }  // namespace

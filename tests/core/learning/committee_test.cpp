@@ -1,12 +1,12 @@
 // Sparse processes that are averaged.
-#include "core/learning/process/committee.h"
+#include "core/learning/gaussian_process/committee.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "core/base/random.h"
-#include "core/learning/process/process_fit.h"
+#include "core/learning/gaussian_process/process_fit.h"
 
 namespace capstan::learning {
 namespace {
@@ -42,8 +42,8 @@ Committee learned(const Sample& s) {
 TEST(Committee, SaysWhatAnEqualMixtureOfItsMembersDoes) {
   const Sample s = sample(300, 1), at = sample(20, 2);
   const Committee committee = learned(s);
-  const Prediction told = committee.predict(at.x);
-  EXPECT_LT((told.mean - committee.mean(at.x)).cwiseAbs().maxCoeff(), 1e-12);
+  const Prediction commanded = committee.predict(at.x);
+  EXPECT_LT((commanded.mean - committee.mean(at.x)).cwiseAbs().maxCoeff(), 1e-12);
   for (Eigen::Index k = 0; k < 20; ++k) {
     double first = 0.0, second = 0.0, output = 0.0;  // moments of both outputs
     for (const SparseProcess& member : committee.members()) {
@@ -51,9 +51,9 @@ TEST(Committee, SaysWhatAnEqualMixtureOfItsMembersDoes) {
       output += own.mean(0, 0) / 3.0;
       for (int q = 0; q < 2; ++q) second += (own.variance[0] + std::pow(own.mean(0, q), 2)) / 6.0;
     }
-    for (int q = 0; q < 2; ++q) first += std::pow(told.mean(k, q), 2) / 2.0;
-    EXPECT_NEAR(told.mean(k, 0), output, 1e-12);
-    EXPECT_NEAR(told.variance[k], second - first, 1e-12);
+    for (int q = 0; q < 2; ++q) first += std::pow(commanded.mean(k, q), 2) / 2.0;
+    EXPECT_NEAR(commanded.mean(k, 0), output, 1e-12);
+    EXPECT_NEAR(commanded.variance[k], second - first, 1e-12);
   }
 }
 
@@ -67,14 +67,14 @@ TEST(Committee, ItsCovarianceHasItsVariancesOnTheDiagonal) {
 
 TEST(Committee, KnowsNothingFarFromAllData) {
   const Committee committee = learned(sample(300, 1));
-  const Prediction told = committee.predict(Eigen::MatrixXd::Constant(1, 4, 100.0));
-  EXPECT_LT(told.mean.cwiseAbs().maxCoeff(), 1e-12);
-  EXPECT_NEAR(told.variance[0], committee.signalVariance(), 1e-12);
+  const Prediction commanded = committee.predict(Eigen::MatrixXd::Constant(1, 4, 100.0));
+  EXPECT_LT(commanded.mean.cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_NEAR(commanded.variance[0], committee.signalVariance(), 1e-12);
 }
 
 /// Root mean square of what is left.
-double leftBy(const Eigen::MatrixXd& told, const Eigen::MatrixXd& truth) {
-  return std::sqrt((told - truth).squaredNorm() / static_cast<double>(truth.size()));
+double leftBy(const Eigen::MatrixXd& commanded, const Eigen::MatrixXd& truth) {
+  return std::sqrt((commanded - truth).squaredNorm() / static_cast<double>(truth.size()));
 }
 
 /// With hyperparameters from few points each, as the members have.

@@ -17,10 +17,11 @@ std::vector<learning::State> states(std::size_t n) {
   base::Random random(5, "states");
   std::vector<learning::State> made(n);
   for (learning::State& state : made) {
-    for (int i = 0; i < 3; ++i) state.pair.seen.translation()[i] = random.uniform(-0.05, 0.05);
+    for (int i = 0; i < 3; ++i) state.pair.observed.translation()[i] = random.uniform(-0.05, 0.05);
     for (int i = 0; i < 6; ++i) state.velocity[i] = random.uniform(-0.1, 0.1);
-    state.pair.told = state.pair.seen;
-    state.pair.told.translation().x() += 0.01 + 2e-3 * std::sin(60.0 * state.pair.seen.translation().y());
+    state.pair.commanded = state.pair.observed;
+    state.pair.commanded.translation().x() +=
+        0.01 + 2e-3 * std::sin(60.0 * state.pair.observed.translation().y());
   }
   return made;
 }

@@ -22,13 +22,14 @@ Eigen::Isometry3d pose(const Eigen::Vector3d& position, const Eigen::Vector3d& r
 }
 
 /// What has to be told to see a pose: millimetres off by where it is, degrees by how fast it moves.
-Eigen::Isometry3d toldFor(const Eigen::Isometry3d& seen, const Vector6d& velocity) {
-  const Eigen::Vector3d p = seen.translation();
+Eigen::Isometry3d toldFor(const Eigen::Isometry3d& observed, const Vector6d& velocity) {
+  const Eigen::Vector3d p = observed.translation();
   const Eigen::Vector3d off(4e-3 * std::sin(40.0 * p.x()), 3e-3 * std::cos(30.0 * p.y()), 0.0);
   const Eigen::Isometry3d rigid = pose({0.02, 0.01, -0.03}, {0.2, 0.0, 0.1});
-  Eigen::Isometry3d told = rigid * seen * pose(Eigen::Vector3d::Zero(), {0.5 * velocity[0], 0.0, 0.0});
-  told.translation() += off;
-  return told;
+  Eigen::Isometry3d commanded =
+      rigid * observed * pose(Eigen::Vector3d::Zero(), {0.5 * velocity[0], 0.0, 0.0});
+  commanded.translation() += off;
+  return commanded;
 }
 
 std::vector<State> states(std::size_t n, std::uint64_t seed, double noise = 1e-4) {
@@ -39,10 +40,10 @@ std::vector<State> states(std::size_t n, std::uint64_t seed, double noise = 1e-4
   std::vector<State> made;
   while (made.size() < n) {
     State state;
-    state.pair.seen = pose(draw(0.05), draw(0.3));
+    state.pair.observed = pose(draw(0.05), draw(0.3));
     state.velocity << draw(0.1), draw(0.5);
-    state.pair.told = toldFor(state.pair.seen, state.velocity);
-    state.pair.told.translation() += draw(noise);
+    state.pair.commanded = toldFor(state.pair.observed, state.velocity);
+    state.pair.commanded.translation() += draw(noise);
     made.push_back(state);
   }
   return made;
@@ -51,10 +52,10 @@ std::vector<State> states(std::size_t n, std::uint64_t seed, double noise = 1e-4
 CorrectionOptions quick() { return quickOptions(300); }
 
 double rms(const CorrectionModel& model, const std::vector<State>& test) {
-  const std::vector<Eigen::Isometry3d> told = model.correct(test);
+  const std::vector<Eigen::Isometry3d> commanded = model.correct(test);
   double squares = 0.0;
   for (std::size_t k = 0; k < test.size(); ++k)
-    squares += squaredDistance(told[k], test[k].pair.told, kLever);
+    squares += squaredDistance(commanded[k], test[k].pair.commanded, kLever);
   return std::sqrt(squares / static_cast<double>(test.size()));
 }
 
@@ -86,7 +87,7 @@ TEST(CorrectionModel, knowsHowSureItIs) {
   for (const State& state : states(200, 3)) {
     const Corrected corrected = model.correct(state);
     EXPECT_GT(corrected.confidence, 0.5);
-    const Eigen::Vector3d off = corrected.pose.translation() - state.pair.told.translation();
+    const Eigen::Vector3d off = corrected.pose.translation() - state.pair.commanded.translation();
     for (int axis = 0; axis < 3; ++axis, ++outputs)
       inside += std::abs(off[axis]) < 2.0 * corrected.sigma[axis];
   }
@@ -107,7 +108,7 @@ std::vector<State> withNoise(double (*noise)(base::Random&), std::uint64_t seed)
   base::Random random(seed, "tails");
   std::vector<State> made = states(1200, seed, 0.0);
   for (State& state : made)
-    for (Eigen::Index i = 0; i < 3; ++i) state.pair.told.translation()[i] += noise(random);
+    for (Eigen::Index i = 0; i < 3; ++i) state.pair.commanded.translation()[i] += noise(random);
   return made;
 }
 
@@ -115,10 +116,10 @@ std::vector<State> withNoise(double (*noise)(base::Random&), std::uint64_t seed)
 std::array<Eigen::Array3d, 2> sharesStated(double (*noise)(base::Random&)) {
   const CorrectionModel model = CorrectionModel::trained(withNoise(noise, 1), quick());
   const std::vector<State> test = withNoise(noise, 2);
-  const std::vector<Corrected> corrected = model.correctSurely(test);
+  const std::vector<Corrected> corrected = model.correctWithConfidence(test);
   std::array<Eigen::Array3d, 2> shares = {Eigen::Array3d::Zero(), Eigen::Array3d::Zero()};
   for (std::size_t k = 0; k < test.size(); ++k) {
-    const Eigen::Array3d off = errorsInSigma(corrected[k], test[k].pair.told).head(3).array().abs();
+    const Eigen::Array3d off = errorsInSigma(corrected[k], test[k].pair.commanded).head(3).array().abs();
     for (std::size_t sigmas : {1U, 2U})
       shares[sigmas - 1] += (off <= static_cast<double>(sigmas)).cast<double>();
   }
@@ -141,8 +142,8 @@ TEST(CorrectionModel, fallsBackToTheRigidOffsetBeyondItsData) {
   const Corrected corrected = model.correct(far, Vector6d::Zero());
   EXPECT_LT(corrected.confidence, 1e-6);
   EXPECT_LT(squaredDistance(corrected.pose, model.offset() * far, kLever), 1e-16);
-  const Eigen::Isometry3d turned = pose(Eigen::Vector3d::Zero(), {1.5, 0.0, 0.0});
-  EXPECT_LT(model.correct(turned, Vector6d::Zero()).confidence, 1e-3) << "nobody has seen it turned so";
+  const Eigen::Isometry3d rotated = pose(Eigen::Vector3d::Zero(), {1.5, 0.0, 0.0});
+  EXPECT_LT(model.correct(rotated, Vector6d::Zero()).confidence, 1e-3) << "nobody has seen it turned so";
   double before = 1.0;  // and it gets there smoothly
   for (double x = 0.0; x < 0.5; x += 0.05) {
     const double confidence =
@@ -180,11 +181,11 @@ TEST(YawPitchRoll, leadsThereAndBack) {
 
 TEST(MiddleTurn, liesInTheMiddle) {
   const Eigen::Vector3d v(0.4, -0.2, 0.6);
-  const Eigen::Quaterniond middle = middleTurn(
+  const Eigen::Quaterniond middle = meanRotation(
       {pose(Eigen::Vector3d::Zero(), v + Eigen::Vector3d(0.1, 0, 0)), pose(Eigen::Vector3d::Zero(), v),
        pose(Eigen::Vector3d::Zero(), v - Eigen::Vector3d(0.1, 0, 0))});
   EXPECT_LT(rotationVector(middle.conjugate() * turnBy(v)).norm(), 1e-3);
-  EXPECT_LT(rotationVector(middleTurn({})).norm(), 1e-12);
+  EXPECT_LT(rotationVector(meanRotation({})).norm(), 1e-12);
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ PreparedStates noisySample() {
   return prepare(recording::parsePoseTable(testing::samplePoseTable(noisy), "p.csv"), quick());
 }
 
-/// White noise, all that a correction leaves here, changes from one sight to the next.
+/// White noise, all that a correction leaves here, changes from one observation to the next.
 TEST(CorrectionStudy, WhatJittersIsNoise) {
   base::Random random(4, "noise");
   std::vector<State> noisy = states();
@@ -100,11 +100,11 @@ TEST(CorrectionStudy, WhatJittersIsNoise) {
     const auto white = [&](double sigma) {
       return Eigen::Vector3d(random.normal(0.0, sigma), random.normal(0.0, sigma), random.normal(0.0, sigma));
     };
-    state.pair.told = state.pair.seen;
-    state.pair.told.translation() +=
-        Eigen::Vector3d(0.01, 0.0, 0.1 * state.pair.seen.translation().x()) + white(5e-4);
-    const Eigen::Vector3d turn = white(5e-3);
-    state.pair.told.rotate(Eigen::AngleAxisd(turn.norm(), turn.normalized()));
+    state.pair.commanded = state.pair.observed;
+    state.pair.commanded.translation() +=
+        Eigen::Vector3d(0.01, 0.0, 0.1 * state.pair.observed.translation().x()) + white(5e-4);
+    const Eigen::Vector3d rotation = white(5e-3);
+    state.pair.commanded.rotate(Eigen::AngleAxisd(rotation.norm(), rotation.normalized()));
   }
   CorrectionStudyOptions options;
   options.splits = 1;

@@ -1,13 +1,13 @@
 // The process beside the textbook's formulas by Eigen.
-#include "core/learning/process/exact_process.h"
+#include "tests/support/exact_process.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
 #include <cmath>
 
-#include "core/learning/process/marginal_likelihood.h"
-#include "core/learning/process/process_fit.h"
+#include "core/learning/gaussian_process/marginal_likelihood.h"
+#include "core/learning/gaussian_process/process_fit.h"
 #include "tests/support/textbook_process.h"
 
 namespace capstan::learning {
@@ -19,14 +19,14 @@ void expectTextbookPredictions(const KernelParameters& p) {
   const Sample s = sample(80, 2, 0.1), at = sample(15, 2, 0.0, 2);
   const ExactProcess process(s.x, s.y, p);
   EXPECT_EQ(process.jitter(), 0.0);
-  const Prediction told = process.predict(at.x);
+  const Prediction commanded = process.predict(at.x);
   const Eigen::MatrixXd cross = kernels(at.x, s.x, p);
   const auto factor = noisy(s.x, p).llt();
-  EXPECT_LT((told.mean - cross * factor.solve(s.y)).cwiseAbs().maxCoeff(), 1e-9);
-  EXPECT_LT((told.mean - process.mean(at.x)).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_LT((commanded.mean - cross * factor.solve(s.y)).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_LT((commanded.mean - process.mean(at.x)).cwiseAbs().maxCoeff(), 1e-12);
   const Eigen::VectorXd variance = kernels(at.x, at.x, p).diagonal() -
                                    (cross * factor.solve(Eigen::MatrixXd(cross.transpose()))).diagonal();
-  EXPECT_LT((told.variance - variance).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_LT((commanded.variance - variance).cwiseAbs().maxCoeff(), 1e-9);
 }
 
 TEST(ExactProcess, predictsAsTheTextbook) {
@@ -36,9 +36,9 @@ TEST(ExactProcess, predictsAsTheTextbook) {
 TEST(ExactProcess, knowsNothingFarAway) {
   const Sample s = sample(50, 1, 0.1);
   const ExactProcess process(s.x, s.y, someParameters(true));
-  const Prediction told = process.predict(Eigen::MatrixXd::Constant(1, 3, 60.0));
-  EXPECT_NEAR(told.mean(0, 0), 0.0, 1e-12);
-  EXPECT_NEAR(told.variance[0], process.parameters().signalVariance(), 1e-12);
+  const Prediction commanded = process.predict(Eigen::MatrixXd::Constant(1, 3, 60.0));
+  EXPECT_NEAR(commanded.mean(0, 0), 0.0, 1e-12);
+  EXPECT_NEAR(commanded.variance[0], process.parameters().signalVariance(), 1e-12);
 }
 
 TEST(ExactProcess, standsRepeatsWithoutNoise) {

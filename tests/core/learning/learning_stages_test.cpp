@@ -15,9 +15,9 @@ using learning::Reason;
 using learning::StreamKind;
 using testing::SamplePoses;
 
-LearningStages stagesOf(const SamplePoses& sample, StreamKind told = StreamKind::kCommand) {
+LearningStages stagesOf(const SamplePoses& sample, StreamKind towards = StreamKind::kCommand) {
   LearningOptions options;
-  options.towards = told;
+  options.towards = towards;
   options.cleaning = {};
   return learningStages(recording::parsePoseTable(testing::samplePoseTable(sample), "poses.csv"), options);
 }
@@ -27,8 +27,8 @@ TEST(LearningStages, FindEveryFlawWhereItWasPut) {
   const LearningStages stages = stagesOf(sample);
   EXPECT_EQ(stages.screen.count(StreamKind::kCamera, Reason::kPlaceholder), 20U);
   EXPECT_EQ(stages.screen.rejected.size(), 20U);
-  EXPECT_NEAR(stages.lag.lag, sample.lag, 2.0 * stages.lag.sigma);
-  EXPECT_LT(stages.lag.sigma, 5e-3) << "half a sample";
+  EXPECT_NEAR(stages.clock_offset.clock_offset, sample.clock_offset, 2.0 * stages.clock_offset.sigma);
+  EXPECT_LT(stages.clock_offset.sigma, 5e-3) << "half a sample";
   ASSERT_EQ(stages.motions.size(), 20U);
   EXPECT_EQ(stages.states.size() + stages.unpaired, 20U * 59U);
   for (std::size_t m = 0; m + 1 < stages.motions.size(); ++m) {

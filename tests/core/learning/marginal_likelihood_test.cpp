@@ -1,5 +1,5 @@
 // The likelihood beside the textbook's formula by Eigen, and its derivatives beside differences.
-#include "core/learning/process/marginal_likelihood.h"
+#include "core/learning/gaussian_process/marginal_likelihood.h"
 
 #include <gtest/gtest.h>
 

@@ -26,8 +26,8 @@ std::vector<PosePair> pairs(std::size_t n, double noise, std::uint64_t seed = 1)
   base::Random random(seed, "pose pairs");
   std::vector<PosePair> made;
   while (made.size() < n) {
-    const Eigen::Isometry3d seen = pose(draw(random, 0.05), draw(random, 1.0));
-    made.push_back({seen, kOffset * seen * pose(draw(random, noise), draw(random, noise / kLever))});
+    const Eigen::Isometry3d observed = pose(draw(random, 0.05), draw(random, 1.0));
+    made.push_back({observed, kOffset * observed * pose(draw(random, noise), draw(random, noise / kLever))});
   }
   return made;
 }
@@ -42,7 +42,7 @@ TEST(RigidOffset, isExactWithoutNoise) {
 
 TEST(RigidOffset, isARotationAndNoMirror) {
   std::vector<PosePair> mirrored = pairs(20, 0.0);
-  for (PosePair& pair : mirrored) pair.told.translation().x() *= -1.0;
+  for (PosePair& pair : mirrored) pair.commanded.translation().x() *= -1.0;
   EXPECT_NEAR(rigidOffset(mirrored, 1e-4).linear().determinant(), 1.0, 1e-12);
 }
 
@@ -52,9 +52,9 @@ TEST(RigidOffset, leavesLeast) {
   const auto sum = [&](const Eigen::Isometry3d& g) {
     double total = 0.0;
     for (const PosePair& pair : some) {
-      const Eigen::Isometry3d moved = g * pair.seen;
-      total += (moved.translation() - pair.told.translation()).squaredNorm() / (kLever * kLever) +
-               (moved.linear() - pair.told.linear()).squaredNorm();
+      const Eigen::Isometry3d moved = g * pair.observed;
+      total += (moved.translation() - pair.commanded.translation()).squaredNorm() / (kLever * kLever) +
+               (moved.linear() - pair.commanded.linear()).squaredNorm();
     }
     return total;
   };
@@ -68,7 +68,7 @@ TEST(LeastMedian, standsFortyPercentWrong) {
   std::vector<PosePair> some = pairs(200, 0.0005);
   base::Random random(5, "wrong ones");
   for (std::size_t k = 0; k < some.size(); ++k)
-    if (k % 5 < 2) some[k].seen = pose(draw(random, 0.1), draw(random, 1.0));
+    if (k % 5 < 2) some[k].observed = pose(draw(random, 0.1), draw(random, 1.0));
   const MedianReport report = leastMedianOffset(some);
   EXPECT_LT(apart(report.offset), 0.0005);
   int wrong_kept = 0, right_kept = 0;

@@ -1,11 +1,12 @@
 // The sparse process beside the exact one.
-#include "core/learning/process/sparse_process.h"
+#include "core/learning/gaussian_process/sparse_process.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "core/base/random.h"
+#include "tests/support/exact_process.h"
 
 namespace capstan::learning {
 namespace {
@@ -32,10 +33,10 @@ TEST(SparseProcess, withAllPointsIsTheExactOne) {
   SparseProcess sparse(s.x, 2, parameters());
   sparse.add(s.x, s.y);
   const ExactProcess exact(s.x, s.y, parameters());
-  const Prediction told = sparse.predict(at.x), expected = exact.predict(at.x);
-  EXPECT_LT((told.mean - expected.mean).cwiseAbs().maxCoeff(), 1e-5);
-  EXPECT_LT((told.variance - expected.variance).cwiseAbs().maxCoeff(), 1e-5);
-  EXPECT_LT((told.mean - sparse.mean(at.x)).cwiseAbs().maxCoeff(), 1e-9);
+  const Prediction commanded = sparse.predict(at.x), expected = exact.predict(at.x);
+  EXPECT_LT((commanded.mean - expected.mean).cwiseAbs().maxCoeff(), 1e-5);
+  EXPECT_LT((commanded.variance - expected.variance).cwiseAbs().maxCoeff(), 1e-5);
+  EXPECT_LT((commanded.mean - sparse.mean(at.x)).cwiseAbs().maxCoeff(), 1e-9);
 }
 
 TEST(SparseProcess, withFewPointsIsNearTheExactOne) {
@@ -51,13 +52,13 @@ TEST(SparseProcess, withFewPointsIsNearTheExactOne) {
 /// Of twice the noise each, and of the same outputs.
 TEST(SparseProcess, twoDoubtedPointsAreAsGoodAsOne) {
   const Sample s = sample(100, 1), at = sample(40, 2);
-  SparseProcess doubted(s.x, 2, parameters()), once = doubted;
+  SparseProcess down_weighted(s.x, 2, parameters()), once = down_weighted;
   const Eigen::VectorXd besides = Eigen::VectorXd::Constant(30, parameters().noiseVariance());
   once.add(s.x, s.y);
-  doubted.add(s.x.bottomRows(70), s.y.bottomRows(70));
-  for (int k = 0; k < 2; ++k) doubted.add(s.x.topRows(30), s.y.topRows(30), besides);
-  EXPECT_LT((doubted.mean(at.x) - once.mean(at.x)).cwiseAbs().maxCoeff(), 1e-8);
-  EXPECT_LT((doubted.predict(at.x).variance - once.predict(at.x).variance).cwiseAbs().maxCoeff(), 1e-8);
+  down_weighted.add(s.x.bottomRows(70), s.y.bottomRows(70));
+  for (int k = 0; k < 2; ++k) down_weighted.add(s.x.topRows(30), s.y.topRows(30), besides);
+  EXPECT_LT((down_weighted.mean(at.x) - once.mean(at.x)).cwiseAbs().maxCoeff(), 1e-8);
+  EXPECT_LT((down_weighted.predict(at.x).variance - once.predict(at.x).variance).cwiseAbs().maxCoeff(), 1e-8);
 }
 
 TEST(SparseProcess, learnsInPartsWhatItLearnsAtOnce) {
@@ -76,9 +77,9 @@ TEST(SparseProcess, learnsInPartsWhatItLearnsAtOnce) {
 TEST(SparseProcess, knowsNothingBeforeItLearns) {
   const Sample s = sample(30, 9);
   const SparseProcess sparse(s.x, 2, parameters());
-  const Prediction told = sparse.predict(s.x);
-  EXPECT_EQ(told.mean.cwiseAbs().maxCoeff(), 0.0);
-  EXPECT_NEAR(told.variance.minCoeff(), parameters().signalVariance(), 1e-6);
+  const Prediction commanded = sparse.predict(s.x);
+  EXPECT_EQ(commanded.mean.cwiseAbs().maxCoeff(), 0.0);
+  EXPECT_NEAR(commanded.variance.minCoeff(), parameters().signalVariance(), 1e-6);
 }
 
 TEST(DrawnPoints, areDistinctAndTheSameForASeed) {

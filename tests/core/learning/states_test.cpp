@@ -56,13 +56,13 @@ std::vector<RawMotion> motions(std::size_t count) {
 
 TEST(ScreenPoses, keepsPosesAndListsTheRest) {
   std::vector<RawMotion> some = motions(2);
-  std::vector<RawPose>& seen = some[1].streams[0];
-  seen[10].position.setZero(), seen[10].quaternion = Eigen::Vector4d::UnitW();
-  seen[11].position.setZero(), seen[11].quaternion.setZero();
-  seen[20].position.y() = std::numeric_limits<double>::quiet_NaN();
-  seen[30].quaternion *= 1.5;
-  seen[41] = seen[40];
-  seen[50].t = seen[45].t;
+  std::vector<RawPose>& observed = some[1].streams[0];
+  observed[10].position.setZero(), observed[10].quaternion = Eigen::Vector4d::UnitW();
+  observed[11].position.setZero(), observed[11].quaternion.setZero();
+  observed[20].position.y() = std::numeric_limits<double>::quiet_NaN();
+  observed[30].quaternion *= 1.5;
+  observed[41] = observed[40];
+  observed[50].t = observed[45].t;
   const ScreenReport report = screenPoses(some);
   EXPECT_EQ(report.rows[0], 600U);
   EXPECT_EQ(report.poses[0], 594U);
@@ -82,16 +82,16 @@ TEST(ScreenPoses, keepsPosesAndListsTheRest) {
 
 TEST(PoseAt, liesBetweenItsNeighboursAndNowhereElse) {
   const ScreenReport report = screenPoses(motions(1));
-  const auto& told = report.motions[0].of(StreamKind::kCommand);
-  const double t = 0.3 * told[100].t + 0.7 * told[101].t;
-  const auto pose = poseAt(told, t);
+  const auto& commanded = report.motions[0].of(StreamKind::kCommand);
+  const double t = 0.3 * commanded[100].t + 0.7 * commanded[101].t;
+  const auto pose = poseAt(commanded, t);
   ASSERT_TRUE(pose.has_value());
   EXPECT_LT(squaredDistance(*pose, toldAt(0, t), kLever), 1e-10);
-  EXPECT_TRUE(poseAt(told, told.front().t).has_value());
-  EXPECT_TRUE(poseAt(told, told.back().t).has_value());
-  EXPECT_FALSE(poseAt(told, told.front().t - 1e-3).has_value());
-  EXPECT_FALSE(poseAt(told, told.back().t + 1e-3).has_value());
-  std::vector<StampedPose> gap(told);
+  EXPECT_TRUE(poseAt(commanded, commanded.front().t).has_value());
+  EXPECT_TRUE(poseAt(commanded, commanded.back().t).has_value());
+  EXPECT_FALSE(poseAt(commanded, commanded.front().t - 1e-3).has_value());
+  EXPECT_FALSE(poseAt(commanded, commanded.back().t + 1e-3).has_value());
+  std::vector<StampedPose> gap(commanded);
   gap.erase(gap.begin() + 90, gap.begin() + 110);
   EXPECT_FALSE(poseAt(gap, t).has_value()) << "within a gap";
   EXPECT_FALSE(poseAt({}, 0.0).has_value());
@@ -99,19 +99,19 @@ TEST(PoseAt, liesBetweenItsNeighboursAndNowhereElse) {
 
 TEST(LagBetween, isFoundWhateverTheOffset) {
   const ScreenReport report = screenPoses(motions(6));
-  const LagReport lag = lagBetween(report.motions, StreamKind::kCommand);
-  EXPECT_NEAR(lag.lag, kLag, 0.003);
-  EXPECT_LT(lag.sigma, 0.003);
-  EXPECT_EQ(lag.tried.size(), lag.misfit.size());
+  const ClockOffsetReport clock_offset = clockOffsetBetween(report.motions, StreamKind::kCommand);
+  EXPECT_NEAR(clock_offset.clock_offset, kLag, 0.003);
+  EXPECT_LT(clock_offset.sigma, 0.003);
+  EXPECT_EQ(clock_offset.tried.size(), clock_offset.misfit.size());
 }
 
-TEST(LagBetween, isNotMovedByTheNoiseOfSights) {
+TEST(LagBetween, isNotMovedByTheNoiseOfObservations) {
   std::vector<RawMotion> noisy = motions(6);
   base::Random random(7, "noise of sights");
   for (RawMotion& motion : noisy)
     for (RawPose& pose : motion.streams[0])
       for (double& x : pose.position) x += random.normal(0.0, 2e-4);
-  EXPECT_NEAR(lagBetween(screenPoses(noisy).motions, StreamKind::kCommand).lag, kLag, 0.01);
+  EXPECT_NEAR(clockOffsetBetween(screenPoses(noisy).motions, StreamKind::kCommand).clock_offset, kLag, 0.01);
 }
 
 TEST(StatesOf, pairWhatBelongsTogether) {
@@ -119,7 +119,7 @@ TEST(StatesOf, pairWhatBelongsTogether) {
   const std::vector<State> states = statesOf(report.motions, StreamKind::kCommand, kLag);
   ASSERT_GT(states.size(), 550U) << "the first tenth of a second has no command";
   for (const State& state : states) {
-    EXPECT_LT(squaredDistance(kOffset * state.pair.seen, state.pair.told, kLever), 1e-9);
+    EXPECT_LT(squaredDistance(kOffset * state.pair.observed, state.pair.commanded, kLever), 1e-9);
     constexpr double kStep = 1e-5;
     const auto at = [&](double t) {
       return Eigen::Isometry3d(kOffset.inverse() * toldAt(state.motion, t - kLag));
@@ -132,13 +132,13 @@ TEST(StatesOf, pairWhatBelongsTogether) {
 
 TEST(StatesOf, rememberWhereTheyCameFrom) {
   const ScreenReport report = screenPoses(motions(1));
-  const std::vector<StampedPose>& seen = report.motions[0].of(StreamKind::kCamera);
+  const std::vector<StampedPose>& observed = report.motions[0].of(StreamKind::kCamera);
   for (const State& state : statesOf(report.motions, StreamKind::kCommand, kLag))
     for (std::size_t i = 0; i < kSpans.size(); ++i) {
-      const double from = std::max(state.t - kSpans[i], seen.front().t);
+      const double from = std::max(state.t - kSpans[i], observed.front().t);
       const Eigen::Isometry3d before = kOffset.inverse() * toldAt(0, from - kLag);
-      const Eigen::Vector3d way = state.pair.seen.translation() - before.translation();
-      EXPECT_LT((state.drift[i].head<3>() * kSpans[i] - way).norm(), 2e-3) << "one sight late at most";
+      const Eigen::Vector3d way = state.pair.observed.translation() - before.translation();
+      EXPECT_LT((state.drift[i].head<3>() * kSpans[i] - way).norm(), 2e-3) << "one observation late at most";
     }
 }
 
@@ -148,11 +148,11 @@ TEST(CleanStates, rejectsWhatNoRobotDoes) {
   const auto shake = [&](double size) -> Eigen::Vector3d {
     return size * Eigen::Vector3d(random.normal(0, 1), random.normal(0, 1), random.normal(0, 1));
   };
-  for (State& state : states) state.pair.seen.translation() += shake(0.0005);
+  for (State& state : states) state.pair.observed.translation() += shake(0.0005);
   std::vector<std::size_t> jumped;
   for (std::size_t k = 0; k < states.size(); k += 17) {
     if (states[k].motion == 4) continue;
-    states[k].pair.seen.translation() += Eigen::Vector3d(0.1, 0.0, 0.0);
+    states[k].pair.observed.translation() += Eigen::Vector3d(0.1, 0.0, 0.0);
     jumped.push_back(k);
   }
   states[5].velocity.head<3>() *= 100.0;
@@ -160,7 +160,7 @@ TEST(CleanStates, rejectsWhatNoRobotDoes) {
   std::size_t of_last = 0;
   for (State& state : states)
     if (state.motion == 4 && of_last++ > 10)
-      state.pair.seen = Eigen::AngleAxisd(2.5, Eigen::Vector3d::UnitX()) * state.pair.seen;
+      state.pair.observed = Eigen::AngleAxisd(2.5, Eigen::Vector3d::UnitX()) * state.pair.observed;
   const CleaningReport report = cleanStates(states);
   EXPECT_LT(std::sqrt(squaredDistance(report.offset, kOffset, kLever)), 5e-4);
   for (const std::size_t k : jumped) EXPECT_EQ(report.reason[k], Reason::kOutlier);

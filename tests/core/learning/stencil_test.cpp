@@ -59,8 +59,8 @@ TEST(Stencil, turnsAtTheSpeedOfAScrew) {
   std::vector<Eigen::Quaterniond> turns;
   for (const double now : t) turns.push_back(start * turnBy(now * speed));
   for (std::size_t k = 0; k < turns.size(); k += 3) turns[k].coeffs() *= -1.0;  // the same turn
-  const Eigen::Matrix3Xd told = angularVelocitiesOf(t, turns);
-  for (Eigen::Index k = 0; k < told.cols(); ++k) EXPECT_LT((told.col(k) - speed).norm(), 1e-9);
+  const Eigen::Matrix3Xd commanded = angularVelocitiesOf(t, turns);
+  for (Eigen::Index k = 0; k < commanded.cols(); ++k) EXPECT_LT((commanded.col(k) - speed).norm(), 1e-9);
 }
 
 TEST(RotationVector, leadsThereAndBack) {

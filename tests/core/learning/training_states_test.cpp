@@ -13,14 +13,14 @@
 namespace capstan::learning {
 namespace {
 
-struct World {
+struct RandomizedRobot {
   double stuck_beyond = 1.0;  ///< x from which the wrist stays behind its command [m]
-  double jumps = 0.0;         ///< share of sights that are somewhere else
+  double jumps = 0.0;         ///< share of observations that are somewhere else
 };
 
 /// Motions of 40 states each through a box of 10 cm. Beyond `stuck_beyond` the tool is turned by up to 80°
 /// from what it was told, the same in each motion.
-std::vector<State> states(const World& world, std::size_t motions) {
+std::vector<State> states(const RandomizedRobot& world, std::size_t motions) {
   base::Random random(8, "states");
   std::vector<State> made;
   for (std::size_t m = 0; m < motions; ++m)
@@ -30,13 +30,13 @@ std::vector<State> states(const World& world, std::size_t motions) {
       state.t = 0.1 * k;
       const Eigen::Vector3d at(random.uniform(-0.05, 0.05), random.uniform(-0.05, 0.05),
                                random.uniform(-0.05, 0.05));
-      state.pair.told.translation() = at;
-      state.pair.seen.translation() = at + Eigen::Vector3d(random.normal(0.0, 2e-4), 0.0, 1e-3);
+      state.pair.commanded.translation() = at;
+      state.pair.observed.translation() = at + Eigen::Vector3d(random.normal(0.0, 2e-4), 0.0, 1e-3);
       const double behind = std::clamp((at.x() - world.stuck_beyond) / 0.01, 0.0, 1.0) * 1.4;
-      state.pair.seen.linear() =
+      state.pair.observed.linear() =
           Eigen::AngleAxisd(behind + random.normal(0.0, 2e-3), Eigen::Vector3d::UnitX()).matrix();
       if (random.uniform(0.0, 1.0) < world.jumps)
-        state.pair.seen.translation() += Eigen::Vector3d(random.uniform(-0.05, 0.05), 0.04, -0.03);
+        state.pair.observed.translation() += Eigen::Vector3d(random.uniform(-0.05, 0.05), 0.04, -0.03);
       made.push_back(state);
     }
   return made;
@@ -90,23 +90,23 @@ TEST(Weigh, NorWhatMovesTooFast) {
 TEST(Weigh, ATrajectoryThatIsALittleOffCountsLess) {
   std::vector<State> all = states({}, 30);
   for (State& state : all)
-    if (state.motion == 4) state.pair.seen.translation().y() += 4e-4;
+    if (state.motion == 4) state.pair.observed.translation().y() += 4e-4;
   ASSERT_EQ(cleanStates(all).kept(), all.size());
   const TrainingStates after = weighed(all);
   EXPECT_LT(doubtOf(after, 5).y(), 5e-5);
   EXPECT_GT(doubtOf(after, 4).y(), 3.0 * doubtOf(after, 5).y());
 }
 
-/// Along the axes that positions are told in, however the tool is turned, as outputs are that get doubts.
+/// Along the axes that positions are told in, however the tool is turned, as outputs are that get exclusions.
 TEST(LeftOf, IsInTheFrameOfTheCorrection) {
   std::vector<State> all = states({}, 2);
   for (State& state : all) {
-    state.pair.seen.linear() = Eigen::AngleAxisd(1.5, Eigen::Vector3d(0.0, 0.6, 0.8)).matrix();
-    state.pair.told = state.pair.seen;
+    state.pair.observed.linear() = Eigen::AngleAxisd(1.5, Eigen::Vector3d(0.0, 0.6, 0.8)).matrix();
+    state.pair.commanded = state.pair.observed;
   }
   const CorrectionModel rigid = CorrectionModel::rigid(all);
-  all[3].pair.told.translation().y() += 1e-3;
-  all[5].pair.told.rotate(Eigen::AngleAxisd(2e-3, Eigen::Vector3d::UnitX()));
+  all[3].pair.commanded.translation().y() += 1e-3;
+  all[5].pair.commanded.rotate(Eigen::AngleAxisd(2e-3, Eigen::Vector3d::UnitX()));
   const std::vector<Vector6d> left = leftOf(rigid, all);
   EXPECT_LT((left[3] - 1e-3 * Vector6d::Unit(1)).norm(), 1e-9);
   EXPECT_LT((left[5] - 2e-3 * Vector6d::Unit(3)).norm(), 1e-9);
@@ -118,7 +118,7 @@ double leftInY(const std::vector<State>& learned, const std::vector<State>& trut
   const auto corrected = CorrectionModel::trained(learned, quickOptions()).correct(truth);
   double sum = 0.0;
   for (std::size_t k = 0; k < truth.size(); ++k)
-    sum += std::abs((corrected[k].translation() - truth[k].pair.told.translation()).y());
+    sum += std::abs((corrected[k].translation() - truth[k].pair.commanded.translation()).y());
   return sum / static_cast<double>(truth.size());
 }
 
@@ -128,7 +128,8 @@ TEST(Weigh, AModelOfWeighedStatesIsNearer) {
   std::vector<State> all = truth;
   for (State& state : all)
     if (state.motion % 6 == 4)
-      state.pair.seen.translation().y() += 5e-4 * std::sin(100.0 * state.pair.told.translation().x());
+      state.pair.observed.translation().y() +=
+          5e-4 * std::sin(100.0 * state.pair.commanded.translation().x());
   ASSERT_EQ(cleanStates(all).kept(), all.size());
   const std::vector<State> states = weighed(all).states;
   EXPECT_EQ(states.size(), all.size());

@@ -6,7 +6,7 @@
 
 #include "core/base/due_times.h"
 #include "core/base/error.h"
-#include "core/live/pacer.h"
+#include "core/live/playback_clock.h"
 #include "core/live/rate_meter.h"
 #include "core/recording/session_source.h"
 #include "core/tracking/make_pipeline.h"
@@ -288,10 +288,10 @@ TEST(RateMeter, CountsOnWhenTheClockIsSetBack) {
   EXPECT_DOUBLE_EQ(meter.realTimeFactor(), 1.0);
 }
 
-TEST(Pacer, DueTimesFollowTheSpeedAndGiveUpWhenFarBehind) {
+TEST(PlaybackClock, DueTimesFollowTheSpeedAndGiveUpWhenFarBehind) {
   using namespace std::chrono_literals;
-  Pacer pacer;
-  const Pacer::Clock::time_point start{};
+  PlaybackClock pacer;
+  const PlaybackClock::Clock::time_point start{};
   EXPECT_EQ(pacer.due(10.0, 2.0, start), start);
   EXPECT_EQ(pacer.due(10.5, 2.0, start), start + 250ms);
   EXPECT_EQ(pacer.due(11.0, 2.0, start + 600ms), start + 500ms);

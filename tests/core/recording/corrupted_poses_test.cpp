@@ -41,7 +41,7 @@ learning::LearningOptions quick() {
 double rmsOf(const std::vector<Eigen::Isometry3d>& corrected, const std::vector<learning::State>& states) {
   double squares = 0.0;
   for (std::size_t k = 0; k < states.size(); ++k)
-    squares += (corrected[k].translation() - states[k].pair.told.translation()).squaredNorm();
+    squares += (corrected[k].translation() - states[k].pair.commanded.translation()).squaredNorm();
   return std::sqrt(squares / static_cast<double>(states.size()));
 }
 
@@ -76,7 +76,7 @@ void expectNoWorse(const learning::LearningReport& report) {
   EXPECT_LT(rmsOf(report.model.correct(yardstick().states), yardstick().states), yardstick().rigid);
 }
 
-void eachSight(std::vector<RawMotion>& motions, const std::function<void(RawPose&)>& change) {
+void eachObservation(std::vector<RawMotion>& motions, const std::function<void(RawPose&)>& change) {
   for (RawMotion& motion : motions)
     for (RawPose& pose : motion.streams[kCamera]) change(pose);
 }
@@ -95,9 +95,9 @@ TEST(CorruptedPoses, JumpsWhereTheMarkerWasHidden) {
   expectNoWorse(report);
 }
 
-TEST(CorruptedPoses, AThirdOfTheSightsSomewhereElse) {
+TEST(CorruptedPoses, AThirdOfTheObservationsSomewhereElse) {
   const auto report = learnedFrom([](auto& motions, auto& random) {
-    eachSight(motions, [&](RawPose& pose) {
+    eachObservation(motions, [&](RawPose& pose) {
       if (random.uniform(0.0, 1.0) < 0.3)
         for (double& x : pose.position) x += random.uniform(-0.2, 0.2);
     });
@@ -126,7 +126,7 @@ TEST(CorruptedPoses, StampsThatGoBack) {
 
 TEST(CorruptedPoses, NumbersThatAreNone) {
   const auto report = learnedFrom([](auto& motions, auto& random) {
-    eachSight(motions, [&](RawPose& pose) {
+    eachObservation(motions, [&](RawPose& pose) {
       if (random.uniform(0.0, 1.0) < 0.1) pose.position.y() = std::numeric_limits<double>::quiet_NaN();
       if (random.uniform(0.0, 1.0) < 0.05) pose.quaternion.x() = std::numeric_limits<double>::infinity();
     });
@@ -137,7 +137,7 @@ TEST(CorruptedPoses, NumbersThatAreNone) {
 
 TEST(CorruptedPoses, IdentityWhereNothingWasSeen) {
   const auto report = learnedFrom([](auto& motions, auto& random) {
-    eachSight(motions, [&](RawPose& pose) {
+    eachObservation(motions, [&](RawPose& pose) {
       if (random.uniform(0.0, 1.0) > 0.2) return;
       pose.position.setZero();
       pose.quaternion = Eigen::Vector4d::UnitW();
@@ -182,26 +182,27 @@ std::string refusalOf(const Corruption& corrupt) {
 }
 
 /// Of half a table, everywhere wrong, behind a sound one.
-std::string refusalBesideSound(const std::function<void(RawPose&)>& told,
-                               const std::function<void(RawPose&)>& seen) {
+std::string refusalBesideSound(const std::function<void(RawPose&)>& commanded,
+                               const std::function<void(RawPose&)>& observed) {
   std::vector<RawMotion> motions = sound(1), other = sound(2, "other.csv");
   other.resize(other.size() / 2);
-  eachSight(other, seen);
+  eachObservation(other, observed);
   for (RawMotion& motion : other)
-    for (RawPose& pose : motion.streams[static_cast<std::size_t>(StreamKind::kCommand)]) told(pose);
+    for (RawPose& pose : motion.streams[static_cast<std::size_t>(StreamKind::kCommand)]) commanded(pose);
   motions.insert(motions.end(), other.begin(), other.end());
   return refusalOf(motions);
 }
 
 TEST(CorruptedPoses, MillimetresInOneColumn) {
-  const std::string refusal = refusalOf(
-      [](auto& motions, auto&) { eachSight(motions, [](RawPose& pose) { pose.position.x() *= 1e3; }); });
+  const std::string refusal = refusalOf([](auto& motions, auto&) {
+    eachObservation(motions, [](RawPose& pose) { pose.position.x() *= 1e3; });
+  });
   EXPECT_NE(refusal.find("Give x of the camera in metres"), std::string::npos) << refusal;
 }
 
 TEST(CorruptedPoses, MillimetresInAllColumns) {
   const std::string refusal = refusalOf(
-      [](auto& motions, auto&) { eachSight(motions, [](RawPose& pose) { pose.position *= 1e3; }); });
+      [](auto& motions, auto&) { eachObservation(motions, [](RawPose& pose) { pose.position *= 1e3; }); });
   EXPECT_NE(refusal.find("Give x, y, z of the camera in metres"), std::string::npos) << refusal;
 }
 
@@ -217,7 +218,7 @@ TEST(CorruptedPoses, StampsInMilliseconds) {
 
 TEST(CorruptedPoses, QuaternionsThatAreNone) {
   const std::string refusal = refusalOf(
-      [](auto& motions, auto&) { eachSight(motions, [](RawPose& pose) { pose.quaternion *= 0.7; }); });
+      [](auto& motions, auto&) { eachObservation(motions, [](RawPose& pose) { pose.quaternion *= 0.7; }); });
   EXPECT_NE(refusal.find("camera"), std::string::npos) << refusal;
 }
 

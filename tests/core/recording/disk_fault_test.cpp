@@ -269,12 +269,12 @@ class EndlessSource final : public tracking::Source {
     t = 1e-3 * ticks_;
     if (t > 60.0) return false;
     if (t >= 2.0 && at_two_seconds_) std::exchange(at_two_seconds_, nullptr)();
-    if (ticks_ % 66 == 65 && !std::exchange(pictured_, true)) {
+    if (ticks_ % 66 == 65 && !std::exchange(imaged_, true)) {
       frame_.t = frame_.t_arrival = t;
       out = frame_;
       return true;
     }
-    pictured_ = false;
+    imaged_ = false;
     out = tracking::MotorSample{t, {double(ticks_++), 1, 2}, {3, 4, 5}, {6, 7, 8}};
     return true;
   }
@@ -287,7 +287,7 @@ class EndlessSource final : public tracking::Source {
   std::function<void()> at_two_seconds_;
   tracking::StereoFrame frame_;
   int ticks_ = 0;
-  bool pictured_ = false;
+  bool imaged_ = false;
 };
 
 std::string faultOfImport(tracking::Source& source, const std::filesystem::path& path, Existing existing,

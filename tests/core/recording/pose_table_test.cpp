@@ -22,11 +22,11 @@ TEST(PoseTable, isReadTrajectoryByTrajectory) {
   EXPECT_EQ(motions[1].name, "task 2, trajectory 4");
   ASSERT_EQ(motions[0].streams[0].size(), 2U);
   EXPECT_TRUE(motions[0].streams[1].empty()) << "no robot";
-  const learning::RawPose& told = motions[0].streams[2][1];
-  EXPECT_EQ(told.row, 3U);
-  EXPECT_EQ(told.t, 0.8);
-  EXPECT_EQ(told.position, Eigen::Vector3d(4.0, 5.0, 6.0));
-  EXPECT_EQ(told.quaternion, Eigen::Vector4d(0.0, 0.0, 1.0, 0.0));
+  const learning::RawPose& commanded = motions[0].streams[2][1];
+  EXPECT_EQ(commanded.row, 3U);
+  EXPECT_EQ(commanded.t, 0.8);
+  EXPECT_EQ(commanded.position, Eigen::Vector3d(4.0, 5.0, 6.0));
+  EXPECT_EQ(commanded.quaternion, Eigen::Vector4d(0.0, 0.0, 1.0, 0.0));
   EXPECT_TRUE(std::isnan(motions[1].streams[2][0].t)) << "empty cells stay for the screening to list";
 }
 

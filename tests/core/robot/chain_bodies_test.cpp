@@ -160,7 +160,7 @@ TEST(ChainNumbers, camerasTellASimilarity) {
   model.add({"camera_offset", 0, {{"x", 1e-3}, {"y", 2e-3}, {"z", 3e-3}}});
   model.add({"camera_scale", 0, {{"share", 0.01}}});
   model.add({"camera_latency", 0, {{"delay", 0.03}}});
-  const Eigen::Vector3d told = model.camera.tell({0.1, 0.2, 0.3});
+  const Eigen::Vector3d told = model.camera.measure({0.1, 0.2, 0.3});
   EXPECT_NEAR(told[0], 1.01 * (std::cos(0.2) * 0.1 + std::sin(0.2) * 0.3) + 1e-3, 1e-15);
   EXPECT_NEAR(told[1], 1.01 * 0.2 + 2e-3, 1e-15);
   EXPECT_NEAR(told[2], 1.01 * (std::cos(0.2) * 0.3 - std::sin(0.2) * 0.1) + 3e-3, 1e-15);

@@ -18,7 +18,7 @@ JointNumbers<double> plainNumbers() {
   p.stiffness = 1000.0, p.exponent = 100.0, p.damping = 20.0;
   p.slip_time = 1.0;
   p.pretension = kSound;
-  p.inverse_yield = p.creep_rate = p.inverse_stribeck = p.wave_number = 1.0;
+  p.zero_drift_rate = p.inverse_yield = p.creep_rate = p.inverse_stribeck = p.wave_number = 1.0;
   p.coulomb = 0.5, p.viscous = 0.1, p.inverse_smoothing = 100.0;
   p.gain = 1.0;
   p.motor_inertia = 3e-5, p.motor_coulomb = 0.02, p.motor_viscous = 1e-4, p.inverse_motor_smoothing = 2.0;
@@ -62,6 +62,18 @@ TEST(ChainLaw, slipComesAtItsTimeAndStays) {
   EXPECT_NEAR(slipAt(p, 1.0 + 0.5 * kSlipTime), 0.2, 1e-12);
   EXPECT_NEAR(slipAt(p, 1.0 + kSlipTime), 0.4, 1e-12);
   EXPECT_NEAR(slipAt(p, 50.0), 0.4, 1e-12);
+}
+
+TEST(ChainLaw, aZeroDriftsFromTheBeginAndSettles) {
+  JointNumbers<double> p = plainNumbers();
+  p.zero_drift = 0.03, p.zero_drift_rate = 0.25;  // T = 4 s
+  EXPECT_EQ(zeroShiftAt(p, -1.0).by, 0.0);
+  EXPECT_EQ(zeroShiftAt(p, -1.0).rate, 0.0);
+  EXPECT_EQ(zeroShiftAt(p, 0.0).by, 0.0);
+  EXPECT_NEAR(zeroShiftAt(p, 0.0).rate, 0.03 / 4.0, 1e-15);
+  EXPECT_NEAR(zeroShiftAt(p, 4.0).by, 0.03 * (1.0 - std::exp(-1.0)), 1e-15);
+  EXPECT_NEAR(zeroShiftAt(p, 4.0).rate, 0.03 / 4.0 * std::exp(-1.0), 1e-15);
+  EXPECT_NEAR(zeroShiftAt(p, 400.0).by, 0.03, 1e-15);
 }
 
 TEST(ChainLaw, stiffeningAddsACubic) {
@@ -190,6 +202,7 @@ TEST(ChainLaw, withNeutralNumbersALawChangesNothing) {
       EXPECT_EQ(jointFriction(p, law, x, v, 3.0).force, jointFriction(p, 0, x, v, 3.0).force) << law;
   }
   EXPECT_EQ(slipAt(p, 5.0), 0.0);
+  EXPECT_EQ(zeroShiftAt(p, 5.0).by, 0.0);
 }
 
 }  // namespace

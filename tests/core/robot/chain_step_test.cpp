@@ -241,6 +241,45 @@ TEST(ChainStep, aRunawayEndsAtTheBox) {
   EXPECT_TRUE(at_face);
 }
 
+/// Accelerations at rest at the stop, `t` after the begin of the recording, with unstretched nominal cables.
+JointVector accelerationsAt(double t, const Description& robot, const Effect& effect) {
+  Description extended = robot;
+  extended.effects = {effect};
+  const ChainModel model(extended);
+  const JointVector q = Transmission(robot).homing();
+  ChainInput input;
+  input.t = t, input.dt = 1e-6;
+  ChainStep<double> step(model.shape, model.numbers);
+  step.look(input, stateAt(model, q, JointVector::Zero(robot.size())));
+  return Eigen::Map<const VectorXd>(step.acceleration(), robot.size());
+}
+
+/// With cables coupled: whatever the time, it is the homing offset that it has come to, and the cables'
+/// dampers feel how fast it moves on.
+TEST(ChainStep, aZeroThatDriftsIsAHomingOffsetOfItsTime) {
+  base::Random random(45);
+  Description robot = testing::drivenRobot(random, 3);
+  for (Drive& drive : robot.drives) drive.cable_damping = 0.0;
+  const Effect drift{"zero_drift", 2, {{"drift", 1e-3}, {"time_constant", 4.0}}};
+  const JointVector none = accelerationsAt(1.0, robot, {"inertia", 2, {{"added", 0.0}}});
+  for (const double t : {0.0, 1.0, 4.0, 400.0}) {
+    const double by = 1e-3 * (1.0 - std::exp(-t / 4.0));
+    const JointVector expected = accelerationsAt(t, robot, {"homing_offset", 2, {{"offset", by}}});
+    EXPECT_LT((accelerationsAt(t, robot, drift) - expected).norm(), 1e-6 * expected.norm()) << t;
+    EXPECT_EQ((expected - none).norm() > 0.1, t > 0.0) << t;
+  }
+  const Effect fast{"zero_drift", 2, {{"drift", 1e-3}, {"time_constant", 0.01}}};
+  const JointVector undamped = accelerationsAt(0.0, robot, fast);
+  robot.drives[1].cable_damping = 50.0;  // 2 b r_l dq_hs/dt, by r_l: a torque at joint 2 and what is coupled
+  const Drive& drive = robot.drives[1];
+  JointVector lever(3);
+  for (int j = 0; j < 3; ++j) lever[j] = drive.link_radius * robot.coupling[1][static_cast<std::size_t>(j)];
+  const JointVector pushed = massMatrix(ChainModel(robot), Transmission(robot).homing())
+                                 .ldlt()
+                                 .solve(lever * (2.0 * 50.0 * lever[1] * 1e-3 / 0.01));
+  EXPECT_LT((accelerationsAt(0.0, robot, fast) - undamped - pushed).norm(), 1e-3 * pushed.norm());
+}
+
 TEST(ChainStep, aSensorThatTellsMagnitudeIsGivenItsSigns) {
   base::Random random(44);
   Description robot = testing::drivenRobot(random, 2);

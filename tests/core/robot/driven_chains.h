@@ -56,6 +56,7 @@ inline std::vector<Effect> everyLaw(int j, DriveType drive) {
   const std::vector<Effect> cable = {
       effectOf("capstan_eccentricity", j, {{"sine", 2e-4}, {"cosine", -3e-4}}),
       effectOf("encoder_slip", j, {{"slip", 0.5}, {"time", 0.3}}),
+      effectOf("zero_drift", j, {{"drift", 0.02}, {"time_constant", 0.2}}),
       effectOf("cable_stiffening", j, {{"cubic", 2e4}}), effectOf("position_stiffness", j, {{"share", 0.3}}),
       effectOf("cable_hysteresis", j, {{"force", 20.0}, {"yield", 3e-4}}),
       effectOf("cable_creep", j, {{"share", 0.2}, {"time_constant", 0.3}}),

@@ -25,17 +25,17 @@ std::vector<std::string_view> namesWhere(bool (*wanted)(const EffectFacts&)) {
 TEST(Effects, AreThoseOfTheTask) {
   EXPECT_THAT(
       namesWhere([](const EffectFacts&) { return true; }),
-      ElementsAre("pulley_radius", "cable_coupling", "homing_offset", "encoder_slip", "capstan_eccentricity",
-                  "cable_compliance", "cable_stiffening", "position_stiffness", "backlash", "slack",
-                  "cable_hysteresis", "cable_creep", "stribeck_friction", "asymmetric_friction",
-                  "asymmetric_viscosity", "viscous_friction", "load_friction", "position_friction",
-                  "gravity_tilt", "payload", "inertia", "actuator_gain", "torque_offset", "camera_latency",
-                  "camera_rotation", "camera_offset", "camera_scale", "sensor_sign"));
+      ElementsAre("pulley_radius", "cable_coupling", "homing_offset", "zero_drift", "encoder_slip",
+                  "capstan_eccentricity", "cable_compliance", "cable_stiffening", "position_stiffness",
+                  "backlash", "slack", "cable_hysteresis", "cable_creep", "stribeck_friction",
+                  "asymmetric_friction", "asymmetric_viscosity", "viscous_friction", "load_friction",
+                  "position_friction", "gravity_tilt", "payload", "inertia", "actuator_gain", "torque_offset",
+                  "camera_latency", "camera_rotation", "camera_offset", "camera_scale", "sensor_sign"));
 }
 
 TEST(Effects, KnowTheirDrivesAndTheirJoints) {
   EXPECT_THAT(namesWhere([](const EffectFacts& facts) { return !facts.rigid; }),
-              ElementsAre("pulley_radius", "cable_coupling", "homing_offset", "encoder_slip",
+              ElementsAre("pulley_radius", "cable_coupling", "homing_offset", "zero_drift", "encoder_slip",
                           "capstan_eccentricity", "cable_stiffening", "position_stiffness", "backlash",
                           "slack", "cable_hysteresis", "cable_creep"));
   EXPECT_THAT(namesWhere([](const EffectFacts& facts) { return !facts.cable; }),

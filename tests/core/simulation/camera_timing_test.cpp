@@ -62,9 +62,9 @@ TEST(CameraTiming, LatencyAndJittersHaveTheirSizes) {
   double late = 0.0, late2 = 0.0, off = 0.0, off2 = 0.0, last = 0.0;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const double exposed = (static_cast<double>(i) + 0.5) / 15.0;
-    const double lag = all[i].t_arrival - exposed, error = all[i].t - exposed;
-    late += lag;
-    late2 += lag * lag;
+    const double latency = all[i].t_arrival - exposed, error = all[i].t - exposed;
+    late += latency;
+    late2 += latency * latency;
     off += error;
     off2 += error * error;
     EXPECT_GE(all[i].t_arrival, last);

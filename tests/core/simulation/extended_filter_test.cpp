@@ -76,6 +76,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Planted{{"slack", 2, {{"pretension", -8e-4}}}, 1.5},
                       Planted{{"load_friction", 3, {{"share", 0.5}}}, 1.2},
                       Planted{{"homing_offset", 2, {{"offset", 0.03}}}, 3.0},
+                      Planted{{"zero_drift", 2, {{"drift", 0.03}, {"time_constant", 4.0}}}, 3.0},
                       Planted{{"encoder_slip", 1, {{"slip", 4.0}, {"time", 3.0}}}, 3.0}),
     [](const auto& planted) { return planted.param.effect.effect; });
 

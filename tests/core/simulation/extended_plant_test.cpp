@@ -127,6 +127,31 @@ TEST(ExtendedPlant, anEccentricCapstanReactsByItsLever) {
   EXPECT_LT(most, 1e-5 * kinetic);
 }
 
+/// Before the recording nothing has moved; long after its begin the zero is another number of the file.
+TEST(ExtendedPlant, aZeroThatHasSettledIsAHomingOffset) {
+  robot::Description written = raven();
+  written.joints[1].homing += 0.01;
+  const robot::Description drifting =
+      ravenWith({{"zero_drift", 2, {{"drift", 0.01}, {"time_constant", 0.02}}}});
+  const auto playFrom = [](double t, const robot::Description& robot, const Vector3d& q_link) {
+    Plant plant(robot, Truth{});
+    PlantState state;
+    state.q_motor = robot::Transmission(raven()).motorFromJoint(kPose);
+    state.q_link = q_link;
+    state.t = t;
+    plant.setState(state);
+    std::vector<PlantState> states;
+    for (int k = 0; k < 500; ++k) {
+      plant.step(pull(1e-3 * k), 1e-3);
+      states.push_back(plant.state());
+    }
+    return states;
+  };
+  EXPECT_LT(apart(playFrom(-2.0, drifting, kPose), playFrom(0.0, raven(), kPose)), 1e-9);
+  const Vector3d further = kPose + Vector3d(0.0, 0.01, 0.0);
+  EXPECT_LT(apart(playFrom(2.0, drifting, further), playFrom(0.0, written, further)), 1e-9);
+}
+
 TEST(ExtendedPlant, anArmWithoutCablesIsRefused) {
   robot::Description rigid = raven();
   rigid.drive = robot::DriveType::kRigid;
@@ -178,7 +203,7 @@ TEST(ExtendedSource, camerasTellWhatTheFileSays) {
     EXPECT_NEAR(plain.tips[i].t - plain.frames[i].t, 0.0, 1e-12);
     // The sphere's picture is not quite centred on its centre: tenths of a millimetre, alike in both.
     const Vector3d bias = plain.tips[i].position - plain.frames[i].tip;
-    EXPECT_LT((heard.tips[i].position - bias - camera.tell(heard.frames[i].tip)).norm(), 1e-4);
+    EXPECT_LT((heard.tips[i].position - bias - camera.measure(heard.frames[i].tip)).norm(), 1e-4);
     EXPECT_EQ(heard.frames[i].tip, plain.frames[i].tip);
   }
   for (std::size_t i = 0; i < heard.joints.size(); ++i) EXPECT_EQ(heard.joints[i], plain.joints[i]);
@@ -195,6 +220,21 @@ TEST(ExtendedSource, aSlippedEncoderFallsBehindAndTheJointRunsAhead) {
   const double expected = slip * drive.motor_capstan_radius / drive.gear_ratio / drive.link_radius;
   EXPECT_NEAR((heard.joints.back() - plain.joints.back())[0], expected, 0.1 * expected);
   EXPECT_NEAR(heard.motors.back().position[0], plain.motors.back().position[0], 0.1 * slip);
+}
+
+/// The controller holds the motors, so that the joint goes where its zero goes, to within what friction
+/// stretches the cable.
+TEST(ExtendedSource, aZeroThatDriftsTakesTheJointAlong) {
+  const robot::Description extended =
+      ravenWith({{"zero_drift", 2, {{"drift", 0.05}, {"time_constant", 0.5}}}});
+  const Heard heard = listen(extended, 1.5), plain = listen(raven(), 1.5);
+  ASSERT_EQ(heard.joints.size(), plain.joints.size());
+  EXPECT_EQ(heard.joints.front(), plain.joints.front());
+  for (const std::size_t i : {250U, 500U, 1000U, 1490U}) {
+    const double by = 0.05 * (1.0 - std::exp(-1e-3 * static_cast<double>(i) / 0.5));
+    EXPECT_NEAR((heard.joints[i] - plain.joints[i])[1], by, 2e-3) << i;
+    EXPECT_NEAR(heard.motors[i].position[1], plain.motors[i].position[1], 0.2) << i;
+  }
 }
 
 TEST(ExtendedSource, sameSeedSameBytes) {

@@ -14,11 +14,11 @@ namespace capstan::simulation {
 namespace {
 
 /// Camera at the origin of frame 0, looking along z.
-CameraRenderer rendererOf(const ImageTruth& look, double exposure = 0.0, double radius = 0.005, int side = 0,
-                          std::uint64_t seed = 1) {
+CameraRenderer rendererOf(const ImageTruth& appearance, double exposure = 0.0, double radius = 0.005,
+                          int side = 0, std::uint64_t seed = 1) {
   SceneSizes sizes;
   sizes.marker_radius = radius;
-  return {testRig().left, Eigen::Isometry3d::Identity(), sizes, look, exposure, seed, side};
+  return {testRig().left, Eigen::Isometry3d::Identity(), sizes, appearance, exposure, seed, side};
 }
 
 ToolPose toolAt(const Eigen::Vector3d& tip, const Eigen::Vector3d& velocity = Eigen::Vector3d::Zero()) {
@@ -131,9 +131,9 @@ TEST(Renderer, MotionBlurWidensAlongTheMotionOnly) {
 }
 
 TEST(Renderer, ColourNoiseHasItsSigma) {
-  ImageTruth look;
-  look.noise = 6.0;
-  CameraRenderer noisy = rendererOf(look), clean = rendererOf({});
+  ImageTruth appearance;
+  appearance.noise = 6.0;
+  CameraRenderer noisy = rendererOf(appearance), clean = rendererOf({});
   cv::Mat a, b, difference;
   noisy.render(toolAt({0.0, 0.05, 0.5}), a);
   clean.render(toolAt({0.0, 0.05, 0.5}), b);
@@ -149,32 +149,32 @@ TEST(Renderer, ColourNoiseHasItsSigma) {
 TEST(Renderer, EachPartOfTheTruthShows) {
   cv::Mat plain, other;
   rendererOf({}).render(toolAt({0.0, 0.05, 0.5}), plain);
-  const auto change = [&](const ImageTruth& look) {
-    rendererOf(look).render(toolAt({0.0, 0.05, 0.5}), other);
+  const auto change = [&](const ImageTruth& appearance) {
+    rendererOf(appearance).render(toolAt({0.0, 0.05, 0.5}), other);
     return cv::norm(plain, other, cv::NORM_L1) / static_cast<double>(3 * plain.total());
   };
   EXPECT_EQ(change({}), 0.0);
-  ImageTruth look;
-  look.unevenness = 0.8;
-  EXPECT_GT(change(look), 10.0);
+  ImageTruth appearance;
+  appearance.unevenness = 0.8;
+  EXPECT_GT(change(appearance), 10.0);
   cv::Mat light;
   cv::resize(other, light, {8, 6}, 0.0, 0.0, cv::INTER_AREA);
   double darkest = 0.0, brightest = 0.0;
   cv::minMaxLoc(light.reshape(1), &darkest, nullptr);
   cv::minMaxLoc(light.reshape(1), nullptr, &brightest);
   EXPECT_LT(darkest, 0.4 * brightest);
-  look = {};
-  look.texture = 1.0;
-  EXPECT_GT(change(look), 3.0);
-  look = {};
-  look.exposure_noise = 0.05;
-  EXPECT_GT(change(look), 0.2);
+  appearance = {};
+  appearance.texture = 1.0;
+  EXPECT_GT(change(appearance), 3.0);
+  appearance = {};
+  appearance.exposure_noise = 0.05;
+  EXPECT_GT(change(appearance), 0.2);
 }
 
 TEST(Renderer, DistractorsPassTheThresholdAtTheMarginsAndInBetween) {
-  ImageTruth look;
-  look.distractors = 6;
-  CameraRenderer renderer = rendererOf(look);
+  ImageTruth appearance;
+  appearance.distractors = 6;
+  CameraRenderer renderer = rendererOf(appearance);
   cv::Mat image, labels;
   renderer.render(toolAt({0.0, 0.05, 0.5}), image);
   const cv::Mat mask = greenMask(image);
@@ -183,14 +183,14 @@ TEST(Renderer, DistractorsPassTheThresholdAtTheMarginsAndInBetween) {
   EXPECT_GT(cv::countNonZero(mask(cv::Rect(0, 0, 150, 480))), 100);
   EXPECT_GT(cv::countNonZero(mask(cv::Rect(490, 0, 150, 480))), 100);
   const cv::Mat middle = mask(cv::Rect(150, 0, 340, 480));
-  look.distractors = 0;
+  appearance.distractors = 0;
   cv::Mat without;
-  rendererOf(look).render(toolAt({0.0, 0.05, 0.5}), without);
+  rendererOf(appearance).render(toolAt({0.0, 0.05, 0.5}), without);
   EXPECT_GT(cv::countNonZero(middle), cv::countNonZero(greenMask(without)) + 100);
-  look.distractors = 6;
-  look.distractor_hue = 60.0;  // blue: no longer of nearly the marker's colour
+  appearance.distractors = 6;
+  appearance.distractor_hue = 60.0;  // blue: no longer of nearly the marker's colour
   cv::Mat blue;
-  rendererOf(look).render(toolAt({0.0, 0.05, 0.5}), blue);
+  rendererOf(appearance).render(toolAt({0.0, 0.05, 0.5}), blue);
   EXPECT_EQ(cv::countNonZero(greenMask(blue)), cv::countNonZero(greenMask(without)));
 }
 
@@ -206,9 +206,10 @@ TEST(Renderer, AShaftInFrontCoversTheMarker) {
 }
 
 TEST(Renderer, SameSeedSameBytesOtherSeedOtherBytes) {
-  const ImageTruth look = defaultTruth().images;
-  CameraRenderer one = rendererOf(look, 0.008, 0.005, 0, 7), again = rendererOf(look, 0.008, 0.005, 0, 7);
-  CameraRenderer other = rendererOf(look, 0.008, 0.005, 0, 8);
+  const ImageTruth appearance = defaultTruth().images;
+  CameraRenderer one = rendererOf(appearance, 0.008, 0.005, 0, 7),
+                 again = rendererOf(appearance, 0.008, 0.005, 0, 7);
+  CameraRenderer other = rendererOf(appearance, 0.008, 0.005, 0, 8);
   cv::Mat a, b, c;
   for (int i = 0; i < 3; ++i) {
     const ToolPose pose = toolAt({0.01 * i, 0.05, 0.5}, {0.1, 0.0, 0.0});

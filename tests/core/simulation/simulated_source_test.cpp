@@ -143,7 +143,7 @@ TEST(SimulatedSource, RegistersAtTheHardStopThroughPictures) {
   const Eigen::Vector3d stop = kinematics.tip(robot::Transmission(options.robot).homing());
   const Eigen::Vector3d ray = (stop - real.translation()).normalized(),
                         error = found.translation() - real.translation();
-  EXPECT_LT((error - error.dot(ray) * ray).norm(), 5e-4);  // across the line of sight to the marker
+  EXPECT_LT((error - error.dot(ray) * ray).norm(), 5e-4);  // across the line of observation to the marker
   EXPECT_LT(std::abs(error.dot(ray)), 4e-3);               // along it
 }
 

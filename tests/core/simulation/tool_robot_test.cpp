@@ -41,7 +41,7 @@ void goTo(ToolRobot& robot, const Eigen::Isometry3d& goal) {
 
 TEST(ToolRobot, arrivesWhereItIsAskedWhereNothingIsWrong) {
   ToolRobot robot(raven(), {}, middle());
-  const Eigen::Isometry3d goal = beside(robot.told(), {0.02, -0.03, 0.01});
+  const Eigen::Isometry3d goal = beside(robot.commanded(), {0.02, -0.03, 0.01});
   goTo(robot, goal);
   EXPECT_LT((robot.arm().pose().translation() - goal.translation()).norm(), 1e-3);
   EXPECT_NEAR(robot.time(), 2.0, 1e-9);
@@ -49,7 +49,7 @@ TEST(ToolRobot, arrivesWhereItIsAskedWhereNothingIsWrong) {
 
 TEST(ToolRobot, believesToBeWhereItIsNot) {
   ToolRobot robot(raven(), readToolTruth(base::resource("truth/debridement.yaml")), middle());
-  const Eigen::Isometry3d goal = beside(robot.told(), {0.02, -0.03, 0.01});
+  const Eigen::Isometry3d goal = beside(robot.commanded(), {0.02, -0.03, 0.01});
   goTo(robot, goal);
   EXPECT_LT((robot.believed().translation() - goal.translation()).norm(), 1e-3);
   EXPECT_GT((robot.arm().pose().translation() - goal.translation()).norm(), 5e-3);
@@ -57,11 +57,11 @@ TEST(ToolRobot, believesToBeWhereItIsNot) {
 
 TEST(ToolRobot, refusesWhatIsBeyondItsLimits) {
   ToolRobot robot(raven(), {}, middle());
-  const Eigen::Isometry3d before = robot.told();
+  const Eigen::Isometry3d before = robot.commanded();
   EXPECT_FALSE(robot.canTake(beside(before, {0.0, 0.5, 0.0}), 0.2));
   EXPECT_FALSE(robot.ask(beside(before, {0.0, 0.5, 0.0}), 0.2));
   EXPECT_FALSE(robot.ask(before, 2.0));  // jaws that open too wide
-  EXPECT_EQ(robot.told().matrix(), before.matrix());
+  EXPECT_EQ(robot.commanded().matrix(), before.matrix());
   JointVector outside = middle();
   outside[2] = 0.6;
   EXPECT_THROW(ToolRobot(raven(), {}, outside), base::InputError);
@@ -69,16 +69,16 @@ TEST(ToolRobot, refusesWhatIsBeyondItsLimits) {
 
 TEST(PoseCamera, seesThroughItsErrors) {
   PoseCameraTruth truth;
-  truth.registration_turn = {0.0, 0.0, base::toRadians(90.0)};
+  truth.registration_rotation = {0.0, 0.0, base::toRadians(90.0)};
   truth.registration_shift = {0.1, 0.0, 0.0};
   truth.latency = 0.05;
   PoseCamera camera(truth, 1);
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.translation() = Eigen::Vector3d(0.2, 0.0, 0.3);
-  const PoseSight sight = camera.see(1.0, pose);
-  EXPECT_TRUE(sight.seen);
-  EXPECT_DOUBLE_EQ(sight.t, 1.05);
-  EXPECT_LT((sight.pose.translation() - Eigen::Vector3d(0.1, 0.2, 0.3)).norm(), 1e-12);
+  const PoseObservation observation = camera.see(1.0, pose);
+  EXPECT_TRUE(observation.observed);
+  EXPECT_DOUBLE_EQ(observation.t, 1.05);
+  EXPECT_LT((observation.pose.translation() - Eigen::Vector3d(0.1, 0.2, 0.3)).norm(), 1e-12);
 }
 
 TEST(PoseCamera, hasNoiseJumpsAndMisses) {
@@ -91,15 +91,15 @@ TEST(PoseCamera, hasNoiseJumpsAndMisses) {
   int still = 0, jumped = 0, missed = 0;
   constexpr int kSamples = 20'000;
   for (int k = 0; k < kSamples; ++k) {
-    const PoseSight sight = camera.see(0.01 * k, Eigen::Isometry3d::Identity());
-    if (!sight.seen) {
+    const PoseObservation observation = camera.see(0.01 * k, Eigen::Isometry3d::Identity());
+    if (!observation.observed) {
       ++missed;
-      EXPECT_EQ(sight.pose.matrix(), Eigen::Isometry3d::Identity().matrix());
-    } else if (sight.pose.translation().norm() > 6e-3) {
+      EXPECT_EQ(observation.pose.matrix(), Eigen::Isometry3d::Identity().matrix());
+    } else if (observation.pose.translation().norm() > 6e-3) {
       ++jumped;
     } else {
       ++still;
-      squares += sight.pose.translation().squaredNorm();
+      squares += observation.pose.translation().squaredNorm();
     }
   }
   EXPECT_NEAR(missed, 0.1 * kSamples, 200);

@@ -30,8 +30,8 @@ TEST(CramerRaoStudy, DoesNotDependOnTheThreads) {
 /// Memory is that of a stretch of time; where one ends changes nothing but the last bits of the bound's sum.
 TEST(CramerRaoStudy, DoesNotDependOnTheStretchesOfTime) {
   CramerRaoOptions whole = few(), parts = few();
-  whole.stretch = whole.duration;
-  parts.stretch = 0.3;
+  whole.segment = whole.duration;
+  parts.segment = 0.3;
   base::Progress progress;
   const CramerRaoStudy a = studyCramerRao(whole, progress), b = studyCramerRao(parts, progress);
   EXPECT_LT((a.bound - b.bound).cwiseQuotient(a.bound).cwiseAbs().maxCoeff(), 1e-12);

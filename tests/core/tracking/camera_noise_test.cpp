@@ -86,8 +86,8 @@ TEST(CameraNoise, IsTheSpreadOfJointsOverDrawnErrors) {
   constexpr int kDraws = 20000;
   Matrix3d spread = Matrix3d::Zero();
   for (int i = 0; i < kDraws; ++i) {
-    const Vector3d turn = options.registration_rotation_sigma * draw();
-    const Eigen::AngleAxisd mounting(turn.norm(), turn.normalized());
+    const Vector3d rotation = options.registration_rotation_sigma * draw();
+    const Eigen::AngleAxisd mounting(rotation.norm(), rotation.normalized());
     const Vector3d seen =
         hard_stop + mounting * (tip - hard_stop) + options.registration_shift_sigma * draw() + root * draw();
     const Vector3d late = options.camera_clock_sigma * random.normal() * speed;

@@ -104,7 +104,7 @@ TEST(UnknownMotor, TheSpeedsPredictionFollowsItsCorrelation) {
     mean -= decay * mean * dt;
     variance += (std::pow(motion.density(blind)(1) / 0.5, 2) - 2.0 * decay * variance) * dt;
     if (i % 20000 != 19999) continue;
-    const double lag = (i + 1) * dt / motion.time, rho = (1.0 + lag) * std::exp(-lag);
+    const double latency = (i + 1) * dt / motion.time, rho = (1.0 + latency) * std::exp(-latency);
     EXPECT_NEAR(mean, rho, 1e-4);
     EXPECT_NEAR(variance, 1.0 - rho * rho, 1e-3);
   }
@@ -147,8 +147,8 @@ TEST(MotorFailure, IsReadFromText) {
 
 struct Outcome {
   TrackReport report;
-  Vector3d worst_free = Vector3d::Zero();  ///< |error| from a second behind the failure on, tip in sight
-  std::array<double, 3> sigma_in_sight{}, sigma_blind{};
+  Vector3d worst_free = Vector3d::Zero();  ///< |error| from a second behind the failure on, tip observable
+  std::array<double, 3> sigma_in_observation{}, sigma_blind{};
 };
 
 Outcome track(const std::vector<MotorFailure>& failures, double blind_from, double blind_to,
@@ -165,7 +165,8 @@ Outcome track(const std::vector<MotorFailure>& failures, double blind_from, doub
     EXPECT_TRUE(s.q_link_ukf.allFinite());
     for (std::size_t i = 0; i < 3; ++i) {
       const auto joint = static_cast<Eigen::Index>(i);
-      if (s.t > blind_from - 0.2 && s.t < blind_from) outcome.sigma_in_sight[i] = s.q_link_ukf_sigma(joint);
+      if (s.t > blind_from - 0.2 && s.t < blind_from)
+        outcome.sigma_in_observation[i] = s.q_link_ukf_sigma(joint);
       if (s.t > blind_to - 0.2 && s.t < blind_to) outcome.sigma_blind[i] = s.q_link_ukf_sigma(joint);
     }
     if (s.reference_paired && s.t > 4.0 && (s.t < blind_from || s.t > blind_to + 0.5))
@@ -187,9 +188,9 @@ TEST(MotorFailure, ALostEncoderLeavesItsJointToTheCamera) {
     EXPECT_LT(base::toMillimetres(outcome.worst_free(2)), motor == 2 ? 12.0 : 3.0) << motor;
     for (std::size_t joint = 0; joint < 3; ++joint)
       if (joint == at) {
-        EXPECT_GT(outcome.sigma_blind[joint], 3.0 * outcome.sigma_in_sight[joint]) << "it may wander";
+        EXPECT_GT(outcome.sigma_blind[joint], 3.0 * outcome.sigma_in_observation[joint]) << "it may wander";
       } else if (joint < at) {
-        EXPECT_LT(outcome.sigma_blind[joint], 2.0 * outcome.sigma_in_sight[joint])
+        EXPECT_LT(outcome.sigma_blind[joint], 2.0 * outcome.sigma_in_observation[joint])
             << "its own motor holds it";
       }
   }
@@ -267,7 +268,7 @@ TEST(MotorFailure, AllLostWithoutCameraDriftsWithGrowingSigmaAndStaysFinite) {
   const Outcome outcome = track(
       {{0, 3.0, MotorFault::kLost}, {1, 3.0, MotorFault::kLost}, {2, 3.0, MotorFault::kLost}}, 6.0, 13.0);
   for (std::size_t joint = 0; joint < 3; ++joint)
-    EXPECT_GT(outcome.sigma_blind[joint], 5.0 * outcome.sigma_in_sight[joint]);
+    EXPECT_GT(outcome.sigma_blind[joint], 5.0 * outcome.sigma_in_observation[joint]);
   EXPECT_EQ(outcome.report.late_dropped, 0u);
 }
 

@@ -37,8 +37,7 @@ TEST(TransmissionText, EachKindOfErrorHasItsRemedy) {
   moved.camera_moved_probability = 0.9;
   moved.camera_shift.x() = 12.1e-3;
   EXPECT_EQ(linesOf(moved), Lines{"cameras moved since their registration: 0.00°, 12.1 mm"});
-  EXPECT_EQ(remediesOf(moved),
-            Lines{"The cameras are not where they were registered: register them again."});
+  EXPECT_EQ(remediesOf(moved), Lines{"The cameras are not where they were registered: register them again."});
   moved.camera_scale = 0.04;
   EXPECT_NE(linesOf(moved)[0].find("scale +4.0 % (base line or focal length)"), std::string::npos);
 

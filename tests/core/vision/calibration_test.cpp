@@ -114,7 +114,7 @@ TEST_F(RenderedBoards, GiveTheRigBack) {
     EXPECT_TRUE(view.used());
     EXPECT_GT(view.left_error, 0.0);
     EXPECT_LT(view.stereo_error, 0.15);
-    EXPECT_FALSE(view.suspect) << view.left;
+    EXPECT_FALSE(view.outlying) << view.left;
   }
 }
 
@@ -152,7 +152,7 @@ TEST_F(RenderedBoards, AViewOfAnotherPoseIsSuspectAndLeftOutOnlyWhenAsked) {
   base::Progress progress;
   const CalibrationReport kept = calibrateStereo(input, options(), progress);
   EXPECT_EQ(kept.views_used, kViews + 1);
-  EXPECT_TRUE(kept.views.back().suspect);
+  EXPECT_TRUE(kept.views.back().outlying);
   CalibrationOptions strict = options();
   strict.outlier_factor = 3.0;
   const CalibrationReport dropped = calibrateStereo(input, strict, progress);
@@ -203,7 +203,7 @@ TEST(OpenCvStereoPictures, GiveThePublishedFocalLengthAndErrors) {
                               0.242, 0.296, 0.167, 0.202, 0.381, 0.174};
   ASSERT_EQ(report.views.size(), 13U);
   for (std::size_t i = 0; i < 13; ++i) EXPECT_NEAR(report.views[i].left_error, published[i], 0.1) << i;
-  EXPECT_TRUE(report.views[1].suspect);
+  EXPECT_TRUE(report.views[1].outlying);
 }
 
 }  // namespace

@@ -27,11 +27,12 @@ void tellLatency(const LearningData& data, const LearningStudyOptions& options) 
     const std::vector<double> at = stats::quantiles(seconds, std::vector{0.5, 0.99});
     return fmt::format("{:.3f} ms, 99 % within {:.3f} ms", 1e3 * at[0], 1e3 * at[1]);
   };
-  fmt::print("\nOne command, one thread, {} members of {} inducing points: pose alone {}; with σ and confidence {}\n",
-             model.processes().front().members().size(),
-             model.processes().front().members().front().inducing(),
-             timed([&](const State& s) { return model.correct(std::vector{s}); }),
-             timed([&](const State& s) { return model.correct(s); }));
+  fmt::print(
+      "\nOne command, one thread, {} members of {} inducing points: pose alone {}; with σ and confidence "
+      "{}\n",
+      model.processes().front().members().size(), model.processes().front().members().front().inducing(),
+      timed([&](const State& s) { return model.correct(std::vector{s}); }),
+      timed([&](const State& s) { return model.correct(s); }));
   math::setDenseThreads(options.correction.threads);
   const auto begin = std::chrono::steady_clock::now();
   const std::size_t n = model.correct(states).size();

@@ -15,8 +15,8 @@ using learning::State;
 LearningData readLearningData(const LearningStudyOptions& options) {
   const learning::ScreenReport screen = learning::screenPoses(recording::readPoseTable(options.data));
   const auto target = [&](learning::StreamKind towards) {
-    Target one{towards, learning::lagBetween(screen.motions, towards), {}, {}};
-    one.states = learning::statesOf(screen.motions, towards, one.lag.lag);
+    Target one{towards, learning::clockOffsetBetween(screen.motions, towards), {}, {}};
+    one.states = learning::statesOf(screen.motions, towards, one.clock_offset.clock_offset);
     one.as_told = learning::statesOf(screen.motions, towards, 0.0);
     return one;
   };
@@ -39,8 +39,8 @@ nlohmann::json askSklearn(const std::filesystem::path& folder) {
   char buffer[4096];
   while (const std::size_t got = std::fread(buffer, 1, sizeof buffer, pipe)) text.append(buffer, got);
   if (pclose(pipe) != 0) {
-    static bool told = false;
-    if (!std::exchange(told, true))
+    static bool commanded = false;
+    if (!std::exchange(commanded, true))
       fmt::print("scikit-learn did not answer; install python3-sklearn for its columns\n");
     return nullptr;
   }
@@ -69,7 +69,7 @@ PlainTable PlainScales::of(const std::vector<State>& states) const {
     const State& state = states[static_cast<std::size_t>(k)];
     table.features.row(k) =
         (parts.features.of(parts.offset, state) - parts.middle).cwiseQuotient(parts.deviation);
-    table.targets.row(k) = parts.features.correction(parts.offset * state.pair.seen, state.pair.told)
+    table.targets.row(k) = parts.features.correction(parts.offset * state.pair.observed, state.pair.commanded)
                                .transpose()
                                .cwiseQuotient(parts.scale);
   }

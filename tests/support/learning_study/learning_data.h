@@ -21,7 +21,7 @@ struct LearningStudyOptions {
 /// States of one recording towards one stream.
 struct Target {
   learning::StreamKind towards = learning::StreamKind::kCommand;
-  learning::LagReport lag;
+  learning::ClockOffsetReport clock_offset;
   std::vector<learning::State> states;   ///< the lag taken off
   std::vector<learning::State> as_told;  ///< of the same motions, stamps as they are
 };

@@ -9,9 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/learning/process/marginal_likelihood.h"
+#include "core/learning/gaussian_process/marginal_likelihood.h"
 #include "core/math/dense.h"
 #include "core/stats/quantile.h"
+#include "tests/support/exact_process.h"
 
 namespace capstan::study {
 namespace {
@@ -60,7 +61,7 @@ void raceLikelihood(const MatrixXd& xy, const std::filesystem::path& folder) {
   learning::MarginalLikelihood likelihood(x, y);
   double value = 0.0, their_value = 0.0;
   std::vector<double> ours, theirs, ratios;
-  for (int turn = 0; turn < kTurns; ++turn) {
+  for (int rotation = 0; rotation < kTurns; ++rotation) {
     ours.push_back(bestOf([&] {
       Eigen::VectorXd gradient;
       value = *likelihood.negativeLog(start, &gradient);
@@ -85,7 +86,7 @@ void raceLikelihood(const MatrixXd& xy, const std::filesystem::path& folder) {
 struct Training {
   double seconds = 0.0;
   learning::ProcessFitReport fit;
-  learning::Prediction told;
+  learning::Prediction commanded;
   nlohmann::json theirs;  ///< null: they did not answer
 };
 
@@ -96,7 +97,7 @@ Training trainingOf(const MatrixXd& xy, const MatrixXd& at, const std::filesyste
   const auto start = learning::startOf(x, y, {});
   Training found;
   found.seconds = secondsOf([&] { found.fit = learning::fitProcess(x, y, start, {.iterations = 200}); });
-  found.told = learning::ExactProcess(x, y, found.fit.parameters).predict(at);
+  found.commanded = learning::ExactProcess(x, y, found.fit.parameters).predict(at);
   write(problem, xy, start);
   writeNumbers(problem / "at.csv", at);
   writeNumbers(problem / "found.csv", found.fit.parameters.packed().transpose());
@@ -137,7 +138,7 @@ void tellTraining(const std::vector<Training>& trainings) {
                  is_same                                    ? "yes"
                  : value > ours.fit.negative_log_likelihood ? "no, ours is likelier"
                                                             : "no, theirs is likelier");
-      const auto [of_mean, of_variance] = differenceOf(ours.told, other);
+      const auto [of_mean, of_variance] = differenceOf(ours.commanded, other);
       mean = std::max(mean, of_mean), variance = std::max(variance, of_variance);
     }
     fmt::print("\n");

@@ -102,7 +102,7 @@ void raceSplits(const LearningData& data, const LearningStudyOptions& options) {
     const auto report = learning::correctionStudy(target->states, study);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     fmt::print("\nTable I towards the {}, {} splits by trajectory, lag of {:.1f} ms taken off ({:.0f} s)\n",
-               name, options.splits, 1e3 * target->lag.lag, took.count());
+               name, options.splits, 1e3 * target->clock_offset.clock_offset, took.count());
     fmt::print("{}\n{}\n",
                base::markdownOf(learning::correctionTable(report.dirty, learning::paperDirty(),
                                                           "Dirty, towards the " + name)),
@@ -111,7 +111,7 @@ void raceSplits(const LearningData& data, const LearningStudyOptions& options) {
     tellCalibration(report);
     fmt::print(
         "Of the mean square of these errors, clean, {:.0f} % (distance) and {:.0f} % (angle) change from one "
-        "sight to the\nnext, as noise does that no correction knows\n",
+        "observation to the\nnext, as noise does that no correction knows\n",
         100.0 * report.jitter.distance, 100.0 * report.jitter.angle);
     const std::filesystem::path folder = folderFor(options, "table_" + name);
     for (int split = 0; split < options.splits; ++split)

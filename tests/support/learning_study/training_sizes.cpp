@@ -7,6 +7,7 @@
 
 #include "core/learning/evaluation/correction_errors.h"
 #include "core/learning/evaluation/held_out.h"
+#include "tests/support/exact_process.h"
 
 namespace capstan::study {
 namespace {
@@ -35,8 +36,8 @@ void tellExact(const std::vector<State>& train, const std::vector<State>& test,
                const learning::CorrectionModel& model) {
   const auto begin = std::chrono::steady_clock::now();
   const MatrixXd x = model.featuresOf(train), at = model.featuresOf(test);
-  const MatrixXd y = model.targetsOf(train), told = model.targetsOf(test);
-  MatrixXd exact(told.rows(), told.cols()), ours = exact;
+  const MatrixXd y = model.targetsOf(train), commanded = model.targetsOf(test);
+  MatrixXd exact(commanded.rows(), commanded.cols()), ours = exact;
   Index first = 0;
   for (const learning::Committee& committee : model.processes()) {
     const Index count = committee.outputs();
@@ -49,16 +50,17 @@ void tellExact(const std::vector<State>& train, const std::vector<State>& test,
   fmt::print("  Exact process of all {} states, the first members' hyperparameters, six outputs: {:.0f} s\n",
              train.size(), secondsSince(begin));
   const Eigen::RowVectorXd scale = model.parts().scale;
-  const auto [ours_mm, ours_deg] = meansOf(ours - told, scale);
-  const auto [exact_mm, exact_deg] = meansOf(exact - told, scale);
+  const auto [ours_mm, ours_deg] = meansOf(ours - commanded, scale);
+  const auto [exact_mm, exact_deg] = meansOf(exact - commanded, scale);
   fmt::print(
       "    mean held-out error: exact {:.4f} mm {:.4f} deg, ours {:.4f} mm {:.4f} deg: {:+.2f} %, {:+.2f} "
       "%\n",
       exact_mm, exact_deg, ours_mm, ours_deg, 100.0 * (ours_mm / exact_mm - 1.0),
       100.0 * (ours_deg / exact_deg - 1.0));
   fmt::print("    RMS of x, y, z and the turn's three, ours to exact:");
-  for (Index k = 0; k < told.cols(); ++k)
-    fmt::print(" {:+.2f} %", 100.0 * ((ours - told).col(k).norm() / (exact - told).col(k).norm() - 1.0));
+  for (Index k = 0; k < commanded.cols(); ++k)
+    fmt::print(" {:+.2f} %",
+               100.0 * ((ours - commanded).col(k).norm() / (exact - commanded).col(k).norm() - 1.0));
   fmt::print("\n");
 }
 
@@ -76,7 +78,7 @@ void tellSizes(const std::vector<State>& train, const std::vector<State>& test,
     const double seconds = secondsSince(begin);
     learning::PoseErrors error;
     const std::vector<Eigen::Isometry3d> corrected = model.correct(test);
-    for (std::size_t k = 0; k < test.size(); ++k) error.add(corrected[k], test[k].pair.told);
+    for (std::size_t k = 0; k < test.size(); ++k) error.add(corrected[k], test[k].pair.commanded);
     const learning::CorrectionErrors sum = error.summed();
     fmt::print("  {:6} states {:8.2f} s {:8.3f} mm {:8.3f} deg\n", count, seconds,
                kMillimetres * sum.distance, kDegrees * sum.angle);

@@ -58,7 +58,7 @@ std::vector<EmpsStep> empsSteps(const std::filesystem::path& folder, EmpsStart s
   const diagnosis::Selection first = diagnosis::select(near, train, base, {}, nullptr);
   for (const Step& step : stepsOf(diagnosis::selectFurther(far, train, first, {}, nullptr))) {
     const diagnosis::Fit whole = wholeFit(train, nominal, step.fit, EncoderZeros::kKnown, threads);
-    EmpsStep one{step.name, step.rivals, whole.model.extended(whole.u), {}, {}};
+    EmpsStep one{step.name, step.competitors, whole.model.extended(whole.u), {}, {}};
     one.train = openLoopErrors(one.robot, folder / "train.csv");
     one.test = openLoopErrors(one.robot, folder / "test.csv");
     steps.push_back(std::move(one));

@@ -19,7 +19,7 @@ struct EmpsErrors {
 /// estimation record alone.
 struct EmpsStep {
   std::string name;
-  std::vector<std::string> rivals;  ///< as in Step
+  std::vector<std::string> competitors;  ///< as in Step
   robot::Description robot;
   EmpsErrors train, test;
 };

@@ -29,8 +29,8 @@ Recordings recordingsAt(int first_level, const std::filesystem::path& folder,
 
 /// What the fit's model leaves of recordings.
 Eigen::VectorXd left(const diagnosis::FitData& data, const diagnosis::Fit& fit) {
-  const diagnosis::Trust trust{Eigen::VectorXd::Ones(data.size())};
-  return diagnosis::linearise(data, fit.model, fit.u, diagnosis::noneBeyond(data), trust).e;
+  const diagnosis::Weighting weighting{Eigen::VectorXd::Ones(data.size())};
+  return diagnosis::linearise(data, fit.model, fit.u, diagnosis::noneBeyond(data), weighting).e;
 }
 
 double rmsInDegrees(const Eigen::VectorXd& e) {
@@ -55,7 +55,7 @@ std::vector<JawStep> jawSteps(const std::filesystem::path& folder,
   for (const Step& step : stepsOf(diagnosis::select(fitted, even, base, options, nullptr))) {
     const diagnosis::Fit whole = wholeFit(even, nominal, step.fit, EncoderZeros::kOneForAll, threads);
     const Eigen::VectorXd told = left(even_known, whole);
-    steps.push_back({step.name, step.rivals, whole.model.extended(whole.u),
+    steps.push_back({step.name, step.competitors, whole.model.extended(whole.u),
                      rmsInDegrees((told.array() - told.mean()).matrix()),
                      rmsInDegrees((left(odd_known, whole).array() - told.mean()).matrix()),
                      rmsInDegrees(left(odd_each, whole))});

@@ -13,7 +13,7 @@ namespace capstan::measured {
 /// fitted, on recordings under even load levels.
 struct JawStep {
   std::string name;
-  std::vector<std::string> rivals;  ///< as in Step
+  std::vector<std::string> competitors;  ///< as in Step
   robot::Description robot;
   double even_deg = 0.0;  ///< RMS over the recordings under even levels, with one encoder zero for all
   double odd_deg = 0.0;   ///< over those under odd levels, with that zero

@@ -11,12 +11,13 @@ robot::Description robotFile(const std::string& name) {
 
 std::vector<Step> stepsOf(const diagnosis::Selection& selection) {
   std::vector<Step> steps{{"nominal structure", {}, selection.base}};
-  for (const diagnosis::Contender& taken : selection.taken) {
+  for (const diagnosis::CandidateModel& taken : selection.taken) {
     Step step{"+ " + std::string(taken.added.hypothesis->name()), {}, taken.fit};
-    for (const diagnosis::Rivals& rivals : selection.rivals)
-      if (rivals.taken.hypothesis == taken.added.hypothesis && rivals.taken.joint == taken.added.joint)
-        for (const diagnosis::Suspect& other : rivals.others)
-          step.rivals.emplace_back(other.hypothesis->name());
+    for (const diagnosis::CompetingExplanations& competitors : selection.competitors)
+      if (competitors.taken.hypothesis == taken.added.hypothesis &&
+          competitors.taken.joint == taken.added.joint)
+        for (const diagnosis::EffectCandidate& other : competitors.others)
+          step.competitors.emplace_back(other.hypothesis->name());
     steps.push_back(std::move(step));
   }
   if (!selection.taken.empty()) steps.back().fit = selection.best;

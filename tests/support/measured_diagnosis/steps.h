@@ -13,8 +13,8 @@ robot::Description robotFile(const std::string& name);
 
 /// A model on the way of a forward selection.
 struct Step {
-  std::string name;                 ///< of the effect that came last; "nominal structure" at first
-  std::vector<std::string> rivals;  ///< effects that this choice could not be told from
+  std::string name;                      ///< of the effect that came last; "nominal structure" at first
+  std::vector<std::string> competitors;  ///< effects that this choice could not be told from
   diagnosis::Fit fit;
 };
 

@@ -43,6 +43,7 @@ std::vector<EffectFacts> makeFacts() {
        false},
       {kJointDetent, "joint_detent", "N*m or N", kOutside, true, true, false, false},
       {kEncoderDrift, "encoder_drift", "rad/s or m/s", kOutside, true, true, false, false},
+      {kZeroDrift, "zero_drift", "rad or m", kTransmission, true, false, false, true},
   };
 }
 

@@ -7,8 +7,8 @@
 
 namespace capstan::test {
 
-/// What can be wrong with the planted robot. The last four have no name among the effects that a diagnosis
-/// would look for.
+/// What can be wrong with the planted robot. kExternalVibration to kEncoderDrift have no name among the
+/// effects that a diagnosis would look for. The order decides on seeds: a new one comes last.
 enum class Effect {
   kPulleyRadius,
   kCableCoupling,
@@ -40,6 +40,7 @@ enum class Effect {
   kNonlinearSpring,
   kJointDetent,
   kEncoderDrift,
+  kZeroDrift,
 };
 
 /// Where an effect sits: decides on which joints and drives it can be planted.

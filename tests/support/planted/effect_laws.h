@@ -12,6 +12,16 @@ inline double eccentricTravel(double e, double angle, double phase) {
   return e * (std::sin(angle + phase) - std::sin(phase));
 }
 
+/// How far a zero has moved t [s] after it was set, `all` of it in the end: a body that warms up follows its
+/// surroundings exponentially (Newton's law of cooling), and what it carries follows its length.
+inline double settledZero(double all, double t, double time_constant) {
+  return t > 0.0 ? -all * std::expm1(-t / time_constant) : 0.0;
+}
+/// Its derivative.
+inline double settlingZero(double all, double t, double time_constant) {
+  return t > 0.0 ? all / time_constant * std::exp(-t / time_constant) : 0.0;
+}
+
 /// Elongation beyond a play of half-width h [m] (Nordin, Gutman: Controlling mechanical systems with
 /// backlash, Automatica 38, 2002, eq. 4, dead zone).
 inline double deadZone(double stretch, double h) {

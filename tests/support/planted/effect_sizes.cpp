@@ -73,6 +73,10 @@ void plausibleTransmission(Planted& e, const PlantParameters& p, base::Random& r
     case Effect::kHomingOffset:
       e.magnitude = 0.03 * range * eitherSign(random);
       break;
+    case Effect::kZeroDrift:
+      e.magnitude = 0.03 * range * eitherSign(random);
+      e.signature = random.uniform(2.0, 6.0);  // [s]
+      break;
     case Effect::kEncoderSlip:
       e.magnitude = 0.03 * range * p.radius[i] * p.gear[i] / p.capstan[i] * eitherSign(random);
       e.signature = 0.05;  // it slips within so many seconds
@@ -226,7 +230,7 @@ Planted largestPlausible(Effect effect, int i, const PlantParameters& p, const r
   return e;
 }
 
-std::vector<Planted> everydayTexture(const PlantParameters& p, base::Random& random) {
+std::vector<Planted> backgroundTexture(const PlantParameters& p, base::Random& random) {
   std::vector<Planted> texture;
   for (int i = 0; i < p.size; ++i) {
     Planted e;

@@ -9,9 +9,9 @@ namespace capstan::test {
 Planted largestPlausible(Effect effect, int i, const PlantParameters& p, const robot::Description& nominal,
                          base::Random& random);
 
-/// Everyday texture of every joint: friction a few per cent stronger one way, in a cable drive a capstan
+/// Background texture of every joint: friction a few per cent stronger one way, in a cable drive a capstan
 /// some micrometres out of centre, a trace of Stribeck.
-std::vector<Planted> everydayTexture(const PlantParameters& p, base::Random& random);
+std::vector<Planted> backgroundTexture(const PlantParameters& p, base::Random& random);
 
 /// How much of an effect a reference would show that no robot without a fault would: open-loop simulations
 /// over the motion of the robot without it, less what ageing and texture, as far as they are drawn and to
@@ -33,7 +33,7 @@ class Visibility {
   Eigen::MatrixXd changeBy(const std::vector<Planted>& effects) const;
   Eigen::VectorXd channels(const Eigen::MatrixXd& change) const;  ///< RMS of each joint and of the tip
   Eigen::VectorXd weighted(const Eigen::MatrixXd& change) const;
-  void findEverydayChanges();
+  void findBackgroundChanges();
 
   robot::Description nominal_, aged_;
   PlantParameters parameters_;
@@ -41,8 +41,9 @@ class Visibility {
   PlantedMotion recorded_, plain_motion_;
   Eigen::MatrixXd plain_;
   Eigen::VectorXd noise_, level_;  ///< of channels(); level_: noise and texture together
-  /// What one standard deviation of each everyday change does to the readings, JᵀJ, and how far each may go.
-  Eigen::MatrixXd everyday_, normal_;
+  /// What one standard deviation of each background change does to the readings, JᵀJ, and how far each may
+  /// go.
+  Eigen::MatrixXd background_, normal_;
   Eigen::VectorXd low_, high_;
 };
 

@@ -12,6 +12,7 @@ Plant::Plant(const PlantParameters& parameters, const std::vector<Planted>& effe
     switch (factsOf(planted.effect).place) {
       case Place::kTransmission:
         if (planted.effect == Effect::kCapstanEccentricity) travel_[joint].push_back(planted);
+        if (planted.effect == Effect::kZeroDrift) zero_[joint].push_back(planted);
         break;
       case Place::kCable:
         cable_[joint].push_back(planted);
@@ -54,7 +55,7 @@ PlantState Plant::rest(const Joints& q) {
   return s;
 }
 
-Plant::CableState Plant::cableState(int i, const PlantState& s) const {
+Plant::CableState Plant::cableState(int i, const PlantState& s, double t) const {
   CableState c;
   const double lever = p_.capstan[i] / p_.gear[i];
   c.lever = lever;
@@ -67,8 +68,13 @@ Plant::CableState Plant::cableState(int i, const PlantState& s) const {
   c.travel_rate = c.lever * s[kMotorRate][i];
   double link = 0.0, link_rate = 0.0;
   for (int j = 0; j < p_.size; ++j) {
-    link += p_.coupling[i][j] * (s[kJoint][j] - p_.homing[j]);
-    link_rate += p_.coupling[i][j] * s[kJointRate][j];
+    double q = s[kJoint][j] - p_.homing[j], dq = s[kJointRate][j];  // from the zero
+    for (const Planted& e : zero_[j]) {
+      q -= law::settledZero(e.magnitude, t, e.signature);
+      dq -= law::settlingZero(e.magnitude, t, e.signature);
+    }
+    link += p_.coupling[i][j] * q;
+    link_rate += p_.coupling[i][j] * dq;
   }
   c.stretch = c.travel - p_.radius[i] * link;
   c.rate = c.travel_rate - p_.radius[i] * link_rate;
@@ -165,7 +171,7 @@ PlantState Plant::slope(const PlantState& s, double t, const PlantInput& input) 
   for (int i = 0; i < p_.size; ++i) {
     mass[i][i] += p_.armature[i];
     const double torque = p_.actuator_gain[i] * input.torque[i];
-    const CableState cable = cableState(i, s);
+    const CableState cable = cableState(i, s, t);
     double pull = 0.0;  // along the cable [N]
     if (stiff(i)) {
       const double ratio = p_.gear[i] / p_.capstan[i];

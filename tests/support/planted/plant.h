@@ -46,7 +46,8 @@ class Plant {
   void advance(PlantState& state, double t, double duration, int steps, const PlantInput& input);
   /// Slope of the state at time t.
   PlantState slope(const PlantState& state, double t, const PlantInput& input);
-  /// Kinetic and potential energy of motors, springs and links [J]; of cable pairs in nominal condition.
+  /// Kinetic and potential energy of motors, springs and links [J]; of cable pairs in nominal condition, and
+  /// of zeros where the recording begins.
   double energy(const PlantState& state);
 
  private:
@@ -56,7 +57,7 @@ class Plant {
     double stretch = 0.0, rate = 0.0, range = 0.0;
   };
 
-  CableState cableState(int i, const PlantState& s) const;
+  CableState cableState(int i, const PlantState& s, double t) const;
   double tension(int i, const CableState& cable, const PlantState& s, PlantState& slope) const;
   double complianceTension(int i, const CableState& cable) const;
   double motorFriction(int i, double rate) const;
@@ -67,7 +68,7 @@ class Plant {
 
   using ByJoint = std::array<std::vector<Planted>, kMostJoints>;
   PlantParameters p_;
-  ByJoint travel_, cable_, friction_, outside_;
+  ByJoint travel_, zero_, cable_, friction_, outside_;
 };
 
 }  // namespace capstan::test

@@ -109,7 +109,7 @@ double Plant::energy(const PlantState& s) {
   p_.chain.pose(s[kJoint]);
   double total = p_.chain.energy(s[kJointRate]);
   for (int i = 0; i < p_.size; ++i) {
-    const CableState cable = cableState(i, s);
+    const CableState cable = cableState(i, s, 0.0);
     const double ratio = p_.gear[i] / p_.capstan[i];
     const double rate = stiff(i) ? ratio * (cable.travel_rate - cable.rate) : s[kMotorRate][i];
     total += 0.5 * p_.motor_inertia[i] * rate * rate;

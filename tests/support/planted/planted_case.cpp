@@ -19,7 +19,7 @@ class CaseRobot {
         ageing_(from.seed, "ageing"),
         robot_(from.is_aged ? aged(from.robot, ageing_) : from.robot) {
     base::Random texture(from.seed, "texture");
-    texture_ = everydayTexture(PlantParameters(robot_, from.rigid), texture);
+    texture_ = backgroundTexture(PlantParameters(robot_, from.rigid), texture);
     for (std::size_t k = 0; k < from.effects.size(); ++k) truth_.items.push_back(plant(k));
     truth_.robot = robot_;
     truth_.textured = from.textured;

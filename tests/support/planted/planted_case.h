@@ -49,7 +49,7 @@ struct Truth {
     Planted planted;          ///< planted.joint and planted.other count from 0
   };
   std::vector<Item> items;
-  std::vector<Planted> texture;  ///< everyday texture in the recording; empty: it has none
+  std::vector<Planted> texture;  ///< background texture in the recording; empty: it has none
   robot::Description robot;      ///< aged
   bool textured = false;
 };

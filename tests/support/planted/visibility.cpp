@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/support/planted/background_changes.h"
 #include "tests/support/planted/effect_sizes.h"
-#include "tests/support/planted/everyday_changes.h"
 
 namespace capstan::test {
 namespace {
@@ -44,7 +44,7 @@ Visibility::Visibility(const robot::Description& nominal, const robot::Descripti
   }
   const Eigen::VectorXd of_texture = channels(changeBy(texture));
   level_ = (noise_.array().square() + of_texture.array().square()).sqrt();
-  findEverydayChanges();
+  findBackgroundChanges();
 }
 
 /// In noise of a reading; sensors that are not there tell nothing.
@@ -56,18 +56,18 @@ Eigen::VectorXd Visibility::weighted(const Eigen::MatrixXd& change) const {
   return seen.reshaped();
 }
 
-void Visibility::findEverydayChanges() {
-  const std::vector<EverydayChange> changes = everydayChanges(nominal_, aged_, parameters_.rigid);
+void Visibility::findBackgroundChanges() {
+  const std::vector<BackgroundChange> changes = backgroundChanges(nominal_, aged_, parameters_.rigid);
   const auto count = static_cast<Eigen::Index>(changes.size());
-  everyday_.resize(plain_.size(), count);
+  background_.resize(plain_.size(), count);
   low_.resize(count), high_.resize(count);
   for (Eigen::Index k = 0; k < count; ++k) {
-    const EverydayChange& one = changes[static_cast<std::size_t>(k)];
+    const BackgroundChange& one = changes[static_cast<std::size_t>(k)];
     const Eigen::MatrixXd told = tell(replayOf(one.robot, one.texture), one.texture);
-    everyday_.col(k) = weighted((told - plain_) / kEverydayStep);
+    background_.col(k) = weighted((told - plain_) / kBackgroundStep);
     low_[k] = one.low, high_[k] = one.high;
   }
-  normal_ = everyday_.transpose() * everyday_;
+  normal_ = background_.transpose() * background_;
 }
 
 PlantedMotion Visibility::replayOf(const robot::Description& robot,
@@ -107,8 +107,8 @@ Eigen::VectorXd Visibility::channels(const Eigen::MatrixXd& change) const {
 
 double Visibility::of(const Planted& planted) const {
   const Eigen::VectorXd moved = weighted(changeBy({planted}));
-  const Eigen::VectorXd mimic = leastWithin(normal_, everyday_.transpose() * moved, low_, high_);
-  const Eigen::VectorXd left = moved - everyday_ * mimic;
+  const Eigen::VectorXd mimic = leastWithin(normal_, background_.transpose() * moved, low_, high_);
+  const Eigen::VectorXd left = moved - background_ * mimic;
   const Place place = factsOf(planted.effect).place;
   const bool drifts = place != Place::kCamera && planted.effect != Effect::kEncoderDrift &&
                       planted.effect != Effect::kCableCompliance;

@@ -11,7 +11,7 @@ namespace capstan::study {
 /// What was hidden in a recording, as the study keeps it.
 struct HiddenTruth {
   std::vector<test::Truth::Item> items;
-  std::vector<test::Planted> texture;  ///< everyday texture of the recording; empty: it has none
+  std::vector<test::Planted> texture;  ///< background texture of the recording; empty: it has none
   double duration = 0.0;               ///< of the recording [s]
   /// Size at which the true model would find half of the first item's like, IdealObserver::limit; NaN: not
   /// asked for.

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/support/planted/everyday_changes.h"
+#include "tests/support/planted/background_changes.h"
 #include "tests/support/planted/excitation.h"
 
 namespace capstan::study {
@@ -74,13 +74,13 @@ IdealObserver::IdealObserver(const test::PlantedCase& planted_case, const test::
       aged_(truth.robot),
       times_(planted_case.duration / sensors_->duration()),
       plain_(sensors_->tell(aged_, {})) {
-  std::vector<test::EverydayChange> changes =
-      test::everydayChanges(planted_case.robot, aged_, planted_case.rigid);
+  std::vector<test::BackgroundChange> changes =
+      test::backgroundChanges(planted_case.robot, aged_, planted_case.rigid);
   if (!truth.textured)
-    std::erase_if(changes, [](const test::EverydayChange& change) { return !change.texture.empty(); });
+    std::erase_if(changes, [](const test::BackgroundChange& change) { return !change.texture.empty(); });
   spread_.resize(plain_.size(), static_cast<Eigen::Index>(changes.size()));
-  for (Eigen::Index column = 0; const test::EverydayChange& change : changes)
-    spread_.col(column++) = (sensors_->tell(change.robot, change.texture) - plain_) / test::kEverydayStep;
+  for (Eigen::Index column = 0; const test::BackgroundChange& change : changes)
+    spread_.col(column++) = (sensors_->tell(change.robot, change.texture) - plain_) / test::kBackgroundStep;
   normal_.compute(Eigen::MatrixXd::Identity(spread_.cols(), spread_.cols()) +
                   times_ * spread_.transpose() * spread_);
 }

@@ -14,8 +14,9 @@ namespace capstan::study {
 ///     D² = dᵀ (Σ + J P Jᵀ)⁻¹ d
 /// d: change of all sensors' readings by the effect, open loop over the motion of the robot without it; Σ:
 /// the sensors' white noise; J: change by each aged number of each joint (stiffness, damping, friction of
-/// joint and motor, mass, centre of mass) and by the everyday texture; P: their variances as they are drawn.
-/// Linear in the ageing. From the case's first `seconds`, taken to come as often as its length has room for.
+/// joint and motor, mass, centre of mass) and by the background texture; P: their variances as they are
+/// drawn. Linear in the ageing. From the case's first `seconds`, taken to come as often as its length has
+/// room for.
 class IdealObserver {
  public:
   IdealObserver(const test::PlantedCase& planted_case, const test::Truth& truth, double seconds = 8.0);

@@ -109,6 +109,8 @@ std::vector<NumberCheck> checkNumbers(const HiddenTruth& truth, std::size_t whic
       return {checkCoupling(cause, planted)};
     case Effect::kEncoderSlip:
       return {check(cause, "slip", m), checkSlipTime(cause, planted, truth.duration)};
+    case Effect::kZeroDrift:
+      return {check(cause, "drift", m), check(cause, "time_constant", s)};
     case Effect::kAsymmetricFriction:
       return {check(cause, "share", withTexture(truth, planted).real())};
     case Effect::kCableHysteresis:

@@ -24,8 +24,9 @@ struct NumberCheck {
 ///   cable_coupling  added: m, and `other` must be the planted one, or the number is not told
 ///   encoder_slip    slip: m; time: begins at phase × duration and lasts s, anything between is right
 ///   asymmetric_friction  share: m and that of the texture
-///   cable_hysteresis, cable_creep, stribeck_friction  m and s (force, yield; share, time constant; excess,
-///                   speed); the trace of Stribeck in the texture, slower than it, is not added
+///   cable_hysteresis, cable_creep, zero_drift, stribeck_friction  m and s (force, yield; share, time
+///                   constant; drift, time constant; excess, speed); the trace of Stribeck in the texture,
+///                   slower than it, is not added
 ///   slack           pretension: s (1 − m)
 ///   capstan_eccentricity  m e^{i phase} and that of the texture; found as √(sine² + cosine²)
 ///   position_friction     amplitude m as √(sine² + cosine²); period: s

@@ -65,7 +65,7 @@ std::vector<Group> otherGroups(const std::vector<const CaseOutcome*>& ones) {
                              [&](const CaseOutcome& outcome) { return outcome.of.robot == robot; }));
   for (const bool textured : {false, true})
     groups.push_back(
-        groupOf(textured ? "everyday texture" : "no texture", ones,
+        groupOf(textured ? "background texture" : "no texture", ones,
                 [&](const CaseOutcome& outcome) { return outcome.truth.texture.empty() != textured; }));
   constexpr std::array bounds = {0.0, 0.215, 0.464, 1e9};
   for (std::size_t k = 0; k + 1 < bounds.size(); ++k)

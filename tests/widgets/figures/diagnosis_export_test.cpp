@@ -55,9 +55,8 @@ TEST_F(DiagnosisPages, EveryLinkLeadsToAFileAndEveryFileIsLinked) {
   for (const std::string& name : linked) EXPECT_TRUE(fs::exists(at("out") / name)) << name;
   for (const fs::path& file : files)
     EXPECT_TRUE(file.filename() == "index.html" || linked.count(file.filename().string()) == 1) << file;
-  EXPECT_TRUE(linked.count("q2-remainder.svg") == 1 && linked.count("q1-signatures.pdf") == 1);
-  EXPECT_LT(html.find("q2-remainder.svg"), html.find("q1-remainder.svg"))
-      << "the first cause's channel first";
+  EXPECT_TRUE(linked.count("q2-residual.svg") == 1 && linked.count("q1-signatures.pdf") == 1);
+  EXPECT_LT(html.find("q2-residual.svg"), html.find("q1-residual.svg")) << "the first cause's channel first";
 }
 
 TEST_F(DiagnosisPages, SayTheVerdictTheCausesAndWhatIsToldOfThem) {
@@ -66,7 +65,7 @@ TEST_F(DiagnosisPages, SayTheVerdictTheCausesAndWhatIsToldOfThem) {
   EXPECT_TRUE(has(html, "One cause found"));
   EXPECT_TRUE(has(html, report.summary));
   EXPECT_TRUE(has(html, "half width 0.930 ± 0.030 mm"));
-  const auto& words = diagnosis::hypothesisNamed("backlash")->words();
+  const auto& words = diagnosis::hypothesisNamed("backlash")->words;
   for (const std::string_view part : {words.title, words.what, words.experiment, words.source})
     EXPECT_TRUE(has(html, std::string(part))) << part;
   EXPECT_TRUE(has(html, "Worth</dt><dd>q2: RMS"));
@@ -138,8 +137,8 @@ TEST_F(DiagnosisPages, CancelledStopsDrawingButLeavesAPage) {
   progress.cancel();
   exportDiagnosis(sampleReport({.duration = 12.0}), {}, at("out"), &progress);
   const std::string html = base::readTextFile(at("out") / "index.html");
-  EXPECT_TRUE(has(html, "q2-remainder.svg"));
-  EXPECT_FALSE(has(html, "q3-remainder.svg"));
+  EXPECT_TRUE(has(html, "q2-residual.svg"));
+  EXPECT_FALSE(has(html, "q3-residual.svg"));
   EXPECT_TRUE(fs::exists(at("out") / "report.json"));
 }
 

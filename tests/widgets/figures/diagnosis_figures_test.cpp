@@ -8,11 +8,11 @@
 #include "core/stats/rms.h"
 #include "tests/support/sample_diagnosis.h"
 #include "tests/widgets/picture.h"
-#include "widgets/figures/remainder_figure.h"
+#include "widgets/figures/residual_figure.h"
 #include "widgets/figures/save_plot.h"
 #include "widgets/figures/signature_figure.h"
 
-/// What a diagnosis draws: signatures and remainders, before and after.
+/// What a diagnosis draws: signatures and residuals, before and after.
 namespace capstan::widgets {
 namespace {
 
@@ -124,15 +124,15 @@ TEST(SignatureFigures, BarsStayWithinTheAxisAndUnknownIntervalsHaveNone) {
   EXPECT_EQ(bars->data()->at(1).errorPlus, 0.0);
 }
 
-TEST(RemainderFigures, ShowTheNumbersOfTheReport) {
+TEST(ResidualFigures, ShowTheNumbersOfTheReport) {
   const Report report = sampleReport();
   const auto& channel = report.channels[kElbow];
-  const RemainderFigure figure(remainderData(report, channel));
+  const ResidualFigure figure(residualData(report, channel));
   const auto summary = rowsOf(figure, "_summary");
   ASSERT_EQ(summary.size(), 3U);
   EXPECT_EQ(summary[1][2], "refitted");
   const double degrees = 180.0 / std::numbers::pi;
-  EXPECT_EQ(summary[1][3].toDouble(), degrees * stats::rms(channel.refitted.remainder));
+  EXPECT_EQ(summary[1][3].toDouble(), degrees * stats::rms(channel.refitted.residual));
   const auto rows = rowsOf(figure, "");
   EXPECT_EQ(rows.size(), channel.refitted.size());
   EXPECT_EQ(rows[10][3].toDouble() - rows[10][5].toDouble(),
@@ -142,19 +142,19 @@ TEST(RemainderFigures, ShowTheNumbersOfTheReport) {
   EXPECT_TRUE(figure.caption().contains("slow.csv"));
 }
 
-TEST(RemainderFigures, LongRecordingsLeaveAFewThousandRows) {
+TEST(ResidualFigures, LongRecordingsLeaveAFewThousandRows) {
   const Report report = sampleReport({.duration = 60.0});
-  const RemainderFigure figure(remainderData(report, report.channels[0]));
+  const ResidualFigure figure(residualData(report, report.channels[0]));
   const std::size_t rows = rowsOf(figure, "").size();
-  EXPECT_LE(rows, RemainderFigure::kMostRows);
-  EXPECT_GT(rows, RemainderFigure::kMostRows / 2);
+  EXPECT_LE(rows, ResidualFigure::kMostRows);
+  EXPECT_GT(rows, ResidualFigure::kMostRows / 2);
 }
 
-TEST(RemainderFigures, GapsPartTheLinesAndTimeAxesGoTogether) {
+TEST(ResidualFigures, GapsPartTheLinesAndTimeAxesGoTogether) {
   const Report report = sampleReport();
-  RemainderTrace trace = remainderTrace(report.channels[0], true);
+  ResidualTrace trace = residualTrace(report.channels[0], true);
   for (std::size_t i = trace.t.size() / 2; i < trace.t.size(); ++i) trace.t[i] += 3.0;
-  RemainderFigure figure({"q1", {}, {trace}});
+  ResidualFigure figure({"q1", {}, {trace}});
   bool parted = false;
   for (const auto& point : *figure.graph(0)->data()) parted = parted || std::isnan(point.value);
   EXPECT_TRUE(parted);
@@ -162,15 +162,15 @@ TEST(RemainderFigures, GapsPartTheLinesAndTimeAxesGoTogether) {
   EXPECT_EQ(figure.panels()[0].axes->axis(QCPAxis::atBottom)->range(), QCPRange(2.0, 5.0));
 }
 
-TEST(RemainderFigures, WithoutACauseThereIsNoAfterAndWithoutSamplesNoPicture) {
+TEST(ResidualFigures, WithoutACauseThereIsNoAfterAndWithoutSamplesNoPicture) {
   const Report report = sampleReport({.verdict = Verdict::kNothing});
-  const RemainderFigure figure(remainderData(report, report.channels[0]));
+  const ResidualFigure figure(residualData(report, report.channels[0]));
   EXPECT_EQ(rowsOf(figure, "_summary").size(), 2U);
   for (const LegendEntry& entry : figure.legend().entries()) EXPECT_FALSE(entry.text.contains("after"));
-  const RemainderFigure empty(
+  const ResidualFigure empty(
       {"q1",
        {},
-       {RemainderTrace{
+       {ResidualTrace{
            .channel = "q1", .unit = "rad", .t = {}, .measured = {}, .nominal = {}, .refitted = {}}}});
   EXPECT_TRUE(empty.panels()[0].empty->visible());
 }
@@ -184,8 +184,8 @@ TEST(DiagnosisFigures, ShowBeforeAndAfterOnPaperAndScreen) {
        std::make_unique<SignatureFigure>(SignatureData{"q2", {}, {signaturePanel(channel, 0, true)}})},
       {"signatures", std::make_unique<SignatureFigure>(strongestSignatures(report, channel))},
       {"signatures_tip", std::make_unique<SignatureFigure>(strongestSignatures(report, report.channels[3]))},
-      {"remainder", std::make_unique<RemainderFigure>(remainderData(report, channel))},
-      {"remainder_tip", std::make_unique<RemainderFigure>(remainderData(report, report.channels[3]))}};
+      {"residual", std::make_unique<ResidualFigure>(residualData(report, channel))},
+      {"residual_tip", std::make_unique<ResidualFigure>(residualData(report, report.channels[3]))}};
   QTemporaryDir folder;
   for (const auto& [name, figure] : all) {
     for (const PaperSize& size : {PaperSize{88.0, 80.0}, PaperSize{180.0, 120.0}}) {

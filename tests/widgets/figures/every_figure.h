@@ -8,12 +8,12 @@
 
 #include "tests/support/sample_diagnosis.h"
 #include "tests/widgets/figures/figure_samples.h"
+#include "widgets/figures/clock_offset_figure.h"
 #include "widgets/figures/confidence_figure.h"
-#include "widgets/figures/lag_figure.h"
 #include "widgets/figures/learning_curve_figure.h"
 #include "widgets/figures/pose_trace_figure.h"
 #include "widgets/figures/reliability_figure.h"
-#include "widgets/figures/remainder_figure.h"
+#include "widgets/figures/residual_figure.h"
 #include "widgets/figures/signature_figure.h"
 
 /// One of every figure that can be exported, with words as long as programs write them.
@@ -54,14 +54,14 @@ inline BoxplotData comparisonBoxes() {
   return data;
 }
 
-inline LagData lagSample() {
-  LagData data{.title = "Lag between the clocks", .note = "12 motions, 10,440 pairs"};
+inline ClockOffsetData lagSample() {
+  ClockOffsetData data{.title = "Lag between the clocks", .note = "12 motions, 10,440 pairs"};
   for (int k = -10; k <= 30; ++k) {
-    data.lag.tried.push_back(0.01 * k);
-    data.lag.misfit.push_back(0.004 + 0.4 * std::pow(0.01 * k - 0.083, 2));
+    data.clock_offset.tried.push_back(0.01 * k);
+    data.clock_offset.misfit.push_back(0.004 + 0.4 * std::pow(0.01 * k - 0.083, 2));
   }
-  data.lag.lag = 0.0832;
-  data.lag.sigma = 0.0011;
+  data.clock_offset.clock_offset = 0.0832;
+  data.clock_offset.sigma = 0.0011;
   return data;
 }
 
@@ -112,17 +112,17 @@ inline PoseTraceData poseSample() {
     data.rejected.push_back(k % 100 == 7);
     for (std::size_t s = 0; s < 3; ++s)
       for (std::size_t d = 0; d < 6; ++d)
-        data.course[s][d].push_back((d < 3 ? 30.0 : 80.0) * std::sin(0.3 * t + static_cast<double>(d)) +
+        data.history[s][d].push_back((d < 3 ? 30.0 : 80.0) * std::sin(0.3 * t + static_cast<double>(d)) +
                                     (s == 1 ? 2.0 : 0.0));
   }
   return data;
 }
 
 /// Two seconds without a sample.
-inline RemainderData remainderSample() {
+inline ResidualData residualSample() {
   const diagnosis::Report report = testing::sampleReport();
-  RemainderData data = remainderData(report, report.channels[1]);
-  for (RemainderTrace& trace : data.traces) {
+  ResidualData data = residualData(report, report.channels[1]);
+  for (ResidualTrace& trace : data.traces) {
     const auto from = [&](double t) {
       return std::lower_bound(trace.t.begin(), trace.t.end(), t) - trace.t.begin();
     };
@@ -156,12 +156,12 @@ inline std::vector<EveryFigure> everyFigure() {
           entryOf<ConvergenceFigure>("cables", cableSample(), true),
           entryOf<TrajectoryFigure>("trajectory", trajectorySample(), true),
           entryOf<TrajectoryFigure>("detail", trajectorySample(25.0), true),
-          entryOf<LagFigure>("lag", lagSample()),
+          entryOf<ClockOffsetFigure>("lag", lagSample()),
           entryOf<LearningCurveFigure>("learning_curve", curveSample()),
           entryOf<ReliabilityFigure>("reliability", reliabilitySample()),
           entryOf<ConfidenceFigure>("confidence", confidenceSample()),
           entryOf<PoseTraceFigure>("pose_trace", poseSample(), true),
-          entryOf<RemainderFigure>("remainder", remainderSample(), true),
+          entryOf<ResidualFigure>("residual", residualSample(), true),
           entryOf<SignatureFigure>("signature", strongestSignatures(report, report.channels[1]))};
 }
 

@@ -43,12 +43,12 @@ TEST(HistogramNumbers, EqualTheStatisticsOfTheSamples) {
   std::vector<QStringList> bins;
   for (const QStringList& row : rowsOf(figure, ""))
     if (row[0] == "elbow q2" && row[2] == "UKF") bins.push_back(row);
-  const auto wanted =
+  const auto desired =
       stats::histogram(values, bins.front()[3].toDouble(), bins.back()[4].toDouble(), bins.size());
   std::uint64_t inside = 0;
   for (std::size_t i = 0; i < bins.size(); ++i) {
-    EXPECT_EQ(bins[i][5].toULongLong(), wanted.counts[i]) << i;
-    inside += wanted.counts[i];
+    EXPECT_EQ(bins[i][5].toULongLong(), desired.counts[i]) << i;
+    inside += desired.counts[i];
   }
   EXPECT_EQ(inside + summary[3][6].toULongLong() + summary[3][7].toULongLong(), values.size());
 }
@@ -67,9 +67,9 @@ TEST(BoxplotNumbers, EqualTheStatisticsAndListEveryOutlier) {
   EXPECT_EQ(row[2], "3");
   EXPECT_EQ(row[3], "UKF");
   EXPECT_EQ(row[4].toULongLong(), box.n);
-  const double wanted[] = {box.lower_whisker, box.first_quartile, box.median, box.third_quartile,
-                           box.upper_whisker};
-  for (int i = 0; i < 5; ++i) EXPECT_EQ(row[5 + i].toDouble(), wanted[i]) << i;
+  const double desired[] = {box.lower_whisker, box.first_quartile, box.median, box.third_quartile,
+                            box.upper_whisker};
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(row[5 + i].toDouble(), desired[i]) << i;
   EXPECT_EQ(row[10].toULongLong(), box.outliers.size());
   EXPECT_EQ(row[11].toULongLong(), BoxplotFigure::kMostOutliers);
   std::size_t all = 0;

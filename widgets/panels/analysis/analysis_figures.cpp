@@ -25,7 +25,7 @@ QString noteOf(const Analysis& analysis) {
   if (analysis.title_b.empty()) parts.front().remove(0, QStringLiteral("A: ").size());
   parts << QString::fromStdString(thinningWords(analysis));
   if (analysis.options.share == TimeShare::kOccluded) parts << QObject::tr("only occluded time");
-  if (analysis.options.share == TimeShare::kSeen) parts << QObject::tr("only time with the marker seen");
+  if (analysis.options.share == TimeShare::kVisible) parts << QObject::tr("only time with the marker seen");
   parts.removeAll({});
   return parts.join(QStringLiteral("; "));
 }

@@ -32,7 +32,7 @@ std::vector<Results> readAll(const std::vector<ExportedRun>& runs, base::Progres
   std::vector<Results> all;
   for (const ExportedRun& run : runs)
     if (!progress.cancelled()) all.push_back(resultsOf(run));
-  analysis::tellApart(all);
+  analysis::distinguish(all);
   return all;
 }
 

@@ -13,7 +13,7 @@ namespace capstan::widgets {
 
 /// What the user wants diagnosed; kept between starts.
 struct DiagnosisChoice {
-  QStringList recordings = {};  ///< absolute paths, each once
+  QStringList recordings = {};  ///< recordings of one robot, or one table of tip poses: absolute paths
   QString robot = {};           ///< robot file; empty: the recordings' own, or the left RAVEN-II
 
   bool operator==(const DiagnosisChoice&) const = default;
@@ -26,9 +26,7 @@ struct DiagnosisChoice {
 /// From files to a report, in the background; throws base::InputError.
 using DiagnosisRun = std::function<diagnosis::Report(const DiagnosisChoice&, base::Progress&)>;
 
-/// Reads the recordings and diagnoses them. A robot file that was chosen is the nominal robot, also of
-/// recordings that bring one of their own. base::InputError as readEvidence() and diagnose(), and for
-/// recordings that bring different robots while none was chosen.
+/// diagnosis::diagnoseFiles() of the choice, as capstan-cli diagnose.
 diagnosis::Report runDiagnosis(const DiagnosisChoice& choice, base::Progress& progress);
 
 }  // namespace capstan::widgets

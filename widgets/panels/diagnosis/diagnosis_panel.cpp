@@ -260,7 +260,9 @@ void DiagnosisPanel::showVerdict() {
     head = tr("What does the simulation get wrong?");
     below =
         tr("Choose one or more recordings of the robot moving: 20 s with all joints in motion, fast and "
-           "slow, back and forth. Diagnosis names what the model lacks, and what it is worth.");
+           "slow, back and forth; or one table of tip poses. Diagnosis names what the model lacks, and what "
+           "it is "
+           "worth.");
   } else {
     head = tr("Ready to diagnose");
     below = tr("Press Diagnose (F5).");

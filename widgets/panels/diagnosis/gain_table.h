@@ -7,7 +7,7 @@
 
 namespace capstan::widgets {
 
-/// What the extended model is worth on data not fitted: RMS of every channel's remainder before and after
+/// What the extended model is worth on data not fitted: RMS of every channel's residual before and after
 /// with 95 % intervals, drawn to one scale for angles and one for lengths; below it what the Kalman filter
 /// gains.
 class GainTable : public QTreeWidget {

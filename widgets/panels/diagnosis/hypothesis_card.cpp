@@ -26,7 +26,7 @@ QString heading(const QString& words) {
          words.toHtmlEscaped() + QStringLiteral("</p>");
 }
 
-QString processWords(const diagnosis::RemainderProcess& process) {
+QString processWords(const diagnosis::ResidualProcess& process) {
   return QObject::tr("%1: %2 (%3 of its variance can be predicted).")
       .arg(text(process.channel), text(process.words), percentText(std::max(process.explained, 0.0)));
 }
@@ -71,7 +71,7 @@ void HypothesisCard::showEffect(const std::string& effect, const QString& place,
   QString html = heading(place.isEmpty() ? titleOf(effect) : titleOf(effect) + QStringLiteral(", ") + place);
   html += paragraph({}, remark);
   if (const diagnosis::Hypothesis* hypothesis = diagnosis::hypothesisNamed(effect)) {
-    const diagnosis::HypothesisWords& words = hypothesis->words();
+    const diagnosis::HypothesisWords& words = hypothesis->words;
     html += paragraph({}, text(words.what)) + paragraph(tr("How it shows:"), text(words.signature)) +
             paragraph(tr("What would show it best:"), text(words.experiment)) +
             paragraph(tr("In the model:"), text(words.changes)) +
@@ -83,7 +83,7 @@ void HypothesisCard::showEffect(const std::string& effect, const QString& place,
 void HypothesisCard::showRemains(const diagnosis::Report& report) {
   QString html = heading(report.verdict == diagnosis::Verdict::kUnexplained ? tr("What remains")
                                                                             : tr("No cause to show"));
-  for (const diagnosis::RemainderProcess& process : report.processes)
+  for (const diagnosis::ResidualProcess& process : report.processes)
     if (process.end == diagnosis::ProcessEnd::kDone) html += paragraph({}, processWords(process));
   for (const diagnosis::SpectralLine& line : report.lines)
     html += paragraph({}, lineWords(line, unitOf(report, line.channel)));

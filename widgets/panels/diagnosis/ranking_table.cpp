@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "widgets/figures/number_text.h"
-#include "widgets/panels/diagnosis/diagnosis_text.h"
 #include "widgets/figures/share_bar.h"
+#include "widgets/panels/diagnosis/diagnosis_text.h"
 
 namespace capstan::widgets {
 
@@ -18,7 +18,7 @@ using diagnosis::Candidate;
 constexpr int kCandidateRole = Qt::UserRole + 1;
 constexpr double kPoints = 10.0;
 
-/// Refitted ones by their score, then what was only screened by what it promises.
+/// Refitted ones by their score, then what was only screened by what it score_tests.
 bool better(const Candidate& a, const Candidate& b) {
   if (a.round != b.round) return a.round < b.round;
   if (a.refitted != b.refitted) return a.refitted;
@@ -37,7 +37,7 @@ RankingTable::RankingTable(QWidget* parent) : QTreeWidget(parent) {
   setColumnCount(kColumns);
   setHeaderLabels({tr("candidate"), tr("takes off"), tr("score"), tr("probability")});
   headerItem()->setToolTip(kTaken,
-                           tr("Share of the remainder's mean square on data not fitted; outlined: what the "
+                           tr("Share of the residual's mean square on data not fitted; outlined: what the "
                               "screening promises of one that was not refitted"));
   headerItem()->setToolTip(kScore, tr("Cross-validated, above the model without it [nats]"));
   setItemDelegateForColumn(kTaken, new ShareBar(this));
@@ -100,7 +100,7 @@ void RankingTable::fill() {
   expandAll();
 }
 
-/// Beyond doubling the remainder it does not matter by how much.
+/// Beyond doubling the residual it does not matter by how much.
 QString RankingTable::takenText(double taken) {
   if (taken < -1.0) return tr("worse");
   const double shown = std::abs(taken) < 5e-4 ? 0.0 : taken;

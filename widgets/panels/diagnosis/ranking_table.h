@@ -7,9 +7,9 @@
 
 namespace capstan::widgets {
 
-/// Candidates of each round of the selection, the best first. The bar is the share of the remainder's mean
+/// Candidates of each round of the selection, the best first. The bar is the share of the residual's mean
 /// square that a candidate takes off data not fitted; of those that were only screened an outline, what the
-/// score test promises.
+/// score test score_tests.
 class RankingTable : public QTreeWidget {
   Q_OBJECT
 

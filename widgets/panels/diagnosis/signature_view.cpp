@@ -23,7 +23,7 @@ using diagnosis::Signature;
 enum Column { kVariable, kBefore, kAfter, kColumns };
 constexpr double kPoints = 9.5;
 constexpr int kNarrow = 720, kList = 250, kLeastList = 236;  ///< widths [px]
-constexpr double kSeen = 2.0;  ///< sigmas of a share from which on it is more than nothing
+constexpr double kVisible = 2.0;  ///< sigmas of a share from which on it is more than nothing
 
 /// Null: not among them.
 const Signature* against(const std::vector<Signature>& signatures, const std::string& variable) {
@@ -33,7 +33,7 @@ const Signature* against(const std::vector<Signature>& signatures, const std::st
 }
 
 QString shareText(const Signature& signature) {
-  const bool seen = signature.share > kSeen * signature.share_sigma;
+  const bool seen = signature.share > kVisible * signature.share_sigma;
   return QString::fromStdString(diagnosis::shareWords(seen ? signature.share : 0.0));
 }
 
@@ -93,7 +93,7 @@ SignatureView::SignatureView(QWidget* parent) : QWidget(parent) {
   auto* row = new QHBoxLayout;
   channels_ = new QComboBox;
   channels_->setObjectName("signature_channel");
-  channels_->setToolTip(tr("Which sensor's remainder (Alt+C: the next)"));
+  channels_->setToolTip(tr("Which sensor's residual (Alt+C: the next)"));
   channels_->setAccessibleName(tr("channel of the signatures"));
   words_ = new QLabel;
   words_->setWordWrap(true);

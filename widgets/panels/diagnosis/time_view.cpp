@@ -89,10 +89,10 @@ void TimeView::draw() {
   if (stale_ || !report_ || index < 0) return;
   const ChannelReport& channel = report_->channels[static_cast<std::size_t>(index)];
   words_->setText(wordsOf(channel, !report_->causes.empty()));
-  RemainderData drawn = remainderData(*report_, channel);
+  ResidualData drawn = residualData(*report_, channel);
   drawn.title.clear();  // the box above says it
   drawn.note.clear();
-  figure_ = new RemainderFigure(std::move(drawn));
+  figure_ = new ResidualFigure(std::move(drawn));
   figure_->setAccessibleName(words_->text());
   figure_->setToolTip(tr("Drag and wheel move and stretch the time; a double click shows all of it"));
   figure_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "core/diagnosis/report/report.h"
-#include "widgets/figures/remainder_figure.h"
+#include "widgets/figures/residual_figure.h"
 
 class QComboBox;
 class QLabel;
@@ -25,7 +25,7 @@ class TimeView : public QWidget {
   /// The first recording's channel of this name; nothing where there is none.
   void showChannel(const std::string& name);
   QComboBox& channels() { return *channels_; }
-  const RemainderFigure* figure() const { return figure_; }
+  const ResidualFigure* figure() const { return figure_; }
   QString words() const;
   QSize minimumSizeHint() const override { return {300, 160}; }
 
@@ -42,7 +42,7 @@ class TimeView : public QWidget {
   QComboBox* channels_;
   QLabel* words_;
   QVBoxLayout* sheet_;
-  RemainderFigure* figure_ = nullptr;
+  ResidualFigure* figure_ = nullptr;
 };
 
 }  // namespace capstan::widgets

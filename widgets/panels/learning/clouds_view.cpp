@@ -12,7 +12,7 @@ using learning::Reason;
 
 namespace {
 
-constexpr std::array kSources = {PoseSource::kTold, PoseSource::kSeen, PoseSource::kOffset,
+constexpr std::array kSources = {PoseSource::kCommanded, PoseSource::kVisible, PoseSource::kOffset,
                                  PoseSource::kCorrected};
 
 QString nameOfLayer(int layer) {
@@ -30,11 +30,12 @@ CloudsView::CloudsView(QWidget* parent) : LearningView(parent) {
   row->setSpacing(14);
   for (int k = 0; k < kLayers; ++k) {
     auto* box = layers_[static_cast<std::size_t>(k)] = new QCheckBox(nameOfLayer(k));
-    box->setChecked(k != kSeen);
+    box->setChecked(k != kVisible);
     connect(box, &QCheckBox::toggled, this, &CloudsView::draw);
     row->addWidget(box);
   }
-  layers_[kSeen]->setToolTip(tr("In the frame of the cameras: away from what was told by the rigid offset"));
+  layers_[kVisible]->setToolTip(
+      tr("In the frame of the cameras: away from what was told by the rigid offset"));
   row->addStretch();
   column->addLayout(row);
   column->addWidget(view_ = new CloudView, 1);
@@ -65,13 +66,13 @@ void CloudsView::gather() {
   const bool corrected = results_.evaluation && !results_.evaluation->corrected.empty();
   for (std::size_t k = 0; k < stages.states.size(); ++k) {
     const learning::PosePair& pair = stages.states[k].pair;
-    const Eigen::Vector3d moved = (stages.offset * pair.seen).translation();
+    const Eigen::Vector3d moved = (stages.offset * pair.observed).translation();
     if (stages.cleaning.reason[k] != Reason::kNone) {
       points_[kRejected].push_back(moved);
       continue;
     }
-    points_[kTold].emplace_back(pair.told.translation());
-    points_[kSeen].emplace_back(pair.seen.translation());
+    points_[kCommanded].emplace_back(pair.commanded.translation());
+    points_[kVisible].emplace_back(pair.observed.translation());
     points_[kOffset].push_back(moved);
     if (corrected) points_[kCorrected].emplace_back(results_.evaluation->corrected[k].translation());
   }
@@ -83,7 +84,7 @@ void CloudsView::draw() {
     const auto at = static_cast<std::size_t>(k);
     layers_[at]->setEnabled(!points_[at].empty());
     const bool shown = layers_[at]->isChecked();
-    const bool framed = k == kTold || k == kOffset || (k == kSeen && shown);
+    const bool framed = k == kCommanded || k == kOffset || (k == kVisible && shown);
     clouds.push_back({nameOfLayer(k), colourOf(static_cast<Layer>(k)), k == kRejected ? 3.0 : 2.0, shown,
                       framed, points_[at]});
   }

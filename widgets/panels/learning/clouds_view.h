@@ -18,7 +18,7 @@ class CloudsView : public LearningView {
   Q_OBJECT
 
  public:
-  enum Layer { kTold, kSeen, kOffset, kCorrected, kRejected, kLayers };
+  enum Layer { kCommanded, kVisible, kOffset, kCorrected, kRejected, kLayers };
 
   explicit CloudsView(QWidget* parent = nullptr);
 

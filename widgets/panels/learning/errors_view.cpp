@@ -24,7 +24,7 @@ ErrorsView::ErrorsView(QWidget* parent) : LearningView(parent) {
   which_->setObjectName("error_states");
   which_->addItem(tr("states that cleaning keeps"));
   which_->addItem(tr("all states held out"));
-  which_->setToolTip(tr("Whether sights that are wrong themselves count"));
+  which_->setToolTip(tr("Whether observations that are wrong themselves count"));
   seen_ = new QCheckBox(tr("as seen"));
   seen_->setObjectName("error_seen");
   seen_->setChecked(true);

@@ -15,7 +15,7 @@ void LearningChoice::add(const QStringList& files) {
 
 void LearningChoice::save(QSettings& settings) const {
   settings.setValue("learning/tables", tables);
-  settings.setValue("learning/told", QString::fromStdString(std::string(base::nameOf(told))));
+  settings.setValue("learning/told", QString::fromStdString(std::string(base::nameOf(towards))));
 }
 
 LearningChoice LearningChoice::restore(const QSettings& settings) {

@@ -11,8 +11,8 @@ namespace capstan::widgets {
 
 /// What the user wants learned; kept between starts.
 struct LearningChoice {
-  QStringList tables = {};                                     ///< of tip poses: absolute paths, each once
-  learning::StreamKind told = learning::StreamKind::kCommand;  ///< to correct towards
+  QStringList tables = {};                                        ///< of tip poses: absolute paths, each once
+  learning::StreamKind towards = learning::StreamKind::kCommand;  ///< to correct towards
 
   bool operator==(const LearningChoice&) const = default;
   /// Adds those of `files` that are not there yet.

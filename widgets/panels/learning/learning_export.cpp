@@ -79,7 +79,7 @@ void LearningExport::addTables(const LearningResults& results, const std::string
 
 void LearningExport::addFigures(const LearningResults& results, int which, const std::string& base) {
   if (results.stages)
-    steps_.push_back({tr("lag"), drawing<LagFigure>(lagData(*results.stages), base + "lag")});
+    steps_.push_back({tr("lag"), drawing<ClockOffsetFigure>(clockOffsetData(*results.stages), base + "lag")});
   if (results.stages && which >= 0)
     steps_.push_back(
         {tr("trajectory"), drawing<PoseTraceFigure>(traceData(*results.stages, results.evaluation.get(),

@@ -17,7 +17,7 @@ using learning::State;
 
 namespace {
 
-constexpr std::array kSteps = {PoseSource::kSeen, PoseSource::kOffset, PoseSource::kCorrected};
+constexpr std::array kSteps = {PoseSource::kVisible, PoseSource::kOffset, PoseSource::kCorrected};
 
 const StepErrors& errorsOf(const HeldOutEvaluation& evaluation, bool clean) {
   return clean ? evaluation.test.clean : evaluation.test.all;
@@ -25,11 +25,11 @@ const StepErrors& errorsOf(const HeldOutEvaluation& evaluation, bool clean) {
 
 /// One value a state, in units for people.
 template <class Take>
-BoxplotPanel errorPanel(const QString& title, bool angle, const StepErrors& errors, bool seen,
+BoxplotPanel errorPanel(const QString& title, bool angle, const StepErrors& errors, bool observed,
                         const Take& take) {
   BoxplotPanel panel{title, angle ? QObject::tr("deg") : QObject::tr("mm"), QObject::tr("held out"), {}};
   BoxplotGroup group{QObject::tr("states"), {}};
-  for (std::size_t s = seen ? 0 : 1; s < kSteps.size(); ++s) {
+  for (std::size_t s = observed ? 0 : 1; s < kSteps.size(); ++s) {
     std::vector<double> values = take(errors[s]);
     for (double& value : values) value = angle ? base::toDegrees(value) : base::toMillimetres(value);
     group.boxes.push_back({{quantityOf(kSteps[s]), 0, {}, nameOf(kSteps[s])}, boxplotOf(values)});
@@ -44,11 +44,11 @@ Eigen::Vector3d anglesBeside(const Eigen::Isometry3d& pose, const Eigen::Vector3
   return before + (now - before).unaryExpr([](double apart) { return std::remainder(apart, 360.0); });
 }
 
-void append(std::array<std::vector<double>, 6>& course, const Eigen::Isometry3d& pose,
+void append(std::array<std::vector<double>, 6>& history, const Eigen::Isometry3d& pose,
             const Eigen::Vector3d& angles) {
   for (Eigen::Index k = 0; k < 3; ++k) {
-    course[static_cast<std::size_t>(k)].push_back(base::toMillimetres(pose.translation()[k]));
-    course[static_cast<std::size_t>(k) + 3].push_back(angles[k]);
+    history[static_cast<std::size_t>(k)].push_back(base::toMillimetres(pose.translation()[k]));
+    history[static_cast<std::size_t>(k) + 3].push_back(angles[k]);
   }
 }
 
@@ -56,11 +56,13 @@ void append(std::array<std::vector<double>, 6>& course, const Eigen::Isometry3d&
 
 QString countText(std::size_t count) { return QLocale(QLocale::English).toString(qulonglong(count)); }
 
-LagData lagData(const LearningStages& stages) {
-  return {QObject::tr("Lag of what cameras saw behind the %1").arg(nameOf(stages.told)), {}, stages.lag};
+ClockOffsetData clockOffsetData(const LearningStages& stages) {
+  return {QObject::tr("Lag of what cameras saw behind the %1").arg(nameOf(stages.towards)),
+          {},
+          stages.clock_offset};
 }
 
-BoxplotData errorData(const HeldOutEvaluation& evaluation, bool clean, bool seen) {
+BoxplotData errorData(const HeldOutEvaluation& evaluation, bool clean, bool observed) {
   const StepErrors& errors = errorsOf(evaluation, clean);
   BoxplotData data;
   data.title = QObject::tr("Errors on %1 of %2 trajectories, held out of training")
@@ -69,14 +71,15 @@ BoxplotData errorData(const HeldOutEvaluation& evaluation, bool clean, bool seen
   data.note = clean ? QObject::tr("states that cleaning keeps") : QObject::tr("all states");
   data.quantity = QObject::tr("|error|");
   data.most_columns = 4;
-  data.panels.push_back(errorPanel(QObject::tr("distance"), false, errors, seen,
+  data.panels.push_back(errorPanel(QObject::tr("distance"), false, errors, observed,
                                    [](const PoseErrors& e) { return e.distance; }));
   for (Eigen::Index k = 0; k < 6; ++k) {
     if (k == 3)
-      data.panels.push_back(
-          errorPanel(QObject::tr("angle"), true, errors, seen, [](const PoseErrors& e) { return e.angle; }));
+      data.panels.push_back(errorPanel(QObject::tr("angle"), true, errors, observed,
+                                       [](const PoseErrors& e) { return e.angle; }));
     data.panels.push_back(errorPanel(QString::fromUtf8(kDegreesOfFreedom[static_cast<std::size_t>(k)]),
-                                     k >= 3, errors, seen, [k](const PoseErrors& e) { return e.along(k); }));
+                                     k >= 3, errors, observed,
+                                     [k](const PoseErrors& e) { return e.along(k); }));
   }
   return data;
 }
@@ -132,15 +135,15 @@ PoseTraceData traceData(const LearningStages& stages, const HeldOutEvaluation* e
   for (std::size_t k = motion.begin; k < motion.end; ++k) {
     const State& state = stages.states[k];
     if (k == motion.begin)
-      angles = learning::yawPitchRoll(state.pair.told.linear()).unaryExpr(&base::toDegrees);
-    angles = anglesBeside(state.pair.told, angles);
-    const Eigen::Isometry3d moved = offset * state.pair.seen;
+      angles = learning::yawPitchRoll(state.pair.commanded.linear()).unaryExpr(&base::toDegrees);
+    angles = anglesBeside(state.pair.commanded, angles);
+    const Eigen::Isometry3d moved = offset * state.pair.observed;
     data.t.push_back(state.t - stages.states[motion.begin].t);
     data.rejected.push_back(stages.cleaning.reason[k] != Reason::kNone);
-    append(data.course[0], state.pair.told, angles);
-    append(data.course[1], moved, anglesBeside(moved, angles));
+    append(data.history[0], state.pair.commanded, angles);
+    append(data.history[1], moved, anglesBeside(moved, angles));
     if (evaluation && !evaluation->corrected.empty())
-      append(data.course[2], evaluation->corrected[k], anglesBeside(evaluation->corrected[k], angles));
+      append(data.history[2], evaluation->corrected[k], anglesBeside(evaluation->corrected[k], angles));
   }
   return data;
 }

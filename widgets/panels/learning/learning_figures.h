@@ -1,8 +1,8 @@
 #pragma once
 
 #include "widgets/figures/boxplot_figure.h"
+#include "widgets/figures/clock_offset_figure.h"
 #include "widgets/figures/confidence_figure.h"
-#include "widgets/figures/lag_figure.h"
 #include "widgets/figures/learning_curve_figure.h"
 #include "widgets/figures/pose_trace_figure.h"
 #include "widgets/figures/reliability_figure.h"
@@ -11,10 +11,10 @@
 /// What the figures of the learning panel show, on screen and on paper.
 namespace capstan::widgets {
 
-LagData lagData(const learning::LearningStages& stages);
+ClockOffsetData clockOffsetData(const learning::LearningStages& stages);
 /// Errors of held-out states as seen (where `seen`), with the offset, corrected; `clean`: of those that
 /// cleaning keeps.
-BoxplotData errorData(const learning::HeldOutEvaluation& evaluation, bool clean, bool seen = true);
+BoxplotData errorData(const learning::HeldOutEvaluation& evaluation, bool clean, bool observed = true);
 LearningCurveData curveData(const learning::LearningCurve& curve);
 /// Trajectory `which` of stages.motions; corrected where there is a evaluation.
 PoseTraceData traceData(const learning::LearningStages& stages, const learning::HeldOutEvaluation* evaluation,

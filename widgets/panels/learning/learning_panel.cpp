@@ -200,7 +200,7 @@ void LearningPanel::exportTo(const QString& folder) {
   if (!ready()) return;
   QImage clouds;
   if (SceneView::available()) {
-    pages_->clouds().view().picture();
+    pages_->clouds().view().image();
     clouds = pages_->clouds().view().grab().toImage();
   }
   begin(doing_, tr("export"));
@@ -233,7 +233,7 @@ void LearningPanel::saveModel(const QString& path) {
 learning::CorrectionSource LearningPanel::source() const {
   std::vector<std::string> tables;
   for (const QString& table : choice().tables) tables.push_back(table.toStdString());
-  return learning::correctionSource(tables, results_.stages->told, *results_.learned, base::software());
+  return learning::correctionSource(tables, results_.stages->towards, *results_.learned, base::software());
 }
 
 QString LearningPanel::failedHeadline() const {

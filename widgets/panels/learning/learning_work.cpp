@@ -13,7 +13,7 @@ learning::LearningOptions LearningSettings::towards(learning::StreamKind stream)
 TrainedCorrection trainCorrection(const learning::LearningStages& stages, const LearningSettings& settings,
                                   base::Progress& progress) {
   constexpr double kEvaluated = 0.5;  // of the time
-  const learning::LearningOptions options = settings.towards(stages.told);
+  const learning::LearningOptions options = settings.towards(stages.towards);
   learning::HeldOutEvaluation evaluation =
       evaluateHeldOut(stages, options, settings.hold_out, &progress, {0.0, kEvaluated, "evaluating"});
   learning::LearningReport learned =
@@ -46,8 +46,9 @@ learning::LearningStages readStages(const LearningChoice& choice, const Learning
   for (const QString& table : choice.tables) paths.push_back(table.toStdString());
   return recording::namingTables(paths, [&] {
     const auto motions = recording::readPoseTables(paths, &progress);
-    return progress.cancelled() ? learning::LearningStages{}
-                                : learning::learningStages(motions, settings.towards(choice.told), &progress);
+    return progress.cancelled()
+               ? learning::LearningStages{}
+               : learning::learningStages(motions, settings.towards(choice.towards), &progress);
   });
 }
 

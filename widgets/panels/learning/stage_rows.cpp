@@ -43,7 +43,7 @@ void addReasons(StageGroup& group, std::size_t all, const Count& count) {
 
 StageGroup screening(const LearningStages& stages) {
   StageGroup group{tr("1  Screening"), {}};
-  for (const StreamKind stream : {StreamKind::kCamera, stages.told}) {
+  for (const StreamKind stream : {StreamKind::kCamera, stages.towards}) {
     const auto s = static_cast<std::size_t>(stream);
     const std::size_t rows = stages.screen.rows[s], poses = stages.screen.poses[s];
     group.rows.push_back({QObject::tr("%1: poses of %2 rows").arg(nameOf(stream), countText(rows)),
@@ -57,13 +57,14 @@ StageGroup screening(const LearningStages& stages) {
 StageGroup pairing(const LearningStages& stages) {
   const double milli = 1e3;
   return {tr("2  Pairing"),
-          {{QObject::tr("lag behind the %1, ± σ").arg(nameOf(stages.told)),
-            uncertainText(milli * stages.lag.lag, milli * stages.lag.sigma) + QStringLiteral(" ms"),
+          {{QObject::tr("lag behind the %1, ± σ").arg(nameOf(stages.towards)),
+            uncertainText(milli * stages.clock_offset.clock_offset, milli * stages.clock_offset.sigma) +
+                QStringLiteral(" ms"),
             std::nan(""), false,
             tr("By which what is seen comes behind what is told: difference of the clocks and delay of the "
                "robot together; σ from trajectory to trajectory")},
-           {tr("states: sights with what was told"), countText(stages.states.size())},
-           {tr("sights without it"), countText(stages.unpaired)}}};
+           {tr("states: observations with what was told"), countText(stages.states.size())},
+           {tr("observations without it"), countText(stages.unpaired)}}};
 }
 
 StageGroup velocities(const LearningStages& stages) {
@@ -74,8 +75,8 @@ StageGroup velocities(const LearningStages& stages) {
   const auto rate = [](double w) { return QString::number(base::toDegrees(w), 'f', 0); };
   return {tr("3  Velocities (five-point stencil)"),
           {row(tr("speed [mm/s]: median, 99 %"), speed(stages.speed.median), speed(stages.speed.high)),
-           row(tr("turn rate [deg/s]: median, 99 %"), rate(stages.turn_rate.median),
-               rate(stages.turn_rate.high))}};
+           row(tr("turn rate [deg/s]: median, 99 %"), rate(stages.rotation_rate.median),
+               rate(stages.rotation_rate.high))}};
 }
 
 StageGroup cleaning(const LearningStages& stages) {
@@ -96,11 +97,11 @@ StageGroup cleaning(const LearningStages& stages) {
 }
 
 StageGroup rigidOffset(const LearningStages& stages) {
-  const Eigen::AngleAxisd turn(stages.offset.linear());
+  const Eigen::AngleAxisd rotation(stages.offset.linear());
   const Eigen::Vector3d by = stages.offset.translation();
   const QString arrow = QStringLiteral(" → ");
   return {tr("5  Rigid offset"),
-          {{tr("turns by"), degrees(turn.angle())},
+          {{tr("turns by"), degrees(rotation.angle())},
            {tr("moves by x, y, z"), millimetres(by[0]).chopped(3) + QStringLiteral(", ") +
                                         millimetres(by[1]).chopped(3) + QStringLiteral(", ") +
                                         millimetres(by[2])},
@@ -157,10 +158,10 @@ StageGroup process(const LearningReport& learned) {
        tr("States out of place in the same way on several trajectories, where the robot does not "
           "follow its command, say: they can be learned, and count again. What is wrong by chance does "
           "not.")});
-  group.rows.push_back(
-      {tr("… doubted"), countText(learned.weighing.doubted), std::nan(""), false,
-       tr("States that models learned from other trajectories do not tell: a sight that jumps a little, a "
-          "trajectory apart from the others. They count with noise of their own.")});
+  group.rows.push_back({tr("… doubted"), countText(learned.weighing.down_weighted), std::nan(""), false,
+                        tr("States that models learned from other trajectories do not tell: an observation "
+                           "that jumps a little, a "
+                           "trajectory apart from the others. They count with noise of their own.")});
   const auto& processes = learned.model.processes();
   if (!processes.empty())
     group.rows.push_back({tr("inducing points"), inducingWords(processes[0]), std::nan(""), false,

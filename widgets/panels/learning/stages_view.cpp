@@ -67,7 +67,8 @@ void StagesView::showResults(const LearningResults& results) {
   const bool other = results.stages != results_.stages;
   results_ = results;
   if (other)
-    lag_->setFigure(results.stages ? std::make_unique<LagFigure>(lagData(*results.stages)) : nullptr);
+    lag_->setFigure(results.stages ? std::make_unique<ClockOffsetFigure>(clockOffsetData(*results.stages))
+                                   : nullptr);
   fill();
 }
 
@@ -99,9 +100,9 @@ void StagesView::fill() {
 void StagesView::resizeEvent(QResizeEvent* event) {
   LearningView::resizeEvent(event);
   const bool beside = width() >= kBeside;
-  const Qt::Orientation wanted = beside ? Qt::Horizontal : Qt::Vertical;
-  if (split_->orientation() != wanted || event->oldSize().width() <= 0) {
-    split_->setOrientation(wanted);
+  const Qt::Orientation desired = beside ? Qt::Horizontal : Qt::Vertical;
+  if (split_->orientation() != desired || event->oldSize().width() <= 0) {
+    split_->setOrientation(desired);
     split_->setSizes(beside ? QList<int>{58 * width() / 100, 42 * width() / 100}
                             : QList<int>{62 * height() / 100, 38 * height() / 100});
   }

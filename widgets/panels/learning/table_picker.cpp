@@ -29,21 +29,21 @@ TablePicker::TablePicker(QWidget* parent) : QWidget(parent), menu_(new QMenu(thi
   what_ = new QLabel;
   what_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   what_->setAccessibleName(tr("tables chosen"));
-  told_ = new QComboBox;
-  told_->setObjectName("told");
+  towards_ = new QComboBox;
+  towards_->setObjectName("told");
   for (const StreamKind stream : {StreamKind::kCommand, StreamKind::kRobot})
-    told_->addItem(tr("towards the %1").arg(nameOf(stream)), static_cast<int>(stream));
-  told_->setToolTip(
+    towards_->addItem(tr("towards the %1").arg(nameOf(stream)), static_cast<int>(stream));
+  towards_->setToolTip(
       tr("What is to be asked for so that cameras see a pose: the command, or what the robot's "
          "forward kinematics says"));
   row->addWidget(tables_);
   row->addWidget(what_, 1);
-  row->addWidget(told_);
+  row->addWidget(towards_);
   setAcceptDrops(true);
   connect(menu_, &QMenu::aboutToShow, this, &TablePicker::fillMenu);
-  connect(told_, QOverload<int>::of(&QComboBox::activated), this, [this] {
+  connect(towards_, QOverload<int>::of(&QComboBox::activated), this, [this] {
     LearningChoice choice = choice_;
-    choice.told = static_cast<StreamKind>(told_->currentData().toInt());
+    choice.towards = static_cast<StreamKind>(towards_->currentData().toInt());
     choose(choice);
   });
   connect(new QShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+O")), this), &QShortcut::activated, this,
@@ -86,7 +86,7 @@ void TablePicker::fillMenu() {
       choose(choice);
     });
   if (choice_.tables.size() > 1)
-    menu_->addAction(tr("Remove all"), this, [this] { choose({{}, choice_.told}); });
+    menu_->addAction(tr("Remove all"), this, [this] { choose({{}, choice_.towards}); });
 }
 
 void TablePicker::askTables() {
@@ -125,7 +125,7 @@ void TablePicker::refresh() {
   const QString words = names.isEmpty() ? tr("none chosen yet") : names.join(QStringLiteral(", "));
   what_->setText(what_->fontMetrics().elidedText(words, Qt::ElideRight, what_->width()));
   what_->setToolTip(paths.join('\n'));
-  told_->setCurrentIndex(told_->findData(static_cast<int>(choice_.told)));
+  towards_->setCurrentIndex(towards_->findData(static_cast<int>(choice_.towards)));
 }
 
 }  // namespace capstan::widgets

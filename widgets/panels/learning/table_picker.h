@@ -44,7 +44,7 @@ class TablePicker : public QWidget {
   QToolButton* tables_;
   QMenu* menu_;
   QLabel* what_;
-  QComboBox* told_;
+  QComboBox* towards_;
 };
 
 }  // namespace capstan::widgets

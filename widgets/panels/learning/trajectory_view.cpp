@@ -146,9 +146,9 @@ void TrajectoryView::showEvent(QShowEvent* event) {
 void TrajectoryView::resizeEvent(QResizeEvent* event) {
   LearningView::resizeEvent(event);
   const bool beside = width() >= kBeside;
-  const Qt::Orientation wanted = beside ? Qt::Horizontal : Qt::Vertical;
-  if (split_->orientation() == wanted && event->oldSize().width() > 0) return;
-  split_->setOrientation(wanted);
+  const Qt::Orientation desired = beside ? Qt::Horizontal : Qt::Vertical;
+  if (split_->orientation() == desired && event->oldSize().width() > 0) return;
+  split_->setOrientation(desired);
   split_->setSizes(beside ? QList<int>{kList, width() - kList}
                           : QList<int>{28 * height() / 100, 72 * height() / 100});
 }

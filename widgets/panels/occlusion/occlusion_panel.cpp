@@ -160,7 +160,7 @@ void OcclusionPanel::showBlocked(const std::array<bool, 2>& blocked) {
   markButtons();
   schedule_state_->setText(schedule_.percentage <= 0.0 ? QString()
                            : scheduled                 ? QString("blocked")
-                                                       : QString("in sight"));
+                                                       : QString("observable"));
 }
 
 void OcclusionPanel::setSchedule(const live::OcclusionSchedule& schedule) {

@@ -63,9 +63,9 @@ void CollectPage::setEnded(bool ended) {
   if (ended) again_->setEnabled(false);
 }
 
-void CollectPage::showGuide(const live::RegistrationGuide& guide) {
+void CollectPage::showGuide(const registration::RegistrationGuide& guide) {
   const auto& scatter = guide.scatter();
-  const bool refused = guide.step() == live::RegistrationStep::kRefused;
+  const bool refused = guide.step() == registration::RegistrationStep::kRefused;
   count_->setText(QString("%1 of %2 points used, %3 rejected, %4 frames seen")
                       .arg(scatter.used)
                       .arg(guide.options().frames)
@@ -91,14 +91,14 @@ void CollectPage::showGuide(const live::RegistrationGuide& guide) {
                              QString::fromStdString(guide.advice()).toHtmlEscaped()));
 }
 
-void CollectPage::listOutliers(const live::RegistrationGuide& guide) {
+void CollectPage::listOutliers(const registration::RegistrationGuide& guide) {
   if (outliers_->count() == guide.scatter().outliers && outliers_->count() > 0) return;
   outliers_->clear();
   outliers_->setVisible(guide.scatter().outliers > 0);
   int frame = 0;
   for (const auto& point : guide.points()) {
     ++frame;
-    if (point.verdict == live::PointVerdict::kUsed) continue;
+    if (point.verdict == registration::PointVerdict::kUsed) continue;
     const double off = 1e3 * (point.position(point.axis) - guide.scatter().median(point.axis));
     outliers_->addItem(QString("point %1 rejected: %2 is %3 mm from the median, %4 σ")
                            .arg(frame)

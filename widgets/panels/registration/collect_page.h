@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "core/live/registration_guide.h"
+#include "core/registration/registration_guide.h"
 #include "widgets/figures/theme.h"
 #include "widgets/panels/registration/scatter_plot.h"
 
@@ -21,7 +21,7 @@ class CollectPage : public QWidget {
  public:
   explicit CollectPage(QWidget* parent = nullptr);
   void setTheme(const Theme& theme);
-  void showGuide(const live::RegistrationGuide& guide);
+  void showGuide(const registration::RegistrationGuide& guide);
   /// No frame comes any more.
   void setEnded(bool ended);
   ScatterPlot& plot() { return *plot_; }
@@ -32,7 +32,7 @@ class CollectPage : public QWidget {
   void backRequested();
 
  private:
-  void listOutliers(const live::RegistrationGuide& guide);
+  void listOutliers(const registration::RegistrationGuide& guide);
 
   Theme theme_ = Theme::dark();
   ScatterPlot* plot_;

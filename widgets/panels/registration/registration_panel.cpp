@@ -12,7 +12,7 @@
 
 namespace capstan::widgets {
 
-using live::RegistrationStep;
+using registration::RegistrationStep;
 
 RegistrationPanel::RegistrationPanel(QWidget* parent) : QWidget(parent) {
   auto* column = new QVBoxLayout(this);
@@ -88,8 +88,8 @@ void RegistrationPanel::setTheme(const Theme& theme) {
 
 void RegistrationPanel::begin(const tracking::SourceInfo& source,
                               const std::optional<Eigen::Isometry3d>& current,
-                              const live::RegistrationOptions& options) {
-  guide_ = std::make_unique<live::RegistrationGuide>(source.robot, options, source.rig);
+                              const registration::RegistrationOptions& options) {
+  guide_ = std::make_unique<registration::RegistrationGuide>(source.robot, options, source.rig);
   guide_->start(current);
   stop_->setDrivable(source.live);
   result_->setRig(source.robot, source.rig);

@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "core/live/registration_guide.h"
+#include "core/registration/registration_guide.h"
 #include "core/tracking/snapshot.h"
 #include "core/tracking/source.h"
 #include "core/vision/registration.h"
@@ -21,7 +21,7 @@ class ResultPage;
 class StepBar;
 class StopPage;
 
-/// The guided hard-stop registration: three steps over a live::RegistrationGuide, beside the running
+/// The guided hard-stop registration: three steps over a registration::RegistrationGuide, beside the running
 /// window. The owner feeds it every snapshot with camera_updated and, for the overlay, frames.
 class RegistrationPanel : public QWidget {
   Q_OBJECT
@@ -34,7 +34,7 @@ class RegistrationPanel : public QWidget {
   /// Starts anew for a source. `current` is the registration in use, or else the nominal mounting of the
   /// cameras: its rotation is taken as known.
   void begin(const tracking::SourceInfo& source, const std::optional<Eigen::Isometry3d>& current,
-             const live::RegistrationOptions& options = {});
+             const registration::RegistrationOptions& options = {});
   void showSnapshot(const tracking::Snapshot& snapshot);
   void showFrames(const cv::Mat& left, const cv::Mat& right, const tracking::Snapshot& snapshot);
 
@@ -42,7 +42,7 @@ class RegistrationPanel : public QWidget {
   void setEnded(bool ended);
 
   bool active() const;
-  const live::RegistrationGuide* guide() const { return guide_.get(); }
+  const registration::RegistrationGuide* guide() const { return guide_.get(); }
   StopPage& stopPage() { return *stop_; }
   CollectPage& collectPage() { return *collect_; }
   ResultPage& resultPage() { return *result_; }
@@ -61,8 +61,8 @@ class RegistrationPanel : public QWidget {
   void finish(const QString& message);
 
   Theme theme_ = Theme::dark();
-  std::unique_ptr<live::RegistrationGuide> guide_;
-  live::RegistrationStep shown_ = live::RegistrationStep::kIdle;
+  std::unique_ptr<registration::RegistrationGuide> guide_;
+  registration::RegistrationStep shown_ = registration::RegistrationStep::kIdle;
   int points_shown_ = -1;
   StepBar* steps_;
   QStackedWidget* pages_;

@@ -35,9 +35,9 @@ ResultPage::ResultPage(QWidget* parent) : QWidget(parent) {
   numbers_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   note_ = new QLabel;
   note_->setWordWrap(true);
-  pictures_ = new StereoView;
-  pictures_->setWholeFrameLarge(true);
-  pictures_->setMinimumHeight(190);
+  frames_ = new StereoView;
+  frames_->setWholeFrameLarge(true);
+  frames_->setMinimumHeight(190);
   reason_ = new QComboBox;
   reason_->setEditable(true);
   reason_->addItems(
@@ -51,7 +51,7 @@ ResultPage::ResultPage(QWidget* parent) : QWidget(parent) {
   reject_ = new QPushButton("Reject");
   reject_->setEnabled(false);
   column->addWidget(numbers_);
-  column->addWidget(pictures_, 1);
+  column->addWidget(frames_, 1);
   column->addWidget(note_);
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(redo_);
@@ -73,7 +73,7 @@ ResultPage::~ResultPage() = default;
 
 void ResultPage::setTheme(const Theme& theme) {
   theme_ = theme;
-  pictures_->setTheme(theme);
+  frames_->setTheme(theme);
   note_->setStyleSheet(QString("color:%1;").arg(theme.muted.name()));
 }
 
@@ -87,7 +87,7 @@ QString ResultPage::summary() const { return numbers_->text(); }
 
 void ResultPage::setEnded(bool ended) { redo_->setEnabled(!ended); }
 
-void ResultPage::showGuide(const live::RegistrationGuide& guide) {
+void ResultPage::showGuide(const registration::RegistrationGuide& guide) {
   const auto& proposal = guide.proposal();
   if (!proposal) return;
   old_ = guide.current();
@@ -110,10 +110,10 @@ void ResultPage::showGuide(const live::RegistrationGuide& guide) {
 }
 
 void ResultPage::showFrames(const cv::Mat& left, const cv::Mat& right, const tracking::Snapshot& snapshot) {
-  pictures_->showFrames(left, right, snapshot);
+  frames_->showFrames(left, right, snapshot);
 }
 
-void ResultPage::overlay(const live::RegistrationGuide& guide, const Eigen::Vector3d& q) {
+void ResultPage::overlay(const registration::RegistrationGuide& guide, const Eigen::Vector3d& q) {
   std::array<std::vector<ImageLine>, 2> lines;
   if (!rig_) return;
   const auto add = [&](const Eigen::Isometry3d& pose, const QColor& colour, bool dashed,
@@ -124,7 +124,7 @@ void ResultPage::overlay(const live::RegistrationGuide& guide, const Eigen::Vect
   };
   if (guide.current()) add(*guide.current(), theme_.colour(Quantity::kKinematic), true, "old");
   add(*new_, theme_.colour(Quantity::kUkf), false, "new");
-  pictures_->setLines(lines);
+  frames_->setLines(lines);
 }
 
 }  // namespace capstan::widgets

@@ -4,7 +4,7 @@
 #include <array>
 #include <opencv2/core/mat.hpp>
 
-#include "core/live/registration_guide.h"
+#include "core/registration/registration_guide.h"
 #include "core/robot/arm_kinematics.h"
 #include "core/tracking/snapshot.h"
 #include "core/vision/camera.h"
@@ -28,11 +28,11 @@ class ResultPage : public QWidget {
   ~ResultPage() override;
   void setTheme(const Theme& theme);
   void setRig(const robot::Description& robot, const std::optional<vision::StereoRig>& rig);
-  void showGuide(const live::RegistrationGuide& guide);
+  void showGuide(const registration::RegistrationGuide& guide);
   /// No frame comes any more: nothing can be collected again.
   void setEnded(bool ended);
   void showFrames(const cv::Mat& left, const cv::Mat& right, const tracking::Snapshot& snapshot);
-  StereoView& pictures() { return *pictures_; }
+  StereoView& pictures() { return *frames_; }
   QString summary() const;
 
  signals:
@@ -41,7 +41,7 @@ class ResultPage : public QWidget {
   void rejectRequested(const QString& reason);
 
  private:
-  void overlay(const live::RegistrationGuide& guide, const Eigen::Vector3d& q);
+  void overlay(const registration::RegistrationGuide& guide, const Eigen::Vector3d& q);
 
   Theme theme_ = Theme::dark();
   std::optional<robot::ArmKinematics> arm_;
@@ -50,7 +50,7 @@ class ResultPage : public QWidget {
   std::optional<Eigen::Isometry3d> old_, new_;
   QLabel* numbers_;
   QLabel* note_;
-  StereoView* pictures_;
+  StereoView* frames_;
   QComboBox* reason_;
   QPushButton *accept_, *redo_, *reject_;
 };

@@ -78,7 +78,7 @@ void ScatterPlot::setTheme(const Theme& theme) {
   for (auto* plot : {across_, depth_}) plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
-void ScatterPlot::showGuide(const live::RegistrationGuide& guide) {
+void ScatterPlot::showGuide(const registration::RegistrationGuide& guide) {
   for (auto* graph : {used_, rejected_, depth_used_, depth_rejected_}) graph->data()->clear();
   const auto& scatter = guide.scatter();
   const Eigen::Vector3d sigma = 1e3 * scatter.sigma, mean = 1e3 * (scatter.mean - scatter.median);
@@ -86,7 +86,7 @@ void ScatterPlot::showGuide(const live::RegistrationGuide& guide) {
   reach_ = 0.2;
   for (const auto& point : guide.points()) {
     const Eigen::Vector3d at = 1e3 * (point.position - scatter.median);
-    const bool used = point.verdict == live::PointVerdict::kUsed;
+    const bool used = point.verdict == registration::PointVerdict::kUsed;
     (used ? used_ : rejected_)->addData(at.x(), at.y());
     (used ? depth_used_ : depth_rejected_)->addData(++frame, at.z());
     reach_ = std::max({reach_, 1.15 * std::abs(at.x()), 1.15 * std::abs(at.y())});

@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "core/live/registration_guide.h"
+#include "core/registration/registration_guide.h"
 #include "widgets/figures/theme.h"
 
 class QCPGraph;
@@ -21,7 +21,7 @@ class ScatterPlot : public QWidget {
  public:
   explicit ScatterPlot(QWidget* parent = nullptr);
   void setTheme(const Theme& theme);
-  void showGuide(const live::RegistrationGuide& guide);
+  void showGuide(const registration::RegistrationGuide& guide);
   /// Points drawn as used and as rejected, for tests.
   int usedShown() const;
   int outliersShown() const;

@@ -79,10 +79,10 @@ void StopPage::setDrivable(bool drivable) {
   advice_->setText(
       drivable
           ? "At the hard stop the encoders are exact, so the marker's place in the robot's frame is known. "
-            "Drive the arm there and let it come to rest in sight of both cameras."
+            "Drive the arm there and let it come to rest observable of both cameras."
           : "At the hard stop the encoders are exact, so the marker's place in the robot's frame is known. "
             "Move the arm against its stops by hand (in a recording: play to where it is) and let it rest "
-            "in sight of both cameras.");
+            "observable of both cameras.");
 }
 
 void StopPage::setEnded(bool ended) {
@@ -92,7 +92,7 @@ void StopPage::setEnded(bool ended) {
   if (ended) collect_->setEnabled(false);
 }
 
-void StopPage::showGuide(const live::RegistrationGuide& guide) {
+void StopPage::showGuide(const registration::RegistrationGuide& guide) {
   const auto& arrival = guide.arrival();
   for (std::size_t i = 0; i < 3; ++i) {
     const auto& joint = guide.robot().joints[i];

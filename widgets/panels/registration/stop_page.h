@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <array>
 
-#include "core/live/registration_guide.h"
+#include "core/registration/registration_guide.h"
 #include "widgets/figures/theme.h"
 
 class QCheckBox;
@@ -26,7 +26,7 @@ class StopPage : public QWidget {
   void setDrivable(bool drivable);
   /// Nothing moves and no frame comes any more.
   void setEnded(bool ended);
-  void showGuide(const live::RegistrationGuide& guide);
+  void showGuide(const registration::RegistrationGuide& guide);
 
  signals:
   void driveRequested();

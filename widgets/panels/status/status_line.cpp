@@ -90,7 +90,7 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
 
 void StatusLine::setFolder(const QString& folder) {
   folder_ = folder;
-  disk_age_.invalidate();
+  disk_backlog_.invalidate();
 }
 
 void StatusLine::setRobot(const QString& words, const QString& changes) {
@@ -173,7 +173,7 @@ void StatusLine::clear() {
 
 void StatusLine::showSnapshot(const tracking::Snapshot& snapshot) {
   const bool cameras = snapshot.camera_samples > 0;
-  set(kLag, cameras ? QStringLiteral("lag %1 ms").arg(snapshot.lag * 1e3, 3, 'f', 0) : QString());
+  set(kLag, cameras ? QStringLiteral("lag %1 ms").arg(snapshot.latency * 1e3, 3, 'f', 0) : QString());
   tips_ = tracking::tipAlone(snapshot);
   const QString reason = QString::fromStdString(std::string(tracking::gateWords(snapshot)));
   if (snapshot.gate == Gate::kOpen)
@@ -264,12 +264,12 @@ void StatusLine::showOcclusion(const live::RunStatus& status) {
 /// Of the recording under way, else of the folder that the next one goes to.
 void StatusLine::showDisk(const recording::RecorderStats* recording) {
   if (recording) {
-    disk_age_.invalidate();
+    disk_backlog_.invalidate();
     if (!recording->free_known) return set(kDisk, tr("disk: free space not known"));
     return setDisk({recording->free_bytes, recording->reserve_bytes, 0}, recording->time_left);
   }
-  if (disk_age_.isValid() && disk_age_.elapsed() < kDiskPeriod) return;
-  disk_age_.start();
+  if (disk_backlog_.isValid() && disk_backlog_.elapsed() < kDiskPeriod) return;
+  disk_backlog_.start();
   const recording::DiskSpace space =
       folder_.isEmpty() ? recording::DiskSpace{} : recording::diskSpaceAt(folder_.toStdString());
   if (space.size == 0) return set(kDisk, {});

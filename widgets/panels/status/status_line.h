@@ -79,7 +79,7 @@ class StatusLine : public QWidget {
   QToolButton* remedies_;
   QString folder_;
   bool tips_ = false;  ///< the camera samples are tips, not pictures
-  QElapsedTimer disk_age_;
+  QElapsedTimer disk_backlog_;
 };
 
 /// "lost", "frozen" or "failed", as of an encoder.

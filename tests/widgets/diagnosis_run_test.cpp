@@ -1,0 +1,82 @@
+// What the window diagnoses is what the command line diagnoses: two programs, one report.
+#include <gmock/gmock.h>
+
+#include <QFile>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QtTest/QTest>
+#include <nlohmann/json.hpp>
+
+#include "core/base/error.h"
+#include "core/diagnosis/report/report_json.h"
+#include "tests/app/diagnose_recording.h"
+#include "tests/core/diagnosis/sampled_poses.h"
+#include "widgets/panels/diagnosis/diagnosis_panel.h"
+
+namespace capstan::widgets {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// How long each stage took is another number in each run; the command line adds the schema's version.
+nlohmann::json withoutTimes(nlohmann::json report) {
+  EXPECT_EQ(report.erase("stages"), 1U);
+  report.erase("schema");
+  return report;
+}
+
+class DiagnosisRuns : public ::testing::Test {
+ protected:
+  std::string path(const char* name) const { return folder_.filePath(name).toStdString(); }
+  /// What the panel shows of `file`, as JSON.
+  nlohmann::json window(const QString& file) {
+    DiagnosisPanel panel(runDiagnosis);
+    panel.choose({.recordings = {file}});
+    panel.diagnose();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !panel.busy(); }, 100000));
+    EXPECT_TRUE(panel.report()) << panel.summary().toStdString();
+    return panel.report() ? diagnosis::jsonOf(*panel.report()) : nlohmann::json();
+  }
+  nlohmann::json commandLine(const QString& file) {
+    QProcess process;
+    process.start(CAPSTAN_CLI, {"diagnose", file, "--json", "-"});
+    EXPECT_TRUE(process.waitForFinished(100000));
+    EXPECT_EQ(process.exitCode(), 0) << process.readAllStandardError().toStdString();
+    return nlohmann::json::parse(process.readAllStandardOutput().toStdString());
+  }
+
+  QTemporaryDir folder_;
+};
+
+TEST_F(DiagnosisRuns, TheReportOfARecordingIsThatOfTheCommandLine) {
+  testing::writeRecording(path("slow.csv"), {.duration = 8.0});
+  const QString file = folder_.filePath("slow.csv");
+  const nlohmann::json report = window(file);
+  EXPECT_EQ(report.at("channels").size(), 3U);
+  EXPECT_EQ(withoutTimes(report).dump(), withoutTimes(commandLine(file)).dump());
+}
+
+TEST_F(DiagnosisRuns, OfATableOfTipPosesToo) {
+  diagnosis::testing::PoseWorld late;
+  late.trajectories = 40;
+  late.offset = {2e-3, 0.0, -1e-3};
+  base::writeTextFile(path("poses.csv"), poseTable(late));
+  const QString file = folder_.filePath("poses.csv");
+  const nlohmann::json report = withoutTimes(window(file)), all = commandLine(file);
+  EXPECT_FALSE(report.at("causes").empty());
+  for (const auto& [key, value] : report.items()) EXPECT_EQ(value.dump(), all.at(key).dump()) << key;
+}
+
+TEST_F(DiagnosisRuns, FilesThatDoNotGoTogetherAreRefusedAsOnTheCommandLine) {
+  testing::writeRecording(path("slow.csv"), {.duration = 8.0});
+  base::writeTextFile(path("poses.csv"), diagnosis::testing::poseTable({}));
+  DiagnosisPanel panel(runDiagnosis);
+  panel.choose({.recordings = {folder_.filePath("slow.csv"), folder_.filePath("poses.csv")}});
+  panel.diagnose();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !panel.busy(); }, 100000));
+  EXPECT_FALSE(panel.report());
+  EXPECT_THAT(panel.summary().toStdString(), HasSubstr("among other recordings"));
+}
+
+}  // namespace
+}  // namespace capstan::widgets

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/learning/poses/states.h"
+#include "widgets/figures/panel_figure.h"
+#include "widgets/figures/sigma_band.h"
+
+namespace capstan::widgets {
+
+struct ClockOffsetData {
+  QString title = {}, note = {};
+  learning::ClockOffsetReport clock_offset = {};
+};
+
+/// How badly the speeds of two streams agree against the lag between their clocks: the lag where they agree
+/// best as a line, ± 2 σ as a band.
+class ClockOffsetFigure : public PanelFigure {
+  Q_OBJECT
+ public:
+  explicit ClockOffsetFigure(ClockOffsetData data, QWidget* parent = nullptr);
+
+  std::unique_ptr<Figure> copy() const override;
+  std::vector<FigureNumbers> numbers() const override;
+  const ClockOffsetData& data() const { return data_; }
+
+ protected:
+  int columnsFor(QSize) const override { return 1; }
+  void restyle() override;
+
+ private:
+  ClockOffsetData data_;
+  QCPGraph* misfit_;
+  QCPItemLine* lag_;
+  SigmaBand* sigma_;
+};
+
+}  // namespace capstan::widgets
