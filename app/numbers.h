@@ -9,7 +9,7 @@
 
 namespace capstan {
 
-/// Refuses what CLI11 reads without a word: nan and inf where a number is asked for, and a sign before or
+/// Refuses what CLI11 reads without a word: nan and inf where a number is expected, and a sign before or
 /// more digits than fit a whole number without one. What is no number at all is left to CLI11.
 inline void checkNumbers(CLI::App& app) {
   const auto isNumber = [](const std::string& text) {

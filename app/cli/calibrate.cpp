@@ -52,7 +52,7 @@ std::string textOf(const vision::CalibrationReport& report) {
     if (view.used())
       text +=
           fmt::format("{:<28}{:>12.4f}{:>12.4f}{:>12.4f}{}\n", view.left + " " + view.right, view.left_error,
-                      view.right_error, view.stereo_error, view.outlying ? "  suspect" : "");
+                      view.right_error, view.stereo_error, view.outlying ? "  outlier" : "");
     else
       text += fmt::format("{:<28}  rejected: {}\n", view.left + " " + view.right, base::nameOf(view.fault));
   }
@@ -148,7 +148,7 @@ void addCalibrate(CLI::App& app, ExitCode& exit) {
       ->check(CLI::Range(0.1, 1000.0));
   command
       ->add_option("--outlier-factor", arguments->options.outlier_factor,
-                   "leave out views beyond this multiple of the median error; 0: keep all")
+                   "exclude views beyond this multiple of the median error; 0: keep all")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 100.0));
   command->add_option("--out", arguments->out, "folder for left.yaml and right.yaml (ROS camera_info)")

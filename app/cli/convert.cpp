@@ -48,7 +48,7 @@ std::string writeTable(const ConvertArguments& arguments, RecordingFormat format
   if (progress.cancelled()) return {};
   base::writeTextFile(arguments.out, text);
   for (const auto& column : table.ignored)
-    notice("column " + column + " is not part of a measured table: left out");
+    notice("column " + column + " is not part of a measured table: excluded");
   if (table.own_kinematics)
     notice("columns q are the robot's own kinematics, no truth, which the table cannot say");
   return fmt::format("{} rows of {} joints", table.rows(), table.joints());
@@ -57,7 +57,7 @@ std::string writeTable(const ConvertArguments& arguments, RecordingFormat format
 std::string writeVideo(const ConvertArguments& arguments, base::Progress& progress) {
   const recording::VideoReport video = recording::exportVideo(arguments.in, arguments.out, &progress);
   if (video.other_size > 0)
-    notice(fmt::format("{} frames of another size than the first are left out: a video has one size",
+    notice(fmt::format("{} frames of another size than the first are excluded: a video has one size",
                        video.other_size));
   return fmt::format("{} frames", video.frames);
 }

@@ -83,7 +83,7 @@ void addCorrect(CLI::App& app, ExitCode& exit) {
                    "table of poses as they shall be seen: x, y, z [m], qx, qy, qz, qw; t_s, traj")
       ->required();
   command
-      ->add_option("OUT", arguments->out, "table of what to ask for, with standard deviations and confidence")
+      ->add_option("OUT", arguments->out, "table of the command, with standard deviations and confidence")
       ->required();
   command->add_flag(
       "--path", arguments->path,

@@ -40,7 +40,7 @@ void addDiagnose(CLI::App& app, ExitCode& exit) {
   command->add_option("--seed", arguments->options.seed, "of the bootstraps")->capture_default_str();
   command->add_flag_callback(
       "--no-filter", [arguments] { arguments->options.filter = false; },
-      "leave out what the Kalman filter gains");
+      "exclude what the Kalman filter gains");
   command->add_option("--out", arguments->out,
                       "extended robot file, for simulator, identification and filter");
   command->add_option("--report", arguments->report,
@@ -50,7 +50,7 @@ void addDiagnose(CLI::App& app, ExitCode& exit) {
       "The nominal model is refitted first, so that a mistuned number is not called a missing effect. The\n"
       "reference is the joint encoder where fitted, else the tip that cameras see. Verdicts: found, "
       "several,\n"
-      "tie (with the motion that would tell apart), nothing, unexplained; each is an answer: exit code 0.\n"
+      "tie (with the motion that would distinguish), nothing, unexplained; each is an answer: exit code 0.\n"
       "Examples:\n"
       "  capstan-cli diagnose trial.capstan\n"
       "  capstan-cli diagnose slow.csv fast.csv --robot arm.yaml --report diagnosis --out arm_extended.yaml\n"

@@ -71,9 +71,9 @@ std::string causesText(const Report& report) {
   for (const Cause& cause : report.causes)
     if (!isTied(report, cause)) text += causeBlock(cause);
   for (const diagnosis::Tie& tie : report.ties) {
-    text += "One of these, which the recordings cannot tell apart:\n\n";
+    text += "One of these, which the recordings cannot distinguish:\n\n";
     for (const Cause& cause : tie.causes) text += causeBlock(cause);
-    if (!tie.separate.empty()) text += wrapped("What would tell them apart: " + tie.separate) + "\n";
+    if (!tie.separate.empty()) text += wrapped("What would distinguish them: " + tie.separate) + "\n";
   }
   return text;
 }

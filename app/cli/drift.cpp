@@ -22,7 +22,7 @@ struct DriftArguments {
   learning::DriftOptions options;
 };
 
-constexpr std::array kOutputs = {"x", "y", "z", "the turn about x", "the turn about y", "the turn about z"};
+constexpr std::array kOutputs = {"x", "y", "z", "the rotation about x", "the rotation about y", "the rotation about z"};
 
 enum class Finding { kHolds, kDrifted, kUnknown };
 
@@ -85,8 +85,8 @@ std::string textOf(const learning::PreparedStates& prepared, std::size_t states,
   for (const auto& [from, to] : history.drifted)
     text += fmt::format("Did not hold as noticed from {} to {}.\n", placeOf(prepared, history.state[from]),
                         placeOf(prepared, history.state[to - 1]));
-  return text + (history.driftedNow() ? "The model has aged: learn anew from motions as they are now.\n"
-                                      : "Nothing shows that the model has aged.\n");
+  return text + (history.driftedNow() ? "The model has drifted: retrain on motions as they are now.\n"
+                                      : "Nothing shows that the model has drifted.\n");
 }
 
 learning::PreparedStates preparedFor(const learning::CorrectionFile& file,
@@ -136,7 +136,7 @@ void addDrift(CLI::App& app, ExitCode& exit) {
   command->footer(
       "Errors of new motions are compared with the standard deviations that the model states for them, where "
       "it\n"
-      "is sure. Exit code 0: it holds; 1: it has aged, or the motions are too short to tell.\n"
+      "is sure. Exit code 0: it holds; 1: it has drifted, or the motions are too short to show it.\n"
       "Example: capstan-cli drift --model arm.correction today.csv");
   command->callback([arguments, &exit] { exit = run(*arguments); });
 }

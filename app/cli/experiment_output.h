@@ -12,7 +12,7 @@ namespace capstan::cli {
 /// Wall time of each experiment and of this command.
 std::string timesText(const std::vector<experiments::Results>& done, double seconds);
 
-/// What is left of a run that was stopped: `done`, the last of which is incomplete, in the folder `out`.
+/// Progress of a run that was stopped: `done` counts its trials, the last incomplete, in the folder `out`.
 std::string cancelledText(const std::vector<experiments::Results>& done, const std::string& out);
 
 /// {"experiments": {"C": {"trials": […], …}, …}, "goals": […]}, SI; no times, so that the same input gives

@@ -20,7 +20,7 @@ struct ExploreArguments {
   int count = 10;
 };
 
-/// What is asked for to visit them, in their order.
+/// Commands that reach them, in their order.
 struct QueryPoses {
   recording::PosePaths paths;
   std::vector<learning::Corrected> corrected;
@@ -94,17 +94,17 @@ void addExplore(CLI::App& app, ExitCode& exit) {
   command->add_option("--model", arguments->model, "file that `capstan-cli learn` wrote")->required();
   command->add_option("--among", arguments->among,
                       "table of poses to choose from, as `correct` takes them; without it a grid near\n"
-                      "the positions and turns that were learned");
+                      "the positions and rotations that were learned");
   command->add_option("--count", arguments->count, "of visits")
       ->capture_default_str()
       ->check(CLI::Range(1, 1000));
   command
       ->add_option(
           "OUT", arguments->out,
-          "table of what to ask for, in the order of visits, with standard deviations and confidence")
+          "table of the command, in the order of visits, with standard deviations and confidence")
       ->required();
   command->footer(
-      "What is gained holds for a model that is learned anew from all motions.\n"
+      "What is gained holds for a model that is retrained from all motions.\n"
       "Example: capstan-cli explore --model arm.correction --count 20 visits.csv");
   command->callback([arguments, &exit] { exit = run(*arguments); });
 }

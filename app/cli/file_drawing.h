@@ -6,7 +6,7 @@ class QApplication;
 
 namespace capstan::cli {
 
-/// What Qt needs to draw into files, while it lives; no display is asked for, not even a stale one.
+/// What Qt needs to draw into files, while it lives; it needs no display, not even a stale DISPLAY variable.
 class FileDrawing {
  public:
   FileDrawing();

@@ -192,7 +192,7 @@ std::optional<Findings> find(IdentifyArguments& arguments) {
 
 void writeReport(const IdentifyArguments& arguments, const Findings& found) {
   if (found.excluded > 0)
-    notice(fmt::format("{} of {} motor samples left out: an encoder had failed or gave no number",
+    notice(fmt::format("{} of {} motor samples excluded: an encoder had failed or gave no number",
                        found.excluded, found.excluded + found.used));
   const experiments::Identified& identified = *found.identified;
   const auto& dual = identified.dual;

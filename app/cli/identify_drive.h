@@ -18,7 +18,7 @@ struct IdentifyDriveArguments {
 };
 
 /// Fits the cable model to `files`, states its errors there and in `held_out` beside those of straight lines,
-/// writes what was asked for. Throws base::InputError for files it cannot use.
+/// writes the command. Throws base::InputError for files it cannot use.
 ExitCode identifyDrive(const IdentifyDriveArguments& arguments, const robot::Description& nominal);
 
 }  // namespace capstan::cli

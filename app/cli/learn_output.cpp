@@ -140,14 +140,14 @@ Json modelJson(const learning::CorrectionModel& model) {
 std::string processesText(const learning::CorrectionModel& model) {
   const auto& members = model.processes().front().members();
   return fmt::format(
-      "Gaussian processes of the pose{}: {} each of x, y, z and the turn, with {} inducing points\n",
+      "Gaussian processes of the pose{}: {} each of x, y, z and the rotation, with {} inducing points\n",
       motionText(model.motion()), members.size(), members.front().inducing());
 }
 
 /// Of one trajectory there is none.
 std::string sigmaText(double sigma) { return sigma > 0.0 ? fmt::format(" ± {:.1f}", sigma) : ""; }
 
-/// Why those had been left out that count again.
+/// Why those had been excluded that count again.
 ReasonCounts againCounts(const learning::WeighingReport& weighing) {
   return countsOf(
       [&](Reason reason) { return static_cast<std::size_t>(std::ranges::count(weighing.again, reason)); });
@@ -157,7 +157,7 @@ std::string weighingText(const learning::WeighingReport& weighing) {
   if (!weighing.weighed) return "Weights: none, all that count do so alike\n";
   return fmt::format(
       "Weights: {} states doubted, which other trajectories contradict: they count less\n"
-      "         {} that were left out count again, which others tell the same; they were: {}\n",
+      "         {} that were excluded count again, which others tell the same; they were: {}\n",
       weighing.down_weighted, weighing.again.size(), wordsOf(againCounts(weighing)));
 }
 
@@ -183,13 +183,13 @@ std::string textOf(const LearnOutput& output) {
         fmt::format("Alignment: what is seen comes {:.1f}{} ms behind what is told{}\n",
                     1e3 * prepared.clock_offset.clock_offset, sigmaText(1e3 * prepared.clock_offset.sigma),
                     prepared.removed == 0.0 ? ", not taken off" : "");
-  text += fmt::format("Cleaning and weights: {} of {} states count; left out: {}\n", cleaning.kept(),
+  text += fmt::format("Cleaning and weights: {} of {} states count; excluded: {}\n", cleaning.kept(),
                       cleaning.reason.size(),
                       wordsOf(countsOf([&](Reason reason) { return cleaning.count(reason); })));
   text += weighingText(output.report.weighing);
   const Eigen::Vector3d t = kMillimetres * output.report.model.offset().translation();
   const double rotation = Eigen::AngleAxisd(output.report.model.offset().linear()).angle();
-  text += fmt::format("Rigid offset: {:.2f}, {:.2f}, {:.2f} mm and a turn of {:.2f} deg\n", t.x(), t.y(),
+  text += fmt::format("Rigid offset: {:.2f}, {:.2f}, {:.2f} mm and a rotation of {:.2f} deg\n", t.x(), t.y(),
                       t.z(), kDegrees * rotation);
   if (!output.report.model.processes().empty()) text += processesText(output.report.model);
   if (output.held_out)

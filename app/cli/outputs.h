@@ -8,7 +8,7 @@
 
 namespace capstan::cli {
 
-/// A file that a command is asked to write: the option (or argument) and its value; empty: not asked for.
+/// A file that a command is asked to write: the option (or argument) and its value; empty: not requested.
 struct OutputFile {
   std::string option;
   std::string path;

@@ -12,7 +12,7 @@ namespace capstan::cli {
 
 void checkProcesses(const learning::CorrectionModel& model, const std::string& file) {
   if (model.processes().empty())
-    refuseFile(file, "is a rigid offset alone, which neither ages nor takes anything in",
+    refuseFile(file, "is a rigid offset alone, which can neither drift nor learn",
                "Learn Gaussian processes from all tables");
 }
 

@@ -14,7 +14,7 @@ namespace capstan::cli {
 struct ReportPage {
   std::string title, created, software;
   std::string recording;             ///< as the reader finds it: a file name
-  std::string robot = {};            ///< whose kinematics the errors are of, and that the filter believed in
+  std::string robot = {};            ///< whose kinematics the errors are of, and that the filter assumed
   std::vector<ReportRow> rows = {};  ///< from nominal to identified constants; empty: not there
   bool simulated = false;
   bool recorded_here = false;   ///< the recording lies in the folder itself

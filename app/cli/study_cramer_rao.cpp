@@ -124,7 +124,7 @@ void addCramerRaoStudy(CLI::App& study, ExitCode& exit) {
       ->check(CLI::Range(2.0, 300.0));
   command
       ->add_option("--pixel-sigma", bound.pixel_sigma,
-                   "noise of a marker's position in these runs; rendered pictures have 0.025 [px]")
+                   "noise of a marker's position in these runs; rendered images have 0.025 [px]")
       ->capture_default_str()
       ->check(CLI::Range(1e-3, 10.0));
   command->add_option("--truth", options->noise.truth, "of the robot tracked beside: default or a file")

@@ -18,7 +18,7 @@ struct StudyArguments {
   bool keeps = true;  ///< finished trials are kept in `out`, so that a study goes on where it was stopped
 };
 
-/// Declares --threads, --out and --json. `trials`: what runs side by side and is kept, as in "worlds".
+/// Declares --threads, --out and --json. `trials`: noun of what runs in parallel and is stored, as "samples".
 void addStudyOptions(CLI::App& command, StudyArguments& arguments, int& threads, const std::string& trials);
 
 /// A study's results as people and programs read them.

@@ -6,7 +6,7 @@
 
 namespace capstan::cli {
 
-/// `capstan-cli study worlds`: are the parameters that identification states those of a hundred robots?
+/// `capstan-cli study monte-carlo`: bias and coverage of identification over randomized robots.
 void addMonteCarloStudy(CLI::App& study, ExitCode& exit);
 
 }  // namespace capstan::cli

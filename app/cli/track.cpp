@@ -59,7 +59,7 @@ std::vector<live::MotorFailure> failuresOf(const std::vector<std::string>& texts
   return all;
 }
 
-/// Which robot the filter believed in, and where it is from.
+/// Which robot the filter assumed, and where it is from.
 std::string robotText(const TrackArguments& arguments, const robot::Description& robot) {
   const bool session = !arguments.simulate && detectFormat(arguments.file) == RecordingFormat::kSession;
   const std::string from = !arguments.estimator_robot.empty() ? "of " + arguments.estimator_robot

@@ -12,7 +12,7 @@ namespace capstan::workstation {
 struct Arguments {
   std::string file, robot, theme, image, size = "1920x1080", state = "running";
   simulation::SimulationRequest simulation;
-  bool simulate = false;  ///< asked for, or implied by an option of the simulation
+  bool simulate = false;  ///< requested, or implied by an option of the simulation
   double after = 12.0;    ///< [s]
 };
 

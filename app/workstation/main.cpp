@@ -20,7 +20,7 @@ void fitToScreen(QWidget& window, const QSize& size, bool image) {
   window.resize(image || !screen ? size : size.boundedTo(screen->availableGeometry().size()));
 }
 
-/// Nobody sees the window's message bar where only a picture was asked for.
+/// Nobody sees the window's message bar where only a picture was requested.
 void failWithoutSource(capstan::widgets::MainWindow& window) {
   QObject::connect(&window.link(), &capstan::widgets::SessionLink::failed, &window,
                    [&window](const QString& message) {
@@ -30,7 +30,7 @@ void failWithoutSource(capstan::widgets::MainWindow& window) {
                    });
 }
 
-/// Brings the window into the state asked for, grabs it and quits.
+/// Brings the window into the requested state, grabs it and quits.
 void planScreenshot(capstan::widgets::MainWindow& window, const Arguments& arguments) {
   const int after = static_cast<int>(arguments.after * 1e3);
   if (arguments.state == "occluded")

@@ -24,7 +24,7 @@ struct Sides {
 
 /// The errors behind `row`, both sides about equally spaced: by the wider spacing of the two, and as much
 /// wider as kMostResampled asks for. They are paired where the motion is one (`same_motion`, sameMotion())
-/// and the most of the shorter side has its partner at the same time; what has none is left out.
+/// and the most of the shorter side has its partner at the same time; what has none is excluded.
 Sides sidesOf(const AnalysisRow& row, const ErrorRun& a, const ErrorRun* b, const AnalysisOptions& options,
               bool same_motion);
 

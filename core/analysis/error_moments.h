@@ -8,7 +8,7 @@
 namespace capstan::analysis {
 
 /// Sums over every error of an estimator [rad, rad, m], in the order of arrival: rms() has the bits of
-/// tracking::ErrorTable. An error with a component that is not finite is left out as a whole, as there.
+/// tracking::ErrorTable. An error with a component that is not finite is excluded as a whole, as there.
 struct ErrorMoments {
   std::uint64_t n = 0;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();       ///< Σ e; NaN: not known

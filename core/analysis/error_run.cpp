@@ -72,7 +72,7 @@ std::vector<std::string> resultsWithin(const fs::path& folder) {
   return names;
 }
 
-/// `names`, and what the pipeline makes of `source` when it believes in `robot`.
+/// `names`, and what the pipeline makes of `source` when it assumes `robot`.
 ErrorRun trackSource(tracking::Source& source, const robot::Description& robot, ErrorRun names,
                      base::Progress& progress) {
   tracking::SourceInfo info = source.info();

@@ -21,7 +21,7 @@ inline constexpr std::size_t kTimeShares = 3;
 /// Errors of one run of a robot, wherever they came from: the only numbers that panels, histograms, box
 /// plots, tables and comparisons are made of. SI: rad, rad, m.
 ///
-/// Kinematic errors are of one robot, the one that the filter believed in; only in a trial of an experiment
+/// Kinematic errors are of one robot, the one that the filter assumed; only in a trial of an experiment
 /// are they of the nominal robot. Both are named.
 struct ErrorRun {
   std::string title = {};  ///< "trial.capstan", "C, trial 3"
@@ -37,7 +37,7 @@ struct ErrorRun {
   bool simulated = false;                             ///< no real robot
   std::vector<experiments::TrajectoryPoint> trajectory = {};  ///< of a session or a recording (SessionMotion)
   std::string kinematic_robot = {};  ///< whose transmission kinematics `kinematic` is, by name
-  std::string filter_robot = {};     ///< that the filter believed in, by name
+  std::string filter_robot = {};     ///< that the filter assumed, by name
   /// Files that hold the motion: what was read; of a session what it replays and what it has recorded.
   std::vector<std::filesystem::path> files = {};
   std::string name = "session", trial = "session";  ///< what its files are called in an export
@@ -54,7 +54,7 @@ struct ErrorRun {
 bool sameMotion(const ErrorRun& a, const ErrorRun& b);
 
 /// Gathers the errors of a running pipeline: kinematic and UKF estimates wherever a reference meets a motor
-/// sample, the camera wherever the filter took it. `occluded` is what the newest camera sample tells: the
+/// sample, the camera wherever the filter took it. `occluded` is the state of the newest camera sample: the
 /// marker is hidden from a camera, or samples stay away. May be read from another thread. Its memory is fixed
 /// (kCapacity points): when it is full, every other point goes; the moments stay those of every sample.
 class ErrorCollector {
@@ -80,7 +80,7 @@ class ErrorCollector {
 };
 
 /// Tracks a recording (session, measured table, motor log) and gathers its errors. `robot`: robot file that
-/// the estimator believes in, empty: the recording's own (a recording without one: the left RAVEN-II).
+/// the estimator assumes, empty: the recording's own (a recording without one: the left RAVEN-II).
 /// Kinematic errors are of that robot's kinematics. Nothing is worth keeping when `progress` was cancelled.
 /// Throws base::InputError for what cannot be read, and for a recording without reference. The only way to
 /// the errors of a recording: the window, its exports and `capstan-cli figures` all come here.

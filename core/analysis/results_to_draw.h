@@ -16,7 +16,7 @@ namespace capstan::analysis {
 std::vector<std::filesystem::path> resultFolders(const std::filesystem::path& folder);
 
 /// resultsOfErrors() of trackRun(): its name is the file's, and the robot's behind it where `robot` (a file;
-/// empty: the recording's own) is believed in. `software`: program and version. Cancelled before it was done:
+/// empty: the recording's own) is assumed. `software`: program and version. Cancelled before it was done:
 /// Results::cancelled. Throws base::InputError for files that cannot be used.
 experiments::Results resultsOfRecording(const std::filesystem::path& recording,
                                         const std::filesystem::path& robot, const std::string& software,

@@ -6,7 +6,7 @@
 
 namespace capstan::base {
 
-/// FNV-1a, 64 bit, as 16 hexadecimal digits (http://www.isthe.com/chongo/tech/comp/fnv): tells a damaged or
+/// FNV-1a, 64 bit, as 16 hexadecimal digits (http://www.isthe.com/chongo/tech/comp/fnv): detects a damaged or
 /// another text, not a forged one.
 std::string checksumOf(std::string_view text);
 

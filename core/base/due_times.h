@@ -5,7 +5,7 @@
 namespace capstan::base {
 
 /// Thins a stream of times to a rate. A time before the last that was due is a clock set back: the thinning
-/// begins anew there, instead of pausing until that clock has caught up.
+/// restarts there, instead of pausing until that clock has caught up.
 class DueTimes {
  public:
   /// `rate` [1/s]; 0: never due.

@@ -6,7 +6,7 @@
 
 namespace capstan::base {
 
-/// Where and why an input was refused, and what its owner can do about it. Empty parts are left out of
+/// Where and why an input was refused, and what its owner can do about it. Empty parts are omitted from
 /// what().
 struct InputFault {
   std::string file;    ///< path, or the name of the option or stream

@@ -15,7 +15,7 @@ struct Range {
 inline constexpr Range kPositive{std::numeric_limits<double>::min(), std::numeric_limits<double>::infinity()};
 inline constexpr Range kNotNegative{0.0, std::numeric_limits<double>::infinity()};
 
-/// The one declaration of a configuration field, which file, command line, form and session header all visit.
+/// The one declaration of a configuration field, which file, command line, form and session header all use.
 ///
 /// A configurable struct declares its fields once, in file order:
 ///
@@ -29,7 +29,7 @@ inline constexpr Range kNotNegative{0.0, std::numeric_limits<double>::infinity()
 ///
 /// Field types: bool, int, double, std::string, enums with a NamesOf specialisation, fixed-size Eigen vectors
 /// and matrices, std::array, std::vector, std::optional, std::map<std::string, T> and structs that have
-/// visit() themselves. A std::vector of structs with `static constexpr bool kMapEntry = true` and two fields,
+/// such a function themselves. A std::vector of structs with `static constexpr bool kMapEntry = true` and two fields,
 /// a text and something else, is a map in files, in the order of the list.
 struct FieldInfo {
   std::string_view key;

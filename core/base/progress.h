@@ -7,7 +7,7 @@
 
 namespace capstan::base {
 
-/// What long work tells its caller, and how the caller stops it. Written by the worker, read by any other
+/// Progress of long work, and the request to cancel it. Written by the worker, read by any other
 /// thread.
 class Progress {
  public:

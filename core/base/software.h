@@ -6,7 +6,7 @@ namespace capstan::base {
 
 /// The program that computes: name, version and, in a git checkout, the commit that was built, as in
 /// "capstan 1.2.0 (0123456789-dirty)". experiments::Results carry it, and kept trials of another one are run
-/// anew.
+/// again.
 std::string software();
 
 /// "1.2.0"

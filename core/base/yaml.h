@@ -175,7 +175,7 @@ void readInto(T& value, const YAML::Node& node, const YamlPlace& place, const Fi
   }
 }
 
-/// Is the field left out of a file that is written?
+/// Is the field omitted from a file that is written?
 template <class T>
 bool isOmitted(const T& field, const FieldInfo& info) {
   if constexpr (IsOptional<T>::value) return !field;

@@ -10,15 +10,15 @@
 
 namespace capstan::diagnosis {
 
-/// A rigid drive's simulation starts anew so often in the fits [s]. Effects are sought over the near horizon
+/// A rigid drive's simulation restarts so often in the fits [s]. Effects are sought over the near horizon
 /// first, from which every fit finds its least, then over the far one, where slow ones show. Cameras alone
-/// need a while to tell where a window begins: for them there is the far one only.
+/// need time to determine the state at a window's start: they use the far horizon only.
 inline constexpr double kNearHorizon = 0.5, kFarHorizon = 2.0;
 
 struct DiagnosisOptions {
   int threads = 2;
   int most_causes = 4;  ///< forward selection ends there
-  int refits = 8;       ///< most promising (effect, joint) pairs that are refitted in a round
+  int refits = 8;       ///< (effect, joint) pairs with the highest score that are refitted in a round
   EncoderZeros zeros = EncoderZeros::kOnePerRecording;  ///< of cable drives
   bool show =
       true;  ///< also traces and signatures of every channel; false: verdict, causes and ranking alone

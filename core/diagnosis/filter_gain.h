@@ -28,7 +28,7 @@ struct FilterGainOptions {
 
 struct FilterGainReport {
   std::vector<FilterGain> joints;    ///< empty: nothing to measure it on
-  std::vector<std::string> notices;  ///< what was left out, and why
+  std::vector<std::string> notices;  ///< what was excluded, and why
   bool cancelled = false;
 };
 
@@ -45,7 +45,7 @@ struct FilterGainReport {
 /// count as a gain; without, the numbers are those that tracking with each robot file gives.
 ///
 /// For cable-driven remote-centre arms of three joints. Recordings without joint encoders or cameras are left
-/// out; notices say so, and why there is nothing where nothing remains. The same numbers whatever the
+/// out; notices name them, and say why there is nothing where nothing remains. The same numbers whatever the
 /// threads. Throws nothing of its own.
 FilterGainReport filterGain(const std::vector<Evidence>& recordings, const FilterRobots& robots,
                             const FilterGainOptions& options = {}, base::Progress* progress = nullptr);

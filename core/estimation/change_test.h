@@ -82,7 +82,7 @@ class ChangeTest {
   };
   using Ratios = std::array<double, kKinds>;
   static constexpr std::size_t kNone = kSegments;
-  static constexpr double kDoubt = 0.25;  ///< of log evidence: noise is not known better than this
+  static constexpr double kNoiseUncertainty = 0.25;  ///< of log evidence: noise is not known better than this
 
   void dropOldest() {
     earlier_ += segments_[0].information;
@@ -124,7 +124,7 @@ class ChangeTest {
   }
 
   /// What came after is in question. Nobody knows to which side the segments about the change belong: they
-  /// are left out.
+  /// are excluded.
   void split(std::size_t change) {
     for (std::size_t i = 0; i + 1 < change; ++i) earlier_ += segments_[i].information;
     Segment after{{}, segments_[change].weight};
@@ -147,7 +147,7 @@ class ChangeTest {
       in_question_ = false;
       return kNoChange;
     }
-    if (weighed[kind] - second < std::max(lead_, kDoubt * weighed[kind])) return kInQuestion;
+    if (weighed[kind] - second < std::max(lead_, kNoiseUncertainty * weighed[kind])) return kInQuestion;
     in_question_ = false;
     earlier_ = earlier_.released(kinds_[kind]);
     next_weight_ = 1.0;

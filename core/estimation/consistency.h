@@ -34,7 +34,7 @@ class ConsistencyWindow {
  public:
   ConsistencyWindow(int dof, int window, double confidence = 0.95);
 
-  /// Takes one value; non-finite ones are left out.
+  /// Takes one value; non-finite ones are excluded.
   void add(double value);
   void reset();
 

@@ -42,7 +42,7 @@ class PosteriorInformation {
 
 /// Gathers the expectations of PosteriorInformation from Monte-Carlo runs of equal length, step by step. Each
 /// run gives every step its transition; a measurement where there is one. Memory: 3 N² doubles a step; for
-/// long runs one average after the other, each of a stretch of time, and bounds() going on from the last.
+/// long runs one average after the other, each of a segment of time, and bounds() going on from the last.
 template <int N>
 class CramerRaoAverage {
  public:

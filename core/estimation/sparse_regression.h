@@ -76,8 +76,8 @@ class SparseRegression {
   const Vector& mean() const { return mean_; }
   /// Posterior covariance of the selected submodel; zero for absent coefficients.
   const Matrix& covariance() const { return covariance_; }
-  /// The same when observations have aged to `factor` of what they counted for.
-  Matrix covarianceAged(double factor) const { return posterior(factor).covariance; }
+  /// The same when observations were discounted to `factor` of what they counted for.
+  Matrix covarianceDiscounted(double factor) const { return posterior(factor).covariance; }
   /// Posterior probability that each optional coefficient is not zero.
   const Optional& inclusionProbability() const { return inclusion_; }
   bool included(int i) const { return ((included_ >> i) & 1U) != 0U; }

@@ -23,25 +23,25 @@ struct ArrivalOptions {
 /// base::InputError: options that make no sense.
 void checkArrival(const ArrivalOptions& options);
 
-/// Of where the tool rests from what was desired, over all visits: as cameras see it, their registration's
+/// Of where the tool rests from what was desired, over all arrivals: as cameras see it, their registration's
 /// errors with it, without their noise and jumps.
 struct ArrivalErrors {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();  ///< of |x|, |y|, |z| [m]
-  /// Of the place where the tool arrives, standard deviation between visits of one location, pooled over
+  /// Of the place where the tool arrives, standard deviation between arrivals at one location, pooled over
   /// locations: the paper's repeatability [m].
   Eigen::Vector3d repeatability = Eigen::Vector3d::Zero();
-  double distance = 0.0, distance_deviation = 0.0;  ///< of all visits [m]
+  double distance = 0.0, distance_deviation = 0.0;  ///< of all arrivals [m]
   double angle = 0.0, angle_deviation = 0.0;        ///< [rad]
   double confidence = 0.0;                          ///< mean, where the motions ended
-  std::vector<double> distances;                    ///< visit by visit [m]
-  int arrived = 0;                                  ///< visits; one that is out of reach is none
+  std::vector<double> distances;                    ///< of each arrival [m]
+  int arrived = 0;                                  ///< arrivals; a location out of reach counts none
 };
 
 using ArrivalReport = std::array<ArrivalErrors, learning::kCorrectionModes>;
 
-/// Locations drawn on the grid are visited in turn, in another order each time, so that the arm comes from
+/// The tool moves to the locations drawn on the grid in turn, in another order each time, so that the arm comes from
 /// another side each time; in each mode on an arm of the same truth. Modes that were cancelled have fewer
-/// visits. base::InputError as
+/// arrivals. base::InputError as
 /// checkArrival.
 ArrivalReport arrivalStudy(const robot::Description& robot, const simulation::ToolTruth& truth,
                            const learning::CorrectionModel& model, const ArrivalOptions& options,

@@ -11,7 +11,7 @@ namespace capstan::experiments {
 
 enum class Verdict {
   kMet,
-  kSaid,   ///< not met, and the result says so itself: σ beyond the goal, in words, the truth in its 95 %
+  kSaid,   ///< not met, and the result states it itself: σ beyond the goal, in words, the truth in its 95 %
            ///< interval
   kMissed  ///< not met
 };
@@ -23,7 +23,7 @@ struct Goal {
   Verdict verdict = Verdict::kMissed;
 };
 
-/// The goals that `results` (those that are isPapers(), in any order; others are passed over) can tell:
+/// The goals that `results` (those that are isPapers(), in any order; others are ignored) determine:
 ///   A   joint 1's pulley radius within 0.3 % of the truth
 ///   B   each k_e within 5 %, each b_e within 15 %, or said to be not observable
 ///   C   mean kinematic errors within 15 % of the paper's; improvement over transmission kinematics better
@@ -43,7 +43,7 @@ std::string comparisonPage(const std::vector<Results>& results, const Published&
 template <>
 struct capstan::base::NamesOf<capstan::experiments::Verdict> {
   using E = capstan::experiments::Verdict;
-  static constexpr std::array value = {std::pair{E::kMet, "met"}, std::pair{E::kSaid, "not met, said so"},
+  static constexpr std::array value = {std::pair{E::kMet, "met"}, std::pair{E::kSaid, "not met, reported"},
                                        std::pair{E::kMissed, "not met"}};
 };
 

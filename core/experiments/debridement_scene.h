@@ -17,7 +17,7 @@ struct DebridementScene {
   Eigen::Matrix3d grasping = Eigen::Matrix3d::Identity();  ///< the tool's turn over a fragment of yaw 0
   robot::JointVector start;  ///< nominal joints with the tool on the platform's middle
 
-  /// The tool at a place of the grid (lateral, depth, height) [m], turned by yaw [rad] about its jaws' own
+  /// The tool at a place of the grid (lateral, depth, height) [m], rotated by yaw [rad] about its jaws' own
   /// direction.
   Eigen::Isometry3d pose(const Eigen::Vector3d& place, double yaw) const;
   static constexpr double kSide = 0.08, kHeight = 0.02;  ///< of the grid [m]
@@ -31,7 +31,7 @@ struct Fragment {
   Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< lateral, depth, height [m]
   double yaw = 0.0;                                 ///< [rad]
 };
-/// Anywhere on the grid widened by `margin` [m], turned by at most `most_yaw` [rad].
+/// Anywhere on the grid widened by `margin` [m], rotated by at most `most_yaw` [rad].
 Fragment drawnFragment(base::Random& random, double margin, double most_yaw);
 
 /// From one pose to another in a straight line, at an even speed [m/s] or, where that would turn the tool

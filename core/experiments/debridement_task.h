@@ -12,11 +12,11 @@ namespace capstan::experiments {
 
 /// How the arm gets where it is to be.
 enum class DebridementMethod {
-  kReplanning,      ///< slow, in short pieces, with a look of the cameras and a new plan between, as in prior
+  kReplanning,      ///< slow, in short pieces, with an observation and a new plan between, as in prior
                     ///< work
   kCorrected,       ///< fast, without looking, through the learned correction
   kOpenLoop,        ///< fast, without looking, as the native controller goes
-  kWhereUncertain,  ///< as kCorrected as far as the correction is sure (next_observation.h), from there as
+  kWhereUncertain,  ///< as kCorrected while the correction's confidence is high (next_observation.h), then as
                     ///< kReplanning
 };
 inline constexpr std::size_t kDebridementMethods = 4;
@@ -37,14 +37,14 @@ struct DebridementTaskOptions {
   double plan_time = 0.5;          ///< that a plan takes [s]
   double jaw_time = 0.7;           ///< that the jaws take [s]
   double settle = 0.2;             ///< at the goal of a motion [s]
-  double look = 0.2;               ///< that a look takes [s]
+  double look = 0.2;               ///< duration of an observation [s]
   double find_sigma = 5e-4;        ///< of the detected place, across [m]
   double find_depth_sigma = 1e-3;  ///< and in height [m]
   double find_yaw_sigma = 0.05;    ///< [rad]
   /// A grasp succeeds where the point between the jaws is no further than this from the fragment's middle,
   /// across and along the jaws alike [m], and
   double capture = 0.004;
-  double capture_rotation = 0.45;  ///< turned by no more than this [rad].
+  double capture_rotation = 0.45;  ///< largest rotation error of a capture [rad]
   double receptacle = 0.02;        ///< its radius [m]
   std::uint64_t seed = 1;
 };
@@ -78,7 +78,7 @@ struct capstan::base::NamesOf<capstan::experiments::DebridementMethod> {
   using M = capstan::experiments::DebridementMethod;
   static constexpr std::array value = {
       std::pair{M::kReplanning, "replanning"}, std::pair{M::kCorrected, "learned correction"},
-      std::pair{M::kOpenLoop, "no correction"}, std::pair{M::kWhereUncertain, "learned, looks where unsure"}};
+      std::pair{M::kOpenLoop, "no correction"}, std::pair{M::kWhereUncertain, "learned, observing at low confidence"}};
 };
 
 template <>

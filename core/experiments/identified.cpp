@@ -21,7 +21,7 @@ bool leavesEstimates(BatchEnd end) { return end == BatchEnd::kConverged || end =
 /// Why `report` cannot be used; empty: it can.
 template <class Report>
 std::string faultOf(const Report* report) {
-  if (!report) return "was not asked for";
+  if (!report) return "was not requested";
   if (!leavesEstimates(report->end)) return std::string(base::nameOf(report->end));
   const bool finite = std::all_of(
       report->estimates.begin(), report->estimates.end(),
@@ -37,13 +37,13 @@ std::string oneLine(std::string text) {
 
 }  // namespace
 
-Choice choose(Method wanted, const identification::DualUkfReport* dual,
+Choice choose(Method requested, const identification::DualUkfReport* dual,
               const identification::BatchReport* batch) {
   const std::string dual_fault = faultOf(dual), batch_fault = faultOf(batch);
-  const bool by_dual = wanted == Method::kDualUkf;
+  const bool by_dual = requested == Method::kDualUkf;
   const std::string& fault = by_dual ? dual_fault : batch_fault;
   const std::string& other = by_dual ? batch_fault : dual_fault;
-  if (fault.empty()) return {wanted, {}};
+  if (fault.empty()) return {requested, {}};
   const std::string why =
       fmt::format("the {} method found nothing ({})", by_dual ? "dual UKF" : "batch", fault);
   if (other.empty())

@@ -16,13 +16,13 @@ namespace capstan::experiments {
 /// Whose estimates an identification leaves.
 struct Choice {
   std::optional<Method> method;  ///< none: nothing was identified
-  std::string words;             ///< why not the method that was wanted; empty: it is
+  std::string words;             ///< why it is not the requested method; empty: it is
 };
 
-/// The method `wanted` where it ended with estimates, else the other one, else none. A method that was
+/// The method `requested` where it ended with estimates, else the other one, else none. A method that was
 /// cancelled, failed or had no observation leaves none, nor does one whose numbers are not finite; null: it
-/// was not asked for.
-Choice choose(Method wanted, const identification::DualUkfReport* dual,
+/// was not requested.
+Choice choose(Method requested, const identification::DualUkfReport* dual,
               const identification::BatchReport* batch);
 
 /// An end of either report (base::nameOf) that leaves estimates.

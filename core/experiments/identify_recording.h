@@ -14,7 +14,7 @@
 namespace capstan::experiments {
 
 struct IdentifyOptions {
-  bool dual = true, batch = true;  ///< methods whose reports are asked for; at least one
+  bool dual = true, batch = true;  ///< methods whose reports are requested; at least one
   identification::CameraPoseOptions camera = {};
   int threads = 2;  ///< number of worker threads of the batch method
 };

@@ -184,7 +184,7 @@ IdentificationSetup setUpIdentification(const Specification& specification,
   try {
     (void)identification::ParameterSet(nominal, setup.spec.parameters, setup.options.parameters);
   } catch (const base::InputError& error) {
-    if (specification.file.empty()) throw;  // asked for by an option, which has that name
+    if (specification.file.empty()) throw;  // requested by an option, which has that name
     throw base::InputError({specification.file.string(), specification.lineOf({}, "identification"),
                             "identification.parameters", setup.spec.parameters, error.fault().reason,
                             error.fault().remedy});

@@ -22,7 +22,7 @@ inline Eigen::Vector3d noJoints() { return Eigen::Vector3d::Constant(kNone); }
 /// Estimators whose errors are compared.
 enum class Estimator {
   kKinematic,   ///< transmission kinematics: of an experiment's nominal robot, else of the filter's robot
-  kIdentified,  ///< transmission kinematics of the robot that the estimator believes in
+  kIdentified,  ///< transmission kinematics of the robot that the estimator assumes
   kCamera,      ///< stereo vision, where the filter took it, at its own times
   kUkf
 };
@@ -54,7 +54,7 @@ struct CameraPoint {
 /// Names and texts of the files that a trial was made from; empty: none.
 struct TrialInputs {
   std::string nominal;     ///< robot file: the plant before its truth, and the comparison's kinematics
-  std::string robot;       ///< robot file that the estimator believed in
+  std::string robot;       ///< robot file that the estimator assumed
   std::string truth;       ///< truth file of a simulation
   std::string trajectory;  ///< trajectory of a simulation
   std::string tracking;    ///< filter options
@@ -75,7 +75,7 @@ struct TrialMotion {
 struct TrialResult : TrialMotion {
   bool simulated = true;
   std::uint64_t seed = 0;       ///< of a simulation
-  OcclusionSpec occlusion;      ///< as asked for
+  OcclusionSpec occlusion;      ///< as requested
   bool images = false;          ///< markers were found in pictures
   bool own_kinematics = false;  ///< in place of joint encoders: the robot's own kinematics, no truth
   bool reference = false;       ///< joint encoders fitted: there are errors
@@ -128,7 +128,7 @@ struct ParameterTracePoint {
 
 struct IdentificationResult {
   std::vector<std::string> recordings;  ///< trials that it was made from
-  /// Of each of them, by the filter that collected the data: it believed in the robot from before.
+  /// Of each of them, by the filter that collected the data: it assumed the robot from before.
   std::vector<TrialMotion> motions;
   Method method = Method::kBatch;  ///< whose robot goes on
   std::vector<IdentifiedParameter> parameters;
@@ -144,7 +144,7 @@ struct IdentificationResult {
   TrialInputs inputs;      ///< of the first trial
   std::string robot;       ///< identified robot file, its origin in comments on top
   bool found = true;       ///< a method left estimates; in no file: without any there is no result
-  std::string choice;      ///< why `method` is not the one asked for; empty: it is; in no file
+  std::string choice;      ///< why `method` is not the one requested; empty: it is; in no file
   double collect_seconds = 0.0, dual_seconds = 0.0, batch_seconds = 0.0;  ///< in timing.json
 
   /// The method whose robot goes on.

@@ -187,7 +187,7 @@ class Experiment {
     if (result.method != specification_.identification.robot)
       results_.notices.push_back(fmt::format(
           "{}: {}", specification_.name,
-          result.choice.empty() ? fmt::format("an earlier run found nothing by the method asked for: "
+          result.choice.empty() ? fmt::format("an earlier run found nothing by the requested method: "
                                               "the result is that of {}",
                                               base::nameOf(result.method))
                                 : result.choice));

@@ -22,12 +22,12 @@ struct RunOptions {
 /// Runs every trial of `specification`, and before them the experiments whose robot it needs.
 ///
 /// A trial that `out` holds already, made from the same specification, files, options and software, is read
-/// and not run again; a file that is damaged is named in Results::notices and its trial run anew. Trials are
+/// and not run again; a file that is damaged is named in Results::notices and its trial run again. Trials are
 /// written whole as they finish, so that an interrupted run is taken up where it was stopped, with the same
 /// bytes in the end. Joint encoders are used for errors only.
 ///
 /// Throws base::InputError for a file or name of the specification that is unusable, before anything is run,
-/// where the trial itself can tell; a recording that cannot be used is refused when its turn comes.
+/// where the trial itself can be checked; a recording that cannot be used is refused when its turn comes.
 Results run(const Specification& specification, const RunOptions& options, base::Progress& progress);
 
 }  // namespace capstan::experiments

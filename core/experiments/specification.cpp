@@ -41,7 +41,7 @@ class Checker {
       if (!names.insert(fileNameOf(specification_.trials[i].name)).second)
         refuse(root_["trials"][i]["name"], trialKey(i, "name"),
                "is the name of two trials, or would be that of two files",
-               "Give each its own: only letters, digits and _ tell them apart");
+               "Give each its own: only letters, digits and _ distinguish them");
     }
     if (specification_.work == Work::kTrack && root_["identification"].IsDefined())
       refuse(root_["identification"], "identification", "is of no use where work is track",

@@ -52,7 +52,7 @@ const Published* beside(const Results& results, const Published* published) {
   return published && results.trials.size() == published->table_1.duration.size() ? published : nullptr;
 }
 
-/// The estimator believed in another robot than the nominal one: kinematics of the two differ.
+/// The estimator assumed another robot than the nominal one: kinematics of the two differ.
 bool anotherRobot(const Results& results) {
   return std::any_of(results.trials.begin(), results.trials.end(), [](const TrialResult& trial) {
     const Eigen::Vector3d& identified = trial.rmsOf(Estimator::kIdentified);
@@ -88,7 +88,7 @@ std::string meansNote(const Results& results) {
   const auto with = std::count_if(results.trials.begin(), results.trials.end(), hasErrors);
   const auto without = results.trials.size() - static_cast<std::size_t>(with);
   std::string text = fmt::format("Means over {} {}", with, with == 1 ? "trial" : "trials");
-  if (without > 0) text += fmt::format(", {} without joint encoders left out", without);
+  if (without > 0) text += fmt::format(", {} without joint encoders excluded", without);
   return text + (with > 1 ? "; P of equal means, two-sided. " : ". ");
 }
 

@@ -10,7 +10,7 @@ namespace capstan::experiments {
 namespace {
 
 constexpr double kPeriod = simulation::ToolRobot::kCommandPeriod;
-constexpr double kBelongs = 0.003;  // of the median position, within which an observation tells the turn [m]
+constexpr double kBelongs = 0.003;  // of the median position, within which an observation gives the rotation [m]
 
 std::size_t ticksOf(double seconds) {
   return static_cast<std::size_t>(std::max(0L, std::lround(seconds / kPeriod)));
@@ -36,7 +36,7 @@ void ToolRig::tick(const Eigen::Isometry3d& command) {
   if (observing_ && observation.observed) observing_->push_back(observation.pose);
   if (!recording_) return;
   write(learning::StreamKind::kCommand, asked, robot_.commanded());
-  write(learning::StreamKind::kRobot, robot_.time(), robot_.believed());
+  write(learning::StreamKind::kRobot, robot_.time(), robot_.nominalPose());
   write(learning::StreamKind::kCamera, observation.t, observation.pose);
 }
 

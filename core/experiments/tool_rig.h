@@ -26,7 +26,7 @@ class ToolRig {
   void rest(double seconds);
   /// Opens or closes the jaws evenly to `opening` [rad].
   void moveJaws(double opening, double seconds);
-  /// Rests, and tells the pose that cameras saw in the middle, by the median of those of this time. Nothing:
+  /// Holds still and returns the median of the poses that cameras observed meanwhile. Nothing:
   /// they saw none.
   std::optional<Eigen::Isometry3d> look(double seconds);
 

@@ -11,8 +11,8 @@
 /// Training of a correction on a simulated arm, as on a real one: from recorded poses to states to a model.
 namespace capstan::experiments {
 
-/// Defaults are the GPR paper's (section V-B) but for `margin` and turns: what cameras see is centimetres and
-/// some ten degrees off, and what is desired is to lie among what was seen. Learned is by the
+/// Defaults are the GPR paper's (section V-B) but for `margin` and rotations: what cameras see is centimetres and
+/// some ten degrees off, and desired poses are to lie among observed ones. Learned is by the
 /// options of learning::learn(), but cleaned as in the paper and without weights.
 struct TrainingOptions {
   int motions = 303;
@@ -40,7 +40,7 @@ std::vector<learning::RawMotion> recordTraining(const robot::Description& robot,
 struct TrainedCorrection {
   learning::CorrectionModel model;
   std::size_t motions = 0, rows = 0;  ///< recorded; poses of cameras
-  std::size_t screened = 0;           ///< of them, left out as no poses
+  std::size_t screened = 0;           ///< of them, excluded as no poses
   std::size_t states = 0, kept = 0;   ///< paired with commands; after cleaning
   double clock_offset = 0.0;          ///< of cameras behind commands [s]
 };

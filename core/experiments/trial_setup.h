@@ -47,7 +47,7 @@ struct TrialSetup {
 TrialSetup setUpTrial(const Specification& specification, const TrialSpec& trial, const RobotBelief& belief,
                       bool images, const std::string& software);
 
-/// A trial's samples: cameras blocked on schedule, and the robot that the estimator believes in in place of
+/// A trial's samples: cameras blocked on schedule, and the robot that the estimator assumes in place of
 /// the nominal one. The plant of a simulation stays what it is.
 class TrialSource final : public tracking::Source {
  public:

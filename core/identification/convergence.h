@@ -21,7 +21,7 @@ struct Convergence {
   bool settled = false;              ///< σ is below its goal and the value has rested
   std::optional<double> settled_at;  ///< since when it has been settled, from the recording's start [s]
   std::optional<double>
-      time_needed;     ///< more of this motion until σ reaches its goal [s]; none: cannot be told
+      time_needed;     ///< more of this motion until σ reaches its goal [s]; none: not predictable
   double share = 0.0;  ///< of the way from the prior's σ to the goal, in ln σ: 0…1
 };
 

@@ -15,11 +15,11 @@ namespace capstan::identification {
 /// about what the first found, which is put right afterwards, for the delay, by delay_before · σ² /
 /// delay_sigma² with σ = delay_noise, what the delay's estimate itself went by (exact where it is Gaussian;
 /// the σ that is stated counts more); what that would do to the other unknowns, less than delay_before · σ /
-/// delay_sigma² of their own standard deviations, is left out.
+/// delay_sigma² of their own standard deviations, is excluded.
 inline constexpr double kOnePassDelay = 0.005;  // [s], bent by 0.06 ms
 
-/// `data` with cameras that exposed `delay` [s] before they say so: times, and tip_kin by the motors then.
-/// Observations outside the motors' time, or in a gap of theirs, are left out.
+/// `data` with cameras that exposed `delay` [s] before their stamps: times, and tip_kin by the motors then.
+/// Observations outside the motors' time, or in a gap of theirs, are excluded.
 IdentificationData withExposuresEarlier(IdentificationData data, double delay);
 
 /// As identifyDualUkf() and identifyBatch(), in as many passes as the delay asks for.

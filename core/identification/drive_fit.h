@@ -16,7 +16,7 @@ class DriveFit {
 
   using Held = std::array<bool, kDriveQuantities>;  ///< parameters that stay where they are
 
-  /// Solves from the present unknowns; then the noise is measured anew, until it rests.
+  /// Solves from the present unknowns; then the noise is measured again, until it rests.
   BatchEnd solve(const Held& held, base::Progress* progress);
   /// Of the parameters not held, in their order, then of the offsets.
   Eigen::MatrixXd covariance(const Held& held) const;

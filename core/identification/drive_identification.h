@@ -48,14 +48,14 @@ struct DriveOffset {
 
 struct DriveReport {
   BatchEnd end = BatchEnd::kFailed;
-  std::vector<DriveEstimate> estimates;  ///< those asked for, in the order of DriveQuantity
+  std::vector<DriveEstimate> estimates;  ///< those requested, in the order of DriveQuantity
   Eigen::MatrixXd covariance;            ///< of the logarithms of those seen
   Eigen::MatrixXd correlation;           ///< the same
   std::vector<DriveOffset> offsets;      ///< one, or one a recording
   /// Regression of the recordings' offsets on their mean load: near ±1, the zeros are no zeros but a stretch
   /// that follows the standing load. 0 with fewer than three offsets.
   double offset_by_load = 0.0, offset_load_correlation = 0.0;
-  robot::Description robot;   ///< with what was seen, its hard stop moved by the mean offset
+  robot::Description robot;   ///< with the estimates, its hard stop moved by the mean offset
   double torque_sign = 1.0;   ///< of the recordings' tau_m, see torqueSign()
   double angle_noise = 0.0;   ///< standard deviation of the residuals, robust [rad or m]
   double torque_noise = 0.0;  ///< the same [N·m]; 0 without torque
@@ -72,7 +72,7 @@ struct DriveReport {
 /// q(x), tau_m(x) as predict() simulates them from motor position and load alone, ρ Huber's loss; Ceres with
 /// automatic derivatives. s_q and s_τ are taken from the residuals themselves (their median), in turn with x.
 /// The joint encoder shows what stretches; the motor torque shows how stiff it is, which angles alone cannot
-/// tell from friction where the load hardly changes within a recording.
+/// distinguish from friction where the load hardly changes within a recording.
 ///
 /// A parameter that the recordings do not show goes back to its nominal value, and the others are fitted
 /// again with it: the robot of the report is the model whose errors are stated.

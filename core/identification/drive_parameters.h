@@ -41,16 +41,16 @@ struct DriveParameter {
   std::string unit() const;
 };
 
-/// ln(w / nominal) by DriveQuantity, those not asked for at 0.
+/// ln(w / nominal) by DriveQuantity, those not requested at 0.
 using DriveLogs = Eigen::Matrix<double, kDriveQuantities, 1>;
 
 /// The parameters of a one-joint robot. The cable is described by its stiffness at rest, k_c = 2 k_e a, and
-/// its exponent a: unlike k_e and a, these two can be told apart, and k_c alone is left of a linear cable.
+/// its exponent a: unlike k_e and a, these two can be distinguished, and k_c alone is left of a linear cable.
 class DriveParameters {
  public:
   /// `names` separated by commas, a joint's 1 behind them allowed (r_l1); "all" for all; k_e is another name
   /// of k_c. Throws base::InputError for an unknown name, one that comes twice, a robot with another number
-  /// of joints than one, or a nominal value of zero where it is asked for.
+  /// of joints than one, or a nominal value of zero where it is requested.
   DriveParameters(const robot::Description& nominal, const std::string& names);
 
   const DriveParameter& operator[](int i) const { return parameters_[static_cast<std::size_t>(i)]; }

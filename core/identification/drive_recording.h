@@ -22,7 +22,7 @@ struct DriveRecording {
 
 /// The recording of a table of one joint, thinned to rows `step` seconds apart. Motor velocity is the
 /// table's, or else the slope of a straight line through the motor positions within `step` of the row. Rows
-/// without motor position or load are left out. Throws base::InputError naming file, column and remedy:
+/// without motor position or load are excluded. Throws base::InputError naming file, column and remedy:
 /// another number of joints than one, no q_m1, no tau_ext1, no q1, or less than two rows left.
 DriveRecording driveRecording(const recording::MeasuredTable& table, double step);
 

@@ -16,7 +16,7 @@ enum class OffsetRule {
   kEach     ///< one zero for each recording, a held-out one too: the mean of its residuals
 };
 
-/// Angle residuals of some recordings under one model, seconds before `skip` left out.
+/// Angle residuals of some recordings under one model, seconds before `skip` excluded.
 struct DriveScore {
   double rms = 0.0;              ///< over all rows of all recordings [rad or m]
   std::vector<double> file_rms;  ///< by recording

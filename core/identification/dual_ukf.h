@@ -38,7 +38,7 @@ struct DualUkfReport {
   Trace trace;
   Eigen::MatrixXd correlation;      ///< of the logarithms
   CameraPose camera, camera_sigma;  ///< nuisance parameters and their standard deviations
-  double delay_noise = 0.0;         ///< σ of camera.delay as the filter believed it, not widened [s]
+  double delay_noise = 0.0;         ///< σ of camera.delay as the filter computed it, not inflated [s]
   double nis = 0.0;                 ///< mean over its 3 degrees of freedom
   double outliers = 0.0;            ///< share of observations held back
   int observations = 0;

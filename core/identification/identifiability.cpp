@@ -12,7 +12,7 @@
 namespace capstan::identification {
 namespace {
 
-constexpr double kBoundUp = 0.7;  // correlation from which on two unknowns are hard to tell apart
+constexpr double kBoundUp = 0.7;  // correlation from which on two unknowns are hard to distinguish
 
 /// An angle or a length of joint 0…2, for people.
 std::string shown(int joint, double value) {

@@ -22,7 +22,7 @@ struct Visibility {
 };
 
 /// Local identifiability at x: singular values of the Jacobian scaled by noise and priors (a value below one:
-/// that direction is known better beforehand than the recording tells), and what follows for each parameter.
+/// the prior constrains that direction more than the recording does), and what follows for each parameter.
 struct Identifiability {
   Eigen::VectorXd singular_values;     ///< falling
   Eigen::MatrixXd directions;          ///< right singular vectors, column by column, over the unknowns

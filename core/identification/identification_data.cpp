@@ -123,7 +123,7 @@ DataCollector::DataCollector(const tracking::TrackingPipeline& pipeline, std::st
 
 void DataCollector::addMotors(const tracking::Snapshot& snapshot) {
   MotorTrack& motors = data_.motors;
-  leaveOutFrozen(snapshot);
+  excludeFrozen(snapshot);
   if (!motorsKnown(snapshot)) {
     ++data_.excluded;
     return;
@@ -133,7 +133,7 @@ void DataCollector::addMotors(const tracking::Snapshot& snapshot) {
   motors.velocity.push_back(snapshot.dq_motor);
 }
 
-void DataCollector::leaveOutFrozen(const tracking::Snapshot& snapshot) {
+void DataCollector::excludeFrozen(const tracking::Snapshot& snapshot) {
   MotorTrack& motors = data_.motors;
   for (std::size_t i = 0; i < 3; ++i) {
     if (snapshot.motor_failed[i] == failed_[i]) continue;

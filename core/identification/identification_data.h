@@ -18,7 +18,7 @@
 
 namespace capstan::identification {
 
-/// Time without motor samples from which on every method starts anew: the arm was lost observation of [s].
+/// Time without motor samples from which on every method restarts: the arm was lost [s].
 inline constexpr double kMotorGap = 0.05;
 
 /// Motor encoders in rising time: t [s], q_m from the hard stop [rad], dq_m [rad/s].
@@ -51,7 +51,7 @@ struct IdentificationData {
   /// Standard deviation of the observations as found, by the one stated (measureNoise()); 1 where they agree.
   double noise_ratio = 1.0;
   bool images = false;  ///< markers were found in pictures
-  /// Motor samples left out because an encoder gave no number, or had failed (DataCollector).
+  /// Motor samples excluded because an encoder gave no number, or had failed (DataCollector).
   std::uint64_t excluded = 0;
   bool cancelled = false;
 
@@ -63,15 +63,15 @@ struct IdentificationData {
 /// between camera and transmission kinematics is slow, so the second difference of tip − tip_kin over three
 /// successive frames is six times the noise and little else. Covariances that come from pixels are scaled by
 /// one factor, the median normalised square over its χ² median; those of tips without pixels, a mere option
-/// of the pipeline, are replaced by the covariance measured (squares beyond the 99.9 % quantile left out).
+/// of the pipeline, are replaced by the covariance measured (squares beyond the 99.9 % quantile excluded).
 /// q_covariance follows. With fewer than 30 triples nothing changes.
 void measureNoise(IdentificationData& data);
 
 /// Puts `more` behind `data`, as if it had been recorded a second later: the same robot and rig. The gap in
-/// the motor samples tells every method to start anew there.
+/// the motor samples makes every method restart there.
 void append(IdentificationData& data, const IdentificationData& more);
 
-/// Every motor's encoder gives a number that is believed: q_link_kin is all transmission kinematics.
+/// Every motor's encoder gives a number and has not failed: q_link_kin is all transmission kinematics.
 inline bool motorsKnown(const tracking::Snapshot& s) {
   return !tracking::anyMotorFailed(s) && s.q_link_kin.allFinite();
 }
@@ -90,7 +90,7 @@ class DataCollector {
 
  private:
   void addMotors(const tracking::Snapshot& snapshot);
-  void leaveOutFrozen(const tracking::Snapshot& snapshot);
+  void excludeFrozen(const tracking::Snapshot& snapshot);
 
   IdentificationData data_;
   std::uint64_t taken_ = 0;  ///< motor samples, by the pipeline

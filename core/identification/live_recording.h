@@ -21,7 +21,7 @@ struct LiveExtent {
   std::uint64_t observations = 0;  ///< of these, with the tip seen and within reach
   std::uint64_t restarts = 0;      ///< times that what was held became worthless: see LiveRecording::take()
   bool motor_failed = false;       ///< an encoder has failed; from then on nothing is taken
-  bool registered = true;          ///< frames can be turned into joint angles, as far as the newest one tells
+  bool registered = true;          ///< frames can be converted to joint angles, by the newest one
   bool full = false;               ///< the longest was reached, nothing more is taken
 };
 
@@ -38,10 +38,10 @@ class LiveRecording {
 
   // The pipeline's thread.
   /// Before the first sample of `pipeline`. What is held stays if robot and registration are the same, so
-  /// that a recording goes on after a pause; else the recording begins anew.
+  /// that a recording goes on after a pause; else the recording restarts.
   void begin(const tracking::TrackingPipeline& pipeline);
   /// Motor samples that the pipeline took, and everything from a camera. A motor clock set back begins the
-  /// recording anew.
+  /// recording again.
   void take(const tracking::Sample& sample, const tracking::Snapshot& snapshot);
 
   // Any thread.

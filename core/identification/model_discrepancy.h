@@ -7,7 +7,7 @@
 
 namespace capstan::identification {
 
-/// How far the model itself is trusted: every joint may feel forces that no part of the model knows, of a
+/// Discrepancy of the model itself: every joint may feel forces that no part of the model knows, of a
 /// standard deviation that is a share of its Coulomb friction. One (breakaway friction, load) stays for a
 /// while and then is another. One (hysteresis of the cable) follows the cable's stretch and slips, the
 /// same all through a recording: half a spring, half a damper. Without them a long recording with fine

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kLanes = tracking::kCableArmLanes;
 const double kSpread = std::sqrt(3.0);
-constexpr double kRateTolerance = 0.05;  // of a logarithm, before the rate is computed anew
+constexpr double kRateTolerance = 0.05;  // of a logarithm, before the rate is computed again
 
 }  // namespace
 

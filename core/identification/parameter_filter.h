@@ -64,7 +64,7 @@ class ParameterFilter {
   void correctSensitivity(const Eigen::Matrix<double, 6, 6>& gain_times_h) {
     sensitivity_ -= (gain_times_h * sensitivity_).eval();
   }
-  /// Forgets Φ: the arm was lost observation of.
+  /// Resets Φ: the arm was lost.
   void forgetSensitivity() { sensitivity_.setZero(); }
   /// r_k of (11) over dt: each unknown's variance P grows by P (1 − P) dt / memory, never beyond its prior.
   /// What was learnt while the parameters were far off was learnt with the wrong sensitivities, and fades.

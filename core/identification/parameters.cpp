@@ -101,7 +101,7 @@ ParameterSet::ParameterSet(const robot::Description& nominal, const std::string&
       const auto same = [&, q = quantity, j = joint](const Parameter& p) {
         return p.quantity == q && p.joint == j;
       };
-      if (std::any_of(parameters_.begin(), parameters_.end(), same)) refuse(name, "is asked for twice");
+      if (std::any_of(parameters_.begin(), parameters_.end(), same)) refuse(name, "is requested twice");
       const auto of = static_cast<Eigen::Index>(quantity);
       Parameter parameter{quantity, joint, 0.0, options.prior_sigma(of), options.bound(of), options.goal(of)};
       parameter.nominal = valueIn(constants_, parameter);

@@ -17,7 +17,7 @@ struct ArmPrediction {
   ByParameter q_by_log = ByParameter::Zero();                     ///< d q / d ln w
   ByParameter dq_by_log = ByParameter::Zero();
   /// What the link has followed of a hysteresis of its cable, by the greatest it could: −1…1 (shooting.cpp);
-  /// with derivatives only, as it is asked for with them.
+  /// with derivatives only, as it is requested with them.
   Eigen::Vector3d hysteresis = Eigen::Vector3d::Zero();
 };
 
@@ -36,7 +36,7 @@ struct ShootingOptions {
 /// initial state as unknown; it starts `warm_up` early at the unstretched cable, and what it outputs then is
 /// the output of the whole recording. Pieces run in parallel. Motor speed is the difference quotient of the
 /// angles, without the lag of a measured, filtered speed: a cable damper would take the lag for a force.
-/// Observations within a warm-up of the recording's start or of a gap in the motor samples are left out.
+/// Observations within a warm-up of the recording's start or of a gap in the motor samples are excluded.
 class Shooting {
  public:
   /// `data` and `set` must outlive it.
@@ -63,7 +63,7 @@ class Shooting {
   const ParameterSet& set_;
   ShootingOptions options_;
   std::vector<std::size_t> used_;
-  std::vector<std::size_t> segment_;  ///< motor sample that the stretch of a used() observation begins with
+  std::vector<std::size_t> segment_;  ///< motor sample that the segment of a used() observation begins with
   std::vector<Piece> pieces_;
 };
 

@@ -23,7 +23,7 @@ struct ArmOverlay {
 };
 
 /// Projects the line from the remote centre to the marker at joints `q` (rad, rad, m). Points behind a camera
-/// or more than one frame outside its image are left out. `marker_radius` [m].
+/// or more than one frame outside its image are excluded. `marker_radius` [m].
 ArmOverlay projectArm(const robot::ArmKinematics& arm, double marker_radius, const vision::StereoRig& rig,
                       const Eigen::Isometry3d& base_from_camera, const Eigen::Vector3d& q);
 

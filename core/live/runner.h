@@ -31,7 +31,7 @@ struct RunStatus {
   std::string command_fault;  ///< of the last command that failed, which stops nothing
   std::uint64_t command_fault_count = 0;
   double t = 0.0;                 ///< newest arrival [s]
-  double speed = 1.0;             ///< asked for
+  double speed = 1.0;             ///< requested
   double real_time_factor = 0.0;  ///< reached, over the last second
   double motor_rate = 0.0;        ///< [1/s of recording]
   double frame_rate = 0.0;        ///< frames or tip samples [1/s of recording]
@@ -69,18 +69,18 @@ class Runner {
   void setSpeed(double speed);
 
   // Occlusion, as recordings made meanwhile keep it in events; a source that is a recording itself has it
-  // added, and the events say so.
+  // added, and the events report it.
   void block(bool left, bool right);  ///< by hand, from now on
   void setOcclusion(const OcclusionSchedule& schedule);
   void setRegistration(const Eigen::Isometry3d& base_from_camera);
-  /// The pipeline is made anew for `robot`, with options, registration and declared faults as they are, from
-  /// the next sample on; report() starts anew, recordings carry it, one under way gets `note` as event
+  /// The pipeline is rebuilt for `robot`, with options, registration and declared faults as they are, from
+  /// the next sample on; report() restarts, recordings carry it, one under way gets `note` as event
   /// "robot". Throws base::InputError for a robot that the pipeline cannot take; then nothing changes.
   void setRobot(const robot::Description& robot, const std::string& note);
   robot::Description robot() const;  ///< in use
   /// From the next sample on, in place of the one before; {}: nobody, which costs nothing.
   void listen(Listener listener);
-  void resetErrors();  ///< report() starts anew
+  void resetErrors();  ///< report() restarts
   void note(std::string text);
 
   /// On the pipeline's thread, between two samples; in order of posting.

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 
 /// Large dense symmetric matrices by BLAS and LAPACK, several times as fast as Eigen's own beyond some
-/// hundred rows. Symmetric ones are told by their lower triangle; the upper is neither read nor kept.
+/// hundred rows. Symmetric ones are given by their lower triangle; the upper is neither read nor kept.
 namespace capstan::math {
 
 /// Threads of all calls from now on, of the whole process. 1 where the callers run side by side.

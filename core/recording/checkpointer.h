@@ -16,8 +16,8 @@ namespace capstan::recording {
 ///
 /// The writer runs with synchronous = OFF: a commit is a write() to the operating system, which survives the
 /// process. This thread owes the syncs: each passive checkpoint syncs the log, copies its pages and syncs the
-/// database, and when the writer has begun the log anew, this thread syncs its first page, so that a loss of
-/// power finds either log whole. A log that is copied completely between two commits is begun anew by the
+/// database, and when the writer has begun the log again, this thread syncs its first page, so that a loss of
+/// power finds either log whole. A log that is copied completely between two commits is restarted by the
 /// next one; that bounds it near `threshold` as long as the disk follows. Its checkpoints never shorten the
 /// main file, where the writer has made room for pages that are still in the log.
 class Checkpointer {
@@ -27,7 +27,7 @@ class Checkpointer {
   Checkpointer(const Checkpointer&) = delete;
   Checkpointer& operator=(const Checkpointer&) = delete;
 
-  /// From now on the commits of `writer` tell the length of the log.
+  /// From now on the commits of `writer` report the length of the log.
   void watch(Database& writer);
   /// After a commit: looks whether there is work. Does not wait.
   void wake();

@@ -25,7 +25,7 @@ void checkRecordingFolder(const std::filesystem::path& folder);
 /// "12.3 GB", "1.6 MB"
 std::string sizeText(std::uint64_t bytes);
 
-/// How fast a file grows: over the last seconds, measured anew every two.
+/// How fast a file grows: over the last seconds, measured again every two.
 class GrowthRate {
  public:
   using Clock = std::chrono::steady_clock;

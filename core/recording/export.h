@@ -39,7 +39,7 @@ std::int64_t exportPng(const std::filesystem::path& session, const std::filesyst
 struct VideoReport {
   std::int64_t frames = 0;
   std::int64_t other_size =
-      0;  ///< frames of another size than the first, which a video cannot hold: left out
+      0;  ///< frames of another size than the first, which a video cannot hold: excluded
 };
 /// Both views side by side as a video at the recording's mean frame rate; the suffix chooses the container
 /// (.avi, .mkv, .mp4).

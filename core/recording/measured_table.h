@@ -23,7 +23,7 @@ struct MeasuredTable {
   TableColumns p_c;                  ///< tip from the cameras, frame 0 [m]
   TableColumns tau_ext;              ///< measured external joint load [N·m or N]
   bool own_kinematics = false;       ///< q is what the robot computed from its motors: no reference of truth
-  std::vector<std::string> ignored;  ///< columns that the table has and nobody asked for
+  std::vector<std::string> ignored;  ///< columns that the table has and nobody requested
 
   std::size_t rows() const { return t.size(); }
   int joints() const;  ///< n: the longest of the joint quantities

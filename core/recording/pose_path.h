@@ -27,10 +27,10 @@ struct PosePaths {
 PosePaths parsePosePaths(std::string_view text, const std::string& file);
 PosePaths readPosePaths(const std::filesystem::path& path);
 
-/// States of the paths as a model is asked: with velocities where stamps tell them, else at rest.
+/// States of the paths as inputs of a model: with velocities where rows are stamped, else at rest.
 std::vector<learning::State> statesOf(const PosePaths& paths);
 
-/// Table of what to ask for, a line a row of the paths: traj, t_s (where timed), x, y, z, qx, qy, qz, qw,
+/// Table of the command, a line a row of the paths: traj, t_s (where timed), x, y, z, qx, qy, qz, qw,
 /// then standard deviations sigma_x … [m] and sigma_rx … [rad] in the tool's frame, and confidence.
 std::string formatCorrected(const PosePaths& paths, const std::vector<learning::Corrected>& corrected);
 

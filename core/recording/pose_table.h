@@ -18,7 +18,7 @@ inline constexpr std::array<std::string_view, learning::kStreams> kStreamPrefixe
 
 /// Parses a table of tip poses with columns traj, t_cam_s, cam_x, cam_y, cam_z, cam_qx, cam_qy, cam_qz,
 /// cam_qw and the same of robot or cmd (or both), and task where known: stamps in seconds, each stream's own
-/// clock; metres; unit quaternions. Rows of one trajectory stand together. Nothing is left out
+/// clock; metres; unit quaternions. Rows of one trajectory stand together. Nothing is excluded
 /// (learning::screenPoses does that). base::InputError naming file, line, column, value and remedy: a column
 /// that is missing, a cell that is no number, no rows.
 std::vector<learning::RawMotion> parsePoseTable(std::string_view text, const std::string& file);

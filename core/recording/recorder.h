@@ -26,7 +26,7 @@ struct RecorderOptions {
   std::uint64_t max_bytes = 0;  ///< largest file; 0: what the disk holds
   /// Recording stops before the disk has less than this; none: DiskSpace::reserve of the disk.
   std::optional<std::uint64_t> min_free_bytes;
-  /// Asked for the disk of the file; a test may answer for it.
+  /// Reports the free space of the file's disk; tests replace it.
   std::function<DiskSpace(const std::filesystem::path& folder)> disk_space = diskSpaceAt;
   std::function<void()>
       before_commit;  ///< runs on the writer's thread before each commit; tests stall it here
@@ -60,7 +60,7 @@ struct RecorderStats {
 /// what is offered is dropped and counted. Committed rows survive the death of the process, and the file
 /// stays whole through a loss of power (SQLite's write-ahead log with checkpoints off the writer's thread).
 ///
-/// A fault ends the recording: the log is moved into the file, which is closed before stats() tells of the
+/// A fault ends the recording: the log is moved into the file, which is closed before stats() reports the
 /// fault, so that the one file copied alone holds all that was committed. A full disk does not prevent that:
 /// whatever is in the log has its room in the main file already. Before the disk is full, when only the
 /// reserve is free, recording stops with every row that was taken.

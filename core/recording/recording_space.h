@@ -8,7 +8,7 @@
 
 namespace capstan::recording {
 
-/// Of the disk that a recording at `path` goes to, as `options.disk_space` tells it.
+/// Space of the disk that a recording at `path` goes to, by `options.disk_space`.
 DiskSpace spaceOf(const std::filesystem::path& path, const RecorderOptions& options);
 
 /// The reserve that a recording at `path` keeps free [bytes]. Throws base::InputError where only that is

@@ -6,7 +6,7 @@
 #include <string_view>
 
 /// Tables and columns of a session file, declared once: creation, dictionary, inserting, reading and export
-/// visit this declaration.
+/// use this declaration.
 ///
 /// Real columns carry no declared type, so that SQLite keeps every double as it is (a REAL column would lose
 /// the sign of a negative zero); typeof() of their values is `real` or `null`.

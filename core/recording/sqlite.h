@@ -13,7 +13,7 @@
 /// SQLite's C interface with owners. Inside this room only.
 namespace capstan::recording {
 
-/// What SQLite answered instead of doing as told. Callers turn it into a base::InputError (reading, creating)
+/// An error of SQLite. Callers turn it into a base::InputError (reading, creating)
 /// or into a state (recording).
 class SqliteError : public std::runtime_error {
  public:

@@ -63,7 +63,7 @@ template <class T>
   return {k.value + q3 * slope, slope + bend};
 }
 
-/// G(q): less the torque of gravity, with everything in frame 1 turned by alpha_2, where joint 1's axis is
+/// G(q): less the torque of gravity, with everything in frame 1 rotated by alpha_2, where joint 1's axis is
 /// (0, sin(alpha_2), cos(alpha_2)) and joint 2's is z.
 template <class T>
 [[gnu::always_inline]] inline std::array<T, 3> armGravity(const ArmConstants& k, const ArmTrig<T>& trig,

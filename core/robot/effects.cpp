@@ -95,7 +95,7 @@ std::vector<EffectFacts> bodyEffects() {
       factsOf("inertia", kAnyDrive,
               {{"added", "kg*m^2 or kg", -1e3, 1e3, "to the joint's diagonal of the mass matrix"}}),
       factsOf("actuator_gain", kRigidDrive,
-              {{"share", "", -0.9, 3.0, "by which the motor gives more than it is asked for"}}),
+              {{"share", "", -0.9, 3.0, "by which the motor gives more than it is commanded"}}),
       factsOf("torque_offset", kRigidDrive,
               {{"offset", "N*m or N", -1e5, 1e5, "that pushes towards positive q all the time"}}),
   };

@@ -13,7 +13,7 @@ Eigen::Vector3f bgrOf(double hue, double saturation, double value);
 
 inline constexpr int kSceneMargin = 64;  ///< the scene is this much wider than a picture [px]
 
-/// What stands still in one camera's picture.
+/// The static background of one camera's image.
 struct Background {
   cv::Mat image;  ///< 8-bit BGR, light included
   cv::Mat light;  ///< share of full light that reaches each pixel, 32-bit float

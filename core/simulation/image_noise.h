@@ -8,7 +8,7 @@
 namespace capstan::simulation {
 
 /// Exposure and colour noise of a sensor. Normal noise of each colour comes from a larger picture of it,
-/// drawn once and placed at another random offset in each frame; drawing it anew would cost five times as
+/// drawn once and placed at another random offset in each frame; drawing it again would cost five times as
 /// much.
 class ImageNoise {
  public:

@@ -7,7 +7,7 @@
 
 namespace capstan::simulation {
 
-/// A pose as motion capture tells it; position 0 and no turn where it saw none.
+/// A pose measured by motion capture; position 0 and identity rotation where it saw none.
 struct PoseObservation {
   double t = 0.0;  ///< stamp [s]
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();

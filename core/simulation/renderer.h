@@ -33,7 +33,7 @@ struct SceneSizes {
   double shaft_length = 0.47;    ///< [m]
 };
 
-/// Pictures of one camera: shaded marker sphere and shaft by ray casting through the distorted pixel grid, in
+/// Images of one camera: shaded marker sphere and shaft by ray casting through the distorted pixel grid, in
 /// front of a fixed background, with motion blur, uneven light, exposure and colour noise. Same seed, same
 /// bytes.
 class CameraRenderer {

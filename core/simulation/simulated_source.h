@@ -30,7 +30,7 @@ struct SimulatedOptions {
 
 /// A RAVEN-II that is not there: plant, encoders, 1 kHz controller, trajectory and cameras as a Source.
 /// Effects in the robot file act in the plant, time counted from the first sample; encoder_slip on what the
-/// encoders tell, the cameras' on every exposure, but not on the registration that is made before.
+/// encoders measure, the cameras' on every exposure, but not on the registration that is made before.
 /// MotorSample (and JointSample) at 1 kHz; StereoFrame at the camera's rate, delivered when it arrives. Ends
 /// when the trajectory has. The commands and block() may come from any thread while another calls next().
 class SimulatedSource final : public tracking::Source {

@@ -10,7 +10,7 @@
 namespace capstan::simulation {
 
 /// A cable-driven arm with tool roll, wrist and two jaws, moving slowly: motors under PD control pull joints
-/// by cables that stretch, run over each other, and have play; inertia is left out, all else holds at each
+/// by cables that stretch, run over each other, and have play; inertia is neglected, all else holds at each
 /// instant (quasi_static.h):
 ///   K_p (q_md − q_m) + K_d (dq_md − dq_m) − tau_vm dq_m − r_mc gamma / N ∈ tau_cm sgn dq_m
 ///   s_m = r_mc q_m / N + e (sin(q_m / N + φ) − sin φ),   delta = s_m − r_l ∘ (A (q − q_hs))

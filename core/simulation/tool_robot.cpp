@@ -51,7 +51,7 @@ void ToolRobot::advance() {
   t_ += kCommandPeriod;
 }
 
-Eigen::Isometry3d ToolRobot::believed() const {
+Eigen::Isometry3d ToolRobot::nominalPose() const {
   return kinematics_.pose(transmission_.jointFromMotor(arm_.encoders()));
 }
 

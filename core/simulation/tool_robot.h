@@ -6,7 +6,7 @@
 
 namespace capstan::simulation {
 
-/// The seven-joint arm behind its own controller, which is asked for tool poses and knows the nominal robot
+/// The seven-joint arm behind its own controller, which is commanded to tool poses and knows the nominal robot
 /// file alone: inverse kinematics, transmission kinematics, motor angles. It takes a pose every
 /// kCommandPeriod and moves its targets there evenly; poses outside of its joint limits it refuses.
 class ToolRobot {
@@ -28,7 +28,7 @@ class ToolRobot {
   double time() const { return t_; }                                   ///< [s]
   const Eigen::Isometry3d& commanded() const { return commanded_; }    ///< last pose taken
   const robot::JointVector& commandedJoints() const { return goal_; }  ///< those of it, nominal
-  Eigen::Isometry3d believed() const;                                  ///< nominal kinematics of the encoders
+  Eigen::Isometry3d nominalPose() const;                               ///< nominal kinematics of the encoders
   const ToolArm& arm() const { return arm_; }
   const robot::ToolKinematics& kinematics() const { return kinematics_; }
 

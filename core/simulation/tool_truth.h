@@ -72,7 +72,7 @@ struct PoseCameraTruth {
   double jump_rate = 0.0;      ///< how often a light hides and the rest is mistaken for another pose [1/s]
   double jump_time = 0.1;      ///< how long that lasts on average [s]
   double jump_size = 0.03;     ///< how far it jumps, an axis, standard deviation [m]
-  double jump_rotation = 0.3;  ///< and turns [rad]
+  double jump_rotation = 0.3;  ///< and rotations [rad]
   double miss_share = 0.0;     ///< of samples without any pose
 
   template <class Self, class Visitor>

@@ -8,7 +8,7 @@ namespace capstan::simulation {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-/// Of each image coordinate [px]: what the detector leaves on rendered pictures of the default robot in block
+/// Of each image coordinate [px]: what the detector leaves on rendered images of the default robot in block
 /// transfer, where markers lie 0.030 px from their place on average (Rayleigh: sigma √(π / 2)) and 0.058 px
 /// in 95 of 100 (sigma 2.45); `capstan-cli track --simulate --json -` measures it, "centroid".
 constexpr double kDetectorSigma = 0.025;

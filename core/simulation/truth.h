@@ -177,7 +177,7 @@ struct Truth {
   }
 };
 
-/// The truth of resources/truth/default.yaml: 59 mm effective pulley on joint 1, aged cables, hysteresis,
+/// The truth of resources/truth/default.yaml: 59 mm effective pulley on joint 1, worn cables, hysteresis,
 /// Stribeck friction, real encoders, late and noisy cameras, a small mounting error.
 Truth defaultTruth();
 /// The truth of resources/truth/matched.yaml: the nominal robot with real encoders and camera noise, but no

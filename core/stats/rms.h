@@ -18,7 +18,7 @@ struct Moments {
 /// the variance is the corrected two-pass form Σd² − (Σd)²/n over n − 1, d = x − x̄ (Chan, Golub and LeVeque
 /// 1983), so a large offset costs no digits beyond those that the samples themselves have lost. Samples of
 /// any magnitude that a double holds are scaled by a power of two, so squares neither overflow nor vanish
-/// (but for the variance itself). base::InputError: no samples (fewer than two where a spread is asked for),
+/// (but for the variance itself). base::InputError: no samples (fewer than two where a spread is requested),
 /// or one that is not finite.
 double rms(std::span<const double> values);  ///< sqrt(Σx² / n)
 double mean(std::span<const double> values);

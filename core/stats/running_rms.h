@@ -7,13 +7,13 @@
 namespace capstan::stats {
 
 /// Root mean square of N-vectors, component by component, in the order of arrival (so that every user of the
-/// same samples gets the same bits). A vector with a component that is not finite is left out as a whole.
+/// same samples gets the same bits). A vector with a component that is not finite is excluded as a whole.
 template <int N>
 class RunningRms {
  public:
   using Vector = Eigen::Matrix<double, N, 1>;
 
-  /// False: left out.
+  /// False: excluded.
   bool add(const Vector& error) {
     if (!error.allFinite()) return false;
     sum_of_squares_ += error.cwiseAbs2();

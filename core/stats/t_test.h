@@ -16,7 +16,7 @@ struct TTest {
   double log10_p = 0.0;  ///< of the two-sided P; finite then, too
   double mean_difference = 0.0;
   double standard_error = 0.0;  ///< of mean_difference
-  Interval interval;            ///< of mean_difference, at the confidence asked for
+  Interval interval;            ///< of mean_difference, at the requested confidence
 };
 
 /// Of n pairs: the one-sample test of their differences d, standard error s_d / √n, n − 1 degrees of freedom

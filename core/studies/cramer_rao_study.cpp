@@ -284,7 +284,7 @@ CramerRaoStudy summarise(const std::vector<RunResult>& all, const CramerRaoOptio
   return study;
 }
 
-/// All runs side by side, a stretch of time after the other.
+/// All runs side by side, a segment of time after the other.
 class Ensemble {
  public:
   Ensemble(const Scene& scene, const CramerRaoOptions& options, const Vector3d& constant)

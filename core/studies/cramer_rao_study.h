@@ -20,7 +20,7 @@ inline Eigen::Vector3d noVector() {
 struct CramerRaoOptions {
   int runs = 200;
   double duration = 10.0;        ///< of each run [s], from the beginning of a block transfer
-  double settling = 1.0;         ///< left out at the beginning [s]
+  double settling = 1.0;         ///< excluded at the beginning [s]
   double pixel_sigma = 0.3;      ///< of each image coordinate of a marker [px]
   bool coulomb_friction = true;  ///< false: joints without it, in truth and filter
   std::uint64_t seed = 1;
@@ -30,7 +30,7 @@ struct CramerRaoOptions {
   double segment = 1.0;
 };
 
-/// The measurement noise that a filter is told.
+/// The measurement noise that a filter assumes.
 enum class StatedNoise {
   kPixels,   ///< each sample's own: J⁻¹ Sigma_pixels J⁻ᵀ (tracking::CameraNoise)
   kConstant  ///< diag of its mean over the movement: the best that a constant can be

@@ -20,22 +20,22 @@ namespace capstan::studies {
 struct MonteCarloOptions {
   int samples = 100;
   double duration = 200.0;  ///< of each recording [s]
-  std::uint64_t seed = 1;   ///< world k has seed + k
+  std::uint64_t seed = 1;   ///< sample k has seed + k
   /// Noise of each of a marker's image coordinates [px]: recordings hold tip positions instead of pictures. A
-  /// little more than the 0.025 that the detector leaves on rendered pictures (truth files).
+  /// little more than the 0.025 that the detector leaves on rendered images (truth files).
   double pixel_sigma = 0.04;
   std::string parameters = "r_l,k_e,b_e,f_c";
-  std::string truth;       ///< file that worlds are drawn around
+  std::string truth;       ///< truth file that samples are drawn around
   std::string trajectory;  ///< as simulation::SimulationRequest::trajectory
   RandomizationSpread spread;
-  int threads = 2;  ///< worlds at the same time; the result does not depend on it
-  /// Finished worlds are kept here, and not run again unless program, options or robot changed; empty:
+  int threads = 2;  ///< samples at the same time; the result does not depend on it
+  /// Finished samples are stored here and not run again unless program, options or robot changed; empty:
   /// nowhere
   std::filesystem::path out;
-  std::string software = base::software();  ///< the program, which a kept world must come from
+  std::string software = base::software();  ///< the program that a stored sample must come from
 };
 
-/// One parameter of one world, SI.
+/// One parameter of one Monte-Carlo sample, SI.
 struct MonteCarloEstimate {
   double truth = 0.0;
   std::array<double, 2> value{}, low{}, high{};  ///< dual UKF, batch; 95 % interval
@@ -48,14 +48,14 @@ struct RandomizedRobot {
   std::array<double, 2> seconds{};             ///< of computing: dual UKF, batch
 };
 
-/// How one method did on one parameter, over the worlds whose recording showed it: in the others the interval
+/// How one method did on one parameter, over the samples whose recording showed it: in the others the interval
 /// is the prior's, and that it holds the truth says nothing about the method.
 struct Recovery {
   /// Decided by Clopper and Pearson's 95 % interval of the coverage, against kCoverageGoal.
   enum class Verdict { kUnseen, kTooFew, kMet, kMissed };
 
   int samples = 0;
-  int seen = 0;     ///< worlds in which the recording at least halved the prior's sigma
+  int seen = 0;     ///< samples in which the recording at least halved the prior's sigma
   int covered = 0;  ///< of those: truth inside the 95 % interval that was stated
   int covered_of_all = 0;
   double median_error = 0.0;  ///< of |value / truth − 1| where seen; NaN: nowhere
@@ -65,7 +65,7 @@ struct Recovery {
   double coverage() const;
   /// Of coverage(), 95 %, Clopper and Pearson's; throws base::InputError where it was seen nowhere.
   stats::Interval coverageInterval() const;
-  /// Too few worlds were seen while the interval spans the goal.
+  /// Too few samples count while the interval spans the goal.
   Verdict verdict() const;
 };
 
@@ -80,7 +80,7 @@ struct MonteCarloStudy {
   Recovery recovery(std::size_t parameter, experiments::Method method) const;
 };
 
-/// Cancellable; worlds finished by then are in the study. Throws base::InputError for files and names that
+/// Cancellable; samples finished by then are in the study. Throws base::InputError for files and names that
 /// are unusable.
 MonteCarloStudy runMonteCarloStudy(const MonteCarloOptions& options, base::Progress& progress);
 

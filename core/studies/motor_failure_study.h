@@ -23,14 +23,14 @@ namespace capstan::studies {
 struct MotorFailureStudyOptions {
   double duration = 60.0;                                    ///< of failure [s]
   double warm_up = 5.0;                                      ///< before it, everything in order [s]
-  std::vector<double> speeds = {0.25, 0.5, 1.0, 2.0};        ///< by the pace of a 200 s block transfer
+  std::vector<double> speeds = {0.25, 0.5, 1.0, 2.0};        ///< relative to a 200 s block transfer
   std::vector<double> occlusions = {0.0, 20.0, 40.0, 60.0};  ///< [%], in intervals of 2 s
   int seeds = 3;
   std::uint64_t seed = 1;                                    ///< the first
   tracking::MotorFault fault = tracking::MotorFault::kLost;  ///< or kFrozen, which has to be found first
   /// The filter knows the true pulley radii, as that of an identified robot does; false: the nominal ones.
   bool true_radii = true;
-  bool images = false;            ///< rendered pictures instead of tip positions
+  bool images = false;            ///< rendered images instead of tip positions
   std::string truth = "default";  ///< as simulation::SimulationRequest::truth
   int threads = 2;                ///< trials at the same time; the result does not depend on it
   std::filesystem::path out;      ///< finished trials are kept here and not run again; empty: nowhere

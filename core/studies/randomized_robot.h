@@ -6,7 +6,7 @@
 
 namespace capstan::studies {
 
-/// How worlds differ from the truth that they are drawn around: standard deviations, of logarithms where no
+/// How randomized robots differ from the truth that they are drawn around: standard deviations, of logarithms where no
 /// unit is given. Draws beyond two of them are cut off.
 struct RandomizationSpread {
   double link_radius = 0.02;       ///< of each r_l
@@ -18,7 +18,7 @@ struct RandomizationSpread {
   double camera_delay = 0.003;     ///< of the camera's stamps, about none [s]
 };
 
-/// A robot and its cameras drawn around `centre`; same seed, same world. An effective radius that `centre`
+/// A robot and its cameras drawn around `centre`; same seed, same robot. An effective radius that `centre`
 /// leaves open is drawn around `nominal_radius` [m/rad, m/rad, m/m].
 simulation::Truth drawRandomizedRobot(const simulation::Truth& centre, const Eigen::Vector3d& nominal_radius,
                                       const RandomizationSpread& spread, std::uint64_t seed);

@@ -7,7 +7,7 @@
 
 namespace capstan::studies {
 
-/// A block transfer at `speed` times the pace of one of 200 s, as a recorded trajectory in a file of its own
+/// A block transfer at `speed` times the rate of one of 200 s, as a recorded trajectory in a file of its own
 /// (columns t, q1, q2, q3, every 5 ms), which goes with this object.
 class TransferAtRate {
  public:

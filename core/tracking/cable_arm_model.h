@@ -71,11 +71,11 @@ double cableArmRate(const robot::Description& robot);
 ///
 /// A joint whose motor is unknown moves as UnknownMotion says, and the force of its cable follows from that
 /// (CableArmUnknown); the other joints keep their cables, through which, for want of motor 1 or 2, they also
-/// tell what they know of its joint: cable 2 ties C01 q1 + q2, cable 3 ties C02 q1 + C12 q2 + q3.
+/// determine its joint as far as they can: cable 2 ties C01 q1 + q2, cable 3 ties C02 q1 + C12 q2 + q3.
 ///
 /// A robot file's effects act: those that the model's numbers can hold (robot::foldEffects()) in them, others
 /// through the laws of robot/chain (ExtendedArmModel). What cables remember comes with the control, and
-/// remember() tells what it is next. While a motor is unknown, the numbers alone act. encoder_slip,
+/// remember() sets its next value. While a motor is unknown, the numbers alone act. encoder_slip,
 /// zero_drift and the cameras' effects are not the arm's. A StateModel and SampledStateModel; copyable;
 /// thread-safe when const.
 class CableArmModel {

@@ -14,7 +14,7 @@ namespace capstan::tracking {
 /// whatever robot, filter and registration make of the point.
 class PixelNoise {
  public:
-  /// Remembers about `memory` pairs; 0: the stated noise is believed. The stated one counts as kPrior pairs.
+  /// Remembers about `memory` pairs; 0: the stated noise is used. The stated one counts as kPrior pairs.
   explicit PixelNoise(int memory) : memory_(memory) {}
 
   void reset() { ratio_ = 1.0, seen_ = 0; }
@@ -37,7 +37,7 @@ class PixelNoise {
 ///     Sigma_p = ratio · Sigma_pixels + shift² I + turn² (|d|² I − d dᵀ),   d = p − p_hs
 ///     R = J⁻¹ Sigma_p J⁻ᵀ + clock² dq dqᵀ + diag(floor²)
 /// Sigma_pixels is what triangulation makes of the markers' sigma (depth: z² / (f b) times the disparity's);
-/// the registration knows the marker's place at the hard stop p_hs up to `shift` along each axis (the sag
+/// the registration knows the marker's position at the hard stop p_hs up to `shift` along each axis (the sag
 /// that kinematics does not see) and the cameras' mounting up to `turn` about each; the stamp is off by
 /// `clock` while joints move at dq. Registration errors last, while R speaks of noise that is new each time;
 /// cables forget what a picture said of their joint within b_e / k_e, less than a frame, so that the filter

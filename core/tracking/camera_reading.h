@@ -4,7 +4,7 @@
 
 namespace capstan::tracking {
 
-/// What cameras tell, made right by what a robot file says of them (robot::CameraNumbers).
+/// Camera measurements, corrected by the robot file's numbers (robot::CameraNumbers).
 class CameraReading {
  public:
   explicit CameraReading(const robot::Description& robot)
@@ -14,14 +14,14 @@ class CameraReading {
 
   /// When what is stamped t was exposed [s].
   double time(double t) const { return t - numbers_.delay; }
-  /// Where the tip is that is told to be at `told` [m], frame 0.
+  /// The tip's position for a measurement at `measured` [m], frame 0.
   Eigen::Vector3d point(const Eigen::Vector3d& measured) const {
     return misleading_ ? numbers_.undo(measured) : measured;
   }
   Eigen::Matrix3d covariance(const Eigen::Matrix3d& measured) const {
     return misleading_ ? numbers_.undo(measured) : measured;
   }
-  /// Where a tip at `point` will be told to be.
+  /// The measurement of a tip at `point`.
   Eigen::Vector3d measured(const Eigen::Vector3d& point) const {
     return misleading_ ? numbers_.measure(point) : point;
   }

@@ -15,10 +15,10 @@ namespace capstan::tracking {
 /// A motor that has moved by less stands still [rad]: a count of its encoder and a quarter.
 double stillWithin(const robot::Drive& drive);
 
-/// Tells motor encoders that can be believed from those that cannot.
+/// Detects failed motor encoders.
 ///
 /// Lost: the sample holds no finite position. Up to `lost_after` seconds that is a gap, and the encoder is
-/// believed again behind it; for longer, counts may have been missed and it stays failed.
+/// used again behind it; for longer, counts may have been missed and it stays failed.
 ///
 /// Frozen: the count stands still while the camera sees the cable's link side, (A q)_j, move. Motor j has not
 /// moved by more than a count since some time; at successive camera samples from then on the marker has moved
@@ -48,7 +48,7 @@ class EncoderWatch {
                const Eigen::Vector3d& q_kin);
 
   void declare(int motor, bool failed);
-  /// Motors not to be believed at the newest sample: those failed and those in a gap.
+  /// Motors whose encoder is not used at the newest sample: those failed and those in a gap.
   JointSet unknown() const { return failed_ | gap_; }
   const std::array<MotorFault, 3>& faults() const { return faults_; }
   /// When the count of a motor last changed [s].

@@ -6,7 +6,7 @@
 
 namespace capstan::tracking {
 
-/// Tells a marker that jumped from a filter that was wrong.
+/// Distinguishes a marker that jumped from a filter that was wrong.
 ///
 /// A camera observation is accepted when its innovation lies inside the χ² gate. Outside it, the disagreement
 /// d = q_cam − q_kin decides: a wrong pulley radius moves d slowly, another object moves it at random. It is

@@ -9,8 +9,8 @@
 
 namespace capstan::tracking {
 
-/// What motor encoders tell, as those of a robot with round capstans, encoders that never slipped and zeros
-/// that stay would tell it: the same cable travel at the motor, less that of the joints' zeros (motorTravel,
+/// Readings of motor encoders, converted to those of a robot with round capstans, encoders that never slipped
+/// and constant zeros: the same cable travel at the motor, less that of the joints' zeros (motorTravel,
 /// slipAt and zeroShiftAt in robot/chain/chain_law.h), over r_mc / N.
 class MotorReading {
  public:

@@ -15,7 +15,7 @@ namespace capstan::tracking {
 
 /// What the motor encoders say: q_m, dq_m (differentiated over `span` seconds where none is measured), q_kin
 /// and its past. Of a robot with eccentric capstans, slipped encoders or drifting zeros, position() and
-/// velocity() are corrected for them (MotorReading), told() is not.
+/// velocity() are corrected for them (MotorReading), measured() is not.
 class MotorSide {
  public:
   /// What became of a sample; kRestart: taken as the first of a new time line.

@@ -30,30 +30,30 @@ struct TrackingOptions {
   double registration_shift_sigma = 1e-3;     ///< their place along each axis: sag at the hard stop [m]
   double camera_clock_sigma = 1e-3;           ///< of a stamp [s]
   int pixel_noise_memory = 300;               ///< frames that measure the pixels' noise; 0: as detected
-  Eigen::Vector3d camera_sigma_floor{5e-4, 5e-4, 5e-5};     ///< what is left, added (in square)
+  Eigen::Vector3d camera_sigma_floor{5e-4, 5e-4, 5e-5};     ///< noise floor, added (in square)
   Eigen::Vector3d constant_camera_sigma{1e-2, 1e-2, 5e-4};  ///< of q_cam with camera_noise: constant
   Eigen::Vector3d tip_sigma{2e-3, 2e-3, 2e-3};              ///< of a TipSample, along the axes of frame 0 [m]
   double epipolar_limit = 3.0;                 ///< farther off, the two pictures show different things [px]
   double gate_probability = 0.999;             ///< of the χ² gate on the innovation
   int jump_samples = 3;                        ///< consistent samples that end a jump
   Eigen::Vector3d jump_drift{0.1, 0.1, 0.01};  ///< fastest drift of q_cam − q_kin [rad/s, rad/s, m/s]
-  Eigen::Vector3d jump_tolerance{0.15, 0.15, 0.02};  ///< most that q_cam − q_kin is believed [rad, rad, m]
+  Eigen::Vector3d jump_tolerance{0.15, 0.15, 0.02};  ///< largest plausible q_cam − q_kin [rad, rad, m]
   double camera_period = 1.0 / 15.0;                 ///< [s]
   double missing_after = 2.0;                        ///< camera periods without a sample: q_kin takes over
   double memory = 0.25;                              ///< how late a camera sample may come [s]
   bool roi_search = true;              ///< around the kinematic tip; false: always the whole frame
   bool full_frame_search = true;       ///< where the region of interest held no marker
-  double differentiation_time = 4e-3;  ///< span of the difference for a missing dq_m [s]
+  double differentiation_time = 4e-3;  ///< window of the difference for a missing dq_m [s]
   double camera_delay = 0.0;           ///< stamps of camera samples are later than their exposure by this [s]
   bool detect_frozen = true;           ///< encoders whose count stands still while the camera sees movement
   Eigen::Vector3d frozen_tolerance{0.02, 0.03, 0.002};  ///< movement that a still motor's cable allows
   double lost_after = 0.1;                              ///< motor numbers missing this long: failed [s]
   /// Of a joint whose motor is unknown (UnknownMotion): standard deviation of its speed and how long it
-  /// lasts. Block transfers at the pace of the UKF paper have an RMS of half this, moves and rests taken
+  /// lasts. Block transfers at the speed of the UKF paper have an RMS of half this, moves and rests taken
   /// together.
   Eigen::Vector3d unknown_speed{0.3, 0.5, 0.05};
   double unknown_speed_time = 0.2;  ///< [s]
-  double restart_gap = 0.5;         ///< motor silence after which the filter starts anew [s]
+  double restart_gap = 0.5;         ///< motor silence after which the filter restarts [s]
   int nis_window = 150;             ///< camera updates in the running mean of NIS
   /// Of the augmented filter (TransmissionEstimator), chosen on simulated sessions of seeds 11 to 14 and on
   /// recordings of another simulator. Standard deviation of a transmission error where there is one, and the
@@ -63,7 +63,7 @@ struct TrackingOptions {
   double offset_sigma = 2e-3;  ///< of a cable's zero [m]
   double scale_probability = 0.15;
   double offset_probability =
-      0.01;                       ///< an offset is hard to tell from cameras that are turned about the base
+      0.01;                       ///< an offset is hard to distinguish from cameras that are rotated about the base
   double compliance_sigma = 0.7;  ///< of 1 − k_e / k_e,true, where the robot file's stiffness is wrong
   double compliance_probability = 0.03;
   double change_log_odds = 12.0;  ///< against a change (cameras knocked, encoder slipped) in a given second
@@ -102,7 +102,7 @@ struct TrackingOptions {
           {"initial_velocity_sigma", "rad/s or m/s", "of the first state", {1e-9, 100.0}, false});
     field(self.kinematic_sigma, {"kinematic_sigma",
                                  "rad or m",
-                                 "of transmission kinematics in place of the camera",
+                                 "of transmission kinematics instead of the camera",
                                  {1e-6, 10.0},
                                  false});
     field(self.camera_noise,
@@ -156,7 +156,7 @@ struct TrackingOptions {
                                    false});
     field(self.differentiation_time, {"differentiation_time",
                                       "s",
-                                      "span of the difference for a missing motor velocity",
+                                      "window of the difference for a missing motor velocity",
                                       {1e-4, 1.0},
                                       false});
     field(
@@ -179,7 +179,7 @@ struct TrackingOptions {
     field(self.unknown_speed_time,
           {"unknown_speed_time", "s", "how long such a speed lasts", {0.01, 100.0}, false});
     field(self.restart_gap,
-          {"restart_gap", "s", "motor silence after which the filter starts anew", {1e-2, 100.0}, false});
+          {"restart_gap", "s", "motor silence after which the filter restarts", {1e-2, 100.0}, false});
     field(self.nis_window,
           {"nis_window", "", "camera updates in the running mean of NIS", {1, 100000}, false});
     field(self.scale_sigma,
@@ -201,7 +201,7 @@ struct TrackingOptions {
     field(self.change_log_odds,
           {"change_log_odds",
            "",
-           "evidence for a change of cameras or encoders that is believed, natural logarithm",
+           "log evidence from which on a change of cameras or encoders is accepted",
            {0.0, 1e6},
            false});
     field(self.transmission_memory, {"transmission_memory",
@@ -211,7 +211,7 @@ struct TrackingOptions {
                                      false});
     field(self.cable_error, {"cable_error",
                              "rad or m",
-                             "slow joint errors that the cable model leaves unexplained",
+                             "slow joint errors that the cable model does not explain",
                              {0.0, 1.0},
                              false});
     field(self.cable_error_time,

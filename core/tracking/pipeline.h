@@ -48,7 +48,7 @@ class TrackingPipeline {
   void setRegistration(const Eigen::Isometry3d& base_from_camera);
   const std::optional<Eigen::Isometry3d>& registration() const;
 
-  /// From now on the encoder of motor 0, 1 or 2 is not believed, or is again, whatever was detected.
+  /// From now on the encoder of motor 0, 1 or 2 is ignored, or used again, whatever was detected.
   void setMotorFailed(int motor, bool failed);
 
   /// Takes one sample, in order of arrival. The reference stays valid until the next call. Never throws.

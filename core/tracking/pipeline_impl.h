@@ -59,9 +59,9 @@ class TrackingPipeline::Impl {
 
   /// What was learned of the cameras' error is of the old registration.
   void setRegistration(const Eigen::Isometry3d& base_from_camera) {
-    const bool anew = base_from_camera_ && !base_from_camera_->isApprox(base_from_camera);
+    const bool moved = base_from_camera_ && !base_from_camera_->isApprox(base_from_camera);
     base_from_camera_ = base_from_camera;
-    if (!slow_ || !anew) return;
+    if (!slow_ || !moved) return;
     const MotorCorrection before = slow_->correction();
     slow_->forgetCameras();
     if (started_) correctSince(snapshot_.t, before);
@@ -178,7 +178,7 @@ class TrackingPipeline::Impl {
     pairReference();
   }
 
-  /// The joints of unknown motors are anywhere in their range, as far as the motors tell.
+  /// The joints of unknown motors are anywhere in their range, as far as the motors determine them.
   void start(double t) {
     Filter::State mean = Filter::State::Zero();
     const JointSet unknown = watch_.unknown();
@@ -202,7 +202,7 @@ class TrackingPipeline::Impl {
   }
 
   /// What motors `set` said from `since` on was wrong, and so what the filter made of it: their joints'
-  /// estimates begin anew there, with the mean that they had.
+  /// estimates restart there, with the mean that they had.
   void forget(JointSet set, double since) {
     filter_.revise(
         since, [set](CableArmModel::Control& control) { control.unknown |= set; },

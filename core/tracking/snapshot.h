@@ -14,7 +14,7 @@ namespace capstan::tracking {
 /// Why the filter observes transmission kinematics rather than the camera (UKF paper, section V-D).
 enum class Gate { kOpen, kNoCamera, kLeftLost, kRightLost, kBothLost, kUnreachable, kJump, kUnregistered };
 
-/// Why a motor's encoder is not believed; its joint is then estimated from the camera alone.
+/// Why a motor's encoder is not used; its joint is then estimated from the camera alone.
 enum class MotorFault { kNone, kLost, kFrozen, kDeclared };
 
 inline constexpr std::array<const char*, 3> kJointUnits = {"deg", "deg", "mm"};
@@ -109,7 +109,7 @@ inline std::string_view gateWords(const Snapshot& s) {
   return base::nameOf(s.gate);
 }
 
-/// The marker is hidden from a camera, as far as the newest sample tells.
+/// The marker is hidden from a camera in the newest sample.
 inline bool markerLost(const Snapshot& s) {
   return s.gate == Gate::kLeftLost || s.gate == Gate::kRightLost || s.gate == Gate::kBothLost;
 }

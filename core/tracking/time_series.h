@@ -30,7 +30,7 @@ class TimeSeries {
     if (count_ == 0 || !(t <= back(0).t + hold)) return std::nullopt;
     if (t >= back(0).t) return beyond(t);
     const std::size_t kept = count_ < points_.size() ? count_ : points_.size();
-    std::size_t newer = 0, older = kept - 1;  // ages: back(newer).t > t, back(older).t <= t
+    std::size_t newer = 0, older = kept - 1;  // drifts: back(newer).t > t, back(older).t <= t
     if (t < back(older).t) return std::nullopt;
     while (older - newer > 1) {
       const std::size_t middle = (newer + older) / 2;

@@ -183,7 +183,7 @@ void TransmissionEstimator::closeSegment() {
   takeOutDelay();
 }
 
-/// The sensitivity to a delay holds while the arm's speed does: of a long one, observations begin anew.
+/// The sensitivity to a delay holds while the arm's speed does: of a long one, observations restart.
 void TransmissionEstimator::takeOutDelay() {
   const double delay = regression_.mean()(kDelay);
   const double sigma = std::sqrt(covariance_(kDelay, kDelay));
@@ -193,7 +193,7 @@ void TransmissionEstimator::takeOutDelay() {
   select();
 }
 
-/// A change that was found is one whose size is asked for, not whether there is one.
+/// A change that was found is one whose size is requested, not whether there is one.
 void TransmissionEstimator::expectChange(int kind) {
   misfit_ = 1.0;
   if (kind < 3)
@@ -223,7 +223,7 @@ Vector3d TransmissionEstimator::correctedTravel(const Vector3d& travel) const {
 
 void TransmissionEstimator::age(double t) {
   if (!started_ || t <= newest_) return;
-  covariance_ = regression_.covarianceAged(std::exp(-(t - newest_) / options_.transmission_memory));
+  covariance_ = regression_.covarianceDiscounted(std::exp(-(t - newest_) / options_.transmission_memory));
 }
 
 void TransmissionEstimator::publish() {

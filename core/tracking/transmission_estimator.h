@@ -59,14 +59,14 @@ class TransmissionEstimator {
   TransmissionEstimator(const robot::Description& robot, const TrackingOptions& options);
 
   void reset();
-  /// The clock starts anew; what was learned stays.
+  /// The clock restarts; what was learned stays.
   void restartClock();
-  /// The cameras were registered anew: nothing is known of their error.
+  /// The cameras were registered again: nothing is known of their error.
   void forgetCameras();
   Innovation innovation(const Observation& seen) const;
   /// Takes an accepted observation. The correction changes when it closes a segment.
   void add(const Observation& seen);
-  /// No camera until t: what was learned ages.
+  /// No camera until t: what was learned is discounted.
   void age(double t);
 
   /// How much later than exposures stamps are, beyond camera_delay, as far as it is known [s].
@@ -126,7 +126,7 @@ class TransmissionEstimator {
   estimation::ChangeTest<kStates, kKinds, kSegments> changes_;
   Information segment_;  ///< since the last one closed
   WhiteNoise white_;
-  Regression::Matrix covariance_;   ///< of all states, aged
+  Regression::Matrix covariance_;   ///< of all states, discounted
   Regression::Vector widest_mean_;  ///< with every coefficient present
   Regression::Matrix widest_covariance_;
   double misfit_ = 1.0;  ///< running mean of NIS over its degrees of freedom, every coefficient present

@@ -42,7 +42,7 @@ struct CalibrationOptions {
   double square_size = 0.025;   ///< [m]
   bool square_pixels = true;    ///< fx = fy
   bool fit_k3 = true;           ///< third radial coefficient, else 0
-  double outlier_factor = 0.0;  ///< a view beyond this multiple of the median error is left out; 0: none is
+  double outlier_factor = 0.0;  ///< a view beyond this multiple of the median error is excluded; 0: none is
   int corner_window = 11;       ///< half side of the sub-pixel corner window [px]
 
   template <class Self, class Visitor>
@@ -54,7 +54,7 @@ struct CalibrationOptions {
     field(self.fit_k3, {"fit_k3", "", "fit the third radial coefficient", {}, false});
     field(self.outlier_factor, {"outlier_factor",
                                 "",
-                                "leave out views beyond this multiple of the median error; 0: keep all",
+                                "exclude views beyond this multiple of the median error; 0: keep all",
                                 {0, 100},
                                 false});
     field(self.corner_window,

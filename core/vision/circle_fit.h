@@ -17,7 +17,7 @@ struct Circle {
 };
 
 /// Circle of least algebraic distance (Kåsa 1976) through contour points, those on the border of a width ×
-/// height region left out. Radius 0 when fewer than six remain.
+/// height region excluded. Radius 0 when fewer than six remain.
 Circle fitContourCircle(std::span<const ContourPoint> contour, int width, int height);
 
 struct CircleFit {

@@ -1,4 +1,4 @@
-// capstan-cli experiment, and the robot that track's filter believes in.
+// capstan-cli experiment, and the robot that track's filter assumes.
 #include <gmock/gmock.h>
 
 #include "tests/app/cli_fixture.h"

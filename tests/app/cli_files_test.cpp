@@ -126,7 +126,7 @@ TEST_F(CliFiles, AFullDiskIsNoSuccess) {
   }
 }
 
-/// The one file, copied away from a disk of 16 MB: whatever fits is in it, and the words say so.
+/// The one file, copied away from a disk of 16 MB: whatever fits is in it, and the message says what.
 TEST_F(CliFiles, ASimulationOntoAFullDiskIsWholeAsFarAsItWent) {
   const SmallDisk disk(16);
   if (!disk.mounted()) GTEST_SKIP() << disk.why();

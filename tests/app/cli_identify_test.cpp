@@ -146,7 +146,7 @@ TEST_F(CliTable, TheDualUkfStandsInForABatchThatFailed) {
   const std::string experiment = "experiment " + path("find.yaml") + " --out " + path("out");
   for (const char* words :
        {"find: the batch method found nothing (failed): the result is that of the dual UKF",
-        "find: an earlier run found nothing by the method asked for"}) {
+        "find: an earlier run found nothing by the requested method"}) {
     const Ran made = run(experiment);
     ASSERT_EQ(made.exit, 0) << made.err;
     EXPECT_THAT(made.err, HasSubstr(words));

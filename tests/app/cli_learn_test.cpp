@@ -124,7 +124,7 @@ TEST_F(CliLearn, SaysWhetherAModelHoldsAndLearnsOn) {
   const std::string model = path("m.correction");
   const Ran holds = run("drift --model " + model + " --json " + path("d.json") + " " + path("test.csv"));
   EXPECT_EQ(holds.exit, 0) << holds.out << holds.err;
-  EXPECT_THAT(holds.out, HasSubstr("Nothing shows that the model has aged."));
+  EXPECT_THAT(holds.out, HasSubstr("Nothing shows that the model has drifted."));
   const json course = json::parse(textOf("d.json"));
   EXPECT_EQ(course["finding"], "holds");
   EXPECT_EQ(course["beyond"].size(), course["judged"].get<std::size_t>());
@@ -135,7 +135,7 @@ TEST_F(CliLearn, SaysWhetherAModelHoldsAndLearnsOn) {
   writeSamplePoses(path("aged.csv"), aged);
   const Ran old = run("drift --model " + model + " " + path("aged.csv"));
   EXPECT_EQ(old.exit, 1) << old.out << old.err;
-  EXPECT_THAT(old.out, HasSubstr("The model has aged: learn anew"));
+  EXPECT_THAT(old.out, HasSubstr("The model has drifted: learn again"));
   EXPECT_THAT(
       run("learn --train " + path("aged.csv") + " --onto " + model + " --model " + path("x.correction")).err,
       HasSubstr("contradict what the model has learned"));

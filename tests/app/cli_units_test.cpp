@@ -81,7 +81,7 @@ TEST_F(CliUnits, EveryQuantityInOtherUnitsIsTheSameTable) {
     EXPECT_NE(refused.err.find(words), std::string::npos) << words << " in\n" << refused.err;
   expectSameRms(tracked(path("si.csv")), tracked(file + " " + option));
   const Ran part = run("track " + file + " --read-as q_m=deg");
-  EXPECT_EQ(part.exit, 2) << "p_c is still asked for";
+  EXPECT_EQ(part.exit, 2) << "p_c is still requested";
   EXPECT_NE(part.err.find("p_c=mm"), std::string::npos) << part.err;
 }
 

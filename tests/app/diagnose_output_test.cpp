@@ -48,8 +48,8 @@ TEST(DiagnoseText, BeginsWithTheVerdictThenCausesThenNumbers) {
 TEST(DiagnoseText, TiesStandTogetherWithWhatWouldTellThemApart) {
   const Report report = sampleReport({.verdict = Verdict::kTie, .duration = 12.0});
   const std::string text = flat(textOf(report));
-  EXPECT_TRUE(has(text, "cannot tell apart"));
-  EXPECT_TRUE(has(text, "What would tell them apart: " + report.ties[0].separate));
+  EXPECT_TRUE(has(text, "cannot distinguish"));
+  EXPECT_TRUE(has(text, "What would distinguish them: " + report.ties[0].separate));
   const std::size_t first = text.find(diagnosis::causeText(report.causes[0]));
   ASSERT_NE(first, std::string::npos);
   EXPECT_EQ(text.find(diagnosis::causeText(report.causes[0]), first + 1), std::string::npos) << "once";

@@ -12,7 +12,7 @@ std::set<std::string> objectsTaken(const std::string& map) {
   std::istringstream in(map);
   std::string line;
   if (!std::getline(in, line) || !line.starts_with("Archive member included")) return taken;
-  // A line an object, and one of who asked for it, which begins with blanks; the next part has a heading.
+  // A line an object, and one of who requested it, which begins with blanks; the next part has a heading.
   const std::regex object("(?:[^ ]*/)?(lib[^/ ]+\\.a\\([^)]+\\.o\\)).*");
   std::smatch parts;
   while (std::getline(in, line)) {

@@ -1,7 +1,7 @@
 // learning_study DATA [--splits 10] [--parts table,process,curve,latency]
 // [--towards robot,command] [--out DIR]: what the GPR paper
 // shows of its recording, on the same recording (a table of tip poses), beside the paper's numbers and beside
-// scikit-learn's process on the same states (python3-sklearn; without it those columns are left out).
+// scikit-learn's process on the same states (python3-sklearn; without it those columns are excluded).
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

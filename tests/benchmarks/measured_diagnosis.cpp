@@ -45,7 +45,7 @@ void emps(const std::filesystem::path& folder, measured::EmpsStart start, int th
       "EMPS from the rigid drive of {}\n"
       "RMSE of the open-loop simulation of whole records [mm]. Effects are chosen by simulations of the "
       "training\n"
-      "record that start anew every {:g} s, then every {:g} s; numbers are fitted to that of the whole\n"
+      "record that restart every {:g} s, then every {:g} s; numbers are fitted to that of the whole\n"
       "training record. The hypothesis asymmetric_viscosity joined the library after errors on the test\n"
       "record had been seen.\n",
       start == measured::EmpsStart::kFourNumbers ? "four numbers (mass, viscous, Coulomb, offset)"

@@ -1,5 +1,5 @@
 // planted --effect backlash --joint 2 --size 0.5 --seed 7 --out rec.csv: a recording of a robot with a
-// planted fault as a measured table; --truth writes what was planted. What is not asked for is drawn from the
+// planted fault as a measured table; --truth writes what was planted. What is not requested is drawn from the
 // seed.
 #include <CLI/CLI.hpp>
 #include <chrono>

@@ -28,7 +28,7 @@ using namespace capstan::bench;
 using capstan::estimation::Lower;
 using capstan::math::InstructionSet;
 
-/// A contender takes sample k -> k + 1 each time it is called; begin() goes back to the first.
+/// A candidate model takes sample k -> k + 1 each time it is called; begin() goes back to the first.
 class CandidateModel {
  public:
   CandidateModel(std::string title, int steps) : title_(std::move(title)), problem_(problemFor(steps)) {}
@@ -163,7 +163,7 @@ std::string processorName() {
   return "unknown processor";
 }
 
-/// Nanoseconds a step of each contender: the fastest of several rounds, the candidate_models taking turns
+/// Nanoseconds a step of each candidate model: the fastest of several rounds, the candidate models taking turns
 /// within a round.
 std::vector<double> timeInTurns(const std::vector<std::unique_ptr<CandidateModel>>& candidate_models) {
   constexpr int kRounds = 25;

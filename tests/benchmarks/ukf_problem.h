@@ -11,7 +11,7 @@
 #include "core/robot/description.h"
 #include "core/tracking/cable_arm_model.h"
 
-/// What the candidate_models of ukf_benchmark.cpp are given, and the scalar model that the slower ones run.
+/// What the candidate models of ukf_benchmark.cpp are given, and the scalar model that the slower ones run.
 namespace capstan::bench {
 
 using tracking::CableArmModel;
@@ -26,7 +26,7 @@ inline constexpr double kPeriod = 1e-3;
 inline constexpr int kSamples = 2000;
 inline const estimation::SigmaRule kRule{};
 
-/// One second of motor motion and noisy joint observations; every contender gets the same.
+/// One second of motor motion and noisy joint observations; every candidate model gets the same.
 struct Problem {
   robot::Description robot =
       robot::readDescription(std::string(CAPSTAN_RESOURCES) + "/robots/raven2_left.yaml");

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-/// First in a test of measured data: skips it, saying so, where they are absent.
+/// First in a test of measured data: skips it, with the reason, where they are absent.
 #define REQUIRE_DATA(path) \
   if (!std::filesystem::exists(path)) GTEST_SKIP() << (path) << " is not on this machine"
 

@@ -99,10 +99,10 @@ void addCauses(Report& report) {
       report.causes = {backlash(report, 0.55)};
       report.ties = {{{backlash(report, 0.55), hysteresis(report, 0.43)},
                       "Reverse joint 2 after strokes of different lengths, slowly and under two loads."}};
-      report.summary = "Backlash or cable hysteresis of joint 2: this recording cannot tell them apart.";
+      report.summary = "Backlash or cable hysteresis of joint 2: this recording cannot distinguish them.";
       break;
     case Verdict::kNothing:
-      report.summary = "Nothing worth naming: what remains after the refit is close to the sensors' noise.";
+      report.summary = "Nothing material: what remains after the refit is close to the sensors' noise.";
       break;
     case Verdict::kUnexplained:
       report.summary =

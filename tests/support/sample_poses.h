@@ -15,7 +15,7 @@ struct SamplePoses {
   double clock_offset = 0.04;        ///< of what is seen behind what is told [s]
   double bias = 4e-3;                ///< of the smooth error [m]
   double noise = 3e-5;               ///< of what is seen, each axis [m]
-  double turn_noise = 0.0;           ///< likewise, of the turn [rad]
+  double turn_noise = 0.0;           ///< likewise, of the rotation [rad]
   int outliers = 2;                  ///< rows of each trajectory that jump by 6 cm; all of the last one
   int placeholders = 1;              ///< rows of each trajectory without an observation
   bool command = true;               ///< false: the robot's kinematics alone

@@ -12,7 +12,7 @@
 namespace capstan {
 
 /// A real disk of a few megabytes: a tmpfs that only this thread, and what it starts from now on, can see.
-/// Where it may not be mounted, why() says so and tests skip.
+/// Where it may not be mounted, why() reports it and tests skip.
 class SmallDisk {
  public:
   explicit SmallDisk(std::size_t megabytes) {

@@ -10,7 +10,7 @@
 namespace capstan::test {
 
 /// The unscented Kalman filter of the textbooks, in any precision T: full covariance, its Cholesky factor
-/// taken anew for each set of sigma points, P ← P − K P_yy Kᵀ. In long double it is the yardstick of the
+/// taken again for each set of sigma points, P ← P − K P_yy Kᵀ. In long double it is the yardstick of the
 /// square-root form.
 template <class T, int N>
 class UkfReference {

@@ -34,7 +34,7 @@ double deflectionOf(const Drawn& drawn) {
   return IdealObserver(drawn.of, drawn.truth, 3.0).deflection(drawn.truth.items[0].planted);
 }
 
-/// The encoders tell where the arm is, whatever has aged: an offset of what n pictures show is found like the
+/// The encoders tell where the arm is, whatever has drifted: an offset of what n pictures show is found like the
 /// mean of 3 n numbers, D² = n |offset|² / (σ²/3), σ² the summed variances of the axes.
 TEST(IdealLimit, OfACameraOffsetIsThatOfAMean) {
   const Drawn drawn = drawnCase(test::Effect::kCameraOffset, 0, 1e-3);
@@ -45,7 +45,7 @@ TEST(IdealLimit, OfACameraOffsetIsThatOfAMean) {
   EXPECT_GT(deflectionOf(drawn), 0.9 * mean);
 }
 
-/// More viscous friction is what ageing makes, too: however long the recording, an observer who knows no
+/// More viscous friction is what drift makes, too: however long the recording, an observer who knows no
 /// more than that ln F_v spreads by ln 2/√12 cannot be surer than that.
 TEST(IdealLimit, AgeingHidesWhatLooksLikeIt) {
   const Drawn plain = drawnCase(test::Effect::kViscousFriction, 2, 0.0);

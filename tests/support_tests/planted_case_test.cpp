@@ -134,7 +134,7 @@ struct Bench {
   PlantedMotion motion;
 };
 
-/// Of these ageing and texture hide so much that the largest of them is just less than visible on the last
+/// Of these drift and texture hide so much that the largest of them is just less than visible on the last
 /// joint.
 const std::set<Effect> kHidden = {Effect::kSensorSign, Effect::kAsymmetricFriction, Effect::kNonlinearSpring};
 
@@ -170,7 +170,7 @@ TEST(PlantedCase, ATenthOfLargeIsJustVisible) {
   }
 }
 
-/// A camera offset, which encoders tell from all ageing, counts whole; friction a little stronger and 2 % of
+/// A camera offset, which encoders tell from all drift, counts whole; friction a little stronger and 2 % of
 /// asymmetry do not, since robots without a fault have as much; of 60 % of asymmetry all but 4 do.
 TEST(PlantedCase, WhatAgeingAndTextureMakeIsNotVisible) {
   const Bench bench(raven(), false);

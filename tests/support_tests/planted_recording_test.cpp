@@ -221,7 +221,7 @@ robot::Description chainOf(int n) {
   return robot;
 }
 
-/// What its controller was asked for is what a robot of any length does, but for stretch and lag.
+/// What its controller was requested is what a robot of any length does, but for stretch and latency.
 TEST(PlantedRecording, ChainsOfOneToSevenJointsFollowTheirController) {
   for (int n = 1; n <= 7; ++n)
     for (const bool rigid : {false, true}) {

@@ -146,16 +146,16 @@ TEST_F(Diagnosis, CandidatesStandByRoundAndScoreAndShowTheirWords) {
 
 TEST_F(Diagnosis, ATieSaysWhatWouldPartIt) {
   panel->showReport(sample(Verdict::kTie));
-  EXPECT_THAT(headline(), HasSubstr("Cannot be told apart"));
+  EXPECT_THAT(headline(), HasSubstr("Cannot be distinguished"));
   EXPECT_THAT(causes(), HasSubstr("One of these:"));
-  EXPECT_THAT(panel->summary().toStdString(), HasSubstr("To tell them apart: Reverse joint 2"));
+  EXPECT_THAT(panel->summary().toStdString(), HasSubstr("To distinguish them: Reverse joint 2"));
   EXPECT_EQ(QString::fromStdString(causes()).count("half width"), 1) << "the tied cause is listed once";
   test::grab(*panel, "diagnosis_panel_tie");
 }
 
 TEST_F(Diagnosis, NothingAndUnexplainedHaveNoCauseButPictures) {
   panel->showReport(sample(Verdict::kNothing));
-  EXPECT_THAT(headline(), HasSubstr("Nothing worth naming"));
+  EXPECT_THAT(headline(), HasSubstr("Nothing material"));
   ASSERT_TRUE(panel->pages().signatures().figure());
   EXPECT_FALSE(panel->pages().signatures().figure()->data().panels.at(0).after) << "no cause, no after";
   test::grab(*panel, "diagnosis_panel_nothing");

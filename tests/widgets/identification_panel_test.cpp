@@ -36,7 +36,7 @@ class Identification : public testing::Test {
     request.duration = duration;
     request.images = false;
     source_ = std::make_unique<simulation::SimulatedSource>(simulation::optionsOf(request));
-    QObject::connect(&panel_, &IdentificationPanel::listenerWanted, &panel_,
+    QObject::connect(&panel_, &IdentificationPanel::listenerRequested, &panel_,
                      [this](const auto& sink) { sink_ = sink; });
     QObject::connect(&panel_, &IdentificationPanel::robotChosen, &panel_,
                      [this](const robot::Description& robot) { chosen_.push_back(robot); });
@@ -49,7 +49,7 @@ class Identification : public testing::Test {
     ASSERT_TRUE(button->isVisible() && button->isEnabled()) << name;
     button->click();
   }
-  /// All of the source into the recording that the panel asked for.
+  /// All of the source into the recording that the panel names.
   void feed() {
     ASSERT_TRUE(sink_);
     auto pipeline = tracking::makePipeline(source_->info());

@@ -87,7 +87,7 @@ TEST_F(IdentificationWindow, AcceptingChangesTheRobotInUseDiscardingDoesNot) {
   ASSERT_EQ(panel().live().phase(), LivePhase::kAccepted);
   EXPECT_NEAR(radiusInUse(*window_), 0.059, 0.01 * 0.059);
   ASSERT_TRUE(waitFor([&] { return window_->link().runner()->report().motor_samples < errors; }))
-      << "errors begin anew";
+      << "errors restart";
   EXPECT_TRUE(window_->notes().row(window_->notes().rows() - 1).contains("identified values in use"));
   EXPECT_TRUE(panel().changes().contains("drives[0].link_radius")) << panel().changes().toStdString();
   pictures("accepted");

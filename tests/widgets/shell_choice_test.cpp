@@ -1,4 +1,4 @@
-// What the user chose to open: kept between starts, asked for by dialog, menu of recent files.
+// What the user chose to open: kept between starts, requested by dialog, menu of recent files.
 #include <gtest/gtest.h>
 
 #include <QDir>

@@ -79,7 +79,7 @@ TEST_F(Shell, AMotorIsDeclaredFailedAndBelievedAgainByHand) {
   ASSERT_TRUE(waitFor([&] { return titleOf(*window, 0).endsWith(QString::fromUtf8("· encoder failed")); }));
   EXPECT_TRUE(waitFor([&] { return statusOf(*window).contains("motor 1 failed"); }));
   EXPECT_TRUE(noted(*window, "encoder of motor 1 (shoulder) failed"));
-  EXPECT_TRUE(window->message().isEmpty()) << "who says so need not be told";
+  EXPECT_TRUE(window->message().isEmpty()) << "who reports it needs no message";
   window->action("motor1failed")->trigger();
   ASSERT_TRUE(waitFor([&] { return titleOf(*window, 0) == "shoulder q1 [deg]"; }));
   EXPECT_TRUE(waitFor([&] { return !statusOf(*window).contains("motor"); }));

@@ -123,7 +123,7 @@ class StuckSource final : public tracking::Source {
   std::latch& gate_;
 };
 
-/// Motors at rest for two seconds; with tips where `tips` says so; never pictures.
+/// Motors at rest for two seconds; with tips where `tips` is set; never pictures.
 class WithoutPictures final : public tracking::Source {
  public:
   explicit WithoutPictures(bool tips) : tips_(tips) {

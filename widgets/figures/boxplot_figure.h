@@ -34,7 +34,7 @@ struct BoxplotData {
   int most_columns = 0;  ///< panels side by side at most; 0: as many as have room
 };
 
-/// Statistics of values of which some may not be finite, which are left out; n = 0 where none are.
+/// Statistics of values of which some may not be finite, which are excluded; n = 0 where none are.
 stats::Boxplot boxplotOf(const std::vector<double>& values);
 
 /// Box plots of groups side by side (UKF paper, figures 10–13): Tukey's box, whiskers within 1.5

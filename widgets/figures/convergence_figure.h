@@ -9,7 +9,7 @@
 
 namespace capstan::widgets {
 
-/// The course of one parameter's estimate, in `unit`.
+/// One parameter's estimate over time, in `unit`.
 struct ConvergencePanel {
   QString title;                                       ///< as "radius r_l of joint 1"
   QString unit;                                        ///< as "mm"
@@ -24,7 +24,7 @@ struct ConvergencePanel {
 struct ConvergenceData {
   QString title = {}, note = {};
   std::vector<ConvergencePanel> panels = {};
-  std::vector<TimeSpan> occluded = {};  ///< shaded in every panel
+  std::vector<TimeInterval> occluded = {};  ///< shaded in every panel
 };
 
 /// Parameters over time while they are identified (UKF paper, figures 6 and 7): value ± 2σ, truth and nominal

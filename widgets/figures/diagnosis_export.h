@@ -38,7 +38,7 @@ std::vector<DiagnosisFigure> figuresOf(const diagnosis::Report& report);
 /// written.
 class DiagnosisExport {
  public:
-  /// Makes the folder; nothing else is written yet but an index page that says so.
+  /// Makes the folder; nothing else is written yet but an index page that reports it.
   DiagnosisExport(diagnosis::Report report, DiagnosisOrigin origin, std::filesystem::path folder);
   DiagnosisExport(const DiagnosisExport&) = delete;  // figures refer to the report
   DiagnosisExport& operator=(const DiagnosisExport&) = delete;

@@ -77,7 +77,7 @@ std::string causesHtml(const Report& report) {
   for (const diagnosis::Tie& tie : report.ties) {
     html += "<h2>As good as each other</h2>\n";
     for (const Cause& cause : tie.causes) html += causeHtml(cause);
-    if (!tie.separate.empty()) html += "<h3>What would tell them apart</h3>\n" + paragraph(tie.separate);
+    if (!tie.separate.empty()) html += "<h3>What would distinguish them</h3>\n" + paragraph(tie.separate);
   }
   // Beside a tie, what is no part of one.
   for (const Cause& cause : report.causes) {
@@ -152,7 +152,7 @@ std::string verdictText(Verdict verdict) {
     case Verdict::kTie:
       return "These recordings cannot tell";
     case Verdict::kNothing:
-      return "Nothing worth naming";
+      return "Nothing material";
     case Verdict::kUnexplained:
       return "Something is there that no hypothesis explains";
   }

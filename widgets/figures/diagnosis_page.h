@@ -32,8 +32,8 @@ struct DiagnosisChannel {
 /// The verdict in words: "One cause found".
 std::string verdictText(diagnosis::Verdict verdict);
 
-/// One page (html_parts.h): the verdict; its causes with what is told of their hypotheses; ties with the
-/// motion that would tell them apart; what stays unexplained; what each model gets wrong, drawn and in
+/// One page (html_parts.h): the verdict; its causes with the descriptions of their hypotheses; ties with the
+/// motion that would distinguish them; what stays unexplained; what each model gets wrong, drawn and in
 /// numbers; the refit; the ranking; what the filter gains; notices and the files beside the page.
 std::string diagnosisPage(const diagnosis::Report& report, const DiagnosisOrigin& origin,
                           const std::vector<DiagnosisChannel>& channels,

@@ -245,9 +245,9 @@ ConvergencePanel panelOf(const Results& results, std::size_t index) {
 }
 
 /// Occluded time in the time of the trace, in which recordings follow each other a second apart.
-std::vector<TimeSpan> occludedTime(const experiments::IdentificationResult& identification) {
+std::vector<TimeInterval> occludedTime(const experiments::IdentificationResult& identification) {
   constexpr double kApart = 1.0;  // identification::append() [s]
-  std::vector<TimeSpan> spans;
+  std::vector<TimeInterval> spans;
   double begin = 0.0;
   for (const TrialMotion& motion : identification.motions) {
     bool open = false;

@@ -95,7 +95,7 @@ FigureExport::FigureExport(std::vector<Results> results, fs::path folder, const 
   if (options.tables)
     for (experiments::NamedTable& table : tablesOf(results_)) tables_.push_back(std::move(table));
   if (figures_.empty() && tables_.empty())
-    refuse(folder_, "would stay empty: the results hold nothing of what was asked for",
+    refuse(folder_, "would stay empty: the results hold nothing of the command",
            "Run the experiment whose figures these are");
   report_.missing = missingOf(results_);
   page_ = pageFor(results_);

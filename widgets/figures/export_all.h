@@ -42,7 +42,7 @@ struct ExportReport {
 /// checkExportFolder, for results without anything to draw, and for a file that cannot be written.
 class FigureExport {
  public:
-  /// Makes the folder; nothing else is written yet but an index page that says so.
+  /// Makes the folder; nothing else is written yet but an index page that reports it.
   FigureExport(std::vector<experiments::Results> results, std::filesystem::path folder,
                const ExportOptions& options = {}, ExportExtras extras = {});
   FigureExport(const FigureExport&) = delete;  // figures refer to the results

@@ -25,7 +25,7 @@ class Figure {
 
   virtual QCustomPlot& canvas() = 0;
   virtual void setTheme(const Theme& theme) = 0;
-  /// The same figure anew, to be resized and coloured for paper.
+  /// The same figure again, to be resized and coloured for paper.
   virtual std::unique_ptr<Figure> copy() const = 0;
   /// What it shows, in words: for captions and the files' titles.
   virtual QString caption() const = 0;

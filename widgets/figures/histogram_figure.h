@@ -13,7 +13,7 @@ class HistogramBars;
 
 struct HistogramSeries {
   SeriesKey key;
-  std::vector<double> values;  ///< in the panel's unit; those that are not finite are left out, and counted
+  std::vector<double> values;  ///< in the panel's unit; those that are not finite are excluded, and counted
 };
 
 struct HistogramPanel {

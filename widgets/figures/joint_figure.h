@@ -74,7 +74,7 @@ class JointFigure : public QCustomPlot {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  /// All that a drawing depends on, but for names and remarks, which draw anew themselves.
+  /// All that a drawing depends on, but for names and remarks, which draw again themselves.
   struct View {
     QCPRange time;
     std::array<QCPRange, 3> values;

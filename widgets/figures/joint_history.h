@@ -51,7 +51,7 @@ class JointHistory {
   explicit JointHistory(std::size_t rows) : JointHistory(rows, rows, kCameraPoints) {}
 
   /// Takes a snapshot; one at the time of the last replaces it, one before the last is ignored, and one more
-  /// than kSetBack before it begins the history anew.
+  /// than kSetBack before it begins the history again.
   void append(const tracking::Snapshot& snapshot);
   void clear();
 

@@ -64,7 +64,7 @@ class JointPlot {
   OcclusionShade* shade_;
   DetailMark* detail_mark_;
   std::array<QCPGraph*, 4> graphs_{};
-  QCPGraph* casing_;  ///< the plot's ground about each dash: tells dash from line where both print grey
+  QCPGraph* casing_;  ///< the plot's ground about each dash: separates dash from line where both print grey
   SigmaBand* band_;
   CurveBuilder truth_, kinematic_, ukf_;
   QVector<QCPGraphData> dashed_, camera_;

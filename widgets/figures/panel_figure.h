@@ -69,7 +69,7 @@ class PanelFigure : public QCustomPlot, public Figure {
                   QCPAxisRect* axes = nullptr);
   /// Of the panels added from now on; before the first call each is a group of its own.
   void setGroup(int group) { group_ = group; }
-  /// Lays out anew for the present size and theme; to be called at the end of a figure's constructor.
+  /// Lays out again for the present size and theme; to be called at the end of a figure's constructor.
   void fit();
 
   /// Of the axes of a panel, where it needs more than most [px].
@@ -86,7 +86,7 @@ class PanelFigure : public QCustomPlot, public Figure {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  /// What a crowded figure in a window leaves out, one after another.
+  /// What a crowded figure in a window omits, one after another.
   enum class Words { kAll, kNoSecondRank, kNoNote, kOneLabel };
 
   void fitWords(Words words);

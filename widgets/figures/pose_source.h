@@ -2,7 +2,7 @@
 
 #include "widgets/figures/theme.h"
 
-/// Poses and errors of a correction, in the colours of what they speak of: what was told is what a correction
+/// Poses and errors of a correction, in the colours of what they speak of: commanded poses are what a correction
 /// is to reach, what cameras saw the camera's, the rigid offset the first estimate, the correction the last.
 namespace capstan::widgets {
 

@@ -109,7 +109,7 @@ void PoseTraceFigure::restyle() {
   if (std::find(data_.rejected.begin(), data_.rejected.end(), true) != data_.rejected.end())
     entries.push_back(markEntry(tr("rejected"), mark));
   for (TimeShade* gap : gaps_) gap->setColour(theme().occluded);
-  if (!gaps_.front()->spans().empty())
+  if (!gaps_.front()->intervals().empty())
     entries.push_back(areaEntry(tr("occluded: no observation"), theme().occluded));
   setLegend(std::move(entries));
 }

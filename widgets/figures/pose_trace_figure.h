@@ -18,8 +18,8 @@ struct PoseTraceData {
   std::array<std::array<std::vector<double>, 6>, 3> history = {};
 };
 
-/// A trajectory over time, as it was told, as it was seen with the rigid offset, and corrected (GPR paper,
-/// figure 4); observations that were left out are marked in the colour of warnings.
+/// A trajectory over time, commanded, observed with the rigid offset, and corrected (GPR paper,
+/// figure 4); observations that were excluded are marked in the colour of warnings.
 class PoseTraceFigure : public PanelFigure {
   Q_OBJECT
  public:

@@ -12,7 +12,7 @@ struct ReliabilityData {
 
 /// Share of the errors that are within the interval stated for them, against the share that the interval is
 /// stated for: on the diagonal where the stated σ are right, below it where the correction is surer than it
-/// may be. Position and turn, a curve a degree of freedom.
+/// may be. Position and rotation, a curve a degree of freedom.
 class ReliabilityFigure : public PanelFigure {
   Q_OBJECT
  public:

@@ -101,7 +101,7 @@ void ResidualFigure::build(const ResidualTrace& trace) {
   const QString channel = fromUtf8(trace.channel), unit = fromUtf8(shownUnit(trace.unit).unit);
   const double scale = shownUnit(trace.unit).scale;
   const bool extended = !trace.extended.empty();
-  const std::vector<TimeSpan> gaps = gapsIn(trace.t, kGap * trace.period);
+  const std::vector<TimeInterval> gaps = gapsIn(trace.t, kGap * trace.period);
   setGroup(static_cast<int>(noise_.size()));
   const QCPRange time = trace.t.size() > 1 ? QCPRange(trace.t.front(), trace.t.back()) : QCPRange(0.0, 1.0);
   const auto dress = [&](const Panel& panel, const QCPRange& values) {
@@ -200,7 +200,7 @@ void ResidualFigure::restyle() {
   bool some = false;
   for (TimeShade* gap : gaps_) {
     gap->setColour(theme().occluded);
-    some = some || !gap->spans().empty();
+    some = some || !gap->intervals().empty();
   }
   if (some) entries.push_back(areaEntry(tr("occluded: no sample"), theme().occluded));
   setLegend(std::move(entries));

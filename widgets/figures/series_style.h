@@ -20,7 +20,7 @@ struct SeriesKey {
   bool operator==(const SeriesKey&) const = default;
 };
 
-/// How a series fills an area: its quantity's colour, told apart in grey by hatch, outline and mark. The UKF
+/// How a series fills an area: its quantity's colour, distinguished in grey by hatch, outline and mark. The UKF
 /// is filled plainly, kinematics are hatched and outlined with dashes, the camera is hatched the other way
 /// and dotted; a second run is paler and hatched across.
 struct SeriesStyle {

@@ -4,8 +4,8 @@
 
 namespace capstan::widgets {
 
-std::vector<TimeSpan> gapsIn(const std::vector<double>& t, double longest) {
-  std::vector<TimeSpan> gaps;
+std::vector<TimeInterval> gapsIn(const std::vector<double>& t, double longest) {
+  std::vector<TimeInterval> gaps;
   for (std::size_t i = 1; i < t.size(); ++i)
     if (t[i] - t[i - 1] > longest) gaps.emplace_back(t[i - 1], t[i]);
   return gaps;
@@ -20,18 +20,18 @@ double typicalPeriod(const std::vector<double>& t) {
   return *middle;
 }
 
-TimeShade::TimeShade(QCPAxisRect* axes, std::vector<TimeSpan> spans)
+TimeShade::TimeShade(QCPAxisRect* axes, std::vector<TimeInterval> intervals)
     : QCPLayerable(axes->parentPlot(), QStringLiteral("background"), axes),
       axes_(axes),
-      spans_(std::move(spans)) {}
+      intervals_(std::move(intervals)) {}
 
 /// SVG files know no clipping: shades are cut to the axis here.
 void TimeShade::draw(QCPPainter* painter) {
   const QCPAxis* time = axes_->axis(QCPAxis::atBottom);
   const QRect area = axes_->rect();
-  for (const TimeSpan& span : spans_) {
-    const double left = std::max<double>(time->coordToPixel(span.lower), area.left());
-    const double right = std::min<double>(time->coordToPixel(span.upper), area.right() + 1);
+  for (const TimeInterval& interval : intervals_) {
+    const double left = std::max<double>(time->coordToPixel(interval.lower), area.left());
+    const double right = std::min<double>(time->coordToPixel(interval.upper), area.right() + 1);
     if (right < left) continue;
     painter->fillRect(QRectF(left, area.top(), std::max(right - left, 1.0), area.height()), colour_);
   }

@@ -9,22 +9,22 @@
 namespace capstan::widgets {
 
 /// A time in which the camera did not see the robot, or a sensor gave nothing [s].
-using TimeSpan = QCPRange;
+using TimeInterval = QCPRange;
 
 /// Spans without a sample: where the rising times `t` are further apart than `longest` [s].
-std::vector<TimeSpan> gapsIn(const std::vector<double>& t, double longest);
+std::vector<TimeInterval> gapsIn(const std::vector<double>& t, double longest);
 
 /// Typical period of the rising times `t`: the median of their differences; 0 of fewer than two.
 double typicalPeriod(const std::vector<double>& t);
 
-/// Shades spans of time behind the curves of one axis rect.
+/// Shades time intervals behind the curves of one axis rect.
 class TimeShade : public QCPLayerable {
   Q_OBJECT
  public:
-  TimeShade(QCPAxisRect* axes, std::vector<TimeSpan> spans);
+  TimeShade(QCPAxisRect* axes, std::vector<TimeInterval> intervals);
 
   void setColour(const QColor& colour) { colour_ = colour; }
-  const std::vector<TimeSpan>& spans() const { return spans_; }
+  const std::vector<TimeInterval>& intervals() const { return intervals_; }
 
  protected:
   QRect clipRect() const override { return axes_->rect(); }
@@ -33,7 +33,7 @@ class TimeShade : public QCPLayerable {
 
  private:
   QCPAxisRect* axes_;
-  std::vector<TimeSpan> spans_;
+  std::vector<TimeInterval> intervals_;
   QColor colour_;
 };
 

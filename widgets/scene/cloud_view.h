@@ -12,7 +12,7 @@ namespace capstan::widgets {
 
 /// Point clouds over a grid in millimetres, with a key. Left drag orbits, middle or shift drag pans, the
 /// wheel zooms, a double click goes back; Home, plus and minus do the same. Draws when something changed.
-/// Without a display it says so.
+/// Without a display it reports an error.
 class CloudView : public QWidget {
   Q_OBJECT
 

@@ -22,7 +22,7 @@ class SceneRenderer;
 /// The 3-D view: arm, cables coloured by force, camera frusta, tip trail, 2σ ellipsoid and workspace grid.
 /// Left drag orbits, middle or shift drag pans, the wheel zooms, a double click goes back; more in the
 /// context menu. Draws at most `rate` pictures a second and only when something changed. Without a display it
-/// says so.
+/// reports it.
 class SceneView : public QWidget {
   Q_OBJECT
 

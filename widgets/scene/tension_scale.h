@@ -6,7 +6,7 @@
 namespace capstan::widgets {
 
 /// Colour of a cable force gamma [N] on a diverging scale from −limit (blue: pulls back) over grey to +limit
-/// (orange: pulls on), and the limit itself, a round number that holds what has been seen.
+/// (orange: pulls on), and the limit itself, a round number above the largest value so far.
 class TensionScale {
  public:
   /// Grows the limit to the next of 1, 2, 5 × 10^k above the largest |tension|; it never shrinks but by

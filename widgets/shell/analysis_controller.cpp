@@ -39,7 +39,7 @@ void AnalysisController::addAction(QStackedWidget& centre, SessionBar& bar) {
   });
 }
 
-/// On the pipeline's thread; a robot that was exchanged begins the errors anew, as it does in their table.
+/// On the pipeline's thread; a robot that was exchanged begins the errors again, as it does in their table.
 void AnalysisController::gather(SessionLink& link) {
   connect(&link, &SessionLink::opened, this,
           [this, &link](const tracking::SourceInfo& info, const SourceChoice& choice) {

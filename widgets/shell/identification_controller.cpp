@@ -40,7 +40,7 @@ IdentificationController::IdentificationController(IdentificationPanel& panel, Q
 }
 
 void IdentificationController::listen(SessionLink& link) {
-  connect(&panel_, &IdentificationPanel::listenerWanted, this,
+  connect(&panel_, &IdentificationPanel::listenerRequested, this,
           [this, &link](const std::shared_ptr<identification::LiveRecording>& sink) {
             if (!link.runner()) return;
             if (!sink) return link.listen(this, {});

@@ -29,7 +29,7 @@ void LearningController::addAction(LearningPanel& panel, QStackedWidget& centre,
   action->setCheckable(true);
   action->setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+L")));
   action->setToolTip(
-      tr("Learn from recorded tip poses what to ask for so that the arm arrives where it should, in the "
+      tr("Learn from recorded tip poses the command so that the arm arrives where it should, in the "
          "place of the plots, or back (Ctrl+Shift+L)"));
   bar.addPanelAction(action);
   connect(action, &QAction::toggled, &centre, [&panel, &centre](bool shown) {

@@ -213,7 +213,7 @@ void MainWindow::connectLink() {
 void MainWindow::connectNotes() {
   connect(errors_, &ErrorsPanel::resetRequested, this, [this] {
     if (link_.runner()) link_.runner()->resetErrors();
-    notes_->addEvent(now_, "errors", tr("begun anew"));
+    notes_->addEvent(now_, "errors", tr("restarted"));
   });
   connect(notes_, &NotesPanel::noteWritten, this, [this](const QString& text) {
     if (link_.runner()) link_.runner()->note(text.toStdString());

@@ -79,13 +79,13 @@ void MotorController::showFaults(const tracking::Snapshot& snapshot) {
     const MotorFault fault = snapshot.motor_failed[i];
     failed_[i]->setChecked(fault != MotorFault::kNone);
     if (fault != MotorFault::kNone) remarks[i] = tr("encoder %1").arg(faultWords(fault));
-    if (fault != faults_[i]) tell(static_cast<int>(i), fault);
+    if (fault != faults_[i]) report(static_cast<int>(i), fault);
   }
   faults_ = snapshot.motor_failed;
   figure_.setRemarks(remarks);
 }
 
-void MotorController::tell(int motor, MotorFault fault) {
+void MotorController::report(int motor, MotorFault fault) {
   const QString name =
       tr("encoder of motor %1 (%2)").arg(motor + 1).arg(joints_[static_cast<std::size_t>(motor)]);
   if (fault == MotorFault::kNone) return notes_.addEvent(now_, "motor", tr("%1: believed again").arg(name));

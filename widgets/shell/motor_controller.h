@@ -17,7 +17,7 @@ class SessionLink;
 
 /// Motor encoders that failed, where an operator sees it: beside the title of the joint's plot, in the
 /// message bar and the notes; and the bar's menu that says of a motor that it has failed, or is to be
-/// believed again.
+/// used again.
 class MotorController : public QObject {
   Q_OBJECT
 
@@ -29,7 +29,7 @@ class MotorController : public QObject {
   void addMenu(SessionBar& bar, SessionLink& link);
   void keepDeclared(SessionLink& link);
   void showFaults(const tracking::Snapshot& snapshot);
-  void tell(int motor, tracking::MotorFault fault);
+  void report(int motor, tracking::MotorFault fault);
 
   JointFigure& figure_;
   MessageBar& messages_;

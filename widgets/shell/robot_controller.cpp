@@ -11,7 +11,7 @@ RobotController::RobotController(SessionLink& link, StatusLine& status, NotesPan
   connect(&link, &SessionLink::robotChanged, this, [this] { show(link_.runner()->info()); });
   connect(&link, &SessionLink::opened, this, [this](const tracking::SourceInfo& info) {
     show(info);
-    tell(info);
+    report(info);
   });
 }
 
@@ -20,7 +20,7 @@ void RobotController::show(const tracking::SourceInfo& info) {
   status_.setRobot(robots.words(info), robots.robotFor(info) ? robots.summary() : QString());
 }
 
-void RobotController::tell(const tracking::SourceInfo& info) {
+void RobotController::report(const tracking::SourceInfo& info) {
   const RobotChoice& robots = link_.robots();
   if (robots.robotFor(info))
     notes_.addEvent(info.begin, "robot",

@@ -22,7 +22,7 @@ class RobotController : public QObject {
 
  private:
   void show(const tracking::SourceInfo& info);
-  void tell(const tracking::SourceInfo& info);
+  void report(const tracking::SourceInfo& info);
 
   SessionLink& link_;
   StatusLine& status_;

@@ -14,7 +14,7 @@ class SourceMenu;
 
 /// Everything one does to a session, in a row: run, step, speed, source, record, registration,
 /// identification, analysis, diagnosis, export, note, help, theme. Holds no state of its own: showStatus()
-/// tells it how things are.
+/// updates it.
 class SessionBar : public QToolBar {
   Q_OBJECT
 

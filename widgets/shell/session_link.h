@@ -81,14 +81,14 @@ class SessionLink : public QObject {
   bool again_ = false;
   RobotChoice robots_;
   std::vector<std::future<std::string>> retiring_;  ///< old runners end; a fault of their recordings
-  bool recorded_when_left_ = false;  ///< runner_ was recording when another source was asked for
+  bool recorded_when_left_ = false;  ///< runner_ was recording when another source was requested
   std::unique_ptr<live::Runner> runner_;
   std::map<const QObject*, live::Listener> listeners_;
   tracking::Snapshot snapshot_, seen_;
   tracking::StereoFrame frame_;
   std::vector<tracking::Snapshot> history_;
   live::RunState last_state_ = live::RunState::kPaused;
-  std::uint64_t command_faults_ = 0;  ///< told of
+  std::uint64_t command_faults_ = 0;  ///< reported so far
   int ticks_ = 0;
 };
 

@@ -16,7 +16,7 @@ class UnitsDialog : public QDialog {
 
  public:
   UnitsDialog(const recording::ImplausibleUnits& refused, QWidget* parent = nullptr);
-  /// What is chosen now, of every column that was asked for, as recording::parseReadAs() takes it.
+  /// What is chosen now, of every column that was requested, as recording::parseReadAs() takes it.
   QString readAs() const;
 
  signals:

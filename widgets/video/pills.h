@@ -11,7 +11,7 @@
 namespace capstan::widgets {
 
 /// Draws `word` in dark letters on a rounded patch of `colour`, left and centred in `area`: a state that is
-/// told by its word first and its colour second. Returns the patch.
+/// distinguished by its word first and its colour second. Returns the patch.
 inline QRect drawPill(QPainter& painter, const QRect& area, const QString& word, const QColor& colour,
                       double points) {
   painter.save();

@@ -128,9 +128,9 @@ void differentiate(Evidence& evidence, double smoothing) {
 }
 
 void mark(std::vector<std::uint8_t>& exclusions, const std::vector<std::uint8_t>& where,
-          ExclusionReason doubt) {
+          ExclusionReason reason) {
   for (std::size_t i = 0; i < where.size(); ++i)
-    if (where[i]) exclusions[i] |= doubt;
+    if (where[i]) exclusions[i] |= reason;
 }
 
 void markSaturated(Evidence& evidence, const robot::Description& robot) {
@@ -201,9 +201,9 @@ void noticeLosses(Evidence& evidence, const RecordedTracks& tracks) {
   if (evidence.segments.size() > 1)
     evidence.notices.push_back(fmt::format("{}: {} pieces with gaps between them: simulated one by one",
                                            evidence.title, evidence.segments.size()));
-  const auto share = [&](ExclusionReason doubt) {
+  const auto share = [&](ExclusionReason reason) {
     const auto rows = std::count_if(evidence.exclusions.begin(), evidence.exclusions.end(),
-                                    [&](std::uint8_t bits) { return (bits & doubt) != 0; });
+                                    [&](std::uint8_t bits) { return (bits & reason) != 0; });
     return 100.0 * static_cast<double>(rows) / static_cast<double>(evidence.rows());
   };
   if (const double gaps = share(kGap); gaps > 0.0)

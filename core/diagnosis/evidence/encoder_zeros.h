@@ -7,7 +7,7 @@
 
 namespace capstan::diagnosis {
 
-/// How far joint encoders' zeros are to be trusted. A zero that is free takes with it whatever holds still
+/// Prior standard deviations of joint encoders' zeros. A zero that is free takes with it whatever holds still
 /// over what it is free for: one for each recording also takes the stretch under a load that is constant in
 /// each, one for all recordings does not.
 enum class EncoderZeros {

@@ -27,7 +27,7 @@ std::vector<Segment> piecesOf(std::span<const double> t, double longest_gap) {
 
 double spanOf(std::span<const double> t, const Segment& piece) { return t[piece.end - 1] - t[piece.begin]; }
 
-/// Periods of the piece, those counted that missing rows leave out.
+/// Periods of the piece, those counted that missing rows exclude.
 double periodsIn(std::span<const double> t, const Segment& piece) {
   std::vector<double> periods;
   for (std::size_t i = piece.begin + 1; i < piece.end; ++i) periods.push_back(t[i] - t[i - 1]);

@@ -25,7 +25,7 @@ struct EvenGrid {
 };
 
 /// The grid over rows at the rising times `t`: pieces end where `longest_gap` (or three periods) pass without
-/// a row; pieces of less than kShortestPiece are left out. The period is the longest piece's span over its
+/// a row; pieces of less than kShortestPiece are excluded. The period is the longest piece's span over its
 /// number of rows, missing ones counted, so that no row strays from a clock that keeps its rate. `step` 0:
 /// the period. Empty without a piece. `step` must not be below the period.
 EvenGrid evenGrid(std::span<const double> t, double step, double longest_gap);

@@ -18,7 +18,7 @@ using Columns = std::vector<std::vector<double>>;
 
 using DriveKind = robot::DriveType;  ///< what drives the simulation
 
-/// What a channel cannot tell apart, estimated from its own samples (channel_noise.h).
+/// What a channel cannot distinguish, estimated from its own samples (channel_noise.h).
 struct ChannelNoise {
   double step = 0.0;   ///< quantisation: the smallest step that shows; 0: none shows
   double sigma = 0.0;  ///< standard deviation of its white noise, quantisation in it
@@ -39,7 +39,7 @@ struct TipObservation {
   bool counts = true;                                  ///< false: an outlier, or its rows do not count
 };
 
-/// Rows [begin, end) an even step apart. Between segments the drive is not known: simulations start anew.
+/// Rows [begin, end) an even step apart. Between segments the drive is not known: simulations restart.
 struct Segment {
   std::size_t begin = 0, end = 0;
   std::size_t size() const { return end - begin; }
@@ -48,7 +48,7 @@ struct Segment {
 /// Why a row does not count in what measured and simulated are compared by; bits of Evidence::exclusions.
 enum ExclusionReason : std::uint8_t {
   kGap = 1,        ///< the drive was interpolated over rows that are missing
-  kSaturated = 2,  ///< an encoder stands at its end, or the torque asked for is beyond the motor's
+  kSaturated = 2,  ///< an encoder stands at its end, or the commanded torque is beyond the motor's
   kStart = 4,      ///< within EvidenceOptions::skip_start of the begin
 };
 

@@ -103,7 +103,7 @@ void addNotices(PoseEvidence& evidence, std::size_t too_short) {
   const auto say = [&](const char* what, const PoseCounts& counts) {
     if (counts.rows == 0) return;
     std::string line =
-        fmt::format("{}: {} {} poses in {} rows; {} placeholders and {} repeats left out", evidence.title,
+        fmt::format("{}: {} {} poses in {} rows; {} placeholders and {} repeats excluded", evidence.title,
                     counts.poses(), what, counts.rows, counts.placeholders, counts.repeats);
     if (counts.outliers > 0)
       line += fmt::format(", {} that no tip could have reached do not count", counts.outliers);

@@ -22,7 +22,7 @@ struct PoseTrajectory {
   std::string name;           ///< "task 1, trajectory 22"
   std::vector<Pose> camera;   ///< what cameras saw of the tip
   std::vector<Pose> robot;    ///< the robot's forward kinematics
-  std::vector<Pose> command;  ///< what it was asked for
+  std::vector<Pose> command;  ///< what it was commanded
 };
 
 /// What the table had of one list of poses, over all trajectories.
@@ -54,8 +54,8 @@ bool isPoseTable(std::string_view header_line);
 /// with qx, qy, qz, qw of each where known, and task; stamps in seconds, each list's own clock; metres;
 /// positions of all in one frame as far as anybody knew. Rows of one trajectory stand together.
 ///
-/// A pose of zeros with a turn of (0, 0, 0, ±1), and a pose with an empty cell, is a placeholder; a stamp
-/// that is the one before's is a repeat. Both are left out and counted. Outliers among the observations are
+/// A pose of zeros with a rotation of (0, 0, 0, ±1), and a pose with an empty cell, is a placeholder; a stamp
+/// that is the one before's is a repeat. Both are excluded and counted. Outliers among the observations are
 /// those beyond the largest set that a tip could have passed through: from one to the next at most
 /// kFastestTip and kStray. base::InputError naming file, line, column, value and remedy: a column that is
 /// missing, an orientation that is none (norm not 1 within 1 %), stamps that go back within a trajectory, no

@@ -25,7 +25,7 @@ void leaveOutJoints(RecordedTracks& tracks) {
   tracks.t_q.clear(), tracks.q.clear();
   tracks.own_kinematics = true;
   tracks.notices.push_back(fmt::format(
-      "{}: joint positions are what the robot computed from its motors: left out, they are no reference",
+      "{}: joint positions are what the robot computed from its motors: excluded, they are no reference",
       tracks.title));
 }
 

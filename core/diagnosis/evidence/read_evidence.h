@@ -12,10 +12,10 @@ namespace capstan::diagnosis {
 /// The evidence of a measured table. Rows go to the even grid that lies nearest to them: a row on it keeps
 /// its numbers to the last bit; between rows the drive is interpolated linearly, and a joint encoder's
 /// reading is moved to the nearest row along the line to its neighbours. Columns p_c give tip observations at
-/// their rows' times. q that the robot computed from its motors is left out, as no reference.
+/// their rows' times. q that the robot computed from its motors is excluded, as no reference.
 ///
 /// `robot` gives the number of joints, the motors' torque limits, and the kinematics by which the noise of
-/// tips is told from motion. Throws base::InputError naming file, column and remedy: neither joint encoders
+/// tips is distinguished from motion. Throws base::InputError naming file, column and remedy: neither joint encoders
 /// nor camera tips; no q_m for a cable drive, no tau_m for a rigid one; another number of joints than the
 /// robot's; a step below the table's own; fewer rows that count than kFewestRows, or fewer observations than
 /// kFewestObservations where there are no encoders.

@@ -17,7 +17,7 @@ struct RecordedTracks {
   Columns q;
   std::vector<double> t_tip;  ///< of the cameras, rising [s]
   std::vector<Eigen::Vector3d> tip;
-  bool own_kinematics = false;  ///< joint positions were left out: the robot computed them from its motors
+  bool own_kinematics = false;  ///< joint positions were excluded: the robot computed them from its motors
   std::vector<std::string> notices;
 };
 

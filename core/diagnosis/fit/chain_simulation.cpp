@@ -70,7 +70,7 @@ std::vector<double> smooth(const Evidence& evidence, std::vector<double> column,
   return column;
 }
 
-/// Torques as they were asked for; motor positions without the steps of their encoders, each of which would
+/// Commanded torques; motor positions without the steps of their encoders, each of which would
 /// be a jerk of the cable.
 Columns driveOf(const Evidence& evidence) {
   if (evidence.drive == DriveKind::kRigid) return evidence.tau_m;

@@ -46,8 +46,8 @@ struct Robot {
 /// Open-loop simulations of one recording, 16 robots at a time.
 ///
 /// Cable drives start at each segment from the joints where the encoders saw them (without encoders from
-/// where rigid cables would put them; what is seen within kSettling of a start without encoders is not
-/// compared). Rigid drives start anew after each `horizon` seconds too, from encoders and their slope, since
+/// where rigid cables would put them; observations within kSettling of a start without encoders is not
+/// compared). Rigid drives restart after each `horizon` seconds too, from encoders and their slope, since
 /// a torque that is wrong by little leads far astray in time. Joint encoders are compared kComparedRate times
 /// a second, cameras at every observation.
 class ChainSimulation {
@@ -64,7 +64,7 @@ class ChainSimulation {
   /// slow motion puts them, in position and speed: 4n × windows.
   const Eigen::MatrixXd& initialStates() const { return initial_; }
 
-  /// What each robot's sensors would tell, a column each, as Compared::measured. At most 16 robots. NaN where
+  /// Simulated sensor readings of each robot, a column each, as Compared::measured. At most 16 robots. NaN where
   /// a simulation ran away.
   void simulate(std::span<const Robot> robots, Eigen::Ref<Eigen::MatrixXd> readings) const {
     simulate(rows_, robots, readings);
@@ -120,7 +120,7 @@ class ChainSimulation {
 inline constexpr double kSettling = 0.5;        ///< [s]
 inline constexpr double kComparedRate = 100.0;  ///< [Hz]
 
-/// Loads whose sensor told magnitude alone, with the sign that lets them pass smoothly through zero: it
+/// Loads whose sensor measured magnitude alone, with the sign that lets them pass smoothly through zero: it
 /// changes wherever the magnitude touches zero, |x| < reach, at a kink. The first stretch keeps its sign.
 std::vector<double> withSigns(std::span<const double> magnitude);
 

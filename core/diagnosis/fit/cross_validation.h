@@ -26,8 +26,8 @@ BlockSquares squaresOf(const FitData& data, const Eigen::VectorXd& e);
 /// each; without a fold the fit goes, by one Gauss–Newton step,
 ///     −(A − J_fᵀ J_f)⁻¹ J_fᵀ e_f,   A = Jᵀ J + priors
 /// (what PRESS, Allen 1974, takes for exact), at most kLongestWay in any u and within the bounds; there the
-/// robot is simulated anew, initial states of rigid drives following, and the fold's residuals are those;
-/// stretches left out fit nuisances of their own. Parameters at a bound stay there, and so do
+/// robot is simulated again, initial states of rigid drives following, and the fold's residuals are those;
+/// held-out segments fit nuisances of their own. Parameters at a bound stay there, and so do
 /// instants of events, which one block alone knows. Costs one simulation of kFolds robots side by side.
 Eigen::VectorXd heldOut(const FitData& data, const Fit& fit, const Weighting& weighting);
 inline constexpr int kFolds = 16;

@@ -33,14 +33,14 @@ class FitData {
   const std::vector<ComparedChannel>& channels() const { return channels_; }
   const std::vector<int>& channel() const { return channel_; }
   /// Blocks of time, about kBlock seconds, of rigid drives their windows: what cross-validation and bootstrap
-  /// leave out and draw. block()[i] is that of number i.
+  /// exclude and draw. block()[i] is that of number i.
   int blocks() const { return blocks_; }
   const std::vector<int>& block() const { return block_; }
   /// Stretches that have nuisances of their own (initial states of rigid drives; encoder zeros of a
   /// recording, or of all): numbers [begin, end) of each.
   const std::vector<std::pair<Eigen::Index, Eigen::Index>>& segments() const { return segments_; }
 
-  /// What the robots of several models tell, a column each. `initial`: of each robot; empty: none beyond the
+  /// Simulated readings of the robots of several models, a column each. `initial`: of each robot; empty: none beyond the
   /// simulations' own.
   Eigen::MatrixXd simulate(const std::vector<robot::ChainModel>& models,
                            const std::vector<InitialStates>& initial = {}) const;
@@ -78,14 +78,14 @@ struct Fit {
 
 /// How numbers count in a fit.
 struct Weighting {
-  Eigen::VectorXd weights;  ///< 1 over the standard deviation that each number is trusted with
+  Eigen::VectorXd weights;  ///< 1 / standard deviation of each number
 };
 
 struct FitOptions {
   int iterations = 12;
   double tolerance = 0.1;  ///< fall of the objective that counts as standing still
   /// Cable drives: derivatives by the parameters that this fit has as well are taken from there instead of
-  /// anew: rougher and faster, for a first look.
+  /// again: coarser and faster, for a first ranking.
   const Fit* known = nullptr;
 };
 
@@ -93,7 +93,7 @@ struct FitOptions {
 ///     Σ (w_i e_i)² + Σ (u_k / prior_k)²:
 /// Gauss–Newton on forward differences, 16 robots side by side; each step is tried in several dampings and
 /// lengths at once (Levenberg–Marquardt) and kept inside the bounds. Encoder zeros are solved for stretch by
-/// stretch. So are initial states of rigid drives, by shares of the way that the linearisation tells, and
+/// stretch. So are initial states of rigid drives, by shares of the step of the linearisation, and
 /// their steps are judged by what is simulated from there, since friction at rest is far from linear. Ends
 /// early, with what it has, when `progress` is cancelled.
 Fit fit(const FitData& data, const FitModel& model, const Eigen::VectorXd& u, const InitialStates& initial,
@@ -103,7 +103,7 @@ Fit fit(const FitData& data, const FitModel& model, const Eigen::VectorXd& u, co
 Fit linearise(const FitData& data, const FitModel& model, const Eigen::VectorXd& u,
               const InitialStates& initial, const Weighting& weighting);
 
-/// Measured less what each of `robots` tells, a column each, from the fit's initial states and with its
+/// Measured less the simulated readings of each of `robots`, a column each, from the fit's initial states and with its
 /// nuisances taken off.
 Eigen::MatrixXd residualsOf(const FitData& data, const Fit& at, const std::vector<robot::ChainModel>& robots,
                             const Weighting& weighting);

@@ -31,12 +31,12 @@ struct EffectTerm {
   const Hypothesis* hypothesis = nullptr;
   int joint = 0;  ///< from 1; 0: whole arm
   EffectStart start;
-  bool background = false;  ///< what every robot has some of, within Hypothesis::background
+  bool background = false;  ///< a background effect, limited by Hypothesis::background
   std::vector<int> index;   ///< of its numbers among the model's parameters; −1: stays as in `start`
   int begun = -1;           ///< of JointNumbers::creep_begun, where the hypothesis remembers; −1: none
 };
 
-/// A structure to fit: the numbers of the nominal robot that may be mistuned, what every robot has some of,
+/// A structure to fit: the numbers of the nominal robot that may be mistuned, background effects,
 /// and effects.
 ///
 /// Mistuned may be stiffness and damping of cables, joint friction and masses with their inertia, each by a

@@ -59,7 +59,7 @@ std::vector<Trial> simulated(const FitData& data, const System& system, const Bo
   return trials;
 }
 
-/// Of trials with the same u, each stretch from the one whose initial states suit it best.
+/// Of trials with the same u, each segment from the one whose initial states suit it best.
 Trial mixed(const FitData& data, std::span<const Trial> trials, const Weighting& weighting) {
   Trial best = trials.front();
   forSegments(data, [&](std::size_t r, Index w, std::size_t segment) {

@@ -12,7 +12,7 @@ namespace capstan::diagnosis {
 /// no model explains it.
 Eigen::VectorXd inputNoise(const FitData& data, const Fit& at, const Weighting& weighting);
 inline constexpr int kInputDraws = 4;
-/// Mean square, in that of the inputs' noise, up to which a few slow swings of it are what is left: it has
+/// Mean square, in that of the inputs' noise, up to which a few slow oscillations of it remain: it has
 /// few degrees of freedom.
 inline constexpr double kSwings = 4.0;
 

@@ -6,7 +6,7 @@
 
 namespace capstan::diagnosis {
 
-/// A fit linearised at its numbers and initial states, and what the nuisances of each stretch take off the
+/// A fit linearised at its numbers and initial states, and what the nuisances of each segment take off the
 /// residual.
 struct System {
   Fit at;
@@ -23,11 +23,11 @@ double reached(const FitData& data, const FitModel& model, const Eigen::VectorXd
                const Eigen::VectorXd& simulated, const Eigen::VectorXd& removed, const Weighting& weighting);
 
 /// Precision of the nuisances' own estimates: initial positions are known to some counts of the encoder,
-/// speeds to a tenth of the largest, those of whole recordings' starts to what the encoder tells (a change of
+/// speeds to a tenth of the largest, those of whole recordings' starts to the encoder's value (a change of
 /// speed there would be a step for all that follows); encoder zeros not at all.
 Eigen::VectorXd nuisancePrecision(const FitData& data, const robot::ChainModel& model);
 
-/// Coefficients of each stretch's nuisances that explain the columns of x best, subtracted from x in place.
+/// Coefficients of each segment's nuisances that explain the columns of x best, subtracted from x in place.
 std::vector<Eigen::MatrixXd> takeOffNuisances(const FitData& data, const Eigen::MatrixXd& nuisance,
                                               const Eigen::VectorXd& precision,
                                               const Eigen::VectorXd& weights, Eigen::Ref<Eigen::MatrixXd> x);

@@ -12,7 +12,7 @@ namespace capstan::diagnosis {
 /// Where in the chain from motor to camera an effect sits.
 enum class Place { kTransmission, kCable, kFriction, kRigidBody, kSensor, kClock };
 
-/// What people are told of a hypothesis.
+/// Description of a hypothesis in reports.
 struct HypothesisWords {
   std::string_view title;       ///< "Backlash of the cable drive"
   std::string_view what;        ///< in plain words, one or two sentences
@@ -58,10 +58,10 @@ struct Hypothesis {
   std::vector<double> neutral;  ///< values of its parameters at which the model is the nominal one
   /// Starts before they are brought within the parameters' bounds, see starts().
   std::vector<EffectStart> (*grid)(const JointScales& scales, int joint);
-  /// Size up to which every robot has some of it, in the unit of size(); 0: none.
+  /// Size up to which it is a background effect, in the unit of size(); 0: never.
   double (*background)(const JointScales& scales) = [](const JointScales&) { return 0.0; };
   bool remembers = false;  ///< what was before the recording: how far, is one more number of a fit
-  /// One number that tells how much of the effect there is: usually the first parameter's magnitude.
+  /// Size of the effect as one number: usually the first parameter's magnitude.
   double (*size)(const std::vector<double>& values) = firstMagnitude;
 
   std::string_view name() const { return facts->name; }

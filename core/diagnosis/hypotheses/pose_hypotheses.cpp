@@ -51,7 +51,7 @@ constexpr HypothesisWords kTipGap{
 constexpr HypothesisWords kCommandDelay{
     .title = "Tip follows its command after a dead time",
     .what =
-        "Transport, control cycles and buffers let the command wait: the tip does what was asked for a "
+        "Transport, control cycles and buffers let the command wait: the tip does the command a "
         "constant time ago. Late stamps of the cameras look the same; kinematics beside the command tell "
         "them apart.",
     .equation = "p(t) = p_command(t − delay)",

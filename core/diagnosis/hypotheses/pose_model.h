@@ -15,7 +15,7 @@ namespace capstan::diagnosis {
 /// What the cameras are compared with.
 enum class PoseReference {
   kKinematics,  ///< what the robot computed from its motors
-  kCommand,     ///< what it was asked for
+  kCommand,     ///< what it was commanded
 };
 
 /// A path that a simulation says and the observations to compare it with, of one trajectory.
@@ -29,7 +29,7 @@ struct PoseMotion {
 };
 
 /// Observations that count, later than kBefore after the path's begin (a delay reaches back), before its end,
-/// and not where the path has a gap longer than kLongestGap. Trajectories without any are left out.
+/// and not where the path has a gap longer than kLongestGap. Trajectories without any are excluded.
 /// base::InputError: the table has no such poses, or fewer than kFewestMotions trajectories are left.
 std::vector<PoseMotion> motionsOf(const PoseEvidence& evidence, PoseReference reference);
 inline constexpr double kBefore = 0.2, kLongestGap = 0.1;  ///< [s]
@@ -50,7 +50,7 @@ struct PoseNumbers {
 ///     c: play of half width `gap` on b, axis by axis (c moves when it is half a width behind; it begins in
 ///        the middle),
 ///     d(t) = c(t − delay), linear between the path's stamps, its ends beyond it,
-/// and seen is CameraNumbers::tell(d), that is (1 + scale) R d + offset.
+/// and the observation is CameraNumbers::measure(d), that is (1 + scale) R d + offset.
 Eigen::Matrix3Xd seenBy(const PoseNumbers& numbers, const PoseMotion& motion);
 
 }  // namespace capstan::diagnosis

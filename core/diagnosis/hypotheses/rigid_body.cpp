@@ -97,7 +97,7 @@ std::vector<Hypothesis> rigidBodyHypotheses() {
           .place = Place::kRigidBody,
           .words =
               {
-                  .title = "Motor that gives more or less than asked for",
+                  .title = "Motor that gives more or less than commanded",
                   .what =
                       "The torque constant, the amplifier's gain or the gear ratio is not the nominal one, "
                       "so that the torque at the joint is a multiple of the one recorded.",

@@ -48,7 +48,7 @@ std::vector<Hypothesis> sensorHypotheses() {
           .place = Place::kSensor,
           .words =
               {
-                  .title = "Cameras registered with a turn",
+                  .title = "Cameras registered with a rotation",
                   .what =
                       "The registration of the cameras to the robot is turned, by a bumped tripod or a poor "
                       "calibration: everything they see is turned about the origin of frame 0.",

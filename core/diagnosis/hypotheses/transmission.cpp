@@ -99,7 +99,7 @@ std::vector<Hypothesis> transmissionHypotheses() {
                       "cables are coupled to this one are off by a constant, too. Cameras see it turned by "
                       "the arm.",
                   .experiment =
-                      "Any slow motion with rests; home anew in between and see whether the constant stays.",
+                      "Any slow motion with rests; home again in between and see whether the constant stays.",
               },
           .neutral = {0.0},
           .grid =

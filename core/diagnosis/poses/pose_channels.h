@@ -22,7 +22,7 @@ ComparedChannel comparedChannel(int axis, const Eigen::Vector3d& noise);
 /// Residual e of one axis.
 Channel poseChannel(const PoseData& data, const Eigen::Matrix3Xd& e, int axis, const Eigen::Vector3d& noise);
 
-/// Position, velocity (over kSlope) and direction of motion along each axis of the path as it is told, and
+/// Position, velocity (over kSlope) and direction of motion along each axis of the commanded path, and
 /// time.
 std::vector<Variable> poseVariables(const PoseData& data);
 inline constexpr double kSlope = 0.06;     ///< [s]

@@ -110,7 +110,7 @@ class Work {
     squares_.push_back(squares);
   }
 
-  /// Effects one by one, those known until then fitted anew each time.
+  /// Effects one by one, those known until then refitted each time.
   void addSteps() {
     PoseFit fit = selection_.base;
     addStep(fit, {});
@@ -220,7 +220,7 @@ class Work {
                                       ? "the robot's kinematics tell"
                                       : "the command asks for";
     if (report_.verdict == Verdict::kNothing)
-      return "Nothing worth naming: cameras see the tip where " + reference + ", down to noise.";
+      return "Nothing material: cameras see the tip where " + reference + ", down to noise.";
     const std::string off = fmt::format("On trajectories held out the tip is {:.2f} mm (RMS) from where {}",
                                         1e3 * result_.steps.front().rms, reference);
     if (report_.causes.empty()) return off + ", and no hypothesis explains it.";

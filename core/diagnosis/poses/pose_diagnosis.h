@@ -40,9 +40,9 @@ struct PoseReport {
   std::vector<PoseStep> steps;
 };
 
-/// What is wrong between the tip that a robot's kinematics (or its commands) tell and the tip that cameras
+/// Differences between the tip that a robot's kinematics (or its commands) report and the tip that cameras
 /// see: effects of pose_hypotheses.h, chosen and fitted on four trajectories in five (pose_selection.h); the
-/// fifth ones tell what it is worth. Only positions are compared; the tool's orientation turns
+/// fifths measure its gain. Only positions are compared; the tool's orientation turns
 /// `marker_offset`, and the registration's rotation is from positions alone.
 ///
 /// The report's channels are the held-out observations, tip x, y, z of frame 0; each is "nominal" and

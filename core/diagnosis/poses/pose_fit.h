@@ -29,9 +29,9 @@ class PoseData {
 struct PoseFit {
   std::vector<PoseHypothesis> effects;
   Eigen::VectorXd value;     ///< numbers of all effects, SI
-  Eigen::Matrix3Xd e;        ///< seen − told at each observation [m]
+  Eigen::Matrix3Xd e;        ///< observed − predicted at each observation [m]
   Eigen::VectorXd weight;    ///< of each number of e, column by column: Huber's over the axis' variance
-  Eigen::MatrixXd jacobian;  ///< of told by value / scale
+  Eigen::MatrixXd jacobian;  ///< of the prediction by value / scale
 
   /// Place of the effect's first number; −1: it is not in.
   Eigen::Index placeOf(std::string_view effect) const;
@@ -40,7 +40,7 @@ struct PoseFit {
 
 PoseNumbers numbersOf(const std::vector<PoseHypothesis>& effects, const Eigen::VectorXd& value);
 
-/// Seen − told of all observations.
+/// Observed − predicted of all observations.
 Eigen::Matrix3Xd residualOf(const PoseData& data, const PoseNumbers& numbers);
 
 /// Robust least squares: Σ ρ(e / s) by Levenberg and Marquardt within the parameters' bounds, ρ Huber's with
@@ -52,7 +52,7 @@ inline constexpr double kHuber = 2.0;
 PoseFit with(const PoseData& data, const PoseFit& fit, const PoseHypothesis& effect);
 PoseFit without(const PoseData& data, const PoseFit& fit, std::string_view effect);
 
-/// Seen − told where each trajectory is told by the fit to the others: motions fall into kFolds folds;
+/// Observed − predicted where each trajectory is predicted by the fit to the others: motions fall into kFolds folds;
 /// without a fold, values go by one Gauss–Newton step.
 Eigen::Matrix3Xd heldOut(const PoseData& data, const PoseFit& fit);
 

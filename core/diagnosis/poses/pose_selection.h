@@ -26,7 +26,7 @@ struct PoseSelection {
 };
 
 /// Forward selection as select() does for robots: each round every effect is fitted beside those taken, and
-/// the best on trajectories left out is taken if it is worth naming (kMaterial, kLeastScore, kHighConfidence
+/// the best on held-out trajectories is taken if it is material (kMaterial, kLeastScore, kHighConfidence
 /// of selection.h); in the end, what later ones made superfluous is dropped, and each that was taken is
 /// changed for each that was not. Cancelled: what there is until then.
 PoseSelection selectPoses(const PoseData& data, const std::vector<PoseHypothesis>& effects,

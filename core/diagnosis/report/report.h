@@ -15,8 +15,8 @@ namespace capstan::diagnosis {
 enum class Verdict {
   kFound,        ///< one effect
   kSeveral,      ///< more than one
-  kTie,          ///< the recording cannot tell two or more apart
-  kNothing,      ///< nothing worth naming
+  kTie,          ///< the recording cannot distinguish two or more
+  kNothing,      ///< nothing material
   kUnexplained,  ///< something is there that no hypothesis explains
 };
 
@@ -44,7 +44,7 @@ struct Cause {
 /// Effects that explain the recording equally well.
 struct Tie {
   std::vector<Cause> causes;  ///< best first
-  std::string separate;       ///< the motion that would tell them apart
+  std::string separate;       ///< the motion that would distinguish them
 };
 
 /// A number of the nominal model after the refit.
@@ -107,7 +107,7 @@ struct Report {
   std::vector<std::string> recordings;     ///< titles
   std::vector<ResidualProcess> processes;  ///< where something stays unexplained
   std::vector<SpectralLine> lines;
-  std::vector<FilterGain> filter;  ///< empty: not asked for, or no joint encoders
+  std::vector<FilterGain> filter;  ///< empty: not requested, or no joint encoders
   double explained =
       0.0;  ///< share of what is beyond noise in the refitted residual that the causes take off
   robot::Description refitted, extended;  ///< robot files

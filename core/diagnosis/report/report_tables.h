@@ -23,10 +23,10 @@ std::string gainText(const Gain& gain);
 base::Table channelTable(const Report& report);
 /// The nominal model's numbers before and after the refit, those that moved first.
 base::Table refitTable(const Report& report);
-/// Hypotheses of each round, the likeliest first, `most` of them a round; how many are left out, the note
+/// Hypotheses of each round, the likeliest first, `most` of them a round; how many are omitted, the note
 /// says.
 base::Table rankingTable(const Report& report, std::size_t most = 12);
-/// RMS of the Kalman filter's joints with the three models; no rows where it was not asked for.
+/// RMS of the Kalman filter's joints with the three models; no rows where it was not requested.
 base::Table filterTable(const Report& report);
 /// Lines of the residual's spectrum.
 base::Table lineTable(const Report& report);

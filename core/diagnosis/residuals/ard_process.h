@@ -13,7 +13,7 @@ namespace capstan::diagnosis {
 struct ProcessInputs {
   Eigen::VectorXd t;  ///< when [s]
   Eigen::MatrixXd x;
-  std::vector<bool> angle;  ///< of each variable: the same after a turn
+  std::vector<bool> angle;  ///< of each variable: the same after a rotation
 
   Eigen::Index size() const { return x.rows(); }
   Eigen::Index variables() const { return x.cols(); }
@@ -47,7 +47,7 @@ class ArdProcess {
   ProcessParameters fit(const ProcessParameters& start, int iterations, const base::Progress* progress) const;
 
   /// Weights α = K⁻¹ y of the predictions Σ_n α_n σ_f² exp(−½ Σ_i D_i(x, x_n) / ℓ_i²), what the variables
-  /// tell without the noise; zero where K is not positive definite.
+  /// predict without the noise; zero where K is not positive definite.
   Eigen::VectorXd weights(const ProcessParameters& parameters) const;
 
   Eigen::Index parameters() const { return kLengths + static_cast<Eigen::Index>(distances_.size()); }

@@ -18,7 +18,7 @@ struct Decimated {
 };
 Decimated decimate(const Channel& channel, std::size_t most);
 
-/// A channel cut into stretches of one length in time, long enough that one tells little about the next.
+/// A channel cut into segments of one length in time, long enough that neighbours are nearly independent.
 struct TimeBlocks {
   double length = 0.0;               ///< [s]
   std::size_t count = 0;             ///< blocks with samples in them

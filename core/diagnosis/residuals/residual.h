@@ -29,7 +29,7 @@ struct Channel {
   int joint = 0;            ///< from 1; 0: a camera's
   int axis = -1;            ///< of frame 0, from 0; −1: a joint encoder's
   double period = 0.0;      ///< between samples, typically [s]
-  double noise = 0.0;       ///< standard deviation of what the sensor cannot tell (ChannelNoise::floor)
+  double noise = 0.0;       ///< standard deviation of the sensor's noise floor (ChannelNoise::floor)
   std::vector<double> t;    ///< rising [s]
   std::vector<double> row;  ///< place among the evidence's rows, TipObservation::row
   std::vector<double> measured, simulated, residual;

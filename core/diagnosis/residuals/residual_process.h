@@ -26,7 +26,7 @@ struct ProcessVariable {
   std::string name, unit;
   double length = 0.0;  ///< over which the residual changes, in the variable's unit; long: hardly at all
   /// Variance of the prediction when this variable alone moves, as a share of the residual's variance, on
-  /// stretches of time that were not fitted:
+  /// segments of time that were not fitted:
   ///     (E (e − f(x₋ᵢ, x'ᵢ))² − E (e − f(x))²) / 2 var e,   x'ᵢ the variable's values in another order
   /// (permutation importance, Breiman 2001; of a right f it is Sobol's total index). What f learnt of noise
   /// cancels: about 0, at times a little less, where there is no dependence.

@@ -59,7 +59,7 @@ std::vector<double> edgesOf(const Variable& variable, const std::vector<double>&
   return balanced(values, bins);
 }
 
-/// Which stretch of the recording a block lies in.
+/// Which segment of the recording a block lies in.
 std::vector<std::size_t> segmentsOf(const Channel& channel, const TimeBlocks& blocks) {
   const double span = channel.t.back() - channel.t.front();
   const double length = std::max(blocks.length, span / kSegments);

@@ -30,12 +30,12 @@ struct Signature {
   std::string variable, unit;
   double period = 0.0;             ///< of the variable; 0: none
   std::string channel;             ///< name of the residual's channel
-  std::vector<SignatureBin> bins;  ///< rising; empty ones left out
+  std::vector<SignatureBin> bins;  ///< rising; empty ones excluded
   /// Share of the residual's variance that the bins' means explain on data that they were not fitted to:
   ///     1 − Σ (e − p)² / Σ (e − ē)²,
-  /// p the bins' means and ē the mean of every other stretch of time, scored on those between, both ways
+  /// p the bins' means and ē the mean of every other segment of time, scored on those between, both ways
   /// round. Means are drawn towards their common one by what the spread of the blocks makes of them (random
-  /// effects, DerSimonian and Laird 1986), and a bin never visited there takes its neighbours', so that noise
+  /// effects, DerSimonian and Laird 1986), and a bin without samples there takes its neighbours', so that noise
   /// alone gives about 0, at times a little less.
   double share = 0.0;
   double share_sigma = 0.0;  ///< standard deviation of `share`, from stretch to stretch
@@ -48,7 +48,7 @@ struct SignatureOptions {
 /// The signature of `channel` against `variable`. Bins of angles and of time are equally wide; the others
 /// stand half way between equally wide and equally full. `blocks` of timeBlocks(channel). Scored in stretches
 /// of a block or a kSegments-th of the recording, whichever is longer; time in as many bins as pairs of
-/// these. base::InputError: fewer than two bins asked for. A channel without samples gives no bins and share
+/// these. base::InputError: fewer than two bins requested. A channel without samples gives no bins and share
 /// 0.
 Signature signatureOf(const Channel& channel, const TimeBlocks& blocks, const Variable& variable,
                       const SignatureOptions& options = {});

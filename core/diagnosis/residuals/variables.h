@@ -41,7 +41,7 @@ struct Variable {
 /// All that evidence and simulation have of these, joints in order, time last. A joint rests where its speed
 /// is below kRest of the 95 % quantile of its speed while it moves. Motor angles are measured, or, where the
 /// robot has motors without encoders of their own (rigid drives), follow from the simulated joints.
-/// Left out: what never changes, and columns with values that are not finite.
+/// Excluded: what never changes, and columns with values that are not finite.
 std::vector<Variable> variablesOf(const Evidence& evidence, const SimulatedMotion& simulated,
                                   const robot::Description& robot);
 inline constexpr double kRest = 0.02;

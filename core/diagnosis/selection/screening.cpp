@@ -18,7 +18,7 @@ constexpr double kFarthest = 3.0;   // of it, where a refit may start
 constexpr double kOwn = 1e-6;       // share of a response that the fit cannot make itself: less is none
 constexpr double kEventStep = 0.1;  // between instants of an event that are tried [s]
 
-/// One start of one suspect and its columns among the responses.
+/// One start of one candidate and its columns among the responses.
 struct Probe {
   EffectCandidate suspect;
   EffectStart start;
@@ -58,7 +58,7 @@ std::vector<double> backgroundValues(const Fit& fit, const EffectCandidate& susp
   return std::vector<double>(suspect.hypothesis->neutral.size(), 0.0);
 }
 
-/// Probes of a suspect; their robots are appended.
+/// Probes of a candidate; their robots are appended.
 void addProbes(const Fit& fit, const EffectCandidate& suspect, std::vector<Probe>& probes,
                std::vector<robot::ChainModel>& robots) {
   const JointScales& scales = scalesOf(fit.model.scales(), suspect.joint);

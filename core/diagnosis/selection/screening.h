@@ -25,9 +25,9 @@ struct EffectCandidate {
 std::vector<EffectCandidate> candidatesOf(const std::vector<Evidence>& recordings, const FitModel& model,
                                           const std::vector<std::string>& only);
 
-/// Score tests on sensitivities: each start of each suspect changes the fitted robot by a little (or, where
+/// Score tests on sensitivities: each start of each candidate changes the fitted robot by a little (or, where
 /// an effect has no little, by the start itself), and the response, less what the fit's own parameters could
-/// do, is projected on the residual. Best start of each suspect, most promising first. Cost: one simulation
+/// do, is projected on the residual. Best start of each candidate, highest score first. Cost: one simulation
 /// a start.
 std::vector<ScoreTest> screen(const FitData& data, const Fit& fit, const Weighting& weighting,
                               const std::vector<EffectCandidate>& candidates);

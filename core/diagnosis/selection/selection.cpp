@@ -40,7 +40,7 @@ class Stand {
         begin_(progress ? progress->fraction() : 0.0),
         end_(begin_ + kFirst * (all - begin_)) {}
   void nextRound() { begin_ = end_, end_ += 0.5 * (all_ - end_); }
-  void tell(double share, std::string_view doing) const {
+  void report(double share, std::string_view doing) const {
     if (progress_) progress_->report(begin_ + share * (end_ - begin_), doing);
   }
 
@@ -94,7 +94,7 @@ class Rounds {
  private:
   Selection begun(const FitModel& base, const Eigen::VectorXd& u) const {
     Selection s{.base = {.model = base}, .best = {.model = base}};
-    stand_.tell(0.0, "Refitting the nominal structure");
+    stand_.report(0.0, "Refitting the nominal structure");
     s.base = s.best = fitBase(data_, base, u, s.weighting, progress_);
     s.base_squares = s.best_squares = squaresOf(data_, heldOut(data_, s.best, s.weighting));
     s.input_noise = inputNoise(data_, s.base, s.weighting);
@@ -104,7 +104,7 @@ class Rounds {
   void addOthers(Selection& s, int round) {
     const auto most = static_cast<std::size_t>(options_.most_causes);
     while (s.taken.size() < most && !cancelled(progress_) && addOne(s, round)) ++round;
-    stand_.tell(1.0, "Checking what was named");
+    stand_.report(1.0, "Checking what was named");
     dropSuperfluous(s);
   }
 
@@ -153,7 +153,7 @@ class Rounds {
     std::vector<CandidateModel> candidate_models;
     const std::size_t count = std::min(score_tests.size(), static_cast<std::size_t>(options_.refits));
     for (std::size_t k = 0; k < count && !cancelled(progress_); ++k) {
-      stand_.tell(0.2 + 0.4 * static_cast<double>(k) / static_cast<double>(count),
+      stand_.report(0.2 + 0.4 * static_cast<double>(k) / static_cast<double>(count),
                   fmt::format("Refitting with {}", score_tests[k].hypothesis->words.title));
       candidate_models.push_back(contend(s, score_tests[k]));
     }
@@ -169,7 +169,7 @@ class Rounds {
           c.added.hypothesis == promised.hypothesis && c.added.joint == promised.joint;
       if (!first_in_tests && (k >= kGoOn || c.reduction.share < kHopeless)) continue;
       if (score_tests.front().share < kHopeless && c.reduction.share < kHopeless) continue;
-      stand_.tell(0.6 + 0.3 * static_cast<double>(k) / static_cast<double>(candidate_models.size()),
+      stand_.report(0.6 + 0.3 * static_cast<double>(k) / static_cast<double>(candidate_models.size()),
                   fmt::format("Refitting with {}", c.added.hypothesis->words.title));
       c.fit = fit(data_, c.fit.model, c.fit.u, c.fit.initial, s.weighting, {kLastIterations, 0.1, nullptr},
                   progress_);
@@ -244,7 +244,7 @@ class Rounds {
   bool addOne(Selection& s, int round) {
     const std::vector<EffectCandidate> candidates = candidatesOf(recordings_, s.best.model, options_.only);
     stand_.nextRound();
-    stand_.tell(0.0, "Testing hypotheses");
+    stand_.report(0.0, "Testing hypotheses");
     const std::vector<ScoreTest> score_tests = screen(data_, s.best, s.weighting, candidates);
     std::vector<CandidateModel> candidate_models = candidateModelsOf(s, score_tests);
     note(s, score_tests, candidate_models, round);
@@ -260,7 +260,7 @@ class Rounds {
         competitors.shares.push_back(candidate_models[k].share);
       }
     s.competitors.push_back(std::move(competitors));
-    stand_.tell(0.9, "Settling the extended model");
+    stand_.report(0.9, "Settling the extended model");
     take(s, std::move(candidate_models.front()));
     return true;
   }
@@ -283,7 +283,7 @@ class Rounds {
     return s;
   }
 
-  /// The contender's model settled, from where it stands and from the nominal numbers: the base had bent them
+  /// The candidate model settled, from where it stands and from the nominal numbers: the base had bent them
   /// to stand for the effect, at times too far to find back.
   void take(Selection& s, CandidateModel c) {
     Settled best = settled(c.fit);

@@ -10,7 +10,7 @@
 
 namespace capstan::diagnosis {
 
-/// A model that was fitted, and how it does on blocks left out.
+/// A model that was fitted, and how it does on held-out blocks.
 struct CandidateModel {
   EffectCandidate added = {};  ///< to the model of the round; none for the base itself
   Fit fit;
@@ -20,7 +20,7 @@ struct CandidateModel {
   double share = 0.0;             ///< share of draws in which it is the best of its round
 };
 
-/// Effects that one recording cannot tell from the one that was taken.
+/// Effects that one recording cannot distinguish from the selected one.
 struct CompetingExplanations {
   EffectCandidate taken;
   std::vector<EffectCandidate> others;
@@ -55,7 +55,7 @@ inline constexpr double kLeastScore = 6.0;          ///< [nats]: against some hu
 inline constexpr double kHighConfidence = 0.02;     ///< quantile of the bootstrap that must be above zero
 inline constexpr double kMoreThanBackground = 1.2;  ///< times Hypothesis::background
 inline constexpr double kClear = 3.0;               ///< σ of its own numbers together
-/// Another effect is not told apart from the best where it is the best in this share of draws, or scores this
+/// Another effect is not distinguished from the best where it is the best in this share of draws, or scores this
 /// share of the best: a competitor explains nearly as much only where the motion does not part the two, and
 /// what is left between them is then within what contacts and stiff cables leave to the steps of an
 /// integration.
@@ -66,7 +66,7 @@ inline constexpr double kTakesMost = 0.9, kSameResidual = 1.15;
 /// promising, and the best of them is taken; drops again what later ones make superfluous.
 Selection select(const FitData& data, const std::vector<Evidence>& recordings, const FitModel& base,
                  const SelectionOptions& options, base::Progress* progress);
-/// The same on other data of the same recordings: starts with what `before` took, fitted anew, and drops what
+/// The same on other data of the same recordings: starts with what `before` took, refitted, and drops what
 /// these data do not need.
 Selection selectFurther(const FitData& data, const std::vector<Evidence>& recordings, const Selection& before,
                         const SelectionOptions& options, base::Progress* progress);

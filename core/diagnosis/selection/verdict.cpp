@@ -92,7 +92,7 @@ Cause causeOf(const FitData& data, const EffectCandidate& suspect, double probab
   return cause;
 }
 
-/// Stretches left out are off by far more than noise though the fit leaves none: too little was seen for
+/// Held-out segments are off by far more than noise though the fit leaves none: too little was seen for
 /// what was fitted to hold elsewhere.
 bool isTooShort(const FitData& data, const Selection& s) {
   for (Eigen::Index c = 0; c < s.best_squares.sum.rows(); ++c)
@@ -105,7 +105,7 @@ std::string summaryOf(const Report& report, const Selection& s) {
   for (const CandidateModel& c : s.taken) names.push_back(nameOf(c.added));
   switch (report.verdict) {
     case Verdict::kNothing:
-      return "Nothing worth naming: the refitted nominal robot explains the recording down to noise and what "
+      return "Nothing material: the refitted nominal robot explains the recording down to noise and what "
              "every "
              "robot has some of.";
     case Verdict::kUnexplained:
@@ -197,7 +197,7 @@ void judge(const FitData& data, const Selection& s, Report& report) {
   if (report.verdict == Verdict::kNothing && isTooShort(data, s))
     report.summary =
         "Too little motion to say: the refitted robot explains what it was fitted to, and not "
-        "the stretches left out. Record 20 s or more with all joints in motion.";
+        "the held-out segments. Record 20 s or more with all joints in motion.";
 }
 
 }  // namespace capstan::diagnosis

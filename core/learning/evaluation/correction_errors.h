@@ -7,7 +7,7 @@
 
 #include "core/learning/poses/states.h"
 
-/// How far corrected poses are from what was told.
+/// Errors of corrected poses against commanded ones.
 namespace capstan::learning {
 
 /// Errors of many states, summed up.
@@ -35,7 +35,7 @@ struct PoseErrors {
   CorrectionErrors summed() const;
 };
 
-/// Middle of the turns that were told, for PoseErrors.
+/// Mean of the commanded rotations, for PoseErrors.
 Eigen::Quaterniond middleCommandOf(const std::vector<learning::State>& states);
 
 /// The degrees of freedom as people read them, three of position and three of turn.

@@ -11,7 +11,7 @@
 #include "core/learning/model/correction_model.h"
 #include "core/learning/poses/clean_states.h"
 
-/// Table I of the GPR paper on any recording of tip poses: how far corrected poses are from what was told, on
+/// Table I of the GPR paper on any recording of tip poses: errors of corrected poses against commanded ones, on
 /// trajectories held out.
 namespace capstan::learning {
 
@@ -59,7 +59,7 @@ struct CorrectionStudyReport {
 /// For each split: training trajectories are cleaned (and weighed), an offset and a model are learned from
 /// them as each method asks, and the errors
 ///     F(x_seen) ⊖ p_told
-/// of test trajectories taken (PoseErrors, from the middle of all turns told). Clean test states are those
+/// of test trajectories taken (PoseErrors, from the mean of all commanded rotations). Clean test states are those
 /// that the limits and least median found in the training data keep.
 CorrectionStudyReport correctionStudy(const std::vector<learning::State>& states,
                                       const CorrectionStudyOptions& options,

@@ -31,7 +31,7 @@ struct LearningCurve {
   bool cancelled = false;  ///< points that were done are there
 };
 
-/// Trains on random shares of the training states that cleaning keeps (none doubted), without
+/// Trains on random shares of the training states that cleaning keeps (none down-weighted), without
 /// replacement, and takes the errors of the same clean held-out states. A share of fewer than
 /// learning::kFewestStates is that many. base::InputError as CorrectionModel::trained().
 LearningCurve learningCurve(const std::vector<learning::State>& states, const LearningCurveOptions& options,

@@ -10,7 +10,7 @@
 /// paper, section IV).
 namespace capstan::learning {
 
-/// How fast what was seen moved: median, and the speed that one in a hundred exceeds.
+/// Speed of the observed poses: median and 99 % quantile.
 struct SpeedSummary {
   double median = 0.0, high = 0.0;
 };
@@ -25,7 +25,7 @@ struct TrajectoryStates {
 /// What a correction is learned from, and what each stage found.
 struct LearningStages : PreparedStates {
   learning::StreamKind towards = learning::StreamKind::kCommand;
-  std::size_t unpaired = 0;                                  ///< observations for which nothing was told
+  std::size_t unpaired = 0;                                  ///< observations without a commanded pose
   SpeedSummary speed, rotation_rate;                         ///< [m/s], [rad/s]
   learning::CleaningReport cleaning;                         ///< of the states
   std::vector<TrajectoryStates> motions;                     ///< those that have states, in their order
@@ -33,13 +33,13 @@ struct LearningStages : PreparedStates {
   CorrectionErrors before, after;  ///< of these, as seen and with the offset taken off
 };
 
-/// Screens, pairs with the clocks' lag, takes velocities, cleans, and takes off the rigid offset.
+/// Screens, pairs by the clock offset, differentiates, cleans, and removes the rigid offset.
 /// base::InputError: as learning::prepare() and learning::checkRelated(); too few poses lie beside the
 /// cameras'.
 LearningStages learningStages(const std::vector<learning::RawMotion>& motions, const LearningOptions& options,
                               base::Progress* progress = nullptr);
 
-/// Every row and every state that was left out, a line each, as CSV: trajectory, stream, line of its table,
+/// Every row and every state that was excluded, a line each, as CSV: trajectory, stream, line of its table,
 /// reason.
 std::string rejectedCsv(const LearningStages& stages);
 

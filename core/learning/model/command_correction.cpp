@@ -68,7 +68,7 @@ class PathCorrection {
     return asked(k, corrected.pose, corrected.confidence);
   }
 
-  /// As near to `pose` as can be asked for.
+  /// The nearest to `pose` that can be commanded.
   CorrectedWaypoint asked(std::size_t k, const Eigen::Isometry3d& pose, double confidence) const {
     const Waypoint& waypoint = waypoints_[k];
     const Eigen::Isometry3d rigid =

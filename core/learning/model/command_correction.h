@@ -6,7 +6,7 @@
 #include "core/learning/model/correction_model.h"
 #include "core/learning/poses/within_reach.h"
 
-/// Paths through F = H ∘ G (GPR paper, sections V-C and V-D): what to ask for along a planned motion, so that
+/// Paths through F = H ∘ G (GPR paper, sections V-C and V-D): the command along a planned motion, so that
 /// cameras see that motion.
 namespace capstan::learning {
 
@@ -17,7 +17,7 @@ struct Waypoint {
 };
 
 enum class CorrectionMode {
-  kNone,      ///< what is desired is asked for
+  kNone,      ///< the desired pose is commanded
   kEndPoint,  ///< of a straight motion its first and last pose are corrected, the way between is straight
   kFullTrajectory,  ///< each waypoint is corrected with its planned velocity
 };
@@ -26,7 +26,7 @@ inline constexpr std::size_t kCorrectionModes = 3;
 struct CommandCorrectionOptions {
   CorrectionMode mode = CorrectionMode::kFullTrajectory;
   Reachable reachable;                    ///< of commands
-  std::optional<Eigen::Isometry3d> from;  ///< what was asked for last: commands begin there, without a jump
+  std::optional<Eigen::Isometry3d> from;  ///< last commanded pose: commands begin there, without a jump
 };
 
 struct CorrectedWaypoint {
@@ -42,7 +42,7 @@ struct CorrectedWaypoint {
 /// last waypoint too.
 std::vector<Vector6d> plannedVelocities(const std::vector<Waypoint>& waypoints);
 
-/// What to ask for at the time of each waypoint. Along an end-point path the command covers, at each
+/// The command at the time of each waypoint. Along an end-point path the command covers, at each
 /// waypoint, the share of its way that is planned to be behind (lengths with turns by the lever), with the
 /// lesser confidence of both ends. Every command is within reach, or
 /// said to be kNowhere (within_reach.h): a robot must not be moved along a path with such a waypoint.

@@ -6,7 +6,7 @@
 #include "core/base/progress.h"
 #include "core/learning/model/correction_model.h"
 
-/// How sure a correction is over a plane of the workspace.
+/// Confidence of a correction over a plane of the workspace.
 namespace capstan::learning {
 
 struct SliceOptions {
@@ -17,7 +17,7 @@ struct SliceOptions {
   double near = 0.005;   ///< of the plane: positions within are marked [m]
 };
 
-/// Positions are those of what is told, the offset taken off what is seen.
+/// Positions are commanded ones: observed ones less the rigid offset.
 struct ConfidenceSlice {
   int axis = 2, right = 0, up = 1;       ///< axes of the plane
   double at = 0.0;                       ///< where the plane is, along `axis` [m]

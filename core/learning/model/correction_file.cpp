@@ -175,7 +175,7 @@ void checkVersion(const std::string& line, const std::filesystem::path& path) {
   const std::string version = line.substr(kMagic.size());
   if (version != std::to_string(kVersion))
     refuse(path, fmt::format("is a model of version {}, and this program reads {}", version, kVersion),
-           "Read it with the program that wrote it, or learn it anew");
+           "Read it with the program that wrote it, or learn it again");
 }
 
 }  // namespace
@@ -199,7 +199,7 @@ void writeCorrection(const CorrectionFile& file, const std::filesystem::path& pa
 CorrectionFile readCorrection(const std::filesystem::path& path) {
   std::string text = base::readTextFile(path);
   checkVersion(lineOff(text), path);
-  constexpr const char* kRemedy = "Copy it again from where it was written, or learn it anew";
+  constexpr const char* kRemedy = "Copy it again from where it was written, or learn it again";
   Json header = Json::parse(lineOff(text), nullptr, false);
   if (!header.is_object() || !header.contains("checksum") || !header.contains("numbers"))
     refuse(path, "has a damaged second line", kRemedy);

@@ -12,7 +12,7 @@ namespace capstan::learning {
 struct CorrectionSource {
   std::vector<std::string> files, checksums;  ///< tables of tip poses, base::checksumOfFile
   learning::StreamKind towards = learning::StreamKind::kCommand;  ///< what corrected poses are asked of
-  double clock_offset = 0.0;                                      ///< of what is seen behind what is told [s]
+  double clock_offset = 0.0;                                      ///< of observations behind commands [s]
   std::size_t states = 0, rejected = 0;                           ///< learned from, and cleaned away
   std::string software;                                           ///< that learned it
 

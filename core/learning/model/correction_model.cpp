@@ -37,10 +37,10 @@ Eigen::VectorXd downWeightsOf(const std::vector<State>& states, const Group& gro
                               const Eigen::RowVectorXd& scale) {
   const Eigen::VectorXd precision =
       scale.segment(group.first, group.count).array().square().inverse().transpose();
-  Eigen::VectorXd exclusions(static_cast<Index>(states.size()));
+  Eigen::VectorXd down_weights(static_cast<Index>(states.size()));
   for (std::size_t k = 0; k < states.size(); ++k)
-    exclusions[static_cast<Index>(k)] = precision.dot(states[k].doubt.segment(group.first, group.count));
-  return exclusions / static_cast<double>(group.count);
+    down_weights[static_cast<Index>(k)] = precision.dot(states[k].extra_variance.segment(group.first, group.count));
+  return down_weights / static_cast<double>(group.count);
 }
 
 /// Of each group those of its members.

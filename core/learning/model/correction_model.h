@@ -25,18 +25,18 @@ struct CorrectionOptions {
   bool calibrate = true;  ///< σ, by motions held out
 };
 
-/// What is to be asked for, and how sure that is.
+/// The command, and its confidence.
 struct Corrected {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  /// Of the correction, with the noise of what was learned: position along the axes of what is told [m], turn
+  /// Of the correction, with the noise of the training data: position along the axes of the commands [m], rotation
   /// about the tool's [rad]. Of a model without processes the RMS of what the rigid offset left.
   Vector6d sigma = Vector6d::Zero();
-  /// 1 − variance / variance without data, of all outputs together (turns by the lever): 1 where the data are
-  /// dense; times what is left of the correction beyond the workspace.
+  /// 1 − variance / variance without data, of all outputs together (rotations by the lever): 1 where the data are
+  /// dense; times the factor by which corrections fade outside of the workspace.
   double confidence = 0.0;
 };
 
-/// What was told ⊖ a corrected pose, in units of the stated σ.
+/// Commanded ⊖ corrected pose, in units of the stated σ.
 Vector6d errorsInSigma(const Corrected& corrected, const Eigen::Isometry3d& commanded);
 
 /// Everything that a model knows, as a file keeps it.
@@ -44,21 +44,21 @@ struct CorrectionParts {
   Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();  ///< G
   PoseFeatures features{RotationForm::kTangent, Motion::kHistory, Eigen::Quaterniond::Identity()};
   double lever = kLever;
-  Eigen::AlignedBox3d turns;             ///< of their rotation vectors from the features' middle turn [rad]
+  Eigen::AlignedBox3d turns;             ///< of their rotation vectors from the features' mean rotation [rad]
   Eigen::AlignedBox3d workspace;         ///< of the offset's positions [m]
   Eigen::RowVectorXd middle, deviation;  ///< of the features
   Eigen::RowVectorXd scale;              ///< RMS of the six targets
   Eigen::RowVectorXd inflation;          ///< of the outputs' σ, so that they hold for motions not learned
-  /// Members' of x, of y, of z and of the turn; none: the rigid offset alone.
+  /// Members' of x, of y, of z and of the rotation; none: the rigid offset alone.
   std::vector<std::vector<SparseProcessParts>> groups;
 };
 
-/// F = H ∘ G (GPR paper, section III): what to ask for so that cameras see a desired state. G is the rigid
+/// F = H ∘ G (GPR paper, section III): the command so that cameras see a desired state. G is the rigid
 /// offset; H are Gaussian processes of the difference that G leaves, whose mean is 0 far from all data: a
-/// committee each of x, y and z, and one of the turn, whose three outputs share kernels. Features count in
-/// deviations from their middle, kFarthestFeature at most. An output that does not depend on where the tip is
-/// has no such distance: all corrections fade besides, as exp(−½ d²/kFade²) of the distance d from the boxes
-/// of all positions and of all turns learned, turns by the lever.
+/// committee each of x, y and z, and one of the rotation, whose three outputs share kernels. Features are in
+/// standard deviations from their mean, limited to kFarthestFeature. An output that does not depend on where the tip is
+/// has no such distance, so all corrections also fade as exp(−½ d²/kFade²), with d the distance from the boxes
+/// of all training positions and rotations, rotations by the lever.
 class CorrectionModel {
  public:
   /// From states that count; `part` of `progress` is its own. base::InputError: fewer than kFewestStates.
@@ -69,7 +69,7 @@ class CorrectionModel {
   static CorrectionModel rigid(const std::vector<State>& states, const CorrectionOptions& options = {});
   explicit CorrectionModel(CorrectionParts parts);
 
-  /// Of what shall be seen: pair.seen, velocity and drift of `desired` in the cameras' frame.
+  /// Command for a desired state: its observed pose, velocity and history in the cameras' frame.
   Corrected correct(const State& desired) const;
   /// The same of a steady motion.
   Corrected correct(const Eigen::Isometry3d& desired, const Vector6d& velocity) const;
@@ -88,13 +88,13 @@ class CorrectionModel {
   const PoseFeatures& features() const { return known_.features; }
   Motion motion() const { return known_.features.motion(); }
   const Eigen::AlignedBox3d& workspace() const { return known_.workspace; }
-  /// Of x, y, z and of the turn, of outputs in units of their scale.
+  /// Of x, y, z and of the rotation, of outputs in units of their scale.
   const std::vector<Committee>& processes() const { return processes_; }
-  /// Of a committee's variance among all [m²]: its outputs' scales, of turns by the lever.
+  /// Of a committee's variance among all [m²]: its outputs' scales, of rotations by the lever.
   double weightOf(std::size_t process) const;
   CorrectionParts parts() const;
 
-  /// What the processes are told and tell, a row a state: features in deviations, outputs in scales.
+  /// Inputs and targets of the processes, a row a state: features in deviations, outputs in scales.
   Eigen::MatrixXd featuresOf(const std::vector<State>& states) const;
   Eigen::MatrixXd targetsOf(const std::vector<State>& states) const;
 

@@ -98,7 +98,7 @@ LearningReport learnMore(CorrectionModel model, double clock_offset, const std::
                             "model",
                             {},
                             "is a rigid offset alone, which takes nothing in",
-                            "Learn anew from all tables"});
+                            "Retrain on all tables"});
   if (progress) progress->report(0.0, "pairing");
   PreparedStates prepared = prepareAt(clock_offset, motions, options.towards);
   checkRelated(prepared.screen.motions, prepared.states, model.offset(), options.towards);
@@ -117,8 +117,8 @@ LearningReport learnMore(CorrectionModel model, double clock_offset, const std::
                             0,
                             "motions",
                             {},
-                            "contradict what the model has learned: it has aged",
-                            "Learn anew from motions that are as the robot is now"});
+                            "contradict what the model has learned: it has drifted",
+                            "Retrain on motions that are as the robot is now"});
   if (progress) progress->report(kJudged, "learning more states");
   const bool cancelled = progress && progress->cancelled();
   if (!cancelled) model.add(counting);

@@ -34,7 +34,7 @@ std::vector<Open> openOf(const CorrectionModel& model, const std::vector<State>&
   return open;
 }
 
-/// Positions and turns that the model's inducing points have, as features in deviations.
+/// Positions and rotations that the model's inducing points have, as features in deviations.
 MatrixXd learnedPoses(const CorrectionModel& model) {
   constexpr Index kPose = 6;
   MatrixXd all(0, kPose);
@@ -102,7 +102,7 @@ std::vector<State> posesWithin(const CorrectionModel& model, int each) {
   const MatrixXd x = model.featuresOf(all), learned = learnedPoses(model);
   Eigen::RowVectorXd reach(6);
   reach << step.transpose(), 0.5 * parts.turns.sizes().transpose();
-  reach = (reach.array() + 1e-9) / parts.deviation.leftCols(6).array();  // a turn may never have changed
+  reach = (reach.array() + 1e-9) / parts.deviation.leftCols(6).array();  // a rotation may never have changed
   std::vector<State> near;
   for (std::size_t k = 0; k < all.size(); ++k) {
     const MatrixXd off = (learned.rowwise() - x.row(static_cast<Index>(k)).leftCols(6)).cwiseAbs();

@@ -4,29 +4,29 @@
 
 namespace capstan::learning {
 
-/// A pose to visit next.
+/// A query pose: the next pose to sample.
 struct NextPose {
   std::size_t candidate = 0;  ///< place among the candidates
-  double before = 0.0;        ///< uncertainty over all candidates before this visit
+  double before = 0.0;        ///< uncertainty over all candidates before this query
   double after = 0.0;         ///< and what it will be
 };
 
-/// Which of `candidates` to visit so that the model becomes surer of all of them, one after the other, each
+/// Query poses among `candidates`, chosen one after the other to lower the model's uncertainty of all, each
 /// once: that which lowers the uncertainty most, the mean over the candidates of the correction's variance
-/// over its variance without data (all outputs together, turns by the lever). The variance of a Gaussian
-/// process does not depend on what will be seen, so that each visit's effect is known beforehand: with the
-/// covariance C of all candidates and the noise σ_n², a visit of i takes C_ji² / (C_ii + σ_n²) off that of j
+/// over its variance without data (all outputs together, rotations by the lever). The variance of a Gaussian
+/// process does not depend on the values observed, so each query's effect is known in advance: with the
+/// covariance C of all candidates and the noise σ_n², a query at i lowers that of j by C_ji² / (C_ii + σ_n²)
 /// (Krause, Singh and Guestrin, Near-optimal sensor placements in Gaussian processes, JMLR 9 (2008): greedy
-/// choice). So it is for a model that is learned anew from all states; CorrectionModel::add() keeps its
-/// inducing points and gains less far from them. Fewer than `count` where a visit would take less than
+/// choice). This holds for a model that is retrained on all states; CorrectionModel::add() keeps its
+/// inducing points and gains less far from them. Fewer than `count` where a query would remove less than
 /// kLeastGain of the uncertainty.
 std::vector<NextPose> nextPoses(const CorrectionModel& model, const std::vector<State>& candidates,
                                 std::size_t count, base::Progress* progress = nullptr);
 inline constexpr double kLeastGain = 1e-3;
 
 /// Poses to choose from, at rest: a grid of `each` positions along each axis of the model's workspace, each
-/// in the middle of its turns and turned to both ends about each axis; of these the ones near something
-/// learned: an inducing point within a step of the grid along each axis and half of the range of turns about
+/// at its mean rotation and rotated to both limits about each axis. Only those near training data are
+/// kept: an inducing point lies within a grid step along each axis and half of the range of rotations about
 /// each.
 std::vector<State> posesWithin(const CorrectionModel& model, int each);
 

@@ -20,8 +20,8 @@ std::vector<Vector6d> leftByOthers(const std::vector<State>& states, const std::
                                    const base::ProgressPart& part = {});
 inline constexpr std::size_t kFolds = 3;
 
-/// What a model leaves of each state, as its processes tell it (PoseFeatures::correction): of the position
-/// [m], and of the turn [rad].
+/// Residual of each state under a model, in its outputs (PoseFeatures::correction): of the position
+/// [m], and of the rotation [rad].
 std::vector<Vector6d> leftOf(const CorrectionModel& model, const std::vector<State>& states);
 /// ‖Δt‖ + lever · angle of each [m].
 std::vector<double> sizesOf(const std::vector<Vector6d>& left, double lever);

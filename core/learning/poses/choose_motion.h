@@ -4,7 +4,7 @@
 
 namespace capstan::learning {
 
-/// What a correction should be told of the motion besides the pose: its velocity, or also how it moved in the
+/// Motion features of a correction besides the pose: its velocity, or also how it moved in the
 /// last kSpans. A trialModel of each is learned from four fifths of the motions and corrects the other fifth;
 /// history is chosen where the median of ‖Δt‖ + lever · angle is less by kWorth. Fewer than kFewestMotions,
 /// or cancelled: velocity.

@@ -7,8 +7,8 @@ namespace capstan::learning {
 /// What the robot can do.
 struct CleaningOptions {
   MedianOptions median = {};
-  double max_rotation = 1.0;       ///< of what was seen, the offset taken off, from what was told [rad]
-  double margin = 0.03;            ///< of what was seen outside of all that was told [m]
+  double max_rotation = 1.0;       ///< of observed from commanded poses, less the rigid offset [rad]
+  double margin = 0.03;            ///< of observed positions outside of the box of commanded ones [m]
   double most_speed = 0.2;         ///< [m/s]: the paper's robot was driven at 0.05
   double max_rotation_rate = 6.0;  ///< [rad/s]
   double most_rejected = 0.9;      ///< share of a trajectory, beyond which all of it goes: the paper's P
@@ -24,13 +24,13 @@ struct CleaningReport {
   std::vector<Reason> reason;                                ///< by state; kNone: it counts
   Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();  ///< of the least median of squares
   double deviation = 0.0;                                    ///< robust, of what belongs [m]
-  Eigen::AlignedBox3d workspace;                             ///< of what was told, the margin wider [m]
+  Eigen::AlignedBox3d workspace;                             ///< of commanded positions, widened by the margin [m]
   std::size_t count(Reason reason) const;
   std::size_t kept() const { return count(Reason::kNone); }
 };
 
 /// Which states a robot can have been in (GPR paper, section IV-A): within reach of the least median of
-/// squares, and within limits of turn, position, speed and turn rate; a trajectory of which more than
+/// squares, and within limits of turn, position, speed and rotation rate; a trajectory of which more than
 /// `most_rejected` is out of place goes as a whole. Each state that goes has the first reason of these.
 CleaningReport cleanStates(const std::vector<State>& states, const CleaningOptions& options = {});
 

@@ -4,26 +4,26 @@
 
 #include "core/learning/model/command_correction.h"
 
-/// When to look again: long motions where the correction is sure, short pieces with a look in between where
-/// it is not (GPR paper, section VI).
+/// When to observe the tool again: long motions where the correction's confidence is high, short pieces with an
+/// observation between them where it is low (GPR paper, section VI).
 namespace capstan::learning {
 
 struct ObservationOptions {
-  /// Corrected::confidence below which a motion is cut up; at 0.9 a third of what is uncertain without data
-  /// is left.
+  /// Corrected::confidence below which a motion is divided; at 0.9 a third of the standard deviation without
+  /// data remains.
   double least_confidence = 0.9;
-  double piece = 0.01;  ///< length of what is moved unseen then [m]
+  double piece = 0.01;  ///< length of such a piece [m]
 };
 
-/// Place in the path of the waypoint at which to stop and look next, having looked at waypoint `from`: the
-/// last one where all that lie ahead are sure; else the first that is `piece` of desired way on, or the one
-/// before the first that is not sure, whichever comes later.
+/// Index of the waypoint at which to stop and observe next, after the observation at waypoint `from`: the last
+/// one if all ahead have high confidence; else the first at a distance of `piece` along the desired path, or the
+/// one before the first with low confidence, whichever is later.
 std::size_t nextObservation(const std::vector<CorrectedWaypoint>& path, std::size_t from,
                             const ObservationOptions& options);
 
-/// What to ask for, from a look: the robot was asked for `told` and is seen at `seen`; told · seen⁻¹ is the
-/// rigid offset of that place, and takes the rest of a motion from the cameras' frame to the robot's. It is
-/// the only correction of robots that look all the time (Kehoe et al., ICRA 2014).
+/// Rigid offset at the place of an observation, commanded · observed⁻¹: it maps the remaining motion from the
+/// cameras' frame to the robot's. It is the only correction of robots that observe all the time (Kehoe et al.,
+/// ICRA 2014).
 Eigen::Isometry3d offsetObserved(const Eigen::Isometry3d& commanded, const Eigen::Isometry3d& observed);
 
 }  // namespace capstan::learning

@@ -11,7 +11,7 @@ enum class RotationForm {
   kYawPitchRoll,  ///< the paper's: R = R_z(yaw) R_y(pitch) R_x(roll), each angle alone
 };
 
-/// What of the motion a process is told besides the pose.
+/// Motion features of a process besides the pose.
 enum class Motion {
   kNone,
   kVelocity,  ///< the paper's
@@ -23,7 +23,7 @@ enum class Motion {
 Eigen::Vector3d yawPitchRoll(const Eigen::Matrix3d& rotation);
 Eigen::Matrix3d fromYawPitchRoll(const Eigen::Vector3d& angles);
 
-/// The turn in the middle of some (Markley, Averaging quaternions, 2007): identity of none.
+/// Mean rotation (Markley, Averaging quaternions, 2007): identity for an empty set.
 Eigen::Quaterniond meanRotation(const std::vector<Eigen::Isometry3d>& poses);
 
 class PoseFeatures {

@@ -8,8 +8,8 @@
 
 #include "core/base/names.h"
 
-/// Motions of a tip as three streams of stamped poses tell them: what cameras saw, what the robot's forward
-/// kinematics said, what it was asked for.
+/// Motions of a tip as three streams of stamped poses: observed by cameras, reported by the robot's forward
+/// kinematics, and commanded.
 namespace capstan::learning {
 
 enum class StreamKind { kCamera, kRobot, kCommand };
@@ -19,7 +19,7 @@ inline constexpr std::size_t kStreams = 3;
 enum class Reason {
   kNone,
   kNotFinite,     ///< an empty cell, NaN or infinity
-  kPlaceholder,   ///< position 0 and no turn: there is no pose
+  kPlaceholder,   ///< position 0 and no rotation: there is no pose
   kNoRotation,    ///< a quaternion whose norm is not 1
   kRepeat,        ///< the stamp of the row before
   kBackInTime,    ///< a stamp before that of the row before

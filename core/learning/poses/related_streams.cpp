@@ -95,7 +95,7 @@ void checkRotation(double left, double of_all) {
        0,
        "quaternions",
        fmt::format("{:.0f} deg", left * 180.0 / std::numbers::pi),
-       fmt::format("is the turn that the best rigid offset leaves of half of the observations, of "
+       fmt::format("is the rotation that the best rigid offset leaves of half of the observations, of "
                    "all tables' {:.0f} deg",
                    of_all * 180.0 / std::numbers::pi),
        "Give quaternions in the order x, y, z, w, of the same marker in all tables"});

@@ -7,18 +7,18 @@
 
 namespace capstan::learning {
 
-/// Where something was seen, and where it was asked, or believed, to be: each [m] and a turn, in frames of
+/// An observed pose and the commanded or reported pose at that instant: each [m] and a rotation, in frames of
 /// their own.
 struct PosePair {
   Eigen::Isometry3d observed = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d commanded = Eigen::Isometry3d::Identity();
 };
 
-/// How far two poses are apart: |Δt|² + (`lever` · angle)² [m²], the lever what a turn counts for [m].
+/// How far two poses are apart: |Δt|² + (`lever` · angle)² [m²], the lever what a rotation counts for [m].
 double squaredDistance(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, double lever);
 inline constexpr double kLever = 0.05;  ///< of an instrument's tip
 
-/// The rigid transform G that takes what was seen nearest to what was told (GPR paper, section IV-B),
+/// The rigid transform G that maps observed poses nearest to commanded ones (GPR paper, section IV-B),
 ///     min Σ ‖G T_seen − T_told‖²_F,
 /// translations in levers: in closed form by the singular value decomposition of
 ///     Σ (t_told − t̄_told)(t_seen − t̄_seen)ᵀ / lever² + R_told R_seenᵀ = U S Vᵀ,   R = U diag(1, 1, det U Vᵀ)

@@ -9,7 +9,7 @@ namespace capstan::learning {
 /// Axis times angle [rad], the short way round: |result| ≤ π.
 Eigen::Vector3d rotationVector(const Eigen::Quaterniond& rotation);
 
-/// The turn about the vector's direction by its length.
+/// The rotation about the vector's direction by its length.
 Eigen::Quaterniond turnBy(const Eigen::Vector3d& rotation_vector);
 
 }  // namespace capstan::learning

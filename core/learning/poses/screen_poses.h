@@ -7,7 +7,7 @@
 
 namespace capstan::learning {
 
-/// A row of one stream that is left out.
+/// A row of one stream that is excluded.
 struct RejectedRow {
   StreamKind stream = StreamKind::kCamera;
   std::size_t motion = 0;  ///< place among the motions
@@ -23,7 +23,7 @@ struct ScreenReport {
 };
 
 /// Poses that are ones: finite, with a unit quaternion (its norm within kNorm of 1), no placeholder (position
-/// 0 and quaternion (0, 0, 0, ±1), or all 0), each later than the one before. Every row that is left out is
+/// 0 and quaternion (0, 0, 0, ±1), or all 0), each later than the one before. Every row that is excluded is
 /// listed.
 ScreenReport screenPoses(std::span<const RawMotion> motions);
 inline constexpr double kNorm = 0.01;

@@ -47,15 +47,15 @@ class Judgement {
 
   /// Not: cancelled, or nothing is left of half of the states.
   bool made() const { return scatter_.maxCoeff() > 0.0; }
-  /// Of position and turn together.
+  /// Of position and rotation together.
   double weight(std::size_t k) const { return weightOf(inScatters(k)); }
   bool counts(std::size_t k) const { return kept_[k] || weight(k) >= kAgain; }
-  Vector6d doubt(std::size_t k) const {
+  Vector6d extraVariance(std::size_t k) const {
     const Vector6d far = inScatters(k);
-    Vector6d doubt;
-    doubt.head<3>().setConstant(1.0 / weightOf(far.head<3>()) - 1.0);
-    doubt.tail<3>().setConstant(1.0 / weightOf(far.tail<3>()) - 1.0);
-    return doubt.cwiseMax(0.0).cwiseProduct(scatter_.cwiseAbs2());
+    Vector6d variance;
+    variance.head<3>().setConstant(1.0 / weightOf(far.head<3>()) - 1.0);
+    variance.tail<3>().setConstant(1.0 / weightOf(far.tail<3>()) - 1.0);
+    return variance.cwiseMax(0.0).cwiseProduct(scatter_.cwiseAbs2());
   }
 
  private:
@@ -89,7 +89,7 @@ std::vector<Vector6d> residualOfEach(std::vector<State> states, const std::vecto
   if (by_kept.empty() || !by_all.made()) return by_kept;
   for (std::size_t k = 0; k < states.size(); ++k) {
     counts[k] = by_all.counts(k);
-    states[k].doubt = by_all.doubt(k);
+    states[k].extra_variance = by_all.extraVariance(k);
   }
   std::vector<Vector6d> by_down_weighted =
       leftByOthers(states, counts, options, progress, part.within(0.67, 1.0));
@@ -133,7 +133,7 @@ void weigh(TrainingStates& training, const std::vector<State>& all, const Cleani
     Reason& reason = cleaning.reason[places[k]];
     if (!kept[k]) training.weighing.again.push_back(std::exchange(reason, Reason::kNone));
     training.weighing.down_weighted += judgement.weight(k) < kDownWeighted;
-    some[k].doubt = judgement.doubt(k);
+    some[k].extra_variance = judgement.extraVariance(k);
     training.states.push_back(some[k]);
   }
   training.weighing.weighed = true;

@@ -5,48 +5,47 @@
 
 namespace capstan::learning {
 
-/// What became of states by weigh().
+/// Result of weigh().
 struct WeighingReport {
-  bool weighed = false;           ///< not: too few motions, nothing left over, or cancelled
-  std::vector<Reason> again;      ///< why cleaning had taken those that count again
-  std::size_t down_weighted = 0;  ///< of those that count, of a w of all six below kDownWeighted
+  bool weighed = false;           ///< false: too few motions, no residuals, or cancelled
+  std::vector<Reason> again;      ///< why cleaning had rejected those that count again
+  std::size_t down_weighted = 0;  ///< of those that count: w over all six below kDownWeighted
 };
 
-/// What a correction is learned from.
+/// Training data of a correction.
 struct TrainingStates {
   CleaningReport cleaning;
   WeighingReport weighing;
   std::vector<State> states;                                 ///< that count
-  Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();  ///< rigid, of those that cleaning kept
+  Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();  ///< rigid, of the inliers of cleaning
 };
 
-/// Of all states those that cleaning kept, none doubted. At least one.
+/// The inliers of cleaning, none down-weighted. At least one.
 TrainingStates trainingStates(const std::vector<State>& all, CleaningReport cleaned, double lever);
 
-/// Doubts states by how badly others tell them. Of what trial models of other motions leave of a state,
-/// e (leftByOthers), and of the scatter s of each of its six among those that cleaning kept (by the median,
-/// kScatterShare of the largest at least),
-///     doubt = s² max(1/w − 1, 0),   w = (ν + n) / (ν + Σ e²/s²),
-/// the sum over the n = 3 of the position for these, and over the 3 of the turn for those: the variance that
-/// makes a noise of s² one of s² / w, w being the weights by which a multivariate t distribution of
-/// ν = kFreedom degrees of freedom is fitted (Lange, Little and Taylor, Robust statistical modeling using the
-/// t distribution, JASA 84 (1989)). It comes besides the noise that processes learn, which knows no
-/// exclusions. Trial models take the motion of `options`, which has to be set: what history would explain is
-/// not to be doubted. What cleaning found misplaced() is judged with the rest, and counts again from a w of
-/// kAgain on, of all n = 6: a robot that does not follow a command, at a limit of a joint say, is out of
-/// place in the same way each time, and an observation that is wrong is not. What is faster than `limits`
-/// stays out, and the offset stays.
+/// Down-weights states by how poorly others predict them. With e the residual of a state under trial models of
+/// other motions (leftByOthers), and s the scale of each of its six components among the inliers of cleaning
+/// (by the median, kScatterShare of the largest at least), a state has the extra variance
+///     s² max(1/w − 1, 0),   w = (ν + n) / (ν + Σ e²/s²),
+/// the sum over the n = 3 components of its position or of its rotation. A noise variance of s² becomes
+/// s² / w, where w are the weights by which a multivariate t distribution of ν = kFreedom degrees of freedom is
+/// fitted (Lange, Little and Taylor, Robust statistical modeling using the t distribution, JASA 84 (1989)).
+/// The variance is added to the noise that processes learn, which knows no outliers. Trial models have the
+/// motion features of `options`, which must be set: errors that history explains are not outliers. States that
+/// cleaning rejected as misplaced() are judged too, and count again from w = kAgain on, over all n = 6: a robot
+/// that stops at a joint limit is displaced in the same way each time, a wrong observation is not. States
+/// faster than `limits` stay rejected, and the rigid offset does not change.
 ///
-/// Models learned from all tell a first e, and models learned with its exclusions a second, which holds.
-/// Where these leave more of what cleaning kept than models of that alone, by the median or by what is left
-/// of kWorst of them (within kByChance), too much is wrong to learn from all, and e is what the latter leave.
-/// Nothing changes with fewer than kFewestMotions, where nothing is left of half of the states, or when
+/// Models of all states give a first e, models with its weights a second, which is final. Where these predict
+/// the inliers of cleaning worse than models of the inliers alone, by the median or by the kWorst quantile
+/// (within kByChance), the outliers are too many to learn from all states, and e is that of the inliers' models.
+/// Nothing changes with fewer than kFewestMotions, where half of the states have no residual, or when
 /// cancelled.
 void weigh(TrainingStates& training, const std::vector<State>& all, const CleaningOptions& limits,
            const CorrectionOptions& options, base::Progress* progress = nullptr,
            const base::ProgressPart& part = {});
 inline constexpr double kFreedom = 4.0;
-inline constexpr double kScatterShare = 0.01;  ///< turns by the lever
+inline constexpr double kScatterShare = 0.01;  ///< rotations by the lever
 inline constexpr double kAgain = 0.03;         ///< all six by 7.4 of their scatters, or one by 18
 inline constexpr double kDownWeighted = 0.5;
 inline constexpr double kWorst = 0.9;

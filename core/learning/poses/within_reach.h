@@ -8,16 +8,16 @@
 /// Corrections that ask for no more than a robot can do.
 namespace capstan::learning {
 
-/// Whether a robot can be asked for a pose, in the frame of its commands: joint limits, in the end, which
-/// learning does not know. Unset: it can be asked for everything.
+/// Whether a robot can be commanded to a pose, in the frame of its commands: joint limits, in the end, which
+/// learning does not know. Unset: every pose can be commanded.
 using Reachable = std::function<bool(const Eigen::Isometry3d&)>;
 
-/// What a pose was shrunk towards, so that it can be asked for.
+/// What a pose was shrunk towards, so that it can be commanded.
 enum class ReachLimit {
-  kNone,        ///< nothing: it can be asked for as it is
-  kCorrection,  ///< the rigid offset: part of the learned correction is left out
-  kOffset,      ///< the desired pose: all of the correction and part of the offset are left out
-  kNowhere,     ///< not even the desired pose can be asked for
+  kNone,        ///< nothing: it can be commanded as it is
+  kCorrection,  ///< the rigid offset: part of the learned correction is omitted
+  kOffset,      ///< the desired pose: all of the correction and part of the offset are omitted
+  kNowhere,     ///< not even the desired pose can be commanded
 };
 
 struct WithinReach {
@@ -29,9 +29,9 @@ struct WithinReach {
 /// The pose a `share` of the way from one to the other: positions in line, turns along the shorter arc.
 Eigen::Isometry3d poseBetween(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to, double share);
 
-/// `corrected` where it can be asked for; else the last pose that can on the way to it from `rigid`, the
+/// `corrected` where it can be commanded; else the last pose that can on the way to it from `rigid`, the
 /// desired pose under the rigid offset alone; else on the way to `rigid` from `desired`; else `desired`,
-/// which must not be asked for then. The way is halved kHalvings times, and no pose is given that `reachable`
+/// which must not be commanded then. The way is halved kHalvings times, and no pose is given that `reachable`
 /// was not asked about. All in the frame of the robot's commands.
 WithinReach withinReach(const Eigen::Isometry3d& corrected, const Eigen::Isometry3d& rigid,
                         const Eigen::Isometry3d& desired, const Reachable& reachable);

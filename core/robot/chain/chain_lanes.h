@@ -21,7 +21,7 @@ struct ChainRows {
   const double* signed_load[kChainJoints] = {};  ///< null: as `load`
 };
 
-/// A stretch of rows to simulate, begin to end, and where every `stride`-th row of it goes, the first one
+/// A segment of rows to simulate, begin to end, and the place of every `stride`-th row of it, the first one
 /// included: q and dq of joint j at output k in q[(k n + j) kChainLanes + lane], both 64-byte aligned.
 struct ChainRun {
   std::size_t begin = 0, end = 0;

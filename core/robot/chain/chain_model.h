@@ -10,7 +10,7 @@
 
 namespace capstan::robot {
 
-/// How the cameras tell a point p of frame 0: scale · R p + offset, of an instant `delay` earlier (a
+/// How the cameras measure a point p of frame 0: scale · R p + offset, of an instant `delay` earlier (a
 /// similarity, Horn, JOSA A 4, 1987).
 struct CameraNumbers {
   Eigen::Vector3d rotation = Eigen::Vector3d::Zero();  ///< rotation vector [rad]
@@ -19,9 +19,9 @@ struct CameraNumbers {
   double delay = 0.0;                                  ///< [s]
 
   Eigen::Vector3d measure(const Eigen::Vector3d& point) const;
-  /// The point that was told of.
+  /// The point of a measurement.
   Eigen::Vector3d undo(const Eigen::Vector3d& measured) const;
-  /// Covariance of the point by that of what was told.
+  /// Covariance of the point by that of the measurement.
   Eigen::Matrix3d undo(const Eigen::Matrix3d& covariance) const;
 };
 
@@ -46,7 +46,7 @@ unsigned lawOf(std::string_view effect);
 JointMatrix massMatrix(const ChainModel& model, const JointVector& q);
 
 /// Upper bound [1/s] on the chain's eigenvalues λ, of pose `q` and at rest, friction at its steepest,
-/// gravity's own stiffness left out: for M λ² + D λ + K with symmetric parts |λ| is at most the largest
+/// without gravity's own stiffness: for M λ² + D λ + K with symmetric parts |λ| is at most the largest
 /// eigenvalue of M⁻¹ D or the root of that of M⁻¹ K, whichever is larger. Runge–Kutta steps shorter than 2.7
 /// over it are stable.
 double chainRate(const ChainModel& model, const JointVector& q);

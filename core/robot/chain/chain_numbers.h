@@ -28,7 +28,7 @@ enum ChainLaw : unsigned {
   kLawZeroDrift = 1u << 15,
 };
 
-/// Motor, cable and friction of one joint. Neutral where a number says so.
+/// Motor, cable and friction of one joint. Neutral where a number reports it.
 template <class S>
 struct JointNumbers {
   S lever;               ///< r_mc / N [m/rad]
@@ -65,9 +65,9 @@ struct JointNumbers {
   S wave_cosine;         ///< share of Coulomb, neutral 0
   S wave_number;         ///< 2π / period [1/rad or 1/m]
   S armature;            ///< added to the diagonal of the mass matrix, neutral 0
-  S load_gain;           ///< 1, or −1: signs that were told start the other way
-  S load_sign;           ///< 0: loads as measured; 1: as their signs have been told (ChainInput::signed_load)
-  S gain;                ///< torque that arrives over torque asked for, neutral 1
+  S load_gain;           ///< 1, or −1: given signs are reversed
+  S load_sign;           ///< 0: loads as measured; 1: with the signs of ChainInput::signed_load
+  S gain;                ///< torque that arrives over commanded torque, neutral 1
   S offset;              ///< torque or force at the joint that is always there, neutral 0
   S motor_inertia;       ///< I_m [kg·m²]
   S motor_coulomb;       ///< tau_cm [N·m]

@@ -11,7 +11,7 @@ ChainState<double> stateAt(const ChainModel& model, const JointVector& q, const 
 /// Moves the compliant motors of `state` on from there to where the slow motion has wound their cables up:
 /// the stretch compliance F of
 ///     F lever = gain τ − friction(q̇_m) − I_m q̈_m,   q̈_m = q̈ link_radius / lever
-/// with q̈ of the same chain on rigid cables. What is left out is the motor's own oscillation.
+/// with q̈ of the same chain on rigid cables. What is neglected is the motor's own oscillation.
 void windUp(const ChainModel& model, const ChainInput& input, ChainState<double>& state);
 
 /// Stretch of cable i (from 0) with its motor at q_m [rad] and the joints at q, a slip of the encoder and a

@@ -64,7 +64,7 @@ TEST(Analysis, SelectsJointTimeAndUnit) {
   using Numbers = std::vector<double>;
   EXPECT_THAT(values(experiments::Estimator::kKinematic, 0),
               ::testing::Pointwise(::testing::DoubleNear(1e-12), Numbers{-0.1 / kDegree}));
-  // One joint of the other is not known: it is left out as a whole, as in the table of errors.
+  // One joint of the other is not known: it is excluded as a whole, as in the table of errors.
   EXPECT_EQ(values(experiments::Estimator::kKinematic, 1).size(), 1U);
   EXPECT_EQ(values(experiments::Estimator::kUkf, 2), (Numbers{-4.0, 6.0}));
   EXPECT_EQ(values(experiments::Estimator::kCamera, 2), Numbers{7.0});
@@ -299,7 +299,7 @@ TEST(Analysis, PairsOfOneMotionAreTighter) {
 }
 
 // Of equal means P is uniform: five or more of 60 below 0.01 have a probability below 0.001. Means a third of
-// a deviation apart are told apart for certain.
+// a deviation apart are distinguished for certain.
 TEST(Analysis, ProbabilityKnowsOfCorrelation) {
   int small = 0;
   AnalysisOptions options;

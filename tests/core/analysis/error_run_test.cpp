@@ -279,7 +279,7 @@ TEST_F(ErrorRuns, AreReadFromResults) {
     trial.camera.push_back({0.49, {1, 2, 3}, {7, 8, 9}});
     trial.camera.push_back({0.52, {1, 2, 3}, experiments::noJoints()});
     trial.rms[static_cast<std::size_t>(experiments::Estimator::kUkf)] = {
-        4.5, 5.5, 6.5};  // over what the series left out
+        4.5, 5.5, 6.5};  // over what the series excluded
     trial.counts[static_cast<std::size_t>(experiments::Estimator::kUkf)] = 20;
     results.trials.push_back(trial);
   }

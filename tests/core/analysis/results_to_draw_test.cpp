@@ -149,7 +149,7 @@ TEST_F(ResultsToDraw, ARecordingIsTrackedWithItsOwnRobotOrAnother) {
       resultsOfRecording(folder_ / "my trial.capstan", folder_ / "mine.yaml", "test", progress);
   EXPECT_EQ(other.name, "my-trial-mine");
   EXPECT_EQ(other.title, "my trial.capstan, mine");
-  // Of the robot that the filter believes in, as the window shows it.
+  // Of the robot that the filter assumes, as the window shows it.
   EXPECT_EQ(other.trials[0].rmsOf(experiments::Estimator::kKinematic),
             other.trials[0].rmsOf(experiments::Estimator::kIdentified));
   EXPECT_NE(other.trials[0].rmsOf(experiments::Estimator::kKinematic)(0),

@@ -22,7 +22,7 @@ namespace {
 
 robot::Description raven() { return robot::readDescription(base::resource("robots/raven2_left.yaml")); }
 
-/// A short recording of the RAVEN-II, aged but without texture, with or without an effect.
+/// A short recording of the RAVEN-II, drifted but without texture, with or without an effect.
 struct Planted {
   robot::Description robot = raven();
   test::Truth truth;
@@ -155,7 +155,7 @@ TEST(Fit, freesEncoderZerosAsItIsAsked) {
   };
   const Eigen::Vector2d known = means(EncoderZeros::kKnown);
   EXPECT_NEAR(known[1] - known[0], kApart, 2e-4) << "but for starts, which encoders tell";
-  EXPECT_GT(std::abs(known.mean()), 1e-3) << "an aged robot's error has a mean to take";
+  EXPECT_GT(std::abs(known.mean()), 1e-3) << "a drifted robot's error has a mean to take";
   EXPECT_NEAR(means(EncoderZeros::kOneForAll)[0], -0.5 * kApart, 1e-4);
   EXPECT_NEAR(means(EncoderZeros::kOneForAll)[1], 0.5 * kApart, 1e-4);
   EXPECT_LT(means(EncoderZeros::kOnePerRecording).norm(), 1e-9);

@@ -166,7 +166,7 @@ TEST(SparseRegression, WhatAgesIsKnownLess) {
   const Regression regression = regressed(draw(5, {1.5, 0.0, 0.2, -0.1}, 50));
   double before = regression.covariance()(0, 0);
   for (const double factor : {0.5, 0.1, 0.01}) {
-    const double aged = regression.covarianceAged(factor)(0, 0);
+    const double aged = regression.covarianceDiscounted(factor)(0, 0);
     EXPECT_GT(aged, before) << factor;
     before = aged;
   }

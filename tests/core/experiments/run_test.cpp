@@ -83,7 +83,7 @@ TEST_F(Experiments, TrialsAreTrackedAndKept) {
   for (const double e : free.errorsOf(Estimator::kKinematic, 0)) sum += e * e;
   const double whole = free.rmsOf(Estimator::kKinematic)(0);
   EXPECT_NEAR(std::sqrt(sum / static_cast<double>(free.errors.size())), whole, 0.02 * whole);
-  // The estimator believes in the nominal robot here: both kinematics are one.
+  // The estimator assumes the nominal robot here: both kinematics are one.
   EXPECT_EQ(free.rmsOf(Estimator::kKinematic), free.rmsOf(Estimator::kIdentified));
   EXPECT_THAT(free.inputs.truth, HasSubstr("name: default"));
 

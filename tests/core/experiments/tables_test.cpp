@@ -116,7 +116,7 @@ TEST(Tables, TrialsWithoutEncodersAreNotCounted) {
   EXPECT_THAT(meanTable(results, &published).note, HasSubstr("Means over 6 trials; P"));
   results.trials[1].counts.fill(0);
   EXPECT_THAT(meanTable(results, &published).note,
-              HasSubstr("Means over 5 trials, 1 without joint encoders left out; P"));
+              HasSubstr("Means over 5 trials, 1 without joint encoders excluded; P"));
   results.trials.resize(1);
   EXPECT_THAT(meanTable(results, nullptr).note, HasSubstr("Means over 1 trial. "));
 }
@@ -202,7 +202,7 @@ TEST(Comparison, WhatMissesItsGoalMayHaveSaidSo) {
   estimate.low = 97.0;
   EXPECT_EQ(goal().verdict, Verdict::kSaid);
   EXPECT_THAT(goal().measured, HasSubstr("± 6.00 %; said of it: joint 1 moves too little"));
-  EXPECT_THAT(base::markdownOf(goalTable({goal()})), HasSubstr("| not met, said so |"));
+  EXPECT_THAT(base::markdownOf(goalTable({goal()})), HasSubstr("| not met, reported |"));
   estimate.low = 100.5;  // the truth is outside what it says
   EXPECT_EQ(goal().verdict, Verdict::kMissed);
   estimate.low = 97.0;

@@ -48,7 +48,7 @@ TEST(DelayPasses, NothingIsObservedInAGapOfTheMotors) {
     EXPECT_TRUE(seen.t <= end || seen.t >= end + 1.0) << seen.t;
 }
 
-/// What first order leaves out of 80 ms stays in the residuals, and bends the estimates of a filter that
+/// What first order omits of 80 ms stays in the residuals, and bends the estimates of a filter that
 /// takes its own errors for noise.
 TEST(DelayPasses, BatchFindsALargeDelay) {
   const auto data = lateRecording(kLate);

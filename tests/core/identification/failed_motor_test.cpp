@@ -1,4 +1,4 @@
-// A failed motor encoder's stretch of a recording is no part of what identification sees.
+// A failed motor encoder's segment of a recording is no part of what identification sees.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -27,7 +27,7 @@ struct Session {
       : source(sinusoid(duration)), pipeline(tracking::makePipeline(source.info())) {
     live.begin(source.info().robot, source.info().title);
   }
-  /// On to `until` [s]. Runs that are asked for are made at once, by a clock of a tenth of the session's
+  /// On to `until` [s]. Requested runs are made at once, by a clock of a tenth of the session's
   /// speed; returns how many.
   int runTo(double until, bool runs = true) {
     if (live.sink()) live.sink()->begin(pipeline);

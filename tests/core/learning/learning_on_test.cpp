@@ -1,4 +1,4 @@
-// What a model does while it is in use: says when it has aged, and where to look next.
+// What a model does while it is in use: says when it has drifted, and where to look next.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -63,7 +63,7 @@ TEST(DriftMonitor, saysWhenTheModelHasAged) {
   EXPECT_FALSE(monitor.add(along(-0.05, 0.05, 1, 4).front()).drifted);
 }
 
-/// Two motions of 100 s, each with a clock that begins at 0; the second `aged` off.
+/// Two motions of 100 s, each with a clock that begins at 0; the second `drifted` off.
 std::vector<State> twoMotions(double drifted) {
   std::vector<State> states = along(-0.05, 0.05, 200, 2), later = along(-0.05, 0.05, 200, 3, drifted);
   for (State& state : later) state.motion = 1;

@@ -48,12 +48,12 @@ TrainingStates weighed(const std::vector<State>& all, base::Progress* progress =
   return training;
 }
 
-/// Root of the mean doubt of a motion's states [m, rad].
+/// Root of the mean extra variance of a motion's states [m, rad].
 Vector6d doubtOf(const TrainingStates& training, std::size_t motion) {
   Vector6d sum = Vector6d::Zero();
   double count = 0.0;
   for (const State& state : training.states)
-    if (state.motion == motion) sum += state.doubt, ++count;
+    if (state.motion == motion) sum += state.extra_variance, ++count;
   return (sum / count).cwiseSqrt();
 }
 
@@ -139,7 +139,7 @@ TEST(Weigh, AModelOfWeighedStatesIsNearer) {
 TEST(Weigh, NothingWhereMotionsAreTooFewOrWorkIsCancelled) {
   const auto untouched = [](const TrainingStates& training) {
     return training.weighing.again.empty() && !training.weighing.weighed &&
-           std::ranges::all_of(training.states, [](const State& state) { return state.doubt.isZero(); });
+           std::ranges::all_of(training.states, [](const State& state) { return state.extra_variance.isZero(); });
   };
   EXPECT_TRUE(untouched(weighed(states({.stuck_beyond = 0.02}, 9))));
   base::Progress progress;

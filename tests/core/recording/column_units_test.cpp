@@ -124,7 +124,7 @@ TEST(ColumnUnits, AStatedUnitThatDoesNotSuitTheTableIsRefusedByName) {
     try {
       settleUnits(read, raven(), parseReadAs(stated, "x"));
     } catch (const ImplausibleUnits&) {
-      ADD_FAILURE() << stated << " was taken, and another unit asked for";
+      ADD_FAILURE() << stated << " was accepted, and another unit required";
     } catch (const base::InputError& error) {
       message = error.what();
     }

@@ -136,7 +136,7 @@ TEST(DiskFault, TheReserveTakesEveryRowThatWasOffered) {
   EXPECT_GT(disk.freeBytes(), 5U << 20);
 }
 
-/// The log was moved into the file and begun anew many times before the disk was full.
+/// The log was moved into the file and restarted many times before the disk was full.
 TEST(DiskFault, AFullDiskAfterManyCheckpoints) {
   const SmallDisk disk(32);
   if (!disk.mounted()) GTEST_SKIP() << disk.why();

@@ -51,7 +51,7 @@ TEST(ToolRobot, believesToBeWhereItIsNot) {
   ToolRobot robot(raven(), readToolTruth(base::resource("truth/debridement.yaml")), middle());
   const Eigen::Isometry3d goal = beside(robot.commanded(), {0.02, -0.03, 0.01});
   goTo(robot, goal);
-  EXPECT_LT((robot.believed().translation() - goal.translation()).norm(), 1e-3);
+  EXPECT_LT((robot.nominalPose().translation() - goal.translation()).norm(), 1e-3);
   EXPECT_GT((robot.arm().pose().translation() - goal.translation()).norm(), 5e-3);
 }
 

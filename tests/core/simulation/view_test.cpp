@@ -10,7 +10,7 @@
 namespace capstan::simulation {
 namespace {
 
-/// Smallest distance of a point's projections from the border of both pictures [px]; negative: out of view.
+/// Smallest distance of a point's projections from the border of both images [px]; negative: out of view.
 double margin(const vision::StereoRig& rig, const Eigen::Vector3d& point) {
   double least = 1e9;
   for (const auto& [camera, place] :

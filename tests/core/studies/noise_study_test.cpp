@@ -27,7 +27,7 @@ TEST(CramerRaoStudy, DoesNotDependOnTheThreads) {
   EXPECT_EQ(a.interval[0][1].low, b.interval[0][1].low);
 }
 
-/// Memory is that of a stretch of time; where one ends changes nothing but the last bits of the bound's sum.
+/// Memory is that of a segment of time; where one ends changes nothing but the last bits of the bound's sum.
 TEST(CramerRaoStudy, DoesNotDependOnTheStretchesOfTime) {
   CramerRaoOptions whole = few(), parts = few();
   whole.segment = whole.duration;

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The stereo chessboard pictures of OpenCV's samples, where they are at hand.
+/// The stereo chessboard images of OpenCV's samples, where they are at hand.
 fs::path openCvStereo() {
   const char* folder = std::getenv("CAPSTAN_DATA");
   const fs::path data =

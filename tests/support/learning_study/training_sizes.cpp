@@ -24,7 +24,7 @@ double secondsSince(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/// Means of ‖Δt‖ and of the turn's error [mm, deg], from outputs in scales.
+/// Means of ‖Δt‖ and of the rotation's error [mm, deg], from outputs in scales.
 std::pair<double, double> meansOf(const MatrixXd& off, const Eigen::RowVectorXd& scale) {
   const MatrixXd apart = off * scale.asDiagonal();
   return {kMillimetres * apart.leftCols(3).rowwise().norm().mean(),
@@ -57,7 +57,7 @@ void tellExact(const std::vector<State>& train, const std::vector<State>& test,
       "%\n",
       exact_mm, exact_deg, ours_mm, ours_deg, 100.0 * (ours_mm / exact_mm - 1.0),
       100.0 * (ours_deg / exact_deg - 1.0));
-  fmt::print("    RMS of x, y, z and the turn's three, ours to exact:");
+  fmt::print("    RMS of x, y, z and the rotation's three, ours to exact:");
   for (Index k = 0; k < commanded.cols(); ++k)
     fmt::print(" {:+.2f} %",
                100.0 * ((ours - commanded).col(k).norm() / (exact - commanded).col(k).norm() - 1.0));

@@ -27,7 +27,7 @@ struct EmpsStep {
 enum class EmpsStart { kThreeNumbers, kFourNumbers };  ///< mass and friction; with them a constant force
 
 /// The rigid drive refitted, then each effect that is named, in their order: chosen by simulations that start
-/// anew as often as diagnose() has it, numbers fitted to the simulation of the whole record.
+/// again as often as diagnose() has it, numbers fitted to the simulation of the whole record.
 std::vector<EmpsStep> empsSteps(const std::filesystem::path& folder, EmpsStart start, int threads);
 
 /// The force is held between rows.

@@ -6,8 +6,8 @@
 
 namespace capstan::measured {
 
-/// A model that was chosen, its numbers fitted anew to the open-loop simulation of whole recordings: for
-/// rigid drives, whose effects are chosen by simulations that start anew after kFarHorizon at the latest.
+/// A model that was chosen, its numbers refitted to the open-loop simulation of whole recordings: for
+/// rigid drives, whose effects are chosen by simulations that restart after kFarHorizon at the latest.
 /// Errors of force add up over a whole recording, so that its numbers simulate long motions better, and are
 /// less sure where a recording has something that no effect explains. `robot` is the nominal one; starts at
 /// `chosen`.

@@ -7,7 +7,7 @@
 namespace capstan::test {
 namespace {
 
-// Standard deviations as drawn by aged() and backgroundTexture().
+// Standard deviations as drawn by drifted() and backgroundTexture().
 const double kFactor = std::log(2.0) / std::sqrt(12.0);  // of ln of a number between 0.7 and 1.4
 const double kShift = 0.3 / std::sqrt(12.0);             // of the centre of mass, share of its arm
 const double kTrace = std::sqrt(7e-4);                   // of a share between 0.01 and 0.04 of any sign

@@ -6,10 +6,10 @@
 
 namespace capstan::test {
 
-/// One number by which a robot without a fault may differ: an aged one of aged(), or a part of
+/// One number by which a robot without a fault may differ: a drifted one of drifted(), or a part of
 /// backgroundTexture(), off by kBackgroundStep of its standard deviation.
 struct BackgroundChange {
-  robot::Description robot;      ///< aged, that number off; as it is where it is one of texture
+  robot::Description robot;      ///< drifted, that number off; as it is where it is one of texture
   std::vector<Planted> texture;  ///< that part of texture; empty: none
   double low = 0.0, high = 0.0;  ///< how far from here it may be, in standard deviations
 };

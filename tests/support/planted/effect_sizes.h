@@ -5,7 +5,7 @@
 namespace capstan::test {
 
 /// `effect` on joint i (from 0) as large as a robot that still works could have it; direction, phase, speed,
-/// time constant and so on drawn. `p`: the aged robot without effects.
+/// time constant and so on drawn. `p`: the drifted robot without effects.
 Planted largestPlausible(Effect effect, int i, const PlantParameters& p, const robot::Description& nominal,
                          base::Random& random);
 
@@ -14,7 +14,7 @@ Planted largestPlausible(Effect effect, int i, const PlantParameters& p, const r
 std::vector<Planted> backgroundTexture(const PlantParameters& p, base::Random& random);
 
 /// How much of an effect a reference would show that no robot without a fault would: open-loop simulations
-/// over the motion of the robot without it, less what ageing and texture, as far as they are drawn and to
+/// over the motion of the robot without it, less what drift and texture, as far as they are drawn and to
 /// first order, can do to look like it. A little more mass at the tip is a mistuned mass, and 2 % of
 /// asymmetry are texture.
 class Visibility {
@@ -22,7 +22,7 @@ class Visibility {
   Visibility(const robot::Description& nominal, const robot::Description& aged, bool rigid,
              const std::vector<Planted>& texture, const SensorOptions& sensors, PlantedMotion motion);
 
-  /// RMS of what the effect changes beyond ageing and texture, over RMS of noise and texture, of the channel
+  /// RMS of what the effect changes beyond drift and texture, over RMS of noise and texture, of the channel
   /// (a joint encoder, the cameras) that shows most of it.
   double of(const Planted& planted) const;
 

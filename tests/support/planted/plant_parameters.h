@@ -24,7 +24,7 @@ struct PlantParameters {
   Joints motor_coulomb{}, motor_viscous{}, motor_smoothing{}, coulomb{}, viscous{}, smoothing{};
   Joints middle{}, half_range{};  ///< of the joint's limits
   Joints armature{};              ///< added to the diagonal of the mass matrix
-  Joints actuator_gain{};         ///< torque that arrives over torque that was asked for
+  Joints actuator_gain{};         ///< torque that arrives over commanded torque
   Joints compliance{};            ///< of the cable of a rigid drive [m/N]; 0: rigid
   std::array<Joints, kMostJoints> coupling{};
 };

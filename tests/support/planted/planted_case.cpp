@@ -160,7 +160,7 @@ std::vector<int> jointsFor(Effect effect, const DrawOptions& options) {
   if (facts.place == Place::kCamera && !options.sensors.cameras) return {};
   if (effect == Effect::kEncoderDrift && !options.sensors.joint_encoders) return {};
   if (effect == Effect::kGravityTilt && options.robot.gravity.norm() == 0.0) return {};
-  // One joint's M q'' + F = g tau is M/g q'' + F/g = tau: aged numbers tell it as well.
+  // One joint's M q'' + F = g tau is M/g q'' + F/g = tau: drifted numbers tell it as well.
   if (effect == Effect::kActuatorGain && options.rigid && options.robot.size() == 1) return {};
   if (facts.whole) return {0};
   std::vector<int> joints;

@@ -9,7 +9,7 @@
 namespace capstan::test {
 
 /// One effect of a case. Size: 0 none, 0.1 just visible (an open-loop simulation of the reference changes,
-/// beyond what ageing and texture can make of it, by as much as noise and texture are), 1 large (ten times
+/// beyond what drift and texture can make of it, by as much as noise and texture are), 1 large (ten times
 /// that, or as large as is plausible where that is less).
 /// sensor_sign is there or not: its size is that of the load.
 struct ChosenEffect {
@@ -50,7 +50,7 @@ struct Truth {
   };
   std::vector<Item> items;
   std::vector<Planted> texture;  ///< background texture in the recording; empty: it has none
-  robot::Description robot;      ///< aged
+  robot::Description robot;      ///< drifted
   bool textured = false;
 };
 

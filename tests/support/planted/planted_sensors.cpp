@@ -21,7 +21,7 @@ Joints jointsAt(const PlantedMotion& motion, double row) {
   return q;
 }
 
-/// The registration that the cameras believe in.
+/// The registration that the cameras assume.
 Vector3d misregistered(const Vector3d& point, const std::vector<Planted>& effects) {
   Vector3d p = point;
   for (const Planted& e : effects) {

@@ -30,7 +30,7 @@ struct SensorOptions {
 class StereoPair {
  public:
   StereoPair(const Eigen::Vector3d& looks_at, const SensorOptions& options);
-  /// The point as both noisy pictures give it, z = f b / (u_left − u_right), in frame 0 [m].
+  /// The point as both noisy images give it, z = f b / (u_left − u_right), in frame 0 [m].
   Eigen::Vector3d see(const Eigen::Vector3d& point, base::Random& random) const;
   /// Standard deviation of what see() gives at the middle of the workspace: root of the summed variances [m].
   double sigma() const;

@@ -14,7 +14,7 @@ struct HiddenTruth {
   std::vector<test::Planted> texture;  ///< background texture of the recording; empty: it has none
   double duration = 0.0;               ///< of the recording [s]
   /// Size at which the true model would find half of the first item's like, IdealObserver::limit; NaN: not
-  /// asked for.
+  /// requested.
   double ideal_limit = 0.0;
 };
 

@@ -10,12 +10,12 @@ namespace capstan::study {
 
 /// How far an effect moves what the sensors tell, in standard deviations of everything else that may move it
 /// the same way: what an observer could make of the recording who has the true model itself, knows the truth
-/// but for the ageing (and the texture, where there is one) and knows how those are drawn:
+/// but for the drift (and the texture, where there is one) and knows how those are drawn:
 ///     D² = dᵀ (Σ + J P Jᵀ)⁻¹ d
 /// d: change of all sensors' readings by the effect, open loop over the motion of the robot without it; Σ:
-/// the sensors' white noise; J: change by each aged number of each joint (stiffness, damping, friction of
+/// the sensors' white noise; J: change by each drifted number of each joint (stiffness, damping, friction of
 /// joint and motor, mass, centre of mass) and by the background texture; P: their variances as they are
-/// drawn. Linear in the ageing. From the case's first `seconds`, taken to come as often as its length has
+/// drawn. Linear in the drift. From the case's first `seconds`, taken to come as often as its length has
 /// room for.
 class IdealObserver {
  public:

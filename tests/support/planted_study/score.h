@@ -16,7 +16,7 @@ enum class Hit {
   kLater,       ///< named, but not first
   kWrongJoint,  ///< the effect named first is right, its joint is not
   kWrong,       ///< another effect named
-  kNothing,     ///< "nothing worth naming"
+  kNothing,     ///< "nothing material"
   kUnexplained,
   kError,
 };

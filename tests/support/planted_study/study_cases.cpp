@@ -31,7 +31,7 @@ test::DrawOptions drawOptions(Robot which) {
 bool makesSense(test::Effect effect, Robot which) {
   static const std::array options = {drawOptions(Robot::kRaven), drawOptions(Robot::kArm),
                                      drawOptions(Robot::kAxis)};
-  // A camera that follows a point on a line cannot tell a turn about it.
+  // A camera that follows a point on a line cannot tell a rotation about it.
   if (which == Robot::kAxis && test::factsOf(effect).place == test::Place::kCamera) return false;
   return !test::jointsFor(effect, options[static_cast<std::size_t>(which)]).empty();
 }

@@ -40,7 +40,7 @@ struct StudyOptions {
 /// The cases of a study, in an order in which every beginning is a fair sample: first every effect once, and
 /// so on. The RAVEN-II, and a rigid drive for each fourth case of an effect that both have and for all of
 /// effects that only rigid drives have; of the uncovered external_vibration and nonlinear_spring twice as
-/// often as joint_detent and encoder_drift. Combinations without sense are left out. base::InputError: an
+/// often as joint_detent and encoder_drift. Combinations without sense are excluded. base::InputError: an
 /// unknown name in `only`, or nothing left.
 std::vector<StudyCase> casesOf(const StudyOptions& options);
 

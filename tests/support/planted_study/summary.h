@@ -39,7 +39,7 @@ struct Group {
   int count(Hit hit) const { return hits[static_cast<std::size_t>(hit)]; }
 };
 
-/// Planted × first named, what never occurs left out; a case that was named on the wrong joint counts under
+/// Planted × first named, what never occurs excluded; a case that was named on the wrong joint counts under
 /// its name.
 struct Confusion {
   std::vector<std::string> planted, named;

@@ -93,7 +93,7 @@ TEST_F(DiagnosisPages, SayWhatStaysUnexplainedAndThatNothingIsWorthNaming) {
   EXPECT_TRUE(has(html, "7.30")) << "the line [Hz]";
   EXPECT_TRUE(has(html, report.processes[0].words));
   const std::string quiet = page(sampleReport({.verdict = Verdict::kNothing}), "nothing");
-  EXPECT_TRUE(has(quiet, "Nothing worth naming"));
+  EXPECT_TRUE(has(quiet, "Nothing material"));
   EXPECT_FALSE(has(quiet, "Causes</h2>"));
   EXPECT_FALSE(has(quiet, "extended"));
 }

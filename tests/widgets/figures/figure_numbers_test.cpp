@@ -250,7 +250,7 @@ TEST(OddData, AFarOutlierNeitherFlattensTheHistogramNorIsHidden) {
   EXPECT_GE(histogram.overflow, 1U);
   EXPECT_LT(histogram.edges.back(), 20.0);
   EXPECT_EQ(histogram.total(), values.size());
-  EXPECT_TRUE(figure.panels()[0].header->lines()[1].text.contains("beyond")) << "the header says so";
+  EXPECT_TRUE(figure.panels()[0].header->lines()[1].text.contains("beyond")) << "the header says how many";
 }
 
 TEST(CommonBins, AreAsNarrowAsTheNarrowestSampleAsks) {

@@ -8,7 +8,7 @@
 #include "tests/widgets/figures/figure_samples.h"
 #include "widgets/figures/save_plot.h"
 
-/// Vector files hold text as text, at the physical size asked for.
+/// Vector files hold text as text, at the requested physical size.
 namespace capstan::widgets {
 namespace {
 

@@ -100,7 +100,7 @@ void AnalysisPanel::addFoot(QBoxLayout* column) {
   refresh_ = new QToolButton;
   refresh_->setObjectName("refresh_analysis");
   refresh_->setText(tr("↻ Refresh"));
-  refresh_->setToolTip(tr("Read the runs anew: the session so far, changed files (F5)"));
+  refresh_->setToolTip(tr("Read the runs again: the session so far, changed files (F5)"));
   row->addWidget(words_, 1);
   row->addWidget(progress_);
   row->addWidget(cancel_);

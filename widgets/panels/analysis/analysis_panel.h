@@ -48,7 +48,7 @@ class AnalysisPanel : public QWidget {
 
   /// Run 0 (A) or 1 (B).
   void choose(std::size_t run, const RunChoice& choice);
-  /// Reads the runs anew; goes on after a cancel.
+  /// Reads the runs again; goes on after a cancel.
   void refresh();
   void cancel();
   /// base-histogram and base-boxplot as .pdf, .svg, .png and .csv, base-table as .md, .tex and .csv. What

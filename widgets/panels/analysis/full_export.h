@@ -30,7 +30,7 @@ class FullExport : public QObject {
   /// Only if not busy(). Throws base::InputError for a folder that checkExportFolder() refuses.
   void start(const std::vector<ExportedRun>& runs, ExportExtras extras, const QString& folder,
              const PageOptions& pages);
-  /// What is drawn already stays, with an index page that says so.
+  /// What is drawn already stays, with an index page that reports it.
   void cancel();
   bool busy() const { return job_.busy() || drawing_ != nullptr; }
 

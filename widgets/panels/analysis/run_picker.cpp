@@ -79,7 +79,7 @@ RunPicker::RunPicker(const QString& letter, bool may_be_none, QWidget* parent) :
   trial_->setAccessibleName(tr("trial of run %1").arg(letter));
   robot_ = new QToolButton;
   robot_->setObjectName("robot");
-  robot_->setToolTip(tr("Robot that the estimator believes in: the recording's own, or another file's"));
+  robot_->setToolTip(tr("Robot that the estimator assumes: the recording's own, or another file's"));
   robot_->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(robot_);
   menu->addAction(tr("the recording's own"), this, [this] {
@@ -156,7 +156,7 @@ void RunPicker::ask(Kind kind) {
 }
 
 void RunPicker::askRobot() {
-  auto* dialog = new QFileDialog(this, tr("Robot that the estimator believes in"),
+  auto* dialog = new QFileDialog(this, tr("Robot that the estimator assumes"),
                                  QFileInfo(choice_.path).path(), tr("Robot files (*.yaml);;All files (*)"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);

@@ -18,7 +18,7 @@ struct RunChoice {
   Kind kind = Kind::kNone;
   QString path = {};   ///< of a recording, or folder of results
   QString trial = {};  ///< of results; empty: the first
-  QString robot = {};  ///< robot file that the estimator believes in, of a recording; empty: its own
+  QString robot = {};  ///< robot file that the estimator assumes, of a recording; empty: its own
 
   bool operator==(const RunChoice&) const = default;
   void save(QSettings& settings, const QString& key) const;

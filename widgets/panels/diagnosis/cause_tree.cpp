@@ -115,7 +115,7 @@ void CauseTree::fill() {
   if (causes_.empty())
     addLine(nullptr, verdict_ == diagnosis::Verdict::kUnexplained
                          ? tr("No hypothesis explains what is there; see what it depends on.")
-                         : tr("No cause worth naming."));
+                         : tr("No material cause."));
   expandAll();
   wrapNames();
   QTreeWidgetItemIterator it(this);

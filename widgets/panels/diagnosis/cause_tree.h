@@ -8,7 +8,7 @@
 namespace capstan::widgets {
 
 /// The causes that a report names, the likeliest first: title and joint, probability as a bar, below each its
-/// numbers ± σ and what it is worth. Those that cannot be told apart stand together, with the motion that
+/// numbers ± σ and what it is worth. Those that cannot be distinguished stand together, with the motion that
 /// would part them.
 class CauseTree : public QTreeWidget {
   Q_OBJECT

@@ -94,7 +94,7 @@ void DiagnosisPanel::makeButtons() {
                  tr("The robot with the refit and the causes found, as a robot file (Ctrl+Shift+S)"),
                  [this] { askFile(); });
   use_ = button("use_extended", tr("Use this robot"),
-                tr("The running session uses it from now on; errors begin anew (Ctrl+Shift+Return)"),
+                tr("The running session uses it from now on; errors restart (Ctrl+Shift+Return)"),
                 [this] { useRobot(); });
   page_ = button("export_report", tr("Export report…"),
                  tr("A page with all figures, the report as JSON and the robot file (Ctrl+Shift+E)"),
@@ -192,8 +192,8 @@ void DiagnosisPanel::onCandidate() {
 void DiagnosisPanel::useRobot() {
   if (!report()) return;
   Q_EMIT robotChosen(report_->extended,
-                     tr("extended robot in use, errors anew: %1").arg(headlineOf(*report_)));
-  said_ = tr("The running session uses the extended robot; its errors begin anew.");
+                     tr("extended robot in use, errors again: %1").arg(headlineOf(*report_)));
+  said_ = tr("The running session uses the extended robot; its errors restart.");
   refresh();
 }
 
@@ -249,7 +249,7 @@ void DiagnosisPanel::showVerdict() {
     below = QString::fromStdString(shown->summary);
     for (const diagnosis::Tie& tie : shown->ties)
       if (!tie.separate.empty())
-        below += QLatin1Char('\n') + tr("To tell them apart: %1").arg(QString::fromStdString(tie.separate));
+        below += QLatin1Char('\n') + tr("To distinguish them: %1").arg(QString::fromStdString(tie.separate));
   } else if (job_.busy()) {
     head = tr("Looking for what the simulation gets wrong…");
     below = tr("The longer the recordings, the longer it takes; Esc cancels it.");

@@ -55,7 +55,7 @@ QString headlineOf(const diagnosis::Report& report) {
       return QObject::tr("Several causes: %1").arg(causes.join(QStringLiteral("; ")));
     case Verdict::kTie: {
       const QStringList tied = report.ties.empty() ? causes : namesOf(report.ties[0].causes, report.extended);
-      return QObject::tr("Cannot be told apart: %1").arg(tied.join(QObject::tr(" — or ")));
+      return QObject::tr("Cannot be distinguished: %1").arg(tied.join(QObject::tr(" — or ")));
     }
     case Verdict::kUnexplained:
       return causes.isEmpty() ? QObject::tr("Something is there that no hypothesis explains")
@@ -64,7 +64,7 @@ QString headlineOf(const diagnosis::Report& report) {
     case Verdict::kNothing:
       break;
   }
-  return QObject::tr("Nothing worth naming");
+  return QObject::tr("Nothing material");
 }
 
 QString channelTitle(const diagnosis::Report& report, const diagnosis::ChannelReport& channel) {

@@ -113,7 +113,7 @@ void GainTable::fill() {
   if (channels_.empty()) return;
   QTreeWidgetItem* simulation =
       addGroup(tr("open-loop simulation, on data not fitted"),
-               tr("Every stretch of the recordings is judged by a model that was fitted to the others"));
+               tr("Every segment of the recordings is judged by a model that was fitted to the others"));
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     addChannel(simulation, channels_[i]);
     simulation->child(static_cast<int>(i))->setText(kName, titles_[i]);

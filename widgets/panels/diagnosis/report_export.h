@@ -18,7 +18,7 @@ class ReportExport : public QObject {
 
   /// Only if not busy(). Throws base::InputError for a folder that DiagnosisExport refuses.
   void start(const diagnosis::Report& report, const std::string& robot, const QString& folder);
-  /// What is drawn already stays, with a page that says so.
+  /// What is drawn already stays, with a page that reports it.
   void cancel();
   bool busy() const { return drawing_ != nullptr; }
 

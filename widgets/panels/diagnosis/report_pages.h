@@ -14,7 +14,7 @@ class RefitTable;
 class SignatureView;
 class TimeView;
 
-/// The pages of a report: signatures, course over time, ranking, refit, gain; Alt+1 to Alt+5.
+/// The pages of a report: signatures, time series, ranking, refit, gain; Alt+1 to Alt+5.
 class ReportPages : public QTabWidget {
   Q_OBJECT
 

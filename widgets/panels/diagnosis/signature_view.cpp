@@ -198,7 +198,7 @@ void SignatureView::fitList() {
   narrow_ = narrow;
 }
 
-/// The chosen one anew: a figure's data are given once.
+/// The chosen one again: a figure's data are given once.
 void SignatureView::draw() {
   delete figure_;
   figure_ = nullptr;

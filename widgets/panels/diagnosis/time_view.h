@@ -12,7 +12,7 @@ class QVBoxLayout;
 
 namespace capstan::widgets {
 
-/// One channel over time: measured, simulated by the three models, and what is left of it before and after.
+/// One channel over time: measured, simulated by the three models, and its residual before and after.
 /// Drag and wheel move and stretch the time; a double click shows all of it.
 class TimeView : public QWidget {
   Q_OBJECT

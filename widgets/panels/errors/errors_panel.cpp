@@ -59,7 +59,7 @@ ErrorsPanel::ErrorsPanel(QWidget* parent) : QWidget(parent) {
   note_ = new QLabel;
   note_->setFont(textFont(9.5));
   reset_ = new QPushButton(tr("Reset"));
-  reset_->setToolTip(tr("Begin the errors anew (E)"));
+  reset_->setToolTip(tr("Begin the errors again (E)"));
   reset_->setShortcut(QKeySequence(Qt::Key_E));
   connect(reset_, &QPushButton::clicked, this, &ErrorsPanel::resetRequested);
   grid->addWidget(note_, 4, 0, 1, 3);

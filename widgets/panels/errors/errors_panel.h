@@ -19,7 +19,7 @@ class ErrorsPanel : public QWidget {
 
   void setTheme(const Theme& theme);
   void showErrors(const tracking::ErrorTable& errors);
-  /// For a source without joint encoders: says so in place of numbers.
+  /// For a source without joint encoders: reports it in place of numbers.
   void setReference(bool fitted);
   /// Text of a cell: `joint` 0…2, `column` 0 kinematic, 1 camera, 2 UKF.
   QString cell(int joint, int column) const;

@@ -135,10 +135,10 @@ void IdentificationPanel::addButtons(QVBoxLayout* column) {
                    &IdentificationPanel::refine);
   discard_ = button("discard", tr("Forget what was found; nothing changes (Ctrl+Backspace)"),
                     &IdentificationPanel::discard);
-  accept_ = button("accept", tr("The filter uses these values from now on; errors begin anew (Ctrl+Return)"),
+  accept_ = button("accept", tr("The filter uses these values from now on; errors restart (Ctrl+Return)"),
                    &IdentificationPanel::accept);
   save_ = button("save", tr("Save the robot in use as a robot file (Ctrl+S)"), &IdentificationPanel::askFile);
-  revert_ = button("revert", tr("Back to the values of the robot file; errors begin anew"),
+  revert_ = button("revert", tr("Back to the values of the robot file; errors restart"),
                    &IdentificationPanel::revert);
   discard_->setText(tr("Discard"));
   accept_->setText(tr("Accept"));
@@ -243,16 +243,16 @@ void IdentificationPanel::accept() {
   const QString summary = text(live_.summary());
   in_use_ = live_.accept();
   overtake();
-  said_ = tr("In use from now on; errors begin anew. Other than the robot file:");
-  Q_EMIT robotChosen(in_use_, tr("identified values in use, errors anew: %1").arg(summary));
+  said_ = tr("In use from now on; errors restart. Other than the robot file:");
+  Q_EMIT robotChosen(in_use_, tr("identified values in use, errors again: %1").arg(summary));
   refresh();
 }
 
 void IdentificationPanel::revert() {
   in_use_ = live_.revert();
   overtake();
-  said_ = tr("The robot file's values are in use again; errors begin anew.");
-  Q_EMIT robotChosen(in_use_, tr("the robot file's values in use again, errors anew"));
+  said_ = tr("The robot file's values are in use again; errors restart.");
+  Q_EMIT robotChosen(in_use_, tr("the robot file's values in use again, errors again"));
   refresh();
 }
 
@@ -283,7 +283,7 @@ void IdentificationPanel::overtake() {
   job_.cancel();
   if (live_.sink() != sink_) {
     sink_ = live_.sink();
-    Q_EMIT listenerWanted(sink_);
+    Q_EMIT listenerRequested(sink_);
   }
   const bool under_way = live_.phase() == LivePhase::kCollecting || live_.phase() == LivePhase::kStopped;
   if (under_way)

@@ -55,7 +55,7 @@ class IdentificationPanel : public QWidget {
 
  signals:
   /// Samples are to go there from now on; null: nowhere.
-  void listenerWanted(const std::shared_ptr<capstan::identification::LiveRecording>& sink);
+  void listenerRequested(const std::shared_ptr<capstan::identification::LiveRecording>& sink);
   /// The pipeline is to use `robot`; `summary` says what differs.
   void robotChosen(const capstan::robot::Description& robot, const QString& summary);
   void robotSaved(const QString& path);

@@ -12,7 +12,7 @@ namespace capstan::widgets {
 
 class CloudView;
 
-/// Positions in 3-D before and after: what was told, as seen, with the rigid offset, corrected; states that
+/// Positions in 3-D before and after: commanded, observed, with the rigid offset, corrected; states that
 /// were rejected in the colour of warnings.
 class CloudsView : public LearningView {
   Q_OBJECT

@@ -14,7 +14,7 @@ namespace capstan::widgets {
 
 class FigureSheet;
 
-/// How sure the correction is over a plane of the workspace; axis and depth are chosen, Alt+A takes the next
+/// Confidence of the correction over a plane of the workspace; axis and depth are chosen, Alt+A takes the next
 /// axis. Computed in the background as soon as there is a correction.
 class ConfidenceView : public LearningView {
   Q_OBJECT

@@ -15,7 +15,7 @@ namespace capstan::widgets {
 class LearningPages;
 class TablePicker;
 
-/// From tables of tip poses to a correction of commands: what is read, left out and why, trained, and worth.
+/// From tables of tip poses to a correction of commands: what is read, excluded and why, trained, and worth.
 /// Everything is computed by core/learning and core/experiments, in the background, one thing at a time.
 class LearningPanel : public WorkPanel {
   Q_OBJECT

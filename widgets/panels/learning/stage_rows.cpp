@@ -28,7 +28,7 @@ QString degrees(double radians, int decimals = 1) {
   return withMinus(QString::number(base::toDegrees(radians), 'f', decimals)) + QStringLiteral("°");
 }
 
-/// A line for each reason that something was left out for, the commonest first.
+/// A line for each reason that something was excluded for, the commonest first.
 template <class Count>
 void addReasons(StageGroup& group, std::size_t all, const Count& count) {
   std::vector<std::pair<std::size_t, Reason>> found;

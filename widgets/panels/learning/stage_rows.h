@@ -12,7 +12,7 @@ namespace capstan::widgets {
 struct StageRow {
   QString name, value;
   double share = std::numeric_limits<double>::quiet_NaN();  ///< of the stage's rows or states; NaN: none
-  bool rejected = false;                                    ///< counts what was left out
+  bool rejected = false;                                    ///< counts what was excluded
   QString tip = {};
 };
 

@@ -9,7 +9,7 @@ namespace capstan::widgets {
 
 class FigureSheet;
 
-/// Every stage with its numbers: what was left out and why, lag, velocities, offset, process, errors. Beside
+/// Every stage with its numbers: what was excluded and why, lag, velocities, offset, process, errors. Beside
 /// them the misfit against the lag.
 class StagesView : public LearningView {
   Q_OBJECT

@@ -34,7 +34,7 @@ TablePicker::TablePicker(QWidget* parent) : QWidget(parent), menu_(new QMenu(thi
   for (const StreamKind stream : {StreamKind::kCommand, StreamKind::kRobot})
     towards_->addItem(tr("towards the %1").arg(nameOf(stream)), static_cast<int>(stream));
   towards_->setToolTip(
-      tr("What is to be asked for so that cameras see a pose: the command, or what the robot's "
+      tr("The command so that cameras see a pose: the command, or what the robot's "
          "forward kinematics says"));
   row->addWidget(tables_);
   row->addWidget(what_, 1);

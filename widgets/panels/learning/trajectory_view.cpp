@@ -44,7 +44,7 @@ TrajectoryView::TrajectoryView(QWidget* parent) : LearningView(parent) {
   list_->setObjectName("trajectories");
   list_->setColumnCount(kColumns);
   list_->setHeaderLabels({tr("trajectory"), tr("states"), tr("rejected"), tr("held")});
-  list_->headerItem()->setToolTip(kRejected, tr("Share of its states that cleaning leaves out"));
+  list_->headerItem()->setToolTip(kRejected, tr("Share of its states that cleaning excludes"));
   list_->headerItem()->setToolTip(kHeld, tr("Not learned from: its errors are those of new motions"));
   list_->setRootIsDecorated(false);
   list_->setUniformRowHeights(true);

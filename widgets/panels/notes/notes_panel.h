@@ -51,7 +51,7 @@ class NotesPanel : public QWidget {
   Theme theme_ = Theme::dark();
   QTreeWidget* list_;
   QLineEdit* line_;
-  QTimer naming_;  ///< of files anew, once the columns have their widths
+  QTimer naming_;  ///< of files again, once the columns have their widths
   QTimer scroll_;  ///< to the newest row, once however many came
 };
 

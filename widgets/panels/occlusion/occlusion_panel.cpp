@@ -124,7 +124,7 @@ QString OcclusionPanel::observation() const {
 
 QString OcclusionPanel::reason() const {
   if (gate_ == tracking::Gate::kOpen)
-    return tip_alone_ ? QString("The tip is seen.") : QString("The marker is seen in both pictures.");
+    return tip_alone_ ? QString("The tip is seen.") : QString("The marker is seen in both images.");
   if (gate_ == tracking::Gate::kUnregistered)
     return "not registered: the marker is seen, the cameras' place is unknown (Ctrl+R).";
   QString why = text(gate_words_);

@@ -36,7 +36,7 @@ class OcclusionPanel : public QWidget {
   /// Takes a schedule over without emitting it; for a restored session.
   void setSchedule(const live::OcclusionSchedule& schedule);
   /// Another session begins at `t` [s], free: occlusion belongs to a session. `again`: it is the same one
-  /// from its beginning; block and schedule stay as they are set, the schedule begins anew.
+  /// from its beginning; block and schedule stay as they are set, the schedule restarts.
   void beginSession(double t, bool again);
   /// Nothing to block: a recording without cameras, or none at all.
   void setBlockable(bool blockable);
@@ -64,7 +64,7 @@ class OcclusionPanel : public QWidget {
   std::array<QPushButton*, 3> buttons_{};
   std::array<HoldToggle, 3> holds_;
   std::array<bool, 2> before_{};                    // of the press that is being held
-  std::array<bool, 2> hand_{};                      // asked for by hand
+  std::array<bool, 2> hand_{};                      // set by hand
   std::array<bool, 2> blocked_{};                   // in fact
   std::array<bool, 3> marked_on_{}, marked_lit_{};  // as the buttons show it
   QButtonGroup* shares_ = nullptr;

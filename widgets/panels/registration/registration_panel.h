@@ -31,7 +31,7 @@ class RegistrationPanel : public QWidget {
   ~RegistrationPanel() override;
 
   void setTheme(const Theme& theme);
-  /// Starts anew for a source. `current` is the registration in use, or else the nominal mounting of the
+  /// Starts again for a source. `current` is the registration in use, or else the nominal mounting of the
   /// cameras: its rotation is taken as known.
   void begin(const tracking::SourceInfo& source, const std::optional<Eigen::Isometry3d>& current,
              const registration::RegistrationOptions& options = {});

@@ -17,7 +17,7 @@ using live::RunState;
 using recording::RecorderState;
 using tracking::Gate;
 
-constexpr double kBehind = 0.9;        ///< of the speed asked for; less is said
+constexpr double kBehind = 0.9;        ///< of the requested speed; less is said
 constexpr qint64 kDiskPeriod = 10000;  ///< between looks at the disk [ms]
 
 constexpr double kSoonFull = 300.0;  ///< until the reserve is reached; less is a warning [s]

@@ -18,7 +18,7 @@ namespace capstan::widgets {
 
 /// One line about the session: the recording, robot, rates, lag, gate, occlusion, motor encoders that failed,
 /// consistency, rescues, recording, disk. A verdict that is not good carries the warning or fault colour and
-/// says so in a word. Where the window is too narrow, parts that ask for nothing are left to the tool tip.
+/// says it in a word. Where the window is too narrow, parts that ask for nothing are left to the tool tip.
 class StatusLine : public QWidget {
   Q_OBJECT
  public:
