@@ -78,7 +78,7 @@ nlohmann::json jsonOf(const vision::CalibrationReport& report) {
                      {"right", view.right},
                      {"used", view.used()},
                      {"reason", std::string(base::nameOf(view.fault))},
-                     {"suspect", view.outlying},
+                     {"outlier", view.outlying},
                      {"left_rms", view.left_error},
                      {"right_rms", view.right_error},
                      {"stereo_rms", view.stereo_error}});

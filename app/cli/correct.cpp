@@ -61,7 +61,7 @@ ExitCode run(const CorrectArguments& arguments) {
   base::writeTextFile(arguments.out, recording::formatCorrected(paths, corrected));
   if (!paths.timed) notice("The table has no t_s: every pose is corrected as one to rest at.");
   if (file.model.processes().empty())
-    notice("The model is a rigid offset alone: it tells no confidence.");
+    notice("The model is a rigid offset alone: it has no confidence.");
   else if (low_confidence > 0)
     notice(
         fmt::format("{} of {} poses are far from what was learned (confidence below {}): they are corrected "
@@ -80,10 +80,9 @@ void addCorrect(CLI::App& app, ExitCode& exit) {
   command->add_option("--model", arguments->model, "file that `capstan-cli learn` wrote")->required();
   command
       ->add_option("IN", arguments->in,
-                   "table of poses as they shall be seen: x, y, z [m], qx, qy, qz, qw; t_s, traj")
+                   "table of desired poses, in the cameras' frame: x, y, z [m], qx, qy, qz, qw; t_s, traj")
       ->required();
-  command
-      ->add_option("OUT", arguments->out, "table of the command, with standard deviations and confidence")
+  command->add_option("OUT", arguments->out, "table of the command, with standard deviations and confidence")
       ->required();
   command->add_flag(
       "--path", arguments->path,
@@ -96,7 +95,7 @@ void addCorrect(CLI::App& app, ExitCode& exit) {
   command->footer(
       "Velocities come from t_s; far from what was learned corrections fade to the rigid offset.\n"
       "Examples:\n"
-      "  capstan-cli correct --model arm.correction wanted.csv commands.csv\n"
+      "  capstan-cli correct --model arm.correction desired.csv commands.csv\n"
       "  capstan-cli correct --model arm.correction motions.csv commands.csv --path");
   command->callback([arguments, &exit] { exit = run(*arguments); });
 }

@@ -34,7 +34,7 @@ void addDiagnose(CLI::App& app, ExitCode& exit) {
           "of joint encoders: known, as in the robot file; free but shared by all recordings, where\n"
           "loads hold still in each; free in each of several recordings, which is the default")
       ->check(CLI::IsMember({"known", "shared", "each"}));
-  command->add_option("--threads", arguments->options.threads, "that compute")
+  command->add_option("--threads", arguments->options.threads, "number of worker threads")
       ->capture_default_str()
       ->check(CLI::Range(1, 64));
   command->add_option("--seed", arguments->options.seed, "of the bootstraps")->capture_default_str();

@@ -22,7 +22,8 @@ struct DriftArguments {
   learning::DriftOptions options;
 };
 
-constexpr std::array kOutputs = {"x", "y", "z", "the rotation about x", "the rotation about y", "the rotation about z"};
+constexpr std::array kOutputs = {
+    "x", "y", "z", "the rotation about x", "the rotation about y", "the rotation about z"};
 
 enum class Finding { kHolds, kDrifted, kUnknown };
 
@@ -64,14 +65,14 @@ nlohmann::json jsonOf(const learning::PreparedStates& prepared, const learning::
 std::string textOf(const learning::PreparedStates& prepared, std::size_t states,
                    const learning::DriftHistory& history) {
   std::string text = fmt::format(
-      "{} of {} states count; {} of these lie where the model is unsure (confidence below {}) and say\n"
+      "{} of {} states count; {} of these lie where the model's confidence is low (below {}) and say\n"
       "nothing of it.\n",
       prepared.states.size(), states, history.low_confidence, learning::kLowConfidence);
   if (2 * history.low_confidence > prepared.states.size())
     text += "Most of what was recorded lies outside what was learned: learn it too.\n";
   if (findingOf(history) == Finding::kUnknown)
-    return text + fmt::format("Too short to tell whether the model holds: {} s of motion at least.\n",
-                              learning::kFewestPieces);
+    return text +
+           fmt::format("Too short to test the model: {} s of motion at least.\n", learning::kFewestPieces);
   text += "Errors, in what is stated for them (about 1 or less while the model holds):";
   for (std::size_t i = 0; i < kOutputs.size(); ++i)
     text += fmt::format("{} {} {:.2f}", i == 0 ? "" : ",", kOutputs[i],
@@ -136,7 +137,8 @@ void addDrift(CLI::App& app, ExitCode& exit) {
   command->footer(
       "Errors of new motions are compared with the standard deviations that the model states for them, where "
       "it\n"
-      "is sure. Exit code 0: it holds; 1: it has drifted, or the motions are too short to show it.\n"
+      "has high confidence. Exit code 0: it holds; 1: it has drifted, or the motions are too short to test "
+      "it.\n"
       "Example: capstan-cli drift --model arm.correction today.csv");
   command->callback([arguments, &exit] { exit = run(*arguments); });
 }

@@ -37,8 +37,8 @@ void addCorrectionOptions(CLI::App& command, CorrectionExperimentArguments& argu
   grouped(command.add_option("--motions", options.simulated.training.motions, "training motions, of G and H"))
       ->capture_default_str()
       ->check(CLI::Range(10, 100000));
-  grouped(
-      command.add_option("--visits", options.simulated.arrival.repetitions, "visits of each location, of G"))
+  grouped(command.add_option("--arrivals", options.simulated.arrival.repetitions,
+                             "arrivals at each location, of G"))
       ->capture_default_str()
       ->check(CLI::Range(2, 10000));
   grouped(

@@ -42,12 +42,12 @@ QueryPoses queryPosesOf(const std::vector<learning::State>& candidates,
 std::string textOf(std::size_t candidates, const std::vector<learning::NextPose>& next,
                    const QueryPoses& queries) {
   std::string text = fmt::format(
-      "{} of {} poses to visit, the most worth while first. Uncertainty (mean variance of the correction "
+      "{} of {} query poses, the most informative first. Uncertainty (mean variance of the correction "
       "over\n"
       "these poses, of what it is without data), were they learned too:\n",
       next.size(), candidates);
   for (std::size_t k = 0; k < next.size(); ++k)
-    text += fmt::format("  visit {:3}   {:5.1f} % → {:5.1f} %\n", k + 1, 100.0 * next[k].before,
+    text += fmt::format("  pose {:3}   {:5.1f} % → {:5.1f} %\n", k + 1, 100.0 * next[k].before,
                         100.0 * next[k].after);
   const auto low_confidence = std::ranges::count_if(
       queries.corrected, [](const auto& one) { return one.confidence < learning::kLowConfidence; });
@@ -62,7 +62,7 @@ ExitCode run(const ExploreArguments& arguments) {
   checkOutputs({{"OUT", arguments.out}}, {arguments.model, arguments.among});
   const learning::CorrectionFile file = learning::readCorrection(arguments.model);
   if (file.model.processes().empty())
-    refuseFile(arguments.model, "is a rigid offset alone: it is equally sure everywhere",
+    refuseFile(arguments.model, "is a rigid offset alone: its confidence is the same everywhere",
                "Learn a model with Gaussian processes (--method auto)");
   const std::vector<learning::State> candidates =
       arguments.among.empty() ? learning::posesWithin(file.model, kEach)
@@ -78,7 +78,7 @@ ExitCode run(const ExploreArguments& arguments) {
   const QueryPoses queries = queryPosesOf(candidates, next, file.model);
   base::writeTextFile(arguments.out, recording::formatCorrected(queries.paths, queries.corrected));
   if (next.empty()) {
-    Output({}).text("No visit would make the model surer.\n");
+    Output({}).text("No query pose would lower the model's uncertainty.\n");
     return kOk;
   }
   Output({}).text(textOf(candidates.size(), next, queries));
@@ -90,22 +90,21 @@ ExitCode run(const ExploreArguments& arguments) {
 void addExplore(CLI::App& app, ExitCode& exit) {
   auto arguments = std::make_shared<ExploreArguments>();
   CLI::App* command =
-      app.add_subcommand("explore", "Propose which poses to visit next for a surer correction");
+      app.add_subcommand("explore", "Propose the query poses that lower a correction's uncertainty most");
   command->add_option("--model", arguments->model, "file that `capstan-cli learn` wrote")->required();
   command->add_option("--among", arguments->among,
                       "table of poses to choose from, as `correct` takes them; without it a grid near\n"
                       "the positions and rotations that were learned");
-  command->add_option("--count", arguments->count, "of visits")
+  command->add_option("--count", arguments->count, "number of query poses")
       ->capture_default_str()
       ->check(CLI::Range(1, 1000));
   command
-      ->add_option(
-          "OUT", arguments->out,
-          "table of the command, in the order of visits, with standard deviations and confidence")
+      ->add_option("OUT", arguments->out,
+                   "table of the command, in the order proposed, with standard deviations and confidence")
       ->required();
   command->footer(
       "What is gained holds for a model that is retrained from all motions.\n"
-      "Example: capstan-cli explore --model arm.correction --count 20 visits.csv");
+      "Example: capstan-cli explore --model arm.correction --count 20 queries.csv");
   command->callback([arguments, &exit] { exit = run(*arguments); });
 }
 

@@ -90,7 +90,7 @@ std::string advice(const std::vector<Estimate>& estimates, const DualUkfReport* 
 }
 
 std::string poseText(const identification::CameraPose& pose, const identification::CameraPose& sigma) {
-  std::string text = "  camera: turned by";
+  std::string text = "  camera: rotated by";
   for (int i = 0; i < 3; ++i)
     text += fmt::format(" {:+.2f} ± {:.2f}", base::toDegrees(pose.rotation(i)),
                         base::toDegrees(sigma.rotation(i)));

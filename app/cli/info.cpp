@@ -127,7 +127,7 @@ nlohmann::json jsonOf(const std::optional<recording::ImplausibleUnits>& refused)
   return list;
 }
 
-/// Throws recording::ImplausibleUnits once everything is told.
+/// Throws recording::ImplausibleUnits once everything is printed.
 void infoTable(const InfoArguments& arguments, RecordingFormat format, const Output& output) {
   const std::string& file = arguments.file;
   recording::MeasuredTable table;

@@ -136,7 +136,8 @@ void addLearn(CLI::App& app, ExitCode& exit) {
       ->add_option("--train", arguments->train,
                    "tables of tip poses (.csv with traj, t_cam_s, cam_x …, and the same of robot or cmd)")
       ->required();
-  command->add_option("--test", arguments->test, "tables of other trajectories, to tell how good it is");
+  command->add_option("--test", arguments->test,
+                      "tables of other trajectories, on which errors are measured");
   CLI::Option* hold_out =
       command
           ->add_option(
@@ -191,7 +192,7 @@ void addLearn(CLI::App& app, ExitCode& exit) {
   onto->excludes(hold_out);
   command->add_option("--json", arguments->json, "result as JSON, SI: a file, or - for standard output");
   command->footer(
-      "Rows that are no poses, states that no robot can have been in and the clocks' lag are listed.\n"
+      "Rows without a pose, states that no robot can have been in and the clock offset are listed.\n"
       "Examples:\n"
       "  capstan-cli learn --train monday.csv --test tuesday.csv --model arm.correction\n"
       "  capstan-cli learn --train monday.csv --towards robot --method velocity --model arm.correction "

@@ -156,8 +156,8 @@ ReasonCounts againCounts(const learning::WeighingReport& weighing) {
 std::string weighingText(const learning::WeighingReport& weighing) {
   if (!weighing.weighed) return "Weights: none, all that count do so alike\n";
   return fmt::format(
-      "Weights: {} states doubted, which other trajectories contradict: they count less\n"
-      "         {} that were excluded count again, which others tell the same; they were: {}\n",
+      "Weights: {} states down-weighted, which models of other trajectories contradict\n"
+      "         {} excluded states count again, since models of other trajectories agree; they were: {}\n",
       weighing.down_weighted, weighing.again.size(), wordsOf(againCounts(weighing)));
 }
 
@@ -180,7 +180,7 @@ std::string textOf(const LearnOutput& output) {
     text += fmt::format("Alignment: the model's lag of {:.1f} ms taken off\n", 1e3 * prepared.removed);
   else
     text +=
-        fmt::format("Alignment: what is seen comes {:.1f}{} ms behind what is told{}\n",
+        fmt::format("Clock offset: observations {:.1f}{} ms behind commands{}\n",
                     1e3 * prepared.clock_offset.clock_offset, sigmaText(1e3 * prepared.clock_offset.sigma),
                     prepared.removed == 0.0 ? ", not taken off" : "");
   text += fmt::format("Cleaning and weights: {} of {} states count; excluded: {}\n", cleaning.kept(),

@@ -12,7 +12,8 @@ namespace capstan::cli {
 /// base::InputError: the model of the file is a rigid offset alone, which can neither drift nor learn.
 void checkProcesses(const learning::CorrectionModel& model, const std::string& file);
 
-/// base::InputError: motions that the model was trained on already: they would count twice, or say nothing about drift.
+/// base::InputError: motions that the model was trained on already: they would count twice, or say nothing
+/// about drift.
 void checkNew(const std::vector<std::string>& files, const learning::CorrectionSource& source);
 
 /// base::InputError: no pose of the file is anywhere near what was learned.

@@ -17,7 +17,7 @@ RecordingFormat detectFormat(const std::string& file) {
   std::error_code fault;
   const std::string suffix = std::filesystem::path(file).extension().string();
   if (suffix == recording::kSessionSuffix && std::filesystem::is_regular_file(file, fault))
-    return RecordingFormat::kSession;  // unopened: SQLite's locks on it would go with the closing
+    return RecordingFormat::kSession;  // unopened: SQLite's locks on it would be released by closing it
   std::ifstream in(file, std::ios::binary);
   const bool folder = std::filesystem::is_directory(file, fault);
   if (!in || folder)

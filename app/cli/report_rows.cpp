@@ -42,7 +42,7 @@ std::vector<std::string> cellsOf(const TrackReport& report) {
 /// How the filter stands against the better of its two inputs, joint by joint.
 std::string comparison(const TrackReport& report, bool own_kinematics) {
   if (own_kinematics)
-    return "The reference is the robot's own kinematics: which estimate is right cannot be told.";
+    return "The reference is the robot's own kinematics: it cannot show which estimate is right.";
   if (report.errors.ukf().count() == 0)
     return "The recording holds no joint encoders: there are no errors to compare.";
   std::vector<std::string> worse;

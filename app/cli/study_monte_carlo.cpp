@@ -15,7 +15,7 @@ using studies::MonteCarloOptions;
 using studies::MonteCarloStudy;
 using studies::Recovery;
 
-/// By parameter and method. Coverage counts worlds in which the parameter was seen; coverage_of_all all of
+/// By parameter and method. Coverage counts samples in which the parameter was seen; coverage_of_all all of
 /// them.
 nlohmann::json recoveries(const MonteCarloStudy& study) {
   nlohmann::json all;
@@ -23,7 +23,7 @@ nlohmann::json recoveries(const MonteCarloStudy& study) {
     for (const Method method : {Method::kDualUkf, Method::kBatch}) {
       const Recovery r = study.recovery(i, method);
       nlohmann::json& one = all[study.names[i]][method == Method::kDualUkf ? "dual_ukf" : "batch"];
-      one = {{"worlds", r.samples},
+      one = {{"samples", r.samples},
              {"seen", r.seen},
              {"covered", r.covered},
              {"coverage", r.coverage()},
@@ -58,54 +58,60 @@ nlohmann::json jsonOf(const MonteCarloStudy& study, const MonteCarloOptions& opt
           {"software", options.software},
           {"coverage_goal", studies::kCoverageGoal},
           {"recovery", recoveries(study)},
-          {"worlds", samples}};
+          {"samples", samples}};
 }
 
 StudyReport reportOf(const MonteCarloStudy& study, const MonteCarloOptions& options) {
   const base::Table table = studies::recoveriesOf(study, options);
-  return {base::markdownOf(table), jsonOf(study, options), {{"worlds.csv", base::csvOf(table)}}};
+  return {base::markdownOf(table), jsonOf(study, options), {{"monte-carlo.csv", base::csvOf(table)}}};
 }
 
 ExitCode run(MonteCarloOptions& options, const StudyArguments& arguments) {
-  checkStudyOutputs(arguments, "worlds", {}, {options.truth});
+  checkStudyOutputs(arguments, "monte-carlo", {}, {options.truth});
   options.out = arguments.out;
   return runStudy(
-      arguments, "worlds",
+      arguments, "monte-carlo",
       [&](base::Progress& progress) { return studies::runMonteCarloStudy(options, progress); },
       [](const MonteCarloStudy& study) { return !study.samples.empty(); },
       [&](const MonteCarloStudy& study) { return reportOf(study, options); });
 }
 
-}  // namespace
-
-void addMonteCarloStudy(CLI::App& study, ExitCode& exit) {
+CLI::App* addNamed(CLI::App& study, const char* name, ExitCode& exit) {
   auto options = std::make_shared<MonteCarloOptions>();
   auto arguments = std::make_shared<StudyArguments>();
   options->truth = base::resource("truth/laboratory.yaml");
   options->trajectory = base::resource("experiments/fls.yaml");
   options->software = base::software();
-  CLI::App* command = study.add_subcommand(
-      "worlds", "Coverage and error of identified parameters in simulated robots drawn at random");
-  command->add_option("--count", options->samples, "worlds")
+  CLI::App* command =
+      study.add_subcommand(name, "Coverage and error of identified parameters over randomized robots");
+  command->add_option("--count", options->samples, "number of randomized robots")
       ->capture_default_str()
       ->check(CLI::Range(1, 10000));
   command->add_option("--duration", options->duration, "of each recording [s]")
       ->capture_default_str()
       ->check(CLI::Range(20.0, 3600.0));
-  command->add_option("--seed", options->seed, "of the first world; the next has the next")
+  command->add_option("--seed", options->seed, "of the first robot; the next has the next")
       ->capture_default_str();
   command->add_option("--parameters", options->parameters, "as in identify")->capture_default_str();
-  command->add_option("--truth", options->truth, "truth file that worlds are drawn around")
+  command->add_option("--truth", options->truth, "truth file that robots are drawn around")
       ->check(CLI::ExistingFile);
   command->add_option("--pixel-sigma", options->pixel_sigma, "noise of a marker's position [px]")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 10.0));
-  addStudyOptions(*command, *arguments, options->threads, "worlds");
+  addStudyOptions(*command, *arguments, options->threads, "samples");
   command->footer(
-      "A world takes about half a minute of one core. Examples:\n"
-      "  capstan-cli study worlds --out worlds          # goes on where it was stopped\n"
-      "  capstan-cli study worlds --count 10 --duration 60");
+      "A sample takes about half a minute of one core. Examples:\n"
+      "  capstan-cli study monte-carlo --out samples    # continues where it was stopped\n"
+      "  capstan-cli study monte-carlo --count 10 --duration 60");
   command->callback([options, arguments, &exit] { exit = run(*options, *arguments); });
+  return command;
+}
+
+}  // namespace
+
+void addMonteCarloStudy(CLI::App& study, ExitCode& exit) {
+  addNamed(study, "monte-carlo", exit);
+  addNamed(study, "worlds", exit)->group("");  // its name in version 0.1: not listed, still understood
 }
 
 }  // namespace capstan::cli

@@ -89,7 +89,7 @@ void addMotorFailureStudy(CLI::App& study, ExitCode& exit) {
       ->capture_default_str()
       ->check(CLI::Range(1, 1000));
   command->add_option("--seed", options->seed, "the first")->capture_default_str();
-  command->add_option("--speeds", options->speeds, "by the pace of a block transfer of 200 s")
+  command->add_option("--speeds", options->speeds, "relative to a block transfer of 200 s")
       ->capture_default_str()
       ->check(CLI::Range(0.05, 3.0));
   command->add_option("--occlusions", options->occlusions, "shares of the time, in intervals of 2 s [%]")

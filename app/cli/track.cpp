@@ -199,7 +199,7 @@ void addTrack(CLI::App& app, ExitCode& exit) {
   command
       ->add_option(
           "--failed-motor", arguments->failed_motors,
-          "do not believe this motor's encoder (1, 2, 3): its joint from the camera alone; repeatable")
+          "ignore this motor's encoder (1, 2, 3) and estimate its joint from the camera alone; repeatable")
       ->allow_extra_args(false)
       ->check(CLI::Range(1, 3));
   command->add_option("--out", arguments->out, "estimates as CSV, a row a motor or camera sample");

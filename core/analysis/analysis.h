@@ -10,8 +10,8 @@
 #include "core/base/progress.h"
 #include "core/base/table.h"
 
-/// Errors of one run, or of two beside each other: the selection, its statistics, and the confidence interval of a
-/// difference is. Angles in degrees, lengths in millimetres: this is what people read.
+/// Errors of one run, or of two beside each other: the selection, its statistics, and the confidence interval
+/// of a difference is. Angles in degrees, lengths in millimetres: this is what people read.
 namespace capstan::analysis {
 
 struct AnalysisOptions {

@@ -29,8 +29,8 @@ inline constexpr Range kNotNegative{0.0, std::numeric_limits<double>::infinity()
 ///
 /// Field types: bool, int, double, std::string, enums with a NamesOf specialisation, fixed-size Eigen vectors
 /// and matrices, std::array, std::vector, std::optional, std::map<std::string, T> and structs that have
-/// such a function themselves. A std::vector of structs with `static constexpr bool kMapEntry = true` and two fields,
-/// a text and something else, is a map in files, in the order of the list.
+/// such a function themselves. A std::vector of structs with `static constexpr bool kMapEntry = true` and two
+/// fields, a text and something else, is a map in files, in the order of the list.
 struct FieldInfo {
   std::string_view key;
   std::string_view unit;     ///< SI symbol; empty: none

@@ -37,7 +37,7 @@ double meanOf(const std::vector<double>& x) {
   return x.empty() ? 0.0 : std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
 }
 
-/// Pooled over locations: √(Σ Σ (x − x̄_location)² / Σ (visits − 1)).
+/// Pooled over locations: √(Σ Σ (x − x̄_location)² / Σ (arrivals − 1)).
 Eigen::Vector3d repeatabilityOf(const std::vector<Arrival>& repetitions, std::size_t locations) {
   Eigen::Vector3d squares = Eigen::Vector3d::Zero();
   double freedom = 0.0;
@@ -74,7 +74,7 @@ ArrivalErrors summed(const std::vector<Arrival>& repetitions, std::size_t locati
   return errors;
 }
 
-/// All visits in one mode.
+/// All arrivals in one mode.
 std::vector<Arrival> arrivalsOf(const robot::Description& robot, const simulation::ToolTruth& truth,
                                 const learning::CorrectionModel& model, CorrectionMode mode,
                                 const ArrivalOptions& options, const base::Progress* progress) {
@@ -112,7 +112,7 @@ std::vector<Arrival> arrivalsOf(const robot::Description& robot, const simulatio
 
 void checkArrival(const ArrivalOptions& options) {
   requireOption("locations", options.locations, 1, 10'000);
-  requireOption("visits", options.repetitions, 2, 10'000);
+  requireOption("arrivals", options.repetitions, 2, 10'000);
   requireOption("waypoints", options.waypoints, 2, 10'000);
   requireOption("speed [m/s]", options.speed, 1e-4, 1.0);
   requireOption("settle [s]", options.settle, 0.0, 60.0);

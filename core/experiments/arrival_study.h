@@ -39,10 +39,9 @@ struct ArrivalErrors {
 
 using ArrivalReport = std::array<ArrivalErrors, learning::kCorrectionModes>;
 
-/// The tool moves to the locations drawn on the grid in turn, in another order each time, so that the arm comes from
-/// another side each time; in each mode on an arm of the same truth. Modes that were cancelled have fewer
-/// arrivals. base::InputError as
-/// checkArrival.
+/// The tool moves to the locations drawn on the grid in turn, in another order each time, so that the arm
+/// comes from another side each time; in each mode on an arm of the same truth. Modes that were cancelled
+/// have fewer arrivals. base::InputError as checkArrival.
 ArrivalReport arrivalStudy(const robot::Description& robot, const simulation::ToolTruth& truth,
                            const learning::CorrectionModel& model, const ArrivalOptions& options,
                            const base::Progress* progress = nullptr);

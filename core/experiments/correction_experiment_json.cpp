@@ -58,7 +58,7 @@ json jsonOf(const DebridementStudyReport& report) {
     const ArrivalErrors& mode = report.arrival[m];
     if (mode.arrived == 0) continue;
     document["arrival"][std::string(base::keyOf(static_cast<learning::CorrectionMode>(m)))] = {
-        {"visits", mode.arrived},
+        {"arrivals", mode.arrived},
         {"mean", std::vector<double>(mode.mean.begin(), mode.mean.end())},
         {"repeatability", std::vector<double>(mode.repeatability.begin(), mode.repeatability.end())},
         {"distance", {{"mean", mode.distance}, {"deviation", mode.distance_deviation}}},

@@ -69,7 +69,7 @@ base::Table trainingTable(const DebridementStudyReport& report) {
     table.rows.push_back({name, std::move(ours), paper});
   };
   row("motions", fmt::format("{}", report.motions), "303");
-  row("poses seen", fmt::format("{}", report.rows), "");
+  row("observed poses", fmt::format("{}", report.rows), "");
   row("of them no poses", fmt::format("{}", report.screened), "");
   row("states", fmt::format("{}", report.states), "24 000");
   row("kept by cleaning", fmt::format("{}", report.kept), "");
@@ -99,7 +99,7 @@ base::Table arrivalTable(const DebridementStudyReport& report) {
   }
   std::vector<base::TableCell> norm = {"norm of the means [mm]"}, distance = {"distance [mm]"},
                                angle = {"angle [deg]"}, better = {"distance, times less"},
-                               confidence = {"confidence"}, visits = {"visits"};
+                               confidence = {"confidence"}, arrivals = {"arrivals"};
   const double uncorrected = report.arrival.front().distance, paper = paperNorm(kPaperArrival.front());
   for (std::size_t m = 0; m < report.arrival.size(); ++m) {
     const ArrivalErrors& ours = report.arrival[m];
@@ -110,14 +110,15 @@ base::Table arrivalTable(const DebridementStudyReport& report) {
     better.emplace_back(ours.distance > 0.0 ? fmt::format("{:.1f}", uncorrected / ours.distance) : "");
     better.emplace_back(fmt::format("{:.1f}", paper / paperNorm(kPaperArrival[m])));
     confidence.emplace_back(m == 0 ? "" : fmt::format("{:.2f}", ours.confidence));
-    visits.emplace_back(fmt::format("{}", ours.arrived));
+    arrivals.emplace_back(fmt::format("{}", ours.arrived));
     for (auto* row : {&distance, &angle, &confidence}) row->emplace_back("");
-    visits.emplace_back("100");
+    arrivals.emplace_back("100");
   }
-  table.rows.insert(table.rows.end(), {norm, distance, better, angle, confidence, visits});
+  table.rows.insert(table.rows.end(), {norm, distance, better, angle, confidence, arrivals});
   table.note =
-      "Axes: mean of absolute errors ± standard deviation between visits of one place. Distance, angle: mean "
-      "± standard deviation of all visits. The paper's \"times less\" is of its norm of means.";
+      "Axes: mean of absolute errors ± standard deviation between arrivals at one place. Distance, angle: "
+      "mean "
+      "± standard deviation of all arrivals. The paper's \"times less\" is of its norm of means.";
   return table;
 }
 
@@ -140,7 +141,7 @@ base::Table beyondTable(const DebridementStudyReport& report, const DebridementS
   const std::string title =
       fmt::format("Debridement of a grid {:.0f} mm beside that of the data", toMillimetres(options.beyond));
   base::Table table = methodsTable(title, report.beyond, options.task, false);
-  table.note = fmt::format("Unsure: a confidence below {:g}.", options.task.observations.least_confidence);
+  table.note = fmt::format("Low confidence: below {:g}.", options.task.observations.least_confidence);
   return table;
 }
 

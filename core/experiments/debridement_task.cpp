@@ -121,7 +121,7 @@ class Worker {
     return follow(path) && (path.size() == whole || goObserving(goal));
   }
 
-  /// Looks, takes the offset between what was told and what is seen for that of the next piece, moves it.
+  /// Observes, uses the offset of commanded from observed pose for the next piece, and moves along it.
   bool goObserving(const Isometry3d& goal) {
     const double whole = (goal.translation() - here_.translation()).norm();
     const int most = kMostPieces + static_cast<int>(whole / options_.piece);

@@ -76,9 +76,10 @@ std::vector<FragmentRun> debridementTask(const robot::Description& robot, const 
 template <>
 struct capstan::base::NamesOf<capstan::experiments::DebridementMethod> {
   using M = capstan::experiments::DebridementMethod;
-  static constexpr std::array value = {
-      std::pair{M::kReplanning, "replanning"}, std::pair{M::kCorrected, "learned correction"},
-      std::pair{M::kOpenLoop, "no correction"}, std::pair{M::kWhereUncertain, "learned, observing at low confidence"}};
+  static constexpr std::array value = {std::pair{M::kReplanning, "replanning"},
+                                       std::pair{M::kCorrected, "learned correction"},
+                                       std::pair{M::kOpenLoop, "no correction"},
+                                       std::pair{M::kWhereUncertain, "learned, observing at low confidence"}};
 };
 
 template <>

@@ -11,7 +11,7 @@ using identification::IdentificationData;
 
 /// Why nothing can be identified from `data`; empty: it can.
 std::string faultOf(const IdentificationData& data) {
-  if (data.motors.size() == 0) return "no motor encoder gave numbers that are believed";
+  if (data.motors.size() == 0) return "no motor encoder gave valid numbers";
   if (data.openCount() == 0) return "the cameras saw the marker nowhere, or are not registered";
   return {};
 }

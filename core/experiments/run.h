@@ -27,7 +27,7 @@ struct RunOptions {
 /// bytes in the end. Joint encoders are used for errors only.
 ///
 /// Throws base::InputError for a file or name of the specification that is unusable, before anything is run,
-/// where the trial itself can be checked; a recording that cannot be used is refused when its turn comes.
+/// where the trial itself can be checked; a recording that cannot be used is refused when its trial starts.
 Results run(const Specification& specification, const RunOptions& options, base::Progress& progress);
 
 }  // namespace capstan::experiments

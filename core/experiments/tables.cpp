@@ -109,7 +109,7 @@ std::string startNote(const Results& results) {
     for (const std::string& name : parseSpecification(results.specification, results.name).robot)
       from += (from.empty() ? "" : ", ") + name;
   } catch (const base::InputError&) {
-    // of another version of this program: it cannot be told
+    // of another version of this program: unknown
   }
   return fmt::format("Start: where both methods began, the robot of {}. ",
                      from.empty() ? "an identification before" : from);

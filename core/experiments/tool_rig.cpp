@@ -10,7 +10,8 @@ namespace capstan::experiments {
 namespace {
 
 constexpr double kPeriod = simulation::ToolRobot::kCommandPeriod;
-constexpr double kBelongs = 0.003;  // of the median position, within which an observation gives the rotation [m]
+constexpr double kBelongs =
+    0.003;  // of the median position, within which an observation gives the rotation [m]
 
 std::size_t ticksOf(double seconds) {
   return static_cast<std::size_t>(std::max(0L, std::lround(seconds / kPeriod)));

@@ -11,9 +11,9 @@
 /// Training of a correction on a simulated arm, as on a real one: from recorded poses to states to a model.
 namespace capstan::experiments {
 
-/// Defaults are the GPR paper's (section V-B) but for `margin` and rotations: what cameras see is centimetres and
-/// some ten degrees off, and desired poses are to lie among observed ones. Learned is by the
-/// options of learning::learn(), but cleaned as in the paper and without weights.
+/// Defaults are the GPR paper's (section V-B) but for `margin` and rotations: what cameras see is centimetres
+/// and some ten degrees off, and desired poses are to lie among observed ones. Learned is by the options of
+/// learning::learn(), but cleaned as in the paper and without weights.
 struct TrainingOptions {
   int motions = 303;
   double speed = 0.05;      ///< [m/s]

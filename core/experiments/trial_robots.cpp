@@ -21,7 +21,7 @@ std::string nameIn(const std::string& robot) {
   }
 }
 
-/// What the specification gives the filter in place of the nominal robot; empty: cannot be told.
+/// What the specification gives the filter in place of the nominal robot; empty: unknown.
 std::string believed(const Results& results) {
   try {
     const Specification specification = parseSpecification(results.specification, results.name);

@@ -65,7 +65,7 @@ simulation::SimulatedOptions simulationOf(const Specification& specification, co
   return blaming(specification, trial.name, "trajectory", trial.trajectory, make);
 }
 
-/// Name, size and age: what tells one state of a file from another without reading it all.
+/// Name, size and age: what distinguishes one state of a file from another without reading it all.
 json stateOf(const std::string& file) {
   std::error_code fault;
   const auto size = fs::file_size(file, fault);

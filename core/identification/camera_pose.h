@@ -7,8 +7,8 @@
 namespace capstan::identification {
 
 /// What is wrong with the recording's registration and clock: nuisance parameters of every identification,
-/// for a camera rotated by half a degree looks like a pulley radius that is wrong by 1 %. To first order in small
-/// angles, a true tip p [m, frame 0] is seen at
+/// for a camera rotated by half a degree looks like a pulley radius that is wrong by 1 %. To first order in
+/// small angles, a true tip p [m, frame 0] is seen at
 ///     p + shift + turn × (p − centre),
 /// exposed `delay` before its stamp.
 struct CameraPose {

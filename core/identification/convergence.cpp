@@ -52,7 +52,7 @@ std::string wordsOf(const Convergence& convergence, const Estimate& estimate) {
   constexpr double kLong = 3600.0;
   if (convergence.settled) return fmt::format("settled after {:.0f} s", *convergence.settled_at);
   if (!estimate.seen && !estimate.advice.empty()) return estimate.advice;
-  if (!convergence.time_needed) return "too early to tell how long";
+  if (!convergence.time_needed) return "too early to predict how long";
   if (*convergence.time_needed <= 0.0) return "precise, but still moving";
   if (*convergence.time_needed > kLong)
     return "more than an hour of this motion: another motion will show more";

@@ -51,9 +51,10 @@ DriveEstimate estimateOf(const DriveParameters& parameters, const DriveFit::Held
   Visibility visibility;
   findPartner(covariance, at, static_cast<int>(free.size()), visibility);
   if (visibility.partner >= 0 && std::abs(visibility.correlation) > kTied)
-    estimate.advice = fmt::format("{} is hard to tell from {} (correlation {:.2f}); {}", parameter.words(),
-                                  parameters[free[static_cast<std::size_t>(visibility.partner)]].words(),
-                                  visibility.correlation, helpFor(parameter.quantity));
+    estimate.advice =
+        fmt::format("{} is hard to distinguish from {} (correlation {:.2f}); {}", parameter.words(),
+                    parameters[free[static_cast<std::size_t>(visibility.partner)]].words(),
+                    visibility.correlation, helpFor(parameter.quantity));
   return estimate;
 }
 

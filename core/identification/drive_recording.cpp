@@ -24,7 +24,8 @@ void check(const recording::MeasuredTable& table) {
     refuse(table, "q_m1", {}, "is missing: without motor positions there is no drive to identify",
            "Add the motor encoder [rad] as column q_m1");
   if (table.tau_ext.empty())
-    refuse(table, "tau_ext1", {}, "is missing: without a known load, stiffness and friction cannot be told",
+    refuse(table, "tau_ext1", {},
+           "is missing: without a known load, stiffness and friction cannot be identified",
            "Add the measured load of the joint [N*m or N] as column tau_ext1; zeros for an unloaded joint");
   if (table.q.empty())
     refuse(table, "q1", {}, "is missing: one-joint identification compares with a joint encoder",

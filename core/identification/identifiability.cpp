@@ -63,8 +63,9 @@ std::string adviceFor(const ParameterSet& set, int i, const Visibility& v, int o
         parameter.words(), change, parameter.joint + 1, shown(parameter.joint, v.moved),
         shown(parameter.joint, v.noise), observations, remedyFor(parameter.quantity));
   if (v.sigma > wanted && v.partner >= 0 && std::abs(v.correlation) > kBoundUp)
-    return fmt::format("{} cannot be told from {} in this motion (correlation {:.2f}); {}", parameter.words(),
-                       wordsOf(set, v.partner), v.correlation, remedyFor(parameter.quantity));
+    return fmt::format("{} cannot be distinguished from {} in this motion (correlation {:.2f}); {}",
+                       parameter.words(), wordsOf(set, v.partner), v.correlation,
+                       remedyFor(parameter.quantity));
   if (v.stated >= parameter.prior_sigma)
     return fmt::format("{} is no better known than before; {}", parameter.words(),
                        remedyFor(parameter.quantity));

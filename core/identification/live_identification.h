@@ -68,7 +68,8 @@ class LiveIdentification {
  public:
   static constexpr double kFirst = 2.0;   ///< recording before the first run [s]
   static constexpr double kPeriod = 0.5;  ///< least time and least new recording between runs [s]
-  static constexpr double kLag = 2.0;  ///< of values behind the recording, from which on words() reports it [s]
+  static constexpr double kLag =
+      2.0;  ///< of values behind the recording, from which on words() reports it [s]
 
   /// A session: `file` is the robot as its file says, against which changes are shown.
   void begin(const robot::Description& file, std::string title);
@@ -93,7 +94,8 @@ class LiveIdentification {
   LivePhase phase() const { return phase_; }
   /// Where samples go to; null while nobody collects.
   std::shared_ptr<LiveRecording> sink() const;
-  /// The run to be made at `now` [s, any steady clock]; none: not yet. A run that was requested is not requested again.
+  /// The run to be made at `now` [s, any steady clock]; none: not yet. A run that was requested is not
+  /// requested again.
   std::optional<LiveRequest> next(double now);
   /// False: dropped.
   bool take(LiveReport report, double now);

@@ -98,8 +98,8 @@ class ParameterSet {
 };
 
 /// The parameters requested when nobody says which: those of experiments A and B of the UKF paper, joint
-/// friction, without which a soft cable cannot be distinguished, and the pulleys of all joints: one alone would
-/// take the others' errors on itself, through the camera's pose.
+/// friction, without which a soft cable cannot be distinguished, and the pulleys of all joints: one alone
+/// would take the others' errors on itself, through the camera's pose.
 inline constexpr const char* kDefaultParameters = "r_l,k_e,b_e,f_c";
 
 /// One value of two robot files that differs.

@@ -104,7 +104,7 @@ void reportTime(base::Progress& progress, const tracking::SourceInfo& info, doub
     progress.report(std::clamp((t - info.begin) / info.duration, 0.0, 1.0), "importing");
 }
 
-/// What the file is sure to hold.
+/// What the file certainly holds.
 struct Committed {
   std::int64_t rows = 0;
   double begin = 0.0, end = 0.0;  ///< arrival of its first and last sample [s]

@@ -10,7 +10,7 @@
 namespace capstan::recording {
 namespace {
 
-constexpr std::size_t kFewestRows = 50;  ///< below which rows tell no rate
+constexpr std::size_t kFewestRows = 50;  ///< below which rows have no rate
 constexpr double kSlowestRate = 10.0;    ///< below which cable dynamics cannot be followed [1/s]
 constexpr double kFastestRate = 1e5;     ///< above which no motor is read [1/s]
 

@@ -286,8 +286,8 @@ class Recorder::Impl {
            Clock::now());
   }
 
-  /// On the writer's thread. Closes the file first: once the fault is told, the file is as the words say.
-  /// `oldest`: when the oldest row was offered that is not in the file.
+  /// On the writer's thread. Closes the file first: when the fault is reported, the file is as the message
+  /// says. `oldest`: when the oldest row was offered that is not in the file.
   void fail(const std::string& reason, const std::string& advice, Clock::time_point oldest) {
     const double lost_time = secondsBetween(oldest, Clock::now());
     recording_.store(false, std::memory_order_relaxed);

@@ -9,7 +9,7 @@
 namespace capstan::recording {
 namespace {
 
-const char* const kRecover = "Restore it from a copy, or save what is left with: sqlite3 FILE .recover";
+const char* const kRecover = "Restore it from a copy, or save the readable part with: sqlite3 FILE .recover";
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& reason,
                          const std::string& remedy) {
@@ -25,7 +25,7 @@ base::InputError notASession(const std::filesystem::path& path) {
                            fmt::format("Choose a file recorded by Capstan (*{})", kSessionSuffix)});
 }
 
-/// Only what can be told without opening the file: to close it would drop every lock that this process holds
+/// Only what is known without opening the file: to close it would drop every lock that this process holds
 /// on it, those of a recorder too (POSIX; SQLite, How To Corrupt, 2.2).
 void checkFile(const std::filesystem::path& path) {
   std::error_code fault;

@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 
 constexpr double kRounding = 1e-12;  ///< relative excess of reach that is put down to rounding
 
-/// The angle congruent to `angle` within half a turn of `centre`.
+/// The angle congruent to `angle` within π of `centre`.
 double turnNear(double angle, double centre) {
   return centre + std::remainder(angle - centre, 2.0 * std::numbers::pi);
 }
@@ -150,7 +150,7 @@ ArmKinematics::PositionBranches ArmKinematics::positionBranches(const Vector3d& 
   return branchesOf(tip, marker_);
 }
 
-/// The turn nearest to `near` where it is inside the limits, else the one nearest to their middle.
+/// The congruent angle nearest to `near` where it is inside the limits, else the one nearest to their middle.
 Vector3d ArmKinematics::turnedNear(const Vector3d& q, const Vector3d& near) const {
   Vector3d turned = q;
   for (Eigen::Index i = 0; i < 2; ++i) {
@@ -188,7 +188,7 @@ Isometry3d ArmKinematics::toolPose(const Vector6d& q) const {
 
 /// With R = R06, phi_6 = theta_6 + q6 and the wrist centre p5 = p − a_6 R (cos phi_6, −sin phi_6, 0): the
 /// wrist axis z5 = ±R (sin phi_6, cos phi_6, 0) is square to the roll axis, which runs through the remote
-/// centre and p5, so z5 · p5 = 0 = sin phi_6 (Rᵀp)_x + cos phi_6 (Rᵀp)_y. Two phi_6 half a turn apart; each
+/// centre and p5, so z5 · p5 = 0 = sin phi_6 (Rᵀp)_x + cos phi_6 (Rᵀp)_y. Two phi_6 that differ by π; each
 /// p5 then has its four branches.
 ArmKinematics::PoseBranches ArmKinematics::poseBranches(const Isometry3d& pose) const {
   CAPSTAN_ASSERT(has_wrist_);

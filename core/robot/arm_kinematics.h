@@ -71,8 +71,8 @@ class ArmKinematics {
   /// Every (q1 … q6) of a tool pose, rotation orthonormal. Needs hasWrist(). Singular also where q6 is free:
   /// the remote centre on the axis of the jaw.
   PoseBranches poseBranches(const Eigen::Isometry3d& pose) const;
-  /// The branch with joints 1–3 inside the limits nearest to `near`; wrist angles are the turn nearest to
-  /// `near`.
+  /// The branch with joints 1–3 inside the limits nearest to `near`; wrist angles are the congruent ones
+  /// nearest to `near`.
   base::Result<Vector6d, ReachFault> solvePose(const Eigen::Isometry3d& pose, const Vector6d& near) const;
 
   /// Inside the limits by the rule above.

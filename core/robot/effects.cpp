@@ -115,10 +115,11 @@ std::vector<EffectFacts> sensorEffects() {
                {"z", "m", -1.0, 1.0, "added to what the cameras see, frame 0"}}),
       factsOf("camera_scale", kWholeArm,
               {{"share", "", -0.5, 0.5, "by which the cameras see lengths larger"}}),
-      factsOf("sensor_sign", kAnyDrive,
-              {{"present", "", -1.0, 1.0,
-                "0: the load sensor tells the sign; 1 or -1: magnitude only, the first load is positive or "
-                "negative"}}),
+      factsOf(
+          "sensor_sign", kAnyDrive,
+          {{"present", "", -1.0, 1.0,
+            "0: the load sensor measures the sign; 1 or -1: magnitude only, the first load is positive or "
+            "negative"}}),
   };
 }
 

@@ -5,7 +5,7 @@
 namespace capstan::simulation {
 namespace {
 
-constexpr double kSlowDown = 0.5;  // time from full pace to a halt [s]
+constexpr double kSlowDown = 0.5;  // time from full speed to a halt [s]
 constexpr double kSettled = 1.0 / 3.0;
 
 }  // namespace

@@ -27,9 +27,9 @@ struct PlantState {
 ///   I_m d²q_m = tau − tau_cm tanh(dq_m / v_eps) − tau_vm dq_m − r_mc gamma / N
 ///   M(q) d²q = Aᵀ (r_l ∘ gamma) − C dq − G − Stribeck friction
 ///   gamma = k_e (exp(a delta) − exp(−a delta)) + 2 b_e d(delta)/dt + stiffness_h z
-/// with the effective r_l, changed k_e and b_e, and z of Bouc–Wen (truth.h). Rigid bodies are core/robot's; the
-/// rest is the plant's own. RK4 on Truth::substeps steps a millisecond: the fastest rate, about 5e3/s, times
-/// a step stays below 1. A robot file that lists effects is simulated with them (extended_arm.h). No
+/// with the effective r_l, changed k_e and b_e, and z of Bouc–Wen (truth.h). Rigid bodies are core/robot's;
+/// the rest is the plant's own. RK4 on Truth::substeps steps a millisecond: the fastest rate, about 5e3/s,
+/// times a step stays below 1. A robot file that lists effects is simulated with them (extended_arm.h). No
 /// allocation.
 class Plant {
  public:

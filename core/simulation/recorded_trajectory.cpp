@@ -58,7 +58,7 @@ std::unique_ptr<Trajectory> recordedTrajectory(const std::string& file) {
                                 "q" + std::to_string(i + 1),
                                 {},
                                 "is empty",
-                                "Leave out rows without joint positions"});
+                                "Remove rows without joint positions"});
   return std::make_unique<Recorded>(table);
 }
 

@@ -130,7 +130,7 @@ ToolPose SimulatedSource::Parts::toolAt(const Eigen::Vector3d& q, const Eigen::V
   return {kinematics.tip(q), kinematics.tipJacobian(q) * dq, kinematics.frame(3, q).linear().col(2)};
 }
 
-/// What cameras that mislead tell of the tool.
+/// Measurements of the tool by cameras with declared errors.
 std::optional<ToolPose> SimulatedSource::Parts::commandedOf(const ToolPose& tool) const {
   if (!effects) return std::nullopt;
   const robot::CameraNumbers& camera = effects->camera;

@@ -6,8 +6,8 @@
 
 namespace capstan::simulation {
 
-/// The seven-joint arm behind its own controller, which is commanded to tool poses and knows the nominal robot
-/// file alone: inverse kinematics, transmission kinematics, motor angles. It takes a pose every
+/// The seven-joint arm behind its own controller, which is commanded to tool poses and knows the nominal
+/// robot file alone: inverse kinematics, transmission kinematics, motor angles. It takes a pose every
 /// kCommandPeriod and moves its targets there evenly; poses outside of its joint limits it refuses.
 class ToolRobot {
  public:

@@ -24,7 +24,7 @@ std::vector<double> telling(std::span<const double> centred) {
   const auto most = std::min(centred.size() - 1, static_cast<std::size_t>(std::ceil(std::sqrt(n))) + quiet);
   const double limit = 2.0 * std::sqrt(std::log10(n) / n);
   std::vector<double> covariances{autocovariance(centred, 0)};
-  std::size_t last = 0;  // the newest lag that still tells
+  std::size_t last = 0;  // the largest lag with significant correlation
   while (covariances.size() <= most && covariances.size() <= last + quiet) {
     covariances.push_back(autocovariance(centred, covariances.size()));
     if (std::abs(covariances.back()) >= limit * covariances.front()) last = covariances.size() - 1;

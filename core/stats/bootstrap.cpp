@@ -55,8 +55,7 @@ class BlockSampler {
   void cutAt(const Pieces& lengths) {
     std::size_t begin = 0, starts = 0;
     for (const std::size_t length : lengths) {
-      if (length == 0)
-        refuse("pieces", "an empty one", "holds no sample", "Leave out pieces without samples");
+      if (length == 0) refuse("pieces", "an empty one", "holds no sample", "Remove pieces without samples");
       starts += length + length_ - 1;
       pieces_.push_back({begin, begin + length, starts});
       begin += length;

@@ -27,7 +27,7 @@ void refuseSample(std::span<const double> values, std::size_t index, std::string
                           fmt::format("{}[{}]", what, index),
                           fmt::format("{}", values[index]),
                           "a sample must be a finite number",
-                          "Leave out the samples that have no value"});
+                          "Remove the samples that have no value"});
 }
 
 void requireConfidence(double confidence) {

@@ -20,7 +20,7 @@ namespace {
 using Eigen::Vector3d;
 using nlohmann::json;
 
-/// Samples in memory, as often as wanted.
+/// Samples in memory, repeatable.
 struct Replay {
   const tracking::SourceInfo& about;
   const std::vector<tracking::Sample>& samples;

@@ -23,7 +23,7 @@ experiments::TrialSetup setUpSample(const MonteCarloOptions& options,
                                     const experiments::IdentificationSetup& identification,
                                     std::uint64_t seed) {
   experiments::TrialSetup setup;
-  setup.spec.name = fmt::format("world {}", seed);
+  setup.spec.name = fmt::format("sample {}", seed);
   setup.spec.duration = options.duration;
   setup.spec.seed = seed;
   simulation::SimulationRequest request;
@@ -138,7 +138,7 @@ MonteCarloStudy runMonteCarloStudy(const MonteCarloOptions& options, base::Progr
                         return jsonOf(experiments::identifyTrials({sample}, setup, 1, {own}));
                       }});
   }
-  const experiments::TrialStore store(options.out.empty() ? options.out : options.out / "worlds");
+  const experiments::TrialStore store(options.out.empty() ? options.out : options.out / "samples");
   KeptResults kept = runKept(trials, store, options.threads, progress);
   study.notices = std::move(kept.notices);
   study.cancelled = kept.cancelled;
@@ -149,7 +149,7 @@ MonteCarloStudy runMonteCarloStudy(const MonteCarloOptions& options, base::Progr
 
 base::Table recoveriesOf(const MonteCarloStudy& study, const MonteCarloOptions& options) {
   base::Table table;
-  table.title = fmt::format("Known truth recovered in {} worlds, {:g} s of block transfer each",
+  table.title = fmt::format("Known truth recovered for {} randomized robots, {:g} s of block transfer each",
                             study.samples.size(), options.duration);
   table.columns = {{"parameter", {}, 0},   {"method", {}, 0},        {"seen in", {}, 0},
                    {"inside 95 %", {}, 0}, {"coverage", {}, 0},      {"95 %", {}, 0},
@@ -175,7 +175,7 @@ base::Table recoveriesOf(const MonteCarloStudy& study, const MonteCarloOptions& 
     }
   table.note =
       "Simulated robots. Seen: the recording at least halved what was unknown before; all that stands behind "
-      "it is of those worlds, so that a prior that holds the truth does not count. 95 %: Clopper and "
+      "it is of those robots, so that a prior that holds the truth does not count. 95 %: Clopper and "
       "Pearson's interval of the coverage; too few: it spans the goal. Sigma: as stated, median.";
   return table;
 }

@@ -48,8 +48,8 @@ struct RandomizedRobot {
   std::array<double, 2> seconds{};             ///< of computing: dual UKF, batch
 };
 
-/// How one method did on one parameter, over the samples whose recording showed it: in the others the interval
-/// is the prior's, and that it holds the truth says nothing about the method.
+/// How one method did on one parameter, over the samples whose recording showed it: in the others the
+/// interval is the prior's, and that it holds the truth says nothing about the method.
 struct Recovery {
   /// Decided by Clopper and Pearson's 95 % interval of the coverage, against kCoverageGoal.
   enum class Verdict { kUnseen, kTooFew, kMet, kMissed };

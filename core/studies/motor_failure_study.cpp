@@ -311,7 +311,7 @@ base::Table mapOf(const MotorFailureStudy& study, const MotorFailureStudyOptions
       "Simulated robot ({} truth, {}), {} seed{} of {:g} s from the failure on. The failed filter knows {} "
       "pulley radii; normal is {}. Error: RMS over the last 2 s of a failed joint, median over seeds; speed: "
       "by "
-      "the pace of a 200 s block transfer.",
+      "the speed of a 200 s block transfer.",
       options.truth, options.images ? "rendered images" : "tip positions", options.seeds,
       options.seeds == 1 ? "" : "s", options.duration, options.true_radii ? "true" : "nominal",
       own ? "its own error with all encoders"

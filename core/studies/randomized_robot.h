@@ -6,8 +6,8 @@
 
 namespace capstan::studies {
 
-/// How randomized robots differ from the truth that they are drawn around: standard deviations, of logarithms where no
-/// unit is given. Draws beyond two of them are cut off.
+/// How randomized robots differ from the truth that they are drawn around: standard deviations, of logarithms
+/// where no unit is given. Draws beyond two of them are cut off.
 struct RandomizationSpread {
   double link_radius = 0.02;       ///< of each r_l
   double stiffness = 0.3;          ///< of each k_e

@@ -105,7 +105,7 @@ std::optional<MotorSample> EncoderWatch::take(const MotorSample& sample) {
   return clean;
 }
 
-/// One path since the last camera sample, as far as noise and the fastest ordinary movement tell.
+/// One path since the last camera sample, within noise and the fastest ordinary movement.
 bool EncoderWatch::isContinuous(const Seen& now) const {
   const double since = now.t - seen_.t;
   if (!seen_.valid || !(since > 0.0) || since > longest_gap_) return false;

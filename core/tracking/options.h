@@ -63,7 +63,7 @@ struct TrackingOptions {
   double offset_sigma = 2e-3;  ///< of a cable's zero [m]
   double scale_probability = 0.15;
   double offset_probability =
-      0.01;                       ///< an offset is hard to distinguish from cameras that are rotated about the base
+      0.01;  ///< an offset is hard to distinguish from cameras that are rotated about the base
   double compliance_sigma = 0.7;  ///< of 1 − k_e / k_e,true, where the robot file's stiffness is wrong
   double compliance_probability = 0.03;
   double change_log_odds = 12.0;  ///< against a change (cameras knocked, encoder slipped) in a given second
@@ -198,12 +198,11 @@ struct TrackingOptions {
     field(
         self.compliance_probability,
         {"compliance_probability", "", "prior probability of a wrong cable stiffness", {1e-9, 0.999}, false});
-    field(self.change_log_odds,
-          {"change_log_odds",
-           "",
-           "log evidence from which on a change of cameras or encoders is accepted",
-           {0.0, 1e6},
-           false});
+    field(self.change_log_odds, {"change_log_odds",
+                                 "",
+                                 "log evidence from which on a change of cameras or encoders is accepted",
+                                 {0.0, 1e6},
+                                 false});
     field(self.transmission_memory, {"transmission_memory",
                                      "s",
                                      "how long an observation of the transmission error counts",

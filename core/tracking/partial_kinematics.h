@@ -14,8 +14,8 @@ using JointMeasurement = estimation::LinearMeasurement<6, 3>;
 JointMeasurement positionsOnly();
 
 /// Makes the joints in `set` as good as unknown: the mean of their position stays, with the standard
-/// deviation `position_sigma`, they are at rest with that of `speed`, and no other measurement of them exists. `root`
-/// is a square root of the covariance of q1 dq1 q2 dq2 q3 dq3.
+/// deviation `position_sigma`, they are at rest with that of `speed`, and no other measurement of them
+/// exists. `root` is a square root of the covariance of q1 dq1 q2 dq2 q3 dq3.
 void forgetJoints(JointSet set, const Eigen::Vector3d& position_sigma, const Eigen::Vector3d& speed,
                   CableArmModel::State& mean, estimation::Lower<6>& root);
 

@@ -38,8 +38,8 @@ class WhiteNoise {
 
 /// The share in (0, 1] of a stated covariance that innovations bear out: it falls while their NIS over its
 /// degrees of freedom is below one, and rises while it is above, so that a covariance stated too large is
-/// lowered to the observed residual (adaptive fading of process noise; Mehra, IEEE TAC 17, 1972). Never above what is
-/// stated: a NIS that stays above one is the filter's failure.
+/// lowered to the observed residual (adaptive fading of process noise; Mehra, IEEE TAC 17, 1972). Never above
+/// what is stated: a NIS that stays above one is the filter's failure.
 class StatedShare {
  public:
   double value() const { return std::exp(log_share_); }

@@ -34,7 +34,7 @@ Prior priorOf(const TrackingOptions& options) {
       std::max(shift, options.camera_moved_shift_sigma) * one,
       std::max(options.camera_scale_sigma, options.camera_moved_scale_sigma), options.camera_delay_sigma;
   prior.unusual_probability = options.camera_moved_probability;
-  // A wrong pulley is what laboratories begin with; the rest is believed once it is nearly certain.
+  // A wrong pulley is what laboratories begin with; other changes are accepted once they are nearly certain.
   prior.enters.tail<7>().setConstant(kCertain);
   prior.highest = TransmissionEstimator::kMostSigmas * prior.sigma;
   prior.lowest = -prior.highest;

@@ -123,7 +123,7 @@ TEST_F(Cli, TheSecondPapersTrainingSizes) {
 
 TEST_F(Cli, TheSecondPapersSimulatedExperiments) {
   const std::string small = " --motions 40 --inducing 100 --json - --out " + path("out");
-  const Ran arrival = run("experiment G --visits 2" + small);
+  const Ran arrival = run("experiment G --arrivals 2" + small);
   ASSERT_EQ(arrival.exit, 0) << arrival.err;
   const json modes = json::parse(arrival.out)["arrival"];
   EXPECT_LT(modes["end_point"]["distance"]["mean"], modes["none"]["distance"]["mean"]);

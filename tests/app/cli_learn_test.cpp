@@ -65,7 +65,7 @@ TEST_F(CliLearn, CorrectsPlannedMotionsAlongTheirPathsOrAtTheirEnds) {
   ASSERT_EQ(learn("").exit, 0);
   std::string text = "traj,t_s,x,y,z,qx,qy,qz,qw\n";
   for (int k = 0; k <= 10; ++k)
-    text += "1," + std::to_string(0.1 * k) + "," + std::to_string(0.01 + 0.001 * k) + ",0,-0.15,0,0,0,1\n";
+    text += "1," + std::to_string(0.1 * k) + "," + std::to_string(0.01 + 0.001 * k) + ",0,0,0,0,0,1\n";
   write("motions.csv", text);
   const std::string correct = "correct --model " + path("m.correction") + " " + path("motions.csv") + " ";
   const Ran whole = run(correct + path("path.csv") + " --path"),
@@ -162,11 +162,11 @@ TEST_F(CliLearn, SaysWhetherAModelHoldsAndLearnsOn) {
 
 TEST_F(CliLearn, ProposesWhereToGoNext) {
   ASSERT_EQ(learn("--method velocity").exit, 0);
-  const std::string ask = "explore --model " + path("m.correction") + " --count 3 " + path("visits.csv");
+  const std::string ask = "explore --model " + path("m.correction") + " --count 3 " + path("queries.csv");
   const Ran proposed = run(ask);
   ASSERT_EQ(proposed.exit, 0) << proposed.err;
   EXPECT_THAT(proposed.out, HasSubstr("3 of "));
-  EXPECT_EQ(std::ranges::count(textOf("visits.csv"), '\n'), 4);
+  EXPECT_EQ(std::ranges::count(textOf("queries.csv"), '\n'), 4);
   EXPECT_THAT(proposed.out, HasSubstr("visit   3"));
   write("some.csv", "x,y,z,qx,qy,qz,qw\n0.01,0,-0.15,0,0,0,1\n0.03,0,-0.15,0,0,0,1\n");
   EXPECT_THAT(run(ask + " --among " + path("some.csv")).out, HasSubstr("of 2 poses"));

@@ -163,8 +163,8 @@ std::string processorName() {
   return "unknown processor";
 }
 
-/// Nanoseconds a step of each candidate model: the fastest of several rounds, the candidate models taking turns
-/// within a round.
+/// Nanoseconds a step of each candidate model: the fastest of several rounds, the candidate models taking
+/// turns within a round.
 std::vector<double> timeInTurns(const std::vector<std::unique_ptr<CandidateModel>>& candidate_models) {
   constexpr int kRounds = 25;
   using Clock = std::chrono::steady_clock;

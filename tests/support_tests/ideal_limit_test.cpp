@@ -34,8 +34,8 @@ double deflectionOf(const Drawn& drawn) {
   return IdealObserver(drawn.of, drawn.truth, 3.0).deflection(drawn.truth.items[0].planted);
 }
 
-/// The encoders tell where the arm is, whatever has drifted: an offset of what n pictures show is found like the
-/// mean of 3 n numbers, D² = n |offset|² / (σ²/3), σ² the summed variances of the axes.
+/// The encoders tell where the arm is, whatever has drifted: an offset of what n pictures show is found like
+/// the mean of 3 n numbers, D² = n |offset|² / (σ²/3), σ² the summed variances of the axes.
 TEST(IdealLimit, OfACameraOffsetIsThatOfAMean) {
   const Drawn drawn = drawnCase(test::Effect::kCameraOffset, 0, 1e-3);
   const double sigma = test::StereoPair(Eigen::Vector3d::Zero(), drawn.of.sensors).sigma();

@@ -150,7 +150,7 @@ TEST_F(Learning, TrainsInTheBackgroundAndJudgesOnTrajectoriesHeldOut) {
   EXPECT_EQ(figure->data().panels[4].unit, "deg");
   const std::string lines = pages().stages().lines().join('\n').toStdString();
   EXPECT_THAT(lines, HasSubstr("inducing points | 3 × 200"));
-  EXPECT_THAT(lines, HasSubstr(QStringLiteral("… doubted | %1\n")
+  EXPECT_THAT(lines, HasSubstr(QStringLiteral("… down-weighted | %1\n")
                                    .arg(panel->results().learned->weighing.down_weighted)
                                    .toStdString()));
   EXPECT_THAT(lines, HasSubstr("Errors on 4 trajectories held out"));
@@ -238,7 +238,7 @@ TEST_F(Learning, ABadTableIsNamedWithItsRemedyAndAnotherOneRead) {
   sample.command = false;
   read(table("robot.csv", sample));
   EXPECT_THAT(panel->summary().toStdString(), HasSubstr("command: these tables have no such poses"));
-  auto* commanded = panel->findChild<QComboBox*>("told");
+  auto* commanded = panel->findChild<QComboBox*>("towards");
   QTest::keyClick(commanded, Qt::Key_Down);
   ASSERT_TRUE(waitFor([&] { return !panel->busy(); }));
   EXPECT_EQ(panel->choice().towards, learning::StreamKind::kRobot);

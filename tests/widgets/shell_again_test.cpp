@@ -126,7 +126,7 @@ TEST_F(Shell, RegistrationAndFailedMotorsStayWhenTheSessionBeginsAgain) {
   ASSERT_TRUE(ended(*window));
   again(*window);
   EXPECT_TRUE(waitFor([&] { return window->action("motor1failed")->isChecked(); }))
-      << "a motor that was declared failed is believed again";
+      << "a motor that was declared failed is in use again";
   bool registered = false, asked = false;
   window->link().runner()->post([&](tracking::Source&, tracking::TrackingPipeline& pipeline) {
     registered = pipeline.registration().has_value();

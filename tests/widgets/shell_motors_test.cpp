@@ -83,7 +83,7 @@ TEST_F(Shell, AMotorIsDeclaredFailedAndBelievedAgainByHand) {
   window->action("motor1failed")->trigger();
   ASSERT_TRUE(waitFor([&] { return titleOf(*window, 0) == "shoulder q1 [deg]"; }));
   EXPECT_TRUE(waitFor([&] { return !statusOf(*window).contains("motor"); }));
-  EXPECT_TRUE(noted(*window, "believed again"));
+  EXPECT_TRUE(noted(*window, "in use again"));
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ ClockOffsetFigure::ClockOffsetFigure(ClockOffsetData data, QWidget* parent)
   setTitle(data_.title, data_.note);
   const learning::ClockOffsetReport& clock_offset = data_.clock_offset;
   const Panel& panel =
-      addPanel({}, tr("lag of what is seen behind what was told [ms]"), tr("misfit of speeds [mm/s]"));
+      addPanel({}, tr("clock offset of observations behind commands [ms]"), tr("misfit of speeds [mm/s]"));
   QCPAxis* x = panel.axes->axis(QCPAxis::atBottom);
   QCPAxis* y = panel.axes->axis(QCPAxis::atLeft);
   panel.empty->setVisible(clock_offset.tried.empty());

@@ -42,7 +42,7 @@ std::optional<CommonBins> commonBins(const std::vector<std::span<const double>>&
     low = spread.near_low;
     high = spread.near_high;
   }
-  // All samples alike, or so near that a double cannot tell the bins' edges: one bin around them.
+  // All samples alike, or so close that doubles cannot represent the bins' edges: one bin around them.
   const double size = std::max(std::abs(low), std::abs(high));
   if (!(high - low > 1e-9 * size)) {
     const double half = size > 0.0 ? 0.05 * size : 0.5;

@@ -50,7 +50,7 @@ std::string verdictHtml(const Report& report) {
   return html + "</div>\n";
 }
 
-/// What people are told of it: where it is, how large, how sure, what it is worth, and what it is.
+/// Its description: joint, size, probability, gain, and what it is.
 std::string causeHtml(const Cause& cause) {
   std::string html = "<section class=\"cause\"><h3>" +
                      htmlEscaped(diagnosis::titleOf(cause.effect) + ", " +
@@ -150,7 +150,7 @@ std::string verdictText(Verdict verdict) {
     case Verdict::kSeveral:
       return "Several causes found";
     case Verdict::kTie:
-      return "These recordings cannot tell";
+      return "These recordings cannot decide";
     case Verdict::kNothing:
       return "Nothing material";
     case Verdict::kUnexplained:

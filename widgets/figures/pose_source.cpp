@@ -7,9 +7,9 @@ namespace capstan::widgets {
 QString nameOf(PoseSource source) {
   switch (source) {
     case PoseSource::kCommanded:
-      return QObject::tr("told");
+      return QObject::tr("commanded");
     case PoseSource::kVisible:
-      return QObject::tr("as seen");
+      return QObject::tr("observed");
     case PoseSource::kOffset:
       return QObject::tr("rigid offset");
     case PoseSource::kCorrected:

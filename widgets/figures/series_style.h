@@ -20,9 +20,9 @@ struct SeriesKey {
   bool operator==(const SeriesKey&) const = default;
 };
 
-/// How a series fills an area: its quantity's colour, distinguished in grey by hatch, outline and mark. The UKF
-/// is filled plainly, kinematics are hatched and outlined with dashes, the camera is hatched the other way
-/// and dotted; a second run is paler and hatched across.
+/// How a series fills an area: its quantity's colour, distinguished in grey by hatch, outline and mark. The
+/// UKF is filled plainly, kinematics are hatched and outlined with dashes, the camera is hatched the other
+/// way and dotted; a second run is paler and hatched across.
 struct SeriesStyle {
   QColor ink, fill;
   Hatch hatch = Hatch::kNone, second_hatch = Hatch::kNone;

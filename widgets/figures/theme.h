@@ -15,8 +15,8 @@ enum class Quantity { kTrue, kKinematic, kCamera, kUkf };
 /// Name of a quantity as legends and tables write it.
 QString nameOf(Quantity quantity);
 
-/// Colours of one theme. Quantities are Okabe–Ito (safe for colour-blind eyes), the same in both themes but for
-/// the truth, which is black on light and white on dark; everything else is quiet, with one accent.
+/// Colours of one theme. Quantities are Okabe–Ito (safe for colour-blind eyes), the same in both themes but
+/// for the truth, which is black on light and white on dark; everything else is quiet, with one accent.
 struct Theme {
   QString name;      ///< "dark" or "light"
   QColor window;     ///< behind everything

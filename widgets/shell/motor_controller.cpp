@@ -38,7 +38,7 @@ MotorController::MotorController(JointFigure& figure, SessionLink& link, Session
 void MotorController::addMenu(SessionBar& bar, SessionLink& link) {
   auto* action = new QAction(tr("Motors"), this);
   action->setObjectName("motors");
-  action->setToolTip(tr("Say that a motor's encoder has failed, or is to be believed again"));
+  action->setToolTip(tr("Mark a motor's encoder as failed, or as usable again"));
   auto* menu = new QMenu(&bar);
   menu->setToolTipsVisible(true);
   action->setMenu(menu);
@@ -88,7 +88,7 @@ void MotorController::showFaults(const tracking::Snapshot& snapshot) {
 void MotorController::report(int motor, MotorFault fault) {
   const QString name =
       tr("encoder of motor %1 (%2)").arg(motor + 1).arg(joints_[static_cast<std::size_t>(motor)]);
-  if (fault == MotorFault::kNone) return notes_.addEvent(now_, "motor", tr("%1: believed again").arg(name));
+  if (fault == MotorFault::kNone) return notes_.addEvent(now_, "motor", tr("%1: in use again").arg(name));
   const QString words =
       tr("%1 %2: q%3 is estimated from the cameras alone").arg(name, faultWords(fault)).arg(motor + 1);
   if (fault == MotorFault::kDeclared) return notes_.addEvent(now_, "motor", words);

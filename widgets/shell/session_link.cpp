@@ -79,7 +79,7 @@ bool SessionLink::useRobot(const robot::Description& robot, const RobotWords& wo
   return true;
 }
 
-/// Ends in the background; what becomes of its recording is told by hearRetired().
+/// Ends in the background; hearRetired() reports what became of its recording.
 void SessionLink::retire(std::unique_ptr<live::Runner> runner) {
   if (!runner) return;
   const bool recording = std::exchange(recorded_when_left_, false) || isRecording(*runner);

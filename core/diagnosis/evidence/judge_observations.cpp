@@ -22,7 +22,7 @@ robot::JointVector vectorAt(const Columns& columns, double row) {
   return values;
 }
 
-/// Where the joints put the tip; the origin where nothing tells them.
+/// Where the joints put the tip; the origin where joints are not measured.
 Eigen::Vector3d tipOfJoints(const Evidence& evidence, const robot::Chain& chain,
                             const robot::Transmission* transmission, double row) {
   if (evidence.hasEncoders()) {

@@ -28,7 +28,7 @@ using learning::StreamKind;
 
 bool hasTurn(const RawPose& pose) { return pose.quaternion.allFinite(); }
 
-/// Does the stream tell orientations in any row?
+/// Does any row of the stream have an orientation?
 bool turns(const std::vector<RawMotion>& motions, StreamKind kind) {
   const auto at = static_cast<std::size_t>(kind);
   return std::any_of(motions.begin(), motions.end(), [at](const RawMotion& motion) {

@@ -15,10 +15,10 @@ namespace capstan::diagnosis {
 /// their rows' times. q that the robot computed from its motors is excluded, as no reference.
 ///
 /// `robot` gives the number of joints, the motors' torque limits, and the kinematics by which the noise of
-/// tips is distinguished from motion. Throws base::InputError naming file, column and remedy: neither joint encoders
-/// nor camera tips; no q_m for a cable drive, no tau_m for a rigid one; another number of joints than the
-/// robot's; a step below the table's own; fewer rows that count than kFewestRows, or fewer observations than
-/// kFewestObservations where there are no encoders.
+/// tips is distinguished from motion. Throws base::InputError naming file, column and remedy: neither joint
+/// encoders nor camera tips; no q_m for a cable drive, no tau_m for a rigid one; another number of joints
+/// than the robot's; a step below the table's own; fewer rows that count than kFewestRows, or fewer
+/// observations than kFewestObservations where there are no encoders.
 Evidence evidenceOf(const recording::MeasuredTable& table, const robot::Description& robot,
                     const EvidenceOptions& options = {});
 

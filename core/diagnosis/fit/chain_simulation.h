@@ -64,8 +64,8 @@ class ChainSimulation {
   /// slow motion puts them, in position and speed: 4n × windows.
   const Eigen::MatrixXd& initialStates() const { return initial_; }
 
-  /// Simulated sensor readings of each robot, a column each, as Compared::measured. At most 16 robots. NaN where
-  /// a simulation ran away.
+  /// Simulated sensor readings of each robot, a column each, as Compared::measured. At most 16 robots. NaN
+  /// where a simulation ran away.
   void simulate(std::span<const Robot> robots, Eigen::Ref<Eigen::MatrixXd> readings) const {
     simulate(rows_, robots, readings);
   }

@@ -40,8 +40,8 @@ class FitData {
   /// recording, or of all): numbers [begin, end) of each.
   const std::vector<std::pair<Eigen::Index, Eigen::Index>>& segments() const { return segments_; }
 
-  /// Simulated readings of the robots of several models, a column each. `initial`: of each robot; empty: none beyond the
-  /// simulations' own.
+  /// Simulated readings of the robots of several models, a column each. `initial`: of each robot; empty: none
+  /// beyond the simulations' own.
   Eigen::MatrixXd simulate(const std::vector<robot::ChainModel>& models,
                            const std::vector<InitialStates>& initial = {}) const;
 
@@ -103,8 +103,8 @@ Fit fit(const FitData& data, const FitModel& model, const Eigen::VectorXd& u, co
 Fit linearise(const FitData& data, const FitModel& model, const Eigen::VectorXd& u,
               const InitialStates& initial, const Weighting& weighting);
 
-/// Measured less the simulated readings of each of `robots`, a column each, from the fit's initial states and with its
-/// nuisances taken off.
+/// Measured less the simulated readings of each of `robots`, a column each, from the fit's initial states and
+/// with its nuisances taken off.
 Eigen::MatrixXd residualsOf(const FitData& data, const Fit& at, const std::vector<robot::ChainModel>& robots,
                             const Weighting& weighting);
 

@@ -45,7 +45,7 @@ InitialStates shifted(InitialStates initial, Index state, double h) {
   return initial;
 }
 
-/// Ones where an encoder of joint j told.
+/// Ones where joint j has an encoder reading.
 MatrixXd encoderZeros(const FitData& data, int joints) {
   MatrixXd zeros = MatrixXd::Zero(data.size(), joints);
   for (std::size_t i = 0; i < data.channel().size(); ++i) {

@@ -39,7 +39,7 @@ std::vector<double> withSigns(std::span<const double> magnitude) {
       load[k] *= sign, ++k;
       continue;
     }
-    // A visit to zero, over when the level is well away: its lowest place is where the sign changes.
+    // An approach to zero, which ends when the level is well away: the sign changes at its minimum.
     std::size_t end = k;
     while (end < level.size() && level[end] < kAway * reach) ++end;
     const auto lowest = std::min_element(level.begin() + static_cast<std::ptrdiff_t>(k),

@@ -136,7 +136,7 @@ std::vector<Hypothesis> cableHypotheses() {
           .place = Place::kCable,
           .words =
               {
-                  .title = "Stiffness that goes with the position",
+                  .title = "Stiffness that depends on the position",
                   .what =
                       "The free length of the cable grows as the joint moves over its range, and a longer "
                       "cable is softer.",

@@ -76,7 +76,7 @@ std::vector<Hypothesis> frictionHypotheses() {
                       "acts like a constant force that is there only while the joint moves. In a rigid "
                       "drive one direction is too fast, the other too slow.",
                   .experiment =
-                      "Equal slow motions both ways with rests in between; the rests tell it from an "
+                      "Equal slow motions both ways with rests in between; the rests distinguish it from an "
                       "offset.",
               },
           .neutral = {0.0},

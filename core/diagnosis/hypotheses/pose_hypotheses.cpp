@@ -11,15 +11,15 @@ using Values = std::span<const double>;
 constexpr HypothesisWords kMarkerOffset{
     .title = "Marker elsewhere on the tool",
     .what =
-        "The point that the cameras track is not the point that the robot's kinematics tell: it sits a "
+        "The point that the cameras track is not the point of the robot's kinematics: it sits a "
         "constant way off, fixed to the tool and turning with it.",
     .equation = "p_c = p + R_t (x, y, z), R_t the tool's orientation",
     .source =
         "Tsai and Lenz, A new technique for fully autonomous and efficient 3D robotics hand/eye "
         "calibration, IEEE Transactions on Robotics and Automation 5 (1989)",
     .changes = "Sensor: the point of the tool that is compared.",
-    .signature = "A shift that is constant in the tool's frame and turns with the wrist in frame 0.",
-    .experiment = "The wrist turned through its range at one place of the tip.",
+    .signature = "A shift that is constant in the tool's frame and rotates with the wrist in frame 0.",
+    .experiment = "Rotate the wrist through its range with the tip at one position.",
 };
 
 constexpr HypothesisWords kInsertionOffset{
@@ -31,7 +31,7 @@ constexpr HypothesisWords kInsertionOffset{
     .source = "Mooring, Roth and Driels, Fundamentals of manipulator calibration, Wiley 1991, chapter 2",
     .changes = "Transmission: a constant is added to the insertion.",
     .signature =
-        "A shift along the tool's shaft, whose direction in frame 0 goes with the shoulder's joints.",
+        "A shift along the tool's shaft, whose direction in frame 0 rotates with the shoulder's joints.",
     .experiment = "Shoulder joints through their range at one depth of insertion.",
 };
 
@@ -52,8 +52,9 @@ constexpr HypothesisWords kCommandDelay{
     .title = "Tip follows its command after a dead time",
     .what =
         "Transport, control cycles and buffers let the command wait: the tip does the command a "
-        "constant time ago. Late stamps of the cameras look the same; kinematics beside the command tell "
-        "them apart.",
+        "constant time ago. Late stamps of the cameras look the same; kinematics beside the command "
+        "distinguish "
+        "the two.",
     .equation = "p(t) = p_command(t − delay)",
     .source = "Åström and Murray, Feedback systems, Princeton 2008, chapter 10",
     .changes = "Clock: the instant of the command that the tip is compared with.",

@@ -103,7 +103,7 @@ Eigen::Matrix3Xd seenBy(const PoseNumbers& numbers, const PoseMotion& motion) {
   play(numbers.gap, path);
   Eigen::Matrix3Xd observed(3, motion.observed.cols());
   const Eigen::Vector3d origin = numbers.camera.measure(Eigen::Vector3d::Zero());
-  Eigen::Matrix3d rotated;  // what they tell of a point is linear but for the offset
+  Eigen::Matrix3d rotated;  // their measurement of a point is linear but for the offset
   for (int axis = 0; axis < 3; ++axis)
     rotated.col(axis) = numbers.camera.measure(Eigen::Vector3d::Unit(axis)) - origin;
   std::size_t after = 1;

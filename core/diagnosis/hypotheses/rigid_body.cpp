@@ -25,7 +25,7 @@ std::vector<Hypothesis> rigidBodyHypotheses() {
                   .source = "Craig, Introduction to Robotics: Mechanics and Control (1989): gravity as an "
                             "acceleration of the base in the Newton–Euler recursion",
                   .changes =
-                      "Rigid body: the direction of gravity in frame 0, for all joints at once. A turn "
+                      "Rigid body: the direction of gravity in frame 0, for all joints at once. A rotation "
                       "about gravity itself changes nothing.",
                   .signature =
                       "By the pose, in all joints that bear weight, the same in both directions of motion "

@@ -128,13 +128,14 @@ std::vector<Hypothesis> sensorHypotheses() {
           .words =
               {
                   .title = "Load sensor without a sign",
-                  .what = "The sensor of the external load tells only how large it is, not to which side it "
-                          "pushes, as a rectifying amplifier or a cable-force sensor does.",
+                  .what =
+                      "The sensor of the external load measures only how large it is, not to which side it "
+                      "pushes, as a rectifying amplifier or a cable-force sensor does.",
                   .equation = "reading = |τ_ext|",
                   .source = "Horowitz and Hill, The Art of Electronics (1989): the full-wave rectifier, or "
                             "absolute-value circuit",
                   .changes =
-                      "Sensor: the measured load enters with its magnitude, and with a sign that is told "
+                      "Sensor: the measured load enters with its magnitude, and with a sign that is taken "
                       "from the recording instead.",
                   .signature =
                       "Against the measured load two branches, mirrored: no residual while the load pushes "

@@ -33,7 +33,8 @@ std::vector<Hypothesis> transmissionHypotheses() {
                   .title = "Pulley of another radius",
                   .what =
                       "The pulley that turns the joint is larger or smaller than the robot file says, by a "
-                      "worn groove, another cable diameter or a wrong drawing: a turn of the motor moves "
+                      "worn groove, another cable diameter or a wrong drawing: a revolution of the motor "
+                      "moves "
                       "the joint less or more.",
                   .equation =
                       "s_l = r_l (1 + share) (A (q − q_hs)), hence q − q_hs is the nominal one / (1 + "
@@ -96,7 +97,7 @@ std::vector<Hypothesis> transmissionHypotheses() {
                   .changes = "Transmission: the position q_hs at the hard stop of this joint.",
                   .signature =
                       "A constant, at every position, direction and speed, moving or at rest; joints whose "
-                      "cables are coupled to this one are off by a constant, too. Cameras see it turned by "
+                      "cables are coupled to this one are off by a constant, too. Cameras see it rotated by "
                       "the arm.",
                   .experiment =
                       "Any slow motion with rests; home again in between and see whether the constant stays.",
@@ -120,7 +121,7 @@ std::vector<Hypothesis> transmissionHypotheses() {
                               "recording",
                   .source = "Incropera, DeWitt, Bergman and Lavine, Fundamentals of Heat and Mass Transfer "
                             "(2007), chapter 5, lumped capacitance: what warms up does so exponentially, and "
-                            "lengths go with it",
+                            "lengths change with it",
                   .changes =
                       "Transmission: the position q_hs at the hard stop of this joint, by the time that has "
                       "passed.",
@@ -149,8 +150,8 @@ std::vector<Hypothesis> transmissionHypotheses() {
                       "Tuttle and Seering, A nonlinear model of a harmonic drive gear transmission, IEEE "
                       "Transactions on Robotics and Automation 12 (1996): kinematic error by harmonics of "
                       "the rotation; here the first, of a circle turning off its centre",
-                  .changes =
-                      "Transmission: cable travel and lever of the motor wave once a turn of the capstan.",
+                  .changes = "Transmission: cable travel and lever of the motor wave once a revolution of "
+                             "the capstan.",
                   .signature =
                       "A sine against the capstan's angle modulo one turn, of one height at every speed and "
                       "load.",

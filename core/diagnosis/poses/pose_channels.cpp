@@ -28,7 +28,7 @@ std::vector<double> timesOf(const PoseData& data) {
   return t;
 }
 
-/// The path as it is told, `late` seconds before each observation.
+/// The commanded path, `late` seconds before each observation.
 Matrix3Xd pathAt(const PoseData& data, double late) {
   PoseNumbers numbers;
   numbers.camera.delay = late;

@@ -217,7 +217,7 @@ class Work {
 
   std::string summary() const {
     const std::string reference = result_.towards == PoseReference::kKinematics
-                                      ? "the robot's kinematics tell"
+                                      ? "the robot's kinematics report"
                                       : "the command asks for";
     if (report_.verdict == Verdict::kNothing)
       return "Nothing material: cameras see the tip where " + reference + ", down to noise.";
@@ -229,7 +229,7 @@ class Work {
     std::string text = fmt::format("{}, and {:.2f} mm with {}.", off, 1e3 * result_.steps.back().rms,
                                    fmt::join(names, ", "));
     for (const Tie& tie : report_.ties)
-      text += fmt::format(" It cannot tell {} from {}.", tie.causes[0].effect, tie.causes[1].effect);
+      text += fmt::format(" It cannot distinguish {} from {}.", tie.causes[0].effect, tie.causes[1].effect);
     return text;
   }
 

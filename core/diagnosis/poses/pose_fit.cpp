@@ -70,7 +70,7 @@ VectorXd weightsOf(const Matrix3Xd& e, const Eigen::Vector3d& spread) {
   return weight;
 }
 
-/// Derivatives of what is told, by value / scale; away from an upper bound.
+/// Derivatives of predictions by value / scale; away from an upper bound.
 MatrixXd jacobianOf(const PoseData& data, const std::vector<PoseHypothesis>& effects, const VectorXd& value,
                     const Matrix3Xd& e, const Bounds& bounds) {
   MatrixXd jacobian(e.size(), value.size());

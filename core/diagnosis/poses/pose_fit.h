@@ -52,8 +52,8 @@ inline constexpr double kHuber = 2.0;
 PoseFit with(const PoseData& data, const PoseFit& fit, const PoseHypothesis& effect);
 PoseFit without(const PoseData& data, const PoseFit& fit, std::string_view effect);
 
-/// Observed − predicted where each trajectory is predicted by the fit to the others: motions fall into kFolds folds;
-/// without a fold, values go by one Gauss–Newton step.
+/// Observed − predicted where each trajectory is predicted by the fit to the others: motions fall into kFolds
+/// folds; without a fold, values go by one Gauss–Newton step.
 Eigen::Matrix3Xd heldOut(const PoseData& data, const PoseFit& fit);
 
 /// Covariance of the values, dependent errors within a trajectory allowed for: sandwich by trajectories

@@ -145,7 +145,7 @@ Table rankingTable(const Report& report, std::size_t most) {
   table.columns = {number("round", "", 0, NumberStyle::kFixed),
                    text("effect"),
                    text("where"),
-                   number("promised", "%", 1, NumberStyle::kFixed),
+                   number("predicted", "%", 1, NumberStyle::kFixed),
                    number("held out", "%", 1, NumberStyle::kFixed),
                    number("score", "nats", 1, NumberStyle::kFixed),
                    number("probability", "%", 0, NumberStyle::kFixed)};
@@ -166,9 +166,9 @@ Table rankingTable(const Report& report, std::size_t most) {
                           100.0 * one.probability});
   }
   table.note =
-      "Promised: share of the residual's mean square that the score test says would go; held out and "
+      "Predicted: share of the residual's mean square that the score test expects to remove; held out and "
       "score (logarithm of the likelihood): of those that were refitted, on stretches that were not fitted.";
-  if (excluded > 0) table.note += fmt::format(" {} more promise less.", excluded);
+  if (excluded > 0) table.note += fmt::format(" {} more have a smaller prediction.", excluded);
   return table;
 }
 

@@ -115,7 +115,7 @@ std::string shareWords(double share) {
                                  Words{0.16, "a fifth of it"},     Words{0.08, "a tenth of it"},
                                  Words{0.03, "a twentieth of it"}, Words{0.01, "hardly any of it"}};
   const auto found = std::ranges::find_if(kWords, [share](const Words& w) { return share >= w.from; });
-  return std::string(found == kWords.end() ? "no sure part of it" : found->words);
+  return std::string(found == kWords.end() ? "no significant part of it" : found->words);
 }
 
 }  // namespace capstan::diagnosis

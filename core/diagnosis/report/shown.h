@@ -31,8 +31,8 @@ std::string shownName(std::string_view parameter);
 /// "joint 2", or "whole arm" and "cameras" for effects of joint 0.
 std::string shownJoint(std::string_view effect, int joint);
 
-/// How much of a variance `share` is, for people: "nearly all of it", "about half of it" … "no significant part of
-/// it".
+/// How much of a variance `share` is, for people: "nearly all of it", "about half of it" … "no significant
+/// part of it".
 std::string shareWords(double share);
 
 }  // namespace capstan::diagnosis

@@ -41,7 +41,7 @@ BetweenBins betweenBins(const std::vector<BinMean>& means, double of_block) {
   return between;
 }
 
-/// A bin that the fitted half never visited goes with the nearest one that it did.
+/// A bin without samples in the fitted half takes the nearest bin that has some.
 void takeFromNeighbours(const std::vector<BinMean>& means, Prediction& prediction) {
   const std::size_t n = means.size();
   for (std::size_t b = 0; b < n; ++b)

@@ -35,8 +35,8 @@ struct Signature {
   ///     1 − Σ (e − p)² / Σ (e − ē)²,
   /// p the bins' means and ē the mean of every other segment of time, scored on those between, both ways
   /// round. Means are drawn towards their common one by what the spread of the blocks makes of them (random
-  /// effects, DerSimonian and Laird 1986), and a bin without samples there takes its neighbours', so that noise
-  /// alone gives about 0, at times a little less.
+  /// effects, DerSimonian and Laird 1986), and a bin without samples there takes its neighbours', so that
+  /// noise alone gives about 0, at times a little less.
   double share = 0.0;
   double share_sigma = 0.0;  ///< standard deviation of `share`, from stretch to stretch
 };

@@ -152,7 +152,7 @@ MatrixXd columnsOf(const FitData& data, const Probe& probe, const MatrixXd& resp
   return d;
 }
 
-/// What each robot tells beyond what the fit's tells; those that run away score_test nothing.
+/// Simulated readings of each robot less those of the fit; diverging ones score nothing.
 MatrixXd responsesOf(const FitData& data, const Fit& fit, const std::vector<robot::ChainModel>& robots,
                      const Weighting& weighting) {
   MatrixXd change = -(residualsOf(data, fit, robots, weighting).colwise() - fit.e);

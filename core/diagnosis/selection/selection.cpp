@@ -19,7 +19,7 @@ constexpr int kFirstIterationsRigid = 6;
 constexpr int kLastIterations = 12;        // of those that go on
 constexpr std::size_t kGoOn = 3;           // refits that do, at most
 constexpr double kSensorConfidence = 0.9;  // of the sensor's mean square, whose estimate is some per cent off
-constexpr double kHopeless = 0.02;         // reduction after a first look
+constexpr double kHopeless = 0.02;         // reduction after a short refit
 
 /// Falls of the objective [nats] at which a fit stands still: of rigid drives, whose initial states creep,
 /// while weights still change; and at the end.
@@ -108,7 +108,7 @@ class Rounds {
     dropSuperfluous(s);
   }
 
-  /// A first look at a score_test.
+  /// A short refit of one score test.
   CandidateModel contend(const Selection& s, const ScoreTest& score_test) const {
     const FitModel model = s.best.model.with(*score_test.hypothesis, score_test.joint, score_test.start);
     CandidateModel c{.added = {score_test.hypothesis, score_test.joint},
@@ -147,14 +147,14 @@ class Rounds {
     return left;
   }
 
-  /// Refits the most promising: all a little, the best of these to the end.
+  /// Refits those with the highest scores: all briefly, the best of these fully.
   std::vector<CandidateModel> candidateModelsOf(const Selection& s,
                                                 const std::vector<ScoreTest>& score_tests) const {
     std::vector<CandidateModel> candidate_models;
     const std::size_t count = std::min(score_tests.size(), static_cast<std::size_t>(options_.refits));
     for (std::size_t k = 0; k < count && !cancelled(progress_); ++k) {
       stand_.report(0.2 + 0.4 * static_cast<double>(k) / static_cast<double>(count),
-                  fmt::format("Refitting with {}", score_tests[k].hypothesis->words.title));
+                    fmt::format("Refitting with {}", score_tests[k].hypothesis->words.title));
       candidate_models.push_back(contend(s, score_tests[k]));
     }
     const auto better = [](const CandidateModel& a, const CandidateModel& b) {
@@ -170,7 +170,7 @@ class Rounds {
       if (!first_in_tests && (k >= kGoOn || c.reduction.share < kHopeless)) continue;
       if (score_tests.front().share < kHopeless && c.reduction.share < kHopeless) continue;
       stand_.report(0.6 + 0.3 * static_cast<double>(k) / static_cast<double>(candidate_models.size()),
-                  fmt::format("Refitting with {}", c.added.hypothesis->words.title));
+                    fmt::format("Refitting with {}", c.added.hypothesis->words.title));
       c.fit = fit(data_, c.fit.model, c.fit.u, c.fit.initial, s.weighting, {kLastIterations, 0.1, nullptr},
                   progress_);
       judge(s, c);
@@ -226,7 +226,7 @@ class Rounds {
     return size.dot(covariance.completeOrthogonalDecomposition().solve(size)) > kClear * kClear;
   }
 
-  /// Every robot has some of some effects: these have a name when there is clearly more.
+  /// Background effects are reported only where they are clearly above their usual size.
   static bool beyondBackground(const CandidateModel& c) {
     if (c.added.joint == 0) return true;
     const double background = c.added.hypothesis->background(scalesOf(c.fit.model.scales(), c.added.joint));

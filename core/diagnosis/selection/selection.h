@@ -55,15 +55,16 @@ inline constexpr double kLeastScore = 6.0;          ///< [nats]: against some hu
 inline constexpr double kHighConfidence = 0.02;     ///< quantile of the bootstrap that must be above zero
 inline constexpr double kMoreThanBackground = 1.2;  ///< times Hypothesis::background
 inline constexpr double kClear = 3.0;               ///< σ of its own numbers together
-/// Another effect is not distinguished from the best where it is the best in this share of draws, or scores this
-/// share of the best: a competitor explains nearly as much only where the motion does not part the two, and
-/// what is left between them is then within what contacts and stiff cables leave to the steps of an
-/// integration.
+/// Another effect ties with the best where it is the best in the share kCompetitor of bootstrap draws, or
+/// scores the share kAsGood of the best. A competing explanation comes that close only where the motion does
+/// not distinguish the two; their difference is then within the integration error of contacts and stiff
+/// cables.
 inline constexpr double kCompetitor = 0.08, kAsGood = 0.7;
-/// Nor where both take off most of a residual and leave nearly the same.
+/// It also ties where both remove the share kTakesMost of a residual and the rest differs by kSameResidual at
+/// most.
 inline constexpr double kTakesMost = 0.9, kSameResidual = 1.15;
-/// Forward selection: in each round score tests of every hypothesis on every joint, refits of the most
-/// promising, and the best of them is taken; drops again what later ones make superfluous.
+/// Forward selection: each round has a score test of every hypothesis on every joint, refits of those with
+/// the highest scores, and adds the best of them. Effects that later ones make superfluous are dropped.
 Selection select(const FitData& data, const std::vector<Evidence>& recordings, const FitModel& base,
                  const SelectionOptions& options, base::Progress* progress);
 /// The same on other data of the same recordings: starts with what `before` took, refitted, and drops what

@@ -48,7 +48,7 @@ std::vector<FoundParameter> parametersOf(const FitModel& model, std::size_t effe
       sigma =
           model.parameters()[static_cast<std::size_t>(at)].valueSigma(u[at], std::sqrt(covariance(at, at)));
     if (sigma > 0.0 && number.name != "time") sigma = std::hypot(sigma, kLawsAreGood * values[i]);
-    if (neutral[i] == 0.0) sigma = std::hypot(sigma, 0.5 * background);  // every robot has some of it
+    if (neutral[i] == 0.0) sigma = std::hypot(sigma, 0.5 * background);  // a background effect
     found.push_back(
         {std::string(number.name), unitAt(number.unit, term.joint, model.nominal()), values[i], sigma});
   }
@@ -116,7 +116,7 @@ std::string summaryOf(const Report& report, const Selection& s) {
     case Verdict::kTie: {
       std::vector<std::string> tied;
       for (const Cause& cause : report.ties.front().causes) tied.push_back(nameOf(cause.effect, cause.joint));
-      return fmt::format("This recording cannot tell {} apart.", fmt::join(tied, " and "));
+      return fmt::format("This recording cannot distinguish {}.", fmt::join(tied, " and "));
     }
     default:
       return fmt::format("{} {} the recording ({:.0f} % of what is beyond noise).", fmt::join(names, " and "),

@@ -11,8 +11,8 @@
 #include "core/learning/model/correction_model.h"
 #include "core/learning/poses/clean_states.h"
 
-/// Table I of the GPR paper on any recording of tip poses: errors of corrected poses against commanded ones, on
-/// trajectories held out.
+/// Table I of the GPR paper on any recording of tip poses: errors of corrected poses against commanded ones,
+/// on trajectories held out.
 namespace capstan::learning {
 
 /// The paper's six, and ours.
@@ -59,8 +59,8 @@ struct CorrectionStudyReport {
 /// For each split: training trajectories are cleaned (and weighed), an offset and a model are learned from
 /// them as each method asks, and the errors
 ///     F(x_seen) ⊖ p_told
-/// of test trajectories taken (PoseErrors, from the mean of all commanded rotations). Clean test states are those
-/// that the limits and least median found in the training data keep.
+/// of test trajectories taken (PoseErrors, from the mean of all commanded rotations). Clean test states are
+/// those that the limits and least median found in the training data keep.
 CorrectionStudyReport correctionStudy(const std::vector<learning::State>& states,
                                       const CorrectionStudyOptions& options,
                                       base::Progress* progress = nullptr);

@@ -10,7 +10,8 @@ namespace capstan::learning {
 
 /// Errors of corrections in units of the σ that were stated for them.
 struct StatedErrors {
-  std::array<std::vector<double>, 6> ratio;  ///< |e| / σ, state by state, of x, y, z and of the rotation's parts
+  std::array<std::vector<double>, 6>
+      ratio;  ///< |e| / σ, state by state, of x, y, z and of the rotation's parts
 
   void add(const learning::CorrectionModel& model, const std::vector<learning::State>& states);
   std::size_t states() const { return ratio[0].size(); }

@@ -14,7 +14,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// Of a symmetric matrix told by its lower triangle: the sums of its rows.
+/// Of a symmetric matrix given by its lower triangle: the sums of its rows.
 VectorXd rowSums(const MatrixXd& lower) { return math::timesSymmetric(lower, VectorXd::Ones(lower.rows())); }
 
 /// ½ Σ_ab M_ab (z_ai − z_bi)² = Σ_a s_a z_ai² − z_iᵀ M z_i, s = M 1, of each feature i.

@@ -39,7 +39,8 @@ Eigen::VectorXd downWeightsOf(const std::vector<State>& states, const Group& gro
       scale.segment(group.first, group.count).array().square().inverse().transpose();
   Eigen::VectorXd down_weights(static_cast<Index>(states.size()));
   for (std::size_t k = 0; k < states.size(); ++k)
-    down_weights[static_cast<Index>(k)] = precision.dot(states[k].extra_variance.segment(group.first, group.count));
+    down_weights[static_cast<Index>(k)] =
+        precision.dot(states[k].extra_variance.segment(group.first, group.count));
   return down_weights / static_cast<double>(group.count);
 }
 
@@ -272,7 +273,7 @@ std::vector<Eigen::Isometry3d> CorrectionModel::correct(const std::vector<State>
 
 /// Errors of motions held out, from the others at the same hyperparameters: their shares within σ and 2 σ
 /// shall be those of a normal distribution at least (errors' tails are heavier than its). Every eighth motion
-/// is, of one motion each eighth of its course; where that makes few, more such eighths in turn.
+/// is, of one motion each eighth of its duration; where that makes few, more such eighths in turn.
 void CorrectionModel::findInflation(const std::vector<State>& states, const CorrectionOptions& options) {
   constexpr std::size_t kEighths = 8, kEnough = 20;  // motions held out
   const std::vector<std::size_t> places = motionPlaces(states);

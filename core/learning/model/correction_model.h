@@ -28,11 +28,11 @@ struct CorrectionOptions {
 /// The command, and its confidence.
 struct Corrected {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  /// Of the correction, with the noise of the training data: position along the axes of the commands [m], rotation
-  /// about the tool's [rad]. Of a model without processes the RMS of what the rigid offset left.
+  /// Of the correction, with the noise of the training data: position along the axes of the commands [m],
+  /// rotation about the tool's [rad]. Of a model without processes the RMS of what the rigid offset left.
   Vector6d sigma = Vector6d::Zero();
-  /// 1 − variance / variance without data, of all outputs together (rotations by the lever): 1 where the data are
-  /// dense; times the factor by which corrections fade outside of the workspace.
+  /// 1 − variance / variance without data, of all outputs together (rotations by the lever): 1 where the data
+  /// are dense; times the factor by which corrections fade outside of the workspace.
   double confidence = 0.0;
 };
 
@@ -56,9 +56,9 @@ struct CorrectionParts {
 /// F = H ∘ G (GPR paper, section III): the command so that cameras see a desired state. G is the rigid
 /// offset; H are Gaussian processes of the difference that G leaves, whose mean is 0 far from all data: a
 /// committee each of x, y and z, and one of the rotation, whose three outputs share kernels. Features are in
-/// standard deviations from their mean, limited to kFarthestFeature. An output that does not depend on where the tip is
-/// has no such distance, so all corrections also fade as exp(−½ d²/kFade²), with d the distance from the boxes
-/// of all training positions and rotations, rotations by the lever.
+/// standard deviations from their mean, limited to kFarthestFeature. An output that does not depend on where
+/// the tip is has no such distance, so all corrections also fade as exp(−½ d²/kFade²), with d the distance
+/// from the boxes of all training positions and rotations, rotations by the lever.
 class CorrectionModel {
  public:
   /// From states that count; `part` of `progress` is its own. base::InputError: fewer than kFewestStates.

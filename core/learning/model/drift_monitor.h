@@ -27,12 +27,13 @@ struct DriftReport {
 inline constexpr std::size_t kFewestPieces = 15, kWindows = 4;
 inline constexpr double kBeyond = 1.0 - kWithinSigma;
 
-/// Detects that a learned model has drifted while it is in use. Errors of commanded against corrected poses are
-/// compared with the σ that the model stated for them, output by output, by the share beyond σ: a few wrong
-/// observations hardly change it. Of n independent errors the number beyond σ is binomial. The model has drifted
-/// when in the last `span` seconds, or in their last half, quarter, … (kWindows in all, none of fewer than
-/// kFewestPieces), that number is above its 1 − level / (6 kWindows) quantile for true σ of `sigma_known` times
-/// the stated ones. Successive errors correlate: states nearer than `spacing` are averaged to one piece.
+/// Detects that a learned model has drifted while it is in use. Errors of commanded against corrected poses
+/// are compared with the σ that the model stated for them, output by output, by the share beyond σ: a few
+/// wrong observations hardly change it. Of n independent errors the number beyond σ is binomial. The model
+/// has drifted when in the last `span` seconds, or in their last half, quarter, … (kWindows in all, none of
+/// fewer than kFewestPieces), that number is above its 1 − level / (6 kWindows) quantile for true σ of
+/// `sigma_known` times the stated ones. Successive errors correlate: states nearer than `spacing` are
+/// averaged to one piece.
 class DriftMonitor {
  public:
   /// The model outlives the monitor.
@@ -73,8 +74,8 @@ struct DriftHistory {
   bool driftedNow() const { return !reports.empty() && reports.back().drifted; }
 };
 
-/// Judges states of motions, in their order. States at which the model's confidence is low are not judged: their
-/// errors say nothing of drift.
+/// Judges states of motions, in their order. States at which the model's confidence is low are not judged:
+/// their errors say nothing of drift.
 DriftHistory driftAlong(const CorrectionModel& model, const std::vector<State>& states,
                         const DriftOptions& options = {}, base::Progress* progress = nullptr);
 

@@ -17,13 +17,12 @@ namespace {
 void pairAt(PreparedStates& prepared, StreamKind towards) {
   prepared.states = statesOf(prepared.screen.motions, towards, prepared.removed);
   if (prepared.states.empty())
-    throw base::InputError(
-        {{},
-         0,
-         std::string(base::nameOf(towards)),
-         {},
-         "has no pose at an instant at which the camera has one",
-         "Choose another stream, or look at the stamps: both must tell the same clock's time"});
+    throw base::InputError({{},
+                            0,
+                            std::string(base::nameOf(towards)),
+                            {},
+                            "has no pose at an instant at which the camera has one",
+                            "Choose another stream, or look at the stamps: both must be of the same clock"});
 }
 
 }  // namespace
@@ -93,12 +92,8 @@ LearningReport learnMore(CorrectionModel model, double clock_offset, const std::
                          const LearningOptions& options, base::Progress* progress) {
   constexpr double kPrepared = 0.3, kJudged = 0.7;  // of the time
   if (model.processes().empty())
-    throw base::InputError({{},
-                            0,
-                            "model",
-                            {},
-                            "is a rigid offset alone, which takes nothing in",
-                            "Retrain on all tables"});
+    throw base::InputError(
+        {{}, 0, "model", {}, "is a rigid offset alone, which takes nothing in", "Retrain on all tables"});
   if (progress) progress->report(0.0, "pairing");
   PreparedStates prepared = prepareAt(clock_offset, motions, options.towards);
   checkRelated(prepared.screen.motions, prepared.states, model.offset(), options.towards);

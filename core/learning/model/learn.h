@@ -11,14 +11,14 @@ namespace capstan::learning {
 struct LearningOptions {
   StreamKind towards = StreamKind::kCommand;  ///< what corrected poses will be asked of
   ClockOffsetOptions clock_offset;
-  bool align = true;  ///< take the lag of what is seen behind what is told off
+  bool align = true;  ///< compensate the clock offset of observations behind commands
   bool clean = true;
-  /// States, those too that cleaning took, by how well others tell them; where states are cleaned, and
-  /// processes learned.
+  /// Weighs states, rejected ones too, by how well models of others predict them; where states are cleaned,
+  /// and processes learned.
   bool weigh = true;
   bool rigid = false;  ///< learn the rigid offset alone
-  /// Of a trajectory that is wrong in part (axes swapped, say) some states pass by chance: less is trusted
-  /// than the paper's P.
+  /// Stricter than the paper's P: in a trajectory that is wrong in part (swapped axes, say) some states pass
+  /// by chance.
   CleaningOptions cleaning{.most_rejected = 0.4};
   CorrectionOptions correction{.motion = std::nullopt};
 };

@@ -9,12 +9,12 @@ using Eigen::MatrixXd;
 
 namespace {
 
-/// What one process leaves open of all candidates, as visits go on.
+/// Covariance of all candidates under one process after the queries so far.
 struct Open {
   MatrixXd covariance;
   double weight, noise;
 
-  /// Off the sum of all variances by a visit of i.
+  /// Reduction of the sum of all variances by a query at i.
   double gainOf(Index i) const {
     return weight * covariance.col(i).squaredNorm() / (covariance(i, i) + noise);
   }

@@ -28,7 +28,7 @@ void checkPoses(const ScreenReport& screen, StreamKind stream) {
                           "Give tables with this stream, quaternions of norm 1 as x, y, z, w"});
 }
 
-/// Observations are paired with what is told near them, in kLongestGap: poses told seconds apart have stamps
+/// Observations are paired with commanded poses within kLongestGap: commands seconds apart have stamps
 /// in another unit.
 void checkStamps(const ScreenReport& screen, StreamKind reference) {
   constexpr double kLongest = 2.0;  // [s]

@@ -22,7 +22,7 @@ Parts partsOf(const std::vector<State>& states) {
   return parts;
 }
 
-/// Median of what is left of those held out [m].
+/// Median residual of held-out states [m].
 double leftBy(Motion motion, const Parts& parts, CorrectionOptions options, base::Progress* progress,
               const base::ProgressPart& part) {
   options.motion = motion;

@@ -24,7 +24,7 @@ struct CleaningReport {
   std::vector<Reason> reason;                                ///< by state; kNone: it counts
   Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();  ///< of the least median of squares
   double deviation = 0.0;                                    ///< robust, of what belongs [m]
-  Eigen::AlignedBox3d workspace;                             ///< of commanded positions, widened by the margin [m]
+  Eigen::AlignedBox3d workspace;  ///< of commanded positions, widened by the margin [m]
   std::size_t count(Reason reason) const;
   std::size_t kept() const { return count(Reason::kNone); }
 };

@@ -44,7 +44,7 @@ std::string unitsAdvice(const std::vector<State>& states, StreamKind towards) {
                      base::nameOf(wider), wide.maxCoeff(), base::nameOf(other), narrow);
 }
 
-/// Median distance of what was told from its middle [m].
+/// Median distance of commanded positions from their mean [m].
 double sizeOf(const std::vector<State>& states) {
   std::array<std::vector<double>, 3> commanded;
   for (const State& state : states)

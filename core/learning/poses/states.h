@@ -31,8 +31,8 @@ struct State {
   /// Mean velocities of the last kSpans, likewise: cables that stick remember where they came from. Before
   /// the motion's first observation it stood still.
   Drift drift = atRest();
-  /// Observation-noise inflation in learning: variance added to the common noise, of each output of a correction
-  /// (PoseFeatures::correction): of the position [m²], then of the rotation [rad²].
+  /// Observation-noise inflation in learning: variance added to the common noise, of each output of a
+  /// correction (PoseFeatures::correction): of the position [m²], then of the rotation [rad²].
   Vector6d extra_variance = Vector6d::Zero();
 };
 
@@ -42,8 +42,8 @@ std::vector<std::size_t> motionPlaces(const std::vector<State>& states);
 /// The observed and commanded pose of each.
 std::vector<PosePair> pairsOf(const std::vector<State>& states);
 
-/// A stream's pose at a time, between the two stamps around it: positions interpolated linearly, rotations along the shorter
-/// arc. Nothing before the first, after the last or in a gap longer than kLongestGap.
+/// A stream's pose at a time, between the two stamps around it: positions interpolated linearly, rotations
+/// along the shorter arc. Nothing before the first, after the last or in a gap longer than kLongestGap.
 std::optional<Eigen::Isometry3d> poseAt(const std::vector<StampedPose>& stream, double t);
 inline constexpr double kLongestGap = 0.1;  ///< [s]
 
@@ -67,9 +67,9 @@ struct ClockOffsetReport {
 };
 
 /// Offset of both clocks plus the robot's delay behind its command, by speeds, which no rigid offset
-/// changes: least mean of |‖v_observed(t)‖ − ‖v_commanded(t − offset)‖|, robust against observations that jump
-/// (differences beyond kJump count as that). Searched in steps, then by a parabola through the least three of
-/// those near it, compared by the observations that all of these have a counterpart for.
+/// changes: least mean of |‖v_observed(t)‖ − ‖v_commanded(t − offset)‖|, robust against observations that
+/// jump (differences beyond kJump count as that). Searched in steps, then by a parabola through the least
+/// three of those near it, compared by the observations that all of these have a counterpart for.
 ClockOffsetReport clockOffsetBetween(const std::vector<PoseMotion>& motions, StreamKind reference,
                                      const ClockOffsetOptions& options = {});
 inline constexpr double kJump = 0.05;  ///< [m/s]

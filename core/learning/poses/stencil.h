@@ -19,8 +19,8 @@ std::vector<double> derivativeWeights(std::span<const double> t, double at);
 /// last five; of fewer than five poses from all of them, of one zero. Stamps rise strictly [s].
 Eigen::Matrix3Xd velocitiesOf(std::span<const double> t, const Eigen::Matrix3Xd& positions);
 
-/// Angular velocity in the frame that the rotations lead to [rad/s], likewise: derivative of the rotation vector
-/// from each turn to its neighbours. Neighbours turn by less than π.
+/// Angular velocity in the frame that the rotations lead to [rad/s], likewise: derivative of the rotation
+/// vector from each turn to its neighbours. Neighbours turn by less than π.
 Eigen::Matrix3Xd angularVelocitiesOf(std::span<const double> t, std::span<const Eigen::Quaterniond> turns);
 
 }  // namespace capstan::learning

@@ -37,7 +37,7 @@ Vector6d scatterOf(const std::vector<Vector6d>& left, const std::vector<bool>& k
   return scatter.cwiseMax(kScatterShare * scatter.maxCoeff()).cwiseQuotient(arms);
 }
 
-/// What is left of states, and what that makes of them.
+/// Residuals of states, and the weights that follow.
 class Judgement {
  public:
   Judgement(std::vector<Vector6d> left, std::vector<bool> kept, double lever)
@@ -76,7 +76,7 @@ bool noWorse(const std::vector<double>& before, const std::vector<double>& after
   return is[0] <= (1.0 + kByChance) * was[0] && is[1] <= (1.0 + kByChance) * was[1];
 }
 
-/// What is left of each by models of all, doubted, or, where these are worse, of what cleaning kept. Empty:
+/// Residual of each under models of all, down-weighted, or, where these are worse, of the inliers. Empty:
 /// cancelled, or too few.
 std::vector<Vector6d> residualOfEach(std::vector<State> states, const std::vector<bool>& kept,
                                      const CorrectionOptions& options, base::Progress* progress,

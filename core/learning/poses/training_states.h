@@ -23,23 +23,23 @@ struct TrainingStates {
 /// The inliers of cleaning, none down-weighted. At least one.
 TrainingStates trainingStates(const std::vector<State>& all, CleaningReport cleaned, double lever);
 
-/// Down-weights states by how poorly others predict them. With e the residual of a state under trial models of
-/// other motions (leftByOthers), and s the scale of each of its six components among the inliers of cleaning
-/// (by the median, kScatterShare of the largest at least), a state has the extra variance
+/// Down-weights states by how poorly others predict them. With e the residual of a state under trial models
+/// of other motions (leftByOthers), and s the scale of each of its six components among the inliers of
+/// cleaning (by the median, kScatterShare of the largest at least), a state has the extra variance
 ///     s² max(1/w − 1, 0),   w = (ν + n) / (ν + Σ e²/s²),
 /// the sum over the n = 3 components of its position or of its rotation. A noise variance of s² becomes
-/// s² / w, where w are the weights by which a multivariate t distribution of ν = kFreedom degrees of freedom is
-/// fitted (Lange, Little and Taylor, Robust statistical modeling using the t distribution, JASA 84 (1989)).
-/// The variance is added to the noise that processes learn, which knows no outliers. Trial models have the
-/// motion features of `options`, which must be set: errors that history explains are not outliers. States that
-/// cleaning rejected as misplaced() are judged too, and count again from w = kAgain on, over all n = 6: a robot
-/// that stops at a joint limit is displaced in the same way each time, a wrong observation is not. States
-/// faster than `limits` stay rejected, and the rigid offset does not change.
+/// s² / w, where w are the weights by which a multivariate t distribution of ν = kFreedom degrees of freedom
+/// is fitted (Lange, Little and Taylor, Robust statistical modeling using the t distribution, JASA 84
+/// (1989)). The variance is added to the noise that processes learn, which knows no outliers. Trial models
+/// have the motion features of `options`, which must be set: errors that history explains are not outliers.
+/// States that cleaning rejected as misplaced() are judged too, and count again from w = kAgain on, over all
+/// n = 6: a robot that stops at a joint limit is displaced in the same way each time, a wrong observation is
+/// not. States faster than `limits` stay rejected, and the rigid offset does not change.
 ///
 /// Models of all states give a first e, models with its weights a second, which is final. Where these predict
 /// the inliers of cleaning worse than models of the inliers alone, by the median or by the kWorst quantile
-/// (within kByChance), the outliers are too many to learn from all states, and e is that of the inliers' models.
-/// Nothing changes with fewer than kFewestMotions, where half of the states have no residual, or when
+/// (within kByChance), the outliers are too many to learn from all states, and e is that of the inliers'
+/// models. Nothing changes with fewer than kFewestMotions, where half of the states have no residual, or when
 /// cancelled.
 void weigh(TrainingStates& training, const std::vector<State>& all, const CleaningOptions& limits,
            const CorrectionOptions& options, base::Progress* progress = nullptr,

@@ -139,7 +139,8 @@ TEST(Weigh, AModelOfWeighedStatesIsNearer) {
 TEST(Weigh, NothingWhereMotionsAreTooFewOrWorkIsCancelled) {
   const auto untouched = [](const TrainingStates& training) {
     return training.weighing.again.empty() && !training.weighing.weighed &&
-           std::ranges::all_of(training.states, [](const State& state) { return state.extra_variance.isZero(); });
+           std::ranges::all_of(training.states,
+                               [](const State& state) { return state.extra_variance.isZero(); });
   };
   EXPECT_TRUE(untouched(weighed(states({.stuck_beyond = 0.02}, 9))));
   base::Progress progress;

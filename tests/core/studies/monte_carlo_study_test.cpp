@@ -1,4 +1,4 @@
-// Drawn worlds and their study: draws, coverage counted by hand, resumption.
+// Randomized robots and their Monte-Carlo study: draws, coverage counted by hand, resumption.
 #include "core/studies/monte_carlo_study.h"
 
 #include <gmock/gmock.h>
@@ -126,19 +126,19 @@ TEST(Worlds, TheTableSaysWhatWasSeenNowhere) {
 }
 
 TEST(Worlds, AStudyGoesOnWhereItWasStoppedAndFindsThePulley) {
-  const fs::path folder = fs::path(testing::TempDir()) / "capstan_worlds";
+  const fs::path folder = fs::path(testing::TempDir()) / "capstan_monte_carlo";
   fs::remove_all(folder);
   MonteCarloOptions options = shortStudy();
   options.out = folder;
   options.samples = 1;
   base::Progress first;
   ASSERT_EQ(runMonteCarloStudy(options, first).samples.size(), 1U);
-  const auto written = fs::last_write_time(folder / "worlds" / "world-5.json");
+  const auto written = fs::last_write_time(folder / "samples" / "sample-5.json");
   options.samples = 2;
   base::Progress second;
   const MonteCarloStudy study = runMonteCarloStudy(options, second);
   ASSERT_EQ(study.samples.size(), 2U);
-  EXPECT_EQ(fs::last_write_time(folder / "worlds" / "world-5.json"), written) << "not run again";
+  EXPECT_EQ(fs::last_write_time(folder / "samples" / "sample-5.json"), written) << "not run again";
   for (const RandomizedRobot& sample : study.samples) {
     const MonteCarloEstimate& radius = sample.parameters.at(0);
     EXPECT_NE(radius.truth, 0.063095);
@@ -148,7 +148,7 @@ TEST(Worlds, AStudyGoesOnWhereItWasStoppedAndFindsThePulley) {
 }
 
 TEST(Worlds, AWorldOfAnotherProgramIsRunAgain) {
-  const fs::path folder = fs::path(testing::TempDir()) / "capstan_worlds_again";
+  const fs::path folder = fs::path(testing::TempDir()) / "capstan_monte_carlo_again";
   fs::remove_all(folder);
   MonteCarloOptions options = shortStudy();
   options.out = folder;
@@ -156,7 +156,7 @@ TEST(Worlds, AWorldOfAnotherProgramIsRunAgain) {
   options.duration = 20.0;
   base::Progress first;
   EXPECT_TRUE(runMonteCarloStudy(options, first).notices.empty());
-  const fs::path file = folder / "worlds" / "world-5.json";
+  const fs::path file = folder / "samples" / "sample-5.json";
   const auto document = nlohmann::json::parse(base::readTextFile(file));
   EXPECT_THAT(document.at("fingerprint").at("software"), testing::StartsWith("capstan "));
   for (const char* part : {"software", "identification", "nominal robot"}) {

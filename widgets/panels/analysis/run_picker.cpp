@@ -156,8 +156,8 @@ void RunPicker::ask(Kind kind) {
 }
 
 void RunPicker::askRobot() {
-  auto* dialog = new QFileDialog(this, tr("Robot that the estimator assumes"),
-                                 QFileInfo(choice_.path).path(), tr("Robot files (*.yaml);;All files (*)"));
+  auto* dialog = new QFileDialog(this, tr("Robot that the estimator assumes"), QFileInfo(choice_.path).path(),
+                                 tr("Robot files (*.yaml);;All files (*)"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {

@@ -32,7 +32,7 @@ QString namesOf(const QStringList& paths) {
   return names.join(QStringLiteral(", "));
 }
 
-/// A word, with a mark that tells it apart from the others in grey too.
+/// A word, with a mark that distinguishes it in grey too.
 QString markOf(Verdict verdict) {
   switch (verdict) {
     case Verdict::kNothing:

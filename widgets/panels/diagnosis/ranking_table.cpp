@@ -38,7 +38,7 @@ RankingTable::RankingTable(QWidget* parent) : QTreeWidget(parent) {
   setHeaderLabels({tr("candidate"), tr("takes off"), tr("score"), tr("probability")});
   headerItem()->setToolTip(kTaken,
                            tr("Share of the residual's mean square on data not fitted; outlined: what the "
-                              "screening promises of one that was not refitted"));
+                              "the score test predicts of one that was not refitted"));
   headerItem()->setToolTip(kScore, tr("Cross-validated, above the model without it [nats]"));
   setItemDelegateForColumn(kTaken, new ShareBar(this));
   setRootIsDecorated(false);

@@ -49,7 +49,7 @@ RecordingPicker::RecordingPicker(QWidget* parent) : QWidget(parent), menu_(new Q
     choose(choice);
   });
   robots->addAction(tr("robot file…"), this, &RecordingPicker::askRobot);
-  robot_ = menuButton("nominal_robot", tr("The robot as it is believed to be"), robots);
+  robot_ = menuButton("nominal_robot", tr("The nominal robot"), robots);
   row->addWidget(recordings_);
   row->addWidget(what_, 1);
   row->addWidget(offer_);
@@ -124,7 +124,7 @@ void RecordingPicker::askRecordings() {
 
 void RecordingPicker::askRobot() {
   auto* dialog = new QFileDialog(
-      this, tr("The robot as it is believed to be"),
+      this, tr("The nominal robot"),
       choice_.robot.isEmpty() ? folderOf(choice_.recordings) : QFileInfo(choice_.robot).path(),
       tr("Robot files (*.yaml);;All files (*)"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);

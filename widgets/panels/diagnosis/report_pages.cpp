@@ -21,7 +21,7 @@ ReportPages::ReportPages(QWidget* parent) : QTabWidget(parent) {
     connect(shortcut, &QShortcut::activated, this, [this, index] { setCurrentIndex(index); });
   };
   page(signatures_ = new SignatureView, tr("Signatures"), tr("What the residual goes with"));
-  page(course_ = new TimeView, tr("Over time"), tr("Measured, simulated, and what is left, over time"));
+  page(history_ = new TimeView, tr("Over time"), tr("Measured, simulated, and residual, over time"));
   page(ranking_ = new RankingTable, tr("Ranking"), tr("Every candidate, and how much it takes off"));
   page(refit_ = new RefitTable, tr("Refit"),
        tr("Numbers of the robot that moved before any cause was looked for"));
@@ -31,7 +31,7 @@ ReportPages::ReportPages(QWidget* parent) : QTabWidget(parent) {
 
 void ReportPages::setTheme(const Theme& theme) {
   signatures_->setTheme(theme);
-  course_->setTheme(theme);
+  history_->setTheme(theme);
   ranking_->setTheme(theme);
   refit_->setTheme(theme);
   gain_->setTheme(theme);
@@ -39,7 +39,7 @@ void ReportPages::setTheme(const Theme& theme) {
 
 void ReportPages::showReport(const std::shared_ptr<const diagnosis::Report>& report) {
   signatures_->showReport(report);
-  course_->showReport(report);
+  history_->showReport(report);
   ranking_->showReport(*report);
   refit_->showReport(*report);
   gain_->showReport(*report);
@@ -47,7 +47,7 @@ void ReportPages::showReport(const std::shared_ptr<const diagnosis::Report>& rep
 
 void ReportPages::showChannel(const std::string& name) {
   signatures_->showChannel(name);
-  course_->showChannel(name);
+  history_->showChannel(name);
 }
 
 }  // namespace capstan::widgets

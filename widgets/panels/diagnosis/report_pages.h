@@ -26,7 +26,7 @@ class ReportPages : public QTabWidget {
   /// The pictures' channel.
   void showChannel(const std::string& name);
   SignatureView& signatures() { return *signatures_; }
-  TimeView& course() { return *course_; }
+  TimeView& course() { return *history_; }
   RankingTable& ranking() { return *ranking_; }
 
  signals:
@@ -35,7 +35,7 @@ class ReportPages : public QTabWidget {
 
  private:
   SignatureView* signatures_;
-  TimeView* course_;
+  TimeView* history_;
   RankingTable* ranking_;
   RefitTable* refit_;
   GainTable* gain_;

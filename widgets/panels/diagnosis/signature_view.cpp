@@ -37,7 +37,7 @@ QString shareText(const Signature& signature) {
   return QString::fromStdString(diagnosis::shareWords(seen ? signature.share : 0.0));
 }
 
-/// Signatures are of what varies: a constant is told before them.
+/// Signatures are of what varies: a constant is removed before.
 QString wrongIn(const ChannelReport& channel, const QString& name) {
   const diagnosis::ChannelStatistics& s = channel.refitted_statistics;
   const double constant = s.rms > 0.0 ? s.mean * s.mean / (s.rms * s.rms) : 0.0;

@@ -34,12 +34,11 @@ CloudsView::CloudsView(QWidget* parent) : LearningView(parent) {
     connect(box, &QCheckBox::toggled, this, &CloudsView::draw);
     row->addWidget(box);
   }
-  layers_[kVisible]->setToolTip(
-      tr("In the frame of the cameras: away from what was told by the rigid offset"));
+  layers_[kVisible]->setToolTip(tr("In the frame of the cameras: the rigid offset away from the commands"));
   row->addStretch();
   column->addLayout(row);
   column->addWidget(view_ = new CloudView, 1);
-  view_->setEmptyWords(tr("Positions that were told, and seen, once tables are read"));
+  view_->setEmptyWords(tr("Commanded and observed positions, once tables are read"));
 }
 
 QColor CloudsView::colourOf(Layer layer) const {

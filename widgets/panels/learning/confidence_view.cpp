@@ -43,7 +43,7 @@ ConfidenceView::ConfidenceView(QWidget* parent) : LearningView(parent) {
   row->addWidget(words_);
   column->addLayout(row);
   column->addWidget(sheet_ = new FigureSheet, 1);
-  sheet_->setEmptyWords(tr("Where the correction is to be trusted, once it is trained: press Train (F5)"));
+  sheet_->setEmptyWords(tr("Confidence of the correction, once it is trained: press Train (F5)"));
   soon_.setSingleShot(true);
   soon_.setInterval(kSoon);
   connect(&soon_, &QTimer::timeout, this, &ConfidenceView::compute);

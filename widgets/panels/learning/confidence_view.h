@@ -14,8 +14,8 @@ namespace capstan::widgets {
 
 class FigureSheet;
 
-/// Confidence of the correction over a plane of the workspace; axis and depth are chosen, Alt+A takes the next
-/// axis. Computed in the background as soon as there is a correction.
+/// Confidence of the correction over a plane of the workspace; axis and depth are chosen, Alt+A takes the
+/// next axis. Computed in the background as soon as there is a correction.
 class ConfidenceView : public LearningView {
   Q_OBJECT
 

@@ -25,13 +25,13 @@ ErrorsView::ErrorsView(QWidget* parent) : LearningView(parent) {
   which_->addItem(tr("states that cleaning keeps"));
   which_->addItem(tr("all states held out"));
   which_->setToolTip(tr("Whether observations that are wrong themselves count"));
-  seen_ = new QCheckBox(tr("as seen"));
-  seen_->setObjectName("error_seen");
-  seen_->setChecked(true);
-  seen_->setToolTip(
+  observed_ = new QCheckBox(tr("observed"));
+  observed_->setObjectName("error_observed");
+  observed_->setChecked(true);
+  observed_->setToolTip(
       tr("Whether errors without any correction are shown, which make the others small (Alt+S)"));
   row->addWidget(words_, 1);
-  row->addWidget(seen_, 0, Qt::AlignTop);
+  row->addWidget(observed_, 0, Qt::AlignTop);
   row->addWidget(which_, 0, Qt::AlignTop);
   column->addLayout(row);
   column->addWidget(sheet_ = new FigureSheet, 1);
@@ -39,11 +39,11 @@ ErrorsView::ErrorsView(QWidget* parent) : LearningView(parent) {
       tr("Errors on trajectories that nothing is learned from, once a correction is "
          "trained: press Train (F5)"));
   connect(which_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &ErrorsView::draw);
-  connect(seen_, &QCheckBox::toggled, this, &ErrorsView::draw);
-  connect(new QShortcut(QKeySequence(QStringLiteral("Alt+S")), this), &QShortcut::activated, seen_,
+  connect(observed_, &QCheckBox::toggled, this, &ErrorsView::draw);
+  connect(new QShortcut(QKeySequence(QStringLiteral("Alt+S")), this), &QShortcut::activated, observed_,
           &QCheckBox::toggle);
   which_->setVisible(false);
-  seen_->setVisible(false);
+  observed_->setVisible(false);
 }
 
 void ErrorsView::setTheme(const Theme& theme) { sheet_->setTheme(theme); }
@@ -56,14 +56,14 @@ void ErrorsView::showResults(const LearningResults& results) {
 
 void ErrorsView::draw() {
   which_->setVisible(evaluation_ != nullptr);
-  seen_->setVisible(evaluation_ != nullptr);
+  observed_->setVisible(evaluation_ != nullptr);
   words_->clear();
   if (!evaluation_) return sheet_->setFigure(nullptr);
   const bool clean = which_->currentIndex() == 0;
   if (!clean)
     words_->setText(
-        tr("Medians, as seen → rigid offset → corrected: %1.").arg(errorWords(*evaluation_, clean)));
-  sheet_->setFigure(std::make_unique<BoxplotFigure>(errorData(*evaluation_, clean, seen_->isChecked())));
+        tr("Medians, observed → rigid offset → corrected: %1.").arg(errorWords(*evaluation_, clean)));
+  sheet_->setFigure(std::make_unique<BoxplotFigure>(errorData(*evaluation_, clean, observed_->isChecked())));
 }
 
 QString ErrorsView::words() const { return words_->text(); }

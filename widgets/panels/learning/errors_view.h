@@ -10,7 +10,7 @@ namespace capstan::widgets {
 
 class FigureSheet;
 
-/// Errors of each degree of freedom on trajectories held out: as seen, with the rigid offset, corrected.
+/// Errors of each degree of freedom on held-out trajectories: observed, with the rigid offset, corrected.
 class ErrorsView : public LearningView {
   Q_OBJECT
 
@@ -27,7 +27,7 @@ class ErrorsView : public LearningView {
 
   std::shared_ptr<const learning::HeldOutEvaluation> evaluation_;
   QLabel* words_;
-  QCheckBox* seen_;
+  QCheckBox* observed_;
   QComboBox* which_;
   FigureSheet* sheet_;
 };

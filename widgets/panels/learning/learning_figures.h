@@ -12,7 +12,7 @@
 namespace capstan::widgets {
 
 ClockOffsetData clockOffsetData(const learning::LearningStages& stages);
-/// Errors of held-out states as seen (where `seen`), with the offset, corrected; `clean`: of those that
+/// Errors of observed held-out states (where `observed`), with the offset, corrected; `clean`: of those that
 /// cleaning keeps.
 BoxplotData errorData(const learning::HeldOutEvaluation& evaluation, bool clean, bool observed = true);
 LearningCurveData curveData(const learning::LearningCurve& curve);
@@ -22,7 +22,7 @@ PoseTraceData traceData(const learning::LearningStages& stages, const learning::
 ReliabilityData reliabilityData(const learning::HeldOutEvaluation& evaluation);
 ConfidenceData confidenceData(const learning::ConfidenceSlice& slice);
 
-/// Medians "26.1 → 6.2 → 1.9" as seen, with the offset, corrected: distances [mm], or angles [deg].
+/// Medians "26.1 → 6.2 → 1.9": observed, with the offset, corrected: distances [mm], or angles [deg].
 QString medianWords(const learning::HeldOutEvaluation& evaluation, bool clean, bool angle);
 /// "position 26.1 → 6.2 → 1.9 mm, angle 93.1 → 8.4 → 2.8°", medians.
 QString errorWords(const learning::HeldOutEvaluation& evaluation, bool clean);

@@ -27,13 +27,14 @@ LearningPages::LearningPages(QWidget* parent) : QTabWidget(parent) {
     connect(shortcut, &QShortcut::activated, this, [this, index] { setCurrentIndex(index); });
   };
   page(stages_ = new StagesView, tr("Stages"), tr("Every stage with its numbers, and the lag"));
-  page(clouds_ = new CloudsView, tr("3-D"), tr("Positions told, seen and corrected"));
+  page(clouds_ = new CloudsView, tr("3-D"), tr("Commanded, observed and corrected positions"));
   page(trajectories_ = new TrajectoryView, tr("Trajectories"),
-       tr("What was rejected of each, and its course over time"));
+       tr("Rejected states of each, and its poses over time"));
   page(errors_ = new ErrorsView, tr("Errors"), tr("Errors of each degree of freedom, held out"));
   page(ablation_ = new AblationView, tr("Ablation"), tr("What each part of the method is worth"));
   page(curve_ = new CurveView, tr("Curve"), tr("Error against the number of states learned from"));
-  page(confidence_ = new ConfidenceView, tr("Confidence"), tr("Where the correction is to be trusted"));
+  page(confidence_ = new ConfidenceView, tr("Confidence"),
+       tr("Confidence of the correction over the workspace"));
   page(reliability_ = new ReliabilityView, tr("Reliability"),
        tr("Whether errors are as large as the correction says"));
 }

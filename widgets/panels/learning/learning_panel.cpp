@@ -275,7 +275,7 @@ void LearningPanel::showState() {
   } else if (choice().tables.isEmpty()) {
     head = tr("How far from its command does the arm arrive?");
     below =
-        tr("Choose one or more tables of tip poses: what cameras saw beside what the robot was told, over "
+        tr("Choose one or more tables of tip poses: observed poses beside commanded ones, over "
            "some tens of trajectories. A correction of the commands is learned from them, and judged on "
            "trajectories held out.");
   } else {

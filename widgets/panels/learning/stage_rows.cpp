@@ -61,9 +61,9 @@ StageGroup pairing(const LearningStages& stages) {
             uncertainText(milli * stages.clock_offset.clock_offset, milli * stages.clock_offset.sigma) +
                 QStringLiteral(" ms"),
             std::nan(""), false,
-            tr("By which what is seen comes behind what is told: difference of the clocks and delay of the "
+            tr("By which observations come behind commands: difference of the clocks and delay of the "
                "robot together; σ from trajectory to trajectory")},
-           {tr("states: observations with what was told"), countText(stages.states.size())},
+           {tr("states: observations with a commanded pose"), countText(stages.states.size())},
            {tr("observations without it"), countText(stages.unpaired)}}};
 }
 
@@ -158,8 +158,8 @@ StageGroup process(const LearningReport& learned) {
        tr("States out of place in the same way on several trajectories, where the robot does not "
           "follow its command, say: they can be learned, and count again. What is wrong by chance does "
           "not.")});
-  group.rows.push_back({tr("… doubted"), countText(learned.weighing.down_weighted), std::nan(""), false,
-                        tr("States that models learned from other trajectories do not tell: an observation "
+  group.rows.push_back({tr("… down-weighted"), countText(learned.weighing.down_weighted), std::nan(""), false,
+                        tr("States that models of other trajectories contradict: an observation "
                            "that jumps a little, a "
                            "trajectory apart from the others. They count with noise of their own.")});
   const auto& processes = learned.model.processes();

@@ -30,7 +30,7 @@ TablePicker::TablePicker(QWidget* parent) : QWidget(parent), menu_(new QMenu(thi
   what_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   what_->setAccessibleName(tr("tables chosen"));
   towards_ = new QComboBox;
-  towards_->setObjectName("told");
+  towards_->setObjectName("towards");
   for (const StreamKind stream : {StreamKind::kCommand, StreamKind::kRobot})
     towards_->addItem(tr("towards the %1").arg(nameOf(stream)), static_cast<int>(stream));
   towards_->setToolTip(

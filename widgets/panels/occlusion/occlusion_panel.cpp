@@ -231,7 +231,7 @@ void OcclusionPanel::markButtons() {
   marked_on_ = on;
   marked_lit_ = lit;
   for (std::size_t i = 0; i < 3; ++i) {
-    // A checkable button flips itself after released(): settle the look once the click is through.
+    // A checkable button flips itself after released(): set its appearance once the click is through.
     QMetaObject::invokeMethod(
         this, [button = buttons_[i], state = on[i]] { button->setChecked(state); }, Qt::QueuedConnection);
     if (settled) continue;

@@ -78,9 +78,11 @@ void StopPage::setDrivable(bool drivable) {
   override_->setChecked(false);
   advice_->setText(
       drivable
-          ? "At the hard stop the encoders are exact, so the marker's place in the robot's frame is known. "
+          ? "At the hard stop the encoders are exact, so the marker's position in the robot's frame is "
+            "known. "
             "Drive the arm there and let it come to rest observable of both cameras."
-          : "At the hard stop the encoders are exact, so the marker's place in the robot's frame is known. "
+          : "At the hard stop the encoders are exact, so the marker's position in the robot's frame is "
+            "known. "
             "Move the arm against its stops by hand (in a recording: play to where it is) and let it rest "
             "observable of both cameras.");
 }
