@@ -139,7 +139,7 @@ ExitCode calibrate(CalibrateArguments& arguments) {
 void addCalibrate(CLI::App& app, ExitCode& exit) {
   auto arguments = std::make_shared<CalibrateArguments>();
   CLI::App* command =
-      app.add_subcommand("calibrate", "Calibrate a stereo camera from pictures of a chessboard");
+      app.add_subcommand("calibrate", "Calibrate a stereo camera from images of a chessboard");
   command->add_option("FOLDER", arguments->folder, "folder with left*.png|jpg… and right*.png|jpg…")
       ->required();
   command->add_option("--board", arguments->board, "inner corners, COLUMNSxROWS")->capture_default_str();

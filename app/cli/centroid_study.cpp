@@ -47,7 +47,7 @@ void CentroidStudy::add(const tracking::Snapshot& snapshot) {
 
 std::string CentroidStudy::text() const {
   std::string text = fmt::format(
-      "pictures       {} with the whole marker in view, detected {:.2f} %, of these {} other objects\n",
+      "images         {} with the whole marker in view, detected {:.2f} %, of these {} other objects\n",
       in_view_, 100.0 * share(detected_, in_view_), strangers_);
   if (!errors_.empty())
     text += fmt::format("centroid error mean {:.4f} px, 95 % below {:.4f} px\n", meanOf(errors_),

@@ -78,7 +78,7 @@ std::string convertTo(const std::string& target, const ConvertArguments& argumen
   if (target == "csv-folder")
     return fmt::format("{} files", recording::exportCsv(arguments.in, arguments.out, &progress).size());
   if (target == "png")
-    return fmt::format("{} pictures", recording::exportPng(arguments.in, arguments.out, &progress));
+    return fmt::format("{} images", recording::exportPng(arguments.in, arguments.out, &progress));
   return writeVideo(arguments, progress);
 }
 
@@ -125,7 +125,7 @@ ExitCode convert(const ConvertArguments& arguments) {
 
 void addConvert(CLI::App& app, ExitCode& exit) {
   auto arguments = std::make_shared<ConvertArguments>();
-  CLI::App* command = app.add_subcommand("convert", "Turn recordings into tables, pictures, videos and back");
+  CLI::App* command = app.add_subcommand("convert", "Turn recordings into tables, images, videos and back");
   command->add_option("IN", arguments->in, "session (.capstan), measured table or RAVEN-II motor log (.csv)")
       ->required();
   command->add_option("OUT", arguments->out, "file or folder to write")->required();

@@ -117,10 +117,10 @@ void addExperiment(CLI::App& app, ExitCode& exit) {
       ->capture_default_str()
       ->check(CLI::Range(1, 64));
   command->add_flag_callback(
-      "--images", [arguments] { arguments->images = true; }, "pictures, whatever the specification says");
+      "--images", [arguments] { arguments->images = true; }, "images, whatever the specification says");
   command->add_flag_callback(
       "--no-images", [arguments] { arguments->images = false; },
-      "tip positions with pixel noise instead of pictures: faster");
+      "tip positions with pixel noise instead of images: faster");
   addCorrectionOptions(*command, arguments->correction);
   command->add_option("--json", arguments->json,
                       "numbers and goals as JSON, SI: a file, or - for standard output");

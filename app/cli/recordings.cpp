@@ -80,7 +80,7 @@ std::unique_ptr<tracking::Source> openSource(const std::string& file, RecordingF
   if (format == RecordingFormat::kSession) {
     if (!robot_file.empty())
       refuseOption("--robot", robot_file, "the session brings its own robot",
-                   "Leave --robot out; what the filter believes is --estimator-robot of track");
+                   "Leave --robot out; the robot that the filter assumes is --estimator-robot of track");
     return std::make_unique<recording::SessionSource>(file);
   }
   const robot::Description robot = robot::readDescriptionOrDefault(robot_file);

@@ -266,7 +266,7 @@ void addReport(CLI::App& app, ExitCode& exit) {
   auto arguments = std::make_shared<ReportArguments>();
   arguments->simulation.duration = 20.0;
   CLI::App* command = app.add_subcommand(
-      "report", "Leave a folder with recording, plots, pictures and errors of a recording or a simulation");
+      "report", "Leave a folder with recording, plots, images and errors of a recording or a simulation");
   command->add_option("RECORDING", arguments->file,
                       "session (.capstan), measured table or RAVEN-II motor log (.csv); none: simulate");
   command->add_option("--out", arguments->out, "folder: new, empty, or with a former report to replace")

@@ -138,7 +138,7 @@ std::string indexHtml(const ReportPage& page, const tracking::TrackReport& repor
     html += fmt::format(
         "<h2>Joints</h2>\n<p>{:.2f} s to {:.2f} s. Curves are drawn with at most 200 points a second and one "
         "a "
-        "camera sample, of which the picture counts; the motor samples above are all that were tracked."
+        "camera sample, of which the image counts; the motor samples above are all that were tracked."
         "</p>\n<a href=\"joints.svg\"><img src=\"joints.png\" "
         "alt=\"Joint angles over time\"></a>\n",
         page.plots_begin, page.plots_end);

@@ -26,7 +26,7 @@ void addSimulationOptions(CLI::App& command, simulation::SimulationRequest& requ
   grouped(command.add_option("--cameras", request.cameras, "folder with left.yaml and right.yaml"));
   grouped(command.add_flag_callback(
       "--no-images", [&request] { request.images = false; },
-      "tip positions instead of pictures, as exact as the truth's pixel_sigma"));
+      "tip positions instead of images, as exact as the truth's pixel_sigma"));
   grouped(command.add_flag_callback(
       "--no-cameras", [&request] { request.cameras_fitted = false; }, "motors only"));
   grouped(command.add_flag("--distractors", request.distractors, "objects of nearly the marker's colour"));

@@ -136,7 +136,7 @@ void addCramerRaoStudy(CLI::App& study, ExitCode& exit) {
       ->capture_default_str()
       ->check(CLI::Range(2.0, 3600.0));
   command->add_flag_callback(
-      "--no-images", [options] { options->noise.images = false; }, "tip positions instead of pictures");
+      "--no-images", [options] { options->noise.images = false; }, "tip positions instead of images");
   command->add_option("--seed", bound.seed, "of runs and trials")->capture_default_str();
   arguments->keeps = false;
   addStudyOptions(*command, *arguments, bound.threads, "runs");

@@ -103,7 +103,7 @@ void addMotorFailureStudy(CLI::App& study, ExitCode& exit) {
   command->add_flag_callback(
       "--nominal-radii", [options] { options->true_radii = false; },
       "the filter knows the nominal pulleys, not the true ones");
-  command->add_flag("--images", options->images, "render pictures (slow) instead of tip positions");
+  command->add_flag("--images", options->images, "render images (slow) instead of tip positions");
   command->add_option("--csv", *csv, "every number of every cell, as CSV");
   addStudyOptions(*command, *arguments, options->threads, "trials");
   command->footer(

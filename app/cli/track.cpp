@@ -177,7 +177,7 @@ void addTrack(CLI::App& app, ExitCode& exit) {
   command->add_option("--robot", arguments->robot,
                       "nominal robot file, of a simulation the plant's too; a session brings its own");
   command->add_option("--estimator-robot", arguments->estimator_robot,
-                      "what the filter believes, e.g. an identified robot; default: the nominal one");
+                      "robot that the filter assumes, e.g. an identified robot; default: the nominal one");
   command->add_option("--options", arguments->options,
                       "filter options (as resources/tracking/default.yaml); a session brings its own");
   command
@@ -205,7 +205,7 @@ void addTrack(CLI::App& app, ExitCode& exit) {
   command->add_option("--out", arguments->out, "estimates as CSV, a row a motor or camera sample");
   command->add_option("--json", arguments->json, "result as JSON, SI: a file, or - for standard output");
   command->add_flag("--whole-frame", arguments->whole_frame,
-                    "search every picture whole, without regions of interest");
+                    "search every image whole, without regions of interest");
   command->add_flag("--simulate", arguments->simulate,
                     "track a simulated session, without a file in between");
   addSimulationOptions(*command, arguments->simulation);

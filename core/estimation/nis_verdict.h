@@ -12,7 +12,7 @@ namespace capstan::estimation {
 enum class NisVerdict {
   kPass,      ///< inside the band that chance leaves
   kCautious,  ///< below it: the filter expects larger differences than the camera shows
-  kTooHigh,   ///< above it: the filter errs by more than it believes
+  kTooHigh,   ///< above it: the filter errs by more than it assumes
 };
 
 /// `consistent`: whether `mean` lies in its chi-square band (chiSquareBand), which always holds 1.

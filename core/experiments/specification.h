@@ -76,7 +76,7 @@ struct Specification {
   Work work = Work::kTrack;
   std::string truth = "default";  ///< what a simulated robot really is: default, matched, or a truth file
   std::string nominal;            ///< robot file of simulations and tables; empty: the left RAVEN-II
-  /// What the estimator believes: one robot file, or names of identifying experiments whose parameters are
+  /// What the estimator assumes: one robot file, or names of identifying experiments whose parameters are
   /// put on the nominal robot, the last on top; empty: nominal.
   std::vector<std::string> robot;
   std::string tracking;  ///< file of filter options; empty: those of the recording, or the defaults

@@ -17,7 +17,7 @@
 
 namespace capstan::experiments {
 
-/// What the estimator believes, made from what it may know: the nominal robot.
+/// What the estimator assumes, made from what it may know: the nominal robot.
 using RobotBelief = std::function<robot::Description(const robot::Description& nominal)>;
 
 /// The belief of `specification`: its robot file, the parameters that `found` identified, in this order, or

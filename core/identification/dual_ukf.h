@@ -54,7 +54,7 @@ using TraceSink = std::function<void(const TracePoint&)>;
 /// recording. Both observe the tip seen by the cameras; joint encoders are no part of `data`.
 ///
 /// Beyond the paper: the camera's pose and delay are nuisance parameters of the second filter; the states
-/// follow the parameters by Φ Δw; and the σ stated is widened to what the innovations show. A filter believes
+/// follow the parameters by Φ Δw; and the σ stated is widened to what the innovations show. A filter assumes
 /// them white; where hysteresis or stiction, which the model does not know, correlate them over `block`
 /// seconds, the scores g = Hᵀ R⁻¹ ν of blocks vary more than their information I says, and σ grows by that
 /// ratio, measured over the last `score_memory` seconds, or by what the passing forces of ModelDiscrepancy

@@ -45,7 +45,7 @@ std::string wordsOf(const ParameterSet& set, int unknown) {
   if (unknown < set.size()) return set[unknown].words();
   const int of_camera = unknown - set.size();
   if (of_camera == CameraPose::kSize - 1) return "the camera's delay";
-  return fmt::format("the camera's {} {}", of_camera < 3 ? "turn about" : "shift along",
+  return fmt::format("the camera's {} {}", of_camera < 3 ? "rotation about" : "shift along",
                      std::string(1, "xyz"[of_camera % 3]));
 }
 

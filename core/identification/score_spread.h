@@ -6,7 +6,7 @@
 
 namespace capstan::identification {
 
-/// How much more the scores of a filter vary than it believes: the recursive form of the covariance in
+/// How much more the scores of a filter vary than it assumes: the recursive form of the covariance in
 /// batch.h, of scores as found over blocks of `block` seconds, and of those that the forces of
 /// ModelDiscrepancy would make. Blocks are taken as independent, and forgotten over `memory`. Times count
 /// from the first observation.

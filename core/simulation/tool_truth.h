@@ -10,7 +10,7 @@
 #include "core/robot/tool_kinematics.h"
 
 /// What a simulated seven-joint arm and the cameras that see its tool really are, as against the nominal
-/// robot file that its controller believes. Default-constructed: the nominal robot on stiff, frictionless
+/// robot file that its controller assumes. Default-constructed: the nominal robot on stiff, frictionless
 /// cables, ideal cameras.
 namespace capstan::simulation {
 

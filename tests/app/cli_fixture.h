@@ -33,8 +33,10 @@ class Cli : public ::testing::Test {
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
   /// In a shell, behind the shell command `before`.
   Ran run(const std::string& arguments, const std::string& before = {}) const {
-    const std::string errors = path("stderr.txt");
-    FILE* pipe = popen((before + CAPSTAN_CLI + " " + arguments + " 2>" + errors).c_str(), "r");
+    return runShell(before + CAPSTAN_CLI + " " + arguments);
+  }
+  Ran runShell(const std::string& command) const {
+    FILE* pipe = popen(("(" + command + "\n) 2>" + path("stderr.txt")).c_str(), "r");
     Ran result;
     char buffer[4096];
     while (const std::size_t got = std::fread(buffer, 1, sizeof buffer, pipe)) result.out.append(buffer, got);

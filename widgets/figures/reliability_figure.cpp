@@ -37,7 +37,7 @@ ReliabilityFigure::ReliabilityFigure(ReliabilityData data, QWidget* parent)
 std::unique_ptr<Figure> ReliabilityFigure::copy() const { return std::make_unique<ReliabilityFigure>(data_); }
 
 void ReliabilityFigure::build(bool rotation) {
-  const Panel& panel = addPanel({{rotation ? tr("turn [%]") : tr("position [%]"), true}},
+  const Panel& panel = addPanel({{rotation ? tr("rotation [%]") : tr("position [%]"), true}},
                                 tr("share stated [%]"), tr("errors within it [%]"));
   panel.empty->setVisible(data_.stated.states() == 0);
   QCPAxis* x = panel.axes->axis(QCPAxis::atBottom);

@@ -15,7 +15,7 @@ using Eigen::VectorXd;
 using Matrix = Eigen::SparseMatrix<double>;
 
 constexpr Index kStretch = 50;      // readings
-constexpr double kMostOften = 0.9;  // share of the stretches that must be within noise
+constexpr double kMostOften = 0.9;  // share of the segments that must be within noise
 constexpr double kSlack = 1.1;      // times noise: a short stretch's own scatter
 constexpr double kMost = 2.0;       // times noise, of any: rest beside an encoder's step has √3
 constexpr double kFastest = 1.0, kSlowest = 0.01;  // cut-off of the smoother [rad per reading]

@@ -37,7 +37,7 @@ std::vector<Hypothesis> sensorHypotheses() {
                       "A step against time: one constant before it and another one after it, whatever the "
                       "arm does.",
                   .experiment =
-                      "Go back to the same pose again and again, with fast stretches in between; the hard "
+                      "Go back to the same pose again and again, with fast motion in between; the hard "
                       "stop is the best of poses.",
               },
           .neutral = {0.0, 0.0},

@@ -118,7 +118,7 @@ Table channelTable(const Report& report) {
   table.note = "Noise is the sensor's own, and fit 100 (1 − ‖e‖ / ‖y − mean‖).";
   if (extended)
     table.note +=
-        " Left: of the RMS, on stretches that were not fitted, with the 95 % interval of a block bootstrap.";
+        " Left: of the RMS, on segments that were not fitted, with the 95 % interval of a block bootstrap.";
   return table;
 }
 
@@ -167,7 +167,7 @@ Table rankingTable(const Report& report, std::size_t most) {
   }
   table.note =
       "Predicted: share of the residual's mean square that the score test expects to remove; held out and "
-      "score (logarithm of the likelihood): of those that were refitted, on stretches that were not fitted.";
+      "score (logarithm of the likelihood): of those that were refitted, on segments that were not fitted.";
   if (excluded > 0) table.note += fmt::format(" {} more have a smaller prediction.", excluded);
   return table;
 }
@@ -219,7 +219,7 @@ Table processTable(const ResidualProcess& process) {
                           has_length ? shownNumber(one.length, 0.0, one.unit) : std::string()});
   }
   table.note = fmt::format(
-      "A Gaussian process on {} points predicts {:.0f} % of the variance of stretches that it was not fitted "
+      "A Gaussian process on {} points predicts {:.0f} % of the variance of segments that it was not fitted "
       "to.",
       process.points, 100.0 * process.explained);
   if (excluded > 0) table.note += fmt::format(" {} more variables hardly matter.", excluded);

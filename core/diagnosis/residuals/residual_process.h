@@ -45,7 +45,7 @@ struct ResidualProcess {
   double noise = 0.0;      ///< and of what does not, white or lasting [the channel's unit]
   double lasting = 0.0;    ///< of this, what lasts a while, whatever the variables do [the channel's unit]
   double memory = 0.0;     ///< for how long, to a 1/e-th [s]
-  double explained = 0.0;  ///< share of the variance predicted on stretches that were not fitted
+  double explained = 0.0;  ///< share of the variance predicted on segments that were not fitted
   std::vector<ProcessVariable> variables;  ///< most relevant first
   /// "depends on position of joint 2, strongly; on time, weakly", or that it depends on none of them.
   std::string words;
@@ -61,7 +61,7 @@ ResidualProcess residualProcess(const Channel& channel, const std::vector<Variab
 inline constexpr std::size_t kFewestForProcess = 60;
 
 /// Relevance from which on it is said: strongly, clearly, weakly; and only beyond two sigmas, of a process
-/// that explains at least the least of these on stretches that were not fitted.
+/// that explains at least the least of these on segments that were not fitted.
 inline constexpr double kStrongly = 0.25, kClearly = 0.08, kWeakly = 0.02;
 
 }  // namespace capstan::diagnosis

@@ -75,7 +75,7 @@ StageGroup velocities(const LearningStages& stages) {
   const auto rate = [](double w) { return QString::number(base::toDegrees(w), 'f', 0); };
   return {tr("3  Velocities (five-point stencil)"),
           {row(tr("speed [mm/s]: median, 99 %"), speed(stages.speed.median), speed(stages.speed.high)),
-           row(tr("turn rate [deg/s]: median, 99 %"), rate(stages.rotation_rate.median),
+           row(tr("angular speed [deg/s]: median, 99 %"), rate(stages.rotation_rate.median),
                rate(stages.rotation_rate.high))}};
 }
 
@@ -101,7 +101,7 @@ StageGroup rigidOffset(const LearningStages& stages) {
   const Eigen::Vector3d by = stages.offset.translation();
   const QString arrow = QStringLiteral(" → ");
   return {tr("5  Rigid offset"),
-          {{tr("turns by"), degrees(rotation.angle())},
+          {{tr("rotates by"), degrees(rotation.angle())},
            {tr("moves by x, y, z"), millimetres(by[0]).chopped(3) + QStringLiteral(", ") +
                                         millimetres(by[1]).chopped(3) + QStringLiteral(", ") +
                                         millimetres(by[2])},

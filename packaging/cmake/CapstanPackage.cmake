@@ -1,0 +1,8 @@
+# The build folder as a CMake package: find_package(capstan) with capstan_DIR set to it gives capstan::ROOM for each
+# room of core/; with COMPONENTS figures those of widgets/ too, and Qt.
+get_property(rooms GLOBAL PROPERTY CAPSTAN_ROOMS)
+set_target_properties(capstan_options PROPERTIES EXPORT_NAME options)
+export(TARGETS capstan_options ${rooms} NAMESPACE capstan:: FILE ${PROJECT_BINARY_DIR}/capstan-targets.cmake)
+configure_file(${PROJECT_SOURCE_DIR}/packaging/cmake/capstan-config.cmake.in ${PROJECT_BINARY_DIR}/capstan-config.cmake @ONLY)
+include(CMakePackageConfigHelpers)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/capstan-config-version.cmake COMPATIBILITY SameMinorVersion)
