@@ -5,10 +5,10 @@
 #include <filesystem>
 
 #include "app/cli/console.h"
-#include "app/cli/experiment_figures.h"
+#include "app/cli/file_drawing.h"
 #include "app/cli/outputs.h"
 #include "core/base/software.h"
-#include "core/base/yaml.h"
+#include "widgets/figures/correction_experiment_figures.h"
 
 namespace capstan::cli {
 namespace {
@@ -77,15 +77,11 @@ ExitCode runCorrectionExperiment(const std::string& name, const std::string& out
     notice("cancelled: nothing is written");
     return kFailed;
   }
-  std::filesystem::create_directories(folder);
-  const std::string page = comparisonPage(results, base::software());
-  const nlohmann::json document = jsonOf(results);
-  base::writeTextFile(folder / "comparison.md", page);
-  base::writeTextFile(folder / "numbers.json", document.dump(2) + "\n");
-  experiments::writeTables(results.tables, folder);
-  drawFigures(results, folder);
-  output.text(page + fmt::format("written to {}\n", (folder / "comparison.md").string()));
-  output.json(document);
+  const FileDrawing drawing;
+  widgets::writeExperiment(results, folder);
+  output.text(comparisonPage(results, base::software()) +
+              fmt::format("written to {}\n", (folder / "comparison.md").string()));
+  output.json(jsonOf(results));
   return kOk;
 }
 

@@ -135,14 +135,14 @@ TEST_F(CliLearn, SaysWhetherAModelHoldsAndLearnsOn) {
   writeSamplePoses(path("aged.csv"), aged);
   const Ran old = run("drift --model " + model + " " + path("aged.csv"));
   EXPECT_EQ(old.exit, 1) << old.out << old.err;
-  EXPECT_THAT(old.out, HasSubstr("The model has drifted: learn again"));
+  EXPECT_THAT(old.out, HasSubstr("The model has drifted: retrain"));
   EXPECT_THAT(
       run("learn --train " + path("aged.csv") + " --onto " + model + " --model " + path("x.correction")).err,
       HasSubstr("contradict what the model has learned"));
   SamplePoses brief = noisy;
   brief.trajectories = 6;
   writeSamplePoses(path("brief.csv"), brief);
-  EXPECT_THAT(run("drift --model " + model + " " + path("brief.csv")).out, HasSubstr("Too short to tell"));
+  EXPECT_THAT(run("drift --model " + model + " " + path("brief.csv")).out, HasSubstr("Too short to test"));
   EXPECT_EQ(run("drift --span 0.5 --model " + model + " " + path("test.csv")).exit, 2);
   EXPECT_THAT(run("drift --model " + model + " " + path("test.csv") + " " + path("test.csv")).err,
               HasSubstr("is given twice"));
@@ -167,9 +167,9 @@ TEST_F(CliLearn, ProposesWhereToGoNext) {
   ASSERT_EQ(proposed.exit, 0) << proposed.err;
   EXPECT_THAT(proposed.out, HasSubstr("3 of "));
   EXPECT_EQ(std::ranges::count(textOf("queries.csv"), '\n'), 4);
-  EXPECT_THAT(proposed.out, HasSubstr("visit   3"));
+  EXPECT_THAT(proposed.out, HasSubstr("pose   3"));
   write("some.csv", "x,y,z,qx,qy,qz,qw\n0.01,0,-0.15,0,0,0,1\n0.03,0,-0.15,0,0,0,1\n");
-  EXPECT_THAT(run(ask + " --among " + path("some.csv")).out, HasSubstr("of 2 poses"));
+  EXPECT_THAT(run(ask + " --among " + path("some.csv")).out, HasSubstr("of 2 query poses"));
   ASSERT_EQ(learn("--method offset").exit, 0);
   EXPECT_THAT(run(ask).err, HasSubstr("is a rigid offset alone"));
   const std::string alone = path("m.correction") + ": is a rigid offset alone";
@@ -180,7 +180,7 @@ TEST_F(CliLearn, ProposesWhereToGoNext) {
   EXPECT_THAT(run("drift --model " + path("m.correction") + " " + path("test.csv")).err, HasSubstr(alone));
   EXPECT_THAT(
       run("correct --model " + path("m.correction") + " " + path("some.csv") + " " + path("o.csv")).err,
-      HasSubstr("it tells no confidence"));
+      HasSubstr("it has no confidence"));
 }
 
 TEST_F(CliLearn, RefusesWhatMakesNoSense) {
@@ -201,7 +201,7 @@ TEST_F(CliLearn, TellsNoSpreadOfOneTrajectory) {
   const Ran learned =
       run("learn --method offset --train " + path("one.csv") + " --model " + path("m.correction"));
   ASSERT_EQ(learned.exit, 0) << learned.err;
-  EXPECT_THAT(learned.out, HasSubstr("ms behind what is told"));
+  EXPECT_THAT(learned.out, HasSubstr("ms behind commands"));
   EXPECT_THAT(learned.out, ::testing::Not(HasSubstr("±")));
 }
 

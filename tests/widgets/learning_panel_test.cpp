@@ -28,7 +28,7 @@
 #include "widgets/panels/learning/confidence_view.h"
 #include "widgets/panels/learning/curve_view.h"
 #include "widgets/panels/learning/errors_view.h"
-#include "widgets/panels/learning/figure_sheet.h"
+#include "widgets/panels/work/figure_sheet.h"
 #include "widgets/panels/learning/learning_figures.h"
 #include "widgets/panels/learning/learning_pages.h"
 #include "widgets/panels/learning/reliability_view.h"

@@ -18,7 +18,6 @@
 #include "core/base/error.h"
 #include "core/recording/session_file.h"
 #include "widgets/figures/save_figure.h"
-#include "widgets/panels/analysis/analysis_panel.h"
 #include "widgets/panels/diagnosis/diagnosis_panel.h"
 #include "widgets/panels/errors/errors_panel.h"
 #include "widgets/panels/identification/identification_panel.h"
@@ -29,6 +28,7 @@
 #include "widgets/panels/status/status_line.h"
 #include "widgets/scene/scene_view.h"
 #include "widgets/shell/analysis_controller.h"
+#include "widgets/shell/analysis_pages.h"
 #include "widgets/shell/diagnosis_controller.h"
 #include "widgets/shell/dock_layout.h"
 #include "widgets/shell/dock_scroll.h"
@@ -69,17 +69,17 @@ MainWindow::MainWindow(const QString& settings, QWidget* parent)
   auto* column = new QVBoxLayout(middle);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  messages_ = new MessageBar;
+  messages_ = themed(new MessageBar);
   figure_ = new JointFigure(history_);
   column->addWidget(messages_);
   centre_ = new QStackedWidget;
   centre_->addWidget(figure_);
-  centre_->addWidget(new DockScroll(analysis_ = new AnalysisPanel));
-  centre_->addWidget(new DockScroll(diagnosis_ = new DiagnosisPanel(runDiagnosis)));
-  centre_->addWidget(new DockScroll(learning_ = new LearningPanel));
+  centre_->addWidget(new DockScroll(analysis_ = themed(new AnalysisPages)));
+  centre_->addWidget(new DockScroll(diagnosis_ = themed(new DiagnosisPanel(runDiagnosis))));
+  centre_->addWidget(new DockScroll(learning_ = themed(new LearningPanel)));
   column->addWidget(centre_, 1);
   setCentralWidget(middle);
-  status_ = new StatusLine;
+  status_ = themed(new StatusLine);
   statusBar()->addWidget(status_, 1);
   bar_ = new SessionBar(this);
   auto* menus = addBars();
@@ -121,14 +121,14 @@ void MainWindow::addDocks() {
     addDockWidget(area, frame);
     return frame;
   };
-  dock("cameras", tr("Cameras"), video_ = new StereoView, Qt::LeftDockWidgetArea);
-  dock("scene", tr("Scene"), scene_ = new SceneView, Qt::LeftDockWidgetArea);
-  dock("occlusion", tr("Occlusion"), occlusion_ = new OcclusionPanel, Qt::RightDockWidgetArea);
+  dock("cameras", tr("Cameras"), video_ = themed(new StereoView), Qt::LeftDockWidgetArea);
+  dock("scene", tr("Scene"), scene_ = themed(new SceneView), Qt::LeftDockWidgetArea);
+  dock("occlusion", tr("Occlusion"), occlusion_ = themed(new OcclusionPanel), Qt::RightDockWidgetArea);
   auto* identification = dock("identification", tr("Identification"),
-                              identification_ = new IdentificationPanel, Qt::RightDockWidgetArea);
-  dock("errors", tr("Errors (RMS)"), errors_ = new ErrorsPanel, Qt::RightDockWidgetArea);
-  dock("notes", tr("Notes"), notes_ = new NotesPanel, Qt::RightDockWidgetArea);
-  registration_dock_ = dock("registration", tr("Registration"), registration_ = new RegistrationPanel,
+                              identification_ = themed(new IdentificationPanel), Qt::RightDockWidgetArea);
+  dock("errors", tr("Errors (RMS)"), errors_ = themed(new ErrorsPanel), Qt::RightDockWidgetArea);
+  dock("notes", tr("Notes"), notes_ = themed(new NotesPanel), Qt::RightDockWidgetArea);
+  registration_dock_ = dock("registration", tr("Registration"), registration_ = themed(new RegistrationPanel),
                             Qt::RightDockWidgetArea);
   registration_dock_->setAllowedAreas(Qt::NoDockWidgetArea);  // too wide for a column
   registration_dock_->setFloating(true);
@@ -137,7 +137,7 @@ void MainWindow::addDocks() {
   registration_dock_->hide();
   new RegistrationController(*registration_, *registration_dock_, link_, *bar_, *scene_, *notes_, this);
   new IdentificationController(*identification_, *identification, link_, *bar_, *notes_, this);
-  new AnalysisController(*analysis_, *centre_, link_, *bar_, *errors_, *notes_, this);
+  new AnalysisController(analysis_->errors(), *centre_, link_, *bar_, *errors_, *notes_, this);
   new DiagnosisController(*diagnosis_, *centre_, link_, *bar_, *identification_, *notes_, this);
   new LearningController(*learning_, *centre_, link_, *bar_, *notes_, this);
   auto* in_the_centre = new QActionGroup(this);  // one at a time, or the plots
@@ -353,19 +353,10 @@ void MainWindow::setThemeNamed(const QString& name) {
   theme_ = Theme::named(name);
   applyTheme(*qApp, theme_);
   figure_->setTheme(theme_.isDark() ? Theme::dark() : Theme::light());
-  messages_->setTheme(theme_);
-  video_->setTheme(theme_);
-  scene_->setTheme(theme_);
-  occlusion_->setTheme(theme_);
-  identification_->setTheme(theme_);
-  analysis_->setTheme(theme_);
-  diagnosis_->setTheme(theme_);
-  learning_->setTheme(theme_);
-  registration_->setTheme(theme_);
-  errors_->setTheme(theme_);
-  notes_->setTheme(theme_);
-  status_->setTheme(theme_);
+  Q_EMIT themeChanged(theme_);
 }
+
+AnalysisPanel& MainWindow::analysis() { return analysis_->errors(); }
 
 QString MainWindow::message() const { return messages_->message(); }
 

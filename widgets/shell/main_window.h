@@ -13,6 +13,7 @@ class QStackedWidget;
 
 namespace capstan::widgets {
 
+class AnalysisPages;
 class AnalysisPanel;
 class IdentificationPanel;
 class DiagnosisPanel;
@@ -48,7 +49,7 @@ class MainWindow : public QMainWindow {
   ErrorsPanel& errors() { return *errors_; }
   SessionBar& bar() { return *bar_; }
   IdentificationPanel& identification() { return *identification_; }
-  AnalysisPanel& analysis() { return *analysis_; }
+  AnalysisPanel& analysis();  ///< errors of runs
   DiagnosisPanel& diagnosis() { return *diagnosis_; }
   LearningPanel& learning() { return *learning_; }
   /// What went wrong, as the message bar says it; empty: nothing, or closed.
@@ -57,11 +58,20 @@ class MainWindow : public QMainWindow {
   /// The plots as they are now: base.pdf, .svg, .png and .csv. Failures come into the message bar.
   void exportFigure(const QString& base);
 
+ signals:
+  void themeChanged(const Theme& theme);
+
  protected:
   void showEvent(QShowEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
 
  private:
+  /// A new view, which follows the theme from now on.
+  template <class View>
+  View* themed(View* view) {
+    connect(this, &MainWindow::themeChanged, view, &View::setTheme);
+    return view;
+  }
   QMenuBar* addBars();
   void addDocks();
   void connectBar();
@@ -94,7 +104,7 @@ class MainWindow : public QMainWindow {
   OcclusionPanel* occlusion_;
   OcclusionController* occlusion_controller_;
   IdentificationPanel* identification_;
-  AnalysisPanel* analysis_;
+  AnalysisPages* analysis_;
   DiagnosisPanel* diagnosis_;
   LearningPanel* learning_;
   QStackedWidget* centre_;

@@ -167,7 +167,7 @@ TEST(Worlds, AWorldOfAnotherProgramIsRunAgain) {
     const MonteCarloStudy study = runMonteCarloStudy(options, again);
     ASSERT_EQ(study.notices.size(), 1U) << part;
     EXPECT_THAT(study.notices[0], testing::HasSubstr(part));
-    EXPECT_THAT(study.notices[0], testing::HasSubstr("world-5.json"));
+    EXPECT_THAT(study.notices[0], testing::HasSubstr("sample-5.json"));
     EXPECT_EQ(nlohmann::json::parse(base::readTextFile(file)).at("fingerprint"), document.at("fingerprint"));
   }
   fs::remove_all(folder);

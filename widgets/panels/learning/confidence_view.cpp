@@ -6,7 +6,7 @@
 #include <QShortcut>
 #include <QSlider>
 
-#include "widgets/panels/learning/figure_sheet.h"
+#include "widgets/panels/work/figure_sheet.h"
 #include "widgets/panels/learning/learning_figures.h"
 
 namespace capstan::widgets {

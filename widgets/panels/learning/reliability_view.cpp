@@ -2,7 +2,7 @@
 
 #include <QBoxLayout>
 
-#include "widgets/panels/learning/figure_sheet.h"
+#include "widgets/panels/work/figure_sheet.h"
 #include "widgets/panels/learning/learning_figures.h"
 
 namespace capstan::widgets {

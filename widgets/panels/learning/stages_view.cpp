@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "widgets/figures/share_bar.h"
-#include "widgets/panels/learning/figure_sheet.h"
+#include "widgets/panels/work/figure_sheet.h"
 #include "widgets/panels/learning/learning_figures.h"
 #include "widgets/panels/learning/stage_rows.h"
 

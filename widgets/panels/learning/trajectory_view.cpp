@@ -6,7 +6,7 @@
 #include <QSplitter>
 
 #include "widgets/figures/share_bar.h"
-#include "widgets/panels/learning/figure_sheet.h"
+#include "widgets/panels/work/figure_sheet.h"
 #include "widgets/panels/learning/learning_figures.h"
 
 namespace capstan::widgets {

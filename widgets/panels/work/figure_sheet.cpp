@@ -1,4 +1,4 @@
-#include "widgets/panels/learning/figure_sheet.h"
+#include "widgets/panels/work/figure_sheet.h"
 
 #include <QLabel>
 #include <QVBoxLayout>
