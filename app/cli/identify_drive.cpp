@@ -54,17 +54,20 @@ DriveFindings judge(const IdentifyDriveArguments& arguments, const robot::Descri
   DriveFindings findings{std::move(report), rule, arguments.files, arguments.held_out, {}, {}, {}, false};
   findings.sliding = nominal.joints.front().type == robot::JointType::kPrismatic;
   const auto line = [&](const char* key, const char* words, const identification::LinearDrive& linear) {
-    findings.scores.push_back({key, words, scoreLinear(linear, training, rule, options.skip),
-                               scoreLinear(linear, held_out, rule, options.skip)});
+    findings.scores.push_back({key, words,
+                               scoreLinear(linear, training, rule, identification::DriveOptions::kSkip),
+                               scoreLinear(linear, held_out, rule, identification::DriveOptions::kSkip)});
   };
-  findings.gear = fitLinear(training, false, rule, options.skip);
-  findings.stretch = fitLinear(training, true, rule, options.skip);
-  line("before", "robot file's gear ratio", nominalLine(nominal, training, rule, options.skip));
+  findings.gear = fitLinear(training, false, rule, identification::DriveOptions::kSkip);
+  findings.stretch = fitLinear(training, true, rule, identification::DriveOptions::kSkip);
+  line("before", "robot file's gear ratio",
+       nominalLine(nominal, training, rule, identification::DriveOptions::kSkip));
   line("gear", "gear ratio, fitted", findings.gear);
   line("stretch", "and linear stretch, fitted", findings.stretch);
-  findings.scores.push_back({"cable", "cable model, identified",
-                             scoreDrive(findings.report.robot, training, rule, options.skip),
-                             scoreDrive(findings.report.robot, held_out, rule, options.skip)});
+  findings.scores.push_back(
+      {"cable", "cable model, identified",
+       scoreDrive(findings.report.robot, training, rule, identification::DriveOptions::kSkip),
+       scoreDrive(findings.report.robot, held_out, rule, identification::DriveOptions::kSkip)});
   return findings;
 }
 

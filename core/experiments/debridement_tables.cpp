@@ -47,7 +47,8 @@ base::Table methodsTable(std::string title,
     if (runs[m].empty()) continue;
     const auto method = static_cast<DebridementMethod>(m);
     const DebridementSummary s = summaryOf(runs[m]);
-    const double speed = method == DebridementMethod::kReplanning ? task.slow : task.fast;
+    const double speed = method == DebridementMethod::kReplanning ? DebridementTaskOptions::kSlow
+                                                                  : DebridementTaskOptions::kFast;
     table.rows.push_back({std::string(base::nameOf(method)), fmt::format("{:.1f}", 100.0 * speed),
                           fmt::format("{:.1f}", s.time), range(s.time_interval, 1),
                           paper ? paperTime(method) : "", fmt::format("{:.1f}", s.moving),
@@ -131,9 +132,9 @@ base::Table debridementTable(const DebridementStudyReport& report, const Debride
         "time a fragment, finding it takes {:.1f} s, a plan {:.1f} s, each move of the jaws {:.1f} s and a "
         "look {:.1f} s in every method, and replanning looks every {:.0f} mm and until it is {:.0f} mm near: "
         "chosen, not published.",
-        speedup.value, range(speedup.interval, 2), kPaperSpeedup, options.task.find_time,
-        options.task.plan_time, options.task.jaw_time, options.task.look, toMillimetres(options.task.piece),
-        toMillimetres(options.task.near));
+        speedup.value, range(speedup.interval, 2), kPaperSpeedup, DebridementTaskOptions::kFindTime,
+        DebridementTaskOptions::kPlanTime, DebridementTaskOptions::kJawTime, DebridementTaskOptions::kLook,
+        toMillimetres(options.task.piece), toMillimetres(options.task.near));
   return table;
 }
 

@@ -36,16 +36,17 @@ class Worker {
     run_ = {};
     const double begin = rig_.time();
     const Isometry3d lies = scene_.pose(fragment.place, fragment.yaw), found = detected(fragment);
-    rig_.rest(options_.find_time);
-    rig_.moveJaws(kOpen, options_.jaw_time);
+    rig_.rest(DebridementTaskOptions::kFindTime);
+    rig_.moveJaws(kOpen, DebridementTaskOptions::kJawTime);
     goTo(above(found));
     goTo(found);
     judgeGrasp(lies);
-    rig_.moveJaws(kHeld, options_.jaw_time);
+    rig_.moveJaws(kHeld, DebridementTaskOptions::kJawTime);
     goTo(above(found));
     goTo(receptacle_);
-    run_.cleared = run_.grasped && acrossTheFloor(seenTruly(), receptacle_) <= options_.receptacle;
-    rig_.moveJaws(kOpen, options_.jaw_time);
+    run_.cleared =
+        run_.grasped && acrossTheFloor(seenTruly(), receptacle_) <= DebridementTaskOptions::kReceptacle;
+    rig_.moveJaws(kOpen, DebridementTaskOptions::kJawTime);
     run_.time = rig_.time() - begin;
     return run_;
   }
@@ -53,7 +54,7 @@ class Worker {
  private:
   Isometry3d above(const Isometry3d& pose) const {
     Isometry3d higher = pose;
-    higher.translation() += options_.hover * scene_.axes.col(2);
+    higher.translation() += DebridementTaskOptions::kHover * scene_.axes.col(2);
     return higher;
   }
   /// The tool as ideal cameras would see it: where it is, by the same registration as fragments.
@@ -63,10 +64,11 @@ class Worker {
   }
 
   Isometry3d detected(const Fragment& fragment) {
-    const double across = options_.find_sigma;
+    const double across = DebridementTaskOptions::kFindSigma;
     const Vector3d off(detection_.normal(0.0, across), detection_.normal(0.0, across),
-                       detection_.normal(0.0, options_.find_depth_sigma));
-    return scene_.pose(fragment.place + off, fragment.yaw + detection_.normal(0.0, options_.find_yaw_sigma));
+                       detection_.normal(0.0, DebridementTaskOptions::kFindDepthSigma));
+    return scene_.pose(fragment.place + off,
+                       fragment.yaw + detection_.normal(0.0, DebridementTaskOptions::kFindYawSigma));
   }
 
   void judgeGrasp(const Isometry3d& fragment) {
@@ -76,7 +78,7 @@ class Worker {
     run_.rotation_error =
         Eigen::Quaterniond(jaws.linear()).angularDistance(Eigen::Quaterniond(fragment.linear()));
     run_.grasped = off.tail<2>().norm() <= options_.capture && std::abs(off.x()) <= options_.capture &&
-                   run_.rotation_error <= options_.capture_rotation;
+                   run_.rotation_error <= DebridementTaskOptions::kCaptureRotation;
   }
 
   void goTo(const Isometry3d& goal) {
@@ -109,9 +111,10 @@ class Worker {
   }
 
   std::vector<learning::CorrectedWaypoint> planned(const Isometry3d& goal, learning::CorrectionMode mode) {
-    rig_.rest(options_.plan_time);
-    return learning::correctedPath(model_, straightMotion(here_, goal, options_.fast, options_.waypoints),
-                                   {mode, rig_.reachable(), rig_.commanded()});
+    rig_.rest(DebridementTaskOptions::kPlanTime);
+    return learning::correctedPath(
+        model_, straightMotion(here_, goal, DebridementTaskOptions::kFast, options_.waypoints),
+        {mode, rig_.reachable(), rig_.commanded()});
   }
 
   bool goWhereConfident(const Isometry3d& goal) {
@@ -126,17 +129,17 @@ class Worker {
     const double whole = (goal.translation() - here_.translation()).norm();
     const int most = kMostPieces + static_cast<int>(whole / options_.piece);
     for (int piece = 0; piece < most; ++piece) {
-      const auto observed = rig_.look(options_.look);
+      const auto observed = rig_.look(DebridementTaskOptions::kLook);
       ++run_.observations;
       if (!observed) continue;
       const double left = std::sqrt(learning::squaredDistance(*observed, goal, learning::kLever));
       if ((goal.translation() - observed->translation()).norm() <= options_.near && piece > 0) return true;
-      rig_.rest(options_.plan_time);
+      rig_.rest(DebridementTaskOptions::kPlanTime);
       const Isometry3d next = learning::poseBetween(*observed, goal, std::min(1.0, options_.piece / left));
       const Isometry3d command = learning::offsetObserved(rig_.commanded(), *observed) * next;
       const learning::WithinReach reached =
           learning::withinReach(command, rig_.commanded(), rig_.commanded(), rig_.reachable());
-      const auto motion = straightMotion(rig_.commanded(), reached.pose, options_.slow, 2);
+      const auto motion = straightMotion(rig_.commanded(), reached.pose, DebridementTaskOptions::kSlow, 2);
       if (!follow({{motion[0].t, *observed, motion[0].pose}, {motion[1].t, next, motion[1].pose}}))
         return false;
     }
@@ -157,14 +160,10 @@ class Worker {
 
 void checkDebridementTask(const DebridementTaskOptions& options) {
   requireOption("fragments", options.fragments, 1, 100'000);
-  requireOption("slow [m/s]", options.slow, 1e-4, 1.0);
-  requireOption("fast [m/s]", options.fast, 1e-4, 1.0);
   requireOption("piece [m]", options.piece, 1e-3, 1.0);
   requireOption("near [m]", options.near, 1e-4, 1.0);
   requireOption("waypoints", options.waypoints, 2, 10'000);
   requireOption("beside [m]", options.beside.cwiseAbs().maxCoeff(), 0.0, 0.1);
-  requireOption("hover [m]", options.hover, 0.0, 0.05);
-  requireOption("look [s]", options.look, 0.05, 60.0);
   requireOption("capture [m]", options.capture, 1e-4, 0.1);
 }
 

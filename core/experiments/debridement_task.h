@@ -24,28 +24,28 @@ inline constexpr std::size_t kDebridementMethods = 4;
 struct DebridementTaskOptions {
   int fragments = 100;
   Eigen::Vector3d beside = Eigen::Vector3d::Zero();  ///< of the grid: lateral, depth, height [m]
-  double slow = 0.01;                                ///< of kReplanning [m/s]: the paper's prior work
-  double fast = 0.06;                                ///< of the others [m/s]: the paper's
+  static constexpr double kSlow = 0.01;              ///< of kReplanning [m/s]: the paper's prior work
+  static constexpr double kFast = 0.06;              ///< of the others [m/s]: the paper's
   double piece = 0.02;                               ///< length of a piece of kReplanning [m]
   double near = 0.002;                               ///< distance within which kReplanning has arrived [m]
   learning::CorrectionMode mode = learning::CorrectionMode::kEndPoint;  ///< of kCorrected
   learning::ObservationOptions observations;                            ///< of kWhereUncertain
   int waypoints = 10;                                                   ///< of a motion without looks
   double most_yaw = 0.35;                                               ///< of fragments [rad]
-  double hover = 0.02;             ///< above a fragment, before and after grasping [m]
-  double find_time = 2.0;          ///< that finding a fragment takes [s]
-  double plan_time = 0.5;          ///< that a plan takes [s]
-  double jaw_time = 0.7;           ///< that the jaws take [s]
-  double settle = 0.2;             ///< at the goal of a motion [s]
-  double look = 0.2;               ///< duration of an observation [s]
-  double find_sigma = 5e-4;        ///< of the detected place, across [m]
-  double find_depth_sigma = 1e-3;  ///< and in height [m]
-  double find_yaw_sigma = 0.05;    ///< [rad]
+  static constexpr double kHover = 0.02;           ///< above a fragment, before and after grasping [m]
+  static constexpr double kFindTime = 2.0;         ///< that finding a fragment takes [s]
+  static constexpr double kPlanTime = 0.5;         ///< that a plan takes [s]
+  static constexpr double kJawTime = 0.7;          ///< that the jaws take [s]
+  double settle = 0.2;                             ///< at the goal of a motion [s]
+  static constexpr double kLook = 0.2;             ///< duration of an observation [s]
+  static constexpr double kFindSigma = 5e-4;       ///< of the detected place, across [m]
+  static constexpr double kFindDepthSigma = 1e-3;  ///< and in height [m]
+  static constexpr double kFindYawSigma = 0.05;    ///< [rad]
   /// A grasp succeeds where the point between the jaws is no further than this from the fragment's middle,
   /// across and along the jaws alike [m], and
   double capture = 0.004;
-  double capture_rotation = 0.45;  ///< largest rotation error of a capture [rad]
-  double receptacle = 0.02;        ///< its radius [m]
+  static constexpr double kCaptureRotation = 0.45;  ///< largest rotation error of a capture [rad]
+  static constexpr double kReceptacle = 0.02;       ///< its radius [m]
   std::uint64_t seed = 1;
 };
 

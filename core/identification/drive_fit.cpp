@@ -104,7 +104,7 @@ DriveFit::DriveFit(const std::vector<DriveRecording>& recordings, const DrivePar
 }
 
 bool DriveFit::counts(const DriveRecording& recording, std::size_t row) const {
-  return recording.t[row] - recording.t.front() >= options_.skip;
+  return recording.t[row] - recording.t.front() >= DriveOptions::kSkip;
 }
 
 int DriveFit::observations() const {

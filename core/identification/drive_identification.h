@@ -14,8 +14,8 @@
 namespace capstan::identification {
 
 struct DriveOptions {
-  double step = 0.02;  ///< between rows [s]
-  double skip = 1.0;   ///< of every recording's beginning, whose stretch nobody knows [s]
+  double step = 0.02;                   ///< between rows [s]
+  static constexpr double kSkip = 1.0;  ///< of every recording's beginning, whose stretch nobody knows [s]
   OffsetRule offsets = OffsetRule::kEach;
   bool torque = true;  ///< motor torque is an observation too, where it was measured
   double huber = 2.5;  ///< residual in standard deviations beyond which it counts less

@@ -71,7 +71,7 @@ class Dual {
         model_(data.robot),
         centre_(centreOf(data)),
         parameters_(set, arm_, options.camera, centre_),
-        spread_(options.block, options.discrepancy.memory, options.score_memory) {
+        spread_(options.block, options.discrepancy.memory, DualUkfOptions::kScoreMemory) {
     start(0);
     last_ = t_;
   }
@@ -115,7 +115,8 @@ class Dual {
     held_back_ += innovation.weight < 1.0 ? 1 : 0;
     ++count_;
     const double along = seen.t - data_.motors.t.front();
-    parameters_.forget(std::max(options_.shortest_memory, options_.memory_share * along), seen.t - last_);
+    parameters_.forget(std::max(DualUkfOptions::kShortestMemory, DualUkfOptions::kMemoryShare * along),
+                       seen.t - last_);
     last_ = seen.t;
 
     const ParameterSet::Logs logs = parameters_.logs();
@@ -237,12 +238,6 @@ class Dual {
   int count_ = 0, held_back_ = 0;
 };
 
-bool allSettled(const Trace& trace, const ParameterSet& set) {
-  for (int i = 0; i < set.size(); ++i)
-    if (!convergenceOf(trace, set, i).settled) return false;
-  return true;
-}
-
 void describe(const Dual& dual, const ParameterSet& set, DualUkfReport& report) {
   const int n = set.size();
   const ParameterFilter& filter = dual.parameters();
@@ -293,11 +288,7 @@ DualUkfReport identifyDualUkf(const IdentificationData& data, const ParameterSet
     if (seen.open) dual.take(seen);
     report.used = seen.t - data.motors.t.front();
     if (progress) progress->report(report.used / data.duration(), "dual UKF");
-    if (seen.t - report.trace.back().t < options.trace_period) continue;
-    keep();
-    if (!options.stop_when_settled || !allSettled(report.trace, set)) continue;
-    report.end = DualUkfEnd::kSettled;
-    break;
+    if (seen.t - report.trace.back().t >= DualUkfOptions::kTracePeriod) keep();
   }
   if (dual.count() == 0) report.end = DualUkfEnd::kNoData;
   report.nis = dual.nis();

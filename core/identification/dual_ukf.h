@@ -19,14 +19,14 @@ struct DualUkfOptions {
   /// wander by as much as v_eps average the friction law, and the filter finds twice the friction.
   Eigen::Vector3d position_noise{1e-4, 1e-4, 1e-5};
   Eigen::Vector3d velocity_noise{0.01, 0.01, 0.001};
-  double memory_share = 0.5;     ///< r_k of (11): what is older than this share of the time fades
-  double shortest_memory = 5.0;  ///< [s]
-  double huber = 3.37;           ///< innovation beyond which an observation counts less
-  double block = 2.0;            ///< innovations this close in time may be correlated [s]
-  double score_memory = 60.0;    ///< over which their correlation is measured [s]
+  static constexpr double kMemoryShare =
+      0.5;  ///< r_k of (11): what is older than this share of the time fades
+  static constexpr double kShortestMemory = 5.0;  ///< [s]
+  double huber = 3.37;                            ///< innovation beyond which an observation counts less
+  double block = 2.0;                             ///< innovations this close in time may be correlated [s]
+  static constexpr double kScoreMemory = 60.0;    ///< over which their correlation is measured [s]
   ModelDiscrepancy discrepancy = {};
-  double trace_period = 0.5;  ///< [s]
-  bool stop_when_settled = false;
+  static constexpr double kTracePeriod = 0.5;  ///< [s]
 };
 
 enum class DualUkfEnd { kRecordingEnded, kSettled, kNoData, kCancelled };

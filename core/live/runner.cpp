@@ -37,7 +37,7 @@ class Runner::Impl {
         info_(source_->info()),
         pipeline_(std::move(pipeline)),
         tracking_(pipeline_.options()),
-        publisher_(options.history_capacity),
+        publisher_(RunnerOptions::kHistoryCapacity),
         robot_(pipeline_.robot()),
         registration_(pipeline_.registration()) {
     status_.speed = speed_ = options.speed;
@@ -331,11 +331,11 @@ class Runner::Impl {
   double speed_ = 1.0;
   double t_ = 0.0, motor_t_ = 0.0;
   double step_end_ = 0.0;
-  base::DueTimes plots_{options_.history_rate};
+  base::DueTimes plots_{RunnerOptions::kHistoryRate};
   bool quit_ = false, fetched_ = false, camera_seen_ = false;
   tracking::Sample sample_;
   Blocking blocking_;
-  RecordingSlot recording_{options_.estimate_rate};
+  RecordingSlot recording_{RunnerOptions::kEstimateRate};
   Listener listener_;
   tracking::TrackReport report_;
   PlaybackClock pacer_;

@@ -19,10 +19,12 @@ namespace capstan::live {
 enum class RunState { kPaused, kRunning, kEnded, kFailed };
 
 struct RunnerOptions {
-  double speed = 1.0;                    ///< recording seconds a second, 0.25…10; 0: as fast as possible
-  double history_rate = 200.0;           ///< snapshots for plots between camera updates [1/s of recording]
-  std::size_t history_capacity = 16384;  ///< the oldest make room when nobody drains
-  double estimate_rate = 1000.0;         ///< snapshots recorded [1/s of recording], camera updates always
+  double speed = 1.0;  ///< recording seconds a second, 0.25…10; 0: as fast as possible
+  static constexpr double kHistoryRate =
+      200.0;  ///< snapshots for plots between camera updates [1/s of recording]
+  static constexpr std::size_t kHistoryCapacity = 16384;  ///< the oldest make room when nobody drains
+  static constexpr double kEstimateRate =
+      1000.0;  ///< snapshots recorded [1/s of recording], camera updates always
 };
 
 struct RunStatus {

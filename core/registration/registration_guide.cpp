@@ -101,12 +101,12 @@ void RegistrationGuide::watchRest(const tracking::Snapshot& snapshot) {
     all = all && arrival_.near[static_cast<std::size_t>(i)];
   }
   arrival_.rest = snapshot.t - rest_since_;
-  arrival_.arrived = all && arrival_.rest >= options_.rest_time;
+  arrival_.arrived = all && arrival_.rest >= RegistrationOptions::kRestTime;
 }
 
 bool RegistrationGuide::canCollect() const {
   if (!current_ || step_ == RegistrationStep::kIdle || step_ == RegistrationStep::kCollect) return false;
-  return arrival_.arrived || (stop_overridden_ && arrival_.rest >= options_.rest_time);
+  return arrival_.arrived || (stop_overridden_ && arrival_.rest >= RegistrationOptions::kRestTime);
 }
 
 bool RegistrationGuide::collect() {
@@ -141,7 +141,7 @@ void RegistrationGuide::takeFrame(const tracking::Snapshot& snapshot) {
     disagreeing_ += order == CameraOrder::kNoFit;
   }
   if (scatter_.used >= options_.frames) return finish();
-  if (frames_seen_ >= options_.frames && scatter_.used < options_.detection_share * frames_seen_)
+  if (frames_seen_ >= options_.frames && scatter_.used < RegistrationOptions::kDetectionShare * frames_seen_)
     refuseTooFew();
 }
 
@@ -160,8 +160,8 @@ void RegistrationGuide::judgePoints() {
   for (auto& point : points_) {
     const Vector3d excess = (point.position - scatter_.median).cwiseAbs().cwiseQuotient(scale);
     point.excess = excess.maxCoeff(&point.axis);
-    const bool outlier =
-        static_cast<int>(points_.size()) >= kLeastToJudge && point.excess > options_.outlier_sigma;
+    const bool outlier = static_cast<int>(points_.size()) >= kLeastToJudge &&
+                         point.excess > RegistrationOptions::kOutlierSigma;
     point.verdict = outlier ? PointVerdict::kOutlier : PointVerdict::kUsed;
     if (!outlier) used_.push_back(point.position);
   }
@@ -206,7 +206,7 @@ void RegistrationGuide::finish() {
 
 /// Both cameras saw a marker, yet in most frames not at one point. False: that was not it.
 bool RegistrationGuide::refuseViews() {
-  const double most = options_.detection_share * frames_seen_;
+  const double most = RegistrationOptions::kDetectionShare * frames_seen_;
   if (exchanged_ > most) {
     refuse(RegistrationFault::kCamerasExchanged,
            fmt::format(
@@ -242,7 +242,7 @@ void RegistrationGuide::refuseTooFew() {
       }
   refuse(RegistrationFault::kTooFewDetections,
          fmt::format("{} of {} frames gave a usable point, {:.0f} are needed.{}", scatter_.used, frames_seen_,
-                     std::ceil(options_.detection_share * frames_seen_), why),
+                     std::ceil(RegistrationOptions::kDetectionShare * frames_seen_), why),
          adviceAgainst(worst));
 }
 

@@ -33,13 +33,13 @@ enum class RegistrationFault {
 enum class PointVerdict { kUsed, kOutlier };
 
 struct RegistrationOptions {
-  int frames = 60;               ///< accepted points that make a registration
-  double detection_share = 0.5;  ///< least share of the frames that must give a point
+  int frames = 60;                                ///< accepted points that make a registration
+  static constexpr double kDetectionShare = 0.5;  ///< least share of the frames that must give a point
   Eigen::Vector3d stop_tolerance{0.035, 0.035,
                                  0.003};  ///< |q_kin − q_hs| that counts as arrived [rad, rad, m]
   Eigen::Vector3d rest_tolerance{0.0018, 0.0018, 0.0002};  ///< travel that still counts as rest [rad, rad, m]
-  double rest_time = 0.5;                                  ///< stillness before collecting [s]
-  double outlier_sigma = 4.0;                              ///< distance from the median that rejects a point
+  static constexpr double kRestTime = 0.5;                 ///< stillness before collecting [s]
+  static constexpr double kOutlierSigma = 4.0;             ///< distance from the median that rejects a point
   double epipolar_limit = 3.0;  ///< farther off, two views show no one marker, as when tracking [px]
   Eigen::Vector3d scatter_limit{0.0015, 0.0015, 0.006};  ///< largest σ of a point, camera x, y, z [m]
 };

@@ -79,8 +79,8 @@ SimulatedSource::Parts::Parts(SimulatedOptions chosen)
     sizes.marker_radius = options.robot.marker_radius;
     Truth truth = options.truth;
     if (effects) truth.cameras.stamp_delay += effects->camera.delay;
-    cameras.emplace(*options.rig, base_from_camera, sizes, truth, options.images, options.frame_buffers,
-                    options.seed);
+    cameras.emplace(*options.rig, base_from_camera, sizes, truth, options.images,
+                    SimulatedOptions::kFrameBuffers, options.seed);
     if (options.images) info.rig = options.rig;
     if (options.registered || !options.images) {
       settleAt(robot::homingOf(options.robot));

@@ -24,8 +24,8 @@ struct SimulatedOptions {
   /// base_from_camera. False: the user does it (driveToHardStop). Always done when images are off.
   bool registered = true;
   int registration_frames = 30;
-  int joint_decimation = 1;  ///< a JointSample every so many milliseconds; 0: none
-  int frame_buffers = 16;    ///< pictures in flight before a new one is allocated
+  int joint_decimation = 1;                 ///< a JointSample every so many milliseconds; 0: none
+  static constexpr int kFrameBuffers = 16;  ///< pictures in flight before a new one is allocated
 };
 
 /// A RAVEN-II that is not there: plant, encoders, 1 kHz controller, trajectory and cameras as a Source.

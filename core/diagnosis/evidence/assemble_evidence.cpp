@@ -71,12 +71,12 @@ std::vector<double> drivenTimes(const RecordedTracks& tracks, const Columns& dri
 
 EvenGrid gridOf(const RecordedTracks& tracks, bool cable, const EvidenceOptions& options) {
   const std::vector<double> times = drivenTimes(tracks, cable ? tracks.q_m : tracks.tau_m);
-  const double period = ownPeriod(times, options.longest_gap);
+  const double period = ownPeriod(times, EvidenceOptions::kLongestGap);
   if (options.step > 0.0 && options.step < 0.999 * period)
     refuse(tracks, "step", fmt::format("{} s", options.step),
            fmt::format("is shorter than the recording's own, {:.6g} s", period),
            "Give a longer step, or none to take every row");
-  return evenGrid(times, options.step, options.longest_gap);
+  return evenGrid(times, options.step, EvidenceOptions::kLongestGap);
 }
 
 /// Channels on the rows of the grid, noise from their own samples.
@@ -179,7 +179,8 @@ void fillLoads(Evidence& evidence) {
 void placeChannels(Evidence& evidence, const EvenGrid& grid, const RecordedTracks& tracks,
                    const EvidenceOptions& options) {
   const bool cable = evidence.drive == DriveKind::kCable;
-  const double whole = 3.5 * grid.period, reach = std::max(options.longest_gap, whole) * (1.0 + 1e-9);
+  const double whole = 3.5 * grid.period,
+               reach = std::max(EvidenceOptions::kLongestGap, whole) * (1.0 + 1e-9);
   std::vector<std::uint8_t> missing;
   const auto place = [&](const Columns& columns, Columns& out, std::vector<ChannelNoise>& noise, double over,
                          bool drives) {

@@ -85,13 +85,13 @@ struct Evidence {
 };
 
 struct EvidenceOptions {
-  std::optional<DriveKind> drive;  ///< none: the robot file's
-  double step = 0.0;               ///< of the grid [s]; 0: the recording's own
-  double skip_start = 0.0;         ///< at the recording's begin, simulated but not compared [s]
-  double longest_gap = 0.05;  ///< missing rows that the drive is interpolated over; longer ones part segments
-                              ///< [s]; at least three steps
-  double smoothing = 0.01;    ///< half width of the window that dq_m is differentiated in, where no velocity
-                              ///< was measured [s]
+  std::optional<DriveKind> drive;              ///< none: the robot file's
+  double step = 0.0;                           ///< of the grid [s]; 0: the recording's own
+  double skip_start = 0.0;                     ///< at the recording's begin, simulated but not compared [s]
+  static constexpr double kLongestGap = 0.05;  ///< missing rows that the drive is interpolated over; longer
+                                               ///< ones part segments [s]; at least three steps
+  double smoothing = 0.01;  ///< half width of the window that dq_m is differentiated in, where no velocity
+                            ///< was measured [s]
   recording::ReadAs read_as = {};  ///< units of a measured table
 };
 

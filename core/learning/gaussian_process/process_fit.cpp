@@ -76,7 +76,7 @@ KernelParameters startOf(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y,
   start.ln_noise = start.ln_signal + std::log(kNoise);
   Eigen::VectorXd lengths(x.cols());
   for (Eigen::Index i = 0; i < x.cols(); ++i) lengths[i] = lnOf(kLengths * deviationOf(x.col(i)));
-  start.ln_length = options.length_a_feature ? lengths : Eigen::VectorXd::Constant(1, lengths.mean());
+  start.ln_length = lengths;
   return start;
 }
 

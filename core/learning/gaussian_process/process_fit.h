@@ -9,9 +9,8 @@ inline constexpr double kFarthest = 12.0;
 
 struct ProcessFitOptions {
   Kernel kernel = Kernel::kRbf;
-  bool length_a_feature = true;  ///< false: one for all
-  int iterations = 60;           ///< of the search, at most
-  double tolerance = 1e-7;       ///< relative fall of the objective that counts as standing still
+  int iterations = 60;      ///< of the search, at most
+  double tolerance = 1e-7;  ///< relative fall of the objective that counts as standing still
   /// How far ln σ_f and ln σ_n may go from the start's: many features make next to no noise, and signals far
   /// beyond the outputs, likely between points and wrong elsewhere.
   double farthest_signal = kFarthest, farthest_noise = kFarthest;

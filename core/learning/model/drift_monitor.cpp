@@ -17,7 +17,7 @@ constexpr std::size_t kAtOnce = 500;  // states that are corrected together
 }  // namespace
 
 DriftReport DriftMonitor::add(const State& state, const Corrected& corrected) {
-  if (window_.empty() || state.t >= window_.back().t + options_.spacing)
+  if (window_.empty() || state.t >= window_.back().t + DriftOptions::kSpacing)
     window_.push_back({state.t, Vector6d::Zero(), 0});
   const Eigen::Array<double, 6, 1> off = errorsInSigma(corrected, state.pair.commanded).array().abs();
   window_.back().beyond.array() += 1.0 - (off <= 1.0).cast<double>();
@@ -42,7 +42,7 @@ DriftReport DriftMonitor::reportOver(std::size_t pieces) const {
   const auto n = static_cast<double>(pieces);
   report.span = window_.back().t - window_[first].t;
   report.beyond = sum.maxCoeff(&report.output) / n;
-  const double chance = std::erfc(1.0 / (options_.sigma_known * std::numbers::sqrt2));
+  const double chance = std::erfc(1.0 / (DriftOptions::kSigmaKnown * std::numbers::sqrt2));
   const boost::math::binomial number(n, chance);
   report.limit =
       boost::math::quantile(boost::math::complement(number, options_.level / (kOutputs * kWindows))) / n;
@@ -66,7 +66,7 @@ class Walk {
     }
     State now = state;
     if (history_.t.empty() || state.motion != motion_)
-      begun_ = state.t - (history_.t.empty() ? 0.0 : history_.t.back() + options_.spacing);
+      begun_ = state.t - (history_.t.empty() ? 0.0 : history_.t.back() + DriftOptions::kSpacing);
     motion_ = state.motion;
     now.t -= begun_;
     history_.state.push_back(place);

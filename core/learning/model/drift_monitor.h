@@ -8,11 +8,11 @@
 namespace capstan::learning {
 
 struct DriftOptions {
-  double span = 240.0;   ///< window of the test, in motions' own time [s]: kFewestPieces spacings at least
-  double spacing = 1.0;  ///< between states that count as independent [s]
-  double level = 1e-3;   ///< probability of a false alarm of one test
-  double sigma_known = 1.25;                 ///< factor within which the stated σ are assumed to hold
-  double least_confidence = kLowConfidence;  ///< of states that driftAlong() judges
+  double span = 240.0;  ///< window of the test, in motions' own time [s]: kFewestPieces spacings at least
+  static constexpr double kSpacing = 1.0;      ///< between states that count as independent [s]
+  double level = 1e-3;                         ///< probability of a false alarm of one test
+  static constexpr double kSigmaKnown = 1.25;  ///< factor within which the stated σ are assumed to hold
+  double least_confidence = kLowConfidence;    ///< of states that driftAlong() judges
 };
 
 struct DriftReport {

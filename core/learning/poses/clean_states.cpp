@@ -10,10 +10,10 @@ Reason judged(const State& state, const CleaningReport& report, const CleaningOp
   const Eigen::Isometry3d observed = report.offset * state.pair.observed;
   const double rotation = Eigen::Quaterniond(observed.linear())
                               .angularDistance(Eigen::Quaterniond(state.pair.commanded.linear()));
-  if (rotation > options.max_rotation) return Reason::kTooFarTurned;
+  if (rotation > CleaningOptions::kMaxRotation) return Reason::kTooFarTurned;
   if (!report.workspace.contains(observed.translation())) return Reason::kOutside;
-  if (state.velocity.head<3>().norm() > options.most_speed) return Reason::kTooFast;
-  if (state.velocity.tail<3>().norm() > options.max_rotation_rate) return Reason::kTurnsTooFast;
+  if (state.velocity.head<3>().norm() > CleaningOptions::kMostSpeed) return Reason::kTooFast;
+  if (state.velocity.tail<3>().norm() > CleaningOptions::kMaxRotationRate) return Reason::kTurnsTooFast;
   return Reason::kNone;
 }
 
@@ -36,8 +36,8 @@ bool misplaced(Reason reason) {
 }
 
 bool tooFast(const State& state, const CleaningOptions& options) {
-  return state.velocity.head<3>().norm() > options.most_speed ||
-         state.velocity.tail<3>().norm() > options.max_rotation_rate;
+  return state.velocity.head<3>().norm() > CleaningOptions::kMostSpeed ||
+         state.velocity.tail<3>().norm() > CleaningOptions::kMaxRotationRate;
 }
 
 std::size_t CleaningReport::count(Reason of) const {

@@ -7,11 +7,12 @@ namespace capstan::learning {
 /// What the robot can do.
 struct CleaningOptions {
   MedianOptions median = {};
-  double max_rotation = 1.0;       ///< of observed from commanded poses, less the rigid offset [rad]
-  double margin = 0.03;            ///< of observed positions outside of the box of commanded ones [m]
-  double most_speed = 0.2;         ///< [m/s]: the paper's robot was driven at 0.05
-  double max_rotation_rate = 6.0;  ///< [rad/s]
-  double most_rejected = 0.9;      ///< share of a trajectory, beyond which all of it goes: the paper's P
+  static constexpr double kMaxRotation =
+      1.0;               ///< of observed from commanded poses, less the rigid offset [rad]
+  double margin = 0.03;  ///< of observed positions outside of the box of commanded ones [m]
+  static constexpr double kMostSpeed = 0.2;        ///< [m/s]: the paper's robot was driven at 0.05
+  static constexpr double kMaxRotationRate = 6.0;  ///< [rad/s]
+  double most_rejected = 0.9;  ///< share of a trajectory, beyond which all of it goes: the paper's P
 };
 
 /// Out of place, by one of these reasons: a speed is wrong beside a jump, too.

@@ -58,7 +58,7 @@ MedianReport leastMedianOffset(std::span<const PosePair> pairs, const MedianOpti
   base::Random random(options.seed, "least median of squares");
   double least = std::numeric_limits<double>::infinity();
   std::vector<PosePair> drawn(sample);
-  for (int draw = 0; draw < options.draws; ++draw) {
+  for (int draw = 0; draw < MedianOptions::kDraws; ++draw) {
     for (PosePair& pair : drawn) pair = pairs[random.bits() % pairs.size()];
     const Eigen::Isometry3d offset = rigidOffset(drawn, options.lever);
     const double median = stats::median(squaredDistances(pairs, offset, options.lever));

@@ -27,7 +27,7 @@ inline constexpr double kLever = 0.05;  ///< of an instrument's tip
 Eigen::Isometry3d rigidOffset(std::span<const PosePair> pairs, double lever = kLever);
 
 struct MedianOptions {
-  int draws = 500;
+  static constexpr int kDraws = 500;
   int sample = 3;      ///< pairs of a draw
   double reach = 2.5;  ///< of the robust standard deviation, within which a pair belongs
   double lever = kLever;

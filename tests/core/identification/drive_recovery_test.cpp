@@ -177,7 +177,7 @@ TEST(DriveRecovery, OneSharedZeroIsTheRobotsHardStop) {
   EXPECT_NEAR(report.offsets.front().value, 0.3, 4.0 * report.offsets.front().sigma);
   EXPECT_LT(report.offsets.front().sigma, 2e-3);
   EXPECT_NEAR(report.robot.joints.front().homing, jaw().joints.front().homing + 0.3, 5e-3);
-  const double rms = scoreDrive(report.robot, all, OffsetRule::kShared, options.skip).rms;
+  const double rms = scoreDrive(report.robot, all, OffsetRule::kShared, DriveOptions::kSkip).rms;
   EXPECT_NEAR(rms, kAngleNoise, 0.05 * kAngleNoise) << "the robot file predicts as the fit did";
 }
 

@@ -107,7 +107,7 @@ void StopPage::showGuide(const registration::RegistrationGuide& guide) {
                                     ? QString("color:%1; font-weight:bold;").arg(theme_.text.name())
                                     : QString("color:%1;").arg(theme_.muted.name()));
   }
-  const double wanted = guide.options().rest_time;
+  const double wanted = registration::RegistrationOptions::kRestTime;
   rest_->setRange(0, 100);
   rest_->setValue(static_cast<int>(100.0 * std::clamp(arrival.rest / wanted, 0.0, 1.0)));
   const bool can = guide.canCollect();
