@@ -36,7 +36,7 @@ TEST(ShownNumbers, SharesHaveWords) {
   EXPECT_EQ(shareWords(0.97), "nearly all of it");
   EXPECT_EQ(shareWords(0.5), "about half of it");
   EXPECT_EQ(shareWords(0.1), "a tenth of it");
-  EXPECT_EQ(shareWords(-0.01), "no sure part of it");
+  EXPECT_EQ(shareWords(-0.01), "no significant part of it");
 }
 
 }  // namespace

@@ -78,7 +78,7 @@ TEST_F(DiagnosisPages, SayTheVerdictTheCausesAndWhatIsToldOfThem) {
 TEST_F(DiagnosisPages, SayWhatWouldTellATieApart) {
   const Report report = sampleReport({.verdict = Verdict::kTie});
   const std::string html = page(report, "tie");
-  EXPECT_TRUE(has(html, "cannot tell"));
+  EXPECT_TRUE(has(html, "cannot decide"));
   EXPECT_TRUE(has(html, report.ties[0].separate));
   EXPECT_TRUE(has(html, diagnosis::titleOf("cable_hysteresis") + ", joint 2"));
   std::size_t cards = 0;
