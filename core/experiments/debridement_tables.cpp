@@ -37,7 +37,7 @@ std::string paperTime(DebridementMethod method) {
 /// A row a method.
 base::Table methodsTable(std::string title,
                          const std::array<std::vector<FragmentRun>, kDebridementMethods>& runs,
-                         const DebridementTaskOptions& task, bool paper) {
+                         bool paper) {
   base::Table table;
   table.title = std::move(title);
   for (const char* name : {"", "speed [cm/s]", "time a fragment [s]", "95 %", "paper", "moving [s]", "looks",
@@ -124,7 +124,7 @@ base::Table arrivalTable(const DebridementStudyReport& report) {
 }
 
 base::Table debridementTable(const DebridementStudyReport& report, const DebridementStudyOptions& options) {
-  base::Table table = methodsTable("Debridement", report.runs, options.task, true);
+  base::Table table = methodsTable("Debridement", report.runs, true);
   const Speedup speedup = report.speedup();
   if (speedup.value > 0.0)
     table.note = fmt::format(
@@ -141,7 +141,7 @@ base::Table debridementTable(const DebridementStudyReport& report, const Debride
 base::Table beyondTable(const DebridementStudyReport& report, const DebridementStudyOptions& options) {
   const std::string title =
       fmt::format("Debridement of a grid {:.0f} mm beside that of the data", toMillimetres(options.beyond));
-  base::Table table = methodsTable(title, report.beyond, options.task, false);
+  base::Table table = methodsTable(title, report.beyond, false);
   table.note = fmt::format("Low confidence: below {:g}.", options.task.observations.least_confidence);
   return table;
 }

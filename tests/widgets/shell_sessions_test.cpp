@@ -2,6 +2,7 @@
 // stuck.
 #include <QPushButton>
 #include <latch>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "core/base/resource.h"
@@ -25,6 +26,25 @@ TEST_F(Shell, SaysWhatIsWrongWithAFileAndKeepsTheSession) {
   EXPECT_EQ(stateOf(*window), live::RunState::kRunning);
   EXPECT_TRUE(window->lastSource().simulated) << "a file that could not be opened is no last source";
   EXPECT_TRUE(window->bar().sources().recentFiles().isEmpty());
+}
+
+/// The same recording gives the same errors, bit by bit, whichever face tracks it.
+TEST_F(Shell, ErrorsAreThoseOfTheCommandLine) {
+  commandLine(
+      {"simulate", "--no-images", "--duration", "6", "--trajectory", "sinusoid", "--out", file("s.capstan")});
+  const auto said =
+      nlohmann::json::parse(commandLine({"track", file("s.capstan"), "--json", "-"}).toStdString());
+  auto window = makeWindow();
+  window->bar().setSpeed(10.0);
+  window->open(SourceChoice::ofFile(file("s.capstan")));
+  ASSERT_TRUE(waitFor([&] { return window->link().ended(); }));
+  const tracking::TrackReport report = window->link().runner()->report();
+  EXPECT_EQ(report.motor_samples, said["samples"].get<std::uint64_t>());
+  for (int joint = 0; joint < 3; ++joint) {
+    EXPECT_EQ(report.errors.kinematic().value()(joint), said["rms"]["kin"][joint].get<double>());
+    EXPECT_EQ(report.errors.camera().value()(joint), said["rms"]["cam"][joint].get<double>());
+    EXPECT_EQ(report.errors.ukf().value()(joint), said["rms"]["ukf"][joint].get<double>());
+  }
 }
 
 TEST_F(Shell, SaysThatADriveOfOneJointIsForTheCommandLine) {

@@ -176,8 +176,7 @@ void fillLoads(Evidence& evidence) {
 }
 
 /// The motor side and the joint encoders on the rows of the grid.
-void placeChannels(Evidence& evidence, const EvenGrid& grid, const RecordedTracks& tracks,
-                   const EvidenceOptions& options) {
+void placeChannels(Evidence& evidence, const EvenGrid& grid, const RecordedTracks& tracks) {
   const bool cable = evidence.drive == DriveKind::kCable;
   const double whole = 3.5 * grid.period,
                reach = std::max(EvidenceOptions::kLongestGap, whole) * (1.0 + 1e-9);
@@ -282,7 +281,7 @@ Evidence assembleEvidence(const RecordedTracks& tracks, const robot::Description
   evidence.t = grid.t;
   evidence.segments = grid.segments;
   evidence.exclusions.assign(grid.t.size(), 0);
-  placeChannels(evidence, grid, tracks, options);
+  placeChannels(evidence, grid, tracks);
   if (!evidence.q_m.empty()) differentiate(evidence, options.smoothing);
   markSaturated(evidence, robot);
   for (std::size_t i = 0; i < evidence.rows(); ++i)

@@ -44,7 +44,7 @@ Split splitOf(const std::vector<State>& states, const CorrectionStudyOptions& op
   std::vector<State> clean = training.states;
   learning::CorrectionOptions correction = options.correction;
   correction.motion = motionOf(M::kWeights);
-  learning::weigh(training, train, options.cleaning, correction, progress, part);
+  learning::weigh(training, train, correction, progress, part);
   std::vector<State> clean_test = learning::kept(test, judged);
   return {std::move(train), std::move(clean),      std::move(training),
           std::move(test),  std::move(clean_test), std::move(judged.reason)};

@@ -79,7 +79,7 @@ LearningReport learnPrepared(PreparedStates prepared, const LearningOptions& opt
   if (!correction.motion && !options.rigid)
     correction.motion = chooseMotion(training.states, correction, progress, part.within(0.0, kChosen));
   if (options.clean && options.weigh && !options.rigid)
-    weigh(training, prepared.states, options.cleaning, correction, progress,
+    weigh(training, prepared.states, correction, progress,
           {part.within(kChosen, kWeighed).begin, part.within(kChosen, kWeighed).end, "weighing"});
   CorrectionModel model = options.rigid ? CorrectionModel::rigid(training.states, correction)
                                         : CorrectionModel::trained(training.states, correction, progress,

@@ -6,7 +6,7 @@
 namespace capstan::learning {
 namespace {
 
-Reason judged(const State& state, const CleaningReport& report, const CleaningOptions& options) {
+Reason judged(const State& state, const CleaningReport& report) {
   const Eigen::Isometry3d observed = report.offset * state.pair.observed;
   const double rotation = Eigen::Quaterniond(observed.linear())
                               .angularDistance(Eigen::Quaterniond(state.pair.commanded.linear()));
@@ -35,7 +35,7 @@ bool misplaced(Reason reason) {
   return reason == Reason::kOutlier || reason == Reason::kTooFarTurned || reason == Reason::kOutside;
 }
 
-bool tooFast(const State& state, const CleaningOptions& options) {
+bool tooFast(const State& state) {
   return state.velocity.head<3>().norm() > CleaningOptions::kMostSpeed ||
          state.velocity.tail<3>().norm() > CleaningOptions::kMaxRotationRate;
 }
@@ -56,7 +56,7 @@ CleaningReport cleanStates(const std::vector<State>& states, const CleaningOptio
     report.workspace.max().array() += options.margin;
   }
   for (std::size_t k = 0; k < states.size(); ++k)
-    report.reason.push_back(median.belongs[k] ? judged(states[k], report, options) : Reason::kOutlier);
+    report.reason.push_back(median.belongs[k] ? judged(states[k], report) : Reason::kOutlier);
   rejectTrajectories(states, options.most_rejected, report.reason);
   return report;
 }
@@ -68,7 +68,7 @@ std::vector<Reason> judgedBy(const CleaningReport& found, const std::vector<Stat
   for (const State& state : states) {
     const bool belongs = squaredDistance(found.offset * state.pair.observed, state.pair.commanded,
                                          options.median.lever) <= most;
-    reason.push_back(belongs ? judged(state, found, options) : Reason::kOutlier);
+    reason.push_back(belongs ? judged(state, found) : Reason::kOutlier);
   }
   rejectTrajectories(states, options.most_rejected, reason);
   return reason;

@@ -19,7 +19,7 @@ struct CleaningOptions {
 bool misplaced(Reason reason);
 
 /// Faster than the robot moves or turns?
-bool tooFast(const State& state, const CleaningOptions& options);
+bool tooFast(const State& state);
 
 struct CleaningReport {
   std::vector<Reason> reason;                                ///< by state; kNone: it counts

@@ -110,14 +110,13 @@ TrainingStates trainingStates(const std::vector<State>& all, CleaningReport clea
   return training;
 }
 
-void weigh(TrainingStates& training, const std::vector<State>& all, const CleaningOptions& limits,
-           const CorrectionOptions& options, base::Progress* progress, const base::ProgressPart& part) {
+void weigh(TrainingStates& training, const std::vector<State>& all, const CorrectionOptions& options, base::Progress* progress, const base::ProgressPart& part) {
   CleaningReport& cleaning = training.cleaning;
   std::vector<State> some;
   std::vector<std::size_t> places;  // in `all`
   std::vector<bool> kept;
   for (std::size_t k = 0; k < all.size(); ++k) {
-    if (!mayCount(cleaning.reason[k]) || tooFast(all[k], limits)) continue;
+    if (!mayCount(cleaning.reason[k]) || tooFast(all[k])) continue;
     some.push_back(all[k]);
     places.push_back(k);
     kept.push_back(cleaning.reason[k] == Reason::kNone);

@@ -44,7 +44,7 @@ std::vector<State> states(const RandomizedRobot& world, std::size_t motions) {
 
 TrainingStates weighed(const std::vector<State>& all, base::Progress* progress = nullptr) {
   TrainingStates training = trainingStates(all, cleanStates(all), kLever);
-  weigh(training, all, {}, quickOptions(), progress);
+  weigh(training, all, quickOptions(), progress);
   return training;
 }
 
