@@ -84,8 +84,7 @@ void CloudView::resetCamera() {
   if (empty()) return;
   const Eigen::Vector3d middle = 0.5 * (grid_.low + grid_.high);
   camera_.setAxes(Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitX());  // towards the numbered edges
-  experiments::DebridementTaskOptions::kLook(middle, 1.95 * (grid_.high - grid_.low).norm(), kAzimuth,
-                                             kElevation);
+  camera_.look(middle, 1.95 * (grid_.high - grid_.low).norm(), kAzimuth, kElevation);
   changed();
 }
 

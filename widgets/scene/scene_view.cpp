@@ -110,7 +110,7 @@ void SceneView::resetCamera() {
       base_from_camera_ ? base_from_camera_->translation() - tip : Eigen::Vector3d(tip);
   const Eigen::Vector3d level = towards - towards.dot(up) * up;
   camera_.setAxes(up, level.norm() > 1e-3 ? level : up.unitOrthogonal());
-  experiments::DebridementTaskOptions::kLook(0.5 * tip + 0.12 * up, 2.0, 0.75, 0.35);
+  camera_.look(0.5 * tip + 0.12 * up, 2.0, 0.75, 0.35);
   changed();
 }
 
@@ -239,7 +239,7 @@ void SceneView::wheelEvent(QWheelEvent* event) {
 void SceneView::contextMenuEvent(QContextMenuEvent* event) {
   QMenu menu(this);
   const auto look = [this](double azimuth, double elevation) {
-    experiments::DebridementTaskOptions::kLook(camera_.focus(), camera_.distance(), azimuth, elevation);
+    camera_.look(camera_.focus(), camera_.distance(), azimuth, elevation);
     changed();
   };
   menu.addAction("Opening view", this, &SceneView::resetCamera);
@@ -248,7 +248,7 @@ void SceneView::contextMenuEvent(QContextMenuEvent* event) {
   menu.addAction("From above", this, [look] { look(0.0, M_PI / 2); });
   menu.addAction("Close to the tip", this, [this] {
     if (snapshot_ && snapshot_->tip_ukf.allFinite()) camera_.setFocus(snapshot_->tip_ukf);
-    experiments::DebridementTaskOptions::kLook(camera_.focus(), 0.35, camera_.azimuth(), camera_.elevation());
+    camera_.look(camera_.focus(), 0.35, camera_.azimuth(), camera_.elevation());
     changed();
   });
   menu.addSeparator();
