@@ -153,7 +153,7 @@ void addLearn(CLI::App& app, ExitCode& exit) {
           "is nearer on trajectories held out")
       ->capture_default_str()
       ->check(CLI::IsMember({"auto", "offset", "none", "velocity", "history"}));
-  command->add_option("--towards", arguments->towards, "what corrected poses are asked of")
+  command->add_option("--towards", arguments->towards, "stream that corrected poses command")
       ->capture_default_str()
       ->check(CLI::IsMember({"command", "robot"}));
   command->add_flag("--no-cleaning", arguments->no_cleaning, "keep outliers, and weigh nothing");

@@ -18,7 +18,7 @@ class CliLearn : public Cli {
     writeSamplePoses(path("test.csv"), other);
   }
   Ran learn(const std::string& more) const {
-    return run("learn --train " + path("train.csv") + " --inducing 200 --threads 1 --model " +
+    return run("learn --train " + path("train.csv") + " --inducing 100 --threads 1 --model " +
                path("m.correction") + " " + more);
   }
 };
