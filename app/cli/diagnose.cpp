@@ -31,8 +31,9 @@ void addDiagnose(CLI::App& app, ExitCode& exit) {
   command
       ->add_option(
           "--zeros", arguments->zeros,
-          "of joint encoders: known, as in the robot file; free but shared by all recordings, where\n"
-          "loads hold still in each; free in each of several recordings, which is the default")
+          "zeros of joint encoders: known, as in the robot file; shared, one unknown zero for all\n"
+          "recordings (for loads that are constant within each); each, an unknown zero per recording\n"
+          "(default; known with one recording)")
       ->check(CLI::IsMember({"known", "shared", "each"}));
   command->add_option("--threads", arguments->options.threads, "number of worker threads")
       ->capture_default_str()

@@ -130,7 +130,7 @@ void addDrift(CLI::App& app, ExitCode& exit) {
   CLI::App* command = app.add_subcommand("drift", "Say whether a learned correction still holds");
   command->add_option("--model", arguments->model, "file that `capstan-cli learn` wrote")->required();
   command->add_option("TABLES", arguments->tables, "tables of tip poses, newer than the model")->required();
-  command->add_option("--span", arguments->options.span, "of motion that is judged together, at most [s]")
+  command->add_option("--span", arguments->options.span, "longest window of motion for one test [s]")
       ->capture_default_str()
       ->check(CLI::Range(static_cast<double>(learning::kFewestPieces), 1e5));
   command->add_option("--json", arguments->json, "course as JSON: a file, or - for standard output");

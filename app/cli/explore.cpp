@@ -99,8 +99,9 @@ void addExplore(CLI::App& app, ExitCode& exit) {
       ->capture_default_str()
       ->check(CLI::Range(1, 1000));
   command
-      ->add_option("OUT", arguments->out,
-                   "table of the command, in the order proposed, with standard deviations and confidence")
+      ->add_option(
+          "OUT", arguments->out,
+          "output table: proposed poses as commands, best first, with standard deviations and confidence")
       ->required();
   command->footer(
       "What is gained holds for a model that is retrained from all motions.\n"

@@ -295,7 +295,7 @@ void addIdentify(CLI::App& app, ExitCode& exit) {
                       "robot of one joint: recordings to judge the result by, not to identify from");
   command
       ->add_option("--offsets", arguments->drive.offsets,
-                   "robot of one joint: encoder zeros, one a file or one shared")
+                   "robot of one joint: estimate one encoder zero per file, or one shared zero")
       ->capture_default_str()
       ->check(CLI::IsMember({"file", "shared"}));
   command->add_option("--json", arguments->json, "result as JSON, SI: a file, or - for standard output");

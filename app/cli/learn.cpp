@@ -148,39 +148,43 @@ void addLearn(CLI::App& app, ExitCode& exit) {
   command
       ->add_option(
           "--method", arguments->method,
-          "offset: rigid; none, velocity, history: a Gaussian process besides, of the pose alone, with\n"
-          "its velocity, with how it moved in the last 1.6 s too; auto: velocity or history, whichever\n"
-          "is nearer on trajectories held out")
+          "offset: rigid offset only; the others add a Gaussian process. Its inputs are, none: the pose;\n"
+          "velocity: also its velocity; history: also the motion of the last 1.6 s; auto: velocity or\n"
+          "history, whichever has the smaller error on held-out trajectories")
       ->capture_default_str()
       ->check(CLI::IsMember({"auto", "offset", "none", "velocity", "history"}));
-  command->add_option("--towards", arguments->towards, "stream that corrected poses command")
+  command
+      ->add_option(
+          "--towards", arguments->towards,
+          "stream that the correction is learned for: commanded poses, or poses of the robot's kinematics")
       ->capture_default_str()
       ->check(CLI::IsMember({"command", "robot"}));
   command->add_flag("--no-cleaning", arguments->no_cleaning, "keep outliers, and weigh nothing");
   command->add_flag("--no-weights", arguments->no_weights,
-                    "learn from all that cleaning keeps alike, and from nothing else");
+                    "give all inliers of cleaning the same weight, and reuse no rejected states");
   command
       ->add_option("--kernel", arguments->kernel,
-                   "of the processes: Matérn 3/2 (once differentiable) or squared exponential (RBF)")
+                   "kernel of the processes: Matérn 3/2 (once differentiable) or squared exponential (RBF)")
       ->capture_default_str()
       ->check(CLI::IsMember({"rbf", "matern"}));
-  command->add_flag("--no-alignment", arguments->no_alignment, "take stamps as they are");
+  command->add_flag("--no-alignment", arguments->no_alignment,
+                    "use stamps as they are, without a clock offset");
   command
-      ->add_option("--members", arguments->options.correction.members,
-                   "processes that are averaged, each of states of its own; one where all states are fewer "
-                   "than a member takes")
+      ->add_option(
+          "--members", arguments->options.correction.members,
+          "number of averaged processes, each trained on its own random states; one if a single process "
+          "can take all states")
       ->capture_default_str()
       ->check(CLI::Range(1, 20));
   command
       ->add_option("--inducing", arguments->options.correction.inducing_points,
-                   "states that stand for all, of each member")
+                   "number of inducing points of each member process")
       ->capture_default_str()
       ->check(CLI::Range(20, 20000));
   command->add_option("--threads", arguments->options.correction.threads)
       ->capture_default_str()
       ->check(CLI::Range(1, 64));
-  command->add_option("--seed", arguments->options.correction.seed, "of what is drawn")
-      ->capture_default_str();
+  command->add_option("--seed", arguments->options.correction.seed, "random seed")->capture_default_str();
   command->add_option("--model", arguments->model, "file to write")->required();
   CLI::Option* onto = command->add_option(
       "--onto", arguments->onto,

@@ -173,10 +173,11 @@ void takeWindowOptions(ReportArguments& arguments, const CLI::App& command) {
 
 /// What packaging/run passes on where there is no display.
 void addWindowOptions(CLI::App& command, ReportArguments& arguments) {
-  const auto grouped = [](CLI::Option* option) { return option->group("As the window takes them"); };
+  const auto grouped = [](CLI::Option* option) { return option->group("Options of the window"); };
   auto* session = grouped(command.add_option("--session", arguments.opened, "as RECORDING"));
   grouped(command.add_option("--table", arguments.opened, "as RECORDING"))->excludes(session);
-  grouped(command.add_flag("--simulate", arguments.simulate, "simulate: what happens without RECORDING"));
+  grouped(
+      command.add_flag("--simulate", arguments.simulate, "simulate, which is the default without RECORDING"));
   command
       .add_flag_callback(
           "--unregistered", [&arguments] { arguments.simulation.registered = false; },

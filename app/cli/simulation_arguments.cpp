@@ -22,11 +22,13 @@ void addSimulationOptions(CLI::App& command, simulation::SimulationRequest& requ
   grouped(command.add_option("--truth", request.truth,
                              "what the robot really is: default, matched, or a truth file"))
       ->capture_default_str();
-  grouped(command.add_option("--seed", request.seed, "surgeon, noise and texture"))->capture_default_str();
+  grouped(command.add_option("--seed", request.seed,
+                             "random seed of the surgeon's motion, sensor noise and image texture"))
+      ->capture_default_str();
   grouped(command.add_option("--cameras", request.cameras, "folder with left.yaml and right.yaml"));
   grouped(command.add_flag_callback(
       "--no-images", [&request] { request.images = false; },
-      "tip positions instead of images, as exact as the truth's pixel_sigma"));
+      "simulate tip positions instead of images, with the truth file's pixel_sigma"));
   grouped(command.add_flag_callback(
       "--no-cameras", [&request] { request.cameras_fitted = false; }, "motors only"));
   grouped(command.add_flag("--distractors", request.distractors, "objects of nearly the marker's colour"));

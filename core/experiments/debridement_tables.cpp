@@ -40,7 +40,7 @@ base::Table methodsTable(std::string title,
                          bool paper) {
   base::Table table;
   table.title = std::move(title);
-  for (const char* name : {"", "speed [cm/s]", "time a fragment [s]", "95 %", "paper", "moving [s]", "looks",
+  for (const char* name : {"", "speed [cm/s]", "time a fragment [s]", "95 %", "paper", "moving [s]", "observations",
                            "jaws off [mm]", "grasped", "cleared", "95 % [%]", "out of reach"})
     table.columns.push_back({.name = name, .unit = {}});
   for (std::size_t m = 0; m < runs.size(); ++m) {

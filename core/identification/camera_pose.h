@@ -9,7 +9,7 @@ namespace capstan::identification {
 /// What is wrong with the recording's registration and clock: nuisance parameters of every identification,
 /// for a camera rotated by half a degree looks like a pulley radius that is wrong by 1 %. To first order in
 /// small angles, a true tip p [m, frame 0] is seen at
-///     p + shift + turn × (p − centre),
+///     p + shift + rotation × (p − centre),
 /// exposed `delay` before its stamp.
 struct CameraPose {
   static constexpr int kSize = 7;
@@ -38,7 +38,7 @@ struct CameraPoseOptions {
     field(self.delay_sigma, {"delay_sigma", "s", "error of the camera's clock; 0: exact", {0.0, 1.0}, false});
   }
 
-  /// Of turn, shift and delay.
+  /// Of rotation, shift and delay.
   Eigen::Matrix<double, CameraPose::kSize, 1> sigmas() const {
     Eigen::Matrix<double, CameraPose::kSize, 1> all;
     all << rotation_sigma, rotation_sigma, rotation_sigma, shift_sigma, shift_sigma, shift_sigma, delay_sigma;

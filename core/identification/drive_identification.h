@@ -52,8 +52,9 @@ struct DriveReport {
   Eigen::MatrixXd covariance;            ///< of the logarithms of those seen
   Eigen::MatrixXd correlation;           ///< the same
   std::vector<DriveOffset> offsets;      ///< one, or one a recording
-  /// Regression of the recordings' offsets on their mean load: near ±1, the zeros are no zeros but a stretch
-  /// that follows the standing load. 0 with fewer than three offsets.
+  /// Regression of the recordings' offsets on their mean load: near ±1, the fitted
+  /// offsets are not encoder zeros but cable stretch in proportion to the mean load. 0 with fewer than three
+  /// offsets.
   double offset_by_load = 0.0, offset_load_correlation = 0.0;
   robot::Description robot;   ///< with the estimates, its hard stop moved by the mean offset
   double torque_sign = 1.0;   ///< of the recordings' tau_m, see torqueSign()

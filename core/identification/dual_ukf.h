@@ -54,11 +54,12 @@ using TraceSink = std::function<void(const TracePoint&)>;
 /// recording. Both observe the tip seen by the cameras; joint encoders are no part of `data`.
 ///
 /// Beyond the paper: the camera's pose and delay are nuisance parameters of the second filter; the states
-/// follow the parameters by Φ Δw; and the σ stated is widened to what the innovations show. A filter assumes
-/// them white; where hysteresis or stiction, which the model does not know, correlate them over `block`
-/// seconds, the scores g = Hᵀ R⁻¹ ν of blocks vary more than their information I says, and σ grows by that
-/// ratio, measured over the last `score_memory` seconds, or by what the passing forces of ModelDiscrepancy
-/// would make of them, if that is more. (Its lasting one, hysteresis, is the batch method's to count.)
+/// follow the parameters by Φ Δw; and the σ stated is widened to what the innovations show. The filter
+/// assumes white innovations. Where hysteresis or stiction, which the model does not know, correlate them
+/// over `block` seconds, the scores g = Hᵀ R⁻¹ ν of blocks vary more than their information I states. σ is
+/// multiplied by that ratio, measured over the last kScoreMemory seconds, or by the increase that the
+/// transient forces of ModelDiscrepancy would cause, whichever is larger. (Its persistent force, hysteresis,
+/// is counted by the batch method only.)
 ///
 /// `sink`, if given, sees every point of the trace as it is made.
 DualUkfReport identifyDualUkf(const IdentificationData& data, const ParameterSet& set,

@@ -39,9 +39,9 @@ class PixelNoise {
 /// Sigma_pixels is what triangulation makes of the markers' sigma (depth: z² / (f b) times the disparity's);
 /// the registration knows the marker's position at the hard stop p_hs up to `shift` along each axis (the sag
 /// that kinematics does not see) and the cameras' mounting up to `turn` about each; the stamp is off by
-/// `clock` while joints move at dq. Registration errors last, while R speaks of noise that is new each time;
-/// cables forget what a picture said of their joint within b_e / k_e, less than a frame, so that the filter
-/// never averages them away.
+/// `clock` while joints move at dq. Registration errors are constant, but R models them as independent noise.
+/// That is acceptable because the cable model forgets a camera update with time constant b_e / k_e, less than
+/// a frame period: the filter never averages these errors down.
 ///
 /// With camera_noise: constant, R = diag(constant_camera_sigma²), as in the UKF paper.
 class CameraNoise {

@@ -20,12 +20,12 @@ double stillWithin(const robot::Drive& drive);
 /// Lost: the sample holds no finite position. Up to `lost_after` seconds that is a gap, and the encoder is
 /// used again behind it; for longer, counts may have been missed and it stays failed.
 ///
-/// Frozen: the count stands still while the camera sees the cable's link side, (A q)_j, move. Motor j has not
-/// moved by more than a count since some time; at successive camera samples from then on the marker has moved
-/// in one continuous path (so it is no other object), (A q_cam)_j is away from where it was at the first of
-/// them by more than its noise and `frozen_tolerance`, what a cable may stretch, and every cable that is not
-/// itself under suspicion agrees with its motor within `jump_tolerance`. `jump_samples` such samples in a row
-/// are the proof. Motors may be still and joints at rest for ever: that proves nothing.
+/// Frozen: the count stands still while the camera sees the cable's link side, (A q)_j, move. Motor j is
+/// declared frozen when, in `jump_samples` successive camera samples since its count last changed, all of
+/// these hold: the marker moved on a continuous path (so it is the same object); (A q_cam)_j differs from its
+/// value at the first of these samples by more than its noise plus `frozen_tolerance` (the largest cable
+/// stretch); and every cable whose motor is not suspected itself agrees with that motor within
+/// `jump_tolerance`. A motor and joints that are both at rest are no fault.
 ///
 /// Failed encoders stay failed until declare(motor, false) or clear(). No allocation.
 class EncoderWatch {

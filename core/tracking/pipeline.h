@@ -14,10 +14,10 @@
 namespace capstan::tracking {
 
 /// The one data path: samples in, snapshots out; deterministic, single-threaded, allocation-free once warm.
-///
-///     motors  → transmission kinematics → q_kin;  prediction of [q_l, dq_l] (UKF paper (10)) at the motor
-///     rate frames  → marker in each region of interest → triangulation → base frame → inverse kinematics →
-///     q_cam q_cam or, when the gate is shut, q_kin → square-root UKF, at the time of exposure → q_ukf
+/// - motors → transmission kinematics → q_kin; the filter predicts [q_l, dq_l] (UKF paper (10)) at the motor
+/// rate
+/// - frames → marker in each region of interest → triangulation → base frame → inverse kinematics → q_cam
+/// - q_cam (q_kin while the gate is shut) → square-root UKF update, at the time of exposure → q_ukf
 ///
 /// The gate shuts when a marker is missing, its tip is out of reach, or the innovation lies beyond the χ²
 /// gate (a jump). A jump ends when the innovation is back inside, or when `jump_samples` camera samples in a

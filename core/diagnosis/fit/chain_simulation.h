@@ -44,12 +44,11 @@ struct Robot {
 };
 
 /// Open-loop simulations of one recording, 16 robots at a time.
-///
-/// Cable drives start at each segment from the joints where the encoders saw them (without encoders from
-/// where rigid cables would put them; observations within kSettling of a start without encoders is not
-/// compared). Rigid drives restart after each `horizon` seconds too, from encoders and their slope, since
-/// a torque that is wrong by little leads far astray in time. Joint encoders are compared kComparedRate times
-/// a second, cameras at every observation.
+/// With cable drives, each segment starts from the joint positions that the joint encoders measured. Without
+/// joint encoders it starts from the positions that rigid cables would give, and observations in the first
+/// kSettling seconds are not compared. Rigid drives also restart after each `horizon` seconds, from encoders
+/// and their slope, since a small torque error grows to a large position error in time. Joint encoders are
+/// compared kComparedRate times a second, cameras at every observation.
 class ChainSimulation {
  public:
   /// Keeps a reference to `evidence`.
@@ -120,8 +119,8 @@ class ChainSimulation {
 inline constexpr double kSettling = 0.5;        ///< [s]
 inline constexpr double kComparedRate = 100.0;  ///< [Hz]
 
-/// Loads whose sensor measured magnitude alone, with the sign that lets them pass smoothly through zero: it
-/// changes wherever the magnitude touches zero, |x| < reach, at a kink. The first stretch keeps its sign.
+/// Restores the sign of loads whose sensor gives only the magnitude: the sign flips where the magnitude comes
+/// near zero with a kink, so that the signed load crosses zero smoothly. The first segment keeps its sign.
 std::vector<double> withSigns(std::span<const double> magnitude);
 
 }  // namespace capstan::diagnosis

@@ -67,12 +67,13 @@ struct Fit {
   FitModel model;
   Eigen::VectorXd u = {};
   InitialStates initial = {};
-  Eigen::VectorXd e = {};                     ///< measured − simulated, nuisances taken off
-  Eigen::MatrixXd jacobian = {};              ///< d simulated / du, nuisances taken off; columns of `model`
-  Eigen::MatrixXd nuisance = {};              ///< d simulated / d nuisance of the number's own stretch
-  std::vector<Eigen::MatrixXd> removed = {};  ///< by stretch: nuisances that stand for a change of u
-  std::vector<bool> bound = {};               ///< parameters that stand at a bound and would go on
-  double objective = 0.0;                     ///< of e
+  Eigen::VectorXd e = {};         ///< measured − simulated, nuisances taken off
+  Eigen::MatrixXd jacobian = {};  ///< d simulated / du, nuisances taken off; columns of `model`
+  Eigen::MatrixXd nuisance = {};  ///< d simulated / d nuisance of the number's own stretch
+  std::vector<Eigen::MatrixXd> removed =
+      {};                        ///< by segment: change of the nuisances that best compensates a change of u
+  std::vector<bool> bound = {};  ///< parameters that stand at a bound and would go on
+  double objective = 0.0;        ///< of e
   int iterations = 0;
 };
 
@@ -92,10 +93,10 @@ struct FitOptions {
 /// Least squares on the simulation error with priors,
 ///     Σ (w_i e_i)² + Σ (u_k / prior_k)²:
 /// Gauss–Newton on forward differences, 16 robots side by side; each step is tried in several dampings and
-/// lengths at once (Levenberg–Marquardt) and kept inside the bounds. Encoder zeros are solved for stretch by
-/// stretch. So are initial states of rigid drives, by shares of the step of the linearisation, and
-/// their steps are judged by what is simulated from there, since friction at rest is far from linear. Ends
-/// early, with what it has, when `progress` is cancelled.
+/// lengths at once (Levenberg–Marquardt) and kept inside the bounds. Encoder zeros are solved for in
+/// each segment. Initial states of rigid drives are solved for in each segment too: the linearised step is
+/// tried at several fractions of its length, and each trial is judged by a simulation, because static
+/// friction is strongly nonlinear. Ends early, with the estimate so far, when `progress` is cancelled.
 Fit fit(const FitData& data, const FitModel& model, const Eigen::VectorXd& u, const InitialStates& initial,
         const Weighting& weighting, const FitOptions& options = {}, const base::Progress* progress = nullptr);
 
@@ -120,8 +121,8 @@ void takeOffNuisances(const FitData& data, const Fit& at, const Weighting& weigh
 double objectiveOf(const FitModel& model, const Eigen::VectorXd& u, const Eigen::VectorXd& e,
                    const Weighting& weighting);
 
-/// 1 over max(noise, RMS of e), channel by channel, and over the root of the number of samples that it takes
-/// for e to forget itself.
+/// Weight of each number: 1 / (max(noise, RMS of e) √n) of its channel, where n is the correlation length of
+/// e in samples.
 Eigen::VectorXd weightsFor(const FitData& data, const Eigen::VectorXd& e);
 
 }  // namespace capstan::diagnosis

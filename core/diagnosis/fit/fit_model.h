@@ -54,10 +54,10 @@ class FitModel {
   const std::vector<EffectTerm>& effects() const { return effects_; }
   const std::vector<JointScales>& scales() const { return scales_; }
   bool rigid() const { return rigid_; }
-  /// As more than an background one.
+  /// True if the effect is in the model as a full effect, not only as a background effect.
   bool has(const Hypothesis& hypothesis, int joint) const;
 
-  /// The same with an effect more; an background one of the same effect and joint goes.
+  /// This model plus one effect; a background term of the same effect and joint is removed.
   FitModel with(const Hypothesis& hypothesis, int joint, const EffectStart& start) const;
   /// Without that effect, its background form back where it has one.
   FitModel without(const Hypothesis& hypothesis, int joint) const;
@@ -71,7 +71,7 @@ class FitModel {
 
   /// u of this model that has the values of `other` at `u_other` where both have a parameter, else 0.
   Eigen::VectorXd carry(const FitModel& other, const Eigen::VectorXd& u_other) const;
-  /// The same, with effects that `other` has not, or as background ones only, where they start.
+  /// The same; effects that `other` lacks, or has as background effects only, begin at their start values.
   Eigen::VectorXd startFrom(const FitModel& other, const Eigen::VectorXd& u_other) const;
   Eigen::VectorXd clipped(const Eigen::VectorXd& u) const;
 

@@ -60,7 +60,7 @@ struct Candidate {
   std::string effect;
   int joint = 0;
   int round = 1;          ///< of the forward selection
-  double screened = 0.0;  ///< share of the residual's mean square that the score test score_tests to take off
+  double screened = 0.0;  ///< share of the residual's mean square that the score test expects the effect to remove
   bool refitted = false;
   double reduction = 0.0;  ///< cross-validated, of the channel that gains most; NaN: not refitted
   double score = 0.0;      ///< cross-validated, above the model without it [nats]; NaN: not refitted

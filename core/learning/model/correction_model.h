@@ -55,10 +55,10 @@ struct CorrectionParts {
 
 /// F = H ∘ G (GPR paper, section III): the command so that cameras see a desired state. G is the rigid
 /// offset; H are Gaussian processes of the difference that G leaves, whose mean is 0 far from all data: a
-/// committee each of x, y and z, and one of the rotation, whose three outputs share kernels. Features are in
-/// standard deviations from their mean, limited to kFarthestFeature. An output that does not depend on where
-/// the tip is has no such distance, so all corrections also fade as exp(−½ d²/kFade²), with d the distance
-/// from the boxes of all training positions and rotations, rotations by the lever.
+/// committee each of x, y and z, and one of the rotation, whose three outputs share kernels. Features are
+/// standardised and limited to ±kFarthestFeature. A process that learned no dependence on position would not
+/// return to zero far from the data; therefore every correction also fades as exp(−½ d²/kFade²), with d the
+/// distance from the boxes of all training positions and rotations, rotations by the lever.
 class CorrectionModel {
  public:
   /// From states that count; `part` of `progress` is its own. base::InputError: fewer than kFewestStates.
@@ -88,9 +88,10 @@ class CorrectionModel {
   const PoseFeatures& features() const { return known_.features; }
   Motion motion() const { return known_.features.motion(); }
   const Eigen::AlignedBox3d& workspace() const { return known_.workspace; }
-  /// Of x, y, z and of the rotation, of outputs in units of their scale.
+  /// Processes of x, y, z and of the rotation; their outputs are in units of their scale.
   const std::vector<Committee>& processes() const { return processes_; }
-  /// Of a committee's variance among all [m²]: its outputs' scales, of rotations by the lever.
+  /// Weight of a committee's variance in the total variance [m²]: its outputs' scales, rotations by the
+  /// lever.
   double weightOf(std::size_t process) const;
   CorrectionParts parts() const;
 

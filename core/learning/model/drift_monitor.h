@@ -32,7 +32,7 @@ inline constexpr double kBeyond = 1.0 - kWithinSigma;
 /// wrong observations hardly change it. Of n independent errors the number beyond σ is binomial. The model
 /// has drifted when in the last `span` seconds, or in their last half, quarter, … (kWindows in all, none of
 /// fewer than kFewestPieces), that number is above its 1 − level / (6 kWindows) quantile for true σ of
-/// `sigma_known` times the stated ones. Successive errors correlate: states nearer than `spacing` are
+/// kSigmaKnown times the stated ones. Successive errors correlate: states nearer than kSpacing are
 /// averaged to one piece.
 class DriftMonitor {
  public:
@@ -66,7 +66,7 @@ struct DriftHistory {
   std::vector<double> t;             ///< since the first state [s]
   std::vector<DriftReport> reports;  ///< by state judged
   std::size_t low_confidence = 0;    ///< states not judged: the model's confidence is low there
-  /// By which errors exceed their σ: the quantile that is expected to be 1 at most while the model holds.
+  /// For each output the quantile of |error| / σ that is at most 1 while the model is valid.
   Vector6d factor = Vector6d::Zero();
   /// Indices of the judged states at which reports of drift begin and end.
   std::vector<std::pair<std::size_t, std::size_t>> drifted;

@@ -57,11 +57,11 @@ LearningReport learnPrepared(PreparedStates prepared, const LearningOptions& opt
 LearningReport learn(const std::vector<RawMotion>& motions, const LearningOptions& options = {},
                      base::Progress* progress = nullptr);
 
-/// A model that has been learned takes in new motions, seconds instead of minutes: screened, paired with the
-/// `lag` of the model's source (which is not measured again) and cleaned by options.cleaning, added with the
-/// model's offset, hyperparameters, inducing points and scales of σ, so that it gains less than learn() where
-/// it has never been. base::InputError as learn(), and where the motions contradict the model (driftAlong) or
-/// it has no processes.
+/// Adds new motions to a learned model, in seconds instead of minutes. The motions are screened, paired at
+/// `clock_offset` (the model's own; it is not measured again) and cleaned by options.cleaning. The model
+/// keeps its offset, hyperparameters, inducing points and σ scales, so in regions without earlier data it
+/// gains less than learn(). base::InputError as learn(), and where the motions contradict the model
+/// (driftAlong) or it has no processes.
 LearningReport learnMore(CorrectionModel model, double clock_offset, const std::vector<RawMotion>& motions,
                          const LearningOptions& options = {}, base::Progress* progress = nullptr);
 

@@ -15,7 +15,8 @@ struct CleaningOptions {
   double most_rejected = 0.9;  ///< share of a trajectory, beyond which all of it goes: the paper's P
 };
 
-/// Out of place, by one of these reasons: a speed is wrong beside a jump, too.
+/// True for kOutlier, kTooFarTurned and kOutside. Speed reasons do not count: beside a jump the speed of a good state
+/// is wrong, too.
 bool misplaced(Reason reason);
 
 /// Faster than the robot moves or turns?
@@ -35,7 +36,8 @@ struct CleaningReport {
 /// `most_rejected` is out of place goes as a whole. Each state that goes has the first reason of these.
 CleaningReport cleanStates(const std::vector<State>& states, const CleaningOptions& options = {});
 
-/// Others, by what was found: the median's reach around its offset, and the limits; trajectories likewise.
+/// Applies the result of an earlier cleaning (offset, distance limit, workspace) to other states, with the same rule
+/// for whole trajectories.
 std::vector<Reason> judgedBy(const CleaningReport& found, const std::vector<State>& states,
                              const CleaningOptions& options = {});
 

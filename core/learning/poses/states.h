@@ -68,8 +68,8 @@ struct ClockOffsetReport {
 
 /// Offset of both clocks plus the robot's delay behind its command, by speeds, which no rigid offset
 /// changes: least mean of |‖v_observed(t)‖ − ‖v_commanded(t − offset)‖|, robust against observations that
-/// jump (differences beyond kJump count as that). Searched in steps, then by a parabola through the least
-/// three of those near it, compared by the observations that all of these have a counterpart for.
+/// jump (differences beyond kJump count as that). A grid search first, then a parabola through the three grid points
+/// around the minimum. All offsets are compared on the same observations: those with a commanded pose at each of them.
 ClockOffsetReport clockOffsetBetween(const std::vector<PoseMotion>& motions, StreamKind reference,
                                      const ClockOffsetOptions& options = {});
 inline constexpr double kJump = 0.05;  ///< [m/s]

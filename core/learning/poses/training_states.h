@@ -32,17 +32,16 @@ TrainingStates trainingStates(const std::vector<State>& all, CleaningReport clea
 /// is fitted (Lange, Little and Taylor, Robust statistical modeling using the t distribution, JASA 84
 /// (1989)). The variance is added to the noise that processes learn, which knows no outliers. Trial models
 /// have the motion features of `options`, which must be set: errors that history explains are not outliers.
-/// States that cleaning rejected as misplaced() are judged too, and count again from w = kAgain on, over all
-/// n = 6: a robot that stops at a joint limit is displaced in the same way each time, a wrong observation is
-/// not. States that are tooFast() stay rejected, and the rigid offset does not change.
-///
-/// Models of all states give a first e, models with its weights a second, which is final. Where these predict
-/// the inliers of cleaning worse than models of the inliers alone, by the median or by the kWorst quantile
-/// (within kByChance), the outliers are too many to learn from all states, and e is that of the inliers'
-/// models. Nothing changes with fewer than kFewestMotions, where half of the states have no residual, or when
-/// cancelled.
-void weigh(TrainingStates& training, const std::vector<State>& all, const CorrectionOptions& options, base::Progress* progress = nullptr,
-           const base::ProgressPart& part = {});
+/// States that cleaning rejected as misplaced(), or with their trajectory, are judged too, and count again
+/// from w = kAgain on, over all n = 6: a robot that stops at a joint limit is displaced in the same way each
+/// time, a wrong observation is not. States that are tooFast() stay rejected, and the rigid offset does not
+/// change. The residuals e are computed twice: first from trial models of all states with equal weights, then
+/// from models with the weights of the first pass; the second result is final. If these models predict the
+/// inliers of cleaning worse than models of the inliers alone (by the median or by the kWorst quantile,
+/// beyond kByChance), there are too many outliers, and e is that of the inliers' models. Nothing changes with
+/// fewer than kFewestMotions, where half of the states have no residual, or when cancelled.
+void weigh(TrainingStates& training, const std::vector<State>& all, const CorrectionOptions& options,
+           base::Progress* progress = nullptr, const base::ProgressPart& part = {});
 inline constexpr double kFreedom = 4.0;
 inline constexpr double kScatterShare = 0.01;  ///< rotations by the lever
 inline constexpr double kAgain = 0.03;         ///< all six by 7.4 of their scatters, or one by 18
