@@ -18,18 +18,21 @@ using experiments::DebridementStudyReport;
 /// One box a method, each in a group of its own: methods are named below the axis.
 class MethodsPanel {
  public:
-  MethodsPanel(const char* title, const char* unit, double scale)
-      : panel_{QString::fromUtf8(title), QString::fromUtf8(unit), QStringLiteral("method"), {}},
+  /// `samples`: what the boxes are of, for the legend.
+  MethodsPanel(const char* title, const char* unit, double scale, const char* samples)
+      : samples_{.words = QString::fromUtf8(samples)},
+        panel_{QString::fromUtf8(title), QString::fromUtf8(unit), QStringLiteral("method"), {}},
         scale_(scale) {}
 
   void add(std::string_view method, std::vector<double> values) {
     for (double& value : values) value *= scale_;
-    panel_.groups.push_back({QString::fromUtf8(method.data(), static_cast<int>(method.size())),
-                             {{SeriesKey{}, boxplotOf(values)}}});
+    panel_.groups.push_back(
+        {QString::fromUtf8(method.data(), static_cast<int>(method.size())), {{samples_, boxplotOf(values)}}});
   }
   const BoxplotPanel& panel() const { return panel_; }
 
  private:
+  SeriesKey samples_;
   BoxplotPanel panel_;
   double scale_;
 };
@@ -47,18 +50,23 @@ BoxplotData boxes(const char* title, const char* quantity, std::vector<BoxplotPa
 }
 
 std::unique_ptr<PanelFigure> draw(const learning::CorrectionStudyReport& report) {
-  MethodsPanel distance("distance", "mm", kMillimetres), angle("angle", "deg", kDegrees);
-  for (std::size_t m = 0; m < learning::kCorrectionMethods; ++m) {
+  MethodsPanel distance("distance", "mm", kMillimetres, "held-out states"),
+      angle("angle", "deg", kDegrees, "held-out states");
+  for (std::size_t m = 1; m < learning::kCorrectionMethods; ++m) {
     const std::string number = std::to_string(m + 1);
     distance.add(number, report.distances[m]);
     angle.add(number, report.angles[m]);
   }
   BoxplotData data = boxes("Errors on clean test states", "|error|", {distance.panel(), angle.panel()});
   QStringList names;
-  for (std::size_t m = 0; m < learning::kCorrectionMethods; ++m)
+  for (std::size_t m = 1; m < learning::kCorrectionMethods; ++m)
     names << QStringLiteral("%1 %2").arg(m + 1).arg(
         QString::fromStdString(std::string(base::nameOf(static_cast<learning::CorrectionMethod>(m)))));
-  data.note = names.join(QStringLiteral("; "));
+  const learning::CorrectionErrors& none = report.clean.front();
+  data.note = names.join(QStringLiteral("; ")) +
+              QStringLiteral(". Without correction, not drawn: median %1 mm, %2 deg")
+                  .arg(none.median_distance * kMillimetres, 0, 'g', 3)
+                  .arg(none.median_angle * kDegrees, 0, 'g', 3);
   return std::make_unique<BoxplotFigure>(std::move(data));
 }
 
@@ -72,7 +80,7 @@ std::unique_ptr<PanelFigure> draw(const learning::LearningCurve& curve) {
 }
 
 std::unique_ptr<PanelFigure> drawArrival(const DebridementStudyReport& report) {
-  MethodsPanel distance("distance", "mm", kMillimetres);
+  MethodsPanel distance("distance", "mm", kMillimetres, "arrivals");
   for (std::size_t m = 0; m < report.arrival.size(); ++m)
     distance.add(base::nameOf(static_cast<learning::CorrectionMode>(m)), report.arrival[m].distances);
   return std::make_unique<BoxplotFigure>(
@@ -80,7 +88,8 @@ std::unique_ptr<PanelFigure> drawArrival(const DebridementStudyReport& report) {
 }
 
 std::unique_ptr<PanelFigure> drawDebridement(const DebridementStudyReport& report) {
-  MethodsPanel time("time per fragment", "s", 1.0), off("grasp error", "mm", kMillimetres);
+  MethodsPanel time("time per fragment", "s", 1.0, "fragments"),
+      off("grasp error", "mm", kMillimetres, "fragments");
   for (std::size_t m = 0; m < report.runs.size(); ++m) {
     std::vector<double> seconds, metres;
     for (const experiments::FragmentRun& run : report.runs[m]) {

@@ -30,6 +30,7 @@ ExperimentsPanel::ExperimentsPanel(CorrectionExperimentOptions options, QWidget*
   body_->addWidget(comparison_ = new QTextBrowser);
   comparison_->setObjectName("experiment_comparison");
   comparison_->setOpenExternalLinks(true);
+  comparison_->setWordWrapMode(QTextOption::WordWrap);  // wide tables scroll, words stay whole
   addBody(body_);
   addFoot({export_}, tr("state of the experiment"));
   connect(picker_, &ExperimentPicker::changed, this, &ExperimentsPanel::refresh);
@@ -89,7 +90,9 @@ void ExperimentsPanel::take(CorrectionExperimentResults results) {
   if (results.cancelled) return;
   results_ = std::make_unique<CorrectionExperimentResults>(std::move(results));
   figure_->setFigure(figureOf(*results_));
-  comparison_->setMarkdown(QString::fromStdString(comparisonPage(*results_, base::software())));
+  const QString page = QString::fromStdString(comparisonPage(*results_, base::software()));
+  title_ = page.section(QLatin1Char('\n'), 0, 0).mid(2);  // without "# "
+  comparison_->setMarkdown(page.section(QLatin1Char('\n'), 1));
 }
 
 void ExperimentsPanel::askFolder() {
@@ -117,7 +120,7 @@ void ExperimentsPanel::refresh() {
   export_->setEnabled(results_ && !busy());
   showProgress(busy());
   if (results_)
-    showHead({}, {}, true);
+    showHead(title_, {}, true);
   else
     showHead(busy() ? tr("Running experiment %1").arg(QChar('E' + static_cast<int>(picker_->experiment())))
                     : tr("Nothing run yet"),

@@ -49,7 +49,7 @@ class ExperimentsPanel : public WorkPanel {
 
   const experiments::CorrectionExperimentOptions options_;  ///< beside what the picker chooses
   std::unique_ptr<experiments::CorrectionExperimentResults> results_;
-  QString said_;
+  QString said_, title_;
   ExperimentPicker* picker_;
   QSplitter* body_;
   FigureSheet* figure_;
