@@ -27,8 +27,8 @@ nlohmann::json jsonOf(const CramerRaoStudy& study, const CramerRaoOptions& optio
                          {"camera_rms", toJson(study.camera)},
                          {"constant_sigma", toJson(study.constant_sigma)},
                          {"rescues", study.rescues}};
-  for (const auto& [told, name] : base::NamesOf<StatedNoise>::value) {
-    const auto i = static_cast<std::size_t>(told);
+  for (const auto& [noise, name] : base::NamesOf<StatedNoise>::value) {
+    const auto i = static_cast<std::size_t>(noise);
     nlohmann::json intervals = nlohmann::json::array();
     for (const auto& interval : study.interval[i]) intervals.push_back({interval.low, interval.high});
     json[std::string(name)] = {{"rms", toJson(study.rms[i])},

@@ -11,7 +11,7 @@ namespace {
 using Eigen::Vector3d;
 
 /// The robot as the truth has it, before its effects.
-robot::Description aged(robot::Description robot, const Truth& truth) {
+robot::Description worn(robot::Description robot, const Truth& truth) {
   for (std::size_t i = 0; i < robot.drives.size() && i < truth.joints.size(); ++i) {
     robot::Drive& drive = robot.drives[i];
     const JointTruth& joint = truth.joints[i];
@@ -24,7 +24,7 @@ robot::Description aged(robot::Description robot, const Truth& truth) {
 
 }  // namespace
 
-ExtendedArm::ExtendedArm(const robot::Description& robot, const Truth& truth) : model_(aged(robot, truth)) {
+ExtendedArm::ExtendedArm(const robot::Description& robot, const Truth& truth) : model_(worn(robot, truth)) {
   for (std::size_t i = 0; i < 3; ++i) {
     stribeck_[i] = truth.joints[i].stribeck;
     hysteresis_[i] = truth.joints[i].hysteresis;

@@ -24,8 +24,8 @@ base::Table closenessOf(const CramerRaoStudy& study, const CramerRaoOptions& opt
   table.columns = {{"joint", {}, 0},   {"R", {}, 0},     {"camera RMS", {}, 4}, {"√bound", {}, 5},
                    {"UKF RMS", {}, 5}, {"ratio", {}, 3}, {"95 %", {}, 0},       {"goal 1.10", {}, 0}};
   for (int joint = 0; joint < 3; ++joint)
-    for (const auto& [told, name] : base::NamesOf<StatedNoise>::value) {
-      const auto i = static_cast<std::size_t>(told);
+    for (const auto& [noise, name] : base::NamesOf<StatedNoise>::value) {
+      const auto i = static_cast<std::size_t>(noise);
       const auto& interval = study.interval[i][static_cast<std::size_t>(joint)];
       const double ratio = study.ratio[i](joint);
       table.rows.push_back({kJoints[static_cast<std::size_t>(joint)], std::string(name),

@@ -91,7 +91,7 @@ TEST(PlantedCase, AgeingMovesEveryParameterByTensOfPerCent) {
   base::Random random(8);
   double least = 1.0, most = 1.0;
   for (int k = 0; k < 50; ++k) {
-    const robot::Description old = aged(nominal, random);
+    const robot::Description old = worn(nominal, random);
     for (std::size_t i = 0; i < 3; ++i)
       for (const double ratio :
            {old.drives[i].cable_stiffness / nominal.drives[i].cable_stiffness,

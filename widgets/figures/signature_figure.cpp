@@ -158,7 +158,7 @@ SignaturePanel signaturePanel(const diagnosis::ChannelReport& channel, std::size
 SignatureData strongestSignatures(const diagnosis::Report& report, const diagnosis::ChannelReport& channel,
                                   std::size_t most) {
   SignatureData data;
-  data.title = QObject::tr("%1: what its residual goes with").arg(fromUtf8(channel.refitted.name));
+  data.title = QObject::tr("%1: what its residual depends on").arg(fromUtf8(channel.refitted.name));
   const auto recording = static_cast<std::size_t>(channel.recording);
   if (recording < report.recordings.size()) data.note = fromUtf8(report.recordings[recording]);
   for (std::size_t i = 0; i < channel.before.size() && data.panels.size() < most; ++i) {

@@ -23,7 +23,7 @@ struct SignatureBin {
   double blocks = 0.0;  ///< time blocks that the samples are worth, (Σ n_k)² / Σ n_k²
 };
 
-/// How the residual of a channel goes with a variable.
+/// How the residual of a channel depends on a variable.
 struct Signature {
   VariableKind kind = VariableKind::kTime;
   int joint = 0;  ///< of the variable, from 1; 0: of the whole recording

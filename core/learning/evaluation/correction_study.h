@@ -58,7 +58,7 @@ struct CorrectionStudyReport {
 
 /// For each split: training trajectories are cleaned (and weighed), an offset and a model are learned from
 /// them as each method asks, and the errors
-///     F(x_seen) ⊖ p_told
+///     F(x_observed) ⊖ p_commanded
 /// of test trajectories taken (PoseErrors, from the mean of all commanded rotations). Clean test states are
 /// those that the limits and least median found in the training data keep.
 CorrectionStudyReport correctionStudy(const std::vector<learning::State>& states,

@@ -18,11 +18,11 @@ struct PosePair {
 double squaredDistance(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, double lever);
 inline constexpr double kLever = 0.05;  ///< of an instrument's tip
 
-/// The rigid transform G that maps observed poses nearest to commanded ones (GPR paper, section IV-B),
-///     min Σ ‖G T_seen − T_told‖²_F,
+/// The rigid transform G that maps observed poses (o) nearest to commanded ones (c) (GPR paper, section
+/// IV-B),
+///     min Σ ‖G T_o − T_c‖²_F,
 /// translations in levers: in closed form by the singular value decomposition of
-///     Σ (t_told − t̄_told)(t_seen − t̄_seen)ᵀ / lever² + R_told R_seenᵀ = U S Vᵀ,   R = U diag(1, 1, det U Vᵀ)
-///     Vᵀ
+///     Σ (t_c − t̄_c)(t_o − t̄_o)ᵀ / lever² + R_c R_oᵀ = U S Vᵀ,   R = U diag(1, 1, det U Vᵀ) Vᵀ
 /// (Arun, Huang and Blostein, 1987; Umeyama, 1991). Identity of no pairs.
 Eigen::Isometry3d rigidOffset(std::span<const PosePair> pairs, double lever = kLever);
 

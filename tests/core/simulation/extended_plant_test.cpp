@@ -52,11 +52,11 @@ double apart(const std::vector<PlantState>& a, const std::vector<PlantState>& b)
 
 /// With effects that do nothing, the laws of the chain are the plant's own equations, whatever the truth.
 TEST(ExtendedPlant, withNeutralEffectsIsThePlant) {
-  Truth aged = defaultTruth();
+  Truth worn = defaultTruth();
   const robot::Description neutral = ravenWith({{"backlash", 2, {{"half_width", 0.0}}},
                                                 {"cable_creep", 1, {{"share", 0.0}, {"time_constant", 1.0}}},
                                                 {"inertia", 3, {{"added", 0.0}}}});
-  for (const Truth& truth : {Truth{}, aged})
+  for (const Truth& truth : {Truth{}, worn})
     EXPECT_LT(apart(play(neutral, truth), play(raven(), truth)), 1e-9);
 }
 

@@ -14,7 +14,7 @@ robot::Description robotFile(const std::string& name);
 /// A model on the way of a forward selection.
 struct Step {
   std::string name;                      ///< of the effect that came last; "nominal structure" at first
-  std::vector<std::string> competitors;  ///< effects that this choice could not be told from
+  std::vector<std::string> competitors;  ///< effects that could not be distinguished from this choice
   diagnosis::Fit fit;
 };
 

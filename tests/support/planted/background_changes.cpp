@@ -16,8 +16,8 @@ const double kStribeck = 0.012;                          // of an excess between
 
 class Changes {
  public:
-  Changes(const robot::Description& nominal, const robot::Description& aged)
-      : nominal_(nominal), aged_(aged) {}
+  Changes(const robot::Description& nominal, const robot::Description& worn)
+      : nominal_(nominal), worn_(worn) {}
 
   void addAgeing(std::size_t i, bool rigid) {
     addFactor(
@@ -66,10 +66,10 @@ class Changes {
   /// Between 0.7 and 1.4 times nominal.
   template <class Number>
   void addFactor(std::size_t i, Number&& number) {
-    BackgroundChange change{aged_, {}, 0.0, 0.0};
+    BackgroundChange change{worn_, {}, 0.0, 0.0};
     number(change.robot.joints[i], change.robot.drives[i]) *= std::exp(kBackgroundStep * kFactor);
     const double was = number(nominal_.joints[i], nominal_.drives[i]);
-    const double is = number(aged_.joints[i], aged_.drives[i]);
+    const double is = number(worn_.joints[i], worn_.drives[i]);
     if (was > 0.0 && is > 0.0) {
       const double gone = std::log(is / was);
       change.low = std::min(0.0, (std::log(0.7) - gone) / kFactor);
@@ -80,9 +80,9 @@ class Changes {
 
   /// At most 15 % of its distance from the joint, along each axis.
   void addShift(std::size_t i, int axis) {
-    BackgroundChange change{aged_, {}, 0.0, 0.0};
+    BackgroundChange change{worn_, {}, 0.0, 0.0};
     const Eigen::Vector3d& was = nominal_.joints[i].link.centre_of_mass;
-    const Eigen::Vector3d& is = aged_.joints[i].link.centre_of_mass;
+    const Eigen::Vector3d& is = worn_.joints[i].link.centre_of_mass;
     const double arm = was.norm();
     change.robot.joints[i].link.centre_of_mass(axis) += kBackgroundStep * kShift * arm;
     if (arm > 0.0) {
@@ -94,21 +94,21 @@ class Changes {
   }
 
   void add(const Planted& texture, double low, double high) {
-    changes_.push_back({aged_, {texture}, low, high});
+    changes_.push_back({worn_, {texture}, low, high});
   }
 
   const robot::Description& nominal_;
-  const robot::Description& aged_;
+  const robot::Description& worn_;
   std::vector<BackgroundChange> changes_;
 };
 
 }  // namespace
 
 std::vector<BackgroundChange> backgroundChanges(const robot::Description& nominal,
-                                                const robot::Description& aged, bool rigid) {
-  Changes changes(nominal, aged);
-  for (std::size_t i = 0; i < aged.joints.size(); ++i) changes.addAgeing(i, rigid);
-  const PlantParameters parameters(aged, rigid);
+                                                const robot::Description& worn, bool rigid) {
+  Changes changes(nominal, worn);
+  for (std::size_t i = 0; i < worn.joints.size(); ++i) changes.addAgeing(i, rigid);
+  const PlantParameters parameters(worn, rigid);
   for (int i = 0; i < parameters.size; ++i) changes.addTexture(i, parameters);
   return changes.take();
 }

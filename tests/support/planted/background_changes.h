@@ -18,6 +18,6 @@ inline constexpr double kBackgroundStep = 0.02;
 /// Of each joint: friction of joint and motor, mass with its inertia, centre of mass, stiffness and damping
 /// of a cable; then the texture.
 std::vector<BackgroundChange> backgroundChanges(const robot::Description& nominal,
-                                                const robot::Description& aged, bool rigid);
+                                                const robot::Description& worn, bool rigid);
 
 }  // namespace capstan::test

@@ -19,7 +19,7 @@ std::vector<Planted> backgroundTexture(const PlantParameters& p, base::Random& r
 /// asymmetry are texture.
 class Visibility {
  public:
-  Visibility(const robot::Description& nominal, const robot::Description& aged, bool rigid,
+  Visibility(const robot::Description& nominal, const robot::Description& worn, bool rigid,
              const std::vector<Planted>& texture, const SensorOptions& sensors, PlantedMotion motion);
 
   /// RMS of what the effect changes beyond drift and texture, over RMS of noise and texture, of the channel
@@ -35,7 +35,7 @@ class Visibility {
   Eigen::VectorXd weighted(const Eigen::MatrixXd& change) const;
   void findBackgroundChanges();
 
-  robot::Description nominal_, aged_;
+  robot::Description nominal_, worn_;
   PlantParameters parameters_;
   SensorOptions sensors_;
   PlantedMotion recorded_, plain_motion_;

@@ -17,7 +17,7 @@ void tiltGravity(const Planted& planted, PlantParameters& p) {
 
 }  // namespace
 
-robot::Description aged(const robot::Description& nominal, base::Random& random) {
+robot::Description worn(const robot::Description& nominal, base::Random& random) {
   robot::Description robot = nominal;
   for (robot::Joint& joint : robot.joints) {
     const double mass = factor(random);

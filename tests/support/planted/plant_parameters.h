@@ -10,7 +10,7 @@ namespace capstan::test {
 /// The robot of `nominal` after some years: cable stiffness and damping, joint and motor friction, masses
 /// (with their inertias) each times a factor of its own between 0.7 and 1.4, centres of mass moved by up to
 /// 15 % of their distance from the joint. Geometry and transmission stay.
-robot::Description aged(const robot::Description& nominal, base::Random& random);
+robot::Description worn(const robot::Description& nominal, base::Random& random);
 
 /// Numbers of one plant, joint by joint, units as in the robot file.
 struct PlantParameters {

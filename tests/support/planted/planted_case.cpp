@@ -17,7 +17,7 @@ class CaseRobot {
   explicit CaseRobot(const PlantedCase& from)
       : case_(from),
         ageing_(from.seed, "ageing"),
-        robot_(from.is_aged ? aged(from.robot, ageing_) : from.robot) {
+        robot_(from.is_worn ? worn(from.robot, ageing_) : from.robot) {
     base::Random texture(from.seed, "texture");
     texture_ = backgroundTexture(PlantParameters(robot_, from.rigid), texture);
     for (std::size_t k = 0; k < from.effects.size(); ++k) truth_.items.push_back(plant(k));

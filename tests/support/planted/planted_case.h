@@ -25,7 +25,7 @@ struct PlantedCase {
   bool rigid = false;        ///< motor torque drives the joints, no cables
   std::vector<ChosenEffect> effects;
   bool textured = false;
-  bool is_aged = true;
+  bool is_worn = true;
   double duration = 30.0;  ///< [s]
   SensorOptions sensors;
   Joints load{};       ///< amplitude of measured external loads [N·m or N]

@@ -26,15 +26,15 @@ Eigen::VectorXd leastWithin(const Eigen::MatrixXd& g, const Eigen::VectorXd& b, 
 
 }  // namespace
 
-Visibility::Visibility(const robot::Description& nominal, const robot::Description& aged, bool rigid,
+Visibility::Visibility(const robot::Description& nominal, const robot::Description& worn, bool rigid,
                        const std::vector<Planted>& texture, const SensorOptions& sensors,
                        PlantedMotion motion)
     : nominal_(nominal),
-      aged_(aged),
-      parameters_(aged, rigid),
+      worn_(worn),
+      parameters_(worn, rigid),
       sensors_(sensors),
       recorded_(std::move(motion)) {
-  plain_motion_ = replayOf(aged_, {});
+  plain_motion_ = replayOf(worn_, {});
   plain_ = tell(plain_motion_, {});
   const int joints = parameters_.size;
   noise_ = Eigen::VectorXd::Constant(joints + 1, StereoPair(Eigen::Vector3d::Zero(), sensors_).sigma());
@@ -57,7 +57,7 @@ Eigen::VectorXd Visibility::weighted(const Eigen::MatrixXd& change) const {
 }
 
 void Visibility::findBackgroundChanges() {
-  const std::vector<BackgroundChange> changes = backgroundChanges(nominal_, aged_, parameters_.rigid);
+  const std::vector<BackgroundChange> changes = backgroundChanges(nominal_, worn_, parameters_.rigid);
   const auto count = static_cast<Eigen::Index>(changes.size());
   background_.resize(plain_.size(), count);
   low_.resize(count), high_.resize(count);
@@ -94,7 +94,7 @@ Eigen::MatrixXd Visibility::changeBy(const std::vector<Planted>& effects) const 
   const bool outside_the_arm = std::all_of(effects.begin(), effects.end(), [](const Planted& e) {
     return factsOf(e.effect).place == Place::kCamera || e.effect == Effect::kEncoderDrift;
   });
-  return tell(outside_the_arm ? plain_motion_ : replayOf(aged_, effects), effects) - plain_;
+  return tell(outside_the_arm ? plain_motion_ : replayOf(worn_, effects), effects) - plain_;
 }
 
 Eigen::VectorXd Visibility::channels(const Eigen::MatrixXd& change) const {

@@ -19,12 +19,12 @@ constexpr std::size_t kStride = 5;  // rows from one that is looked at to the ne
 /// Everything that the sensors of a case would tell, each over its standard deviation.
 class IdealObserver::Sensors {
  public:
-  Sensors(const test::PlantedCase& of, const robot::Description& aged, double seconds)
-      : case_(of), aged_(aged), chain_(of.robot) {
+  Sensors(const test::PlantedCase& of, const robot::Description& worn, double seconds)
+      : case_(of), worn_(worn), chain_(of.robot) {
     base::Random way(of.seed, "excitation"), push(of.seed, "load");
     const test::Excitation excitation(of.robot, of.duration, way);
     const test::ExternalLoad load(of.load, push);
-    test::Plant plant(test::PlantParameters(aged_, of.rigid), {});
+    test::Plant plant(test::PlantParameters(worn_, of.rigid), {});
     motion_ = drive(
         plant, of.robot, {}, [&](double t) { return excitation.at(t); }, [&](double t) { return load.at(t); },
         {std::min(seconds, of.duration), 1.0});
@@ -63,7 +63,7 @@ class IdealObserver::Sensors {
   }
 
   test::PlantedCase case_;
-  robot::Description aged_;
+  robot::Description worn_;
   test::RigidChain chain_;
   test::PlantedMotion motion_;
   std::vector<std::size_t> frames_;
@@ -71,11 +71,11 @@ class IdealObserver::Sensors {
 
 IdealObserver::IdealObserver(const test::PlantedCase& planted_case, const test::Truth& truth, double seconds)
     : sensors_(std::make_unique<Sensors>(planted_case, truth.robot, seconds)),
-      aged_(truth.robot),
+      worn_(truth.robot),
       times_(planted_case.duration / sensors_->duration()),
-      plain_(sensors_->tell(aged_, {})) {
+      plain_(sensors_->tell(worn_, {})) {
   std::vector<test::BackgroundChange> changes =
-      test::backgroundChanges(planted_case.robot, aged_, planted_case.rigid);
+      test::backgroundChanges(planted_case.robot, worn_, planted_case.rigid);
   if (!truth.textured)
     std::erase_if(changes, [](const test::BackgroundChange& change) { return !change.texture.empty(); });
   spread_.resize(plain_.size(), static_cast<Eigen::Index>(changes.size()));
@@ -88,7 +88,7 @@ IdealObserver::IdealObserver(const test::PlantedCase& planted_case, const test::
 IdealObserver::~IdealObserver() = default;
 
 Eigen::VectorXd IdealObserver::change(const Planted& planted) {
-  return sensors_->tell(aged_, {planted}) - plain_;
+  return sensors_->tell(worn_, {planted}) - plain_;
 }
 
 /// (I + J Jᵀ)⁻¹ = I − J (I + Jᵀ J)⁻¹ Jᵀ, in standard deviations.

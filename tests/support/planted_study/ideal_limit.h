@@ -44,7 +44,7 @@ class IdealObserver {
   double deflection(const Eigen::VectorXd& change) const;
 
   std::unique_ptr<Sensors> sensors_;
-  robot::Description aged_;
+  robot::Description worn_;
   double times_ = 1.0;  ///< that the seconds looked at fit into the recording
   Eigen::VectorXd plain_;
   Eigen::MatrixXd spread_;  ///< Σ^-1/2 J P^1/2

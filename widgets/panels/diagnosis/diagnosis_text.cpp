@@ -83,8 +83,8 @@ std::string channelWorthSeeing(const diagnosis::Report& report) {
   double most = -1.0;
   for (const diagnosis::ChannelReport& channel : report.channels) {
     const double share = channel.before.empty() ? 0.0 : std::max(channel.before.front().share, 0.0);
-    const double told = share * channel.refitted_statistics.beyond_noise;
-    if (told > most) most = told, worth = channel.refitted.name;
+    const double explained = share * channel.refitted_statistics.beyond_noise;
+    if (explained > most) most = explained, worth = channel.refitted.name;
   }
   return worth;
 }

@@ -20,7 +20,7 @@ ReportPages::ReportPages(QWidget* parent) : QTabWidget(parent) {
     auto* shortcut = new QShortcut(QKeySequence(QStringLiteral("Alt+%1").arg(index + 1)), this);
     connect(shortcut, &QShortcut::activated, this, [this, index] { setCurrentIndex(index); });
   };
-  page(signatures_ = new SignatureView, tr("Signatures"), tr("What the residual goes with"));
+  page(signatures_ = new SignatureView, tr("Signatures"), tr("What the residual depends on"));
   page(history_ = new TimeView, tr("Over time"), tr("Measured, simulated, and residual, over time"));
   page(ranking_ = new RankingTable, tr("Ranking"), tr("Every candidate, and how much it takes off"));
   page(refit_ = new RefitTable, tr("Refit"),

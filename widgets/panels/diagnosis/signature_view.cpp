@@ -60,7 +60,7 @@ QTreeWidget* variableList() {
   auto* list = new QTreeWidget;
   list->setObjectName("variables");
   list->setColumnCount(kColumns);
-  list->setHeaderLabels({QObject::tr("goes with"), QObject::tr("before"), QObject::tr("after")});
+  list->setHeaderLabels({QObject::tr("variable"), QObject::tr("before"), QObject::tr("after")});
   list->headerItem()->setToolTip(
       kBefore, QObject::tr("Share of the variance that this variable alone explains, of what the refitted "
                            "model leaves"));
@@ -210,7 +210,7 @@ void SignatureView::draw() {
   const Signature* after = extended() ? against(shown->after, before.variable) : nullptr;
   const QString variable = QString::fromStdString(before.variable);
   const QString name = QString::fromStdString(before.channel);
-  QString words = wrongIn(*shown, name) + tr("%1 goes with %2").arg(shareText(before), variable);
+  QString words = wrongIn(*shown, name) + tr("%1 correlates with %2").arg(shareText(before), variable);
   if (after) words += tr("; with the causes in the model %1").arg(shareText(*after));
   words_->setText(words + QLatin1Char('.'));
   SignatureData drawn;

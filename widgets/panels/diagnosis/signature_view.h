@@ -14,7 +14,7 @@ class QVBoxLayout;
 
 namespace capstan::widgets {
 
-/// What the residual of one channel goes with: its variables in a list, the strongest first, the share of
+/// What the residual of one channel depends on: its variables in a list, the strongest first, the share of
 /// variance of each as bars before and after the causes were added; beside it the chosen one large, and in a
 /// sentence what it says.
 class SignatureView : public QWidget {
