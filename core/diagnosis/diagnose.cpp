@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/diagnosis/filter_gain.h"
 #include "core/diagnosis/hypotheses/joint_scales.h"
+#include "core/diagnosis/selection/explainable.h"
 #include "core/diagnosis/selection/gains.h"
 #include "core/diagnosis/selection/selection.h"
 #include "core/diagnosis/selection/spectral_line.h"
@@ -197,27 +198,29 @@ struct Selected {
 };
 
 bool sameCauses(const Selection& a, const Selection& b) {
-  return std::equal(a.taken.begin(), a.taken.end(), b.taken.begin(), b.taken.end(),
-                    [](const CandidateModel& x, const CandidateModel& y) {
-                      return x.added.hypothesis == y.added.hypothesis && x.added.joint == y.added.joint;
-                    });
+  const auto setOf = [](const Selection& s) {
+    EffectSet set;
+    for (const SelectedEffect& one : s.effects) set = plus(std::move(set), one.effect);
+    return set;
+  };
+  return setOf(a) == setOf(b);
 }
 
 /// Over the near horizon; over the far one where that changes the causes.
 Selected selected(const std::vector<Evidence>& recordings, const robot::Description& nominal,
                   const FitModel& base, const DiagnosisOptions& options, base::Progress* progress) {
   const bool both = nominal.drive == DriveKind::kRigid && haveEncoders(recordings);
-  SelectionOptions how{options.most_causes, options.refits, options.only, options.seed};
+  SearchOptions how{.most_causes = options.most_causes, .only = options.only, .seed = options.seed};
   const auto dataOver = [&](double horizon) {
     return std::make_unique<FitData>(recordings, nominal, horizon, options.zeros, options.threads);
   };
   auto near = dataOver(both ? kNearHorizon : kFarHorizon);
   if (both) how.progress_end = 0.5;
-  Selection first = select(*near, recordings, base, how, progress);
+  Selection first = select(*near, recordings, base, nullptr, how, progress);
   if (!both) return {std::move(near), std::move(first)};
   auto far = dataOver(kFarHorizon);
-  how.progress_end = SelectionOptions{}.progress_end;
-  Selection further = selectFurther(*far, recordings, first, how, progress);
+  how.progress_end = SearchOptions{}.progress_end;
+  Selection further = select(*far, recordings, base, &first, how, progress);
   if (!sameCauses(first, further)) return {std::move(far), std::move(further)};
   first.candidates = further.candidates;
   return {std::move(near), std::move(first)};
@@ -248,7 +251,10 @@ Report diagnose(const std::vector<Evidence>& recordings, const robot::Descriptio
   if (options.show) assembly.addChannels();
   clock.lap("show");
   assembly.addLines();
-  judge(data, selection, report);
+  report.material = options.material;
+  report.explainable = explainableOf(data, selection, nominal, progress);
+  clock.lap("explainable share");
+  judge(data, selection, nominal, report);
   if (options.show && report.verdict == Verdict::kUnexplained) assembly.addProcess(progress);
   clock.lap("judge");
   for (const Evidence& evidence : recordings)

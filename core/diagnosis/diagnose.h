@@ -17,8 +17,8 @@ inline constexpr double kNearHorizon = 0.5, kFarHorizon = 2.0;
 
 struct DiagnosisOptions {
   int threads = 2;
-  int most_causes = 4;  ///< forward selection ends there
-  int refits = 8;       ///< (effect, joint) pairs with the highest score that are refitted in a round
+  int most_causes = 6;     ///< largest set of effects that is tried
+  Tolerance material = {};  ///< what an effect must move to be a cause
   EncoderZeros zeros = EncoderZeros::kOnePerRecording;  ///< of cable drives
   bool show =
       true;  ///< also traces and signatures of every channel; false: verdict, causes and ranking alone

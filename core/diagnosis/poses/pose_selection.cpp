@@ -7,7 +7,12 @@
 namespace capstan::diagnosis {
 namespace {
 
-constexpr int kDraws = 400;
+/// What an effect must bring before it is taken: a share of an axis's mean square, and a score that block bootstraps
+/// leave above zero.
+constexpr double kMaterialShare = 0.06;
+constexpr double kLeastScore = 6.0;       // [nats]
+constexpr double kHighConfidence = 0.02;  // quantile of the bootstrap that must be above zero
+constexpr double kCompetitor = 0.08;      // share of draws in which another effect does better in its place
 
 bool cancelled(const base::Progress* progress) { return progress && progress->cancelled(); }
 
@@ -64,7 +69,7 @@ class Rounds {
   }
 
   static bool isMaterial(const Trial& trial) {
-    return trial.reduction.share > kMaterial && trial.gain.front() > kLeastScore &&
+    return trial.reduction.share > kMaterialShare && trial.gain.front() > kLeastScore &&
            lowerOf(trial.gain, kHighConfidence) > 0.0;
   }
 

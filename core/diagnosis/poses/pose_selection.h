@@ -25,10 +25,9 @@ struct PoseSelection {
   std::vector<Candidate> candidates;
 };
 
-/// Forward selection as select() does for robots: each round every effect is fitted beside those taken, and
-/// the best on held-out trajectories is taken if it is material (kMaterial, kLeastScore, kHighConfidence
-/// of selection.h); in the end, what later ones made superfluous is dropped, and each that was taken is
-/// changed for each that was not. Cancelled: what there is until then.
+/// Forward selection: each round every effect is fitted beside those taken, and the best on held-out trajectories is taken
+/// if it brings enough. In the end, what later ones made superfluous is dropped, and each that was taken is
+/// exchanged for each that was not. Cancelled: what there is until then.
 PoseSelection selectPoses(const PoseData& data, const std::vector<PoseHypothesis>& effects,
                           std::uint64_t seed, base::Progress* progress);
 

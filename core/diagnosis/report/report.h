@@ -33,12 +33,44 @@ struct Gain {
   stats::Interval interval;       ///< 95 % of rms_after / rms_before, block bootstrap
 };
 
+/// How far an effect moves something: simulated with it less simulated without it, over the recordings.
+struct Displacement {
+  double rms = 0.0, largest = 0.0;  ///< SI
+};
+
+/// Displacement of each joint and of the tip by one effect.
+struct Displacements {
+  std::vector<Displacement> joints;  ///< [rad or m]; from joint 1
+  Displacement tip;                  ///< in frame 0, as cameras would see it [m]
+};
+
+/// Displacement from which on an effect is material: RMS, or a third of the largest.
+/// A lower tolerance lists more effects as causes; it never changes what is fitted.
+struct Tolerance {
+  double angle = 0.02 * 3.14159265358979323846 / 180.0;  ///< [rad]: four counts of the UKF paper's reference encoders
+  double length = 1e-5;                                  ///< [m]: two counts of its linear encoder (5 um)
+};
+
 struct Cause {
   std::string effect;
   int joint = 0;  ///< from 1; 0: the whole arm or a camera
   std::vector<FoundParameter> parameters;
-  double probability = 0.0;  ///< share of block-bootstrap draws in which it is the best (or needed)
-  Gain gain;                 ///< on the channel that gains most
+  double probability = 0.0;  ///< posterior probability that the effect belongs to the model
+  double loss = 0.0;         ///< held-out log predictive density that is lost without this effect alone [nats]
+  Displacements moves = {};  ///< empty joints: not computed
+  Gain gain = {};            ///< on the channel that gains most
+};
+
+/// An effect of a set in the posterior.
+struct NamedEffect {
+  std::string effect;
+  int joint = 0;
+};
+
+/// Posterior probability of one set of effects. No effects: the nominal structure.
+struct SetProbability {
+  std::vector<NamedEffect> effects;
+  double probability = 0.0;
 };
 
 /// Effects that explain the recording equally well.
@@ -59,12 +91,12 @@ struct RefitNumber {
 struct Candidate {
   std::string effect;
   int joint = 0;
-  int round = 1;          ///< of the forward selection
+  int round = 1;          ///< expansion of the search in which it was tested
   double screened = 0.0;  ///< share of the residual's mean square that the score test expects the effect to remove
   bool refitted = false;
   double reduction = 0.0;  ///< cross-validated, of the channel that gains most; NaN: not refitted
   double score = 0.0;      ///< cross-validated, above the model without it [nats]; NaN: not refitted
-  double probability = 0.0;
+  double probability = 0.0;  ///< posterior probability that it belongs to the model
 };
 
 /// A sensor channel of one recording through the three models.
@@ -90,6 +122,21 @@ struct FilterGain {
   double nominal = 0.0, refitted = 0.0, extended = 0.0;
 };
 
+/// How much of a sensor channel could be explained from the recordings' own signals, RMS on held-out data. Channels of all
+/// recordings that read the same thing are one.
+struct Explainable {
+  std::string channel, unit;
+  double noise = 0.0;     ///< of the sensor and of the inputs that drive the simulation
+  double refitted = 0.0;  ///< residual of the refitted nominal structure
+  double named = 0.0;     ///< residual of the model with the effects
+  double linear = 0.0;    ///< residual of a least-squares fit on at most seven measured columns; NaN: none
+  double flexible = 0.0;  ///< residual of a Gaussian process on positions, speeds, loads, torques, directions and time; NaN: none
+  /// (refitted² − named²) / (refitted² − least²) with the least of linear and flexible; at most 1, NaN where neither
+  /// explains anything.
+  double share = 0.0;
+  std::string leans_on;  ///< what the regression with the least residual depends on
+};
+
 /// How long each stage took [s].
 struct Stage {
   std::string name;
@@ -99,12 +146,16 @@ struct Stage {
 struct Report {
   Verdict verdict = Verdict::kNothing;
   std::string summary;  ///< one or two sentences for people
-  std::vector<Cause> causes;
+  std::vector<Cause> causes;           ///< material ones, by Cause::loss
+  std::vector<Cause> also_measurable;  ///< in the model, and smaller than the tolerance
+  Tolerance material;
   std::vector<Tie> ties;
+  std::vector<SetProbability> posterior;  ///< the most probable set first
   std::vector<RefitNumber> refit;
   std::vector<Candidate> candidates;
   std::vector<ChannelReport> channels;
   std::vector<std::string> recordings;     ///< titles
+  std::vector<Explainable> explainable;    ///< by channel, the one with most beyond noise first
   std::vector<ResidualProcess> processes;  ///< where something stays unexplained
   std::vector<SpectralLine> lines;
   std::vector<FilterGain> filter;  ///< empty: not requested, or no joint encoders

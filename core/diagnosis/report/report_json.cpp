@@ -30,6 +30,21 @@ json gainJson(const Gain& gain) {
           {"interval", interval(gain.interval)}};
 }
 
+json movesJson(const Displacements& moves) {
+  const auto one = [](const Displacement& moved) {
+    return json{{"rms", number(moved.rms)}, {"largest", number(moved.largest)}};
+  };
+  return {{"joints", list(moves.joints, one)}, {"tip", one(moves.tip)}};
+}
+
+json setJson(const SetProbability& set) {
+  return {{"effects", list(set.effects,
+                           [](const NamedEffect& one) {
+                             return json{{"effect", one.effect}, {"joint", one.joint}};
+                           })},
+          {"probability", number(set.probability)}};
+}
+
 json tieJson(const Tie& tie) {
   return {{"causes", list(tie.causes, [](const Cause& cause) { return jsonOf(cause); })},
           {"separate", tie.separate}};
@@ -122,6 +137,18 @@ json processJson(const ResidualProcess& process) {
            })}};
 }
 
+json explainableJson(const Explainable& one) {
+  return {{"channel", one.channel},
+          {"unit", one.unit},
+          {"noise", number(one.noise)},
+          {"refitted", number(one.refitted)},
+          {"named", number(one.named)},
+          {"linear", number(one.linear)},
+          {"flexible", number(one.flexible)},
+          {"share", number(one.share)},
+          {"leans_on", one.leans_on}};
+}
+
 json lineJson(const SpectralLine& line) {
   return {{"channel", line.channel},
           {"frequency", number(line.frequency)},
@@ -148,6 +175,8 @@ json jsonOf(const Cause& cause) {
           {"joint", cause.joint},
           {"parameters", parameters},
           {"probability", number(cause.probability)},
+          {"loss", number(cause.loss)},
+          {"moves", movesJson(cause.moves)},
           {"gain", gainJson(cause.gain)}};
 }
 
@@ -158,10 +187,14 @@ json jsonOf(const Report& report) {
           {"cancelled", report.cancelled},
           {"recordings", report.recordings},
           {"causes", list(report.causes, [](const Cause& cause) { return jsonOf(cause); })},
+          {"also_measurable", list(report.also_measurable, [](const Cause& cause) { return jsonOf(cause); })},
+          {"material", {{"angle", report.material.angle}, {"length", report.material.length}}},
+          {"posterior", list(report.posterior, setJson)},
           {"ties", list(report.ties, tieJson)},
           {"refit", refitJson(report.refit)},
           {"candidates", list(report.candidates, candidateJson)},
           {"channels", list(report.channels, channelJson)},
+          {"explainable", list(report.explainable, explainableJson)},
           {"processes", list(report.processes, processJson)},
           {"lines", list(report.lines, lineJson)},
           {"filter", list(report.filter, filterJson)},

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/diagnosis/fit/fit.h"
+#include "core/diagnosis/selection/effect_set.h"
 
 namespace capstan::diagnosis {
 
@@ -16,12 +17,7 @@ struct ScoreTest {
   double share = 0.0;  ///< of the Σ (w e)² that the fit leaves
 };
 
-/// Pairs of hypotheses and joints (0: whole arm) that this robot and these sensors can have; `only`: names,
-/// empty: all.
-struct EffectCandidate {
-  const Hypothesis* hypothesis = nullptr;
-  int joint = 0;
-};
+/// Effects that this robot and these sensors can have and that `model` has not; `only`: names of hypotheses, empty: all.
 std::vector<EffectCandidate> candidatesOf(const std::vector<Evidence>& recordings, const FitModel& model,
                                           const std::vector<std::string>& only);
 

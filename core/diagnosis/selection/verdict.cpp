@@ -7,6 +7,8 @@
 
 #include "core/diagnosis/fit/input_noise.h"
 #include "core/diagnosis/report/report_tables.h"
+#include "core/diagnosis/selection/displacement.h"
+#include "core/diagnosis/selection/explainable.h"
 #include "core/diagnosis/selection/gains.h"
 
 namespace capstan::diagnosis {
@@ -60,35 +62,39 @@ std::string nameOf(const std::string& effect, int joint) {
   return joint > 0 ? fmt::format("{} (joint {})", title, joint) : title;
 }
 
-std::string nameOf(const EffectCandidate& suspect) {
-  return nameOf(std::string(suspect.hypothesis->name()), suspect.joint);
+std::string nameOf(const EffectCandidate& effect) {
+  return nameOf(std::string(effect.hypothesis->name()), effect.joint);
 }
 
-/// Where a cause shows: on the encoder of its joint if that gains, else where most is gained.
-int channelOf(const FitData& data, const EffectCandidate& suspect, const BlockSquares& before,
-              const BlockSquares& after) {
-  for (std::size_t c = 0; c < data.channels().size() && suspect.joint > 0; ++c) {
+/// Channel that shows a cause: the encoder of its joint if that gains, else the one that gains most.
+int channelOf(const FitData& data, const EffectCandidate& effect, const BlockSquares& without,
+              const BlockSquares& with) {
+  constexpr double kGains = 0.9;
+  for (std::size_t c = 0; c < data.channels().size() && effect.joint > 0; ++c) {
     const auto row = static_cast<Eigen::Index>(c);
-    if (data.channels()[c].joint == suspect.joint &&
-        after.sum.row(row).sum() < 0.9 * before.sum.row(row).sum())
+    if (data.channels()[c].joint == effect.joint &&
+        with.sum.row(row).sum() < kGains * without.sum.row(row).sum())
       return static_cast<int>(c);
   }
-  return largestReduction(before, after).channel;
+  return largestReduction(without, with).channel;
 }
 
-Cause causeOf(const FitData& data, const EffectCandidate& suspect, double probability,
-              const BlockSquares& before, const BlockSquares& after, const Fit& fit,
-              const Eigen::MatrixXd& covariance) {
+Cause causeOf(const FitData& data, const Selection& s, const SelectedEffect& selected,
+              const Eigen::MatrixXd& covariance, const robot::Description& robot) {
+  const EffectCandidate& effect = selected.effect;
   Cause cause;
-  cause.effect = suspect.hypothesis->name();
-  cause.joint = suspect.joint;
-  cause.probability = probability;
-  for (std::size_t k = 0; k < fit.model.effects().size(); ++k) {
-    const EffectTerm& term = fit.model.effects()[k];
-    if (!term.background && term.hypothesis == suspect.hypothesis && term.joint == suspect.joint)
-      cause.parameters = parametersOf(fit.model, k, fit.u, covariance);
+  cause.effect = effect.hypothesis->name();
+  cause.joint = effect.joint;
+  cause.probability = selected.probability;
+  cause.loss = selected.loss;
+  for (std::size_t k = 0; k < s.best.model.effects().size(); ++k) {
+    const EffectTerm& term = s.best.model.effects()[k];
+    if (!term.background && term.hypothesis == effect.hypothesis && term.joint == effect.joint)
+      cause.parameters = parametersOf(s.best.model, k, s.best.u, covariance);
   }
-  cause.gain = gainOf(data, before, after, channelOf(data, suspect, before, after));
+  cause.moves = displacementsBy(data, s.best, effect, robot);
+  cause.gain =
+      gainOf(data, selected.without, s.best_squares, channelOf(data, effect, selected.without, s.best_squares));
   return cause;
 }
 
@@ -100,48 +106,56 @@ bool isTooShort(const FitData& data, const Selection& s) {
   return false;
 }
 
-std::string summaryOf(const Report& report, const Selection& s) {
+std::string namesOf(const std::vector<Cause>& causes) {
   std::vector<std::string> names;
-  for (const CandidateModel& c : s.taken) names.push_back(nameOf(c.added));
+  for (const Cause& cause : causes) names.push_back(nameOf(cause.effect, cause.joint));
+  return fmt::format("{}", fmt::join(names, " and "));
+}
+
+std::string summaryOf(const Report& report) {
+  const double percent = 100.0 * report.explained;
   switch (report.verdict) {
     case Verdict::kNothing:
-      return "Nothing material: the refitted nominal robot explains the recording down to noise and what "
-             "every "
-             "robot has some of.";
+      return report.also_measurable.empty()
+                 ? "Nothing material: the refitted nominal robot explains the recording down to noise."
+                 : fmt::format("Nothing material: {} can be measured and moves no joint by more than the tolerance.",
+                               namesOf(report.also_measurable));
     case Verdict::kUnexplained:
-      return names.empty()
+      return report.causes.empty()
                  ? "Something is there that no hypothesis explains."
                  : fmt::format("Something is there that no hypothesis explains; {} takes off {:.0f} % of it.",
-                               fmt::join(names, " and "), 100.0 * report.explained);
-    case Verdict::kTie: {
-      std::vector<std::string> tied;
-      for (const Cause& cause : report.ties.front().causes) tied.push_back(nameOf(cause.effect, cause.joint));
-      return fmt::format("This recording cannot distinguish {}.", fmt::join(tied, " and "));
-    }
+                               namesOf(report.causes), percent);
+    case Verdict::kTie:
+      return fmt::format("This recording cannot distinguish {}.", namesOf(report.ties.front().causes));
     default:
-      return fmt::format("{} {} the recording ({:.0f} % of what is beyond noise).", fmt::join(names, " and "),
-                         names.size() > 1 ? "explain" : "explains", 100.0 * report.explained);
+      return fmt::format("{} {} the recording ({:.0f} % of what is beyond noise).", namesOf(report.causes),
+                         report.causes.size() > 1 ? "explain" : "explains", percent);
   }
 }
 
-void addTies(const Selection& s, const FitData& data, const Eigen::MatrixXd& covariance, Report& report) {
-  for (const CompetingExplanations& competitors : s.competitors) {
-    if (competitors.others.empty()) continue;
-    Tie tie;
-    tie.causes.push_back(causeOf(data, competitors.taken, competitors.shares.front(), s.base_squares,
-                                 s.best_squares, s.best, covariance));
-    for (std::size_t k = 0; k < competitors.others.size(); ++k) {
-      Cause cause;
-      cause.effect = competitors.others[k].hypothesis->name();
-      cause.joint = competitors.others[k].joint;
-      cause.probability = competitors.shares[k + 1];
-      tie.causes.push_back(std::move(cause));
-    }
-    tie.separate = fmt::format(
-        "For {}: {} For {}: {}", nameOf(competitors.taken), competitors.taken.hypothesis->words.experiment,
-        nameOf(competitors.others.front()), competitors.others.front().hypothesis->words.experiment);
-    report.ties.push_back(std::move(tie));
+Tie tieOf(const CompetingExplanations& competing, const Cause& cause) {
+  Tie tie;
+  tie.causes.push_back(cause);
+  tie.causes.front().probability = competing.probabilities.front();
+  for (std::size_t k = 0; k < competing.others.size(); ++k) {
+    Cause other;
+    other.effect = competing.others[k].hypothesis->name();
+    other.joint = competing.others[k].joint;
+    other.probability = competing.probabilities[k + 1];
+    tie.causes.push_back(std::move(other));
   }
+  const EffectCandidate &one = competing.selected, &another = competing.others.front();
+  tie.separate = fmt::format("For {}: {} For {}: {}", nameOf(one), one.hypothesis->words.experiment, nameOf(another),
+                             another.hypothesis->words.experiment);
+  return tie;
+}
+
+/// Ties of the causes, in their order.
+void addTies(const Selection& s, Report& report) {
+  for (const Cause& cause : report.causes)
+    for (const CompetingExplanations& competing : s.competitors)
+      if (competing.selected.hypothesis->name() == cause.effect && competing.selected.joint == cause.joint)
+        report.ties.push_back(tieOf(competing, cause));
 }
 
 }  // namespace
@@ -163,37 +177,38 @@ double explainedShare(const FitData& data, const Selection& s) {
   return std::clamp(share, 0.0, 1.0);
 }
 
-bool hasResidual(const FitData& data, const Selection& s) {
+bool hasResidual(const FitData& data, const Selection& s, const Tolerance& tolerance) {
   const BlockSquares left = squaresOf(data, s.best.e);
-  for (Eigen::Index c = 0; c < left.sum.rows(); ++c)
-    if (left.meanSquare(c) > mostByChance(data, s, c) &&
-        (left.inflation[c] > 2.0 || left.meanSquare(c) > kFar * mostByChance(data, s, c)))
-      return true;
+  for (Eigen::Index c = 0; c < left.sum.rows(); ++c) {
+    const bool angle = data.channels()[static_cast<std::size_t>(c)].unit == "rad";
+    const double chance = mostByChance(data, s, c), most = angle ? tolerance.angle : tolerance.length;
+    if (left.meanSquare(c) < chance + most * most) continue;
+    if (left.inflation[c] > 2.0 || left.meanSquare(c) > kFar * chance) return true;
+  }
   return false;
 }
 
-void judge(const FitData& data, const Selection& s, Report& report) {
+void judge(const FitData& data, const Selection& s, const robot::Description& robot, Report& report) {
   const Eigen::MatrixXd covariance = covarianceOf(data, s.best, s.weighting);
   report.explained = explainedShare(data, s);
-  const BlockSquares* before = &s.base_squares;
-  for (std::size_t k = 0; k < s.taken.size(); ++k) {
-    const CandidateModel& c = s.taken[k];
-    const BlockSquares& after = k + 1 == s.taken.size() ? s.best_squares : c.squares;
-    report.causes.push_back(causeOf(data, c.added, c.share, *before, after, s.best, covariance));
-    before = &after;
+  report.posterior = s.posterior;
+  for (const SelectedEffect& selected : s.effects) {
+    Cause cause = causeOf(data, s, selected, covariance, robot);
+    const bool material = isMaterial(cause.moves, robot, report.material);
+    (material ? report.causes : report.also_measurable).push_back(std::move(cause));
   }
-  addTies(s, data, covariance, report);
-  const bool left = !report.lines.empty() || hasResidual(data, s);
-  const bool explains = !s.taken.empty() && (report.explained >= kExplains || !left);
+  addTies(s, report);
+  const bool short_of = fallsShort(report.explainable, report.material);
+  const bool left =
+      !report.lines.empty() || short_of || (hasResidual(data, s, report.material) && !isAllThatCanBe(report.explainable));
+  const bool explains = !report.causes.empty() && (!left || (report.explained >= kExplains && !short_of));
   if (explains)
-    report.verdict = !report.ties.empty() ? Verdict::kTie
-                     : s.taken.size() > 1 ? Verdict::kSeveral
-                                          : Verdict::kFound;
-  else if (left)
-    report.verdict = Verdict::kUnexplained;
+    report.verdict = !report.ties.empty()       ? Verdict::kTie
+                     : report.causes.size() > 1 ? Verdict::kSeveral
+                                                : Verdict::kFound;
   else
-    report.verdict = Verdict::kNothing;
-  report.summary = summaryOf(report, s);
+    report.verdict = left ? Verdict::kUnexplained : Verdict::kNothing;
+  report.summary = summaryOf(report);
   if (report.verdict == Verdict::kNothing && isTooShort(data, s))
     report.summary =
         "Too little motion to say: the refitted robot explains what it was fitted to, and not "

@@ -15,17 +15,17 @@ double explainedShare(const FitData& data, const Selection& selection);
 /// and of those that drive the simulation.
 double mostByChance(const FitData& data, const Selection& selection, Eigen::Index c);
 
-/// Whether the residual of the selection's best model has more than noise and chance in it: some channel's
-/// mean square, of what the fit itself leaves, is beyond mostByChance(), and it lasts from sample to sample
-/// or is far beyond it.
-bool hasResidual(const FitData& data, const Selection& selection);
+/// True if the residual of the selection's model has more than noise, chance and the tolerance in it: the mean square of
+/// some channel is beyond them, and it lasts from sample to sample or is far beyond them.
+bool hasResidual(const FitData& data, const Selection& selection, const Tolerance& tolerance);
 inline constexpr double kBeyondNoise = 1.2;  ///< RMS, in noise of the sensor
 /// Share that effects must explain before they, and not something unknown, are the verdict, where something
 /// is left.
 inline constexpr double kExplains = 0.96;
 
-/// Fills verdict, causes, ties, explained and summary of the report. The σ of a cause's number is that of the
-/// fit, 1 % of the number, which a simplified law leaves at best, and half of what every robot has of it.
-void judge(const FitData& data, const Selection& selection, Report& report);
+/// Fills verdict, causes, also_measurable, ties, posterior, explained and summary of the report; Report::material is given. The σ
+/// of a cause's number is that of the fit, 1 % of the number, which a simplified law leaves at best, and half of the
+/// effect's background size.
+void judge(const FitData& data, const Selection& selection, const robot::Description& robot, Report& report);
 
 }  // namespace capstan::diagnosis

@@ -55,8 +55,8 @@ std::vector<EmpsStep> empsSteps(const std::filesystem::path& folder, EmpsStart s
   diagnosis::FitModel base(nominal, diagnosis::jointScales(train, nominal));
   if (start == EmpsStart::kFourNumbers) base = withOffset(base);
   std::vector<EmpsStep> steps;
-  const diagnosis::Selection first = diagnosis::select(near, train, base, {}, nullptr);
-  for (const Step& step : stepsOf(diagnosis::selectFurther(far, train, first, {}, nullptr))) {
+  const diagnosis::Selection first = diagnosis::select(near, train, base, nullptr, {}, nullptr);
+  for (const Step& step : stepsOf(far, diagnosis::select(far, train, base, &first, {}, nullptr))) {
     const diagnosis::Fit whole = wholeFit(train, nominal, step.fit, EncoderZeros::kKnown, threads);
     EmpsStep one{step.name, step.competitors, whole.model.extended(whole.u), {}, {}};
     one.train = openLoopErrors(one.robot, folder / "train.csv");

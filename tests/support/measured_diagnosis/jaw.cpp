@@ -41,7 +41,7 @@ double rmsInDegrees(const Eigen::VectorXd& e) {
 
 std::vector<JawStep> jawSteps(const std::filesystem::path& folder,
                               const std::vector<std::string>& frequencies,
-                              const diagnosis::SelectionOptions& options, int threads) {
+                              const diagnosis::SearchOptions& options, int threads) {
   const robot::Description nominal = robotFile("jaw.yaml");
   const Recordings even = recordingsAt(0, folder, frequencies, nominal);
   const Recordings odd = recordingsAt(1, folder, frequencies, nominal);
@@ -52,7 +52,7 @@ std::vector<JawStep> jawSteps(const std::filesystem::path& folder,
   const diagnosis::FitData odd_each(odd, nominal, 0.0, EncoderZeros::kOnePerRecording, threads);
   const diagnosis::FitModel base(nominal, diagnosis::jointScales(even, nominal));
   std::vector<JawStep> steps;
-  for (const Step& step : stepsOf(diagnosis::select(fitted, even, base, options, nullptr))) {
+  for (const Step& step : stepsOf(fitted, diagnosis::select(fitted, even, base, nullptr, options, nullptr))) {
     const diagnosis::Fit whole = wholeFit(even, nominal, step.fit, EncoderZeros::kOneForAll, threads);
     const Eigen::VectorXd told = left(even_known, whole);
     steps.push_back({step.name, step.competitors, whole.model.extended(whole.u),

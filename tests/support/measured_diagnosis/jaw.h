@@ -25,6 +25,6 @@ struct JawStep {
 /// stretch under loads that are constant in each.
 std::vector<JawStep> jawSteps(const std::filesystem::path& folder,
                               const std::vector<std::string>& frequencies,
-                              const diagnosis::SelectionOptions& options, int threads);
+                              const diagnosis::SearchOptions& options, int threads);
 
 }  // namespace capstan::measured

@@ -9,18 +9,22 @@ robot::Description robotFile(const std::string& name) {
                                 "data" / name);
 }
 
-std::vector<Step> stepsOf(const diagnosis::Selection& selection) {
+std::vector<Step> stepsOf(const diagnosis::FitData& data, const diagnosis::Selection& selection) {
   std::vector<Step> steps{{"nominal structure", {}, selection.base}};
-  for (const diagnosis::CandidateModel& taken : selection.taken) {
-    Step step{"+ " + std::string(taken.added.hypothesis->name()), {}, taken.fit};
-    for (const diagnosis::CompetingExplanations& competitors : selection.competitors)
-      if (competitors.taken.hypothesis == taken.added.hypothesis &&
-          competitors.taken.joint == taken.added.joint)
-        for (const diagnosis::EffectCandidate& other : competitors.others)
+  const diagnosis::SetFitter fitter(data, nullptr);
+  const diagnosis::SetFit nominal{{}, selection.base, selection.weighting, {}, true};
+  diagnosis::EffectSet effects;
+  for (const diagnosis::SelectedEffect& selected : selection.effects) {
+    effects = plus(std::move(effects), selected.effect);
+    Step step{"+ " + std::string(selected.effect.hypothesis->name()), {}, selection.best};
+    if (effects.size() < selection.effects.size())
+      step.fit = fitter.extended(nominal, effects, selection.best).fit;
+    for (const diagnosis::CompetingExplanations& competing : selection.competitors)
+      if (competing.selected == selected.effect)
+        for (const diagnosis::EffectCandidate& other : competing.others)
           step.competitors.emplace_back(other.hypothesis->name());
     steps.push_back(std::move(step));
   }
-  if (!selection.taken.empty()) steps.back().fit = selection.best;
   return steps;
 }
 

@@ -1,0 +1,93 @@
+#include "core/diagnosis/selection/displacement.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/robot/kinematics.h"
+
+namespace capstan::diagnosis {
+namespace {
+
+constexpr double kPeak = 3.0;  // largest displacement, in tolerances of the RMS, that is material by itself
+
+/// RMS and largest magnitude of numbers that are given one by one.
+class Sum {
+ public:
+  void add(double x) {
+    if (!std::isfinite(x)) return;
+    squares_ += x * x, ++count_;
+    largest_ = std::max(largest_, std::abs(x));
+  }
+  Displacement displacement() const {
+    return {count_ > 0 ? std::sqrt(squares_ / static_cast<double>(count_)) : 0.0, largest_};
+  }
+
+ private:
+  double squares_ = 0.0, largest_ = 0.0;
+  std::size_t count_ = 0;
+};
+
+/// Joint encoders of rigid drives, from the fit's initial states.
+void addReadings(const FitData& data, const Fit& fit, const robot::ChainModel& with,
+                 const robot::ChainModel& without, std::vector<Sum>& joints) {
+  const Eigen::MatrixXd both = data.simulate({with, without}, {fit.initial, fit.initial});
+  for (std::size_t i = 0; i < data.channel().size(); ++i) {
+    const int joint = data.channels()[static_cast<std::size_t>(data.channel()[i])].joint;
+    const auto at = static_cast<Eigen::Index>(i);
+    if (joint > 0) joints[static_cast<std::size_t>(joint - 1)].add(both(at, 0) - both(at, 1));
+  }
+}
+
+void addJoints(const SimulatedMotion& with, const SimulatedMotion& without, std::vector<Sum>& joints) {
+  for (std::size_t j = 0; j < joints.size(); ++j)
+    for (std::size_t k = 0; k < with.q[j].size(); ++k) joints[j].add(with.q[j][k] - without.q[j][k]);
+}
+
+void addTip(const robot::Chain& chain, const SimulatedMotion& with, const SimulatedMotion& without, Sum& tip) {
+  constexpr std::size_t kEvery = 10;  // rows
+  for (std::size_t k = 0; k < with.tip.size(); ++k) tip.add((with.tip[k] - without.tip[k]).norm());
+  if (!with.tip.empty()) return;
+  const auto joints = static_cast<Eigen::Index>(with.q.size());
+  robot::JointVector a(joints), b(joints);
+  for (std::size_t k = 0; k < with.q.front().size(); k += kEvery) {
+    for (Eigen::Index j = 0; j < joints; ++j)
+      a[j] = with.q[static_cast<std::size_t>(j)][k], b[j] = without.q[static_cast<std::size_t>(j)][k];
+    tip.add((chain.marker(a) - chain.marker(b)).norm());
+  }
+}
+
+}  // namespace
+
+Displacements displacementsBy(const FitData& data, const Fit& fit, const EffectCandidate& effect,
+                              const robot::Description& robot) {
+  const FitModel less = fit.model.without(*effect.hypothesis, effect.joint);
+  const robot::ChainModel with = fit.model.chain(fit.u), without = less.chain(less.carry(fit.model, fit.u));
+  const robot::Chain chain(robot);
+  std::vector<Sum> joints(static_cast<std::size_t>(robot.size()));
+  Sum tip;
+  if (data.rigid()) addReadings(data, fit, with, without, joints);
+  for (int r = 0; r < data.recordings() && !data.rigid(); ++r) {
+    const SimulatedMotion a = data.simulation(r).motion(with), b = data.simulation(r).motion(without);
+    addJoints(a, b, joints);
+    addTip(chain, a, b, tip);
+  }
+  Displacements moves;
+  for (const Sum& joint : joints) moves.joints.push_back(joint.displacement());
+  moves.tip = tip.displacement();
+  return moves;
+}
+
+bool isMaterial(const Displacements& moves, const robot::Description& robot, const Tolerance& tolerance) {
+  const auto beyond = [](const Displacement& moved, double most) {
+    return moved.rms > most || moved.largest > kPeak * most;
+  };
+  bool moved = false;
+  for (std::size_t j = 0; j < moves.joints.size(); ++j) {
+    const bool slides = robot.joints[j].type == robot::JointType::kPrismatic;
+    if (beyond(moves.joints[j], slides ? tolerance.length : tolerance.angle)) return true;
+    moved = moved || moves.joints[j].largest > 0.0;
+  }
+  return !moved && beyond(moves.tip, tolerance.length);
+}
+
+}  // namespace capstan::diagnosis

@@ -1,0 +1,78 @@
+#include "core/diagnosis/selection/predictive_score.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "core/base/random.h"
+
+namespace capstan::diagnosis {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+/// Share of the sensor's variance that counts as reached: its estimate is some per cent off.
+constexpr double kSensorConfidence = 0.9;
+
+}  // namespace
+
+PredictiveScore::PredictiveScore(const FitData& data, const VectorXd& input_noise, int draws,
+                                 std::uint64_t seed) {
+  std::map<std::pair<int, int>, Index> groups;
+  for (const ComparedChannel& channel : data.channels())
+    group_.push_back(groups.try_emplace({channel.joint, channel.axis}, static_cast<Index>(groups.size())).first->second);
+  const auto count = static_cast<Index>(groups.size());
+  VectorXd channels = VectorXd::Zero(count);
+  floor_ = VectorXd::Zero(count);
+  for (std::size_t c = 0; c < group_.size(); ++c) {
+    const double sensor = data.channels()[c].noise, input = input_noise[static_cast<Index>(c)];
+    floor_[group_[c]] += kSensorConfidence * sensor * sensor + input * input;
+    channels[group_[c]] += 1.0;
+  }
+  floor_ = floor_.cwiseQuotient(channels).cwiseMax(std::numeric_limits<double>::min());
+  inflation_ = VectorXd::Constant(count, std::numeric_limits<double>::infinity());
+  times_ = MatrixXd::Zero(data.blocks(), draws);
+  base::Random random(seed, "block bootstrap");
+  for (Index d = 0; d < draws; ++d)
+    for (Index b = 0; b < times_.rows(); ++b)
+      times_(static_cast<Index>(random.bits() % static_cast<std::uint64_t>(times_.rows())), d) += 1.0;
+}
+
+void PredictiveScore::learnInflation(const BlockSquares& squares) {
+  if (!squares.sum.allFinite()) return;
+  VectorXd own = VectorXd::Zero(inflation_.size());
+  for (std::size_t c = 0; c < group_.size(); ++c)
+    own[group_[c]] = std::max(own[group_[c]], squares.inflation[static_cast<Index>(c)]);
+  inflation_ = inflation_.cwiseMin(own);
+}
+
+double PredictiveScore::of(const BlockSquares& squares) const {
+  if (squares.sum.size() == 0 || !squares.sum.allFinite()) return -std::numeric_limits<double>::infinity();
+  return scores(pooled(squares.sum.rowwise().sum()), pooled(squares.count.rowwise().sum()))[0];
+}
+
+VectorXd PredictiveScore::ofDraws(const BlockSquares& squares) const {
+  return scores(pooled(squares.sum * times_), pooled(squares.count * times_));
+}
+
+MatrixXd PredictiveScore::pooled(const MatrixXd& by_channel) const {
+  MatrixXd all = MatrixXd::Zero(floor_.size(), by_channel.cols());
+  for (std::size_t c = 0; c < group_.size(); ++c) all.row(group_[c]) += by_channel.row(static_cast<Index>(c));
+  return all;
+}
+
+VectorXd PredictiveScore::scores(const MatrixXd& sum, const MatrixXd& count) const {
+  VectorXd score = VectorXd::Zero(sum.cols());
+  for (Index d = 0; d < sum.cols(); ++d)
+    for (Index g = 0; g < sum.rows(); ++g) {
+      const double n = count(g, d);
+      if (n > 0.0) score[d] -= 0.5 * n / inflation_[g] * std::log(std::max(sum(g, d) / n, floor_[g]));
+    }
+  return score;
+}
+
+}  // namespace capstan::diagnosis

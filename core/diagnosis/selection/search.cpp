@@ -1,0 +1,265 @@
+#include "core/diagnosis/selection/search.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <set>
+
+#include "core/diagnosis/fit/input_noise.h"
+
+namespace capstan::diagnosis {
+namespace {
+
+constexpr std::size_t kBeam = 2;      // sets that are expanded at a time
+constexpr std::size_t kSettled = 3;   // trials of an expansion that are fitted to the end
+constexpr int kNeighbourRefits = 4;   // refits where a neighbour of the best set is expanded
+constexpr double kHopeless = 1.0;     // [nats]: a score test that predicts less is not refitted
+constexpr double kWindow = 7.0;       // [nats], odds of 1000: a set that is further below the best one is not expanded
+
+bool cancelled(const base::Progress* progress) { return progress && progress->cancelled(); }
+
+class Search {
+ public:
+  Search(const FitData& data, const std::vector<Evidence>& recordings, const SearchOptions& options,
+         base::Progress* progress)
+      : data_(data),
+        recordings_(recordings),
+        options_(options),
+        progress_(progress),
+        fitter_(data, progress),
+        begin_(progress ? progress->fraction() : 0.0) {}
+
+  SearchResult run(const FitModel& nominal, const Fit* start) {
+    report("Refitting the nominal structure");
+    SetFit base = fitter_.nominal(nominal, start ? nominal.carry(start->model, start->u)
+                                                 : Eigen::VectorXd(Eigen::VectorXd::Zero(nominal.size())));
+    found_.input_noise = inputNoise(data_, base.fit, base.weighting);
+    found_.candidates =
+        static_cast<int>(candidatesOf(recordings_, nominal, options_.only).size());
+    score_.emplace(data_, found_.input_noise, kDraws, options_.seed);
+    keep(std::move(base));
+    if (start) tryStart(*start);
+    while (!cancelled(progress_) && (expandBeam() || expandNeighbours() || settleContenders())) {
+    }
+    finish();
+    return std::move(found_);
+  }
+
+ private:
+  double value(const SetFit& set) const {
+    return score_->of(set.squares) + logPrior(set.effects.size(), found_.candidates);
+  }
+
+  SetFit& at(const EffectSet& effects) { return found_.sets.at(effects); }
+
+  /// The better fit of two of the same set stays. True: this set has become the best one.
+  bool keep(SetFit set) {
+    score_->learnInflation(set.squares);
+    const EffectSet effects = set.effects, former = found_.best;
+    const auto known = found_.sets.find(effects);
+    if (known == found_.sets.end())
+      found_.sets.emplace(effects, std::move(set));
+    else if (score_->of(set.squares) > score_->of(known->second.squares))
+      known->second = std::move(set);
+    else
+      known->second.settled = known->second.settled || set.settled;
+    for (const auto& [other, fitted] : found_.sets)  // what was learned may have changed the order of others, too
+      if (fitted.settled && value(fitted) > value(at(found_.best))) found_.best = other;
+    return found_.best == effects && former != effects;
+  }
+
+  bool isSettled(const EffectSet& effects) const {
+    const auto known = found_.sets.find(effects);
+    return known != found_.sets.end() && known->second.settled;
+  }
+
+  void tryStart(const Fit& start) {
+    EffectSet effects;
+    for (const EffectTerm& term : start.model.effects())
+      if (!term.background) effects = plus(std::move(effects), {term.hypothesis, term.joint});
+    if (!effects.empty()) keep(fitter_.settled(fitter_.extended(at({}), effects, start)));
+  }
+
+  /// Sets within reach of the best one, the best first.
+  std::vector<EffectSet> ranked() {
+    std::vector<std::pair<double, EffectSet>> all;
+    const double least = value(at(found_.best)) - kWindow;
+    for (const auto& [effects, set] : found_.sets)
+      if (set.settled && value(set) > least) all.emplace_back(value(set), effects);
+    std::ranges::stable_sort(all, [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::vector<EffectSet> sets;
+    for (auto& [score, effects] : all) sets.push_back(std::move(effects));
+    return sets;
+  }
+
+  /// Expands those of the kBeam best sets that were not expanded yet. False: there is none.
+  bool expandBeam() {
+    std::vector<EffectSet> sets = ranked();
+    if (sets.size() > kBeam) sets.resize(kBeam);
+    bool any = false;
+    for (const EffectSet& effects : sets) {
+      if (!expanded_.insert(effects).second || cancelled(progress_)) continue;
+      expand(effects, options_.refits);
+      for (const EffectCandidate& effect : effects) shrink(effects, effect);
+      any = true;
+    }
+    return any;
+  }
+
+  /// Expands the sets with one and with two effects less than the best one. True: one led to a better set.
+  bool expandNeighbours() {
+    const EffectSet best = found_.best;
+    std::vector<EffectSet> less;
+    for (const EffectCandidate& one : best) less.push_back(minus(best, one));
+    for (std::size_t i = 0; i < best.size() && best.size() > 2; ++i)
+      for (std::size_t j = i + 1; j < best.size(); ++j) less.push_back(minus(minus(best, best[i]), best[j]));
+    for (const EffectSet& effects : less) {
+      if (cancelled(progress_)) return false;
+      if (!found_.sets.contains(effects)) shrinkTo(best, effects);
+      if (!expanded_.insert(effects).second) continue;
+      expand(effects, kNeighbourRefits);
+      if (found_.best != best) return true;
+    }
+    return false;
+  }
+
+  /// Fits to the end what a short fit has brought near the best set. True: there was such a set.
+  bool settleContenders() {
+    std::vector<EffectSet> sets;
+    for (const auto& [effects, set] : found_.sets)
+      if (!set.settled && value(set) > value(at(found_.best)) - kWindow) sets.push_back(effects);
+    for (const EffectSet& effects : sets) {
+      if (cancelled(progress_)) return false;
+      report("Settling a candidate model");
+      fitter_.relinearise(at(effects));
+      SetFit set = fitter_.settled(at(effects));
+      if (!keep(std::move(set))) SetFitter::thin(at(effects));
+    }
+    return !sets.empty();
+  }
+
+  void shrinkTo(const EffectSet& from, const EffectSet& to) {
+    EffectSet now = from;
+    for (const EffectCandidate& effect : from)
+      if (!contains(to, effect)) {
+        shrink(now, effect);
+        now = minus(std::move(now), effect);
+      }
+  }
+
+  void shrink(const EffectSet& effects, const EffectCandidate& effect) {
+    const EffectSet less = minus(effects, effect);
+    if (isSettled(less)) return;
+    report(fmt::format("Fitting without {}", effect.hypothesis->words.title));
+    fitter_.relinearise(at(effects));
+    SetFit fitted = fitter_.settled(fitter_.reduced(at(effects), effect));
+    if (!less.empty()) SetFitter::thin(fitted);
+    keep(std::move(fitted));
+  }
+
+  void expand(const EffectSet& effects, int refits) {
+    if (effects.size() >= static_cast<std::size_t>(options_.most_causes)) return;
+    SetFit& parent = at(effects);
+    fitter_.relinearise(parent);
+    const std::vector<EffectCandidate> candidates = candidatesOf(recordings_, parent.fit.model, options_.only);
+    report("Testing hypotheses");
+    const std::vector<ScoreTest> tests = screen(data_, parent.fit, parent.weighting, candidates);
+    std::vector<SetFit> trials;
+    for (const ScoreTest& test : tests) {
+      if (trials.size() >= static_cast<std::size_t>(refits) || cancelled(progress_)) break;
+      if (0.5 * test.gain < kHopeless) break;
+      if (isSettled(plus(effects, {test.hypothesis, test.joint}))) continue;
+      report(fmt::format("Refitting with {}", test.hypothesis->words.title));
+      trials.push_back(fitter_.extended(parent, test));
+    }
+    note(parent, tests, trials);
+    settleBest(std::move(trials));
+    if (!effects.empty() && effects != found_.best) SetFitter::thin(at(effects));
+  }
+
+  /// Fits the best trials to the end, and the first of the score tests.
+  void settleBest(std::vector<SetFit> trials) {
+    if (trials.empty()) return;
+    const EffectSet first = trials.front().effects;
+    std::ranges::stable_sort(trials, [&](const SetFit& a, const SetFit& b) {
+      return score_->of(a.squares) > score_->of(b.squares);
+    });
+    for (std::size_t k = 0; k < trials.size() && !cancelled(progress_); ++k) {
+      SetFit trial = std::move(trials[k]);
+      const EffectSet effects = trial.effects;
+      if (k >= kSettled && effects != first) {
+        SetFitter::thin(trial);
+        keep(std::move(trial));
+        continue;
+      }
+      report("Settling a candidate model");
+      if (keep(fitter_.settled(std::move(trial)))) keep(fitter_.settledFromNominal(at(effects)));
+      if (effects != found_.best) SetFitter::thin(at(effects));
+    }
+  }
+
+  void note(const SetFit& parent, const std::vector<ScoreTest>& tests, const std::vector<SetFit>& trials) {
+    ++round_;
+    for (const ScoreTest& test : tests) {
+      Candidate candidate{.effect = std::string(test.hypothesis->name()),
+                          .joint = test.joint,
+                          .round = round_,
+                          .screened = test.share,
+                          .refitted = false,
+                          .reduction = std::numeric_limits<double>::quiet_NaN(),
+                          .score = std::numeric_limits<double>::quiet_NaN(),
+                          .probability = 0.0};
+      const EffectSet with = plus(parent.effects, {test.hypothesis, test.joint});
+      for (const SetFit& trial : trials) {
+        if (trial.effects != with || trial.squares.sum.size() == 0) continue;
+        score_->learnInflation(trial.squares);
+        candidate.refitted = true;
+        candidate.reduction = largestReduction(parent.squares, trial.squares).share;
+        candidate.score = score_->of(trial.squares) - score_->of(parent.squares);
+      }
+      found_.tested.push_back(std::move(candidate));
+    }
+  }
+
+  void finish() {
+    fitter_.relinearise(at(found_.best));
+    fitter_.relinearise(at({}));
+    if (progress_) progress_->report(options_.progress_end, "Weighing the candidate models");
+  }
+
+  /// How long the search takes is not known: each step takes a share of what is left.
+  void report(const std::string& doing) {
+    constexpr double kStep = 0.02;
+    done_ += kStep * (1.0 - done_);
+    if (progress_) progress_->report(begin_ + done_ * (options_.progress_end - begin_), doing);
+  }
+
+  const FitData& data_;
+  const std::vector<Evidence>& recordings_;
+  const SearchOptions& options_;
+  base::Progress* progress_;
+  SetFitter fitter_;
+  std::optional<PredictiveScore> score_;
+  SearchResult found_;
+  std::set<EffectSet> expanded_;
+  int round_ = 0;
+  double begin_, done_ = 0.0;
+};
+
+}  // namespace
+
+double logPrior(std::size_t effects, int candidates) {
+  const auto k = static_cast<double>(effects), n = static_cast<double>(std::max(candidates, 1));
+  const double choices = k <= n ? std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0) : 0.0;
+  return k * std::log(kEffectOdds) - choices;
+}
+
+SearchResult searchSets(const FitData& data, const std::vector<Evidence>& recordings, const FitModel& nominal,
+                        const Fit* start, const SearchOptions& options, base::Progress* progress) {
+  return Search(data, recordings, options, progress).run(nominal, start);
+}
+
+}  // namespace capstan::diagnosis
