@@ -8,18 +8,18 @@
 
 namespace capstan::measured {
 
-/// A robot file of tests/core/diagnosis/data.
+/// Robot of a file in tests/core/diagnosis/data.
 robot::Description robotFile(const std::string& name);
 
-/// A model on the way of a forward selection.
+/// One model of a forward selection.
 struct Step {
-  std::string name;                      ///< of the effect that came last; "nominal structure" at first
-  std::vector<std::string> competitors;  ///< effects that could not be distinguished from this choice
+  std::string name;  ///< effect that was added last; "nominal structure" for the first model
+  std::vector<std::string> competitors;  ///< effects that the data cannot distinguish from the added one
   diagnosis::Fit fit;
 };
 
-/// The refitted nominal structure, then each effect that stayed, as it came: with those that came before,
-/// also such as were dropped at the end; not fitted to the end, for wholeFit() to do.
+/// Models of a selection: the refitted nominal structure, then one model per effect that was kept to the end,
+/// with all effects that were added before it. Their fits have not converged; wholeFit() completes them.
 std::vector<Step> stepsOf(const diagnosis::Selection& selection);
 
 }  // namespace capstan::measured
