@@ -90,7 +90,7 @@ nlohmann::json jsonOf(const vision::CalibrationReport& report) {
           {"views", views}};
 }
 
-/// Before the long computation.
+/// Checks that the outputs can be written, before the long computation. Throws base::InputError.
 void checkOut(const CalibrateArguments& arguments, const vision::CalibrationInput& pairs) {
   std::vector<std::string> inputs;
   for (const auto* side : {&pairs.left, &pairs.right})
@@ -142,19 +142,20 @@ void addCalibrate(CLI::App& app, ExitCode& exit) {
       app.add_subcommand("calibrate", "Calibrate a stereo camera from images of a chessboard");
   command->add_option("FOLDER", arguments->folder, "folder with left*.png|jpg… and right*.png|jpg…")
       ->required();
-  command->add_option("--board", arguments->board, "inner corners, COLUMNSxROWS")->capture_default_str();
+  command->add_option("--board", arguments->board, "number of inner corners, COLUMNSxROWS")
+      ->capture_default_str();
   command->add_option("--square-mm", arguments->square_mm, "side of a square [mm]")
       ->capture_default_str()
       ->check(CLI::Range(0.1, 1000.0));
   command
       ->add_option("--outlier-factor", arguments->options.outlier_factor,
-                   "exclude views beyond this multiple of the median error; 0: keep all")
+                   "exclude views whose error exceeds this multiple of the median error; 0: keep all")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 100.0));
   command->add_option("--out", arguments->out, "folder for left.yaml and right.yaml (ROS camera_info)")
       ->capture_default_str();
   command->add_flag("--force", arguments->force, "overwrite an existing left.yaml or right.yaml");
-  command->add_flag("!--no-write", arguments->write, "print only");
+  command->add_flag("!--no-write", arguments->write, "print the result, write no file");
   command->add_option("--json", arguments->json, "result as JSON: a file, or - for standard output");
   command->footer(
       "Examples:\n"

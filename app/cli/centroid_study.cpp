@@ -19,7 +19,7 @@ double meanOf(const std::vector<double>& values) {
              : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-constexpr double kTick = 1e-3;  // cameras are blocked and freed at motor samples [s]
+constexpr double kTick = 1e-3;  // period of the motor samples, at which cameras are blocked and freed [s]
 
 }  // namespace
 
@@ -47,7 +47,7 @@ void CentroidStudy::add(const tracking::Snapshot& snapshot) {
 
 std::string CentroidStudy::text() const {
   std::string text = fmt::format(
-      "images         {} with the whole marker in view, detected {:.2f} %, of these {} other objects\n",
+      "images         {} with the whole marker in view, detected {:.2f} %; {} detections are other objects\n",
       in_view_, 100.0 * share(detected_, in_view_), strangers_);
   if (!errors_.empty())
     text += fmt::format("centroid error mean {:.4f} px, 95 % below {:.4f} px\n", meanOf(errors_),

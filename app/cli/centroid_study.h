@@ -11,9 +11,9 @@
 
 namespace capstan::cli {
 
-/// Distances of detected centroids from the rendered truth, both cameras [px]: against the area centroid of
-/// the marker's exact outline at mid exposure. Pictures taken while the cameras were blocked on schedule do
-/// not count.
+/// Errors of detected marker centroids in the images of both simulated cameras [px]. The truth is the area
+/// centroid of the marker's exact outline at mid exposure. Images that were taken while the schedule blocked
+/// the cameras do not count.
 class CentroidStudy {
  public:
   CentroidStudy(const simulation::SimulatedSource& source, const live::OcclusionSchedule& occlusion)
@@ -28,10 +28,10 @@ class CentroidStudy {
 
   const simulation::SimulatedSource& source_;
   const live::OcclusionSchedule occlusion_;
-  std::vector<double> errors_;   ///< of detections that belong to the marker [px]
-  std::uint64_t in_view_ = 0;    ///< pictures that show the whole marker, unblocked
-  std::uint64_t detected_ = 0;   ///< of these, with any detection
-  std::uint64_t strangers_ = 0;  ///< of these, of something else: farther than a marker radius away
+  std::vector<double> errors_;   ///< errors of detections of the marker [px]
+  std::uint64_t in_view_ = 0;    ///< unblocked images that show the whole marker
+  std::uint64_t detected_ = 0;   ///< images in view with a detection
+  std::uint64_t strangers_ = 0;  ///< detections of other objects: error above a marker radius
 };
 
 }  // namespace capstan::cli

@@ -2,14 +2,14 @@
 
 #include <CLI/CLI.hpp>
 
-/// capstan-cli: one subcommand a file. A command declares its options on the given app; its callback does the
-/// work and leaves the exit code. Bad arguments and bad files leave as base::InputError, which main() prints.
+/// capstan-cli: one subcommand per file. A command declares its options on `app`; its callback does the work
+/// and stores the exit code in `exit`. Bad arguments and files throw base::InputError, which main() prints.
 namespace capstan::cli {
 
 enum ExitCode : int {
   kOk = 0,
-  kFailed = 1,  ///< ran, but the answer is no (not calibrated, nothing tracked, cancelled)
-  kUsage = 2,   ///< bad argument, bad or missing file
+  kFailed = 1,  ///< no result or a negative one (not calibrated, nothing tracked, cancelled)
+  kUsage = 2,   ///< bad argument, or bad or missing file
 };
 
 void addSimulate(CLI::App& app, ExitCode& exit);

@@ -9,16 +9,16 @@
 
 namespace capstan::cli {
 
-/// Shows `progress` on standard error while it lives, on a terminal only, and cancels it at Ctrl-C and
-/// SIGTERM.
+/// Line of progress on standard error, shown on a terminal only and for the lifetime of the object. Ctrl-C
+/// and SIGTERM cancel `progress`.
 class ProgressLine {
  public:
   explicit ProgressLine(base::Progress& progress);
   ~ProgressLine();
 
  private:
-  void (*interrupt_)(int);  ///< what SIGINT did before
-  void (*terminate_)(int);  ///< and SIGTERM
+  void (*interrupt_)(int);  ///< former handler of SIGINT
+  void (*terminate_)(int);  ///< former handler of SIGTERM
   std::jthread thread_;
 };
 
@@ -26,32 +26,31 @@ class ProgressLine {
 /// renamed or removed, or its meaning changes; not when one is added.
 inline constexpr int kJsonSchema = 1;
 
-/// Where --json goes: empty (nowhere), "-" (standard output) or a file.
+/// Outputs of a command. The target of --json is empty (none), "-" (standard output) or a file.
 class Output {
  public:
   explicit Output(std::string json_target) : json_target_(std::move(json_target)) {}
-  /// Text for people on standard output; silent where standard output belongs to the JSON.
+  /// Prints text for people on standard output; prints nothing if --json writes there.
   void text(const std::string& text) const;
-  /// One JSON document, numbers to the last bit, NaN as null. Throws base::InputError when the file cannot be
-  /// written.
-  /// With "schema": kJsonSchema beside what an object has.
+  /// Writes one JSON document to the target of --json: numbers to the last bit, NaN as null. An object also
+  /// gets the key "schema" with kJsonSchema. Throws base::InputError when the file cannot be written.
   void json(const nlohmann::json& document) const;
 
  private:
   std::string json_target_;
 };
 
-/// base::InputError about a file, or about an option or argument.
+/// Throws base::InputError about a file, or about an option or argument.
 [[noreturn]] void refuseFile(const std::string& file, const std::string& reason, const std::string& remedy);
 [[noreturn]] void refuseOption(const std::string& name, const std::string& value, const std::string& reason,
                                const std::string& remedy);
 
-/// A notice for people, on standard error.
+/// Prints a notice for people on standard error.
 void notice(const std::string& text);
 
 nlohmann::json toJson(const Eigen::Vector3d& vector);
 
-/// Now, local time, ISO 8601 to the second.
+/// Present local time as ISO 8601, to the second.
 std::string isoNow();
 
 }  // namespace capstan::cli

@@ -29,13 +29,13 @@ std::string targetOf(const ConvertArguments& arguments) {
   if (suffix == ".csv") return "table";
   if (suffix == recording::kSessionSuffix) return "session";
   if (suffix == ".avi" || suffix == ".mkv" || suffix == ".mp4") return "video";
-  refuseOption("OUT", arguments.out, "does not say by its suffix what to write",
+  refuseOption("OUT", arguments.out, "has a suffix that names no format",
                "End it in .csv, .capstan, .avi, .mkv or .mp4, or give --to csv-folder or png");
 }
 
 void needSession(RecordingFormat format, const std::string& target) {
   if (format != RecordingFormat::kSession)
-    refuseOption("--to", target, "only a session holds that", "Give a .capstan file");
+    refuseOption("--to", target, "needs a session as IN", "Give a .capstan file");
 }
 
 std::string writeTable(const ConvertArguments& arguments, RecordingFormat format,
@@ -50,7 +50,7 @@ std::string writeTable(const ConvertArguments& arguments, RecordingFormat format
   for (const auto& column : table.ignored)
     notice("column " + column + " is not part of a measured table: excluded");
   if (table.own_kinematics)
-    notice("columns q are the robot's own kinematics, no truth, which the table cannot say");
+    notice("columns q are the robot's own kinematics, not a true reference; the table cannot state this");
   return fmt::format("{} rows of {} joints", table.rows(), table.joints());
 }
 
@@ -62,7 +62,7 @@ std::string writeVideo(const ConvertArguments& arguments, base::Progress& progre
   return fmt::format("{} frames", video.frames);
 }
 
-/// What was written; nothing of use once `progress` is cancelled.
+/// Writes OUT and returns the amount written as text, which is meaningless once `progress` is cancelled.
 std::string convertTo(const std::string& target, const ConvertArguments& arguments, RecordingFormat format,
                       base::Progress& progress) {
   if (target == "table") return writeTable(arguments, format, progress);
@@ -82,7 +82,7 @@ std::string convertTo(const std::string& target, const ConvertArguments& argumen
   return writeVideo(arguments, progress);
 }
 
-/// Before anything is written.
+/// Checks that OUT and --json can be written. Throws base::InputError.
 void checkOut(const ConvertArguments& arguments, const std::string& target) {
   namespace fs = std::filesystem;
   const std::vector<std::string> inputs = {arguments.in, arguments.robot};
@@ -125,18 +125,21 @@ ExitCode convert(const ConvertArguments& arguments) {
 
 void addConvert(CLI::App& app, ExitCode& exit) {
   auto arguments = std::make_shared<ConvertArguments>();
-  CLI::App* command = app.add_subcommand("convert", "Turn recordings into tables, images, videos and back");
+  CLI::App* command =
+      app.add_subcommand("convert", "Convert sessions to tables, images or videos, and tables to sessions");
   command->add_option("IN", arguments->in, "session (.capstan), measured table or RAVEN-II motor log (.csv)")
       ->required();
   command->add_option("OUT", arguments->out, "file or folder to write")->required();
-  command->add_option("--to", arguments->to, "auto (by OUT's suffix), table, session, csv-folder, png, video")
+  command
+      ->add_option("--to", arguments->to,
+                   "format of OUT: auto (by its suffix), table, session, csv-folder, png, video")
       ->capture_default_str()
       ->check(CLI::IsMember({"auto", "table", "session", "csv-folder", "png", "video"}));
-  command->add_option("--format", arguments->format, "of IN: auto, session, table, raven")
+  command->add_option("--format", arguments->format, "format of IN: auto, session, table, raven")
       ->capture_default_str()
       ->check(CLI::IsMember({"auto", "session", "table", "raven"}));
   addReadAs(*command, arguments->read_as);
-  command->add_option("--robot", arguments->robot, "robot file for recordings that bring none");
+  command->add_option("--robot", arguments->robot, "robot file, for recordings that contain none");
   command->add_flag("--force", arguments->force,
                     "overwrite an existing file, or write into a folder that is not empty");
   command->add_option("--json", arguments->json, "result as JSON: a file, or - for standard output");

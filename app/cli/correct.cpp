@@ -20,7 +20,7 @@ struct CorrectArguments {
   bool path = false, end_point = false;
 };
 
-/// Each trajectory as a planned motion, to be followed from its first waypoint to its last.
+/// Corrects each trajectory as a planned motion from its first waypoint to its last (--path, --end-point).
 ExitCode correctPaths(const CorrectArguments& arguments) {
   const learning::CorrectionFile file = learning::readCorrection(arguments.model);
   const recording::PosePaths paths = recording::readPosePaths(arguments.in);
@@ -39,7 +39,7 @@ ExitCode correctPaths(const CorrectArguments& arguments) {
   }
   base::writeTextFile(arguments.out, recording::formatCommands(paths, commands));
   if (low_confidence > 0)
-    notice(fmt::format("{} of {} waypoints are far from what was learned (confidence below {}).",
+    notice(fmt::format("{} of {} waypoints are far from the learned poses (confidence below {}).",
                        low_confidence, waypoints, learning::kLowConfidence));
   Output({}).text(fmt::format("{} motions, {} waypoints corrected{} towards the {}.\n", commands.size(),
                               waypoints, arguments.path ? " each" : " by their end points",
@@ -59,12 +59,12 @@ ExitCode run(const CorrectArguments& arguments) {
     return one.confidence < learning::kLowConfidence;
   });
   base::writeTextFile(arguments.out, recording::formatCorrected(paths, corrected));
-  if (!paths.timed) notice("The table has no t_s: every pose is corrected as one to rest at.");
+  if (!paths.timed) notice("The table has no t_s: every pose is corrected for an arm at rest.");
   if (file.model.processes().empty())
-    notice("The model is a rigid offset alone: it has no confidence.");
+    notice("The model is only a rigid offset: it has no confidence.");
   else if (low_confidence > 0)
     notice(
-        fmt::format("{} of {} poses are far from what was learned (confidence below {}): they are corrected "
+        fmt::format("{} of {} poses are far from the learned poses (confidence below {}): they are corrected "
                     "by little more than the rigid offset.",
                     low_confidence, corrected.size(), learning::kLowConfidence));
   Output({}).text(fmt::format("{} poses corrected towards the {}.\n", corrected.size(),
@@ -76,24 +76,25 @@ ExitCode run(const CorrectArguments& arguments) {
 
 void addCorrect(CLI::App& app, ExitCode& exit) {
   auto arguments = std::make_shared<CorrectArguments>();
-  CLI::App* command = app.add_subcommand("correct", "Correct poses by a model that `learn` wrote");
+  CLI::App* command = app.add_subcommand("correct", "Correct desired poses with a model that `learn` wrote");
   command->add_option("--model", arguments->model, "file that `capstan-cli learn` wrote")->required();
   command
       ->add_option("IN", arguments->in,
                    "table of desired poses, in the cameras' frame: x, y, z [m], qx, qy, qz, qw; t_s, traj")
       ->required();
-  command->add_option("OUT", arguments->out, "table of the command, with standard deviations and confidence")
+  command
+      ->add_option("OUT", arguments->out,
+                   "table of corrected commands to write, with standard deviations and confidence")
       ->required();
   command->add_flag(
       "--path", arguments->path,
       "trajectories are planned motions (t_s, traj): each waypoint is corrected with its velocity");
   command
-      ->add_flag(
-          "--end-point", arguments->end_point,
-          "trajectories are straight motions: their ends are corrected, the way between stays straight")
+      ->add_flag("--end-point", arguments->end_point,
+                 "trajectories are straight motions: only their end points are corrected")
       ->excludes("--path");
   command->footer(
-      "Velocities come from t_s; far from what was learned corrections fade to the rigid offset.\n"
+      "Velocities are computed from t_s. Far from the learned poses, corrections fade to the rigid offset.\n"
       "Examples:\n"
       "  capstan-cli correct --model arm.correction desired.csv commands.csv\n"
       "  capstan-cli correct --model arm.correction motions.csv commands.csv --path");

@@ -9,49 +9,51 @@ namespace capstan::cli {
 void addDiagnose(CLI::App& app, ExitCode& exit) {
   auto arguments = std::make_shared<DiagnoseArguments>();
   CLI::App* command = app.add_subcommand(
-      "diagnose", "Say what the simulation of a robot gets wrong, why, and what it is worth");
+      "diagnose", "Find the errors of a robot's simulation, their causes, and the gain of modelling them");
   command
       ->add_option(
           "REC", arguments->files,
           "recordings of one robot: session (.capstan), measured table or RAVEN-II motor log (.csv); "
           "or one table of tip poses (.csv with traj, t_cam_s, cam_x …)")
       ->required();
-  command->add_option("--robot", arguments->robot, "nominal robot file; a session brings its own");
+  command->add_option("--robot", arguments->robot, "nominal robot file; a session contains its own");
   addReadAs(*command, arguments->read_as);
   command->add_option("--only", arguments->options.only, "effects to consider, by their names in robot files")
       ->delimiter(',');
   command
       ->add_option("--towards", arguments->towards,
-                   "of tip poses: what the cameras are compared with, the kinematics where there are any")
+                   "for tip poses: reference of the cameras (default: kinematics, if the table has it)")
       ->check(CLI::IsMember({"kinematics", "command"}));
   command
-      ->add_option("--skip-start", arguments->skip_start, "of each recording, simulated but not compared [s]")
+      ->add_option("--skip-start", arguments->skip_start,
+                   "initial time of each recording that is simulated but not compared [s]")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 1e6));
   command
       ->add_option(
           "--zeros", arguments->zeros,
-          "zeros of joint encoders: known, as in the robot file; shared, one unknown zero for all\n"
-          "recordings (for loads that are constant within each); each, an unknown zero per recording\n"
-          "(default; known with one recording)")
+          "zeros of joint encoders. known: as in the robot file; shared: one unknown zero for all\n"
+          "recordings (for loads that are constant within each); each: one unknown zero per recording\n"
+          "(default; with a single recording: known)")
       ->check(CLI::IsMember({"known", "shared", "each"}));
   command->add_option("--threads", arguments->options.threads, "number of worker threads")
       ->capture_default_str()
       ->check(CLI::Range(1, 64));
-  command->add_option("--seed", arguments->options.seed, "of the bootstraps")->capture_default_str();
+  command->add_option("--seed", arguments->options.seed, "random seed of the bootstraps")
+      ->capture_default_str();
   command->add_flag_callback(
       "--no-filter", [arguments] { arguments->options.filter = false; },
-      "exclude what the Kalman filter gains");
+      "do not compute the gain of the Kalman filter");
   command->add_option("--out", arguments->out,
-                      "extended robot file, for simulator, identification and filter");
+                      "extended robot file to write, for simulator, identification and filter");
   command->add_option("--report", arguments->report,
                       "folder for a page with figures, JSON and robot file: new, empty, or of a former run");
   command->add_option("--json", arguments->json, "result as JSON, SI: a file, or - for standard output");
   command->footer(
-      "The nominal model is refitted first, so that a mistuned number is not called a missing effect. The\n"
-      "reference is the joint encoder where fitted, else the tip that cameras see. Verdicts: found, "
-      "several,\n"
-      "tie (with the motion that would distinguish), nothing, unexplained; each is an answer: exit code 0.\n"
+      "The nominal model is refitted first, so that a mistuned number is not reported as a missing effect.\n"
+      "The reference is the joint encoders, or without them the tip position from the cameras. Verdicts:\n"
+      "found, several, tie (with a motion that would distinguish the candidates), nothing, unexplained.\n"
+      "Each verdict has exit code 0.\n"
       "Examples:\n"
       "  capstan-cli diagnose trial.capstan\n"
       "  capstan-cli diagnose slow.csv fast.csv --robot arm.yaml --report diagnosis --out arm_extended.yaml\n"

@@ -17,9 +17,9 @@ using diagnosis::Cause;
 using diagnosis::Report;
 
 constexpr std::size_t kWidth = 100;
-constexpr std::size_t kRanked = 6;  ///< candidates of a round
+constexpr std::size_t kRanked = 6;  ///< number of candidates shown per round
 
-/// Of UTF-8.
+/// Number of characters of a UTF-8 text.
 std::size_t charactersIn(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(
       text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
@@ -58,7 +58,7 @@ std::string causeBlock(const Cause& cause) {
   return text + "\n";
 }
 
-/// A tie's causes stand with the tie.
+/// Returns whether `cause` belongs to a tie; such causes are printed with their tie.
 bool isTied(const Report& report, const Cause& cause) {
   for (const diagnosis::Tie& tie : report.ties)
     for (const Cause& one : tie.causes)
@@ -71,7 +71,7 @@ std::string causesText(const Report& report) {
   for (const Cause& cause : report.causes)
     if (!isTied(report, cause)) text += causeBlock(cause);
   for (const diagnosis::Tie& tie : report.ties) {
-    text += "One of these, which the recordings cannot distinguish:\n\n";
+    text += "One of these causes, which the recordings cannot distinguish:\n\n";
     for (const Cause& cause : tie.causes) text += causeBlock(cause);
     if (!tie.separate.empty()) text += wrapped("What would distinguish them: " + tie.separate) + "\n";
   }
@@ -122,7 +122,7 @@ std::string plainText(const base::Table& table) {
 
 std::string textOf(const Report& report) {
   std::string text = report.cancelled
-                         ? "Cancelled: no verdict. What was known until then:\n\n"
+                         ? "Cancelled: no verdict. Results until then:\n\n"
                          : wrapped(report.summary) + "\n" + causesText(report) + unexplainedText(report);
   if (!report.channels.empty()) text += plainText(diagnosis::channelTable(report)) + "\n";
   if (!report.refit.empty()) text += plainText(diagnosis::refitTable(report)) + "\n";

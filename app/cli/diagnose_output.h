@@ -7,15 +7,15 @@
 
 namespace capstan::cli {
 
-/// A report for a terminal: the verdict first, then causes and ties in words and units for people, what each
-/// model gets wrong, the refit, the ranking, what stays unexplained and what the filter gains. One that was
-/// cancelled has no verdict, only what was known until then.
+/// Text of a report for a terminal, in units for people: the verdict, causes and ties, unexplained residuals,
+/// residuals of each model, the refit, the ranking and the gain of the filter. The text of a cancelled
+/// report has no verdict, only the results until then.
 std::string textOf(const diagnosis::Report& report);
 
-/// A table for a terminal: columns aligned, those of numbers to the right; its note below, wrapped.
+/// Text of a table for a terminal: columns aligned, numbers to the right; the wrapped note follows.
 std::string plainText(const base::Table& table);
 
-/// `text` wrapped so that no line is wider than a terminal, each line behind `indent` spaces.
+/// `text` wrapped to the width of a terminal, with `indent` spaces at the start of each line.
 std::string wrapped(const std::string& text, std::size_t indent = 0);
 
 }  // namespace capstan::cli

@@ -31,7 +31,7 @@ void checkOptions(const DiagnoseArguments& arguments) {
     if (!robot::effectNamed(name)) refuseOption("--only", name, "is no effect", "Effects: " + all);
 }
 
-/// Of tip poses.
+/// Refuses options that do not apply to tip poses. Throws base::InputError.
 void checkPoseOptions(const DiagnoseArguments& arguments) {
   if (!arguments.read_as.empty())
     refuseOption(kReadAs, arguments.read_as, "is not for tables of tip poses", "Leave it out");
@@ -44,7 +44,7 @@ void checkPoseOptions(const DiagnoseArguments& arguments) {
                  "Leave it out");
 }
 
-/// Recordings, and outputs that can be written and are no inputs.
+/// Checks that files are recordings, and that outputs can be written and are no inputs.
 void checkFiles(const DiagnoseArguments& arguments) {
   const std::vector<std::string>& files = arguments.files;
   for (const std::string& file : files)
@@ -90,7 +90,7 @@ void writeRobot(const DiagnoseArguments& arguments, const Report& report) {
   if (report.causes.empty()) notice("nothing was named: " + arguments.out + " is the refitted robot");
 }
 
-/// False: cancelled while it was drawn.
+/// Writes the page of --report. Returns false if it was cancelled while figures were drawn.
 bool writePage(const DiagnoseArguments& arguments, const Report& report, const robot::Description& nominal) {
   const FileDrawing drawing;
   base::Progress progress;
@@ -99,7 +99,7 @@ bool writePage(const DiagnoseArguments& arguments, const Report& report, const r
   return !progress.cancelled();
 }
 
-/// Says what was not written.
+/// Prints a notice of the cancellation with the files that were not written. Returns kFailed.
 ExitCode cancelled(const DiagnoseArguments& arguments, const std::string& what) {
   std::string files;
   for (const std::string& file : {arguments.out, arguments.report})
@@ -123,7 +123,7 @@ ExitCode runDiagnose(const DiagnoseArguments& arguments, const diagnosis::Diagno
   const Output output(arguments.json);
   output.text(textOf(found));
   output.json(jsonOf(found));
-  if (report.cancelled) return cancelled(arguments, "this is what there was until then");
+  if (report.cancelled) return cancelled(arguments, "these are the results until then");
   if (!arguments.out.empty()) writeRobot(arguments, report);
   if (!arguments.report.empty() && !writePage(arguments, report, found.nominal)) {
     notice("cancelled: " + arguments.report + " lacks figures");

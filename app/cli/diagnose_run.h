@@ -8,18 +8,19 @@
 
 namespace capstan::cli {
 
+/// Arguments of `capstan-cli diagnose`.
 struct DiagnoseArguments {
   std::vector<std::string> files;
-  std::string robot, json, report, out;  ///< empty: not given
-  std::string towards;                   ///< of tip poses: kinematics, command; empty: what there is
-  std::string zeros;                     ///< of encoders: known, shared, each; empty: options.zeros
-  double skip_start = 0.0;               ///< [s]
-  std::string read_as;                   ///< units of tables, as recording::parseReadAs() takes them
+  std::string robot, json, report, out;  ///< values of the options; empty: not given
+  std::string towards;      ///< reference of tip poses: kinematics, command; empty: chosen by the table
+  std::string zeros;        ///< zeros of joint encoders: known, shared, each; empty: options.zeros
+  double skip_start = 0.0;  ///< initial time that is not compared [s]
+  std::string read_as;      ///< units of tables, in the format of recording::parseReadAs()
   diagnosis::DiagnosisOptions options;
 };
 
-/// The command behind its options: reads, diagnoses and writes. kFailed: cancelled. Throws base::InputError
-/// for files, options and outputs that will not do, before anything is computed.
+/// Reads the files, diagnoses them and writes the outputs. Returns kFailed if it was cancelled. Throws
+/// base::InputError for unusable files, options and outputs, before anything is computed.
 ExitCode runDiagnose(const DiagnoseArguments& arguments,
                      const diagnosis::Diagnose& diagnose = diagnosis::diagnose);
 

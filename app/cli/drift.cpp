@@ -36,7 +36,7 @@ const char* nameOf(Finding finding) {
   return finding == Finding::kHolds ? "holds" : finding == Finding::kDrifted ? "drifted" : "unknown";
 }
 
-/// Where a state of the recording is found again.
+/// Text that locates a state in its table: trajectory, time and line.
 std::string placeOf(const learning::PreparedStates& prepared, std::size_t state) {
   const learning::State& at = prepared.states[state];
   return fmt::format("{}, t {:.1f} s (line {})", prepared.screen.motions[at.motion].name, at.t, at.row);
@@ -65,26 +65,26 @@ nlohmann::json jsonOf(const learning::PreparedStates& prepared, const learning::
 std::string textOf(const learning::PreparedStates& prepared, std::size_t states,
                    const learning::DriftHistory& history) {
   std::string text = fmt::format(
-      "{} of {} states count; {} of these lie where the model's confidence is low (below {}) and say\n"
-      "nothing of it.\n",
+      "{} of {} states count; for {} of these the model's confidence is low (below {}): they do not\n"
+      "test it.\n",
       prepared.states.size(), states, history.low_confidence, learning::kLowConfidence);
   if (2 * history.low_confidence > prepared.states.size())
-    text += "Most of what was recorded lies outside what was learned: learn it too.\n";
+    text += "Most recorded poses lie outside the learned region: add them to the training.\n";
   if (findingOf(history) == Finding::kUnknown)
-    return text +
-           fmt::format("Too short to test the model: {} s of motion at least.\n", learning::kFewestPieces);
-  text += "Errors, in what is stated for them (about 1 or less while the model holds):";
+    return text + fmt::format("Too short to test the model: at least {} s of motion are needed.\n",
+                              learning::kFewestPieces);
+  text += "Errors divided by their stated σ (about 1 or less while the model is valid):";
   for (std::size_t i = 0; i < kOutputs.size(); ++i)
     text += fmt::format("{} {} {:.2f}", i == 0 ? "" : ",", kOutputs[i],
                         history.factor[static_cast<Eigen::Index>(i)]);
   const learning::DriftReport& last = history.reports.back();
   text += fmt::format(
-      "\nIn the last {:.0f} s {:.0f} % of the errors of {} are beyond their σ:\n"
-      "{:.0f} % at most are expected while it holds, more than {:.0f} % are no chance.\n",
+      "\nIn the last {:.0f} s, {:.0f} % of the errors of {} are larger than their σ:\n"
+      "a valid model gives at most {:.0f} %, and more than {:.0f} % are significant.\n",
       last.span, 100.0 * last.beyond, kOutputs[static_cast<std::size_t>(last.output)],
       100.0 * learning::kBeyond, 100.0 * last.limit);
   for (const auto& [from, to] : history.drifted)
-    text += fmt::format("Did not hold as noticed from {} to {}.\n", placeOf(prepared, history.state[from]),
+    text += fmt::format("Drift was detected from {} to {}.\n", placeOf(prepared, history.state[from]),
                         placeOf(prepared, history.state[to - 1]));
   return text + (history.driftedNow() ? "The model has drifted: retrain on motions as they are now.\n"
                                       : "Nothing shows that the model has drifted.\n");
@@ -127,18 +127,17 @@ ExitCode run(const DriftArguments& arguments) {
 
 void addDrift(CLI::App& app, ExitCode& exit) {
   auto arguments = std::make_shared<DriftArguments>();
-  CLI::App* command = app.add_subcommand("drift", "Say whether a learned correction still holds");
+  CLI::App* command = app.add_subcommand("drift", "Test whether a learned correction is still valid");
   command->add_option("--model", arguments->model, "file that `capstan-cli learn` wrote")->required();
   command->add_option("TABLES", arguments->tables, "tables of tip poses, newer than the model")->required();
   command->add_option("--span", arguments->options.span, "longest window of motion for one test [s]")
       ->capture_default_str()
       ->check(CLI::Range(static_cast<double>(learning::kFewestPieces), 1e5));
-  command->add_option("--json", arguments->json, "course as JSON: a file, or - for standard output");
+  command->add_option("--json", arguments->json, "history as JSON: a file, or - for standard output");
   command->footer(
-      "Errors of new motions are compared with the standard deviations that the model states for them, where "
-      "it\n"
-      "has high confidence. Exit code 0: it holds; 1: it has drifted, or the motions are too short to test "
-      "it.\n"
+      "Errors of new motions are compared with the standard deviations that the model states, where its\n"
+      "confidence is high. Exit code 0: the model is valid; 1: it has drifted, or the motions are too short\n"
+      "for a test.\n"
       "Example: capstan-cli drift --model arm.correction today.csv");
   command->callback([arguments, &exit] { exit = run(*arguments); });
 }

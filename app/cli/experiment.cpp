@@ -42,7 +42,7 @@ std::vector<Specification> specificationsOf(const std::string& name) {
   return all;
 }
 
-/// One experiment after the other, with a line of progress each. False: cancelled.
+/// Runs the experiments one after the other, each with a line of progress. Returns false if cancelled.
 bool runAll(const std::vector<Specification>& specifications, const experiments::RunOptions& options,
             std::vector<Results>& done) {
   for (const Specification& specification : specifications) {
@@ -103,21 +103,22 @@ void addExperiment(CLI::App& app, ExitCode& exit) {
   auto arguments = std::make_shared<ExperimentArguments>();
   CLI::App* command = app.add_subcommand(
       "experiment",
-      "Run experiments of the UKF paper (A to D) or of the GPR paper (E to H), or any specification,\n"
-      "and compare with the paper");
+      "Run experiments of the UKF paper (A to D), of the GPR paper (E to H), or of a specification,\n"
+      "and compare the results with the paper");
   command
       ->add_option("NAME", arguments->name,
-                   "A (pulley radius), B (cables), C (errors), D (occlusion), all of these, or a "
+                   "A (pulley radius), B (cables), C (errors), D (occlusion), all (A to D), or a "
                    "specification (.yaml);\n"
                    "E (errors of corrected poses), F (training size), G (arrival), H (debridement)")
       ->required();
   command->add_option("--out", arguments->out, "folder of results; finished trials in it are not run again")
       ->capture_default_str();
-  command->add_option("--threads", arguments->threads, "trials at the same time")
+  command->add_option("--threads", arguments->threads, "number of trials that run in parallel")
       ->capture_default_str()
       ->check(CLI::Range(1, 64));
   command->add_flag_callback(
-      "--images", [arguments] { arguments->images = true; }, "images, whatever the specification says");
+      "--images", [arguments] { arguments->images = true; },
+      "render images, even if the specification excludes them");
   command->add_flag_callback(
       "--no-images", [arguments] { arguments->images = false; },
       "tip positions with pixel noise instead of images: faster");
@@ -125,8 +126,8 @@ void addExperiment(CLI::App& app, ExitCode& exit) {
   command->add_option("--json", arguments->json,
                       "numbers and goals as JSON, SI: a file, or - for standard output");
   command->footer(
-      "Ctrl-C stops it; the same command goes on where it was stopped. C and D use the robot that A and B\n"
-      "identified, and run these first. resources/experiments holds A.yaml … D.yaml to copy from. Examples:\n"
+      "Ctrl-C stops the run; the same command continues it. C and D run A and B first and use the robot\n"
+      "that these identify. resources/experiments holds A.yaml … D.yaml to copy from. Examples:\n"
       "  capstan-cli experiment all --out results\n"
       "  capstan-cli experiment C --no-images --json -\n"
       "  capstan-cli experiment my_trials.yaml --out results     (simulated, or recorded sessions)\n"

@@ -26,30 +26,32 @@ experiments::CorrectionExperimentResults computed(const experiments::CorrectionE
 void addCorrectionOptions(CLI::App& command, CorrectionExperimentArguments& arguments) {
   experiments::CorrectionExperimentOptions& options = arguments.options;
   const auto grouped = [](CLI::Option* option) { return option->group(kGroup); };
-  grouped(command.add_option("POSES,--poses", options.poses, "tables of tip poses (.csv), of E and F"));
-  grouped(
-      command.add_option("--towards", arguments.towards, "stream that poses are compared with, of E and F"))
+  grouped(command.add_option("POSES,--poses", options.poses, "tables of tip poses (.csv), for E and F"));
+  grouped(command.add_option("--towards", arguments.towards,
+                             "stream that observed poses are compared with, for E and F"))
       ->capture_default_str()
       ->check(CLI::IsMember({"command", "robot"}));
-  grouped(command.add_option("--splits", options.errors.splits, "random splits into training and test, of E"))
+  grouped(command.add_option("--splits", options.errors.splits,
+                             "number of random splits into training and test set, for E"))
       ->capture_default_str()
       ->check(CLI::Range(1, 1000));
-  grouped(command.add_option("--motions", options.simulated.training.motions, "training motions, of G and H"))
+  grouped(command.add_option("--motions", options.simulated.training.motions,
+                             "number of training motions, for G and H"))
       ->capture_default_str()
       ->check(CLI::Range(10, 100000));
   grouped(command.add_option("--arrivals", options.simulated.arrival.repetitions,
-                             "arrivals at each location, of G"))
+                             "number of arrivals per location, for G"))
       ->capture_default_str()
       ->check(CLI::Range(2, 10000));
-  grouped(
-      command.add_option("--fragments", options.simulated.task.fragments, "fragments of each method, of H"))
+  grouped(command.add_option("--fragments", options.simulated.task.fragments,
+                             "number of fragments per method, for H"))
       ->capture_default_str()
       ->check(CLI::Range(2, 100000));
   grouped(command.add_option("--inducing", options.errors.correction.inducing_points,
-                             "inducing points of each process"))
+                             "number of inducing points per process"))
       ->capture_default_str()
       ->check(CLI::Range(20, 20000));
-  grouped(command.add_option("--seed", options.errors.seed, "of splits, motions and noise"))
+  grouped(command.add_option("--seed", options.errors.seed, "random seed of splits, motions and noise"))
       ->capture_default_str();
 }
 

@@ -20,7 +20,7 @@ struct ExploreArguments {
   int count = 10;
 };
 
-/// Commands that reach them, in their order.
+/// Query poses and their commands, in the same order.
 struct QueryPoses {
   recording::PosePaths paths;
   std::vector<learning::Corrected> corrected;
@@ -42,9 +42,8 @@ QueryPoses queryPosesOf(const std::vector<learning::State>& candidates,
 std::string textOf(std::size_t candidates, const std::vector<learning::NextPose>& next,
                    const QueryPoses& queries) {
   std::string text = fmt::format(
-      "{} of {} query poses, the most informative first. Uncertainty (mean variance of the correction "
-      "over\n"
-      "these poses, of what it is without data), were they learned too:\n",
+      "{} of {} query poses, the most informative first. Uncertainty (mean variance of the correction over\n"
+      "these poses, relative to the variance without data) before and after each pose is learned:\n",
       next.size(), candidates);
   for (std::size_t k = 0; k < next.size(); ++k)
     text += fmt::format("  pose {:3}   {:5.1f} % → {:5.1f} %\n", k + 1, 100.0 * next[k].before,
@@ -93,8 +92,8 @@ void addExplore(CLI::App& app, ExitCode& exit) {
       app.add_subcommand("explore", "Propose the query poses that lower a correction's uncertainty most");
   command->add_option("--model", arguments->model, "file that `capstan-cli learn` wrote")->required();
   command->add_option("--among", arguments->among,
-                      "table of poses to choose from, as `correct` takes them; without it a grid near\n"
-                      "the positions and rotations that were learned");
+                      "table of poses to choose from, in the format of `correct`; default: a grid near\n"
+                      "the learned positions and rotations");
   command->add_option("--count", arguments->count, "number of query poses")
       ->capture_default_str()
       ->check(CLI::Range(1, 1000));
@@ -104,7 +103,7 @@ void addExplore(CLI::App& app, ExitCode& exit) {
           "output table: proposed poses as commands, best first, with standard deviations and confidence")
       ->required();
   command->footer(
-      "What is gained holds for a model that is retrained from all motions.\n"
+      "The stated uncertainty is that of a model that is retrained on all motions.\n"
       "Example: capstan-cli explore --model arm.correction --count 20 queries.csv");
   command->callback([arguments, &exit] { exit = run(*arguments); });
 }

@@ -26,7 +26,7 @@ struct FiguresArguments {
   bool no_titles = false;
 };
 
-/// A recording is tracked as the only trial of an experiment that keeps nothing. False: cancelled.
+/// Tracks a recording as the only trial of an experiment without output. Returns false if cancelled.
 bool track(const fs::path& file, std::vector<Results>& all) {
   base::Progress progress;
   const ProgressLine line(progress);
@@ -36,7 +36,7 @@ bool track(const fs::path& file, std::vector<Results>& all) {
   return true;
 }
 
-/// Names of files begin with the results' names, so no two may be alike.
+/// Refuses two results with the same name, because file names begin with it. Throws base::InputError.
 void refuseTwins(const std::vector<Results>& all) {
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
@@ -45,7 +45,7 @@ void refuseTwins(const std::vector<Results>& all) {
                      "Export them into two folders");
 }
 
-/// False: cancelled.
+/// Reads results and tracks recordings into `all`. Returns false if cancelled.
 bool readInputs(const std::vector<std::string>& inputs, std::vector<Results>& all) {
   for (const std::string& input : inputs)
     if (!fs::exists(input))
@@ -107,7 +107,7 @@ ExitCode figures(const FiguresArguments& arguments) {
                {"files", files},
                {"missing", report.missing},
                {"cancelled", report.cancelled}});
-  if (report.cancelled) notice("cancelled: the folder holds what was drawn before");
+  if (report.cancelled) notice("cancelled: the folder holds the figures that were finished");
   return report.cancelled ? kFailed : kOk;
 }
 
@@ -121,22 +121,26 @@ void addFigures(CLI::App& app, ExitCode& exit) {
       ->add_option("INPUT", arguments->inputs,
                    "results of capstan-cli experiment (a folder), or recordings (.capstan, .csv)")
       ->required();
-  command->add_option("--out", arguments->out, "folder: new, empty, or of a former run to write over")
+  command
+      ->add_option("--out", arguments->out,
+                   "folder: new, empty, or of a former run, whose files are overwritten")
       ->capture_default_str();
-  command->add_option("--size", arguments->size, "of a figure on paper, WxH [mm]")->capture_default_str();
+  command->add_option("--size", arguments->size, "size of a figure on paper, WxH [mm]")
+      ->capture_default_str();
   command->add_flag("--no-titles", arguments->no_titles,
-                    "leave titles and notes to the captions of the index page");
-  command->add_option("--only", arguments->only, "of trajectories, parameters, histograms, boxplots, tables")
+                    "put titles and notes only into the captions of the index page");
+  command
+      ->add_option("--only", arguments->only,
+                   "kinds to draw: trajectories, parameters, histograms, boxplots, tables")
       ->delimiter(',')
       ->check(CLI::IsMember({"trajectories", "parameters", "histograms", "boxplots", "tables"}));
   command->add_option("--json", arguments->json,
                       "names of all files as JSON: a file, or - for standard output");
   command->footer(
-      "Each figure is written as PDF, SVG, PNG (300 dpi) and its numbers as CSV, each table as CSV, LaTeX "
-      "and\n"
-      "Markdown. A figure whose panels would be lower than 10 mm is written as a page for each joint:\n"
-      "NAME-page-1.pdf, NAME-page-2.pdf and so on. Nothing but files of the same names is written over, and "
-      "nothing is deleted. Examples:\n"
+      "Each figure is written as PDF, SVG, PNG (300 dpi) and CSV (its numbers), each table as CSV, LaTeX\n"
+      "and Markdown. A figure whose panels would be lower than 10 mm is written as a page for each joint:\n"
+      "NAME-page-1.pdf, NAME-page-2.pdf and so on. Only files of the same names are overwritten; nothing is\n"
+      "deleted. Examples:\n"
       "  capstan-cli figures results --out figures           (all that capstan-cli experiment left there)\n"
       "  capstan-cli figures results --out column --size 88x90 --only boxplots,histograms\n"
       "  capstan-cli figures trial.capstan --out trial_figures");

@@ -7,7 +7,7 @@
 namespace capstan::cli {
 namespace {
 
-/// Qt's remark on a missing XDG_RUNTIME_DIR concerns nobody who saves files; the rest goes through.
+/// Prints messages of Qt as notices, except that on XDG_RUNTIME_DIR, which saved files do not need.
 void passOn(QtMsgType, const QMessageLogContext&, const QString& message) {
   if (!message.startsWith(QLatin1String("QStandardPaths: XDG_RUNTIME_DIR"))) notice(message.toStdString());
 }

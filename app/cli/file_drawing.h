@@ -6,7 +6,8 @@ class QApplication;
 
 namespace capstan::cli {
 
-/// What Qt needs to draw into files, while it lives; it needs no display, not even a stale DISPLAY variable.
+/// Qt application for drawing into files, for the lifetime of the object. It needs no display and ignores the
+/// variable DISPLAY.
 class FileDrawing {
  public:
   FileDrawing();

@@ -4,7 +4,7 @@
 
 namespace capstan::cli {
 
-/// `text` as it stands in HTML.
+/// `text` with the special characters of HTML escaped.
 inline std::string escaped(const std::string& text) {
   std::string out;
   for (const char c : text) {

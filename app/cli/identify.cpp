@@ -35,7 +35,7 @@ struct IdentifyArguments {
   int threads = 2;
   bool simulate = false, exact_camera = false;
   simulation::SimulationRequest simulation;
-  IdentifyDriveArguments drive;  ///< of a robot of one joint
+  IdentifyDriveArguments drive;  ///< arguments for a robot of one joint
 };
 
 void check(const IdentifyArguments& arguments, const CLI::App& command) {
@@ -55,8 +55,8 @@ void check(const IdentifyArguments& arguments, const CLI::App& command) {
     refuseOption("--trace", arguments.trace, "needs the dual UKF", "Choose --method dual-ukf or both");
 }
 
-/// Before the long computation: recordings that are each another, outputs that can be written and are no
-/// inputs.
+/// Checks, before the long computation, that no recording is given twice and that outputs can be written and
+/// are no inputs. Throws base::InputError.
 void checkFiles(const IdentifyArguments& arguments) {
   const std::vector<std::string>& files = arguments.files;
   for (std::size_t i = 0; i < files.size(); ++i)
@@ -73,15 +73,15 @@ void checkFiles(const IdentifyArguments& arguments) {
                inputs);
 }
 
-/// The tracking options of the recording, whose stamps are late by `delay` more than they said.
+/// Writes the tracking options of the recording, with `delay` [s] added to their camera_delay.
 void writeTrackingOptions(tracking::TrackingOptions options, double delay, const std::string& path) {
   options.camera_delay += delay;
   base::writeTextFile(path, "# Tracking options with the camera's delay as identified (track --options).\n" +
                                 base::writeYaml(options));
 }
 
-/// All recordings one behind the other, the text of the truth file where they are simulated, and the tracking
-/// options of the first.
+/// Collects all recordings one after the other. `truth` gets the text of the truth file of simulated ones,
+/// `tracking` the tracking options of the first.
 identification::IdentificationData collectAll(IdentifyArguments& arguments, base::Progress& progress,
                                               std::string& truth, tracking::TrackingOptions& tracking) {
   if (arguments.simulate) {
@@ -115,7 +115,7 @@ identification::IdentificationData collectAll(IdentifyArguments& arguments, base
   return std::move(*all);
 }
 
-/// A robot of one joint has no cameras: its drive is identified from its encoders and its load.
+/// Robot file of one joint, if it is given: its drive is identified from encoders and load, without cameras.
 std::optional<robot::Description> driveOf(const IdentifyArguments& arguments, const CLI::App& command) {
   std::optional<robot::Description> robot;
   if (!arguments.robot.empty() && !arguments.simulate)
@@ -133,12 +133,12 @@ std::optional<robot::Description> driveOf(const IdentifyArguments& arguments, co
   return robot;
 }
 
-/// What the methods found, and in what.
+/// Results of the methods, and the data that they used.
 struct Findings {
   std::string truth;  ///< text of the truth file; empty: not simulated
   tracking::TrackingOptions tracking;
-  robot::Description recorded;  ///< the plant before its truth
-  double duration = 0.0;        ///< of the motor samples [s]
+  robot::Description recorded;  ///< nominal robot of the recording
+  double duration = 0.0;        ///< duration of the motor samples [s]
   std::uint64_t excluded = 0, used = 0;
   std::optional<experiments::Identified> identified;
 
@@ -171,7 +171,7 @@ void runMethods(const IdentifyArguments& arguments, const identification::Identi
                                                     progress);
 }
 
-/// Everything that takes long. None: cancelled.
+/// Reads the recordings and runs the methods. Returns nothing if it was cancelled.
 std::optional<Findings> find(IdentifyArguments& arguments) {
   base::Progress progress;
   const ProgressLine line(progress);
@@ -225,7 +225,7 @@ void writeRobot(const IdentifyArguments& arguments, const Findings& found) {
                                                                       found.identified->robot(), origin));
 }
 
-/// Says that nothing came of it, and that no file was written.
+/// Prints a notice of the failure with the files that were not written. Returns kFailed.
 ExitCode fail(const std::string& why, const IdentifyArguments& arguments) {
   std::string files;
   for (const std::string& file : {arguments.out, arguments.tracking_out})
@@ -270,32 +270,34 @@ void addIdentify(CLI::App& app, ExitCode& exit) {
       "identify", "Find pulley radius, cable stiffness and damping from a recording with cameras");
   command->add_option("REC", arguments->files,
                       "recordings of one robot and rig: session (.capstan) or measured table (.csv)");
-  command->add_option("--robot", arguments->robot, "nominal robot file; a session brings its own");
+  command->add_option("--robot", arguments->robot, "nominal robot file; a session contains its own");
   addReadAs(*command, arguments->read_as);
-  command->add_option("--method", arguments->method, "dual-ukf, batch, or both, compared")
+  command->add_option("--method", arguments->method, "dual-ukf, batch, or both (with a comparison)")
       ->capture_default_str()
       ->check(CLI::IsMember({"dual-ukf", "batch", "both"}));
   command
-      ->add_option("--parameters", arguments->parameters,
-                   "of r_l1…3, k_e1…3, b_e1…3, f_c1…3; r_l, k_e, b_e, f_c mean all three joints")
+      ->add_option(
+          "--parameters", arguments->parameters,
+          "parameters to identify, of r_l1…3, k_e1…3, b_e1…3, f_c1…3; r_l, k_e, b_e, f_c: of all joints")
       ->capture_default_str();
   command->add_option("--options", arguments->options,
-                      "priors and goals (as resources/identification/default.yaml)");
+                      "file of priors and goals (format: resources/identification/default.yaml)");
   command->add_flag("--exact-camera", arguments->exact_camera,
-                    "take registration and clock of the cameras as exact, as the UKF paper does");
-  command->add_option("--threads", arguments->threads, "of the batch method")
+                    "assume that registration and clock of the cameras are exact, as in the UKF paper");
+  command->add_option("--threads", arguments->threads, "number of worker threads of the batch method")
       ->capture_default_str()
       ->check(CLI::Range(1, 64));
-  command->add_option("--out", arguments->out,
-                      "identified robot file; of the batch method where both ran and it found something");
+  command->add_option(
+      "--out", arguments->out,
+      "identified robot file to write; result of the batch method if it found one, else of the dual UKF");
   command->add_option("--tracking-out", arguments->tracking_out,
-                      "options for track --options, with the camera's delay as identified");
-  command->add_option("--trace", arguments->trace, "the dual UKF's estimates over time, as CSV");
+                      "file for track --options to write, with the identified delay of the camera");
+  command->add_option("--trace", arguments->trace, "estimates of the dual UKF over time to write, as CSV");
   command->add_option("--held-out", arguments->drive.held_out,
-                      "robot of one joint: recordings to judge the result by, not to identify from");
+                      "robot of one joint: recordings for evaluation only");
   command
       ->add_option("--offsets", arguments->drive.offsets,
-                   "robot of one joint: estimate one encoder zero per file, or one shared zero")
+                   "robot of one joint: one encoder zero per file, or one shared zero")
       ->capture_default_str()
       ->check(CLI::IsMember({"file", "shared"}));
   command->add_option("--json", arguments->json, "result as JSON, SI: a file, or - for standard output");
@@ -303,9 +305,9 @@ void addIdentify(CLI::App& app, ExitCode& exit) {
                     "identify a simulated session, without a file in between");
   addSimulationOptions(*command, arguments->simulation);
   command->footer(
-      "Cameras are the observation, joint encoders are never used. With a robot file of one joint, whose "
-      "load\n"
-      "was measured, the joint encoder is; parameters are then r_l, k_c, a, b_e, f_c, f_v, tau_c, tau_v.\n"
+      "The observations are those of the cameras; joint encoders are not used. A robot of one joint is\n"
+      "different: it needs its measured load, its observation is the joint encoder, and its parameters are\n"
+      "r_l, k_c, a, b_e, f_c, f_v, tau_c, tau_v.\n"
       "Examples:\n"
       "  capstan-cli identify trial.capstan --out my_robot.yaml\n"
       "  capstan-cli identify sinusoid.capstan --parameters r_l1 --method dual-ukf --trace r_l1.csv\n"

@@ -33,7 +33,7 @@ std::vector<DriveRecording> readAll(const std::vector<std::string>& files,
   return all;
 }
 
-/// No recording counts twice, and one that is trained on is not held out.
+/// Refuses a recording that is given twice, or for training and held out. Throws base::InputError.
 void checkRepeats(const IdentifyDriveArguments& arguments) {
   std::vector<std::string> all = arguments.files;
   all.insert(all.end(), arguments.held_out.begin(), arguments.held_out.end());

@@ -14,7 +14,7 @@ using identification::DriveEstimate;
 using identification::DriveScore;
 using identification::OffsetRule;
 
-/// A column of text, its width counted in characters, not bytes.
+/// `text` padded with spaces to `width` characters (not bytes).
 std::string padded(const std::string& text, std::size_t width) {
   std::size_t characters = 0;
   for (const char c : text) characters += (static_cast<unsigned char>(c) & 0xC0U) != 0x80U ? 1 : 0;
@@ -23,7 +23,7 @@ std::string padded(const std::string& text, std::size_t width) {
 
 std::string nameOf(const std::string& file) { return std::filesystem::path(file).filename().string(); }
 
-/// Joint units for people.
+/// Factor from SI to the unit for people: degrees, or millimetres for a sliding joint.
 double scaleOf(const DriveFindings& findings) {
   return findings.sliding ? base::toMillimetres(1.0) : base::toDegrees(1.0);
 }
@@ -62,8 +62,8 @@ std::string offsetsText(const DriveFindings& findings) {
   constexpr double kFollows = 0.9;
   if (std::abs(report.offset_load_correlation) > kFollows)
     text += fmt::format(
-        "  they follow the mean load, {:+.1f} {} a {} (correlation {:+.2f}): rather stretch under a standing "
-        "load than zeros of the encoder; compare --offsets shared\n",
+        "  they change with the mean load, {:+.1f} {} per {} (correlation {:+.2f}): probably cable stretch "
+        "under constant load, not encoder zeros; compare --offsets shared\n",
         scaleOf(findings) * report.offset_by_load, unitOf(findings), findings.sliding ? "N" : "N·m",
         report.offset_load_correlation);
   return text;
@@ -79,7 +79,7 @@ std::string scoreTable(const DriveFindings& findings) {
     text += tested ? fmt::format("{:.3f}\n", scaleOf(findings) * score.held_out.rms) : "\n";
   }
   text += findings.offsets == OffsetRule::kShared
-              ? "  one encoder zero for all, found in training\n"
+              ? "  one encoder zero for all recordings, from the training\n"
               : "  every recording, held out or not, has its own encoder zero: the mean of its residuals\n";
   return text;
 }
@@ -131,12 +131,12 @@ nlohmann::json jsonOf(const Eigen::MatrixXd& matrix) {
 std::string textOf(const DriveFindings& findings) {
   const auto& report = findings.report;
   std::string text = fmt::format(
-      "drive: {} after {} iterations, {} recordings, {} observations, {:.1f} % held back, {:.1f} s of "
+      "drive: {} after {} iterations, {} recordings, {} observations, {:.1f} % down-weighted, {:.1f} s of "
       "computing\n  residuals {:.2f} {}",
       base::nameOf(report.end), report.iterations, findings.training.size(), report.observations,
       100.0 * report.outliers, report.seconds, scaleOf(findings) * report.angle_noise, unitOf(findings));
   if (report.torque_noise > 0.0) text += fmt::format(" and {:.4f} N·m", report.torque_noise);
-  if (report.torque_sign < 0.0) text += "; tau_m1 is what the drive answers, its sign is turned";
+  if (report.torque_sign < 0.0) text += "; tau_m1 is the reaction of the drive: its sign is inverted";
   return text + "\n\n" + parameterTable(findings) + "\n" + offsetsText(findings) + "\n" +
          scoreTable(findings) + (findings.held_out.empty() ? "" : "\n") + heldOutTable(findings);
 }

@@ -14,16 +14,17 @@ struct DriveModelScore {
   identification::DriveScore training, held_out;
 };
 
-/// Everything that one identification of a drive has to say.
+/// Results of one identification of a drive.
 struct DriveFindings {
   identification::DriveReport report;
   identification::OffsetRule offsets = identification::OffsetRule::kEach;
   std::vector<std::string> training, held_out;  ///< names of the recordings
   identification::LinearDrive gear, stretch;
-  std::vector<DriveModelScore> scores;  ///< from the robot file's gear ratio to the cable model
-  bool sliding = false;                 ///< a prismatic joint: millimetres instead of degrees
+  std::vector<DriveModelScore> scores;  ///< errors of the models, from gear ratio to cable model
+  bool sliding = false;                 ///< prismatic joint: units for people are mm, else degrees
 };
 
+/// Results as text for people, and as JSON in SI.
 std::string textOf(const DriveFindings& findings);
 nlohmann::json jsonOf(const DriveFindings& findings);
 

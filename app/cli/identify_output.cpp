@@ -27,7 +27,7 @@ std::string changeOf(const Estimate& estimate) {
   return estimate.seen ? fmt::format("{:+.2f} %", estimate.percent()) : std::string("—");
 }
 
-/// A column of text, the width of its longest cell counted in characters, not bytes.
+/// `text` padded with spaces to `width` characters (not bytes).
 std::string padded(const std::string& text, std::size_t width) {
   std::size_t characters = 0;
   for (const char c : text) characters += (static_cast<unsigned char>(c) & 0xC0U) != 0x80U ? 1 : 0;
@@ -54,7 +54,7 @@ std::string table(const std::vector<std::pair<std::string, const std::vector<Est
   return text;
 }
 
-/// "  name: words", broken at spaces so that no line is longer than a terminal is wide.
+/// Text "  name: words", wrapped at spaces to the width of a terminal.
 std::string said(const std::string& name, const std::string& words) {
   constexpr std::size_t kWidth = 100;
   std::string text, line = "  " + name + ":";
@@ -69,14 +69,14 @@ std::string said(const std::string& name, const std::string& words) {
   return text + line + "\n";
 }
 
-/// What a text says, whatever its numbers are.
+/// `text` without its numbers, to compare two texts.
 std::string withoutNumbers(std::string text) {
   std::erase_if(text, [](char c) { return (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '+'; });
   return text;
 }
 
-/// A paragraph each. Why a parameter is not seen is often the same for both methods, but for digits: where
-/// the dual UKF's paragraph has said it, it is not said again.
+/// Advice of all estimates, one paragraph per parameter. Advice that differs from that of the dual UKF only
+/// in its numbers is replaced by "not seen, as above".
 std::string advice(const std::vector<Estimate>& estimates, const DualUkfReport* dual) {
   std::string text;
   for (std::size_t i = 0; i < estimates.size(); ++i) {
@@ -103,7 +103,7 @@ std::string poseText(const identification::CameraPose& pose, const identificatio
 
 std::string dualText(const DualUkfReport& report) {
   std::string text = fmt::format(
-      "dual UKF: {} after {:.0f} s, {} observations, NIS/3 {:.2f}, {:.1f} % held back, {:.1f} s of "
+      "dual UKF: {} after {:.0f} s, {} observations, NIS/3 {:.2f}, {:.1f} % down-weighted, {:.1f} s of "
       "computing\n",
       base::nameOf(report.end), report.used, report.observations, report.nis, 100.0 * report.outliers,
       report.seconds);
@@ -115,8 +115,8 @@ std::string dualText(const DualUkfReport& report) {
 
 std::string batchText(const BatchReport& report, const DualUkfReport* dual) {
   return fmt::format(
-             "batch: {} after {} iterations, {} observations, residual {:.2f} → {:.2f} σ, {:.1f} % held "
-             "back, {:.1f} s of computing\n",
+             "batch: {} after {} iterations, {} observations, residual {:.2f} → {:.2f} σ, {:.1f} % "
+             "down-weighted, {:.1f} s of computing\n",
              base::nameOf(report.end), report.iterations, report.observations, report.residual_before,
              report.residual_after, 100.0 * report.outliers, report.seconds) +
          advice(report.estimates, dual) +

@@ -12,22 +12,22 @@
 
 namespace capstan::cli {
 
-/// True values of a simulated recording, in the set's order, for comparison only; empty: unknown.
+/// True parameters of a simulated recording in the order of the set, for comparison only; empty: unknown.
 using TrueValues = std::vector<double>;
 
-/// What one method or both found: value ± σ, change from nominal, beside the truth where there is one.
+/// Table of the results of one or both methods: value ± σ and change from nominal, with the truth if known.
 std::string textOf(const identification::DualUkfReport* dual, const identification::BatchReport* batch,
                    const TrueValues& truth);
 
 nlohmann::json jsonOf(const identification::DualUkfReport& report, const TrueValues& truth);
 nlohmann::json jsonOf(const identification::BatchReport& report, const TrueValues& truth);
 
-/// t, then value and standard deviation of every parameter, SI. Throws base::InputError when `path` cannot be
-/// written.
+/// Writes the trace as CSV in SI: t, then value and standard deviation of every parameter. Throws
+/// base::InputError when `path` cannot be written.
 void writeTrace(const identification::DualUkfReport& report, const identification::ParameterSet& set,
                 const std::filesystem::path& path);
 
-/// A line for each estimate, in units for people (experiments::valueLine()).
+/// Lines of text, one per estimate, in units for people (experiments::valueLine()).
 template <class Estimates>
 std::vector<std::string> valueLines(const Estimates& estimates) {
   std::vector<std::string> lines;

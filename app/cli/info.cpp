@@ -101,7 +101,7 @@ std::size_t measured(const std::vector<double>& column) {
       std::count_if(column.begin(), column.end(), [](double v) { return !std::isnan(v); }));
 }
 
-/// What a table would be refused for; where it is, the table as it stands. None: it is in SI.
+/// Reads `table`. Returns its implausible units, if any; the columns are then read as SI.
 std::optional<recording::ImplausibleUnits> readOrRefuse(const InfoArguments& arguments,
                                                         RecordingFormat format,
                                                         recording::MeasuredTable& table) {
@@ -127,7 +127,7 @@ nlohmann::json jsonOf(const std::optional<recording::ImplausibleUnits>& refused)
   return list;
 }
 
-/// Throws recording::ImplausibleUnits once everything is printed.
+/// Prints the contents of a table. Throws recording::ImplausibleUnits after everything is printed.
 void infoTable(const InfoArguments& arguments, RecordingFormat format, const Output& output) {
   const std::string& file = arguments.file;
   recording::MeasuredTable table;
@@ -191,7 +191,7 @@ ExitCode info(const InfoArguments& arguments) {
 void addInfo(CLI::App& app, ExitCode& exit) {
   auto arguments = std::make_shared<InfoArguments>();
   CLI::App* command =
-      app.add_subcommand("info", "Say what is in a session, a measured table or a robot file");
+      app.add_subcommand("info", "Print the contents of a session, a measured table or a robot file");
   command->add_option("FILE", arguments->file, "session (.capstan), table (.csv) or robot file (.yaml)")
       ->required();
   addReadAs(*command, arguments->read_as);

@@ -29,7 +29,7 @@ void check(const LearnArguments& arguments) {
   for (const std::string& test : arguments.test)
     for (const std::string& train : arguments.train)
       if (base::sameRecording(train, test))
-        refuseFile(test, "is learned from as well: errors on it say nothing", "Test on other trajectories");
+        refuseFile(test, "is also a training table: errors on it are no test", "Test on other trajectories");
 }
 
 learning::LearningReport learnOnto(const LearnArguments& arguments, learning::CorrectionFile old,
@@ -43,7 +43,7 @@ learning::LearningReport learnOnto(const LearnArguments& arguments, learning::Co
   });
 }
 
-/// Of a model that is on disk already, whatever becomes of its test.
+/// Errors on the test tables. The model is on disk already and stays there if the test fails.
 TestReport testOf(const LearnArguments& arguments, const std::vector<learning::RawMotion>& tests,
                   const learning::LearningReport& report) {
   try {
@@ -85,7 +85,7 @@ learning::LearningReport learnAll(const LearnArguments& arguments,
   });
 }
 
-/// Of a model that is on disk already, whatever becomes of it.
+/// Evaluation of --hold-out. The model is on disk already and stays there if the evaluation is cancelled.
 std::optional<learning::HeldOutEvaluation> heldOutOf(const LearnArguments& arguments,
                                                      const learning::LearningReport& report) {
   if (arguments.hold_out == 0.0) return std::nullopt;
@@ -131,7 +131,7 @@ ExitCode run(LearnArguments& arguments) {
 
 void addLearn(CLI::App& app, ExitCode& exit) {
   auto arguments = std::make_shared<LearnArguments>();
-  CLI::App* command = app.add_subcommand("learn", "Learn how commands have to be corrected, from tip poses");
+  CLI::App* command = app.add_subcommand("learn", "Learn a correction of commands from tip poses");
   command
       ->add_option("--train", arguments->train,
                    "tables of tip poses (.csv with traj, t_cam_s, cam_x …, and the same of robot or cmd)")
@@ -142,8 +142,8 @@ void addLearn(CLI::App& app, ExitCode& exit) {
       command
           ->add_option(
               "--hold-out", arguments->hold_out,
-              "share of the training trajectories [%] for an evaluation: a model of the others is tested on "
-              "them;\nthe model that is written is learned from all")
+              "share of the training trajectories [%] held out for an evaluation: a model of the others is\n"
+              "tested on them; the model that is written is learned from all")
           ->check(CLI::Range(1.0, 90.0));
   command
       ->add_option(
@@ -159,16 +159,17 @@ void addLearn(CLI::App& app, ExitCode& exit) {
           "stream that the correction is learned for: commanded poses, or poses of the robot's kinematics")
       ->capture_default_str()
       ->check(CLI::IsMember({"command", "robot"}));
-  command->add_flag("--no-cleaning", arguments->no_cleaning, "keep outliers, and weigh nothing");
+  command->add_flag("--no-cleaning", arguments->no_cleaning,
+                    "keep outliers, and give all states the same weight");
   command->add_flag("--no-weights", arguments->no_weights,
-                    "give all inliers of cleaning the same weight, and reuse no rejected states");
+                    "give all inliers of cleaning the same weight, and readmit no rejected states");
   command
       ->add_option("--kernel", arguments->kernel,
                    "kernel of the processes: Matérn 3/2 (once differentiable) or squared exponential (RBF)")
       ->capture_default_str()
       ->check(CLI::IsMember({"rbf", "matern"}));
   command->add_flag("--no-alignment", arguments->no_alignment,
-                    "use stamps as they are, without a clock offset");
+                    "use time stamps as they are, without a clock offset");
   command
       ->add_option(
           "--members", arguments->options.correction.members,
@@ -188,15 +189,15 @@ void addLearn(CLI::App& app, ExitCode& exit) {
   command->add_option("--model", arguments->model, "file to write")->required();
   CLI::Option* onto = command->add_option(
       "--onto", arguments->onto,
-      "model that the motions are added to, with its offset, kernels, scales and lag: in seconds; it gains\n"
-      "little where it has never been, and motions that contradict it are refused");
+      "model that the motions are added to, in seconds; its offset, kernels, scales and clock offset stay.\n"
+      "It gains little in regions without earlier data. Motions that contradict it are refused");
   for (const char* fixed : {"--method", "--towards", "--no-cleaning", "--no-weights", "--kernel",
                             "--no-alignment", "--members", "--inducing", "--threads", "--seed"})
     onto->excludes(command->get_option(fixed));
   onto->excludes(hold_out);
   command->add_option("--json", arguments->json, "result as JSON, SI: a file, or - for standard output");
   command->footer(
-      "Rows without a pose, states that no robot can have been in and the clock offset are listed.\n"
+      "The output lists rows without a pose, impossible states and the clock offset.\n"
       "Examples:\n"
       "  capstan-cli learn --train monday.csv --test tuesday.csv --model arm.correction\n"
       "  capstan-cli learn --train monday.csv --towards robot --method velocity --model arm.correction "

@@ -18,7 +18,7 @@ using Json = nlohmann::json;
 
 constexpr double kMillimetres = 1e3, kDegrees = 180.0 / std::numbers::pi;
 
-/// Reasons and how many rows or states have them.
+/// Reasons of rejection, each with its number of rows or states.
 using ReasonCounts = std::vector<std::pair<Reason, std::size_t>>;
 
 template <class Count>
@@ -111,7 +111,7 @@ std::string motionText(learning::Motion motion) {
     case learning::Motion::kVelocity:
       return " and its velocity";
     default:
-      return fmt::format(", its velocity and how it moved in the last {} s", learning::kSpans.back());
+      return fmt::format(", its velocity and its motion in the last {} s", learning::kSpans.back());
   }
 }
 
@@ -144,20 +144,20 @@ std::string processesText(const learning::CorrectionModel& model) {
       motionText(model.motion()), members.size(), members.front().inducing());
 }
 
-/// Of one trajectory there is none.
+/// Text " ± σ"; empty for a single trajectory, which has no σ.
 std::string sigmaText(double sigma) { return sigma > 0.0 ? fmt::format(" ± {:.1f}", sigma) : ""; }
 
-/// Why those had been excluded that count again.
+/// Reasons for which the readmitted states had been rejected.
 ReasonCounts againCounts(const learning::WeighingReport& weighing) {
   return countsOf(
       [&](Reason reason) { return static_cast<std::size_t>(std::ranges::count(weighing.again, reason)); });
 }
 
 std::string weighingText(const learning::WeighingReport& weighing) {
-  if (!weighing.weighed) return "Weights: none, all that count do so alike\n";
+  if (!weighing.weighed) return "Weights: all states have the same weight\n";
   return fmt::format(
-      "Weights: {} states down-weighted, which models of other trajectories contradict\n"
-      "         {} excluded states count again, since models of other trajectories agree; they were: {}\n",
+      "Weights: {} states down-weighted, because models of other trajectories contradict them\n"
+      "         {} rejected states readmitted, because models of other trajectories agree; they were: {}\n",
       weighing.down_weighted, weighing.again.size(), wordsOf(againCounts(weighing)));
 }
 
@@ -177,12 +177,13 @@ std::string textOf(const LearnOutput& output) {
   const learning::CleaningReport& cleaning = output.report.cleaning;
   std::string text = "Screening\n" + screenText(prepared.screen);
   if (prepared.clock_offset.tried.empty())
-    text += fmt::format("Alignment: the model's lag of {:.1f} ms taken off\n", 1e3 * prepared.removed);
+    text +=
+        fmt::format("Alignment: the model's clock offset of {:.1f} ms subtracted\n", 1e3 * prepared.removed);
   else
     text +=
         fmt::format("Clock offset: observations {:.1f}{} ms behind commands{}\n",
                     1e3 * prepared.clock_offset.clock_offset, sigmaText(1e3 * prepared.clock_offset.sigma),
-                    prepared.removed == 0.0 ? ", not taken off" : "");
+                    prepared.removed == 0.0 ? ", not subtracted" : "");
   text += fmt::format("Cleaning and weights: {} of {} states count; excluded: {}\n", cleaning.kept(),
                       cleaning.reason.size(),
                       wordsOf(countsOf([&](Reason reason) { return cleaning.count(reason); })));
@@ -193,7 +194,7 @@ std::string textOf(const LearnOutput& output) {
                       t.z(), kDegrees * rotation);
   if (!output.report.model.processes().empty()) text += processesText(output.report.model);
   if (output.held_out)
-    text += fmt::format("Errors on {} of {} trajectories, held out of a training of the others, mean\n",
+    text += fmt::format("Errors on {} of {} trajectories, held out from training, mean\n",
                         output.held_out->motions_held, output.held_out->motions) +
             evaluationText(output.held_out->test);
   if (output.test) text += "Errors on the test tables, mean\n" + evaluationText(output.test->errors);

@@ -9,19 +9,20 @@
 
 namespace capstan::cli {
 
-/// Errors on tables that nothing was learned from.
+/// Errors on the test tables, which are not part of the training.
 struct TestReport {
   learning::PreparedStates prepared;
   learning::Evaluation errors;
 };
 
+/// Results of `capstan-cli learn`.
 struct LearnOutput {
   learning::LearningReport report;
   std::optional<TestReport> test;
   std::optional<learning::HeldOutEvaluation> held_out;
 };
 
-/// base::InputError: checkRelated() of the tables.
+/// Errors of the model on the test tables. Throws base::InputError if checkRelated() refuses the tables.
 TestReport testedOn(const std::vector<learning::RawMotion>& motions, const learning::LearningReport& report,
                     const learning::LearningOptions& options);
 

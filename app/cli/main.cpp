@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kAbout =
     "Capstan: joint angles of cable-driven surgical robots from motors and cameras.\n"
-    "Exit codes: 0 done, 1 the answer is no or the run failed, 2 bad argument or file.";
+    "Exit codes: 0 done, 1 negative answer or failed run, 2 bad argument or file.";
 
 void refuseUnknownCommand(const CLI::App& app, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return;
@@ -28,8 +28,8 @@ void refuseUnknownCommand(const CLI::App& app, int argc, char** argv) {
       {{}, 0, {}, {}, std::string("unknown command ") + argv[1], "Commands: " + names});
 }
 
-/// "--option = value" where CLI11's `message` complains of a value that is no number; else empty. Its range
-/// check speaks of the range even then.
+/// Returns "--option = value" if CLI11's `message` reports a value that is not a number, else an empty
+/// string. CLI11 reports such a value as out of range where the option has a range.
 std::string notANumber(const std::string& message) {
   std::smatch parts;
   if (std::regex_match(message, parts, std::regex("Could not convert: (.*)"))) return parts[1];
@@ -74,7 +74,7 @@ int run(int argc, char** argv) {
   }
 }
 
-/// Standard output must have taken everything.
+/// Flushes standard output. Returns `exit`, or at least kFailed if not everything could be written.
 int flushed(int exit) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit;
   std::fputs("capstan-cli: standard output could not be written whole. Is the disk full?\n", stderr);

@@ -9,7 +9,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Devices and pipes may be given twice: nothing in them is lost.
+/// Returns whether both paths name one regular file. Devices and pipes may be given twice: they lose no data.
 bool sameFile(const fs::path& a, const fs::path& b) {
   std::error_code fault;
   if (fs::exists(a, fault) && !fs::is_regular_file(a, fault)) return false;

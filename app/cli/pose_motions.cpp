@@ -19,7 +19,7 @@ void checkProcesses(const learning::CorrectionModel& model, const std::string& f
 void checkNew(const std::vector<std::string>& files, const learning::CorrectionSource& source) {
   for (const std::string& file : files)
     if (std::ranges::count(source.checksums, base::checksumOfFile(file)) > 0)
-      refuseFile(file, "has been learned from already", "Give motions that are new to the model");
+      refuseFile(file, "is already part of the training", "Give motions that are new to the model");
 }
 
 void checkNear(const learning::CorrectionModel& model, const std::vector<learning::State>& states,
@@ -31,7 +31,7 @@ void checkNear(const learning::CorrectionModel& model, const std::vector<learnin
         nearest, model.workspace().exteriorDistance((model.offset() * state.pair.observed).translation()));
   if (model.workspace().isEmpty() || nearest <= kNear) return;
   refuseFile(file,
-             fmt::format("has no pose within {} m of what was learned: the nearest is {:.3g} m away", kNear,
+             fmt::format("has no pose within {} m of the learned poses: the nearest is {:.3g} m away", kNear,
                          nearest),
              "Give positions in metres, in the frame of the cameras");
 }

@@ -9,14 +9,14 @@
 
 namespace capstan::cli {
 
-/// base::InputError: the model of the file is a rigid offset alone, which can neither drift nor learn.
+/// Throws base::InputError if the model of the file is a rigid offset, which can neither drift nor learn.
 void checkProcesses(const learning::CorrectionModel& model, const std::string& file);
 
-/// base::InputError: motions that the model was trained on already: they would count twice, or say nothing
-/// about drift.
+/// Throws base::InputError if the model was trained on the motions of `files`: they would count twice, or
+/// could not show drift.
 void checkNew(const std::vector<std::string>& files, const learning::CorrectionSource& source);
 
-/// base::InputError: no pose of the file is anywhere near what was learned.
+/// Throws base::InputError if no pose of the file is near the learned poses.
 void checkNear(const learning::CorrectionModel& model, const std::vector<learning::State>& states,
                const std::string& file);
 

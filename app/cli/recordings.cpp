@@ -17,7 +17,7 @@ RecordingFormat detectFormat(const std::string& file) {
   std::error_code fault;
   const std::string suffix = std::filesystem::path(file).extension().string();
   if (suffix == recording::kSessionSuffix && std::filesystem::is_regular_file(file, fault))
-    return RecordingFormat::kSession;  // unopened: SQLite's locks on it would be released by closing it
+    return RecordingFormat::kSession;  // not opened here: closing the file would release SQLite's locks on it
   std::ifstream in(file, std::ios::binary);
   const bool folder = std::filesystem::is_directory(file, fault);
   if (!in || folder)
@@ -49,8 +49,8 @@ RecordingFormat formatOf(const std::string& name, const std::string& file) {
 void addReadAs(CLI::App& command, std::string& read_as) {
   command
       .add_option(kReadAs, read_as,
-                  "units of a measured table that is not in SI: q_m, dq_m, q, p_c, t or one column of\n"
-                  "these, = deg, mm, ms, us, ns or keep (as it stands), e.g. q_m=deg,q3=mm,t=ms")
+                  "units of a measured table that is not in SI, as NAME=UNIT. NAME: q_m, dq_m, q, p_c, t\n"
+                  "or one of their columns; UNIT: deg, mm, cm, ms, us, ns or keep; e.g. q_m=deg,q3=mm,t=ms")
       ->allow_extra_args(false);
 }
 
@@ -79,8 +79,8 @@ std::unique_ptr<tracking::Source> openSource(const std::string& file, RecordingF
                "Give a robot file as --robot, a truth file as --truth, filter options as --options");
   if (format == RecordingFormat::kSession) {
     if (!robot_file.empty())
-      refuseOption("--robot", robot_file, "the session brings its own robot",
-                   "Leave --robot out; the robot that the filter assumes is --estimator-robot of track");
+      refuseOption("--robot", robot_file, "the session contains its own robot",
+                   "Leave --robot out; track --estimator-robot sets the robot that the filter assumes");
     return std::make_unique<recording::SessionSource>(file);
   }
   const robot::Description robot = robot::readDescriptionOrDefault(robot_file);

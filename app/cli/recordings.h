@@ -13,26 +13,26 @@ namespace capstan::cli {
 
 enum class RecordingFormat { kSession, kTable, kRavenMotors, kRobot };
 
-/// By suffix and first line. Throws base::InputError for a file that cannot be read or is of no known kind.
+/// Format of `file`, by its suffix and first line. Throws base::InputError for a file that cannot be read.
 RecordingFormat detectFormat(const std::string& file);
-/// The format of --format: auto (detectFormat), session, table, raven.
+/// Format that --format names: auto (as detectFormat()), session, table, raven. Throws as detectFormat().
 RecordingFormat formatOf(const std::string& name, const std::string& file);
 
 inline constexpr const char* kReadAs = "--read-as";
-/// Adds --read-as, whose text readAsOf() takes.
+/// Declares --read-as on `command`; readAsOf() parses its text.
 void addReadAs(CLI::App& command, std::string& read_as);
 recording::ReadAs readAsOf(const std::string& text);
-/// Throws base::InputError where --read-as is given, but `file` is no measured table: only of these units can
-/// be chosen.
+/// Throws base::InputError where --read-as is given, but `file` is no measured table: other formats state
+/// their units.
 void refuseReadAs(const std::string& file, RecordingFormat format, const recording::ReadAs& read_as);
 
-/// A measured table or RAVEN-II motor recording, in SI units; columns of a table are read as `read_as` says.
+/// Reads a measured table, with the units in `read_as`, or a RAVEN-II motor log. The result is in SI units.
 /// Throws recording::ImplausibleUnits.
 recording::MeasuredTable readTable(const std::string& file, RecordingFormat format,
                                    const robot::Description& robot, const recording::ReadAs& read_as);
 enum class Notices { kSaid, kQuiet };
-/// Any recording as a source; its notices go to standard error. `robot_file` is for recordings that bring no
-/// robot; with a session, which brings its own, it is an error. `read_as` as of readTable().
+/// Opens any recording as a source; its notices go to standard error. `robot_file` is for recordings that
+/// contain no robot; with a session, which contains one, it is an error. `read_as` as in readTable().
 std::unique_ptr<tracking::Source> openSource(const std::string& file, RecordingFormat format,
                                              const std::string& robot_file, const recording::ReadAs& read_as,
                                              Notices notices = Notices::kSaid);

@@ -21,12 +21,12 @@ struct RegistrationFile {
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& field) {
-    field(self.translation, {"translation", "m", "of base_from_camera", {-100.0, 100.0}});
-    field(self.rotation, {"rotation", "", "of base_from_camera, rows", {-1.0, 1.0}});
+    field(self.translation, {"translation", "m", "translation of base_from_camera", {-100.0, 100.0}});
+    field(self.rotation, {"rotation", "", "rotation of base_from_camera, by rows", {-1.0, 1.0}});
   }
 };
 
-/// The recording through a pipeline that knows no registration.
+/// Tracks the recording without a registration and calls `each` with every snapshot.
 template <class Each>
 void runUnregistered(const SourceFactory& open, const tracking::TrackingOptions& options, Each each) {
   const auto source = open();
@@ -37,7 +37,7 @@ void runUnregistered(const SourceFactory& open, const tracking::TrackingOptions&
                      [&](const tracking::Sample&, const tracking::Snapshot& snapshot) { each(snapshot); });
 }
 
-/// Without its last full stop: the error message adds one.
+/// `text` without its last full stop, because the error message adds one.
 std::string clause(std::string text) {
   while (!text.empty() && (text.back() == '.' || text.back() == ' ')) text.pop_back();
   return text;
@@ -51,7 +51,7 @@ Eigen::Isometry3d atHardStop(const std::string& mounting, const SourceFactory& o
                  "Give a recording with images, or --register kinematics or a file");
   std::optional<Eigen::Isometry3d> known = info.base_from_camera;
   if (!mounting.empty()) known = readRegistration(mounting);
-  registration::RegistrationGuide guide(info.robot, {}, info.rig);
+  registration::RegistrationGuide guide(info.robot, info.rig);
   guide.start(known);
   runUnregistered(open, options, [&](const tracking::Snapshot& snapshot) {
     if (guide.step() == registration::RegistrationStep::kReview) return;
@@ -60,7 +60,7 @@ Eigen::Isometry3d atHardStop(const std::string& mounting, const SourceFactory& o
   });
   if (!guide.proposal())
     refuseOption("--register", "hard-stop",
-                 guide.reason().empty() ? "the recording holds no rest at the hard stop long enough"
+                 guide.reason().empty() ? "the recording has no long enough rest at the hard stop"
                                         : clause(guide.reason()),
                  guide.advice().empty() ? "Record one, or give --register kinematics or a file"
                                         : clause(guide.advice()));

@@ -10,19 +10,19 @@
 
 namespace capstan::cli {
 
-/// Opens the same recording again, from its beginning.
+/// Function that opens the same recording again, from its beginning.
 using SourceFactory = std::function<std::unique_ptr<tracking::Source>()>;
 
-/// base_from_camera by --register: "hard-stop" is UKF paper (1) over frames at rest at the hard stop;
-/// "kinematics" is the rigid transform (Kabsch) from the seen to the kinematic tip over the whole recording;
-/// anything else is a file as writeRegistration() writes it. The rotation of "hard-stop" is that of
-/// `mounting` (a file) or, without one, of the recording's stored registration. `message` says what was
-/// found. Throws base::InputError.
+/// Returns base_from_camera by a method of --register. "hard-stop": UKF paper (1) over frames at rest at the
+/// hard stop, with the rotation of the file `mounting` or, without it, of the recording's stored
+/// registration; "kinematics": rigid transform (Kabsch) from the observed to the kinematic tip over the whole
+/// recording; other names: a file that writeRegistration() wrote. `message` gets a summary of the result.
+/// Throws base::InputError.
 Eigen::Isometry3d registerBy(const std::string& method, const std::string& mounting,
                              const SourceFactory& open, const tracking::TrackingOptions& options,
                              std::string& message);
 
-/// YAML: translation [m] and rotation (rows) of base_from_camera.
+/// Read and write base_from_camera as YAML: translation [m] and rotation (rows). Throw base::InputError.
 Eigen::Isometry3d readRegistration(const std::string& file);
 void writeRegistration(const Eigen::Isometry3d& base_from_camera, const std::string& file);
 

@@ -34,7 +34,7 @@ namespace fs = std::filesystem;
 
 struct ReportArguments {
   std::string file, format = "auto", read_as, robot, options, out = "report", json;
-  std::string opened, theme;  ///< by the window's options
+  std::string opened, theme;  ///< values of the window's options
   bool simulate = false;
   simulation::SimulationRequest simulation;
 };
@@ -45,8 +45,9 @@ bool holdsReport(const fs::path& folder) {
   return text.str().find(kReportMark) != std::string::npos;
 }
 
-/// An empty folder, or a former report whose files (and no others) give way. Leaves a front page that marks
-/// an unfinished report, so that a run that fails can be repeated into the same folder.
+/// Prepares the report's folder: it must be new, empty, or hold a former report, whose files (and no others)
+/// are removed. Writes a front page that marks an unfinished report, so that a failed run can be repeated
+/// into the same folder. Throws base::InputError.
 void makeRoom(const fs::path& folder, const std::string& recording) {
   std::error_code failed;
   if (fs::exists(folder) && !fs::is_directory(folder))
@@ -66,7 +67,7 @@ void makeRoom(const fs::path& folder, const std::string& recording) {
                       std::string(kReportMark) + "<p>This report was not finished.</p>\n");
 }
 
-/// Records a source that runs faster than the disk: waits for the recorder where a live session would drop.
+/// Recorder for a source that runs faster than the disk: it waits where a live session would drop samples.
 class PatientRecorder {
  public:
   PatientRecorder(const fs::path& file, const recording::SessionHeader& header)
@@ -82,7 +83,7 @@ class PatientRecorder {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 
-  /// Throws base::InputError when the file does not hold everything.
+  /// Closes the file. Throws base::InputError when it does not hold every sample.
   void close() {
     recorder_.close();
     const auto stats = recorder_.stats();
@@ -113,7 +114,7 @@ struct LastFrame {
     newest.right.copyTo(frame.right);
     marker = snapshot.marker;
   }
-  /// False: no pair of images came.
+  /// Writes left.png and right.png. Returns false if there was no pair of images.
   bool save(const fs::path& folder) const {
     if (frame.left.empty() || frame.right.empty()) return false;
     const auto write = [&](const char* name, const cv::Mat& image, const vision::MarkerDetection& found) {
@@ -126,7 +127,7 @@ struct LastFrame {
   }
 };
 
-/// The recording once more, from its beginning: of a simulation what was recorded of it.
+/// Opens the recording again from its beginning; of a simulation, the session that was recorded.
 std::unique_ptr<tracking::Source> openAgain(const ReportArguments& arguments) {
   if (arguments.file.empty())
     return openSource((fs::path(arguments.out) / "session.capstan").string(), RecordingFormat::kSession, {},
@@ -155,7 +156,7 @@ std::unique_ptr<tracking::Source> openFor(ReportArguments& arguments, const CLI:
   return openSource(arguments.file, formatOf(arguments.format, arguments.file), arguments.robot, read_as);
 }
 
-/// The window's names for the same things.
+/// Applies the window's options --session, --table and --simulate to `arguments`. Throws base::InputError.
 void takeWindowOptions(ReportArguments& arguments, const CLI::App& command) {
   if (!arguments.opened.empty()) {
     if (!arguments.file.empty())
@@ -166,22 +167,21 @@ void takeWindowOptions(ReportArguments& arguments, const CLI::App& command) {
   if (arguments.simulate && !arguments.file.empty())
     refuseOption("RECORDING", arguments.file, "is given together with --simulate", "Give one of them");
   if (arguments.file.empty() && command.count("--format") > 0)
-    refuseOption("--format", arguments.format, "is of a RECORDING, and none is given",
+    refuseOption("--format", arguments.format, "is for a RECORDING, and none is given",
                  "Give one, or leave it out");
-  if (!arguments.theme.empty()) notice("--theme is the window's: a report has none");
+  if (!arguments.theme.empty()) notice("--theme is an option of the window: ignored");
 }
 
-/// What packaging/run passes on where there is no display.
+/// Declares the window's options, which packaging/run passes on where there is no display.
 void addWindowOptions(CLI::App& command, ReportArguments& arguments) {
   const auto grouped = [](CLI::Option* option) { return option->group("Options of the window"); };
-  auto* session = grouped(command.add_option("--session", arguments.opened, "as RECORDING"));
-  grouped(command.add_option("--table", arguments.opened, "as RECORDING"))->excludes(session);
-  grouped(
-      command.add_flag("--simulate", arguments.simulate, "simulate, which is the default without RECORDING"));
+  auto* session = grouped(command.add_option("--session", arguments.opened, "same as RECORDING"));
+  grouped(command.add_option("--table", arguments.opened, "same as RECORDING"))->excludes(session);
+  grouped(command.add_flag("--simulate", arguments.simulate, "simulate (default without RECORDING)"));
   command
       .add_flag_callback(
           "--unregistered", [&arguments] { arguments.simulation.registered = false; },
-          "the cameras' place is unknown: the filter runs on kinematics")
+          "unknown camera pose: the filter uses kinematics alone")
       ->group("Simulation");
   grouped(command.add_option("--theme", arguments.theme, "ignored"));
 }
@@ -255,8 +255,8 @@ ExitCode report(ReportArguments& arguments, const CLI::App& command) {
   nlohmann::json document = jsonOf(result, info);
   document["identified"] = jsonOf(after, info);
   output.json(document);
-  if (after.cancelled) notice("cancelled: what was identified is not in the report");
-  if (result.cancelled) notice("cancelled: the report is of what came before");
+  if (after.cancelled) notice("cancelled: the identified constants are not in the report");
+  if (result.cancelled) notice("cancelled: the report covers the time until then");
   if (result.motor_samples == 0) notice("the recording holds no motor sample: nothing was tracked");
   return result.cancelled || after.cancelled || result.motor_samples == 0 ? kFailed : kOk;
 }
@@ -267,18 +267,19 @@ void addReport(CLI::App& app, ExitCode& exit) {
   auto arguments = std::make_shared<ReportArguments>();
   arguments->simulation.duration = 20.0;
   CLI::App* command = app.add_subcommand(
-      "report", "Leave a folder with recording, plots, images and errors of a recording or a simulation");
+      "report", "Write a folder with plots, images and errors of a recording or a simulation");
   command->add_option("RECORDING", arguments->file,
-                      "session (.capstan), measured table or RAVEN-II motor log (.csv); none: simulate");
+                      "session (.capstan), measured table or RAVEN-II motor log (.csv); default: simulate");
   command->add_option("--out", arguments->out, "folder: new, empty, or with a former report to replace")
       ->capture_default_str();
-  command->add_option("--format", arguments->format, "of RECORDING: auto, session, table, raven")
+  command->add_option("--format", arguments->format, "format of RECORDING: auto, session, table, raven")
       ->capture_default_str()
       ->check(CLI::IsMember({"auto", "session", "table", "raven"}));
   addReadAs(*command, arguments->read_as);
-  command->add_option("--robot", arguments->robot, "robot file; a session brings its own");
-  command->add_option("--options", arguments->options,
-                      "filter options (as resources/tracking/default.yaml); a session brings its own");
+  command->add_option("--robot", arguments->robot, "robot file; a session contains its own");
+  command->add_option(
+      "--options", arguments->options,
+      "file of filter options (format: resources/tracking/default.yaml); a session contains its own");
   command->add_option("--json", arguments->json, "result as JSON, SI: a file, or - for standard output");
   addSimulationOptions(*command, arguments->simulation);
   addWindowOptions(*command, *arguments);

@@ -7,7 +7,7 @@
 namespace capstan::cli {
 namespace {
 
-constexpr double kStep = 0.005;  ///< between rows that no camera sample asks for [s]
+constexpr double kStep = 0.005;  ///< time between rows without a camera sample [s]
 
 }  // namespace
 
@@ -25,7 +25,7 @@ class ReportFigures::Impl {
 
  private:
   double next_ = -1e300;
-  double last_ = -1e300;  ///< its row is replaced once the reference of its time is there
+  double last_ = -1e300;  ///< time of the last row, which is replaced when its reference arrives [s]
 };
 
 ReportFigures::ReportFigures() : impl_(std::make_unique<Impl>()) {}

@@ -124,10 +124,10 @@ std::string indexHtml(const ReportPage& page, const tracking::TrackReport& repor
     html +=
         "<p><strong>The robot of this report is simulated: its errors are those of a model, not of a "
         "machine.</strong></p>\n";
-  if (report.cancelled) html += "<p><strong>Cancelled: the numbers are of what came before.</strong></p>\n";
+  if (report.cancelled) html += "<p><strong>Cancelled: the numbers cover the time until then.</strong></p>\n";
   if (!page.rows.empty()) html += htmlOf(page.rows);
   html += page.own_kinematics
-              ? "<h2>Differences from the robot's own kinematics</h2>\n<p>They are no errors: "
+              ? "<h2>Differences from the robot's own kinematics</h2>\n<p>These are not errors: "
                 "the recording holds no truth.</p>\n"
               : "<h2>Errors against the joint encoders</h2>\n";
   if (!page.robot.empty()) html += fmt::format("<p>Kinematics and filter of {}.</p>\n", escaped(page.robot));
@@ -136,16 +136,15 @@ std::string indexHtml(const ReportPage& page, const tracking::TrackReport& repor
   html += "<h2>Tracking</h2>\n" + numbersHtml(report);
   if (page.plots)
     html += fmt::format(
-        "<h2>Joints</h2>\n<p>{:.2f} s to {:.2f} s. Curves are drawn with at most 200 points a second and one "
-        "a "
-        "camera sample, of which the image counts; the motor samples above are all that were tracked."
+        "<h2>Joints</h2>\n<p>{:.2f} s to {:.2f} s. Curves are drawn with at most 200 points per second and "
+        "one per camera sample; the table above counts every tracked motor sample."
         "</p>\n<a href=\"joints.svg\"><img src=\"joints.png\" "
         "alt=\"Joint angles over time\"></a>\n",
         page.plots_begin, page.plots_end);
   if (page.pictures)
     html +=
-        "<h2>Last pair of images</h2>\n<p>Left camera, then right: whole frame with the region searched, and "
-        "the region with the fitted circle.</p>\n<img src=\"left.png\" alt=\"Left camera\">\n<img "
+        "<h2>Last pair of images</h2>\n<p>Left camera, then right: whole frame with the searched region, and "
+        "that region with the fitted circle.</p>\n<img src=\"left.png\" alt=\"Left camera\">\n<img "
         "src=\"right.png\" alt=\"Right camera\">\n";
   html += "<h2>Files</h2>\n<ul>\n";
   if (page.recorded_here) html += linkHtml("session.capstan");

@@ -39,7 +39,7 @@ std::vector<std::string> cellsOf(const TrackReport& report) {
   return cells;
 }
 
-/// How the filter stands against the better of its two inputs, joint by joint.
+/// Sentence that compares the filter with the better of its two inputs, joint by joint.
 std::string comparison(const TrackReport& report, bool own_kinematics) {
   if (own_kinematics)
     return "The reference is the robot's own kinematics: it cannot show which estimate is right.";
@@ -62,7 +62,7 @@ std::string comparison(const TrackReport& report, bool own_kinematics) {
              : fmt::format("The filter is worse than one of its inputs on {}.", fmt::join(worse, ", "));
 }
 
-/// The verdict of the filter's own consistency test, which needs no joint encoders.
+/// Sentence on the NIS test of the filter's consistency, which needs no joint encoders.
 std::string nisSentence(const TrackReport& report) {
   const auto nis = nisVerdict(report);
   if (!nis) return "No camera sample was accepted: there is no NIS.";
@@ -72,7 +72,7 @@ std::string nisSentence(const TrackReport& report) {
   return text + (advice.empty() ? "." : ", " + advice + ".");
 }
 
-/// What the augmented filter found beside the joints, and what to do; empty: nothing.
+/// Sentence on the transmission errors that the augmented filter carries, with remedies; empty: none.
 std::string carriedSentence(const TrackReport& report) {
   const std::vector<std::string> lines = tracking::linesOf(report.transmission);
   if (lines.empty()) return {};
@@ -80,7 +80,7 @@ std::string carriedSentence(const TrackReport& report) {
                      fmt::join(tracking::remediesOf(report.transmission), " "));
 }
 
-/// As the window's calibration has them: as many decimals as σ has meaning.
+/// Identified values in the format of the window: with as many decimals as σ justifies.
 std::string found(const std::vector<Estimate>& estimates) {
   std::vector<std::string> values;
   for (const Estimate& estimate : estimates) {
@@ -110,7 +110,7 @@ ReportRow foundRow(const IdentifyAndTrack& after) {
     row.sentence = fmt::format("Nothing could be identified: {}.", after.fault);
   } else if (any) {
     row.sentence = fmt::format(
-        "From {:.0f} s of motors and cameras alone, by the {} method; per cent: change from the nominal "
+        "From {:.0f} s of motors and cameras alone, by the {} method; in percent: change from the nominal "
         "value. {}",
         after.duration, base::nameOf(*after.identified->choice.method), weak(after.identified->estimates()));
   }

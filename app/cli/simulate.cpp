@@ -26,7 +26,7 @@ ExitCode simulate(const SimulateArguments& arguments) {
   checkOutputs({{"--out", arguments.out}, {"--json", arguments.json}}, withFilesOf(arguments.simulation, {}));
   if (std::filesystem::path(arguments.out).extension() != recording::kSessionSuffix)
     refuseOption("--out", arguments.out, "does not end in .capstan",
-                 "Name a session so, and convert it to a table or a video afterwards");
+                 "Give a name with .capstan; `convert` makes a table or a video of it");
   if (!arguments.force && std::filesystem::exists(arguments.out))
     refuseFile(arguments.out, "exists", "Give another --out, or --force");
   const auto source = makeSimulation(arguments.simulation);

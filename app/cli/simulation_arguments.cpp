@@ -11,7 +11,7 @@ constexpr const char* kGroup = "Simulation";
 
 void addSimulationOptions(CLI::App& command, simulation::SimulationRequest& request) {
   const auto grouped = [](CLI::Option* option) { return option->group(kGroup); };
-  grouped(command.add_option("--duration", request.duration, "length of the movement [s]"))
+  grouped(command.add_option("--duration", request.duration, "duration of the movement [s]"))
       ->capture_default_str()
       ->check(CLI::Range(0.1, 86400.0));
   grouped(command.add_option("--trajectory", request.trajectory,
@@ -19,20 +19,24 @@ void addSimulationOptions(CLI::App& command, simulation::SimulationRequest& requ
                              "file (.yaml), or a CSV with "
                              "t, q1, q2, q3"))
       ->capture_default_str();
-  grouped(command.add_option("--truth", request.truth,
-                             "what the robot really is: default, matched, or a truth file"))
+  grouped(command.add_option(
+              "--truth", request.truth,
+              "true parameters of the robot: default, matched (as in the robot file), or a truth file"))
       ->capture_default_str();
   grouped(command.add_option("--seed", request.seed,
                              "random seed of the surgeon's motion, sensor noise and image texture"))
       ->capture_default_str();
-  grouped(command.add_option("--cameras", request.cameras, "folder with left.yaml and right.yaml"));
+  grouped(
+      command.add_option("--cameras", request.cameras, "folder with camera files left.yaml and right.yaml"));
   grouped(command.add_flag_callback(
       "--no-images", [&request] { request.images = false; },
       "simulate tip positions instead of images, with the truth file's pixel_sigma"));
   grouped(command.add_flag_callback(
-      "--no-cameras", [&request] { request.cameras_fitted = false; }, "motors only"));
-  grouped(command.add_flag("--distractors", request.distractors, "objects of nearly the marker's colour"));
-  grouped(command.add_flag("--uneven-light", request.uneven_light, "one side of the scene in the dark"));
+      "--no-cameras", [&request] { request.cameras_fitted = false; },
+      "simulate motors only, without cameras"));
+  grouped(
+      command.add_flag("--distractors", request.distractors, "add objects of nearly the marker's colour"));
+  grouped(command.add_flag("--uneven-light", request.uneven_light, "light one side of the scene less"));
 }
 
 bool simulationAsked(const CLI::App& command) {

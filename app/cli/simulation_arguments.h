@@ -7,12 +7,12 @@
 
 namespace capstan::cli {
 
-/// Declares what `simulate` and `track --simulate` ask of a simulation on `command`, in one help group.
+/// Declares the options of a simulation on `command`, in one help group.
 void addSimulationOptions(CLI::App& command, simulation::SimulationRequest& request);
-/// Whether the user gave any of them.
+/// Returns whether the user gave any option of the simulation.
 bool simulationAsked(const CLI::App& command);
 
-/// The source. Throws base::InputError.
+/// Makes the simulated source that `request` describes. Throws base::InputError.
 std::unique_ptr<simulation::SimulatedSource> makeSimulation(const simulation::SimulationRequest& request);
 
 }  // namespace capstan::cli

@@ -5,8 +5,8 @@
 #include "app/cli/study_monte_carlo.h"
 #include "app/cli/study_motor_failure.h"
 
-/// `capstan-cli study NAME`: Monte-Carlo questions about the method rather than about a recording. A study a
-/// file, study_*.cpp; it adds its own subcommand to `study`.
+/// `capstan-cli study NAME`: Monte-Carlo studies of the method, not of a recording. Each file study_*.cpp
+/// holds one study and adds its subcommand to `study`.
 namespace capstan::cli {
 
 void addStudy(CLI::App& app, ExitCode& exit) {

@@ -56,7 +56,7 @@ nlohmann::json jsonOf(const NoiseStudy& study) {
   return {{"truth", study.truth}, {"variants", variants}};
 }
 
-/// The filter's own model with and without friction, and the default robot.
+/// Studies with the filter's own model, with and without friction, and with the default robot.
 struct Studies {
   CramerRaoStudy bound, smooth;
   NoiseStudy noise;
@@ -112,32 +112,35 @@ ExitCode run(Options& options, const StudyArguments& arguments) {
 void addCramerRaoStudy(CLI::App& study, ExitCode& exit) {
   auto options = std::make_shared<Options>();
   auto arguments = std::make_shared<StudyArguments>();
-  CLI::App* command = study.add_subcommand(
-      "cramer-rao",
-      "The filter against the posterior Cramér-Rao bound, and R from pixels against a constant");
+  CLI::App* command = study.add_subcommand("cramer-rao",
+                                           "The filter beside the posterior Cramér-Rao bound; measurement "
+                                           "noise R from pixels beside a constant R");
   CramerRaoOptions& bound = options->bound;
-  command->add_option("--runs", bound.runs, "truths drawn from the filter's model")
+  command->add_option("--runs", bound.runs, "number of random trajectories of the filter's model")
       ->capture_default_str()
       ->check(CLI::Range(2, 100000));
-  command->add_option("--duration", bound.duration, "of each run [s]")
+  command->add_option("--duration", bound.duration, "duration of each run [s]")
       ->capture_default_str()
       ->check(CLI::Range(2.0, 300.0));
   command
       ->add_option("--pixel-sigma", bound.pixel_sigma,
-                   "noise of a marker's position in these runs; rendered images have 0.025 [px]")
+                   "standard deviation of a marker's position in these runs [px]; rendered images have 0.025")
       ->capture_default_str()
       ->check(CLI::Range(1e-3, 10.0));
-  command->add_option("--truth", options->noise.truth, "of the robot tracked beside: default or a file")
+  command
+      ->add_option("--truth", options->noise.truth,
+                   "truth of the robot in the comparison of R: default or a truth file")
       ->capture_default_str();
-  command->add_option("--trials", options->noise.trials, "block transfers of that robot")
+  command->add_option("--trials", options->noise.trials, "number of block transfers of that robot")
       ->capture_default_str()
       ->check(CLI::Range(1, 1000));
-  command->add_option("--trial-duration", options->noise.duration, "of each [s]")
+  command->add_option("--trial-duration", options->noise.duration, "duration of each block transfer [s]")
       ->capture_default_str()
       ->check(CLI::Range(2.0, 3600.0));
   command->add_flag_callback(
-      "--no-images", [options] { options->noise.images = false; }, "tip positions instead of images");
-  command->add_option("--seed", bound.seed, "of runs and trials")->capture_default_str();
+      "--no-images", [options] { options->noise.images = false; },
+      "simulate tip positions instead of images");
+  command->add_option("--seed", bound.seed, "random seed of runs and trials")->capture_default_str();
   arguments->keeps = false;
   addStudyOptions(*command, *arguments, bound.threads, "runs");
   command->footer(

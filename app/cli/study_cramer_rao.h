@@ -6,8 +6,8 @@
 
 namespace capstan::cli {
 
-/// `capstan-cli study cramer-rao`: how close is the filter to the best that there can be, and what does
-/// measurement noise from its sources bring against a constant?
+/// `capstan-cli study cramer-rao`: the filter's errors beside the posterior Cramér–Rao bound, and its errors
+/// with measurement noise from pixels, registration and clock beside those with a constant.
 void addCramerRaoStudy(CLI::App& study, ExitCode& exit);
 
 }  // namespace capstan::cli

@@ -66,26 +66,31 @@ void addFilterStudy(CLI::App& study, ExitCode& exit) {
       "filter", "The six-state filter of the UKF paper beside the augmented one, on the same samples");
   command->add_option(
       "FILES", *files,
-      "recordings with joint encoders: measured tables or sessions; none: simulated sessions");
-  command->add_option("--robot", options->robot, "robot file of recordings that bring none");
-  command->add_option("--occlude", options->occlusions, "shares of the time without cameras, 2 s each [%]")
+      "recordings with joint encoders: measured tables or sessions; default: simulated sessions");
+  command->add_option("--robot", options->robot, "robot file, for recordings that contain none");
+  command
+      ->add_option("--occlude", options->occlusions,
+                   "shares of the time with blocked cameras, in intervals of 2 s [%]")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 95.0));
-  command->add_option("--duration", options->duration, "of each simulation [s]")
+  command->add_option("--duration", options->duration, "duration of each simulation [s]")
       ->capture_default_str()
       ->check(CLI::Range(1.0, 3600.0));
   command->add_option("--seeds", options->seeds, "number of simulations")
       ->capture_default_str()
       ->check(CLI::Range(1, 1000));
-  command->add_option("--seed", options->seed, "of the first")->capture_default_str();
-  command->add_option("--truth", options->truth, "default, matched, or a truth file")->capture_default_str();
-  command->add_option("--settled", options->settled, "start of the NIS statistics [s]")
+  command->add_option("--seed", options->seed, "random seed of the first simulation")->capture_default_str();
+  command
+      ->add_option("--truth", options->truth,
+                   "true parameters of the robot: default, matched, or a truth file")
+      ->capture_default_str();
+  command->add_option("--settled", options->settled, "start time of the NIS statistics [s]")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 3600.0));
   command->add_flag_callback(
-      "--no-images", [options] { options->images = false; }, "tip positions instead of images");
+      "--no-images", [options] { options->images = false; }, "simulate tip positions instead of images");
   command->add_flag("--disturbed", options->disturbed,
-                    "each session again with cameras that move, motors that slip, constants that are wrong "
+                    "repeat each session with moved cameras, slipping motors and wrong constants "
                     "(tip positions)");
   addStudyOptions(*command, *arguments, options->threads, "recordings");
   command->footer(

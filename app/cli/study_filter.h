@@ -6,7 +6,7 @@
 
 namespace capstan::cli {
 
-/// `study filter`: the six-state filter and the augmented one side by side.
+/// `capstan-cli study filter`: errors of the six-state and the augmented filter on the same samples.
 void addFilterStudy(CLI::App& study, ExitCode& exit);
 
 }  // namespace capstan::cli

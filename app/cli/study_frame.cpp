@@ -7,12 +7,12 @@
 namespace capstan::cli {
 
 void addStudyOptions(CLI::App& command, StudyArguments& arguments, int& threads, const std::string& trials) {
-  command.add_option("--threads", threads, trials + " at the same time")
+  command.add_option("--threads", threads, "number of " + trials + " that run in parallel")
       ->capture_default_str()
       ->check(CLI::Range(1, 64));
   command.add_option(
       "--out", arguments.out,
-      arguments.keeps ? "folder that keeps finished " + trials + " and the tables" : "folder for the tables");
+      arguments.keeps ? "folder for the tables and finished " + trials : "folder for the tables");
   command.add_option("--json", arguments.json, "result as JSON, SI: a file, or - for standard output");
 }
 

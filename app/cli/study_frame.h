@@ -11,34 +11,35 @@
 
 namespace capstan::cli {
 
-/// What every study's command is asked beside its own options.
+/// Arguments that all studies have in common.
 struct StudyArguments {
-  std::string out;    ///< --out: a folder for the tables, and for finished trials; empty: none
-  std::string json;   ///< --json
-  bool keeps = true;  ///< finished trials are kept in `out`, so that a study goes on where it was stopped
+  std::string out;    ///< --out: folder for tables and finished trials; empty: none
+  std::string json;   ///< --json: file, or - for standard output; empty: none
+  bool keeps = true;  ///< finished trials are stored in `out`, so that a stopped study can continue
 };
 
-/// Declares --threads, --out and --json. `trials`: noun of what runs in parallel and is stored, as "samples".
+/// Declares --threads, --out and --json. `trials`: noun in the help for the parallel trials, e.g. "samples".
 void addStudyOptions(CLI::App& command, StudyArguments& arguments, int& threads, const std::string& trials);
 
-/// A study's results as people and programs read them.
+/// Results of a study for people and programs.
 struct StudyReport {
   std::string text;  ///< Markdown
   nlohmann::json json;
-  /// What goes into --out besides the text: names of files and what is in them.
+  /// Further files of --out: names and contents.
   std::vector<std::pair<std::string, std::string>> files;
 };
 
-/// Before anything is computed: outputs that can be written and are none of `inputs`. Throws
+/// Checks, before anything is computed, that outputs can be written and are none of `inputs`. Throws
 /// base::InputError.
 void checkStudyOutputs(const StudyArguments& arguments, const std::string& name,
                        const std::vector<OutputFile>& more, const std::vector<std::string>& inputs);
-/// Standard output, --json and --out: NAME.md and the report's files.
+/// Writes the report to standard output, --json and --out (NAME.md and the report's files).
 void writeStudy(const StudyArguments& arguments, const std::string& name, const StudyReport& report);
 
-/// A study from its options to its outputs: `run(progress)` makes it, with a line of progress, Ctrl-C cancels
-/// it, `report(study)` says what it found. A study has `cancelled` and `notices`. Where it was cancelled,
-/// `done(study)` says whether what there is deserves a report all the same; the exit code is kFailed then.
+/// Runs a study and writes its report. `run(progress)` returns the study, which has `cancelled` and
+/// `notices`; it shows a line of progress, and Ctrl-C cancels it. `report(study)` returns its StudyReport.
+/// For a cancelled study, `done(study)` returns whether its results are reported all the same; the exit code
+/// is then kFailed.
 template <class Run, class Done, class Report>
 ExitCode runStudy(const StudyArguments& arguments, const std::string& name, Run&& run, Done&& done,
                   Report&& report) {

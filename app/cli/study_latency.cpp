@@ -57,22 +57,30 @@ ExitCode run(LatencyStudyOptions& options, const StudyArguments& arguments) {
 void addLatencyStudy(CLI::App& study, ExitCode& exit) {
   auto options = std::make_shared<LatencyStudyOptions>();
   auto arguments = std::make_shared<StudyArguments>();
-  CLI::App* command =
-      study.add_subcommand("latency", "The camera's clock delay, estimated and used, against its truth");
-  command->add_option("--delays", options->delays, "true delays of the stamps [s]")
+  CLI::App* command = study.add_subcommand(
+      "latency",
+      "The identified delay of the camera's clock, and the errors with and without its correction");
+  command->add_option("--delays", options->delays, "true delays of the time stamps [s]")
       ->capture_default_str()
       ->check(CLI::Range(-0.2, 0.2));
-  command->add_option("--duration", options->duration, "of each recording [s]")
+  command->add_option("--duration", options->duration, "duration of each recording [s]")
       ->capture_default_str()
       ->check(CLI::Range(20.0, 3600.0));
-  command->add_option("--seeds", options->seeds, "recordings a delay")
+  command->add_option("--seeds", options->seeds, "number of recordings per delay")
       ->capture_default_str()
       ->check(CLI::Range(1, 1000));
-  command->add_option("--seed", options->seed, "the first")->capture_default_str();
-  command->add_option("--truth", options->truth, "default, matched, or a truth file")->capture_default_str();
-  command->add_option("--parameters", options->parameters, "identified beside the delay, as in identify")
+  command->add_option("--seed", options->seed, "random seed of the first recording")->capture_default_str();
+  command
+      ->add_option("--truth", options->truth,
+                   "true parameters of the robot: default, matched, or a truth file")
       ->capture_default_str();
-  command->add_option("--prior-sigma", options->prior_sigma, "prior of the delay about zero [s]")
+  command
+      ->add_option("--parameters", options->parameters,
+                   "parameters that are identified with the delay, as in `identify`")
+      ->capture_default_str();
+  command
+      ->add_option("--prior-sigma", options->prior_sigma,
+                   "prior standard deviation of the delay about zero [s]")
       ->capture_default_str()
       ->check(CLI::Range(1e-4, 1.0));
   addStudyOptions(*command, *arguments, options->threads, "recordings");

@@ -6,7 +6,7 @@
 
 namespace capstan::cli {
 
-/// `study latency`.
+/// `capstan-cli study latency`: the identified delay of the camera's clock beside its true delay.
 void addLatencyStudy(CLI::App& study, ExitCode& exit);
 
 }  // namespace capstan::cli

@@ -15,8 +15,8 @@ using studies::MonteCarloOptions;
 using studies::MonteCarloStudy;
 using studies::Recovery;
 
-/// By parameter and method. Coverage counts samples in which the parameter was seen; coverage_of_all all of
-/// them.
+/// Coverage and errors by parameter and method. `coverage` counts the samples that determine the parameter,
+/// `coverage_of_all` counts all samples.
 nlohmann::json recoveries(const MonteCarloStudy& study) {
   nlohmann::json all;
   for (std::size_t i = 0; i < study.names.size(); ++i)
@@ -87,20 +87,21 @@ CLI::App* addNamed(CLI::App& study, const char* name, ExitCode& exit) {
   command->add_option("--count", options->samples, "number of randomized robots")
       ->capture_default_str()
       ->check(CLI::Range(1, 10000));
-  command->add_option("--duration", options->duration, "of each recording [s]")
+  command->add_option("--duration", options->duration, "duration of each recording [s]")
       ->capture_default_str()
       ->check(CLI::Range(20.0, 3600.0));
-  command->add_option("--seed", options->seed, "of the first robot; the next has the next")
+  command->add_option("--seed", options->seed, "random seed of the first robot; it increases by 1 per robot")
       ->capture_default_str();
-  command->add_option("--parameters", options->parameters, "as in identify")->capture_default_str();
-  command->add_option("--truth", options->truth, "truth file that robots are drawn around")
+  command->add_option("--parameters", options->parameters, "parameters to identify, as in `identify`")
+      ->capture_default_str();
+  command->add_option("--truth", options->truth, "truth file at the centre of the random robots")
       ->check(CLI::ExistingFile);
-  command->add_option("--pixel-sigma", options->pixel_sigma, "noise of a marker's position [px]")
+  command->add_option("--pixel-sigma", options->pixel_sigma, "standard deviation of a marker's position [px]")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 10.0));
   addStudyOptions(*command, *arguments, options->threads, "samples");
   command->footer(
-      "A sample takes about half a minute of one core. Examples:\n"
+      "A sample takes about half a minute on one core. Examples:\n"
       "  capstan-cli study monte-carlo --out samples    # continues where it was stopped\n"
       "  capstan-cli study monte-carlo --count 10 --duration 60");
   command->callback([options, arguments, &exit] { exit = run(*options, *arguments); });

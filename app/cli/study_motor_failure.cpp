@@ -16,7 +16,7 @@ using studies::MotorFailureStudy;
 using studies::MotorFailureStudyOptions;
 using studies::NormalError;
 
-/// Beside each normal error: how long the failed joints stay within twice of it.
+/// For each normal error: how long the failed joints stay within twice this error.
 nlohmann::json normalsOf(const studies::MotorFailureResult& cell) {
   nlohmann::json all;
   for (const auto& [normal, name] : base::NamesOf<NormalError>::value) {
@@ -81,35 +81,40 @@ void addMotorFailureStudy(CLI::App& study, ExitCode& exit) {
   auto csv = std::make_shared<std::string>();
   auto arguments = std::make_shared<StudyArguments>();
   CLI::App* command = study.add_subcommand(
-      "motor-failure", "How long joints without motor encoder are known from the camera alone");
-  command->add_option("--duration", options->duration, "of each trial, from the failure on [s]")
+      "motor-failure", "Errors of joints whose motor encoder has failed, estimated from the camera alone");
+  command->add_option("--duration", options->duration, "duration of each trial after the failure [s]")
       ->capture_default_str()
       ->check(CLI::Range(5.0, 3600.0));
-  command->add_option("--seeds", options->seeds, "trials a speed and occlusion")
+  command->add_option("--seeds", options->seeds, "number of trials per speed and occlusion")
       ->capture_default_str()
       ->check(CLI::Range(1, 1000));
-  command->add_option("--seed", options->seed, "the first")->capture_default_str();
-  command->add_option("--speeds", options->speeds, "relative to a block transfer of 200 s")
+  command->add_option("--seed", options->seed, "random seed of the first trial")->capture_default_str();
+  command->add_option("--speeds", options->speeds, "speeds relative to a block transfer of 200 s")
       ->capture_default_str()
       ->check(CLI::Range(0.05, 3.0));
-  command->add_option("--occlusions", options->occlusions, "shares of the time, in intervals of 2 s [%]")
+  command
+      ->add_option("--occlusions", options->occlusions,
+                   "shares of the time with blocked cameras, in intervals of 2 s [%]")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 95.0));
   command
-      ->add_option("--fault", *fault, "lost: no number; frozen: the count stands still and has to be found")
+      ->add_option("--fault", *fault,
+                   "lost: no number; frozen: a constant count, which the filter has to detect")
       ->capture_default_str()
       ->check(CLI::IsMember({"lost", "frozen"}));
-  command->add_option("--truth", options->truth, "default, matched, or a truth file")->capture_default_str();
+  command
+      ->add_option("--truth", options->truth,
+                   "true parameters of the robot: default, matched, or a truth file")
+      ->capture_default_str();
   command->add_flag_callback(
       "--nominal-radii", [options] { options->true_radii = false; },
-      "the filter knows the nominal pulleys, not the true ones");
+      "the filter has the nominal pulley radii, not the true ones");
   command->add_flag("--images", options->images, "render images (slow) instead of tip positions");
-  command->add_option("--csv", *csv, "every number of every cell, as CSV");
+  command->add_option("--csv", *csv, "file for all numbers of all trials, as CSV");
   addStudyOptions(*command, *arguments, options->threads, "trials");
   command->footer(
       "Examples:\n"
-      "  capstan-cli study motor-failure --out failures           # the whole map; goes on where it was "
-      "stopped\n"
+      "  capstan-cli study motor-failure --out failures           # continues where it was stopped\n"
       "  capstan-cli study motor-failure --fault frozen --csv map.csv\n"
       "  capstan-cli study motor-failure --images --seeds 1 --speeds 1 --occlusions 20");
   command->callback([options, fault, csv, arguments, &exit] {

@@ -6,7 +6,7 @@
 
 namespace capstan::cli {
 
-/// `study motor-failure`.
+/// `capstan-cli study motor-failure`: errors of joints whose motor encoder has failed.
 void addMotorFailureStudy(CLI::App& study, ExitCode& exit);
 
 }  // namespace capstan::cli

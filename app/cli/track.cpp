@@ -44,7 +44,7 @@ void check(const TrackArguments& arguments, const CLI::App& command) {
     refuseOption("--simulate", {}, "is missing, yet simulation options are given",
                  "Add --simulate or leave them out");
   if (arguments.simulate && command.count("--format") > 0)
-    refuseOption("--format", arguments.format, "is of a FILE, yet --simulate is given", "Leave it out");
+    refuseOption("--format", arguments.format, "is for a FILE, yet --simulate is given", "Leave it out");
   if (!arguments.mounting.empty() && arguments.registration != "hard-stop")
     refuseOption("--mounting", arguments.mounting, "is given without --register hard-stop",
                  "Add that, or leave it out");
@@ -59,7 +59,7 @@ std::vector<live::MotorFailure> failuresOf(const std::vector<std::string>& texts
   return all;
 }
 
-/// Which robot the filter assumed, and where it is from.
+/// Line with the robot that the filter assumed and its origin.
 std::string robotText(const TrackArguments& arguments, const robot::Description& robot) {
   const bool session = !arguments.simulate && detectFormat(arguments.file) == RecordingFormat::kSession;
   const std::string from = !arguments.estimator_robot.empty() ? "of " + arguments.estimator_robot
@@ -69,7 +69,7 @@ std::string robotText(const TrackArguments& arguments, const robot::Description&
   return fmt::format("robot          {} ({})\n", robot.name, from);
 }
 
-/// Failures that come after the recording's end do nothing.
+/// Prints a notice for each failure after the end of the recording, because it has no effect.
 void noticeLate(const std::vector<live::MotorFailure>& failures, const tracking::SourceInfo& info) {
   for (const live::MotorFailure& failure : failures)
     if (info.duration > 0.0 && failure.time > info.duration)
@@ -157,7 +157,7 @@ ExitCode track(TrackArguments& arguments, const CLI::App& command) {
        arguments.estimator_robot.empty() ? nlohmann::json() : nlohmann::json(arguments.estimator_robot)}};
   output.text(text);
   output.json(document);
-  if (report.cancelled) notice("cancelled: the numbers are of what came before");
+  if (report.cancelled) notice("cancelled: the numbers cover the time until then");
   if (report.motor_samples == 0) notice("the recording holds no motor sample: nothing was tracked");
   return report.cancelled || report.motor_samples == 0 ? kFailed : kOk;
 }
@@ -170,31 +170,35 @@ void addTrack(CLI::App& app, ExitCode& exit) {
       app.add_subcommand("track", "Estimate the joint angles of a recording, or of a simulation");
   command->add_option("FILE", arguments->file,
                       "session (.capstan), measured table or RAVEN-II motor log (.csv)");
-  command->add_option("--format", arguments->format, "of FILE: auto, session, table, raven")
+  command->add_option("--format", arguments->format, "format of FILE: auto, session, table, raven")
       ->capture_default_str()
       ->check(CLI::IsMember({"auto", "session", "table", "raven"}));
   addReadAs(*command, arguments->read_as);
-  command->add_option("--robot", arguments->robot,
-                      "nominal robot file, of a simulation the plant's too; a session brings its own");
+  command->add_option(
+      "--robot", arguments->robot,
+      "nominal robot file, of a simulation also that of the plant; a session contains its own");
   command->add_option("--estimator-robot", arguments->estimator_robot,
                       "robot that the filter assumes, e.g. an identified robot; default: the nominal one");
-  command->add_option("--options", arguments->options,
-                      "filter options (as resources/tracking/default.yaml); a session brings its own");
+  command->add_option(
+      "--options", arguments->options,
+      "file of filter options (format: resources/tracking/default.yaml); a session contains its own");
   command
-      ->add_option(
-          "--register", arguments->registration,
-          "stored; hard-stop: from frames at rest there; kinematics: from the whole movement; or a file")
+      ->add_option("--register", arguments->registration,
+                   "registration of the cameras: stored; hard-stop: from frames at rest there;\n"
+                   "kinematics: from the whole movement; or a file")
       ->capture_default_str();
   command->add_option("--mounting", arguments->mounting,
-                      "file whose rotation --register hard-stop takes as known");
-  command->add_option("--save-registration", arguments->save_registration, "write the registration in use");
+                      "registration file with the known rotation for --register hard-stop");
+  command->add_option("--save-registration", arguments->save_registration,
+                      "file for the registration in use");
   command
       ->add_option("--occlude", arguments->occlude,
-                   "block both cameras for this share of the time, 2 s each [%]")
+                   "block both cameras for this share of the time, in intervals of 2 s [%]")
       ->check(CLI::Range(0.0, 95.0));
   command
-      ->add_option("--fail-motor", arguments->fail_motor,
-                   "motor@seconds[:frozen|lost]: its encoder fails then (motor 1, 2, 3 or all); repeatable")
+      ->add_option(
+          "--fail-motor", arguments->fail_motor,
+          "MOTOR@SECONDS[:frozen|lost]: failure of the encoder of motor 1, 2, 3 or all at a time; repeatable")
       ->allow_extra_args(false);  // FILE may come next
   command
       ->add_option(
@@ -202,10 +206,11 @@ void addTrack(CLI::App& app, ExitCode& exit) {
           "ignore this motor's encoder (1, 2, 3) and estimate its joint from the camera alone; repeatable")
       ->allow_extra_args(false)
       ->check(CLI::Range(1, 3));
-  command->add_option("--out", arguments->out, "estimates as CSV, a row a motor or camera sample");
+  command->add_option("--out", arguments->out,
+                      "file for estimates as CSV, one row per motor or camera sample");
   command->add_option("--json", arguments->json, "result as JSON, SI: a file, or - for standard output");
   command->add_flag("--whole-frame", arguments->whole_frame,
-                    "search every image whole, without regions of interest");
+                    "search the whole of every image, without regions of interest");
   command->add_flag("--simulate", arguments->simulate,
                     "track a simulated session, without a file in between");
   addSimulationOptions(*command, arguments->simulation);

@@ -44,7 +44,7 @@ nlohmann::json failedJson(const TrackReport& report) {
   return failed;
 }
 
-/// What the augmented filter found of the transmission, a line an error; empty: nothing.
+/// Errors of the transmission that the augmented filter carries, one per line; empty: none.
 std::string transmissionText(const tracking::TransmissionEstimate& found) {
   std::string text;
   for (const std::string& line : tracking::linesOf(found))
@@ -98,7 +98,7 @@ std::optional<NisVerdict> nisVerdict(const TrackReport& report) {
 std::string textOf(const TrackReport& report, const tracking::SourceInfo& info, double seconds) {
   std::string text;
   if (info.own_kinematics)
-    text += "reference: the robot's own kinematics, no truth; these are differences from it, no errors\n\n";
+    text += "reference: the robot's own kinematics, no truth; these are differences from it, not errors\n\n";
   text += report.errors.text();
   const double span = report.last_t - report.first_t;
   text += fmt::format("\nmotor samples  {} over {:.3f} s\n", report.motor_samples, span);

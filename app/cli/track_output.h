@@ -17,42 +17,41 @@
 
 namespace capstan::cli {
 
-/// What the errors of a recording are taken against: "joint encoders", "own kinematics" (which is no truth),
-/// "none".
+/// Reference of a recording's errors: "joint encoders", "own kinematics" (not a true reference) or "none".
 const char* referenceOf(const tracking::SourceInfo& info);
 
-/// Whether the mean NIS of accepted camera samples, by its degrees of freedom, is what chance makes of a
-/// consistent filter.
+/// Test of the filter's consistency: the mean NIS of accepted camera samples by its degrees of freedom, and
+/// its 95 % band.
 struct NisVerdict {
   double mean = 0.0;
-  estimation::Band band;  ///< of the mean, 95 %
+  estimation::Band band;  ///< 95 % band of the mean of a consistent filter
   bool passed() const { return band.contains(mean); }
   estimation::NisVerdict verdict() const { return estimation::judgeNis(mean, passed()); }
   /// "pass", "cautious" or "FAIL, too high".
   std::string text() const { return std::string(base::nameOf(verdict())); }
-  /// What it says where it is no pass, and what to do; empty: it passed.
+  /// Meaning of a verdict that is no pass, and the remedy; empty: it passed.
   std::string advice() const { return std::string(estimation::adviceOf(verdict())); }
 };
-/// Empty: no camera sample was accepted.
+/// Verdict of a report; empty if no camera sample was accepted.
 std::optional<NisVerdict> nisVerdict(const tracking::TrackReport& report);
 
-/// The report for people: errors in deg, deg, mm; detection, gate, consistency; `seconds` of computing for
-/// the speed.
+/// Text of a report for people: errors in deg, deg, mm; detection, gate, consistency. `seconds`: computing
+/// time, for the speed; 0: not printed.
 std::string textOf(const tracking::TrackReport& report, const tracking::SourceInfo& info, double seconds);
-/// The report in SI: {"rms": {"kin": […], "cam": […], "ukf": […]}, "nis": …, "nis_band": […],
-/// "samples": …, "reference": …, …}. No times of
-/// computing, so that the same input gives the same document.
+/// JSON of a report in SI: {"rms": {"kin": […], "cam": […], "ukf": […]}, "nis": …, "nis_band": […],
+/// "samples": …, "reference": …, …}. It has no computing times, so that the same input gives the same
+/// document.
 nlohmann::json jsonOf(const tracking::TrackReport& report, const tracking::SourceInfo& info);
 
-/// Writes one CSV row a motor sample and a camera sample: t, camera flag, t_cam, q_kin, q_cam, q_ukf, dq_ukf,
-/// sigma, reference (of t, on rows of cameras of t_cam), gate, NIS; SI, 17 digits, empty where nothing is
-/// known. A former file stays until the new one is whole.
+/// Writer of estimates as CSV, one row per motor sample and per camera sample: t, camera flag, t_cam, q_kin,
+/// q_cam, q_ukf, dq_ukf, sigma, reference (at t; on rows of camera samples at t_cam), gate, NIS. SI, 17
+/// digits; unknown values are empty. A former file stays until the new one is complete.
 class EstimateWriter {
  public:
-  /// Throws base::InputError when `path` cannot be written. Empty path: writes nothing.
+  /// Opens `path`; an empty path writes nothing. Throws base::InputError when it cannot be written.
   explicit EstimateWriter(const std::filesystem::path& path);
   void add(const tracking::Sample& sample, const tracking::Snapshot& snapshot);
-  /// Throws base::InputError when the disk took less than everything.
+  /// Completes the file. Throws base::InputError when not everything could be written.
   void close();
 
  private:
@@ -65,7 +64,7 @@ class EstimateWriter {
   std::filesystem::path path_;
   std::optional<base::PartFile> part_;
   std::unique_ptr<std::FILE, Closer> file_;
-  std::optional<tracking::Snapshot> motor_row_;  ///< waits for the reference of its time
+  std::optional<tracking::Snapshot> motor_row_;  ///< motor row that waits for the reference of its time
   Eigen::Vector3d reference_;
 };
 

@@ -26,33 +26,36 @@ void addOptions(CLI::App& cli, Arguments& arguments) {
           ->excludes(session);
   cli.add_option("--robot", arguments.robot,
                  "robot file (.yaml) for a simulation or a table; default: the left RAVEN-II");
-  of(cli.add_flag("--simulate", arguments.simulate, "open a simulated robot; each option here implies it"));
+  of(cli.add_flag("--simulate", arguments.simulate,
+                  "open a simulated robot; implied by the other options of this group"));
   of(cli.add_option(
          "--trajectory", simulation.trajectory,
-         "fls (block transfer), sinusoid, hold, hard-stop, or a CSV of t [s], q1, q2 [rad], q3 [m]"))
+         "fls (block transfer), sinusoid, hold, hard-stop, or a CSV with t [s], q1, q2 [rad], q3 [m]"))
       ->capture_default_str();
   of(cli.add_option("--truth", simulation.truth,
-                    "what the robot really is: default, matched, or a truth file"))
+                    "true parameters of the robot: default, matched, or a truth file"))
       ->capture_default_str();
-  of(cli.add_option("--seed", simulation.seed, "whole number: surgeon, noise and texture of the simulation"))
+  of(cli.add_option("--seed", simulation.seed,
+                    "random seed (whole number) of the surgeon's motion, sensor noise and image texture"))
       ->capture_default_str();
-  of(cli.add_flag("--distractors", simulation.distractors, "objects of nearly the marker's colour"));
-  of(cli.add_flag("--uneven-light", simulation.uneven_light, "one side of the scene in the dark"));
+  of(cli.add_flag("--distractors", simulation.distractors, "add objects of nearly the marker's colour"));
+  of(cli.add_flag("--uneven-light", simulation.uneven_light, "light one side of the scene less"));
   of(cli.add_flag_callback(
       "--unregistered", [&simulation] { simulation.registered = false; },
-      "leave the cameras' position to be found with the window"));
+      "unknown camera pose, to be registered in the window"));
   for (CLI::Option* option : simulationOptions(cli)) option->excludes(session)->excludes(table);
   cli.add_option("--theme", arguments.theme, "dark or light; default: the one chosen last")
       ->check(CLI::IsMember({"dark", "light"}));
   cli.add_option("--size", arguments.size, "width x height of the window [px]")->capture_default_str();
-  auto* image = cli.add_option("--screenshot", arguments.image,
-                               "save a picture (.png) of the window, simulating unless a file is given, and "
-                               "quit");
-  cli.add_option("--state", arguments.state, "of the window in the picture: running, occluded or paused")
+  auto* image =
+      cli.add_option("--screenshot", arguments.image,
+                     "save a picture (.png) of the window and quit; without a file it shows a simulation");
+  cli.add_option("--state", arguments.state,
+                 "state of the window in the picture: running, occluded or paused")
       ->capture_default_str()
       ->check(CLI::IsMember({"running", "occluded", "paused"}))
       ->needs(image);
-  cli.add_option("--after", arguments.after, "time until the picture is taken [s]")
+  cli.add_option("--after", arguments.after, "time until the picture is saved [s]")
       ->capture_default_str()
       ->check(CLI::Range(2.0, 3600.0))
       ->needs(image);

@@ -8,21 +8,22 @@
 
 namespace capstan::workstation {
 
-/// What the command line of the window says.
+/// Arguments of the window's command line.
 struct Arguments {
   std::string file, robot, theme, image, size = "1920x1080", state = "running";
   simulation::SimulationRequest simulation;
-  bool simulate = false;  ///< requested, or implied by an option of the simulation
-  double after = 12.0;    ///< [s]
+  bool simulate = false;  ///< --simulate, or implied by an option of the simulation
+  double after = 12.0;    ///< time until the picture is saved [s]
 };
 
-/// Declares the options on `cli`. Options that mean nothing together, or alone, are refused by its parse().
+/// Declares the options on `cli`. Its parse() refuses options that exclude each other or need another one.
 void addOptions(CLI::App& cli, Arguments& arguments);
-/// After parse(): an option that describes a simulation, or a robot for no recording, asks for a simulation.
+/// Sets `arguments.simulate`, after parse(): without a file, an option of the simulation, a robot or a
+/// screenshot implies a simulation.
 void imply(const CLI::App& cli, Arguments& arguments);
-/// What is to be opened; `last` where the command line names nothing.
+/// Source to open; `last` if the command line names none.
 widgets::SourceChoice choiceOf(const Arguments& arguments, const widgets::SourceChoice& last);
-/// Width and height of --size. Throws base::InputError.
+/// Width and height of --size [px]. Throws base::InputError.
 QSize sizeOf(const std::string& text);
 
 }  // namespace capstan::workstation

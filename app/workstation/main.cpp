@@ -14,13 +14,13 @@ namespace {
 
 using capstan::workstation::Arguments;
 
-/// No larger than the screen leaves room for; a picture is as large as was asked.
+/// Resizes the window to `size`, but not beyond the screen's free area; a picture always has `size`.
 void fitToScreen(QWidget& window, const QSize& size, bool image) {
   const QScreen* screen = QGuiApplication::primaryScreen();
   window.resize(image || !screen ? size : size.boundedTo(screen->availableGeometry().size()));
 }
 
-/// Nobody sees the window's message bar where only a picture was requested.
+/// Prints a failure to open on standard error and exits: for a screenshot nobody sees the message bar.
 void failWithoutSource(capstan::widgets::MainWindow& window) {
   QObject::connect(&window.link(), &capstan::widgets::SessionLink::failed, &window,
                    [&window](const QString& message) {

@@ -170,7 +170,7 @@ std::vector<std::string> runWords(const Analysis& analysis) {
 std::string thinningWords(const Analysis& analysis) {
   std::string words;
   for (const auto side : {&AnalysisRow::a, &AnalysisRow::b}) {
-    std::size_t kept = 0, all = 0;  // of the estimator with the most samples
+    std::size_t kept = 0, all = 0;  // samples of the estimator that has most
     for (const AnalysisRow& row : analysis.rows) {
       const ErrorSummary& summary = row.*side;
       if (summary.n <= all) continue;

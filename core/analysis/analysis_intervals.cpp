@@ -33,7 +33,8 @@ void forEachPiece(const SpacedErrors& errors, Take&& take) {
   }
 }
 
-/// For all samples, and for the longest piece: gaps hide correlation from the former.
+/// Block length: the longer one of all samples and of the longest piece, because gaps hide correlation in all
+/// samples.
 std::size_t lengthFor(const SpacedErrors& errors) {
   std::span<const double> longest;
   forEachPiece(errors, [&](std::span<const double> piece) {
@@ -42,8 +43,8 @@ std::size_t lengthFor(const SpacedErrors& errors) {
   return std::max(lengthFor(std::span<const double>(errors.value)), lengthFor(longest));
 }
 
-/// Means of as many whole blocks as each piece has; of a piece that is one or less its own mean, as what lies
-/// beyond the gap is another block anyhow, if it has half of a block's samples or of the longest piece's.
+/// Means of the whole blocks of each piece. A piece of one block or less gives its own mean, if it has at
+/// least half the samples of a block or of the longest piece: a block cannot continue beyond a gap.
 std::vector<double> blockMeans(const SpacedErrors& errors, std::size_t length) {
   const std::size_t longest = *std::max_element(errors.pieces.begin(), errors.pieces.end());
   const std::size_t least = (std::min(length, longest) + 1) / 2;
@@ -71,14 +72,14 @@ void addProbability(AnalysisRow& row, const Sides& sides) {
   }
 }
 
-/// The k-th smallest of the first values from `from` on; those before it are not larger.
+/// Selects the k-th smallest value in the range from `from` on; no value before `from` is larger.
 double kth(std::vector<double>& values, std::size_t from, std::size_t k) {
   std::nth_element(values.begin() + static_cast<std::ptrdiff_t>(from),
                    values.begin() + static_cast<std::ptrdiff_t>(k), values.end());
   return values[k];
 }
 
-/// Quantile of type 7 as stats::quantile, by selection; shares must come ascending, `from` moves on.
+/// Quantile of type 7, as stats::quantile, by selection. Calls must have increasing shares; `from` advances.
 double selectedQuantile(std::vector<double>& values, std::size_t& from, double share) {
   const double h = static_cast<double>(values.size() - 1) * share;
   const auto below = static_cast<std::size_t>(h);

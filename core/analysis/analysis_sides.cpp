@@ -7,12 +7,12 @@
 namespace capstan::analysis {
 namespace {
 
-constexpr double kSame = 2e-6;          ///< times of results are rounded to 1e-6 s [s]
-constexpr double kGap = 3.0;            ///< longer than this many spacings: a gap
-constexpr double kPairedShare = 0.8;    ///< of the shorter side that must have partners
-constexpr double kLeastSpacing = 1e-9;  ///< [s]
+constexpr double kSame = 2e-6;        ///< largest difference of equal times, which are rounded to 1e-6 s [s]
+constexpr double kGap = 3.0;          ///< shortest gap, in spacings
+constexpr double kPairedShare = 0.8;  ///< smallest share of the shorter side that has partners
+constexpr double kLeastSpacing = 1e-9;  ///< smallest spacing [s]
 
-/// Those of `a` and of `b` that were at the same time.
+/// Errors of `a` and of `b` at their common times.
 std::pair<SelectedErrors, SelectedErrors> commonInstants(const SelectedErrors& a, const SelectedErrors& b) {
   std::pair<SelectedErrors, SelectedErrors> common;
   for (std::size_t i = 0, j = 0; i < a.t.size() && j < b.t.size();) {
@@ -30,7 +30,7 @@ std::pair<SelectedErrors, SelectedErrors> commonInstants(const SelectedErrors& a
   return common;
 }
 
-/// Steps of `spacing` that keep at most kMostResampled of either.
+/// Spacing of steps that keeps at most kMostResampled samples of either side.
 double spacingFor(const SelectedErrors& a, const SelectedErrors& b, double spacing) {
   const std::size_t most = std::max(spaced(a, spacing).value.size(), spaced(b, spacing).value.size());
   return spacing * static_cast<double>((most + kMostResampled - 1) / kMostResampled);

@@ -8,31 +8,32 @@
 
 namespace capstan::analysis {
 
-/// Errors at a common spacing in time, in pieces: between two of them lies a gap (time that was not selected,
-/// a camera that saw nothing).
+/// Errors at a common spacing in time, in pieces that are separated by gaps (time that was not selected, or a
+/// camera without observations).
 struct SpacedErrors {
-  std::vector<double> value;        ///< [deg or mm]
-  std::vector<std::size_t> pieces;  ///< their lengths, in order; they add up to value.size()
+  std::vector<double> value;        ///< errors [deg or mm]
+  std::vector<std::size_t> pieces;  ///< lengths of the pieces, in order; their sum is value.size()
 };
 
 /// Both sides of one difference.
 struct Sides {
   SpacedErrors first, second;
-  bool paired = false;     ///< sample for sample of the same instants; then the pieces are the same
-  std::size_t common = 0;  ///< of paired sides: instants that both have, before they are spaced
+  bool paired = false;     ///< true: samples of both sides are at the same instants, with the same pieces
+  std::size_t common = 0;  ///< number of common instants of paired sides, before spacing
 };
 
-/// The errors behind `row`, both sides about equally spaced: by the wider spacing of the two, and as much
-/// wider as kMostResampled asks for. They are paired where the motion is one (`same_motion`, sameMotion())
-/// and the most of the shorter side has its partner at the same time; what has none is excluded.
+/// Both sides of the differences in `row`. They have nearly equal spacing: the wider spacing of the two, or
+/// wider where kMostResampled requires it. They are paired where the motion is the same (`same_motion`,
+/// sameMotion()) and most samples of the shorter side have a partner at the same time; samples without a
+/// partner are excluded.
 Sides sidesOf(const AnalysisRow& row, const ErrorRun& a, const ErrorRun* b, const AnalysisOptions& options,
               bool same_motion);
 
-/// Median distance of times that follow each other [s]; 0 for fewer than two.
+/// Median difference of successive times [s]; 0 for fewer than two times.
 double spacingOf(const std::vector<double>& t);
 
-/// `errors` by steps of about `spacing` [s] within each piece: its first sample, then the first sample within
-/// half of the errors' own spacing of each step, or behind it.
+/// `errors` thinned to steps of about `spacing` [s] within each piece: its first sample, then for each step
+/// the first sample that is at most half of the original spacing before it.
 SpacedErrors spaced(const SelectedErrors& errors, double spacing);
 
 }  // namespace capstan::analysis

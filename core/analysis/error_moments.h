@@ -7,8 +7,8 @@
 
 namespace capstan::analysis {
 
-/// Sums over every error of an estimator [rad, rad, m], in the order of arrival: rms() has the bits of
-/// tracking::ErrorTable. An error with a component that is not finite is excluded as a whole, as there.
+/// Sums over all errors of an estimator [rad, rad, m], in order of arrival, so that rms() equals
+/// tracking::ErrorTable to the last bit. As there, an error with a component that is not finite is excluded.
 struct ErrorMoments {
   std::uint64_t n = 0;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();       ///< Σ e; NaN: not known
@@ -22,12 +22,12 @@ struct ErrorMoments {
     squares += error.cwiseAbs2();
     ++n;
   }
-  /// sqrt(Σ e² / n); NaN before the first.
+  /// RMS sqrt(Σ e² / n); NaN without errors.
   Eigen::Vector3d rms() const { return mean(squares).cwiseSqrt(); }
-  /// Σ e / n, or Σ |e| / n.
+  /// Mean Σ e / n, or with `of_absolute` Σ |e| / n.
   Eigen::Vector3d mean(bool of_absolute) const { return mean(of_absolute ? absolute : sum); }
 
-  /// What is known of `n` errors of which only the RMS was kept.
+  /// Moments of `n` errors of which only the RMS is known.
   static ErrorMoments ofRms(const Eigen::Vector3d& rms, std::uint64_t n) {
     const Eigen::Vector3d none = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
     return {n, none, none, rms.cwiseAbs2() * static_cast<double>(n)};

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Points of a recording that are kept: 35 minutes at 1 kHz.
+/// Capacity for a recording: points of 35 minutes at 1 kHz.
 constexpr std::size_t kRecordingCapacity = std::size_t{1} << 21;
 
 bool occluded(const tracking::Snapshot& s) {
@@ -31,7 +31,7 @@ bool occluded(const tracking::Snapshot& s) {
   throw base::InputError({file, 0, std::move(key), std::move(value), std::move(reason), std::move(remedy)});
 }
 
-/// The bytes of a recording, whatever it is called: as at the end of TrialInputs::recording.
+/// Checksum of a recording, independent of its name, as at the end of TrialInputs::recording.
 std::string motionOf(const fs::path& recording) { return "checksum " + base::checksumOfFile(recording); }
 
 bool isFileOf(const fs::path& file, const ErrorRun& run) {
@@ -39,7 +39,7 @@ bool isFileOf(const fs::path& file, const ErrorRun& run) {
                      [&](const fs::path& other) { return base::sameRecording(file, other); });
 }
 
-/// `run` knows its motion by a recording's bytes, and `file` has these.
+/// True when `run` names its motion by the bytes of a recording, and `file` has the same bytes.
 bool isMotionOf(const fs::path& file, const ErrorRun& run) {
   try {
     return run.files.empty() && run.motion.starts_with("checksum ") && motionOf(file) == run.motion;
@@ -72,7 +72,7 @@ std::vector<std::string> resultsWithin(const fs::path& folder) {
   return names;
 }
 
-/// `names`, and what the pipeline makes of `source` when it assumes `robot`.
+/// Errors of the pipeline on `source` when it assumes `robot`, with the texts of `names`.
 ErrorRun trackSource(tracking::Source& source, const robot::Description& robot, ErrorRun names,
                      base::Progress& progress) {
   tracking::SourceInfo info = source.info();
@@ -111,7 +111,7 @@ ErrorRun trackFile(const fs::path& recording, const fs::path& robot, Reference r
   progress.report(0.0, "opening");
   const robot::Description believed = robot::readDescriptionOrDefault(robot);
   ErrorRun names;
-  names.motion = motionOf(recording);  // before it is opened: closing a file takes SQLite's locks away
+  names.motion = motionOf(recording);  // before it is opened: closing a file removes SQLite's locks
   names.files = {recording};
   names.title = recording.filename().string();
   names.trial = recording.stem().string();

@@ -14,34 +14,35 @@
 
 namespace capstan::analysis {
 
-/// Which instants count. A camera sample that the filter took is always a seen one.
+/// Selection of instants. A camera sample that the filter accepted is always visible.
 enum class TimeShare { kAll, kOccluded, kVisible };
 inline constexpr std::size_t kTimeShares = 3;
 
-/// Errors of one run of a robot, wherever they came from: the only numbers that panels, histograms, box
-/// plots, tables and comparisons are made of. SI: rad, rad, m.
+/// Errors of one run of a robot from any source: a session, a recording or an experiment. All panels,
+/// histograms, box plots, tables and comparisons use these numbers. SI: rad, rad, m.
 ///
-/// Kinematic errors are of one robot, the one that the filter assumed; only in a trial of an experiment
-/// are they of the nominal robot. Both are named.
+/// Kinematic errors are those of the robot that the filter assumed; in a trial of an experiment, those of the
+/// nominal robot. Both robots are named.
 struct ErrorRun {
   std::string title = {};  ///< "trial.capstan", "C, trial 3"
-  /// Names the motion that was measured: runs of one recording, or of one simulated trial, have the same, so
-  /// that their samples pair. Empty: unknown. See sameMotion().
+  /// Name of the measured motion. Runs of one recording, or of one simulated trial, have the same name, so
+  /// that their samples pair. Empty: not known. See sameMotion().
   std::string motion = {};
-  bool own_kinematics = false;    ///< differences from the robot's own kinematics, no errors
-  double begin = 0.0, end = 0.0;  ///< [s]
-  std::vector<experiments::ErrorPoint> errors = {};   ///< every one, or equally thinned where memory was full
-  std::vector<experiments::CameraPoint> camera = {};  ///< samples that the filter took, at their own times
-  std::vector<std::string> trials = {};               ///< that the results it was read from have errors of
-  std::vector<std::string> notices = {};              ///< for the user, a line each
-  bool simulated = false;                             ///< no real robot
-  std::vector<experiments::TrajectoryPoint> trajectory = {};  ///< of a session or a recording (SessionMotion)
-  std::string kinematic_robot = {};  ///< whose transmission kinematics `kinematic` is, by name
-  std::string filter_robot = {};     ///< that the filter assumed, by name
-  /// Files that hold the motion: what was read; of a session what it replays and what it has recorded.
+  bool own_kinematics = false;    ///< true: differences from the robot's own kinematics, not errors
+  double begin = 0.0, end = 0.0;  ///< times of the first and the last sample [s]
+  std::vector<experiments::ErrorPoint> errors = {};  ///< all errors, or equally thinned where memory was full
+  std::vector<experiments::CameraPoint> camera = {};  ///< samples that the filter accepted
+  std::vector<std::string> trials = {};               ///< trials with errors in the results that were read
+  std::vector<std::string> notices = {};              ///< notices for the user, one line each
+  bool simulated = false;                             ///< true: no real robot
+  std::vector<experiments::TrajectoryPoint> trajectory = {};  ///< of a session or a recording
+  std::string kinematic_robot = {};                           ///< name of the robot of the kinematic errors
+  std::string filter_robot = {};                              ///< name of the robot that the filter assumed
+  /// Files with the motion: the file that was read; for a session, its replayed and its recorded file.
   std::vector<std::filesystem::path> files = {};
-  std::string name = "session", trial = "session";  ///< what its files are called in an export
-  /// Over every sample, however thinned `errors` and `camera` are. n = 0: not known; then the points count.
+  std::string name = "session", trial = "session";  ///< names of its files in an export
+  /// Moments over all samples, also where `errors` and `camera` are thinned. n = 0: not known; then the
+  /// points count.
   std::array<std::array<ErrorMoments, kTimeShares>, experiments::kEstimators> moments = {};
 
   const ErrorMoments& momentsOf(experiments::Estimator which, TimeShare share) const {
@@ -50,24 +51,24 @@ struct ErrorRun {
   void addMoments(experiments::Estimator which, const Eigen::Vector3d& error, bool occluded);
 };
 
-/// Both are of one motion: `motion` is the same, or one of the files is, by path or by bytes.
+/// True when both runs are of one motion: equal `motion`, or a common file, by path or by bytes.
 bool sameMotion(const ErrorRun& a, const ErrorRun& b);
 
-/// Gathers the errors of a running pipeline: kinematic and UKF estimates wherever a reference meets a motor
-/// sample, the camera wherever the filter took it. `occluded` is the state of the newest camera sample: the
-/// marker is hidden from a camera, or samples stay away. May be read from another thread. Its memory is fixed
-/// (kCapacity points): when it is full, every other point goes; the moments stay those of every sample.
+/// Collects the errors of a running pipeline: of kinematic and UKF estimates where a reference coincides with
+/// a motor sample, and of the camera where the filter accepted it. `occluded` is the state of the newest
+/// camera sample: a marker is hidden, or samples are missing. Another thread may read it. Its memory is fixed
+/// (kCapacity points): when full, every second point is dropped; the moments remain those of all samples.
 class ErrorCollector {
  public:
-  static constexpr std::size_t kCapacity = std::size_t{1} << 19;  ///< nine minutes at 1 kHz
+  static constexpr std::size_t kCapacity = std::size_t{1} << 19;  ///< points of nine minutes at 1 kHz
 
   explicit ErrorCollector(std::size_t capacity = kCapacity);
 
-  /// Every snapshot, in order. Allocates nothing up to kCapacity points.
+  /// Takes every snapshot, in order. Allocates nothing up to kCapacity points.
   void take(const tracking::Snapshot& snapshot);
-  /// Forgets everything.
+  /// Deletes all errors.
   void restart();
-  /// Errors so far, without title, motion, names and notices.
+  /// Returns the present errors, without title, motion, names and notices.
   ErrorRun run() const;
 
  private:
@@ -76,24 +77,24 @@ class ErrorCollector {
   mutable std::mutex mutex_;
   KeptPoints<experiments::ErrorPoint> errors_;
   KeptPoints<experiments::CameraPoint> camera_;
-  ErrorRun sums_;  ///< its moments
+  ErrorRun sums_;  ///< only its moments are used
 };
 
-/// Tracks a recording (session, measured table, motor log) and gathers its errors. `robot`: robot file that
-/// the estimator assumes, empty: the recording's own (a recording without one: the left RAVEN-II).
-/// Kinematic errors are of that robot's kinematics. Nothing is worth keeping when `progress` was cancelled.
-/// Throws base::InputError for what cannot be read, and for a recording without reference. The only way to
-/// the errors of a recording: the window, its exports and `capstan-cli figures` all come here.
+/// Tracks a recording (session, measured table, motor log) and returns its errors. `robot`: robot file that
+/// the estimator assumes; empty: that of the recording, or the left RAVEN-II if it has none. Kinematic errors
+/// are those of the same robot. The result is unusable when `progress` was cancelled. Throws base::InputError
+/// for unreadable files and for a recording without reference. The window, its exports and `capstan-cli
+/// figures` all use this function.
 ErrorRun trackErrors(const std::filesystem::path& recording, const std::filesystem::path& robot,
                      base::Progress& progress);
-/// The same; a recording without reference has a trajectory and no errors.
+/// As trackErrors(), but accepts a recording without reference: it has a trajectory and no errors.
 ErrorRun trackRun(const std::filesystem::path& recording, const std::filesystem::path& robot,
                   base::Progress& progress);
 
-/// Errors of one trial of an experiment's results (a folder with results.json); empty `trial`: the first that
-/// has errors. Kinematic errors are of the nominal robot, time is occluded where the experiment blocked the
-/// cameras; RMS are those that the results hold. Throws base::InputError as readResults() does, for an
-/// unknown trial, and for results without errors.
+/// Reads the errors of one trial from an experiment's results (a folder with results.json); empty `trial`:
+/// the first one with errors. Kinematic errors are those of the nominal robot. Occluded time is that of
+/// blocked cameras. RMS values are those of the results. Throws base::InputError as readResults() does, for
+/// an unknown trial, and for results without errors.
 ErrorRun readErrors(const std::filesystem::path& folder, const std::string& trial = {});
 
 }  // namespace capstan::analysis

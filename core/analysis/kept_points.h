@@ -6,12 +6,12 @@
 
 namespace capstan::analysis {
 
-/// Points of a stream in fixed memory: all of them, and whenever `capacity` are held, every other one of
-/// these and from then on of what comes.
+/// Points of a stream in fixed memory. Whenever `capacity` points are held, every second one is dropped, and
+/// from then on only every second point of the stream is stored.
 template <class Point>
 class KeptPoints {
  public:
-  /// `reserved` points take their memory now, so that add() allocates nothing up to there.
+  /// Allocates memory for `reserved` points, so that add() does not allocate up to this number.
   KeptPoints(std::size_t capacity, std::size_t reserved) : capacity_(capacity) { points_.reserve(reserved); }
 
   void add(const Point& point) {

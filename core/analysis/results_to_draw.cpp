@@ -9,7 +9,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Over every sample of the run; of a run made by hand, over its points that know the error in all joints.
+/// Sets RMS and count: over all samples of the run, or without moments over its points with finite errors.
 template <class Point>
 void takeRms(experiments::TrialResult& trial, const ErrorRun& run, experiments::Estimator which,
              const std::vector<Point>& points, Eigen::Vector3d Point::*error) {
@@ -21,7 +21,7 @@ void takeRms(experiments::TrialResult& trial, const ErrorRun& run, experiments::
   if (all.n > 0) trial.rms[index] = all.rms();
 }
 
-/// Of the instants at which the UKF's error is known.
+/// Occluded share of the instants at which the UKF's error is known.
 double occludedShare(const ErrorRun& run) {
   const auto count = [&](TimeShare share) {
     return static_cast<double>(run.momentsOf(experiments::Estimator::kUkf, share).n);

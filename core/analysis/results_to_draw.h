@@ -8,24 +8,26 @@
 #include "core/base/progress.h"
 #include "core/experiments/results.h"
 
-/// Results of whatever figures and tables are asked of.
+/// Results for figures and tables, from experiments, recordings and sessions.
 namespace capstan::analysis {
 
-/// `folder`, where it holds results, or those of its folders that do, by name: as `experiment --out` leaves
-/// them. Throws base::InputError for a folder without any.
+/// Folders with results: `folder` itself, or its subfolders with results, by name, as `experiment --out`
+/// writes them. Throws base::InputError where there are none.
 std::vector<std::filesystem::path> resultFolders(const std::filesystem::path& folder);
 
-/// resultsOfErrors() of trackRun(): its name is the file's, and the robot's behind it where `robot` (a file;
-/// empty: the recording's own) is assumed. `software`: program and version. Cancelled before it was done:
-/// Results::cancelled. Throws base::InputError for files that cannot be used.
+/// Results of trackRun() by resultsOfErrors(). Their name is that of the file, followed by that of the robot
+/// where `robot` (a file; empty: the recording's own) is given. `software`: program and version. Sets
+/// Results::cancelled when cancelled. Throws base::InputError for unusable files.
 experiments::Results resultsOfRecording(const std::filesystem::path& recording,
                                         const std::filesystem::path& robot, const std::string& software,
                                         base::Progress& progress);
 
-/// A running session or a recording as a trial: its errors, their RMS over every sample, and its trajectory.
+/// Results of a session or a recording as one trial: its errors, their RMS over all samples, and its
+/// trajectory.
 experiments::Results resultsOfErrors(const ErrorRun& run, const std::string& software);
 
-/// Files begin with the results' names: those that meet a name again get -B, -C, … behind theirs.
+/// Makes the names of results, with which their files begin, unique: repeated names get -B, -C, … at their
+/// end.
 void distinguish(std::vector<experiments::Results>& all);
 
 }  // namespace capstan::analysis

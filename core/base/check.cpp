@@ -7,7 +7,7 @@
 namespace capstan::base {
 namespace {
 
-/// "core/robot/kinematics.cpp" of a path of the machine that built it.
+/// Path relative to the source tree, such as "core/robot/kinematics.cpp", of a compiler's absolute path.
 std::string_view inTree(std::string_view path) {
   for (const std::string_view root : {"/tests/", "/widgets/", "/app/", "/core/"})
     if (const auto at = path.rfind(root); at != std::string_view::npos) return path.substr(at + 1);

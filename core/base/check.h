@@ -1,11 +1,11 @@
 #pragma once
 
-/// Invariants: what a caller of ours must have seen to. A broken one is a defect of the program, so it names
-/// condition and place on standard error and aborts. Wrong input of a person is base::InputError instead.
+/// Checks of invariants. A broken invariant is a defect of the program: the check prints the condition and
+/// its file and line on standard error and aborts. Wrong input of a person throws base::InputError instead.
 ///
-/// CAPSTAN_CHECK(condition)   in every build: for constructors and set-up, where it costs nothing per sample.
-/// CAPSTAN_ASSERT(condition)  per sample or per element: in every build but those of packages, which the
-///                            CMake option CAPSTAN_ASSERTIONS=OFF makes. NDEBUG has no say.
+/// CAPSTAN_CHECK(condition)   active in every build; for constructors and set-up, not for code per sample.
+/// CAPSTAN_ASSERT(condition)  for code per sample or per element; off in package builds, which set the CMake
+///                            option CAPSTAN_ASSERTIONS=OFF. NDEBUG has no effect on it.
 namespace capstan::base {
 
 [[noreturn]] void failCheck(const char* condition, const char* file, int line, const char* function) noexcept;

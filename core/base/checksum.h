@@ -6,11 +6,11 @@
 
 namespace capstan::base {
 
-/// FNV-1a, 64 bit, as 16 hexadecimal digits (http://www.isthe.com/chongo/tech/comp/fnv): detects a damaged or
-/// another text, not a forged one.
+/// 64-bit FNV-1a checksum of `text`, as 16 hexadecimal digits (http://www.isthe.com/chongo/tech/comp/fnv). It
+/// detects a damaged or a different text, but not a forged one.
 std::string checksumOf(std::string_view text);
 
-/// The same of the bytes of `file`. Throws InputError where it cannot be read.
+/// Checksum of the bytes of `file`, as checksumOf(). Throws InputError when the file cannot be read.
 std::string checksumOfFile(const std::filesystem::path& file);
 
 }  // namespace capstan::base

@@ -7,7 +7,7 @@
 namespace capstan::base {
 namespace {
 
-/// What of a value fits a message: its first line, at most kLongest bytes of it, whole UTF-8 characters.
+/// Part of a value that fits a message: at most kLongest bytes of its first line, in whole UTF-8 characters.
 std::string excerpt(const std::string& value) {
   constexpr std::size_t kLongest = 80;
   std::size_t length = std::min(value.find_first_of("\r\n"), value.size());

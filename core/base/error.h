@@ -6,19 +6,18 @@
 
 namespace capstan::base {
 
-/// Where and why an input was refused, and what its owner can do about it. Empty parts are omitted from
-/// what().
+/// Location of a refused input, reason of the refusal and remedy. InputError::what() omits empty parts.
 struct InputFault {
   std::string file;    ///< path, or the name of the option or stream
   int line = 0;        ///< 1-based; 0: the file as a whole
   std::string key;     ///< field, column or option
   std::string value;   ///< the offending text as written
-  std::string reason;  ///< what is wrong with it
-  std::string remedy;  ///< what to do, as an imperative sentence
+  std::string reason;  ///< what is wrong with the value
+  std::string remedy;  ///< what the user has to do, as an imperative sentence
 };
 
-/// A file or an argument from outside is unusable. what() reads
-/// `FILE:LINE: KEY = VALUE: REASON. REMEDY`, of a long value its beginning.
+/// Exception for an unusable file or argument from outside. what() reads
+/// `FILE:LINE: KEY = VALUE: REASON. REMEDY`, with a long value cut off after its beginning.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(InputFault fault);
@@ -28,7 +27,7 @@ class InputError : public std::runtime_error {
   InputFault fault_;
 };
 
-/// Calls `work`; an InputError of it that names no file gets this one.
+/// Returns work(). An InputError that `work` throws without a file name is rethrown with the name `file`.
 template <class Work>
 auto namingFile(const std::string& file, Work&& work) {
   try {

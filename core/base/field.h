@@ -15,7 +15,8 @@ struct Range {
 inline constexpr Range kPositive{std::numeric_limits<double>::min(), std::numeric_limits<double>::infinity()};
 inline constexpr Range kNotNegative{0.0, std::numeric_limits<double>::infinity()};
 
-/// The one declaration of a configuration field, which file, command line, form and session header all use.
+/// Declaration of a configuration field. File, command line, form and session header all use this
+/// declaration.
 ///
 /// A configurable struct declares its fields once, in file order:
 ///
@@ -28,16 +29,16 @@ inline constexpr Range kNotNegative{0.0, std::numeric_limits<double>::infinity()
 ///     };
 ///
 /// Field types: bool, int, double, std::string, enums with a NamesOf specialisation, fixed-size Eigen vectors
-/// and matrices, std::array, std::vector, std::optional, std::map<std::string, T> and structs that have
-/// such a function themselves. A std::vector of structs with `static constexpr bool kMapEntry = true` and two
-/// fields, a text and something else, is a map in files, in the order of the list.
+/// and matrices, std::array, std::vector, std::optional, std::map<std::string, T> and structs that have their
+/// own visit(). A std::vector of structs with `static constexpr bool kMapEntry = true` is written to files as
+/// a map in the order of the vector; the struct has two fields, a text (the key) and the value.
 struct FieldInfo {
   std::string_view key;
   std::string_view unit;     ///< SI symbol; empty: none
   std::string_view meaning;  ///< one line, shown in forms and written as a comment
-  Range range = {};          ///< of every number in the field
-  bool required = true;      ///< absent: error; not required and absent: the default stays
-  bool sparing = false;      ///< of an enum or a list: not written while it is the first, or empty
+  Range range = {};          ///< allowed range of every number in the field
+  bool required = true;      ///< whether a missing field is an error; otherwise it keeps its default
+  bool sparing = false;      ///< whether an enum at its first value, or an empty list, is not written
 };
 
 }  // namespace capstan::base

@@ -4,7 +4,7 @@
 
 namespace capstan::base {
 
-/// A number's text with a minus (U+2212) in front where it had a hyphen.
+/// Text of a number in which a leading hyphen is replaced by a minus sign (U+2212).
 inline std::string withMinus(std::string number) {
   if (number.starts_with('-')) number.replace(0, 1, "−");
   return number;

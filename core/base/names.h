@@ -8,7 +8,7 @@
 
 namespace capstan::base {
 
-/// Specialise for an enum so that files and screens can spell its values:
+/// Names of an enum's values in files and on screens. Specialise it for each enum that has such names:
 ///     template <> struct NamesOf<JointType> {
 ///       static constexpr std::array value = {std::pair{JointType::kRevolute, "revolute"}, …};
 ///     };
@@ -34,8 +34,8 @@ constexpr std::optional<Enum> fromName(std::string_view text) {
   return std::nullopt;
 }
 
-/// Stable identifiers of an enum for programs that read our JSON: [a-z0-9_], never changed. Specialise it, in
-/// the shape of NamesOf, where the names are words for people.
+/// Stable identifiers of an enum's values in JSON: [a-z0-9_], never changed. Specialise it like NamesOf for
+/// an enum whose names in NamesOf are written for people.
 template <class Enum>
 struct KeysOf;
 
@@ -44,7 +44,7 @@ concept Keyed = requires {
   KeysOf<Enum>::value.size();
 };
 
-/// The key of KeysOf; of an enum without keys its name, which is one.
+/// Key of `which` from KeysOf; its name from NamesOf when the enum has no KeysOf.
 template <Named Enum>
 constexpr std::string_view keyOf(Enum which) {
   if constexpr (Keyed<Enum>) {

@@ -10,8 +10,8 @@
 
 namespace capstan::base {
 
-/// Calls work(i) for i = 0 … count − 1, on `threads` threads (this one among them), in any order. The first
-/// exception stops what has not begun and leaves here.
+/// Calls work(i) for i = 0 … count − 1 in any order, on `threads` threads, one of which is the calling
+/// thread. After the first exception no further call begins, and parallelFor() rethrows that exception.
 template <class Work>
 void parallelFor(std::size_t count, int threads, const Work& work) {
   std::atomic<std::size_t> next{0};

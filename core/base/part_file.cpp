@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
       {path.string(), 0, {}, {}, reason, "Choose another name, or check the folder and its permissions"});
 }
 
-/// What `path` stands for once every symbolic link is followed, whether a file is there already or not.
+/// Path that `path` leads to after every symbolic link was followed; no file needs to exist there.
 fs::path behindLinks(fs::path path) {
   constexpr int kMostLinks = 40;  // as Linux
   std::error_code fault;
@@ -31,7 +31,7 @@ fs::path behindLinks(fs::path path) {
   return path;
 }
 
-/// A device, a pipe, a socket: something that must not give way to a file.
+/// Whether `path` is a device, a pipe or a socket, which a file must not replace.
 bool isNode(const fs::path& path) {
   std::error_code fault;
   const fs::file_status status = fs::status(path, fault);
@@ -56,7 +56,7 @@ void PartFile::begin() {
   if (direct_)
     part_ = target_;
   else
-    fs::remove(part_, fault);  // what is in the way shows when the part is opened
+    fs::remove(part_, fault);  // a file that stays in the way causes an error when the part is opened
 }
 
 PartFile::~PartFile() {
@@ -81,7 +81,7 @@ void checkWritable(const fs::path& target) {
   const fs::path file = behindLinks(target);
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, fault)) refuse(target, "cannot be written: its folder does not exist");
-  std::string trial = file.string() + ".XXXXXX";  // permissions say too little: mounts, root, full tables
+  std::string trial = file.string() + ".XXXXXX";  // permission bits say too little: mounts, root, full disks
   const int made = mkstemp(trial.data());
   if (made < 0) refuse(target, "cannot be written: " + std::generic_category().message(errno));
   close(made);

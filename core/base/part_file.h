@@ -4,26 +4,26 @@
 
 namespace capstan::base {
 
-/// A file that is written beside its place and moved there when it is whole: whatever stood there stays until
-/// then, and nothing half written remains after a failure or a cancellation. Behind a symbolic link the file
-/// it points to is replaced, the link stays. A device or pipe is written directly.
+/// Temporary file beside its target; commit() moves it onto the target once it is complete. The old target
+/// stays until then, and no partial file remains after a failure or a cancellation. Behind a symbolic link
+/// the file is replaced and the link stays. A device or pipe is written directly.
 class PartFile {
  public:
-  /// Writes go to `<target>.part`.
+  /// Names the temporary file `<target>.part`.
   explicit PartFile(const std::filesystem::path& target);
-  /// Writes go beside `target`: to `<stem>.part<suffix>`, for writers that go by the suffix.
+  /// Names the temporary file `<stem>.part<suffix>`, for writers that choose the format by the suffix.
   enum class Keep { kSuffix };
   PartFile(const std::filesystem::path& target, Keep);
-  /// Removes the part and what SQLite leaves beside one.
+  /// Removes the temporary file, and the journal files that SQLite leaves beside it.
   ~PartFile();
   PartFile(const PartFile&) = delete;
   PartFile& operator=(const PartFile&) = delete;
 
   const std::filesystem::path& path() const { return part_; }
-  /// The file itself, behind every link.
+  /// Path of the target after every symbolic link was followed.
   const std::filesystem::path& target() const { return target_; }
-  /// Replaces the target. The part must be closed. Throws base::InputError, the part removed, when the target
-  /// is a folder or cannot be replaced.
+  /// Replaces the target by the temporary file, which must be closed. When the target is a folder or cannot
+  /// be replaced, removes the temporary file and throws base::InputError.
   void commit();
 
  private:
@@ -33,8 +33,8 @@ class PartFile {
   bool direct_ = false, committed_ = false;
 };
 
-/// Throws base::InputError where `target` cannot be written: a folder stands there, its folder does not exist
-/// or takes no files. Leaves everything as it was.
+/// Throws base::InputError when `target` cannot be written: it is a folder, or its folder does not exist or
+/// does not allow new files. Changes nothing on the disk.
 void checkWritable(const std::filesystem::path& target);
 
 }  // namespace capstan::base

@@ -7,11 +7,11 @@
 
 namespace capstan::base {
 
-/// Progress of long work, and the request to cancel it. Written by the worker, read by any other
-/// thread.
+/// Progress of long work, and the request to cancel it. The worker calls report(); any other thread may read
+/// the progress or call cancel().
 class Progress {
  public:
-  /// `fraction` of the whole in [0, 1]; `doing` is a short present-tense phrase.
+  /// Sets the finished `fraction` in [0, 1] of the whole work and `doing`, a short phrase in present tense.
   void report(double fraction, std::string_view doing) {
     fraction_.store(fraction, std::memory_order_relaxed);
     const std::lock_guard lock(mutex_);

@@ -6,13 +6,13 @@
 
 namespace capstan::base {
 
-/// The part of a whole that some work is: its own 0…1 within `begin`…`end`, its words behind `of`, the
-/// whole's.
+/// Part of a larger piece of work. Its own progress 0…1 is reported as `begin`…`end` of the whole, and its
+/// phrase is put behind the phrase `of` of the whole.
 struct ProgressPart {
   double begin = 0.0, end = 1.0;
   std::string of = {};
 
-  /// A part of this part.
+  /// Returns the part from `from` to `to`, both in [0, 1], of this part.
   ProgressPart within(double from, double to) const {
     return {begin + from * (end - begin), begin + to * (end - begin), of};
   }

@@ -6,8 +6,8 @@
 
 namespace capstan::base {
 
-/// Seeded source of randomness. Same seed and stream name, same numbers; streams of one seed are independent,
-/// so that adding a draw to one (say, image noise) does not move another (say, encoder jitter).
+/// Seeded source of random numbers. The same seed and stream name give the same numbers. Streams of one seed
+/// are independent: one more draw from a stream (image noise) leaves encoder jitter unchanged.
 class Random {
  public:
   explicit Random(std::uint64_t seed, std::string_view stream = {}) : engine_(mix(seed, stream)) {}

@@ -20,7 +20,7 @@ std::filesystem::path resource(const std::filesystem::path& file) {
                     0,
                     {},
                     {},
-                    "is in no resource folder",
+                    "is not in any resource folder",
                     "Set CAPSTAN_RESOURCES to the resources folder of Capstan"});
 }
 

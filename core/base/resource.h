@@ -4,9 +4,9 @@
 
 namespace capstan::base {
 
-/// Path of a file of the resources folder (robot files, cameras, truths, options, style, manual): in the
-/// folder that CAPSTAN_RESOURCES of the environment names, in share/capstan beside the program's folder, or
-/// in the source tree, in this order. Throws InputError when `file` is in none of them.
+/// Path of a file of the resources folder (robot files, cameras, truths, options, style, manual). The folders
+/// are searched in this order: the environment variable CAPSTAN_RESOURCES, share/capstan beside the program's
+/// folder, the source tree. Throws InputError when `file` is in none of them.
 std::filesystem::path resource(const std::filesystem::path& file);
 
 }  // namespace capstan::base

@@ -4,8 +4,8 @@
 
 namespace capstan::base {
 
-/// A value, or the reason why normal running brought none (occluded, out of reach, end of file).
-/// Wrong arguments and wrong files are exceptions (error.h); our own bugs are assertions.
+/// A value, or the reason why there is none in normal operation (occluded, out of reach, end of file).
+/// Wrong arguments and wrong files throw exceptions (error.h); our own defects are assertions.
 template <class T, class E>
 using Result = tl::expected<T, E>;
 

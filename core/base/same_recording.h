@@ -4,8 +4,9 @@
 
 namespace capstan::base {
 
-/// Both are one recording: the same file, or files of the same bytes (base::checksumOfFile()). Taken twice it
-/// would count as new information. A file that cannot be read is like no other: whoever opens it reports it.
+/// Whether both paths are one recording: the same file, or files with the same bytes (checksumOfFile()). A
+/// recording that is used twice would count as new information. False when a file cannot be read: the error
+/// is reported when the file is opened.
 bool sameRecording(const std::filesystem::path& a, const std::filesystem::path& b);
 
 }  // namespace capstan::base

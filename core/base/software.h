@@ -4,12 +4,12 @@
 
 namespace capstan::base {
 
-/// The program that computes: name, version and, in a git checkout, the commit that was built, as in
-/// "capstan 1.2.0 (0123456789-dirty)". experiments::Results carry it, and kept trials of another one are run
-/// again.
+/// Name and version of this program and, when built in a git checkout, the commit, as in
+/// "capstan 1.2.0 (0123456789-dirty)". experiments::Results store it; trials that another version computed
+/// are run again.
 std::string software();
 
-/// "1.2.0"
+/// Version of this program, as in "1.2.0".
 std::string version();
 
 }  // namespace capstan::base

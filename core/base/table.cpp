@@ -19,7 +19,7 @@ std::string header(const TableColumn& column) {
   return column.unit.empty() ? column.name : column.name + " [" + column.unit + "]";
 }
 
-/// Columns of texts stand to the left.
+/// Whether the column has a cell of text. Such a column is aligned to the left.
 bool isText(const Table& table, std::size_t column) {
   return std::any_of(table.rows.begin(), table.rows.end(),
                      [&](const auto& row) { return column < row.size() && !row[column].text.empty(); });
@@ -33,7 +33,7 @@ bool alike(const TableCell& a, const TableCell& b) {
   return a.text == b.text && (a.number == b.number || (std::isnan(a.number) && std::isnan(b.number)));
 }
 
-/// The cell says again what stands above it (TableColumn::grouped).
+/// Whether the cell repeats the cell above it (TableColumn::grouped).
 bool isRepeated(const Table& table, std::size_t row, std::size_t column) {
   if (row == 0 || !table.columns[column].grouped) return false;
   for (std::size_t i = 0; i <= column; ++i)
@@ -51,7 +51,7 @@ std::string markdownEscaped(const std::string& text) {
   return out;
 }
 
-/// Of UTF-8.
+/// Number of UTF-8 characters.
 std::size_t charactersIn(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(
       text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
@@ -64,7 +64,7 @@ std::string csvQuoted(const std::string& text) {
   return out + "\"";
 }
 
-/// "2.6e-09" as a power of ten.
+/// LaTeX source of a number such as "2.6e-09" as a power of ten.
 std::string latexNumber(const std::string& text) {
   const std::size_t e = text.find('e');
   if (e == std::string::npos) return text.starts_with('-') ? "$-$" + text.substr(1) : text;

@@ -6,23 +6,23 @@
 
 namespace capstan::base {
 
-/// How a column writes its numbers.
+/// Number format of a column.
 enum class NumberStyle {
   kFixed,       ///< `digits` decimals
-  kSignificant  ///< `digits` significant ones, as a power of ten where the number is small or large
+  kSignificant  ///< `digits` significant digits; small and large numbers as a power of ten
 };
 
 struct TableColumn {
   std::string name;
-  std::string unit;  ///< as people read it; empty: none
+  std::string unit;  ///< unit as people read it; empty when there is none
   int digits = 3;
   NumberStyle style = NumberStyle::kFixed;
-  /// Of rows that belong together, readers see the cell in the first only; in a CSV it stands in each. Rows
-  /// belong together where the cells of this column and the grouped ones before it are alike.
+  /// Whether equal cells of consecutive rows are shown only in the first of these rows; a CSV has them in
+  /// every row. Rows form a group when their cells agree in this column and in all grouped columns before it.
   bool grouped = false;
 };
 
-/// A number or a text. A number that is not finite is an empty cell: a dash for readers, nothing in a CSV.
+/// Number or text of a cell. A number that is not finite is an empty cell: a dash, in a CSV nothing.
 struct TableCell {
   std::string text;
   double number = std::numeric_limits<double>::quiet_NaN();
@@ -33,27 +33,27 @@ struct TableCell {
   TableCell(const char* words) : text(words) {}
 };
 
-/// A table for people and programs. Plain text in UTF-8: each writer escapes what its format asks for.
+/// Table for people and programs. All texts are plain UTF-8; each writer escapes them for its own format.
 struct Table {
   std::string title;
   std::vector<TableColumn> columns;
-  std::vector<std::vector<TableCell>> rows;  ///< a cell for each column
-  std::string note;                          ///< below the table; empty: none
+  std::vector<std::vector<TableCell>> rows;  ///< one cell per column
+  std::string note;                          ///< text below the table; empty when there is none
 };
 
-/// The cell as its column writes it; "–" for an empty one. Powers of ten as in 2.6e-09.
+/// Text of the cell in its column's format; "–" for an empty cell. Powers of ten are written as in 2.6e-09.
 std::string cellText(const TableCell& cell, const TableColumn& column);
 
-/// A heading, the table and its note; readable as it stands, too: columns are aligned, those of numbers to
-/// the right.
+/// Markdown text: a heading, the table and its note. The columns are padded so that the text is also readable
+/// unrendered; columns of numbers are aligned to the right.
 std::string markdownOf(const Table& table);
-/// A table environment with booktabs rules and, where `label` is given, a \label. No other package is needed.
+/// LaTeX table environment with booktabs rules and, when `label` is given, a \label. Needs only booktabs.
 std::string latexOf(const Table& table, const std::string& label = {});
-/// A header line (`name [unit]`), a line a row, numbers to the last bit, cells quoted where they need it.
+/// CSV text: a header line (`name [unit]`), one line per row, exact numbers, cells quoted as needed.
 std::string csvOf(const Table& table);
 
-/// `text` so that LaTeX prints it as it stands: its special characters, and those of UTF-8 that tables of
-/// this program use (–, ±, ·, ×, %, Greek letters, superscripts) as commands that every engine knows.
+/// LaTeX source that prints `text` unchanged: LaTeX's special characters, and the UTF-8 characters in the
+/// tables of this program (–, ±, ·, ×, Greek letters, superscripts), become commands that every engine knows.
 std::string latexEscaped(const std::string& text);
 
 }  // namespace capstan::base

@@ -15,7 +15,7 @@
 namespace capstan::base {
 namespace {
 
-/// What the jobs and the thread that watches them share.
+/// State that the jobs share with the thread that watches them.
 struct Board {
   Board(const std::vector<Job>& jobs, int threads)
       : order(jobs.size()), progress(jobs.size()), faults(jobs.size()), state(jobs.size()) {

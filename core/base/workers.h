@@ -12,7 +12,7 @@ namespace capstan::base {
 /// One piece of independent work.
 struct Job {
   std::string name;
-  double weight = 1.0;  ///< how long it takes, in any unit
+  double weight = 1.0;  ///< expected duration, in any unit that all jobs share
   std::function<void(base::Progress&)> work;
 };
 
@@ -29,9 +29,10 @@ struct ProgressSlice {
   }
 };
 
-/// Does all jobs: one thread in their order, several at a time the longest first; each has a progress of its
-/// own, whose weighted sum is shown. A cancellation reaches every job. When a job throws, the others are
-/// cancelled and the exception of the first in the list that threw leaves here.
+/// Runs all jobs: in the order of the list on one thread, the longest first on several. Each job has its own
+/// progress; their sum, weighted by Job::weight, is reported to `progress`. A cancellation reaches every job.
+/// When a job throws, the other jobs are cancelled and doAll() rethrows the exception of the job that comes
+/// first in the list.
 void doAll(const std::vector<Job>& jobs, int threads, const ProgressSlice& progress);
 
 }  // namespace capstan::base

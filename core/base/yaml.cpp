@@ -48,7 +48,7 @@ YAML::Node parseYamlText(const std::string& text, const std::string& file) {
     return YAML::Load(text);
   } catch (const YAML::ParserException& error) {
     throw InputError(
-        {file, error.mark.line + 1, {}, {}, "is not YAML: " + error.msg, "Mend the syntax there"});
+        {file, error.mark.line + 1, {}, {}, "is not YAML: " + error.msg, "Correct the syntax in this line"});
   }
 }
 

@@ -16,30 +16,30 @@
 #include "core/base/field.h"
 #include "core/base/names.h"
 
-/// Typed YAML: structs that declare their fields (field.h) are read and written whole, every mistake an
-/// InputError that names file, line, key, value and allowed range.
+/// Typed YAML: reads and writes whole structs that declare their fields (field.h). Every mistake in a file
+/// throws an InputError that names file, line, key, value and allowed range.
 namespace capstan::base {
 
-/// What a field is read from: the node, and the words for an error about it.
+/// Location of a YAML node, for error messages about it.
 struct YamlPlace {
   std::string file;
-  std::string key;  ///< full path, as in `joints[1].cable.stiffness`
+  std::string key;  ///< full path of the key, as in `joints[1].cable.stiffness`
 };
 
-/// Throws InputError for `node` at `place`.
+/// Throws an InputError about `node` at `place`, with its line and value.
 [[noreturn]] void refuseYaml(const YAML::Node& node, const YamlPlace& place, const std::string& reason,
                              const std::string& remedy = {});
 /// Parses `text`; syntax errors become InputErrors under the name `file`.
 YAML::Node parseYamlText(const std::string& text, const std::string& file);
-/// The whole file; InputError when it cannot be opened.
+/// Text of the whole file. Throws InputError when it cannot be opened.
 std::string readTextFile(const std::filesystem::path& path);
 /// Writes `text` to `path` through a temporary file beside it, so that a failure leaves the old content.
 void writeTextFile(const std::filesystem::path& path, const std::string& text);
-/// Parses a number; accepts what YAML does, refuses NaN, infinity and text.
+/// Parses a number as YAML does. Throws InputError for text, NaN, infinity and numbers outside info.range.
 double yamlNumber(const YAML::Node& node, const YamlPlace& place, const FieldInfo& info);
 /// Throws InputError for keys of the map `node` that are not in `known`; remedy as remedyForUnknown().
 void refuseUnknownKeys(const YAML::Node& node, const YamlPlace& place, const std::vector<std::string>& known);
-/// What may have been meant by `key`: the known one that is at most two letters away, else all of them.
+/// Remedy for the unknown `key`: proposes the known key at most two letters away, else lists all known keys.
 std::string remedyForUnknown(const std::string& key, const std::vector<std::string>& known);
 /// Shortest decimal text that reads back as the same double.
 std::string yamlText(double value);
@@ -81,7 +81,7 @@ concept EntryList = IsVector<T>::value && IsMapEntry<typename T::value_type>::va
 template <class T>
 void readInto(T& value, const YAML::Node& node, const YamlPlace& place, const FieldInfo& info);
 
-/// Unknown keys come first: a key that is missing may be one that is misspelt.
+/// Reads all fields of `value`. Checks for unknown keys first, because a missing key may be a misspelt one.
 template <class T>
 void readFields(T& value, const YAML::Node& node, const YamlPlace& place) {
   if (!node.IsMap()) refuseYaml(node, place, "is not a block of keys");
@@ -175,7 +175,7 @@ void readInto(T& value, const YAML::Node& node, const YamlPlace& place, const Fi
   }
 }
 
-/// Is the field omitted from a file that is written?
+/// Whether writing omits the field (an empty optional, or FieldInfo::sparing).
 template <class T>
 bool isOmitted(const T& field, const FieldInfo& info) {
   if constexpr (IsOptional<T>::value) return !field;
@@ -263,7 +263,7 @@ T readYamlFile(const std::filesystem::path& path) {
   return readYaml<T>(readTextFile(path), path.string());
 }
 
-/// The YAML text of `value`, units as comments; readYaml() of it gives `value` back to the last bit.
+/// YAML text of `value`, with units as comments. readYaml() of this text gives the same bits back.
 template <Visitable T>
 std::string writeYaml(const T& value) {
   YAML::Emitter out;

@@ -12,7 +12,7 @@
 namespace capstan::diagnosis {
 namespace {
 
-constexpr double kReadingShare = 0.1;  ///< of the time
+constexpr double kReadingShare = 0.1;  ///< share of the progress bar for reading
 
 bool isPoses(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
@@ -33,7 +33,7 @@ void checkDistinct(const std::vector<std::string>& files) {
                                 "Give each recording once"});
 }
 
-/// The robot that recordings bring, or `otherwise` where none does.
+/// Robot that the recordings contain, or `otherwise` if none contains one.
 robot::Description broughtRobot(const std::vector<Evidence>& recordings,
                                 const robot::Description& otherwise) {
   const Evidence* first = nullptr;
@@ -51,7 +51,7 @@ robot::Description broughtRobot(const std::vector<Evidence>& recordings,
   return first ? *first->robot : otherwise;
 }
 
-/// Cancelled: those that were read until then.
+/// Evidence of all files; if `progress` is cancelled, of the files read until then.
 std::vector<Evidence> readAll(const DiagnosisRequest& request, const robot::Description& robot,
                               base::Progress& progress) {
   std::vector<Evidence> recordings;

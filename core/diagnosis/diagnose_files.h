@@ -10,35 +10,36 @@
 
 namespace capstan::diagnosis {
 
-/// What a person asks to be diagnosed: recordings of one robot, or one table of tip poses.
+/// Request for a diagnosis of recordings of one robot, or of one table of tip poses.
 struct DiagnosisRequest {
   std::vector<std::string> files;
   std::string robot = {};         ///< nominal robot file; empty: the recordings' own, or the default robot
-  EvidenceOptions evidence = {};  ///< of recordings
-  DiagnosisOptions options = {};  ///< of tip poses `only` and `seed` alone
-  std::optional<PoseReference> towards = {};  ///< of tip poses
+  EvidenceOptions evidence = {};  ///< for recordings
+  DiagnosisOptions options = {};  ///< for tip poses, only `only` and `seed` are used
+  std::optional<PoseReference> towards = {};  ///< for tip poses
 };
 
+/// Result of diagnoseFiles().
 struct FilesDiagnosis {
-  robot::Description nominal;
+  robot::Description nominal;  ///< robot that the diagnosis started from
   std::variant<Report, PoseReport> found;
 
   const Report& report() const;
 };
-/// jsonOf() of what was found.
+/// jsonOf() of the report.
 nlohmann::json jsonOf(const FilesDiagnosis& diagnosis);
 
-/// Are they tip poses? base::InputError: one is, and there are others beside it.
+/// True if the file is a table of tip poses. Throws base::InputError if there are other files beside a table.
 bool arePoseTables(const std::vector<std::string>& files);
 
-/// diagnose(), or what a test has in its place.
+/// diagnose(), or a replacement in a test.
 using Diagnose = std::function<Report(const std::vector<Evidence>&, const robot::Description&,
                                       const DiagnosisOptions&, base::Progress*)>;
 
-/// Reads the files and diagnoses them; window and command line both call this. Cancelled: Report::cancelled,
-/// with what there is. base::InputError as readEvidence(), diagnose(), readPoseEvidence() and
-/// diagnosePoses(); a recording is given twice, under another path too; recordings bring different robots
-/// while none was chosen.
+/// Reads the files and diagnoses them; window and command line both call this function. If `progress` is
+/// cancelled, the report has Report::cancelled and the results so far. Throws base::InputError as
+/// readEvidence(), diagnose(), readPoseEvidence() and diagnosePoses() do, if a recording is given twice (also
+/// under two paths), and if recordings contain different robots while no robot file is chosen.
 FilesDiagnosis diagnoseFiles(const DiagnosisRequest& request, base::Progress& progress,
                              const Diagnose& diagnose = diagnosis::diagnose);
 

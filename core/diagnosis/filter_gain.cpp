@@ -20,17 +20,17 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kLongestMemory = 2.0;  // that TrackingOptions may have [s]
+constexpr double kLongestMemory = 2.0;  // largest TrackingOptions::memory [s]
 
 Vector3d rowOf(const Columns& columns, std::size_t row) {
   if (columns.empty()) return Vector3d::Constant(kNaN);
   return {columns[0][row], columns[1][row], columns[2][row]};
 }
 
-/// Motors and tips of a recording, without its joint encoders.
+/// Source of the motor samples and tips of a recording, without its joint encoders.
 class EvidenceSource {
  public:
-  /// Observations are known `wait` after their stamp [s].
+  /// Observations are delivered `wait` after their stamp [s].
   EvidenceSource(const Evidence& evidence, double wait, base::Progress* progress)
       : evidence_(evidence), wait_(wait), progress_(progress) {}
 
@@ -42,12 +42,12 @@ class EvidenceSource {
     ++row_;
     return true;
   }
-  /// Of the newest motor sample.
+  /// Row of the newest motor sample.
   std::size_t row() const { return row_ - 1; }
 
  private:
-  /// An observation that is known at `row`. Times of rows may be rounded otherwise than those of
-  /// observations.
+  /// Next observation, if it is known at `row`. The tolerance allows for different rounding of the times of
+  /// rows and observations.
   bool nextObservation(std::size_t row, tracking::Sample& out) {
     if (observation_ == evidence_.tip.size()) return false;
     const TipObservation& observation = evidence_.tip[observation_];
@@ -64,7 +64,7 @@ class EvidenceSource {
   std::size_t row_ = 0, observation_ = 0;
 };
 
-/// Errors of one recording: sums of each joint.
+/// Sums over the errors of one recording, one entry per joint.
 struct ErrorSums {
   std::array<double, 3> count{}, sum{}, squares{};
 
@@ -116,7 +116,8 @@ bool needsChainKernel(const robot::Description& robot) {
   return tracking::ExtendedArmModel::isNeededFor(tracking::MotorReading::undone(robot));
 }
 
-/// All in the kernel of effects where one of them needs it, by an effect of size 0.
+/// The same robots, all in the kernel of effects if one of them needs it. An effect of size 0 selects that
+/// kernel.
 std::array<robot::Description, 3> inOneKernel(std::array<robot::Description, 3> robots) {
   if (std::ranges::none_of(robots, needsChainKernel)) return robots;
   for (robot::Description& robot : robots)
@@ -124,11 +125,12 @@ std::array<robot::Description, 3> inOneKernel(std::array<robot::Description, 3> 
   return robots;
 }
 
-/// Why the filter cannot follow this robot; empty: it can.
+/// Reason why the filter cannot follow this robot; empty: it can.
 std::string refusal(const FilterRobots& robots) {
   const robot::Description& robot = robots.nominal;
-  if (robot.drive != robot::DriveType::kCable) return "it follows cable-driven arms";
-  if (robot.size() != 3) return fmt::format("it follows arms of three joints, this one has {}", robot.size());
+  if (robot.drive != robot::DriveType::kCable) return "the filter is for cable-driven arms";
+  if (robot.size() != 3)
+    return fmt::format("the filter is for arms of three joints, this one has {}", robot.size());
   try {
     for (const robot::Description* one : {&robots.nominal, &robots.refitted, &robots.extended})
       tracking::TrackingPipeline(*one, std::nullopt, {}, {});
@@ -145,7 +147,7 @@ std::vector<const Evidence*> followed(const std::vector<Evidence>& recordings,
     if (evidence.hasEncoders() && evidence.hasCameras())
       kept.push_back(&evidence);
     else
-      notices.push_back(fmt::format("{}: no {}: what the Kalman filter gains is not measured here",
+      notices.push_back(fmt::format("{}: no {}; the Kalman filter is not compared on this recording",
                                     evidence.title, evidence.hasEncoders() ? "cameras" : "joint encoders"));
   }
   return kept;
@@ -157,7 +159,7 @@ FilterGainReport filterGain(const std::vector<Evidence>& recordings, const Filte
                             const FilterGainOptions& options, base::Progress* progress) {
   FilterGainReport report;
   if (const std::string why = refusal(robots); !why.empty()) {
-    report.notices.push_back("What the Kalman filter gains is not measured: " + why);
+    report.notices.push_back("The Kalman filter is not compared with the encoders: " + why);
     return report;
   }
   const std::vector<const Evidence*> files = followed(recordings, report.notices);

@@ -12,41 +12,45 @@
 
 namespace capstan::diagnosis {
 
-/// What three robot files make of the same filter.
+/// Robots that the same filter runs with.
 struct FilterRobots {
   robot::Description nominal, refitted, extended;
 };
 
 struct FilterGainOptions {
-  int threads = 2;
-  bool zero_per_recording = false;  ///< errors about their mean in each recording: its encoders' zero is free
-  bool one_kernel = true;           ///< robots without effects run in the kernel that those with effects need
-  /// camera_period is taken from the tips. Of the six-state filter: the augmented one takes up part of what a
-  /// diagnosis explains.
+  int threads = 2;                  ///< number of worker threads
+  bool zero_per_recording = false;  ///< true: subtract each recording's mean error (free encoder zeros)
+  bool one_kernel = true;           ///< true: robots without effects run in the kernel of robots with effects
+  /// Options of the filter; camera_period is taken from the recording's tips. The six-state filter is used
+  /// because the augmented filter itself compensates part of the effects that a diagnosis explains.
   tracking::TrackingOptions tracking = tracking::sixState();
 };
 
+/// Result of filterGain().
 struct FilterGainReport {
-  std::vector<FilterGain> joints;    ///< empty: nothing to measure it on
-  std::vector<std::string> notices;  ///< what was excluded, and why
+  std::vector<FilterGain> joints;    ///< one entry per joint; empty: no recording can be used
+  std::vector<std::string> notices;  ///< excluded recordings, and the reasons
   bool cancelled = false;
 };
 
-/// Runs the square-root UKF (tracking::TrackingPipeline) with each robot over the motors and the tip
-/// observations of the recordings, in order of time: an observation is known at its own instant, one that a
-/// robot's cameras stamp before its exposure (camera_latency below 0) only then. RMS_j = √(Σ (q_j,ukf −
-/// q_j,encoder)² / n) [rad or m] over the rows of all recordings that count and in which the encoder was
-/// read; the estimate of a row uses nothing later. Process noise is the same for all three, and stands for
-/// what the nominal model does not know: with much of it, a law with contacts (backlash) gains little. The
-/// encoders are the reference, never an input.
+/// RMS errors of the square-root UKF (tracking::TrackingPipeline) with each robot, against the joint
+/// encoders:
+///     RMS_j = √(Σ (q_j,ukf − q_j,encoder)² / n) [rad or m],
+/// over all rows that count and have an encoder reading. The filter gets motor samples and tip observations
+/// in order of time, each observation at its stamp; if a robot's cameras stamp before the exposure
+/// (camera_latency below 0), observations come later by that time for all robots. The estimate of a row uses
+/// no later data. The encoders are the reference and never an input. Process noise is the same for all three
+/// robots and represents the errors of the nominal model: if it is large, a contact law such as backlash
+/// gains little.
 ///
-/// The filter has two kernels, of the nominal law and of laws with effects, which cut time and read motor
-/// velocity differently; that alone changes RMS at joints without effects. With `one_kernel` it does not
-/// count as a gain; without, the numbers are those that tracking with each robot file gives.
+/// The filter has two kernels, one for the nominal law and one for laws with effects. They differ in the time
+/// step and in the use of motor velocity, which changes the RMS even at joints without effects. With
+/// `one_kernel` this change is not counted as a gain. Without it, the RMS is that of tracking with each
+/// robot.
 ///
-/// For cable-driven remote-centre arms of three joints. Recordings without joint encoders or cameras are left
-/// out; notices name them, and say why there is nothing where nothing remains. The same numbers whatever the
-/// threads. Throws nothing of its own.
+/// For cable-driven remote-centre arms of three joints. Recordings without joint encoders or cameras are
+/// excluded, with a notice each; a notice also gives the reason if the robot cannot be followed. The result
+/// does not depend on the number of threads. Throws nothing of its own.
 FilterGainReport filterGain(const std::vector<Evidence>& recordings, const FilterRobots& robots,
                             const FilterGainOptions& options = {}, base::Progress* progress = nullptr);
 

@@ -8,19 +8,20 @@
 
 namespace capstan::estimation {
 
-/// Information of a regression some of whose coefficients may change at once, at a time that nobody states.
+/// Detects abrupt changes of the coefficients of a regression at unknown times, and keeps the information
+/// about the present coefficients.
 ///
-/// Observations are gathered in segments. When one closes, the hypothesis that all segments share their
-/// coefficients is weighed against those of one change of one kind before any of the newest segments
-/// (generalised likelihood ratio; Willsky and Jones, IEEE TAC 21, 1976; here with the evidence in place of
-/// the maximum):
+/// Observations are collected in segments. When a segment closes, the hypothesis of no change is compared
+/// with those of one change of one kind before one of the newest segments (generalised likelihood ratio;
+/// Willsky and Jones, IEEE TAC 21, 1976; here with the evidence in place of the maximum likelihood):
 ///
 ///     log p(newest | earlier, change) − log p(newest | earlier, none) > log_odds.
 ///
-/// Then the change is in question: known() stays as it was before, until one kind is likelier than all others
-/// by `lead`, and by a quarter of its own log odds, or none is likely after all. After a change of the
-/// coefficients by w, w ~ N(0, diag(variance)), what was known before counts as known of x + w. Units are
-/// those of Information. No allocation.
+/// When this ratio exceeds log_odds, the change is in question: known() returns the information from before
+/// the change, until the log odds of one kind exceed those of all others by `lead` and by a quarter of their
+/// own value, or until no change is likely any more. After a change of the coefficients by w ~ N(0,
+/// diag(variance)), the information from before the change is information about x + w. Units are those of
+/// Information. No allocation.
 template <int N, int kKinds, int kSegments>
 class ChangeTest {
  public:
@@ -28,13 +29,14 @@ class ChangeTest {
   using Kinds = std::array<Vector, kKinds>;
   static constexpr int kNoChange = -1, kInQuestion = -2;
 
-  /// `precision` of the prior; `kinds`: the variance of w of each kind of change; `log_odds` against a change
-  /// before a given segment.
+  /// `precision` is that of the prior, `kinds` the variance of w of each kind of change, and `log_odds` the
+  /// prior log odds against a change before a given segment.
   ChangeTest(const Vector& precision, const Kinds& kinds, double log_odds, double lead)
       : precision_(precision), kinds_(kinds), log_odds_(log_odds), lead_(lead) {}
 
-  /// A segment is whole. `weight` in (0, 1]: what observations count for from here on, where noise turned out
-  /// larger than stated. The kind of change that was found, kNoChange or kInQuestion.
+  /// Closes a segment with this information. `weight` in (0, 1] is the weight of the observations from here
+  /// on, below 1 when their noise is larger than assumed. Returns the detected kind of change, kNoChange or
+  /// kInQuestion.
   int close(const Information<N>& information, double weight) {
     if (in_question_) {
       segments_[0].information += information;
@@ -50,19 +52,19 @@ class ChangeTest {
   }
 
   bool inQuestion() const { return in_question_; }
-  /// All that is known: while a change is in question, what was known before.
+  /// Information about the present coefficients; while a change is in question, that from before the change.
   Information<N> known() const {
     Information<N> known = earlier_;
     if (in_question_) return known;
     for (std::size_t i = 0; i < size_; ++i) known += segments_[i].information;
     return known;
   }
-  /// Observations count for `factor` of what they counted for.
+  /// Multiplies the weight of all observations so far by `factor`.
   void forget(double factor) {
     earlier_.scale(factor);
     for (std::size_t i = 0; i < size_; ++i) segments_[i].information.scale(factor);
   }
-  /// The coefficients have changed by a w of the stated variance.
+  /// Accepts a change of the coefficients by w ~ N(0, diag(variance)).
   void release(const Vector& variance) {
     in_question_ = false;
     earlier_ = known().released(variance);
@@ -78,11 +80,12 @@ class ChangeTest {
  private:
   struct Segment {
     Information<N> information;
-    double weight = 1.0;  ///< of observations when it began
+    double weight = 1.0;  ///< weight of observations at the begin of the segment
   };
   using Ratios = std::array<double, kKinds>;
   static constexpr std::size_t kNone = kSegments;
-  static constexpr double kNoiseUncertainty = 0.25;  ///< of log evidence: noise is not known better than this
+  static constexpr double kNoiseUncertainty =
+      0.25;  ///< uncertainty of log odds due to unknown noise, relative
 
   void dropOldest() {
     earlier_ += segments_[0].information;
@@ -90,7 +93,7 @@ class ChangeTest {
     --size_;
   }
 
-  /// Log evidence for a change of each kind between `before` and `after`, against none.
+  /// Log evidence ratio of a change of each kind between `before` and `after` to no change.
   Ratios ratios(Information<N> before, Information<N> after, double weight) const {
     before.scale(weight);
     after.scale(weight);
@@ -107,7 +110,7 @@ class ChangeTest {
     return ratios;
   }
 
-  /// The segment before which a change explains the rest best; kNone: no change does well enough.
+  /// Segment before which a change has the largest log odds; kNone when none exceed log_odds.
   std::size_t likeliestChange() const {
     std::size_t likeliest = kNone;
     double best = log_odds_;
@@ -123,8 +126,8 @@ class ChangeTest {
     return likeliest;
   }
 
-  /// What came after is in question. Nobody knows to which side the segments about the change belong: they
-  /// are excluded.
+  /// Puts a change before segment `change` in question. The two segments next to the change are excluded,
+  /// because the change may be inside them.
   void split(std::size_t change) {
     for (std::size_t i = 0; i + 1 < change; ++i) earlier_ += segments_[i].information;
     Segment after{{}, segments_[change].weight};

@@ -10,27 +10,27 @@
 
 namespace capstan::estimation {
 
-/// Posterior Cramér–Rao bound of a discrete-time nonlinear filter: no estimator whatever has a smaller mean
-/// square error than J⁻¹ (Tichavský, Muravchik and Nehorai, IEEE Trans. Signal Processing 46 (1998)). For
+/// Posterior Cramér–Rao bound of a discrete-time nonlinear filter: no estimator has a smaller mean square
+/// error than J⁻¹ (Tichavský, Muravchik and Nehorai, IEEE Trans. Signal Processing 46 (1998)). For
 ///     x' = f(x) + w, w ~ N(0, Q),    y = h(x) + v, v ~ N(0, R),
-/// its recursion (21), with (34)–(36) for additive Gaussian noise and F, H the Jacobians of f, h, is
+/// the paper's recursion (21), with (34)–(36) for additive Gaussian noise and the Jacobians F, H of f, h, is
 ///     J' = Q⁻¹ − Q⁻¹ E[F] (J + E[Fᵀ Q⁻¹ F])⁻¹ E[F]ᵀ Q⁻¹ + E[Hᵀ R⁻¹ H]
-/// with expectations over the true states. Linear and Gaussian: J⁻¹ is the Kalman filter's covariance.
+/// with expectations over the true states. If all is linear and Gaussian, J⁻¹ is the Kalman covariance.
 template <int N>
 class PosteriorInformation {
  public:
   using Matrix = Eigen::Matrix<double, N, N>;
 
-  /// `initial` is J of the prior: the inverse of its covariance for a Gaussian one.
+  /// `initial` is J of the prior: the inverse of its covariance when the prior is Gaussian.
   explicit PosteriorInformation(const Matrix& initial) : information_(initial) {}
 
-  /// A step of the model: E[F], E[Fᵀ Q⁻¹ F] and Q⁻¹, Q not singular.
+  /// Predicts one step of the model with E[F], E[Fᵀ Q⁻¹ F] and Q⁻¹; Q must not be singular.
   void predict(const Matrix& transition, const Matrix& weighted, const Matrix& inverse_q) {
     const Matrix gain = inverse_q * transition;
     const Matrix next = inverse_q - gain * (information_ + weighted).llt().solve(gain.transpose());
     information_ = 0.5 * (next + next.transpose());
   }
-  /// A measurement: E[Hᵀ R⁻¹ H].
+  /// Adds the information E[Hᵀ R⁻¹ H] of a measurement.
   void update(const Matrix& gained) { information_ += gained; }
 
   const Matrix& information() const { return information_; }  ///< J
@@ -40,9 +40,10 @@ class PosteriorInformation {
   Matrix information_;
 };
 
-/// Gathers the expectations of PosteriorInformation from Monte-Carlo runs of equal length, step by step. Each
-/// run gives every step its transition; a measurement where there is one. Memory: 3 N² doubles a step; for
-/// long runs one average after the other, each of a segment of time, and bounds() going on from the last.
+/// Computes the expectations of PosteriorInformation per step as averages over Monte-Carlo runs of equal
+/// length. Each run adds one transition per step, and a measurement in the steps that have one. Memory: 3 N²
+/// doubles per step. For long runs use one average per segment of time and continue bounds() from the
+/// previous segment.
 template <int N>
 class CramerRaoAverage {
  public:
@@ -50,16 +51,16 @@ class CramerRaoAverage {
 
   CramerRaoAverage(std::size_t steps, const Matrix& inverse_q) : inverse_q_(inverse_q), sums_(steps) {}
 
-  /// F of one run's step k, at its true state there.
+  /// Adds F of step k of one run, at the true state of that run.
   void addTransition(std::size_t k, const Matrix& f) {
     sums_[k].transition += f;
     sums_[k].weighted.noalias() += f.transpose() * inverse_q_ * f;
   }
-  /// Hᵀ R⁻¹ H of one run, at its true state at the end of step k.
+  /// Adds Hᵀ R⁻¹ H of one run, at its true state at the end of step k.
   void addMeasurement(std::size_t k, const Matrix& gained) { sums_[k].gained += gained; }
   void endRun() { ++runs_; }
 
-  /// The runs of another average as well. The order of merging decides the last bits.
+  /// Adds the runs of another average. The order of merging affects the last bits of the result.
   void merge(const CramerRaoAverage& other) {
     CAPSTAN_CHECK(other.sums_.size() == sums_.size());
     for (std::size_t k = 0; k < sums_.size(); ++k) {
@@ -70,12 +71,12 @@ class CramerRaoAverage {
     runs_ += other.runs_;
   }
 
-  /// Diagonal of the bound at the end of each step, from the prior's information on. At least one run.
+  /// Diagonal of the bound at the end of each step; `initial` is J of the prior. Needs at least one run.
   std::vector<Eigen::Matrix<double, N, 1>> bounds(const Matrix& initial) const {
     PosteriorInformation<N> posterior(initial);
     return bounds(posterior);
   }
-  /// The same from `posterior` on, which is then that at the end of the last step.
+  /// Diagonal of the bound at the end of each step, from `posterior` on; sets `posterior` to the last step's.
   std::vector<Eigen::Matrix<double, N, 1>> bounds(PosteriorInformation<N>& posterior) const {
     CAPSTAN_CHECK(runs_ > 0);
     std::vector<Eigen::Matrix<double, N, 1>> all;
@@ -98,7 +99,7 @@ class CramerRaoAverage {
   std::size_t runs_ = 0;
 };
 
-/// F = df/dx of a step by central differences of `width` along each state, all points at once.
+/// Jacobian F = df/dx of one step by central differences of half-width width(j), in one call of propagate().
 template <StateModel Model>
 Eigen::Matrix<double, Model::kStates, Model::kStates> transitionJacobian(
     const Model& model, const Eigen::Matrix<double, Model::kStates, 1>& x, const typename Model::Input& input,

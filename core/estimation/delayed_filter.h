@@ -11,17 +11,18 @@
 
 namespace capstan::estimation {
 
-/// Why a measurement found no state of its own time.
+/// Reason why the filter has no state at the time of a measurement.
 enum class LateFault { kNotStarted, kTooOld };
 
-/// A square-root UKF that remembers. Controls (motor samples) come in order; a measurement comes whenever it
-/// comes and is applied to the state of its own time, between two controls if need be, and everything later
-/// is replayed, other measurements included. The outcome is that of processing in order of time.
+/// Square-root UKF for delayed measurements. Controls (motor samples) arrive in order of time; measurements
+/// may arrive at any time. A measurement is applied to the state at its own time, which may lie between two
+/// controls, and all later controls and measurements are replayed. The result is that of processing in order
+/// of time.
 ///
-/// A measurement newer than the newest control is applied at once with that control held, and again with the
-/// interpolated one when the next control is there. `density` is a square root of the process noise per
-/// second: a step of dt adds density densityᵀ dt; a model with density(input, density) may change it. Times
-/// in seconds; no allocation after construction.
+/// A measurement newer than the newest control is applied at once with that control held. When the next
+/// control arrives, it is applied again with the interpolated control. `density` is a square root of the
+/// process noise per second: a step of dt adds density densityᵀ dt. A model with density(input, density) may
+/// change it. Times are in seconds. No allocation after construction.
 template <SampledStateModel Model, class Measurement>
 class DelayedFilter {
  public:
@@ -33,45 +34,42 @@ class DelayedFilter {
   using Output = Eigen::Matrix<double, kOutputs, 1>;
   using Report = UpdateReport<kOutputs>;
 
-  /// Remembers the last `capacity` (at least 2) controls and measurements.
-  DelayedFilter(Model model, const Lower<kStates>& density, int capacity, const SigmaRule& rule = {})
-      : model_(std::move(model)),
-        density_(density),
-        filter_(rule),
-        scratch_(rule),
-        ring_(capacity < 2 ? 2 : capacity) {}
+  /// Stores the last `capacity` (at least 2) controls and measurements for replays.
+  DelayedFilter(Model model, const Lower<kStates>& density, int capacity)
+      : model_(std::move(model)), density_(density), ring_(capacity < 2 ? 2 : capacity) {}
 
   /// Forgets everything and starts at time t.
   void reset(double t, const State& mean, const Lower<kStates>& root, const Control& control);
   bool started() const { return size_ > 0; }
 
-  /// Predicts to a new control. False, and nothing done, before reset(), unless t is later than the newest
-  /// control's time, or when the memory is full of measurements newer than that control.
+  /// Predicts to the time t of a new control. Returns false and changes nothing before reset(), when t is not
+  /// later than the newest control, or when the memory is full of measurements newer than that control.
   bool advance(double t, const Control& control);
 
-  /// Takes a measurement of time t; the report is that of its own time.
+  /// Applies a measurement of time t and replays what is later. The report is that of the update at time t.
   base::Result<Report, LateFault> update(double t, const Measurement& measurement, const Output& y,
                                          const Lower<kOutputs>& sqrt_r);
-  /// The report that update() would give (LinearMeasurement only); nothing changes. What a gate asks first.
+  /// Returns the report that update() would return, without a change of the state; a gate uses it. Only for a
+  /// LinearMeasurement.
   base::Result<Report, LateFault> peek(double t, const Measurement& measurement, const Output& y,
                                        const Lower<kOutputs>& sqrt_r);
-  /// What came at or after `since` was not what it seemed: `control(u)` corrects each control remembered from
-  /// there on, `state(mean, root)` the state before them (what is known then may be less), and everything is
-  /// replayed. Reaches no further back than the memory.
+  /// Corrects the stored past from time `since` on and replays it: `control(u)` corrects each stored control
+  /// from there on, and `state(mean, root)` the state before them, for example by a larger covariance.
+  /// Reaches back only as far as the memory.
   template <class ChangeControl, class ChangeState>
   void revise(double since, ChangeControl control, ChangeState state);
-  /// The filter as it stood at time t, with what is known now of the time up to t.
+  /// Returns the filter at time t, with all measurements up to t that have arrived so far.
   base::Result<const Filter*, LateFault> at(double t);
 
-  /// Newest state, at time().
+  /// Mean of the newest state, at time().
   const State& mean() const { return filter_.mean(); }
   const Lower<kStates>& squareRoot() const { return filter_.squareRoot(); }
   Eigen::Matrix<double, kStates, kStates> covariance() const { return filter_.covariance(); }
   double time() const { return size_ > 0 ? entry(size_ - 1).t : 0.0; }
-  /// Fallbacks, those of replays included.
+  /// Number of fallbacks, including those in replays.
   std::uint64_t rescues() const { return filter_.rescues(); }
 
-  /// Parameters may be changed between steps; the remembered past stays as it was until replayed.
+  /// Model; its parameters may change between steps. The stored past changes only when it is replayed.
   Model& model() { return model_; }
   const Model& model() const { return model_; }
 
@@ -91,7 +89,7 @@ class DelayedFilter {
   const Entry& entry(int i) const { return ring_[static_cast<std::size_t>((first_ + i) % capacity())]; }
   int capacity() const { return static_cast<int>(ring_.size()); }
 
-  /// Index of the last entry at or before t; −1: none.
+  /// Index of the last entry at or before t; −1 when there is none.
   int lastUpTo(double t) const {
     int i = size_ - 1;
     while (i >= 0 && entry(i).t > t) --i;
@@ -102,7 +100,7 @@ class DelayedFilter {
     while (i > 0 && !entry(i).is_control) --i;
     return i;
   }
-  /// A full memory drops its oldest entry, which must not be the one that a new entry starts from.
+  /// Whether an entry can be added behind entry i. A full memory drops its oldest entry, which must not be i.
   bool hasRoomBehind(int i) const { return i > 0 || size_ < capacity(); }
   int insertBehind(int i);
   void predictTo(Filter& filter, const Entry& from, double t, const Control& control);
@@ -111,8 +109,8 @@ class DelayedFilter {
 
   Model model_;
   Lower<kStates> density_;
-  Filter filter_;   ///< the newest state, and what replays
-  Filter scratch_;  ///< what looks back
+  Filter filter_;   ///< newest state; also used for replays
+  Filter scratch_;  ///< past states, for at() and peek()
   std::vector<Entry> ring_;
   int first_ = 0;
   int size_ = 0;
@@ -132,8 +130,7 @@ void DelayedFilter<Model, Measurement>::reset(double t, const State& mean, const
   filter_.reset(mean, root);
 }
 
-/// Opens a place behind entry i, dropping the oldest entry when the memory is full; returns the place's
-/// index.
+/// Inserts an empty entry behind entry i and returns its index. A full memory drops its oldest entry.
 template <SampledStateModel Model, class Measurement>
 int DelayedFilter<Model, Measurement>::insertBehind(int i) {
   if (size_ == capacity()) {
@@ -158,8 +155,7 @@ void DelayedFilter<Model, Measurement>::predictTo(Filter& filter, const Entry& f
     filter.predict(model_, input, dt, density_ * std::sqrt(dt));
 }
 
-/// Control at time t, which lies at or behind entry `before`: between it and the next entry, held behind the
-/// last.
+/// Control at time t, at or after entry `before`: interpolated up to the next entry, held after the last one.
 template <SampledStateModel Model, class Measurement>
 typename Model::Control DelayedFilter<Model, Measurement>::controlAt(int before, double t) const {
   const Entry& left = entry(before);
@@ -169,7 +165,7 @@ typename Model::Control DelayedFilter<Model, Measurement>::controlAt(int before,
   return Model::between(left.control, right.control, (t - left.t) / (right.t - left.t));
 }
 
-/// Recomputes entries i … newest; the report is that of the measurement at entry `reported`.
+/// Recomputes the entries from i to the newest. Returns the report of the measurement at entry `reported`.
 template <SampledStateModel Model, class Measurement>
 auto DelayedFilter<Model, Measurement>::replayFrom(int i, int reported) -> Report {
   Report report;

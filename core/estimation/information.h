@@ -5,11 +5,11 @@
 
 namespace capstan::estimation {
 
-/// What observations say of N coefficients, in units of their prior standard deviations `sigma`:
+/// Information of observations about N coefficients x, in units of their prior standard deviations `sigma`:
 ///
 ///     z_k = H_k diag(sigma) x + v_k,  v_k ~ N(0, R_k):   Λ = Σ Hᵀ R⁻¹ H,   h = Σ Hᵀ R⁻¹ z,
 ///
-/// a likelihood exp(−½ xᵀ Λ x + hᵀ x) up to a constant. No allocation.
+/// The likelihood is exp(−½ xᵀ Λ x + hᵀ x) up to a constant factor. No allocation.
 template <int N>
 struct Information {
   using Vector = Eigen::Matrix<double, N, 1>;
@@ -17,10 +17,10 @@ struct Information {
 
   Matrix matrix = Matrix::Zero();  ///< Λ
   Vector score = Vector::Zero();   ///< h
-  int count = 0;                   ///< observations taken
+  int count = 0;                   ///< number of observations
 
-  /// One observation z of M outputs, `r` the covariance of its noise. False, and nothing done, where a number
-  /// is not finite or `r` not positive definite.
+  /// Adds one observation z of M outputs with noise covariance `r`. Returns false and changes nothing when a
+  /// number is not finite or `r` is not positive definite.
   template <int M>
   bool add(const Eigen::Matrix<double, M, N>& h, const Eigen::Matrix<double, M, 1>& z,
            const Eigen::Matrix<double, M, M>& r, const Vector& sigma) {
@@ -42,13 +42,13 @@ struct Information {
     return *this;
   }
 
-  /// Observations count for `factor` of what they counted for.
+  /// Multiplies the weight of all observations by `factor`.
   void scale(double factor) {
     matrix *= factor;
     score *= factor;
   }
 
-  /// What is known of x + w, w ~ N(0, diag(variance)): of coefficients that may have changed since.
+  /// Information about x + w, w ~ N(0, diag(variance)), for coefficients that may have changed by w since.
   Information released(const Vector& variance) const {
     const Vector sigma = variance.cwiseSqrt();
     const Matrix left = matrix * sigma.asDiagonal();
@@ -62,8 +62,8 @@ struct Information {
     return released;
   }
 
-  /// Log evidence under the prior N(0, diag(1 / precision)), up to a constant of the data; observations count
-  /// for `weight`.
+  /// Log evidence under the prior N(0, diag(1 / precision)), up to a constant that depends on the data only.
+  /// `weight` is the weight of the observations.
   double logEvidence(const Vector& precision, double weight = 1.0) const {
     Matrix posterior = weight * matrix;
     posterior.diagonal() += precision;

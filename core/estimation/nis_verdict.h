@@ -8,19 +8,19 @@
 
 namespace capstan::estimation {
 
-/// What a mean NIS, divided by its degrees of freedom, says of a filter whose expectation is 1.
+/// Verdict on a filter from its mean NIS divided by the degrees of freedom; the expected value is 1.
 enum class NisVerdict {
-  kPass,      ///< inside the band that chance leaves
-  kCautious,  ///< below it: the filter expects larger differences than the camera shows
-  kTooHigh,   ///< above it: the filter errs by more than it assumes
+  kPass,      ///< inside the chi-square band
+  kCautious,  ///< below the band: the innovations are smaller than the filter expects
+  kTooHigh,   ///< above the band: the innovations are larger than the filter expects
 };
 
-/// `consistent`: whether `mean` lies in its chi-square band (chiSquareBand), which always holds 1.
+/// Verdict on `mean`. `consistent` is whether it lies in its band (chiSquareBand()), which always contains 1.
 constexpr NisVerdict judgeNis(double mean, bool consistent) {
   return consistent ? NisVerdict::kPass : mean > 1.0 ? NisVerdict::kTooHigh : NisVerdict::kCautious;
 }
 
-/// What the verdict means and what to do, without a full stop; empty for kPass.
+/// Meaning of the verdict and remedy, without a full stop; empty for kPass.
 std::string_view adviceOf(NisVerdict verdict);
 
 }  // namespace capstan::estimation

@@ -4,12 +4,12 @@
 
 namespace capstan::estimation {
 
-/// Chi-square gate on the innovation: open for a measurement whose NIS a consistent filter would show with
-/// `probability`. A marker that jumps, or a reflection taken for it, shuts it.
+/// Chi-square gate on the innovation. It accepts a measurement whose NIS is at most the chi-square quantile
+/// of `probability`. It rejects a marker that jumps, and a reflection that is detected as the marker.
 class OcclusionGate {
  public:
   OcclusionGate(int dof, double probability) : threshold_(stats::chiSquareQuantile(dof, probability)) {}
-  bool isOpen(double nis) const { return nis <= threshold_; }  // NaN: shut
+  bool isOpen(double nis) const { return nis <= threshold_; }  // false for NaN
   double threshold() const { return threshold_; }
 
  private:

@@ -8,22 +8,20 @@ namespace capstan::estimation {
 /// − N, points at mean ± sqrt(N + lambda) S columns, W0m = lambda / (N + lambda), W0c = W0m + 1 − alpha² +
 /// beta, Wi = 1 / (2 (N + lambda)).
 ///
-/// The defaults keep every weight positive. Then the predicted square root is a plain orthogonal
-/// triangularisation with nothing to down-date, and no rounding, however large the spread, can make a
-/// covariance indefinite; the customary alpha = 1e-3 has W0 near −10⁶ and loses six digits in the mean. beta
-/// = 2 is right for a Gaussian prior.
+/// These constants keep every weight positive. The predicted square root is then an orthogonal
+/// triangularisation without a down-date, and rounding cannot make a covariance indefinite for any spread.
+/// The customary alpha = 1e-3 has W0 near −10⁶ and loses six digits in the mean. beta = 2 is optimal for a
+/// Gaussian prior.
 struct SigmaRule {
-  double alpha = 1.0;
-  double beta = 2.0;
-  double kappa = 1.0;
+  static constexpr double kAlpha = 1.0, kBeta = 2.0, kKappa = 1.0;
 
-  constexpr double lambda(int n) const { return alpha * alpha * (n + kappa) - n; }
-  double spread(int n) const { return std::sqrt(n + lambda(n)); }
-  constexpr double centreMean(int n) const { return lambda(n) / (n + lambda(n)); }
-  constexpr double centreCovariance(int n) const { return centreMean(n) + 1.0 - alpha * alpha + beta; }
-  constexpr double other(int n) const { return 0.5 / (n + lambda(n)); }
-  /// No negative weight: what SquareRootUkf demands.
-  constexpr bool isPositive(int n) const { return lambda(n) >= 0.0 && centreCovariance(n) >= 0.0; }
+  static constexpr double lambda(int n) { return kAlpha * kAlpha * (n + kKappa) - n; }
+  static double spread(int n) { return std::sqrt(n + lambda(n)); }
+  static constexpr double centreMean(int n) { return lambda(n) / (n + lambda(n)); }
+  static constexpr double centreCovariance(int n) { return centreMean(n) + 1.0 - kAlpha * kAlpha + kBeta; }
+  static constexpr double other(int n) { return 0.5 / (n + lambda(n)); }
+  /// Whether no weight is negative, as SquareRootUkf requires.
+  static constexpr bool isPositive(int n) { return lambda(n) >= 0.0 && centreCovariance(n) >= 0.0; }
 };
 
 }  // namespace capstan::estimation

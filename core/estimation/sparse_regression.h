@@ -11,22 +11,22 @@
 
 namespace capstan::estimation {
 
-/// Bayesian linear regression, some of whose coefficients may be absent.
+/// Bayesian linear regression in which some coefficients may be absent.
 ///
 ///     z_k = H_k x + v_k,   v_k ~ N(0, R_k),   x = [optional (K); present (N − K)]
 ///
 /// Each optional coefficient is zero, or has the prior N(0, sigma²) with a stated prior probability (spike
 /// and slab; Mitchell and Beauchamp, JASA 83, 1988). The present coefficients have the prior of one of two
 /// regimes, e.g. a camera that is mounted as registered and one that was moved since. The 2 · 2^K submodels
-/// share one information matrix (Information), so that the evidence of each is closed:
+/// share one information matrix (Information), so that the evidence of each has a closed form:
 ///
 ///     log p(z | S) = ½ h_Sᵀ (Λ_S + I)⁻¹ h_S − ½ log det(Λ_S + I) + const.
 ///
-/// The estimate is that of one submodel: a coefficient enters it when its inclusion probability exceeds a
-/// stated one, and stays as long as it exceeds ½, as in the median probability model (Barbieri and Berger,
-/// Annals of Statistics 32, 2004). Any other is exactly zero.
+/// The estimate is that of one submodel. An optional coefficient enters it when its inclusion probability
+/// exceeds Prior::enters, and stays while that probability exceeds ½, as in the median probability model
+/// (Barbieri and Berger, Annals of Statistics 32, 2004). All other optional coefficients are exactly zero.
 ///
-/// No allocation. Work of one select(): 2 · 2^K Cholesky factors of K × K.
+/// No allocation. One select() computes 2 · 2^K Cholesky factors of size K × K.
 template <int N, int K>
 class SparseRegression {
  public:
@@ -38,13 +38,13 @@ class SparseRegression {
 
   /// Standard deviations in the units of x, probabilities in (0, 1).
   struct Prior {
-    Optional sigma;                  ///< of an optional coefficient that is not zero
-    Optional inclusion_probability;  ///< that it is not zero
-    Present usual_sigma;             ///< of present coefficients in the usual regime
-    Present unusual_sigma;           ///< in the unusual one, none smaller than in the usual one
+    Optional sigma;                  ///< standard deviations of optional coefficients that are not zero
+    Optional inclusion_probability;  ///< probabilities that optional coefficients are not zero
+    Present usual_sigma;             ///< standard deviations of present coefficients in the usual regime
+    Present unusual_sigma;           ///< the same in the unusual regime; none below usual_sigma
     double unusual_probability = 0.0;
-    Optional enters = Optional::Constant(0.5);  ///< inclusion probability from which one is estimated
-    /// An optional coefficient whose estimate lies outside is absent.
+    Optional enters = Optional::Constant(0.5);  ///< inclusion probability above which one is estimated
+    /// Lowest and highest estimate of an optional coefficient; one with an estimate outside is absent.
     Optional lowest = Optional::Constant(-std::numeric_limits<double>::infinity());
     Optional highest = Optional::Constant(std::numeric_limits<double>::infinity());
   };
@@ -54,7 +54,7 @@ class SparseRegression {
     select({});
   }
 
-  /// The units of Information, of all coefficients.
+  /// Prior standard deviations of all coefficients, which are the units of Information.
   const Vector& sigma() const { return sigma_; }
   /// Precision of the prior with every coefficient present, in the unusual regime, in units of sigma().
   Vector widestPrecision() const {
@@ -63,20 +63,20 @@ class SparseRegression {
     return all;
   }
 
-  /// Prior probabilities of this one from now on.
+  /// Sets the prior probabilities for all following calls of select().
   void setPrior(const Optional& inclusion_probability, double unusual_probability) {
     prior_.inclusion_probability = inclusion_probability;
     prior_.unusual_probability = unusual_probability;
   }
 
-  /// Weighs all submodels by what observations say and updates the estimate.
+  /// Computes the posterior probabilities of all submodels and updates the estimate.
   void select(const Information<N>& information);
 
   const Information<N>& information() const { return information_; }
   const Vector& mean() const { return mean_; }
   /// Posterior covariance of the selected submodel; zero for absent coefficients.
   const Matrix& covariance() const { return covariance_; }
-  /// The same when observations were discounted to `factor` of what they counted for.
+  /// covariance() with the weight of all observations multiplied by `factor`.
   Matrix covarianceDiscounted(double factor) const { return posterior(factor).covariance; }
   /// Posterior probability that each optional coefficient is not zero.
   const Optional& inclusionProbability() const { return inclusion_; }
@@ -107,12 +107,13 @@ class SparseRegression {
   Matrix covariance_ = Matrix::Zero();
   Optional inclusion_ = Optional::Zero();
   double unusual_ = 0.0;
-  unsigned included_ = 0;    ///< coefficients of the selected submodel, a bit each
-  unsigned impossible_ = 0;  ///< coefficients whose estimates lay outside their range, a bit each
+  unsigned included_ = 0;  ///< optional coefficients of the selected submodel, one bit per coefficient
+  unsigned impossible_ =
+      0;  ///< optional coefficients with estimates outside their range, one bit per coefficient
 };
 
-/// Log evidence plus log prior probability of each submodel of one regime, present coefficients integrated
-/// out first (Schur complement).
+/// Log evidence plus log prior probability of each submodel of one regime. The present coefficients are
+/// integrated out first (Schur complement).
 template <int N, int K>
 void SparseRegression<N, K>::evidenceOf(bool unusual, std::array<double, kSubmodels>& log_evidence) const {
   PresentBlock present = information_.matrix.template bottomRightCorner<kPresent, kPresent>();

@@ -15,47 +15,46 @@ namespace capstan::estimation {
 template <int N>
 using Lower = Eigen::Matrix<double, N, N, Eigen::RowMajor>;
 
-/// What one measurement of M outputs did.
+/// Result of an update with one measurement of M outputs.
 template <int M>
 struct UpdateReport {
   Eigen::Matrix<double, M, 1> innovation = Eigen::Matrix<double, M, 1>::Zero();  ///< y − predicted y
   Lower<M> root = Lower<M>::Zero();  ///< lower triangular square root of the innovation's covariance
   double nis = 0.0;                  ///< normalised innovation squared: chi-square with M degrees of freedom
-  bool applied = false;  ///< false: a non-finite number came in or would have come out; state untouched
-  bool rescued = false;  ///< a down-date lost definiteness and the fallback was taken
+  bool applied = false;  ///< false when an input or result is not finite; the state is then unchanged
+  bool rescued = false;  ///< whether a down-date lost definiteness and the fallback was used
 };
 
 /// Square-root unscented Kalman filter with additive noise (van der Merwe and Wan, ICASSP 2001; van der Merwe
-/// 2004, section 3.3), the UKF paper's srUKF. Holds the mean and a lower triangular S with covariance S Sᵀ,
-/// never a covariance.
+/// 2004, section 3.3), the UKF paper's srUKF. It stores the mean and a lower triangular S, and never the
+/// covariance S Sᵀ.
 ///
-/// Prediction: S ← tria [√Wc (X − x̄), √Q]; all weights are positive (SigmaRule), so nothing is down-dated.
-/// Update, any h: sigma points redrawn; S_y = tria [√Wc (Y − ŷ), √R]; U = P_xy S_y⁻ᵀ; x̂ += U S_y⁻¹ν; S
-/// down-dated by the columns of U. When a down-date loses definiteness the same covariance is formed as a sum
-/// of squares, S = tria [√Wc (X − x̂ − K (Y − ŷ)), K √R], which cannot fail. That is a rescue, and it is
-/// counted. Update, y = H x: one orthogonal triangularisation, tria [√R, H S; 0, S] = [S_y, 0; U, S⁺]; exact,
-/// nothing to rescue.
+/// Prediction: S ← tria [√Wc (X − x̄), √Q]. All weights are positive (SigmaRule), so there is no down-date.
+/// Update with any h: sigma points are redrawn; S_y = tria [√Wc (Y − ŷ), √R]; U = P_xy S_y⁻ᵀ; x̂ += U S_y⁻¹ν;
+/// S is down-dated by the columns of U. When a down-date loses definiteness, the same covariance is formed as
+/// a sum of squares, S = tria [√Wc (X − x̂ − K (Y − ŷ)), K √R], which cannot fail. This fallback is counted as
+/// a rescue. Update with y = H x: one orthogonal triangularisation, tria [√R, H S; 0, S] = [S_y, 0; U, S⁺].
+/// It is exact and needs no fallback.
 ///
-/// Nothing non-finite is ever taken into the state: such a prediction keeps the mean and adds Q, such a
-/// measurement is refused; both are counted as rescues. No allocation. Copyable; over-aligned (64 bytes).
+/// The state stays finite: a prediction that is not finite keeps the mean and adds Q, and a measurement that
+/// is not finite is refused. Both are counted as rescues. No allocation. Copyable; over-aligned (64 bytes).
 template <int N>
 class SquareRootUkf {
  public:
   using State = Eigen::Matrix<double, N, 1>;
   using Points = SigmaPoints<N>;
 
-  /// `rule` must have positive weights.
-  explicit SquareRootUkf(const SigmaRule& rule = {});
+  SquareRootUkf() { stack_.setZero(); }
 
-  /// `root` lower triangular, covariance root rootᵀ, finite.
+  /// Sets the mean and the covariance root rootᵀ. `root` is lower triangular; all numbers must be finite.
   void reset(const State& mean, const Lower<N>& root);
 
-  /// To t + dt. `sqrt_q` is any square root of the covariance that the step adds. False: rescued.
+  /// Predicts to t + dt. `sqrt_q` is any square root of the process noise of the step. False when rescued.
   template <StateModel Model>
   bool predict(const Model& model, const typename Model::Input& input, double dt, const Lower<N>& sqrt_q);
 
-  /// Takes y = h(x) + noise of covariance sqrt_r sqrt_rᵀ; sqrt_r lower triangular, not singular together with
-  /// S.
+  /// Updates with y = h(x) + noise of covariance sqrt_r sqrt_rᵀ. sqrt_r is lower triangular, and the
+  /// covariance of the innovation must not be singular.
   template <MeasurementModel<N> Measurement>
   UpdateReport<Measurement::kOutputs> update(const Measurement& measurement,
                                              const Eigen::Matrix<double, Measurement::kOutputs, 1>& y,
@@ -65,7 +64,7 @@ class SquareRootUkf {
                          const Lower<M>& sqrt_r) {
     return linearUpdate(measurement, y, sqrt_r, true);
   }
-  /// The report that update() would give; the state stays.
+  /// Returns the report that update() would return, without a change of the state.
   template <int M>
   UpdateReport<M> peek(const LinearMeasurement<N, M>& measurement, const Eigen::Matrix<double, M, 1>& y,
                        const Lower<M>& sqrt_r) {
@@ -75,7 +74,7 @@ class SquareRootUkf {
   const State& mean() const { return mean_; }
   const Lower<N>& squareRoot() const { return root_; }
   Eigen::Matrix<double, N, N> covariance() const { return root_ * root_.transpose(); }
-  /// Fallbacks since construction.
+  /// Number of rescues since construction.
   std::uint64_t rescues() const { return rescues_; }
 
  private:
@@ -89,7 +88,9 @@ class SquareRootUkf {
   alignas(64) math::StackedArray<N, kPoints<N> + N> stack_;
   State mean_ = State::Zero();
   Lower<N> root_ = Lower<N>::Identity();
-  double spread_, other_, sqrt_centre_, sqrt_other_;
+  static_assert(SigmaRule::isPositive(N));
+  double spread_ = SigmaRule::spread(N), other_ = SigmaRule::other(N);
+  double sqrt_centre_ = std::sqrt(SigmaRule::centreCovariance(N)), sqrt_other_ = std::sqrt(other_);
   std::uint64_t rescues_ = 0;
 };
 
@@ -102,7 +103,7 @@ bool allFinite(const Matrix& m) {
   return sum == 0.0;
 }
 
-/// L z = b by forward substitution.
+/// Solves L z = b by forward substitution.
 template <int M>
 Eigen::Matrix<double, M, 1> solveLower(const Lower<M>& l, Eigen::Matrix<double, M, 1> b) {
   for (int i = 0; i < M; ++i) {
@@ -112,8 +113,7 @@ Eigen::Matrix<double, M, 1> solveLower(const Lower<M>& l, Eigen::Matrix<double, 
   return b;
 }
 
-/// rows(i) = factor · (values(i, c) − mean(i)) for the points behind the centre, the centre with its own
-/// factor.
+/// Sets stack(i, c) = factor · (values(i, c) − mean(i)) for all points; the centre has its own factor.
 template <int Rows, int Points, class Values, class Mean, class Stack>
 void deviations(const Values& values, const Mean& mean, double centre_factor, double factor, Stack& stack) {
   for (int i = 0; i < Rows; ++i) {
@@ -124,7 +124,7 @@ void deviations(const Values& values, const Mean& mean, double centre_factor, do
   }
 }
 
-/// Mean of weighted points, as centre + w Σ (point − centre): the weights add up to one.
+/// Weighted mean of the points as centre + w Σ (point − centre), because the weights sum to one.
 template <int Rows, int Points, class Values>
 Eigen::Matrix<double, Rows, 1> weightedMean(const Values& values, double weight) {
   Eigen::Matrix<double, Rows, 1> mean;
@@ -138,16 +138,6 @@ Eigen::Matrix<double, Rows, 1> weightedMean(const Values& values, double weight)
 }
 
 }  // namespace detail
-
-template <int N>
-SquareRootUkf<N>::SquareRootUkf(const SigmaRule& rule)
-    : spread_(rule.spread(N)),
-      other_(rule.other(N)),
-      sqrt_centre_(std::sqrt(rule.centreCovariance(N))),
-      sqrt_other_(std::sqrt(rule.other(N))) {
-  CAPSTAN_CHECK(rule.isPositive(N));
-  stack_.setZero();
-}
 
 template <int N>
 void SquareRootUkf<N>::reset(const State& mean, const Lower<N>& root) {

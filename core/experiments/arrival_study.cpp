@@ -16,7 +16,7 @@ using learning::CorrectionMode;
 
 struct Arrival {
   std::size_t location = 0;
-  Eigen::Vector3d off = Eigen::Vector3d::Zero();  ///< seen less desired [m]
+  Eigen::Vector3d off = Eigen::Vector3d::Zero();  ///< observed − desired position [m]
   double angle = 0.0, confidence = 0.0;
 };
 
@@ -37,7 +37,7 @@ double meanOf(const std::vector<double>& x) {
   return x.empty() ? 0.0 : std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
 }
 
-/// Pooled over locations: √(Σ Σ (x − x̄_location)² / Σ (arrivals − 1)).
+/// Repeatability, pooled over locations: √(Σ Σ (x − x̄_location)² / Σ (arrivals − 1)).
 Eigen::Vector3d repeatabilityOf(const std::vector<Arrival>& repetitions, std::size_t locations) {
   Eigen::Vector3d squares = Eigen::Vector3d::Zero();
   double freedom = 0.0;
@@ -74,7 +74,7 @@ ArrivalErrors summed(const std::vector<Arrival>& repetitions, std::size_t locati
   return errors;
 }
 
-/// All arrivals in one mode.
+/// Runs all arrivals of one mode.
 std::vector<Arrival> arrivalsOf(const robot::Description& robot, const simulation::ToolTruth& truth,
                                 const learning::CorrectionModel& model, CorrectionMode mode,
                                 const ArrivalOptions& options, const base::Progress* progress) {

@@ -25,8 +25,8 @@ const Results* find(const std::vector<Results>& results, const std::string& name
 
 Verdict verdictOf(bool met) { return met ? Verdict::kMet : Verdict::kMissed; }
 
-/// What the result itself says of a parameter that it does not know well: the method's advice, or how far the
-/// dual UKF has come.
+/// Text of the result on a parameter that is not known well: the advice of the method, or the convergence of
+/// the dual UKF.
 const std::string& wordsOf(const IdentifiedParameter& parameter, const ParameterEstimate& estimate) {
   return estimate.advice.empty() ? parameter.convergence : estimate.advice;
 }
@@ -53,8 +53,8 @@ Goal parameterGoal(const IdentificationResult& result, const IdentifiedParameter
   return goal;
 }
 
-/// What the pulley is, where it was not known before: an experiment on top of another's robot leaves it
-/// there.
+/// Goal for the pulley radius. An experiment that starts from the identified robot of another one does not
+/// have it.
 void identificationGoals(const Results& results, std::vector<Goal>& goals) {
   if (!results.identification) return;
   const bool from_nominal = results.identification->inputs.robot == results.identification->inputs.nominal;
@@ -104,7 +104,7 @@ void occlusionGoals(const Results& results, std::vector<Goal>& goals) {
   }
 }
 
-/// "seed 101", or the recording; empty: neither is known.
+/// Origin of a trial: "seed 101", or the recording; empty: not known.
 std::string originOf(const TrialSpec& trial) {
   return trial.recording.empty() ? fmt::format("seed {}", trial.seed)
                                  : std::filesystem::path(trial.recording).filename().string();
@@ -115,7 +115,7 @@ std::string originOf(const TrialResult& trial) {
                                                            : trial.inputs.recording;
 }
 
-/// Of every trial: its name and what it was made from.
+/// Name and origin of every trial.
 std::string trialsOf(const Results& results) {
   std::string text;
   const auto add = [&](const std::string& name, const std::string& origin) {
@@ -136,7 +136,7 @@ std::string trialsOf(const Results& results) {
   return text;
 }
 
-/// Name of the truth of a simulation; empty: none, or not known.
+/// Name of the truth of a simulation; empty where there is none or it is not known.
 std::string truthOf(const Results& results) {
   const TrialInputs* inputs = results.identification    ? &results.identification->inputs
                               : !results.trials.empty() ? &results.trials.front().inputs
@@ -156,7 +156,7 @@ std::string originOf(const Results& results) {
   return text + (results.software.empty() ? "" : "; " + results.software) + "\n";
 }
 
-/// The page's heading and its first sentence.
+/// Heading and first sentence of the page.
 std::string headOf(const std::vector<Results>& results, bool paper) {
   std::string page =
       paper ? "# Experiments of the UKF paper: published values and ours\n\n" : "# Experiments\n\n";
@@ -209,8 +209,9 @@ std::string comparisonPage(const std::vector<Results>& results, const Published&
         page += base::markdownOf(table.table) + "\n";
   if (find(results, "B") || find(results, "D"))
     page +=
-        "The paper gives figures 7 and 13 as drawings: there are no numbers of it to put beside k_e, b_e and "
-        "the medians under occlusion. ";
+        "The paper gives figures 7 and 13 as drawings, so there are no published numbers for k_e, b_e and "
+        "the "
+        "medians under occlusion. ";
   if (std::any_of(results.begin(), results.end(), [](const Results& one) { return !one.trials.empty(); }))
     page += "Units are deg, deg, mm.";
   page += "\n\n### Where it comes from\n\n";

@@ -11,31 +11,28 @@ namespace capstan::experiments {
 
 enum class Verdict {
   kMet,
-  kSaid,   ///< not met, and the result states it itself: σ beyond the goal, in words, the truth in its 95 %
-           ///< interval
+  kSaid,  ///< not met, but the result reports it: σ above the goal, an advice, the truth in the 95 % interval
   kMissed  ///< not met
 };
 
-/// One thing that a reproduction of the UKF paper should reach, and what it did.
+/// One goal of a reproduction of the UKF paper, and the result.
 struct Goal {
   std::string what;      ///< "k_e2 within 5 % of the truth"
   std::string measured;  ///< "+1.3 %"
   Verdict verdict = Verdict::kMissed;
 };
 
-/// The goals that `results` (those that are isPapers(), in any order; others are ignored) determine:
-///   A   joint 1's pulley radius within 0.3 % of the truth
-///   B   each k_e within 5 %, each b_e within 15 %, or said to be not observable
-///   C   mean kinematic errors within 15 % of the paper's; improvement over transmission kinematics better
-///   than
-///       the paper's on each joint
+/// Returns the goals that `results` decide. Only results that are isPapers() count, in any order.
+///   A   pulley radius of joint 1 within 0.3 % of the truth
+///   B   each k_e within 5 %, each b_e within 15 %, or reported as not observable
+///   C   mean kinematic errors within 15 % of the paper's; improvement over transmission kinematics larger
+///       than the paper's on each joint
 ///   D   RMS of each joint with the most occlusion at most 1.10 times that with the least
 std::vector<Goal> goalsOf(const std::vector<Results>& results, const Published& published);
 base::Table goalTable(const std::vector<Goal>& goals);
 
-/// One page, Markdown: goals, then every table, seeds or recordings, times and version; of the paper's
-/// experiments with the paper's numbers beside ours. Says in its first sentence whether the robot is
-/// simulated.
+/// Returns a Markdown page with goals, all tables, seeds or recordings, times and version. Experiments of the
+/// paper have the paper's numbers beside the results. The first sentence says whether the robot is simulated.
 std::string comparisonPage(const std::vector<Results>& results, const Published& published);
 
 }  // namespace capstan::experiments

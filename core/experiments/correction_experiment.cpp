@@ -37,7 +37,7 @@ void checkPoses(const CorrectionExperimentOptions& options) {
                             "Leave it out, or run experiment E or F"});
 }
 
-/// The states of the tables, as learning has them.
+/// Training states from the tables of tip poses.
 learning::LearningStages stagesOf(const CorrectionExperimentOptions& options, base::Progress& progress) {
   learning::LearningOptions preparing;
   preparing.towards = options.towards;
@@ -75,8 +75,8 @@ CorrectionExperimentResults errorsOf(const CorrectionExperimentOptions& options,
   return results;
 }
 
-/// How much the mean absolute errors still fall from `point` to all states: the largest of x, y, z [m], and
-/// of yaw, pitch and roll [rad].
+/// Largest decrease of the mean absolute errors from `point` to all states, of x, y, z [m] and of yaw, pitch
+/// and roll [rad].
 std::pair<double, double> furtherFall(const learning::LearningCurve& curve,
                                       const learning::LearningCurvePoint& point) {
   const learning::Vector6d fall = point.errors.mean - curve.points.back().errors.mean;
@@ -108,9 +108,9 @@ base::Table trainingSizeTable(const learning::LearningCurve& curve) {
         base::toDegrees(rotation));
   }
   table.note =
-      "Still to fall: mean absolute error less that with all states, the largest of the three axes. The "
-      "paper: from "
-      "460 states (2.5 %) on less than 0.1 mm and 0.1 deg.";
+      "Still to fall: mean absolute error minus that with all states, the largest of the three axes. The "
+      "paper: "
+      "less than 0.1 mm and 0.1 deg from 460 states (2.5 %) on.";
   return table;
 }
 
@@ -124,8 +124,8 @@ CorrectionExperimentResults trainingSizeOf(const CorrectionExperimentOptions& op
   results.setting =
       tablesWords(options, stages) +
       fmt::format(
-          " {} trajectories held out; training states are drawn at random from those that cleaning "
-          "keeps; seed {}. The paper gives its curve as a figure and the two numbers in the note.",
+          " {} trajectories are held out; training states are drawn at random from the inliers; seed {}. The "
+          "paper gives its curve as a figure and the two numbers in the note.",
           curve.motions_held, options.training_size.seed);
   if (!curve.cancelled) results.tables = {{"training-size", trainingSizeTable(curve)}};
   results.found = std::move(curve);
@@ -140,9 +140,9 @@ CorrectionExperimentResults simulatedOf(const CorrectionExperimentOptions& optio
   CorrectionExperimentResults results{.experiment = options.experiment};
   results.cancelled = report.cancelled;
   results.setting = fmt::format(
-      "Simulated: a RAVEN-II with seven joints whose truth file gives it cable, transmission and camera "
-      "errors; seed "
-      "{}. The paper has a da Vinci with motion capture: its columns are of another arm.",
+      "Simulated: a RAVEN-II with seven joints; its truth file sets errors of cables, transmission and "
+      "cameras; "
+      "seed {}. The paper used another arm, a da Vinci with motion capture.",
       options.simulated.seed);
   if (!report.cancelled) {
     results.tables = {{"training", trainingTable(report)}};

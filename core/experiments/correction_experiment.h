@@ -16,41 +16,43 @@
 namespace capstan::experiments {
 
 enum class CorrectionExperiment {
-  kErrors,        ///< E: table I, errors of corrected poses, on a table of tip poses
-  kTrainingSize,  ///< F: section V-B 2 and figure 5, errors by number of training states, likewise
-  kArrival,       ///< G: table II, arrival at fragments, on the simulated seven-joint arm
-  kDebridement    ///< H: section V-D, debridement, likewise
+  kErrors,        ///< E: table I, errors of corrected poses, from tables of tip poses
+  kTrainingSize,  ///< F: section V-B 2 and figure 5, errors by number of training states, from tables of tip
+                  ///< poses
+  kArrival,       ///< G: table II, arrival at fragments, with the simulated seven-joint arm
+  kDebridement    ///< H: section V-D, debridement, with the simulated seven-joint arm
 };
 
-/// They need tables of tip poses; else they simulate.
+/// True for an experiment on tables of tip poses; false for a simulated one.
 bool needsPoses(CorrectionExperiment experiment);
 
 struct CorrectionExperimentOptions {
   CorrectionExperiment experiment = CorrectionExperiment::kErrors;
-  std::vector<std::string> poses;                                 ///< tables, of E and F
-  learning::StreamKind towards = learning::StreamKind::kCommand;  ///< of E and F
-  learning::CorrectionStudyOptions errors;                        ///< of E
-  learning::LearningCurveOptions training_size;                   ///< of F
-  DebridementStudyOptions simulated;                              ///< of G and H
+  std::vector<std::string> poses;                                 ///< tables of tip poses, for E and F
+  learning::StreamKind towards = learning::StreamKind::kCommand;  ///< stream that is the target, for E and F
+  learning::CorrectionStudyOptions errors;                        ///< options of E
+  learning::LearningCurveOptions training_size;                   ///< options of F
+  DebridementStudyOptions simulated;                              ///< options of G and H
 };
 
 struct CorrectionExperimentResults {
   CorrectionExperiment experiment = CorrectionExperiment::kErrors;
-  std::string setting = {};  ///< what was measured how, and where that differs from the paper: sentences
+  std::string setting = {};  ///< sentences on the measurement and its differences from the paper
   std::vector<NamedTable> tables = {};
   std::variant<learning::CorrectionStudyReport, learning::LearningCurve, DebridementStudyReport> found = {};
   bool cancelled = false;
 };
 
-/// Runs one experiment; the same options give the same results, whatever the threads. base::InputError: no
-/// table of tip poses for E or F, or one for G or H; as readPoseTables(), learningStages() and the studies.
+/// Runs one experiment. The same options give the same results with any number of threads. Throws
+/// base::InputError when E or F has no table of tip poses, when G or H has one, and as readPoseTables(),
+/// learningStages() and the studies do.
 CorrectionExperimentResults runCorrectionExperiment(const CorrectionExperimentOptions& options,
                                                     base::Progress& progress);
 
-/// One page, Markdown: title, setting, tables beside the paper's numbers, version.
+/// Returns a Markdown page: title, setting, tables beside the paper's numbers, version.
 std::string comparisonPage(const CorrectionExperimentResults& results, const std::string& software);
-/// The numbers, SI. E: {"clean", "all"} by method; F: {"points", "offset"}; G: {"training", "arrival"} by
-/// mode; H: {"training", "methods", "beyond"} by method.
+/// Numbers of the results, SI. E: {"clean", "all"} by method; F: {"points", "offset"}; G: {"training",
+/// "arrival"} by mode; H: {"training", "methods", "beyond"} by method.
 nlohmann::json jsonOf(const CorrectionExperimentResults& results);
 
 }  // namespace capstan::experiments

@@ -8,7 +8,7 @@
 namespace capstan::experiments {
 namespace {
 
-constexpr double kShortest = 0.1;  // of a motion [s]
+constexpr double kShortest = 0.1;  // shortest duration of a motion [s]
 
 }  // namespace
 

@@ -12,7 +12,7 @@
 namespace capstan::experiments {
 namespace {
 
-constexpr double kTrained = 0.96;  ///< of the time
+constexpr double kTrained = 0.96;  ///< share of the progress after training
 
 struct Mean {
   double value = 0.0, standard_error = 0.0;
@@ -51,14 +51,14 @@ void fill(DebridementStudyReport& report, const TrainedCorrection& trained) {
   report.clock_offset = trained.clock_offset;
 }
 
-/// An arm, and a correction that was learned on it.
+/// An arm and the correction trained on it.
 struct TrainedArm {
   robot::Description robot;
   simulation::ToolTruth truth;
   TrainedCorrection trained;
 };
 
-/// Null: cancelled.
+/// Reads the files and trains a correction. Null when cancelled.
 std::optional<TrainedArm> trainedArm(const DebridementStudyOptions& options, DebridementStudyReport& report,
                                      base::Progress& progress) {
   checkOptions(options);
@@ -68,7 +68,7 @@ std::optional<TrainedArm> trainedArm(const DebridementStudyOptions& options, Deb
       simulation::readToolTruth(orResource(options.truth, "truth/debridement.yaml"));
   TrainingOptions training = options.training;
   training.seed = training.correction.seed = training.cleaning.median.seed = options.seed;
-  training.correction.threads = 1;  // whose sums would come in another order
+  training.correction.threads = 1;  // another number would change the order of sums
   progress.report(0.0, "Recording motions");
   const std::vector<learning::RawMotion> motions = recordTraining(robot, truth, training, &progress);
   if ((report.cancelled = progress.cancelled())) return std::nullopt;

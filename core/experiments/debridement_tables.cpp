@@ -8,7 +8,7 @@ namespace {
 
 using base::toMillimetres;
 
-/// Table II of the paper: x, y, z; mean and one standard deviation [mm].
+/// Table II of the paper: mean and standard deviation of x, y, z [mm].
 struct PaperArrival {
   std::array<double, 3> mean, deviation;
 };
@@ -17,7 +17,7 @@ constexpr std::array<PaperArrival, learning::kCorrectionModes> kPaperArrival = {
     {{2.0, 3.0, 1.0}, {0.9, 1.0, 0.7}},     // end point
     {{1.5, 4.9, 2.4}, {1.1, 1.5, 1.4}},     // full trajectory
 }};
-constexpr double kPaperSpeedup = 3.8, kPaperTime = 15.8;  // section V-D; [s] a fragment
+constexpr double kPaperSpeedup = 3.8, kPaperTime = 15.8;  // section V-D; time per fragment [s]
 
 std::string cell(double mean, double deviation) { return fmt::format("{:.2f} ± {:.2f}", mean, deviation); }
 
@@ -34,14 +34,13 @@ std::string paperTime(DebridementMethod method) {
   return method == DebridementMethod::kCorrected ? fmt::format("{:.1f}", kPaperTime) : "";
 }
 
-/// A row a method.
+/// Table with one row per method.
 base::Table methodsTable(std::string title,
-                         const std::array<std::vector<FragmentRun>, kDebridementMethods>& runs,
-                         bool paper) {
+                         const std::array<std::vector<FragmentRun>, kDebridementMethods>& runs, bool paper) {
   base::Table table;
   table.title = std::move(title);
-  for (const char* name : {"", "speed [cm/s]", "time a fragment [s]", "95 %", "paper", "moving [s]", "observations",
-                           "jaws off [mm]", "grasped", "cleared", "95 % [%]", "out of reach"})
+  for (const char* name : {"", "speed [cm/s]", "time a fragment [s]", "95 %", "paper", "moving [s]",
+                           "observations", "jaws off [mm]", "grasped", "cleared", "95 % [%]", "out of reach"})
     table.columns.push_back({.name = name, .unit = {}});
   for (std::size_t m = 0; m < runs.size(); ++m) {
     if (runs[m].empty()) continue;
@@ -117,9 +116,9 @@ base::Table arrivalTable(const DebridementStudyReport& report) {
   }
   table.rows.insert(table.rows.end(), {norm, distance, better, angle, confidence, arrivals});
   table.note =
-      "Axes: mean of absolute errors ± standard deviation between arrivals at one place. Distance, angle: "
+      "Axes: mean of absolute errors ± standard deviation between arrivals at one location. Distance, angle: "
       "mean "
-      "± standard deviation of all arrivals. The paper's \"times less\" is of its norm of means.";
+      "± standard deviation of all arrivals. The paper's \"times less\" is that of its norm of means.";
   return table;
 }
 
@@ -128,10 +127,13 @@ base::Table debridementTable(const DebridementStudyReport& report, const Debride
   const Speedup speedup = report.speedup();
   if (speedup.value > 0.0)
     table.note = fmt::format(
-        "Learned correction by replanning: {:.2f} times as fast, 95 % {}; the paper: {:.1f} times. Of the "
-        "time a fragment, finding it takes {:.1f} s, a plan {:.1f} s, each move of the jaws {:.1f} s and a "
-        "look {:.1f} s in every method, and replanning looks every {:.0f} mm and until it is {:.0f} mm near: "
-        "chosen, not published.",
+        "The learned correction is {:.2f} times as fast as replanning, 95 % interval {}; the paper: {:.1f} "
+        "times. "
+        "Times in every method: detection {:.1f} s per fragment, a plan {:.1f} s, a motion of the jaws "
+        "{:.1f} s, an "
+        "observation {:.1f} s. Replanning observes every {:.0f} mm and until the tool is within {:.0f} mm. "
+        "These "
+        "values are chosen, not published.",
         speedup.value, range(speedup.interval, 2), kPaperSpeedup, DebridementTaskOptions::kFindTime,
         DebridementTaskOptions::kPlanTime, DebridementTaskOptions::kJawTime, DebridementTaskOptions::kLook,
         toMillimetres(options.task.piece), toMillimetres(options.task.near));

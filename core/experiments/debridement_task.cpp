@@ -13,9 +13,9 @@ using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
 constexpr double kOpen = 0.8, kHeld = 0.15;  // openings of the jaws [rad]
-constexpr int kMostPieces = 12;              // beyond those that the way asks for
+constexpr int kMostPieces = 12;              // most pieces in addition to length / piece
 
-/// One arm at work.
+/// One arm that executes the task.
 class Worker {
  public:
   Worker(const robot::Description& robot, const simulation::ToolTruth& truth,
@@ -57,7 +57,7 @@ class Worker {
     higher.translation() += DebridementTaskOptions::kHover * scene_.axes.col(2);
     return higher;
   }
-  /// The tool as ideal cameras would see it: where it is, by the same registration as fragments.
+  /// Tool pose as measured by ideal cameras with the same registration as the fragments.
   Isometry3d seenTruly() const { return rig_.camera().registration() * rig_.robot().arm().pose(); }
   double acrossTheFloor(const Isometry3d& a, const Isometry3d& b) const {
     return (scene_.axes.leftCols<2>().transpose() * (a.translation() - b.translation())).norm();
@@ -86,7 +86,7 @@ class Worker {
     rig_.rest(options_.settle);
   }
 
-  /// False: it was out of reach, and the arm stayed.
+  /// Moves to `goal`. Returns false when it is out of reach; then the arm does not move.
   bool go(const Isometry3d& goal) {
     switch (method_) {
       case DebridementMethod::kReplanning:
@@ -124,7 +124,8 @@ class Worker {
     return follow(path) && (path.size() == whole || goObserving(goal));
   }
 
-  /// Observes, uses the offset of commanded from observed pose for the next piece, and moves along it.
+  /// Moves to `goal` piece by piece: observes the tool and corrects the next piece by the offset between
+  /// commanded and observed pose.
   bool goObserving(const Isometry3d& goal) {
     const double whole = (goal.translation() - here_.translation()).norm();
     const int most = kMostPieces + static_cast<int>(whole / options_.piece);

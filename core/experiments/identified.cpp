@@ -18,7 +18,7 @@ bool leavesEstimates(DualUkfEnd end) {
 }
 bool leavesEstimates(BatchEnd end) { return end == BatchEnd::kConverged || end == BatchEnd::kIterationLimit; }
 
-/// Why `report` cannot be used; empty: it can.
+/// Reason why `report` cannot be used; empty where it can.
 template <class Report>
 std::string faultOf(const Report* report) {
   if (!report) return "was not requested";

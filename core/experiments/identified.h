@@ -10,44 +10,44 @@
 #include "core/identification/dual_ukf.h"
 #include "core/robot/description.h"
 
-/// What is made of an identification: whose estimates count, in which words, in which robot file.
+/// Use of an identification: choice of the method, texts, robot file.
 namespace capstan::experiments {
 
-/// Whose estimates an identification leaves.
+/// Choice of the method whose estimates are used.
 struct Choice {
   std::optional<Method> method;  ///< none: nothing was identified
-  std::string words;             ///< why it is not the requested method; empty: it is
+  std::string words;             ///< reason why it is not the requested method; else empty
 };
 
-/// The method `requested` where it ended with estimates, else the other one, else none. A method that was
-/// cancelled, failed or had no observation leaves none, nor does one whose numbers are not finite; null: it
-/// was not requested.
+/// Chooses `requested` where it has estimates, else the other method, else none. A method that was cancelled,
+/// failed, had no observation or gave numbers that are not finite has no estimates. Null: the method was not
+/// run.
 Choice choose(Method requested, const identification::DualUkfReport* dual,
               const identification::BatchReport* batch);
 
-/// An end of either report (base::nameOf) that leaves estimates.
+/// True when a report with this end (base::nameOf) has estimates.
 bool foundSomething(const std::string& end);
 
-/// identification::wordsOf(), and where σ has not reached its goal, what the two are:
+/// Text of identification::wordsOf(); where σ has not reached its goal, with both numbers:
 /// "about 90 s more of this motion (σ is 8.3 %, its goal 5 %)".
 std::string progressWords(const identification::Convergence& convergence,
                           const identification::Estimate& estimate);
 
-/// Where the parameters of a robot file come from.
+/// Origin of the parameters of a robot file.
 struct RobotOrigin {
-  std::vector<std::string> recordings;  ///< names, or what was simulated
-  double duration = 0.0;                ///< of their motor samples [s]; 0: not known
+  std::vector<std::string> recordings;  ///< names of recordings or simulations
+  double duration = 0.0;                ///< total duration of their motor samples [s]; 0: not known
   std::string method;                   ///< "dual UKF", "batch", …
-  std::vector<std::string> values;      ///< a line each: "r_l1 59.012 ± 0.011 mm"
-  std::string software;                 ///< program and version; empty: not said
+  std::vector<std::string> values;      ///< one line per parameter: "r_l1 59.012 ± 0.011 mm"
+  std::string software;                 ///< program and version; empty: not known
 };
 
-/// "r_l1 59.012 ± 0.011 mm", or "b_e1 not seen, as before".
+/// Line of one parameter: "r_l1 59.012 ± 0.011 mm", or "b_e1 not seen, as before".
 std::string valueLine(const std::string& name, double value, double sigma, const std::string& unit,
                       bool seen);
 
-/// The robot file of `identified`, its origin and what differs from `nominal` in comments on top:
-/// robot::parseDescription() gives `identified` back to the last bit.
+/// Robot file of `identified`. Comments at the top give its origin and its differences from `nominal`.
+/// robot::parseDescription() returns `identified` exactly.
 std::string identifiedRobotText(const robot::Description& nominal, const robot::Description& identified,
                                 const RobotOrigin& origin);
 

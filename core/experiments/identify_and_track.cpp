@@ -9,7 +9,7 @@ namespace {
 
 using identification::IdentificationData;
 
-/// Why nothing can be identified from `data`; empty: it can.
+/// Reason why nothing can be identified from `data`; else empty.
 std::string faultOf(const IdentificationData& data) {
   if (data.motors.size() == 0) return "no motor encoder gave valid numbers";
   if (data.openCount() == 0) return "the cameras saw the marker nowhere, or are not registered";

@@ -12,22 +12,23 @@
 
 namespace capstan::experiments {
 
-/// What follows the tracking of a recording with nominal constants: what its motors and cameras say about
-/// these constants, and the same recording tracked again with what was found.
+/// Results of an identification from a recording, and of tracking the recording again with the identified
+/// robot.
 struct IdentifyAndTrack {
-  std::optional<Identified> identified;          ///< none: `fault` says why
-  std::optional<tracking::TrackReport> tracked;  ///< with the identified robot; none: no parameter was seen
-  std::string fault;                             ///< in plain words; empty: the recording was tracked again
-  double duration = 0.0;                         ///< of the motor samples identified from [s]
-  bool cancelled = false;                        ///< what came before is there
+  std::optional<Identified> identified;  ///< none: `fault` has the reason
+  std::optional<tracking::TrackReport>
+      tracked;             ///< tracking with the identified robot; none: no parameter was seen
+  std::string fault;       ///< reason for missing results; empty: there is none
+  double duration = 0.0;   ///< duration of the motor samples of the identification [s]
+  bool cancelled = false;  ///< true: only finished parts are filled
 };
 
 /// Identifies the default parameters (identification::kDefaultParameters) from `data`, as `capstan-cli
-/// identify` does, and tracks `recording` from its beginning with the robot found and `options`, as
-/// `capstan-cli track --estimator-robot` does. `data` was collected while the same recording was tracked with
-/// the nominal robot (identification::DataCollector). Neither truth nor joint encoders are an input; these
-/// enter the errors of `tracked` alone. Cancellable. Throws base::InputError for a recording that cannot be
-/// read.
+/// identify` does. Then tracks `recording` from its beginning with the identified robot and `options`, as
+/// `capstan-cli track
+/// --estimator-robot` does. `data` was collected while the same recording was tracked with the nominal robot
+/// (identification::DataCollector). The truth is not used; joint encoders are used only for the errors of
+/// `tracked`. Cancellable. Throws base::InputError for a recording that cannot be read.
 IdentifyAndTrack identifyAndTrack(const identification::IdentificationData& data, tracking::Source& recording,
                                   const tracking::TrackingOptions& options, base::Progress& progress);
 

@@ -7,7 +7,7 @@
 namespace capstan::experiments {
 namespace {
 
-/// Chooses among the methods that ran; one without usable estimates shows none.
+/// Chooses among the methods that ran, and removes the estimates of a method without usable ones.
 void chooseAmong(Identified& found) {
   const auto* dual = found.dual ? &*found.dual : nullptr;
   const auto* batch = found.batch ? &*found.batch : nullptr;

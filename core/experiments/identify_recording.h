@@ -14,29 +14,29 @@
 namespace capstan::experiments {
 
 struct IdentifyOptions {
-  bool dual = true, batch = true;  ///< methods whose reports are requested; at least one
+  bool dual = true, batch = true;  ///< methods to report; at least one
   identification::CameraPoseOptions camera = {};
   int threads = 2;  ///< number of worker threads of the batch method
 };
 
-/// What one method or both found in a recording.
+/// Results of one method or both for a recording.
 struct Identified {
   identification::ParameterSet set;
-  std::optional<identification::DualUkfReport> dual = {};  ///< without estimates: they are of no use
-  std::optional<identification::BatchReport> batch = {};   ///< the same
-  Choice choice = {};                                      ///< of the batch method where it found something
+  std::optional<identification::DualUkfReport> dual = {};  ///< report; unusable estimates are removed
+  std::optional<identification::BatchReport> batch = {};   ///< report; unusable estimates are removed
+  Choice choice = {};                                      ///< the batch method where it has estimates
 
-  /// Of the chosen method. Only if choice.method.
+  /// Estimates of the chosen method. Call it only if choice.method.
   const std::vector<identification::Estimate>& estimates() const;
-  /// The chosen method shows at least one parameter.
+  /// True when the chosen method has seen at least one parameter.
   bool anySeen() const;
-  /// The nominal robot with every parameter that was seen. Only if choice.method.
+  /// Nominal robot with the estimates of all seen parameters. Call it only if choice.method.
   robot::Description robot() const { return identification::identifiedRobot(set, estimates()); }
 };
 
-/// Identifies the parameters of `set` from motors and cameras of `data`: the dual UKF, and from where it
-/// ended the batch method, each in as many passes as the cameras' delay asks for. Nothing is worth keeping
-/// where `progress` was cancelled. `capstan-cli identify` and `report` both come here.
+/// Identifies the parameters of `set` from motors and cameras of `data`: first the dual UKF, then the batch
+/// method from its estimates. Each makes one pass or two, depending on the delay of the cameras. The result
+/// is unusable when `progress` was cancelled. `capstan-cli identify` and `report` both call this function.
 Identified identifyRecording(const identification::IdentificationData& data,
                              const identification::ParameterSet& set, const IdentifyOptions& options,
                              base::Progress& progress);

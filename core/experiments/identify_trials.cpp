@@ -72,7 +72,7 @@ Eigen::Matrix<double, 7, 1> poseVector(const identification::CameraPose& pose) {
   return all;
 }
 
-/// The estimates of a method, or that it has none.
+/// Writes the estimates of a method, or notes that it has none.
 template <class Report>
 void takeEstimates(const Report& report, bool usable, ParameterEstimate IdentifiedParameter::*which,
                    IdentificationResult& result) {

@@ -13,24 +13,25 @@
 
 namespace capstan::experiments {
 
-/// To 1e-6 s, and to 1e-9 rad or m by division, so that the decimals are short.
+/// Rounded values: times to 1e-6 s, joints to 1e-9 rad or m. The division gives short decimals.
 double roundedTime(double t);
 Eigen::Vector3d rounded(const Eigen::Vector3d& joints);
 
-/// Listens to a trial's pipeline and keeps its motion: the trajectory 20 times a second, where a reference
-/// meets a motor sample if there are references, and every camera sample that the filter took.
+/// Collects the motion of a trial from the snapshots of its pipeline: trajectory points at kRate, and every
+/// camera sample that the filter accepted. With a reference, points are taken where it coincides with a motor
+/// sample.
 class MotionCollector {
  public:
-  static constexpr double kRate = 20.0;  ///< [1/s]
+  static constexpr double kRate = 20.0;  ///< rate of trajectory points [1/s]
 
-  /// Both outlive the collector.
+  /// `source` and `motion` must outlive the collector.
   MotionCollector(const TrialSource& source, TrialMotion& motion);
 
-  /// Every snapshot, in order.
+  /// Takes every snapshot, in order.
   void take(const tracking::Snapshot& snapshot);
-  /// Counts what is known at the end: begin, end, occluded share.
+  /// Sets begin, end and occluded share of the motion.
   void finish();
-  /// Transmission kinematics of the nominal robot [rad, rad, m].
+  /// Joints by transmission kinematics of the nominal robot [rad, rad, m].
   Eigen::Vector3d kinematicOf(const tracking::Snapshot& snapshot) const {
     return nominal_.jointFromMotor(snapshot.q_motor);
   }
@@ -48,10 +49,10 @@ class MotionCollector {
   std::uint64_t samples_ = 0, blocked_ = 0;
 };
 
-/// Gathers the trajectory of a running session or a recording, at most kRate times a second where a reference
-/// meets a motor sample (without `reference`: at motor samples), kinematics of the robot in use. `occluded`
-/// as in ErrorCollector. May be read from another thread. Its memory is fixed: when `capacity` points are
-/// held, every other goes and the rate is halved.
+/// Collects the trajectory of a running session or a recording, with kinematics of the robot in use. Points
+/// come at most at kRate, where a reference coincides with a motor sample (without `reference`: at motor
+/// samples). `occluded` is that of ErrorCollector. Another thread may read it. Its memory is fixed: at
+/// `capacity` points, every second point is dropped and the rate is halved.
 class SessionMotion {
  public:
   static constexpr double kRate = MotionCollector::kRate;
@@ -59,9 +60,9 @@ class SessionMotion {
 
   explicit SessionMotion(std::size_t capacity = kCapacity, bool reference = true);
 
-  /// Every snapshot, in order. Allocates nothing up to kCapacity points.
+  /// Takes every snapshot, in order. Allocates nothing up to kCapacity points.
   void take(const tracking::Snapshot& snapshot);
-  /// Forgets everything.
+  /// Deletes all points.
   void restart();
   std::vector<TrajectoryPoint> trajectory() const;
 

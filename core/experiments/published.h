@@ -5,18 +5,18 @@
 
 #include "core/base/field.h"
 
-/// What the UKF paper reports, read from resources/experiments/published.yaml: deg, deg, cm, seconds, mm as
-/// printed there.
+/// Numbers of the UKF paper from resources/experiments/published.yaml, in the units printed there: deg, deg,
+/// cm, seconds, mm.
 namespace capstan::experiments {
 
 struct PublishedRadius {
   double nominal_mm = 0.0, identified_mm = 0.0;
-  double converged_after = 0.0;  ///< [s]
+  double converged_after = 0.0;  ///< time to converge [s]
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& field) {
     field(self.nominal_mm, {"nominal_mm", "mm", "pulley radius of joint 1 by design", base::kPositive});
-    field(self.identified_mm, {"identified_mm", "mm", "as identified", base::kPositive});
+    field(self.identified_mm, {"identified_mm", "mm", "identified pulley radius", base::kPositive});
     field(self.converged_after, {"converged_after", "s", "time to converge", base::kPositive});
   }
 };
@@ -42,7 +42,7 @@ struct PublishedTrials {
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& field) {
-    field(self.duration, {"duration", "s", "of each trial", base::kPositive});
+    field(self.duration, {"duration", "s", "duration of each trial", base::kPositive});
     field(self.joint_1, {"joint_1", "deg", "table I, joint 1"});
     field(self.joint_2, {"joint_2", "deg", "table I, joint 2"});
     field(self.joint_3, {"joint_3", "cm", "table I, joint 3"});
@@ -56,8 +56,8 @@ struct PublishedMeans {
   static void visit(Self& self, Visitor&& field) {
     field(self.ukf, {"ukf", "deg, deg, cm", "mean over the trials", base::kPositive});
     field(self.kinematic, {"kinematic", "deg, deg, cm", "mean over the trials", base::kPositive});
-    field(self.improvement, {"improvement", "%", "of the means", {-1e3, 100.0}});
-    field(self.p_value, {"p_value", "", "of a pooled two-sided t-test", {0.0, 1.0}});
+    field(self.improvement, {"improvement", "%", "improvement of the means", {-1e3, 100.0}});
+    field(self.p_value, {"p_value", "", "P of a pooled two-sided t-test", {0.0, 1.0}});
   }
 };
 
@@ -74,10 +74,10 @@ struct Published {
   }
 };
 
-/// From published units of joint 0…2 (deg, deg, cm) to those of people here (deg, deg, mm).
+/// Factor from the published units of joint 0…2 (deg, deg, cm) to deg, deg, mm.
 inline double publishedScale(int joint) { return joint == 2 ? 10.0 : 1.0; }
 
-/// Of the resources, or of `file`. Throws base::InputError.
+/// Reads the numbers from `file`; empty: from the resources. Throws base::InputError.
 Published readPublished(const std::filesystem::path& file = {});
 
 }  // namespace capstan::experiments

@@ -4,7 +4,7 @@
 
 namespace capstan::experiments {
 
-/// base::InputError unless low ≤ value ≤ high.
+/// Throws base::InputError unless low ≤ value ≤ high.
 void requireOption(std::string_view name, double value, double low, double high);
 
 }  // namespace capstan::experiments

@@ -12,8 +12,8 @@
 #include "core/experiments/specification.h"
 #include "core/tracking/snapshot.h"
 
-/// What an experiment found, with everything that is needed to redraw or recompute it. SI units: joints as
-/// rad, rad, m. Not a number: not known. Series are rounded to 1e-9 (joints, errors) and 1e-6 s (times).
+/// Results of an experiment with all data to redraw or recompute them. SI units; joints are rad, rad, m. NaN:
+/// not known. Series are rounded to 1e-9 (joints, errors) and 1e-6 s (times).
 namespace capstan::experiments {
 
 inline constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -21,39 +21,39 @@ inline Eigen::Vector3d noJoints() { return Eigen::Vector3d::Constant(kNone); }
 
 /// Estimators whose errors are compared.
 enum class Estimator {
-  kKinematic,   ///< transmission kinematics: of an experiment's nominal robot, else of the filter's robot
+  kKinematic,   ///< transmission kinematics of the nominal robot (experiments) or of the filter's robot
   kIdentified,  ///< transmission kinematics of the robot that the estimator assumes
-  kCamera,      ///< stereo vision, where the filter took it, at its own times
+  kCamera,      ///< stereo vision at its own times, where the filter accepted it
   kUkf
 };
 inline constexpr std::size_t kEstimators = 4;
 
-/// The trajectory, 20 a second.
+/// One point of the trajectory, 20 per second.
 struct TrajectoryPoint {
   double t = 0.0;  ///< [s]
   Eigen::Vector3d q_true = noJoints();
-  Eigen::Vector3d q_kin = noJoints();  ///< of the nominal robot
-  Eigen::Vector3d q_cam = noJoints();  ///< NaN where the filter took no camera sample since the last point
+  Eigen::Vector3d q_kin = noJoints();  ///< joints by transmission kinematics of the nominal robot
+  Eigen::Vector3d q_cam = noJoints();  ///< NaN without an accepted camera sample since the last point
   Eigen::Vector3d q_ukf = noJoints(), sigma = noJoints();
-  bool occluded = false;  ///< the cameras were blocked
+  bool occluded = false;  ///< true: the cameras were blocked
 };
 
-/// Errors of one instant, estimate − reference: kinematic, identified and UKF 100 a second.
+/// Errors estimate − reference at one instant, 100 per second: kinematic, identified and UKF.
 struct ErrorPoint {
   double t = 0.0;  ///< [s]
   Eigen::Vector3d kinematic = noJoints(), identified = noJoints(), ukf = noJoints();
   bool occluded = false;
 };
 
-/// One camera sample that the filter took, at its time of exposure.
+/// One camera sample that the filter accepted, at its time of exposure.
 struct CameraPoint {
   double t = 0.0;  ///< [s]
   Eigen::Vector3d q = noJoints(), error = noJoints();
 };
 
-/// Names and texts of the files that a trial was made from; empty: none.
+/// Names and texts of the input files of a trial; empty: none.
 struct TrialInputs {
-  std::string nominal;     ///< robot file: the plant before its truth, and the comparison's kinematics
+  std::string nominal;     ///< nominal robot file: base of the plant, and kinematics of the comparison
   std::string robot;       ///< robot file that the estimator assumed
   std::string truth;       ///< truth file of a simulation
   std::string trajectory;  ///< trajectory of a simulation
@@ -61,11 +61,11 @@ struct TrialInputs {
   std::string recording;   ///< name, size and checksum (base::checksumOfFile()) of a recorded trial's file
 };
 
-/// How a robot moved in one trial, and what was made of it.
+/// Motion of a robot in one trial, and its estimates.
 struct TrialMotion {
   std::string name;
-  double begin = 0.0, end = 0.0;  ///< of the motor samples [s]
-  double occluded_share = 0.0;    ///< of the motor samples
+  double begin = 0.0, end = 0.0;  ///< times of the first and last motor samples [s]
+  double occluded_share = 0.0;    ///< share of the motor samples under occlusion
   std::vector<TrajectoryPoint> trajectory;
   std::vector<CameraPoint> camera;
 
@@ -74,25 +74,26 @@ struct TrialMotion {
 
 struct TrialResult : TrialMotion {
   bool simulated = true;
-  std::uint64_t seed = 0;       ///< of a simulation
-  OcclusionSpec occlusion;      ///< as requested
-  bool images = false;          ///< markers were found in pictures
-  bool own_kinematics = false;  ///< in place of joint encoders: the robot's own kinematics, no truth
-  bool reference = false;       ///< joint encoders fitted: there are errors
+  std::uint64_t seed = 0;       ///< seed of a simulation
+  OcclusionSpec occlusion;      ///< requested occlusion
+  bool images = false;          ///< true: markers were found in images
+  bool own_kinematics = false;  ///< true: the reference is the robot's own kinematics, not joint encoders
+  bool reference = false;       ///< true: joint encoders gave a reference, so there are errors
   std::uint64_t motor_samples = 0, camera_samples = 0;
-  std::array<std::uint64_t, 8> gates{};  ///< camera samples by tracking::Gate
-  std::array<Eigen::Vector3d, kEstimators> rms = {noJoints(), noJoints(), noJoints(),
-                                                  noJoints()};  ///< over every sample, not the thinned series
-  std::array<std::uint64_t, kEstimators> counts{};              ///< samples behind it
-  /// RMS of the augmented filter on the same samples; rms of kUkf is that of the paper's six states.
+  std::array<std::uint64_t, 8> gates{};  ///< number of camera samples by tracking::Gate
+  std::array<Eigen::Vector3d, kEstimators> rms = {
+      noJoints(), noJoints(), noJoints(), noJoints()};  ///< RMS over all samples, not the thinned series
+  std::array<std::uint64_t, kEstimators> counts{};      ///< number of samples of each RMS
+  /// RMS of the augmented filter on the same samples; rms of kUkf is that of the paper's six-state filter.
   Eigen::Vector3d rms_augmented = noJoints();
-  double nis = kNone;   ///< mean of accepted camera samples over its 3 degrees of freedom
-  double nees = kNone;  ///< mean of the positions over its 3 degrees of freedom
+  double nis = kNone;   ///< mean NIS / 3 degrees of freedom of accepted camera samples
+  double nees = kNone;  ///< mean NEES / 3 degrees of freedom of the joint positions
   std::uint64_t rescues = 0, late_dropped = 0;
   std::vector<ErrorPoint> errors;
   TrialInputs inputs;
-  double seconds = 0.0;  ///< of computing; in timing.json, as it differs from run to run
-  /// Names of a run that was no experiment (resultsOfErrors()), else empty; in no file. See trial_robots.h.
+  double seconds = 0.0;  ///< computing time [s]; in timing.json, as it differs from run to run
+  /// Names of the robots of a run outside experiments (resultsOfErrors()), else empty; not in a file. See
+  /// trial_robots.h.
   std::string kinematic_robot, filter_robot;
 
   const Eigen::Vector3d& rmsOf(Estimator which) const { return rms[static_cast<std::size_t>(which)]; }
@@ -101,53 +102,54 @@ struct TrialResult : TrialMotion {
   std::vector<double> errorsOf(Estimator which, int joint) const;
 };
 
-/// What one method found of one parameter, SI.
+/// Estimate of one parameter by one method, SI.
 struct ParameterEstimate {
-  double value = kNone, sigma = kNone;  ///< standard deviation to first order
-  double low = kNone, high = kNone;     ///< 95 % interval
-  bool seen = false;                    ///< the recording at least halves the prior's sigma
-  std::string advice;                   ///< why not, in words
+  double value = kNone, sigma = kNone;  ///< estimate and its standard deviation to first order
+  double low = kNone, high = kNone;     ///< limits of the 95 % interval
+  bool seen = false;                    ///< observable: the recording at least halves the prior's sigma
+  std::string advice;                   ///< advice for the user; may be empty
 };
 
 struct IdentifiedParameter {
   std::string name, words;  ///< "r_l1", "joint 1's pulley radius"
-  std::string unit;         ///< for people
-  double scale = 1.0;       ///< from SI to that unit
-  double nominal = kNone;   ///< where the methods started
-  double truth = kNone;     ///< of a simulation
+  std::string unit;         ///< unit for people
+  double scale = 1.0;       ///< factor from SI to `unit`
+  double nominal = kNone;   ///< initial value of both methods
+  double truth = kNone;     ///< true value in a simulation
   ParameterEstimate dual_ukf, batch;
-  std::optional<double> settled_at;  ///< since when the dual UKF's value has rested at its goal [s]
-  std::string convergence;           ///< the same in words
+  std::optional<double> settled_at;  ///< time since which the dual UKF's value has been settled [s]
+  std::string convergence;           ///< convergence in words
 };
 
-/// One line of the dual UKF's trace: value and standard deviation of each parameter, SI.
+/// One point of the dual UKF's trace: value and standard deviation of each parameter, SI.
 struct ParameterTracePoint {
-  double t = 0.0;  ///< from the recording's start [s]
+  double t = 0.0;  ///< time from the recording's start [s]
   std::vector<double> value, sigma;
 };
 
 struct IdentificationResult {
-  std::vector<std::string> recordings;  ///< trials that it was made from
-  /// Of each of them, by the filter that collected the data: it assumed the robot from before.
+  std::vector<std::string> recordings;  ///< names of its trials
+  /// Motion of each trial, by the filter that collected the data with the robot before identification.
   std::vector<TrialMotion> motions;
-  Method method = Method::kBatch;  ///< whose robot goes on
+  Method method = Method::kBatch;  ///< method whose robot is used
   std::vector<IdentifiedParameter> parameters;
   std::vector<ParameterTracePoint> trace;
-  Eigen::MatrixXd dual_correlation, batch_correlation;  ///< of the logarithms
+  Eigen::MatrixXd dual_correlation, batch_correlation;  ///< correlations of the logarithms
   std::string dual_end, batch_end;                      ///< "recording ended", "converged", …
   int dual_observations = 0, batch_observations = 0, batch_iterations = 0;
-  double dual_nis = kNone, batch_residual = kNone;  ///< 1: noise only
-  /// CameraPose and its standard deviation: turn [rad], shift [m], delay [s].
+  double dual_nis = kNone, batch_residual = kNone;  ///< NIS / 3, RMS of the whitened residuals; 1: noise only
+  /// CameraPose and its standard deviation: rotation [rad], shift [m], delay [s].
   Eigen::Matrix<double, 7, 1> camera = Eigen::Matrix<double, 7, 1>::Constant(kNone), camera_sigma = camera;
-  double duration = 0.0;   ///< of the motor samples [s]
-  std::uint64_t seed = 0;  ///< of the first trial
-  TrialInputs inputs;      ///< of the first trial
-  std::string robot;       ///< identified robot file, its origin in comments on top
-  bool found = true;       ///< a method left estimates; in no file: without any there is no result
-  std::string choice;      ///< why `method` is not the one requested; empty: it is; in no file
-  double collect_seconds = 0.0, dual_seconds = 0.0, batch_seconds = 0.0;  ///< in timing.json
+  double duration = 0.0;   ///< total duration of the motor samples [s]
+  std::uint64_t seed = 0;  ///< seed of the first trial
+  TrialInputs inputs;      ///< inputs of the first trial
+  std::string robot;       ///< identified robot file; comments at its top give the origin
+  bool found = true;       ///< true: a method has estimates; not in a file
+  std::string choice;      ///< reason why `method` is not the requested one, else empty; not in a file
+  double collect_seconds = 0.0, dual_seconds = 0.0,
+         batch_seconds = 0.0;  ///< computing times [s]; in timing.json
 
-  /// The method whose robot goes on.
+  /// Estimate of the method whose robot is used.
   const ParameterEstimate& chosen(const IdentifiedParameter& parameter) const {
     return method == Method::kDualUkf ? parameter.dual_ukf : parameter.batch;
   }
@@ -157,30 +159,30 @@ struct Results {
   std::string name, title;
   Work work = Work::kTrack;
   std::string software;                                ///< program and version that computed them
-  std::string specification;                           ///< its text
-  bool simulated = true;                               ///< no trial is of a real robot
-  std::vector<TrialResult> trials;                     ///< of work: track
-  std::optional<IdentificationResult> identification;  ///< of work: identify
-  double wall_seconds = 0.0;                           ///< of the run that computed them; in timing.json
-  int resumed = 0;                                     ///< trials that an earlier run had finished
-  /// Finished trials that are kept, of the experiments that it needs, too: the next run goes on from them.
+  std::string specification;                           ///< text of the specification
+  bool simulated = true;                               ///< true: no trial is of a real robot
+  std::vector<TrialResult> trials;                     ///< trials of work: track
+  std::optional<IdentificationResult> identification;  ///< result of work: identify
+  double wall_seconds = 0.0;                           ///< elapsed time of the run [s]; in timing.json
+  int resumed = 0;                                     ///< number of trials that an earlier run had finished
+  /// Number of stored trials of this experiment and those that it needs; the next run continues from them.
   int kept = 0;
-  std::vector<std::string> notices;  ///< damaged files and the like; in no file
-  bool cancelled = false;            ///< incomplete: nothing was written but finished trials
+  std::vector<std::string> notices;  ///< notices for the user, e.g. damaged files; not in a file
+  bool cancelled = false;            ///< true: incomplete; only finished trials were written
 };
 
-/// Writes into `folder` (created): results.json, series.json, timing.json, and as CSV
-/// <trial>-trajectory.csv and -camera.csv; of a tracked trial -errors.csv, of an identification
-/// parameters.csv, trace.csv and robot.yaml. Same results, same bytes, but for timing.json. Each file appears
-/// whole or not at all; results.json and series.json carry one stamp, so that a mixture of two runs is
-/// recognised. Throws base::InputError when one cannot be written.
+/// Writes results.json, series.json and timing.json into `folder` (created), and CSV files:
+/// <trial>-trajectory.csv and -camera.csv; for a tracked trial -errors.csv; for an identification
+/// parameters.csv, trace.csv and robot.yaml. The same results give the same bytes, except timing.json. Files
+/// are written atomically. results.json and series.json have a common stamp, so that a mixture of two runs is
+/// detected. Throws base::InputError when a file cannot be written.
 void writeResults(const Results& results, const std::filesystem::path& folder);
 
-/// Reads what writeResults() wrote. Throws base::InputError with the remedy for a folder without results, a
-/// damaged file, one of another version, or numbers and series of two runs.
+/// Reads the files of writeResults(). Throws base::InputError with the remedy for a folder without results, a
+/// damaged file, a file of another version, or numbers and series of different runs.
 Results readResults(const std::filesystem::path& folder);
 
-/// `text` as part of a file's name: letters, digits, - and _.
+/// `text` with only letters, digits, - and _, as part of a file name.
 std::string fileNameOf(const std::string& text);
 
 }  // namespace capstan::experiments

@@ -17,7 +17,7 @@ using nlohmann::json;
 
 constexpr int kFormat = 3;  ///< 2: trajectories of identifications; 3: the augmented filter
 constexpr const char* kFormatKey = "capstan_experiment_results";
-constexpr const char* kStampKey = "stamp";  ///< checksum of both files without it; the same in both
+constexpr const char* kStampKey = "stamp";  ///< key of the stamp in both files: checksum of both without it
 
 std::string traceCsv(const IdentificationResult& identification) {
   std::string text = "t";
@@ -94,7 +94,7 @@ void takeTiming(const json& timing, Results& results) {
   throw base::InputError({file.string(), 0, {}, {}, reason, "Run the experiment again into that folder"});
 }
 
-/// Calls `take` with the JSON document of `file`; what is wrong with it names the file.
+/// Calls `take` with the JSON document of `file`; its errors name the file.
 template <class Take>
 void readJson(const fs::path& file, Take&& take) {
   try {

@@ -5,8 +5,8 @@
 
 #include "core/experiments/results.h"
 
-/// Results as JSON and back, to the last bit; not a number is null. Numbers and texts on one side, series
-/// (trajectories, errors, traces) on the other, so that the first stay readable.
+/// Conversion of results to JSON and back, exact to the last bit; NaN is null. Numbers and texts are separate
+/// from series (trajectories, errors, traces), so that a person can read them.
 namespace capstan::experiments {
 
 nlohmann::json numbersOf(const TrialResult& trial);
@@ -14,13 +14,14 @@ nlohmann::json seriesOf(const TrialResult& trial);
 nlohmann::json numbersOf(const IdentificationResult& identification);
 nlohmann::json seriesOf(const IdentificationResult& identification);
 
-/// Throw nlohmann::json::exception where something is missing or of another kind.
+/// Read a document into a result. Throw nlohmann::json::exception where a value is missing or of another
+/// type.
 void takeNumbers(const nlohmann::json& document, TrialResult& trial);
 void takeSeries(const nlohmann::json& document, TrialResult& trial);
 void takeNumbers(const nlohmann::json& document, IdentificationResult& identification);
 void takeSeries(const nlohmann::json& document, IdentificationResult& identification);
 
-/// The head of results.json: all but trials and identification.
+/// Head of results.json: all fields except trials and identification.
 nlohmann::json headOf(const Results& results);
 void takeHead(const nlohmann::json& document, Results& results);
 

@@ -44,8 +44,8 @@ Specification neededBy(const Specification& specification, const std::string& na
   return needed;
 }
 
-/// `specification` behind everything that it needs, each once. Throws base::InputError for a circle and for a
-/// need that identifies nothing.
+/// Experiments in the order of work: those that `specification` needs, then itself, each once. Throws
+/// base::InputError for a circle and for a needed experiment that identifies nothing.
 void planFor(const Specification& specification, std::vector<std::string>& above,
              std::vector<Specification>& plan) {
   const auto same = [&](const Specification& one) { return one.name == specification.name; };
@@ -67,7 +67,8 @@ double weightOf(const Specification& specification) {
   return specification.work == Work::kIdentify ? 2.0 * sum : sum;
 }
 
-/// A recording counts once: in an identification at all, among trials that are tracked with one occlusion.
+/// Throws base::InputError when a recording would count twice: in an identification, or in trials that are
+/// tracked with the same occlusion.
 void checkRepeats(const Specification& specification) {
   const std::vector<TrialSpec>& trials = specification.trials;
   const auto counted = [&](const TrialSpec& a, const TrialSpec& b) {
@@ -86,7 +87,7 @@ void checkRepeats(const Specification& specification) {
              "Give each recording once"});
 }
 
-/// Reads every file of `specification`, so that what is wrong with one shows before hours of other work.
+/// Reads every file of `specification`, so that errors in files are found before hours of work.
 void checkFiles(const Specification& specification, const RunOptions& options) {
   const RobotBelief belief = beliefOf(specification, {});
   const bool images = options.images.value_or(specification.images);
@@ -97,7 +98,7 @@ void checkFiles(const Specification& specification, const RunOptions& options) {
   checkRepeats(specification);
 }
 
-/// One experiment, what it builds on at hand.
+/// Run of one experiment, given the results of the experiments that it needs.
 class Experiment {
  public:
   Experiment(const Specification& specification, const RunOptions& options,
@@ -219,7 +220,7 @@ class Experiment {
                 {{"numbers", numbersOf(result)}, {"series", seriesOf(result)}, {"seconds", seconds}});
   }
 
-  /// Writes the results. Where nothing was computed, the time that the computation took stays.
+  /// Writes the results. Where nothing was computed, the computing time of the earlier run is kept.
   void finish() {
     if (options_.out.empty()) return;
     if (results_.resumed == static_cast<int>(setups_.size())) {

@@ -11,23 +11,23 @@
 namespace capstan::experiments {
 
 struct RunOptions {
-  /// Results of experiment X go to out/X; finished trials are kept in out/X/trials. Empty: nothing is
-  /// written.
+  /// Folder of the results: those of experiment X are in out/X, its finished trials in out/X/trials. Empty:
+  /// nothing is written.
   std::filesystem::path out = {};
-  int threads = 2;                  ///< trials at the same time; the result does not depend on it
-  std::optional<bool> images = {};  ///< in place of the specification's
-  std::string software = {};        ///< program and version, kept in the results
+  int threads = 2;                  ///< number of trials in parallel; the result does not depend on it
+  std::optional<bool> images = {};  ///< replaces the value of the specification
+  std::string software = {};        ///< program and version, stored in the results
 };
 
-/// Runs every trial of `specification`, and before them the experiments whose robot it needs.
+/// Runs the experiments whose robot `specification` needs, then all of its trials.
 ///
-/// A trial that `out` holds already, made from the same specification, files, options and software, is read
-/// and not run again; a file that is damaged is named in Results::notices and its trial run again. Trials are
-/// written whole as they finish, so that an interrupted run is taken up where it was stopped, with the same
-/// bytes in the end. Joint encoders are used for errors only.
+/// A finished trial in `out` from the same specification, files, options and software is read and not run
+/// again. A damaged file is named in Results::notices, and its trial is run again. Each trial is written when
+/// it finishes, so that an interrupted run continues where it stopped and ends with the same bytes. Joint
+/// encoders are used for errors only.
 ///
-/// Throws base::InputError for a file or name of the specification that is unusable, before anything is run,
-/// where the trial itself can be checked; a recording that cannot be used is refused when its trial starts.
+/// Throws base::InputError for an unusable file or name in the specification, before the first trial where it
+/// can be checked; an unusable recording is refused when its trial starts.
 Results run(const Specification& specification, const RunOptions& options, base::Progress& progress);
 
 }  // namespace capstan::experiments

@@ -12,7 +12,7 @@
 /// Series of points as columns of numbers, for JSON and CSV alike: each series declares its columns once.
 namespace capstan::experiments {
 
-/// One number of a Point.
+/// Column of one number of a Point: a scalar, one axis of a vector, or a flag.
 template <class Point>
 struct SeriesColumn {
   std::string name;
@@ -84,7 +84,8 @@ inline SeriesColumns<CameraPoint> columnsOf(const CameraPoint*) {
   return SeriesColumns<P>().scalar("t", &P::t).joints("q", &P::q).joints("error", &P::error);
 }
 
-/// A header line of names, a line a point; nothing where a number is not known.
+/// CSV of `points`: a header line of names, then one line per point; an empty cell where a number is not
+/// finite.
 template <class Point>
 std::string csvOfSeries(const std::vector<Point>& points) {
   const auto columns = columnsOf(static_cast<const Point*>(nullptr));
@@ -104,7 +105,7 @@ std::string csvOfSeries(const std::vector<Point>& points) {
   return text;
 }
 
-/// {"t": […], "q_true_1": […], …}; null where a number is not known.
+/// JSON of `points`: {"t": […], "q_true_1": […], …}; NaN becomes null.
 template <class Point>
 nlohmann::json jsonOfSeries(const std::vector<Point>& points) {
   nlohmann::json document = nlohmann::json::object();
@@ -117,7 +118,8 @@ nlohmann::json jsonOfSeries(const std::vector<Point>& points) {
   return document;
 }
 
-/// Throws nlohmann::json::exception where a column is missing, short or no numbers.
+/// Points of a JSON document. Throws nlohmann::json::exception when a column is missing, too short or not
+/// numeric.
 template <class Point>
 std::vector<Point> seriesOfJson(const nlohmann::json& document) {
   const auto columns = columnsOf(static_cast<const Point*>(nullptr));

@@ -23,7 +23,7 @@ bool isPlainName(const std::string& name) {
   });
 }
 
-/// Says what fields cannot say alone, at the line that says it.
+/// Checks conditions on several fields together; an error has the line of the field.
 class Checker {
  public:
   Checker(const Specification& specification, YAML::Node root, std::string file)

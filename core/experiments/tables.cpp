@@ -26,14 +26,14 @@ bool hasErrors(const TrialResult& trial) {
   return trial.counts[static_cast<std::size_t>(Estimator::kUkf)] > 0;
 }
 
-/// What the trial is, by whatever seed and under whatever name.
+/// Definition of the trial without seed and name.
 std::string textOf(TrialSpec trial) {
   trial.name.clear();
   trial.seed = 0;
   return base::writeYaml(trial);
 }
 
-/// "Experiment C"; of a run that is no experiment its title.
+/// "Experiment C", or the title of a run that is not an experiment.
 std::string nameOf(const Results& results) {
   const bool run = !results.trials.empty() && !results.trials.front().filter_robot.empty();
   return run ? results.title : "Experiment " + results.name;
@@ -47,12 +47,12 @@ double rmsForPeople(const TrialResult& trial, Estimator which, int joint) {
   return forPeople(trial.rmsOf(which)(joint), joint);
 }
 
-/// The paper's table I stands beside six trials and no others.
+/// The paper's table I is shown beside six trials only.
 const Published* beside(const Results& results, const Published* published) {
   return published && results.trials.size() == published->table_1.duration.size() ? published : nullptr;
 }
 
-/// The estimator assumed another robot than the nominal one: kinematics of the two differ.
+/// True when the estimator assumed another robot than the nominal one, so that their kinematics differ.
 bool anotherRobot(const Results& results) {
   return std::any_of(results.trials.begin(), results.trials.end(), [](const TrialResult& trial) {
     const Eigen::Vector3d& identified = trial.rmsOf(Estimator::kIdentified);
@@ -83,7 +83,7 @@ TableCell covers(const ParameterEstimate& estimate, double truth) {
   return estimate.low <= truth && truth <= estimate.high ? "yes" : "no";
 }
 
-/// "Means over 6 trials; P of equal means, two-sided. " Trials without joint encoders are not among them.
+/// "Means over 6 trials; P of equal means, two-sided. " Trials without joint encoders are not counted.
 std::string meansNote(const Results& results) {
   const auto with = std::count_if(results.trials.begin(), results.trials.end(), hasErrors);
   const auto without = results.trials.size() - static_cast<std::size_t>(with);
@@ -96,7 +96,7 @@ std::string simulatedNote(const Results& results) {
   return results.simulated ? "The robot is simulated." : "";
 }
 
-/// Where the methods began is the nominal robot, not one that was identified before.
+/// True when the methods started from the nominal robot, not from one that was identified before.
 bool startsNominal(const Results& results) {
   return !results.identification ||
          results.identification->inputs.robot == results.identification->inputs.nominal;
@@ -115,7 +115,7 @@ std::string startNote(const Results& results) {
                      from.empty() ? "an identification before" : from);
 }
 
-/// What a method that found nothing says of it.
+/// Text for a method without estimates.
 std::string endNote(const IdentificationResult& result) {
   std::string text;
   if (!foundSomething(result.dual_end)) text += fmt::format("Dual UKF: {}. ", result.dual_end);
@@ -123,7 +123,7 @@ std::string endNote(const IdentificationResult& result) {
   return text;
 }
 
-/// A truth is known: of a simulation.
+/// True when a true value is known, as in a simulation.
 bool knowsTruth(const Results& results) {
   const auto known = [](const IdentifiedParameter& p) { return std::isfinite(p.truth); };
   return results.identification && std::any_of(results.identification->parameters.begin(),
@@ -224,7 +224,7 @@ Table trialTable(const Results& results, const Published* published) {
       table.rows.push_back(std::move(row));
     }
   }
-  table.note = "RMS over all n reference samples; camera: over accepted pictures. " + robotNote(results) +
+  table.note = "RMS over all n reference samples; camera: over accepted images. " + robotNote(results) +
                simulatedNote(results);
   return table;
 }
@@ -265,8 +265,8 @@ Table meanTable(const Results& results, const Published* published) {
     table.rows.push_back(std::move(row));
   }
   table.note = meansNote(results) + robotNote(results) +
-               (identified ? "Identified kinematics: transmission kinematics of the identified robot, which "
-                             "is what calibration alone brings. "
+               (identified ? "Identified kinematics: transmission kinematics of the identified robot, the "
+                             "effect of calibration alone. "
                            : "") +
                simulatedNote(results);
   return table;
@@ -292,8 +292,9 @@ Table parameterTable(const Results& results, const Published* published) {
   for (const IdentifiedParameter& p : results.identification->parameters)
     table.rows.push_back(parameterRow(p, published, truth));
   table.note =
-      "± is one standard deviation. Converged: since when the dual UKF's standard deviation has been below "
-      "its goal and its value has rested. " +
+      "± is one standard deviation. Converged: time from which the dual UKF's standard deviation is below "
+      "its "
+      "goal and its value is steady. " +
       startNote(results) + endNote(*results.identification) + simulatedNote(results);
   return table;
 }
@@ -331,8 +332,8 @@ Table boxplotTable(const Results& results) {
   return table;
 }
 
-/// Experiments track with the six-state filter and with the augmented one; a recording that is analysed was
-/// tracked with one filter, which its options name.
+/// True for experiments: they track with the six-state and with the augmented filter. An analysed recording
+/// was tracked with one filter, which its options name.
 bool ranBothFilters(const TrialResult& trial) { return trial.reference && trial.rms_augmented.allFinite(); }
 
 Table filterTable(const Results& results) {
@@ -353,7 +354,7 @@ Table filterTable(const Results& results) {
                             forPeople(trial.rms_augmented(joint), joint)});
   }
   table.note =
-      "RMS errors. The augmented filter carries, beside the six states, slow errors of the transmission. " +
+      "RMS errors. The augmented filter estimates the six states and slow errors of the transmission. " +
       robotNote(results) + simulatedNote(results);
   return table;
 }

@@ -9,34 +9,33 @@
 
 namespace capstan::experiments {
 
-/// A simulated arm under motion capture, as someone works with it who knows neither: commands go in, poses of
-/// cameras, commands and nominal kinematics come out.
+/// A simulated arm under motion capture, seen from outside: it takes commands and gives the poses of cameras,
+/// commands and nominal kinematics.
 class ToolRig {
  public:
-  /// base::InputError as ToolRobot.
+  /// Throws base::InputError as ToolRobot.
   ToolRig(const robot::Description& nominal, const simulation::ToolTruth& truth,
           const robot::JointVector& start, std::uint64_t seed);
 
-  /// Whatever happens from now on is written there; null: nowhere.
+  /// Records all poses into `motion` from now on; null: nowhere.
   void recordTo(learning::RawMotion* motion) { recording_ = motion; }
 
-  /// Asks for the path's commands at its times, between waypoints for what lies between. A path that is out
-  /// of reach is not begun: false.
+  /// Sends the commands of `path` at their times, interpolated between waypoints. Returns false, without
+  /// motion, when the path is out of reach.
   bool follow(const std::vector<learning::CorrectedWaypoint>& path);
   void rest(double seconds);
-  /// Opens or closes the jaws evenly to `opening` [rad].
+  /// Moves the jaws at constant rate to `opening` [rad].
   void moveJaws(double opening, double seconds);
-  /// Holds still and returns the median of the poses that cameras observed meanwhile. Nothing:
-  /// they saw none.
+  /// Holds still for `seconds` and returns the median of the observed poses; nothing when none was observed.
   std::optional<Eigen::Isometry3d> look(double seconds);
 
-  /// Of commands with the jaws as they are now.
+  /// Test whether a command is reachable with the present opening of the jaws.
   learning::Reachable reachable() const;
   double time() const { return robot_.time(); }  ///< [s]
   const Eigen::Isometry3d& commanded() const { return robot_.commanded(); }
   const simulation::ToolRobot& robot() const { return robot_; }
   const simulation::PoseCamera& camera() const { return camera_; }
-  int refused() const { return refused_; }  ///< commands that the robot did not take
+  int refused() const { return refused_; }  ///< number of refused commands
 
  private:
   void tick(const Eigen::Isometry3d& command);

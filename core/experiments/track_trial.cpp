@@ -11,9 +11,9 @@
 namespace capstan::experiments {
 namespace {
 
-constexpr double kErrorRate = 100.0;  // [1/s]
+constexpr double kErrorRate = 100.0;  // rate of error points [1/s]
 
-/// Listens to the pipeline.
+/// Collects the results of a trial from the snapshots of its pipeline.
 class TrialListener {
  public:
   TrialListener(const TrialSource& source, TrialResult& result)

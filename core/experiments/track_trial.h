@@ -6,10 +6,9 @@
 
 namespace capstan::experiments {
 
-/// Runs the tracking pipeline over one trial, with the six-state filter of the UKF paper and, beside it, with
-/// the augmented one. Deterministic and single-threaded. Joint encoders enter the
-/// errors and nothing else. Nothing is worth keeping of a cancelled trial. Throws base::InputError for a
-/// recording that cannot be used.
+/// Runs the tracking pipeline over one trial, with the six-state filter of the UKF paper and in parallel with
+/// the augmented one. Deterministic and single-threaded. Joint encoders are used for errors only. The result
+/// of a cancelled trial is unusable. Throws base::InputError for an unusable recording.
 TrialResult trackTrial(const TrialSetup& setup, base::Progress& progress);
 
 }  // namespace capstan::experiments

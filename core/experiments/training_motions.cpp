@@ -11,7 +11,7 @@ namespace {
 using learning::StreamKind;
 
 constexpr int kWaypoints = 10;
-constexpr double kOpening = 0.2;  // of the jaws [rad]
+constexpr double kOpening = 0.2;  // opening of the jaws [rad]
 
 std::vector<learning::CorrectedWaypoint> uncorrected(const std::vector<learning::Waypoint>& motion,
                                                      const learning::Reachable& reachable) {
@@ -24,7 +24,7 @@ std::vector<learning::CorrectedWaypoint> uncorrected(const std::vector<learning:
   return path;
 }
 
-/// Anywhere on the widened grid, the tool tilted.
+/// Random pose on the widened grid, with a random tilt of the tool.
 Eigen::Isometry3d drawnPose(base::Random& random, const DebridementScene& scene,
                             const TrainingOptions& options) {
   const Fragment place = drawnFragment(random, options.margin, options.most_yaw);
@@ -62,7 +62,7 @@ std::vector<learning::RawMotion> recordTraining(const robot::Description& robot,
     const auto path = uncorrected(
         straightMotion(rig.commanded(), drawnPose(random, scene, options), options.speed, kWaypoints),
         rig.reachable());
-    if (!learning::withinReach(path)) continue;  // a corner of the grid that the arm does not reach: another
+    if (!learning::withinReach(path)) continue;  // the arm does not reach this corner of the grid
     learning::RawMotion motion;
     motion.name = "motion " + std::to_string(motions.size() + 1);
     rig.recordTo(&motion);

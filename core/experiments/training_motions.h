@@ -8,30 +8,30 @@
 #include "core/learning/poses/clean_states.h"
 #include "core/simulation/tool_truth.h"
 
-/// Training of a correction on a simulated arm, as on a real one: from recorded poses to states to a model.
+/// Training of a correction on a simulated arm, in the steps of a real one: recorded poses, states, model.
 namespace capstan::experiments {
 
-/// Defaults are the GPR paper's (section V-B) but for `margin` and rotations: what cameras see is centimetres
-/// and some ten degrees off, and desired poses are to lie among observed ones. Learned is by the options of
-/// learning::learn(), but cleaned as in the paper and without weights.
+/// Options of the training. Defaults are those of the GPR paper (section V-B), except `margin` and rotations:
+/// observed poses are off by centimetres and about ten degrees, and desired poses must lie among the observed
+/// ones. Learning uses the options of learning::learn(), but cleaning is that of the paper, without weights.
 struct TrainingOptions {
-  int motions = 303;
-  double speed = 0.05;      ///< [m/s]
-  double rest = 0.2;        ///< before and after each motion, recorded too [s]
-  double margin = 0.03;     ///< around the grid [m]
-  double most_yaw = 0.6;    ///< about the jaws' direction [rad]
-  double most_tilt = 0.45;  ///< about both axes across it [rad]
+  int motions = 303;        ///< number of recorded motions
+  double speed = 0.05;      ///< speed of the tool [m/s]
+  double rest = 0.2;        ///< recorded time at rest before and after each motion [s]
+  double margin = 0.03;     ///< margin around the grid [m]
+  double most_yaw = 0.6;    ///< largest rotation about the jaws' direction [rad]
+  double most_tilt = 0.45;  ///< largest rotation about each of the two axes across it [rad]
   learning::CleaningOptions cleaning;
   learning::CorrectionOptions correction{.motion = std::nullopt};
   std::uint64_t seed = 1;
 };
 
-/// base::InputError: options that make no sense.
+/// Throws base::InputError for options out of range.
 void checkTraining(const TrainingOptions& options);
 
-/// The arm with its native controller alone, from place to place at random, uncorrected: a motion each, with
-/// what cameras, nominal kinematics and commands said. Fewer when cancelled. base::InputError as
-/// checkTraining.
+/// Records uncorrected motions of the arm with its native controller between random poses. Each motion has
+/// the poses of cameras, nominal kinematics and commands. Fewer when cancelled. Throws base::InputError as
+/// checkTraining().
 std::vector<learning::RawMotion> recordTraining(const robot::Description& robot,
                                                 const simulation::ToolTruth& truth,
                                                 const TrainingOptions& options,
@@ -39,14 +39,15 @@ std::vector<learning::RawMotion> recordTraining(const robot::Description& robot,
 
 struct TrainedCorrection {
   learning::CorrectionModel model;
-  std::size_t motions = 0, rows = 0;  ///< recorded; poses of cameras
-  std::size_t screened = 0;           ///< of them, excluded as no poses
-  std::size_t states = 0, kept = 0;   ///< paired with commands; after cleaning
-  double clock_offset = 0.0;          ///< of cameras behind commands [s]
+  std::size_t motions = 0, rows = 0;  ///< numbers of recorded motions and of camera poses
+  std::size_t screened = 0;           ///< number of camera rows excluded because they are not poses
+  std::size_t states = 0, kept = 0;  ///< numbers of states paired with commands, and of states after cleaning
+  double clock_offset = 0.0;         ///< delay of camera stamps against commands [s]
 };
 
-/// screenPoses → clockOffsetBetween commands and cameras → statesOf → cleanStates → CorrectionModel::trained.
-/// base::InputError: too few states are left. Cancelled: a rigid offset alone.
+/// Trains a correction: screenPoses → clockOffsetBetween commands and cameras → statesOf → cleanStates →
+/// CorrectionModel::trained. Throws base::InputError when too few states remain. When cancelled, the model is
+/// a rigid offset only.
 TrainedCorrection trainedOn(const std::vector<learning::RawMotion>& motions, const TrainingOptions& options,
                             base::Progress* progress = nullptr);
 

@@ -21,7 +21,7 @@ std::string nameIn(const std::string& robot) {
   }
 }
 
-/// What the specification gives the filter in place of the nominal robot; empty: unknown.
+/// Robot that the specification gives the filter in place of the nominal one; empty: not known.
 std::string believed(const Results& results) {
   try {
     const Specification specification = parseSpecification(results.specification, results.name);

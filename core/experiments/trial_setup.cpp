@@ -21,8 +21,8 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// Does `work`; what goes wrong in it without a file, or with one that is not there, is put to the line of
-/// the specification, in the trial called `trial` where that is not empty, whose `key` is `value`.
+/// Does `work`. An error without a file, or of a missing file, gets the line of `key` with `value` in the
+/// specification; `trial`, if not empty, is the name of the trial.
 template <class Work>
 auto blaming(const Specification& specification, const std::string& trial, const std::string& key,
              const std::string& value, Work&& work) {
@@ -65,7 +65,7 @@ simulation::SimulatedOptions simulationOf(const Specification& specification, co
   return blaming(specification, trial.name, "trajectory", trial.trajectory, make);
 }
 
-/// Name, size and age: what distinguishes one state of a file from another without reading it all.
+/// Name, size and time of change of a file: they identify its state without reading it.
 json stateOf(const std::string& file) {
   std::error_code fault;
   const auto size = fs::file_size(file, fault);
@@ -75,7 +75,7 @@ json stateOf(const std::string& file) {
   return {{"file", fs::path(file).filename().string()}, {"bytes", size}, {"written", age}};
 }
 
-/// The text of a CSV that a trajectory replays: it is part of what the trial depends on.
+/// Text of the CSV that a trajectory replays, for the fingerprint of the trial.
 std::string replayedText(const simulation::TrajectorySpec& trajectory) {
   return trajectory.kind == simulation::TrajectoryKind::kRecorded
              ? base::readTextFile(trajectory.recorded.file)
@@ -158,7 +158,7 @@ TrialSetup setUpTrial(const Specification& specification, const TrialSpec& trial
 }
 
 TrialSource::TrialSource(const TrialSetup& setup) : inputs_(setup.inputs) {
-  // Before it is opened: closing a file takes SQLite's locks on it away.
+  // The checksum comes before the recording is opened: closing a file removes SQLite's locks on it.
   if (!setup.recording.empty()) inputs_.recording += ", checksum " + base::checksumOfFile(setup.recording);
   if (setup.simulated)
     source_ = std::make_unique<simulation::SimulatedSource>(*setup.simulated);

@@ -17,38 +17,38 @@
 
 namespace capstan::experiments {
 
-/// What the estimator assumes, made from what it may know: the nominal robot.
+/// Function that gives the robot that the estimator assumes, from the nominal robot.
 using RobotBelief = std::function<robot::Description(const robot::Description& nominal)>;
 
-/// The belief of `specification`: its robot file, the parameters that `found` identified, in this order, or
-/// nominal. Throws base::InputError where the robot file is unusable.
+/// Robot assumed by `specification`: its robot file, or the nominal robot with the parameters of `found`
+/// applied in order. Throws base::InputError where the robot file is unusable.
 RobotBelief beliefOf(const Specification& specification, const std::vector<IdentificationResult>& found);
 
-/// `robot` with the parameters that `identification` could see.
+/// `robot` with the parameters that `identification` has seen.
 robot::Description withIdentified(const robot::Description& robot,
                                   const IdentificationResult& identification);
 
-/// One trial, ready to run: every file of a simulation is read, a recording is looked up.
+/// Setup of one trial. All files of a simulation are read; a recording is found but not yet opened.
 struct TrialSetup {
   TrialSpec spec;
-  std::string recording;                                  ///< path; empty: simulated
-  std::optional<simulation::SimulatedOptions> simulated;  ///< of a simulation
-  robot::Description table_robot;                         ///< of recordings that bring none
+  std::string recording;                                  ///< path of the recording; empty: simulated
+  std::optional<simulation::SimulatedOptions> simulated;  ///< options of a simulation
+  robot::Description table_robot;                         ///< robot of recordings that contain none
   recording::ReadAs read_as;                              ///< units of a measured table
   RobotBelief belief;
-  TrialInputs inputs;          ///< as far as they are known before the recording is opened
-  nlohmann::json fingerprint;  ///< everything that the result depends on
+  TrialInputs inputs;          ///< inputs that are known before the recording is opened
+  nlohmann::json fingerprint;  ///< all inputs that the result depends on
 
-  /// How long it takes, for the order of work.
+  /// Relative computing time, for the order of work.
   double weight() const;
 };
 
-/// Throws base::InputError for files of the specification that are missing or unusable.
+/// Sets up a trial. Throws base::InputError for missing or unusable files of the specification.
 TrialSetup setUpTrial(const Specification& specification, const TrialSpec& trial, const RobotBelief& belief,
                       bool images, const std::string& software);
 
-/// A trial's samples: cameras blocked on schedule, and the robot that the estimator assumes in place of
-/// the nominal one. The plant of a simulation stays what it is.
+/// Samples of a trial. The cameras are blocked on schedule, and the robot in info() is the one that the
+/// estimator assumes. The plant of a simulation does not change.
 class TrialSource final : public tracking::Source {
  public:
   /// Throws base::InputError for a recording that cannot be read.
@@ -59,7 +59,7 @@ class TrialSource final : public tracking::Source {
   bool next(tracking::Sample& out) override { return occluded_->next(out); }
   void block(bool left, bool right) override { occluded_->block(left, right); }
   bool blocked() const { return occluded_->blocked(); }
-  /// The trial's inputs, all known now.
+  /// All inputs of the trial.
   TrialInputs inputs() const { return inputs_; }
 
  private:

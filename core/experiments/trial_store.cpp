@@ -13,7 +13,7 @@
 namespace capstan::experiments {
 namespace {
 
-/// Keys that stand in one only, or with another value, each once.
+/// Keys whose values differ, or that only one of the two has; each once.
 std::string differencesOf(const nlohmann::json& kept, const nlohmann::json& wanted) {
   std::vector<std::string> names;
   for (const auto& [key, value] : wanted.items())

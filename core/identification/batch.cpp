@@ -17,7 +17,9 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// The whole recording, evaluated once per step of the solver; its blocks only read.
+constexpr int kMostIterations = 30;  // most steps of the solver per stage
+
+/// Evaluates the whole recording once per step of the solver; the residual blocks read the result.
 class Evaluation final : public ceres::EvaluationCallback {
  public:
   Evaluation(OutputError& problem, const VectorXd& x, base::Progress* progress)
@@ -40,7 +42,7 @@ class Evaluation final : public ceres::EvaluationCallback {
   bool has_jacobian_ = false, cancelled_ = false;
 };
 
-/// Three residuals of one observation.
+/// The three residuals of one observation.
 class ObservationBlock final : public ceres::CostFunction {
  public:
   ObservationBlock(const Evaluation& evaluation, int k, int unknowns) : evaluation_(evaluation), k_(k) {
@@ -61,7 +63,7 @@ class ObservationBlock final : public ceres::CostFunction {
   int k_;
 };
 
-/// Residual x: the prior.
+/// The prior as residuals x.
 class PriorBlock final : public ceres::CostFunction {
  public:
   explicit PriorBlock(int unknowns) {
@@ -95,8 +97,8 @@ double rmsOf(const VectorXd& residuals) {
                               : 0.0;
 }
 
-ceres::Solver::Summary solve(OutputError& error, const ParameterSet& set, const BatchOptions& options,
-                             VectorXd& x, double huber, base::Progress* progress) {
+ceres::Solver::Summary solve(OutputError& error, const ParameterSet& set, VectorXd& x, double huber,
+                             base::Progress* progress) {
   Evaluation evaluation(error, x, progress);
   ceres::Problem::Options problem_options;
   problem_options.evaluation_callback = &evaluation;
@@ -110,10 +112,10 @@ ceres::Solver::Summary solve(OutputError& error, const ParameterSet& set, const 
     problem.SetParameterLowerBound(x.data(), i, -set[i].bound / set[i].prior_sigma);
     problem.SetParameterUpperBound(x.data(), i, set[i].bound / set[i].prior_sigma);
   }
-  Watch watch(progress, options.max_iterations);
+  Watch watch(progress, kMostIterations);
   ceres::Solver::Options solver;
   solver.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
-  solver.max_num_iterations = options.max_iterations;
+  solver.max_num_iterations = kMostIterations;
   solver.initial_trust_region_radius = 100.0;  // Ceres divides the damping by it
   solver.function_tolerance = 1e-7;
   solver.parameter_tolerance = 1e-6;
@@ -131,25 +133,25 @@ BatchEnd endOf(const ceres::Solver::Summary& summary, const base::Progress* prog
   return summary.termination_type == ceres::NO_CONVERGENCE ? BatchEnd::kIterationLimit : BatchEnd::kFailed;
 }
 
-/// Huber's limit while the fit is still poor: as many standard deviations as the limit is, of what the
-/// residuals' median says they are.
-double limitFor(const VectorXd& residuals, double huber) {
+/// Huber's limit for a fit that is still poor: kHuberLimit times the robust standard deviation of the
+/// residuals (from their median), at least kHuberLimit.
+double limitFor(const VectorXd& residuals) {
   std::vector<double> sizes;
   for (Eigen::Index k = 0; k < residuals.size(); k += 3) sizes.push_back(residuals.segment<3>(k).norm());
   const double expected = std::sqrt(stats::chiSquareQuantile(3, 0.5));
-  return huber * std::max(1.0, stats::median(sizes) / expected);
+  return kHuberLimit * std::max(1.0, stats::median(sizes) / expected);
 }
 
-/// The camera's pose that explains most of the residuals at x's parameters, by reweighted Gauss–Newton steps
-/// that need no new predictions. A registration that is millimetres off would make every observation an
+/// Fits the camera pose to the residuals at the parameters of x, by reweighted Gauss–Newton steps that need
+/// no new predictions. Without this step, a registration error of millimetres would make every observation an
 /// outlier.
-void alignCamera(const OutputError& error, int parameters, double huber, VectorXd& x, VectorXd& residuals,
+void alignCamera(const OutputError& error, int parameters, VectorXd& x, VectorXd& residuals,
                  MatrixXd& jacobian) {
   constexpr int kSteps = 8;
   constexpr int kPose = CameraPose::kSize;
   for (int step = 0; step < kSteps; ++step) {
     error.compare(x, residuals, &jacobian);
-    const double limit = limitFor(residuals, huber);
+    const double limit = limitFor(residuals);
     MatrixXd normal = MatrixXd::Identity(kPose, kPose);
     VectorXd gradient = x.tail(kPose);
     for (Eigen::Index k = 0; k < residuals.size(); k += 3) {
@@ -163,25 +165,25 @@ void alignCamera(const OutputError& error, int parameters, double huber, VectorX
   error.compare(x, residuals, &jacobian);
 }
 
-/// Solves with Huber's limit coming down to its own as the fit gets better.
-BatchEnd fit(OutputError& error, const ParameterSet& set, const BatchOptions& options, VectorXd& x,
-             VectorXd& residuals, MatrixXd& jacobian, int& iterations, base::Progress* progress) {
+/// Solves in stages. Huber's limit falls to kHuberLimit as the fit improves.
+BatchEnd fit(OutputError& error, const ParameterSet& set, VectorXd& x, VectorXd& residuals,
+             MatrixXd& jacobian, int& iterations, base::Progress* progress) {
   constexpr int kMostStages = 5;
-  alignCamera(error, set.size(), options.huber, x, residuals, jacobian);
+  alignCamera(error, set.size(), x, residuals, jacobian);
   BatchEnd end = BatchEnd::kFailed;
   for (int stage = 0; stage < kMostStages; ++stage) {
-    const double limit = limitFor(residuals, options.huber);
-    const ceres::Solver::Summary summary = solve(error, set, options, x, limit, progress);
+    const double limit = limitFor(residuals);
+    const ceres::Solver::Summary summary = solve(error, set, x, limit, progress);
     end = endOf(summary, progress);
     iterations += static_cast<int>(summary.iterations.size());
     if (end == BatchEnd::kCancelled || !error.evaluate(x, residuals, &jacobian, progress))
       return BatchEnd::kCancelled;
-    if (end == BatchEnd::kFailed || limitFor(residuals, options.huber) > 0.9 * limit) break;
+    if (end == BatchEnd::kFailed || limitFor(residuals) > 0.9 * limit) break;
   }
   return end;
 }
 
-/// What the observations say at the solution, see identifyBatch().
+/// Information of the observations at the solution; see identifyBatch().
 struct Information {
   MatrixXd hessian;      ///< Jᵀ W J + 1
   MatrixXd meat;         ///< Σ_b g_b g_bᵀ
@@ -190,44 +192,45 @@ struct Information {
 };
 
 Information informationOf(const OutputError& error, const ParameterSet& set, const VectorXd& x,
-                          const VectorXd& residuals, const MatrixXd& jacobian, const BatchOptions& options) {
+                          const VectorXd& residuals, const MatrixXd& jacobian,
+                          const ModelDiscrepancy& discrepancy) {
   const int n = error.unknowns();
   Information all{MatrixXd::Identity(n, n), MatrixXd::Zero(n, n), MatrixXd::Zero(n, n)};
   VectorXd gradient = VectorXd::Zero(n);
   MatrixXd by_discrepancy = MatrixXd::Zero(n, 3), by_hysteresis = by_discrepancy;
   const tracking::CableArmConstants constants = set.constants(error.logs(x));
-  const Eigen::Matrix3d unknown = errorByDiscrepancy(constants, options.discrepancy);
+  const Eigen::Matrix3d unknown = errorByDiscrepancy(constants, discrepancy);
   double start = error.observation(0).t, discrepancy_start = start;
   for (int k = 0; k < error.observations(); ++k) {
     const double t = error.observation(k).t;
     const bool fresh = k > 0 && !error.shooting().continues(static_cast<std::size_t>(k));
-    if (fresh || t - start >= options.block) {
+    if (fresh || t - start >= kCorrelationBlock) {
       all.meat += gradient * gradient.transpose();
       gradient.setZero();
       start = t;
       ++all.blocks;
     }
-    if (fresh || t - discrepancy_start >= options.discrepancy.memory) {
+    if (fresh || t - discrepancy_start >= ModelDiscrepancy::kMemory) {
       all.discrepancy += by_discrepancy * by_discrepancy.transpose();
       by_discrepancy.setZero();
       discrepancy_start = t;
     }
     const double size = residuals.segment<3>(3 * k).norm();
-    const double weight = size > options.huber ? options.huber / size : 1.0;
+    const double weight = size > kHuberLimit ? kHuberLimit / size : 1.0;
     const auto rows = jacobian.middleRows<3>(3 * k);
     all.hessian.noalias() += weight * rows.transpose() * rows;
     gradient += weight * rows.transpose() * residuals.segment<3>(3 * k);
     const MatrixXd by_joint = weight * rows.transpose() * error.residualByJoint(x, k);
     by_discrepancy += by_joint * unknown;
     const auto& arm = error.predictions()[static_cast<std::size_t>(k)];
-    by_hysteresis += by_joint * errorByHysteresis(constants, options.discrepancy, arm.hysteresis);
+    by_hysteresis += by_joint * errorByHysteresis(constants, discrepancy, arm.hysteresis);
   }
   all.meat += gradient * gradient.transpose();
   all.discrepancy += by_discrepancy * by_discrepancy.transpose() + by_hysteresis * by_hysteresis.transpose();
   return all;
 }
 
-/// Covariance of the unknowns at the solution, see identifyBatch().
+/// Covariance of the unknowns at the solution; see identifyBatch().
 MatrixXd covarianceOf(const Information& found) {
   const auto n = static_cast<int>(found.hessian.rows());
   const MatrixXd inverse = found.hessian.inverse();
@@ -297,14 +300,14 @@ BatchReport identifyBatch(const IdentificationData& data, const ParameterSet& se
       report.end = BatchEnd::kCancelled;
       return report;
     }
-    report.end = fit(error, set, options, x, residuals, jacobian, report.iterations, progress);
+    report.end = fit(error, set, x, residuals, jacobian, report.iterations, progress);
     if (report.end == BatchEnd::kCancelled) return report;
-    const Information found = informationOf(error, set, x, residuals, jacobian, options);
+    const Information found = informationOf(error, set, x, residuals, jacobian, options.discrepancy);
     covariance = covarianceOf(found);
     report.delay_noise = error.scale()(n - 1) * std::sqrt(found.hessian.inverse()(n - 1, n - 1));
     report.residual_after = rmsOf(residuals);
     for (int k = 0; k < report.observations; ++k)
-      report.outliers += residuals.segment<3>(3 * k).norm() > options.huber ? 1.0 / report.observations : 0.0;
+      report.outliers += residuals.segment<3>(3 * k).norm() > kHuberLimit ? 1.0 / report.observations : 0.0;
   }
   describe(error, set, x, jacobian, covariance, report);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -8,7 +8,8 @@
 namespace capstan::identification {
 namespace {
 
-/// Settled at trace[k]: σ below its goal, and every value of the last kRest seconds within that goal.
+/// True when parameter i is settled at trace[k]: σ is below its goal, and no value of the last kRest seconds
+/// differs by more than the goal.
 bool settledAt(const Trace& trace, std::size_t k, int i, double goal) {
   if (trace[k].sigma(i) > goal || trace[k].t - trace.front().t < kRest) return false;
   for (std::size_t j = k; j-- > 0 && trace[k].t - trace[j].t <= kRest;)

@@ -8,7 +8,7 @@
 namespace capstan::identification {
 namespace {
 
-/// `second` found what `first` left; together they are the whole delay, by the prior about zero.
+/// Adds the delay of `first` to that of `second`, so that the prior holds for the total delay.
 template <class Report>
 void join(const Report& first, const CameraPoseOptions& prior, Report& second) {
   const double shrink = second.delay_noise / prior.delay_sigma;

@@ -15,7 +15,10 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Jet = ceres::Jet<double, kDriveQuantities>;
 
-/// r̃ with r̃² = 2 ρ(r): r within the limit, sgn(r) √(2 c |r| − c²) beyond. `slope` is dr̃/dr.
+constexpr int kMostIterations = 60;  // most steps of the solver per round
+
+/// Huber's loss as a residual r̃ with r̃² = 2 ρ(r): r within the limit c, sgn(r) √(2 c |r| − c²) beyond it.
+/// `slope` is dr̃/dr.
 double heldBack(double r, double limit, double& slope) {
   const double size = std::abs(r);
   slope = 1.0;
@@ -47,7 +50,7 @@ class FileCost final : public ceres::CostFunction {
   std::size_t file_;
 };
 
-/// Residual x / prior σ.
+/// The prior as residuals x / σ.
 class PriorCost final : public ceres::SizedCostFunction<kDriveQuantities, kDriveQuantities> {
  public:
   explicit PriorCost(const DriveParameters& parameters) : parameters_(parameters) {}
@@ -96,8 +99,7 @@ DriveFit::DriveFit(const std::vector<DriveRecording>& recordings, const DrivePar
     Eigen::Index count = 0;
     for (std::size_t k = 0; k < recording.size(); ++k)
       if (counts(recording, k))
-        count += (std::isnan(recording.q[k]) ? 0 : 1) +
-                 (options.torque && !std::isnan(recording.tau_m[k]) ? 1 : 0);
+        count += (std::isnan(recording.q[k]) ? 0 : 1) + (std::isnan(recording.tau_m[k]) ? 0 : 1);
     counts_.push_back(count);
   }
   start();
@@ -135,7 +137,7 @@ void DriveFit::evaluate(std::size_t file, const double* logs_now, double offset,
     for (std::size_t k = 0; k < recording.size(); ++k) {
       if (!counts(recording, k)) continue;
       if (!std::isnan(recording.q[k])) add(k, recording.q[k] - offset, prediction.q[k], angle_noise_, -1.0);
-      if (options_.torque && !std::isnan(recording.tau_m[k]))
+      if (!std::isnan(recording.tau_m[k]))
         add(k, torque_sign_ * recording.tau_m[k], prediction.tau_m[k], torque_noise_, 0.0);
     }
   };
@@ -152,7 +154,7 @@ void DriveFit::evaluate(std::size_t file, const double* logs_now, double offset,
   }
 }
 
-/// Offsets that suit the nominal robot: without them every residual would be an outlier.
+/// Sets initial offsets from the nominal robot: without them every residual would be an outlier.
 void DriveFit::start() {
   std::vector<std::vector<double>> rests(offsets.size());
   const DriveLaw<double> law = parameters_.law<double>(logs.data());
@@ -169,7 +171,7 @@ void DriveFit::start() {
   measureNoise();
 }
 
-/// Robust standard deviation of the residuals; true where it has changed.
+/// Measures the noise: robust standard deviations of the residuals. Returns true when they have changed.
 bool DriveFit::measureNoise() {
   constexpr double kSigmaOfMedian = 1.4826, kRest = 0.02, kLeast = 1e-9;
   std::vector<double> angles, torques;
@@ -183,7 +185,7 @@ bool DriveFit::measureNoise() {
       const double angle = std::abs(recording.q[k] - offsets[offsetOf(file)] - prediction.q[k]);
       const double torque = std::abs(torque_sign_ * recording.tau_m[k] - prediction.tau_m[k]);
       if (!std::isnan(angle)) angles.push_back(angle);
-      if (options_.torque && !std::isnan(torque)) torques.push_back(torque);
+      if (!std::isnan(torque)) torques.push_back(torque);
     }
   }
   const double angle_before = angle_noise_, torque_before = torque_noise_;
@@ -215,7 +217,7 @@ BatchEnd DriveFit::solve(const Held& held, base::Progress* progress) {
     Watch watch(progress);
     ceres::Solver::Options solver;
     solver.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
-    solver.max_num_iterations = options_.max_iterations;
+    solver.max_num_iterations = kMostIterations;
     solver.function_tolerance = 1e-8;
     solver.logging_type = ceres::SILENT;
     solver.callbacks.push_back(&watch);
@@ -262,7 +264,7 @@ MatrixXd DriveFit::covariance(const Held& held) const {
     double start = residuals.t.empty() ? 0.0 : residuals.t.front();
     for (Eigen::Index k = 0; k < residuals.value.size(); ++k) {
       const double t = residuals.t[static_cast<std::size_t>(k)];
-      if (!whole && t - start >= options_.block) {
+      if (!whole && t - start >= kCorrelationBlock) {
         close();
         start = t;
       }

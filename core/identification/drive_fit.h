@@ -8,21 +8,21 @@
 
 namespace capstan::identification {
 
-/// The least-squares problem of identifyDrive(): unknowns and residuals.
+/// Unknowns and residuals of the least-squares problem of identifyDrive().
 class DriveFit {
  public:
   DriveFit(const std::vector<DriveRecording>& recordings, const DriveParameters& parameters,
            const DriveOptions& options);
 
-  using Held = std::array<bool, kDriveQuantities>;  ///< parameters that stay where they are
+  using Held = std::array<bool, kDriveQuantities>;  ///< true: the parameter is fixed
 
-  /// Solves from the present unknowns; then the noise is measured again, until it rests.
+  /// Solves from the present unknowns, then measures the noise; repeats until the noise is steady.
   BatchEnd solve(const Held& held, base::Progress* progress);
-  /// Of the parameters not held, in their order, then of the offsets.
+  /// Covariance of the free parameters, in their order, then of the offsets.
   Eigen::MatrixXd covariance(const Held& held) const;
 
-  /// Whitened residuals of one recording, held back as Huber's loss does, r̃² = 2 ρ(r); with derivatives by
-  /// the logarithms and by the offset.
+  /// Whitened residuals of one recording with Huber's loss applied, r̃² = 2 ρ(r), and their derivatives by the
+  /// logarithms and by the offset.
   struct Residuals {
     std::vector<double> t;
     Eigen::VectorXd value;
@@ -33,11 +33,11 @@ class DriveFit {
   Eigen::Index residualCount(std::size_t file) const { return counts_[file]; }
 
   DriveLogs logs = DriveLogs::Zero();
-  std::vector<double> offsets;  ///< one, or one a recording [rad or m]
+  std::vector<double> offsets;  ///< encoder zeros: one for all recordings, or one per recording [rad or m]
   std::size_t offsetOf(std::size_t file) const { return offsets.size() == 1 ? 0 : file; }
 
-  double angleNoise() const { return angle_noise_; }
-  double torqueNoise() const { return torque_noise_; }
+  double angleNoise() const { return angle_noise_; }    ///< [rad or m]
+  double torqueNoise() const { return torque_noise_; }  ///< [N·m]
   double torqueSign() const { return torque_sign_; }
   double outliers() const;  ///< share of residuals beyond Huber's limit
   int observations() const;

@@ -10,7 +10,7 @@
 namespace capstan::identification {
 namespace {
 
-/// What would show a parameter that these recordings do not show.
+/// Advice on how to record data in which a parameter is observable.
 const char* helpFor(DriveQuantity quantity) {
   using Q = DriveQuantity;
   switch (quantity) {
@@ -58,7 +58,7 @@ DriveEstimate estimateOf(const DriveParameters& parameters, const DriveFit::Held
   return estimate;
 }
 
-/// Estimates of the parameters not held; true where all of them are seen.
+/// Computes the estimates of the free parameters. Returns true when all of them are seen.
 bool estimate(const DriveParameters& parameters, const DriveFit& fit, const DriveFit::Held& held,
               const Eigen::MatrixXd& covariance, std::array<DriveEstimate, kDriveQuantities>& estimates) {
   bool all = true;
@@ -71,7 +71,7 @@ bool estimate(const DriveParameters& parameters, const DriveFit& fit, const Driv
   return all;
 }
 
-/// Puts what is not seen back to nominal; it keeps the σ and advice that it was refused with.
+/// Fixes unseen parameters at their nominal value; their σ and advice stay as they are.
 void holdUnseen(DriveFit& fit, DriveFit::Held& held, std::array<DriveEstimate, kDriveQuantities>& estimates) {
   for (int i = 0; i < kDriveQuantities; ++i) {
     const auto place = static_cast<std::size_t>(i);

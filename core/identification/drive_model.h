@@ -7,15 +7,15 @@
 
 namespace capstan::identification {
 
-/// Constants of one drive, for T a double or a number with derivatives (its value in `.a`), SI.
+/// Constants of one drive, SI. T is double, or a number with derivatives (its value in `.a`).
 template <class T>
 struct DriveLaw {
   double motor_radius = 1.0;       ///< r_mc / N [m]
-  double direction = 1.0;          ///< A: cable travel by joint travel over r_l; −1 where q falls with q_m
-  double motor_smoothing = 0.01;   ///< v_eps of the motor [rad/s]
+  double direction = 1.0;          ///< A: sign of cable travel / joint travel; −1 where q falls with q_m
+  double motor_smoothing = 0.01;   ///< smoothing speed v_eps of the motor's friction [rad/s]
   double homing = 0.0;             ///< q_hs [rad or m]
   T link_radius;                   ///< r_l [m/rad or m/m]
-  T stiffness;                     ///< k_c = 2 k_e a, of the cable at rest [N/m]
+  T stiffness;                     ///< k_c = 2 k_e a: stiffness of the unstretched cable [N/m]
   T exponent;                      ///< a [1/m]
   T damping;                       ///< b_e [N·s/m]
   T coulomb, viscous;              ///< F_cl, F_vl [N·m or N; times s/rad or s/m]
@@ -24,8 +24,8 @@ struct DriveLaw {
 
 template <class T>
 struct DrivePrediction {
-  std::vector<T> q;      ///< joint position [rad or m], by the recording's rows
-  std::vector<T> tau_m;  ///< motor torque [N·m]
+  std::vector<T> q;      ///< joint position per row of the recording [rad or m]
+  std::vector<T> tau_m;  ///< motor torque per row [N·m]
 };
 
 namespace drive {
@@ -66,7 +66,7 @@ struct Step {
     const T now = stretch(q);
     return cableForce(law, now, T((now - stretch_before) / h));
   }
-  /// Torque on the link but for Coulomb friction; falls with q.
+  /// Torque on the link without Coulomb friction [N·m or N]; it falls with q.
   T torque(const T& q) const {
     return law.direction * law.link_radius * force(q) + load - law.viscous * (q - q_before) / h;
   }
@@ -81,7 +81,7 @@ inline double slopeOf(const Step<double>& step, double q) {
          law.viscous / step.h;
 }
 
-/// Position from the hard stop at which the cable alone holds `load` [N·m or N].
+/// Joint position from the hard stop at which the cable alone holds `load` [N·m or N].
 template <class T>
 T restOf(const DriveLaw<T>& law, double q_m, const T& load) {
   using std::log;
@@ -92,7 +92,7 @@ T restOf(const DriveLaw<T>& law, double q_m, const T& load) {
   return (law.motor_radius * q_m - stretch) / (law.direction * law.link_radius);
 }
 
-/// Root of torque(q) − friction by Newton's method, halving steps that make it worse.
+/// Root of torque(q) − friction by Newton's method; a step that increases |torque − friction| is halved.
 inline double slide(const Step<double>& step, double friction) {
   constexpr int kMostSteps = 50;
   double q = restOf(step.law, step.q_m, step.load - friction);
@@ -111,7 +111,7 @@ inline double slide(const Step<double>& step, double friction) {
   return q;
 }
 
-/// Position after a step: stuck, or sliding against friction.
+/// Joint position after a step: the old one under stiction, else the one of sliding against friction.
 template <class T>
 T advance(const Step<T>& step) {
   const DriveLaw<double> law = valuesOf(step.law);
@@ -121,21 +121,21 @@ T advance(const Step<T>& step) {
   if (std::abs(push) <= law.coulomb) return step.q_before;
   const double sign = push > 0.0 ? 1.0 : -1.0;
   const T q(slide(plain, sign * law.coulomb));
-  // Implicit function theorem: one Newton step in T leaves the value and brings the derivatives.
+  // Implicit function theorem: one Newton step in T keeps the value and adds the derivatives.
   return q - (step.torque(q) - sign * step.law.coulomb) / slopeOf(plain, valueOf(q));
 }
 
 }  // namespace drive
 
-/// Joint position and motor torque from motor position and load, model.md (3)–(6) for one joint, quasi-static
-/// (inertia times acceleration is far below friction at the speeds of such recordings):
+/// Predicts joint position and motor torque from motor position and load: model.md (3)–(6) for one joint,
+/// quasi-static (inertia times acceleration is far below friction at the speeds of such recordings):
 ///     delta  = r_mc q_m / N − A r_l (q − q_hs)
 ///     gamma  = k_e (exp(a delta) − exp(−a delta)) + 2 b_e d(delta)/dt
 ///     0      = A r_l gamma + tau_ext − F_cl sgn(dq/dt) − F_vl dq/dt
 ///     tau_m  = r_mc gamma / N + tau_cm tanh(dq_m / v_eps) + tau_vm dq_m
-/// The joint's sgn is the set-valued one, not its smoothing: below F_cl the joint stands still, so that cable
-/// and friction together make hysteresis without creep. Implicit Euler over the recording's rows; the first
-/// row is at rest without friction, which the first reversal makes good.
+/// sgn(dq/dt) is set-valued and not smoothed: below F_cl the joint sticks, so that cable and friction
+/// together give hysteresis without creep. Integration is implicit Euler over the recording's rows. The first
+/// row is at rest without friction; this initial error vanishes at the first reversal.
 template <class T>
 void predict(const DriveLaw<T>& law, const DriveRecording& recording, DrivePrediction<T>& prediction) {
   const std::size_t rows = recording.size();

@@ -9,10 +9,10 @@ namespace {
 using Q = DriveQuantity;
 
 struct Width {
-  double prior_sigma, bound;  ///< of the logarithm
+  double prior_sigma, bound;  ///< prior σ and bound of the logarithm
 };
 
-/// Gears are known to some percent; of cables and friction hardly the order of magnitude is.
+/// Priors: gear ratios are known to some per cent, cables and friction hardly to an order of magnitude.
 constexpr Width widthOf(Q quantity) { return quantity == Q::kLinkRadius ? Width{0.1, 0.5} : Width{2.0, 8.0}; }
 
 std::array<double, kDriveQuantities> valuesOf(const robot::Description& robot) {

@@ -12,7 +12,7 @@
 
 namespace capstan::identification {
 
-/// What can be identified of a drive whose load is measured.
+/// Quantities of a drive that can be identified from a measured load.
 enum class DriveQuantity {
   kLinkRadius,
   kStiffness,
@@ -26,38 +26,38 @@ enum class DriveQuantity {
 
 inline constexpr int kDriveQuantities = 8;
 
-/// One quantity as ln(w / nominal), so that it stays positive.
+/// One parameter w of a drive. It is identified as ln(w / nominal), so that it stays positive.
 struct DriveParameter {
   DriveQuantity quantity = DriveQuantity::kLinkRadius;
-  bool sliding = false;      ///< a prismatic joint: other units
-  double nominal = 1.0;      ///< SI
-  double prior_sigma = 1.0;  ///< of the logarithm
-  double bound = 5.0;        ///< of the logarithm
-  bool asked = false;        ///< others stay nominal
+  bool sliding = false;      ///< true for a prismatic joint, which has other units
+  double nominal = 1.0;      ///< nominal value, SI
+  double prior_sigma = 1.0;  ///< prior standard deviation of the logarithm
+  double bound = 5.0;        ///< largest absolute value of the logarithm
+  bool asked = false;        ///< true: identified; false: stays nominal
 
-  std::string name() const;  ///< r_l, k_c, a, b_e, f_c, f_v, tau_c, tau_v
-  std::string words() const;
-  double scale() const;  ///< from SI to the unit for people
-  std::string unit() const;
+  std::string name() const;   ///< r_l, k_c, a, b_e, f_c, f_v, tau_c, tau_v
+  std::string words() const;  ///< "the pulley radius"
+  double scale() const;       ///< factor from SI to unit()
+  std::string unit() const;   ///< unit for people: mm, N/m, …
 };
 
-/// ln(w / nominal) by DriveQuantity, those not requested at 0.
+/// ln(w / nominal) by DriveQuantity; 0 where a parameter is not identified.
 using DriveLogs = Eigen::Matrix<double, kDriveQuantities, 1>;
 
-/// The parameters of a one-joint robot. The cable is described by its stiffness at rest, k_c = 2 k_e a, and
-/// its exponent a: unlike k_e and a, these two can be distinguished, and k_c alone is left of a linear cable.
+/// Parameters of a one-joint robot. The cable is described by its stiffness at rest, k_c = 2 k_e a, and its
+/// exponent a. These two can be distinguished, unlike k_e and a; a linear cable is described by k_c alone.
 class DriveParameters {
  public:
-  /// `names` separated by commas, a joint's 1 behind them allowed (r_l1); "all" for all; k_e is another name
-  /// of k_c. Throws base::InputError for an unknown name, one that comes twice, a robot with another number
-  /// of joints than one, or a nominal value of zero where it is requested.
+  /// `names`: separated by commas, with or without the joint number 1 (r_l1), or "all"; k_e is another name
+  /// of k_c. Throws base::InputError for an unknown or repeated name, a robot that does not have exactly one
+  /// joint, or a requested parameter with nominal value zero.
   DriveParameters(const robot::Description& nominal, const std::string& names);
 
   const DriveParameter& operator[](int i) const { return parameters_[static_cast<std::size_t>(i)]; }
   const std::array<DriveParameter, kDriveQuantities>& all() const { return parameters_; }
   const robot::Description& nominal() const { return nominal_; }
 
-  /// The model's constants; `logs` points at kDriveQuantities values.
+  /// Constants of the drive model; `logs` points to kDriveQuantities values.
   template <class T>
   DriveLaw<T> law(const T* logs) const {
     using std::exp;
@@ -80,7 +80,7 @@ class DriveParameters {
             at(Q::kMotorCoulomb),
             at(Q::kMotorViscous)};
   }
-  /// The nominal robot with these parameters, its hard stop moved by `offset` [rad or m].
+  /// Nominal robot with the parameters of `logs` and its hard stop moved by `offset` [rad or m].
   robot::Description robot(const DriveLogs& logs, double offset) const;
 
  private:

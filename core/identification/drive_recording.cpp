@@ -56,7 +56,7 @@ DriveRecording driveRecording(const recording::MeasuredTable& table, double step
   check(table);
   DriveRecording recording;
   recording.title = table.file;
-  constexpr double kSlack = 1e-9;  // a row that is due may come a rounding early
+  constexpr double kSlack = 1e-9;  // rounding error of the time of a row [s]
   double due = -std::numeric_limits<double>::infinity();
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const double t = table.t[row], q_m = table.q_m.front()[row], load = table.tau_ext.front()[row];

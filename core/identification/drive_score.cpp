@@ -10,7 +10,7 @@
 namespace capstan::identification {
 namespace {
 
-/// Calls use(row) for every row that counts.
+/// Calls use(row) for every row from `skip` seconds on that has a joint encoder value.
 template <class Use>
 void forRows(const DriveRecording& recording, double skip, Use&& use) {
   for (std::size_t k = 0; k < recording.size(); ++k)
@@ -79,7 +79,7 @@ LinearDrive fitLinear(const std::vector<DriveRecording>& training, bool stretch,
       moments += row * row.transpose();
     });
   }
-  // What is not fitted gets no say: its normal equation is w = 0.
+  // The normal equation of a coefficient that is not fitted is w = 0.
   Eigen::Matrix3d normal = moments.topLeftCorner<3, 3>();
   Eigen::Vector3d right = moments.topRightCorner<3, 1>();
   const auto drop = [&](int i) {

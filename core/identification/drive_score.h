@@ -9,45 +9,47 @@
 
 namespace capstan::identification {
 
-/// What becomes of the joint encoder's unknown zero.
+/// Treatment of the unknown zero of the joint encoder.
 enum class OffsetRule {
-  kShared,  ///< one zero for all recordings, found in training; a held-out recording brings nothing of its
-            ///< own
-  kEach     ///< one zero for each recording, a held-out one too: the mean of its residuals
+  kShared,  ///< one zero for all recordings, fitted in training; held-out recordings use it unchanged
+  kEach     ///< one zero per recording, also for a held-out one: the mean of its residuals
 };
 
-/// Angle residuals of some recordings under one model, seconds before `skip` excluded.
+/// RMS of the joint residuals of recordings under one model.
 struct DriveScore {
-  double rms = 0.0;              ///< over all rows of all recordings [rad or m]
-  std::vector<double> file_rms;  ///< by recording
-  std::vector<double> offset;    ///< what was taken off each recording [rad or m]; 0 with kShared
+  double rms = 0.0;              ///< RMS over all rows of all recordings [rad or m]
+  std::vector<double> file_rms;  ///< RMS per recording [rad or m]
+  std::vector<double> offset;    ///< zero subtracted from each recording [rad or m]; 0 with kShared
 };
 
-/// Residuals q − q_predicted by row, as many as the recording has; NaN where there is no encoder.
+/// Residuals q − q_predicted per recording and row [rad or m]; NaN where the encoder has no value.
 using DriveResiduals = std::vector<std::vector<double>>;
 
+/// Score of `residuals`; the first `skip` seconds of each recording are excluded.
 DriveScore scoreOf(const std::vector<DriveRecording>& recordings, const DriveResiduals& residuals,
                    OffsetRule rule, double skip);
 
-/// Under the cable model of drive_model.h with the constants of `robot`.
+/// Score of the cable model of drive_model.h with the constants of `robot`.
 DriveScore scoreDrive(const robot::Description& robot, const std::vector<DriveRecording>& recordings,
                       OffsetRule rule, double skip);
 
-/// What a cable model has to beat: a straight line,
-///     q = offset + gain q_m + compliance tau_m,
-/// by least squares over the training recordings.
+/// Baseline model for the comparison with a cable model: a straight line,
+///     q = offset + gain q_m + compliance tau_m.
 struct LinearDrive {
-  double offset = 0.0;      ///< [rad or m]; 0 with OffsetRule::kEach
-  double gain = 0.0;        ///< joint travel by motor travel
-  double compliance = 0.0;  ///< [rad/(N·m)]: a linear stretch; 0: gear ratio alone
+  double offset = 0.0;      ///< encoder zero [rad or m]; 0 with OffsetRule::kEach
+  double gain = 0.0;        ///< joint travel / motor travel
+  double compliance = 0.0;  ///< linear stretch per motor torque [rad/(N·m)]; 0: gear ratio alone
 };
 
-/// With `stretch`, rows without motor torque count with none.
+/// Least-squares fit over the training recordings. `stretch`: the compliance is fitted too; a row without
+/// motor torque then counts as torque 0.
 LinearDrive fitLinear(const std::vector<DriveRecording>& training, bool stretch, OffsetRule rule,
                       double skip);
+/// Score of the straight line `line`.
 DriveScore scoreLinear(const LinearDrive& line, const std::vector<DriveRecording>& recordings,
                        OffsetRule rule, double skip);
-/// The gear ratio of a robot file, by its transmission alone; with kShared the zero that suits `training`.
+/// Straight line with the gear ratio of the robot file, without compliance. With kShared its offset is the
+/// mean over `training`.
 LinearDrive nominalLine(const robot::Description& robot, const std::vector<DriveRecording>& training,
                         OffsetRule rule, double skip);
 

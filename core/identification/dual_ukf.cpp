@@ -18,10 +18,18 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using State = tracking::CableArmModel::State;
 
-constexpr double kLongestInterval = 0.25;                   // [s]
+constexpr double kLongestInterval = 0.25;                   // longest propagation between updates of Φ [s]
 constexpr double kStartPosition = 0.05, kStartSpeed = 0.1;  // σ of the first state [rad or m; per second]
+/// Process noise of the states [rad/√s, rad/√s, m/√s] and [rad/s/√s, rad/s/√s, m/s/√s]. It is small: speed
+/// noise of the size of v_eps would average the friction law, and the filter would estimate twice the
+/// friction.
+const Vector3d kPositionNoise{1e-4, 1e-4, 1e-5}, kVelocityNoise{0.01, 0.01, 0.001};
+constexpr double kMemoryShare = 0.5;     // memory of r_k in (11), as a share of the elapsed time
+constexpr double kShortestMemory = 5.0;  // shortest memory of r_k [s]
+constexpr double kScoreMemory = 60.0;    // memory of the correlation of innovations [s]
+constexpr double kTracePeriod = 0.5;     // time between points of the trace [s]
 
-/// h(x): the tip as the camera of `pose` sees it.
+/// h(x): tip position measured by the camera of `pose`.
 struct TipMeasurement {
   static constexpr int kOutputs = 3;
   const robot::ArmKinematics& arm;
@@ -37,9 +45,10 @@ struct TipMeasurement {
   }
 };
 
-/// What of Visibility accrues while a filter runs.
+/// Sums for Visibility, accumulated while the filter runs.
 struct Tally {
-  ParameterFilter::Unknowns information = ParameterFilter::Unknowns::Zero();  ///< of each unknown, alone
+  /// Information on each unknown alone.
+  ParameterFilter::Unknowns information = ParameterFilter::Unknowns::Zero();
   Eigen::Matrix<double, 3, kMostParameters> moved = Eigen::Matrix<double, 3, kMostParameters>::Zero();
   Vector3d noise = Vector3d::Zero();
 
@@ -60,7 +69,7 @@ struct Tally {
   }
 };
 
-/// Both filters and where they are in the recording.
+/// Both filters and their position in the recording.
 class Dual {
  public:
   Dual(const IdentificationData& data, const ParameterSet& set, const DualUkfOptions& options)
@@ -71,12 +80,12 @@ class Dual {
         model_(data.robot),
         centre_(centreOf(data)),
         parameters_(set, arm_, options.camera, centre_),
-        spread_(options.block, options.discrepancy.memory, DualUkfOptions::kScoreMemory) {
+        spread_(kCorrelationBlock, ModelDiscrepancy::kMemory, kScoreMemory) {
     start(0);
     last_ = t_;
   }
 
-  /// On to `t`, in intervals that end with what the points can remember.
+  /// Advances to `t` in intervals of at most kLongestInterval.
   void advanceTo(double t) {
     const MotorTrack& motors = data_.motors;
     while (t_ < t) {
@@ -98,7 +107,8 @@ class Dual {
     }
   }
 
-  /// A motor reading beyond all bounds leaves no finite state: it starts again from the newest reading.
+  /// Updates both filters. If an absurd motor reading has left no finite state, restarts from the newest
+  /// reading.
   void take(const CameraObservation& seen) {
     if (!states_.mean().allFinite() || !states_.squareRoot().allFinite() ||
         !parameters_.sensitivity().allFinite())
@@ -108,15 +118,14 @@ class Dual {
     const Eigen::Matrix<double, 6, 6> covariance = states_.covariance();
     const Matrix3d noise = by_state * covariance * by_state.transpose();
     const ParameterSet::Logs old = parameters_.logs();
-    const auto innovation = parameters_.update(seen, noise, options_.huber);
+    const auto innovation = parameters_.update(seen, noise, kHuberLimit);
     spread_.add(seen.t, innovation, tipByDiscrepancy(old));
     tally_.add(innovation, parameters_.sensitivity(), seen);
     nis_ += innovation.nis / 3.0;
     held_back_ += innovation.weight < 1.0 ? 1 : 0;
     ++count_;
     const double along = seen.t - data_.motors.t.front();
-    parameters_.forget(std::max(DualUkfOptions::kShortestMemory, DualUkfOptions::kMemoryShare * along),
-                       seen.t - last_);
+    parameters_.forget(std::max(kShortestMemory, kMemoryShare * along), seen.t - last_);
     last_ = seen.t;
 
     const ParameterSet::Logs logs = parameters_.logs();
@@ -171,7 +180,8 @@ class Dual {
     interval_.steps.clear();
   }
 
-  /// Part of the way from motor sample at_ to the next; speed is the difference quotient (shooting.h).
+  /// Advances within the step from motor sample at_ to the next; speed is the difference quotient
+  /// (shooting.h).
   void step(double end) {
     const MotorTrack& motors = data_.motors;
     const double whole = motors.t[at_ + 1] - motors.t[at_];
@@ -182,15 +192,15 @@ class Dual {
     const MotorInterval::Step step{tracking::CableArmModel::interval(here(t_), here(end)), end - t_};
     estimation::Lower<6> noise = estimation::Lower<6>::Zero();
     for (int i = 0; i < 3; ++i) {
-      noise(2 * i, 2 * i) = options_.position_noise(i) * std::sqrt(step.dt);
-      noise(2 * i + 1, 2 * i + 1) = options_.velocity_noise(i) * std::sqrt(step.dt);
+      noise(2 * i, 2 * i) = kPositionNoise(i) * std::sqrt(step.dt);
+      noise(2 * i + 1, 2 * i + 1) = kVelocityNoise(i) * std::sqrt(step.dt);
     }
     states_.predict(model_, step.drive, step.dt, noise);
     interval_.steps.push_back(step);
     t_ = end;
   }
 
-  /// d tip / d state, as the camera of `pose` sees it.
+  /// d measured tip / d state for the camera of `pose`.
   Eigen::Matrix<double, 3, 6> tipByState(const CameraPose& pose) const {
     const State& x = states_.mean();
     const Vector3d q(x(0), x(2), x(4)), dq(x(1), x(3), x(5));
@@ -203,7 +213,7 @@ class Dual {
     return by_state;
   }
 
-  /// Tip by an unknown force of one standard deviation on each joint [m].
+  /// Change of the tip by an unknown force of one standard deviation on each joint [m].
   Matrix3d tipByDiscrepancy(const ParameterSet::Logs& logs) const {
     const State& x = states_.mean();
     return arm_.tipJacobian({x(0), x(2), x(4)}) *
@@ -288,7 +298,7 @@ DualUkfReport identifyDualUkf(const IdentificationData& data, const ParameterSet
     if (seen.open) dual.take(seen);
     report.used = seen.t - data.motors.t.front();
     if (progress) progress->report(report.used / data.duration(), "dual UKF");
-    if (seen.t - report.trace.back().t >= DualUkfOptions::kTracePeriod) keep();
+    if (seen.t - report.trace.back().t >= kTracePeriod) keep();
   }
   if (dual.count() == 0) report.end = DualUkfEnd::kNoData;
   report.nis = dual.nis();

@@ -15,29 +15,37 @@ struct Estimate {
   Parameter parameter;
   double log = 0.0;    ///< ln(w / nominal)
   double sigma = 0.0;  ///< standard deviation of the logarithm
-  bool seen = false;   ///< the recording at least halves the prior's sigma
-  std::string advice;  ///< plain words; empty where there is nothing to say
+  bool seen = false;   ///< observable: the recording at least halves the prior's sigma
+  std::string advice;  ///< advice for the user; may be empty
 
-  double value() const { return parameter.nominal * std::exp(log); }  ///< SI
-  double valueSigma() const { return value() * sigma; }               ///< SI, to first order
-  double percent() const { return 100.0 * std::expm1(log); }          ///< change from nominal
+  double value() const { return parameter.nominal * std::exp(log); }  ///< value, SI
+  double valueSigma() const { return value() * sigma; }       ///< standard deviation to first order, SI
+  double percent() const { return 100.0 * std::expm1(log); }  ///< change from nominal
   double low() const {
     return parameter.nominal * std::exp(log - stats::kNormal95 * sigma);
-  }  ///< 95 % interval
+  }  ///< limits of the 95 % interval, SI
   double high() const { return parameter.nominal * std::exp(log + stats::kNormal95 * sigma); }
 };
 
-/// σ of what a recording leaves of a prior of σ = 1, below which a parameter counts as seen.
+/// Largest posterior σ / prior σ at which a parameter counts as seen (observable).
 inline constexpr double kSeenShare = 0.5;
 
-/// Logarithms of the values, in their order.
+/// Huber's limit: size of a whitened residual or innovation above which its observation is down-weighted. It
+/// is the 99 % quantile of the χ distribution with 3 degrees of freedom.
+inline constexpr double kHuberLimit = 3.37;
+/// Length of the blocks of an error that is correlated in time [s]: errors of different blocks count as
+/// independent.
+inline constexpr double kCorrelationBlock = 2.0;
+
+/// Logarithms of `estimates`, in their order.
 inline std::vector<double> logsOf(const std::vector<Estimate>& estimates) {
   std::vector<double> logs;
   for (const Estimate& estimate : estimates) logs.push_back(estimate.log);
   return logs;
 }
 
-/// The nominal robot with every parameter that was seen; the others keep their nominal value.
+/// The nominal robot with the estimates of all seen parameters; the other parameters keep their nominal
+/// value.
 inline robot::Description identifiedRobot(const ParameterSet& set, const std::vector<Estimate>& estimates) {
   ParameterSet::Logs logs = ParameterSet::Logs::Zero(set.size());
   for (int i = 0; i < set.size(); ++i) {

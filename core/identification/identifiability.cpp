@@ -14,13 +14,13 @@ namespace {
 
 constexpr double kBoundUp = 0.7;  // correlation from which on two unknowns are hard to distinguish
 
-/// An angle or a length of joint 0…2, for people.
+/// Angle or length of joint 0…2 as text [deg or mm].
 std::string shown(int joint, double value) {
   return joint < 2 ? fmt::format("{:.2g} deg", base::toDegrees(value))
                    : fmt::format("{:.2g} mm", base::toMillimetres(value));
 }
 
-/// Of a logarithm's σ: two digits, or all before the point.
+/// Relative standard deviation [%] of a logarithm's σ: two digits, or no decimals from 10 % on.
 std::string perCent(double sigma) {
   const double value = 100.0 * std::expm1(sigma);
   return value < 10.0 ? fmt::format("{:.2g}", value) : fmt::format("{:.0f}", value);

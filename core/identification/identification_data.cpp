@@ -15,9 +15,9 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr std::size_t kFewestTriples = 30;
-constexpr double kSecondDifference = 6.0;  // variance of n₁ − 2 n₂ + n₃ by that of n
+constexpr double kSecondDifference = 6.0;  // variance of n₁ − 2 n₂ + n₃ / variance of n
 
-/// Second difference of tip − tip_kin and the observation in its middle.
+/// Second difference of tip − tip_kin, and index of the middle observation.
 struct Triple {
   Vector3d difference;
   std::size_t middle;
@@ -37,7 +37,7 @@ std::vector<Triple> triplesOf(const std::vector<CameraObservation>& seen) {
   return triples;
 }
 
-/// Mean of squares, then again without those that the first mean calls outliers.
+/// Covariance of the noise: mean of squares, computed again without the outliers of the previous mean.
 Matrix3d measuredCovariance(const std::vector<Triple>& triples) {
   const double limit = stats::chiSquareQuantile(3, 0.999);
   Matrix3d covariance = Matrix3d::Zero();
@@ -163,8 +163,8 @@ void DataCollector::add(const tracking::Sample& sample, const tracking::Snapshot
   seen.tip = snapshot.tip_cam;
   seen.tip_kin = snapshot.tip_kin_cam;
   seen.q_cam = snapshot.q_link_cam;
-  // The χ² gate speaks for the nominal parameters: where those are wrong it would cut one side of the errors
-  // off.
+  // The χ² gate assumes the nominal parameters. Where they are wrong, it would reject the errors of one side
+  // only.
   const bool near =
       ((seen.q_cam - arm_.solvePosition(seen.tip_kin, seen.q_cam).value_or(seen.q_cam)).cwiseAbs().array() <
        jump_tolerance_.array())

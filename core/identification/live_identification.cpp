@@ -12,8 +12,8 @@
 namespace capstan::identification {
 namespace {
 
-/// Pieces of this length look often enough for a cancellation, and half of the processors leave the session
-/// its own.
+/// Options for runs beside a session: short pieces react quickly to a cancellation, and half of the
+/// processors stay free for the session.
 ShootingOptions shootingBesideASession() {
   const int processors = static_cast<int>(std::thread::hardware_concurrency());
   return {.segment = 20.0, .threads = std::max(1, processors / 2)};
@@ -56,7 +56,7 @@ LiveReport runLive(const LiveRequest& request, base::Progress& progress) {
     (request.method == LiveMethod::kBatch ? runBatch : runDual)(data, request, progress, report);
   report.cancelled = report.cancelled || progress.cancelled();
   if (report.estimates.empty() && !report.cancelled && report.fault.empty())
-    report.fault = "no sighting of the tip can be used";
+    report.fault = "no observation of the tip can be used";
   return report;
 }
 
@@ -80,13 +80,13 @@ void LiveIdentification::start(const robot::Description& in_use, const std::stri
   phase_ = LivePhase::kCollecting;
 }
 
-/// Whatever runs is overtaken.
+/// Makes the running request obsolete.
 void LiveIdentification::drop() {
   ++serial_;
   running_ = refining_ = false;
 }
 
-/// What was found so far.
+/// Deletes the results.
 void LiveIdentification::forget() {
   shown_ = {};
   trace_.clear();

@@ -7,8 +7,8 @@
 namespace capstan::identification {
 namespace {
 
-constexpr double kPatience = 2.0;           // [s] without a camera before that is said
-constexpr std::size_t kReserve = 1U << 14;  // motor samples between two calls of data()
+constexpr double kPatience = 2.0;           // time without a camera before this is reported [s]
+constexpr std::size_t kReserve = 1U << 14;  // expected motor samples between two calls of data()
 
 bool same(const std::optional<Eigen::Isometry3d>& a, const std::optional<Eigen::Isometry3d>& b) {
   return a.has_value() == b.has_value() && (!a || a->matrix() == b->matrix());
@@ -64,7 +64,7 @@ void LiveRecording::takeMotors(const tracking::Snapshot& snapshot) {
   extent_.full = extent_.motors > 0 && snapshot.t - first_ > longest_;
   if (extent_.full || !(known || news)) return;
   motors_.push_back({snapshot.t, snapshot.q_motor, snapshot.dq_motor, snapshot.motor_failed});
-  if (!known) return;  // the collector hears of the failure, no more
+  if (!known) return;  // the collector needs the failure only
   last_ = snapshot.t;
   ++extent_.motors;
   extent_.seconds = last_ - first_;
@@ -88,7 +88,7 @@ LiveExtent LiveRecording::extent() const {
 
 void LiveRecording::feed(const std::vector<Motor>& motors, const std::vector<tracking::Snapshot>& cameras) {
   tracking::Snapshot snapshot;
-  snapshot.q_link_kin.setZero();  // known unless an encoder failed: those in a gap were not taken
+  snapshot.q_link_kin.setZero();  // finite: samples without it were not taken, unless an encoder failed
   for (const Motor& motor : motors) {
     snapshot.t = motor.t;
     snapshot.q_motor = motor.position;

@@ -13,40 +13,40 @@
 
 namespace capstan::identification {
 
-/// How much a live recording holds.
+/// Contents of a live recording.
 struct LiveExtent {
-  double seconds = 0.0;            ///< from the first motor sample to the newest, pauses included
-  std::uint64_t motors = 0;        ///< motor samples
-  std::uint64_t cameras = 0;       ///< camera samples, the tip seen or not
-  std::uint64_t observations = 0;  ///< of these, with the tip seen and within reach
-  std::uint64_t restarts = 0;      ///< times that what was held became worthless: see LiveRecording::take()
-  bool motor_failed = false;       ///< an encoder has failed; from then on nothing is taken
-  bool registered = true;          ///< frames can be converted to joint angles, by the newest one
-  bool full = false;               ///< the longest was reached, nothing more is taken
+  double seconds = 0.0;            ///< time from the first to the newest motor sample, pauses included [s]
+  std::uint64_t motors = 0;        ///< number of motor samples
+  std::uint64_t cameras = 0;       ///< number of camera samples, with or without the tip
+  std::uint64_t observations = 0;  ///< number of camera samples with the tip observed and within reach
+  std::uint64_t restarts = 0;      ///< number of restarts; see LiveRecording::take()
+  bool motor_failed = false;       ///< true: an encoder has failed; no samples are taken any more
+  bool registered = true;          ///< true: by the newest frame, the cameras are registered
+  bool full = false;               ///< true: the longest duration is reached; no samples are taken any more
 };
 
-/// In plain words: what has come, or why nothing has.
+/// Text for people: the extent, or the reason why nothing is recorded.
 std::string wordsOf(const LiveExtent& extent);
 
-/// A recording that grows while a session runs. One thread, the pipeline's, puts samples in, which costs it
-/// a short lock and a copy; any other takes what there is and waits for nothing.
+/// A recording that grows during a session. The pipeline's thread adds samples, each at the cost of a short
+/// lock and a copy. Any other thread reads the present contents without waiting.
 class LiveRecording {
  public:
-  static constexpr double kLongest = 1200.0;  ///< [s]
+  static constexpr double kLongest = 1200.0;  ///< longest duration [s]
 
   explicit LiveRecording(std::string title, double longest = kLongest);
 
-  // The pipeline's thread.
-  /// Before the first sample of `pipeline`. What is held stays if robot and registration are the same, so
-  /// that a recording goes on after a pause; else the recording restarts.
+  // Called by the pipeline's thread.
+  /// Call it before the first sample of `pipeline`. The recording continues after a pause if robot and
+  /// registration are the same; else it restarts.
   void begin(const tracking::TrackingPipeline& pipeline);
-  /// Motor samples that the pipeline took, and everything from a camera. A motor clock set back begins the
-  /// recording again.
+  /// Takes motor samples that the pipeline accepted, and all camera samples. The recording restarts when the
+  /// motor clock is set back.
   void take(const tracking::Sample& sample, const tracking::Snapshot& snapshot);
 
-  // Any thread.
+  // Called by any thread.
   LiveExtent extent() const;
-  /// All that is held, as identification needs it; empty before begin(). One thread at a time.
+  /// Returns all data for identification; empty before begin(). Call it from one thread at a time.
   IdentificationData data();
 
  private:
@@ -62,18 +62,18 @@ class LiveRecording {
 
   const std::string title_;
   const double longest_;
-  mutable std::mutex mutex_;  ///< the inbox
+  mutable std::mutex mutex_;  ///< guards motors_ to extent_
   std::vector<Motor> motors_;
   std::vector<tracking::Snapshot> cameras_;
-  std::optional<DataCollector> blank_;  ///< of the present pipeline
-  bool restarted_ = false;              ///< data() starts from blank_
+  std::optional<DataCollector> blank_;  ///< empty collector for the present pipeline
+  bool restarted_ = false;              ///< true: data() starts again from blank_
   std::string robot_;
   std::optional<Eigen::Isometry3d> registration_;
   double first_ = 0.0, last_ = 0.0;
   std::array<tracking::MotorFault, 3> failed_{};
   LiveExtent extent_;
 
-  std::optional<DataCollector> collector_;  ///< of the thread that calls data()
+  std::optional<DataCollector> collector_;  ///< used only by the thread that calls data()
   std::uint64_t fed_ = 0;
 };
 

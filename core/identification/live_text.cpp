@@ -14,7 +14,7 @@ bool inKilonewtons(const Parameter& parameter) {
   return parameter.quantity == Quantity::kStiffness && parameter.nominal >= 1e3;
 }
 
-/// Decimals at which `sigma` has two digits.
+/// Number of decimals that show two digits of `sigma`.
 int decimalsFor(double sigma) {
   if (!(sigma > 0.0)) return 2;
   return std::clamp(1 - static_cast<int>(std::floor(std::log10(sigma))), 0, 6);
@@ -55,7 +55,7 @@ LiveRow rowOf(const Estimate& estimate, const Convergence* convergence, double c
   const double sigma = scaleOf(parameter) * estimate.valueSigma();
   row.value = fmt::format("{:.{}f}", scaleOf(parameter) * estimate.value(), decimalsFor(sigma));
   row.sigma = fmt::format("±{:.{}f}", sigma, decimalsFor(sigma));
-  const bool rounds_to_zero = std::abs(change) < 0.05;  // and then has no sign
+  const bool rounds_to_zero = std::abs(change) < 0.05;  // shown without a sign
   row.change = rounds_to_zero ? "0.0 %" : base::withMinus(fmt::format("{:+.1f} %", change));
   return row;
 }

@@ -5,12 +5,13 @@
 
 namespace capstan::identification {
 
-/// A parameter of which nothing is known yet.
+/// Row of a parameter without an estimate.
 LiveRow rowOf(const Parameter& parameter);
-/// `convergence` of the dual UKF; null: of a method that has none. `change` from the robot file [%].
+/// Row of `estimate`. `convergence`: that of the dual UKF; null for the batch method. `change`: relative to
+/// the robot file [%].
 LiveRow rowOf(const Estimate& estimate, const Convergence* convergence, double change);
 
-/// What a screen multiplies SI with, and the unit then: kN where newtons would have more than four digits.
+/// Factor from SI to unitOf(), and unit on the screen: kN where newtons would have more than four digits.
 double scaleOf(const Parameter& parameter);
 std::string unitOf(const Parameter& parameter);
 

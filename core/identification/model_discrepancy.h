@@ -7,18 +7,18 @@
 
 namespace capstan::identification {
 
-/// Discrepancy of the model itself: every joint may feel forces that no part of the model knows, of a
-/// standard deviation that is a share of its Coulomb friction. One (breakaway friction, load) stays for a
-/// while and then is another. One (hysteresis of the cable) follows the cable's stretch and slips, the
-/// same all through a recording: half a spring, half a damper. Without them a long recording with fine
-/// cameras would state a stiffness or a damping more closely than the friction law is known.
+/// Discrepancy of the model: unknown forces on every joint, with a standard deviation that is a share of its
+/// Coulomb friction. The first force (breakaway friction, load) is constant over kMemory and then takes
+/// another value. The second force (hysteresis of the cable) follows the cable's stretch and slips, with the
+/// same law over the whole recording. Without these forces, a long recording with precise cameras would state
+/// a stiffness or damping more precisely than the friction law is known.
 struct ModelDiscrepancy {
-  double friction_share = 0.3;  ///< standard deviation of each force by F_cl: what priors say of friction
-  double memory = 5.0;          ///< how long the first one stays [s]
+  double friction_share = 0.3;  ///< standard deviation of each force / F_cl; as the prior of friction
+  static constexpr double kMemory = 5.0;  ///< time over which the first force is constant [s]
 };
 
-/// d q / d tau of a joint held by its cables [rad or m per N·m or N]: (Aᵀ diag(2 k_e a r_l²) A)⁻¹, UKF paper
-/// (5)–(7) about unstretched cables.
+/// Compliance d q / d tau of joints held by their cables [rad or m per N·m or N]: (Aᵀ diag(2 k_e a r_l²)
+/// A)⁻¹, UKF paper (5)–(7) linearized about unstretched cables.
 inline Eigen::Matrix3d cableCompliance(const tracking::CableArmConstants& c) {
   Eigen::Matrix3d coupling;
   Eigen::Vector3d stiffness;
@@ -29,7 +29,7 @@ inline Eigen::Matrix3d cableCompliance(const tracking::CableArmConstants& c) {
   return (coupling.transpose() * stiffness.asDiagonal() * coupling).inverse();
 }
 
-/// Joint errors [rad, rad, m] by an unknown force of one standard deviation on each joint, columns.
+/// Joint errors [rad, rad, m]. Column j: effect of an unknown force of one standard deviation on joint j.
 inline Eigen::Matrix3d errorByDiscrepancy(const tracking::CableArmConstants& c,
                                           const ModelDiscrepancy& discrepancy) {
   const Eigen::Vector3d force =
@@ -37,8 +37,8 @@ inline Eigen::Matrix3d errorByDiscrepancy(const tracking::CableArmConstants& c,
   return cableCompliance(c) * force.asDiagonal();
 }
 
-/// The same by an unknown hysteresis of one standard deviation in each cable, columns, `hysteresis` as in
-/// ArmPrediction: a joint feels it through the transpose of the coupling.
+/// Joint errors [rad, rad, m]. Column j: effect of an unknown hysteresis of one standard deviation in cable
+/// j, which acts on the joints through the transpose of the coupling. `hysteresis` is that of ArmPrediction.
 inline Eigen::Matrix3d errorByHysteresis(const tracking::CableArmConstants& c,
                                          const ModelDiscrepancy& discrepancy,
                                          const Eigen::Vector3d& hysteresis) {

@@ -5,8 +5,8 @@
 
 namespace capstan::identification {
 
-/// What a user may know better than the defaults, as a file. resources/identification/default.yaml holds the
-/// defaults.
+/// Options of identification that a user may set in a file. resources/identification/default.yaml contains
+/// the defaults.
 struct IdentificationOptions {
   ParameterOptions parameters;
   CameraPoseOptions camera;
@@ -14,7 +14,7 @@ struct IdentificationOptions {
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& field) {
     field(self.parameters, {"parameters", "", "priors, bounds and goals", {}, false});
-    field(self.camera, {"camera", "", "how far registration and clock may be off", {}, false});
+    field(self.camera, {"camera", "", "priors of registration and clock errors", {}, false});
   }
 };
 

@@ -10,14 +10,14 @@
 
 namespace capstan::identification {
 
-/// What the observations say against the prediction, in standard deviations, as a function of all unknowns.
+/// Whitened residuals of the observations (in standard deviations) as a function of all unknowns.
 ///
-/// Unknowns x, unit prior each: set.size() logarithms by their prior_sigma, then CameraPose (turn, shift,
-/// delay) by CameraPoseOptions::sigmas(); unknowns of zero prior sigma have no effect. Residual of
-/// observation k, with L Lᵀ its tip covariance and q, dq predicted (shooting.h):
-///     r_k = L⁻¹ ( tip_k − seen( tip(q − delay dq) ) )
-/// Tips, not joints, are compared: inverse kinematics of a noisy tip is biased, at 4 mm of depth noise and
-/// 0.15 m from the remote centre by 0.05 mm of insertion, as much as a cable stretches.
+/// The unknowns x have unit prior: set.size() logarithms / their prior_sigma, then CameraPose (rotation,
+/// shift, delay) / CameraPoseOptions::sigmas(). An unknown with zero prior sigma has no effect. The residual
+/// of observation k, with tip covariance L Lᵀ and predictions q, dq (shooting.h), is
+///     r_k = L⁻¹ ( tip_k − seen( tip(q − delay dq) ) ).
+/// Tips are compared, not joints, because inverse kinematics of a noisy tip is biased: with 4 mm of depth
+/// noise at 0.15 m from the remote centre, by 0.05 mm of insertion, which is as much as a cable stretches.
 class OutputError {
  public:
   using Vector = Eigen::VectorXd;
@@ -32,19 +32,21 @@ class OutputError {
   const Shooting& shooting() const { return shooting_; }
   const Vector& scale() const { return scale_; }  ///< prior sigma of each unknown
 
-  /// residuals: 3 · observations(); jacobian, unless null: d residuals / d x. False: cancelled.
+  /// Computes `residuals` (3 · observations() values) and, unless null, `jacobian` = d residuals / d x.
+  /// Returns false when cancelled.
   bool evaluate(const Vector& x, Vector& residuals, Eigen::MatrixXd* jacobian,
                 const base::Progress* progress = nullptr);
 
-  /// The same for other poses of the camera: with the predictions of the last evaluate(), x's logarithms
-  /// unread.
+  /// Computes them for another camera pose, with the predictions of the last evaluate(): the logarithms in x
+  /// are ignored.
   void compare(const Vector& x, Vector& residuals, Eigen::MatrixXd* jacobian) const;
 
+  /// Logarithms ln(w / nominal) of x.
   ParameterSet::Logs logs(const Vector& x) const {
     return scale_.head(set_.size()).cwiseProduct(x.head(set_.size()));
   }
-  CameraPose pose(const Vector& x) const;
-  /// d r_k / d q of the last evaluate() at x: what joints off by [rad, rad, m] would do to the residual.
+  CameraPose pose(const Vector& x) const;  ///< camera pose of x
+  /// d r_k / d q of the last evaluate() at x: change of the residual per joint error [1/rad, 1/rad, 1/m].
   Eigen::Matrix3d residualByJoint(const Vector& x, int k) const;
   /// Predictions of the last evaluate().
   const std::vector<ArmPrediction>& predictions() const { return predictions_; }
@@ -59,11 +61,11 @@ class OutputError {
   robot::ArmKinematics arm_;
   Vector scale_;
   Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
-  std::vector<Eigen::Matrix3d> whitening_;  ///< L⁻¹ by observation
+  std::vector<Eigen::Matrix3d> whitening_;  ///< L⁻¹ per observation
   std::vector<ArmPrediction> predictions_;
 };
 
-/// Mean of the tips seen with an open gate: the centre of CameraPose.
+/// Centre of CameraPose: mean of the observed tips in use.
 Eigen::Vector3d centreOf(const IdentificationData& data);
 
 }  // namespace capstan::identification

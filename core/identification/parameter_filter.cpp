@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kLanes = tracking::kCableArmLanes;
 const double kSpread = std::sqrt(3.0);
-constexpr double kRateTolerance = 0.05;  // of a logarithm, before the rate is computed again
+constexpr double kRateTolerance = 0.05;  // change of a logarithm after which the rate is computed again
 
 }  // namespace
 
@@ -41,7 +41,7 @@ CameraPose ParameterFilter::poseOf(const Unknowns& x) const {
   return cameraPoseOf(scale_.cwiseProduct(x).segment<CameraPose::kSize>(n_));
 }
 
-/// Centre, then + and − of each cable parameter's column.
+/// Sigma point `index`: 0 is the centre; then + and − along the column of each cable parameter.
 ParameterFilter::Unknowns ParameterFilter::point(int index) const {
   if (index == 0) return filter_.mean();
   const int column = (index - 1) / 2;
@@ -63,12 +63,12 @@ void ParameterFilter::draw(const State& x) {
     }
     states_[batch].col(lane) = x + sensitivity_.leftCols(n_) * (unknowns.head(n_) - centre);
   }
-  for (int index = points(); index < kBatches * kLanes; ++index)  // spares repeat a legal state
+  for (int index = points(); index < kBatches * kLanes; ++index)  // unused lanes get a valid state
     states_[static_cast<std::size_t>(index / kLanes)].col(index % kLanes) = x;
 }
 
-/// Bound on the eigenvalues over all points: with every parameter that stiffens at its upper side, and the
-/// pulley at its larger.
+/// Upper bound on the eigenvalues over all sigma points [1/s]: the rate with every parameter at its upper
+/// sigma point.
 double ParameterFilter::fastestRate() {
   ParameterSet::Logs high = logs();
   for (int i = 0; i < n_; ++i) {

@@ -13,7 +13,7 @@
 
 namespace capstan::identification {
 
-/// One stretch of motor samples between two camera instants.
+/// Motor samples between two updates of the filter.
 struct MotorInterval {
   struct Step {
     tracking::CableArmDrive drive;
@@ -22,52 +22,53 @@ struct MotorInterval {
   std::vector<Step> steps;
 };
 
-/// The parameter half of a dual filter, UKF paper (11)–(12): w_{k+1} = w_k + r_k, d_k = G(x_k, w_k) + e_k,
-/// where G carries the arm over an interval of motor samples and projects its tip into the camera.
+/// Parameter filter of the dual UKF, UKF paper (11)–(12): w_{k+1} = w_k + r_k, d_k = G(x_k, w_k) + e_k. G
+/// propagates the arm over an interval of motor samples and gives the tip as the camera measures it.
 ///
-/// Unknowns as in output_error.h: logarithms by their prior sigma, then CameraPose by its own, unit prior
-/// each. Sigma points stand at ±√3 S columns, the central-difference rule (van der Merwe 2004, section 3.4),
-/// which does not spread with the number of unknowns; they advance side by side, each lane with its own
-/// cable. S is lower triangular with the cable parameters first, so the points of the pose need no
-/// propagation.
+/// The unknowns have unit prior, as in output_error.h: logarithms / their prior sigma, then CameraPose / its
+/// own. The sigma points are at ±√3 times the columns of S, the central-difference rule (van der Merwe 2004,
+/// section 3.4), whose spread does not grow with the number of unknowns. The points advance side by side, one
+/// lane per point with its own cable. S is lower triangular with the cable parameters first, so the points of
+/// the pose need no propagation.
 ///
-/// A point starts an interval from x + Φ (ln w_i − ln w), with Φ = d x / d ln w carried from interval to
-/// interval: creeping friction and soft cables make a link remember for longer than a camera period, and a
-/// filter without that derivative would take the memory for an insensitive output.
+/// Point i starts an interval from x + Φ (ln w_i − ln w); Φ = d x / d ln w is propagated from interval to
+/// interval. With creeping friction and soft cables, a link depends on its past for longer than a camera
+/// period. Without Φ the filter would underestimate the sensitivity of the output.
 class ParameterFilter {
  public:
   static constexpr int kUnknowns = kMostParameters + CameraPose::kSize;
   using Unknowns = Eigen::Matrix<double, kUnknowns, 1>;
   using State = tracking::CableArmModel::State;
-  using Sensitivity = Eigen::Matrix<double, 6, kMostParameters>;  ///< columns behind the set's size are zero
+  using Sensitivity = Eigen::Matrix<double, 6, kMostParameters>;  ///< Φ; columns beyond the set are zero
 
-  /// What one observation said.
+  /// Innovation of one observation.
   struct Innovation {
-    Eigen::Vector3d value;                           ///< seen − predicted tip [m]
-    Eigen::Matrix<double, 3, kUnknowns> by_unknown;  ///< d predicted tip / d unknown, over the sigma points
-    Eigen::Matrix3d covariance;                      ///< of the noise, as used [m²]
-    double nis = 0.0;                                ///< chi-square with 3 degrees of freedom
-    double weight = 1.0;                             ///< Huber's; below 1 the observation is held back
+    Eigen::Vector3d value;                           ///< observed − predicted tip [m]
+    Eigen::Matrix<double, 3, kUnknowns> by_unknown;  ///< d predicted tip / d unknown, from the sigma points
+    Eigen::Matrix3d covariance;                      ///< covariance of the measurement noise, as used [m²]
+    double nis = 0.0;     ///< normalized innovation squared: χ² with 3 degrees of freedom
+    double weight = 1.0;  ///< Huber's weight; below 1 the observation is down-weighted
   };
 
-  /// `set` and `arm` must outlive it; `centre` as centreOf().
+  /// `set` and `arm` must outlive the filter; `centre` is that of centreOf().
   ParameterFilter(const ParameterSet& set, const robot::ArmKinematics& arm, const CameraPoseOptions& pose,
                   const Eigen::Vector3d& centre);
 
-  /// Carries the sigma points over `interval` from state x; sensitivity() is that of its end.
+  /// Propagates the sigma points over `interval` from state x; then sensitivity() is that at its end.
   void propagate(const State& x, const MotorInterval& interval);
-  /// Takes the tip seen at the interval's end; `state_noise` is the tip's covariance by the state's own.
-  /// Observations beyond `huber` standard deviations count as if they were there.
+  /// Updates with the observation at the interval's end. `state_noise` is the covariance of the tip from the
+  /// state covariance [m²]. An observation beyond `huber` standard deviations has weight huber / its size.
   Innovation update(const CameraObservation& seen, const Eigen::Matrix3d& state_noise, double huber);
-  /// The states took a measurement with gain K: Φ ← (1 − K H) Φ. What the measurement moved no longer depends
-  /// on the parameters.
+  /// Corrects Φ after the state filter took a measurement with gain K: Φ ← (1 − K H) Φ. The corrected part of
+  /// the state does not depend on the parameters.
   void correctSensitivity(const Eigen::Matrix<double, 6, 6>& gain_times_h) {
     sensitivity_ -= (gain_times_h * sensitivity_).eval();
   }
-  /// Resets Φ: the arm was lost.
+  /// Resets Φ to zero, for a restart after a gap.
   void forgetSensitivity() { sensitivity_.setZero(); }
-  /// r_k of (11) over dt: each unknown's variance P grows by P (1 − P) dt / memory, never beyond its prior.
-  /// What was learnt while the parameters were far off was learnt with the wrong sensitivities, and fades.
+  /// Applies r_k of (11) over `dt` [s]: the variance P of each unknown grows by P (1 − P) dt / memory, never
+  /// beyond its prior. So the influence of early observations fades: their sensitivities were those of wrong
+  /// parameters.
   void forget(double memory, double dt);
 
   ParameterSet::Logs logs() const { return scale_.head(n_).cwiseProduct(filter_.mean().head(n_)); }
@@ -75,7 +76,7 @@ class ParameterFilter {
   const Unknowns& scale() const { return scale_; }
   Eigen::Matrix<double, kUnknowns, kUnknowns> covariance() const {
     return filter_.covariance();
-  }  ///< of unknowns
+  }  ///< covariance of the unknowns
   const Sensitivity& sensitivity() const { return sensitivity_; }
   std::uint64_t rescues() const { return filter_.rescues(); }
 
@@ -102,7 +103,7 @@ class ParameterFilter {
   Sensitivity sensitivity_ = Sensitivity::Zero();
   std::array<tracking::CableArmVariation, kBatches> cables_;
   alignas(64) std::array<Lanes, kBatches> states_;
-  ParameterSet::Logs rate_at_;  ///< logarithms that rate_ was computed for
+  ParameterSet::Logs rate_at_;  ///< logarithms at which rate_ was computed
   double rate_ = 0.0;
 };
 

@@ -44,7 +44,7 @@ double& valueIn(tracking::CableArmConstants& c, const Parameter& parameter) {
        "by commas"});
 }
 
-/// "k_e2" → one parameter, "k_e" → three, "all" → nine.
+/// Parameters of a name: "k_e2" → one parameter, "k_e" → three, "all" → all twelve.
 std::vector<std::pair<Quantity, int>> named(const std::string& name) {
   std::vector<std::pair<Quantity, int>> found;
   for (const Quantity quantity : kAll)
@@ -57,8 +57,8 @@ std::vector<std::pair<Quantity, int>> named(const std::string& name) {
   return found;
 }
 
-/// The robot with its effects in the numbers that are identified around. Those of the cameras are undone
-/// where recordings are tracked.
+/// The robot with its effects folded into its parameters. Camera effects are excepted: tracking compensates
+/// them.
 robot::Description foldedRobot(const robot::Description& nominal) {
   robot::Description robot = robot::foldEffects(nominal);
   for (const robot::Effect& effect : robot.effects)

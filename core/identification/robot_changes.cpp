@@ -10,7 +10,7 @@
 namespace capstan::identification {
 namespace {
 
-/// A number of a robot file under its key.
+/// A number of a robot file and its key.
 using Numbers = std::vector<std::pair<std::string, double>>;
 
 template <class T>

@@ -11,8 +11,8 @@ void ScoreSpread::add(double t, const ParameterFilter::Innovation& innovation,
   started_ = true;
   if (t - start_ >= block_) close(t);
   if (t - discrepancy_start_ >= discrepancy_memory_) closeDiscrepancy(t);
-  // The score is of the innovation as the filter would have whitened it: covariance R + H P Hᵀ is near R once
-  // P is small, and before that blocks say little.
+  // The innovation is whitened with R in place of R + H P Hᵀ: the two are nearly equal once P is small, and
+  // earlier blocks have little information.
   const Eigen::Matrix3d inverse =
       innovation.weight * innovation.covariance.llt().solve(Eigen::Matrix3d::Identity());
   const auto& h = innovation.by_unknown;

@@ -6,10 +6,10 @@
 
 namespace capstan::identification {
 
-/// How much more the scores of a filter vary than it assumes: the recursive form of the covariance in
-/// batch.h, of scores as found over blocks of `block` seconds, and of those that the forces of
-/// ModelDiscrepancy would make. Blocks are taken as independent, and forgotten over `memory`. Times count
-/// from the first observation.
+/// Ratio of the spread of a filter's scores to the spread that the filter assumes: the recursive form of the
+/// covariance in batch.h. It is measured over blocks of `block` seconds, and predicted for the forces of
+/// ModelDiscrepancy. Blocks count as independent and fade with time constant `memory`. Times count from the
+/// first observation.
 class ScoreSpread {
  public:
   using Unknowns = ParameterFilter::Unknowns;
@@ -18,9 +18,10 @@ class ScoreSpread {
   ScoreSpread(double block, double discrepancy_memory, double memory)
       : block_(block), discrepancy_memory_(discrepancy_memory), memory_(memory) {}
 
-  /// `by_discrepancy`: tip by an unknown force of one standard deviation on each joint [m].
+  /// Adds an innovation at `t` [s]. `by_discrepancy`: change of the tip by an unknown force of one standard
+  /// deviation on each joint [m].
   void add(double t, const ParameterFilter::Innovation& innovation, const Eigen::Matrix3d& by_discrepancy);
-  /// Factors >= 1 on the standard deviations of the unknowns whose covariance the filter states as P.
+  /// Factors >= 1 on the standard deviations of the unknowns; `covariance` is the filter's own.
   Unknowns factors(const Square& covariance) const;
 
  private:

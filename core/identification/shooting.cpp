@@ -14,7 +14,7 @@ namespace {
 constexpr double kWarmUpTimes = 10.0;
 constexpr double kShortestWarmUp = 15.0, kLongestWarmUp = 30.0;  // [s]
 
-/// The tangents of `set`, in its order.
+/// Order of the tangents of `set`.
 TangentOrder orderOf(const ParameterSet& set) {
   TangentOrder order;
   for (int k = 0; k < set.size(); ++k)
@@ -23,7 +23,7 @@ TangentOrder orderOf(const ParameterSet& set) {
   return order;
 }
 
-/// Joints and speeds with unstretched cables: A (q − q_hs) = s_m / r_l.
+/// State with unstretched cables: A (q − q_hs) = s_m / r_l.
 LinkTangents unstretched(const tracking::CableArmConstants& c, const TangentOrder& order,
                          const MotorStep& motor) {
   Eigen::Matrix3d coupling;
@@ -47,10 +47,10 @@ LinkTangents unstretched(const tracking::CableArmConstants& c, const TangentOrde
   return x;
 }
 
-/// A hysteresis of each cable that the model does not know (model_discrepancy.h): a force that grows with the
-/// stretch and slips where it would exceed what Coulomb friction holds, Prandtl's stop operator
-///     z ← clamp(z + Δ stretch / yield, −1, 1),
-/// and the link's first-order way there, held back by its damping and by friction that creeps,
+/// Hysteresis of each cable that is not part of the model (model_discrepancy.h): a force that grows with the
+/// stretch and slips at the limit of Coulomb friction, Prandtl's stop operator
+///     z ← clamp(z + Δ stretch / yield, −1, 1).
+/// The link responds to it with first order; damping and creeping friction give the time constant
 ///     τ(dq) = (2 b_e r_l² + F_vl + F_cl / v_eps (1 − tanh²(dq / v_eps))) / (2 k_e a r_l²).
 struct UnknownHysteresis {
   Eigen::Vector3d force = Eigen::Vector3d::Zero(), response = Eigen::Vector3d::Zero();
@@ -60,7 +60,7 @@ struct UnknownHysteresis {
     for (int i = 0; i < 3; ++i) {
       if (!(c.coulomb[i] > 0.0)) continue;
       const double r = c.link_radius[i], stiffness = 2.0 * c.stiffness[i] * c.exponent[i] * r * r;
-      double rate = motor.rate[i];  // of the stretch [m/s]
+      double rate = motor.rate[i];  // rate of the stretch [m/s]
       for (int j = 0; j < 3; ++j) rate -= r * c.coupling[i][j] * x.value[3 + j];
       force(i) = std::clamp(force(i) + dt * rate * stiffness / (r * c.coulomb[i]), -1.0, 1.0);
       const double sign = std::tanh(x.value[3 + i] * c.inverse_smoothing[i]);
@@ -85,7 +85,7 @@ ArmPrediction predictionOf(const LinkTangents& x, const Eigen::Vector3d& hystere
   return p;
 }
 
-/// From motor sample i, `ahead` seconds on, towards sample i + 1.
+/// Motor step that starts `ahead` seconds after motor sample i, towards sample i + 1.
 MotorStep motorStep(const MotorTrack& motors, const tracking::CableArmConstants& c, std::size_t i,
                     double ahead) {
   MotorStep step;
@@ -101,7 +101,7 @@ MotorStep motorStep(const MotorTrack& motors, const tracking::CableArmConstants&
 
 int stepsFor(double rate, double dt) { return std::max(1, static_cast<int>(std::ceil(0.5 * rate * dt))); }
 
-/// Motor samples without a gap, and the warm-up within them.
+/// Range of motor samples without a gap, and its warm-up [s].
 struct Segment {
   std::size_t first = 0, last = 0;
   double warm_up = 0.0;

@@ -10,14 +10,14 @@
 
 namespace capstan::live {
 
-/// The instrument as both cameras should see it under a registration: what lies over the real one is
-/// registered well.
+/// The instrument projected into both images by a registration. If the registration is good, the projection
+/// covers the real instrument.
 struct ArmOverlay {
   struct Side {
     std::vector<Eigen::Vector2d>
-        shaft;  ///< remote centre to marker, bent by the lens; pixels of the frame [px]
-    std::optional<Eigen::Vector2d> marker;  ///< centre [px]; nothing when it is behind the camera
-    double marker_radius = 0.0;             ///< [px]
+        shaft;  ///< points from the remote centre to the marker, with lens distortion [px]
+    std::optional<Eigen::Vector2d> marker;  ///< centre [px]; nothing if it is behind the camera
+    double marker_radius = 0.0;             ///< radius in the image [px]
   };
   std::array<Side, 2> sides;  ///< left, right
 };

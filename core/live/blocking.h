@@ -9,11 +9,11 @@
 
 namespace capstan::live {
 
-/// Which cameras are blocked: by hand or by schedule. The source hears of changes only.
+/// Blocks cameras by hand or by schedule. Only changes are passed to the source.
 class Blocking {
  public:
   void setByHand(bool left, bool right) { by_hand_ = {left, right}; }
-  /// True: another share or length of intervals.
+  /// True if the share or the length of intervals changed.
   bool setSchedule(const OcclusionSchedule& schedule) {
     const bool changed = scheduleWords(schedule) != scheduleWords(schedule_);
     schedule_ = schedule;
@@ -21,11 +21,12 @@ class Blocking {
   }
   const OcclusionSchedule& schedule() const { return schedule_; }
   const std::array<bool, 2>& blocked() const { return blocked_; }
-  /// Now, or at some time by schedule.
+  /// True if a camera is blocked now or at some time by schedule.
   bool asked() const { return any() || schedule_.percentage > 0.0; }
   bool any() const { return blocked_[0] || blocked_[1]; }
 
-  /// At time t of the newest motor sample, before the next sample is fetched. True: something changed.
+  /// Blocks cameras for the time t [s] of the newest motor sample, before the next sample is fetched. True:
+  /// the blocking changed.
   bool apply(double t, tracking::Source& source) {
     const bool scheduled = schedule_.blockedAt(t);
     const std::array<bool, 2> now = {by_hand_[0] || scheduled, by_hand_[1] || scheduled};
@@ -35,7 +36,7 @@ class Blocking {
     return true;
   }
 
-  /// The schedule, and what is blocked now.
+  /// Descriptions of the schedule and of the cameras that are blocked now.
   std::vector<std::string> words() const {
     std::vector<std::string> all;
     if (schedule_.percentage > 0.0) all.push_back(scheduleWords(schedule_));

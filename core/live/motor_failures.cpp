@@ -14,13 +14,12 @@ namespace {
 using tracking::MotorFault;
 
 [[noreturn]] void refuse(const std::string& text, const std::string& option) {
-  throw base::InputError(
-      {{},
-       0,
-       option,
-       text,
-       "names no motor, time and fault",
-       "Give motor@seconds, with :frozen or :lost behind it if you like: 2@60, all@30:lost"});
+  throw base::InputError({{},
+                          0,
+                          option,
+                          text,
+                          "is not a motor with a time and a fault",
+                          "Give motor@seconds, optionally followed by :frozen or :lost: 2@60, all@30:lost"});
 }
 
 std::optional<double> numberOf(std::string_view text) {

@@ -9,7 +9,7 @@
 
 namespace capstan::live {
 
-/// A motor encoder that fails: kFrozen, the count stays where it is and its velocity is zero; kLost, both are
+/// Failure of a motor encoder. kFrozen: the position stays constant and the velocity is zero; kLost: both are
 /// NaN.
 struct MotorFailure {
   int motor = 0;      ///< 0, 1, 2
@@ -17,11 +17,11 @@ struct MotorFailure {
   tracking::MotorFault fault = tracking::MotorFault::kFrozen;
 };
 
-/// Of "2@60" (motor 2 freezes at 60 s), "2@60:lost", "all@60:frozen", motors counted from 1. Throws
+/// Parses "2@60" (motor 2 freezes at 60 s), "2@60:lost" or "all@60:frozen"; motors count from 1. Throws
 /// base::InputError that names `option` and the text.
 std::vector<MotorFailure> parseMotorFailure(const std::string& text, const std::string& option);
 
-/// Does to motor samples what failed encoders do. Samples in rising time.
+/// Applies encoder failures to motor samples, whose times must increase.
 class MotorFailures {
  public:
   explicit MotorFailures(std::vector<MotorFailure> failures) : failures_(std::move(failures)) {}
@@ -32,7 +32,7 @@ class MotorFailures {
   Eigen::Vector3d held_ = Eigen::Vector3d::Zero();  ///< q_m before the failure [rad]
 };
 
-/// A source whose motor encoders fail; the robot itself goes on as if it had others to be controlled by.
+/// A source whose motor encoders fail; the control of the robot itself is not affected.
 class FailingMotors final : public tracking::Source {
  public:
   FailingMotors(tracking::Source& source, std::vector<MotorFailure> failures)

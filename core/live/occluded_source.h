@@ -5,10 +5,10 @@
 
 namespace capstan::live {
 
-/// A source whose cameras are blocked on schedule, by the time of the motor sample before.
+/// A source whose cameras are blocked by schedule, at the time of the previous motor sample.
 class OccludedSource final : public tracking::Source {
  public:
-  /// `source` outlives this one.
+  /// `source` must outlive this object.
   OccludedSource(tracking::Source& source, const OcclusionSchedule& schedule)
       : source_(source), t_(source.info().begin) {
     blocking_.setSchedule(schedule);
@@ -21,9 +21,9 @@ class OccludedSource final : public tracking::Source {
     if (const auto* motor = std::get_if<tracking::MotorSample>(&out)) t_ = motor->t;
     return true;
   }
-  /// By hand, beside the schedule.
+  /// Blocks cameras by hand, in addition to the schedule.
   void block(bool left, bool right) override { blocking_.setByHand(left, right); }
-  /// A camera is blocked now.
+  /// True if a camera is blocked now.
   bool blocked() const { return blocking_.any(); }
 
  private:

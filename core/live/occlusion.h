@@ -4,20 +4,20 @@
 
 namespace capstan::live {
 
-/// Cameras blocked for `percentage` of the time, in intervals of `interval` seconds at equal spacing (UKF
-/// paper, section V-D: 10, 20, 40, 60 and 80 % in intervals of 2 s). The period is interval / share; it
-/// begins with observation.
+/// Schedule that blocks the cameras for `percentage` of the time, in equally spaced intervals of `interval`
+/// seconds (UKF paper, section V-D: 10, 20, 40, 60 and 80 % in intervals of 2 s). The period is interval /
+/// share; it begins with visible cameras.
 struct OcclusionSchedule {
   double percentage = 0.0;  ///< 0…100; 0: never
   double interval = 2.0;    ///< [s]
-  double start = 0.0;       ///< first period begins here [s]
+  double start = 0.0;       ///< start of the first period [s]
 
   bool blockedAt(double t) const;
-  /// Blocked share of [0, t] that the schedule has brought by t, 0…1.
+  /// Share of [0, t] that the schedule blocks, 0…1.
   double shareUntil(double t) const;
 };
 
-/// "both cameras blocked 40 % of the time, in intervals of 2.0 s", or "no schedule".
+/// Description for people: "both cameras blocked 40 % of the time, in intervals of 2.0 s", or "no schedule".
 std::string scheduleWords(const OcclusionSchedule& schedule);
 
 }  // namespace capstan::live

@@ -5,17 +5,16 @@
 
 namespace capstan::live {
 
-/// When a sample is due on the wall clock, for a playback speed. Time comes in as an argument.
+/// Computes the wall time at which a sample is due, for a playback speed. Time comes in as an argument.
 class PlaybackClock {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// The next sample sets the origin: after a pause, a step or a change of speed.
+  /// Makes the next sample the origin, after a pause, a step or a change of speed.
   void restart() { running_ = false; }
 
   /// Wall time at which the sample of recording time `t` [s] is due at `speed` (> 0). A playback that is more
-  /// than kSlip behind gives up catching up: the recording is slower than asked, and real_time_factor says
-  /// so.
+  /// than kSlip late does not catch up; real_time_factor then shows the lower speed.
   Clock::time_point due(double t, double speed, Clock::time_point now) {
     if (!running_ || t < origin_t_) start(t, now);
     auto when = origin_ + seconds((t - origin_t_) / speed);

@@ -8,18 +8,18 @@
 
 namespace capstan::live {
 
-/// Hands what the pipeline's thread makes to the threads of views: newest snapshot, newest frames, history
-/// for plots. Both sides hold the lock for a copy of a few hundred bytes or a swap of images.
+/// Passes results of the pipeline's thread to the threads of views: newest snapshot, newest frames, history
+/// for plots. Both sides hold the lock only to copy a few hundred bytes or to swap images.
 class Publisher {
  public:
-  /// At most `capacity` snapshots wait in the history; then the oldest make room.
+  /// The history holds at most `capacity` snapshots; new ones replace the oldest.
   explicit Publisher(std::size_t capacity);
 
   // The pipeline's thread.
   void publish(const tracking::Snapshot& snapshot, bool into_history);
-  /// Copies the images outside the lock; `snapshot` is what the pipeline made of them.
+  /// Publishes a frame and its snapshot; copies the images outside the lock.
   void publish(const tracking::StereoFrame& frame, const tracking::Snapshot& snapshot);
-  bool framesTaken() const;  ///< since the last publication
+  bool framesTaken() const;  ///< true if the last published frames were taken
 
   // Any other thread.
   bool takeSnapshot(tracking::Snapshot& out);

@@ -5,8 +5,8 @@
 
 namespace capstan::live {
 
-/// Rates of motor and camera samples (per second of recording) and playback speed reached, over windows of
-/// about one second of wall time.
+/// Measures the rates of motor and camera samples (per second of recording) and the actual playback speed,
+/// over windows of about one second of wall time.
 class RateMeter {
  public:
   using Clock = std::chrono::steady_clock;
@@ -17,7 +17,7 @@ class RateMeter {
     cameras_ += camera;
   }
 
-  /// `t`: recording time reached [s]. Ends the window when it is long enough.
+  /// Ends the window if it is long enough; `t` is the current recording time [s].
   void look(double t, Clock::time_point now) {
     if (!running_ || t < begin_t_) return begin(t, now);  // or the clock was set back
     const double wall = std::chrono::duration<double>(now - begin_).count();

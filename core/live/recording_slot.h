@@ -12,10 +12,11 @@
 
 namespace capstan::live {
 
-/// The recorder that the pipeline's thread feeds, or none. Old ones are closed in the background.
+/// Holder of the recorder to which the pipeline's thread writes, if any. Former recorders are closed in the
+/// background.
 class RecordingSlot {
  public:
-  /// Estimates that come with motor samples are thinned to `estimate_rate` [1/s of recording].
+  /// Estimates of motor samples are reduced to `estimate_rate` [1/s of recording].
   explicit RecordingSlot(double estimate_rate) : estimates_(estimate_rate) {}
   ~RecordingSlot() {
     if (recorder_) recorder_->close();
@@ -46,7 +47,7 @@ class RecordingSlot {
   void note(double t, std::string kind, std::string text) {
     if (recorder_) recorder_->note(t, std::move(kind), std::move(text));
   }
-  /// `added`: to a source that is a recording itself and had its own occlusion or none.
+  /// Notes an occlusion; `added`: the occlusion was added to a source that is itself a recording.
   void noteOcclusion(double t, const std::string& what, bool added) {
     note(t, "occlusion", added ? what + ", added to a recording" : what);
   }
@@ -54,7 +55,7 @@ class RecordingSlot {
     if (recorder_) recorder_->setRegistration(t, base_from_camera);
   }
 
-  /// Any thread: the present recorder or the last one; null: none yet.
+  /// Current recorder, or the last one; null: none yet. Any thread may call it.
   std::shared_ptr<recording::Recorder> newest() const {
     const std::lock_guard lock(mutex_);
     return newest_;

@@ -202,7 +202,7 @@ class Runner::Impl {
     }
   }
 
-  /// Everything that was posted, in order.
+  /// Executes all posted commands in order.
   void execute() {
     if (!pending_.load(std::memory_order_acquire)) return;
     std::deque<std::function<void()>> commands;
@@ -235,7 +235,7 @@ class Runner::Impl {
     wake_.wait(lock, [&] { return !commands_.empty(); });
   }
 
-  /// One sample, when its time has come; otherwise waits for its time or a command.
+  /// Processes one sample when it is due; otherwise waits until it is due or a command arrives.
   void advance() {
     applyBlocking();
     if (!fetched_ && !source_->next(sample_)) return finish(RunState::kEnded, {});
@@ -342,7 +342,7 @@ class Runner::Impl {
   RateMeter meter_;
   Clock::time_point reported_{}, imaged_{};
 
-  mutable std::mutex mutex_;  ///< everything below
+  mutable std::mutex mutex_;  ///< protects all members below
   std::condition_variable wake_, idle_;
   std::deque<std::function<void()>> commands_;
   std::atomic<bool> pending_{false};

@@ -19,42 +19,45 @@ namespace capstan::live {
 enum class RunState { kPaused, kRunning, kEnded, kFailed };
 
 struct RunnerOptions {
-  double speed = 1.0;  ///< recording seconds a second, 0.25…10; 0: as fast as possible
-  static constexpr double kHistoryRate =
-      200.0;  ///< snapshots for plots between camera updates [1/s of recording]
-  static constexpr std::size_t kHistoryCapacity = 16384;  ///< the oldest make room when nobody drains
-  static constexpr double kEstimateRate =
-      1000.0;  ///< snapshots recorded [1/s of recording], camera updates always
+  double speed = 1.0;  ///< playback speed, recording time per wall time, 0.25…10; 0: as fast as possible
+  /// Rate of snapshots for plots between camera updates [1/s of recording].
+  static constexpr double kHistoryRate = 200.0;
+  /// Number of snapshots in the history; new ones replace the oldest.
+  static constexpr std::size_t kHistoryCapacity = 16384;
+  /// Rate of recorded snapshots [1/s of recording]; camera updates are always recorded.
+  static constexpr double kEstimateRate = 1000.0;
 };
 
 struct RunStatus {
   RunState state = RunState::kPaused;
-  std::string error;          ///< of kFailed
-  std::string command_fault;  ///< of the last command that failed, which stops nothing
+  std::string error;          ///< reason of kFailed
+  std::string command_fault;  ///< error of the last failed command; the runner continues
   std::uint64_t command_fault_count = 0;
-  double t = 0.0;                 ///< newest arrival [s]
-  double speed = 1.0;             ///< requested
-  double real_time_factor = 0.0;  ///< reached, over the last second
+  double t = 0.0;                 ///< arrival of the newest sample [s]
+  double speed = 1.0;             ///< requested speed
+  double real_time_factor = 0.0;  ///< actual speed over the last second
   double motor_rate = 0.0;        ///< [1/s of recording]
-  double frame_rate = 0.0;        ///< frames or tip samples [1/s of recording]
-  std::array<bool, 2> blocked{};  ///< left, right: now, by hand or by schedule
+  double frame_rate = 0.0;        ///< rate of frames or tip samples [1/s of recording]
+  std::array<bool, 2> blocked{};  ///< left, right: blocked now, by hand or by schedule
   OcclusionSchedule occlusion;
-  bool occlusion_added = false;  ///< something is blocked now or by schedule, and the source is a recording
-  std::optional<recording::RecorderStats> recorder;  ///< while recording, and of the last recording
-  std::string recording;                             ///< its path
+  bool occlusion_added = false;  ///< the source is a recording, and a camera is blocked now or by schedule
+  std::optional<recording::RecorderStats> recorder;  ///< statistics of the current or last recording
+  std::string recording;                             ///< path of that recording
 };
 
-/// Hears what the pipeline makes of every sample, on the pipeline's thread: must be quick and must not throw.
+/// Callbacks for every sample and its snapshot, on the pipeline's thread: they must be quick and must not
+/// throw.
 struct Listener {
-  /// Before the first sample, and again when robot or registration have changed.
+  /// Called before the first sample, and again after a change of robot or registration.
   std::function<void(const tracking::TrackingPipeline&)> begin;
   std::function<void(const tracking::Sample&, const tracking::Snapshot&)> take;
 
   explicit operator bool() const { return static_cast<bool>(take); }
 };
 
-/// Runs a source through a pipeline on a thread of its own: paces it, applies occlusion, records, and
-/// publishes what views want. Every call returns at once (startRecording() creates a file); starts paused.
+/// Runs a source through a pipeline on its own thread: controls the speed, applies occlusion, records, and
+/// publishes data for views. Every call returns at once (startRecording() creates a file first). A runner
+/// starts paused.
 class Runner {
  public:
   Runner(std::unique_ptr<tracking::Source> source, tracking::TrackingPipeline pipeline,
@@ -67,50 +70,53 @@ class Runner {
 
   void run();
   void pause();
-  void stepFrame();  ///< runs, unpaced, through the next camera sample (without cameras: 1/15 s), then pauses
+  /// Runs at full speed up to and including the next camera sample (without cameras: 1/15 s), then pauses.
+  void stepFrame();
   void setSpeed(double speed);
 
-  // Occlusion, as recordings made meanwhile keep it in events; a source that is a recording itself has it
-  // added, and the events report it.
-  void block(bool left, bool right);  ///< by hand, from now on
+  // Occlusion. Recordings store it as events; if the source is itself a recording, the events report that the
+  // occlusion was added.
+  void block(bool left, bool right);  ///< blocks cameras by hand from now on
   void setOcclusion(const OcclusionSchedule& schedule);
   void setRegistration(const Eigen::Isometry3d& base_from_camera);
-  /// The pipeline is rebuilt for `robot`, with options, registration and declared faults as they are, from
-  /// the next sample on; report() restarts, recordings carry it, one under way gets `note` as event
-  /// "robot". Throws base::InputError for a robot that the pipeline cannot take; then nothing changes.
+  /// Rebuilds the pipeline for `robot` before the next sample; options, registration and declared faults
+  /// stay. report() restarts. Later recordings store the robot, and a recording under way gets `note` as
+  /// event "robot". Throws base::InputError for a robot that the pipeline does not support; then nothing
+  /// changes.
   void setRobot(const robot::Description& robot, const std::string& note);
-  robot::Description robot() const;  ///< in use
-  /// From the next sample on, in place of the one before; {}: nobody, which costs nothing.
+  robot::Description robot() const;  ///< robot in use
+  /// Sets the listener from the next sample on, in place of the former one; {}: no listener, at no cost.
   void listen(Listener listener);
   void resetErrors();  ///< report() restarts
   void note(std::string text);
 
-  /// On the pipeline's thread, between two samples; in order of posting.
+  /// Command that is executed on the pipeline's thread between two samples, in order of posting.
   using Command = std::function<void(tracking::Source&, tracking::TrackingPipeline&)>;
   void post(Command command);
 
-  /// Creates the file here, records from the next sample on. Adds the robot, the registration and the
-  /// tracking options in use to `header`. A recording under way is stopped. Throws base::InputError when the
-  /// file cannot be created.
+  /// Creates the file at once and records from the next sample on. Adds the robot, the registration and the
+  /// tracking options in use to `header`. Stops a recording under way. Throws base::InputError if the file
+  /// cannot be created.
   void startRecording(const std::filesystem::path& path, recording::SessionHeader header,
                       const recording::RecorderOptions& options = {});
-  void stopRecording();  ///< the file is closed in the background
-  /// The present recorder or the last one, closed once this runner is gone; null: none yet.
+  void stopRecording();  ///< closes the file in the background
+  /// Current recorder, or the last one; null: none yet. It is closed when this runner is destroyed.
   std::shared_ptr<const recording::Recorder> recorder() const;
 
   RunStatus status() const;
-  /// Over every step since the start or resetErrors(); at most 0.1 s old.
+  /// Report over every step since the start or resetErrors(); at most 0.1 s old.
   tracking::TrackReport report() const;
-  /// The newest snapshot into `out`; false when it was taken before.
+  /// Copies the newest snapshot to `out`; false if it was taken before.
   bool takeSnapshot(tracking::Snapshot& out);
-  /// The newest frames, as the pipeline saw them; `out`'s images are exchanged, not copied. `seen`: what the
-  /// pipeline made of exactly these frames, for overlays. False: none since the last.
+  /// Moves the newest frames of the pipeline to `out` by exchanging images without copying. `seen` receives
+  /// the snapshot of exactly these frames, for overlays. False: no new frames since the last call.
   bool takeFrames(tracking::StereoFrame& out, tracking::Snapshot* seen = nullptr);
-  /// Appends to `out` every camera update and about history_rate others since the last call, in order.
-  /// Returns how many.
+  /// Appends to `out`, in order, every camera update since the last call and the other snapshots at
+  /// kHistoryRate. Returns their number.
   std::size_t drainHistory(std::vector<tracking::Snapshot>& out);
 
-  /// Waits until the source has ended, failed or paused; false after `seconds`. For headless runs and tests.
+  /// Waits until the source has ended, failed or paused; false after `seconds`. For runs without a window and
+  /// for tests.
   bool waitUntilIdle(double seconds);
 
  private:

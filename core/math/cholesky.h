@@ -5,7 +5,8 @@
 
 namespace capstan::math {
 
-/// L ← chol(L Lᵀ + x xᵀ), in place, by Givens rotations: cannot fail. L lower triangular N×N, diagonal >= 0.
+/// Rank-one update L ← chol(L Lᵀ + x xᵀ) in place, by Givens rotations; L is lower triangular, N×N, with
+/// diagonal >= 0. It cannot fail.
 template <class Lower>
 void rankOneUpdate(Lower& l, Eigen::Matrix<double, Lower::RowsAtCompileTime, 1> x) {
   constexpr int kSize = Lower::RowsAtCompileTime;
@@ -22,8 +23,9 @@ void rankOneUpdate(Lower& l, Eigen::Matrix<double, Lower::RowsAtCompileTime, 1> 
   }
 }
 
-/// L ← chol(L Lᵀ − x xᵀ). False, and L as it was, when the difference is not safely positive definite
-/// (1 − |L⁻¹x|² below 1e-14, or anything non-finite). LINPACK's dchdd: rotations from the last row up.
+/// Rank-one down-date L ← chol(L Lᵀ − x xᵀ) as in LINPACK's dchdd, by rotations from the last row up. Returns
+/// false and leaves L unchanged when the difference is not safely positive definite (1 − |L⁻¹x|² below 1e-14,
+/// or a number is not finite).
 template <class Lower>
 [[nodiscard]] bool rankOneDowndate(Lower& l, const Eigen::Matrix<double, Lower::RowsAtCompileTime, 1>& x) {
   constexpr int kSize = Lower::RowsAtCompileTime;

@@ -4,7 +4,7 @@
 
 #include "core/base/check.h"
 
-// OpenBLAS carries LAPACK; its Fortran names need no header of their own.
+// LAPACK functions in OpenBLAS, declared here by their Fortran names: no further header is needed.
 extern "C" {
 void dpotrf_(const char* uplo, const int* n, double* a, const int* lda, int* info);
 void dpotri_(const char* uplo, const int* n, double* a, const int* lda, int* info);

@@ -2,34 +2,36 @@
 
 #include <Eigen/Core>
 
-/// Large dense symmetric matrices by BLAS and LAPACK, several times as fast as Eigen's own beyond some
-/// hundred rows. Symmetric ones are given by their lower triangle; the upper is neither read nor kept.
+/// Operations on large dense matrices by BLAS and LAPACK, which are several times as fast as Eigen's own for
+/// more than some hundred rows. A symmetric matrix is given by its lower triangle; its upper triangle is
+/// neither read nor preserved.
 namespace capstan::math {
 
-/// Threads of all calls from now on, of the whole process. 1 where the callers run side by side.
+/// Sets the number of BLAS threads of the whole process. Use 1 when several threads call these.
 void setDenseThreads(int threads);
 
-/// A = L Lᵀ in place, L in the lower triangle (dpotrf). False, and A spoilt: A is not positive definite.
+/// Cholesky factor A = L Lᵀ in place, L in the lower triangle (dpotrf). Returns false when A is not positive
+/// definite; A is then invalid.
 bool choleskyInPlace(Eigen::MatrixXd& a);
 
-/// Lower triangle of A⁻¹ from that of L, in place (dpotri).
+/// Replaces L by the lower triangle of A⁻¹ = (L Lᵀ)⁻¹, in place (dpotri).
 void invertFromCholesky(Eigen::MatrixXd& l);
 
-/// B ← L⁻¹ B (dtrsm).
+/// Solves B ← L⁻¹ B, L lower triangular (dtrsm).
 void solveLower(const Eigen::MatrixXd& l, Eigen::Ref<Eigen::MatrixXd> b);
 
-/// B ← L⁻ᵀ B (dtrsm).
+/// Solves B ← L⁻ᵀ B, L lower triangular (dtrsm).
 void solveLowerTransposed(const Eigen::MatrixXd& l, Eigen::Ref<Eigen::MatrixXd> b);
 
-/// C ← C + scale A Aᵀ, lower triangle of C (dsyrk).
+/// Adds scale A Aᵀ to the lower triangle of C (dsyrk).
 void addSquare(double scale, const Eigen::MatrixXd& a, Eigen::MatrixXd& c);
-/// C ← scale A Aᵀ likewise, of whatever size C was; C is not A.
+/// Sets the lower triangle of C to scale A Aᵀ and resizes C (dsyrk). C must not be A.
 void setSquare(double scale, const Eigen::MatrixXd& a, Eigen::MatrixXd& c);
 
-/// S B, S symmetric (dsymm).
+/// Product S B, S symmetric (dsymm).
 Eigen::MatrixXd timesSymmetric(const Eigen::MatrixXd& s, const Eigen::MatrixXd& b);
 
-/// A B (dgemm); A Bᵀ where `transposed`.
+/// Product A B, or A Bᵀ when `transposed` is true (dgemm).
 Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, bool transposed = false);
 
 }  // namespace capstan::math

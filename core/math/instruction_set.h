@@ -10,11 +10,11 @@ enum class InstructionSet { kBaseline, kAvx2, kAvx512 };
 inline constexpr std::array kInstructionSets = {InstructionSet::kBaseline, InstructionSet::kAvx2,
                                                 InstructionSet::kAvx512};
 
-/// Whether this program carries kernels for `set` and this processor runs them.
+/// Whether this program contains kernels for `set` and this processor can run them.
 bool isAvailable(InstructionSet set);
-/// The widest available set; asked of the processor once.
+/// Widest available instruction set. The processor is queried once.
 InstructionSet bestInstructionSet();
-/// "baseline", "AVX2+FMA" or "AVX-512".
+/// Name of the instruction set: "baseline", "AVX2+FMA" or "AVX-512".
 const char* nameOf(InstructionSet set);
 
 }  // namespace capstan::math

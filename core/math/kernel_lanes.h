@@ -1,9 +1,9 @@
 #pragma once
 
-/// Lanes for kernels that are compiled once per instruction set from one source. Only kernel translation
-/// units include this: everything sits in an unnamed namespace, so that code made for one instruction set can
-/// never be linked in place of the same function made for another, and nothing here or there may use Eigen or
-/// the standard library's templates.
+/// SIMD lanes for kernels, which are compiled from one source once per instruction set. Only kernel
+/// translation units include this file. Everything is in an unnamed namespace, so that the linker can never
+/// replace code for one instruction set by the same function for another. For the same reason neither this
+/// file nor the kernels may use Eigen or the templates of the standard library.
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
 #define CAPSTAN_KERNEL_NAME(base) base##Avx512
 #define CAPSTAN_KERNEL_WIDTH 8
@@ -23,7 +23,7 @@ using Bits = long long __attribute__((vector_size(8 * CAPSTAN_KERNEL_WIDTH)));
 
 #define CAPSTAN_INLINE [[maybe_unused, gnu::always_inline]] inline
 
-/// The same in memory, where other code sees plain doubles.
+/// Vec in memory that other code accesses as plain doubles.
 using StoredVec = double __attribute__((vector_size(8 * CAPSTAN_KERNEL_WIDTH), may_alias));
 
 CAPSTAN_INLINE Vec load(const double* p) { return *reinterpret_cast<const StoredVec*>(p); }

@@ -2,8 +2,8 @@
 
 namespace capstan::math {
 
-/// One step of the classical fourth-order Runge–Kutta method for dx/dt = f(t, x). `State` is a fixed-size
-/// Eigen vector or any type with + and * by a scalar; f returns a State.
+/// Returns x(t + dt) by one step of the classical fourth-order Runge–Kutta method for dx/dt = f(t, x).
+/// `State` is a fixed-size Eigen vector or any type with + and * by a scalar; f returns a State.
 template <class State, class Scalar, class Derivative>
 State rk4Step(Derivative&& f, Scalar t, const State& x, Scalar dt) {
   const Scalar half = dt / Scalar(2);

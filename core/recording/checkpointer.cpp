@@ -6,7 +6,7 @@
 namespace capstan::recording {
 namespace {
 
-constexpr int kPasses = 8;  // each copies what was committed during the one before; they shrink
+constexpr int kPasses = 8;  // each pass copies the commits during the previous pass; passes get shorter
 
 int keepLength(sqlite3_file*, sqlite3_int64) { return SQLITE_OK; }
 

@@ -10,7 +10,7 @@
 namespace capstan::recording {
 namespace {
 
-/// The quantity that `name` is, or that it is a column of; null: none.
+/// Quantity named `name`, or quantity that has a column `name`; null: none.
 const UnitQuantity* quantityOf(std::string_view name) {
   for (const UnitQuantity& quantity : unitQuantities()) {
     if (name == quantity.name) return &quantity;
@@ -36,7 +36,7 @@ std::pair<std::string, ColumnUnit> parsePart(std::string_view part, const std::s
                             0,
                             option,
                             std::string(part),
-                            "names no column whose unit can be chosen",
+                            "is not a column with a selectable unit",
                             "Give q_m, dq_m, q, p_c, t, or one column of these, as in q_m=deg,q3=mm"});
   const auto unit =
       equals == std::string_view::npos ? std::nullopt : base::fromName<ColumnUnit>(part.substr(equals + 1));
@@ -46,7 +46,7 @@ std::pair<std::string, ColumnUnit> parsePart(std::string_view part, const std::s
                             0,
                             option,
                             std::string(part),
-                            fmt::format("names no unit that {} can be in", name),
+                            fmt::format("is not a possible unit of {}", name),
                             fmt::format("Give {}= and one of {}", name, unitsOf(*quantity))});
   return {name, *unit};
 }
@@ -55,7 +55,7 @@ void checkLength(const std::string& file, const robot::Description& robot, std::
                  const std::string& column, ColumnUnit unit) {
   if (joint >= robot.joints.size() || robot.joints[joint].type == robot::JointType::kPrismatic) return;
   throw base::InputError({file, 0, column, std::string(base::nameOf(unit)),
-                          fmt::format("joint {} of {} turns", joint + 1, robot.name),
+                          fmt::format("joint {} of {} is revolute", joint + 1, robot.name),
                           fmt::format("Give {}=deg or {}=keep", column, column)});
 }
 
@@ -170,8 +170,8 @@ void readColumnsAs(MeasuredTable& table, const robot::Description& robot, const 
                               1,
                               name,
                               {},
-                              "is to be read in a unit, but is not among the columns",
-                              "Name columns of this table; convert tables of different units one by one"});
+                              "has a unit in --read-as, but is not a column of the table",
+                              "Name columns of this table; convert tables with different units one by one"});
 }
 
 }  // namespace capstan::recording

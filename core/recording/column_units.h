@@ -13,52 +13,52 @@
 
 namespace capstan::recording {
 
-/// The unit of a table's column, where it is not the SI unit of measured-table.md.
+/// Unit of a table's column, if it differs from the SI unit in measured-table.md.
 enum class ColumnUnit {
-  kSi,            ///< as it stands
-  kDegrees,       ///< of q_m, dq_m (per second) and q; of a sliding joint m · 180/π, as RAVEN-II's software
-                  ///< publishes the insertion axis
-  kMillimetres,   ///< of p_c, and of q of a sliding joint
-  kCentimetres,   ///< as millimetres
-  kMilliseconds,  ///< of t
+  kSi,       ///< SI: values as they are
+  kDegrees,  ///< for q_m, dq_m (per second) and q; for a sliding joint m · 180/π, as RAVEN-II's software
+             ///< publishes the insertion axis
+  kMillimetres,   ///< for p_c, and for q of a sliding joint
+  kCentimetres,   ///< for the same columns as kMillimetres
+  kMilliseconds,  ///< for t
   kMicroseconds,
   kNanoseconds,
 };
 
-/// SI by one unit.
+/// Factor from `unit` to SI.
 double factorOf(ColumnUnit unit);
-/// "millimetres"
+/// Name of the unit, e.g. "millimetres".
 std::string_view wordOf(ColumnUnit unit);
 
-/// What a person said of the units of a table: by quantity (q_m: all of its columns) or by column (q_m1),
-/// which goes before its quantity.
+/// Units of a table as stated by the user: by quantity (q_m: all of its columns) or by column (q_m1). A
+/// column takes precedence over its quantity.
 struct ReadAs {
   std::map<std::string, ColumnUnit, std::less<>> units;
 
   bool empty() const { return units.empty(); }
-  /// What was said of `column` of `quantity`; none: nothing.
+  /// Stated unit of `column` of `quantity`; nothing if none was stated.
   std::optional<ColumnUnit> of(std::string_view quantity, std::string_view column) const;
   bool operator==(const ReadAs&) const = default;
 };
 
-/// From "q_m=deg,p_c=mm,t=ms,q3=keep"; empty text: nothing was said. Throws base::InputError with `option`
-/// for a name that is no column or quantity with a unit to choose, and for a unit that it cannot have.
+/// Parses "q_m=deg,p_c=mm,t=ms,q3=keep"; empty text: no units stated. Throws base::InputError with `option`
+/// for a name that is not a column or quantity with selectable units, and for a unit that it cannot have.
 ReadAs parseReadAs(std::string_view text, const std::string& option);
 std::string formatReadAs(const ReadAs& read_as);
 
-/// `earlier`, with what `later` says of the same names in place of it.
+/// Merges two statements; `later` replaces the units of the same names in `earlier`.
 ReadAs overlaid(ReadAs earlier, const ReadAs& later);
 
-/// A quantity of the table whose unit can be mistaken.
+/// A quantity of the table whose unit can be confused.
 struct UnitQuantity {
   std::string_view name;
   TableColumns MeasuredTable::*columns;  ///< null: t
-  std::vector<ColumnUnit> units;         ///< that it may be in, besides SI
+  std::vector<ColumnUnit> units;         ///< possible units besides SI
 };
 const std::array<UnitQuantity, 5>& unitQuantities();
 
-/// Multiplies the columns of `table` by factorOf() what was said of them. Throws base::InputError where a
-/// column was named that the table lacks, or millimetres of a joint of `robot` that turns.
+/// Multiplies each column of `table` by factorOf() its stated unit. Throws base::InputError for a named
+/// column that the table lacks, and for millimetres stated for a revolute joint of `robot`.
 void readColumnsAs(MeasuredTable& table, const robot::Description& robot, const ReadAs& read_as);
 
 }  // namespace capstan::recording

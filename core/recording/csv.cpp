@@ -27,7 +27,7 @@ std::string_view withoutMark(std::string_view text) {
   return text;
 }
 
-/// Takes the text up to `separator` off the front of `rest`.
+/// Returns the text up to `separator` and removes it from the front of `rest`.
 std::string_view take(std::string_view& rest, char separator) {
   const void* found = rest.empty() ? nullptr : std::memchr(rest.data(), separator, rest.size());
   const std::size_t length =

@@ -7,13 +7,13 @@
 
 namespace capstan::recording {
 
-/// Where the values of the column `name` go; null: the column is ignored, its cells are not looked at.
-/// `index` counts columns from 0.
+/// Returns the vector for the values of the column `name`; null: the column is ignored and its cells are not
+/// parsed. `index` counts columns from 0.
 using CsvTarget = std::function<std::vector<double>*(std::string_view name, std::size_t index)>;
 
 /// Parses a CSV table of numbers with one header line: commas, LF or CRLF, optional byte order mark; an empty
-/// cell is NaN. Row r (from 0) stands on line r + 2. Throws base::InputError naming file, line,
-/// column, value and remedy: no header, a cell that is no finite number, a wrong number of cells, no rows.
+/// cell is NaN. Row r (from 0) is line r + 2. Throws base::InputError naming file, line, column, value and
+/// remedy for a missing header, a cell that is not a finite number, a wrong number of cells, or no rows.
 void parseCsv(std::string_view text, const std::string& file, const CsvTarget& target);
 
 /// First line of `text`, without its line end and byte order mark.

@@ -11,7 +11,7 @@ namespace capstan::recording {
 namespace {
 
 constexpr std::uint64_t kMostReserve = 256U << 20;
-constexpr std::uint64_t kReserveShare = 10;  ///< of a small disk: one part in so many
+constexpr std::uint64_t kReserveShare = 10;  ///< the reserve is at most 1 / kReserveShare of the disk
 constexpr double kPeriod = 2.0;              ///< [s]
 
 std::filesystem::path nearestFolder(const std::filesystem::path& folder) {

@@ -7,25 +7,25 @@
 
 namespace capstan::recording {
 
-/// Room on the disk that a recording goes to.
+/// Space on the disk of a recording.
 struct DiskSpace {
-  std::uint64_t free = 0;     ///< for this user [bytes]
-  std::uint64_t reserve = 0;  ///< a recording stops before less than this is free [bytes]
-  std::uint64_t size = 0;     ///< of the whole disk [bytes]; 0: unknown
+  std::uint64_t free = 0;     ///< free space for this user [bytes]
+  std::uint64_t reserve = 0;  ///< free space that a recording must leave [bytes]
+  std::uint64_t size = 0;     ///< size of the whole disk [bytes]; 0: unknown
 };
 
-/// Of the disk that holds `folder`, or the nearest folder above it that exists. All zero where the system
-/// gives no answer. The reserve is 256 MiB, a tenth of the disk where that is less.
+/// Space on the disk that holds `folder`, or the nearest folder above it that exists. All zero if the system
+/// gives no answer. The reserve is 256 MiB or a tenth of the disk, whichever is less.
 DiskSpace diskSpaceAt(const std::filesystem::path& folder);
 
-/// Throws base::InputError where recordings cannot go to `folder`, or, as long as it is not there, to the
-/// nearest folder above it: nothing can be written there, or only the reserve is left.
+/// Throws base::InputError if recordings cannot be stored in `folder` (or, if it does not exist, in the
+/// nearest existing folder above it): it is not writable, or only the reserve is free.
 void checkRecordingFolder(const std::filesystem::path& folder);
 
-/// "12.3 GB", "1.6 MB"
+/// Size for people, e.g. "12.3 GB", "1.6 MB".
 std::string sizeText(std::uint64_t bytes);
 
-/// How fast a file grows: over the last seconds, measured again every two.
+/// Growth rate of a file, measured every 2 s.
 class GrowthRate {
  public:
   using Clock = std::chrono::steady_clock;

@@ -22,7 +22,7 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// RFC 4180: quotes around what holds a comma, a quote or a line end.
+/// Cell by RFC 4180: text with a comma, a quote or a line end is quoted.
 std::string quoted(const std::string& text) {
   if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
   std::string out = "\"";
@@ -64,7 +64,7 @@ void pushRow(TableColumns& columns, const Eigen::Vector3d& value) {
   for (int i = 0; i < 3; ++i) columns[static_cast<std::size_t>(i)].push_back(value(i));
 }
 
-/// Drops quantities that no row has.
+/// Removes quantities without values in any row.
 void dropEmpty(TableColumns& columns) {
   for (const auto& column : columns)
     if (std::any_of(column.begin(), column.end(), [](double x) { return !std::isnan(x); })) return;
@@ -104,20 +104,20 @@ void reportTime(base::Progress& progress, const tracking::SourceInfo& info, doub
     progress.report(std::clamp((t - info.begin) / info.duration, 0.0, 1.0), "importing");
 }
 
-/// What the file certainly holds.
+/// Samples that are certainly in the file.
 struct Committed {
   std::int64_t rows = 0;
-  double begin = 0.0, end = 0.0;  ///< arrival of its first and last sample [s]
+  double begin = 0.0, end = 0.0;  ///< arrival of the first and last sample [s]
 };
 
-/// Throws SqliteError where the disk of `file` has less than its reserve left.
+/// Throws SqliteError if the disk of `file` has less than its reserve free.
 void checkRoom(const std::filesystem::path& file) {
   const DiskSpace space = diskSpaceAt(file.parent_path());
   if (space.size > 0 && space.free < space.reserve)
     throw SqliteError(SQLITE_FULL, "the disk is full but for its reserve of " + sizeText(space.reserve));
 }
 
-/// All samples, in transactions of 0.2 s of the recording, as far as the disk takes them. Throws SqliteError.
+/// Writes all samples in transactions of 0.2 s of the recording. Throws SqliteError when the disk is full.
 void writeSamples(tracking::Source& source, SessionWriter& writer, const std::filesystem::path& file,
                   base::Progress* progress, Committed& committed) {
   constexpr double kPeriod = 0.2;  // [s]
@@ -165,8 +165,8 @@ base::InputError stopped(const std::filesystem::path& session, const SqliteError
                                                        : "Check the folder, its permissions and the space"});
 }
 
-/// Takes the files away that a former recording left beside `session`: SQLite would apply them to whatever
-/// takes its place. What they hold goes into the former recording first.
+/// Removes the log files of a former recording beside `session`, because SQLite would apply them to the file
+/// that replaces it. Their content is moved into the former recording first.
 void foldLog(const std::filesystem::path& session) {
   std::error_code fault;
   if (!std::filesystem::exists(session.string() + "-wal", fault)) return;

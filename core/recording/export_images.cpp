@@ -19,7 +19,7 @@ namespace {
   throw base::InputError({path.string(), 0, {}, {}, reason, remedy});
 }
 
-/// Calls `each(frame)` for every pair of images; false from it, or a cancellation, ends.
+/// Calls `each(frame)` for every pair of images, until it returns false or the work is cancelled.
 template <class Each>
 void forEachFrame(const std::filesystem::path& session, base::Progress* progress, Each&& each) {
   SessionSource source(session);
@@ -44,11 +44,11 @@ int fourccFor(const std::filesystem::path& video) {
                                             {".mp4", cv::VideoWriter::fourcc('m', 'p', '4', 'v')}};
   const auto found = known.find(suffix);
   if (found == known.end())
-    refuse(video, "has a suffix that names no known container", "Choose .mkv (lossless), .avi or .mp4");
+    refuse(video, "has a suffix of no known container", "Choose .mkv (lossless), .avi or .mp4");
   return found->second;
 }
 
-/// Both views side by side; the missing one black.
+/// Both views side by side; a missing view is black.
 void sideBySide(const tracking::StereoFrame& frame, cv::Mat& both) {
   const cv::Size size = frame.left.empty() ? frame.right.size() : frame.left.size();
   both.create(size.height, 2 * size.width, CV_8UC3);
@@ -63,7 +63,8 @@ double meanRate(const SessionSummary& summary) {
                                           : 15.0;
 }
 
-/// The writer does not say when the disk takes no more: the file is read again, packet by packet, undecoded.
+/// Checks the video file by reading its packets without decoding, because the writer does not report a full
+/// disk.
 void checkWhole(const std::filesystem::path& file, std::int64_t frames, const std::filesystem::path& video) {
   constexpr double kUndecoded = -1.0;
   std::int64_t found = 0;

@@ -16,9 +16,9 @@ extern "C" {
 namespace capstan::recording {
 namespace {
 
-// Measured on noisy 640×480 colour: 2.1 ms a frame to 57 % of its size; median prediction takes longer to
-// decode and saves nothing, HuffYUV takes a little less time and more space, PNG level 1 takes ten times as
-// long.
+// Measured on noisy 640×480 colour images: 2.1 ms per frame, 57 % of its size. Median prediction takes longer
+// to decode and saves nothing; HuffYUV takes slightly less time and more space; PNG level 1 takes ten times
+// as long.
 constexpr const char* kCodecName = "utvideo";
 constexpr const char* kPrediction = "left";
 
@@ -35,8 +35,8 @@ using Context = std::unique_ptr<AVCodecContext, FreeContext>;
 using Frame = std::unique_ptr<AVFrame, FreeFrame>;
 using Packet = std::unique_ptr<AVPacket, FreePacket>;
 
-/// Columns that libavcodec sees: a multiple of four. Its encoder reserves no room for the padding of planes
-/// whose size is none, and cuts the packet of an incompressible picture short.
+/// Number of image columns given to libavcodec: a multiple of four. For other widths its encoder reserves no
+/// room for the padding of planes and truncates the packet of an incompressible image.
 int codedWidth(int width) { return (width + 3) / 4 * 4; }
 
 Context makeContext(const AVCodec* codec, int width, int height) {
@@ -50,7 +50,7 @@ Context makeContext(const AVCodec* codec, int width, int height) {
   return context;
 }
 
-/// libavcodec's planes, as OpenCV orders the channels: B, G, R; the first `width` columns.
+/// libavcodec's planes in the channel order of OpenCV (B, G, R); the first `width` columns.
 std::array<cv::Mat, 3> planesOf(AVFrame& frame, int width) {
   const auto plane = [&](int index) {
     return cv::Mat(frame.height, width, CV_8UC1, frame.data[index],

@@ -9,26 +9,26 @@
 
 namespace capstan::recording {
 
-/// What a decoder must know besides the packet.
+/// Parameters of a decoder besides the packet.
 struct CodecParameters {
-  std::string name;  ///< libavcodec's
+  std::string name;  ///< libavcodec's name
   int width = 0, height = 0;
   std::vector<std::uint8_t> extradata;
   std::uint32_t fourcc = 0;  ///< variant of the codec, first letter lowest
 };
 
-/// Lossless intra-only encoder for 8-bit BGR images of one size: each packet stands alone. One thread, that
-/// of the caller.
+/// Lossless intra-only encoder for 8-bit BGR images of one size: each packet can be decoded alone. It runs on
+/// the caller's thread.
 class FrameEncoder {
  public:
-  /// At least 2×2 pixels. Throws std::runtime_error for sizes that cannot be encoded.
+  /// Size in pixels, at least 2×2. Throws std::runtime_error for sizes that cannot be encoded.
   FrameEncoder(int width, int height);
   ~FrameEncoder();
   FrameEncoder(FrameEncoder&&) noexcept;
   FrameEncoder& operator=(FrameEncoder&&) noexcept;
 
   const CodecParameters& parameters() const;
-  /// Packet of `bgr` (8UC3, the encoder's size); valid until the next call.
+  /// Encodes `bgr` (8UC3, the encoder's size). The packet is valid until the next call.
   std::span<const std::uint8_t> encode(const cv::Mat& bgr);
 
  private:

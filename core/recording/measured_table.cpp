@@ -35,7 +35,7 @@ std::string columnName(const Quantity& quantity, std::size_t index) {
   return fmt::format("{}{}", quantity.prefix, index + 1);
 }
 
-/// The quantity and 0-based index that `name` says; null: none.
+/// Quantity and 0-based index of the column `name`; null: none.
 const Quantity* quantityOf(std::string_view name, std::size_t& index) {
   for (const Quantity& quantity : kQuantities) {
     if (!name.starts_with(quantity.prefix)) continue;
@@ -58,7 +58,7 @@ class ColumnCollector {
   std::vector<double>* operator()(std::string_view name) {
     if (!name.empty() && !seen_.emplace(name).second)
       throw base::InputError(
-          {table_.file, 1, std::string(name), {}, "stands in the header twice", "Rename or remove one"});
+          {table_.file, 1, std::string(name), {}, "is in the header twice", "Rename or remove one"});
     if (name == "t") return &table_.t;
     std::size_t index = 0;
     const Quantity* quantity = quantityOf(name, index);
@@ -72,7 +72,7 @@ class ColumnCollector {
                               1,
                               std::string(name),
                               {},
-                              fmt::format("is beyond the {} that tables may have", most),
+                              fmt::format("has a number above {}, the largest in a table", most),
                               "Rename the column or remove it"});
     auto& column = found_[static_cast<std::size_t>(quantity - kQuantities.data())][index];
     column.present = true;
@@ -101,7 +101,7 @@ class ColumnCollector {
                1,
                columnName(kQuantities[i], k),
                {},
-               "is missing beside its neighbours",
+               "is missing, but other columns of this quantity exist",
                fmt::format("Give all {} columns of {}, or none", want, kQuantities[i].prefix)});
         (table_.*kQuantities[i].columns).push_back(std::move(found_[i][k].values));
       }

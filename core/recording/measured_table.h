@@ -22,20 +22,21 @@ struct MeasuredTable {
   TableColumns q;                    ///< joint encoders, the reference [rad or m]
   TableColumns p_c;                  ///< tip from the cameras, frame 0 [m]
   TableColumns tau_ext;              ///< measured external joint load [N·m or N]
-  bool own_kinematics = false;       ///< q is what the robot computed from its motors: no reference of truth
-  std::vector<std::string> ignored;  ///< columns that the table has and nobody requested
+  bool own_kinematics = false;       ///< q is computed by the robot from its motors and is no reference
+  std::vector<std::string> ignored;  ///< columns of the table that are not used
 
   std::size_t rows() const { return t.size(); }
-  int joints() const;  ///< n: the longest of the joint quantities
+  int joints() const;  ///< number of joints n: the largest number of columns of a joint quantity
 };
 
-/// Parses the CSV at `path`. Columns in any order, whole quantities may be missing. Throws base::InputError
-/// with file, line, column, value and remedy: no t, a cell that is no number, a wrong number of cells, t not
-/// strictly increasing, a joint's column missing between others (q_m1, q_m3), a column twice.
+/// Parses the CSV at `path`. Columns may have any order, and whole quantities may be missing. Throws
+/// base::InputError with file, line, column, value and remedy for a missing t, a cell that is not a number, a
+/// wrong number of cells, t not strictly increasing, a joint's column missing between others (q_m1, q_m3), or
+/// a column given twice.
 MeasuredTable readMeasuredTable(const std::filesystem::path& path);
-/// The same from text; `file` names it in errors.
+/// Parses the text of such a CSV; `file` names it in errors.
 MeasuredTable parseMeasuredTable(std::string_view text, const std::string& file);
-/// Shortest decimals that read back to the last bit; NaN as an empty cell.
+/// Formats the table as CSV with the shortest decimals that read back to the last bit; NaN is an empty cell.
 std::string formatMeasuredTable(const MeasuredTable& table);
 
 }  // namespace capstan::recording

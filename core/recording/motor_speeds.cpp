@@ -9,8 +9,8 @@
 namespace capstan::recording {
 namespace {
 
-constexpr std::size_t kWindow = 20;   ///< rows to either side: encoder counts are small beside the motion
-constexpr std::size_t kFewest = 100;  ///< pairs of speeds
+constexpr std::size_t kWindow = 20;   ///< rows to either side; fewer let encoder counts disturb speeds
+constexpr std::size_t kFewest = 100;  ///< smallest number of pairs of speeds
 constexpr double kAlike = 0.7;
 
 double ratioOf(const std::vector<double>& t, const std::vector<double>& q_m, const std::vector<double>& dq_m,

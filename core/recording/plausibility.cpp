@@ -10,21 +10,21 @@
 namespace capstan::recording {
 namespace {
 
-constexpr std::size_t kFewestRows = 50;  ///< below which rows have no rate
-constexpr double kSlowestRate = 10.0;    ///< below which cable dynamics cannot be followed [1/s]
-constexpr double kFastestRate = 1e5;     ///< above which no motor is read [1/s]
+constexpr std::size_t kFewestRows = 50;  ///< smallest number of rows for a rate
+constexpr double kSlowestRate = 10.0;    ///< slower rates cannot resolve cable dynamics [1/s]
+constexpr double kFastestRate = 1e5;     ///< no motor is sampled faster [1/s]
 
 std::string rangeText(const Range& range, const char* unit) {
   return fmt::format("{:.4g} … {:.4g} {}", range.low, range.high, unit);
 }
 
 std::string readText(const Range& span, const UnitBounds& bounds, std::optional<ColumnUnit> unit) {
-  if (!unit) return "; in no unit that it may have does it lie within";
-  return fmt::format("; as {}, {}, it lies within", wordOf(*unit),
+  if (!unit) return "; no other unit is plausible";
+  return fmt::format("; in {} it is {}, which is plausible", wordOf(*unit),
                      rangeText(span.times(factorOf(*unit)), bounds.unit));
 }
 
-/// Looks at a table column by column.
+/// Examines a table column by column.
 class Inspection {
  public:
   Inspection(const MeasuredTable& table, const robot::Description& robot) : table_(table), robot_(robot) {}
@@ -42,7 +42,8 @@ class Inspection {
   }
 
  private:
-  /// Of a sliding joint degrees too: some tables convert all joints alike.
+  /// Possible units; degrees also for a sliding joint, because some tables convert all joints in the same
+  /// way.
   std::vector<ColumnUnit> unitsOf(std::size_t joint) const {
     using enum ColumnUnit;
     return turns(joint) ? std::vector{kDegrees} : std::vector{kMillimetres, kCentimetres, kDegrees};
@@ -60,7 +61,7 @@ class Inspection {
         fmt::format("{}{}", quantity, i + 1), std::string(quantity), span.low, span.high, true, {}, {}, {}};
   }
 
-  /// A column outside its bounds, as a finding.
+  /// Finding for a column outside its bounds.
   std::optional<UnitFinding> outside(std::string_view quantity, std::size_t i,
                                      const std::vector<double>& column, const UnitBounds& bounds,
                                      const std::vector<ColumnUnit>& units) const {
@@ -74,8 +75,8 @@ class Inspection {
     return found;
   }
 
-  /// The columns of one quantity that `find` finds implausible, with the others that share the unit of the
-  /// first of them: those for which `sharing(column, first)` is true.
+  /// Adds the columns of one quantity that `find` finds implausible, and the other columns that share the
+  /// unit of the first of these: those for which `sharing(column, first)` is true.
   template <class Find, class Sharing>
   void addQuantity(std::string_view quantity, const TableColumns& columns, Find&& find, Sharing&& sharing) {
     std::vector<std::optional<UnitFinding>> found(columns.size());
@@ -91,7 +92,7 @@ class Inspection {
         found[i] = finding(quantity, i, span);
         found[i]->implausible = false;
         found[i]->unit = found[*first]->unit;
-        found[i]->text = fmt::format("spans {:.4g} … {:.4g}: plausible by itself, but {} is beside it",
+        found[i]->text = fmt::format("spans {:.4g} … {:.4g}: plausible by itself, but {} has the same unit",
                                      span.low, span.high, found[*first]->column);
       }
       if (found[i]) findings_.push_back(std::move(*found[i]));
@@ -103,22 +104,23 @@ class Inspection {
     if (table_.rows() < kFewestRows) return;
     if (period > 1.0 / kSlowestRate) slowRows(period);
     if (period > 0.0 && period < 1.0 / kFastestRate)
-      addTime(fmt::format("has rows every {:.4g}: as seconds that is faster than any motor is read", period),
-              {});
+      addTime(
+          fmt::format("has rows every {:.4g}: in seconds this is faster than any motor is sampled", period),
+          {});
   }
 
-  /// Rows as slow as that are in another unit, but where dq_m shows that t is right.
+  /// Tests the unit of t: such slow rows are in another unit, unless dq_m shows that t is correct.
   void slowRows(double period) {
     const MotorSpeeds speeds(table_, MotorFactors(table_.q_m.size(), 1.0), 1.0);
     if (speeds.any() && speeds.agree()) return;
     std::string text =
-        fmt::format("has rows every {:.4g}: as seconds that is slower than any motor is read", period);
+        fmt::format("has rows every {:.4g}: in seconds this is slower than any motor is sampled", period);
     std::optional<ColumnUnit> read_as;
     for (const ColumnUnit unit :
          {ColumnUnit::kNanoseconds, ColumnUnit::kMicroseconds, ColumnUnit::kMilliseconds})
       if (factorOf(unit) * period <= 1.0 / kSlowestRate) read_as = unit;
     if (read_as)
-      text += fmt::format("; as {} there are {:.4g} rows a second", wordOf(*read_as),
+      text += fmt::format("; in {} there are {:.4g} rows per second", wordOf(*read_as),
                           1.0 / (factorOf(*read_as) * period));
     addTime(std::move(text), read_as);
   }
@@ -136,8 +138,8 @@ class Inspection {
                 [this](std::size_t i, std::size_t because) { return !shownInSi(i, because); });
   }
 
-  /// Is motor i in SI though motor `because` is in degrees? It is where its speeds agree as they stand with
-  /// its positions, and those of `because` with its positions in radians.
+  /// True if motor i is in SI although motor `because` is in degrees: the unconverted speeds of i agree with
+  /// its positions, and those of `because` agree with its positions in radians.
   bool shownInSi(std::size_t i, std::size_t because) const {
     const auto agree = [](double ratio) { return ratio > 1.0 / 3.0 && ratio < 3.0; };
     const MotorSpeeds stand(table_, MotorFactors(table_.q_m.size(), 1.0), factorFound("t"));
@@ -146,7 +148,7 @@ class Inspection {
     return agree(stand.ratio(i)) && agree(read.ratio(because));
   }
 
-  /// Factor to SI of what was found so far of a column.
+  /// Factor to SI of a column by the findings so far.
   double factorFound(std::string_view column) const {
     for (const UnitFinding& found : findings_)
       if (found.column == column) return factorOf(found.unit.value_or(ColumnUnit::kSi));
@@ -166,7 +168,7 @@ class Inspection {
       found = finding("dq_m", i, span);
       found->unit = ColumnUnit::kDegrees;
       found->text = fmt::format(
-          "spans {:.4g} … {:.4g}: as rad/s that is {:.3g} times the speed at which q_m{} changes; as degrees "
+          "spans {:.4g} … {:.4g}: in rad/s this is {:.3g} times the rate of q_m{}; in degrees "
           "per second they agree",
           span.low, span.high, shown.ratio(i), i + 1);
       return found;

@@ -44,7 +44,7 @@ Columns columnsOf(std::string_view text, const std::string& file) {
                               std::string(kParts[i]),
                               {},
                               "is missing",
-                              "A path has columns x, y, z, qx, qy, qz, qw, and where known t_s and traj"});
+                              "A path has the columns x, y, z, qx, qy, qz, qw, and optionally t_s and traj"});
   return columns;
 }
 
@@ -54,7 +54,8 @@ learning::StampedPose poseOf(const Columns& columns, std::size_t row, const std:
   pose.t = columns.stamp.empty() ? static_cast<double>(row) : columns.stamp[row];
   for (std::size_t i = 0; i < kParts.size(); ++i)
     if (!std::isfinite(columns.part[i][row]))
-      refuse(file, pose.row, kParts[i], columns.part[i][row], "is no number", "Give every row a whole pose");
+      refuse(file, pose.row, kParts[i], columns.part[i][row], "is not a number",
+             "Give every row a complete pose");
   const auto part = [&](std::size_t i) { return columns.part[i][row]; };
   const Eigen::Quaterniond rotation(part(6), part(3), part(4), part(5));
   if (std::abs(rotation.norm() - 1.0) > learning::kNorm)
@@ -78,7 +79,7 @@ PosePaths parsePosePaths(std::string_view text, const std::string& file) {
     learning::StampedPose pose = poseOf(columns, row, file);
     if (all.timed && !(std::isfinite(pose.t) && (poses.empty() || pose.t > poses.back().t)))
       refuse(file, pose.row, "t_s", pose.t, "is not after the stamp before",
-             "Sort each trajectory by time and take repeats out");
+             "Sort each trajectory by time and remove repeated rows");
     poses.push_back(pose);
   }
   return all;

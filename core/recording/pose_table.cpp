@@ -15,9 +15,9 @@ namespace capstan::recording {
 namespace {
 
 constexpr std::array<std::string_view, 7> kParts = {"x", "y", "z", "qx", "qy", "qz", "qw"};
-constexpr std::size_t kPositions = 3;  // of these
+constexpr std::size_t kPositions = 3;  // number of position columns among these
 
-/// Columns of one stream: the stamp, and position and quaternion.
+/// Columns of one stream: stamp, position and quaternion.
 struct StreamColumns {
   std::vector<double> stamp;
   std::array<std::vector<double>, 7> part;
@@ -53,7 +53,8 @@ void need(const std::vector<double>& column, const std::string& name, const std:
                             "same of robot or cmd"});
 }
 
-/// Stamps and positions of cameras and of robot or command; all parts of a quaternion or none.
+/// Checks the columns: stamps and positions of cameras and of robot or command must exist, and all or no
+/// parts of a quaternion.
 void check(const Columns& columns, const std::string& file) {
   need(columns.trajectory, "traj", file);
   const bool robot = !columns.streams[1].stamp.empty(), command = !columns.streams[2].stamp.empty();
@@ -138,7 +139,7 @@ void checkDistinct(const std::vector<std::string>& paths) {
             {paths[b], 0, {}, {}, "is given twice: its motions would count twice", "Give each table once"});
 }
 
-/// The file's name without its ending; its whole path where another table has the same name.
+/// The file's name without its suffix, or its whole path if another table has the same name.
 std::string shortName(const std::string& path, const std::vector<std::string>& paths) {
   const std::string name = std::filesystem::path(path).stem().string();
   const auto same = std::count_if(paths.begin(), paths.end(), [&](const std::string& other) {

@@ -13,30 +13,31 @@
 
 namespace capstan::recording {
 
-/// How the columns of each learning::StreamKind begin: "cam_x", "t_cam_s".
+/// Prefix of the columns of each learning::StreamKind, as in "cam_x" and "t_cam_s".
 inline constexpr std::array<std::string_view, learning::kStreams> kStreamPrefixes = {"cam", "robot", "cmd"};
 
-/// Parses a table of tip poses with columns traj, t_cam_s, cam_x, cam_y, cam_z, cam_qx, cam_qy, cam_qz,
-/// cam_qw and the same of robot or cmd (or both), and task where known: stamps in seconds, each stream's own
-/// clock; metres; unit quaternions. Rows of one trajectory stand together. Nothing is excluded
-/// (learning::screenPoses does that). base::InputError naming file, line, column, value and remedy: a column
-/// that is missing, a cell that is no number, no rows.
+/// Parses a table of tip poses with the columns traj, t_cam_s, cam_x, cam_y, cam_z, cam_qx, cam_qy, cam_qz,
+/// cam_qw, the same columns of robot or cmd (or both), and optionally task. Stamps are in seconds on each
+/// stream's own clock, positions in metres, rotations unit quaternions. Rows of one trajectory are
+/// contiguous. No row is excluded (learning::screenPoses does that). Throws base::InputError naming file,
+/// line, column, value and remedy for a missing column, a cell that is not a number, or no rows.
 std::vector<learning::RawMotion> parsePoseTable(std::string_view text, const std::string& file);
 std::vector<learning::RawMotion> readPoseTable(const std::filesystem::path& path);
 
-/// The motions of several tables, one behind the other; each carries the name of its table, "monday,
-/// trajectory 3". Of one table as readPoseTable(). Cancelled: those of the tables read until then.
-/// base::InputError as readPoseTable(), and where a table is given twice, which would count twice.
+/// Motions of several tables, one after the other; each motion has the name of its table, "monday, trajectory
+/// 3". For one table, like readPoseTable(). If cancelled, returns the motions of the tables read so far.
+/// Throws base::InputError as readPoseTable(), and for a table that is given twice, because its data would
+/// count twice.
 std::vector<learning::RawMotion> readPoseTables(const std::vector<std::string>& paths,
                                                 base::Progress* progress = nullptr);
 
-/// The same of a table that may have no quaternions: all of a stream without them are of NaN.
+/// Parses a pose table whose streams may lack quaternions; these are then NaN.
 std::vector<learning::RawMotion> parseTipTable(std::string_view text, const std::string& file);
 
-/// Of one its path, of more "a.csv and 2 more tables".
+/// Name of the tables for messages: the path of a single table, otherwise "a.csv and 2 more tables".
 std::string nameOfTables(const std::vector<std::string>& paths);
 
-/// Calls `work`; a base::InputError of it that names no file gets the tables' names.
+/// Calls `work`; adds the tables' names to a base::InputError that names no file.
 template <class Work>
 auto namingTables(const std::vector<std::string>& paths, Work&& work) {
   return base::namingFile(nameOfTables(paths), std::forward<Work>(work));

@@ -14,9 +14,9 @@
 namespace capstan::recording {
 namespace {
 
-/// What the robot's software calls a column, whose it is, and the factor to SI. The insertion axis is
-/// published as metres times 180/π, its motor like the others in degrees: one factor serves all positions and
-/// speeds.
+/// Name of a column in the robot's software, its quantity and its factor to SI. The insertion axis is
+/// published as metres times 180/π and its motor in degrees like the others, so one factor holds for all
+/// positions and speeds.
 struct RavenColumn {
   std::string_view name;
   TableColumns MeasuredTable::*quantity;
@@ -40,7 +40,8 @@ constexpr std::array kColumns = {
     RavenColumn{"tau3", &MeasuredTable::tau_m, 2, 1.0},
 };
 
-/// TR of the robot's software, N r / r_mc [rad/rad, rad/rad, rad/m], and the published radii over its own.
+/// TR of the robot's software, N r / r_mc [rad/rad, rad/rad, rad/m], and the published radii divided by its
+/// own.
 constexpr std::array kTransmissionRatio = {12.25 * 63.095e-3 / 5.675e-3, 12.25 * 56.297e-3 / 5.675e-3,
                                            12.25 * 1.0 / 5.675e-3};
 constexpr std::array kRounding = {1.0, 56.298 / 56.297, 1.0};
@@ -60,7 +61,7 @@ MeasuredTable parseRavenMotors(std::string_view text, const std::string& file) {
       if (column.name != name) continue;
       if (std::exchange(found[column.name], true))
         throw base::InputError(
-            {file, 1, std::string(name), {}, "stands in the header twice", "Rename or remove one"});
+            {file, 1, std::string(name), {}, "is in the header twice", "Rename or remove one"});
       return &(table.*column.quantity)[column.joint];
     }
     table.ignored.emplace_back(name);

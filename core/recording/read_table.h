@@ -8,14 +8,14 @@
 
 namespace capstan::recording {
 
-/// Is `path` a session file, by its suffix or its first bytes? Throws base::InputError where it cannot be
+/// True if `path` is a session file by its suffix or its first bytes. Throws base::InputError if it cannot be
 /// opened.
 bool isSession(const std::filesystem::path& path);
 
-/// The measured table, or recording of the RAVEN-II's own software, at `path`, in SI units: what everybody
-/// reads tables with. Columns of a measured table are read as `read_as` says; the header of the RAVEN-II's
-/// states its units. Throws ImplausibleUnits for columns that `robot` can hardly have measured and `read_as`
-/// says nothing of, other base::InputError as readMeasuredTable() and readRavenMotors().
+/// Reads the measured table, or the recording by the RAVEN-II's own software, at `path`, in SI units. All
+/// parts of the program read tables by this function. `read_as` states the units of a measured table; a
+/// RAVEN-II recording states its own. Throws ImplausibleUnits for columns that are implausible for `robot`
+/// and not in `read_as`, and other base::InputError as readMeasuredTable() and readRavenMotors().
 MeasuredTable readTable(const std::filesystem::path& path, const robot::Description& robot,
                         const ReadAs& read_as = {});
 

@@ -11,10 +11,10 @@
 #include "core/recording/session_file.h"
 #include "core/tracking/sample.h"
 
-/// What waits between the recorder's data path and its writer.
+/// Queue elements between the recorder's data path and its writer.
 namespace capstan::recording {
 
-/// Stands in the queue for a pair of images, which waits in the ring of frames.
+/// Placeholder in the queue for a pair of images that waits in the ring of frames.
 struct FrameMark {};
 
 struct Record {
@@ -23,19 +23,19 @@ struct Record {
   std::variant<tracking::MotorSample, tracking::JointSample, tracking::TipSample, EstimateRow, FrameMark> row;
 };
 
-/// What other threads hand to the writer now and then.
+/// Infrequent message from other threads to the writer.
 struct Message {
   std::int64_t seq = 0;
   SessionEvent event;
   std::optional<Eigen::Isometry3d> registration;
 };
 
-/// Slots of a queue that holds `time` seconds of `rate` rows a second.
+/// Number of slots of a queue for `time` seconds at `rate` rows per second.
 inline std::size_t slots(double rate, double time) {
   return static_cast<std::size_t>(std::ceil(rate * time)) + 2;
 }
 
-/// Memory of a pair of images, kept when a camera gave none.
+/// Memory of a pair of images; it is kept when a camera gives no image.
 struct FrameSlot {
   double t = 0.0, t_arrival = 0.0;
   std::array<cv::Mat, 2> image;

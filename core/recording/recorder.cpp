@@ -131,7 +131,7 @@ class Recorder::Impl {
   bool hand(Record& slot) {
     slot.seq = seq_.fetch_add(1, std::memory_order_relaxed);
     slot.offered = Clock::now();
-    queued_.fetch_add(1, std::memory_order_relaxed);  // first: what is written was queued before
+    queued_.fetch_add(1, std::memory_order_relaxed);  // before push(), so that written never exceeds queued
     records_.push();
     return true;
   }
@@ -170,7 +170,7 @@ class Recorder::Impl {
     }
   }
 
-  /// One transaction: what is queued, as far as it takes no longer than the commit interval to encode.
+  /// Writes one transaction: the queued rows, as long as encoding takes less than the commit interval.
   void commitQueued() {
     std::vector<Message> messages;
     {
@@ -221,7 +221,7 @@ class Recorder::Impl {
     }
   }
 
-  /// 1 for a pair of images.
+  /// Number of frames: 1 for a pair of images, else 0.
   std::uint64_t writeRow(const Record& record) {
     return std::visit(
         [&](const auto& row) -> std::uint64_t {
@@ -277,7 +277,7 @@ class Recorder::Impl {
       stats_.time_left = static_cast<double>(now.free - reserve_) / growth_.bytesPerSecond();
   }
 
-  /// The reserve takes what is queued.
+  /// Stops recording; the queued rows use the reserve.
   void stopAtReserve() {
     recording_.store(false, std::memory_order_relaxed);
     while (!finished_ && records_.front()) commitQueued();
@@ -286,8 +286,8 @@ class Recorder::Impl {
            Clock::now());
   }
 
-  /// On the writer's thread. Closes the file first: when the fault is reported, the file is as the message
-  /// says. `oldest`: when the oldest row was offered that is not in the file.
+  /// Ends recording after a fault, on the writer's thread. Closes the file before the fault is reported, so
+  /// that the message is true of the file. `oldest`: time of offer of the oldest row that is not in the file.
   void fail(const std::string& reason, const std::string& advice, Clock::time_point oldest) {
     const double lost_time = secondsBetween(oldest, Clock::now());
     recording_.store(false, std::memory_order_relaxed);
@@ -296,7 +296,7 @@ class Recorder::Impl {
     bool whole = false;
     try {
       whole = writer_.finish();
-    } catch (const SqliteError&) {  // the disk takes nothing more; the log stays as it is
+    } catch (const SqliteError&) {  // the disk is full; the log stays as it is
     }
     {
       const std::lock_guard lock(mutex_);
@@ -345,13 +345,13 @@ class Recorder::Impl {
   std::atomic<std::int64_t> seq_{1};
   std::atomic<std::uint64_t> queued_{0}, dropped_{0}, dropped_frames_{0};
   std::atomic<bool> recording_{true};
-  mutable std::mutex mutex_;  ///< closing_, messages_, stats_
+  mutable std::mutex mutex_;  ///< protects closing_, messages_, stats_
   std::condition_variable wake_;
   bool closing_ = false;
   std::vector<Message> messages_;
   RecorderStats stats_;
-  bool cut_short_ = false;  ///< writer's thread: the last transaction left rows behind
-  bool finished_ = false;   ///< writer's thread until it is joined: a fault has closed the file
+  bool cut_short_ = false;  ///< writer's thread: the last transaction left rows in the queue
+  bool finished_ = false;   ///< a fault has closed the file (writer's thread until it is joined)
   GrowthRate growth_;
   std::thread thread_;
 };

@@ -8,14 +8,14 @@
 
 namespace capstan::recording {
 
-/// Space of the disk that a recording at `path` goes to, by `options.disk_space`.
+/// Space on the disk of a recording at `path`, from `options.disk_space`.
 DiskSpace spaceOf(const std::filesystem::path& path, const RecorderOptions& options);
 
-/// The reserve that a recording at `path` keeps free [bytes]. Throws base::InputError where only that is
-/// left.
+/// Reserve that a recording at `path` keeps free [bytes]. Throws base::InputError if only the reserve is
+/// free.
 std::uint64_t checkedReserve(const std::filesystem::path& path, const RecorderOptions& options);
 
-/// Log that starts a checkpoint [bytes]: on a small disk it must not take what the file needs.
+/// Log size that starts a checkpoint [bytes]; it is smaller on a small disk, where the file needs the space.
 std::uint64_t logThreshold(const std::filesystem::path& path, const RecorderOptions& options);
 
 }  // namespace capstan::recording

@@ -8,8 +8,8 @@ namespace {
 using enum ColumnType;
 
 constexpr Column kSeq = {"seq", kInteger, "", "place in the order of arrival, across all tables"};
-constexpr Column kTime = {"t", kReal, "s", "instant that the row speaks of, session clock"};
-constexpr Column kArrival = {"t_arrival", kReal, "s", "when it reached the computer, session clock"};
+constexpr Column kTime = {"t", kReal, "s", "time of the measurement, session clock"};
+constexpr Column kArrival = {"t_arrival", kReal, "s", "time of arrival at the computer, session clock"};
 
 constexpr Column kMotor[] = {
     kSeq,
@@ -74,7 +74,7 @@ constexpr Column kEstimate[] = {
     {"q_link_true1", kReal, "rad", "joint 1, newest reference"},
     {"q_link_true2", kReal, "rad", "joint 2, newest reference"},
     {"q_link_true3", kReal, "m", "joint 3, newest reference"},
-    {"gate", kInteger, "", "0: the filter observes the cameras; else why it observes kinematics"},
+    {"gate", kInteger, "", "0: the filter observes the cameras; else the reason why it observes kinematics"},
     {"camera_updated", kInteger, "", "1: this row took a camera sample"},
     {"nis", kReal, "1", "normalised innovation squared of the last update"},
     {"nees", kReal, "1", "normalised estimation error squared, where the truth is known"},
@@ -90,20 +90,20 @@ constexpr Column kCodec[] = {
     {"name", kText, "", "codec of libavcodec, planes G B R"},
     {"width", kInteger, "px", "width of the image; packets are padded to a multiple of four columns"},
     {"height", kInteger, "px", "height of the image"},
-    {"fourcc", kInteger, "", "variant of the codec, four letters, the first lowest"},
-    {"extradata", kBlob, "", "what its decoder needs besides the packet"},
+    {"fourcc", kInteger, "", "variant of the codec, four letters, the first in the lowest byte"},
+    {"extradata", kBlob, "", "data that the decoder needs besides the packet"},
 };
 constexpr Column kHeader[] = {
     {"key", kText, "",
      "title, created, software, robot, camera_left, camera_right, truth, marker, tracking, "
      "registration, reference"},
-    {"value", kText, "", "its text, whole files as they are"},
+    {"value", kText, "", "text; contents of complete files"},
 };
 constexpr Column kDictionary[] = {
     {"table_name", kText, "", "table"},
     {"column_name", kText, "", "column; empty: the table itself"},
     {"unit", kText, "", "SI unit; empty: none"},
-    {"meaning", kText, "", "what the column holds"},
+    {"meaning", kText, "", "meaning of the column"},
 };
 
 constexpr std::array kTables = {
@@ -111,9 +111,9 @@ constexpr std::array kTables = {
     Table{"joint", "joint encoders: the reference, never an input of an estimator", kJoint},
     Table{"tip", "tip positions of another camera system", kTip},
     Table{"frame", "pairs of images", kFrame},
-    Table{"estimate", "what the tracking pipeline said", kEstimate},
+    Table{"estimate", "output of the tracking pipeline", kEstimate},
     Table{"event", "what happened", kEvent},
-    Table{"codec", "how images are packed", kCodec},
+    Table{"codec", "codecs of the images", kCodec},
     Table{"header", "robot, cameras, registration, versions", kHeader},
     Table{"dictionary", "unit and meaning of every column", kDictionary},
 };

@@ -25,13 +25,13 @@ base::InputError notASession(const std::filesystem::path& path) {
                            fmt::format("Choose a file recorded by Capstan (*{})", kSessionSuffix)});
 }
 
-/// Only what is known without opening the file: to close it would drop every lock that this process holds
-/// on it, those of a recorder too (POSIX; SQLite, How To Corrupt, 2.2).
+/// Checks the file without opening it. Closing it would release all locks of this process on the file, also
+/// those of a recorder (POSIX; SQLite, How To Corrupt, 2.2).
 void checkFile(const std::filesystem::path& path) {
   std::error_code fault;
   if (!std::filesystem::is_regular_file(path, fault)) refuse(path, "is not a file", "Check the path");
   if (::access(path.c_str(), R_OK) != 0) refuse(path, "cannot be opened", "Check its permissions");
-  if (std::filesystem::file_size(path, fault) == 0) throw notASession(path);  // SQLite takes it for a new one
+  if (std::filesystem::file_size(path, fault) == 0) throw notASession(path);  // to SQLite a new database
 }
 
 void checkIdentity(Database& database, const std::filesystem::path& path) {
@@ -47,7 +47,7 @@ void checkIdentity(Database& database, const std::filesystem::path& path) {
     if (!database.hasTable(table.name)) refuse(path, fmt::format("lacks the table {}", table.name), kRecover);
 }
 
-/// `file:` URI of `path` whose content nobody changes: SQLite then needs neither locks nor files beside it.
+/// `file:` URI of `path` as an immutable file, for which SQLite needs neither locks nor additional files.
 std::string immutableUri(const std::filesystem::path& path) {
   std::string uri = "file:";
   for (const char c : std::filesystem::absolute(path).string())

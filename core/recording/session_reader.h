@@ -11,20 +11,20 @@
 
 namespace capstan::recording {
 
-/// Opens a session file to read, never changing it: also one that is being recorded, one whose recorder died,
-/// and one on a read-only disk. Throws base::InputError with the remedy for anything that is not a whole
-/// session of a version that this program knows.
+/// Opens a session file for reading without changing it. The file may be under recording, left by a crashed
+/// recorder, or on a read-only disk. Throws base::InputError with the remedy for a file that is not a
+/// complete session of a known version.
 Database openSession(const std::filesystem::path& path);
 
-/// The error that an SQLite answer to reading `path` means.
+/// Input error that corresponds to an SQLite error while reading `path`.
 base::InputError damagedSession(const std::filesystem::path& path, const SqliteError& error);
 
 SessionHeader readHeader(Database& database);
-/// Three columns from `column` on.
+/// Vector of three columns, the first at `column`.
 inline Eigen::Vector3d vectorAt(const Statement& row, int column) {
   return {row.real(column), row.real(column + 1), row.real(column + 2)};
 }
-/// Row id → decoder.
+/// Decoders by row id of table `codec`.
 std::map<std::int64_t, FrameDecoder> readCodecs(Database& database, const std::string& file);
 
 }  // namespace capstan::recording

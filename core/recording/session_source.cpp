@@ -96,8 +96,7 @@ class SessionSource::Impl {
     }
   }
 
-  /// Hands out images that this source keeps, so that samples of other kinds in between do not cost their
-  /// memory.
+  /// Returns images in memory of this source, so that samples of other kinds in between do not release it.
   void readFrame(const Statement& row, tracking::Sample& out) {
     out = tracking::StereoFrame{row.real(1), row.real(2), {}, {}};
     auto& frame = std::get<tracking::StereoFrame>(out);
@@ -109,7 +108,7 @@ class SessionSource::Impl {
   cv::Mat unpack(const Statement& row, int column, std::int64_t codec, int side, double t) {
     if (row.isNull(column)) return {};
     cv::Mat& image = images_[static_cast<std::size_t>(side)];
-    if (image.u && image.u->refcount > 1) image = cv::Mat();  // somebody keeps the last one
+    if (image.u && image.u->refcount > 1) image = cv::Mat();  // the last image is still in use elsewhere
     const auto decoder = codecs_.find(codec);
     if (decoder == codecs_.end() || !decoder->second.decode(row.blob(column), image))
       throw base::InputError({path_.string(), 0, side == 0 ? "frame.left" : "frame.right",

@@ -7,17 +7,17 @@
 
 namespace capstan::recording {
 
-/// Replays a session file in the order of arrival that it was recorded in, to the last bit.
+/// Replays a session file in its recorded order of arrival, with bit-identical samples.
 class SessionSource : public tracking::Source {
  public:
-  /// Throws base::InputError for a file that is missing, foreign, damaged or of a newer version.
+  /// Throws base::InputError for a file that is missing, not a session, damaged or of a newer version.
   explicit SessionSource(const std::filesystem::path& path);
   ~SessionSource() override;
 
   const tracking::SourceInfo& info() const override;
-  /// Throws base::InputError where the file is damaged.
+  /// Throws base::InputError if the file is damaged.
   bool next(tracking::Sample& out) override;
-  /// Frames: an opaque occluder is painted over the whole image. Tip samples: no position.
+  /// Blocks cameras: frames are covered completely by an opaque occluder, tip samples have no position.
   void block(bool left, bool right) override;
 
  private:

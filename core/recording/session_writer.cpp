@@ -12,7 +12,7 @@ namespace capstan::recording {
 namespace {
 
 constexpr int kPageSize = 8192;
-constexpr int kGrowth = 1 << 20;  ///< by which the main file grows ahead of the log [bytes]
+constexpr int kGrowth = 1 << 20;  ///< step by which the main file grows [bytes]
 
 double threadSeconds() {
   timespec now{};
@@ -54,15 +54,15 @@ void writeDictionary(Database& database) {
   }
 }
 
-/// Commits were written without waiting for the disk. `which`: SQLITE_FCNTL_FILE_POINTER, or
-/// SQLITE_FCNTL_JOURNAL_POINTER of the log.
+/// Waits until earlier commits are on the disk. `which`: SQLITE_FCNTL_FILE_POINTER, or
+/// SQLITE_FCNTL_JOURNAL_POINTER for the log.
 void sync(Database& database, int which) {
   sqlite3_file* file = nullptr;
   sqlite3_file_control(database.handle(), nullptr, which, &file);
   if (file && file->pMethods) file->pMethods->xSync(file, SQLITE_SYNC_NORMAL);
 }
 
-/// The main file grows by multiples of `bytes`, 0: as its content does.
+/// Makes the main file grow by multiples of `bytes`; 0: by its content.
 void growBy(Database& database, int bytes) {
   sqlite3_file_control(database.handle(), nullptr, SQLITE_FCNTL_CHUNK_SIZE, &bytes);
 }
@@ -121,7 +121,8 @@ void SessionWriter::commit() {
   database_.run("COMMIT");
 }
 
-/// SQLite writes into every block of the room, so that the file system cannot take it back.
+/// Reserves room in the main file. SQLite writes into every block of it, so that the file system keeps it
+/// allocated.
 void SessionWriter::makeRoom() {
   page_count_->step();
   sqlite3_int64 bytes = page_count_->integer(0) * kPageSize;
@@ -222,7 +223,7 @@ void SessionWriter::setRegistration(const Eigen::Isometry3d& base_from_camera) {
 }
 
 bool SessionWriter::finish() {
-  constexpr int kPatience = 200;  // [ms]; a reader that keeps its transaction longer may keep the log too
+  constexpr int kPatience = 200;  // [ms]; the log stays if a reader's transaction takes longer
   insert_ = {};
   page_count_.reset();
   sqlite3_busy_timeout(database_.handle(), kPatience);
@@ -235,13 +236,12 @@ bool SessionWriter::finish() {
     return true;
   } catch (const SqliteError& error) {
     if (error.code() == SQLITE_BUSY) {
-      sync(database_, SQLITE_FCNTL_JOURNAL_POINTER);  // a reader keeps it
+      sync(database_, SQLITE_FCNTL_JOURNAL_POINTER);  // a reader uses the log
       return false;
     }
     if (hasLog(sqlite3_db_filename(database_.handle(), nullptr))) throw;
   }
-  database_.run(
-      "PRAGMA journal_mode = MEMORY");  // the log is in the file; a journal of its own found no space
+  database_.run("PRAGMA journal_mode = MEMORY");  // the log is in the file; there was no space for a journal
   return true;
 }
 

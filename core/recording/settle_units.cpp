@@ -33,8 +33,8 @@ bool anyImplausible(const std::vector<UnitFinding>& findings) {
   return std::any_of(findings.begin(), findings.end(), [](const UnitFinding& f) { return f.implausible; });
 }
 
-/// Refuses `read_as` where it leaves or makes columns implausible: those of which it states a unit, and those
-/// that were plausible `before` it.
+/// Throws base::InputError if columns are implausible with `read_as`: columns with a stated unit, and columns
+/// that were plausible `before`.
 void refuseStated(const MeasuredTable& table, const ReadAs& read_as, const std::vector<UnitFinding>& before,
                   std::vector<UnitFinding> after) {
   std::erase_if(after, [&](const UnitFinding& found) {
@@ -47,9 +47,9 @@ void refuseStated(const MeasuredTable& table, const ReadAs& read_as, const std::
   if (after.empty()) return;
   throw base::InputError(
       {table.file, 0, "--read-as", formatReadAs(read_as),
-       "does not suit the table. Read so:" + linesOf(after),
+       "does not fit the table. With these units:" + linesOf(after),
        fmt::format("\nState only units that the table has, and those of all columns that are not "
-                   "in SI; {} takes these columns as they stand",
+                   "in SI; {} leaves these columns unconverted",
                    keepAll(after))});
 }
 
@@ -77,15 +77,15 @@ std::string proposedReadAs(const MeasuredTable& table, const std::vector<UnitFin
 }
 
 ImplausibleUnits::ImplausibleUnits(const MeasuredTable& table, std::vector<UnitFinding> findings)
-    : InputError({table.file,
-                  0,
-                  {},
-                  {},
-                  "columns that this robot can hardly have measured in SI units. Nothing was read:" +
-                      linesOf(findings),
-                  fmt::format("\nRead it with --read-as {}, or take it as it stands with --read-as {}. A "
-                              "table of another robot needs its robot file",
-                              proposedReadAs(table, findings), keepAll(findings))}),
+    : InputError(
+          {table.file,
+           0,
+           {},
+           {},
+           "columns that are implausible for this robot in SI units. Nothing was read:" + linesOf(findings),
+           fmt::format("\nConvert it with --read-as {}, or leave it unconverted with --read-as {}. A "
+                       "table of another robot needs its robot file",
+                       proposedReadAs(table, findings), keepAll(findings))}),
       findings_(std::move(findings)) {}
 
 void settleUnits(MeasuredTable& table, const robot::Description& robot, const ReadAs& read_as) {

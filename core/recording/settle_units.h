@@ -11,12 +11,12 @@
 
 namespace capstan::recording {
 
-/// What `findings` propose, as parseReadAs() takes it: "q_m=deg,q3=mm"; columns that no unit makes plausible
-/// with keep.
+/// Units proposed by `findings`, in the format of parseReadAs(): "q_m=deg,q3=mm". Columns that no unit makes
+/// plausible get "keep".
 std::string proposedReadAs(const MeasuredTable& table, const std::vector<UnitFinding>& findings);
 
-/// A table that is not read before a person has said what its units are. what() names columns, values and the
-/// option that reads them.
+/// Error for a table whose units the user must state first. what() names columns, values and the option for
+/// reading them.
 class ImplausibleUnits : public base::InputError {
  public:
   ImplausibleUnits(const MeasuredTable& table, std::vector<UnitFinding> findings);
@@ -27,13 +27,12 @@ class ImplausibleUnits : public base::InputError {
   std::vector<UnitFinding> findings_;
 };
 
-/// Reads columns of `table` as `read_as` says. Throws ImplausibleUnits where an implausible column is left of
-/// which nothing was said; base::InputError as readColumnsAs(), and where a column is implausible in the unit
-/// that was stated of it, or becomes so beside one.
+/// Converts columns of `table` from the units in `read_as`. Throws ImplausibleUnits if a column without a
+/// stated unit is implausible. Throws base::InputError as readColumnsAs(), and if a column is implausible in
+/// its stated unit or becomes implausible through the unit of another column.
 void settleUnits(MeasuredTable& table, const robot::Description& robot, const ReadAs& read_as);
 
-/// What is odd about units, and no reason to stop: a median period below 1e-4 s. Lines without the file's
-/// name.
+/// Remarks on unusual units that are no errors: a median period below 1e-4 s. Lines without the file's name.
 std::vector<std::string> unitNotices(const MeasuredTable& table);
 
 }  // namespace capstan::recording

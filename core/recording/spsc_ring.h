@@ -6,28 +6,28 @@
 
 namespace capstan::recording {
 
-/// Bounded queue between one producer and one consumer thread. Slots are made once and reused; neither side
-/// waits, neither allocates.
+/// Bounded queue between one producer thread and one consumer thread. Slots are created once and reused.
+/// Neither side waits or allocates.
 template <class T>
 class SpscRing {
  public:
   explicit SpscRing(std::size_t capacity) : slots_(capacity + 1) {}
 
-  /// Producer: the slot to fill, or null when the ring is full. push() hands it over.
+  /// Producer: slot to fill, or null when the ring is full. push() passes it to the consumer.
   T* back() {
     const std::size_t tail = tail_.load(std::memory_order_relaxed);
     return after(tail) == head_.load(std::memory_order_acquire) ? nullptr : &slots_[tail];
   }
   void push() { tail_.store(after(tail_.load(std::memory_order_relaxed)), std::memory_order_release); }
 
-  /// Consumer: the oldest, or null when the ring is empty. pop() gives its slot back.
+  /// Consumer: oldest slot, or null when the ring is empty. pop() releases it.
   T* front() {
     const std::size_t head = head_.load(std::memory_order_relaxed);
     return head == tail_.load(std::memory_order_acquire) ? nullptr : &slots_[head];
   }
   void pop() { head_.store(after(head_.load(std::memory_order_relaxed)), std::memory_order_release); }
 
-  /// Before use, by one thread: prepares every slot.
+  /// Prepares every slot before use, on one thread.
   template <class Prepare>
   void prepare(Prepare&& each) {
     for (T& slot : slots_) each(slot);

@@ -10,11 +10,10 @@
 #include <string>
 #include <string_view>
 
-/// SQLite's C interface with owners. Inside this room only.
+/// SQLite's C interface with owning classes. For core/recording only.
 namespace capstan::recording {
 
-/// An error of SQLite. Callers turn it into a base::InputError (reading, creating)
-/// or into a state (recording).
+/// Error of SQLite. Callers convert it to a base::InputError (reading, creating) or to a state (recording).
 class SqliteError : public std::runtime_error {
  public:
   SqliteError(int code, const std::string& message) : std::runtime_error(message), code_(code) {}
@@ -24,7 +23,7 @@ class SqliteError : public std::runtime_error {
   int code_;
 };
 
-/// An open database. One thread at a time.
+/// An open database, for one thread at a time.
 class Database {
  public:
   enum class Mode { kRead, kReadUri, kReadWrite, kCreate };
@@ -32,7 +31,7 @@ class Database {
   /// Throws SqliteError.
   Database(const std::filesystem::path& path, Mode mode);
 
-  /// Runs statements without results. Throws SqliteError.
+  /// Executes SQL statements without results. Throws SqliteError.
   void run(const std::string& sql);
   /// First column of the first row as a number; 0 without rows. Throws SqliteError.
   std::int64_t number(const std::string& sql);
@@ -46,7 +45,8 @@ class Database {
   std::unique_ptr<sqlite3, Close> handle_;
 };
 
-/// A prepared statement. Parameters count from 1, columns from 0. Not a number is NULL, both ways.
+/// A prepared statement. Parameters count from 1, columns from 0. NaN is written as NULL, and NULL is read as
+/// NaN.
 class Statement {
  public:
   Statement(Database& database, const std::string& sql);
@@ -54,13 +54,13 @@ class Statement {
   void bind(int index, double value);
   void bind(int index, std::int64_t value);
   void bind(int index, std::string_view value);               ///< copied
-  void bind(int index, std::span<const std::uint8_t> value);  ///< must live until step(); empty: NULL
+  void bind(int index, std::span<const std::uint8_t> value);  ///< must stay valid until step(); empty: NULL
   void bindNull(int index);
 
-  /// True: a row is there. Throws SqliteError.
+  /// Steps to the next row; true: there is one. Throws SqliteError.
   bool step();
   void reset();
-  /// step() of a statement without rows, then reset().
+  /// Executes a statement without rows and resets it.
   void execute();
 
   double real(int column) const;

@@ -74,8 +74,7 @@ bool TableSource::next(tracking::Sample& out) {
       const int part = part_++;
       const Eigen::Vector3d value = rowOf(part == 0 ? table_.q_m : part == 1 ? table_.q : table_.p_c, row_);
       const auto finite = value.array().isFinite();
-      if (part == 0 ? !finite.any() : !finite.all())
-        continue;  // a lost motor encoder is the pipeline's affair
+      if (part == 0 ? !finite.any() : !finite.all()) continue;  // the pipeline handles lost motor encoders
       if (part == 0)
         out = tracking::MotorSample{t, value, rowOf(table_.dq_m, row_), rowOf(table_.tau_m, row_)};
       if (part == 1) out = tracking::JointSample{t, value};

@@ -11,19 +11,19 @@
 
 namespace capstan::recording {
 
-/// A measured table as a source: each row gives a motor sample, a joint sample where q is there (reference
-/// fitted), and a tip sample where p_c is there. Columns that were not used come as notices of info().
+/// A measured table as a source. Each row yields a motor sample, a joint sample if it has q (reference), and
+/// a tip sample if it has p_c. info() has notices of the columns that are not used.
 class TableSource : public tracking::Source {
  public:
-  /// Throws base::InputError as readTable() does, and for a table without q_m or whose number of joints is
-  /// not the robot's three.
+  /// Throws base::InputError as readTable(), for a table without q_m, and for a number of joints that is not
+  /// three.
   TableSource(const std::filesystem::path& path, const robot::Description& robot, const ReadAs& read_as = {});
-  /// A table in SI units.
+  /// Creates a source from a table in SI units.
   TableSource(MeasuredTable table, const robot::Description& robot);
 
   const tracking::SourceInfo& info() const override { return info_; }
   bool next(tracking::Sample& out) override;
-  /// Either side blocked: tip samples without position.
+  /// Blocks cameras: tip samples have no position if either side is blocked.
   void block(bool left, bool right) override { blocked_ = left || right; }
 
  private:
@@ -34,9 +34,9 @@ class TableSource : public tracking::Source {
   bool blocked_ = false;
 };
 
-/// Opens whatever `path` is: a session file, a RAVEN-II motor recording (raven_motors.h), a measured table.
-/// `robot` is for recordings that bring none, `read_as` for the units of tables. Throws ImplausibleUnits and
-/// other base::InputError as readTable().
+/// Opens a session file, a RAVEN-II motor recording (raven_motors.h) or a measured table. `robot` is used for
+/// recordings without a robot, `read_as` for the units of tables. Throws ImplausibleUnits and other
+/// base::InputError as readTable().
 std::unique_ptr<tracking::Source> openRecording(const std::filesystem::path& path,
                                                 const robot::Description& robot, const ReadAs& read_as = {});
 

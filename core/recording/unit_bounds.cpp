@@ -16,7 +16,7 @@ namespace {
 
 using robot::JointVector;
 
-constexpr double kShare = 0.01;  ///< of a column's values that may be wild: glitches are no units
+constexpr double kShare = 0.01;  ///< share of a column's values that may be glitches
 
 JointVector limits(const robot::Description& robot, double robot::Joint::*limit) {
   JointVector values(robot.size());
@@ -25,8 +25,8 @@ JointVector limits(const robot::Description& robot, double robot::Joint::*limit)
   return values;
 }
 
-/// `map` of every point of a grid over the box `low` … `high`, `steps` ≥ 2 a component: the range of each of
-/// its components. A linear map is extreme at the corners, 2 steps.
+/// Range of each component of `map` over a grid on the box `low` … `high` with `steps` ≥ 2 points per
+/// component. For a linear map 2 steps suffice, because its extremes are at the corners.
 template <class Map>
 std::vector<Range> rangesOver(const JointVector& low, const JointVector& high, int steps, Map&& map) {
   std::vector<Range> ranges;

@@ -7,7 +7,7 @@ namespace capstan::registration {
 CameraOrder cameraOrder(const vision::Triangulator& triangulator,
                         const std::array<vision::MarkerDetection, 2>& marker, double epipolar_limit) {
   const auto meet = [&](const vision::MarkerDetection& left, const vision::MarkerDetection& right) {
-    constexpr double kSigma = 1.0;  // [px] of both alike: only where the rays meet counts
+    constexpr double kSigma = 1.0;  // [px], equal for both: only the intersection of the rays matters
     const auto found = triangulator.triangulate(left.centroid, right.centroid, kSigma, kSigma);
     return found.found() && std::abs(found.epipolar_residual) <= epipolar_limit;
   };

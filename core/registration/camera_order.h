@@ -7,15 +7,16 @@
 
 namespace capstan::registration {
 
-/// What the rays of two detections of one marker say of the order of the cameras.
+/// Order of the cameras according to the rays of two detections of one marker.
 enum class CameraOrder {
   kFits,       ///< the rays meet in front of both cameras
-  kExchanged,  ///< they do only when the left detection is taken for the right one
-  kNoFit,      ///< they do not meet either way
+  kExchanged,  ///< the rays meet in front of both cameras only when the two detections are exchanged
+  kNoFit,      ///< the rays do not meet in either order
 };
 
-/// Left and right detection, both found. `epipolar_limit` [px]: distance of a pixel from the other's epipolar
-/// line within which the rays meet.
+/// Determines the order from the left and the right detection, which must both be found. `epipolar_limit`
+/// [px] is the largest distance of a pixel from the other pixel's epipolar line at which the rays count as
+/// meeting.
 CameraOrder cameraOrder(const vision::Triangulator& triangulator,
                         const std::array<vision::MarkerDetection, 2>& marker, double epipolar_limit);
 

@@ -16,9 +16,15 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kMadToSigma = 1.4826;  // median absolute deviation of a normal distribution, inverted
-constexpr double kLeastScale = 1e-5;    // [m] below this a spread is rounding, not noise
-constexpr int kLeastToJudge = 5;        // points before a median means something
+constexpr double kMadToSigma = 1.4826;   // median absolute deviation of a normal distribution, inverted
+constexpr double kLeastScale = 1e-5;     // [m] smallest spread that is noise and not rounding
+constexpr int kLeastToJudge = 5;         // smallest number of points for a meaningful median
+constexpr double kDetectionShare = 0.5;  // smallest share of the frames that must give a point
+constexpr double kOutlierSigma = 4.0;    // distance from the median beyond which a point is an outlier [σ]
+constexpr double kEpipolarLimit = 3.0;   // [px] as when tracking: beyond it, two views show different points
+const Vector3d kStopTolerance(0.035, 0.035, 0.003);     // |q_kin − q_hs| at the stop [rad, rad, m]
+const Vector3d kRestTolerance(0.0018, 0.0018, 0.0002);  // largest travel at rest [rad, rad, m]
+const Vector3d kScatterLimit(0.0015, 0.0015, 0.006);    // largest σ of a point, camera x, y, z [m]
 
 std::string jointText(const robot::Joint& joint, double value) {
   return joint.type == robot::JointType::kRevolute ? fmt::format("{:.2f} deg", base::toDegrees(value))
@@ -32,10 +38,10 @@ const char* adviceAgainst(vision::MarkerFault fault) {
     case vision::MarkerFault::kWrongImage:
       return "Use the camera files of these cameras at this resolution.";
     case vision::MarkerFault::kTwoCandidates:
-      return "Take other things of the marker's colour out of the view.";
+      return "Remove other objects of the marker's colour from the view.";
     case vision::MarkerFault::kTooSmall:
     case vision::MarkerFault::kNotRound:
-      return "See that nothing covers part of the marker and that it is in focus.";
+      return "Check that nothing covers the marker and that it is in focus.";
     default:
       return "Unblock the view, see that the marker is in both images, and check light and hue range.";
   }
@@ -43,9 +49,9 @@ const char* adviceAgainst(vision::MarkerFault fault) {
 
 }  // namespace
 
-RegistrationGuide::RegistrationGuide(const robot::Description& robot, const RegistrationOptions& options,
+RegistrationGuide::RegistrationGuide(const robot::Description& robot,
                                      const std::optional<vision::StereoRig>& rig)
-    : robot_(robot), options_(options) {
+    : robot_(robot) {
   if (rig) triangulator_.emplace(*rig);
 }
 
@@ -74,7 +80,7 @@ void RegistrationGuide::observe(const tracking::Snapshot& snapshot) {
   if (step_ != RegistrationStep::kCollect) return;
   const Vector3d travel = (snapshot.q_link_kin - collect_pose_).cwiseAbs();
   for (int i = 0; i < 3; ++i)
-    if (travel(i) > options_.rest_tolerance(i)) {
+    if (travel(i) > kRestTolerance(i)) {
       const auto& joint = robot_.joints[static_cast<std::size_t>(i)];
       return refuse(RegistrationFault::kArmMoved,
                     fmt::format("{} moved by {} after {} points.", joint.name, jointText(joint, travel(i)),
@@ -87,8 +93,7 @@ void RegistrationGuide::observe(const tracking::Snapshot& snapshot) {
 void RegistrationGuide::watchRest(const tracking::Snapshot& snapshot) {
   const Vector3d& q = snapshot.q_link_kin;
   if (!q.allFinite()) return;
-  const bool moved =
-      !resting_ || ((q - rest_pose_).cwiseAbs().array() > options_.rest_tolerance.array()).any();
+  const bool moved = !resting_ || ((q - rest_pose_).cwiseAbs().array() > kRestTolerance.array()).any();
   if (moved) {
     resting_ = true;
     rest_pose_ = q;
@@ -97,16 +102,16 @@ void RegistrationGuide::watchRest(const tracking::Snapshot& snapshot) {
   arrival_.distance = q - robot::homingOf(robot_);
   bool all = true;
   for (int i = 0; i < 3; ++i) {
-    arrival_.near[static_cast<std::size_t>(i)] = std::abs(arrival_.distance(i)) <= options_.stop_tolerance(i);
+    arrival_.near[static_cast<std::size_t>(i)] = std::abs(arrival_.distance(i)) <= kStopTolerance(i);
     all = all && arrival_.near[static_cast<std::size_t>(i)];
   }
   arrival_.rest = snapshot.t - rest_since_;
-  arrival_.arrived = all && arrival_.rest >= RegistrationOptions::kRestTime;
+  arrival_.arrived = all && arrival_.rest >= kRestTime;
 }
 
 bool RegistrationGuide::canCollect() const {
   if (!current_ || step_ == RegistrationStep::kIdle || step_ == RegistrationStep::kCollect) return false;
-  return arrival_.arrived || (stop_overridden_ && arrival_.rest >= RegistrationOptions::kRestTime);
+  return arrival_.arrived || (stop_overridden_ && arrival_.rest >= kRestTime);
 }
 
 bool RegistrationGuide::collect() {
@@ -136,13 +141,12 @@ void RegistrationGuide::takeFrame(const tracking::Snapshot& snapshot) {
     points_.push_back({snapshot.t_cam, snapshot.tip_in_camera});
     judgePoints();
   } else if (both && triangulator_) {
-    const CameraOrder order = cameraOrder(*triangulator_, snapshot.marker, options_.epipolar_limit);
+    const CameraOrder order = cameraOrder(*triangulator_, snapshot.marker, kEpipolarLimit);
     exchanged_ += order == CameraOrder::kExchanged;
     disagreeing_ += order == CameraOrder::kNoFit;
   }
-  if (scatter_.used >= options_.frames) return finish();
-  if (frames_seen_ >= options_.frames && scatter_.used < RegistrationOptions::kDetectionShare * frames_seen_)
-    refuseTooFew();
+  if (scatter_.used >= kFrames) return finish();
+  if (frames_seen_ >= kFrames && scatter_.used < kDetectionShare * frames_seen_) refuseTooFew();
 }
 
 void RegistrationGuide::judgePoints() {
@@ -160,8 +164,7 @@ void RegistrationGuide::judgePoints() {
   for (auto& point : points_) {
     const Vector3d excess = (point.position - scatter_.median).cwiseAbs().cwiseQuotient(scale);
     point.excess = excess.maxCoeff(&point.axis);
-    const bool outlier = static_cast<int>(points_.size()) >= kLeastToJudge &&
-                         point.excess > RegistrationOptions::kOutlierSigma;
+    const bool outlier = static_cast<int>(points_.size()) >= kLeastToJudge && point.excess > kOutlierSigma;
     point.verdict = outlier ? PointVerdict::kOutlier : PointVerdict::kUsed;
     if (!outlier) used_.push_back(point.position);
   }
@@ -177,13 +180,13 @@ void RegistrationGuide::judgePoints() {
 
 void RegistrationGuide::finish() {
   for (int axis = 0; axis < 3; ++axis)
-    if (scatter_.sigma(axis) > options_.scatter_limit(axis))
+    if (scatter_.sigma(axis) > kScatterLimit(axis))
       return refuse(
           RegistrationFault::kScatterTooLarge,
-          fmt::format("The points scatter by {:.2f} mm σ along camera {}, {:.2f} mm are allowed.",
+          fmt::format("The points scatter by {:.2f} mm σ along camera {}; at most {:.2f} mm is allowed.",
                       base::toMillimetres(scatter_.sigma(axis)), "xyz"[axis],
-                      base::toMillimetres(options_.scatter_limit(axis))),
-          "Steady the light, see that the marker is whole and in focus, or bring the cameras nearer.");
+                      base::toMillimetres(kScatterLimit(axis))),
+          "Use steady light, check that the marker is whole and in focus, or move the cameras nearer.");
   const robot::ArmKinematics arm(robot_);
   const Vector3d marker = arm.tip(collect_pose_);
   RegistrationProposal proposal;
@@ -204,9 +207,9 @@ void RegistrationGuide::finish() {
   step_ = RegistrationStep::kReview;
 }
 
-/// Both cameras saw a marker, yet in most frames not at one point. False: that was not it.
+/// Refuses when both cameras found a marker but in most frames not the same point; returns false otherwise.
 bool RegistrationGuide::refuseViews() {
-  const double most = RegistrationOptions::kDetectionShare * frames_seen_;
+  const double most = kDetectionShare * frames_seen_;
   if (exchanged_ > most) {
     refuse(RegistrationFault::kCamerasExchanged,
            fmt::format(
@@ -220,10 +223,10 @@ bool RegistrationGuide::refuseViews() {
   }
   if (disagreeing_ + exchanged_ <= most) return false;
   refuse(RegistrationFault::kViewsDisagree,
-         fmt::format("Both cameras saw a marker, but in {} of {} frames their lines of view do not meet.",
+         fmt::format("Both cameras saw a marker, but in {} of {} frames the two rays do not meet.",
                      disagreeing_ + exchanged_, frames_seen_),
          "Check that the camera files belong to these cameras and that both images are of the same time, and "
-         "take other things of the marker's colour out of the view.");
+         "remove other objects of the marker's colour from the view.");
   return true;
 }
 
@@ -241,8 +244,8 @@ void RegistrationGuide::refuseTooFew() {
             fmt::format(" Mostly {}: {}, {} times.", side == 0 ? "left" : "right", base::nameOf(worst), most);
       }
   refuse(RegistrationFault::kTooFewDetections,
-         fmt::format("{} of {} frames gave a usable point, {:.0f} are needed.{}", scatter_.used, frames_seen_,
-                     std::ceil(RegistrationOptions::kDetectionShare * frames_seen_), why),
+         fmt::format("{} of {} frames gave a usable point; {:.0f} are needed.{}", scatter_.used, frames_seen_,
+                     std::ceil(kDetectionShare * frames_seen_), why),
          adviceAgainst(worst));
 }
 

@@ -12,13 +12,14 @@
 #include "core/tracking/snapshot.h"
 #include "core/vision/registration.h"
 
-/// The guided hard-stop registration, UKF paper (1), as a state machine fed with snapshots: drive to the hard
-/// stop, collect triangulated points, review the result. Knows no window and no clock but the snapshots' own.
+/// State machine of the guided hard-stop registration, UKF paper (1): drive to the hard stop, collect
+/// triangulated points, review the result. Its only input and its only clock are snapshots; it does not
+/// depend on a window.
 namespace capstan::registration {
 
 enum class RegistrationStep { kIdle, kDrive, kCollect, kRefused, kReview, kAccepted, kRejected };
 
-/// Why a collection was refused.
+/// Reason why a collection was refused.
 enum class RegistrationFault {
   kNone,
   kNoRotation,
@@ -29,39 +30,27 @@ enum class RegistrationFault {
   kViewsDisagree
 };
 
-/// What became of one triangulated point.
+/// Whether a triangulated point was used.
 enum class PointVerdict { kUsed, kOutlier };
 
-struct RegistrationOptions {
-  int frames = 60;                                ///< accepted points that make a registration
-  static constexpr double kDetectionShare = 0.5;  ///< least share of the frames that must give a point
-  Eigen::Vector3d stop_tolerance{0.035, 0.035,
-                                 0.003};  ///< |q_kin − q_hs| that counts as arrived [rad, rad, m]
-  Eigen::Vector3d rest_tolerance{0.0018, 0.0018, 0.0002};  ///< travel that still counts as rest [rad, rad, m]
-  static constexpr double kRestTime = 0.5;                 ///< stillness before collecting [s]
-  static constexpr double kOutlierSigma = 4.0;             ///< distance from the median that rejects a point
-  double epipolar_limit = 3.0;  ///< farther off, two views show no one marker, as when tracking [px]
-  Eigen::Vector3d scatter_limit{0.0015, 0.0015, 0.006};  ///< largest σ of a point, camera x, y, z [m]
-};
-
-/// Where the arm is with respect to the hard stop.
+/// Position of the arm with respect to the hard stop.
 struct StopArrival {
   Eigen::Vector3d distance = Eigen::Vector3d::Zero();  ///< q_kin − q_hs [rad, rad, m]
-  std::array<bool, 3> near{};                          ///< within stop_tolerance, joint by joint
-  double rest = 0.0;                                   ///< still for this long [s]
-  bool arrived = false;                                ///< all near and still for rest_time
+  std::array<bool, 3> near{};                          ///< whether each joint is at its stop
+  double rest = 0.0;                                   ///< time since the arm came to rest [s]
+  bool arrived = false;                                ///< all joints near, and at rest for kRestTime
 };
 
 /// One triangulated point of the collection.
 struct RegistrationPoint {
-  double t = 0.0;                                      ///< exposure [s]
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< left camera frame [m]
+  double t = 0.0;                                      ///< time of exposure [s]
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< position in the left camera's frame [m]
   PointVerdict verdict = PointVerdict::kUsed;
-  int axis = 0;         ///< of an outlier: the worst axis
-  double excess = 0.0;  ///< of an outlier: distance from the median, in σ
+  int axis = 0;         ///< axis with the largest distance from the median
+  double excess = 0.0;  ///< distance from the median along `axis`, in σ
 };
 
-/// Centre and scatter of the used points, left camera frame.
+/// Centre and scatter of the used points in the left camera's frame.
 struct PointScatter {
   Eigen::Vector3d median = Eigen::Vector3d::Zero();  ///< [m]
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();    ///< [m]
@@ -70,37 +59,38 @@ struct PointScatter {
   int outliers = 0;
 };
 
-/// A finished registration and what it would change.
+/// Result of a finished registration, and its effect on the registration in use.
 struct RegistrationProposal {
   vision::Registration registration;
-  /// 95 % half-widths of the tool position that the scatter leaves, frame 0 [m]: 1.96 times the translation's
-  /// sigma.
+  /// 95 % half-widths of the tool position due to the scatter, in frame 0 [m]: 1.96 times sigma.
   Eigen::Vector3d half_width = Eigen::Vector3d::Zero();
-  /// How far the seen tip moves in frame 0 when the proposal replaces the registration in use [m]; 0 without
-  /// one.
+  /// Displacement of the measured tip in frame 0 when the proposal replaces the registration in use [m]; 0
+  /// when none is in use.
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
-  /// Tip displacement that a mounting rotation wrong by one degree causes at the far end of the workspace
-  /// [m]: the part of the error that one pose cannot show.
+  /// Displacement of the tip at the far end of the workspace due to an error of one degree in the mounting
+  /// rotation [m]. One pose cannot measure this error.
   double per_degree = 0.0;
 };
 
 class RegistrationGuide {
  public:
-  /// With the `rig` the guide knows exchanged cameras from a marker that was not found.
-  explicit RegistrationGuide(const robot::Description& robot, const RegistrationOptions& options = {},
+  static constexpr int kFrames = 60;        ///< number of accepted points that make a registration
+  static constexpr double kRestTime = 0.5;  ///< time at rest before collecting [s]
+
+  /// With `rig` the guide can distinguish exchanged cameras from a marker that was not found.
+  explicit RegistrationGuide(const robot::Description& robot,
                              const std::optional<vision::StereoRig>& rig = {});
 
-  /// Begins at step kDrive. `current` is the registration in use or the nominal mounting: its rotation is the
-  /// known ⁰R of (1). Without one the guide refuses with kNoRotation.
+  /// Begins at step kDrive. `current` is the registration in use or the nominal mounting; its rotation is the
+  /// known ⁰R of (1). Without `current` the guide refuses with kNoRotation.
   void start(const std::optional<Eigen::Isometry3d>& current);
-  /// Every snapshot, in order; snapshots with camera_updated carry a point.
+  /// Takes the next snapshot. Call it for every snapshot in order; one with camera_updated contains a point.
   void observe(const tracking::Snapshot& snapshot);
-  /// Step 2; also "redo". False when the arm is not at rest at the hard stop.
+  /// Begins step 2, also to repeat it ("redo"). Returns false when the arm is not at rest at the hard stop.
   bool collect();
   /// Whether collect() would begin now.
   bool canCollect() const;
-  /// For a recording whose hard stop lies outside the tolerance (another homing): the user vouches for the
-  /// place.
+  /// Lets the user confirm the hard stop of a recording with another homing, outside the tolerance.
   void overrideStop(bool on) { stop_overridden_ = on; }
   void accept();                    ///< kReview → kAccepted
   void reject(std::string reason);  ///< any → kRejected
@@ -109,7 +99,7 @@ class RegistrationGuide {
 
   RegistrationStep step() const { return step_; }
   RegistrationFault fault() const { return fault_; }
-  /// What happened, with its numbers, and what to do about it; empty without a fault.
+  /// Reason of the refusal with its numbers, and the remedy; both are empty without a fault.
   const std::string& reason() const { return reason_; }
   const std::string& advice() const { return advice_; }
   const StopArrival& arrival() const { return arrival_; }
@@ -117,10 +107,9 @@ class RegistrationGuide {
   const PointScatter& scatter() const { return scatter_; }
   int framesSeen() const { return frames_seen_; }
   const std::optional<RegistrationProposal>& proposal() const { return proposal_; }
-  /// Joints at which the points were collected, by transmission kinematics.
+  /// Joint positions at which the points were collected, by transmission kinematics [rad, rad, m].
   const Eigen::Vector3d& collectedPose() const { return collect_pose_; }
   const std::optional<Eigen::Isometry3d>& current() const { return current_; }
-  const RegistrationOptions& options() const { return options_; }
   const robot::Description& robot() const { return robot_; }
 
  private:
@@ -133,7 +122,6 @@ class RegistrationGuide {
   bool refuseViews();
 
   robot::Description robot_;
-  RegistrationOptions options_;
   RegistrationStep step_ = RegistrationStep::kIdle;
   RegistrationFault fault_ = RegistrationFault::kNone;
   std::string reason_, advice_;
@@ -147,7 +135,7 @@ class RegistrationGuide {
   Eigen::Vector3d collect_pose_ = Eigen::Vector3d::Zero();
   int frames_seen_ = 0;
   std::optional<vision::Triangulator> triangulator_;
-  int exchanged_ = 0, disagreeing_ = 0;  ///< frames whose two detections do not meet, by CameraOrder
+  int exchanged_ = 0, disagreeing_ = 0;  ///< frames whose two rays do not meet, by CameraOrder
   static constexpr std::size_t kFaults = base::NamesOf<vision::MarkerFault>::value.size();
   std::array<std::array<int, kFaults>, 2> lost_{};  ///< frames by camera and vision::MarkerFault
   std::vector<RegistrationPoint> points_;

@@ -13,12 +13,12 @@ using Eigen::Vector3d;
 Matrix3d rotX(double angle) { return Eigen::AngleAxisd(angle, Vector3d::UnitX()).toRotationMatrix(); }
 Matrix3d rotZ(double angle) { return Eigen::AngleAxisd(angle, Vector3d::UnitZ()).toRotationMatrix(); }
 
-/// a·b I − (a bᵀ + b aᵀ)/2: with a = b = r, the inertia of a unit mass at r.
+/// Matrix a·b I − (a bᵀ + b aᵀ)/2. With a = b = r it is the inertia of a unit mass at r.
 Matrix3d pointInertia(const Vector3d& a, const Vector3d& b) {
   return a.dot(b) * Matrix3d::Identity() - 0.5 * (a * b.transpose() + b * a.transpose());
 }
 
-/// The quadratics of M from the coefficients of J(q3) = J_0 + q3 J_1 + q3² J_2, frame B.
+/// Computes the quadratics of M from the coefficients of J(q3) = J_0 + q3 J_1 + q3² J_2, frame B.
 void setMassMatrix(ArmConstants& k, double inertia1, const std::array<Matrix3d, 3>& inertia) {
   const double square = k.sin_alpha2 * k.sin_alpha2;
   const auto quadratic = [&](auto term) {

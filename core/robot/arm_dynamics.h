@@ -10,13 +10,13 @@
 
 namespace capstan::robot {
 
-/// The constants of the closed form. Throws base::InputError when the arm has no remote centre
-/// (remote_centre.h).
+/// Computes the constants of the closed form (arm_kernel.h). Throws base::InputError when the arm has no
+/// remote centre (remote_centre.h).
 ArmConstants armConstants(const Description& description);
 
-/// Rigid-body dynamics of a three-joint remote-centre arm, M(q) ddq + C(q, dq) dq + G(q) = tau, closed form
-/// (arm_kernel.h). q [rad, rad, m], tau [N·m, N·m, N]. T is double, long double or an
-/// automatic-differentiation scalar with Eigen support. No friction, no allocation.
+/// Rigid-body dynamics of a three-joint remote-centre arm, M(q) ddq + C(q, dq) dq + G(q) = tau, in closed
+/// form (arm_kernel.h). q [rad, rad, m], tau [N·m, N·m, N]. T is double, long double or an
+/// automatic-differentiation scalar with Eigen support. Without friction. No allocation.
 class ArmDynamics {
  public:
   /// Throws base::InputError when the arm has no remote centre.
@@ -36,19 +36,19 @@ class ArmDynamics {
     return matrix;
   }
 
-  /// tau = M ddq + C dq + G.
+  /// Inverse dynamics tau = M ddq + C dq + G.
   template <class T>
   Vector<T> inverse(const Vector<T>& q, const Vector<T>& dq, const Vector<T>& ddq) const {
     return vectorOf<T>(armInverse<T>(constants_, trigOf(q), q[2], arrayOf(dq), arrayOf(ddq)));
   }
 
-  /// C dq + G.
+  /// Bias C dq + G.
   template <class T>
   Vector<T> bias(const Vector<T>& q, const Vector<T>& dq) const {
     return vectorOf<T>(armTerms<T>(constants_, trigOf(q), q[2], arrayOf(dq)).bias);
   }
 
-  /// ddq = M⁻¹ (tau − C dq − G); tau is the sum of all joint torques, cables, friction and loads.
+  /// Forward dynamics ddq = M⁻¹ (tau − C dq − G). tau: all joint torques (cables, friction, loads).
   template <class T>
   Vector<T> forward(const Vector<T>& q, const Vector<T>& dq, const Vector<T>& tau) const {
     return vectorOf<T>(armForward<T>(constants_, trigOf(q), q[2], arrayOf(dq), arrayOf(tau)));

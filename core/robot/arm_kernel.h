@@ -5,35 +5,35 @@
 
 /// Rigid-body dynamics of a three-joint remote-centre arm in closed form, for any scalar: double, long
 /// double, automatic differentiation, SIMD packs (a pack needs + − * / with itself and products with double).
-/// No Eigen here, so that kernels compiled for other instruction sets may include it.
+/// This file does not use Eigen, so that kernels for other instruction sets may include it.
 ///
-/// Links 2 and 3 turn together about the remote centre O; frame B is link 2's frame before its offset
-/// theta_2, so that sines and cosines are those of q1 and q2 themselves. In B, with e the axis of joint 1, z
+/// Links 2 and 3 rotate together about the remote centre O. Frame B is the frame of link 2 before its offset
+/// theta_2, so that only the sines and cosines of q1 and q2 occur. In frame B, e is the axis of joint 1, z
 /// that of joint 2, u the axis of the prismatic joint, c_0 + q3 u the centre of mass of link 3 and J(q3) the
-/// inertia of links 2 and 3 about O:
+/// inertia of links 2 and 3 about O. Then
 ///   e = (sin(alpha_2) sin q2, sin(alpha_2) cos q2, cos(alpha_2))
-///   M11 = I_1zz + e·Je    M12 = z·Je    M22 = z·Jz    M13 = m_3 e·(c_0 × u)    M23 = m_3 z·(c_0 × u)    M33
-///   = m_3
-/// J is quadratic in q3, so with w = F sin q2 + G cos q2, A, B, C, F, G, N quadratics of q3:
+///   M11 = I_1zz + e·Je    M12 = z·Je    M22 = z·Jz    M13 = m_3 e·(c_0 × u)    M23 = m_3 z·(c_0 × u)
+///   M33 = m_3
+/// J is quadratic in q3. With w = F sin q2 + G cos q2 and quadratics A, B, C, F, G, N of q3,
 ///   M11 = A + B cos 2q2 + C sin 2q2 + 2 cos(alpha_2) w    M12 = w + cos(alpha_2) N    M22 = N
 ///   M13 = P sin q2 + Q cos q2 + R
-/// and C(q, dq) dq follows from their derivatives (Lagrange).
+/// and C(q, dq) dq follows from the derivatives of M (Lagrange).
 namespace capstan::robot {
 
-/// value + q3 (slope + q3 bend).
+/// Quadratic function value + q3 (slope + q3 bend) of q3.
 struct Quadratic {
   double value = 0.0, slope = 0.0, bend = 0.0;
 };
 
-/// What the closed form needs of a robot file; made by armConstants() in arm_dynamics.h.
+/// Constants of the closed form; armConstants() in arm_dynamics.h computes them from a robot file.
 struct ArmConstants {
   double sin_alpha2 = 0.0, cos_alpha2 = 0.0;
-  Quadratic a, b, c, f, g, n;        ///< of the mass matrix, above [kg·m²]
-  double p = 0.0, q = 0.0, r = 0.0;  ///< of M13 [kg·m]
-  double m23 = 0.0, m33 = 0.0;       ///< constant entries [kg·m, kg]
-  double inverse_m33 = 0.0;          ///< [1/kg]
-  std::array<double, 3> gravity{};   ///< in frame 1 at q1 = 0 [m/s²]
-  std::array<double, 2> moment1{};   ///< m_1 (x, y) of link 1's centre of mass, frame 1 [kg·m]
+  Quadratic a, b, c, f, g, n;        ///< quadratics A … N of the mass matrix [kg·m²]
+  double p = 0.0, q = 0.0, r = 0.0;  ///< coefficients P, Q, R of M13 [kg·m]
+  double m23 = 0.0, m33 = 0.0;       ///< constant entries of the mass matrix [kg·m, kg]
+  double inverse_m33 = 0.0;          ///< 1 / m33 [1/kg]
+  std::array<double, 3> gravity{};   ///< gravity in frame 1 at q1 = 0 [m/s²]
+  std::array<double, 2> moment1{};   ///< m_1 times (x, y) of link 1's centre of mass, frame 1 [kg·m]
   std::array<double, 3> moment{};    ///< first moment of links 2 and 3 about O at q3 = 0, frame B [kg·m]
   std::array<double, 3> sliding_moment{};  ///< m_3 u, frame B [kg]
 };
@@ -44,7 +44,7 @@ struct ArmTrig {
   T sin1, cos1, sin2, cos2;
 };
 
-/// M(q) and C(q, dq) dq + G(q). M23 and M33 are constant: ArmConstants::m23 and m33.
+/// Entries of M(q), and the bias C(q, dq) dq + G(q). M23 and M33 are constant: ArmConstants::m23 and m33.
 template <class T>
 struct ArmTerms {
   T m11, m12, m13, m22;
@@ -63,8 +63,8 @@ template <class T>
   return {k.value + q3 * slope, slope + bend};
 }
 
-/// G(q): less the torque of gravity, with everything in frame 1 rotated by alpha_2, where joint 1's axis is
-/// (0, sin(alpha_2), cos(alpha_2)) and joint 2's is z.
+/// G(q), the negative torque of gravity [N·m, N·m, N]. It is computed in frame 1 rotated by alpha_2, where
+/// the axis of joint 1 is (0, sin(alpha_2), cos(alpha_2)) and that of joint 2 is z.
 template <class T>
 [[gnu::always_inline]] inline std::array<T, 3> armGravity(const ArmConstants& k, const ArmTrig<T>& trig,
                                                           const T& q3) {
@@ -84,7 +84,7 @@ template <class T>
       about2, -(ux * g1x + uy * gy + k.sliding_moment[2] * gz)};
 }
 
-/// Mass matrix and bias at q3 [m] and dq [rad/s, rad/s, m/s].
+/// Computes mass matrix and bias at q3 [m] and dq [rad/s, rad/s, m/s].
 template <class T>
 [[gnu::always_inline]] inline ArmTerms<T> armTerms(const ArmConstants& k, const ArmTrig<T>& trig, const T& q3,
                                                    const std::array<T, 3>& dq) {
@@ -112,8 +112,8 @@ template <class T>
 
   const std::array<T, 3> gravity = armGravity(k, trig, q3);
   const T bend = half_m11_2 * dq[0];
-  const T along = m12_3 * dq[0] + n_.slope * dq[1];  // momentum about axis 2 gained by a unit of dq3
-  const T across = m11_3 * dq[0] + m12_3 * dq[1];    // about axis 1
+  const T along = m12_3 * dq[0] + n_.slope * dq[1];  // rate of the momentum about axis 2 per unit of dq3
+  const T across = m11_3 * dq[0] + m12_3 * dq[1];    // the same about axis 1
   terms.bias[0] = dq[1] * (bend + bend + m12_2 * dq[1] + m13_2 * dq[2]) + dq[2] * across + gravity[0];
   terms.bias[1] = dq[2] * along - dq[0] * (bend + m13_2 * dq[2]) + gravity[1];
   terms.bias[2] = m13_2 * dq[0] * dq[1] - 0.5 * (dq[0] * across + dq[1] * along) + gravity[2];
@@ -131,8 +131,8 @@ template <class T>
           m.m13 * ddq[0] + k.m23 * ddq[1] + k.m33 * ddq[2] + m.bias[2]};
 }
 
-/// Forward dynamics, ddq = M⁻¹ (tau − C dq − G) [rad/s², rad/s², m/s²]; tau holds everything else that acts
-/// on the joints (cables, friction with its sign, external load).
+/// Forward dynamics, ddq = M⁻¹ (tau − C dq − G) [rad/s², rad/s², m/s²]. tau is the sum of all other joint
+/// torques (cables, friction with its sign, external load).
 template <class T>
 [[gnu::always_inline]] inline std::array<T, 3> armForward(const ArmConstants& k, const ArmTrig<T>& trig,
                                                           const T& q3, const std::array<T, 3>& dq,

@@ -15,9 +15,9 @@ using Eigen::Isometry3d;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kRounding = 1e-12;  ///< relative excess of reach that is put down to rounding
+constexpr double kRounding = 1e-12;  ///< largest relative excess of reach that counts as rounding
 
-/// The angle congruent to `angle` within π of `centre`.
+/// Angle that differs from `angle` by a multiple of 2π and is within π of `centre`.
 double turnNear(double angle, double centre) {
   return centre + std::remainder(angle - centre, 2.0 * std::numbers::pi);
 }
@@ -101,8 +101,8 @@ bool ArmKinematics::insideLimits(const Vector3d& q) const {
   return (q.array() >= low_.array()).all() && (q.array() <= high_.array()).all();
 }
 
-/// Both phi_2 of RotZ(phi_1) RotX(alpha_2) RotZ(phi_2) v = w from its z row, a sin(phi_2) + b cos(phi_2) = c,
-/// and phi_1.
+/// Adds both solutions of RotZ(phi_1) RotX(alpha_2) RotZ(phi_2) v = w: phi_2 from the z row,
+/// a sin(phi_2) + b cos(phi_2) = c, and then phi_1.
 void ArmKinematics::addTurns(const Vector3d& w, const Vector3d& v, double q3, PositionBranches& out) const {
   const auto [sin2, cos2] = alpha_[1];
   const double a = sin2 * v.x();
@@ -150,7 +150,8 @@ ArmKinematics::PositionBranches ArmKinematics::positionBranches(const Vector3d& 
   return branchesOf(tip, marker_);
 }
 
-/// The congruent angle nearest to `near` where it is inside the limits, else the one nearest to their middle.
+/// Angles of joints 1 and 2, shifted by multiples of 2π: nearest to `near` if inside the limits, else nearest
+/// to the middle of the limits.
 Vector3d ArmKinematics::turnedNear(const Vector3d& q, const Vector3d& near) const {
   Vector3d turned = q;
   for (Eigen::Index i = 0; i < 2; ++i) {
@@ -186,10 +187,10 @@ Isometry3d ArmKinematics::toolPose(const Vector6d& q) const {
   return frame(3, q.head<3>()) * roll.at(q[3]) * wrist.at(q[4]) * jaw.at(q[5]);
 }
 
-/// With R = R06, phi_6 = theta_6 + q6 and the wrist centre p5 = p − a_6 R (cos phi_6, −sin phi_6, 0): the
-/// wrist axis z5 = ±R (sin phi_6, cos phi_6, 0) is square to the roll axis, which runs through the remote
-/// centre and p5, so z5 · p5 = 0 = sin phi_6 (Rᵀp)_x + cos phi_6 (Rᵀp)_y. Two phi_6 that differ by π; each
-/// p5 then has its four branches.
+/// Let R = R06, phi_6 = theta_6 + q6 and the wrist centre p5 = p − a_6 R (cos phi_6, −sin phi_6, 0). The
+/// wrist axis z5 = ±R (sin phi_6, cos phi_6, 0) is perpendicular to the roll axis, which passes through the
+/// remote centre and p5. Therefore z5 · p5 = 0 = sin phi_6 (Rᵀp)_x + cos phi_6 (Rᵀp)_y, with two solutions
+/// phi_6 that differ by π. Each p5 has up to four branches.
 ArmKinematics::PoseBranches ArmKinematics::poseBranches(const Isometry3d& pose) const {
   CAPSTAN_ASSERT(has_wrist_);
   PoseBranches branches;

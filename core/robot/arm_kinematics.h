@@ -10,36 +10,37 @@
 
 namespace capstan::robot {
 
-/// Why no joint position belongs to a tip position or tool pose.
+/// Reason why a tip position or tool pose has no joint position.
 enum class ReachFault { kOutOfReach, kSingular, kOutsideLimits };
 
-/// Every joint position with the same tip (or tool pose), limits not asked.
+/// All joint positions with the same tip position (or tool pose), without a check of the joint limits.
 template <class Q, int kCapacity>
 struct Branches {
   std::array<Q, kCapacity> q;
   int count = 0;
-  ReachFault fault = ReachFault::kOutOfReach;  ///< why there is none; only while count == 0
+  ReachFault fault = ReachFault::kOutOfReach;  ///< reason when count == 0
 
   void add(const Q& branch) { q[static_cast<std::size_t>(count++)] = branch; }
   const Q* begin() const { return q.data(); }
   const Q* end() const { return q.data() + count; }
 };
 
-/// Closed-form kinematics of a three-joint arm whose axes meet in the origin of frame 0 (the remote centre),
-/// and of the tool roll, wrist and mean jaw angle behind it. q = (q1 [rad], q2 [rad], q3 [m], q4, q5, q6
-/// [rad]).
+/// Closed-form kinematics of a three-joint arm whose axes intersect in the origin of frame 0 (the remote
+/// centre), and of tool roll, wrist and mean jaw angle at its end. q = (q1 [rad], q2 [rad], q3 [m], q4, q5,
+/// q6 [rad]).
 ///
 /// Inverse position: with marker (m_x, m_y, m_z) in frame 3 and h = d_3 + q3 + m_z,
 ///   |tip|² = m_x² + m_y² + h²                                    two signs of h
 ///   RotX(−alpha_1) tip = RotZ(phi_1) RotX(alpha_2) RotZ(phi_2) v(h)   its z row: two phi_2, then one phi_1
-/// so two or four branches. Singular: the tip within kSingularRadius of the remote centre, or seen from there
-/// within kSingularAngle of axis 1; the marker likewise on axis 2.
+/// so that there are two or four branches. A tip is singular within kSingularRadius of the remote centre, or
+/// when its direction from there is within kSingularAngle of axis 1; the marker in frame 3 likewise for
+/// axis 2.
 ///
-/// Limits: a branch counts as inside when each joint lies within the limits, widened to hold the hard stop
-/// and then by kLimitMargin of their range on both sides. The hard stop of RAVEN-II lies just outside the
-/// limits, and a camera sees an arm that rests there up to a few noise deviations further out. Of the
-/// branches inside, the nearest to the last position wins; each joint's distance is measured in its range, so
-/// that radians and metres weigh alike.
+/// Limits: a branch is inside the limits when each joint lies within its limits, widened to contain the hard
+/// stop and then by kLimitMargin of their range on both sides. The reason is that the hard stop of RAVEN-II
+/// lies just outside the limits, and that the measured position of an arm at rest there can be a few standard
+/// deviations of noise further out. Among the branches inside, the nearest to the last position is chosen.
+/// The distance of each joint is relative to its range, so that radians and metres have equal weight.
 class ArmKinematics {
  public:
   static constexpr double kSingularRadius = 1e-6;  ///< [m]
@@ -49,33 +50,33 @@ class ArmKinematics {
   using PositionBranches = Branches<Eigen::Vector3d, 4>;
   using PoseBranches = Branches<Vector6d, 8>;
 
-  /// Throws base::InputError when the arm has no remote centre, or wrist rows of another shape
-  /// (remote_centre.h).
+  /// Throws base::InputError when the arm has no remote centre, or its wrist rows do not have the form in
+  /// remote_centre.h.
   explicit ArmKinematics(const Description& description);
 
   /// Marker centre in frame 0 [m].
   Eigen::Vector3d tip(const Eigen::Vector3d& q) const;
-  /// d tip / d q: [m/rad, m/rad, m/m], frame 0.
+  /// Jacobian d tip / d q in frame 0 [m/rad, m/rad, m/m].
   Eigen::Matrix3d tipJacobian(const Eigen::Vector3d& q) const;
-  /// Frame 0 from frame i, i = 0…3.
+  /// Transform frame 0 from frame i, i = 0…3.
   Eigen::Isometry3d frame(int i, const Eigen::Vector3d& q) const;
 
   PositionBranches positionBranches(const Eigen::Vector3d& tip) const;
-  /// The branch inside the limits nearest to `near`.
+  /// Branch inside the limits that is nearest to `near`.
   base::Result<Eigen::Vector3d, ReachFault> solvePosition(const Eigen::Vector3d& tip,
                                                           const Eigen::Vector3d& near) const;
 
   bool hasWrist() const { return has_wrist_; }
-  /// Frame 0 from frame 6. Needs hasWrist().
+  /// Transform frame 0 from frame 6. Needs hasWrist().
   Eigen::Isometry3d toolPose(const Vector6d& q) const;
-  /// Every (q1 … q6) of a tool pose, rotation orthonormal. Needs hasWrist(). Singular also where q6 is free:
-  /// the remote centre on the axis of the jaw.
+  /// All (q1 … q6) of a tool pose with an orthonormal rotation. Needs hasWrist(). The pose is also singular
+  /// when the remote centre lies on the axis of the jaw, because q6 is then undetermined.
   PoseBranches poseBranches(const Eigen::Isometry3d& pose) const;
-  /// The branch with joints 1–3 inside the limits nearest to `near`; wrist angles are the congruent ones
-  /// nearest to `near`.
+  /// Branch with joints 1–3 inside the limits that is nearest to `near`. Each wrist angle is shifted by
+  /// multiples of 2π to the value nearest to `near`.
   base::Result<Vector6d, ReachFault> solvePose(const Eigen::Isometry3d& pose, const Vector6d& near) const;
 
-  /// Inside the limits by the rule above.
+  /// Whether joints 1–3 are inside the widened limits (see the class).
   bool insideLimits(const Eigen::Vector3d& q) const;
 
  private:

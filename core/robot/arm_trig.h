@@ -7,11 +7,11 @@
 
 namespace capstan::robot {
 
-/// Sines and cosines of both angles of an arm [rad], side by side in one pair of lanes: within 1.5e-16 of
-/// exact up to 1e5 rad, the C library's beyond and for what is not finite. Half the forward dynamics would
-/// otherwise be spent in the library, whose branches on the quadrant are mispredicted.
+/// Sines and cosines of q1 and q2 [rad], computed together in two SIMD lanes. The error is below 1.5e-16 up
+/// to 1e5 rad; for larger or non-finite angles the C library is used. The C library would take half the time
+/// of the forward dynamics, because its branches on the quadrant are mispredicted.
 ///
-/// Reduction by multiples of pi/2 in three parts (Cody and Waite, Software Manual for the Elementary
+/// Method: reduction by multiples of pi/2 in three parts (Cody and Waite, Software Manual for the Elementary
 /// Functions, 1980) and the minimax polynomials of fdlibm's k_sin.c and k_cos.c on [−pi/4, pi/4].
 [[gnu::always_inline]] inline ArmTrig<double> armTrig(double q1, double q2) {
   constexpr double kLargest = 1e5;

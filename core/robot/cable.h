@@ -2,14 +2,14 @@
 
 #include <cmath>
 
-/// Cable and friction laws, for any scalar: double, long double, automatic differentiation, SIMD packs that
-/// find their own sinh, cosh and tanh by argument-dependent look-up. No Eigen here, so that kernels may
-/// include it.
+/// Cable and friction laws for any scalar: double, long double, automatic differentiation, SIMD packs (their
+/// sinh, cosh and tanh are found by argument-dependent look-up). This file does not use Eigen, so that
+/// kernels may include it.
 namespace capstan::robot {
 
 /// Cable force gamma [N], UKF paper (5)–(6):
 ///   gamma = k_e (exp(a delta) − exp(−a delta)) + 2 b_e d(delta)/dt
-/// written as 2 k_e sinh(a delta), which keeps every digit of a stretch near zero.
+/// computed as 2 k_e sinh(a delta), which keeps full precision for a stretch near zero.
 /// stiffness k_e [N], exponent a [1/m], damping b_e [N·s/m], stretch delta [m], stretch_rate [m/s].
 template <class T>
 inline T cableForce(double stiffness, double exponent, double damping, const T& stretch,
@@ -18,15 +18,15 @@ inline T cableForce(double stiffness, double exponent, double damping, const T& 
   return (2.0 * stiffness) * sinh(exponent * stretch) + (2.0 * damping) * stretch_rate;
 }
 
-/// d gamma / d delta = 2 k_e a cosh(a delta) [N/m].
+/// Cable stiffness d gamma / d delta = 2 k_e a cosh(a delta) [N/m].
 template <class T>
 inline T cableStiffness(double stiffness, double exponent, const T& stretch) {
   using std::cosh;
   return (2.0 * stiffness * exponent) * cosh(exponent * stretch);
 }
 
-/// Coulomb and viscous friction with sgn(v) smoothed: F_c tanh(v / v_eps) + F_v v. It opposes the motion, so
-/// subtract it from what drives.
+/// Coulomb and viscous friction with smoothed sgn(v): F_c tanh(v / v_eps) + F_v v. It has the sign of v:
+/// subtract it from the driving force.
 template <class T>
 inline T frictionForce(double coulomb, double viscous, double smoothing, const T& velocity) {
   using std::tanh;

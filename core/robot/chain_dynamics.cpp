@@ -17,8 +17,8 @@ struct Wrench {
   Vector3d force = Vector3d::Zero();
 };
 
-/// Motion of a link: angular velocity, angular acceleration and linear acceleration of its frame's origin, in
-/// its axes.
+/// Motion of a link in the axes of its frame: angular velocity, angular acceleration, and linear acceleration
+/// of the frame's origin.
 struct Motion {
   Vector3d omega = Vector3d::Zero();
   Vector3d alpha = Vector3d::Zero();
@@ -44,7 +44,7 @@ Motion moved(const Motion& before, const Isometry3d& joint, bool revolute, doubl
   return motion;
 }
 
-/// Newton–Euler: what must act on the body for it to move so.
+/// Wrench that the motion of the body requires (Newton–Euler).
 Wrench needed(const Link& link, const Motion& m) {
   const Vector3d& c = link.centre_of_mass;
   Wrench wrench;
@@ -54,13 +54,13 @@ Wrench needed(const Link& link, const Motion& m) {
   return wrench;
 }
 
-/// The same wrench about the origin of the frame before `joint`, in its axes.
+/// Wrench about the origin of the frame before `joint`, in the axes of that frame.
 Wrench carriedBack(const Isometry3d& joint, const Wrench& w) {
   const Vector3d force = joint.linear() * w.force;
   return {joint.linear() * w.moment + joint.translation().cross(force), force};
 }
 
-/// Rigid body about a frame's origin: mass, first moment, inertia.
+/// Rigid body: mass, and first moment and inertia about the origin of a frame.
 struct Body {
   double mass = 0.0;
   Vector3d moment = Vector3d::Zero();
@@ -109,7 +109,7 @@ JointVector ChainDynamics::inverse(const JointVector& q, const JointVector& dq,
   std::array<Isometry3d, kMaxJoints> joints;
   std::array<Wrench, kMaxJoints> wrenches;
   Motion motion;
-  motion.acceleration = -gravity_;  // a base that accelerates upwards feels like gravity
+  motion.acceleration = -gravity_;  // gravity acts like an upward acceleration of the base
   for (int i = 0; i < n; ++i) {
     const auto at = static_cast<std::size_t>(i);
     joints[at] = chain_.joint(i).at(q[i]);
@@ -138,12 +138,12 @@ JointMatrix ChainDynamics::massMatrix(const JointVector& q) const {
   std::array<Isometry3d, kMaxJoints> joints;
   for (int i = 0; i < n; ++i) joints[static_cast<std::size_t>(i)] = chain_.joint(i).at(q[i]);
   JointMatrix mass(n, n);
-  Body beyond;  // everything that joint i moves, about the origin of frame i
+  Body beyond;  // all links that joint i moves, about the origin of frame i
   for (int i = n - 1; i >= 0; --i) {
     if (i < n - 1) beyond = carriedBack(joints[static_cast<std::size_t>(i) + 1], beyond);
     add(beyond, bodyOf(links_[static_cast<std::size_t>(i)]));
     const Vector3d axis = Vector3d::UnitZ();
-    Wrench wrench;  // of a unit acceleration of joint i
+    Wrench wrench;  // wrench of a unit acceleration of joint i
     if (chain_.joint(i).revolute())
       wrench = {beyond.inertia.col(2), axis.cross(beyond.moment)};
     else
@@ -168,7 +168,7 @@ JointVector ChainDynamics::forward(const JointVector& q, const JointVector& dq,
 double ChainDynamics::kineticEnergy(const JointVector& q, const JointVector& dq) const {
   double energy = 0.0;
   Vector3d omega = Vector3d::Zero();
-  Vector3d velocity = Vector3d::Zero();  // of the frame's origin, link axes
+  Vector3d velocity = Vector3d::Zero();  // velocity of the frame's origin, in link axes
   for (int i = 0; i < size(); ++i) {
     const Link& link = links_[static_cast<std::size_t>(i)];
     const Isometry3d joint = chain_.joint(i).at(q[i]);

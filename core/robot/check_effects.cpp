@@ -14,7 +14,7 @@
 namespace capstan::robot {
 namespace {
 
-/// One effect of a file and where it stands.
+/// One effect of a file and its location.
 struct Listed {
   YAML::Node node;
   base::YamlPlace place;
@@ -33,7 +33,7 @@ const EffectFacts& checkName(const Listed& listed, DriveType drive) {
   const EffectFacts* facts = effectNamed(listed.effect.effect);
   const YAML::Node node = listed.node["effect"];
   if (facts == nullptr)
-    base::refuseYaml(node, listed.at("effect"), "is no effect that is known",
+    base::refuseYaml(node, listed.at("effect"), "is not a known effect",
                      base::remedyForUnknown(listed.effect.effect, allNames()));
   if (!(drive == DriveType::kCable ? facts->cable : facts->rigid))
     base::refuseYaml(node, listed.at("effect"),
@@ -49,8 +49,9 @@ void checkJoint(const Listed& listed, const EffectFacts& facts, int joints) {
   if (facts.whole ? joint == 0 : joint >= 1 && joint <= joints) return;
   if (facts.whole)
     base::refuseYaml(listed.node["joint"], listed.at("joint"),
-                     fmt::format("but {} is of the whole arm or of its cameras", facts.name), "Write 0");
-  base::refuseYaml(listed.node["joint"], listed.at("joint"), "is no joint of the robot",
+                     fmt::format("is not 0, but {} belongs to the whole arm or its cameras", facts.name),
+                     "Write 0");
+  base::refuseYaml(listed.node["joint"], listed.at("joint"), "is not a joint of the robot",
                    fmt::format("Write 1 to {}", joints));
 }
 
@@ -77,7 +78,8 @@ void checkOther(const Listed& listed, int joints) {
                    fmt::format("Write 1 to {}, but not {}", joints, listed.effect.joint));
 }
 
-/// Numbers that a law keeps beside its size, such as a time constant, can be there once.
+/// Refuses a second effect of one law at a joint: its other numbers, such as a time constant, exist only
+/// once.
 void checkOnce(const Listed& listed, const std::vector<Effect>& effects, std::size_t i) {
   const Effect& effect = listed.effect;
   const auto before = effects.begin() + static_cast<std::ptrdiff_t>(i);
@@ -105,7 +107,7 @@ void checkTogether(const YAML::Node& node, const std::string& file, const Descri
                      "make a coupling that cannot be inverted: motors would not determine the joints",
                      "Check the numbers of cable_coupling");
   if (Eigen::LLT<JointMatrix>(massMatrix(model, middle)).info() != Eigen::Success)
-    base::refuseYaml(node, {file, "effects"}, "take away more inertia than the robot has",
+    base::refuseYaml(node, {file, "effects"}, "remove more inertia than the robot has",
                      "Check the numbers of payload and inertia");
 }
 

@@ -14,7 +14,8 @@
 namespace capstan::robot {
 namespace {
 
-constexpr double kSmallestPivot = 1e-9;  ///< of a coupling that counts as invertible, relative to the largest
+constexpr double kSmallestPivot =
+    1e-9;  ///< smallest pivot of an invertible coupling, relative to the largest
 
 std::string at(std::string_view list, std::size_t i, std::string_view key = {}) {
   return key.empty() ? fmt::format("{}[{}]", list, i) : fmt::format("{}[{}].{}", list, i, key);

@@ -13,10 +13,10 @@ namespace capstan::robot {
 
 enum class JointType { kRevolute, kPrismatic };
 
-/// What drives the joints, in a simulation by the robot's model.
+/// Drive of the joints in a simulation with the robot's model.
 enum class DriveType {
-  kCable,  ///< motor positions, through transmission and cables
-  kRigid,  ///< motor torques, at the joints themselves
+  kCable,  ///< motor positions drive the joints through transmission and cables
+  kRigid,  ///< motor torques act directly on the joints
 };
 
 /// One row of the modified (Craig) Denavit–Hartenberg table: RotX(alpha) TransX(a) RotZ(theta) TransZ(d).
@@ -71,10 +71,10 @@ struct Joint {
   std::string name;
   JointType type = JointType::kRevolute;
   DhRow dh;
-  double limit_low = 0.0;   ///< [rad or m]
-  double limit_high = 0.0;  ///< [rad or m]
+  double limit_low = 0.0;   ///< lowest position [rad or m]
+  double limit_high = 0.0;  ///< highest position [rad or m]
   double homing = 0.0;  ///< q_hs, position at the hard stop [rad or m]; may lie at or just outside the limits
-  double max_speed = 0.0;  ///< [rad/s or m/s]
+  double max_speed = 0.0;  ///< highest speed [rad/s or m/s]
   Link link;
   Friction friction;
 
@@ -103,7 +103,7 @@ struct Drive {
   double motor_inertia = 0.0;         ///< I_m [kg·m²]
   Friction motor_friction;            ///< tau_cm, tau_vm
   double motor_torque_limit = 0.0;    ///< [N·m]
-  double encoder_counts = 4000.0;     ///< per motor revolution
+  double encoder_counts = 4000.0;     ///< encoder counts per motor revolution
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& field) {
@@ -116,21 +116,22 @@ struct Drive {
     field(self.motor_inertia, {"motor_inertia", "kg*m^2", "I_m", {1e-9, 1e3}});
     field(self.motor_friction, {"motor_friction", "", "tau_cm, tau_vm"});
     field(self.motor_torque_limit, {"motor_torque_limit", "N*m", "largest motor torque", {1e-6, 1e4}});
-    field(self.encoder_counts, {"encoder_counts", "1/rev", "motor encoder counts a revolution", {1.0, 1e9}});
+    field(self.encoder_counts,
+          {"encoder_counts", "1/rev", "motor encoder counts per revolution", {1.0, 1e9}});
   }
 };
 
-/// A robot file. Joints and drives correspond one to one; `coupling` is the n×n matrix A of
-/// s_l = r_l ∘ (A (q − q_hs)); wrist rows continue the DH table behind the last driven joint (tool roll,
-/// wrist, jaw). `effects` are what is in the robot beyond this nominal model; none may name a joint that is
-/// not there or be one that the drive cannot have.
+/// Contents of a robot file. Joints and drives correspond one to one. `coupling` is the n×n matrix A of
+/// s_l = r_l ∘ (A (q − q_hs)). Wrist rows continue the DH table after the last driven joint (tool roll,
+/// wrist, jaw). `effects` are the effects in the robot beyond this nominal model; each must name an existing
+/// joint and suit the drive.
 struct Description {
   std::string name;
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< in frame 0 [m/s²]
   DriveType drive = DriveType::kCable;
   std::vector<Joint> joints;
   std::vector<Drive> drives;
-  std::vector<std::vector<double>> coupling;  ///< A, rows; unit lower triangular for RAVEN-II
+  std::vector<std::vector<double>> coupling;  ///< rows of A; unit lower triangular for RAVEN-II
   Eigen::Vector3d marker =
       Eigen::Vector3d::Zero();  ///< marker centre in the frame of the last driven joint [m]
   double marker_radius = 0.0;   ///< [m]
@@ -156,21 +157,20 @@ struct Description {
 };
 
 /// Reads and checks a robot file: one to seven joints, as many drives, a square invertible coupling, ordered
-/// limits, effects that are known, complete and within their bounds. Throws base::InputError naming file,
-/// line, key, value and remedy.
+/// limits, effects that are known, complete and within their bounds. Throws base::InputError with file, line,
+/// key, value and remedy.
 Description readDescription(const std::filesystem::path& path);
 
-/// The robot that is meant where none is named: the left arm of a RAVEN-II,
-/// resources/robots/raven2_left.yaml.
+/// Default robot: the left arm of a RAVEN-II, resources/robots/raven2_left.yaml.
 Description defaultDescription();
-/// readDescription(); of an empty path defaultDescription().
+/// Returns defaultDescription() for an empty path, else readDescription(path).
 Description readDescriptionOrDefault(const std::filesystem::path& path);
-/// The same from text; `name` stands for the file in errors.
+/// Parses and checks the text of a robot file, as readDescription(); `name` is the file name in errors.
 Description parseDescription(const std::string& text, const std::string& name);
-/// The robot file of `description`; parseDescription() of it gives it back to the last bit.
+/// Text of a robot file for `description`; parseDescription() of it returns the same numbers to the last bit.
 std::string formatDescription(const Description& description);
 
-/// q_hs of the first three joints [rad or m]; joints that a shorter robot lacks stand at 0.
+/// q_hs of the first three joints [rad or m]; 0 for joints that the robot does not have.
 Eigen::Vector3d homingOf(const Description& description);
 
 }  // namespace capstan::robot

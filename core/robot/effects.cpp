@@ -9,7 +9,7 @@
 namespace capstan::robot {
 namespace {
 
-/// Which drives an effect may be in, and whether it is one of the whole arm.
+/// Drives that can have an effect, and whether it belongs to the whole arm.
 struct Scope {
   bool whole, cable, rigid;
 };
@@ -24,64 +24,63 @@ EffectFacts factsOf(std::string_view name, Scope scope, std::vector<EffectParame
 
 std::vector<EffectFacts> transmissionEffects() {
   return {
-      factsOf("pulley_radius", kCableDrive,
-              {{"share", "", -0.5, 0.5, "by which r_l is larger than the nominal one"}}),
+      factsOf("pulley_radius", kCableDrive, {{"share", "", -0.5, 0.5, "relative increase of r_l"}}),
       factsOf("cable_coupling", kCableDrive,
               {{"added", "rad/rad or m/rad", -10.0, 10.0, "added to A(joint, other)"},
-               {"other", "", 1.0, 7.0, "joint whose motion is carried over, from 1"}}),
+               {"other", "", 1.0, 7.0, "joint whose motion moves the cable, from 1"}}),
       factsOf("homing_offset", kCableDrive,
               {{"offset", "rad or m", -3.2, 3.2, "added to q_hs, the position at the hard stop"}}),
       factsOf(
           "zero_drift", kCableDrive,
-          {{"drift", "rad or m", -3.2, 3.2, "that is added to q_hs in the long run"},
-           {"time_constant", "s", 1e-3, 1e6, "with which it gets there, from the begin of the recording"}}),
+          {{"drift", "rad or m", -3.2, 3.2, "final value of the drift of q_hs"},
+           {"time_constant", "s", 1e-3, 1e6, "time constant of the drift, which begins with the recording"}}),
       factsOf("encoder_slip", kCableDrive,
-              {{"slip", "rad", -1e3, 1e3, "by which the motor's reading falls short from then on"},
-               {"time", "s", 0.0, 1e6, "when it slips, since the begin of the recording"}}),
+              {{"slip", "rad", -1e3, 1e3, "deficit of the motor's reading after the slip"},
+               {"time", "s", 0.0, 1e6, "time of the slip since the begin of the recording"}}),
       factsOf("capstan_eccentricity", kCableDrive,
-              {{"sine", "m", -0.1, 0.1, "travel of the cable beyond a round capstan's, by cos(phi) - 1"},
-               {"cosine", "m", -0.1, 0.1, "travel of the cable beyond a round capstan's, by sin(phi)"}}),
+              {{"sine", "m", -0.1, 0.1, "additional cable travel, times cos(phi) - 1"},
+               {"cosine", "m", -0.1, 0.1, "additional cable travel, times sin(phi)"}}),
   };
 }
 
 std::vector<EffectFacts> cableEffects() {
   return {
       factsOf("cable_compliance", kAnyDrive,
-              {{"compliance", "m/N", 0.0, 1e3, "stretch by force, in series with the nominal cable"}}),
+              {{"compliance", "m/N", 0.0, 1e3, "stretch per force, in series with the nominal cable"}}),
       factsOf("cable_stiffening", kCableDrive,
               {{"cubic", "1/m^2", -1e7, 1e13, "c in the added force 2 k_e a c delta^3"}}),
       factsOf("position_stiffness", kCableDrive,
               {{"share", "", -0.8, 0.8, "stiffness is divided by 1 + share x, x = -1 … 1 over the range"}}),
-      factsOf("backlash", kCableDrive, {{"half_width", "m", 0.0, 0.1, "half of the play"}}),
+      factsOf("backlash", kCableDrive, {{"half_width", "m", 0.0, 0.1, "half-width of the play"}}),
       factsOf("slack", kCableDrive,
               {{"pretension", "m", -0.1, 1e3,
-                "stretch at which one of the two cables sags; negative: both are too long by it"}}),
+                "stretch at which one of the two cables sags; negative when both are too long"}}),
       factsOf("cable_hysteresis", kCableDrive,
-              {{"force", "N", 0.0, 1e5, "that the loop adds at most"},
-               {"yield", "m", 1e-8, 1.0, "stretch within which it builds up"}}),
+              {{"force", "N", 0.0, 1e5, "largest additional force of the hysteresis loop"},
+               {"yield", "m", 1e-8, 1.0, "stretch over which the force builds up"}}),
       factsOf("cable_creep", kCableDrive,
-              {{"share", "", 0.0, 20.0, "of the elastic stretch that is added in the long run"},
-               {"time_constant", "s", 1e-3, 1e4, "of the creep"}}),
+              {{"share", "", 0.0, 20.0, "final creep as a share of the elastic stretch"},
+               {"time_constant", "s", 1e-3, 1e4, "time constant of the creep"}}),
   };
 }
 
 std::vector<EffectFacts> frictionEffects() {
   return {
       factsOf("stribeck_friction", kAnyDrive,
-              {{"excess", "", -1.0, 20.0, "friction beyond Coulomb's at rest, share of it"},
-               {"speed", "rad/s or m/s", 1e-6, 1e2, "Stribeck's, at which 1/e of the excess is left"}}),
+              {{"excess", "", -1.0, 20.0, "additional friction at rest, share of Coulomb's"},
+               {"speed", "rad/s or m/s", 1e-6, 1e2, "Stribeck speed, where 1/e of the excess remains"}}),
       factsOf("asymmetric_friction", kAnyDrive,
-              {{"share", "", -1.0, 1.0, "Coulomb friction is 1 + share forwards, 1 - share backwards"}}),
+              {{"share", "", -1.0, 1.0, "Coulomb friction times 1 + share forwards, 1 - share backwards"}}),
       factsOf("asymmetric_viscosity", kRigidDrive,
-              {{"share", "", -1.0, 1.0, "viscous friction is 1 + share forwards, 1 - share backwards"}}),
+              {{"share", "", -1.0, 1.0, "viscous friction times 1 + share forwards, 1 - share backwards"}}),
       factsOf("viscous_friction", kAnyDrive,
-              {{"added", "N*m*s/rad or N*s/m", -1e4, 1e4, "to the nominal viscous friction"}}),
+              {{"added", "N*m*s/rad or N*s/m", -1e4, 1e4, "added to the nominal viscous friction"}}),
       factsOf("load_friction", kAnyDrive,
-              {{"share", "", 0.0, 2.0, "of the magnitude of the driving torque that turns into friction"}}),
+              {{"share", "", 0.0, 2.0, "friction as a share of the magnitude of the driving torque"}}),
       factsOf("position_friction", kAnyDrive,
-              {{"sine", "", -2.0, 2.0, "share of Coulomb friction, by sin(2 pi q/period)"},
-               {"cosine", "", -2.0, 2.0, "share of Coulomb friction, by cos(2 pi q/period)"},
-               {"period", "rad or m", 1e-4, 1e2, "of the joint after which it repeats"}}),
+              {{"sine", "", -2.0, 2.0, "share of Coulomb friction, times sin(2 pi q/period)"},
+               {"cosine", "", -2.0, 2.0, "share of Coulomb friction, times cos(2 pi q/period)"},
+               {"period", "rad or m", 1e-4, 1e2, "period of the friction in joint position"}}),
   };
 }
 
@@ -93,18 +92,17 @@ std::vector<EffectFacts> bodyEffects() {
                {"z", "rad", -3.2, 3.2, "rotation vector that turns gravity in frame 0"}}),
       factsOf("payload", kWholeArm, {{"mass", "kg", -10.0, 100.0, "point mass at the marker"}}),
       factsOf("inertia", kAnyDrive,
-              {{"added", "kg*m^2 or kg", -1e3, 1e3, "to the joint's diagonal of the mass matrix"}}),
+              {{"added", "kg*m^2 or kg", -1e3, 1e3, "added to the joint's diagonal of the mass matrix"}}),
       factsOf("actuator_gain", kRigidDrive,
-              {{"share", "", -0.9, 3.0, "by which the motor gives more than it is commanded"}}),
+              {{"share", "", -0.9, 3.0, "relative excess of the motor torque over its command"}}),
       factsOf("torque_offset", kRigidDrive,
-              {{"offset", "N*m or N", -1e5, 1e5, "that pushes towards positive q all the time"}}),
+              {{"offset", "N*m or N", -1e5, 1e5, "constant torque or force towards positive q"}}),
   };
 }
 
 std::vector<EffectFacts> sensorEffects() {
   return {
-      factsOf("camera_latency", kWholeArm,
-              {{"delay", "s", -1.0, 1.0, "by which the cameras' stamps come late"}}),
+      factsOf("camera_latency", kWholeArm, {{"delay", "s", -1.0, 1.0, "delay of the cameras' time stamps"}}),
       factsOf("camera_rotation", kWholeArm,
               {{"x", "rad", -0.8, 0.8, "rotation vector of what the cameras see, about frame 0's origin"},
                {"y", "rad", -0.8, 0.8, "rotation vector of what the cameras see, about frame 0's origin"},
@@ -114,7 +112,7 @@ std::vector<EffectFacts> sensorEffects() {
                {"y", "m", -1.0, 1.0, "added to what the cameras see, frame 0"},
                {"z", "m", -1.0, 1.0, "added to what the cameras see, frame 0"}}),
       factsOf("camera_scale", kWholeArm,
-              {{"share", "", -0.5, 0.5, "by which the cameras see lengths larger"}}),
+              {{"share", "", -0.5, 0.5, "relative excess of lengths in the camera measurements"}}),
       factsOf(
           "sensor_sign", kAnyDrive,
           {{"present", "", -1.0, 1.0,

@@ -8,31 +8,32 @@
 
 namespace capstan::robot {
 
-/// One number of an effect.
+/// Description of one number of an effect.
 struct EffectParameter {
   std::string_view name;
-  std::string_view unit;         ///< SI; "rad or m" where it goes by the joint
-  double low = 0.0, high = 0.0;  ///< what a robot file may say
-  std::string_view what;         ///< in words
+  std::string_view unit;         ///< SI unit; "rad or m" when it depends on the type of the joint
+  double low = 0.0, high = 0.0;  ///< bounds of the number in a robot file
+  std::string_view what;         ///< meaning, shown when the number is missing
 };
 
-/// What can be in a robot beyond the nominal model. Its physics is in chain/chain_law.h (or, for numbers of
-/// the model and for cameras, in effects.cpp); the words are the hypotheses' (core/diagnosis/hypotheses).
+/// Description of an effect that a robot can have beyond the nominal model. The physics is in
+/// chain/chain_law.h (for numbers of the model and for cameras in chain_model.cpp); core/diagnosis/hypotheses
+/// has the texts.
 struct EffectFacts {
   std::string_view name;
-  bool whole = false;  ///< of the whole arm or of a camera: joint 0
-  bool cable = true;   ///< may be in a cable drive
-  bool rigid = true;   ///< may be in a rigid drive
+  bool whole = false;  ///< whether it belongs to the whole arm or a camera (joint 0), not to one joint
+  bool cable = true;   ///< whether a cable drive can have it
+  bool rigid = true;   ///< whether a rigid drive can have it
   std::vector<EffectParameter> parameters;
 };
 
-/// All of them, in the order in which they are listed to people.
+/// All effects, in the order of lists for people.
 const std::vector<EffectFacts>& effectFacts();
-/// Null: no effect of this name.
+/// Effect of this name; a null pointer when there is none.
 const EffectFacts* effectNamed(std::string_view name);
 
 struct EffectValue {
-  static constexpr bool kMapEntry = true;  ///< `half_width: 4.5e-4` in a file
+  static constexpr bool kMapEntry = true;  ///< written to a file as `half_width: 4.5e-4`
   std::string parameter;
   double value = 0.0;
 
@@ -46,10 +47,10 @@ struct EffectValue {
 /// One effect in one robot, as a robot file lists it under `effects`.
 struct Effect {
   std::string effect;               ///< EffectFacts::name
-  int joint = 0;                    ///< from 1; 0: the whole arm or a camera
-  std::vector<EffectValue> values;  ///< all of EffectFacts::parameters
+  int joint = 0;                    ///< joint from 1; 0: the whole arm or a camera
+  std::vector<EffectValue> values;  ///< values of all EffectFacts::parameters
 
-  /// base::InputError: it has none of this name.
+  /// Value of this parameter. Throws base::InputError when the effect has no such parameter.
   double operator[](std::string_view parameter) const;
 
   template <class Self, class Visitor>

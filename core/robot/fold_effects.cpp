@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// False: products of inertia would arise.
+/// Adds a payload to the link. Returns false when products of inertia would arise.
 bool addPayload(double mass, const Vector3d& at, Link& link) {
   const Vector3d apart = at - link.centre_of_mass;
   const double whole = link.mass + mass, reduced = link.mass * mass / whole;

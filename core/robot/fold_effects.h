@@ -4,10 +4,10 @@
 
 namespace capstan::robot {
 
-/// The same robot with those effects written into its numbers that these can hold exactly: pulley_radius,
-/// cable_coupling, homing_offset, viscous_friction, gravity_tilt, cable_compliance of a cable drive (two
-/// springs in series), and payload where it leaves the last link's inertia without products. The others stay
-/// in `effects`.
+/// Returns the same robot with all effects written into its nominal numbers that these can represent exactly:
+/// pulley_radius, cable_coupling, homing_offset, viscous_friction, gravity_tilt, cable_compliance of a cable
+/// drive (two springs in series), and payload when the last link keeps an inertia without products. The other
+/// effects stay in `effects`.
 Description foldEffects(Description description);
 
 }  // namespace capstan::robot

@@ -6,9 +6,10 @@ namespace capstan::robot {
 
 inline constexpr int kMaxJoints = 7;
 
-/// One number a joint, base first. Holds up to seven without the heap; converts to and from Eigen::Vector3d.
+/// Vector with one number per joint, base first. Up to seven numbers without the heap; converts to and from
+/// Eigen::Vector3d.
 using JointVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxJoints, 1>;
-/// n×n, up to 7×7 without the heap.
+/// Matrix n×n over the joints, up to 7×7 without the heap.
 using JointMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxJoints, kMaxJoints>;
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 

@@ -8,11 +8,10 @@
 
 namespace capstan::robot {
 
-/// 6×n: rows angular (x, y, z) then linear, in frame 0.
+/// Jacobian 6×n in frame 0: three angular rows (x, y, z), then three linear rows.
 using JointJacobian = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, kMaxJoints>;
 
-/// One joint's transform link_{i-1} from link_i, RotX(alpha) TransX(a) RotZ(theta) TransZ(d), as a function
-/// of q.
+/// Transform link_{i-1} from link_i of a joint at q: RotX(alpha) TransX(a) RotZ(theta) TransZ(d).
 class JointTransform {
  public:
   JointTransform() = default;
@@ -28,18 +27,18 @@ class JointTransform {
   double sin_alpha_ = 0.0, cos_alpha_ = 1.0;
 };
 
-/// Forward kinematics of the driven joints, one to seven, of any robot file. Never allocates once built.
+/// Forward kinematics of the one to seven driven joints of any robot file. No allocation after construction.
 class Chain {
  public:
   explicit Chain(const Description& description);
 
   int size() const { return size_; }
   const JointTransform& joint(int i) const { return joints_[static_cast<std::size_t>(i)]; }
-  /// Frame 0 from the frame of `link`, 0 (the base itself) … size().
+  /// Transform frame 0 from the frame of `link`, which is 0 (the base) … size().
   Eigen::Isometry3d linkPose(int link, const JointVector& q) const;
   /// Marker centre in frame 0 [m].
   Eigen::Vector3d marker(const JointVector& q) const;
-  /// Velocity of the last link and of the point that now coincides with the marker centre: J dq [rad/s; m/s].
+  /// Jacobian J: J dq is the angular velocity of the last link and the velocity of the marker [rad/s; m/s].
   JointJacobian markerJacobian(const JointVector& q) const;
 
  private:

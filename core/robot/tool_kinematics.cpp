@@ -7,7 +7,7 @@
 namespace capstan::robot {
 namespace {
 
-/// The first three joints, with rows 4 to 6 as the passive wrist.
+/// Robot with the first three joints, and with rows 4 to 6 as the passive wrist.
 Description armOf(const Description& whole) {
   if (whole.size() != kToolJoints)
     throw base::InputError({whole.name, 0, "joints", fmt::format("{}", whole.size()), "is not seven joints",

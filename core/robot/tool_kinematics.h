@@ -5,20 +5,21 @@
 namespace capstan::robot {
 
 /// Kinematics of a robot file with seven driven joints: a remote-centre arm, tool roll, wrist, and two jaws
-/// about one axis. q = (q1, q2 [rad], q3 [m], roll, wrist, jaw, opening [rad]): joint 6 turns jaw one, joint
-/// 7 jaw two against it, and the tool's frame lies between them, at the angle jaw + opening / 2. Joints one
-/// to six and half the opening are ArmKinematics' tool pose, in closed form.
+/// with one common axis. q = (q1, q2 [rad], q3 [m], roll, wrist, jaw, opening [rad]). Joint 6 rotates jaw
+/// one; joint 7 rotates jaw two relative to jaw one. The tool's frame lies between the jaws at the angle jaw
+/// + opening / 2. ArmKinematics computes its pose in closed form from joints one to six and half the opening.
 class ToolKinematics {
  public:
-  /// base::InputError: not seven joints, or not of this shape (remote_centre.h).
+  /// Throws base::InputError when there are not seven joints, or they do not have this form
+  /// (remote_centre.h).
   explicit ToolKinematics(const Description& description);
 
-  /// Frame 0 from the tool's frame.
+  /// Transform frame 0 from the tool's frame.
   Eigen::Isometry3d pose(const JointVector& q) const;
-  /// Joints of a pose, on the branch nearest to `near`, and strictly inside the limits of the robot file.
+  /// Joint positions for a pose, on the branch nearest to `near`, within the limits of the robot file.
   base::Result<JointVector, ReachFault> solve(const Eigen::Isometry3d& pose, double opening,
                                               const JointVector& near) const;
-  /// Each joint within the limits of the robot file.
+  /// Whether each joint is within the limits of the robot file.
   bool insideLimits(const JointVector& q) const;
 
  private:

@@ -24,7 +24,8 @@ cv::Mat octaves(int width, int height, base::Random& random) {
   return sum;
 }
 
-/// 1 on the lit side, 1 − unevenness on the dark side; a smooth step across a random direction.
+/// Illumination of each pixel: 1 on the lit side, 1 − unevenness on the dark side, with a smooth step between
+/// them along a random direction.
 cv::Mat lightField(int width, int height, double unevenness, base::Random& random) {
   const double angle = random.uniform(0.0, 2.0 * std::numbers::pi);
   const double across = std::hypot(width, height);
@@ -40,7 +41,7 @@ cv::Mat lightField(int width, int height, double unevenness, base::Random& rando
 }
 
 void addDistractors(cv::Mat& image, const ImageTruth& appearance, base::Random& random) {
-  constexpr double kMargin = 0.18, kBorder = 0.03, kMiddle = 0.3;  // of the width: where they stand
+  constexpr double kMargin = 0.18, kBorder = 0.03, kMiddle = 0.3;  // positions, shares of the width
   constexpr int kFraction = 4;  // bits of a pixel in OpenCV's drawing coordinates
   const Eigen::Vector3f colour = bgrOf(appearance.marker_hue + appearance.distractor_hue, 165.0, 190.0);
   constexpr int kRings = 10;

@@ -8,20 +8,20 @@
 
 namespace capstan::simulation {
 
-/// BGR of an OpenCV hue (0…179), saturation and value (0…255).
+/// BGR colour (0…255 per channel) of an OpenCV hue (0…179), saturation and value (0…255).
 Eigen::Vector3f bgrOf(double hue, double saturation, double value);
 
-inline constexpr int kSceneMargin = 64;  ///< the scene is this much wider than a picture [px]
+inline constexpr int kSceneMargin = 64;  ///< width of the scene minus width of an image [px]
 
 /// The static background of one camera's image.
 struct Background {
   cv::Mat image;  ///< 8-bit BGR, light included
-  cv::Mat light;  ///< share of full light that reaches each pixel, 32-bit float
+  cv::Mat light;  ///< illumination of each pixel as a share of full light, 32-bit float
 };
 
-/// Tissue-like texture of several octaves, lit from one side when the light is uneven, with the distractors
-/// at the left and right margins, outside the region in which the tool works. The picture begins `shift` [px]
-/// right of the left camera's, 0…kSceneMargin. Same seed, same bytes.
+/// Returns a tissue-like texture of several octaves. Uneven light comes from one side. Distractors lie near
+/// the image borders, outside the region in which the tool works. `shift` (0…kSceneMargin) [px] is the offset
+/// of this camera's image to the right of the left camera's image. Same seed, same bytes.
 Background makeBackground(int width, int height, const ImageTruth& appearance, std::uint64_t seed, int shift);
 
 }  // namespace capstan::simulation

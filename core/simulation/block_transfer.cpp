@@ -14,10 +14,10 @@ namespace capstan::simulation {
 namespace {
 
 constexpr int kBlocks = 6;
-constexpr double kShortest = 80.0, kLongest = 290.0;  // of one whole task [s]
-constexpr double kOneTransfer = 8.0;                  // nobody is faster [s]
-constexpr double kOrdinary = 600.0;                   // checked at every dense step [s]
-constexpr double kInstantsPerMove = 20.0;             // of a longer session
+constexpr double kShortest = 80.0, kLongest = 290.0;  // duration of one whole task [s]
+constexpr double kOneTransfer = 8.0;                  // shortest time of one transfer [s]
+constexpr double kOrdinary = 600.0;        // longest duration that is checked at every dense step [s]
+constexpr double kInstantsPerMove = 20.0;  // number of checks per move of a longer session
 
 int transfersFor(double duration) {
   if (duration < kShortest) return std::max(1, static_cast<int>(2 * kBlocks * duration / kShortest));
@@ -43,7 +43,7 @@ PegBoard pegBoard(const robot::Description& robot, const Eigen::Vector3d& on_boa
   return board;
 }
 
-/// Draws one surgeon: way-points first, then how the time is shared among moves and pauses.
+/// Draws the motion of one surgeon: first the waypoints, then the durations of moves and pauses.
 class BlockTransfer::Planner {
  public:
   Planner(const PegBoard& board, std::uint64_t seed) : board_(board), random_(seed, "surgeon") {
@@ -81,8 +81,8 @@ class BlockTransfer::Planner {
     return pegs;
   }
 
-  /// Moves share (1 − pause_share) of the time by the square root of their length, pauses the rest by their
-  /// weight.
+  /// Segments with their times. The moves take (1 − pause_share) of the duration, each by the square root of
+  /// its length; the pauses take pause_share, each by its weight.
   std::vector<Segment> timed(double duration, double pause_share) {
     double moves = 0.0, pauses = 0.0;
     for (std::size_t i = 0; i < segments_.size(); ++i) (moving_[i] ? moves : pauses) += segments_[i].duration;
@@ -151,8 +151,8 @@ BlockTransfer::BlockTransfer(const BlockTransferSpec& spec, double duration, con
   requireReach();
 }
 
-/// Time along the planned path and its rate: a session shorter than one transfer slows down to its end on the
-/// way.
+/// Time along the planned path [s] and its rate [s/s]. A session shorter than one transfer ends before its
+/// path does: it slows down to a halt.
 std::pair<double, double> BlockTransfer::pathTime(double t) const {
   const double slowing = std::min(0.5, 0.5 * duration_), since = t - (duration_ - slowing);
   if (duration_ >= kOneTransfer || since <= 0.0) return {t, 1.0};
@@ -166,8 +166,9 @@ const BlockTransfer::Segment& BlockTransfer::segmentAt(double along) const {
   return *std::prev(after);
 }
 
-/// Sessions of ordinary length show their tremor too; of a long one each movement, which has its extremes at
-/// known shares of its time, and the tremor at many phases.
+/// Steps of a session up to kOrdinary are dense enough to resolve the tremor. A longer session is checked at
+/// kInstantsPerMove instants of each move: these meet the extremes of the move, and many phases of the
+/// tremor.
 double BlockTransfer::nextInstant(double t) const {
   if (duration_ <= kOrdinary) return t + kDenseStep;
   return t + std::max(kDenseStep, segmentAt(std::clamp(t, 0.0, duration_)).duration / kInstantsPerMove);
@@ -182,7 +183,7 @@ std::pair<Eigen::Vector3d, Eigen::Vector3d> BlockTransfer::tipAt(double t) const
   Eigen::Vector3d position = segment.from + p * way + 4.0 * p * (1.0 - p) * segment.bow;
   Eigen::Vector3d velocity = pace * dp * (way + 4.0 * (1.0 - 2.0 * p) * segment.bow);
 
-  const double edge = std::min(t, duration_ - t);  // the hand comes to rest at both ends
+  const double edge = std::min(t, duration_ - t);  // tremor fades to zero at both ends
   const auto [gain, gain_rate] = minimumJerk(edge, std::min(1.0, 0.5 * duration_));
   const double signed_rate = t < 0.5 * duration_ ? gain_rate : -gain_rate;
   for (int axis = 0; axis < 3; ++axis)

@@ -10,27 +10,28 @@
 
 namespace capstan::simulation {
 
-/// Where the peg board stands: below the remote centre, in front of the cameras. Frame 0.
+/// Pose of the peg board in frame 0: below the remote centre, in front of the cameras.
 struct PegBoard {
-  Eigen::Vector3d centre;   ///< of its surface [m]
-  Eigen::Vector3d up;       ///< against gravity, unit
-  Eigen::Vector3d lateral;  ///< across the cameras' view, unit
-  Eigen::Vector3d depth;    ///< along the cameras' view, unit
+  Eigen::Vector3d centre;   ///< centre of the surface [m]
+  Eigen::Vector3d up;       ///< unit vector against gravity
+  Eigen::Vector3d lateral;  ///< unit vector across the cameras' view
+  Eigen::Vector3d depth;    ///< unit vector along the cameras' view
 
-  /// Place of peg 0…11 on the surface; 0…5 stand on one side, 6…11 on the other. Two columns of three a side.
+  /// Position of peg 0…11 on the surface [m]. Pegs 0…5 stand on one side, 6…11 on the other side, in two
+  /// columns of three per side.
   Eigen::Vector3d peg(int index) const;
 };
 
-/// `on_board`: joints that put the tip on its middle.
+/// Peg board of `robot`. `on_board` [rad, rad, m]: joint positions with the tip on the middle of the board.
 PegBoard pegBoard(const robot::Description& robot,
                   const Eigen::Vector3d& on_board = BlockTransferSpec{}.board);
 
-/// The block-transfer task of the Fundamentals of Laparoscopic Surgery: each of six blocks is picked from its
-/// peg, handed over in mid-air and placed on a peg of the other side; then all six go back. Cartesian
-/// minimum-jerk segments, slightly bowed, with pauses for grasping, handing over and thinking, and 7–11 Hz
-/// tremor; joints by inverse kinematics. Order, tempo, heights, pauses and tremor are drawn from the seed.
-/// Below 80 s fewer blocks are moved, above 290 s the task is repeated. Throws base::InputError when the arm
-/// does not reach the board.
+/// The block-transfer task of the Fundamentals of Laparoscopic Surgery (FLS): each of six blocks is picked
+/// from its peg, handed over in mid-air and placed on a peg of the other side; then all six are moved back.
+/// The path has Cartesian minimum-jerk segments, slightly curved, pauses for grasping, handing over and
+/// thinking, and 7–11 Hz tremor. Joints follow by inverse kinematics. Order, tempo, heights, pauses and
+/// tremor are drawn from the seed. Below 80 s fewer blocks are moved, above 290 s the task is repeated.
+/// Throws base::InputError when the arm does not reach the board.
 class BlockTransfer final : public Trajectory {
  public:
   BlockTransfer(const BlockTransferSpec& spec, double duration, const robot::Description& robot,
@@ -48,7 +49,7 @@ class BlockTransfer final : public Trajectory {
   struct Segment {
     double start = 0.0, duration = 0.0;  // [s]
     Eigen::Vector3d from, to;            // [m]
-    Eigen::Vector3d bow;                 // sideways excursion at half way [m]
+    Eigen::Vector3d bow;                 // lateral deviation at half of the way [m]
   };
   struct Tone {
     double amplitude, frequency, phase;  // [m], [Hz], [rad]

@@ -6,9 +6,9 @@
 namespace capstan::simulation {
 namespace {
 
-constexpr double kDistance = 0.5;        // from the peg board along the view [m]
-constexpr double kHalfBaseline = 0.024;  // the rig's middle, not its left camera, faces the scene [m]
-constexpr double kStopShare = 0.35;      // the picture's middle lies this far from the board to the hard stop
+constexpr double kDistance = 0.5;        // distance from the peg board along the view [m]
+constexpr double kHalfBaseline = 0.024;  // from the left camera to the middle of the rig [m]
+constexpr double kStopShare = 0.35;      // image centre: share of the way from the board to the hard stop
 
 }  // namespace
 

@@ -8,21 +8,21 @@ namespace capstan::simulation {
 
 enum class MotionCommand { kRun, kHold, kHardStop };
 
-/// Desired joints over time: a trajectory, interrupted by commands. Holding slows time along the path down to
-/// a halt within half a second, so that the path is never left; the hard stop is then a quintic away and
-/// back.
+/// Desired joints over time: a trajectory that commands can interrupt. kHold slows the time along the path to
+/// a halt within half a second, so the arm stays on the path. kHardStop halts likewise, then moves to the
+/// hard stop on a quintic; the next command moves back on a quintic.
 class Commander {
  public:
   Commander(const Trajectory& trajectory, const Eigen::Vector3d& hard_stop);
 
   void command(MotionCommand command) { command_ = command; }
-  /// The target `dt` [s] after the last.
+  /// Advances by `dt` [s] and returns the new target.
   JointTarget step(double dt);
   JointTarget target() const;
 
-  bool finished() const;    ///< at the end of the trajectory, and not away from it
-  bool atHardStop() const;  ///< for at least a third of a second
-  double pathTime() const { return path_time_; }
+  bool finished() const;    ///< true at the end of the trajectory, while running and on the path
+  bool atHardStop() const;  ///< true after a third of a second at the hard stop
+  double pathTime() const { return path_time_; }  ///< time along the path [s]
 
  private:
   enum class Excursion { kNone, kAway, kThere, kBack };
@@ -33,9 +33,9 @@ class Commander {
   Eigen::Vector3d hard_stop_;
   MotionCommand command_ = MotionCommand::kRun;
   double path_time_ = 0.0;
-  double rate_ = 0.0;  // of path time by time
+  double rate_ = 0.0;  // path time per time [s/s]
   Excursion excursion_ = Excursion::kNone;
-  double elapsed_ = 0.0, length_ = 0.0;  // of the excursion's present part [s]
+  double elapsed_ = 0.0, length_ = 0.0;  // time in the present part of the excursion, and its duration [s]
   Eigen::Vector3d from_, to_;
 };
 

@@ -11,8 +11,9 @@
 
 namespace capstan::simulation {
 
-/// The robot's own 1 kHz controller: PD on motor angles (truth.h). Desired motors follow from desired joints
-/// through the nominal transmission, as the robot knows no other.
+/// The robot's own 1 kHz controller: PD control of the motor angles (equation: ControllerTruth in truth.h).
+/// The nominal transmission gives desired motor angles from desired joints: the robot does not know the true
+/// one.
 class MotorController {
  public:
   MotorController(const robot::Description& nominal, const ControllerTruth& gains)
@@ -25,10 +26,10 @@ class MotorController {
     }
   }
 
-  /// Motor angles that the nominal transmission gives for joints `q` [rad].
+  /// Motor angles [rad] of joints `q` [rad, rad, m] by the nominal transmission.
   Eigen::Vector3d motorsFor(const Eigen::Vector3d& q) const { return transmission_.motorFromJoint(q); }
 
-  /// Commanded torque tau [N·m], cut at the nominal limits.
+  /// Commanded motor torque tau [N·m], limited to the nominal torque limits.
   Eigen::Vector3d torque(const JointTarget& target, const MotorEncoders& encoders) const {
     const Eigen::Vector3d q_md = transmission_.motorFromJoint(target.position);
     const Eigen::Vector3d dq_md = transmission_.motorVelocityFromJoint(target.velocity);

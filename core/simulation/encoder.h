@@ -9,14 +9,14 @@
 
 namespace capstan::simulation {
 
-/// Nearest multiple of `step`; a step of 0 changes nothing.
+/// `value` rounded to the nearest multiple of `step`; a step of 0 changes nothing.
 inline double quantised(double value, double step) {
   return step > 0.0 ? std::round(value / step) * step : value;
 }
 
-/// Incremental encoders on the motor shafts, read at 1 kHz. Ideal ones give the state as it is; real ones
-/// give counts, and as velocity the difference quotient of the counts through v += (1 − exp(−2 pi f_c dt))
-/// (dq/dt − v).
+/// Incremental encoders on the motor shafts, read at 1 kHz. Ideal encoders return the state itself. Real ones
+/// return counts; their velocity is the difference quotient dq/dt of the counts after the low pass
+///   v += (1 − exp(−2 pi f_c dt)) (dq/dt − v).
 class MotorEncoders {
  public:
   MotorEncoders(const robot::Description& robot, const EncoderTruth& truth, double dt)
@@ -31,7 +31,7 @@ class MotorEncoders {
     velocity_.setZero();
   }
 
-  /// The motors at one tick: `q_motor` [rad], `dq_motor` [rad/s].
+  /// Reads the motors at one tick: `q_motor` [rad], `dq_motor` [rad/s].
   void read(const Eigen::Vector3d& q_motor, const Eigen::Vector3d& dq_motor) {
     const Eigen::Vector3d now = counted(q_motor);
     velocity_ = step_.isZero(0.0)
@@ -40,8 +40,8 @@ class MotorEncoders {
     position_ = now;
   }
 
-  const Eigen::Vector3d& position() const { return position_; }  ///< [rad]
-  const Eigen::Vector3d& velocity() const { return velocity_; }  ///< [rad/s]
+  const Eigen::Vector3d& position() const { return position_; }  ///< measured position [rad]
+  const Eigen::Vector3d& velocity() const { return velocity_; }  ///< measured velocity [rad/s]
 
  private:
   Eigen::Vector3d counted(const Eigen::Vector3d& q) const {
@@ -49,7 +49,7 @@ class MotorEncoders {
   }
 
   double dt_, gain_;
-  Eigen::Vector3d step_;  // [rad]; 0: exact
+  Eigen::Vector3d step_;  // angle per count [rad]; 0: exact
   Eigen::Vector3d position_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero();
 };

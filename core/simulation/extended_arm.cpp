@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// The robot as the truth has it, before its effects.
+/// The robot with the parameters of the truth, before effects act.
 robot::Description worn(robot::Description robot, const Truth& truth) {
   for (std::size_t i = 0; i < robot.drives.size() && i < truth.joints.size(); ++i) {
     robot::Drive& drive = robot.drives[i];

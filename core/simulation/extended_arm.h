@@ -9,23 +9,24 @@
 
 namespace capstan::simulation {
 
-/// The arm of a robot file that lists effects, with a truth besides: motors of their own inertia, and behind
-/// them transmission, cables, friction and bodies by the laws of robot/chain. A truth's r_l takes the place
-/// of the file's before effects act on it; its hysteresis and Stribeck excess come on top.
+/// Dynamics of an arm whose robot file lists effects, with a truth in addition. Each motor has an inertia of
+/// its own; transmission, cables, friction and bodies follow the laws of robot/chain. The r_l of the truth
+/// replaces the r_l of the file before effects act on it; hysteresis and Stribeck excess of the truth are
+/// added.
 ///   I_m d²q_m = tau − tau_cm tanh(dq_m / v_eps) − tau_vm dq_m − (ds_m / dq_m) gamma
-/// What sensors make of it (encoder_slip, sensor_sign, cameras) is not the arm's.
+/// Effects of sensors (encoder_slip, sensor_sign, cameras) are not simulated here.
 class ExtendedArm {
  public:
   ExtendedArm(const robot::Description& robot, const Truth& truth);
 
-  /// q_m, dq_m, q, dq, Bouc–Wen z of the truth, z of the effects, creep.
+  /// Size of the state: q_m, dq_m, q, dq, Bouc–Wen z of the truth, z of the effects, creep; three of each.
   static constexpr int kStates = 21;
   using Vector = Eigen::Matrix<double, kStates, 1>;
-  /// t from the begin of the recording [s].
+  /// dx/dt of state `x` under motor `torque` [N·m]. `t` counts from the beginning of the recording [s].
   Vector derivative(double t, const Vector& x, const Eigen::Vector3d& torque) const;
-  /// gamma [N].
+  /// Cable forces gamma [N].
   Eigen::Vector3d cableForce(double t, const Vector& x) const;
-  /// Joints that unstretched cables give before the begin of the recording [rad or m].
+  /// Joints [rad or m] with unstretched cables at motor angles `q_motor` [rad], before the recording begins.
   Eigen::Vector3d jointsFromMotors(const Eigen::Vector3d& q_motor) const;
 
   const robot::ChainModel& model() const { return model_; }

@@ -7,20 +7,21 @@
 
 namespace capstan::simulation {
 
-/// Exposure and colour noise of a sensor. Normal noise of each colour comes from a larger picture of it,
-/// drawn once and placed at another random offset in each frame; drawing it again would cost five times as
-/// much.
+/// Exposure noise and colour noise of an image sensor. A noise image larger than a frame, normal in each
+/// colour, is drawn once; each frame takes it at another random offset. Drawing new noise per frame would
+/// take five times as long.
 class ImageNoise {
  public:
-  /// `sigma` [grey levels]; `exposure` is the standard deviation of a frame's brightness, as a share.
+  /// `sigma`: standard deviation of each colour [grey levels]. `exposure`: standard deviation of a frame's
+  /// brightness, as a share of it.
   ImageNoise(int width, int height, double sigma, double exposure, std::uint64_t seed);
   void apply(cv::Mat& image);
 
  private:
-  static constexpr int kMargin = 128;  // offsets across and down [px]
+  static constexpr int kMargin = 128;  // number of offsets, horizontal and vertical [px]
   double sigma_, exposure_;
   base::Random random_;
-  cv::Mat above_, below_;  // positive and negative part of the noise, 8-bit BGR
+  cv::Mat above_, below_;  // positive and negative parts of the noise, 8-bit BGR
 };
 
 }  // namespace capstan::simulation

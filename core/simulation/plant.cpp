@@ -18,7 +18,7 @@ const robot::Description& checked(const robot::Description& robot) {
                           "Give a robot file with drive: cable"});
 }
 
-/// Not of sensors alone.
+/// True for an effect of the arm itself, false for one of its sensors.
 bool isOfTheArm(const robot::Effect& effect) {
   constexpr std::string_view kSensors[] = {"camera_latency", "camera_rotation", "camera_offset",
                                            "camera_scale",   "encoder_slip",    "sensor_sign"};
@@ -50,7 +50,7 @@ Plant::Plant(const robot::Description& nominal, const Truth& truth)
   }
   if (std::ranges::any_of(nominal.effects, isOfTheArm)) {
     extended_.emplace(nominal, truth);
-    constexpr double kShortest = 1e-6;  // [s]; what is faster needs another robot file
+    constexpr double kShortest = 1e-6;  // shortest integration step [s]
     substep_ = std::max(std::min(substep_, 1.0 / robot::chainRate(extended_->model(), homing_)), kShortest);
   }
   reset(Eigen::Vector3d::Zero());

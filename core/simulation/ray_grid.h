@@ -7,8 +7,8 @@
 
 namespace capstan::simulation {
 
-/// Normalised image coordinates (x/z, y/z) of every pixel's centre, lens distortion undone: the rays that a
-/// ray caster follows.
+/// Rays of a ray caster: normalised image coordinates (x/z, y/z) of every pixel's centre, with the lens
+/// distortion removed.
 class RayGrid {
  public:
   explicit RayGrid(const vision::Camera& camera) : width_(camera.width), height_(camera.height) {

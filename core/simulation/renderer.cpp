@@ -10,11 +10,11 @@
 namespace capstan::simulation {
 namespace {
 
-constexpr int kDisparity = 42;  // of a background at 0.75 m: 650 px · 48 mm / 0.75 m [px]
+constexpr int kDisparity = 42;  // disparity of a background at 0.75 m: 650 px · 48 mm / 0.75 m [px]
 
 }  // namespace
 
-/// What drawing needs and outlines do not; made at the first picture.
+/// Data that render() needs and outline() does not; made at the first image.
 struct CameraRenderer::Drawing {
   Drawing(const vision::Camera& camera, const SceneSizes& sizes, const ImageTruth& appearance,
           std::uint64_t seed, int side)
@@ -50,7 +50,8 @@ void CameraRenderer::render(const ToolPose& pose, cv::Mat& image) {
   drawing_->noise.apply(image);
 }
 
-/// The silhouette's rays form a cone about the centre, of half angle asin(r / |c|).
+/// Outline of the sphere. The rays of its silhouette form a cone about the centre c with half angle asin(r /
+/// |c|).
 RenderedMarker CameraRenderer::outline(const ToolPose& pose) const {
   constexpr int kRays = 96;
   const Eigen::Vector3d centre = camera_from_base_ * pose.tip;

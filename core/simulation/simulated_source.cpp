@@ -17,7 +17,7 @@ namespace capstan::simulation {
 namespace {
 
 constexpr double kTick = 1e-3;      // [s]
-constexpr int kSettleTicks = 1000;  // at rest, before anything is measured
+constexpr int kSettleTicks = 1000;  // ticks at rest before the first measurement
 
 }  // namespace
 
@@ -39,7 +39,7 @@ struct SimulatedSource::Parts {
   SimulatedOptions options;
   tracking::SourceInfo info;
   robot::ArmKinematics kinematics;
-  std::optional<robot::ChainModel> effects;  // of the robot file
+  std::optional<robot::ChainModel> effects;  // effects of the robot file
   std::unique_ptr<Trajectory> trajectory;
   Plant plant;
   MotorEncoders encoders;
@@ -50,8 +50,8 @@ struct SimulatedSource::Parts {
 
   std::int64_t tick = 0;
   double now = 0.0;        // [s]
-  PlantState before;       // one tick ago
-  Eigen::Vector3d torque;  // held until the next tick
+  PlantState before;       // state one tick ago
+  Eigen::Vector3d torque;  // motor torque until the next tick [N·m]
   bool motor_due = true, joint_due = true;
   std::atomic<MotionCommand> command{MotionCommand::kRun};
   std::atomic<bool> arrived{false}, block_left{false}, block_right{false};
@@ -94,7 +94,7 @@ SimulatedSource::Parts::Parts(SimulatedOptions chosen)
   joint_due = jointDue();
 }
 
-/// How far the encoders have fallen behind the motors [rad].
+/// Slip of the encoders against the motors at `t` [rad].
 Eigen::Vector3d SimulatedSource::Parts::slipped(double t) const {
   Eigen::Vector3d slip = Eigen::Vector3d::Zero();
   for (int i = 0; i < 3; ++i)
@@ -130,7 +130,7 @@ ToolPose SimulatedSource::Parts::toolAt(const Eigen::Vector3d& q, const Eigen::V
   return {kinematics.tip(q), kinematics.tipJacobian(q) * dq, kinematics.frame(3, q).linear().col(2)};
 }
 
-/// Measurements of the tool by cameras with declared errors.
+/// Pose of the tool as measured by cameras with the errors that the robot file declares.
 std::optional<ToolPose> SimulatedSource::Parts::commandedOf(const ToolPose& tool) const {
   if (!effects) return std::nullopt;
   const robot::CameraNumbers& camera = effects->camera;

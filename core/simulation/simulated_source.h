@@ -13,29 +13,33 @@
 
 namespace capstan::simulation {
 
+/// What a simulation consists of.
 struct SimulatedOptions {
-  robot::Description robot;  ///< nominal: plant = this, its effects + truth
+  robot::Description robot;  ///< nominal robot; the plant adds its effects and the truth
   Truth truth = defaultTruth();
   TrajectorySpec trajectory;
-  std::uint64_t seed = 1;                ///< surgeon, noise, texture: same seed, same bytes
-  std::optional<vision::StereoRig> rig;  ///< absent: no cameras at all
-  bool images = true;                    ///< false: TipSample by triangulating noisy pixels, no pictures
-  /// Register at the hard stop before t = 0 with the real detector and triangulator, so that info() carries
-  /// base_from_camera. False: the user does it (driveToHardStop). Always done when images are off.
+  std::uint64_t seed = 1;                ///< seed of surgeon, noise and texture: same seed, same bytes
+  std::optional<vision::StereoRig> rig;  ///< stereo cameras; absent: none
+  bool images = true;                    ///< false: TipSample by triangulation of noisy pixels, no images
+  /// True: the cameras are registered at the hard stop before t = 0, with the real detector and triangulator,
+  /// and info() has base_from_camera. False: the user registers (driveToHardStop). Without images: always
+  /// registered.
   bool registered = true;
-  int registration_frames = 30;
-  int joint_decimation = 1;                 ///< a JointSample every so many milliseconds; 0: none
-  static constexpr int kFrameBuffers = 16;  ///< pictures in flight before a new one is allocated
+  int registration_frames = 30;             ///< number of frames of that registration
+  int joint_decimation = 1;                 ///< milliseconds between JointSamples; 0: none
+  static constexpr int kFrameBuffers = 16;  ///< image pairs in flight before a new one is allocated
 };
 
-/// A RAVEN-II that is not there: plant, encoders, 1 kHz controller, trajectory and cameras as a Source.
-/// Effects in the robot file act in the plant, time counted from the first sample; encoder_slip on what the
-/// encoders measure, the cameras' on every exposure, but not on the registration that is made before.
-/// MotorSample (and JointSample) at 1 kHz; StereoFrame at the camera's rate, delivered when it arrives. Ends
-/// when the trajectory has. The commands and block() may come from any thread while another calls next().
+/// A simulated RAVEN-II as a Source: plant, encoders, 1 kHz controller, trajectory and cameras. Effects of
+/// the robot file act in the plant; their time counts from the first sample. The effect encoder_slip acts on
+/// encoder measurements. Camera effects act on every exposure, but not on the registration before t = 0.
+/// next() gives MotorSample (and JointSample) at 1 kHz and StereoFrame at the camera rate, when it arrives.
+/// The source ends with the trajectory. Any thread may send commands or call block() while another calls
+/// next().
 class SimulatedSource final : public tracking::Source {
  public:
-  /// Throws base::InputError for a robot that is no three-joint remote-centre arm or an unusable trajectory.
+  /// Throws base::InputError when the robot is not a three-joint remote-centre arm or the trajectory is
+  /// unusable.
   explicit SimulatedSource(SimulatedOptions options);
   ~SimulatedSource() override;
 
@@ -43,17 +47,18 @@ class SimulatedSource final : public tracking::Source {
   bool next(tracking::Sample& out) override;
   void block(bool left, bool right) override;
 
-  /// Slows down along the path, then goes to q_hs on a quintic and stays there.
+  /// Slows down along the path, then moves to the hard stop q_hs on a quintic and stays there.
   void driveToHardStop();
-  /// Slows down along the path and stays.
+  /// Slows down along the path to a halt.
   void hold();
-  /// Back to where the path was left, and on along it.
+  /// Returns to the point where the path was left and continues along it.
   void resume();
-  /// At rest at the hard stop.
+  /// True while the arm rests at the hard stop.
   bool arrivedAtHardStop() const;
 
-  /// True pose of the left camera in frame 0: what registration tries to find.
+  /// True pose of the left camera in frame 0; registration estimates it.
   const Eigen::Isometry3d& trueBaseFromCamera() const;
+  /// Truth of the frame that was delivered last.
   const FrameTruth& frameTruth() const;
 
  private:

@@ -8,26 +8,26 @@
 
 namespace capstan::simulation {
 
-/// A simulated session as people ask for it, on the command line and in the window: names and files.
+/// A request for a simulated session, from the command line or the window: names and files.
 struct SimulationRequest {
   std::string trajectory =
       "fls";  ///< fls, sinusoid, hold, hard-stop, a CSV with t, q1, q2, q3, or a trajectory file
-  double duration = 200.0;        ///< of the movement [s]
+  double duration = 200.0;        ///< duration of the movement [s]
   std::string truth = "default";  ///< default, matched, or a truth file
-  std::uint64_t seed = 1;         ///< surgeon, noise and texture
+  std::uint64_t seed = 1;         ///< seed of surgeon, noise and texture
   std::filesystem::path robot;    ///< nominal robot file; empty: the left RAVEN-II
   std::filesystem::path cameras;  ///< folder with left.yaml and right.yaml; empty: the built-in rig
   bool cameras_fitted = true;     ///< false: motors only
-  bool images = true;             ///< false: tip positions instead of pictures
-  bool registered = true;         ///< false: the cameras' place is left to the user
+  bool images = true;             ///< false: tip positions instead of images
+  bool registered = true;         ///< false: the user registers the cameras
   bool distractors = false;       ///< objects of nearly the marker's colour
-  bool uneven_light = false;      ///< one side of the scene in the dark
+  bool uneven_light = false;      ///< one side of the scene is dark
 
   bool operator==(const SimulationRequest&) const = default;
 };
 
-/// Reads the files that `request` names. Throws base::InputError for a name that is neither known nor a file,
-/// and as the files' readers do.
+/// Reads the files of `request` and returns the options of the simulation. Throws base::InputError for a name
+/// that is neither known nor a file, and for an unusable file.
 SimulatedOptions optionsOf(const SimulationRequest& request);
 
 }  // namespace capstan::simulation

@@ -13,9 +13,9 @@
 namespace capstan::simulation {
 namespace {
 
-constexpr double kLeastSigma = 0.05;  // assumed by the triangulator where pixels are exact [px]
+constexpr double kLeastSigma = 0.05;  // noise that the triangulator assumes where pixels are exact [px]
 
-/// Held by nobody but its buffer.
+/// True when only its buffer holds `image`.
 bool isFree(const cv::Mat& image) { return image.u == nullptr || CV_XADD(&image.u->refcount, 0) == 1; }
 
 Eigen::Vector3d nowhere() { return Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()); }

@@ -16,26 +16,27 @@
 
 namespace capstan::simulation {
 
-/// The plain truth of one StereoFrame or TipSample.
+/// True values behind one StereoFrame or TipSample.
 struct FrameTruth {
   double t = 0.0;                                    ///< true mid exposure [s]
   Eigen::Vector3d joints = Eigen::Vector3d::Zero();  ///< [rad, rad, m]
-  Eigen::Vector3d tip = Eigen::Vector3d::Zero();     ///< in frame 0 [m]
+  Eigen::Vector3d tip = Eigen::Vector3d::Zero();     ///< tip position in frame 0 [m]
   std::array<RenderedMarker, 2> marker;              ///< left, right [px]
 };
 
-/// What the rig exposes at one instant.
+/// Scene of one exposure.
 struct Exposure {
   double t = 0.0;  ///< true mid exposure [s]
   Eigen::Vector3d joints;
   ToolPose tool;
-  std::array<bool, 2> blocked{};  ///< left, right
+  std::array<bool, 2> blocked{};  ///< true: the camera is blocked; left, right
   std::optional<ToolPose>
-      displaced{};  ///< where the pictures show it, of cameras that mislead; absent: at `tool`
+      displaced{};  ///< pose of the tool in the images of cameras with errors; absent: `tool`
 };
 
-/// The rig: exposes at its own rate, stamps by its own clock, delivers after its latency, in order. Pictures
-/// live in a fixed set of buffers; one that a consumer still holds is not drawn over.
+/// Simulated stereo rig. It exposes at its own rate, stamps by its own clock and delivers frames after its
+/// latency, in order. Images are kept in a fixed set of buffers; a buffer that a consumer still holds is not
+/// overwritten.
 class StereoCameras {
  public:
   /// `base_from_camera` is the true pose of the left camera.
@@ -44,19 +45,20 @@ class StereoCameras {
 
   /// True time of the next exposure [s].
   double nextExposure() const { return (static_cast<double>(exposures_) + 0.5) / timing_.rate; }
-  /// Takes the exposure of nextExposure(); it is delivered when it arrives.
+  /// Makes the exposure at nextExposure(); deliver() returns its frame once it has arrived.
   void expose(const Exposure& exposure);
-  /// The oldest frame that has arrived by `now` [s], as StereoFrame or, without images, as TipSample.
+  /// Writes the oldest frame that has arrived by `now` [s] to `out`, as StereoFrame or, without images, as
+  /// TipSample. Returns false when none has.
   bool deliver(double now, tracking::Sample& out);
-  const FrameTruth& delivered() const { return delivered_; }
+  const FrameTruth& delivered() const { return delivered_; }  ///< truth of the frame delivered last
 
-  /// Registration that turns triangulated points into TipSamples.
+  /// Sets the registration that transforms triangulated points to frame 0 for TipSamples.
   void setRegistration(const Eigen::Isometry3d& base_from_camera) { registration_ = base_from_camera; }
 
-  /// UKF paper (1) with this rig's own pictures (or noisy pixels) of a tool at rest at `tool`, searched as
-  /// the pipeline searches: around the place where the `nominal` mounting, whose rotation is the known one,
-  /// expects the marker, then everywhere. Throws base::InputError when the marker is found in less than half
-  /// of the frames.
+  /// Registration by UKF paper (1) from this rig's images (or noisy pixels) of a tool at rest at `tool`. The
+  /// search is that of the pipeline: first around the marker position that the `nominal` mounting predicts
+  /// (its rotation is the known one), then in the whole image. Throws base::InputError when the marker is
+  /// found in less than half of the frames.
   Eigen::Isometry3d registerAtRest(const ToolPose& tool, const Eigen::Isometry3d& nominal,
                                    const Eigen::Vector3d& marker_in_base, int frames);
 
@@ -65,7 +67,7 @@ class StereoCameras {
     double stamp = 0.0, arrival = 0.0;
     FrameTruth truth;
     cv::Mat left, right;       // with images
-    Eigen::Vector3d measured;  // without: left camera's frame [m], NaN: not seen
+    Eigen::Vector3d measured;  // without images: tip in the left camera's frame [m]; NaN: not observed
   };
   using ImagePair = std::array<cv::Mat, 2>;
 

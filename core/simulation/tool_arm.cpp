@@ -14,8 +14,8 @@ namespace {
 using robot::JointVector;
 using robot::kToolJoints;
 
-constexpr int kRounds = 2000;          // through all joints, at most
-constexpr double kStandstill = 1e-11;  // [rad or m]
+constexpr int kRounds = 2000;          // most iterations over all joints per step
+constexpr double kStandstill = 1e-11;  // largest change of a joint at convergence [rad or m]
 
 }  // namespace
 
@@ -77,7 +77,7 @@ void ToolArm::moveMotors(const JointVector& target, const JointVector& target_ra
   }
 }
 
-/// Where joint i holds, all others as they stand; how far it went [rad or m].
+/// Moves joint i to its equilibrium with all other joints fixed. Returns the distance [rad or m].
 double ToolArm::moveJoint(int i, double dt) {
   const ToolJointTruth& joint = truth(i);
   double torque = 0.0;

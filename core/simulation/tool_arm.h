@@ -9,31 +9,31 @@
 
 namespace capstan::simulation {
 
-/// A cable-driven arm with tool roll, wrist and two jaws, moving slowly: motors under PD control pull joints
-/// by cables that stretch, run over each other, and have play; inertia is neglected, all else holds at each
-/// instant (quasi_static.h):
+/// Quasi-static dynamics of a cable-driven arm with tool roll, wrist and two jaws. Motors under PD control
+/// drive the joints through cables that stretch, are coupled, and have backlash. Inertia is neglected; these
+/// equations hold at each instant (quasi_static.h):
 ///   K_p (q_md − q_m) + K_d (dq_md − dq_m) − tau_vm dq_m − r_mc gamma / N ∈ tau_cm sgn dq_m
 ///   s_m = r_mc q_m / N + e (sin(q_m / N + φ) − sin φ),   delta = s_m − r_l ∘ (A (q − q_hs))
 ///   gamma = k (delta beyond play),   Gamma = Aᵀ (r_l ∘ gamma)
 ///   Gamma − G(q) − F_v dq ∈ (F_c (1 + excess e^{−(dq/v_s)²}) + mu |Gamma|) sgn dq
-/// so that where a joint stands depends on where it came from and how fast. Implicit Euler; joints in turn
-/// until all hold, which finds the one solution, since forces and friction are those of a convex energy.
-/// r_l, A, q_hs and the geometry are the truth's.
+/// So the position of a joint depends on the direction and the speed of its motion. The integration is
+/// implicit Euler. Each step solves joint after joint until none moves; the solution is unique, as forces and
+/// friction derive from a convex energy. r_l, A, q_hs and the geometry are those of the truth.
 class ToolArm {
  public:
-  /// base::InputError: not seven joints.
+  /// Throws base::InputError unless the robot has seven joints.
   ToolArm(const robot::Description& nominal, const ToolTruth& truth);
 
-  /// Motors there, cables unstretched, joints where that puts them.
+  /// Sets motor angles `q_motor` [rad] with unstretched cables; the joints follow from the true transmission.
   void reset(const robot::JointVector& q_motor);
   /// Advances by `dt` [s] towards motor angles [rad] that change at `target_rate` [rad/s].
   void step(const robot::JointVector& target, const robot::JointVector& target_rate, double dt);
 
-  const robot::JointVector& motors() const { return q_motor_; }  ///< [rad], from the hard stop
-  robot::JointVector encoders() const;                           ///< the same in whole counts
-  const robot::JointVector& joints() const { return q_; }        ///< [rad or m]
-  robot::JointVector cableForce() const;                         ///< gamma [N]
-  /// Frame 0 from the frame between the jaws.
+  const robot::JointVector& motors() const { return q_motor_; }  ///< motor angles from the hard stop [rad]
+  robot::JointVector encoders() const;                           ///< motor angles in whole counts [rad]
+  const robot::JointVector& joints() const { return q_; }        ///< true joints [rad or m]
+  robot::JointVector cableForce() const;                         ///< cable forces gamma [N]
+  /// Pose in frame 0 of the frame between the jaws.
   Eigen::Isometry3d pose() const;
 
  private:
@@ -52,10 +52,10 @@ class ToolArm {
   robot::Transmission transmission_;
   std::array<MotorNumbers, robot::kToolJoints> motors_;
   robot::JointMatrix travel_;       ///< diag(r_l) A: cable travel by joint
-  robot::JointVector stiffness_;    ///< of each joint by itself, all cables tight
-  robot::JointVector q_motor_, q_;  ///< now
-  robot::JointVector begin_;        ///< joints at the begin of the step
-  robot::JointVector speed_;        ///< of the step before [rad/s or m/s]
+  robot::JointVector stiffness_;    ///< stiffness of each joint by itself with all cables tight
+  robot::JointVector q_motor_, q_;  ///< present motor angles [rad] and joints [rad or m]
+  robot::JointVector begin_;        ///< joints at the beginning of the step
+  robot::JointVector speed_;        ///< joint velocities of the previous step [rad/s or m/s]
   robot::JointVector delta_;        ///< stretches [m]
   robot::JointVector gravity_;      ///< G [N·m or N]
 };

@@ -29,8 +29,8 @@ void ToolPainter::paint(const Eigen::Vector3d& tip, const Eigen::Vector3d& axis,
   paintMarker(tip, axis, smear, image);
 }
 
-/// Sphere |x − c| = r seen along d: f(d) = (d·c)² − |d|² (|c|² − r²) is positive inside the silhouette, and f
-/// / |∇f| is the signed distance to it in the normalised image.
+/// Coverage by the sphere |x − c| = r along ray d. f(d) = (d·c)² − |d|² (|c|² − r²) is positive inside the
+/// silhouette; f / |∇f| is the signed distance to it in the normalised image.
 ToolPainter::Cover ToolPainter::marker(const Eigen::Vector3f& d, const Eigen::Vector3f& c) const {
   const auto radius = static_cast<float>(sizes_.marker_radius);
   const float dc = d.dot(c), dd = d.squaredNorm(), tangent = c.squaredNorm() - radius * radius;
@@ -47,7 +47,8 @@ ToolPainter::Cover ToolPainter::marker(const Eigen::Vector3f& d, const Eigen::Ve
   return cover;
 }
 
-/// Cylinder about tip + s axis, 0 <= s <= length: lines at distance w from the axis, |w| <= r.
+/// Coverage by the cylinder about tip + s axis, 0 <= s <= length. A ray at distance w from the axis meets it
+/// where |w| <= r.
 ToolPainter::Cover ToolPainter::shaft(const Eigen::Vector3f& d, const Eigen::Vector3f& p,
                                       const Eigen::Vector3f& a) const {
   Cover cover;
@@ -56,9 +57,9 @@ ToolPainter::Cover ToolPainter::shaft(const Eigen::Vector3f& d, const Eigen::Vec
   const float sine = across.norm();
   if (sine < 1e-4F) return cover;
   const Eigen::Vector3f normal = across / sine;
-  const float w = p.dot(normal);  // signed distance of the lines
+  const float w = p.dot(normal);  // signed distance of ray and axis
   const float da = d.dot(a), dd = d.squaredNorm();
-  const float s = (da * p.dot(d) - dd * p.dot(a)) / (dd - da * da);  // on the axis, at closest approach
+  const float s = (da * p.dot(d) - dd * p.dot(a)) / (dd - da * da);  // point of the axis closest to the ray
   if (s < 0.0F || s > static_cast<float>(sizes_.shaft_length)) return cover;
   const float depth = (p + s * a).z();
   if (depth < 0.05F) return cover;
@@ -121,7 +122,7 @@ void ToolPainter::paintMarker(const Eigen::Vector3d& tip, const Eigen::Vector3d&
                               const Eigen::Vector3d& smear, cv::Mat& image) const {
   const auto middle = camera_.project(tip);
   if (!middle || tip.z() < 0.05) return;
-  const double travel = camera_.fx * smear.norm() / tip.z();  // to either side [px]
+  const double travel = camera_.fx * smear.norm() / tip.z();  // motion to either side [px]
   const double reach = 1.3 * camera_.fx * sizes_.marker_radius / tip.z() + travel + 3.0;
   const int places = std::clamp(static_cast<int>(std::ceil(3.0 * travel)), 1, 24);
   const auto from = [&](double centre, int size) {

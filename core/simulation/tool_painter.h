@@ -10,23 +10,23 @@
 
 namespace capstan::simulation {
 
-/// Ray casts the tool into a picture: a shaft (cylinder) and the marker (sphere), Lambert shading, coverage
-/// of edge pixels from the silhouette's signed distance, motion blur by averaging places along the exposure.
-/// Camera frame.
+/// Draws the tool into an image by ray casting: a shaft (cylinder) and the marker (sphere) with Lambert
+/// shading. The signed distance to the silhouette gives the coverage of edge pixels; the mean over positions
+/// during the exposure gives motion blur. All positions are in the camera frame.
 class ToolPainter {
  public:
   ToolPainter(const vision::Camera& camera, const SceneSizes& sizes, const ImageTruth& appearance,
               const cv::Mat& light);
 
-  /// `axis` is the unit vector from tip up the shaft; the marker travels ±`smear` [m] about `tip` [m] while
-  /// exposed.
+  /// `axis` is the unit vector from the tip up the shaft. During the exposure the marker moves by ±`smear`
+  /// [m] about `tip` [m].
   void paint(const Eigen::Vector3d& tip, const Eigen::Vector3d& axis, const Eigen::Vector3d& smear,
              cv::Mat& image);
 
  private:
   struct Cover {
-    float share = 0.0F;  // of the pixel
-    float depth = 0.0F;  // along z [m]
+    float share = 0.0F;  // covered share of the pixel
+    float depth = 0.0F;  // depth along z [m]
     Eigen::Vector3f colour = Eigen::Vector3f::Zero();
   };
   struct Span {
@@ -46,7 +46,7 @@ class ToolPainter {
   SceneSizes sizes_;
   cv::Mat light_;
   Eigen::Vector3f marker_colour_;
-  std::vector<Span> spans_;  // of the shaft, a row each
+  std::vector<Span> spans_;  // columns of the shaft per image row
 };
 
 }  // namespace capstan::simulation

@@ -10,7 +10,7 @@
 namespace capstan::simulation {
 namespace {
 
-constexpr int kSettling = 50;  // commands' time for cables and motors to settle in, before time 0
+constexpr int kSettling = 50;  // command periods before time 0, in which cables and motors settle
 
 }  // namespace
 
@@ -21,7 +21,7 @@ ToolRobot::ToolRobot(const robot::Description& nominal, const ToolTruth& truth,
     std::ostringstream joints;
     joints << start.transpose();
     throw base::InputError({nominal.name, 0, "start", joints.str(), "is not seven joints inside the limits",
-                            "Start inside of them"});
+                            "Start inside the limits"});
   }
   commanded_ = kinematics_.pose(start);
   former_ = target_ = transmission_.motorFromJoint(start);

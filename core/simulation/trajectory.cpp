@@ -40,7 +40,7 @@ class Sinusoid final : public Trajectory {
             (amplitude * (gain * omega * cosine + (early ? gain_rate : -gain_rate) * sine)).matrix()};
   }
   double duration() const override { return duration_; }
-  double nextInstant(double t) const override {  // a long one repeats itself: any phase comes by soon enough
+  double nextInstant(double t) const override {  // a long sinusoid repeats: its checks meet every phase
     return t + std::max(kDenseStep, duration_ / kMostInstants);
   }
 
@@ -76,8 +76,8 @@ class HardStop final : public Trajectory {
        "Choose a smaller or slower movement"});
 }
 
-/// Inside the limits (widened to hold the hard stop) and below the highest speeds, at all instants that show
-/// it.
+/// Throws base::InputError unless the trajectory stays inside the limits (widened to contain the hard stop)
+/// and below the highest speeds at every instant of nextInstant().
 void requireFeasible(const Trajectory& trajectory, TrajectoryKind kind, const robot::Description& robot) {
   constexpr double kSlack = 1e-9;
   bool last = false;
@@ -125,7 +125,7 @@ std::unique_ptr<Trajectory> makeTrajectory(const TrajectorySpec& spec, const rob
 
 double quinticDuration(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   const Eigen::Vector3d speed(0.5, 0.5, 0.1);  // [rad/s, rad/s, m/s]
-  constexpr double kPeak = 1.875;              // of the minimum-jerk profile, by its mean
+  constexpr double kPeak = 1.875;              // peak speed by mean speed of the minimum-jerk profile
   return std::max(0.5, kPeak * (to - from).cwiseAbs().cwiseQuotient(speed).maxCoeff());
 }
 

@@ -8,9 +8,9 @@ namespace capstan::simulation {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-/// Of each image coordinate [px]: what the detector leaves on rendered images of the default robot in block
-/// transfer, where markers lie 0.030 px from their place on average (Rayleigh: sigma √(π / 2)) and 0.058 px
-/// in 95 of 100 (sigma 2.45); `capstan-cli track --simulate --json -` measures it, "centroid".
+/// Detector noise of each image coordinate [px], from rendered images of the default robot in block transfer.
+/// The mean error of detected markers is 0.030 px (Rayleigh: sigma √(π / 2)), the 95th percentile 0.058 px
+/// (sigma 2.45). `capstan-cli track --simulate --json -` measures it as "centroid".
 constexpr double kDetectorSigma = 0.025;
 
 EncoderTruth realEncoders() {

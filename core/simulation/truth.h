@@ -8,23 +8,23 @@
 
 #include "core/base/field.h"
 
-/// What the simulated robot and its cameras really are, as against the nominal robot file that estimators
-/// know. A default-constructed Truth is the matched one: the nominal robot, ideal sensors, ideal cameras. A
-/// truth file lists what differs; every key is optional.
+/// True parameters of the simulated robot and its cameras. Estimators know the nominal robot file instead. A
+/// default-constructed Truth is the nominal robot with ideal sensors and ideal cameras. A truth file lists
+/// the differences from it; every key is optional.
 namespace capstan::simulation {
 
 /// Bouc–Wen hysteresis of a cable, in parallel with its elastic force. The force is stiffness · z, where
 ///   dz/dt = d(delta)/dt · (1 − |z / yield|^exponent · (shape · sgn(z · d(delta)/dt) + 1 − shape)),
 /// so that |z| <= yield. Wen, J. Eng. Mech. 102 (1976), with z in metres of cable stretch.
 struct Hysteresis {
-  double stiffness = 0.0;  ///< of the hysteretic branch [N/m]; 0: none
+  double stiffness = 0.0;  ///< stiffness of the hysteretic branch [N/m]; 0: no hysteresis
   double yield = 1e-4;     ///< saturation of z [m]
-  double exponent = 1.0;   ///< sharpness of the transition
-  double shape = 0.5;      ///< share beta of loading-dependent slip
+  double exponent = 1.0;   ///< sharpness of the transition to slip
+  double shape = 0.5;      ///< share beta of slip that depends on the loading direction
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& field) {
-    field(self.stiffness, {"stiffness", "N/m", "of the hysteretic branch; 0: none", {0.0, 1e7}, false});
+    field(self.stiffness, {"stiffness", "N/m", "hysteretic branch's stiffness; 0: none", {0.0, 1e7}, false});
     field(self.yield, {"yield", "m", "stretch at which the branch slips", {1e-7, 0.1}, false});
     field(self.exponent, {"exponent", "", "sharpness of the transition to slip", {1.0, 10.0}, false});
     field(self.shape,
@@ -34,7 +34,7 @@ struct Hysteresis {
 
 /// Stribeck friction of a joint: F_cl (1 + excess · exp(−(v / speed)²)) tanh(v / v_eps) + F_vl v.
 struct Stribeck {
-  double excess = 0.0;  ///< breakaway friction above Coulomb, as a share of it
+  double excess = 0.0;  ///< breakaway friction above Coulomb friction, as a share of it
   double speed = 0.02;  ///< Stribeck speed [rad/s or m/s]
 
   template <class Self, class Visitor>
@@ -46,36 +46,35 @@ struct Stribeck {
   }
 };
 
-/// One joint, its cable and its motor.
+/// True parameters of one joint, its cable and its motor. Factors are true value / nominal value.
 struct JointTruth {
   std::optional<double> link_radius;  ///< effective r_l [m/rad or m/m]; absent: nominal
-  double stiffness_factor = 1.0;      ///< of k_e
-  double damping_factor = 1.0;        ///< of b_e
+  double stiffness_factor = 1.0;      ///< factor of k_e
+  double damping_factor = 1.0;        ///< factor of b_e
   Hysteresis hysteresis;
   Stribeck stribeck;
-  double torque_limit_factor = 1.0;  ///< of the motor torque limit
+  double torque_limit_factor = 1.0;  ///< factor of the motor torque limit
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& field) {
     field(self.link_radius,
           {"link_radius", "m/rad or m/m", "effective r_l; absent: nominal", {1e-4, 10.0}, false});
-    field(self.stiffness_factor,
-          {"stiffness_factor", "", "cable stiffness by nominal", {0.005, 10.0}, false});
-    field(self.damping_factor, {"damping_factor", "", "cable damping by nominal", {0.05, 10.0}, false});
+    field(self.stiffness_factor, {"stiffness_factor", "", "cable stiffness / nominal", {0.005, 10.0}, false});
+    field(self.damping_factor, {"damping_factor", "", "cable damping / nominal", {0.05, 10.0}, false});
     field(self.hysteresis, {"hysteresis", "", "Bouc-Wen hysteresis of the cable", {}, false});
     field(self.stribeck, {"stribeck", "", "Stribeck friction of the joint", {}, false});
     field(self.torque_limit_factor,
-          {"torque_limit_factor", "", "torque limit by nominal", {0.0, 10.0}, false});
+          {"torque_limit_factor", "", "torque limit / nominal", {0.0, 10.0}, false});
   }
 };
 
-/// Motor and joint encoders. The controller and MotorSample see the quantised motor angle; its velocity is
-/// the difference quotient of the counts through a first-order low pass.
+/// Motor and joint encoders. Controller and MotorSample get the quantised motor angle and its velocity: the
+/// difference quotient of the counts after a first-order low pass.
 struct EncoderTruth {
-  bool motor_quantised = false;   ///< to the robot file's counts a revolution
-  double velocity_cutoff = 80.0;  ///< of the low pass [Hz]
+  bool motor_quantised = false;   ///< motor angles in the robot file's counts per revolution
+  double velocity_cutoff = 80.0;  ///< cut-off frequency of the low pass [Hz]
   Eigen::Vector3d joint_resolution =
-      Eigen::Vector3d::Zero();  ///< step of the reference [rad, rad, m]; 0: exact
+      Eigen::Vector3d::Zero();  ///< resolution of the joint encoders [rad, rad, m]; 0: exact
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& field) {
@@ -83,17 +82,17 @@ struct EncoderTruth {
     field(self.velocity_cutoff,
           {"velocity_cutoff", "Hz", "low pass of the motor velocity", {1.0, 500.0}, false});
     field(self.joint_resolution,
-          {"joint_resolution", "rad, rad, m", "reference step; 0: exact", {0.0, 0.1}, false});
+          {"joint_resolution", "rad, rad, m", "joint encoder step; 0: exact", {0.0, 0.1}, false});
   }
 };
 
 /// PD control of the motor angles at 1 kHz: tau = stiffness (q_md − q_m) + damping (dq_md − dq_m)
-/// + friction_feedforward · tau_cm tanh(dq_md / v_eps). The RAVEN-II runs plain PD: no feed-forward by
-/// default.
+/// + friction_feedforward · tau_cm tanh(dq_md / v_eps). By default there is no feed-forward: the RAVEN-II
+/// uses plain PD control.
 struct ControllerTruth {
-  double stiffness = 1.0;             ///< [N·m/rad]
-  double damping = 0.027;             ///< [N·m·s/rad]
-  double friction_feedforward = 0.0;  ///< share of the nominal motor Coulomb friction
+  double stiffness = 1.0;             ///< proportional gain [N·m/rad]
+  double damping = 0.027;             ///< derivative gain [N·m·s/rad]
+  double friction_feedforward = 0.0;  ///< share of the nominal motor Coulomb friction that is fed forward
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& field) {
@@ -104,22 +103,22 @@ struct ControllerTruth {
   }
 };
 
-/// Cameras in time and place.
+/// Timing, mounting and pixel noise of the cameras.
 struct CameraTruth {
-  double rate = 15.0;           ///< [frames/s]
-  double exposure = 0.0;        ///< shutter time [s]; motion blurs over it
-  double latency = 0.0;         ///< arrival after mid exposure [s]
-  double latency_jitter = 0.0;  ///< standard deviation [s], cut at 3
-  double clock_jitter = 0.0;    ///< standard deviation of the stamp [s], cut at 3
-  double stamp_delay = 0.0;     ///< the stamp is late by this, unknown to anyone [s]
+  double rate = 15.0;           ///< frame rate [frames/s]
+  double exposure = 0.0;        ///< shutter time [s], over which motion blurs
+  double latency = 0.0;         ///< time from mid exposure to arrival [s]
+  double latency_jitter = 0.0;  ///< standard deviation of the latency [s]; draws are cut at 3 σ
+  double clock_jitter = 0.0;    ///< standard deviation of the time stamp [s]; draws are cut at 3 σ
+  double stamp_delay = 0.0;     ///< constant delay of the time stamp [s], unknown to estimators
   Eigen::Vector3d rotation_error = Eigen::Vector3d::Zero();  ///< true mounting = nominal · exp(error) [rad]
   double pixel_sigma = 0.0;  ///< noise of a marker's position where no images are rendered [px]
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& field) {
-    field(self.rate, {"rate", "1/s", "frames a second", {1.0, 120.0}, false});
+    field(self.rate, {"rate", "1/s", "frames per second", {1.0, 120.0}, false});
     field(self.exposure, {"exposure", "s", "shutter time", {0.0, 0.05}, false});
-    field(self.latency, {"latency", "s", "arrival after mid exposure", {0.0, 1.0}, false});
+    field(self.latency, {"latency", "s", "time from mid exposure to arrival", {0.0, 1.0}, false});
     field(self.latency_jitter,
           {"latency_jitter", "s", "standard deviation of the latency", {0.0, 0.2}, false});
     field(self.clock_jitter,
@@ -128,19 +127,19 @@ struct CameraTruth {
     field(self.rotation_error,
           {"rotation_error", "rad", "rotation vector, nominal to true mounting", {-0.3, 0.3}, false});
     field(self.pixel_sigma,
-          {"pixel_sigma", "px", "marker noise where no images are made", {0.0, 10.0}, false});
+          {"pixel_sigma", "px", "marker noise where no images are rendered", {0.0, 10.0}, false});
   }
 };
 
-/// What the cameras see. Zero everywhere: a clean, evenly lit scene.
+/// Appearance of the scene in the images. All zero: a clean, evenly lit scene.
 struct ImageTruth {
   double noise = 0.0;           ///< standard deviation of each colour [grey levels]
   double exposure_noise = 0.0;  ///< standard deviation of a frame's brightness, as a share
-  double unevenness = 0.0;      ///< 0: even light … 1: the dark side receives none
+  double unevenness = 0.0;      ///< unevenness of the light, from 0 (even) to 1 (one side dark)
   double texture = 0.0;         ///< contrast of the background, 0…1
-  int distractors = 0;          ///< still objects of nearly the marker's colour
-  double distractor_hue = 8.0;  ///< their hue differs by this (OpenCV, 0…179)
-  double marker_hue = 65.0;     ///< (OpenCV, 0…179)
+  int distractors = 0;          ///< number of static objects of nearly the marker's colour
+  double distractor_hue = 8.0;  ///< hue of the distractors minus hue of the marker (OpenCV, 0…179)
+  double marker_hue = 65.0;     ///< hue of the marker (OpenCV, 0…179)
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& field) {
@@ -150,12 +149,12 @@ struct ImageTruth {
     field(self.unevenness, {"unevenness", "", "0: even light, 1: one side dark", {0.0, 1.0}, false});
     field(self.texture, {"texture", "", "contrast of the background", {0.0, 1.0}, false});
     field(self.distractors, {"distractors", "", "objects of nearly the marker's colour", {0, 50}, false});
-    field(self.distractor_hue, {"distractor_hue", "", "their hue minus the marker's", {-90.0, 90.0}, false});
+    field(self.distractor_hue, {"distractor_hue", "", "distractor hue - marker hue", {-90.0, 90.0}, false});
     field(self.marker_hue, {"marker_hue", "", "hue of the marker (OpenCV, 0-179)", {0.0, 179.0}, false});
   }
 };
 
-/// The whole truth file.
+/// Contents of a truth file.
 struct Truth {
   std::string name = "matched";
   std::array<JointTruth, 3> joints;
@@ -163,27 +162,27 @@ struct Truth {
   ControllerTruth controller;
   CameraTruth cameras;
   ImageTruth images;
-  int substeps = 10;  ///< integration steps of the plant a millisecond
+  int substeps = 10;  ///< integration steps of the plant per millisecond
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& field) {
-    field(self.name, {"name", "", "what reports call this truth", {}, false});
+    field(self.name, {"name", "", "name of this truth in reports", {}, false});
     field(self.joints, {"joints", "", "joints 1, 2, 3", {}, false});
     field(self.encoders, {"encoders", "", "motor and joint encoders", {}, false});
     field(self.controller, {"controller", "", "motor control at 1 kHz", {}, false});
     field(self.cameras, {"cameras", "", "timing and mounting", {}, false});
-    field(self.images, {"images", "", "what the cameras see", {}, false});
-    field(self.substeps, {"substeps", "", "integration steps a millisecond", {6, 1000}, false});
+    field(self.images, {"images", "", "appearance of the scene", {}, false});
+    field(self.substeps, {"substeps", "", "integration steps per millisecond", {6, 1000}, false});
   }
 };
 
-/// The truth of resources/truth/default.yaml: 59 mm effective pulley on joint 1, worn cables, hysteresis,
-/// Stribeck friction, real encoders, late and noisy cameras, a small mounting error.
+/// Truth of resources/truth/default.yaml: an effective pulley radius of 59 mm on joint 1, worn cables,
+/// hysteresis, Stribeck friction, real encoders, late and noisy cameras, a small mounting error.
 Truth defaultTruth();
-/// The truth of resources/truth/matched.yaml: the nominal robot with real encoders and camera noise, but no
-/// fault.
+/// Truth of resources/truth/matched.yaml: the nominal robot with real encoders and camera noise, but without
+/// faults.
 Truth matchedTruth();
-/// Throws base::InputError naming file, line, key, value and range.
+/// Reads a truth file or text. Throws base::InputError with file, line, key, value and range.
 Truth readTruth(const std::filesystem::path& path);
 Truth parseTruth(const std::string& text, const std::string& name);
 std::string formatTruth(const Truth& truth);

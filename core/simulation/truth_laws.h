@@ -7,7 +7,7 @@
 
 namespace capstan::simulation {
 
-/// Coulomb and viscous friction with a Stribeck excess (truth.h).
+/// Friction force: Coulomb and viscous friction with a Stribeck excess (Stribeck in truth.h).
 inline double frictionForce(const robot::Friction& friction, const Stribeck& stribeck, double speed) {
   double coulomb = friction.coulomb;
   if (stribeck.excess > 0.0) {
@@ -17,7 +17,7 @@ inline double frictionForce(const robot::Friction& friction, const Stribeck& str
   return coulomb * std::tanh(speed / friction.smoothing) + friction.viscous * speed;
 }
 
-/// dz/dt of Bouc–Wen (truth.h).
+/// dz/dt of Bouc–Wen hysteresis (Hysteresis in truth.h).
 inline double hysteresisRate(const Hysteresis& law, double z, double stretch_rate) {
   if (law.stiffness <= 0.0) return 0.0;
   const double load = std::abs(z) / law.yield;

@@ -10,14 +10,14 @@
 namespace capstan::stats {
 namespace {
 
-/// R_k = Σ (x_t − x̄)(x_{t+k} − x̄) / n.
+/// Autocovariance R_k = Σ (x_t − x̄)(x_{t+k} − x̄) / n.
 double autocovariance(std::span<const double> centred, std::size_t lag) {
   double sum = 0.0;
   for (std::size_t t = 0; t + lag < centred.size(); ++t) sum += centred[t] * centred[t + lag];
   return sum / static_cast<double>(centred.size());
 }
 
-/// R_0 … R_M with M as the rule has it.
+/// Autocovariances R_0 … R_M, with M by the rule in block_length.h.
 std::vector<double> telling(std::span<const double> centred) {
   const auto n = static_cast<double>(centred.size());
   const auto quiet = static_cast<std::size_t>(std::max(5.0, std::ceil(std::sqrt(std::log10(n)))));

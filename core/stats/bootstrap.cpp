@@ -17,7 +17,7 @@ namespace {
   throw base::InputError({{}, 0, key, std::move(value), std::move(reason), remedy});
 }
 
-/// Draws the indices of resamples of n samples.
+/// Sampler that draws the sample indices of each resample of n samples.
 class BlockSampler {
  public:
   BlockSampler(std::size_t n, const BootstrapOptions& options, const Pieces& pieces)
@@ -25,7 +25,7 @@ class BlockSampler {
     if (length_ > n)
       refuse("block length", fmt::format("{}", length_), fmt::format("is longer than the {} samples", n),
              "Give a shorter one, or 0 for the default");
-    starts_ = options.blocks == Blocks::kCircular ? n : n - length_ + 1;
+    starts_ = n;
     indices_.resize(n);
     if (!pieces.empty()) cutAt(pieces);
   }
@@ -38,7 +38,7 @@ class BlockSampler {
     }
   }
 
-  /// The samples that the last draw chose.
+  /// Sets `chosen` to the samples that the last draw() chose.
   void choose(std::span<const double> values, std::vector<double>& chosen) const {
     chosen.resize(n_);
     std::transform(indices_.begin(), indices_.end(), chosen.begin(),
@@ -47,11 +47,11 @@ class BlockSampler {
 
  private:
   struct Piece {
-    std::size_t begin, end;  ///< samples
-    std::size_t starts;      ///< starts of blocks in this piece and in those before it
+    std::size_t begin, end;  ///< range of samples [begin, end)
+    std::size_t starts;      ///< number of block starts in this piece and in all pieces before it
   };
 
-  /// A single piece is the whole recording: it has no gap.
+  /// Sets `pieces_` and `starts_`. A single piece is the whole recording, which has no gap.
   void cutAt(const Pieces& lengths) {
     std::size_t begin = 0, starts = 0;
     for (const std::size_t length : lengths) {
@@ -74,7 +74,7 @@ class BlockSampler {
       const std::size_t start = random.bits() % starts_;
       const Piece& piece = *std::upper_bound(pieces_.begin(), pieces_.end(), start,
                                              [](std::size_t s, const Piece& one) { return s < one.starts; });
-      // One behind the block's end, counted from the piece's begin: 1 … its length + l − 1.
+      // End of the block (exclusive), counted from the begin of the piece: 1 … its length + l − 1.
       const std::size_t behind = piece.starts - start;
       const std::size_t end = std::min(piece.begin + behind, piece.end);
       for (std::size_t k = behind > length_ ? piece.begin + behind - length_ : piece.begin;
@@ -85,7 +85,7 @@ class BlockSampler {
 
   std::size_t n_;
   std::size_t length_;
-  std::vector<Piece> pieces_;  ///< none: no gap
+  std::vector<Piece> pieces_;  ///< empty when there is no gap
   std::size_t starts_ = 1;
   std::vector<std::size_t> indices_;
 };
@@ -97,7 +97,7 @@ double finite(double value) {
   return value;
 }
 
-/// The report of `resamples` values of `replicate`, called once for each.
+/// Report of the values of `replicate`, which is called once per resample.
 BootstrapReport reportOf(double estimate, const BootstrapOptions& options,
                          const std::function<double()>& replicate) {
   requireConfidence(options.confidence);

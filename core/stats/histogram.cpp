@@ -35,7 +35,7 @@ std::vector<double> equalEdges(double low, double high, std::size_t bins) {
   return edges;
 }
 
-/// Bin of x in [edges.front(), edges.back()]: by division, then moved to where the edges say.
+/// Index of the bin of x, x in [edges.front(), edges.back()]: first by division, then corrected by the edges.
 std::size_t binOf(double x, const std::vector<double>& edges) {
   const std::size_t last = edges.size() - 2;
   const double share = (x - edges.front()) / (edges.back() - edges.front());
@@ -45,7 +45,7 @@ std::size_t binOf(double x, const std::vector<double>& edges) {
   return bin;
 }
 
-/// How many bins of [low, high] still have edges that differ.
+/// Largest number of bins over [low, high] whose edges differ in double precision.
 double distinctBins(double low, double high) {
   const double step = std::numeric_limits<double>::epsilon() * std::max(std::abs(low), std::abs(high));
   return std::max(1.0, std::floor((high - low) / (2.0 * step)));
@@ -101,7 +101,7 @@ Histogram histogramFreedmanDiaconis(std::span<const double> values, std::size_t 
     const double half = *low == 0.0 ? 0.5 : std::abs(*low) / 2.0;
     return histogram(values, *low - half, *low + half, 1);
   }
-  if (!std::isfinite(*high - *low)) return histogram(values, *low, *high, 1);  // refused there
+  if (!std::isfinite(*high - *low)) return histogram(values, *low, *high, 1);  // throws
   const double bins =
       std::min({freedmanDiaconisBins(values, *high - *low),
                 static_cast<double>(std::max<std::size_t>(most, 1)), distinctBins(*low, *high)});

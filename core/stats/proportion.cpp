@@ -21,7 +21,7 @@ void requireCounts(std::uint64_t hits, std::uint64_t trials, double confidence) 
                           "proportion",
                           fmt::format("{} of {}", hits, trials),
                           "there must be a trial, and no more hits than trials",
-                          "Count again"});
+                          "Correct the counts"});
 }
 
 }  // namespace

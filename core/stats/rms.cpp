@@ -23,7 +23,7 @@ class Sum {
   double lost_ = 0.0;
 };
 
-/// Exponent e with |x| < 2^e for all samples, and 2^−e a finite double.
+/// Exponent e such that |x| < 2^e for all samples and 2^−e is a finite double.
 int exponentOf(double largest) {
   int exponent = 0;
   std::frexp(largest, &exponent);
@@ -36,7 +36,7 @@ int exponentOf(std::span<const double> values) {
   return exponentOf(largest);
 }
 
-/// Mean of the samples times `scale`; a second pass adds the mean of what the first one's rounding left.
+/// Mean of the samples times `scale`. A second pass adds the mean of the rounding errors of the first pass.
 double scaledMean(std::span<const double> values, double scale) {
   const auto n = static_cast<double>(values.size());
   Sum sum;
@@ -47,8 +47,8 @@ double scaledMean(std::span<const double> values, double scale) {
   return first + rest.value() / n;
 }
 
-/// Standard deviation of the samples times `scale` about `scaled_mean`; deviations are scaled up again by
-/// their own largest one, for they may be far smaller than the mean.
+/// Standard deviation of the samples times `scale` about `scaled_mean`. The deviations are scaled again by
+/// the largest of them, because they may be far smaller than the mean.
 double scaledDeviation(std::span<const double> values, double scale, double scaled_mean) {
   double largest = 0.0;
   for (const double x : values) largest = std::max(largest, std::abs(x * scale - scaled_mean));

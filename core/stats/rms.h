@@ -5,7 +5,7 @@
 
 namespace capstan::stats {
 
-/// Count, mean and unbiased variance of a sample: all that a t-test of it needs.
+/// Count, mean and unbiased variance of a sample, as a t-test needs them.
 struct Moments {
   std::size_t n = 0;
   double mean = 0.0;
@@ -14,12 +14,12 @@ struct Moments {
   double standardDeviation() const;
 };
 
-/// Values in any unit, results in the same (variance in its square). Sums are compensated (Neumaier 1974) and
-/// the variance is the corrected two-pass form Σd² − (Σd)²/n over n − 1, d = x − x̄ (Chan, Golub and LeVeque
-/// 1983), so a large offset costs no digits beyond those that the samples themselves have lost. Samples of
-/// any magnitude that a double holds are scaled by a power of two, so squares neither overflow nor vanish
-/// (but for the variance itself). base::InputError: no samples (fewer than two where a spread is requested),
-/// or one that is not finite.
+// The functions below take values in any unit and return the same unit (the variance its square). Sums are
+// compensated (Neumaier 1974). The variance is the corrected two-pass form Σd² − (Σd)²/n over n − 1, d = x −
+// x̄ (Chan, Golub and LeVeque 1983), so that a large offset costs no further digits than the samples
+// themselves have lost. Samples are scaled by a power of two, so that squares neither overflow nor underflow;
+// only the variance itself can. Throws base::InputError when there are no samples (fewer than two for a
+// variance or standard deviation) or one is not finite.
 double rms(std::span<const double> values);  ///< sqrt(Σx² / n)
 double mean(std::span<const double> values);
 double variance(std::span<const double> values);

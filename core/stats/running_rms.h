@@ -6,14 +6,14 @@
 
 namespace capstan::stats {
 
-/// Root mean square of N-vectors, component by component, in the order of arrival (so that every user of the
-/// same samples gets the same bits). A vector with a component that is not finite is excluded as a whole.
+/// Root mean square of N-vectors, component by component. The squares are added in the order of arrival, so
+/// that the same samples always give the same bits. A vector with a non-finite component is excluded.
 template <int N>
 class RunningRms {
  public:
   using Vector = Eigen::Matrix<double, N, 1>;
 
-  /// False: excluded.
+  /// Adds one vector. Returns false when it was excluded.
   bool add(const Vector& error) {
     if (!error.allFinite()) return false;
     sum_of_squares_ += error.cwiseAbs2();
@@ -21,7 +21,7 @@ class RunningRms {
     return true;
   }
 
-  /// sqrt(Σ e² / n); NaN before the first.
+  /// RMS per component, sqrt(Σ e² / n); NaN before the first vector.
   Vector value() const {
     if (count_ == 0) return Vector::Constant(std::numeric_limits<double>::quiet_NaN());
     return (sum_of_squares_ / static_cast<double>(count_)).cwiseSqrt();

@@ -11,8 +11,8 @@
 namespace capstan::stats {
 namespace {
 
-/// The continued fraction 1/(1+) d1/(1+) d2/(1+) … of I_x(a, b) by Lentz's method as Thompson and Barnett
-/// (1986) changed it. For x < (a + 1)/(a + b + 2), as in every far tail of t, it converges fast.
+/// Continued fraction 1/(1+) d1/(1+) d2/(1+) … of I_x(a, b) by Lentz's method, modified by Thompson and
+/// Barnett (1986). It converges fast for x < (a + 1)/(a + b + 2), as in the far tails of t.
 double incompleteBetaFraction(double a, double b, double x) {
   constexpr double kTiny = 1e-300;
   constexpr int kMostTerms = 100000;

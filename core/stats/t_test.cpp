@@ -16,7 +16,7 @@
 namespace capstan::stats {
 namespace {
 
-/// A spread of a few roundings of the samples themselves (`size`: their magnitude) is none.
+/// Throws base::InputError when the spread is not above the rounding errors of samples of magnitude `size`.
 void requireSpread(double standard_error, double size) {
   if (standard_error > 10.0 * std::numeric_limits<double>::epsilon() * size) return;
   throw base::InputError({{},

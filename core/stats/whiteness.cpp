@@ -13,7 +13,7 @@
 namespace capstan::stats {
 namespace {
 
-/// (x − x̄), scaled so that the largest has magnitude 1.
+/// Deviations x − x̄, scaled so that the largest has magnitude 1.
 std::vector<double> scaledDeviations(std::span<const double> values) {
   const double centre = mean(values);
   std::vector<double> deviations(values.begin(), values.end());

@@ -39,8 +39,8 @@ using State = CableArmModel::State;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Pixels = Eigen::Vector4d;
 
-constexpr double kStep = 1e-3;          // [s]
-constexpr std::size_t kBatches = 8;     // of runs, summed in order: independent of the threads
+constexpr double kStep = 1e-3;          // time step [s]
+constexpr std::size_t kBatches = 8;     // batches of runs; sums are in their order, for any number of threads
 constexpr double kShortestTask = 80.0;  // a block transfer shorter than this moves fewer blocks [s]
 
 Vector3d positionsOf(const State& x) { return {x(0), x(2), x(4)}; }
@@ -51,31 +51,31 @@ State statesOf(const Vector3d& q, const Vector3d& dq) {
   return x;
 }
 
-/// The robot, its cameras and one movement: the same in every run.
+/// Robot, cameras and movement, which are the same in every run.
 class Scene {
  public:
   explicit Scene(const CramerRaoOptions& options);
 
   std::size_t steps() const { return inputs.size(); }
-  /// A camera sample is taken at the end of step k.
+  /// True when a camera sample is taken at the end of step k.
   bool seenAfter(std::size_t k) const {
     const auto frames = [&](std::size_t ticks) {
       return std::floor(static_cast<double>(ticks) * kStep / tracking_options.camera_period);
     };
     return frames(k + 1) > frames(k);
   }
-  /// Left u, v, right u, v [px].
+  /// Pixels of the marker: left u, v, right u, v [px].
   Pixels see(const Vector3d& q) const;
-  /// ∂ pixels / ∂ q.
+  /// Jacobian ∂ pixels / ∂ q.
   Eigen::Matrix<double, 4, 3> seeingJacobian(const Vector3d& q) const;
-  /// q_cam with J⁻¹ Sigma_pixels J⁻ᵀ.
+  /// q_cam and its covariance J⁻¹ Sigma_pixels J⁻ᵀ.
   std::optional<tracking::JointObservation> joints(const Pixels& pixels, const Vector3d& near) const;
 
   tracking::TrackingOptions tracking_options;
   robot::Description robot;
   CableArmModel model;
   State start;                     ///< mean of the first state
-  State start_sigma, noise_sigma;  ///< of the first state, and of what a step adds
+  State start_sigma, noise_sigma;  ///< standard deviations of the first state and of the noise per step
   std::vector<CableArmModel::Input> inputs;
   std::vector<Vector3d> nominal;  ///< joints at the end of each step, with unstretched cables
 
@@ -152,7 +152,7 @@ std::optional<tracking::JointObservation> Scene::joints(const Pixels& pixels, co
   return *seen;
 }
 
-/// Mean of the pixels' R over the movement, its diagonal.
+/// Constant R: diagonal of the mean of the pixels' R over the movement.
 Vector3d meanVariance(const Scene& scene) {
   Vector3d sum = Vector3d::Zero();
   double count = 0.0;
@@ -173,7 +173,7 @@ struct RunResult {
   std::uint64_t updates = 0, rescues = 0;
 };
 
-/// One truth and the filters that follow it.
+/// One truth and its filters.
 class Run {
  public:
   Run(const Scene& scene, const CramerRaoOptions& options, const Vector3d& constant, std::uint64_t index)
@@ -186,7 +186,7 @@ class Run {
     truth_ += drawn(scene.start_sigma);
   }
 
-  /// Steps `from` to before `to`, which `average` begins and ends with.
+  /// Runs the steps from `from` to `to` − 1, the range of `average`.
   void follow(std::size_t from, std::size_t to, estimation::CramerRaoAverage<6>& average) {
     const State width = statesOf(Vector3d(1e-6, 1e-6, 1e-7), Vector3d(1e-5, 1e-5, 1e-6));
     const Lower<6> noise = scene_.noise_sigma.asDiagonal();
@@ -206,7 +206,7 @@ class Run {
     average.endRun();
   }
 
-  /// After the last step.
+  /// Results after the last step.
   RunResult result() {
     for (std::size_t i = 0; i < kStatedNoises; ++i) {
       result_.nees[i] = estimation::nees<6>(filters_[i].mean() - truth_, filters_[i].squareRoot());
@@ -284,7 +284,7 @@ CramerRaoStudy summarise(const std::vector<RunResult>& all, const CramerRaoOptio
   return study;
 }
 
-/// All runs side by side, a segment of time after the other.
+/// All runs in parallel, one segment of time after the other.
 class Ensemble {
  public:
   Ensemble(const Scene& scene, const CramerRaoOptions& options, const Vector3d& constant)
@@ -296,7 +296,7 @@ class Ensemble {
       runs_.emplace_back(scene, options, constant, i);
   }
 
-  /// Steps `from` to before `to`. Batches are summed in order, whatever the threads.
+  /// Runs the steps from `from` to `to` − 1. Batches are summed in order, for any number of threads.
   void follow(std::size_t from, std::size_t to, const base::ProgressSlice& progress) {
     const std::size_t batches = std::min(kBatches, runs_.size());
     std::vector<estimation::CramerRaoAverage<6>> averages(batches, {to - from, inverse_q_});
@@ -316,7 +316,7 @@ class Ensemble {
     for (std::size_t k = std::max(from, settled); k < to; ++k) bounds_ += positionsOf(bounds[k - from]);
   }
 
-  /// √ of the bound's mean over the time that counts.
+  /// Square root of the mean bound after settling.
   Vector3d meanBound() const {
     const auto settled = static_cast<std::size_t>(std::lround(options_.settling / kStep));
     return (bounds_ / static_cast<double>(scene_.steps() - settled)).cwiseSqrt();

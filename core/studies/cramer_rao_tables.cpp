@@ -36,7 +36,8 @@ base::Table closenessOf(const CramerRaoStudy& study, const CramerRaoOptions& opt
                             ratio <= kCramerRaoGoal ? "met" : "not met"});
     }
   table.note = fmt::format(
-      "The filter's model is true; {} camera samples a run. NEES / 6: {:.3f} and {:.3f}, NIS / 3: {:.3f} and "
+      "The filter's model is true; {} camera samples per run. NEES / 6: {:.3f} and {:.3f}, NIS / 3: {:.3f} "
+      "and "
       "{:.3f}, with R of the pixels and constant.",
       study.updates, study.nees[0], study.nees[1], study.nis[0], study.nis[1]);
   return table;
@@ -66,7 +67,7 @@ base::Table noisesOf(const NoiseStudy& study, const NoiseStudyOptions& options) 
   table.note =
       "Simulated robot; all rows see the same samples. True: the estimator knows the true pulley radii and "
       "has everything else nominal. Pixels: noise of the pixels, registration and clock; pixels alone: "
-      "without the last two; no camera: R so large that the camera says nothing.";
+      "without the last two; no camera: R so large that the camera has no effect.";
   return table;
 }
 

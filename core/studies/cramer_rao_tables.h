@@ -6,12 +6,12 @@
 
 namespace capstan::studies {
 
-/// Ratio of the filter's RMS to the bound that is to be reached.
+/// Goal: largest ratio of the filter's RMS to the bound.
 inline constexpr double kCramerRaoGoal = 1.10;
 
-/// A row a joint and measurement noise.
+/// Table of the filter against the bound, one row per joint and measurement noise.
 base::Table closenessOf(const CramerRaoStudy& study, const CramerRaoOptions& options);
-/// A row a variant.
+/// Table of the noise study, one row per variant.
 base::Table noisesOf(const NoiseStudy& study, const NoiseStudyOptions& options);
 
 }  // namespace capstan::studies

@@ -17,7 +17,7 @@ enum class From { kStart, kHalfTime };
 
 double startOf(From from, double duration) { return from == From::kStart ? 0.0 : 0.5 * duration; }
 
-/// `edit` changes where cameras see a tip.
+/// Disturbance by `edit`, which changes the measured position of a tip.
 Disturbance ofTips(std::string name, From from, std::function<void(Vector3d&)> edit) {
   return {std::move(name), {}, [from, edit = std::move(edit)](Sample& sample, double duration) {
             auto* tip = std::get_if<TipSample>(&sample);
@@ -32,7 +32,7 @@ Disturbance shifted(double millimetres, From from) {
                 from, [shift = Vector3d(1e-3 * millimetres * direction)](Vector3d& tip) { tip += shift; });
 }
 
-/// About an axis through a point in front of the arm, as of a tripod that is knocked.
+/// Rotation of the cameras about an axis through a point in front of the arm, as when a tripod is hit.
 Disturbance rotated(double degrees) {
   const Eigen::Matrix3d rotation =
       Eigen::AngleAxisd(degrees * EIGEN_PI / 180.0, Vector3d(0.3, 0.8, 0.52).normalized()).matrix();
@@ -41,7 +41,7 @@ Disturbance rotated(double degrees) {
                 [=](Vector3d& tip) { tip = centre + rotation * (tip - centre); });
 }
 
-/// Depth and width of what cameras see, about their own place: a focal length or base line that is wrong.
+/// Scale of the measured positions about the cameras' position, as with a wrong focal length or baseline.
 Disturbance scaled(double factor) {
   const Vector3d cameras(0.1, -0.5, -0.2);
   return ofTips(fmt::format("cameras' scale x{} throughout", factor), From::kStart,

@@ -9,17 +9,17 @@
 
 namespace capstan::studies {
 
-/// Something that is wrong with a session: with the robot file that a filter is given, or with what motors
-/// and cameras say.
+/// Disturbance of a session: an error in the filter's robot file, or in the samples of motors and cameras.
 struct Disturbance {
   std::string name;
-  std::function<void(robot::Description&)> robot;                   ///< of the file; null: as it was
-  std::function<void(tracking::Sample&, double duration)> samples;  ///< of `duration` [s]; null: as they were
+  std::function<void(robot::Description&)> robot;  ///< changes the robot file; null: no change
+  /// Changes a sample of a session of `duration` [s]; null: no change.
+  std::function<void(tracking::Sample&, double duration)> samples;
 };
 
-/// Errors that a filter must live with, of a three-joint arm whose cameras see tips: cameras that are moved
-/// or wrong, motors that slip, cable stiffness, friction and pulleys that the robot file has wrong. "None" is
-/// the first.
+/// Disturbances that a filter must tolerate, for a three-joint arm whose cameras measure tips: moved or wrong
+/// cameras, slipping motors, and wrong cable stiffness, friction and pulleys in the robot file. The first one
+/// is "none".
 std::vector<Disturbance> disturbances();
 
 }  // namespace capstan::studies

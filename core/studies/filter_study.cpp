@@ -23,7 +23,7 @@ namespace {
 using Eigen::Vector3d;
 using tracking::FilterKind;
 
-/// One filter, what it reports, and its NIS once settled.
+/// One filter, its errors, and its NIS once settled.
 struct Candidate {
   tracking::TrackingPipeline pipeline;
   tracking::TrackReport report;
@@ -57,7 +57,7 @@ Candidate candidateOf(const tracking::SourceInfo& info, const robot::Description
   return {tracking::makePipeline(believed, options), {}};
 }
 
-/// What a robot file, under its name, makes of a recording.
+/// A robot for a recording, and its name.
 struct Believed {
   std::string name;
   robot::Description robot;
@@ -125,7 +125,7 @@ Comparisons replay(const FilterStudyOptions& options, const std::filesystem::pat
                  options.settled, progress);
 }
 
-/// For people: deg, deg, mm.
+/// Joints in deg, deg, mm.
 double shown(const Vector3d& value, int joint) {
   return value(joint) * (joint == 2 ? 1e3 : 180.0 / std::numbers::pi);
 }
@@ -179,11 +179,11 @@ base::Table comparisonsOf(const FilterStudy& study) {
                             one.augmented.nis, one.augmented.consistent});
     }
   table.note =
-      "RMS errors against the joint encoders: q1, q2 in degrees, q3 in millimetres; the camera's where the "
-      "filter accepted it, and with it the augmented filter's over the same time is compared. NIS: mean over "
-      "3 degrees of freedom of accepted camera samples once settled; in "
-      "band: "
-      "share of them whose running mean of NIS lies in its 95 % band (augmented filter).";
+      "RMS errors against the joint encoders: q1, q2 in degrees, q3 in millimetres. The camera's errors are "
+      "those "
+      "of accepted samples; the augmented filter is compared with it over the same time. NIS: mean NIS / 3 "
+      "degrees of freedom of accepted camera samples, once settled. In band: share of these samples with the "
+      "running mean of NIS in its 95 % band (augmented filter).";
   return table;
 }
 

@@ -10,7 +10,7 @@
 namespace capstan::studies {
 namespace {
 
-/// A hundred trials of an older program are one matter, not a hundred.
+/// Shortens the list of notices: many stored trials may have the same problem.
 std::vector<std::string> summedUp(const std::vector<std::string>& notices) {
   constexpr std::size_t kNamed = 2;
   if (notices.size() <= kNamed + 1) return notices;

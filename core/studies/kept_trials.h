@@ -10,27 +10,27 @@
 
 namespace capstan::studies {
 
-/// One trial of a study: its result is JSON, so that one that is kept and one that was just run are the same.
+/// One trial of a study. Its result is JSON, so that a stored result and a new one are equal.
 struct KeptTrial {
-  std::string name;            ///< of its file; within a study no other has it
-  nlohmann::json fingerprint;  ///< everything that the result depends on
+  std::string name;            ///< name of its file, unique within a study
+  nlohmann::json fingerprint;  ///< all inputs that the result depends on
   std::function<nlohmann::json(base::Progress&)> run;
-  double weight = 1.0;  ///< how long it takes, in any unit
+  double weight = 1.0;  ///< relative computing time
 };
 
 struct KeptResults {
-  std::vector<nlohmann::json> results;  ///< a trial each; null: cancelled before it was done
-  std::vector<std::string> notices;     ///< what was kept but had to be run again, and why
+  std::vector<nlohmann::json> results;  ///< one result per trial; null: cancelled before it was done
+  std::vector<std::string> notices;     ///< stored trials that were run again, and the reasons
   bool cancelled = false;
 };
 
-/// Trials that `store` holds are read, all others run, `threads` at a time, and kept at once: an interrupted
-/// study goes on where it stopped. Throws what a trial throws, and base::InputError for a store that cannot
-/// be written.
+/// Reads the trials that `store` has and runs all others, `threads` at a time. Each result is stored at once,
+/// so that an interrupted study continues where it stopped. Throws what a trial throws, and base::InputError
+/// for a store that cannot be written.
 KeptResults runKept(const std::vector<KeptTrial>& trials, const experiments::TrialStore& store, int threads,
                     base::Progress& progress);
 
-/// A number as JSON writes it: null where it is not finite, and NaN back from null.
+/// Number to JSON, null where it is not finite; and back, NaN from null.
 nlohmann::json numberOrNull(double value);
 double numberOrNan(const nlohmann::json& value);
 

@@ -20,7 +20,7 @@ namespace {
 using Eigen::Vector3d;
 using nlohmann::json;
 
-/// Samples in memory, repeatable.
+/// Source of samples in memory, which can be read repeatedly.
 struct Replay {
   const tracking::SourceInfo& about;
   const std::vector<tracking::Sample>& samples;
@@ -105,7 +105,7 @@ LatencyTrial trialOf(const json& document, std::uint64_t seed) {
   return trial;
 }
 
-/// Trials by delay, in the order of the options.
+/// Trials grouped by delay, in the order of the options.
 std::vector<std::vector<LatencyTrial>> byDelay(const LatencyStudy& study) {
   std::vector<std::vector<LatencyTrial>> groups;
   for (const LatencyTrial& trial : study.trials) {
@@ -174,10 +174,10 @@ base::Table estimatesOf(const LatencyStudy& study, const LatencyStudyOptions& op
     table.rows.push_back(std::move(row));
   }
   table.note = fmt::format(
-      "Simulated block transfers of {:g} s ({} truth), means over {} seed{}; nothing but motors and cameras "
-      "is used. Prior of the delay: 0 ± {:g} ms; each method goes on from the delay that it found itself "
-      "where "
-      "that is long.",
+      "Simulated block transfers of {:g} s ({} truth), means over {} seed{}. Only motors and cameras are "
+      "used. "
+      "Prior of the delay: 0 ± {:g} ms. Each method runs a second pass from its own delay where that is "
+      "long.",
       options.duration, options.truth, options.seeds, options.seeds == 1 ? "" : "s",
       1e3 * options.prior_sigma);
   return table;
@@ -204,8 +204,9 @@ base::Table gainOf(const LatencyStudy& study, const LatencyStudyOptions&) {
       table.rows.push_back(std::move(row));
     }
   table.note =
-      "Corrected by the batch method's estimate; the robot is the identified one in all of them. Without "
-      "motors: all encoders declared failed.";
+      "Corrected: by the batch method's estimate. All rows use the identified robot. Without motors: all "
+      "encoders "
+      "are declared failed.";
   return table;
 }
 

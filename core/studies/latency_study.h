@@ -14,49 +14,51 @@
 
 namespace capstan::studies {
 
-/// The camera's clock delay as an estimated parameter: simulated block transfers whose camera stamps are late
-/// (or early), each identified by both methods, delay, pose and `parameters` together, from motors and
-/// cameras alone, in as many passes as the delay asks for, each method by its own delay
-/// (identification/delay_passes.h); then tracked with the stamps as they are, corrected by what the batch
-/// method estimated, and corrected by the truth, all with the robot that the batch method found. The prior of
-/// the delay is 0 ± prior_sigma, wide beside the delays studied; identify's own default is
-/// CameraPoseOptions::delay_sigma.
+/// Options of the study of the camera's clock delay as an estimated parameter. In simulated block transfers
+/// the camera stamps are late or early. Both methods identify delay, pose and `parameters` together from
+/// motors and cameras alone, in one pass or two, each with its own estimate of the delay
+/// (identification/delay_passes.h). Then the recordings are tracked with the robot of the batch method: with
+/// the original stamps, with stamps corrected by the delay estimate of the batch method, and with stamps
+/// corrected by the true delay. The prior of the delay is 0 ± prior_sigma, which is wider than the delays
+/// studied; the default of `identify` is CameraPoseOptions::delay_sigma.
 struct LatencyStudyOptions {
-  std::vector<double> delays = {-0.02, -0.01, 0.0, 0.01, 0.02, 0.03, 0.04};  ///< cameras.stamp_delay [s]
-  double duration = 60.0;                                                    ///< of each recording [s]
-  int seeds = 3;
-  std::uint64_t seed = 1;     ///< the first
-  double prior_sigma = 0.05;  ///< of the delay about zero [s]: nothing is known to within this
+  std::vector<double> delays = {-0.02, -0.01, 0.0, 0.01,
+                                0.02,  0.03,  0.04};  ///< true delays of the stamps [s]
+  double duration = 60.0;                             ///< duration of each recording [s]
+  int seeds = 3;                                      ///< number of recordings per delay
+  std::uint64_t seed = 1;                             ///< seed of the first recording
+  double prior_sigma = 0.05;  ///< prior standard deviation of the delay about zero [s]
   std::string parameters = "r_l,k_e,b_e";
-  std::string truth = "default";  ///< as simulation::SimulationRequest::truth
-  int threads = 2;                ///< recordings at the same time; the result does not depend on it
-  std::filesystem::path out;      ///< finished recordings are kept here and not run again; empty: nowhere
-  std::string software = base::software();  ///< the program, which a kept result must come from
+  std::string truth = "default";  ///< see simulation::SimulationRequest::truth
+  int threads = 2;                ///< number of recordings in parallel; the result does not depend on it
+  std::filesystem::path out;      ///< folder of finished recordings, which are not run again; empty: none
+  std::string software = base::software();  ///< program that a stored result must come from
 };
 
 struct LatencyTrial {
-  double truth = 0.0;  ///< [s]
+  double truth = 0.0;  ///< true delay [s]
   std::uint64_t seed = 0;
-  std::array<double, 2> delay{}, sigma{};  ///< dual UKF, batch [s]
-  /// RMS of q_ukf, of q_cam, and of q_ukf with all motor encoders declared failed, each with stamps as they
-  /// are, corrected by the batch's estimate, corrected by the truth [rad, rad, m].
+  std::array<double, 2> delay{}, sigma{};  ///< estimates of dual UKF and batch [s]
+  /// RMS errors [rad, rad, m] of q_ukf, of q_cam, and of q_ukf with all motor encoders declared failed; each
+  /// with the original stamps, with stamps corrected by the batch estimate, and with stamps corrected by the
+  /// truth.
   std::array<std::array<Eigen::Vector3d, 3>, 3> rms;
 
-  bool covered(experiments::Method method) const;  ///< the truth lies inside the 95 % interval
+  bool covered(experiments::Method method) const;  ///< true when the 95 % interval covers the truth
 };
 
 struct LatencyStudy {
   std::vector<LatencyTrial> trials;  ///< by delay, seed
   std::vector<std::string> notices;
-  bool cancelled = false;  ///< there are no trials then; those that were done are kept in options.out
+  bool cancelled = false;  ///< true: there are no trials; finished ones are stored in options.out
 };
 
-/// Throws base::InputError as the truth file's reader does.
+/// Runs the study. Throws base::InputError as the truth file's reader does.
 LatencyStudy runLatencyStudy(const LatencyStudyOptions& options, base::Progress& progress);
 
-/// A row a delay: estimates ± σ of both methods (means over seeds) and how often the truth is covered.
+/// Table with one row per delay: estimates ± σ of both methods (means over seeds) and coverage of the truth.
 base::Table estimatesOf(const LatencyStudy& study, const LatencyStudyOptions& options);
-/// A row a delay: RMS of tracking as stamped, corrected, and with the true delay.
+/// Table with one row per delay: RMS of tracking with original, corrected and true stamps.
 base::Table gainOf(const LatencyStudy& study, const LatencyStudyOptions& options);
 
 }  // namespace capstan::studies

@@ -174,9 +174,10 @@ base::Table recoveriesOf(const MonteCarloStudy& study, const MonteCarloOptions& 
       table.rows.push_back(std::move(row));
     }
   table.note =
-      "Simulated robots. Seen: the recording at least halved what was unknown before; all that stands behind "
-      "it is of those robots, so that a prior that holds the truth does not count. 95 %: Clopper and "
-      "Pearson's interval of the coverage; too few: it spans the goal. Sigma: as stated, median.";
+      "Simulated robots. Seen: the recording at least halved the prior's sigma; the columns after it count "
+      "these "
+      "robots only, because the prior alone may cover the truth. 95 %: Clopper and Pearson's interval of the "
+      "coverage; too few: it contains the goal. Sigma: median of the stated sigma.";
   return table;
 }
 

@@ -16,60 +16,62 @@
 
 namespace capstan::studies {
 
-/// Known-truth recovery: many simulated robots, each identified by both methods from one recording.
+/// Options of the Monte-Carlo study: many simulated robots with known truth, each identified by both methods
+/// from one recording.
 struct MonteCarloOptions {
-  int samples = 100;
-  double duration = 200.0;  ///< of each recording [s]
-  std::uint64_t seed = 1;   ///< sample k has seed + k
-  /// Noise of each of a marker's image coordinates [px]: recordings hold tip positions instead of pictures. A
-  /// little more than the 0.025 that the detector leaves on rendered images (truth files).
+  int samples = 100;        ///< number of randomized robots
+  double duration = 200.0;  ///< duration of each recording [s]
+  std::uint64_t seed = 1;   ///< seed of the first sample; sample k has seed + k
+  /// Noise of each image coordinate of a marker [px]; recordings have tip positions instead of images. It is
+  /// slightly larger than the detector's 0.025 px on rendered images (truth files).
   double pixel_sigma = 0.04;
   std::string parameters = "r_l,k_e,b_e,f_c";
-  std::string truth;       ///< truth file that samples are drawn around
-  std::string trajectory;  ///< as simulation::SimulationRequest::trajectory
+  std::string truth;       ///< truth file at the centre of the samples
+  std::string trajectory;  ///< see simulation::SimulationRequest::trajectory
   RandomizationSpread spread;
-  int threads = 2;  ///< samples at the same time; the result does not depend on it
-  /// Finished samples are stored here and not run again unless program, options or robot changed; empty:
-  /// nowhere
+  int threads = 2;  ///< number of samples in parallel; the result does not depend on it
+  /// Folder of finished samples, which are not run again unless program, options or robot changed; empty:
+  /// none.
   std::filesystem::path out;
-  std::string software = base::software();  ///< the program that a stored sample must come from
+  std::string software = base::software();  ///< program that a stored sample must come from
 };
 
 /// One parameter of one Monte-Carlo sample, SI.
 struct MonteCarloEstimate {
   double truth = 0.0;
-  std::array<double, 2> value{}, low{}, high{};  ///< dual UKF, batch; 95 % interval
+  std::array<double, 2> value{}, low{}, high{};  ///< estimate and 95 % interval by dual UKF, batch
   std::array<bool, 2> seen{};
 };
 
 struct RandomizedRobot {
   std::uint64_t seed = 0;
   std::vector<MonteCarloEstimate> parameters;  ///< in the order of MonteCarloStudy::names
-  std::array<double, 2> seconds{};             ///< of computing: dual UKF, batch
+  std::array<double, 2> seconds{};             ///< computing time of dual UKF, batch [s]
 };
 
-/// How one method did on one parameter, over the samples whose recording showed it: in the others the
-/// interval is the prior's, and that it holds the truth says nothing about the method.
+/// Result of one method for one parameter, over the samples in which the parameter was seen. In the other
+/// samples the interval is that of the prior, and its coverage does not test the method.
 struct Recovery {
-  /// Decided by Clopper and Pearson's 95 % interval of the coverage, against kCoverageGoal.
+  /// Verdict by Clopper and Pearson's 95 % interval of the coverage, against kCoverageGoal.
   enum class Verdict { kUnseen, kTooFew, kMet, kMissed };
 
   int samples = 0;
-  int seen = 0;     ///< samples in which the recording at least halved the prior's sigma
-  int covered = 0;  ///< of those: truth inside the 95 % interval that was stated
+  int seen = 0;     ///< number of samples in which the recording at least halved the prior's sigma
+  int covered = 0;  ///< number of seen samples with the truth inside the stated 95 % interval
   int covered_of_all = 0;
-  double median_error = 0.0;  ///< of |value / truth − 1| where seen; NaN: nowhere
-  double median_sigma = 0.0;  ///< stated, of the logarithm, where seen; NaN: nowhere
+  double median_error = 0.0;  ///< median of |value / truth − 1| where seen; NaN: never seen
+  double median_sigma = 0.0;  ///< median of the stated σ of the logarithm where seen; NaN: never seen
 
-  /// covered / seen; NaN: nowhere seen.
+  /// Coverage covered / seen; NaN: never seen.
   double coverage() const;
-  /// Of coverage(), 95 %, Clopper and Pearson's; throws base::InputError where it was seen nowhere.
+  /// Clopper and Pearson's 95 % interval of coverage(). Throws base::InputError for a parameter that was
+  /// never seen.
   stats::Interval coverageInterval() const;
-  /// Too few samples count while the interval spans the goal.
+  /// Verdict; kTooFew while the interval contains the goal.
   Verdict verdict() const;
 };
 
-inline constexpr double kCoverageGoal = 0.9;
+inline constexpr double kCoverageGoal = 0.9;  ///< smallest coverage of a 95 % interval that is good enough
 
 struct MonteCarloStudy {
   std::vector<std::string> names;        ///< r_l1, k_e2, …
@@ -80,11 +82,11 @@ struct MonteCarloStudy {
   Recovery recovery(std::size_t parameter, experiments::Method method) const;
 };
 
-/// Cancellable; samples finished by then are in the study. Throws base::InputError for files and names that
-/// are unusable.
+/// Runs the study. When cancelled, it contains the finished samples. Throws base::InputError for unusable
+/// files and names.
 MonteCarloStudy runMonteCarloStudy(const MonteCarloOptions& options, base::Progress& progress);
 
-/// A row a parameter and method.
+/// Table with one row per parameter and method.
 base::Table recoveriesOf(const MonteCarloStudy& study, const MonteCarloOptions& options);
 
 }  // namespace capstan::studies

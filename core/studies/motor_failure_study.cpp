@@ -25,14 +25,14 @@ using Eigen::Vector3d;
 using nlohmann::json;
 using tracking::MotorFault;
 
-constexpr int kCases = 4;        // motor 1, 2, 3, all
-constexpr double kWindow = 2.0;  // [s], an interval of occlusion
+constexpr int kCases = 4;        // failures of motor 1, 2, 3, all
+constexpr double kWindow = 2.0;  // window of the RMS, and interval of occlusion [s]
 constexpr double kFactor = 2.0;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 bool concerns(int motor, int joint) { return motor == 3 || motor == joint; }
 
-/// One pipeline's errors over a trial.
+/// Errors of one pipeline over a trial.
 struct Run {
   tracking::TrackingPipeline pipeline;
   live::MotorFailures failures;
@@ -68,7 +68,8 @@ std::vector<live::MotorFailure> failuresOf(int which, const MotorFailureStudyOpt
   return failures;
 }
 
-/// Time and share of `motor`'s joints within kFactor of the RMS `normal`, over a sliding window.
+/// Endurance of the joints of `motor`: time and share within kFactor times the RMS `normal`, over a sliding
+/// window.
 Endurance judge(const Run& run, double failure, double end, int motor, const Vector3d& normal) {
   Vector3d sum = Vector3d::Zero();
   std::size_t oldest = 0;
@@ -123,7 +124,7 @@ TrialResults runTrial(const MotorFailureStudyOptions& options, simulation::Simul
   live::OccludedSource occluded(source,
                                 {.percentage = occlusion, .interval = kWindow, .start = options.warm_up});
   tracking::Sample sample;
-  double t = 0.0;  // of the newest motor sample
+  double t = 0.0;  // time of the newest motor sample [s]
   for (std::uint64_t count = 0; !progress.cancelled() && occluded.next(sample); ++count) {
     if (const auto* motor = std::get_if<tracking::MotorSample>(&sample)) t = motor->t;
     for (Run& run : runs) run.take(sample, options.warm_up);
@@ -308,10 +309,11 @@ base::Table mapOf(const MotorFailureStudy& study, const MotorFailureStudyOptions
     table.rows.push_back(std::move(row));
   }
   table.note = fmt::format(
-      "Simulated robot ({} truth, {}), {} seed{} of {:g} s from the failure on. The failed filter knows {} "
-      "pulley radii; normal is {}. Error: RMS over the last 2 s of a failed joint, median over seeds; speed: "
-      "by "
-      "the speed of a 200 s block transfer.",
+      "Simulated robot ({} truth, {}), {} seed{} of {:g} s after the failure. The failed filter knows {} "
+      "pulley "
+      "radii; normal is {}. Error: RMS of a failed joint over the last 2 s, median over seeds. Speed: "
+      "relative to "
+      "a 200 s block transfer.",
       options.truth, options.images ? "rendered images" : "tip positions", options.seeds,
       options.seeds == 1 ? "" : "s", options.duration, options.true_radii ? "true" : "nominal",
       own ? "its own error with all encoders"

@@ -15,53 +15,54 @@
 
 namespace capstan::studies {
 
-/// How long, at which speeds and occlusions, joints whose motor encoder failed are known from the camera
-/// alone as well as twice the normal error: block transfers of the simulated robot, played slower and faster,
-/// tracked side by side with all encoders and with one, or all, failed. The robot goes on to be controlled
-/// with its encoders; only the estimator loses them. Two normal errors stand for comparison: the estimator's
-/// own, and that of one which knows the nominal robot only, as the UKF paper's does.
+/// Options of the study of motor encoder failures: how long, at which speeds and occlusions, the error of
+/// joints with a failed encoder stays within twice the normal error. Simulated block transfers, played slower
+/// and faster, are tracked in parallel with all encoders and with one or all failed. The robot's controller
+/// keeps its encoders; only the estimator loses them. There are two normal errors: that of the same
+/// estimator, and that of an estimator with the nominal robot, as in the UKF paper.
 struct MotorFailureStudyOptions {
-  double duration = 60.0;                                    ///< of failure [s]
-  double warm_up = 5.0;                                      ///< before it, everything in order [s]
-  std::vector<double> speeds = {0.25, 0.5, 1.0, 2.0};        ///< relative to a 200 s block transfer
-  std::vector<double> occlusions = {0.0, 20.0, 40.0, 60.0};  ///< [%], in intervals of 2 s
-  int seeds = 3;
-  std::uint64_t seed = 1;                                    ///< the first
-  tracking::MotorFault fault = tracking::MotorFault::kLost;  ///< or kFrozen, which has to be found first
-  /// The filter knows the true pulley radii, as that of an identified robot does; false: the nominal ones.
+  double duration = 60.0;                                    ///< duration of the failure [s]
+  double warm_up = 5.0;                                      ///< time before the failure [s]
+  std::vector<double> speeds = {0.25, 0.5, 1.0, 2.0};        ///< speeds relative to a 200 s block transfer
+  std::vector<double> occlusions = {0.0, 20.0, 40.0, 60.0};  ///< shares of the time, in intervals of 2 s [%]
+  int seeds = 3;                                             ///< number of trials per speed and occlusion
+  std::uint64_t seed = 1;                                    ///< seed of the first trial
+  tracking::MotorFault fault = tracking::MotorFault::kLost;  ///< or kFrozen, which the pipeline must detect
+  /// True: the filter knows the true pulley radii, as after identification; false: the nominal ones.
   bool true_radii = true;
-  bool images = false;            ///< rendered images instead of tip positions
-  std::string truth = "default";  ///< as simulation::SimulationRequest::truth
-  int threads = 2;                ///< trials at the same time; the result does not depend on it
-  std::filesystem::path out;      ///< finished trials are kept here and not run again; empty: nowhere
-  std::string software = base::software();  ///< the program, which a kept trial must come from
+  bool images = false;            ///< true: rendered images instead of tip positions
+  std::string truth = "default";  ///< see simulation::SimulationRequest::truth
+  int threads = 2;                ///< number of trials in parallel; the result does not depend on it
+  std::filesystem::path out;      ///< folder of finished trials, which are not run again; empty: none
+  std::string software = base::software();  ///< program that a stored trial must come from
 };
 
-/// The error, all encoders in order, that a failed joint is compared with.
+/// Normal error, with all encoders working, to which the error of a failed joint is compared.
 enum class NormalError {
-  kOwn,     ///< of the same estimator
-  kNominal  ///< of one that knows nominal pulley radii only: the UKF paper's setting
+  kOwn,     ///< error of the same estimator
+  kNominal  ///< error of an estimator with nominal pulley radii, as in the UKF paper
 };
 inline constexpr std::size_t kNormalErrors = 2;
 
-/// How long a failed joint's error stays within twice a normal one.
+/// Time for which the error of a failed joint stays within twice a normal error.
 struct Endurance {
-  /// From the failure until the RMS over the window first exceeds it [s]; the trial's end where it never
-  /// does. Over seeds: the median.
+  /// Time from the failure until the RMS over the window first exceeds the limit [s]; the trial's end where
+  /// it never does. Over seeds: the median.
   double held = 0.0;
-  double share = 0.0;  ///< of the time in which it does not exceed it
-  int whole = 0;       ///< trials in which it never did
+  double share = 0.0;  ///< share of the time within the limit
+  int whole = 0;       ///< number of trials within the limit all the time
 };
 
-/// One failure in one trial, or over its seeds. The window is the last 2 s.
+/// Result of one failure in one trial, or over its seeds. The window is the last 2 s.
 struct MotorFailureResult {
-  int motor = 0;  ///< 0, 1, 2; 3: all
+  int motor = 0;  ///< failed motor 0, 1, 2; 3: all
   double speed = 1.0, occlusion = 0.0;
-  std::array<Eigen::Vector3d, kNormalErrors> normal_rms;  ///< of q_ukf from the failure on [rad, rad, m]
-  Eigen::Vector3d failed_rms;                             ///< the same with the failure
-  std::array<Endurance, kNormalErrors> within;            ///< twice each normal error
-  double found = 0.0;  ///< from the failure until the pipeline knew [s]; NaN: it never did
-  double nees = 0.0;   ///< mean of the failed run over its 3 degrees of freedom
+  std::array<Eigen::Vector3d, kNormalErrors>
+      normal_rms;                               ///< normal RMS of q_ukf after the failure [rad, rad, m]
+  Eigen::Vector3d failed_rms;                   ///< RMS of q_ukf with the failure [rad, rad, m]
+  std::array<Endurance, kNormalErrors> within;  ///< endurance for each normal error
+  double found = 0.0;  ///< time from the failure to its detection [s]; NaN: never detected
+  double nees = 0.0;   ///< mean NEES / 3 degrees of freedom of the run with the failure
 
   const Eigen::Vector3d& normal(NormalError which) const {
     return normal_rms[static_cast<std::size_t>(which)];
@@ -74,16 +75,17 @@ struct MotorFailureResult {
 struct MotorFailureStudy {
   std::vector<MotorFailureResult> cells;  ///< by motor, speed, occlusion
   std::vector<std::string> notices;
-  bool cancelled = false;  ///< there are no cells then; trials that were done are kept in options.out
+  bool cancelled = false;  ///< true: there are no cells; finished trials are stored in options.out
 };
 
-/// Throws base::InputError as the truth file's reader does.
+/// Runs the study. Throws base::InputError as the truth file's reader does.
 MotorFailureStudy runMotorFailureStudy(const MotorFailureStudyOptions& options, base::Progress& progress);
 
-/// A row a motor and speed, and for each occlusion how long the error stays within twice `normal`.
+/// Table with one row per motor and speed: for each occlusion, how long the error stays within twice
+/// `normal`.
 base::Table mapOf(const MotorFailureStudy& study, const MotorFailureStudyOptions& options,
                   NormalError normal);
-/// Every number of every cell.
+/// Table of all numbers of all cells.
 base::Table detailsOf(const MotorFailureStudy& study, const MotorFailureStudyOptions& options);
 
 }  // namespace capstan::studies

@@ -31,7 +31,7 @@ std::vector<NoiseVariant> allVariants() {
 
 using Reports = std::vector<tracking::TrackReport>;
 
-/// One trial through every variant's pipeline.
+/// Runs one trial through the pipelines of all variants.
 Reports runTrial(const NoiseStudyOptions& options, int trial, const std::vector<NoiseVariant>& variants,
                  base::Progress& progress) {
   simulation::SimulationRequest request;

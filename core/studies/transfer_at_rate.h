@@ -7,11 +7,11 @@
 
 namespace capstan::studies {
 
-/// A block transfer at `speed` times the rate of one of 200 s, as a recorded trajectory in a file of its own
-/// (columns t, q1, q2, q3, every 5 ms), which goes with this object.
+/// Block transfer at `speed` times the rate of a 200 s one, as a recorded trajectory in a temporary file
+/// (columns t, q1, q2, q3, every 5 ms). The destructor deletes the file.
 class TransferAtRate {
  public:
-  /// Throws base::InputError when the arm does not reach, or the file for the trajectory cannot be written.
+  /// Throws base::InputError when the arm does not reach the board, or the file cannot be written.
   TransferAtRate(const robot::Description& robot, double speed, double duration, std::uint64_t seed);
   ~TransferAtRate();
   TransferAtRate(const TransferAtRate&) = delete;

@@ -5,8 +5,8 @@
 
 namespace capstan::studies {
 
-/// `robot` with the effective pulley radii of `truth`, everything else as it was: the robot that an estimator
-/// assumes where a wrong radius would hide what a study asks for.
+/// `robot` with the effective pulley radii of `truth`. Estimators of a study assume it where a wrong radius
+/// would hide the effect under study.
 inline robot::Description withTrueRadii(robot::Description robot, const simulation::Truth& truth) {
   for (std::size_t joint = 0; joint < 3; ++joint)
     robot.drives[joint].link_radius =

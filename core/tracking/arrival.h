@@ -6,7 +6,7 @@
 
 namespace capstan::tracking {
 
-/// When `sample` reaches the computer [s].
+/// Time at which `sample` reaches the computer [s].
 inline double arrivalOf(const tracking::Sample& sample) {
   if (const auto* frame = std::get_if<tracking::StereoFrame>(&sample)) return frame->t_arrival;
   if (const auto* tip = std::get_if<tracking::TipSample>(&sample)) return tip->t_arrival;
@@ -14,7 +14,7 @@ inline double arrivalOf(const tracking::Sample& sample) {
   return std::get<tracking::MotorSample>(sample).t;
 }
 
-/// Pictures, or a tip that others saw.
+/// True for images and for tips that another system measured.
 inline bool fromCamera(const tracking::Sample& sample) {
   return std::holds_alternative<tracking::StereoFrame>(sample) ||
          std::holds_alternative<tracking::TipSample>(sample);

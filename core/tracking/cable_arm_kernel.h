@@ -5,15 +5,16 @@
 
 namespace capstan::tracking {
 
-/// Lanes of one propagation: 13 sigma points and three spares.
+/// Number of lanes of one propagation: 13 sigma points and 3 unused lanes.
 inline constexpr int kCableArmLanes = 16;
 
-/// What the kernels know of a robot: plain numbers, made by cableArmConstants() (cable_arm_model.h).
+/// Constants of a robot that the kernels use, as plain numbers; cableArmConstants() (cable_arm_model.h)
+/// computes them.
 struct CableArmConstants {
   robot::ArmConstants body;
-  double coupling[3][3];        ///< A
+  double coupling[3][3];        ///< coupling matrix A
   double homing[3];             ///< q_hs [rad, rad, m]
-  double link_radius[3];        ///< r_l [m per rad, m per m]
+  double link_radius[3];        ///< link-side pulley radius r_l [m per rad, m per m]
   double motor_scale[3];        ///< r_mc / N [m/rad]
   double stiffness[3];          ///< k_e [N]
   double exponent[3];           ///< a [1/m]
@@ -21,7 +22,7 @@ struct CableArmConstants {
   double coulomb[3];            ///< F_cl [N·m, N·m, N]
   double viscous[3];            ///< F_vl
   double inverse_smoothing[3];  ///< 1 / v_eps
-  double low[6], high[6];       ///< the box of believable states, q1 dq1 q2 dq2 q3 dq3
+  double low[6], high[6];       ///< bounds of plausible states, q1 dq1 q2 dq2 q3 dq3
 };
 
 /// Motor position q_m [rad] and velocity dq_m [rad/s] at the start and the end of a step, linear in between.
@@ -38,33 +39,35 @@ struct CableArmVariation {
   alignas(64) double coulomb[3][kCableArmLanes];
 };
 
-/// Motors whose position is unknown (a failed encoder), and so the force gamma of their cables. The joint of
-/// such a motor decays to rest, ddq_f = −decay_f dq_f (the random part is process noise); the unknown force
-/// is the one that makes it so, and through the coupling it acts on the other joints as well. With F those
-/// joints and u_j = ddq_j elsewhere, u_f = r_l gamma_f:
+/// Motors whose position, and therefore whose cable force gamma, is unknown (failed encoder). The joint of
+/// such a motor decays to rest, ddq_f = −decay_f dq_f (the random part is process noise). The unknown force
+/// is solved from this acceleration; through the coupling it also acts on the other joints. F is the set of
+/// these joints; the unknowns are u_f = r_l gamma_f in F and u_j = ddq_j elsewhere:
 ///     Σ_{j ∉ F} M_j u_j − Σ_{f ∈ F} (A_f)ᵀ u_f = tau − C dq − G − Σ_{f ∈ F} M_f ddq_f,
-/// M_j the columns of the mass matrix, A_f the rows of the coupling, tau all other cables and friction.
+/// where M_j are columns of the mass matrix, A_f rows of the coupling, and tau is all other cable forces and
+/// friction.
 struct CableArmUnknown {
   bool motor[3];
   double decay[3];  ///< [1/s]
 };
 
-/// Kernels of one instruction set. Arrays are 64-byte aligned, 16 lanes.
+/// Kernels of one instruction set. Arrays are 64-byte aligned and have 16 lanes.
 struct CableArmKernel {
-  /// `steps` RK4 steps of dt / steps each; x is 6 × 16, rows q1 dq1 q2 dq2 q3 dq3. Points are put back into
-  /// the box before and behind each step; NaN stays NaN.
+  /// Advances x by `steps` RK4 steps of dt / steps each; x is 6 × 16, rows q1 dq1 q2 dq2 q3 dq3. Points are
+  /// clamped to [low, high] before and after each step; NaN stays NaN.
   void (*propagate)(const CableArmConstants& c, const CableArmDrive& drive, double dt, int steps, double* x);
-  /// The same with r_l, k_e, b_e and F_cl of each lane in place of those of `c`.
+  /// Like propagate(), with r_l, k_e, b_e and F_cl of each lane in place of those of `c`.
   void (*propagateVaried)(const CableArmConstants& c, const CableArmVariation& lanes,
                           const CableArmDrive& drive, double dt, int steps, double* x);
-  /// `propagate` where the position of some motors, whose entries in `drive` are not looked at, is unknown.
+  /// Like propagate(), for motors of which some have an unknown position; their entries in `drive` are
+  /// ignored.
   void (*propagateUnknown)(const CableArmConstants& c, const CableArmUnknown& unknown,
                            const CableArmDrive& drive, double dt, int steps, double* x);
-  /// sin, cos, tanh and 2 sinh of 16 arguments as `propagate` computes them; sin and cos for |x| < 1e5.
+  /// Computes sin, cos, tanh and 2 sinh of 16 arguments as propagate() does; sin and cos for |x| < 1e5.
   void (*elementary)(const double* x, double* sine, double* cosine, double* tangent, double* twice_sinh);
 };
 
-/// The kernel for `set`, which must be available.
+/// Kernel for the instruction set `set`, which must be available.
 const CableArmKernel& cableArmKernel(math::InstructionSet set);
 
 }  // namespace capstan::tracking

@@ -22,7 +22,7 @@ Matrix3d couplingOf(const robot::Description& robot) {
   return a;
 }
 
-/// Aᵀ diag(r_l² value) A: what a diagonal cable property is at the joints.
+/// Aᵀ diag(r_l² value) A: a diagonal cable property, transformed to the joints.
 Matrix3d atJoints(const Matrix3d& coupling, const Vector3d& radius, const Vector3d& value) {
   return coupling.transpose() * radius.cwiseAbs2().cwiseProduct(value).asDiagonal() * coupling;
 }
@@ -96,7 +96,7 @@ CableArmModel::CableArmModel(const robot::Description& robot, math::InstructionS
       kernel_(&cableArmKernel(set)),
       rate_(cableArmRate(robot::foldEffects(robot))) {
   if (robot.drive != robot::DriveType::kCable)
-    throw base::InputError({robot.name, 0, "drive", "rigid", "has no cables that the filter could follow",
+    throw base::InputError({robot.name, 0, "drive", "rigid", "has no cables, which the filter models",
                             "Give a robot file with drive: cable"});
   if (!ExtendedArmModel::isNeededFor(robot)) return;
   extended_ = std::make_shared<const ExtendedArmModel>(robot, constants_.low, constants_.high, set);

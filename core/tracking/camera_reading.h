@@ -12,16 +12,16 @@ class CameraReading {
         misleading_(!numbers_.rotation.isZero(0.0) || !numbers_.offset.isZero(0.0) || numbers_.scale != 0.0) {
   }
 
-  /// When what is stamped t was exposed [s].
+  /// Exposure time of an image with the time stamp t [s].
   double time(double t) const { return t - numbers_.delay; }
-  /// The tip's position for a measurement at `measured` [m], frame 0.
+  /// True tip position for the measured position `measured` [m], frame 0.
   Eigen::Vector3d point(const Eigen::Vector3d& measured) const {
     return misleading_ ? numbers_.undo(measured) : measured;
   }
   Eigen::Matrix3d covariance(const Eigen::Matrix3d& measured) const {
     return misleading_ ? numbers_.undo(measured) : measured;
   }
-  /// The measurement of a tip at `point`.
+  /// Position that the cameras measure for a tip at `point` [m], frame 0.
   Eigen::Vector3d measured(const Eigen::Vector3d& point) const {
     return misleading_ ? numbers_.measure(point) : point;
   }

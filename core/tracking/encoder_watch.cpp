@@ -12,7 +12,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kSigmas = 3.0;  // of noise, which chance does not bring several times in a row
+constexpr double kSigmas = 3.0;  // bound on noise, in σ; chance rarely exceeds it several times in succession
 
 Vector3d motorsAtRangeMiddle(const robot::Description& robot) {
   Vector3d middle;
@@ -105,7 +105,8 @@ std::optional<MotorSample> EncoderWatch::take(const MotorSample& sample) {
   return clean;
 }
 
-/// One path since the last camera sample, within noise and the fastest ordinary movement.
+/// True if the marker moved on a continuous path since the last camera sample, within noise and the usual
+/// speed.
 bool EncoderWatch::isContinuous(const Seen& now) const {
   const double since = now.t - seen_.t;
   if (!seen_.valid || !(since > 0.0) || since > longest_gap_) return false;

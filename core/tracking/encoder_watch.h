@@ -12,46 +12,47 @@
 
 namespace capstan::tracking {
 
-/// A motor that has moved by less stands still [rad]: a count of its encoder and a quarter.
+/// Largest motor movement that counts as standing still [rad]: 1.25 encoder counts.
 double stillWithin(const robot::Drive& drive);
 
 /// Detects failed motor encoders.
 ///
-/// Lost: the sample holds no finite position. Up to `lost_after` seconds that is a gap, and the encoder is
-/// used again behind it; for longer, counts may have been missed and it stays failed.
+/// Lost: the sample holds no finite position. For up to `lost_after` seconds this is a gap, and the encoder
+/// is used again after it. After a longer time counts may have been missed, and the encoder stays failed.
 ///
-/// Frozen: the count stands still while the camera sees the cable's link side, (A q)_j, move. Motor j is
-/// declared frozen when, in `jump_samples` successive camera samples since its count last changed, all of
-/// these hold: the marker moved on a continuous path (so it is the same object); (A q_cam)_j differs from its
+/// Frozen: the count stands still while the camera sees the link side of the cable, (A q)_j, move. Motor j is
+/// declared frozen when all of these hold in `jump_samples` successive camera samples since its count last
+/// changed: the marker moved on a continuous path (so it is the same object); (A q_cam)_j differs from its
 /// value at the first of these samples by more than its noise plus `frozen_tolerance` (the largest cable
-/// stretch); and every cable whose motor is not suspected itself agrees with that motor within
-/// `jump_tolerance`. A motor and joints that are both at rest are no fault.
+/// stretch); and every cable whose motor is not a candidate agrees with its motor within `jump_tolerance`. If
+/// motor and joints are both at rest, there is no fault.
 ///
 /// Failed encoders stay failed until declare(motor, false) or clear(). No allocation.
 class EncoderWatch {
  public:
   EncoderWatch(const robot::Description& robot, const TrackingOptions& options);
 
-  /// Forgets what was detected and every sample; what was declared stays.
+  /// Forgets detected faults and all samples; declared faults stay.
   void clear();
-  /// A new time line: forgets what it was comparing with, not the faults.
+  /// Starts a new time line: forgets earlier samples but no faults.
   void restart();
 
-  /// `sample` with the last known position (at first: what holds the joint in the middle of its range), at
-  /// rest, in place of what is not finite. Nothing when the sample is of no use: time or all positions not
-  /// finite, the latter with no sample in the last `restart_gap` seconds, so that its time means nothing.
+  /// Returns `sample` with each position that is not finite replaced by the last known one (before the first:
+  /// that of joints in the middle of their ranges) and velocity 0. Returns nothing when the sample's time is
+  /// not finite, or when all positions are not finite and there was no sample in the last `restart_gap`
+  /// seconds.
   std::optional<MotorSample> take(const MotorSample& sample);
 
-  /// What the camera saw at t [rad, rad, m], with its covariance and q_kin of that time. The motors, if any,
-  /// that are now known to be frozen.
+  /// Takes the camera observation q_cam at t [rad, rad, m], its covariance and q_kin at that time. Returns
+  /// the motors that this sample shows to be frozen.
   JointSet see(double t, const Eigen::Vector3d& q_cam, const Eigen::Matrix3d& covariance,
                const Eigen::Vector3d& q_kin);
 
   void declare(int motor, bool failed);
-  /// Motors whose encoder is not used at the newest sample: those failed and those in a gap.
+  /// Motors whose encoder is not used at the newest sample: failed encoders and encoders in a gap.
   JointSet unknown() const { return failed_ | gap_; }
   const std::array<MotorFault, 3>& faults() const { return faults_; }
-  /// When the count of a motor last changed [s].
+  /// Time at which the count of a motor last changed [s].
   double stillSince(int motor) const { return still_[static_cast<std::size_t>(motor)].since; }
 
  private:
@@ -60,7 +61,7 @@ class EncoderWatch {
     double position = 0.0;  ///< q_m [rad]
     double since = 0.0;     ///< [s]
     bool seen = false;
-    double link = 0.0, variance = 0.0;  ///< of the first camera sample behind `since`
+    double link = 0.0, variance = 0.0;  ///< at the first camera sample after `since`
     int run = 0;
   };
   struct Seen {

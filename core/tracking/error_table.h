@@ -10,9 +10,9 @@ namespace capstan::tracking {
 /// Running RMS of one quantity's error per joint [rad, rad, m]: value(), count().
 using JointRms = stats::RunningRms<3>;
 
-/// Errors against the reference encoders: kinematics and UKF where a reference and a motor sample of one time
-/// meet (Snapshot::reference_paired), the camera at its own time of exposure, wherever the filter accepted
-/// it.
+/// RMS errors against the reference encoders. Errors of kinematics and UKF are taken where a reference and a
+/// motor sample have the same time (Snapshot::reference_paired); errors of the camera are taken at exposure,
+/// for each camera sample that the filter accepted.
 class ErrorTable {
  public:
   void add(const Snapshot& snapshot);
@@ -20,10 +20,10 @@ class ErrorTable {
   const JointRms& kinematic() const { return kinematic_; }
   const JointRms& camera() const { return camera_; }
   const JointRms& ukf() const { return ukf_; }
-  /// The UKF's where the filter accepted the newest camera sample: to be compared with camera().
+  /// RMS error of the UKF while the newest camera sample is accepted; comparable with camera().
   const JointRms& ukfSeen() const { return ukf_seen_; }
 
-  /// For people: RMS in deg, deg, mm; one row a joint, columns kinematic, camera, UKF.
+  /// Table of the RMS errors in deg, deg, mm, for people: one row per joint, columns kinematic, camera, UKF.
   std::string text() const;
 
  private:

@@ -12,24 +12,24 @@
 
 namespace capstan::tracking {
 
-/// A snapshot before the first sample: what does not exist is NaN.
+/// Snapshot before the first sample: quantities that do not exist are NaN.
 Snapshot emptySnapshot();
 
-/// Writes what motors and filter say at one instant into a snapshot: q_m, q_kin, q_ukf with its sigma, cable
-/// stretch and tension, tips. No allocation.
+/// Writes the state of motors and filter at one instant into a snapshot: q_m, q_kin, q_ukf with its sigma,
+/// cable stretch and tension, tips. No allocation.
 class EstimateView {
  public:
-  /// `extended`: the filter's model of a robot with effects, else null; outlives the view.
+  /// `extended`: the filter's model of a robot with effects, else null; it must outlive the view.
   explicit EstimateView(const robot::Description& robot, const ExtendedArmModel* extended = nullptr);
 
-  /// `mean` and `covariance` of q1 dq1 q2 dq2 q3 dq3.
+  /// Writes the estimate into `snapshot`; `mean` and `covariance` are those of q1 dq1 q2 dq2 q3 dq3.
   void show(const CableArmModel::State& mean, const Eigen::Matrix<double, 6, 6>& covariance,
             const MotorSide& motors, const EncoderWatch& watch, Snapshot& snapshot);
-  /// What the cables of a robot with effects remember at that instant.
+  /// Sets the cable memory at that instant (robots with effects).
   void setMemory(const CableMemory& memory) { memory_ = memory; }
-  /// What the filter makes of the motors at that instant.
+  /// Sets the filter's motor correction at that instant.
   void setCorrection(const MotorCorrection& correction) { correction_ = correction; }
-  /// Of the joint positions last shown [rad², rad², m²].
+  /// Covariance of the joint positions in the last snapshot [rad², rad², m²].
   const Eigen::Matrix3d& positionCovariance() const { return position_covariance_; }
 
  private:

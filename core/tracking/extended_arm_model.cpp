@@ -72,7 +72,7 @@ ExtendedArmModel::ExtendedArmModel(const robot::Description& robot, const double
   oscillation_ = largestWithinLimits(model_, robot, robot::chainOscillation);
 }
 
-/// Rows of a millisecond, over which bodies stand still.
+/// Integrates in rows of 1 ms; within a row the arm's mass matrix is constant.
 void ExtendedArmModel::run(ChainState<ChainLane>& state, const CableArmDrive& drive, double dt) const {
   constexpr double kRow = 1e-3;     // [s]
   constexpr double kMost = 1000.0;  // a gap in the samples must not stall the pipeline
@@ -81,7 +81,7 @@ void ExtendedArmModel::run(ChainState<ChainLane>& state, const CableArmDrive& dr
   robot::ChainRun run;
   run.end = 2, run.stride = 2;
   run.steps = std::max(1, static_cast<int>(std::ceil(oscillation_ * step / 0.7)));
-  ChainLane q[3], dq[3];  // of the first row: not looked at
+  ChainLane q[3], dq[3];  // output of the first row: ignored
   run.q = q[0].value, run.dq = dq[0].value;
   for (int row = 0; row < rows; ++row) {
     const double t[2] = {row * step, (row + 1) * step};

@@ -9,36 +9,38 @@
 
 namespace capstan::tracking {
 
-/// What cables remember beside the joints' motion.
+/// Memory of the cables: their internal states besides the joints' motion.
 struct CableMemory {
-  Eigen::Vector3d hysteresis = Eigen::Vector3d::Zero();  ///< Bouc–Wen z [m]
-  Eigen::Vector3d creep = Eigen::Vector3d::Zero();       ///< elongation [m]
+  Eigen::Vector3d hysteresis = Eigen::Vector3d::Zero();  ///< Bouc–Wen state z [m]
+  Eigen::Vector3d creep = Eigen::Vector3d::Zero();       ///< creep elongation [m]
 };
 
-/// The link side of a robot with effects, sigma points side by side in the lanes of robot/chain's kernel;
-/// every lane has the same numbers. Motor positions are linear over a step, and their velocity
-/// is the slope: measured velocities, which CableArmModel takes, mostly come late.
+/// Link-side model of a robot with effects. Sigma points advance in parallel in the lanes of robot/chain's
+/// kernel; every lane has the same constants. Motor positions are linear over a step, and the motor velocity
+/// is their slope. The measured velocities that CableArmModel uses are not used here, because most of them
+/// are delayed.
 class ExtendedArmModel {
  public:
   using Points = estimation::SigmaPoints<6>;
 
-  /// `low`, `high`: the box of believable states, as CableArmConstants has it.
+  /// `low`, `high`: bounds of plausible states, as in CableArmConstants.
   ExtendedArmModel(const robot::Description& robot, const double (&low)[6], const double (&high)[6],
                    math::InstructionSet set);
 
-  /// True: `robot` has effects that the nominal model's numbers cannot hold (robot::foldEffects()).
+  /// True if `robot` has effects that constants of the nominal model cannot express (robot::foldEffects()).
   static bool isNeededFor(const robot::Description& robot);
 
   void propagate(Points& points, const CableArmDrive& drive, const CableMemory& memory, double dt) const;
-  /// The memory behind a step of the state `x`.
+  /// Cable memory after a step of the state `x`.
   CableMemory remember(const Eigen::Matrix<double, 6, 1>& x, const CableArmDrive& drive,
                        const CableMemory& memory, double dt) const;
-  /// Force gamma of joint 0, 1 or 2's cable [N] at a stretch [m] and its rate, the joint at q [rad or m].
+  /// Force gamma [N] of the cable of joint 0, 1 or 2 at a stretch [m] and stretch rate [m/s], with the joint
+  /// at q [rad or m].
   double tension(int joint, double stretch, double rate, double q, const CableMemory& memory) const;
-  /// Cables have any.
+  /// True if the cables have memory (hysteresis or creep).
   bool hasMemory() const { return has_memory_; }
 
-  /// Bound on the eigenvalues anywhere in the joint limits [1/s]: the largest robot::chainRate() of a grid.
+  /// Bound on the eigenvalues within the joint limits [1/s]: the largest robot::chainRate() on a grid.
   double rate() const { return rate_; }
   const robot::ChainModel& model() const { return model_; }
 
@@ -50,7 +52,7 @@ class ExtendedArmModel {
   robot::SimulateChain kernel_;
   double low_[6], high_[6];
   double rate_ = 0.0;
-  double oscillation_ = 0.0;  ///< the part of it that steps must follow [1/s]
+  double oscillation_ = 0.0;  ///< largest robot::chainOscillation() on a grid [1/s]
   bool has_memory_ = false;
 };
 

@@ -7,15 +7,16 @@
 
 namespace capstan::tracking {
 
-/// q_cam: joint positions seen by a camera [rad, rad, m].
+/// q_cam: joint positions from a camera observation [rad, rad, m].
 struct JointObservation {
   Eigen::Vector3d position;
   Eigen::Matrix3d covariance;
 };
 
-/// Joint positions of a tip in frame 0 [m] with covariance [m²], on the branch nearest to `near`:
+/// Joint positions for a tip in frame 0 [m] with covariance [m²], on the branch of the inverse kinematics
+/// nearest to `near`:
 ///     q = IK(p),  Sigma_q = J⁻¹ Sigma_p J⁻ᵀ,  J the tip Jacobian at q.
-/// Fails where the inverse kinematics does, and with kSingular where Sigma_q is not finite.
+/// Fails where the inverse kinematics fails, and with kSingular where Sigma_q is not finite.
 inline base::Result<JointObservation, robot::ReachFault> observeJoints(const robot::ArmKinematics& arm,
                                                                        const Eigen::Vector3d& tip,
                                                                        const Eigen::Matrix3d& tip_covariance,

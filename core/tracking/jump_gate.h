@@ -6,24 +6,25 @@
 
 namespace capstan::tracking {
 
-/// Distinguishes a marker that jumped from a filter that was wrong.
+/// Gate that distinguishes a marker that jumped from a filter whose estimate was wrong.
 ///
-/// A camera observation is accepted when its innovation lies inside the χ² gate. Outside it, the disagreement
-/// d = q_cam − q_kin decides: a wrong pulley radius moves d slowly, another object moves it at random. It is
-/// then accepted when d agrees with the last accepted d within noise and drift, or as the last of `samples`
-/// in a row that agree from one to the next; and only up to `tolerance`, the most that transmission
-/// kinematics can be wrong (else a resting object could pass while the robot rests).
+/// A camera observation is accepted when its innovation lies inside the χ² gate. Outside the gate, the
+/// disagreement d = q_cam − q_kin decides: a wrong pulley radius changes d slowly, another object changes d
+/// at random. The observation is then accepted when d agrees with the last accepted d within noise and drift,
+/// or when it is the last of `samples` successive observations that each agree with the one before. In this
+/// case |d| must also be at most `tolerance`, the largest possible error of transmission kinematics;
+/// otherwise an object at rest could pass while the robot rests.
 class JumpGate {
  public:
   JumpGate(double threshold, int samples, const Eigen::Vector3d& drift, const Eigen::Vector3d& tolerance)
       : threshold_(threshold), samples_(samples), drift_(drift), tolerance_(tolerance) {}
 
-  /// `nis` of the observation (3 degrees of freedom) at time t, its disagreement d and covariance [rad, rad,
-  /// m].
+  /// True if the observation at time t [s] is accepted; `nis` has 3 degrees of freedom, `disagreement` is d,
+  /// and `covariance` that of q_cam [rad, rad, m].
   bool accept(double t, double nis, const Eigen::Vector3d& disagreement, const Eigen::Matrix3d& covariance) {
     return accept(t, nis, disagreement, covariance, drift_, tolerance_);
   }
-  /// The same with drift and tolerance of its own (a joint whose motor is unknown).
+  /// Like accept() above, with other values of drift and tolerance (a joint whose motor is unknown).
   bool accept(double t, double nis, const Eigen::Vector3d& disagreement, const Eigen::Matrix3d& covariance,
               const Eigen::Vector3d& drift, const Eigen::Vector3d& tolerance) {
     const Seen now{true, t, disagreement, covariance};
@@ -51,7 +52,7 @@ class JumpGate {
     spread.diagonal() += (drift * std::min(now.t - before.t, kLongestDrift)).cwiseAbs2();
     return change.dot(spread.llt().solve(change)) <= threshold_;
   }
-  static constexpr double kLongestDrift = 1.0;  ///< [s]; an older agreement says no more than this
+  static constexpr double kLongestDrift = 1.0;  ///< longest time over which drift is counted [s]
 
   double threshold_;
   int samples_;

@@ -5,12 +5,12 @@
 
 namespace capstan::tracking {
 
-/// The tracking options stored with a source; the defaults where it brings none. Throws base::InputError.
+/// Tracking options stored with a source, or the defaults where none are stored. Throws base::InputError.
 TrackingOptions trackingOptionsOf(const SourceInfo& info);
 
-/// The pipeline for a source's info: its robot, rig, marker options (defaults where it brings none) and, when
-/// there is one, its registration. The window and the command line both begin here, so that their numbers are
-/// the same. Throws base::InputError.
+/// Pipeline for the robot, rig, marker options (the defaults where none are stored) and registration (if any)
+/// of a source. Window and command line both call this function, so their numbers are the same. Throws
+/// base::InputError.
 TrackingPipeline makePipeline(const SourceInfo& info, const TrackingOptions& options);
 TrackingPipeline makePipeline(const SourceInfo& info);
 

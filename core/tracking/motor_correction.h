@@ -4,10 +4,10 @@
 
 namespace capstan::tracking {
 
-/// What the transmission makes of a motor's position, as against the robot file:
+/// Correction of motor positions and velocities for errors of the transmission's constants in the robot file:
 ///     q_m' = (1 + scale) q_m + offset,   dq_m' = (1 + scale) dq_m.
-/// `scale` is dimensionless, r_l,nominal / r_l − 1 of a pulley whose radius is wrong; `offset` in rad of the
-/// motor, e.g. of a homing that was off.
+/// `scale` is dimensionless: r_l,nominal / r_l − 1 for a wrong pulley radius. `offset` is a motor angle
+/// [rad], for example from a wrong homing.
 struct MotorCorrection {
   Eigen::Vector3d scale = Eigen::Vector3d::Zero();
   Eigen::Vector3d offset = Eigen::Vector3d::Zero();

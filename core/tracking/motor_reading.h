@@ -9,9 +9,9 @@
 
 namespace capstan::tracking {
 
-/// Readings of motor encoders, converted to those of a robot with round capstans, encoders that never slipped
-/// and constant zeros: the same cable travel at the motor, less that of the joints' zeros (motorTravel,
-/// slipAt and zeroShiftAt in robot/chain/chain_law.h), over r_mc / N.
+/// Converts motor encoder readings to those of a robot with round capstans, encoders that never slipped and
+/// constant zeros: the cable travel at the motor minus the travel of the joints' zeros (motorTravel, slipAt
+/// and zeroShiftAt in robot/chain/chain_law.h), divided by r_mc / N.
 class MotorReading {
  public:
   explicit MotorReading(const robot::Description& robot) {
@@ -40,19 +40,19 @@ class MotorReading {
     return sample;
   }
 
-  /// The robot without what is dealt with here.
+  /// `robot` without the effects that this class corrects.
   static robot::Description undone(robot::Description robot) {
     std::erase_if(robot.effects,
                   [](const robot::Effect& effect) { return (robot::lawOf(effect.effect) & kLaws) != 0; });
     return robot;
   }
 
-  /// Laws that are dealt with here.
-  static constexpr unsigned kOwnLaws = robot::kLawEccentricity | robot::kLawSlip;  ///< by one motor each
+  /// Laws that this class corrects.
+  static constexpr unsigned kOwnLaws = robot::kLawEccentricity | robot::kLawSlip;  ///< laws of a single motor
   static constexpr unsigned kLaws = kOwnLaws | robot::kLawZeroDrift;
 
  private:
-  /// To the cables a zero that moves is as if the motors went on by as much.
+  /// Adds the motor movement that is equivalent to the drift of the joint's zero.
   void holdZero(int j, MotorSample& sample) const {
     const robot::ZeroShift<double> zero = robot::zeroShiftAt(model_->numbers.joints[j], sample.t);
     for (int i = 0; i < 3; ++i) {

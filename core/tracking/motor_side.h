@@ -13,16 +13,16 @@
 
 namespace capstan::tracking {
 
-/// What the motor encoders say: q_m, dq_m (differentiated over `span` seconds where none is measured), q_kin
-/// and its past. Of a robot with eccentric capstans, slipped encoders or drifting zeros, position() and
-/// velocity() are corrected for them (MotorReading), measured() is not.
+/// Motor-side measurements: q_m, dq_m (a difference over `span` seconds where none is measured), q_kin and
+/// its history. For a robot with eccentric capstans, slipped encoders or drifting zeros, position() and
+/// velocity() are corrected (MotorReading); measured() is not.
 class MotorSide {
  public:
-  /// What became of a sample; kRestart: taken as the first of a new time line.
+  /// Outcome of take(); kRestart: the sample was taken as the first of a new time line.
   enum class Taken { kRefused, kYes, kRestart };
   static constexpr int kRisingToRestart = 10;
 
-  /// Keeps `capacity` samples of the past.
+  /// Keeps the last `capacity` samples.
   MotorSide(const robot::Description& robot, double span, std::size_t capacity)
       : reading_(robot),
         transmission_(robot::foldEffects(robot)),
@@ -36,9 +36,10 @@ class MotorSide {
     rising_ = 0;
   }
 
-  /// Refused are a position that is not finite and a time that does not rise. Were it for ever, one stamp far
-  /// in the future or a clock set back would end the session: kRisingToRestart refused samples in a row
-  /// that rise among themselves are the clock from now on, and what came before is forgotten.
+  /// Takes one sample. A sample is refused when its position is not finite or its time does not increase.
+  /// After kRisingToRestart refused samples in succession with increasing times, the last one starts a new
+  /// time line and earlier samples are forgotten; otherwise one stamp far in the future, or a clock that was
+  /// set back, would end the session.
   Taken take(const MotorSample& sample) {
     if (!sample.position.allFinite() || !std::isfinite(sample.t)) return Taken::kRefused;
     Taken taken = Taken::kYes;
@@ -62,17 +63,17 @@ class MotorSide {
     return taken;
   }
 
-  /// The newest sample as the encoders gave it, its velocity differentiated where they gave none.
+  /// Newest sample as measured; its velocity is a difference quotient where none was measured.
   const MotorSample& measured() const { return measured_; }
   const robot::Transmission& transmission() const { return transmission_; }
   const Eigen::Vector3d& position() const { return position_; }
   const Eigen::Vector3d& velocity() const { return velocity_; }
   const Eigen::Vector3d& kinematic() const { return kinematic_; }
-  /// q_kin at an earlier time; the newest holds for `hold` seconds.
+  /// q_kin at an earlier time t [s]; the newest value holds for `hold` seconds.
   std::optional<Eigen::Vector3d> kinematicAt(double t, double hold) const { return joints_.at(t, hold); }
 
  private:
-  /// Backward difference over the span, or over the last step where the past is shorter.
+  /// Backward difference over span_, or over the last step where the history is shorter.
   Eigen::Vector3d difference(double t, double before) const {
     const double from = motors_.at(t - span_, 0.0) ? t - span_ : before;
     if (!(from < t)) return Eigen::Vector3d::Zero();
@@ -83,7 +84,7 @@ class MotorSide {
   robot::Transmission transmission_;
   double span_;
   TimeSeries motors_, joints_;
-  int rising_ = 0;  ///< refused samples in a row whose times rise
+  int rising_ = 0;  ///< number of successive refused samples with increasing times
   double last_refused_ = 0.0;
   MotorSample measured_;
   Eigen::Vector3d position_ = Eigen::Vector3d::Zero(), velocity_ = Eigen::Vector3d::Zero(),

@@ -29,8 +29,7 @@
 
 namespace capstan::tracking {
 
-/// The pipeline itself, behind the compiler's wall: what the motors bring is here, what the cameras bring in
-/// pipeline_camera.cpp.
+/// Implementation of the pipeline: motor samples here, camera samples in pipeline_camera.cpp.
 class TrackingPipeline::Impl {
  public:
   Impl(const robot::Description& robot, std::optional<vision::StereoRig> rig,
@@ -57,7 +56,7 @@ class TrackingPipeline::Impl {
     if (options.filter == FilterKind::kAugmented) slow_.emplace(numbers_, options);
   }
 
-  /// What was learned of the cameras' error is of the old registration.
+  /// Sets the registration and forgets the estimated camera error, which belongs to the old one.
   void setRegistration(const Eigen::Isometry3d& base_from_camera) {
     const bool moved = base_from_camera_ && !base_from_camera_->isApprox(base_from_camera);
     base_from_camera_ = base_from_camera;
@@ -114,22 +113,23 @@ class TrackingPipeline::Impl {
   double exposureOf(double stamp) const;
   void beginCamera(double t, double t_arrival, bool images);
   void observeImagedTip(const vision::Triangulation& found, const Eigen::Isometry3d& base_from_camera);
-  /// A tip in frame 0 becomes q_cam and passes the gate, or does not. `covariance` of its error, `white` of
-  /// the part that is new in each frame.
+  /// Converts a tip in frame 0 to q_cam, applies the gate and updates the filter. `covariance` is that of the
+  /// tip's error, `white` that of the part that is independent in each frame [m²].
   void observeTip(const Vector3d& tip, const Matrix3d& covariance, const Matrix3d& white);
   TransmissionEstimator::Observation slowObservation(double t, const Vector3d& tip, const Matrix3d& white,
                                                      const Filter::State& mean,
                                                      const Vector3d& kinematic) const;
-  /// Takes an observation of the slow errors and, where the correction changes, moves the joints' estimate
-  /// with it from the exposure on.
+  /// Takes an observation of the slow errors. If it changes the correction, moves the joint estimates from
+  /// the exposure on accordingly.
   void learnTransmission(const TransmissionEstimator::Observation& seen);
-  /// The motors' correction changed from `before`, and so the estimates since t.
+  /// Revises the estimates since t [s] for a motor correction that changed from `before`.
   void correctSince(double t, const MotorCorrection& before);
   void forgetFrozen(JointSet frozen);
-  /// The jump gate's opinion. Without motor j, nothing but the camera knows q_j: its path is judged by
-  /// itself.
+  /// True if the jump gate accepts the observation. If motor j is unknown, only the camera measures q_j, so
+  /// the gate tests the path of q_j itself.
   bool accept(double t, double nis, const JointObservation& seen, const Vector3d& kinematic);
-  /// A sample that could not be observed, nor q_kin at its time, is no sign of life: watchSilence() goes on.
+  /// Ends a camera sample. If neither it nor q_kin at its time could be observed, watchSilence() still counts
+  /// the camera as silent.
   void endCamera();
 
   void take(const MotorSample& sample) {
@@ -178,7 +178,8 @@ class TrackingPipeline::Impl {
     pairReference();
   }
 
-  /// The joints of unknown motors are anywhere in their range, as far as the motors determine them.
+  /// Starts the filter at t [s]. The joint of an unknown motor gets the standard deviation of a uniform
+  /// distribution over its range.
   void start(double t) {
     Filter::State mean = Filter::State::Zero();
     const JointSet unknown = watch_.unknown();
@@ -201,8 +202,8 @@ class TrackingPipeline::Impl {
     started_ = true;
   }
 
-  /// What motors `set` said from `since` on was wrong, and so what the filter made of it: their joints'
-  /// estimates restart there, with the mean that they had.
+  /// Discards the readings of the motors in `set` from the time `since` on. The estimates of their joints
+  /// restart there with the mean that they had.
   void forget(JointSet set, double since) {
     filter_.revise(
         since, [set](CableArmModel::Control& control) { control.unknown |= set; },
@@ -212,14 +213,15 @@ class TrackingPipeline::Impl {
     jump_.reset();
   }
 
-  /// q_kin as the motors that are known say, with `reference` in place of the others.
+  /// q_kin of the known motors, with `reference` in place of the unknown ones.
   Vector3d kinematicGiven(const Vector3d& kinematic, const Vector3d& reference) const {
     const JointSet unknown = watch_.unknown();
     if (unknown == 0 || !reference.allFinite()) return kinematic;
     return cables_.given(kinematic, unknown, reference);
   }
 
-  /// The same at an earlier time, with the estimate of that time; nothing outside the memory.
+  /// q_kin at an earlier time t [s], with the estimate of that time for unknown motors; nothing outside the
+  /// memory.
   std::optional<Vector3d> kinematicAt(double t) {
     const auto kinematic = motors_.kinematicAt(t, options_.restart_gap);
     if (!kinematic || watch_.unknown() == 0) return kinematic;
@@ -238,18 +240,18 @@ class TrackingPipeline::Impl {
             slow_ ? slow_->correction() : MotorCorrection{}};
   }
 
-  /// q_kin with the slow errors of the transmission that the filter includes.
+  /// q_kin, corrected for the slow errors of the transmission that the filter includes.
   Vector3d corrected(const Vector3d& kinematic) const {
     return slow_ ? slow_->corrected(kinematic) : kinematic;
   }
 
-  /// The camera is silent: q_kin at the camera's rate.
+  /// Handles a silent camera: observes q_kin at the camera's rate.
   void watchSilence(double t) {
     snapshot_.gate = Gate::kNoCamera;
     if (t - last_kinematic_ >= options_.camera_period) (void)observeKinematics(t);
   }
 
-  /// UKF paper, section V-D: the hard switch, for the motors that are known. False for a time outside the
+  /// Observes q_kin of the known motors (UKF paper, section V-D: hard switch). False for a time outside the
   /// memory.
   bool observeKinematics(double t) {
     const auto kinematic = motors_.kinematicAt(t, options_.restart_gap);
@@ -290,10 +292,10 @@ class TrackingPipeline::Impl {
     snapshot_.nees = error.dot(view_.positionCovariance().llt().solve(error));
   }
 
-  /// A reference and a motor sample this close speak of one time [s].
+  /// Largest time difference of a reference and a motor sample that are compared [s].
   static constexpr double kSameTime = 0.5e-3;
 
-  robot::Description numbers_;  ///< robot_ with those effects that are numbers in them
+  robot::Description numbers_;  ///< robot_ after robot::foldEffects()
   CameraReading cameras_;
   robot::ArmKinematics arm_;
   EncoderWatch watch_;
@@ -301,7 +303,7 @@ class TrackingPipeline::Impl {
   PartialKinematics cables_;
   std::optional<StereoTip> stereo_;
   Filter filter_;
-  std::optional<TransmissionEstimator> slow_;  ///< of the augmented filter
+  std::optional<TransmissionEstimator> slow_;  ///< present in the augmented filter only
   EstimateView view_;
   const JointMeasurement positions_ = positionsOnly();
   CameraNoise noise_;
@@ -310,12 +312,13 @@ class TrackingPipeline::Impl {
   TimeSeries reference_;
   Snapshot snapshot_;
   RememberedCables cables_before_;
-  double last_camera_ = 0.0, last_kinematic_ = 0.0;  ///< by the motors' clock at arrival [s]
+  double last_camera_ = 0.0, last_kinematic_ = 0.0;  ///< arrival of their last update, motors' clock [s]
   double last_seen_ = 0.0;                           ///< exposure of the newest tip that was accepted [s]
-  double corrected_since_ = -std::numeric_limits<double>::infinity();  ///< the correction in use [s]
+  /// Time from which the correction in use holds [s].
+  double corrected_since_ = -std::numeric_limits<double>::infinity();
   double reference_time_ = 0.0;
   bool started_ = false, reference_pending_ = false;
-  bool nis_of_transmission_ = false;  ///< nis_ holds that of the slow errors' innovation, with all motors
+  bool nis_of_transmission_ = false;  ///< nis_ averages the NIS of the slow errors (all motors known)
 };
 
 }  // namespace capstan::tracking

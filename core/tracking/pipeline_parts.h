@@ -12,7 +12,7 @@
 /// Small parts of the tracking pipeline.
 namespace capstan::tracking {
 
-inline constexpr double kMotorRate = 1000.0;  // [1/s], sizes the memory
+inline constexpr double kMotorRate = 1000.0;  // [1/s], determines the size of the memory
 
 inline CableArmModel modelOf(const robot::Description& robot, const TrackingOptions& options) {
   CableArmModel model(MotorReading::undone(robot));

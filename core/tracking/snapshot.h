@@ -11,29 +11,31 @@
 
 namespace capstan::tracking {
 
-/// Why the filter observes transmission kinematics rather than the camera (UKF paper, section V-D).
+/// Reason why the filter observes transmission kinematics instead of the camera (UKF paper, section V-D);
+/// kOpen: it observes the camera.
 enum class Gate { kOpen, kNoCamera, kLeftLost, kRightLost, kBothLost, kUnreachable, kJump, kUnregistered };
 
-/// Why a motor's encoder is not used; its joint is then estimated from the camera alone.
+/// Reason why a motor's encoder is not used; its joint is then estimated without it.
 enum class MotorFault { kNone, kLost, kFrozen, kDeclared };
 
 inline constexpr std::array<const char*, 3> kJointUnits = {"deg", "deg", "mm"};
 
-/// Everything about one instant, after one sample went through the pipeline. Plain data; joints as rad, rad,
-/// m. Quantities that do not exist (no reference fitted, no camera yet) are NaN.
+/// State of the pipeline after one sample. Plain data; joints in rad, rad, m. Quantities that do not exist
+/// (no reference encoders, no camera sample yet) are NaN.
 struct Snapshot {
-  double t = 0.0;                    ///< of the newest motor sample [s]
+  double t = 0.0;                    ///< time of the newest motor sample [s]
   bool motor_updated = false;        ///< this step took a motor sample
-  std::uint64_t motor_samples = 0;   ///< taken so far
-  std::uint64_t motor_refused = 0;   ///< motor samples not taken: not finite, or a time that does not rise
-  std::uint64_t camera_samples = 0;  ///< frames or tip samples taken so far
+  std::uint64_t motor_samples = 0;   ///< number of motor samples taken so far
+  std::uint64_t motor_refused = 0;   ///< number of motor samples refused: not finite, or time not increasing
+  std::uint64_t camera_samples = 0;  ///< number of frames or tip samples taken so far
 
-  /// Encoders that failed, by motor: kLost gave no number for longer than a gap, kFrozen stands still while
-  /// the camera sees the joint move, kDeclared was said to have failed.
+  /// Failed encoders, by motor: kLost gave no position for longer than a gap, kFrozen stands still while the
+  /// camera sees the joint move, kDeclared was declared failed by the user.
   std::array<MotorFault, 3> motor_failed{};
 
   Eigen::Vector3d q_motor, dq_motor;  ///< q_m [rad], dq_m [rad/s]; the last known q_m of a lost encoder
-  /// Transmission kinematics; NaN for the joint of an unknown motor, q_link_ukf in its place for the others.
+  /// Joints of transmission kinematics; NaN for the joint of an unknown motor. The other joints are then
+  /// computed with q_link_ukf in its place.
   Eigen::Vector3d q_link_kin;
   Eigen::Vector3d q_link_cam;        ///< newest camera observation, at its own time t_cam
   Eigen::Vector3d q_link_cam_sigma;  ///< its standard deviation
@@ -44,32 +46,32 @@ struct Snapshot {
   Eigen::Vector3d cable_stretch;     ///< delta = s_m − s_l at the estimate [m]; unknown motor: NaN
   Eigen::Vector3d cable_tension;     ///< gamma at the estimate [N]
 
-  bool reference_paired = false;  ///< this step made q_link_true and the estimates speak of one time
+  bool reference_paired = false;  ///< since this step q_link_true and the estimates are of one time
 
   double t_cam = 0.0;                             ///< exposure time of the newest camera sample
-  double latency = 0.0;                           ///< its arrival minus exposure [s]
+  double latency = 0.0;                           ///< arrival minus exposure of the newest camera sample [s]
   bool camera_updated = false;                    ///< this step took a camera sample
   bool camera_images = false;                     ///< the newest camera sample was a pair of images
   std::array<vision::MarkerDetection, 2> marker;  ///< left, right
   Eigen::Vector3d tip_in_camera;                  ///< triangulated, left camera's frame [m]
   Eigen::Matrix3d tip_in_camera_covariance;       ///< [m²]
-  /// Tip of transmission kinematics at t_cam, in frame 0 [m]; the estimate's joints for unknown motors.
+  /// Tip of transmission kinematics at t_cam, in frame 0 [m]; unknown motors are replaced by the estimate.
   Eigen::Vector3d tip_kin_cam;
   Eigen::Vector3d tip_cam, tip_kin, tip_ukf;  ///< in frame 0 [m]
   Eigen::Matrix3d tip_ukf_covariance;         ///< [m²]
   Gate gate = Gate::kNoCamera;
 
-  TransmissionEstimate transmission;  ///< of the augmented filter; else nothing is included
+  TransmissionEstimate transmission;  ///< estimate of the augmented filter; else empty
 
-  double nis = 0.0;            ///< of the last update
-  double nis_mean = 0.0;       ///< mean over the last camera updates, divided by its degrees of freedom
+  double nis = 0.0;            ///< NIS of the last update
+  double nis_mean = 0.0;       ///< mean NIS of the last camera updates, divided by its degrees of freedom
   bool nis_consistent = true;  ///< nis_mean inside the 95 % chi-square band
-  double nees = 0.0;  ///< of the joint positions (3 degrees of freedom) where the truth is known, else NaN
-  std::uint64_t rescues = 0;       ///< Cholesky down-dates that fell back
-  std::uint64_t late_dropped = 0;  ///< camera samples outside the filter's memory, as a rule too late
+  double nees = 0.0;  ///< NEES of the joint positions (3 degrees of freedom) if the truth is known, else NaN
+  std::uint64_t rescues = 0;       ///< number of Cholesky down-dates that used the fallback
+  std::uint64_t late_dropped = 0;  ///< camera samples outside the filter's memory (usually too late)
 };
 
-/// An encoder has failed.
+/// True if an encoder has failed.
 inline bool anyMotorFailed(const Snapshot& s) {
   for (const MotorFault fault : s.motor_failed)
     if (fault != MotorFault::kNone) return true;
@@ -96,10 +98,10 @@ struct capstan::base::NamesOf<capstan::tracking::Gate> {
 
 namespace capstan::tracking {
 
-/// The newest camera sample was a tip that others measured: there are no pictures to speak of.
+/// True if the newest camera sample is a tip that another system measured, without images.
 inline bool tipAlone(const Snapshot& s) { return s.camera_samples > 0 && !s.camera_images; }
 
-/// What the gate says, in words that fit pictures or tips.
+/// Name of the gate's state, in words for images or for tips.
 inline std::string_view gateWords(const Snapshot& s) {
   if (tipAlone(s)) {
     if (s.gate == Gate::kBothLost) return "tip not seen";
@@ -109,7 +111,7 @@ inline std::string_view gateWords(const Snapshot& s) {
   return base::nameOf(s.gate);
 }
 
-/// The marker is hidden from a camera in the newest sample.
+/// True if the marker is hidden from a camera in the newest sample.
 inline bool markerLost(const Snapshot& s) {
   return s.gate == Gate::kLeftLost || s.gate == Gate::kRightLost || s.gate == Gate::kBothLost;
 }

@@ -16,16 +16,17 @@ namespace capstan::tracking {
 /// Finds the marker in both images of a frame and triangulates it.
 class StereoTip {
  public:
-  /// `search_full_frame`: where the region of interest holds no marker.
+  /// `search_full_frame`: search the whole frame if the region of interest holds no marker.
   StereoTip(const vision::StereoRig& rig, const vision::MarkerOptions& marker, bool search_full_frame);
 
-  /// Looks around the projections of `expected` [m, left camera's frame], or everywhere without it.
+  /// Searches around the projections of `expected` [m, left camera's frame], or in the whole frame without
+  /// it.
   void find(const StereoFrame& frame, const std::optional<Eigen::Vector3d>& expected);
 
   const std::array<vision::MarkerDetection, 2>& markers() const { return markers_; }
-  /// kOpen when both images hold a marker, else which one is lost.
+  /// kOpen when both images hold a marker, else the gate that names the lost one.
   Gate gate() const;
-  /// Position [m] and covariance [m²] in the left camera's frame; only with both markers found.
+  /// Position [m] and covariance [m²] in the left camera's frame. Both markers must have been found.
   vision::Triangulation triangulate() const;
 
  private:

@@ -4,8 +4,8 @@
 
 namespace capstan::tracking {
 
-/// What somebody has said of the arm goes on in the pipeline that replaces `former`: where the cameras stand,
-/// and which motor encoders are declared failed.
+/// Copies the registration and the declared failures of motor encoders from `former` to the pipeline that
+/// replaces it.
 inline void takeOver(const tracking::TrackingPipeline& former, tracking::TrackingPipeline& next) {
   if (former.registration()) next.setRegistration(*former.registration());
   const auto& failed = former.snapshot().motor_failed;

@@ -8,15 +8,15 @@
 
 namespace capstan::tracking {
 
-/// The newest vectors of a signal sampled in rising time, in fixed storage; linear in between and for one
-/// step beyond.
+/// Ring buffer of the newest samples of a vector signal, with increasing times. Interpolates linearly, and
+/// extrapolates linearly for one step.
 class TimeSeries {
  public:
   explicit TimeSeries(std::size_t capacity) : points_(capacity) {}
 
   void clear() { count_ = 0; }
   bool empty() const { return count_ == 0; }
-  /// Ignores samples that are not newer than the newest.
+  /// Adds a sample; ignores it unless it is newer than the newest.
   void push(double t, const Eigen::Vector3d& value) {
     if (count_ > 0 && !(t > back(0).t)) return;
     points_[count_ % points_.size()] = {t, value};
@@ -24,8 +24,8 @@ class TimeSeries {
   }
   double newestTime() const { return back(0).t; }
 
-  /// The value at t; the newest one holds until `hold` [s] after it. Nothing before the oldest kept or after
-  /// that.
+  /// Value at t [s]. The extrapolated value holds until `hold` [s] after the newest sample. Nothing before
+  /// the oldest sample or after that time.
   std::optional<Eigen::Vector3d> at(double t, double hold) const {
     if (count_ == 0 || !(t <= back(0).t + hold)) return std::nullopt;
     if (t >= back(0).t) return beyond(t);

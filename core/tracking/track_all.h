@@ -12,34 +12,34 @@
 
 namespace capstan::tracking {
 
-/// What `TrackingPipeline` made of a whole recording.
+/// Result of a TrackingPipeline on a whole recording.
 struct TrackReport {
   ErrorTable errors;
   std::uint64_t motor_samples = 0;
-  std::uint64_t camera_samples = 0;           ///< frames and tip samples
-  std::array<std::uint64_t, 8> gates{};       ///< camera samples by Gate
-  std::array<std::uint64_t, 2> detected{};    ///< frames with a marker: left, right
-  std::array<std::uint64_t, 2> full_frame{};  ///< of these, found by the full-frame search
-  std::uint64_t frames = 0;                   ///< camera samples that were images
-  double first_t = 0.0, last_t = 0.0;         ///< of the motor samples [s]
-  double nis_sum = 0.0;                       ///< over accepted camera samples
-  double nees_sum = 0.0;                      ///< over paired references
+  std::uint64_t camera_samples = 0;           ///< number of frames and tip samples
+  std::array<std::uint64_t, 8> gates{};       ///< number of camera samples by Gate
+  std::array<std::uint64_t, 2> detected{};    ///< number of frames with a marker: left, right
+  std::array<std::uint64_t, 2> full_frame{};  ///< number of them found by the full-frame search
+  std::uint64_t frames = 0;                   ///< number of camera samples with images
+  double first_t = 0.0, last_t = 0.0;         ///< time of the first and last motor sample [s]
+  double nis_sum = 0.0;                       ///< sum of NIS over accepted camera samples
+  double nees_sum = 0.0;                      ///< sum of NEES over paired references
   std::uint64_t nees_count = 0;
   std::uint64_t rescues = 0, late_dropped = 0;
-  std::array<MotorFault, 3> motor_failed{};    ///< encoders that failed, at the end
-  std::array<double, 3> motor_failed_since{};  ///< when that was found or declared [s]
-  TransmissionEstimate transmission;           ///< of the augmented filter, at the end
+  std::array<MotorFault, 3> motor_failed{};    ///< failed encoders at the end
+  std::array<double, 3> motor_failed_since{};  ///< time of detection or declaration [s]
+  TransmissionEstimate transmission;           ///< estimate of the augmented filter at the end
   bool cancelled = false;
 
-  /// Counts from the first snapshot on, whatever the pipeline had counted before.
+  /// Adds a snapshot. Counts start at the first snapshot, independent of earlier counts of the pipeline.
   void add(const Snapshot& snapshot);
-  double gateShare(Gate gate) const;     ///< of camera samples; NaN without any
+  double gateShare(Gate gate) const;     ///< share of camera samples; NaN without any
   double detectionRate(int side) const;  ///< share of frames with a marker, 0 left, 1 right
   double nisMean() const;   ///< mean NIS of accepted camera samples over its 3 degrees of freedom; NaN: none
   double neesMean() const;  ///< mean position NEES over its 3 degrees of freedom; NaN: no reference
 
  private:
-  /// How far a running total of the pipeline's rises while this report listens.
+  /// Computes the increase of a running total of the pipeline from snapshot to snapshot.
   struct Rise {
     std::optional<std::uint64_t> before;
     std::uint64_t to(std::uint64_t total) {
@@ -60,9 +60,9 @@ struct IgnoreSnapshots {
   void operator()(const Sample&, const Snapshot&) const {}
 };
 
-/// Runs `pipeline` over all of `source`. `each(sample, snapshot)` sees every step. `duration` [s] from
-/// the first sample to the last (0: unknown) scales the progress. Cancellable; what came before the
-/// cancellation is in the report.
+/// Runs `pipeline` over all of `source` and calls `each(sample, snapshot)` after every step. `duration` [s]
+/// from the first sample to the last (0: unknown) scales the progress. Cancellable; the report then covers
+/// the samples before the cancellation.
 template <SampleSource Source, class Each = IgnoreSnapshots>
 TrackReport trackAll(Source& source, TrackingPipeline& pipeline, base::Progress* progress = nullptr,
                      double duration = 0.0, Each each = {}) {

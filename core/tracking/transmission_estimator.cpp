@@ -13,13 +13,13 @@ using Eigen::Vector3d;
 using Regression = estimation::SparseRegression<17, 9>;
 using Prior = Regression::Prior;
 
-/// How long observations are gathered before they are weighed [s].
+/// Length of a segment, and its largest length [s].
 constexpr double kSegment = 1.0, kLongestSegment = 2.0;
 constexpr double kCertain = 0.95;
-constexpr double kFound = 0.999;      ///< probability of a change that was found
-constexpr double kLead = 5.0;         ///< log odds of one kind of change against the others
-constexpr double kLongDelay = 0.015;  ///< one that is taken out of the stamps [s]
-constexpr double kOutlier = 9.0;      ///< NIS over its degrees of freedom counts as no more than this
+constexpr double kFound = 0.999;      ///< prior probability of a change that was detected
+constexpr double kLead = 5.0;         ///< log odds that one kind of change needs against the others
+constexpr double kLongDelay = 0.015;  ///< smallest delay that is subtracted from the stamps [s]
+constexpr double kOutlier = 9.0;      ///< upper bound of NIS over its degrees of freedom
 
 Prior priorOf(const TrackingOptions& options) {
   const Vector3d one = Vector3d::Ones();
@@ -34,7 +34,7 @@ Prior priorOf(const TrackingOptions& options) {
       std::max(shift, options.camera_moved_shift_sigma) * one,
       std::max(options.camera_scale_sigma, options.camera_moved_scale_sigma), options.camera_delay_sigma;
   prior.unusual_probability = options.camera_moved_probability;
-  // A wrong pulley is what laboratories begin with; other changes are accepted once they are nearly certain.
+  // A wrong pulley radius is common at the start; other errors are included once they are nearly certain.
   prior.enters.tail<7>().setConstant(kCertain);
   prior.highest = TransmissionEstimator::kMostSigmas * prior.sigma;
   prior.lowest = -prior.highest;
@@ -43,8 +43,8 @@ Prior priorOf(const TrackingOptions& options) {
   return prior;
 }
 
-/// What changes add, in units of Regression::sigma(): an encoder that slips moves one cable's zero, cameras
-/// that are knocked turn and shift.
+/// Effect of each kind of change, in units of Regression::sigma(): an encoder that slips moves one cable's
+/// zero, cameras that are knocked rotate and shift.
 using Changes = std::array<Regression::Vector, 4>;
 Changes changesOf(const Regression& regression) {
   Changes changes;
@@ -139,7 +139,7 @@ auto TransmissionEstimator::innovation(const Observation& seen) const -> Innovat
   return innovation(reading(seen));
 }
 
-/// Are innovations as large as expected, whatever is present?
+/// Compares innovations with their expected size, with every coefficient present.
 void TransmissionEstimator::judgeFit(const Reading& reading) {
   const Vector3d innovation = reading.z - reading.h * widest_mean_;
   const Matrix3d predicted =
@@ -159,13 +159,13 @@ void TransmissionEstimator::add(const Observation& seen) {
   if (segment_.count == 0) segment_start_ = seen.t;
   const double times = 2.0 * options_.cable_error_time / options_.camera_period;
   (void)segment_.add<3>(reading.h, reading.z, reading.white + times * reading.cables, regression_.sigma());
-  // The first segments are short: little is known yet that a change could hide in.
+  // The first segments are short: with little information, there is nothing yet to compare a change with.
   const double whole = std::clamp(0.25 * regression_.information().count * options_.camera_period,
                                   options_.camera_period, kSegment);
   if (segment_.count * options_.camera_period >= whole) closeSegment();
 }
 
-/// As long as cameras are silent nothing is learned, and nothing is forgotten.
+/// Advances the time to t [s]. While cameras are silent, nothing is forgotten.
 void TransmissionEstimator::passTime(double t) {
   const double longest = 2.0 * options_.camera_period;
   if (started_) forgotten_ *= std::exp(-std::clamp(t - newest_, 0.0, longest) / options_.transmission_memory);
@@ -183,7 +183,8 @@ void TransmissionEstimator::closeSegment() {
   takeOutDelay();
 }
 
-/// The sensitivity to a delay holds while the arm's speed does: of a long one, observations restart.
+/// Subtracts a long delay from the stamps and restarts observations, because their sensitivity −J dq to the
+/// delay holds only while the arm's speed is constant over it.
 void TransmissionEstimator::takeOutDelay() {
   const double delay = regression_.mean()(kDelay);
   const double sigma = std::sqrt(covariance_(kDelay, kDelay));
@@ -193,7 +194,7 @@ void TransmissionEstimator::takeOutDelay() {
   select();
 }
 
-/// A change that was found is one whose size is requested, not whether there is one.
+/// Sets the prior for a detected change: it exists, and only its size is to be estimated.
 void TransmissionEstimator::expectChange(int kind) {
   misfit_ = 1.0;
   if (kind < 3)
@@ -203,7 +204,7 @@ void TransmissionEstimator::expectChange(int kind) {
   regression_.setPrior(prior_.inclusion_probability, prior_.unusual_probability);
 }
 
-/// Weighs what is known by how well it fits.
+/// Selects the coefficients, with the information weighted by its goodness of fit.
 void TransmissionEstimator::select() {
   Information known = changes_.known();
   known.scale(1.0 / std::max(misfit_, 1.0));

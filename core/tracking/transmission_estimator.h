@@ -13,94 +13,95 @@
 
 namespace capstan::tracking {
 
-/// The slow half of the augmented filter: per joint a scale of cable travel (a pulley's radius), an offset of
-/// the cable's zero and a factor of its compliance, estimated from the camera beside the six-state filter of
-/// the joints.
+/// Slow part of the augmented filter. It estimates, per joint, the scale of cable travel (pulley radius), the
+/// offset of the cable's zero and a factor of the cable's compliance from camera observations. It runs in
+/// parallel with the six-state filter of the joints.
 ///
-/// Separate-bias estimation (Friedland, IEEE TAC 14, 1969): cables settle within b_e / k_e, some
-/// milliseconds, so the joints follow the corrected motors and the two halves exchange a mean and a
+/// Separate-bias estimation (Friedland, IEEE TAC 14, 1969): cables settle within b_e / k_e, a few
+/// milliseconds, so the joints follow the corrected motors, and the two filters exchange a mean and a
 /// sensitivity. With the six-state estimate q at the exposure, its cable stretch delta and the tip position p
-/// seen by the camera,
+/// observed by the camera,
 ///
 ///     p − tip(q) = J A⁻¹ (1 / r_l) ∘ (s_m ∘ (e − e') + (o − o') + kappa ∘ delta) + c_t + c_r × (p − p_hs) +
 ///     c_s (p − p_hs) − J dq tau + v,
 ///
-/// e', o' the correction in use, kappa = 1 − k_e / k_e,true of the robot file's stiffness. c_r, c_t are the
-/// registration's error, c_s that of the cameras' scale (focal length, base line) and tau that of the stamps:
-/// a camera that is turned and a pulley that is wrong look alike until the arm has moved. Each has a prior,
-/// and a much wider one if cameras were moved (TrackingOptions). v is white noise, measured (WhiteNoise),
-/// plus J cable_error, which keeps its sign for cable_error_time: as noise that is new in each frame it
-/// counts 2 cable_error_time / camera_period times. Where innovations are larger than all this lets expect,
-/// observations count for less by the same factor.
+/// e', o' are the correction in use, and kappa = 1 − k_e / k_e,true with k_e of the robot file. c_r and c_t
+/// are the registration error, c_s the error of the cameras' scale (focal length, base line), and tau the
+/// error of the stamps. The camera errors are estimated too, because a rotated camera and a wrong pulley have
+/// the same effect until the arm has moved. Each has a prior, and a much wider one if cameras were moved
+/// (TrackingOptions). v is white noise, measured by WhiteNoise, plus J cable_error. cable_error keeps its
+/// sign for cable_error_time, so its covariance is multiplied by 2 cable_error_time / camera_period to count
+/// as independent noise per frame. Where innovations are larger than this model predicts, the weight of
+/// observations is reduced by the same factor.
 ///
-/// Scale, offset and compliance are zero unless the camera's evidence says otherwise (SparseRegression).
-/// Observations of about a second are weighed together, and first against a change: a camera that was
-/// knocked, an encoder that slipped (ChangeTest). An estimate that is no laboratory's (scale or offset beyond
-/// kMostSigmas of the prior, a compliance of cables kHardest stiffer or any softer than none) is absent.
-/// No allocation.
+/// Scale, offset and compliance are zero unless there is evidence for them (SparseRegression). Observations
+/// of about one second form a segment. Each segment is first tested for a change: a camera that was moved, or
+/// an encoder that slipped (ChangeTest). Implausible estimates are excluded: scale or offset beyond
+/// kMostSigmas of the prior, a true stiffness below 1 / kHardest of the robot file's, or a negative one. No
+/// allocation.
 class TransmissionEstimator {
  public:
-  /// One tip seen by the camera at its exposure t [s].
+  /// One tip observed by the camera at its exposure t [s].
   struct Observation {
     double t = 0.0;
-    Eigen::Vector3d tip;     ///< seen, in frame 0 [m]
-    Eigen::Matrix3d noise;   ///< stated covariance of its white noise [m²]
-    Eigen::Vector3d q, dq;   ///< estimate at t, with the correction in use [rad, rad, m], per second
-    Eigen::Vector3d travel;  ///< cable travel s_m of the motors at t, not corrected [m]
+    Eigen::Vector3d tip;     ///< observed tip in frame 0 [m]
+    Eigen::Matrix3d noise;   ///< stated covariance of the tip's white noise [m²]
+    Eigen::Vector3d q, dq;   ///< estimate at t with the correction in use [rad, rad, m], [rad/s, rad/s, m/s]
+    Eigen::Vector3d travel;  ///< cable travel s_m of the motors at t, without correction [m]
   };
   struct Innovation {
-    Eigen::Vector3d value;  ///< of the tip [m]
-    double nis;             ///< by its predicted covariance: chi-square, 3 degrees of freedom
+    Eigen::Vector3d value;  ///< innovation of the tip [m]
+    double nis;             ///< NIS under the predicted covariance: chi-square, 3 degrees of freedom
   };
   static constexpr double kMostSigmas = 6.0;
   static constexpr double kHardest = 5.0;
 
-  /// Throws base::InputError for a robot that is no three-joint remote-centre arm.
+  /// Throws base::InputError for a robot that is not a three-joint remote-centre arm.
   TransmissionEstimator(const robot::Description& robot, const TrackingOptions& options);
 
   void reset();
-  /// The clock restarts; what was learned stays.
+  /// Restarts the clock; estimates stay.
   void restartClock();
-  /// The cameras were registered again: nothing is known of their error.
+  /// Forgets the camera errors after a new registration.
   void forgetCameras();
   Innovation innovation(const Observation& seen) const;
-  /// Takes an accepted observation. The correction changes when it closes a segment.
+  /// Adds an accepted observation. The correction changes when the observation closes a segment.
   void add(const Observation& seen);
-  /// No camera until t: what was learned is discounted.
+  /// Discounts the estimates for the time until t [s] without camera observations.
   void age(double t);
 
-  /// How much later than exposures stamps are, beyond camera_delay, as far as it is known [s].
+  /// Known part of the time stamps' delay after exposure, beyond camera_delay [s].
   double delay() const { return delay_; }
-  /// What the motors' positions are corrected by.
+  /// Correction of the motor positions.
   const MotorCorrection& correction() const { return correction_; }
   const TransmissionEstimate& estimate() const { return estimate_; }
-  /// Joints [rad, rad, m] of transmission kinematics, corrected by what is in use.
+  /// Joints [rad, rad, m] of transmission kinematics with the correction in use.
   Eigen::Vector3d corrected(const Eigen::Vector3d& q_kin) const;
-  /// How far a change of correction moves the joints at q_kin [rad, rad, m].
+  /// Movement of the joints at q_kin that a change of correction causes [rad, rad, m].
   Eigen::Vector3d shift(const Eigen::Vector3d& q_kin, const MotorCorrection& from,
                         const MotorCorrection& to) const;
-  /// What a stiffness that is wrong takes from the estimate q at q_kin [rad, rad, m]: to be added.
+  /// Error of the estimate q at q_kin from a wrong stiffness [rad, rad, m]; it must be added to q.
   Eigen::Vector3d stretchError(const Eigen::Vector3d& q_kin, const Eigen::Vector3d& q) const;
-  /// What the correction's uncertainty adds to the covariance of the joints at q_kin [rad², rad², m²].
+  /// Covariance of the joints at q_kin that comes from the correction's uncertainty [rad², rad², m²].
   Eigen::Matrix3d jointCovariance(const Eigen::Vector3d& q_kin) const;
-  /// How far q_cam differs from q beyond what the correction in use is for: by the estimated errors of
-  /// registration, stamps and stiffness [rad, rad, m].
+  /// Difference of q_cam and q that the correction in use does not cover: the effect of the estimated errors
+  /// of registration, stamps and stiffness [rad, rad, m].
   Eigen::Vector3d residual(const Observation& seen) const;
 
  private:
   static constexpr int kStates = 17, kOptional = 9, kCamera = kStates - kOptional;
-  static constexpr int kMotor = 6, kDelay = kStates - 1;  // scale and offset come first
+  static constexpr int kMotor = 6, kDelay = kStates - 1;  // scale and offset come first, the delay last
   using Regression = estimation::SparseRegression<kStates, kOptional>;
   using Information = estimation::Information<kStates>;
   using Sensitivity = Eigen::Matrix<double, 3, kStates>;
   static constexpr int kSegments = 12, kKinds = 4;
 
-  /// What an observation says of the coefficients: z = h x + v.
+  /// Linear measurement of the coefficients x by one observation: z = h x + v.
   struct Reading {
     Sensitivity h;
     Eigen::Vector3d z;
-    Eigen::Matrix3d white;   ///< covariance of v that is new in each frame [m²]
-    Eigen::Matrix3d cables;  ///< and of what cables leave unexplained
+    Eigen::Matrix3d white;   ///< covariance of the part of v that is independent in each frame [m²]
+    Eigen::Matrix3d cables;  ///< covariance of unexplained cable errors [m²]
   };
 
   Reading reading(const Observation& seen) const;
@@ -124,19 +125,19 @@ class TransmissionEstimator {
   Regression::Prior prior_;
   Regression regression_;
   estimation::ChangeTest<kStates, kKinds, kSegments> changes_;
-  Information segment_;  ///< since the last one closed
+  Information segment_;  ///< observations since the last segment closed
   WhiteNoise white_;
-  Regression::Matrix covariance_;   ///< of all states, discounted
-  Regression::Vector widest_mean_;  ///< with every coefficient present
+  Regression::Matrix covariance_;   ///< covariance of all states, discounted
+  Regression::Vector widest_mean_;  ///< mean with every coefficient present
   Regression::Matrix widest_covariance_;
-  double misfit_ = 1.0;  ///< running mean of NIS over its degrees of freedom, every coefficient present
-  StatedShare share_;    ///< of the covariance of coefficients and cables
-  Regression::Vector used_ = Regression::Vector::Zero();  ///< what the estimate q is corrected for
+  double misfit_ = 1.0;  ///< running mean of NIS over its degrees of freedom, with every coefficient present
+  StatedShare share_;    ///< factor on the covariance of coefficients and cables
+  Regression::Vector used_ = Regression::Vector::Zero();  ///< coefficients that the estimate q includes
   MotorCorrection correction_;
   TransmissionEstimate estimate_;
-  double delay_ = 0.0;                         ///< taken out of the stamps [s]
+  double delay_ = 0.0;                         ///< delay subtracted from the stamps [s]
   double newest_ = 0.0, segment_start_ = 0.0;  ///< [s]
-  double forgotten_ = 1.0;                     ///< factor since the last segment closed
+  double forgotten_ = 1.0;                     ///< forgetting factor since the last segment closed
   bool started_ = false;
 };
 

@@ -17,11 +17,11 @@ std::string signedText(double value, int digits) {
   return text.front() == '-' ? "−" + text.substr(1) : text;
 }
 
-/// Shorter delays are those of any exposure.
+/// Smallest delay that is reported; exposures cause shorter ones.
 constexpr double kDelayOfNote = 0.015;  // [s]
 constexpr double kScaleOfNote = 0.01;
 
-/// k_e of the cable by that of the robot file.
+/// Ratio of the cable's k_e to that of the robot file.
 double stiffnessRatio(const TransmissionEstimate& found, int joint) {
   return 1.0 / std::max(1.0 - found.compliance(joint), 1e-3);
 }
@@ -78,10 +78,11 @@ std::vector<std::string> remediesOf(const TransmissionEstimate& found) {
   if (found.camerasMoved())
     remedies.emplace_back("The cameras are not where they were registered: register them again.");
   if (delayed(found))
-    remedies.emplace_back("The camera's time stamps are off: state the delay in the options (camera_delay).");
+    remedies.emplace_back("The camera's time stamps are off: set the delay in the options (camera_delay).");
   if (found.change_in_question)
     remedies.emplace_back(
-        "Register the cameras again or home the arm again, whichever was disturbed; movement shows which.");
+        "If cameras were moved, register them again; if an encoder slipped, home the arm. Movement shows "
+        "which.");
   return remedies;
 }
 

@@ -3,9 +3,9 @@
 
 #include "core/vision/bit_image.h"
 
-// Every loop over words runs over a multiple of four, so that it vectorises whole; words past the image hold
-// nothing of use and fillBeyond() sets those that a filter reads. The bodies are compiled twice, with and
-// without AVX2.
+// Every loop over words has a multiple of four iterations, so that it is vectorised completely. Words beyond
+// the image have no meaning; fillBeyond() sets those that a filter reads. The bodies are compiled twice, with
+// and without AVX2.
 #if defined(__x86_64__)
 #define CAPSTAN_WIDE __attribute__((target("avx2")))
 #else
@@ -44,7 +44,7 @@ CAPSTAN_BODY void sumFive(const Word* __restrict row, std::size_t words, Word* _
   }
 }
 
-/// Planes of five rows added up: is the number of set pixels, 0…25, at least 13?
+/// Adds the planes of five rows. Whether the number of set pixels, 0…25, is at least 13.
 CAPSTAN_BODY void atLeastThirteen(const std::array<const Word*, 5>& p, std::size_t words, std::size_t plane,
                                   Word* __restrict result) {
   const Word* __restrict p0 = p[0], * __restrict p1 = p[1], * __restrict p2 = p[2], * __restrict p3 = p[3], * __restrict p4 = p[4];
@@ -92,7 +92,7 @@ CAPSTAN_BODY void dilateRow(const Rows3& s, std::size_t words, Word* __restrict 
 CAPSTAN_BODY void medianRows(BitImage& source, RowSpan rows, RowSpan out, MedianScratch& scratch,
                              BitImage& result) {
   const std::size_t words = source.paddedWords();
-  Word* const planes = scratch.planes.data();  // 3 planes a row; the last row stands for empty rows
+  Word* const planes = scratch.planes.data();  // 3 planes per row; the last row is for empty rows
   Word* const empty = planes + 3 * words * static_cast<std::size_t>(rows.last - rows.first + 1);
   std::fill_n(empty, 3 * words, Word{0});
   for (int y = rows.first; y <= rows.last; ++y) {

@@ -6,9 +6,9 @@
 
 namespace capstan::vision {
 
-/// Binary image, one bit a pixel, 64 pixels a word; bit 0 of word 0 is the leftmost pixel. One guard word
-/// stands on either side of every row (words −1 and words()), so that filters read their neighbours without
-/// asking. Storage is fixed at construction; resize() only changes the used part.
+/// Binary image with one bit per pixel and 64 pixels per word; bit 0 of word 0 is the leftmost pixel. Every
+/// row has one guard word on each side (words −1 and words()), so that filters read neighbouring words
+/// without bounds checks. Storage is fixed at construction; resize() only changes the used part.
 class BitImage {
  public:
   BitImage(int max_width, int max_height);
@@ -20,18 +20,18 @@ class BitImage {
   std::uint64_t* row(int y) { return data_.data() + static_cast<std::size_t>(y) * stride() + 1; }
   const std::uint64_t* row(int y) const { return data_.data() + static_cast<std::size_t>(y) * stride() + 1; }
   bool at(int x, int y) const { return (row(y)[x >> 6] >> (x & 63)) & 1; }
-  /// Bits of the last word that are pixels.
+  /// Mask of the bits of the last word that are pixels.
   std::uint64_t lastWordMask() const {
     return (width_ & 63) ? (std::uint64_t{1} << (width_ & 63)) - 1 : ~std::uint64_t{0};
   }
-  /// Words of a row that may be written, a multiple of four: filters run over all of them.
+  /// Number of words of a row that filters read and write, a multiple of four.
   static std::size_t paddedWords(int words) {
     return (static_cast<std::size_t>(words) + 3) & ~std::size_t{3};
   }
   std::size_t paddedWords() const { return paddedWords(words_); }
-  /// Is any pixel of these rows set?
+  /// Whether any pixel in the rows first_row to last_row is set.
   bool anySet(int first_row, int last_row) const;
-  /// Sets all bits beyond the image, guards included, of row y.
+  /// Sets all bits of row y beyond the image, including the guard words, to `left` and `right`.
   void fillBeyond(int y, bool left, bool right);
 
  private:
@@ -41,7 +41,7 @@ class BitImage {
   std::vector<std::uint64_t> data_;
 };
 
-/// Rows of an image that hold set pixels: [first, last], empty when first > last.
+/// Range [first, last] of the rows of an image that contain set pixels; empty when first > last.
 struct RowSpan {
   int first = 0, last = -1;
   bool empty() const { return first > last; }
@@ -51,15 +51,15 @@ struct RowSpan {
   }
 };
 
-/// Bit planes of horizontal sums, kept between calls so that none is allocated.
+/// Bit planes of horizontal sums, reused by all calls so that no call allocates.
 struct MedianScratch {
   MedianScratch(int max_width, int max_height);
   std::vector<std::uint64_t> planes;
 };
 
-/// 5×5 median of a binary image: 13 or more of 25 set. The border is replicated, as in cv::medianBlur. `rows`
-/// holds all set pixels of `source`. Rows of `result` outside the returned span are left untouched and mean
-/// zero.
+/// 5×5 median of a binary image: a pixel is set when 13 or more of its 25 neighbours are. The border is
+/// replicated, as in cv::medianBlur. `rows` contains all set pixels of `source`. Rows of `result` outside the
+/// returned range are not written and count as zero.
 RowSpan median5x5(BitImage& source, RowSpan rows, MedianScratch& scratch, BitImage& result);
 /// 3×3 erosion; pixels beyond the border count as set, as in cv::erode.
 RowSpan erode3x3(BitImage& source, RowSpan rows, BitImage& result);

@@ -9,39 +9,40 @@
 
 namespace capstan::vision {
 
-/// Set of 8-connected pixels, in pixels of the searched region.
+/// Set of 8-connected set pixels. Coordinates are pixels of the searched region.
 struct Blob {
-  int area = 0;                  ///< set pixels
-  int first_x = 0, first_y = 0;  ///< leftmost pixel of its topmost row
+  int area = 0;                  ///< number of set pixels
+  int first_x = 0, first_y = 0;  ///< leftmost pixel of the topmost row
   int left = 0, right = 0, top = 0, bottom = 0;
 };
 
-/// Outer contour through the centres of boundary pixels, as cv::findContours (CHAIN_APPROX_NONE) gives it.
+/// Moments of a blob's outer contour, the polygon through the centres of the boundary pixels as
+/// cv::findContours (CHAIN_APPROX_NONE) returns it.
 struct ContourMoments {
-  double area = 0.0;                                   ///< of the polygon [px²]
-  double perimeter = 0.0;                              ///< [px]
-  Eigen::Vector2d centroid = Eigen::Vector2d::Zero();  ///< of the polygon (Green's theorem), holes filled
+  double area = 0.0;                                   ///< area of the polygon [px²]
+  double perimeter = 0.0;                              ///< perimeter of the polygon [px]
+  Eigen::Vector2d centroid = Eigen::Vector2d::Zero();  ///< centroid (Green's theorem) with filled holes [px]
 };
 
 struct ContourPoint {
   std::int16_t x, y;
 };
 
-/// Blobs and contours on bit rows. Storage is fixed at construction.
+/// Finds blobs and contours in a BitImage. Storage is fixed at construction.
 class BlobFinder {
  public:
   BlobFinder(int max_width, int max_height);
 
-  /// All blobs of `image`, whose set pixels lie in `rows` and whose runs are at least three pixels long (true
-  /// after a 3×3 dilation); largest area first. Valid until the next call.
+  /// Returns all blobs of `image`, largest area first; valid until the next call. All set pixels must lie in
+  /// `rows`, and all horizontal runs must be at least three pixels long (as after a 3×3 dilation).
   std::span<const Blob> find(const BitImage& image, RowSpan rows);
-  /// Follows the outer border of `blob`.
+  /// Follows the outer border of `blob`; returns its moments and sets contour().
   ContourMoments trace(const BitImage& image, const Blob& blob);
   std::span<const ContourPoint> contour() const { return contour_; }
 
  private:
   struct Run {
-    std::int16_t begin, end;  ///< [begin, end)
+    std::int16_t begin, end;  ///< columns [begin, end)
     std::int32_t label;
   };
   std::int32_t root(std::int32_t label);

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kRoom = 1.5;  ///< spacing of corners that a corner window of half side 1 leaves undisturbed
+constexpr double kRoom = 1.5;  ///< smallest spacing of undisturbed corners, in half sides of their window
 
 bool isImage(const fs::path& path) {
   static const std::set<std::string> kKinds{".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".pgm"};
@@ -26,16 +26,15 @@ bool isImage(const fs::path& path) {
 }
 
 [[noreturn]] void refuseFolder(const fs::path& folder, const std::string& value, const std::string& reason) {
-  throw base::InputError(
-      {folder.string(),
-       0,
-       {},
-       value,
-       reason,
-       "Give a folder with images named left01.png, right01.png and so on, two of each pair"});
+  throw base::InputError({folder.string(),
+                          0,
+                          {},
+                          value,
+                          reason,
+                          "Give a folder with image pairs named left01.png, right01.png and so on"});
 }
 
-/// Does the view reach every corner? Refines them to sub-pixel where it does.
+/// Whether all corners of the board were found; if so, refines them to sub-pixel accuracy.
 bool findCorners(const cv::Mat& grey, const CalibrationOptions& options, std::vector<cv::Point2f>& corners) {
   const cv::Size board(options.board_columns, options.board_rows);
   if (!cv::findChessboardCorners(grey, board, corners,
@@ -48,7 +47,7 @@ bool findCorners(const cv::Mat& grey, const CalibrationOptions& options, std::ve
   return true;
 }
 
-/// Least distance between neighbouring corners of a row or column [px].
+/// Smallest distance between neighbouring corners of a row or column [px].
 double smallestSpacing(const std::vector<cv::Point2f>& corners, int columns) {
   double smallest = std::numeric_limits<double>::infinity();
   const auto take = [&](std::size_t i, std::size_t j) {

@@ -7,12 +7,12 @@
 
 namespace capstan::vision {
 
-/// Corners found in the pairs that show the whole board in both images, and what became of the others.
+/// Corners in the pairs that show the whole board in both images, and the state of all pairs.
 struct BoardViews {
   std::vector<CalibrationView> views;                 ///< all pairs, in input order
-  std::vector<std::size_t> seen;                      ///< index into views of each entry below
-  std::vector<std::vector<cv::Point2f>> left, right;  ///< sub-pixel corners [px]
-  cv::Size size;                                      ///< of the images [px]
+  std::vector<std::size_t> seen;                      ///< index into `views` of each entry of left and right
+  std::vector<std::vector<cv::Point2f>> left, right;  ///< sub-pixel corners per complete pair [px]
+  cv::Size size;                                      ///< size of the images [px]
 };
 
 /// Finds the board's inner corners (cv::findChessboardCorners, then cv::cornerSubPix) in every pair. The
@@ -20,7 +20,7 @@ struct BoardViews {
 BoardViews findBoards(const CalibrationInput& input, const CalibrationOptions& options,
                       base::Progress& progress);
 
-/// Corners of the board in its own plane, row by row [m].
+/// Inner corners of the board in the board's plane, row by row [m].
 std::vector<cv::Point3f> boardPoints(const CalibrationOptions& options);
 
 }  // namespace capstan::vision

@@ -14,7 +14,7 @@ namespace capstan::vision {
 namespace {
 
 constexpr std::size_t kLeastViews = 3;
-constexpr double kOutlying = 3.0;  // times the median error
+constexpr double kOutlying = 3.0;  // smallest ratio of an outlying view's error to the median
 const cv::TermCriteria kStop(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 200, 1e-12);
 
 using Corners = std::vector<std::vector<cv::Point2f>>;
@@ -50,7 +50,7 @@ Fit fitCamera(const std::vector<std::vector<cv::Point3f>>& board, const Corners&
   int flags = 0;
   if (options.square_pixels) flags |= cv::CALIB_FIX_ASPECT_RATIO;
   if (!options.fit_k3) flags |= cv::CALIB_FIX_K3;
-  fit.matrix = cv::Mat::eye(3, 3, CV_64F);  // its ratio 1 is what CALIB_FIX_ASPECT_RATIO keeps
+  fit.matrix = cv::Mat::eye(3, 3, CV_64F);  // CALIB_FIX_ASPECT_RATIO keeps its ratio fx / fy = 1
   std::vector<cv::Mat> rotations, translations;
   cv::Mat intrinsic_sigma, extrinsic_sigma, view_errors;
   fit.rms = cv::calibrateCamera(board, corners, size, fit.matrix, fit.distortion, rotations, translations,
@@ -75,7 +75,7 @@ Camera cameraOf(const Fit& fit, const cv::Size& size, const std::string& name) {
   return camera;
 }
 
-/// Fits both cameras and the transform to all views in `boards`; fills the report and the views' errors.
+/// Fits both cameras and the transform to all views in `boards`. Sets the report and the errors of the views.
 void fitRig(const BoardViews& boards, const CalibrationOptions& options, base::Progress& progress,
             CalibrationReport& report) {
   const std::vector<std::vector<cv::Point3f>> board(boards.left.size(), boardPoints(options));
@@ -87,7 +87,7 @@ void fitRig(const BoardViews& boards, const CalibrationOptions& options, base::P
   cv::Mat rotation, translation, essential, fundamental, view_errors;
   cv::Mat left_matrix = left.matrix, left_distortion = left.distortion;
   cv::Mat right_matrix = right.matrix, right_distortion = right.distortion;
-  // The intrinsics stay: one camera's own views know them better than the pair's common poses do.
+  // The intrinsics stay fixed: the fit of each single camera determines them better than the common poses do.
   report.stereo_rms =
       cv::stereoCalibrate(board, boards.left, boards.right, left_matrix, left_distortion, right_matrix,
                           right_distortion, boards.size, rotation, translation, essential, fundamental,
@@ -116,7 +116,7 @@ void fitRig(const BoardViews& boards, const CalibrationOptions& options, base::P
     report.views[i].outlying = report.views[i].stereo_error > kOutlying * typical;
 }
 
-/// Takes out of `boards` the views beyond `factor` times the median error; marks them in the report.
+/// Removes from `boards` the views beyond `factor` times the median error and marks them in the report.
 bool dropOutliers(BoardViews& boards, double factor, CalibrationReport& report) {
   std::vector<double> errors;
   for (const std::size_t i : boards.seen) errors.push_back(report.views[i].stereo_error);

@@ -12,7 +12,7 @@
 
 namespace capstan::vision {
 
-/// Why a pair of images does not take part.
+/// Reason why a pair of images is excluded.
 enum class ViewFault {
   kNone,
   kLeftUnreadable,
@@ -24,25 +24,26 @@ enum class ViewFault {
   kBadView
 };
 
-/// Image files, pair by pair: left[i] and right[i] were taken together.
+/// Image files in pairs: left[i] and right[i] were taken at the same time.
 struct CalibrationInput {
   std::vector<std::filesystem::path> left, right;
 };
 
-/// The pairs left*.EXT, right*.EXT (png, jpg, jpeg, bmp, tif, tiff, pgm) of a folder, in order of name.
+/// Image pairs left*.EXT, right*.EXT (png, jpg, jpeg, bmp, tif, tiff, pgm) of a folder, sorted by name.
 /// Throws base::InputError when the folder cannot be read, holds no pair, or an image has no partner.
 CalibrationInput findStereoPairs(const std::filesystem::path& folder);
 
-/// The defaults are those of OpenCV's calibration sample, so that published results compare. Its corner
-/// window suits boards that fill the image: where squares are hardly larger than the window, neighbouring
-/// corners disturb each other (CalibrationView::crowded) and a smaller window fits better.
+/// Options of the stereo calibration. The defaults are those of OpenCV's calibration sample, so that results
+/// are comparable with published ones. The default corner window suits boards that fill the image. When
+/// squares are hardly larger than the window, neighbouring corners disturb each other
+/// (CalibrationView::crowded); a smaller window is then better.
 struct CalibrationOptions {
   int board_columns = 9;        ///< inner corners along a row
   int board_rows = 6;           ///< inner corners along a column
-  double square_size = 0.025;   ///< [m]
-  bool square_pixels = true;    ///< fx = fy
-  bool fit_k3 = true;           ///< third radial coefficient, else 0
-  double outlier_factor = 0.0;  ///< a view beyond this multiple of the median error is excluded; 0: none is
+  double square_size = 0.025;   ///< side of a square [m]
+  bool square_pixels = true;    ///< whether fx = fy
+  bool fit_k3 = true;           ///< whether the third radial coefficient is fitted; otherwise it is 0
+  double outlier_factor = 0.0;  ///< multiple of the median error beyond which a view is excluded; 0: never
   int corner_window = 11;       ///< half side of the sub-pixel corner window [px]
 
   template <class Self, class Visitor>
@@ -62,36 +63,37 @@ struct CalibrationOptions {
   }
 };
 
-/// One pair of images. Errors are RMS distances between found and projected corners [px]; 0 where not used.
+/// One pair of images. Errors are RMS distances between found and projected corners [px]; 0 if unused.
 struct CalibrationView {
   std::string left, right;  ///< file names
   ViewFault fault = ViewFault::kNone;
-  double left_error = 0.0;  ///< with this view's own pose, single-camera fit
+  double left_error = 0.0;  ///< error of the fit of the left camera alone, with this view's own pose [px]
   double right_error = 0.0;
-  double stereo_error = 0.0;      ///< both images, one pose, through the rig
-  double smallest_spacing = 0.0;  ///< between neighbouring corners, both images [px]
-  bool crowded = false;           ///< spacing below 1.5 corner windows: neighbours disturb each other
-  bool outlying = false;          ///< used, yet beyond three times the median of all views' stereo error
+  double stereo_error = 0.0;      ///< error of both images with one common pose and the fitted rig [px]
+  double smallest_spacing = 0.0;  ///< smallest distance between neighbouring corners in both images [px]
+  bool crowded = false;           ///< spacing below 1.5 corner windows, so that corners disturb each other
+  bool outlying = false;          ///< used, but stereo_error is above three times the median of all views
   bool used() const { return fault == ViewFault::kNone; }
 };
 
 struct CameraCalibration {
-  double rms = 0.0;                      ///< reprojection, all used views [px]
+  double rms = 0.0;                      ///< RMS reprojection error of all used views [px]
   double focal_sigma = 0.0;              ///< standard deviation of fx [px]
-  std::array<double, 2> centre_sigma{};  ///< of cx, cy [px]
+  std::array<double, 2> centre_sigma{};  ///< standard deviations of cx and cy [px]
 };
 
 struct CalibrationReport {
   StereoRig rig;
   CameraCalibration left, right;
-  double stereo_rms = 0.0;  ///< [px]
+  double stereo_rms = 0.0;  ///< RMS reprojection error of both cameras with one pose per view [px]
   int views_used = 0;
-  std::vector<CalibrationView> views;  ///< all, in input order
-  bool cancelled = false;              ///< stopped by `progress`; rig is not valid
+  std::vector<CalibrationView> views;  ///< all pairs, in input order
+  bool cancelled = false;              ///< whether `progress` was cancelled; `rig` is then not valid
 };
 
-/// Intrinsics of both cameras and the transform between them from chessboard images. Throws base::InputError
-/// when the options make no sense, lists are of unequal length, or fewer than three pairs remain.
+/// Computes the intrinsics of both cameras and the transform between them from chessboard images. Throws
+/// base::InputError when an option is out of its range, the lists differ in length, or fewer than three pairs
+/// remain.
 CalibrationReport calibrateStereo(const CalibrationInput& input, const CalibrationOptions& options,
                                   base::Progress& progress);
 

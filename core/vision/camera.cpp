@@ -33,7 +33,7 @@ Distorted distort(const std::array<double, 5>& coefficients, const Eigen::Vector
 
 Distorted undistort(const std::array<double, 5>& coefficients, const Eigen::Vector2d& seen) {
   constexpr int kSteps = 20;
-  constexpr double kLongestStep = 0.3;  // keeps the first steps of strong distortion on this side of the fold
+  constexpr double kLongestStep = 0.3;  // keeps the first steps inside the fold of a strong distortion
   Distorted at;
   Eigen::Vector2d ideal = seen;
   for (int step = 0; step < kSteps; ++step) {

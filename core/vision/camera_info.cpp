@@ -32,7 +32,7 @@ struct InfoMatrix {
   }
 };
 
-/// sensor_msgs/CameraInfo as camera_calibration_parsers writes it.
+/// sensor_msgs/CameraInfo in the YAML format of camera_calibration_parsers.
 struct CameraInfo {
   int width = 0, height = 0;
   std::string name, model = "plumb_bob";
@@ -57,7 +57,7 @@ struct InfoFile {
   std::string name, text;
   CameraInfo info;
 
-  /// Line of `key` in the text, for checks that look at several numbers at once.
+  /// Throws an InputError with the line of `key` in the text, for checks of several numbers at once.
   [[noreturn]] void refuse(const std::string& key, const std::string& reason,
                            const std::string& remedy) const {
     const YAML::Node node = base::parseYamlText(text, name)[key];
@@ -70,7 +70,7 @@ void checkCamera(const InfoFile& file) {
   const CameraInfo& info = file.info;
   if (info.model != "plumb_bob")
     file.refuse(
-        "distortion_model", "is not plumb_bob, the only model known here",
+        "distortion_model", "is not plumb_bob, the only supported model",
         "Calibrate with five coefficients (ROS camera_calibration: without --k-coefficients above 3)");
   const Eigen::Matrix3d k = info.camera.matrix();
   if (!(k(0, 0) > 0.0 && k(1, 1) > 0.0))
@@ -110,8 +110,7 @@ Camera cameraOf(const CameraInfo& info) {
   return camera;
 }
 
-/// Nearest rotation: rounding of hand-written matrices must not become shear. Exact rotations stay as they
-/// are.
+/// Nearest rotation to `m`, so that rounded numbers in a file do not become shear. Keeps exact rotations.
 Eigen::Matrix3d nearestRotation(const Eigen::Matrix3d& matrix) {
   if ((matrix * matrix.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 1e-14)
     return matrix;
@@ -139,7 +138,7 @@ StereoRig rigOf(const InfoFile& left, const InfoFile& right) {
     right.refuse("image_width", "and image_height differ from the left camera's",
                  "Use the files of one calibration");
 
-  // Rectified frames are parallel, the right one shifted: R_right x_right = R_left x_left − (baseline, 0, 0).
+  // The rectified frames are parallel and shifted: R_right x_right = R_left x_left − (baseline, 0, 0).
   const Eigen::Matrix3d r_left = nearestRotation(left.info.rectification.matrix());
   const Eigen::Matrix3d r_right = nearestRotation(right.info.rectification.matrix());
   StereoRig rig{cameraOf(left.info), cameraOf(right.info)};
@@ -175,7 +174,7 @@ StereoRig readStereoRig(const std::filesystem::path& left, const std::filesystem
 }
 
 std::array<std::string, 2> formatStereoRig(const StereoRig& rig) {
-  // Rectified x runs from the left centre to the right one; z between the two views (Bouguet's choice).
+  // Rectified x points from the left camera centre to the right one, z between both views (Bouguet).
   const Eigen::Matrix3d rotation = rig.right_from_left.linear();
   const Eigen::Vector3d shift = rig.right_from_left.translation();
   const double baseline = rig.baseline();

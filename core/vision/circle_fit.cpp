@@ -10,13 +10,13 @@ namespace capstan::vision {
 namespace {
 
 constexpr int kRays = EdgeSampler::kRays;
-constexpr double kReach = 4.0;        // of a ray inside and outside the edge [px]
-constexpr int kSamples = 11;          // along a ray, every 0.8 px at full reach
-constexpr float kLeastContrast = 12;  // between marker and background, 8-bit levels
+constexpr double kReach = 4.0;        // length of a ray inside and outside the edge [px]
+constexpr int kSamples = 11;          // samples along a ray, 0.8 px apart at full reach
+constexpr float kLeastContrast = 12;  // smallest contrast of marker and background, 8-bit levels
 constexpr double kTukey = 4.685;      // 95 % efficient for Gaussian residuals
-constexpr double kLeastScale = 0.03;  // of the residuals, so that exact images keep all edges [px]
+constexpr double kLeastScale = 0.03;  // smallest residual scale, so that exact images keep all edges [px]
 constexpr int kLeastEdges = 10;
-constexpr double kPatchMargin = 1.5;  // by which a circle may move inside its patch [px]
+constexpr double kPatchMargin = 1.5;  // distance that a circle may move inside its patch [px]
 
 using Edges = EdgeSampler::Edges;
 
@@ -32,18 +32,18 @@ const std::array<Eigen::Vector2d, kRays>& directions() {
   return table;
 }
 
-/// Where a profile from inside to outside falls half-way from the marker's level to the background's; in
-/// samples, or −1. A ball darkens towards its rim on the side away from the light, so the marker's level is
-/// carried on from the first three samples with a share of their slope. Part of the slope is the lens's blur:
-/// on rendered balls the share below leaves the least error of the centre from flat to strongly shaded ones
-/// (0 doubles it at mild shading, 1 triples it).
+/// Position, in samples, at which a profile from inside to outside falls half-way from the level of the
+/// marker to that of the background; −1 when there is none. A ball darkens towards its rim on the side away
+/// from the light, so the marker's level is extrapolated from the first three samples with a share of their
+/// slope. Part of the slope is blur of the lens: the share below gives the smallest error of the centre on
+/// rendered balls with flat to strong shading (a share of 0 doubles the error at mild shading, 1 triples it).
 double halfway(const std::array<float, kSamples>& profile) {
   constexpr float kSlopeShare = 0.4F;
   const float inside = (profile[0] + profile[1] + profile[2]) / 3;
   const float outside = (profile[kSamples - 1] + profile[kSamples - 2] + profile[kSamples - 3]) / 3;
   if (inside - outside < kLeastContrast) return -1.0;
   const float slope = kSlopeShare * 0.5F * (profile[2] - profile[0]);
-  const auto excess = [&](int i) {  // over the half-way level there
+  const auto excess = [&](int i) {  // level of sample i above the half-way level
     const float marker = std::max(inside + slope * static_cast<float>(i - 1), outside + kLeastContrast);
     return profile[i] - 0.5F * (marker + outside);
   };
@@ -56,7 +56,7 @@ double halfway(const std::array<float, kSamples>& profile) {
   return -1.0;
 }
 
-/// Edge points as seen from a circle's centre.
+/// Edge points relative to the centre of a circle.
 struct Residuals {
   std::array<Eigen::Vector2d, kRays> directions;
   std::array<double, kRays> values;  ///< distance from the circle, positive outside [px]
@@ -71,7 +71,7 @@ struct Residuals {
   }
 };
 
-/// Robust standard deviation of the residuals, from the median of their sizes.
+/// Robust standard deviation of the residuals, from the median of their magnitudes.
 double spread(const Residuals& residuals, int count) {
   std::array<double, kRays> sizes;
   for (int i = 0; i < count; ++i) sizes[i] = std::abs(residuals.values[i]);
@@ -103,7 +103,7 @@ Normal normalEquations(const Residuals& residuals, int count, double limit) {
   return sums;
 }
 
-/// Gauss–Newton on geometric distance with Tukey weights whose limit follows the residuals' own spread.
+/// Gauss–Newton fit on geometric distance with Tukey weights; their limit follows the residuals' spread.
 CircleFit fitEdges(const Edges& edges, Circle circle, int least) {
   constexpr int kSteps = 5;
   constexpr double kSettled = 5e-3;  // [px]
@@ -167,8 +167,8 @@ EdgeSampler::EdgeSampler(const MarkerOptions& options)
 }
 
 CircleFit EdgeSampler::refine(const cv::Mat& bgr, const Circle& start) {
-  // Every third ray brings the circle near; then all rays, until the edges no longer depend on where rays
-  // begin.
+  // The first fit uses every third ray. Then all rays are used, until the edges no longer depend on the start
+  // of the rays.
   constexpr int kRoughStride = 3, kLeastRoughEdges = 4;
   constexpr int kPasses = 3;
   constexpr double kSettled = 0.2;  // [px]

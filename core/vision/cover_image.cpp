@@ -8,7 +8,7 @@
 namespace capstan::vision {
 namespace {
 
-/// Bits of a place on the fabric; a hash (finaliser of MurmurHash3), so that a picture needs no state.
+/// Pseudo-random bits of a point of the fabric: a hash (finaliser of MurmurHash3), without a state.
 std::uint32_t mixed(std::uint32_t x, std::uint32_t y) {
   std::uint32_t h = x * 0x9e3779b1U ^ y * 0x85ebca77U;
   h = (h ^ (h >> 16)) * 0x85ebca6bU;
@@ -16,7 +16,7 @@ std::uint32_t mixed(std::uint32_t x, std::uint32_t y) {
   return h ^ (h >> 16);
 }
 
-/// Dark glove: folds that run across the picture and a grain of eight grey levels, warm (red over blue).
+/// Dark glove: folds across the image and a grain of eight grey levels, in a warm tone (more red than blue).
 void paintRow(std::uint8_t* pixel, int width, std::uint32_t x0, std::uint32_t y) {
   for (int i = 0; i < width; ++i, pixel += 3) {
     const std::uint32_t x = x0 + static_cast<std::uint32_t>(i);
@@ -34,7 +34,7 @@ void paintRow(std::uint8_t* pixel, int width, std::uint32_t x0, std::uint32_t y)
 
 void coverImage(cv::Mat& bgr, double t, int side) {
   CAPSTAN_CHECK(bgr.type() == CV_8UC3);
-  // The hand drifts by a few pixels a second, each camera sees another part of it.
+  // The hand moves by a few pixels per second. Each camera shows a different part of it.
   const double sway = 24.0 * std::sin(1.7 * t + side);
   const auto x0 = static_cast<std::uint32_t>(4096 + side * 977 + static_cast<int>(std::lround(sway)));
   const auto y0 = static_cast<std::uint32_t>(4096 + static_cast<int>(std::lround(16.0 * std::cos(1.1 * t))));

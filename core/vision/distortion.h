@@ -12,10 +12,10 @@ struct Distorted {
   Eigen::Matrix2d jacobian = Eigen::Matrix2d::Identity();
 };
 
-/// OpenCV's plumb_bob model with coefficients k1, k2, p1, p2, k3: ideal to distorted.
+/// Distorts an ideal point by OpenCV's plumb_bob model with the coefficients k1, k2, p1, p2, k3.
 Distorted distort(const std::array<double, 5>& coefficients, const Eigen::Vector2d& ideal);
-/// Distorted to ideal by Newton steps until they are below 1e-13; `jacobian` is d distorted / d ideal at the
-/// answer.
+/// Ideal point of a distorted one, by Newton steps until they are below 1e-13. `jacobian` is d distorted /
+/// d ideal at the result.
 Distorted undistort(const std::array<double, 5>& coefficients, const Eigen::Vector2d& seen);
 
 }  // namespace capstan::vision

@@ -6,8 +6,8 @@
 
 namespace capstan::vision {
 
-/// Row by row implementations of HsvThreshold. A row function writes ceil(width / 64) words and returns their
-/// union.
+/// Implementations of HsvThreshold for one row of an image. A row function writes ceil(width / 64) words and
+/// returns their bitwise OR.
 struct HsvKernel {
   using Row = std::uint64_t(const HsvThreshold&, const std::uint8_t* bgr, int width, std::uint64_t* bits);
 

@@ -14,8 +14,8 @@
 //   60 x − (2 h − 1) diff + e  >= 0,  |e| <= (k + 1) diff² / 4096   (x: difference of the two lesser
 //   channels, 255 diff − (s − 1/2) v + e >= 0,  |e| <  8                       h: hue from the centre of
 //   sector k / 2)
-// where e is the rounding of the reciprocal. Pixels that are inside or outside by more than e are decided in
-// 16-bit integers; the few between are left to HsvThreshold::contains().
+// where e is the rounding error of the reciprocal. Pixels that are inside or outside by more than e are
+// decided with 16-bit integers; HsvThreshold::contains() decides the few others.
 #define CAPSTAN_AVX2 __attribute__((target("avx2"))) inline
 
 namespace capstan::vision {
@@ -36,8 +36,8 @@ CAPSTAN_AVX2 __m256i twoLanes(const std::uint8_t* low, const std::uint8_t* high)
       _mm_loadu_si128(reinterpret_cast<const __m128i*>(high)), 1);
 }
 
-/// Byte 3 i + c of a lane's 48 bytes stands at place (3 i + c) mod 16: two blends gather a channel, a shuffle
-/// sorts it.
+/// Byte 3 i + c of the 48 bytes of a lane is at position (3 i + c) mod 16: two blends collect a channel, and
+/// a shuffle sorts it.
 CAPSTAN_AVX2 Channels loadPixels(const std::uint8_t* p) {
   const __m256i a0 = twoLanes(p, p + 48), a1 = twoLanes(p + 16, p + 64), a2 = twoLanes(p + 32, p + 80);
   const __m256i one =
@@ -98,7 +98,7 @@ CAPSTAN_AVX2 Pair narrow(const Pair (&half)[2]) {
   return {_mm256_packs_epi16(half[0].sure, half[1].sure), _mm256_packs_epi16(half[0].maybe, half[1].maybe)};
 }
 
-/// 32 pixels: is the saturation at least `low`?
+/// Tests 32 pixels for a saturation of at least `low`.
 CAPSTAN_AVX2 Pair saturationOf(__m256i diff, __m256i v, int low) {
   const __m256i all = _mm256_set1_epi8(-1);
   if (low <= 0) return {all, all};
@@ -107,7 +107,7 @@ CAPSTAN_AVX2 Pair saturationOf(__m256i diff, __m256i v, int low) {
   return narrow(half);
 }
 
-/// 32 pixels: is the hue in range? in[k]: the pixel belongs to sector k, of which some hue is in range.
+/// Tests 32 pixels for a hue in range. in[k]: whether a pixel belongs to sector k, which has a hue in range.
 CAPSTAN_AVX2 Pair hueOf(const Channels& c, __m256i diff, const __m256i (&in)[3],
                         const std::array<HsvThreshold::Sector, 3>& sectors) {
   Pair hue{_mm256_setzero_si256(), _mm256_setzero_si256()};

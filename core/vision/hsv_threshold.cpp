@@ -14,13 +14,13 @@ namespace {
 constexpr int kShift = 12;  // fixed point of OpenCV's 8-bit HSV
 constexpr HsvThreshold::Sector kWholeSector{true, false, -31, 31};
 
-/// The part of the hue range [low, high], low <= high, in the sector around `centre` (0, 60 or 120).
+/// Part of the hue range [low, high], low <= high, in the sector around `centre` (0, 60 or 120).
 HsvThreshold::Sector sectorOf(int low, int high, int centre) {
   if (centre > 0) {
     const int from = std::max(low - centre, -31), to = std::min(high - centre, 31);
     return {from <= 30 && to >= -30, false, from, to};
   }
-  const bool above = low <= 30, below = high >= 150;  // the red sector is cut by hue 0
+  const bool above = low <= 30, below = high >= 150;  // hue 0 divides the red sector
   if (above && below) {
     if (low == 0 && high == 179) return kWholeSector;
     return {true, true, high - 179, low - 1};
@@ -39,7 +39,7 @@ HsvThreshold::Sector wrappedSectorOf(int low, int high, int centre) {
   return gap;
 }
 
-/// Always inline: a function that does nothing but prefetch counts as pure, and calls to it are dropped.
+/// Prefetches a row. Always inline: the compiler drops calls of a function that only prefetches, as pure.
 __attribute__((always_inline)) inline void prefetchRow(const cv::Mat& bgr, int y) {
   constexpr int kCacheLine = 64;
   const int bytes = 3 * bgr.cols;
@@ -91,7 +91,7 @@ RowSpan HsvKernel::rows(const HsvThreshold& test, const cv::Mat& bgr, Row* row, 
   CAPSTAN_CHECK(bgr.type() == CV_8UC3);
   result.resize(bgr.cols, bgr.rows);
   RowSpan span;
-  constexpr int kAhead = 12;  // rows of a region lie far apart: the processor cannot foresee them
+  constexpr int kAhead = 12;  // rows of a region are far apart, so the processor cannot predict them
   const bool scattered = !bgr.isContinuous();
   for (int y = 0; y < bgr.rows; ++y) {
     if (scattered && y + kAhead < bgr.rows) prefetchRow(bgr, y + kAhead);

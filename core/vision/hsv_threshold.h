@@ -9,25 +9,25 @@
 
 namespace capstan::vision {
 
-/// Is a BGR pixel inside the marker's HSV range? Fuses cv::cvtColor(COLOR_BGR2HSV) on 8 bits and cv::inRange,
-/// and agrees with them for every one of the 2^24 colours. Hue wraps when hue_low > hue_high.
+/// Test whether a BGR pixel is inside the marker's HSV range. It combines cv::cvtColor(COLOR_BGR2HSV) on 8
+/// bits with cv::inRange and agrees with them for all 2^24 colours. Hue wraps if hue_low > hue_high.
 class HsvThreshold {
  public:
   explicit HsvThreshold(const MarkerOptions& options);
 
-  /// The test for one pixel, by OpenCV's own integer arithmetic.
+  /// Whether one pixel is inside the range, by OpenCV's integer arithmetic.
   bool contains(std::uint8_t b, std::uint8_t g, std::uint8_t r) const;
-  /// Sets `result` (resized to the image) to the mask of an 8-bit BGR image. Returns the span of rows with
+  /// Sets `result` (resized to the image) to the mask of an 8-bit BGR image. Returns the range of rows with
   /// set pixels.
   RowSpan apply(const cv::Mat& bgr, BitImage& result) const;
-  /// The same without vector instructions, whatever the processor.
+  /// apply() without vector instructions, on every processor.
   RowSpan applyPortable(const cv::Mat& bgr, BitImage& result) const;
 
-  /// Hue range inside one sector (maximum is red, green or blue), in units of hue from the sector's centre.
+  /// Hue range in one sector (red, green or blue is the largest channel), in hue units from its centre.
   struct Sector {
-    bool active = false;  ///< some hue of the sector is in range
+    bool active = false;  ///< whether any hue of the sector is in range
     bool inverted = false;
-    int low = 0, high = 0;  ///< in range: (low <= hue − centre <= high) != inverted
+    int low = 0, high = 0;  ///< a hue is in range when (low <= hue − centre <= high) != inverted
   };
 
  private:

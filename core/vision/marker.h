@@ -9,19 +9,18 @@
 
 namespace capstan::vision {
 
-/// Why no marker was found.
+/// Reason why no marker was found.
 enum class MarkerFault { kNone, kNoImage, kNoPixels, kTooSmall, kNotRound, kTwoCandidates, kWrongImage };
 
-/// HSV threshold and shape limits of the UKF paper's section II-B. Hue wraps: hue_low > hue_high spans 180.
+/// HSV threshold and shape limits of the UKF paper's section II-B. Hue wraps at 180 if hue_low > hue_high.
 struct MarkerOptions {
   int hue_low = 45, hue_high = 85;  ///< OpenCV hue, 0…179
   int saturation_low = 90;          ///< 0…255
   int value_low = 40;               ///< 0…255
-  double min_radius = 3.0;          ///< [px]
-  double min_circularity = 0.75;    ///< 4 pi area / perimeter²
-  double candidate_ratio =
-      0.5;             ///< a second blob of at least this share of the largest area makes two candidates
-  int roi_size = 100;  ///< side of the square region of interest [px]
+  double min_radius = 3.0;          ///< smallest radius of the circle [px]
+  double min_circularity = 0.75;    ///< smallest 4 pi area / perimeter²
+  double candidate_ratio = 0.5;     ///< share of the largest area from which a blob is a second candidate
+  int roi_size = 100;               ///< side of the square region of interest [px]
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& field) {
@@ -37,18 +36,18 @@ struct MarkerOptions {
   }
 };
 
-/// What one image says of the marker. Pixels are of the whole frame, distorted as seen.
+/// Marker in one image. Pixels are those of the whole frame, with the lens's distortion.
 struct MarkerDetection {
   MarkerFault fault = MarkerFault::kNoImage;
   Eigen::Vector2d centroid = Eigen::Vector2d::Zero();  ///< sub-pixel [px]
   Eigen::Vector2d contour_centroid =
-      Eigen::Vector2d::Zero();  ///< of the mask's contour, as the paper takes it [px]
-  double radius = 0.0;          ///< of the fitted circle [px]
+      Eigen::Vector2d::Zero();  ///< centroid of the mask's contour, as in the paper [px]
+  double radius = 0.0;          ///< radius of the fitted circle [px]
   double sigma = 0.0;           ///< standard deviation of the centroid, per axis [px]
-  double circularity = 0.0;
-  int area = 0;              ///< [px]
-  std::array<int, 4> roi{};  ///< searched: x, y, width, height [px]
-  bool full_frame = false;   ///< found (or sought) outside the region of interest
+  double circularity = 0.0;     ///< 4 pi area / perimeter² of the contour
+  int area = 0;                 ///< area of the blob [px]
+  std::array<int, 4> roi{};     ///< searched region: x, y, width, height [px]
+  bool full_frame = false;      ///< whether the whole frame was searched
   bool found() const { return fault == MarkerFault::kNone; }
 };
 

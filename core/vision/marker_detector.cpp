@@ -9,12 +9,12 @@ namespace capstan::vision {
 
 namespace {
 
-/// What the fit's residuals do not know: interpolation, shading across the edge; measured on rendered balls
-/// [px].
+/// Error of the centre that the residuals of the fit do not contain (interpolation, shading across the edge),
+/// measured on rendered balls [px].
 constexpr double kSigmaFloor = 0.04;
-/// Of a contour's centroid where no circle could be fitted to the image [px].
+/// Standard deviation of a contour's centroid when no circle could be fitted to the image [px].
 constexpr double kContourSigma = 0.25;
-/// A marker that the border cuts is judged by its arc: least share of the circle, largest residual [px].
+/// Limits for a marker that the border cuts, by its arc: smallest share of the circle, largest residual [px].
 constexpr double kLeastCutCoverage = 0.3, kLargestCutRms = 0.75;
 
 }  // namespace
@@ -59,7 +59,7 @@ MarkerDetection MarkerDetector::search(const cv::Mat& bgr, const cv::Rect& roi) 
 
   const std::span<const Blob> blobs = blobs_.find(cleaned_, rows_);
   if (blobs.empty()) {
-    // What the median keeps and the erosion does not is more than stray pixels, yet no marker.
+    // Pixels that pass the median but not the erosion are more than noise, but no marker.
     const bool speck = median_.anySet(median_rows.first, median_rows.last);
     found.fault = speck ? MarkerFault::kTooSmall : MarkerFault::kNoPixels;
     return found;
@@ -78,7 +78,7 @@ void MarkerDetector::fillShape(const cv::Mat& bgr, const cv::Rect& roi, const Bl
   found.area = blob.area;
   found.contour_centroid = corner + contour.centroid;
   found.centroid = found.contour_centroid;
-  // The polygon runs through pixel centres: half a pixel of the blob lies outside it.
+  // The polygon connects pixel centres: half a pixel of the blob lies outside the polygon.
   found.radius = std::sqrt(contour.area / std::numbers::pi) + 0.5;
   found.sigma = kContourSigma;
   found.circularity =

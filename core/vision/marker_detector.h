@@ -11,24 +11,24 @@
 
 namespace capstan::vision {
 
-/// Finds the coloured marker of one camera as the UKF paper's section II-B does: HSV threshold → 5×5 median →
-/// 3×3 erosion → 3×3 dilation → contour → centroid and fitted circle. The mask equals that of OpenCV's
-/// cvtColor, inRange, medianBlur, erode, dilate (default borders) bit for bit; the centroid is that of a
-/// circle fitted to sub-pixel edges.
+/// Finds the coloured marker in the images of one camera as in the UKF paper's section II-B: HSV threshold →
+/// 5×5 median → 3×3 erosion → 3×3 dilation → contour → centroid and fitted circle. The mask equals that of
+/// OpenCV's cvtColor, inRange, medianBlur, erode, dilate (default borders) bit for bit; the centroid is the
+/// centre of a circle fitted to sub-pixel edges.
 ///
-/// One detector belongs to one thread. Nothing is allocated after construction.
+/// Use one detector per thread. No allocation after construction.
 class MarkerDetector {
  public:
-  /// Images up to max_width × max_height [px]; what is searched may not be larger (kWrongImage).
+  /// Searches regions of at most max_width × max_height [px]; a larger one gives kWrongImage.
   MarkerDetector(const MarkerOptions& options, int max_width, int max_height);
 
   /// Searches the whole frame (8-bit BGR).
   MarkerDetection detect(const cv::Mat& bgr);
-  /// Searches `roi` (clipped to the frame). A circle that the region cuts is followed beyond it into the
-  /// frame.
+  /// Searches `roi` (clipped to the frame). When the border of the region cuts the circle, the fit also uses
+  /// pixels of the frame outside the region.
   MarkerDetection detect(const cv::Mat& bgr, const cv::Rect& roi);
 
-  /// The last searched region's mask after the morphology, 0 or 255: for views and tests (allocates).
+  /// Mask of the last searched region after the dilation, 0 or 255, for display and tests (allocates).
   cv::Mat mask() const;
   const MarkerOptions& options() const { return options_; }
 
@@ -40,14 +40,14 @@ class MarkerDetector {
   int max_width_, max_height_;
   HsvThreshold threshold_;
   BitImage raw_, median_, eroded_, cleaned_;
-  RowSpan rows_;  ///< of cleaned_
+  RowSpan rows_;  ///< rows of cleaned_ with set pixels
   MedianScratch median_scratch_;
   BlobFinder blobs_;
   EdgeSampler edges_;
 };
 
-/// The square region of interest around a predicted pixel, moved (not shrunk) to lie inside a frame of
-/// `size`. Empty when the whole square would lie outside the frame.
+/// Square region of interest around a predicted pixel, moved (not shrunk) into a frame of `size`. Empty when
+/// the whole square is outside the frame.
 cv::Rect roiAround(const Eigen::Vector2d& pixel, const MarkerOptions& options, const cv::Size& size);
 
 }  // namespace capstan::vision

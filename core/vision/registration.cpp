@@ -20,7 +20,7 @@ Eigen::Vector3d mean(std::span<const Eigen::Vector3d> points) {
   return sum / static_cast<double>(points.size());
 }
 
-/// [v]ₓ: v × w = crossMatrix(v) w.
+/// Cross-product matrix [v]ₓ: v × w = crossMatrix(v) w.
 Eigen::Matrix3d crossMatrix(const Eigen::Vector3d& v) {
   Eigen::Matrix3d m;
   m << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
@@ -78,8 +78,8 @@ base::Result<Registration, RegistrationFault> registerRigid(std::span<const Eige
     extent_camera += c * c.transpose();
     extent_base += b * b.transpose();
   }
-  // On one line the second largest extent vanishes and the rotation about the line is free.
-  constexpr double kThin = 1e-4;  // width over length of the cloud
+  // For points on one line the second largest extent is zero and the rotation about the line is undetermined.
+  constexpr double kThin = 1e-4;  // smallest ratio of width to length of the points
   for (const Eigen::Matrix3d& extent : {extent_camera, extent_base}) {
     const Eigen::Vector3d sizes = Eigen::JacobiSVD<Eigen::Matrix3d>(extent).singularValues();
     if (!(sizes(1) > kThin * kThin * sizes(0))) return base::failure(RegistrationFault::kCollinear);

@@ -10,7 +10,7 @@ namespace capstan::vision {
 
 namespace {
 
-/// A pixel as ideal image coordinates and their information matrix [1 / (x/z)²].
+/// Ideal (undistorted) image coordinates of a pixel and their information matrix [1 / (x/z)²].
 struct Observation {
   Eigen::Vector2d ideal;
   Eigen::Matrix2d information;
@@ -23,8 +23,8 @@ Observation observationOf(const Camera& camera, const Eigen::Vector2d& pixel, do
   return {seen.point, pixel_by_ideal.transpose() * pixel_by_ideal / (sigma_px * sigma_px)};
 }
 
-/// Adds one camera's part of the normal equations at `point`, given in that camera's frame; `rotation` takes
-/// the unknown's frame to it. Returns the weighted squared residual.
+/// Adds the terms of one camera to the normal equations at `point` in that camera's frame; `rotation` rotates
+/// from the frame of the unknown to the camera's frame. Returns the weighted squared residual.
 double addObservation(const Observation& observation, const Eigen::Vector3d& point,
                       const Eigen::Matrix3d& rotation, Eigen::Matrix3d& information, Eigen::Vector3d& right) {
   const double inverse = 1.0 / point.z();

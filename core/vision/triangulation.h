@@ -14,20 +14,21 @@ struct Triangulation {
   TriangulationFault fault = TriangulationFault::kParallelRays;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< in the left camera's frame [m]
   Eigen::Matrix3d covariance =
-      Eigen::Matrix3d::Zero();     ///< of position, to first order of the pixels' sigma [m²]
+      Eigen::Matrix3d::Zero();     ///< covariance of position, to first order in the pixels' sigma [m²]
   double epipolar_residual = 0.0;  ///< signed distance of the right pixel from the left pixel's epipolar
                                    ///< line, distortion removed [px]
   double chi_square = 0.0;  ///< weighted squared reprojection error of `position`; one degree of freedom
   bool found() const { return fault == TriangulationFault::kNone; }
 };
 
-/// Point of least weighted reprojection error seen by both cameras of a rig: mid-point of the two rays, then
-/// Gauss–Newton steps on the four image coordinates. No allocation, about a microsecond.
+/// Triangulates a point from its pixels in both cameras of a rig. It minimises the weighted reprojection
+/// error, by Gauss–Newton steps on the four image coordinates from the mid-point of the two rays. No
+/// allocation; one point takes about a microsecond.
 class Triangulator {
  public:
   explicit Triangulator(const StereoRig& rig);
 
-  /// Pixels distorted, as the images show them; sigma is the standard deviation of each per axis [px], > 0.
+  /// Triangulates two pixels of the distorted images. sigma_px_…: standard deviations per axis [px], > 0.
   Triangulation triangulate(const Eigen::Vector2d& left_px, const Eigen::Vector2d& right_px,
                             double sigma_px_left, double sigma_px_right) const;
   const StereoRig& rig() const { return rig_; }

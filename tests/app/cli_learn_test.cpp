@@ -153,7 +153,7 @@ TEST_F(CliLearn, SaysWhetherAModelHoldsAndLearnsOn) {
   const Ran commanded = run("learn --train " + path("train.csv") + " --onto " + path("more.correction") +
                             " --model " + path("x.correction"));
   EXPECT_EQ(commanded.exit, 2);
-  EXPECT_THAT(commanded.err, HasSubstr("train.csv: has been learned from already"));
+  EXPECT_THAT(commanded.err, HasSubstr("train.csv: is already part of the training"));
   EXPECT_THAT(run("learn --train " + path("test.csv") + " --onto " + model + " --method none --model " +
                   path("x.correction"))
                   .err,
@@ -184,7 +184,7 @@ TEST_F(CliLearn, ProposesWhereToGoNext) {
 }
 
 TEST_F(CliLearn, RefusesWhatMakesNoSense) {
-  EXPECT_THAT(learn("--test " + path("train.csv")).err, HasSubstr("is learned from as well"));
+  EXPECT_THAT(learn("--test " + path("train.csv")).err, HasSubstr("is also a training table"));
   EXPECT_THAT(learn("--towards sideways").err, HasSubstr("--towards"));
   EXPECT_EQ(run("correct --model " + path("train.csv") + " " + path("test.csv") + " " + path("o.csv")).exit,
             2);
@@ -230,7 +230,7 @@ TEST_F(CliLearn, RefusesMillimetres) {
   EXPECT_FALSE(fs::exists(path("m.correction")));
   ASSERT_EQ(learn("--method none").exit, 0);
   EXPECT_THAT(run("drift --model " + path("m.correction") + " " + path("train.csv")).err,
-              HasSubstr("has been learned from already"));
+              HasSubstr("is already part of the training"));
   write("wanted.csv", "x,y,z,qx,qy,qz,qw\n10.0,0,-150,0,0,0,1\n");
   const std::string of = " --model " + path("m.correction") + " ", out = " " + path("out.csv");
   EXPECT_THAT(run("correct" + of + path("wanted.csv") + out).err, HasSubstr("Give positions in metres"));

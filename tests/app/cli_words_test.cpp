@@ -128,7 +128,7 @@ TEST_F(Cli, ReportTakesTheWindowsNames) {
 TEST_F(Cli, ReportSaysWhatItsNumbersCount) {
   const std::string file = simulate("s.capstan", "--trajectory sinusoid --no-images --duration 2");
   ASSERT_EQ(run("report " + file + " --out " + path("r")).exit, 0);
-  EXPECT_NE(textOf("r/index.html").find("at most 200 points a second"), std::string::npos);
+  EXPECT_NE(textOf("r/index.html").find("at most 200 points per second"), std::string::npos);
   EXPECT_NE(textOf("r/joints.svg").find("points drawn"), std::string::npos);
 }
 

@@ -35,8 +35,8 @@ TEST(DiagnoseText, BeginsWithTheVerdictThenCausesThenNumbers) {
   const std::size_t cause = line.find("Backlash, joint 2: half width 0.930 ± 0.030 mm"),
                     gain = line.find("q2: RMS "), channels = line.find("model by model"),
                     refit = line.find("cable stiffness of joint 2"),
-                    ranking = line.find("Which effects were weighed"),
-                    filter = line.find("Kalman filter gains");
+                    ranking = line.find("Ranking of the candidate effects"),
+                    filter = line.find("Errors of the Kalman filter");
   for (const std::size_t at : {cause, gain, channels, refit, ranking, filter})
     ASSERT_NE(at, std::string::npos) << text;
   EXPECT_TRUE(cause < gain && gain < channels && channels < refit && refit < ranking && ranking < filter);

@@ -64,7 +64,7 @@ class Ours : public CandidateModel {
 
  private:
   CableArmModel model_;
-  Filter filter_{kRule};
+  Filter filter_;
   Lower<6> sqrt_q_;
   Lower<3> sqrt_r_;
 };
@@ -129,9 +129,9 @@ class OpenCv : public CandidateModel {
   void begin() override {
     cv::detail::UnscentedKalmanFilterParams p;
     p.init(6, 3, 12, 1.0, 1.0, model_, CV_64F);
-    p.alpha = kRule.alpha;
-    p.k = kRule.kappa;
-    p.beta = kRule.beta;
+    p.alpha = capstan::estimation::SigmaRule::kAlpha;
+    p.k = capstan::estimation::SigmaRule::kKappa;
+    p.beta = capstan::estimation::SigmaRule::kBeta;
     for (int i = 0; i < 6; ++i) {
       p.stateInit.at<double>(i) = problem().mean0(i);
       p.errorCovInit.at<double>(i, i) = std::pow(problem().sigma0(i), 2);
@@ -190,7 +190,7 @@ void printAgreement(int steps, int samples) {
   const Problem& problem = problemFor(steps);
   using Reference = capstan::test::CableArmReference<Real>;
   const Reference arm(problem.robot);
-  capstan::test::UkfReference<Real, 6> reference(kRule);
+  capstan::test::UkfReference<Real, 6> reference;
   using RealState = Eigen::Matrix<Real, 6, 1>;
   using RealMatrix = Eigen::Matrix<Real, 6, 6>;
   const auto square = [](const auto& sigma) { return sigma.template cast<Real>().cwiseAbs2().eval(); };

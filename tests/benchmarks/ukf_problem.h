@@ -24,7 +24,6 @@ using Joints = estimation::LinearMeasurement<6, 3>;
 /// Sample period of the robot; with a single RK4 step a sample is a quarter as long, for stability.
 inline constexpr double kPeriod = 1e-3;
 inline constexpr int kSamples = 2000;
-inline const estimation::SigmaRule kRule{};
 
 /// One second of motor motion and noisy joint observations; every candidate model gets the same.
 struct Problem {

@@ -10,9 +10,9 @@
 
 namespace capstan::test {
 
-/// The cable arm of the UKF paper (5)–(10), written for reading and in any precision T: Newton–Euler
-/// recursion over the Denavit–Hartenberg table, mass matrix column by column, exp(aδ) − exp(−aδ) as it
-/// stands. Shares no code with the library.
+/// Reference implementation of the UKF paper's cable arm, (5)–(10), in any precision T: Newton–Euler
+/// recursion over the Denavit–Hartenberg table, mass matrix column by column, exp(aδ) − exp(−aδ) without
+/// simplification. It is written for readability and shares no code with the library.
 template <class T>
 class CableArmReference {
  public:
@@ -25,7 +25,7 @@ class CableArmReference {
 
   explicit CableArmReference(const robot::Description& robot) : robot_(robot) {}
 
-  /// tau = M ddq + C dq + G, without friction.
+  /// Inverse dynamics tau = M ddq + C dq + G, without friction.
   Vector3 inverse(const Vector3& q, const Vector3& dq, const Vector3& ddq) const {
     std::array<Matrix3, 3> rotation;  // from link i to its parent
     std::array<Vector3, 3> origin;    // of link i in its parent
@@ -108,7 +108,7 @@ class CableArmReference {
     return slope;
   }
 
-  /// `steps` classical RK4 steps over dt, the motor linear from `begin` to `end`.
+  /// State after dt, by `steps` classical RK4 steps; the motor moves linearly from `begin` to `end`.
   State propagate(State x, const Motor& begin, const Motor& end, T dt, int steps) const {
     const T h = dt / T(steps);
     const auto motorAt = [&](T s) {

@@ -4,9 +4,9 @@
 
 namespace capstan::test {
 
-/// Calls of malloc, calloc, realloc and their aligned kin in this process so far, shared libraries included.
-/// Link counting_malloc.cpp into the program (glibc). Always 0 under a sanitizer, which owns malloc: ask
-/// countsMalloc().
+/// Number of calls of malloc, calloc, realloc and their aligned variants in this process so far, shared
+/// libraries included. Link counting_malloc.cpp into the program (glibc). Always 0 under a sanitizer, which
+/// replaces malloc; countsMalloc() is then false.
 std::size_t mallocs();
 bool countsMalloc();
 

@@ -3,13 +3,13 @@
 #include <cstdlib>
 #include <filesystem>
 
-/// First in a test of measured data: skips it, with the reason, where they are absent.
+/// Skips a test of measured data, with the reason, if the data are absent. Use it first in the test.
 #define REQUIRE_DATA(path) \
   if (!std::filesystem::exists(path)) GTEST_SKIP() << (path) << " is not on this machine"
 
 namespace capstan::test {
 
-/// The folder of measured data: what CAPSTAN_DATA names, or ../shared/data beside the checkout.
+/// Folder of measured data: the environment variable CAPSTAN_DATA, or ../shared/data beside the checkout.
 inline std::filesystem::path dataFolder() {
   const char* given = std::getenv("CAPSTAN_DATA");
   return given ? std::filesystem::path(given)

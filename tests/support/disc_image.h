@@ -17,14 +17,14 @@ struct DiscScene {
   Eigen::Vector2d centre{80.0, 60.0};         ///< [px], pixel (0, 0) is the centre of the top-left pixel
   double radius = 11.0;                       ///< [px]; 0: no disc
   Eigen::Vector3d colour{50.0, 190.0, 60.0};  ///< B, G, R at full light
-  double shading = 0.45;                      ///< share of the light that falls off as on a sphere; 0: flat
-  Eigen::Vector2d light{-0.5, -0.6};          ///< towards the light, in the image
-  double blur = 0.8;                          ///< standard deviation of the lens [px]
+  double shading = 0.45;                      ///< share of the light that is shaded as on a sphere; 0: flat
+  Eigen::Vector2d light{-0.5, -0.6};          ///< direction towards the light, in the image
+  double blur = 0.8;                          ///< standard deviation of the lens blur [px]
   double noise = 2.5;                         ///< standard deviation of each channel, 8-bit levels
   bool texture = true;
 };
 
-/// Colour of the ideal picture at a point. B, G, R.
+/// Colour B, G, R of the ideal image at a point.
 inline Eigen::Vector3d idealColour(const DiscScene& scene, double x, double y) {
   Eigen::Vector3d back(95.0, 100.0, 110.0);
   if (scene.texture) {
@@ -39,7 +39,8 @@ inline Eigen::Vector3d idealColour(const DiscScene& scene, double x, double y) {
   return scene.colour * (1.0 - scene.shading + scene.shading * std::max(0.0, normal.dot(light)));
 }
 
-/// Box-filtered 8 × 8 fold near the disc's edge, blurred with a Gaussian, noise added, rounded. 8-bit BGR.
+/// Renders the scene as an 8-bit BGR image: 8 × 8 samples per pixel near the disc's edge, Gaussian blur,
+/// noise, rounding.
 inline cv::Mat renderDisc(const DiscScene& scene, base::Random& random) {
   const auto pixel = [&](int x, int y) {
     const double from_edge = std::abs((Eigen::Vector2d(x, y) - scene.centre).norm() - scene.radius);

@@ -11,7 +11,7 @@
 
 namespace capstan::testing {
 
-/// The UKF paper's marker detection with OpenCV's own calls: oracle and yardstick.
+/// Marker detection of the UKF paper with OpenCV's own functions: reference for results and speed.
 struct PlainMarker {
   cv::Mat hsv, thresholded, second, smoothed, eroded, mask;
   std::vector<std::vector<cv::Point>> contours;

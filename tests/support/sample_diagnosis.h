@@ -7,23 +7,23 @@
 
 namespace capstan::testing {
 
-/// What a diagnosis of a left RAVEN-II might report, without the engine that makes one: for tests of screens,
-/// files and pages. Motion, residuals, statistics, signatures, gains and processes belong together and
-/// follow from one another as in a real report; causes, ranking and refit are written to match.
+/// Sample report of a left RAVEN-II, made without the diagnosis engine, for tests of panels, files and pages.
+/// Motion, residuals, statistics, signatures, gains and processes are computed from one another as in a real
+/// report; causes, ranking and refit are written by hand to match.
 struct SampleDiagnosis {
   /// kFound: backlash in joint 2; kSeveral: an eccentric capstan of joint 1 as well; kTie: backlash or
-  /// hysteresis in joint 2; kNothing: noise alone; kUnexplained: a vibration of joint 3 at 7.3 Hz, and
-  /// something that goes with the position of joint 1.
+  /// hysteresis in joint 2; kNothing: noise alone; kUnexplained: a vibration of joint 3 at 7.3 Hz, and a
+  /// residual that depends on the position of joint 1.
   diagnosis::Verdict verdict = diagnosis::Verdict::kFound;
   int recordings = 1;
-  bool cameras = false;    ///< tip channels as well
-  double duration = 24.0;  ///< of each recording [s], at 100 Hz
+  bool cameras = false;    ///< true: tip channels as well
+  double duration = 24.0;  ///< duration of each recording [s], at 100 Hz
   std::uint64_t seed = 1;
 };
 
 diagnosis::Report sampleReport(const SampleDiagnosis& sample = {});
 
-/// Of the recording `recording` (from 0), measured as sampleReport() has it.
+/// Evidence of the recording `recording` (from 0) of sampleReport().
 diagnosis::Evidence sampleEvidence(const SampleDiagnosis& sample = {}, int recording = 0);
 
 }  // namespace capstan::testing

@@ -11,8 +11,8 @@
 
 namespace capstan {
 
-/// A real disk of a few megabytes: a tmpfs that only this thread, and what it starts from now on, can see.
-/// Where it may not be mounted, why() reports it and tests skip.
+/// File system of a few megabytes: a tmpfs that is visible only to this thread and to threads and processes
+/// that it starts later. If it cannot be mounted, why() gives the reason, and tests are skipped.
 class SmallDisk {
  public:
   explicit SmallDisk(std::size_t megabytes) {
@@ -37,7 +37,7 @@ class SmallDisk {
   std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
 
   std::size_t freeBytes() const { return std::filesystem::space(path_).available; }
-  /// From now on nothing can be written.
+  /// Makes the disk read-only; returns false on failure.
   bool makeReadOnly() const {
     return mount("capstan", path_.c_str(), "tmpfs", MS_REMOUNT | MS_RDONLY, nullptr) == 0;
   }

@@ -8,7 +8,7 @@
 #include "core/base/random.h"
 #include "core/learning/gaussian_process/kernel.h"
 
-/// What processes are tried on, and the formulas of their textbook (Rasmussen and Williams 2006).
+/// Test data for Gaussian processes, and the formulas of their textbook (Rasmussen and Williams 2006).
 namespace capstan::testing {
 
 using learning::Kernel, learning::KernelParameters;
@@ -17,7 +17,7 @@ struct Sample {
   Eigen::MatrixXd x, y;
 };
 
-/// Points in three dimensions, the third of no use, and smooth outputs under noise.
+/// Points in three dimensions, and smooth noisy outputs that do not depend on the third dimension.
 inline Sample sample(Eigen::Index n, Eigen::Index outputs, double noise, std::uint64_t seed = 1) {
   base::Random random(seed, "process test");
   Sample s{Eigen::MatrixXd(n, 3), Eigen::MatrixXd(n, outputs)};
@@ -41,7 +41,7 @@ inline KernelParameters someParameters(bool ard, Kernel kernel = Kernel::kRbf) {
   return p;
 }
 
-/// (5.1) and (4.17), element by element.
+/// Kernel (5.1) or (4.17) of two points, element by element.
 inline double kernel(const Eigen::VectorXd& a, const Eigen::VectorXd& b, const KernelParameters& p) {
   double sum = 0.0;
   for (Eigen::Index i = 0; i < a.size(); ++i) {

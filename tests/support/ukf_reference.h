@@ -9,21 +9,21 @@
 
 namespace capstan::test {
 
-/// The unscented Kalman filter of the textbooks, in any precision T: full covariance, its Cholesky factor
-/// taken again for each set of sigma points, P ← P − K P_yy Kᵀ. In long double it is the yardstick of the
-/// square-root form.
+/// Unscented Kalman filter as in textbooks, in any precision T: full covariance, a new Cholesky factor for
+/// each set of sigma points, P ← P − K P_yy Kᵀ. In long double it is the reference for the square-root form.
 template <class T, int N>
 class UkfReference {
  public:
   using State = Eigen::Matrix<T, N, 1>;
   using Matrix = Eigen::Matrix<T, N, N>;
 
-  explicit UkfReference(const estimation::SigmaRule& rule) {
-    const T alpha = T(rule.alpha);
-    const T lambda = alpha * alpha * (T(N) + T(rule.kappa)) - T(N);
+  UkfReference() {
+    using Rule = estimation::SigmaRule;
+    const T alpha = T(Rule::kAlpha);
+    const T lambda = alpha * alpha * (T(N) + T(Rule::kKappa)) - T(N);
     spread_ = std::sqrt(T(N) + lambda);
     centre_mean_ = lambda / (T(N) + lambda);
-    centre_covariance_ = centre_mean_ + T(1) - alpha * alpha + T(rule.beta);
+    centre_covariance_ = centre_mean_ + T(1) - alpha * alpha + T(Rule::kBeta);
     other_ = T(1) / (T(2) * (T(N) + lambda));
   }
 

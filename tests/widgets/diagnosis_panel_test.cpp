@@ -184,7 +184,7 @@ TEST_F(Diagnosis, RunsInTheBackgroundWithWhatWasChosen) {
   QTest::keyClick(panel.get(), Qt::Key_F5);
   EXPECT_TRUE(panel->busy());
   EXPECT_EQ(button("diagnose_now")->text(), "Cancel");
-  EXPECT_THAT(headline(), HasSubstr("Looking for"));
+  EXPECT_THAT(headline(), HasSubstr("Searching for"));
   *release = true;
   ASSERT_TRUE(waitFor([&] { return !panel->busy(); }));
   EXPECT_EQ(asked, choice);
@@ -202,7 +202,7 @@ TEST_F(Diagnosis, IsCancelledAndKeepsWhatWasThere) {
   panel->showReport(sample(Verdict::kFound));
   panel->diagnose();
   ASSERT_TRUE(panel->busy());
-  EXPECT_THAT(headline(), HasSubstr("Looking for"));
+  EXPECT_THAT(headline(), HasSubstr("Searching for"));
   EXPECT_FALSE(button("save_extended")->isVisible()) << "what is saved would be of the run before";
   QTest::keyClick(panel.get(), Qt::Key_Escape);
   ASSERT_TRUE(waitFor([&] { return !panel->busy(); }));

@@ -102,7 +102,7 @@ TEST_F(Learning, BeginsWithAQuestionAndNothingToPress) {
 
 TEST_F(Learning, EveryStageHasItsNumbers) {
   read(table("poses.csv"));
-  EXPECT_THAT(headline(), HasSubstr("states count; a rigid offset leaves"));
+  EXPECT_THAT(headline(), HasSubstr("states accepted; with a rigid offset"));
   const std::string lines = pages().stages().lines().join('\n').toStdString();
   EXPECT_THAT(lines, HasSubstr("camera: poses of 1,200 rows | 1,180"));
   EXPECT_THAT(lines, HasSubstr("placeholder | 20"));
@@ -153,7 +153,7 @@ TEST_F(Learning, TrainsInTheBackgroundAndJudgesOnTrajectoriesHeldOut) {
   EXPECT_THAT(lines, HasSubstr(QStringLiteral("… down-weighted | %1\n")
                                    .arg(panel->results().learned->weighing.down_weighted)
                                    .toStdString()));
-  EXPECT_THAT(lines, HasSubstr("Errors on 4 trajectories held out"));
+  EXPECT_THAT(lines, HasSubstr("Errors on 4 held-out trajectories"));
   EXPECT_THAT(panel->summary().toStdString(), HasSubstr("Learned from pose"));
   const auto* reliability = qobject_cast<ReliabilityFigure*>(pages().reliability().sheet().figure());
   ASSERT_TRUE(reliability);
@@ -192,7 +192,7 @@ TEST_F(Learning, TrainingIsCancelledAndWhatWasThereStays) {
   ASSERT_TRUE(waitFor([&] { return !panel->busy(); }));
   EXPECT_THAT(panel->words().toStdString(), HasSubstr("Cancelled"));
   EXPECT_FALSE(panel->results().evaluation);
-  EXPECT_THAT(headline(), HasSubstr("states count")) << "the stages stay";
+  EXPECT_THAT(headline(), HasSubstr("states accepted")) << "the stages stay";
   EXPECT_EQ(button("train")->text(), "Train");
 }
 
@@ -242,7 +242,7 @@ TEST_F(Learning, ABadTableIsNamedWithItsRemedyAndAnotherOneRead) {
   QTest::keyClick(commanded, Qt::Key_Down);
   ASSERT_TRUE(waitFor([&] { return !panel->busy(); }));
   EXPECT_EQ(panel->choice().towards, learning::StreamKind::kRobot);
-  EXPECT_THAT(headline(), HasSubstr("states count"));
+  EXPECT_THAT(headline(), HasSubstr("states accepted"));
 }
 
 TEST_F(Learning, OtherTablesForgetWhatWasLearned) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kDot = 1.1;         ///< radius of an outlier, in line widths
 constexpr double kArrow = 4.0;       ///< height of an arrow, in line widths
-constexpr double kCountShare = 0.9;  ///< size of a count, of a median's
+constexpr double kCountShare = 0.9;  ///< font size of a count, relative to a median's
 
 }  // namespace
 
@@ -106,7 +106,8 @@ void BoxSeries::drawOutliers(QCPPainter* painter, const Box& box) const {
   if (const int count = below(box)) drawBeyond(painter, middle, axes_->bottom() - line_, 1, count);
 }
 
-/// An arrow with its tip at (x, y) and beside it how many samples lie that way; `direction` −1: up.
+/// Draws an arrow with its tip at (x, y), and beside it the number of samples beyond the axis; `direction`
+/// −1: up.
 void BoxSeries::drawBeyond(QCPPainter* painter, double x, double y, int direction, int count) const {
   const double size = kArrow / 1.6 * line_;
   painter->setPen(Qt::NoPen);

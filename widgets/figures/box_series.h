@@ -9,31 +9,31 @@
 
 namespace capstan::widgets {
 
-/// Tukey boxes in one axis rect: box, median with its number at the top of the axes, whiskers, outliers. What
-/// lies beyond the value axis is counted at its edge.
+/// Draws Tukey boxes in one axis rect: box, median with its number at the top of the axes, whiskers,
+/// outliers. An arrow at the edge of the axes gives the number of outliers beyond the value axis.
 class BoxSeries : public QCPLayerable {
   Q_OBJECT
  public:
   struct Box {
-    double x = 0.0, half_width = 0.3;  ///< on the bottom axis
-    stats::Boxplot statistics;         ///< n = 0: nothing is drawn
-    std::vector<double> outliers;      ///< to be drawn, of statistics.outliers
+    double x = 0.0, half_width = 0.3;  ///< centre and half width on the bottom axis
+    stats::Boxplot statistics;         ///< n = 0: the box is not drawn
+    std::vector<double> outliers;      ///< those of statistics.outliers that are drawn
   };
 
   explicit BoxSeries(QCPAxisRect* axes);
 
   void setBoxes(std::vector<Box> boxes) { boxes_ = std::move(boxes); }
-  /// `points`: size of the numbers [typographic points].
+  /// Sets colours and line width. `points`: font size of the numbers [typographic points].
   void setStyle(const SeriesStyle& style, const QColor& text, double line, double points);
-  /// Only what lies within is drawn; outliers outside are counted.
+  /// Sets the visible range of values. Outliers outside it are counted, not drawn.
   void setSeen(const QCPRange& values) { seen_ = values; }
-  /// Numbers stand upright where the narrowest of all series' boxes has no room for them.
+  /// Writes the numbers upright, for boxes that are narrower than their numbers.
   void setUpright(bool upright) { upright_ = upright; }
-  double widestNumber() const;  ///< [px]
-  double numberHeight() const;  ///< [px]
-  /// Room that numbers, and counts of what lies above, take at the top of the axes [px].
+  double widestNumber() const;  ///< width of the widest number [px]
+  double numberHeight() const;  ///< height of a number [px]
+  /// Height that the numbers, and counts of outliers above the axis, take at the top of the axes [px].
   double headroom() const;
-  double footroom() const;  ///< and counts of what lies below, at the bottom [px]
+  double footroom() const;  ///< height for counts of outliers below the axis [px]
 
  protected:
   QRect clipRect() const override { return axes_->rect(); }

@@ -11,9 +11,9 @@ namespace capstan::widgets {
 
 namespace {
 
-constexpr double kGroupWidth = 0.84;  ///< of the boxes of a group; groups are 1 apart
-constexpr double kBoxShare = 0.78;    ///< of a box in its slot
-constexpr double kFarOutlier = 1.0;   ///< whisker spans beyond which an outlier is only counted
+constexpr double kGroupWidth = 0.84;  ///< width of a group's boxes; groups are 1 apart
+constexpr double kBoxShare = 0.78;    ///< width of a box, as a share of its slot
+constexpr double kFarOutlier = 1.0;   ///< in ranges of the whiskers; farther outliers are only counted
 constexpr int kLeastBoxWidth = 24;    ///< [px] where panels stand side by side
 
 std::vector<SeriesKey> keysOf(const std::vector<BoxplotPanel>& panels) {
@@ -25,7 +25,7 @@ std::vector<SeriesKey> keysOf(const std::vector<BoxplotPanel>& panels) {
   return keys;
 }
 
-/// The values to be seen: whiskers of all boxes, and outliers that are not too far from them.
+/// Visible range of values: whiskers of all boxes, and outliers that are not too far from them.
 std::optional<QCPRange> valuesOf(const BoxplotPanel& panel) {
   std::optional<QCPRange> whiskers;
   const auto include = [](std::optional<QCPRange>& range, double low, double high) {
@@ -44,12 +44,12 @@ std::optional<QCPRange> valuesOf(const BoxplotPanel& panel) {
   return all;
 }
 
-/// Names and numbers of groups have no unit, which is said.
+/// Adds [–] to the label of groups without a unit.
 QString withUnit(const QString& label) {
   return label.contains(QLatin1Char('[')) ? label : label + QStringLiteral(" [–]");
 }
 
-/// "37600", or both where the boxes of a group differ; with `brief` "38k".
+/// Number of samples as "37600", or both numbers where the boxes of a group differ; with `brief` "38k".
 QString countText(const BoxplotGroup& group, bool brief) {
   QStringList counts;
   for (const BoxplotBox& box : group.boxes) {
@@ -159,7 +159,7 @@ void BoxplotFigure::restyle() {
       series->setStyle(SeriesStyle::of(key, theme()), theme().text, line, scale().tick - 0.5);
 }
 
-/// Medians lie down or stand upright; the value axis leaves room for them above what is to be seen.
+/// Writes medians horizontally or upright, and extends the value axis to make room for them.
 void BoxplotFigure::laidOut() {
   for (std::size_t p = 0; p < drawn_.size(); ++p) {
     QCPAxisRect* axes = panels()[p].axes;
@@ -182,7 +182,7 @@ void BoxplotFigure::laidOut() {
   }
 }
 
-/// Numbers above and below the boxes take none of the room of these.
+/// The height for the numbers above and below the boxes is added to the least height.
 int BoxplotFigure::leastHeight(std::size_t panel) const {
   double top = 0.0, bottom = 0.0;
   for (const auto& [key, series] : drawn_[panel].series) {

@@ -13,34 +13,36 @@ class BoxSeries;
 
 struct BoxplotBox {
   SeriesKey key;
-  stats::Boxplot statistics;  ///< in the panel's unit; n = 0: no data
+  stats::Boxplot statistics;  ///< statistics in the panel's unit; n = 0: no data
 };
 
 struct BoxplotGroup {
-  QString label;  ///< as "1" of a trial, "10" of a percentage
+  QString label;  ///< for example a trial "1" or a percentage "10"
   std::vector<BoxplotBox> boxes;
 };
 
 struct BoxplotPanel {
   QString title, unit;
-  QString x_label;  ///< what groups are: "trial", "occlusion [%]"
+  QString x_label;  ///< what the groups differ in: "trial", "occlusion [%]"
   std::vector<BoxplotGroup> groups = {};
 };
 
 struct BoxplotData {
   QString title = {}, note = {};
-  QString quantity = QStringLiteral("error");  ///< of the value axes
+  QString quantity = QStringLiteral("error");  ///< quantity on the value axes
   std::vector<BoxplotPanel> panels = {};
-  int most_columns = 0;  ///< panels side by side at most; 0: as many as have room
+  int most_columns = 0;  ///< largest number of panels side by side; 0: as many as fit
 };
 
-/// Statistics of values of which some may not be finite, which are excluded; n = 0 where none are.
+/// Box-plot statistics of the finite `values`; those that are not finite are excluded. n = 0 where none is
+/// finite.
 stats::Boxplot boxplotOf(const std::vector<double>& values);
 
 /// Box plots of groups side by side (UKF paper, figures 10–13): Tukey's box, whiskers within 1.5
-/// interquartile ranges, outliers, the median as a number, samples below each group. At most kMostOutliers of
-/// a box are drawn, the extreme ones always; how many, the note says. The value axis reaches to three times
-/// the whiskers' span beyond them: farther outliers are counted at its edge.
+/// interquartile ranges, outliers, the median as a number, the number of samples below each group. At most
+/// kMostOutliers outliers of a box are drawn, always with the two extreme ones; the note gives their number.
+/// The value axis covers outliers up to one range of the whiskers beyond these; farther ones are counted at
+/// its edge.
 class BoxplotFigure : public PanelFigure {
   Q_OBJECT
  public:
@@ -51,7 +53,7 @@ class BoxplotFigure : public PanelFigure {
   std::unique_ptr<Figure> copy() const override;
   std::vector<FigureNumbers> numbers() const override;
   const BoxplotData& data() const { return data_; }
-  /// What the note says of outliers; empty where all are drawn.
+  /// Number of outliers drawn, as the note gives it; empty where all are drawn.
   QString outlierWords() const;
 
  protected:
@@ -68,14 +70,14 @@ class BoxplotFigure : public PanelFigure {
   BoxplotData data_;
   struct Drawn {
     std::vector<std::pair<SeriesKey, BoxSeries*>> series;
-    QCPRange values;    ///< of what is to be seen
+    QCPRange values;    ///< visible values
     double slot = 0.0;  ///< width of a box on the bottom axis
   };
   std::vector<Drawn> drawn_;
   std::size_t outliers_ = 0, outliers_drawn_ = 0;
 };
 
-/// At most `most` of ascending values: the ends and evenly between.
+/// At most `most` of the ascending `values`, evenly spaced by index, with both ends.
 std::vector<double> thinned(const std::vector<double>& values, std::size_t most);
 
 }  // namespace capstan::widgets

@@ -11,8 +11,8 @@ struct ClockOffsetData {
   learning::ClockOffsetReport clock_offset = {};
 };
 
-/// How badly the speeds of two streams agree against the lag between their clocks: the lag where they agree
-/// best as a line, ± 2 σ as a band.
+/// Misfit between the speeds of two streams against the offset between their clocks. A line marks the offset
+/// of smallest misfit, a band its ± 2 σ.
 class ClockOffsetFigure : public PanelFigure {
   Q_OBJECT
  public:

@@ -11,9 +11,9 @@ namespace capstan::widgets {
 namespace {
 
 struct Spread {
-  double low = std::numeric_limits<double>::infinity(), high = -low;                 ///< of all samples
-  double near_low = std::numeric_limits<double>::infinity(), near_high = -near_low;  ///< without the far ones
-  double width = std::numeric_limits<double>::infinity();                            ///< of a bin
+  double low = std::numeric_limits<double>::infinity(), high = -low;                 ///< range of all samples
+  double near_low = std::numeric_limits<double>::infinity(), near_high = -near_low;  ///< without far samples
+  double width = std::numeric_limits<double>::infinity();                            ///< width of a bin
 };
 
 void include(Spread& spread, std::span<const double> values) {
@@ -31,25 +31,25 @@ void include(Spread& spread, std::span<const double> values) {
 
 }  // namespace
 
-std::optional<CommonBins> commonBins(const std::vector<std::span<const double>>& samples, std::size_t most) {
+std::optional<CommonBins> commonBins(const std::vector<std::span<const double>>& samples) {
   Spread spread;
   for (const auto& values : samples)
     if (!values.empty()) include(spread, values);
   if (!(spread.low <= spread.high)) return std::nullopt;
-  const double limit = static_cast<double>(std::max<std::size_t>(most, 1));
+  constexpr double kLimit = static_cast<double>(kMostBins);
   double low = spread.low, high = spread.high;
-  if (std::isfinite(spread.width) && !((high - low) / spread.width <= limit)) {
+  if (std::isfinite(spread.width) && !((high - low) / spread.width <= kLimit)) {
     low = spread.near_low;
     high = spread.near_high;
   }
-  // All samples alike, or so close that doubles cannot represent the bins' edges: one bin around them.
+  // If all samples are equal, or too close for doubles to represent the bins' edges: one bin around them.
   const double size = std::max(std::abs(low), std::abs(high));
   if (!(high - low > 1e-9 * size)) {
     const double half = size > 0.0 ? 0.05 * size : 0.5;
     return CommonBins{0.5 * (low + high) - half, 0.5 * (low + high) + half, 1};
   }
   const double bins = std::isfinite(spread.width) ? std::ceil((high - low) / spread.width) : 1.0;
-  return CommonBins{low, high, static_cast<std::size_t>(std::clamp(bins, 1.0, limit))};
+  return CommonBins{low, high, static_cast<std::size_t>(std::clamp(bins, 1.0, kLimit))};
 }
 
 }  // namespace capstan::widgets

@@ -70,11 +70,11 @@ void ConfidenceFigure::restyle() {
                        }});
   }
   entries.push_back(markEntry(
-      tr("learned from, within %1 mm of the plane").arg(base::toMillimetres(data_.slice.near)), mark));
+      tr("training positions within %1 mm of the plane").arg(base::toMillimetres(data_.slice.near)), mark));
   setLegend(std::move(entries));
 }
 
-/// One scale on both axes: the longer side fills, the other has room around it.
+/// Sets the same scale on both axes: the longer side fills its axis, the other has room around it.
 void ConfidenceFigure::laidOut() {
   const QCPAxisRect* axes = panels().front().axes;
   const QCPRange keys = map_->data()->keyRange(), values = map_->data()->valueRange();

@@ -10,8 +10,8 @@ struct ConfidenceData {
   learning::ConfidenceSlice slice = {};
 };
 
-/// Confidence of a correction over a plane of the workspace, 0 to 1, with the positions near the plane that
-/// it was learned from. Both axes have one scale.
+/// Map of the confidence of a correction, 0 to 1, over a plane of the workspace, with the training positions
+/// near that plane. Both axes have the same scale.
 class ConfidenceFigure : public PanelFigure {
   Q_OBJECT
  public:

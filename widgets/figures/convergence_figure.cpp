@@ -11,16 +11,16 @@ namespace capstan::widgets {
 
 namespace {
 
-constexpr double kBandFrom = 0.2;      ///< of the time from which on the axis shows the whole band
+constexpr double kBandFrom = 0.2;      ///< share of the time after which the axis includes the band
 constexpr int kLeastPanelWidth = 160;  ///< [px] of panels side by side
-constexpr int kFewPanels = 3;          ///< so many stand in one column of a broad figure, below each other
+constexpr int kFewPanels = 3;          ///< up to so many panels share one column of a broad figure
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 bool known(const ConvergencePanel& data, std::size_t i) {
   return std::isfinite(data.t[i]) && std::isfinite(data.value[i]);
 }
 
-/// Index of the last known value; nothing where there is none.
+/// Index of the last known value; none: no known value.
 std::optional<std::size_t> lastOf(const ConvergencePanel& data) {
   for (std::size_t i = data.t.size(); i-- > 0;)
     if (known(data, i)) return i;
@@ -39,7 +39,8 @@ QCPRange timeOf(const ConvergencePanel& data) {
   return range;
 }
 
-/// value exp(±2 sigma / value): parameters are positive, and it is their logarithm that is uncertain.
+/// Band value · exp(±2 sigma / value): parameters are positive, and their logarithm has the normal
+/// distribution.
 QCPRange bandOf(double value, double sigma) {
   const double factor = value > 0.0 ? std::exp(2.0 * sigma / value) : 1.0;
   return {value / factor, value * factor};
@@ -143,7 +144,7 @@ void ConvergenceFigure::build(const ConvergencePanel& data) {
   for (std::size_t i = 0; i < data.t.size(); ++i) {
     t << data.t[i];
     value << (known(data, i) ? data.value[i] : kNaN);
-    // SVG files know no clipping: the band is cut to the axis here.
+    // SVG files have no clipping: the band is cut to the axis here.
     const QCPRange band = bandOf(value.back(), data.sigma[i]);
     curves.band->add(data.t[i], std::clamp(band.lower, values.lower, values.upper),
                      std::clamp(band.upper, values.lower, values.upper));

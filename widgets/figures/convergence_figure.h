@@ -9,27 +9,27 @@
 
 namespace capstan::widgets {
 
-/// One parameter's estimate over time, in `unit`.
+/// Estimate of one parameter over time, in `unit`.
 struct ConvergencePanel {
-  QString title;                                       ///< as "radius r_l of joint 1"
-  QString unit;                                        ///< as "mm"
-  std::vector<double> t = {}, value = {}, sigma = {};  ///< of one length; t [s]; NaN: a gap
+  QString title;                                       ///< for example "radius r_l of joint 1"
+  QString unit;                                        ///< for example "mm"
+  std::vector<double> t = {}, value = {}, sigma = {};  ///< all of the same length; t [s]; NaN: a gap
   double nominal = 0.0;
-  std::optional<double> truth = {};       ///< where it is known
-  std::optional<double> settled_at = {};  ///< [s]; none: it did not settle
-  bool seen = true;                       ///< false: the motion does not show it, its value says nothing
-  int group = -1;                         ///< panels of one group stand on one page; −1: a group of its own
+  std::optional<double> truth = {};       ///< true value, where known
+  std::optional<double> settled_at = {};  ///< time of settling [s]; none: not settled
+  bool seen = true;                       ///< false: not observable from the motion
+  int group = -1;                         ///< panels of one group share a page; −1: a group of its own
 };
 
 struct ConvergenceData {
   QString title = {}, note = {};
   std::vector<ConvergencePanel> panels = {};
-  std::vector<TimeInterval> occluded = {};  ///< shaded in every panel
+  std::vector<TimeInterval> occluded = {};  ///< occluded intervals, shaded in every panel
 };
 
-/// Parameters over time while they are identified (UKF paper, figures 6 and 7): value ± 2σ, truth and nominal
-/// value as lines, the time since which it has been settled as a mark, the last value above. The value axis
-/// shows values and lines whole, and of the band what it is after the first fifth of the time.
+/// Parameters over time during identification (UKF paper, figures 6 and 7): value ± 2σ, true and nominal
+/// value as lines, a mark at the time of settling, the last value above. The value axis includes all values
+/// and lines, and the part of the band after the first fifth of the time.
 class ConvergenceFigure : public PanelFigure {
   Q_OBJECT
  public:

@@ -15,10 +15,10 @@ namespace {
 
 using experiments::DebridementStudyReport;
 
-/// One box a method, each in a group of its own: methods are named below the axis.
+/// One box per method, each in a group of its own: the methods are named below the axis.
 class MethodsPanel {
  public:
-  /// `samples`: what the boxes are of, for the legend.
+  /// `samples`: name of the samples in the legend.
   MethodsPanel(const char* title, const char* unit, double scale, const char* samples)
       : samples_{.words = QString::fromUtf8(samples)},
         panel_{QString::fromUtf8(title), QString::fromUtf8(unit), QStringLiteral("method"), {}},

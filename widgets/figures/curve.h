@@ -10,8 +10,8 @@
 
 namespace capstan::widgets {
 
-/// Builds the points of one line from the history's buckets: one point where low == high, else two, in the
-/// order that follows the curve's own direction, so that a slope stays a slope.
+/// Builds the points of one line from the history's blocks: one point where low == high, else two, ordered
+/// along the direction of the curve, so that a slope stays a slope.
 class CurveBuilder {
  public:
   void begin() {
@@ -39,10 +39,10 @@ class CurveBuilder {
   double last_ = 0.0;
 };
 
-/// Cuts gaps into a line: `on` out of every `period` seconds is drawn, anchored to time, so that dashes stay
-/// where they are on a scrolling curve (a dashed QPen crawls, and costs ten times the drawing). No gap hides
-/// a spike: a point that stands out by more than `prominence`, from its neighbours and from the dash before
-/// it, is drawn with the lines to these.
+/// Cuts a line into dashes: `on` out of every `period` seconds is drawn. Dashes are anchored to time, so that
+/// they do not move along a scrolling curve (those of a QPen do, and take ten times as long to draw). A gap
+/// hides no spike: a point that exceeds its neighbours and the dash before it by more than `prominence` is
+/// drawn with the lines to its neighbours.
 class DashCutter {
  public:
   DashCutter(double period, double on, double prominence)
@@ -93,7 +93,7 @@ class DashCutter {
   }
 
   double period_, on_, prominence_;
-  QCPRange dash_;  ///< values of the last dash
+  QCPRange dash_;  ///< range of values of the last dash
 };
 
 }  // namespace capstan::widgets

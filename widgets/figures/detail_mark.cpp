@@ -9,7 +9,7 @@ namespace capstan::widgets {
 namespace {
 
 constexpr double kPoints = 9.0;
-constexpr double kGap = 4.0;  ///< beside the line and within the ground of the words [px]
+constexpr double kGap = 4.0;  ///< gap beside the line and around the words [px]
 
 }  // namespace
 

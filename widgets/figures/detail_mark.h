@@ -7,8 +7,8 @@
 
 namespace capstan::widgets {
 
-/// A line over one axis rect where the history's full detail begins, with words at its foot: before it the
-/// lowest and highest values of blocks are drawn, after it every sample.
+/// A line over one axis rect at the time at which the history's full detail begins, with words at its foot.
+/// Left of it the lowest and highest values of blocks are drawn, right of it every sample.
 class DetailMark : public QCPLayerable {
   Q_OBJECT
  public:
@@ -16,9 +16,9 @@ class DetailMark : public QCPLayerable {
   DetailMark(QCPAxisRect* axes, const JointHistory& history, bool words);
 
   void setTheme(const Theme& theme);
-  /// What stands left of the line at the present time range; empty: all that is in range is in full detail.
+  /// Words beside the line for the present time range; empty where the whole range is in full detail.
   QString text() const;
-  /// Where the words stand by the last draw; null: there are none.
+  /// Where the last draw placed the words; null: no words.
   QRectF box() const { return box_; }
 
  protected:

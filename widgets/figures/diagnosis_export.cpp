@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 using diagnosis::ChannelReport;
 using diagnosis::Report;
 
-/// Vectors only: the page shows them as they are.
+/// Vector formats only: the page shows the files directly.
 const std::vector<std::string> kEndings = {".svg", ".pdf"};
 
 /// "tip z" as "tip-z".
@@ -27,13 +27,13 @@ std::string fileName(std::string channel) {
   return channel;
 }
 
-/// What the causes take off the channel's mean square; without causes, all of it.
+/// Reduction of the channel's mean square by the causes; without causes, the whole mean square.
 double worth(const Report& report, const ChannelReport& channel) {
   const double before = channel.refitted_statistics.rms, after = channel.extended_statistics.rms;
   return report.causes.empty() ? before * before : before * before - after * after;
 }
 
-/// A channel of each name, in the order in which they are drawn.
+/// One channel per name, in the order in which they are drawn.
 std::vector<const ChannelReport*> channelsToDraw(const Report& report) {
   std::vector<const ChannelReport*> chosen;
   for (const ChannelReport& channel : report.channels) {

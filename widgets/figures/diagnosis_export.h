@@ -15,22 +15,24 @@
 
 namespace capstan::widgets {
 
-/// A figure of a report, made when it is needed.
+/// A figure of a report, created on demand.
 struct DiagnosisFigure {
-  std::string name;     ///< for its files: letters, digits and -
-  std::string channel;  ///< "q2 in slow.csv"
+  std::string name;     ///< name of its files: letters, digits and -
+  std::string channel;  ///< for example "q2 in slow.csv"
   PaperSize size;
   std::function<std::unique_ptr<Figure>()> make;
 };
 
-/// Of every channel residual and strongest signatures: CHANNEL-residual and CHANNEL-signatures, from the
-/// recording in which it gains most (or, without causes, has the largest residual). The channel of the first
-/// cause comes first. The report must outlive what is made.
+/// Figures CHANNEL-residual and CHANNEL-signatures of every channel. Of several recordings the one with the
+/// largest reduction of the channel's mean square is drawn (without causes, the one with the largest
+/// residual). The channel of the first cause comes first. The report must outlive the figures that are
+/// created.
 std::vector<DiagnosisFigure> figuresOf(const diagnosis::Report& report);
 
-/// A report as a folder (made): index.html (diagnosis_page.h), report.json (core/diagnosis/report_json.h),
-/// robot.yaml (the extended robot) and figures as SVG, PDF and CSV. A former diagnosis in the folder is
-/// written over, file by file; nothing is deleted. Figure by figure, so that a window stays alive beside it:
+/// Writes a report into a folder, which is created: index.html (diagnosis_page.h), report.json
+/// (core/diagnosis/report/report_json.h), robot.yaml (the extended robot) and figures as SVG, PDF and CSV.
+/// Files of an earlier diagnosis in the folder are replaced; nothing is deleted. Each call draws one figure,
+/// so that a window stays responsive:
 ///     DiagnosisExport all(report, origin, folder);
 ///     while (!all.drawn()) all.draw();
 ///     all.finish();
@@ -38,17 +40,17 @@ std::vector<DiagnosisFigure> figuresOf(const diagnosis::Report& report);
 /// written.
 class DiagnosisExport {
  public:
-  /// Makes the folder; nothing else is written yet but an index page that reports it.
+  /// Creates the folder, with an index page that says that the export is not finished.
   DiagnosisExport(diagnosis::Report report, DiagnosisOrigin origin, std::filesystem::path folder);
   DiagnosisExport(const DiagnosisExport&) = delete;  // figures refer to the report
   DiagnosisExport& operator=(const DiagnosisExport&) = delete;
 
-  bool drawn() const { return next_ == figures_.size(); }           ///< every figure
-  double fraction() const;                                          ///< 0…1
-  const std::string& name() const { return figures_[next_].name; }  ///< of the next; not if drawn()
-  /// The next figure, on the thread of the application's windows. Throws base::InputError.
+  bool drawn() const { return next_ == figures_.size(); }           ///< whether every figure is drawn
+  double fraction() const;                                          ///< share done, 0…1
+  const std::string& name() const { return figures_[next_].name; }  ///< the next figure; not if drawn()
+  /// Draws the next figure; call it on the thread of the application's windows. Throws base::InputError.
   void draw();
-  /// JSON, robot and page; all files that were written, index.html last.
+  /// Writes JSON, robot and page. Returns all files written, index.html last.
   std::vector<std::filesystem::path> finish();
 
  private:
@@ -61,7 +63,7 @@ class DiagnosisExport {
   std::vector<std::filesystem::path> files_;
 };
 
-/// All of it at once; a `progress` that is cancelled ends it behind the figure under way.
+/// Runs the whole export. Cancelling `progress` ends it after the present figure.
 std::vector<std::filesystem::path> exportDiagnosis(diagnosis::Report report, DiagnosisOrigin origin,
                                                    const std::filesystem::path& folder,
                                                    base::Progress* progress = nullptr);

@@ -39,18 +39,18 @@ std::string term(const char* name, std::string_view text) {
   return fmt::format("<dt>{}</dt><dd>{}</dd>\n", name, htmlEscaped(std::string(text)));
 }
 
-/// What was cancelled has none.
+/// A cancelled diagnosis has no verdict.
 std::string verdictHtml(const Report& report) {
   if (report.cancelled)
     return "<div class=\"verdict nothing\"><h2>Cancelled</h2>\n" +
-           paragraph("There is no verdict: this is what was known until then.") + "</div>\n";
+           paragraph("There is no verdict. The page shows the results up to the cancellation.") + "</div>\n";
   std::string html = fmt::format("<div class=\"verdict {}\"><h2>{}</h2>\n", base::nameOf(report.verdict),
                                  htmlEscaped(verdictText(report.verdict)));
   html += paragraph(report.summary);
   return html + "</div>\n";
 }
 
-/// Its description: joint, size, probability, gain, and what it is.
+/// Description of a cause: joint, size, probability, gain, and explanation.
 std::string causeHtml(const Cause& cause) {
   std::string html = "<section class=\"cause\"><h3>" +
                      htmlEscaped(diagnosis::titleOf(cause.effect) + ", " +
@@ -79,7 +79,7 @@ std::string causesHtml(const Report& report) {
     for (const Cause& cause : tie.causes) html += causeHtml(cause);
     if (!tie.separate.empty()) html += "<h3>What would distinguish them</h3>\n" + paragraph(tie.separate);
   }
-  // Beside a tie, what is no part of one.
+  // Causes that are not part of a tie, listed beside it.
   for (const Cause& cause : report.causes) {
     bool tied = report.ties.empty();
     for (const diagnosis::Tie& tie : report.ties)

@@ -7,34 +7,34 @@
 
 namespace capstan::widgets {
 
-/// What index.html of every diagnosis holds, by which such a folder is known.
+/// Mark in index.html by which a folder is recognized as a diagnosis.
 inline constexpr const char* kDiagnosisMark = "<meta name=\"generator\" content=\"Capstan diagnosis\">";
 
-/// Where a diagnosis comes from, besides its recordings.
+/// Origin of a diagnosis, besides its recordings.
 struct DiagnosisOrigin {
   std::string robot;     ///< name of the nominal robot
   std::string software;  ///< program and version
-  std::string created;   ///< when, ISO 8601; empty: not said
+  std::string created;   ///< time of creation, ISO 8601; empty: not given
 };
 
-/// A drawing on the page.
+/// A figure on the page.
 struct DiagnosisImage {
   std::string caption;
-  std::vector<std::string> files;  ///< within the folder; the .svg is shown
+  std::vector<std::string> files;  ///< file names within the folder; the .svg is shown
 };
 
-/// The pictures of one channel.
+/// The figures of one channel.
 struct DiagnosisChannel {
-  std::string title;  ///< "q2 in slow.csv"
+  std::string title;  ///< for example "q2 in slow.csv"
   std::vector<DiagnosisImage> images;
 };
 
 /// The verdict in words: "One cause found".
 std::string verdictText(diagnosis::Verdict verdict);
 
-/// One page (html_parts.h): the verdict; its causes with the descriptions of their hypotheses; ties with the
-/// motion that would distinguish them; what stays unexplained; what each model gets wrong, drawn and in
-/// numbers; the refit; the ranking; what the filter gains; notices and the files beside the page.
+/// One HTML page (html_parts.h): the verdict; its causes with the descriptions of their hypotheses; ties with
+/// the motion that would distinguish them; the unexplained residual; figures and numbers of each model's
+/// residual; the refit; the ranking; the gain of the filter; notices and the files beside the page.
 std::string diagnosisPage(const diagnosis::Report& report, const DiagnosisOrigin& origin,
                           const std::vector<DiagnosisChannel>& channels,
                           const std::vector<std::string>& files);

@@ -34,7 +34,7 @@ QString unitOf(int joint) {
   return QString::fromLatin1(tracking::kJointUnits[static_cast<std::size_t>(joint)]);
 }
 
-/// "Experiment C, trial 1", or the title alone of something that is no experiment of one letter.
+/// Title "Experiment C, trial 1"; for results that are no experiment of one letter, their title alone.
 QString nameOf(const Results& results, const TrialMotion* trial = nullptr) {
   QString name = results.name.size() == 1 && results.name[0] >= 'A' && results.name[0] <= 'Z'
                      ? QStringLiteral("Experiment ") + fromUtf8(results.name)
@@ -45,13 +45,13 @@ QString nameOf(const Results& results, const TrialMotion* trial = nullptr) {
   return name;
 }
 
-/// The reference is the robot's own kinematics, not joint encoders.
+/// Whether the reference is the robot's own kinematics, not joint encoders.
 bool withoutEncoders(const Results& results) {
   return std::any_of(results.trials.begin(), results.trials.end(),
                      [](const TrialResult& trial) { return trial.own_kinematics; });
 }
 
-/// What "error" is here: without joint encoders it is none.
+/// Name of the differences: without joint encoders they are not errors.
 QString errorWord(const Results& results) {
   return withoutEncoders(results) ? QObject::tr("difference from the robot's kinematics")
                                   : QObject::tr("error");
@@ -72,7 +72,7 @@ QString noteOf(const Results& results, const TrialMotion& trial) {
   return note;
 }
 
-/// Whose kinematics and filter, and how many of the samples a distribution is drawn of.
+/// Note: whose kinematics and filter, and how many of the samples a distribution is drawn from.
 QString errorNote(const Results& results, const TrialResult& trial, bool distribution) {
   QString note;
   const QString robots = fromUtf8(experiments::robotWords(experiments::kinematicRobotOf(trial),
@@ -90,7 +90,7 @@ std::vector<double> inUnit(std::vector<double> values, int joint) {
   return values;
 }
 
-/// RMS as the tables have it of the whole trial; of a part of it, over the thinned series.
+/// RMS of the whole trial as in the tables; for a part of the trial, over the thinned series.
 TrajectoryRms rmsOf(const TrialResult& trial, double begin, double end) {
   const auto at = [](Estimator which) { return static_cast<std::size_t>(which); };
   if (begin <= trial.begin && end >= trial.end)
@@ -105,7 +105,8 @@ TrajectoryRms rmsOf(const TrialResult& trial, double begin, double end) {
   return {kinematic.value(), ukf.value(), kinematic.count(), ukf.count()};
 }
 
-/// `result`: what is known of a tracked trial; null: of what was identified from only its motion is kept.
+/// `result`: result of a tracked trial; null: the trial was used for identification, and only its motion is
+/// stored.
 std::unique_ptr<Figure> trajectory(const Results& results, const TrialMotion& trial,
                                    const TrialResult* result, double begin, double end) {
   TrajectoryData data{.title = nameOf(results, &trial) + QObject::tr(": joint positions"),
@@ -120,7 +121,7 @@ std::unique_ptr<Figure> trajectory(const Results& results, const TrialMotion& tr
   if (results.identification) data.note += QObject::tr("; UKF with the robot from before the identification");
   auto camera = trial.camera.begin();
   for (const auto& point : trial.trajectory) {
-    // Observations stand at their own times of exposure, which a thinned trajectory does not hold.
+    // Observations are drawn at their own times of exposure, which a thinned trajectory does not contain.
     const experiments::CameraPoint* seen = nullptr;
     for (; camera != trial.camera.end() && camera->t <= point.t; ++camera) seen = &*camera;
     if (point.t < begin || point.t > end) continue;
@@ -136,8 +137,8 @@ std::unique_ptr<Figure> trajectory(const Results& results, const TrialMotion& tr
   return std::make_unique<TrajectoryFigure>(std::move(data));
 }
 
-/// Where a detail begins: a quarter of it before the first occlusion that the trial has after its first
-/// seconds, else at its middle.
+/// Beginning of a detail: a quarter of its length before the first occlusion after the trial's first seconds,
+/// else in the middle of the trial.
 double detailBegin(const TrialMotion& trial) {
   const auto occluded = std::find_if(
       trial.trajectory.begin(), trial.trajectory.end(),
@@ -161,7 +162,7 @@ std::unique_ptr<Figure> histogram(const Results& results, const TrialResult& tri
   return std::make_unique<HistogramFigure>(std::move(data));
 }
 
-/// Errors of kinematics and UKF; absolute ones of the UKF alone, whose change they are to show.
+/// Errors of kinematics and UKF; absolute errors of the UKF alone, whose change the figure shows.
 BoxplotGroup groupOf(const TrialResult& trial, const QString& label, int joint, bool absolute) {
   BoxplotGroup group{label, {}};
   for (const auto& [estimator, quantity] : kCompared) {
@@ -174,7 +175,7 @@ BoxplotGroup groupOf(const TrialResult& trial, const QString& label, int joint, 
   return group;
 }
 
-/// "trial 3" is "3" over an axis that says "trial".
+/// "3" for "trial 3", on an axis that is labelled "trial".
 QString shortName(const TrialResult& trial) {
   const QString name = fromUtf8(trial.name);
   return name.startsWith(QLatin1String("trial ")) ? name.mid(6) : name;
@@ -213,14 +214,14 @@ std::unique_ptr<Figure> boxesByOcclusion(const Results& results) {
   return std::make_unique<BoxplotFigure>(std::move(data));
 }
 
-/// "k_e" of "k_e2".
+/// Parameter name without joint number: "k_e" for "k_e2".
 std::string kindOf(const IdentifiedParameter& parameter) {
   std::string kind = parameter.name;
   while (!kind.empty() && kind.back() >= '0' && kind.back() <= '9') kind.pop_back();
   return kind;
 }
 
-/// Parameters of one figure, and the figure's name: cables' stiffness and damping go together.
+/// Parameters of one figure, and its name: stiffness and damping of the cables share a figure.
 std::string sheetOf(const IdentifiedParameter& parameter) {
   const std::string kind = kindOf(parameter);
   return kind == "k_e" || kind == "b_e" ? "cables" : experiments::fileNameOf(kind);
@@ -244,7 +245,7 @@ ConvergencePanel panelOf(const Results& results, std::size_t index) {
   return panel;
 }
 
-/// Occluded time in the time of the trace, in which recordings follow each other a second apart.
+/// Occluded intervals in the time of the trace, in which recordings follow each other one second apart.
 std::vector<TimeInterval> occludedTime(const experiments::IdentificationResult& identification) {
   constexpr double kApart = 1.0;  // identification::append() [s]
   std::vector<TimeInterval> spans;
@@ -262,7 +263,7 @@ std::vector<TimeInterval> occludedTime(const experiments::IdentificationResult& 
   return spans;
 }
 
-/// The paper's experiments have a title that says more than their letter.
+/// For experiments of the paper, their title.
 QString whatIsIdentified(const Results& results) {
   return results.title.empty() || !experiments::isPapers(results) ? QObject::tr("identified parameters")
                                                                   : fromUtf8(results.title);
@@ -277,7 +278,7 @@ std::unique_ptr<Figure> parametersOver(const Results& results, const std::string
   std::vector<std::size_t> members;
   for (std::size_t i = 0; i < parameters.size(); ++i)
     if (sheetOf(parameters[i]) == sheet) members.push_back(i);
-  // A row a joint: stiffness beside damping.
+  // One row per joint: stiffness beside damping.
   std::stable_sort(members.begin(), members.end(), [&](std::size_t a, std::size_t b) {
     return parameters[a].name.back() < parameters[b].name.back();
   });

@@ -58,7 +58,7 @@ IndexTable writeTable(const experiments::NamedTable& named, const fs::path& fold
   return entry;
 }
 
-/// In words, what a reader might look for in vain.
+/// Data that results lack, in words, with its consequence.
 std::vector<std::string> missingOf(const std::vector<Results>& results) {
   std::vector<std::string> missing;
   for (const Results& one : results) {
@@ -95,7 +95,7 @@ FigureExport::FigureExport(std::vector<Results> results, fs::path folder, const 
   if (options.tables)
     for (experiments::NamedTable& table : tablesOf(results_)) tables_.push_back(std::move(table));
   if (figures_.empty() && tables_.empty())
-    refuse(folder_, "would stay empty: the results hold nothing of the command",
+    refuse(folder_, "would stay empty: the results have no data for the chosen figures and tables",
            "Run the experiment whose figures these are");
   report_.missing = missingOf(results_);
   page_ = pageFor(results_);

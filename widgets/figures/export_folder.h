@@ -9,11 +9,11 @@ namespace capstan::widgets {
 
 inline constexpr const char* kIndexFile = "index.html";
 
-/// Throws base::InputError where nothing is to be written into `folder`: it is a file, cannot be written, or
-/// holds files and no index page with `mark`, by which what stands there is known as of a former run.
+/// Checks that an export may write into `folder`. Throws base::InputError if it is a file, cannot be written,
+/// or holds files but no index page with `mark`, which identifies the folder of an earlier run.
 void checkExportFolder(const std::filesystem::path& folder, std::string_view mark = kFiguresMark);
-/// Makes it, with an index page that has the mark and says that it is not finished: a run that fails can be
-/// repeated into the same folder. Throws base::InputError as above.
+/// Creates the folder with an index page that has the mark and says that the run is not finished, so that a
+/// failed run can be repeated into the same folder. Throws base::InputError as checkExportFolder().
 void makeExportFolder(const std::filesystem::path& folder, std::string_view mark);
 
 }  // namespace capstan::widgets

@@ -8,7 +8,7 @@ namespace capstan::widgets {
 
 namespace {
 
-constexpr double kMostSample = 34.0;  ///< of a legend's line [px]
+constexpr double kMostSample = 34.0;  ///< greatest length of a legend's line [px]
 constexpr std::array kColumnOrder = {Quantity::kTrue, Quantity::kKinematic, Quantity::kCamera,
                                      Quantity::kUkf};
 static_assert(static_cast<int>(Quantity::kUkf) == HeaderLayout::kSigma - 1, "columns follow Quantity");
@@ -91,7 +91,7 @@ void FigureHeader::draw(QCPPainter* painter) {
     painter->setPen(title && fault_ ? (theme_->isDark() ? theme_->fault : theme_->fault.darker(150))
                     : title && role_ != Role::kValues ? theme_->muted
                                                       : theme_->text);
-    // A pixel wider than the text, which rounding would else clip.
+    // One pixel wider than the text, because rounding would clip it otherwise.
     painter->drawText(title ? text.box.adjusted(0, 0, 1, 0) : text.box.adjusted(-1, 0, 0, 0),
                       (title ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter | Qt::TextSingleLine,
                       text.text);

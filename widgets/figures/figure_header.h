@@ -10,14 +10,14 @@
 
 namespace capstan::widgets {
 
-/// A row above a plot: a title at the left, then one column a quantity, which rows of one figure share. The
-/// legend row writes each quantity's name beside its line; a value row writes its number; a note is a title
-/// alone.
+/// A row above a plot: a title at the left, then one column per quantity. The rows of one figure share their
+/// columns. The legend row writes each quantity's name beside its line; a value row writes its number; a note
+/// is a title alone.
 class FigureHeader : public QCPLayoutElement {
   Q_OBJECT
  public:
   enum class Role { kLegend, kValues, kNote };
-  static constexpr int kLeftMargin = 8, kRightMargin = 16;  ///< the axes end where the numbers end [px]
+  static constexpr int kLeftMargin = 8, kRightMargin = 16;  ///< also of the axes [px]
 
   FigureHeader(QCustomPlot* plot, Role role);
 
@@ -25,18 +25,18 @@ class FigureHeader : public QCPLayoutElement {
   void setLayout(const HeaderLayout& layout, const HeaderPoints& points);
   void setTitle(const QString& title) { title_ = title; }
   QString title() const { return title_; }
-  /// The title in the colour of faults: it says one.
+  /// Writes the title in the colour of faults, for a title that reports one.
   void setFault(bool fault) { fault_ = fault; }
   /// Width of a title in this row's font at `points` [px].
   double titleWidth(const QString& title, const HeaderPoints& points) const;
   double textWidth(const QString& title) const { return titleWidth(title, points_); }
-  /// Number of a column of a value row; right-aligned, so equal decimals stand below each other.
+  /// Sets the number of a column of a value row. Numbers are right-aligned, so that decimal points line up.
   void setValue(Quantity quantity, const QString& text) { texts_[static_cast<std::size_t>(quantity)] = text; }
   QString value(Quantity quantity) const { return texts_[static_cast<std::size_t>(quantity)]; }
   void setSigma(const QString& text) { texts_[HeaderLayout::kSigma] = text; }
   QString sigma() const { return texts_[HeaderLayout::kSigma]; }
 
-  /// What is written where, in pixels of the figure; a legend's text includes its line.
+  /// A text and its box in pixels of the figure; the box of a legend's text includes its line.
   struct Text {
     QString text;
     QRectF box;

@@ -7,7 +7,7 @@ namespace capstan::widgets {
 namespace {
 
 constexpr double kSample = 2.2;  ///< width of a sample in font heights
-constexpr double kGap = 0.4;     ///< between it and its word, in font heights
+constexpr double kGap = 0.4;     ///< between sample and word, in font heights
 constexpr double kApart = 1.2;   ///< between entries, in font heights
 constexpr double kLine = 1.25;   ///< line height, in font heights
 

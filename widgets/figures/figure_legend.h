@@ -7,13 +7,13 @@
 
 namespace capstan::widgets {
 
-/// One entry: a word and what draws its sample into a box.
+/// One entry: a word, and the function that draws its sample into a box.
 struct LegendEntry {
   QString text;
   std::function<void(QCPPainter*, const QRectF&)> draw;
 };
 
-/// Entries side by side above the panels of a figure, on as many lines as the width asks for.
+/// Legend entries side by side above the panels of a figure, on as many lines as the width requires.
 class FigureLegend : public QCPLayoutElement {
   Q_OBJECT
  public:
@@ -22,11 +22,11 @@ class FigureLegend : public QCPLayoutElement {
   void setEntries(std::vector<LegendEntry> entries) { entries_ = std::move(entries); }
   const std::vector<LegendEntry>& entries() const { return entries_; }
   void setColour(const QColor& text) { text_ = text; }
-  /// `points` [typographic points], `width` [px].
+  /// Arranges the entries. `points`: font size [typographic points]; `width` [px].
   void fit(double points, double width);
   /// Height that the entries need [px].
   int needed() const { return height_; }
-  /// Where each entry is drawn, sample and word, in pixels of the plot.
+  /// Box of each entry, sample and word, in pixels of the plot.
   std::vector<QRectF> boxes() const;
 
  protected:
@@ -37,7 +37,7 @@ class FigureLegend : public QCPLayoutElement {
 
  private:
   std::vector<LegendEntry> entries_;
-  std::vector<QRectF> places_;  ///< within the element
+  std::vector<QRectF> places_;  ///< boxes of the entries within the element
   QColor text_;
   double points_ = 8.0;
   int height_ = 0;

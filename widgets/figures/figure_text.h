@@ -9,10 +9,10 @@
 
 namespace capstan::widgets {
 
-inline constexpr double kPowersFrom = 1e7;  ///< from here on numbers are written with powers of ten
+inline constexpr double kPowersFrom = 1e7;  ///< numbers of this size and above are written with powers of ten
 
-/// `value` with `digits` significant digits, fixed between 1e-3 and kPowersFrom, powers of ten beyond; a dash
-/// where it is not finite. The minus sign is a real one.
+/// `value` with `digits` significant digits: fixed notation between 1e-3 and kPowersFrom, powers of ten
+/// outside, a dash where it is not finite. The minus sign is U+2212.
 inline QString significantText(double value, int digits = 3) {
   if (!std::isfinite(value)) return QStringLiteral("—");
   const double size = std::abs(value);
@@ -39,12 +39,12 @@ inline QString uncertainText(double value, double uncertainty) {
                    QString::number(uncertainty, 'f', shown));
 }
 
-/// Spaces that do not break, so that a line wraps only between such parts.
+/// `text` with non-breaking spaces, so that a line is wrapped only between such texts.
 inline QString unbroken(QString text) { return text.replace(QLatin1Char(' '), QChar(0x00A0)); }
 
-/// Text as a CSV cell (RFC 4180).
+/// `text` as a CSV cell (RFC 4180).
 std::string csvText(const QString& text);
-/// A number with all its digits; empty where it is not a number.
+/// `value` with all its digits; an empty text for NaN.
 std::string csvNumber(double value);
 
 }  // namespace capstan::widgets

@@ -10,8 +10,8 @@ namespace capstan::widgets {
 
 enum class Hatch { kNone, kRising, kFalling };
 
-/// Adds lines at 45° across `box`, `gap` apart, to `path`; they are anchored to the page, so those of
-/// neighbouring boxes meet. Drawn as lines because SVG files know no pattern brush.
+/// Adds lines at 45° across `box` to `path`, `gap` apart. Lines are anchored to the page, so that those of
+/// neighbouring boxes meet. They are drawn as lines because SVG files have no pattern brush.
 inline void addHatch(QPainterPath& path, const QRectF& box, double gap, Hatch hatch) {
   if (hatch == Hatch::kNone || box.width() <= 0.0 || box.height() <= 0.0) return;
   const double l = box.left(), r = box.right(), t = box.top(), b = box.bottom();

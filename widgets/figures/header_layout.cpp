@@ -10,7 +10,7 @@ namespace capstan::widgets {
 
 namespace {
 
-constexpr double kRoomyColumn = 120.0;  ///< columns widen up to here, then the title's side does [px]
+constexpr double kRoomyColumn = 120.0;  ///< greatest column width; then the title gets the room [px]
 
 std::array<double, HeaderLayout::kColumns> leastWidths(const HeaderPoints& points) {
   const QFontMetricsF names(textFont(points.legend)), numbers(numberFont(points.number));

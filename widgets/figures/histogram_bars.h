@@ -8,15 +8,15 @@
 
 namespace capstan::widgets {
 
-/// One histogram in one axis rect: filled bars under one outline, so that others show through.
+/// One histogram in one axis rect: filled bars under one outline, so that overlaid histograms stay visible.
 class HistogramBars : public QCPLayerable {
   Q_OBJECT
  public:
   explicit HistogramBars(QCPAxisRect* axes);
 
-  /// `edges` one more than `heights`, in the axes' units.
+  /// Sets the bars in the axes' units. `edges` has one element more than `heights`.
   void setBars(std::vector<double> edges, std::vector<double> heights);
-  /// A line at `x` of the whole height; NaN: none.
+  /// Sets a vertical line over the whole height at `x`, the mean; NaN: none.
   void setMean(double x) { mean_ = x; }
   void setStyle(const SeriesStyle& style, double line);
 

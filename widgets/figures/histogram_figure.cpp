@@ -12,7 +12,7 @@ namespace capstan::widgets {
 
 namespace {
 
-constexpr double kHeadroom = 1.12;     ///< of the value axis above the highest bar
+constexpr double kHeadroom = 1.12;     ///< end of the value axis, relative to the highest bar
 constexpr int kLeastPanelWidth = 190;  ///< [px] of panels side by side
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -121,7 +121,7 @@ void HistogramFigure::build() {
   }
 }
 
-/// Rows are groups, where these are of one size and have room.
+/// Uses one row per group, if the groups have equal sizes and fit.
 int HistogramFigure::columnsFor(QSize size) const {
   const int room = std::max(1, size.width() / kLeastPanelWidth);
   const auto of_first = static_cast<int>(

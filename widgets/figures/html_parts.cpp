@@ -28,7 +28,7 @@ th:first-child, td:first-child, .words { text-align: left; }
 </style>
 )";
 
-/// Columns of words stand to the left.
+/// Columns of words are left-aligned.
 bool isWords(const base::Table& table, std::size_t column) {
   return std::any_of(table.rows.begin(), table.rows.end(),
                      [&](const auto& row) { return column < row.size() && !row[column].text.empty(); });

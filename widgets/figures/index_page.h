@@ -7,12 +7,12 @@
 
 namespace capstan::widgets {
 
-/// What index.html of every folder of figures holds, by which such a folder is known.
+/// Mark in index.html by which a folder is recognized as an export of figures.
 inline constexpr const char* kFiguresMark = "<meta name=\"generator\" content=\"Capstan figures\">";
 
 struct IndexFigure {
   std::string name, caption;
-  std::vector<std::string> files;  ///< names within the folder; the .png is the thumbnail
+  std::vector<std::string> files;  ///< file names within the folder; the .png is the thumbnail
 };
 
 struct IndexTable {
@@ -25,11 +25,11 @@ struct IndexPage {
   bool simulated = false;
   std::vector<IndexFigure> figures;
   std::vector<IndexTable> tables;
-  std::vector<std::string> missing;  ///< what could not be drawn, and why
+  std::vector<std::string> missing;  ///< figures that could not be drawn, and why
 };
 
-/// One page that opens without a network: no scripts, nothing from elsewhere, light or dark as the reader's
-/// screen is. UTF-8.
+/// One HTML page that needs no network, has no scripts or external files, and follows the reader's light or
+/// dark scheme. UTF-8.
 std::string indexPage(const IndexPage& page);
 
 }  // namespace capstan::widgets

@@ -10,10 +10,10 @@ namespace capstan::widgets {
 
 namespace {
 
-constexpr double kShortest = 0.05;     ///< [s] shown at least
-constexpr double kCameraReach = 0.1;   ///< [s] around the cursor in which a camera dot counts
-constexpr double kStepsAPixel = 0.6;   ///< history steps drawn: a step is up to two points
-constexpr double kFullWidth = 900.0;   ///< of paper on which lines are as wide as on screen [px]
+constexpr double kShortest = 0.05;     ///< least time shown [s]
+constexpr double kCameraReach = 0.1;   ///< greatest distance in time of the camera dot at the cursor [s]
+constexpr double kStepsAPixel = 0.6;   ///< history steps drawn per pixel; one step is up to two points
+constexpr double kFullWidth = 900.0;   ///< paper width at which lines are as wide as on screen [px]
 constexpr double kLiveMargin = 0.015;  ///< share of the time axis right of the newest sample
 
 }  // namespace
@@ -154,7 +154,7 @@ void JointFigure::fitHeaders() {
   }
 }
 
-/// What the figure holds, in as many words as have room.
+/// Description of the figure, shortened to the room that there is.
 QString JointFigure::noteText(const QCPRange& time) const {
   const auto within = [&](const auto& ring) {
     return ring.partitionPoint([&](const auto& item) { return item.t <= time.upper; }) -

@@ -13,10 +13,10 @@ class QPushButton;
 
 namespace capstan::widgets {
 
-/// The three joint plots over one time axis, with one legend and the values under the cursor (or the newest
-/// ones). Wheel: zoom time; wheel on a value axis: zoom that axis; drag: move in time; double click, End or
-/// the button at the top right: back to live. The same drawing goes to screen, PNG, PDF and SVG
-/// (save_figure.h).
+/// The three joint plots over one time axis, with one legend and the values under the cursor (else the
+/// newest). Wheel: zoom in time; wheel on a value axis: zoom that axis; drag: move in time; double click, End
+/// or the button at the top right: back to live. The same figure is drawn on screen and into PNG, PDF and SVG
+/// files (save_figure.h).
 class JointFigure : public QCustomPlot {
   Q_OBJECT
  public:
@@ -26,32 +26,32 @@ class JointFigure : public QCustomPlot {
                        QWidget* parent = nullptr);
 
   void setTheme(const Theme& theme);
-  /// Names of the three joints from the robot file.
+  /// Sets the names of the three joints, as in the robot file.
   void setJointNames(const std::array<QString, 3>& names);
-  /// What is wrong with a joint's values, beside its title in the colour of faults; empty: nothing.
+  /// Sets one remark per joint about a fault in its values, shown beside its title in the colour of faults;
+  /// empty: none.
   void setRemarks(const std::array<QString, 3>& remarks);
 
-  /// Draws the plot of one joint alone.
+  /// Shows the plot of one joint alone.
   void showOnly(int joint);
   /// Whether every plot has its least height (PanelFigure::kLeastAxesHeight) at the present size.
   bool fits() const;
 
-  /// Draws what the history holds now. `at_once`: inside this call, else when the event loop is next idle and
-  /// only if anything in view has changed.
+  /// Draws the present content of the history. `at_once`: inside this call; otherwise when the event loop is
+  /// next idle, and only if anything in view has changed.
   void refresh(bool at_once = false);
 
-  /// Following: the right edge stays at the newest sample. Otherwise the view stands still while data come
-  /// in.
+  /// Whether the right edge stays at the newest sample. Otherwise the view stands still while data arrive.
   bool following() const { return following_; }
   void setFollowing(bool on);
   /// Length of the time axis [s], 0.05 s to the whole history.
   double span() const { return span_; }
   void setSpan(double seconds);
-  /// Stands still and shows [begin, end].
+  /// Stops following and shows [begin, end].
   void setTimeRange(double begin, double end);
   QCPRange timeRange() const;
 
-  /// Time of the read-out: under the mouse, or set here; nothing: the newest sample.
+  /// Sets the time of the values in the headers; none: the newest sample. Mouse moves set it too.
   void setCursor(std::optional<double> t);
   std::optional<double> cursorTime() const { return cursor_; }
 
@@ -74,15 +74,15 @@ class JointFigure : public QCustomPlot {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  /// All that a drawing depends on, but for names and remarks, which draw again themselves.
+  /// Everything that a drawing depends on, except names and remarks, whose setters draw again.
   struct View {
     QCPRange time;
     std::array<QCPRange, 3> values;
     QSize size;
     const Theme* theme = nullptr;
     std::optional<double> cursor;
-    double begin = 0.0, detail = 0.0, block = 0.0;  ///< of the history, as far as it is in view
-    std::uint64_t revision = 0;                     ///< of the history, where its end is in view
+    double begin = 0.0, detail = 0.0, block = 0.0;  ///< times of the history, as far as in view
+    std::uint64_t revision = 0;                     ///< revision of the history, where its end is in view
     bool operator==(const View&) const = default;
   };
   View viewOf(const QCPRange& time) const;
@@ -98,9 +98,9 @@ class JointFigure : public QCustomPlot {
   const JointHistory& history_;
   Medium medium_;
   const Theme* theme_;
-  FigureHeader* note_ = nullptr;  ///< on paper: what the figure holds
+  FigureHeader* note_ = nullptr;  ///< on paper: description of the figure
   FigureHeader* legend_;
-  QPushButton* live_;  ///< back to the newest sample; seen while looking back
+  QPushButton* live_;  ///< goes back to the newest sample; visible while not following
   std::array<std::unique_ptr<JointPlot>, 3> plots_;
   std::array<QString, 3> names_, remarks_;
   std::vector<QCPItemStraightLine*> cursor_lines_;
@@ -108,7 +108,7 @@ class JointFigure : public QCustomPlot {
   double span_ = 20.0;
   double end_ = 0.0;
   std::optional<double> cursor_;
-  View drawn_;  ///< last
+  View drawn_;  ///< the view drawn last
   std::optional<QPointF> drag_from_;
   double drag_end_ = 0.0;
 };

@@ -27,7 +27,7 @@ JointHistory::Row rowOf(const Snapshot& snapshot) {
   return row;
 }
 
-/// A camera measured the joints in this step, whether or not the gate let it through.
+/// Whether a camera measured the joints in this step, accepted by the gate or not.
 bool hasCameraPoint(const Snapshot& snapshot) {
   return snapshot.camera_updated && (snapshot.gate == Gate::kOpen || snapshot.gate == Gate::kJump) &&
          snapshot.q_link_cam.allFinite();

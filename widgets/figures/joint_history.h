@@ -11,62 +11,61 @@
 
 namespace capstan::widgets {
 
-/// What the plots of one joint show at one instant, in the joint's screen unit (deg, deg, mm). NaN: not
-/// known.
+/// Values of one joint at one instant, in the joint's screen unit (deg, deg, mm). NaN: unknown.
 struct JointValues {
   float truth, kinematic, ukf, ukf_sigma;
 };
 
-/// The curves of a session of a day and more, for zooming from one sample to all of it, in fixed memory
-/// (kBytes). The newest rows and camera measurements are kept as they came; above them lies a pyramid
-/// (min_max_pyramid.h) that keeps the lowest and highest value of each block of older ones, so that a drawing
-/// takes few points at any zoom and no spike is lost.
+/// The curves of a session of a day or more, in fixed memory (kBytes), for zooming from one sample to the
+/// whole session. The newest rows and camera measurements are stored unchanged. For older ones a pyramid
+/// (min_max_pyramid.h) stores the lowest and highest value of each block, so that a drawing needs few points
+/// at any zoom and no spike is lost.
 class JointHistory {
  public:
-  static constexpr std::size_t kRows = 163'840;  ///< 10.5 min at 200 rows and 60 camera updates a second
+  static constexpr std::size_t kRows = 163'840;  ///< 10.5 min at 200 rows and 60 camera updates per second
   static constexpr std::uint64_t kReach = 86'400'000;       ///< rows in blocks: 24 h at 1 kHz
   static constexpr std::size_t kCameraPoints = 65'536;      ///< 18 min at 60 Hz
-  static constexpr std::uint64_t kCameraReach = 5'184'000;  ///< in blocks: 24 h at 60 Hz
-  static constexpr std::size_t kSpans = 8'192;              ///< occlusions; older ones to a block
-  static constexpr std::size_t kBytes = 46'000'000;         ///< of all of it, at most
-  static constexpr double kSetBack = 1.0;                   ///< back in time by more: another clock [s]
+  static constexpr std::uint64_t kCameraReach = 5'184'000;  ///< points in blocks: 24 h at 60 Hz
+  static constexpr std::size_t kSpans = 8'192;              ///< exact occlusions; older: to one block
+  static constexpr std::size_t kBytes = 46'000'000;         ///< upper limit of the memory
+  static constexpr double kSetBack = 1.0;                   ///< a larger step back is another clock [s]
   static constexpr int kJoints = 3;
 
   struct Row {
     double t = 0.0;
     std::array<JointValues, kJoints> joint;
-    bool occluded = false;  ///< of the highest of a block: in one of its rows
+    bool occluded = false;  ///< in the `high` row of a block: true if any of its rows is
   };
   struct CameraPoint {
-    double t = 0.0;  ///< exposure
+    double t = 0.0;  ///< time of exposure [s]
     std::array<float, kJoints> value;
   };
   struct Span {
     double begin = 0.0, end = 0.0;
   };
 
-  /// For a day.
+  /// History with room for a day.
   JointHistory() : JointHistory(kRows, kReach, kCameraReach) {}
-  /// For `rows` and no more.
+  /// History of the newest `rows` rows, without blocks of older ones.
   explicit JointHistory(std::size_t rows) : JointHistory(rows, rows, kCameraPoints) {}
 
-  /// Takes a snapshot; one at the time of the last replaces it, one before the last is ignored, and one more
-  /// than kSetBack before it begins the history again.
+  /// Adds a snapshot. A snapshot with the time of the last one replaces it. An earlier snapshot is ignored,
+  /// or clears the history first if it is more than kSetBack earlier.
   void append(const tracking::Snapshot& snapshot);
   void clear();
 
   bool empty() const { return rows_.empty(); }
   double begin() const { return rows_.begin(); }
   double end() const { return rows_.end(); }
-  /// From here on every row is there; before, the lowest and highest values of blocks.
+  /// Time from which on every row is stored; before it, the lowest and highest values of blocks.
   double detailBegin() const { return rows_.detailBegin(); }
-  /// The same of the camera's measurements, of which fewer come: earlier.
+  /// The same for camera measurements. As fewer of them arrive, it is earlier than detailBegin().
   double cameraDetailBegin() const { return camera_.detailBegin(); }
-  /// Length of the shortest block about time t [s]; 0 where every row is there.
+  /// Length of the shortest block about time t [s]; 0 where every row is stored.
   double blockAt(double t) const { return rows_.blockAt(t); }
-  /// Changes with every snapshot that is taken.
+  /// Counter that changes with every snapshot added.
   std::uint64_t revision() const { return revision_; }
-  /// Memory that it holds.
+  /// Allocated memory [bytes].
   std::size_t bytes() const;
 
   /// Calls `draw(t, step, low, high)` with the values of the three joints as MinMaxPyramid::forEach does.
@@ -76,7 +75,7 @@ class JointHistory {
       draw(t, step, low.joint, high.joint);
     });
   }
-  /// The same of the camera's measurements, with an array of a value for each joint.
+  /// The same for camera measurements, with an array of one value per joint.
   template <class Draw>
   void forEachCamera(double begin, double end, std::size_t most, Draw&& draw) const {
     camera_.forEach(begin, end, most,
@@ -84,20 +83,20 @@ class JointHistory {
                       draw(t, step, low.value, high.value);
                     });
   }
-  /// Calls `draw(begin, end)` for the occlusions that touch [begin, end], in the order of time. Of those
-  /// older than the newest kSpans the ends are those of blocks, of which about `most` are looked at.
+  /// Calls `draw(begin, end)` for the occlusions that overlap [begin, end], in order of time. Occlusions
+  /// older than the newest kSpans have the ends of blocks; about `most` blocks are examined for them.
   template <class Draw>
   void forEachOcclusion(double begin, double end, std::size_t most, Draw&& draw) const;
 
-  /// The row nearest in time to t; nothing where no single row is kept.
+  /// The row nearest in time to t; none where rows are stored only in blocks.
   std::optional<Row> at(double t) const;
-  /// The camera observation nearest to t if within `reach` [s].
+  /// The camera observation nearest to t, if within `reach` [s].
   std::optional<CameraPoint> cameraAt(double t, double reach) const;
 
   const Ring<Row>& rows() const { return rows_.rows(); }
   const Ring<CameraPoint>& camera() const { return camera_.rows(); }
-  /// The newest times when the marker was lost in a picture, or the tip unseen; the last may still be going
-  /// on.
+  /// The newest intervals in which the marker was lost in an image, or the tip was not observed. The last one
+  /// may still continue.
   const Ring<Span>& occluded() const { return occluded_; }
 
  private:

@@ -10,9 +10,9 @@ namespace capstan::widgets {
 
 namespace {
 
-constexpr double kDash = 8.0, kDashPeriod = 15.0;  ///< of the kinematic line, along time [px]
-constexpr double kProminence = 4.0;                ///< of a spike that no gap may hide [px]
-constexpr double kCasing = 0.8;                    ///< at each side of a dash [px]
+constexpr double kDash = 8.0, kDashPeriod = 15.0;  ///< dash and period of the kinematic line, along time [px]
+constexpr double kProminence = 4.0;                ///< least height of a spike that no gap may hide [px]
+constexpr double kCasing = 0.8;                    ///< width of the edge at each side of a dash [px]
 constexpr double kDotSize = 5.0;                   ///< [px]
 
 QPixmap dotImage(const QColor& colour) {
@@ -55,8 +55,8 @@ JointPlot::JointPlot(QCustomPlot* plot, const JointHistory& history, int joint)
     return graph;
   };
   band_ = new SigmaBand(axes_);
-  // Thick below thin: where curves coincide, dashes and the thin line of the truth stay visible upon the
-  // filter's.
+  // Thick lines are below thin ones, so that dashes and the thin line of the truth stay visible where they
+  // coincide with the filter's.
   graphs_[static_cast<std::size_t>(Quantity::kCamera)] = add();
   graphs_[static_cast<std::size_t>(Quantity::kUkf)] = add();
   casing_ = add();
@@ -153,8 +153,8 @@ void JointPlot::fill(double begin, double end, std::size_t most) {
   fillCamera(begin, end);
 }
 
-/// Of more dots than can be drawn, the lowest and the highest of each block, at the times of its first and
-/// its last, in the order that follows the curve.
+/// For more dots than can be drawn: the lowest and the highest of each block, at the times of its first and
+/// its last dot, in the order that follows the curve.
 void JointPlot::fillCamera(double begin, double end) {
   camera_.resize(0);
   const auto joint = static_cast<std::size_t>(joint_);

@@ -16,33 +16,34 @@
 
 namespace capstan::widgets {
 
-/// Curves of one joint in one axis rect: true, kinematic, UKF with its ±2σ band, camera dots. Owned by the
-/// QCustomPlot it draws in; this class only steers.
+/// Curves of one joint in one axis rect: true, kinematic, UKF with its ±2σ band, camera dots. The QCustomPlot
+/// owns the graphical items; this class controls them.
 class JointPlot {
  public:
   /// `joint` 0…2.
   JointPlot(QCustomPlot* plot, const JointHistory& history, int joint);
 
-  /// As people read them: "shoulder", "deg"; written once, as `shoulder q1 [deg]`. `fault`: what is wrong
-  /// with its values, behind the title.
+  /// Sets title and unit, as "shoulder" and "deg", written `shoulder q1 [deg]`. `fault`: description of a
+  /// fault in the values, after the title.
   void setTitle(const QString& title, const QString& unit, const QString& fault = {});
-  /// `vectors`: dots are drawn as circles, for files; else stamped from a small picture, for speed. `widths`
-  /// scales lines, dashes and dots.
+  /// Sets the colours. `vectors`: draws dots as circles, for files; otherwise as copies of a small image, for
+  /// speed. `widths`: factor on lines, dashes and dots.
   void setTheme(const Theme& theme, bool vectors, double widths = 1.0);
   void setTickPoints(double points);
 
-  /// Camera dots drawn at once; of more, the lowest and the highest of as many blocks.
+  /// Sets the largest number of camera dots drawn. Beyond it, the lowest and the highest dot of `most` blocks
+  /// are drawn.
   void setMostDots(std::size_t most) { most_dots_ = std::max<std::size_t>(most, 1); }
 
-  /// Takes curves of [begin, end] at no more than `most` steps.
+  /// Reads the curves of [begin, end] from the history, with at most `most` steps.
   void fill(double begin, double end, std::size_t most);
-  /// Writes the four values at t, or blanks.
+  /// Writes the four values at t into the header, or blanks.
   void showValuesAt(double t, double camera_reach);
-  /// Fits the value axis to what is drawn: grows at once, shrinks when half of it stands empty.
+  /// Fits the value axis to the curves drawn: it grows at once, and shrinks when half of it is empty.
   void fitValues();
   void setFitting(bool on) { fitting_ = on; }
   bool fitting() const { return fitting_; }
-  /// Of what fill() took last, without bands; nothing: no value.
+  /// Range of the values that fill() read last, without bands; none: no value.
   std::optional<QCPRange> drawn() const { return any_ ? std::optional(drawn_) : std::nullopt; }
 
   QCPAxisRect* axes() const { return axes_; }
@@ -64,11 +65,11 @@ class JointPlot {
   OcclusionShade* shade_;
   DetailMark* detail_mark_;
   std::array<QCPGraph*, 4> graphs_{};
-  QCPGraph* casing_;  ///< the plot's ground about each dash: separates dash from line where both print grey
+  QCPGraph* casing_;  ///< background-coloured edge of each dash: separates dash from line in grey print
   SigmaBand* band_;
   CurveBuilder truth_, kinematic_, ukf_;
   QVector<QCPGraphData> dashed_, camera_;
-  QCPRange drawn_;  ///< of values drawn last
+  QCPRange drawn_;  ///< range of the values drawn last
   bool any_ = false;
   bool fitting_ = true;
   double widths_ = 1.0;

@@ -35,7 +35,7 @@ QPen offsetPen(const Theme& theme, double line) {
   return pen;
 }
 
-/// Numbers of states that were learned from, as the ticks: the last, and of the others those with room.
+/// Ticks at the numbers of training states: always the last, and those of the others that have room.
 QSharedPointer<QCPAxisTicker> statesTicker(const learning::LearningCurve& curve, const QCPAxis& axis) {
   const QFontMetricsF metrics(axis.tickLabelFont());
   const auto ticker = QSharedPointer<QCPAxisTickerText>::create();
@@ -69,7 +69,7 @@ std::unique_ptr<Figure> LearningCurveFigure::copy() const {
 void LearningCurveFigure::build(bool angle) {
   const auto& points = data_.curve.points;
   const Panel& panel = addPanel({{angle ? tr("angle [deg]") : tr("distance [mm]"), true}},
-                                tr("states learned from [–], share of the training states [%]"),
+                                tr("training states [–], share of all training states [%]"),
                                 angle ? tr("error [deg]") : tr("error [mm]"));
   panel.empty->setVisible(points.empty());
   QCPAxis* x = panel.axes->axis(QCPAxis::atBottom);

@@ -10,8 +10,8 @@ struct LearningCurveData {
   learning::LearningCurve curve = {};
 };
 
-/// Error on trajectories held out against the number of states learned from (GPR paper, figure 5): distance
-/// and angle, mean and median, beside what the rigid offset alone leaves.
+/// Error on held-out trajectories against the number of training states (GPR paper, figure 5): distance and
+/// angle, mean and median, beside the error with the rigid offset alone.
 class LearningCurveFigure : public PanelFigure {
   Q_OBJECT
  public:

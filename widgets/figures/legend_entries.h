@@ -5,7 +5,7 @@
 /// The usual samples of a legend.
 namespace capstan::widgets {
 
-/// A line, before a band where that has a colour.
+/// Legend entry of a line, drawn over a band if `band` is a valid colour.
 inline LegendEntry lineEntry(const QString& text, const QPen& pen, const QColor& band = {}) {
   return {text, [pen, band](QCPPainter* painter, const QRectF& box) {
             if (band.isValid()) painter->fillRect(box, band);

@@ -11,8 +11,8 @@
 
 namespace capstan::widgets {
 
-/// Widens [low, high] so that it holds `by`, and returns whether that changed it. NaN is no value: it neither
-/// widens nor stays where a value comes.
+/// Widens [low, high] to include `by`; returns whether this changed it. NaN is no value: it does not widen
+/// the range, and a number replaces it.
 inline bool widen(float& low, float& high, float by) {
   const bool less = by < low || (low != low && by == by), more = by > high || (high != high && by == by);
   if (less) low = by;
@@ -20,21 +20,21 @@ inline bool widen(float& low, float& high, float by) {
   return less || more;
 }
 
-/// Rows over time in bounded memory. The newest `rows` are there as they came. What is older is there as
-/// blocks of 4, 16, 64 … rows with the lowest and the highest value of each, so that no spike is lost. Level
-/// k ≥ 1 has blocks of 4^k rows and reaches back rows · 4^(k−1) of them, none further than about `reach`: a
-/// row that is r times as old as the oldest whole one is in a block of at most 16 r rows.
+/// Rows over time in bounded memory. The newest `rows` are stored unchanged. Older ones are stored as blocks
+/// of 4, 16, 64 … rows with the lowest and the highest value of each, so that no spike is lost. Level k ≥ 1
+/// has blocks of 4^k rows and covers the last rows · 4^(k−1) rows, but not more than about `reach`. A row
+/// that is r times as old as the oldest unchanged one is therefore in a block of at most 16 r rows.
 ///
-/// A Row has a time `t` [s] and a function bool widen(Row& low, Row& high, const Row& by), which leaves the
-/// times alone and returns whether it widened anything. Nothing is allocated after construction.
+/// A Row has a time `t` [s] and a function bool widen(Row& low, Row& high, const Row& by), which does not
+/// change the times and returns whether it widened anything. Nothing is allocated after construction.
 template <class Row>
 class MinMaxPyramid {
  public:
-  static constexpr std::uint64_t kRatio = 4;          ///< of the rows in a block from level to level
-  static constexpr std::uint64_t kLeastBlocks = 256;  ///< of the coarsest level: it fits any drawing
+  static constexpr std::uint64_t kRatio = 4;          ///< block size ratio of successive levels
+  static constexpr std::uint64_t kLeastBlocks = 256;  ///< of the coarsest level, at least
 
   struct Block {
-    Row low, high;  ///< low.t: time of its first row; high.t: of its last
+    Row low, high;  ///< low.t: time of the first row; high.t: time of the last
   };
 
   MinMaxPyramid(std::size_t rows, std::uint64_t reach) : rows_(rows), remembers_(reach > rows) {
@@ -53,7 +53,7 @@ class MinMaxPyramid {
     for (auto& level : levels_) level.clear();
   }
 
-  /// A row later than the newest.
+  /// Adds a row that is later than the newest.
   void push(const Row& row) {
     const std::uint64_t index = rows_.pushed();
     rows_.push(row);
@@ -70,33 +70,33 @@ class MinMaxPyramid {
     }
   }
 
-  /// `row` in the place of the newest one, of the same time. Blocks hold both.
+  /// Replaces the newest row by `row`, of the same time. Blocks include both.
   void replaceNewest(const Row& row) {
     rows_.back() = row;
     for (auto& level : levels_) widen(level.back().low, level.back().high, row);
   }
 
   bool empty() const { return rows_.empty(); }
-  /// Time of the oldest row that is there, whole or in a block.
+  /// Time of the oldest row, stored unchanged or in a block.
   double begin() const {
     double begin = detailBegin();
     for (const auto& level : levels_)
       if (remembers_ && !level.empty()) begin = std::min(begin, level[0].low.t);
     return begin;
   }
-  /// From here on every row is there as it came.
+  /// Time from which on every row is stored unchanged.
   double detailBegin() const { return rows_.empty() ? 0.0 : rows_[0].t; }
   double end() const { return rows_.empty() ? 0.0 : rows_.back().t; }
   const Ring<Row>& rows() const { return rows_; }
 
-  /// Memory that it holds.
+  /// Allocated memory [bytes].
   std::size_t bytes() const {
     std::size_t sum = rows_.capacity() * sizeof(Row);
     for (const auto& level : levels_) sum += level.capacity() * sizeof(Block);
     return sum;
   }
 
-  /// Length of the shortest block about time t [s]; 0 where every row is there, and before begin().
+  /// Length of the shortest block about time t [s]; 0 where every row is stored, and before begin().
   double blockAt(double t) const {
     if (t >= detailBegin()) return 0.0;
     for (std::size_t k = 1; k <= levels_.size(); ++k) {
@@ -108,10 +108,10 @@ class MinMaxPyramid {
     return 0.0;
   }
 
-  /// Calls draw(t, step, low, high) in the order of time over [begin, end] and one step beyond each end. low
-  /// and high are Rows: the lowest and highest values from the row at t to that `step` seconds later, or
-  /// twice the same row with step 0. Draws the finest level that takes at most `most` calls, else the
-  /// coarsest; where that level does not reach back to, coarser ones.
+  /// Calls draw(t, step, low, high) in order of time over [begin, end] and one step beyond each end. low and
+  /// high are Rows: the lowest and highest values from t to t + step, or twice the same row with step 0. It
+  /// draws the finest level that needs at most `most` calls, else the coarsest; before the beginning of that
+  /// level it draws coarser ones.
   template <class Draw>
   void forEach(double begin, double end, std::size_t most, Draw&& draw) const {
     if (empty()) return;
@@ -129,7 +129,8 @@ class MinMaxPyramid {
   static double timeOf(const Row& row) { return row.t; }
   static double timeOf(const Block& block) { return block.low.t; }
 
-  /// Items that touch [begin, end] and one beyond each end, of those before `until`.
+  /// Index range of the items that overlap [begin, end] and of one beyond each end, limited to those before
+  /// `until`.
   template <class Items>
   static std::pair<std::size_t, std::size_t> rangeOf(const Items& items, double begin, double end,
                                                      double until) {
@@ -141,7 +142,7 @@ class MinMaxPyramid {
     return {std::min(first > 0 ? first - 1 : 0, limit), std::min(last, limit)};
   }
 
-  /// Where level k is drawn to when `finest` is the finest one: the next finer one begins there.
+  /// Time up to which level k is drawn if `finest` is the finest level: the beginning of the next finer one.
   double until(std::size_t k, std::size_t finest) const {
     if (k == finest) return kNever;
     return k == 1 ? detailBegin() : levels_[k - 2][0].low.t;
@@ -170,8 +171,8 @@ class MinMaxPyramid {
   }
 
   Ring<Row> rows_;
-  bool remembers_;                   ///< more than these
-  std::vector<Ring<Block>> levels_;  ///< [k − 1]: level k
+  bool remembers_;                   ///< whether blocks of rows older than rows_ are used
+  std::vector<Ring<Block>> levels_;  ///< levels_[k − 1] is level k
 };
 
 }  // namespace capstan::widgets

@@ -5,15 +5,15 @@
 
 namespace capstan::widgets {
 
-/// Widest texts that valueText and sigmaText give.
+/// Widest texts that valueText() and sigmaText() return.
 inline const QString kWidestValue = QStringLiteral("−000.00"), kWidestSigma = QStringLiteral("±00.00");
 inline const QString kSigmaName = QStringLiteral("±2σ");
 
-/// A number as people read it: its minus signs are real ones (U+2212), as wide as a digit.
+/// `number` with a true minus sign (U+2212, as wide as a digit) in place of each hyphen.
 inline QString withMinus(QString number) { return number.replace(QLatin1Char('-'), QChar(0x2212)); }
 
-/// `value` with two decimals while its whole part fits three digits; whole, then in powers of ten beyond; a
-/// dash where it is not known. At most seven characters.
+/// `value` with two decimals if its integer part has up to three digits, without decimals up to five digits,
+/// in powers of ten beyond; a dash where it is not finite. At most seven characters.
 inline QString valueText(double value) {
   if (!std::isfinite(value)) return QStringLiteral("—");
   const double size = std::abs(value);
@@ -22,7 +22,7 @@ inline QString valueText(double value) {
                                     : QString::number(value, 'e', 0));
 }
 
-/// ± two standard deviations, in the same way. At most six characters below 1e100.
+/// ± two standard deviations, in the same format. At most six characters below 1e100.
 inline QString sigmaText(double two_sigma) {
   if (!std::isfinite(two_sigma)) return QStringLiteral("—");
   if (two_sigma < 99.995) return QStringLiteral("±%1").arg(two_sigma, 0, 'f', 2);

@@ -8,7 +8,7 @@ namespace capstan::widgets {
 
 namespace {
 
-constexpr double kGap = 4.0;  ///< about the word [px]
+constexpr double kGap = 4.0;  ///< gap around the word [px]
 constexpr std::size_t kMostRows = 400;
 
 }  // namespace
@@ -24,7 +24,7 @@ void OcclusionShade::setTheme(const Theme& theme) {
   ink_ = theme.muted;
 }
 
-/// Occlusions that touch on the screen are one shade: shades upon each other would grow dark.
+/// Occlusions that touch on the screen are drawn as one shade: overlapping shades would become dark.
 void OcclusionShade::draw(QCPPainter* painter) {
   drawn_ = 0;
   labels_.clear();

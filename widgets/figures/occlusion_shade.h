@@ -10,19 +10,19 @@
 
 namespace capstan::widgets {
 
-/// Shades occluded time behind the curves of one axis rect, with the word at the upper or lower edge of a
-/// shade where no curve passes, else without.
+/// Shades occluded time behind the curves of one axis rect. The word "occluded" is written at the upper or
+/// lower edge of a shade where no curve passes.
 class OcclusionShade : public QCPLayerable {
   Q_OBJECT
  public:
-  /// `history` must outlive the plot. `joint`: whose curves the axes show; the first one's shades have the
-  /// word.
+  /// `history` must outlive the plot. `joint`: the joint whose curves the axes show; only the shades of the
+  /// first joint have the word.
   OcclusionShade(QCPAxisRect* axes, const JointHistory& history, int joint);
 
   void setTheme(const Theme& theme);
-  /// Shades drawn by the last draw.
+  /// Number of shades drawn by the last draw.
   int drawn() const { return drawn_; }
-  /// Where the word stands, one rectangle for each, by the last draw.
+  /// Rectangles of the words, by the last draw.
   const std::vector<QRectF>& labels() const { return labels_; }
 
  protected:
@@ -33,7 +33,7 @@ class OcclusionShade : public QCPLayerable {
  private:
   void drawBox(QCPPainter* painter, const QRectF& box);
   std::optional<QRectF> placeFor(const QSizeF& word, const QRectF& box) const;
-  /// Values of everything drawn in [begin, end] seconds; none: an empty optional.
+  /// Range of all values drawn in [begin, end] [s]; empty: none.
   std::optional<QCPRange> valuesWithin(double begin, double end) const;
 
   QCPAxisRect* axes_;

@@ -12,7 +12,7 @@ namespace {
 
 using Panels = std::vector<std::size_t>;
 
-/// Lays out a plot that may not be on screen, where no resize event comes.
+/// Lays out a plot that may not be on screen and then gets no resize event.
 void resizePlot(QCustomPlot& plot, QSize size) {
   plot.setMinimumSize(0, 0);
   QResizeEvent event(size, plot.size());
@@ -41,7 +41,7 @@ std::vector<Panels> groupsOf(const PanelFigure& figure) {
   return all;
 }
 
-/// Each of them on a page of its own, group after group.
+/// One page per panel, group after group.
 std::vector<Panels> apart(const std::vector<Panels>& groups) {
   std::vector<Panels> all;
   for (const Panels& group : groups)

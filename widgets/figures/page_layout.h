@@ -8,17 +8,18 @@
 
 namespace capstan::widgets {
 
-/// How a figure is put on paper.
+/// Options for a figure on paper.
 struct PageOptions {
   PageOptions(PaperSize paper = {}, bool titled = true) : size(paper), titles(titled) {}
 
   PaperSize size;
-  bool titles;  ///< title and note stand above the panels; else only in the caption
+  bool titles;  ///< title and note above the panels; false: only in the caption
 };
 
-/// The figure on light pages, laid out for size.dots(): on one where every panel has its least height
-/// (PanelFigure::kLeastAxesHeight) and all words have room; else on a page for each group of panels, as those
-/// of one joint; where these do not fit either, on a page for each panel, where words give way if need be.
+/// The figure on pages in the light theme, laid out for size.dots(). It is one page if every panel then has
+/// its least height (PanelFigure::kLeastAxesHeight) and all texts have room; else one page per group of
+/// panels, for example of one joint; if a group does not fit its page, one page per panel, where texts are
+/// omitted if necessary.
 std::vector<std::unique_ptr<Figure>> pagesOf(const Figure& figure, const PageOptions& options);
 
 }  // namespace capstan::widgets

@@ -9,7 +9,7 @@ namespace capstan::widgets {
 
 namespace {
 
-constexpr int kMargin = 6;         ///< about everything [px]
+constexpr int kMargin = 6;         ///< margin around the figure [px]
 constexpr int kPanelSpacing = 10;  ///< between panels [px]
 
 }  // namespace
@@ -176,7 +176,7 @@ void PanelFigure::arrange(int columns) {
   }
 }
 
-/// What stands in panels of other pages is not drawn, and takes no part in the layout.
+/// Items in panels of other pages are not drawn, and take no part in the layout.
 void PanelFigure::hideOthers() {
   const auto isShown = [&](const QCPAxisRect* axes) {
     return std::any_of(shown_.begin(), shown_.end(), [&](std::size_t i) { return panels_[i].axes == axes; });
@@ -211,8 +211,8 @@ void PanelFigure::layOutPanels() {
   plotLayout()->update(QCPLayoutElement::upLayout);
 }
 
-/// Every axis with numbers has its label and unit; of panels below each other that share an x axis, or, with
-/// `one_label`, an x label, the lowest.
+/// Sets labels and units of the axes. If panels below each other share an x axis, or with `one_label`, only
+/// the lowest panel has an x label.
 void PanelFigure::fitLabels(bool one_label) {
   const auto& first = panels_[shown_.empty() ? 0 : shown_[0]].x_label;
   const bool same =
@@ -242,8 +242,8 @@ void PanelFigure::label(const Panel& panel, bool lowest, bool one_label) {
   panel.axes->setMinimumMargins(QMargins(4, 3, static_cast<int>(0.9 * height), 3));
 }
 
-/// A label longer than its axis would stand beside the header: its unit stays, in a window that is too low
-/// even for this its name.
+/// Cuts a y label that is longer than its axis, which would overlap the header, to its unit; in a window that
+/// is too low for the unit, to its name.
 void PanelFigure::fitYLabel(const Panel& panel) const {
   const QFontMetricsF metrics(textFont(scale_.tick));
   const int bracket = panel.y_label.lastIndexOf(QLatin1Char('['));
@@ -254,7 +254,7 @@ void PanelFigure::fitYLabel(const Panel& panel) const {
   }
 }
 
-/// As many numbers as stand apart, and room for the halves of those at the ends.
+/// Sets as many numbers as fit without overlap, and room for half of the numbers at the ends.
 void PanelFigure::fitTicks() {
   layOutPanels();
   const double height = QFontMetricsF(textFont(scale_.tick)).height();
@@ -277,7 +277,7 @@ void PanelFigure::fitTicks() {
   layOutPanels();
 }
 
-/// Axes below each other become equally high, whatever stands above and below them.
+/// Makes axes below each other equally high, whatever is above and below them.
 void PanelFigure::balanceRows() {
   const auto columns = static_cast<std::size_t>(columns_);
   std::vector<double> beside((shown_.size() + columns - 1) / columns, 0.0);

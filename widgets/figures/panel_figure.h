@@ -10,17 +10,17 @@
 
 namespace capstan::widgets {
 
-/// Sizes of everything in a figure that is laid out for a width: text in typographic points, lines in pixels
-/// of 1/96 inch. From a single column (88 mm: 6.5 points) to a window.
+/// Sizes in a figure that is laid out for a width, from a single column (88 mm: 6.5 points) to a window: text
+/// in typographic points, lines in pixels of 1/96 inch.
 struct SheetScale {
   double title = 9.0, text = 8.0, tick = 7.5;
-  double line = 1.0;  ///< width of an outline
+  double line = 1.0;  ///< line width of an outline
 
   static SheetScale of(double width);
 };
 
-/// What figures of several panels share: a title and a note, one legend, and panels in rows and columns, each
-/// with a header over its axes. Concrete figures fill the axes.
+/// Base class of figures with several panels: a title and a note, one legend, and panels in rows and columns,
+/// each with a header above its axes. Derived classes draw into the axes.
 class PanelFigure : public QCustomPlot, public Figure {
   Q_OBJECT
  public:
@@ -28,11 +28,11 @@ class PanelFigure : public QCustomPlot, public Figure {
     QCPLayoutGrid* cell;
     TextRow* header;
     QCPAxisRect* axes;
-    QString x_label, y_label;  ///< with a unit in brackets; too long for its axis, y_label is the unit alone
-    QCPItemText* empty;        ///< says that there is nothing to show, where there is not
-    int group;                 ///< panels of one group stand on one page
-    std::vector<TextRow::Line> lines;  ///< its header
-    /// The header where it does not stand below another panel of its group; empty: `lines`.
+    QString x_label, y_label;  ///< with units in brackets; a y_label that is too long is cut to its unit
+    QCPItemText* empty;        ///< text shown in a panel without data
+    int group;                 ///< panels of one group share a page
+    std::vector<TextRow::Line> lines;  ///< lines of the header
+    /// Lines of the header if no panel of the same group is above; empty: `lines`.
     std::vector<TextRow::Line> alone = {};
   };
 
@@ -46,17 +46,17 @@ class PanelFigure : public QCustomPlot, public Figure {
   const Theme& theme() const { return *theme_; }
   const SheetScale& scale() const { return scale_; }
 
-  static constexpr int kLeastAxesHeight = 38;  ///< on paper: 10 mm, three numbers upon each other [px]
+  static constexpr int kLeastAxesHeight = 38;  ///< on paper: 10 mm, three numbers above each other [px]
   static constexpr int kLeastAxesWidth = 60;   ///< [px]
 
-  /// Whether title and note stand above the panels; they are the caption all the same.
+  /// Shows or hides title and note above the panels. caption() includes them in both cases.
   void setTitled(bool titled);
-  /// Panels that are drawn, by index, in their order; all others are not there.
+  /// Sets the panels that are drawn, by index, in their order; all others are absent.
   void setShown(std::vector<std::size_t> panels);
   const std::vector<std::size_t>& shown() const { return shown_; }
-  /// Whether words give way where axes would be lower than leastHeight(): a window has but one page.
+  /// Whether texts are omitted where axes would be lower than leastHeight(): a window has only one page.
   void setYielding(bool yielding);
-  /// Whether all that is shown has the room that it needs at the present size.
+  /// Whether everything shown has the room that it needs at the present size.
   bool fits() const;
 
  protected:
@@ -64,29 +64,29 @@ class PanelFigure : public QCustomPlot, public Figure {
 
   void setTitle(const QString& title, const QString& note);
   void setLegend(std::vector<LegendEntry> entries) { legend_->setEntries(std::move(entries)); }
-  /// In axes of its own, or in those given, which the caller has dressed.
+  /// Adds a panel, with new axes or with `axes`, which the caller has styled.
   Panel& addPanel(std::vector<TextRow::Line> header, const QString& x_label, const QString& y_label,
                   QCPAxisRect* axes = nullptr);
-  /// Of the panels added from now on; before the first call each is a group of its own.
+  /// Sets the group of the panels added from now on. Before the first call each panel is a group of its own.
   void setGroup(int group) { group_ = group; }
-  /// Lays out again for the present size and theme; to be called at the end of a figure's constructor.
+  /// Lays out for the present size and theme. Call it at the end of the constructor of a derived class.
   void fit();
 
-  /// Of the axes of a panel, where it needs more than most [px].
+  /// Least height of the axes of a panel [px], for panels that need more than kLeastAxesHeight.
   virtual int leastHeight(std::size_t) const { return kLeastAxesHeight; }
-  /// All panels have one x axis: its numbers stand below the lowest only.
+  /// Whether all panels share one x axis: its numbers are then shown only below the lowest panel.
   virtual bool sharesX() const { return false; }
-  /// Panels side by side in a figure of this size.
+  /// Number of panels side by side in a figure of this size.
   virtual int columnsFor(QSize size) const = 0;
-  /// Takes theme() and scale() to what is drawn in the panels.
+  /// Applies theme() and scale() to the content of the panels.
   virtual void restyle() = 0;
-  /// The panels have their places: what depends on them in pixels may be chosen.
+  /// Called when the panels have their positions, for choices that depend on pixels.
   virtual void laidOut() {}
 
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  /// What a crowded figure in a window omits, one after another.
+  /// Texts that a crowded figure in a window omits, one after another.
   enum class Words { kAll, kNoSecondRank, kNoNote, kOneLabel };
 
   void fitWords(Words words);

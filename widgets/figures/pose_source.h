@@ -2,9 +2,9 @@
 
 #include "widgets/figures/theme.h"
 
-/// Poses and errors of a correction, in the colours of what they speak of: commanded poses are what a
-/// correction is to reach, what cameras saw the camera's, the rigid offset the first estimate, the correction
-/// the last.
+/// Source of poses, or of errors, of a correction. Its colour is that of the corresponding quantity:
+/// commanded poses as true values, observed poses as the camera, the rigid offset as the first estimate
+/// (kinematic), the correction as the last (UKF).
 namespace capstan::widgets {
 
 enum class PoseSource { kCommanded, kVisible, kOffset, kCorrected };

@@ -11,18 +11,19 @@ namespace capstan::widgets {
 
 namespace {
 
-constexpr double kGap = 10.0;  ///< periods without an observation that are shaded
+constexpr double kGap = 10.0;  ///< shortest shaded gap without observations, in periods
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr int kLeastPanelWidth = 280;                              ///< [px] of panels side by side
 constexpr std::array<std::size_t, 6> kOrder = {0, 3, 1, 4, 2, 5};  ///< positions left, angles right
 
-/// Observations whose courses are not drawn: those rejected, unless all are.
+/// Observations that are not drawn as lines: rejected ones, unless all are rejected.
 std::vector<bool> leftOut(const PoseTraceData& data) {
   const bool all = std::find(data.rejected.begin(), data.rejected.end(), false) == data.rejected.end();
   return all ? std::vector<bool>(data.rejected.size(), false) : data.rejected;
 }
 
-/// An observation that jumps away is at the edge of the picture, and does not make the rest of it small.
+/// Value range of the axes without excluded observations: these are drawn at the edge, and do not compress
+/// the rest.
 QCPRange rangeOf(const PoseTraceData& data, const std::vector<bool>& excluded, std::size_t degree) {
   QCPRange range;
   bool first = true;
@@ -64,7 +65,8 @@ void PoseTraceFigure::build(std::size_t degree) {
   y->setRange(range);
   Curves curves{};
   const double longest = kGap * typicalPeriod(data_.t);
-  // The last estimate below, what it is to reach on top: each stays visible where they coincide.
+  // The last estimate is drawn first and the commanded pose last, so that each stays visible where they
+  // coincide.
   for (const std::size_t s : {std::size_t{1}, std::size_t{2}, std::size_t{0}}) {
     curves.history[s] = addGraph(x, y);
     curves.history[s]->setAdaptiveSampling(false);

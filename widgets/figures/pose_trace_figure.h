@@ -9,17 +9,17 @@
 
 namespace capstan::widgets {
 
-/// One trajectory; positions in mm, angles in degrees, each angle without jumps.
+/// Data of one trajectory: positions in mm, angles in degrees, unwrapped.
 struct PoseTraceData {
   QString title = {}, note = {};
   std::vector<double> t = {};       ///< [s]
-  std::vector<bool> rejected = {};  ///< by observation
-  /// [source of kCommanded, kOffset, kCorrected][x, y, z, yaw, pitch, roll]; empty: there is none
+  std::vector<bool> rejected = {};  ///< one flag per observation
+  /// Values as [source of kCommanded, kOffset, kCorrected][x, y, z, yaw, pitch, roll]; empty: not available.
   std::array<std::array<std::vector<double>, 6>, 3> history = {};
 };
 
-/// A trajectory over time, commanded, observed with the rigid offset, and corrected (GPR paper,
-/// figure 4); observations that were excluded are marked in the colour of warnings.
+/// A trajectory over time: commanded, observed with the rigid offset, and corrected (GPR paper, figure 4).
+/// Excluded observations are marked in the colour of warnings.
 class PoseTraceFigure : public PanelFigure {
   Q_OBJECT
  public:

@@ -11,7 +11,7 @@ namespace capstan::widgets {
 namespace {
 
 constexpr int kLeastPanelWidth = 330;  ///< [px] of panels side by side
-constexpr int kSteps = 100;            ///< of stated shares
+constexpr int kSteps = 100;            ///< number of stated shares
 
 double stepShare(int step) { return std::min(static_cast<double>(step) / kSteps, 0.9999); }
 
@@ -38,7 +38,7 @@ std::unique_ptr<Figure> ReliabilityFigure::copy() const { return std::make_uniqu
 
 void ReliabilityFigure::build(bool rotation) {
   const Panel& panel = addPanel({{rotation ? tr("rotation [%]") : tr("position [%]"), true}},
-                                tr("share stated [%]"), tr("errors within it [%]"));
+                                tr("stated probability [%]"), tr("errors within the interval [%]"));
   panel.empty->setVisible(data_.stated.states() == 0);
   QCPAxis* x = panel.axes->axis(QCPAxis::atBottom);
   QCPAxis* y = panel.axes->axis(QCPAxis::atLeft);

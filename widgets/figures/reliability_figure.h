@@ -10,9 +10,9 @@ struct ReliabilityData {
   learning::StatedErrors stated = {};
 };
 
-/// Share of the errors that are within the interval stated for them, against the share that the interval is
-/// stated for: on the diagonal where the stated σ are right, below it where the correction is surer than it
-/// may be. Position and rotation, a curve a degree of freedom.
+/// Reliability diagram: share of errors within their stated interval against the stated probability of that
+/// interval. The curve lies on the diagonal where the stated σ are right, below it where they are too small.
+/// Position and rotation, one curve per degree of freedom.
 class ReliabilityFigure : public PanelFigure {
   Q_OBJECT
  public:
@@ -30,8 +30,8 @@ class ReliabilityFigure : public PanelFigure {
   void build(bool rotation);
 
   ReliabilityData data_;
-  std::vector<QCPGraph*> curves_;     ///< by degree of freedom
-  std::vector<QCPGraph*> diagonals_;  ///< by panel
+  std::vector<QCPGraph*> curves_;     ///< one curve per degree of freedom
+  std::vector<QCPGraph*> diagonals_;  ///< one diagonal per panel
 };
 
 }  // namespace capstan::widgets

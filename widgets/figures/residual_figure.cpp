@@ -16,8 +16,8 @@ using diagnosis::ShownUnit;
 using diagnosis::shownUnit;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kGap = 5.0;       ///< periods without a sample that part a line
-constexpr int kMostSmooth = 6000;  ///< points of a line that is not drawn pixel by pixel
+constexpr double kGap = 5.0;       ///< shortest gap that interrupts a line, in periods
+constexpr int kMostSmooth = 6000;  ///< lines with more points are drawn pixel by pixel
 
 QString fromUtf8(const std::string& text) { return QString::fromStdString(text); }
 
@@ -35,7 +35,7 @@ QCPRange rangeOf(std::initializer_list<const std::vector<double>*> all, double s
   return {low - 0.04 * (high - low), high + 0.04 * (high - low)};
 }
 
-/// "RMS 0.81 nominal, 0.52 refitted, 0.11 extended; noise 0.02; fit 98.1 → 99.7 %".
+/// Text as "RMS 0.81 nominal, 0.52 refitted, 0.11 extended; noise 0.02; fit 98.1 → 99.7 %".
 QString words(const ResidualTrace& trace) {
   const double scale = shownUnit(trace.unit).scale;
   const auto number = [&](double value) { return significantText(scale * value); };
@@ -163,7 +163,7 @@ void ResidualFigure::linkTimes() {
                 to.axes->axis(QCPAxis::atBottom), qOverload<const QCPRange&>(&QCPAxis::setRange));
 }
 
-/// Over time lines coincide: each stays visible below the thinner ones drawn upon it.
+/// The lines over time coincide: each stays visible below the thinner ones drawn over it.
 QPen ResidualFigure::penOf(Line line, bool residual) const {
   const double width = scale().line;
   QPen pen(theme().truth, 0.8 * width);

@@ -9,11 +9,12 @@
 
 namespace capstan::widgets {
 
-/// A channel through the three models, in SI; all of one length, t rising.
+/// Measured and simulated values of a channel by the three models, in SI; all vectors of the same length, t
+/// rising.
 struct ResidualTrace {
   std::string channel, unit;  ///< "q2", "rad"
   double noise = 0.0;         ///< standard deviation of the sensor
-  double period = 0.0;        ///< between samples, typically [s]; longer without a sample is a gap
+  double period = 0.0;        ///< typical period between samples [s]; longer ones are gaps
   std::vector<double> t, measured, nominal, refitted;
   std::vector<double> extended = {};  ///< empty: no cause was added
   diagnosis::ChannelStatistics nominal_statistics = {}, refitted_statistics = {}, extended_statistics = {};
@@ -25,12 +26,13 @@ struct ResidualData {
 };
 
 ResidualTrace residualTrace(const diagnosis::ChannelReport& channel, bool extended);
-/// Of one channel: `report` says whether causes were added, and what the recording is called.
+/// Data of one channel; `report` gives the name of the recording and whether causes were added.
 ResidualData residualData(const diagnosis::Report& report, const diagnosis::ChannelReport& channel);
 
-/// A channel over time: measured, and simulated by the nominal, the refitted and the extended model; below it
-/// what the last two get wrong, measured − simulated, with ± 2 σ of the sensor's noise behind it. Above: RMS
-/// and fit. The time axes go together when one is dragged or zoomed (setInteractions() is the caller's).
+/// A channel over time: measured, and simulated by the nominal, the refitted and the extended model. Below it
+/// the residuals of the last two, measured − simulated, over ± 2 σ of the sensor's noise. Above it RMS and
+/// fit. The time axes move together when one is dragged or zoomed (the caller enables this by
+/// setInteractions()).
 ///     ResidualFigure figure(residualData(report, report.channels[0]));
 class ResidualFigure : public PanelFigure {
   Q_OBJECT
@@ -38,7 +40,7 @@ class ResidualFigure : public PanelFigure {
   explicit ResidualFigure(ResidualData data, QWidget* parent = nullptr);
 
   std::unique_ptr<Figure> copy() const override;
-  /// Of long recordings every so-manieth sample, kMostRows at most.
+  /// Numbers of the figure; a long recording is thinned to at most kMostRows evenly spaced samples.
   std::vector<FigureNumbers> numbers() const override;
   static constexpr std::size_t kMostRows = 5000;
   const ResidualData& data() const { return data_; }
@@ -54,7 +56,7 @@ class ResidualFigure : public PanelFigure {
   struct Curve {
     Line line;
     QCPGraph* graph;
-    bool residual;  ///< measured − simulated; else over time
+    bool residual;  ///< true: measured − simulated; false: value over time
   };
   void build(const ResidualTrace& trace);
   void addLine(QCPAxisRect* axes, Line line, const ResidualTrace& trace, const std::vector<double>& values,

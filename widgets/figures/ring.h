@@ -8,7 +8,7 @@
 
 namespace capstan::widgets {
 
-/// The newest `capacity` items in memory that is taken once. Index 0 is the oldest item kept.
+/// Ring buffer of the newest `capacity` items, in memory that is allocated once. Index 0 is the oldest item.
 template <class T>
 class Ring {
  public:
@@ -25,7 +25,7 @@ class Ring {
   }
   bool empty() const { return pushed_ == 0; }
   std::size_t capacity() const { return items_.size(); }
-  /// How many items ever came; item i was the (pushed() − size() + i)-th.
+  /// Number of items pushed so far; item i was the (pushed() − size() + i)-th.
   std::uint64_t pushed() const { return pushed_; }
 
   const T& operator[](std::size_t i) const { return items_[slot(i)]; }
@@ -33,7 +33,8 @@ class Ring {
   const T& back() const { return (*this)[size() - 1]; }
   T& back() { return (*this)[size() - 1]; }
 
-  /// Index of the first item for which `below` is false; items must be partitioned by it, as by time.
+  /// Index of the first item for which `below` is false. Items must be partitioned by it, for example ordered
+  /// by time.
   template <class Predicate>
   std::size_t partitionPoint(Predicate below) const {
     std::size_t low = 0, high = size();

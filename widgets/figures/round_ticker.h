@@ -10,8 +10,8 @@
 
 namespace capstan::widgets {
 
-/// Ticks at 1, 2 or 5 times a power of ten, at least two of them, labelled with exactly the decimals that the
-/// step needs and with a real minus sign.
+/// Ticks at 1, 2 or 5 times a power of ten, at least two of them. Labels have exactly the decimals that the
+/// step needs and a true minus sign.
 class RoundTicker : public QCPAxisTicker {
  public:
   /// The step for about `count` ticks.
@@ -24,13 +24,13 @@ class RoundTicker : public QCPAxisTicker {
     while (chosen + 1 < kSteps.size() && ticksWithin(range, decade * kSteps[chosen]) < 2.0) ++chosen;
     return decade * kSteps[chosen];
   }
-  /// What a range of values becomes where ticks are to stand at its ends.
+  /// A range of values widened so that ticks are at its ends.
   struct Ends {
     QCPRange range;
     double step = 1.0;
   };
-  /// The narrowest range about `values` that takes at most `most` steps of 1 to 5 times a power of ten from
-  /// its first tick to its last. Values may reach a little beyond these.
+  /// The narrowest range about `values` with at most `most` steps from its first tick to its last; steps are
+  /// 1 to 5 times a power of ten. Values may exceed these ticks by 15 % of a step.
   static Ends endsFor(const QCPRange& values, int most) {
     constexpr double kBeyond = 0.15;  // of a step
     const double least = std::pow(10.0, std::floor(std::log10(values.size() / std::max(most, 1))) - 1.0);
@@ -46,7 +46,7 @@ class RoundTicker : public QCPAxisTicker {
       }
     return best;
   }
-  /// From now on; 0: as stepFor() has it.
+  /// Sets the step; 0: as stepFor().
   void setFixedStep(double step) { fixed_step_ = step; }
 
  protected:
@@ -57,7 +57,7 @@ class RoundTicker : public QCPAxisTicker {
   QString getTickLabel(double tick, const QLocale& locale, QChar, int) override {
     return withMinus(locale.toString(std::abs(tick) < 1e-9 * step_ ? 0.0 : tick, 'f', decimals()));
   }
-  /// That the step needs.
+  /// Number of decimals that the step needs.
   int decimals() const { return std::max(0, -static_cast<int>(std::floor(std::log10(step_) + 1e-9))); }
 
  private:
@@ -68,8 +68,8 @@ class RoundTicker : public QCPAxisTicker {
   double step_ = 1.0, fixed_step_ = 0.0;
 };
 
-/// The same, with the ends of the axis among them (inwards to the last decimal of the others), in place of
-/// what stands closer to one than most of a step: where an axis ends with its data, it says where that is.
+/// RoundTicker with additional ticks at the ends of the axis (rounded inwards to the last decimal). They
+/// replace ticks that are closer to an end than 70 % of a step. For an axis that ends with its data.
 class EndTicker : public RoundTicker {
  protected:
   QVector<double> createTickVector(double step, const QCPRange& range) override {

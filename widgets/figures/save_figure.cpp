@@ -16,8 +16,8 @@ namespace capstan::widgets {
 
 namespace {
 
-constexpr double kPixelScale = 2.0;  ///< PNG pixels a point: sharp in print
-constexpr int kResolution = 96;      ///< points an inch, so that text keeps its size in every format
+constexpr double kPixelScale = 2.0;  ///< PNG pixels per point: sharp in print
+constexpr int kResolution = 96;      ///< points per inch, so that text has the same size in every format
 
 bool saveSvg(QCustomPlot& plot, const QString& file, QSize size) {
   QSvgGenerator svg;
@@ -34,7 +34,7 @@ bool saveSvg(QCustomPlot& plot, const QString& file, QSize size) {
   return painter.end();
 }
 
-/// A number as CSV has it, nine digits (those of a float); empty where there is none.
+/// A number as CSV text with nine digits (those of a float); empty for NaN.
 std::string cell(float value) { return std::isnan(value) ? std::string(",") : fmt::format(",{:.9g}", value); }
 
 std::string tableHeader(bool blocks) {
@@ -46,7 +46,7 @@ std::string tableHeader(bool blocks) {
   return line + (blocks ? ",block [s],of block\n" : "\n");
 }
 
-/// The text of one row; `values` or `camera` may be missing.
+/// Text of one row; `values` or `camera` may be missing.
 std::string tableRow(double t, const JointHistory::Row* row, const JointHistory::CameraPoint* camera) {
   std::string line = fmt::format("{:.6f}", t);
   for (std::size_t joint = 0; joint < JointHistory::kJoints; ++joint) {
@@ -60,7 +60,7 @@ std::string tableRow(double t, const JointHistory::Row* row, const JointHistory:
 
 constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
 
-/// Lines of a table in the order of time, as their blocks say.
+/// Lines of a table in the order of time of their blocks.
 class TableLines {
  public:
   void add(double t, std::string cells) { lines_.emplace(t, Line{std::move(cells), {}}); }
@@ -84,7 +84,8 @@ class TableLines {
   bool blocks_ = false;
 };
 
-/// Motors' rows, with the camera's measurement where it has the same time; blocks where no row is left.
+/// Rows of the motors, with the camera's measurement at the same time if there is one; blocks where no rows
+/// are stored.
 void addRows(const JointHistory& history, double begin, double end, TableLines& lines) {
   const double detail = history.detailBegin();
   if (begin < detail)
@@ -104,7 +105,7 @@ void addRows(const JointHistory& history, double begin, double end, TableLines& 
   }
 }
 
-/// The camera's measurements but for those that are in a row; blocks where no measurement is left.
+/// Camera measurements that are not in a row of the motors; blocks where no measurements are stored.
 void addCamera(const JointHistory& history, double begin, double end, TableLines& lines) {
   const auto& camera = history.camera();
   const double detail = history.cameraDetailBegin();

@@ -14,7 +14,7 @@ namespace capstan::widgets {
 
 namespace {
 
-constexpr int kResolution = static_cast<int>(PaperSize::kDotsPerInch);  ///< text keeps its size everywhere
+constexpr int kResolution = static_cast<int>(PaperSize::kDotsPerInch);  ///< text has equal size everywhere
 constexpr double kImageDotsPerInch = 300.0;
 
 bool drawVectors(QCustomPlot& plot, QPaintDevice& device, QSize dots) {

@@ -10,17 +10,18 @@
 
 namespace capstan::widgets {
 
-/// Endings that figures are written with.
+/// File endings of figures.
 inline const std::vector<std::string> kImageEndings = {".pdf", ".svg", ".png"};
 
-/// Draws `plot` into a file by its ending: .png (300 dpi), .pdf or .svg (vectors, text as text), of the
-/// physical size given. The plot must have been laid out for size.dots(). A file is replaced when the new one
-/// is whole. Needs no display. Throws base::InputError for another ending or an unwritable place.
+/// Writes `plot` to a file by its ending: .png (300 dpi), .pdf or .svg (vectors, text as text), in the given
+/// physical size. The plot must have been laid out for size.dots(). An existing file is replaced when the new
+/// one is complete. Needs no display. Throws base::InputError for another ending or a path that cannot be
+/// written.
 void savePlot(QCustomPlot& plot, const std::filesystem::path& path, PaperSize size, const QString& title);
 
-/// The figure on paper, light whatever its theme on screen, on as many pages as it needs (page_layout.h):
-/// base.pdf, base.svg and base.png (of `endings`), of several pages base-page-1.pdf, base-page-2.pdf …; and
-/// its numbers as base*.csv. Returns what was written. Throws base::InputError.
+/// Writes the figure in the light theme, on as many pages as it needs (page_layout.h): base.pdf, base.svg and
+/// base.png (those in `endings`), for several pages base-page-1.pdf, base-page-2.pdf …; and its numbers as
+/// base*.csv. Returns the files written. Throws base::InputError.
 std::vector<std::filesystem::path> exportFigure(const Figure& figure, const std::filesystem::path& base,
                                                 const PageOptions& options = {},
                                                 const std::vector<std::string>& endings = kImageEndings);

@@ -9,30 +9,29 @@
 
 namespace capstan::widgets {
 
-/// Whose numbers a box or a histogram shows: a quantity, and which run where two are compared.
+/// Identity of a series in a box plot or histogram: a quantity, and a run where two are compared.
 struct SeriesKey {
   Quantity quantity = Quantity::kUkf;
-  int run = 0;            ///< 0 the first, 1 the second
-  QString run_name = {};  ///< shown beside the quantity; empty: a single run
-  QString words = {};     ///< in the quantity's place; empty: its own name
+  int run = 0;            ///< first run: 0, second run: 1
+  QString run_name = {};  ///< name shown beside the quantity; empty: a single run
+  QString words = {};     ///< name shown instead of the quantity's; empty: the quantity's
 
   QString name() const;
   bool operator==(const SeriesKey&) const = default;
 };
 
-/// How a series fills an area: its quantity's colour, distinguished in grey by hatch, outline and mark. The
-/// UKF is filled plainly, kinematics are hatched and outlined with dashes, the camera is hatched the other
-/// way and dotted; a second run is paler and hatched across.
+/// Style of the area of a series: its quantity's colour; hatch, outline and mark distinguish series in grey
+/// print. The UKF is filled plainly, kinematics are hatched with a dashed outline, the camera is hatched the
+/// other way with a dotted outline. A second run is paler and cross-hatched.
 struct SeriesStyle {
   QColor ink, fill;
   Hatch hatch = Hatch::kNone, second_hatch = Hatch::kNone;
   Qt::PenStyle outline = Qt::SolidLine;
-  bool filled_mark = true;  ///< of outliers: a disc, else a circle
+  bool filled_mark = true;  ///< mark of outliers: disc (true) or circle
 
   static SeriesStyle of(const SeriesKey& key, const Theme& theme);
   QPen pen(double width) const;
-  /// Fill and hatches of one box, without outline. `unit` [px]: a width of lines, from which the hatch takes
-  /// its measure.
+  /// Draws fill and hatches of one box, without outline. `unit`: line width that scales the hatch [px].
   void fillBox(QPainter* painter, const QRectF& box, double unit) const;
 };
 

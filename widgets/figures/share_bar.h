@@ -11,13 +11,15 @@
 
 namespace capstan::widgets {
 
-/// Cells with a bar in them, their text over it. An item says how long its bar is; none below kLeast.
+/// Delegate that draws a bar in a cell, with the cell's text over it. The item stores the length of its bar;
+/// bars below kLeast are not drawn.
 class ShareBar : public QStyledItemDelegate {
  public:
   static constexpr double kLeast = 0.005;
   using QStyledItemDelegate::QStyledItemDelegate;
 
-  /// `share` of the cell's width; `solid` false: an outline, for what is merely expected.
+  /// Sets the bar of a cell. `share`: share of the cell's width; `solid` false: outline only, for a predicted
+  /// value.
   static void set(QTreeWidgetItem& item, int column, double share, const QColor& colour, bool solid = true) {
     item.setData(column, kShare, share);
     item.setData(column, kColour, colour);
@@ -27,7 +29,7 @@ class ShareBar : public QStyledItemDelegate {
     return item.data(column, kShare).toDouble();
   }
 
-  /// Background, bar, text: neither a selection nor the bar covers what is above it.
+  /// Draws background, bar, then text, so that neither a selection nor the bar covers the text.
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
     QStyleOptionViewItem cell = option;
     initStyleOption(&cell, index);

@@ -6,7 +6,7 @@ namespace capstan::widgets {
 
 namespace {
 
-constexpr int kPiece = 24;  ///< points filled at once on screen
+constexpr int kPiece = 24;  ///< points per piece filled on screen
 
 bool isGap(const SigmaBand::Point& point) { return std::isnan(point.low) || std::isnan(point.high); }
 

@@ -4,9 +4,9 @@
 
 namespace capstan::widgets {
 
-/// The area between two curves over one axis rect, behind the lines. On screen it is filled in short pieces:
-/// Qt's polygon filler takes time by the square of how often an outline crosses a row of pixels. In files it
-/// is one shape.
+/// The area between two curves over one axis rect, behind the lines. On screen it is filled in short pieces,
+/// because the time of Qt's polygon filler grows with the square of the number of crossings of the outline
+/// with a row of pixels. In files it is one shape.
 class SigmaBand : public QCPLayerable {
   Q_OBJECT
  public:

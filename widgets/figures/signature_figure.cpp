@@ -18,7 +18,7 @@ using diagnosis::VariableKind;
 
 constexpr int kLeastPanelWidth = 270;  ///< [px] of panels side by side
 constexpr int kMostColumns = 3;
-constexpr double kBarsBeyond = 0.25;    ///< so far beyond the means the axis follows their bars, in spreads
+constexpr double kBarsBeyond = 0.25;    ///< limit to which the axis includes the bars, in ranges of the means
 constexpr int kNoiseShade = 60;         ///< opacity of 255
 constexpr double kWorthShowing = 0.02;  ///< share of the variance
 
@@ -39,7 +39,7 @@ QString percent(const Signature& signature) {
   return withMinus(text) + QStringLiteral(" %");
 }
 
-/// A share within two of its sigmas of nothing is nothing.
+/// A share below two of its standard deviations counts as zero.
 QString shareText(const Signature& signature) {
   const bool seen = signature.share > 2.0 * signature.share_sigma;
   return fromUtf8(diagnosis::shareWords(seen ? signature.share : 0.0));
@@ -61,8 +61,8 @@ std::vector<const Signature*> signaturesOf(const SignaturePanel& panel) {
   return all;
 }
 
-/// Of the value axis that the panels of `channel` share, in units for people: zero, all means, the sensor's
-/// noise, and the means' bars unless these reach far.
+/// Range of the value axis that the panels of `channel` share, in units for people: zero, all means, the
+/// sensor's noise, and the bars of the means within kBarsBeyond.
 QCPRange valuesOf(const SignatureData& data, const std::string& channel) {
   QCPRange means(0.0, 0.0);
   const auto each = [&](const auto& take) {
@@ -117,14 +117,14 @@ QPen linePen(const Theme& theme, bool after, double line) {
   return pen;
 }
 
-/// A circle about a disc: where both stand in one place, both are seen.
+/// A circle around a disc, so that both are visible at the same position.
 QCPScatterStyle markStyle(const Theme& theme, bool after, double line) {
   const QColor ink = theme.colour(after ? Quantity::kUkf : Quantity::kKinematic);
   return {QCPScatterStyle::ssCircle, QPen(ink, 1.2 * line), QBrush(after ? ink : theme.surface),
           (after ? 4.0 : 7.0) * line};
 }
 
-/// Torques of motor and joint and the stretch between them go together.
+/// Whether two signatures are correlated: torques of motor and joint, and the stretch between them.
 bool muchTheSame(const Signature& a, const Signature& b) {
   const auto carries = [](VariableKind kind) {
     return kind == VariableKind::kMotorTorque || kind == VariableKind::kJointTorque ||
@@ -158,7 +158,7 @@ SignaturePanel signaturePanel(const diagnosis::ChannelReport& channel, std::size
 SignatureData strongestSignatures(const diagnosis::Report& report, const diagnosis::ChannelReport& channel,
                                   std::size_t most) {
   SignatureData data;
-  data.title = QObject::tr("%1: what its residual depends on").arg(fromUtf8(channel.refitted.name));
+  data.title = QObject::tr("%1: dependence of its residual").arg(fromUtf8(channel.refitted.name));
   const auto recording = static_cast<std::size_t>(channel.recording);
   if (recording < report.recordings.size()) data.note = fromUtf8(report.recordings[recording]);
   for (std::size_t i = 0; i < channel.before.size() && data.panels.size() < most; ++i) {
@@ -220,7 +220,7 @@ SignatureFigure::Curve SignatureFigure::addCurve(const Panel& panel, const Signa
   for (const SignatureBin& bin : signature.bins) {
     key << x_scale * (isDirection(signature) ? std::round(bin.centre) : bin.centre);
     mean << y_scale * bin.mean;
-    // SVG files know no clipping: bars are cut to the axis here.
+    // SVG files have no clipping: bars are cut to the axis here.
     const auto reach = [&](double end) {
       const double cut = std::clamp(y_scale * end, values.lower, values.upper);
       return std::isfinite(cut) ? std::abs(cut - mean.back()) : 0.0;

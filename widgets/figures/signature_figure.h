@@ -9,11 +9,11 @@
 
 namespace capstan::widgets {
 
-/// One signature, in SI; drawn in units for people.
+/// One signature, in SI; the figure converts it to units for people.
 struct SignaturePanel {
-  diagnosis::Signature before;                     ///< of the refitted model
-  std::optional<diagnosis::Signature> after = {};  ///< of the extended one, against the same variable
-  std::string unit;                                ///< of the residual: "rad" or "m"
+  diagnosis::Signature before;                     ///< signature of the refitted model's residual
+  std::optional<diagnosis::Signature> after = {};  ///< of the extended model, against the same variable
+  std::string unit;                                ///< unit of the residual: "rad" or "m"
   double noise = 0.0;                              ///< standard deviation of the sensor; 0: not shown
 };
 
@@ -22,19 +22,20 @@ struct SignatureData {
   std::vector<SignaturePanel> panels = {};
 };
 
-/// Signature `which` of channel.before beside the one in channel.after against the same variable; `extended`:
-/// there are causes, so that there is an after.
+/// Signature `which` of channel.before, beside the one in channel.after against the same variable.
+/// `extended`: causes were added, so that channel.after is valid.
 SignaturePanel signaturePanel(const diagnosis::ChannelReport& channel, std::size_t which, bool extended);
-/// The strongest of one channel, `most` of them; beyond the first only what explains something, and of the
-/// torques and the stretch of one joint, which go together, only the strongest.
+/// The strongest signatures of one channel, at most `most`. After the first, only signatures that explain
+/// variance are included. Torques and stretch of one joint are correlated; only the strongest of them is
+/// included.
 SignatureData strongestSignatures(const diagnosis::Report& report, const diagnosis::ChannelReport& channel,
                                   std::size_t most = 4);
 
-/// What a simulation gets wrong against what it may depend on: the residual's mean in bins of a variable
-/// with its 95 % interval, before and after causes were added to the model. Above each panel the share of the
-/// residual's variance that the variable explains, in words and numbers. Panels of one channel have one
-/// value axis, so that a strong signature looks strong beside a weak one, and the sensor's noise, ± σ, is
-/// shaded and always within it, so that nothing does not look like something.
+/// Residual of a simulation against variables that it may depend on: the mean in bins of a variable with its
+/// 95 % interval, before and after causes were added to the model. Above each panel is the share of the
+/// residual's variance that the variable explains, in words and numbers. Panels of one channel share one
+/// value axis, so that strong and weak signatures can be compared. The sensor's noise, ± σ, is shaded and
+/// always within the axis, so that values within the noise are not mistaken for a signature.
 ///     SignatureFigure figure({"q2", {}, {signaturePanel(channel, 0, !report.causes.empty())}});
 ///     SignatureFigure sheet(strongestSignatures(report, channel));
 class SignatureFigure : public PanelFigure {
@@ -45,7 +46,7 @@ class SignatureFigure : public PanelFigure {
   std::unique_ptr<Figure> copy() const override;
   std::vector<FigureNumbers> numbers() const override;
   const SignatureData& data() const { return data_; }
-  /// "before" and "after" of a panel; the latter null where there is none.
+  /// Graphs "before" and "after" of a panel; after() is null where there is none.
   QCPGraph* before(std::size_t panel) const { return curves_[panel].before.means; }
   QCPGraph* after(std::size_t panel) const { return curves_[panel].after.means; }
 

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kLineSpacing = 1.08;
 constexpr int kBelow = 2;      ///< under the last line [px]
-constexpr double kGap = 10.0;  ///< before a line that stands beside another [px]
+constexpr double kGap = 10.0;  ///< before a line beside another [px]
 
 int lineHeight(const QFont& font) {
   return static_cast<int>(std::ceil(QFontMetricsF(font).height() * kLineSpacing));

@@ -6,14 +6,15 @@
 
 namespace capstan::widgets {
 
-/// Lines of text above a plot, wrapped to the width given. Its height is that of the wrapped lines.
+/// Lines of text above a plot, wrapped to the given width. The height of the row is that of the wrapped
+/// lines.
 class TextRow : public QCPLayoutElement {
   Q_OBJECT
  public:
   struct Line {
     QString text;
-    bool strong = false;  ///< bold, in the text colour; else in the muted one
-    bool beside = false;  ///< behind the line before it, where both fit the width
+    bool strong = false;  ///< bold in the text colour; false: muted colour
+    bool beside = false;  ///< placed after the line before it, if both fit the width
   };
 
   explicit TextRow(QCustomPlot* plot);
@@ -21,13 +22,14 @@ class TextRow : public QCPLayoutElement {
   void setLines(std::vector<Line> lines) { lines_ = std::move(lines); }
   const std::vector<Line>& lines() const { return lines_; }
   void setColours(const QColor& strong, const QColor& quiet);
-  /// Hidden, it takes no room. `strong_points` and `points`: font sizes [typographic points]; `width` [px].
+  /// Wraps the lines; a hidden row has no height. `strong_points`, `points`: font sizes [typographic points];
+  /// `width` [px].
   void fit(double strong_points, double points, double width);
-  /// Strong lines only and those beside them, where there is no room for the others; until the next call.
+  /// Shows only strong lines and those beside them, to save room, until the next call.
   void setBrief(bool brief) { brief_ = brief; }
   /// Height that the wrapped lines need [px].
   int needed() const { return height_; }
-  /// Where each wrapped line is written, in pixels of the plot.
+  /// Box of each wrapped line, in pixels of the plot.
   std::vector<QRectF> boxes() const;
 
  protected:
@@ -47,8 +49,8 @@ class TextRow : public QCPLayoutElement {
   bool brief_ = false;
 };
 
-/// `text` cut at its spaces so that no line is wider than `width` where a cut can help; at unbreakable ones
-/// only where nothing else helps.
+/// `text` wrapped at its spaces so that no line is wider than `width`, where possible; at non-breaking spaces
+/// only where necessary.
 QStringList wrapText(const QString& text, const QFont& font, double width);
 
 }  // namespace capstan::widgets

@@ -9,25 +9,26 @@ class QApplication;
 
 namespace capstan::widgets {
 
-/// What a curve, a number or a drawing in the scene speaks of. One colour a quantity, everywhere.
+/// Quantity that a curve, a number or a drawing shows. Each quantity has the same colour everywhere.
 enum class Quantity { kTrue, kKinematic, kCamera, kUkf };
 
 /// Name of a quantity as legends and tables write it.
 QString nameOf(Quantity quantity);
 
-/// Colours of one theme. Quantities are Okabe–Ito (safe for colour-blind eyes), the same in both themes but
-/// for the truth, which is black on light and white on dark; everything else is quiet, with one accent.
+/// Colours of one theme. Quantities have Okabe–Ito colours (safe for colour-blind people), the same in both
+/// themes except the truth, which is black on light and white on dark. All other colours are quiet, with one
+/// accent.
 struct Theme {
   QString name;      ///< "dark" or "light"
   QColor window;     ///< behind everything
   QColor surface;    ///< panels, plots, fields
   QColor raised;     ///< buttons, headers
   QColor border;     ///< hairlines
-  QColor grid;       ///< in plots
+  QColor grid;       ///< grid lines of plots
   QColor text;       ///< at least 7:1 on surface
   QColor muted;      ///< second-rank text, at least 4.5:1 on surface
   QColor accent;     ///< focus, selection, running
-  QColor on_accent;  ///< text upon the accent
+  QColor on_accent;  ///< text on the accent colour
   QColor warning;    ///< amber, always with a word
   QColor fault;      ///< reddish purple, always with a word
   QColor occluded;   ///< shade of occluded time
@@ -35,24 +36,24 @@ struct Theme {
 
   static const Theme& dark();
   static const Theme& light();
-  /// By name; the dark one for any other text.
+  /// The theme of this name; the dark one for any other text.
   static const Theme& named(const QString& name);
 
   bool isDark() const { return name == QLatin1String("dark"); }
   QColor colour(Quantity quantity) const;
-  /// The quantity's line as every plot draws it: true thin and solid, kinematic dashed, UKF thick and solid.
-  /// Drawn thick below thin (UKF, kinematic, true), each stays visible where they coincide.
-  /// The camera has marks, not a line: Qt::NoPen with its colour.
+  /// The quantity's pen, the same in every plot: true thin and solid, kinematic dashed, UKF thick and solid.
+  /// Thick lines are drawn below thin ones (UKF, kinematic, true), so that each stays visible where they
+  /// coincide. The camera has marks, not a line: Qt::NoPen with its colour.
   QPen pen(Quantity quantity) const;
-  /// Fill of the filter's ±2σ.
+  /// Fill colour of the filter's ±2σ band.
   QColor band() const;
 };
 
-/// Text and number fonts; `points` in typographic points.
+/// Fonts of text and of numbers; `points`: size [typographic points].
 QFont textFont(double points, bool bold = false);
 QFont numberFont(double points, bool bold = false);
 
-/// Palette, style sheet and font of the whole program.
+/// Sets palette, style sheet and font of the whole program.
 void applyTheme(QApplication& application, const Theme& theme);
 
 }  // namespace capstan::widgets

@@ -6,14 +6,14 @@
 
 namespace capstan::widgets {
 
-/// Where the numbers of an axis stand at its present range and size, in pixels of the plot; of axes below and
-/// left of their rect. Empty: it shows none.
+/// Boxes of the numbers of an axis at its present range and size, in pixels of the plot; for axes below or
+/// left of their rect. Empty: the axis shows no numbers.
 std::vector<QRectF> tickLabelBoxes(const QCPAxis& axis);
 
-/// Takes the most ticks, `most` or fewer but two at least, whose numbers stand apart.
+/// Sets the largest number of ticks, at least two and at most `most`, whose numbers do not overlap.
 void fitTickCount(QCPAxis& axis, int most);
 
-/// How far the last number reaches beyond the axis' far end [px].
+/// Length by which the last number extends beyond the axis' far end [px].
 int overhang(const QCPAxis& axis);
 
 }  // namespace capstan::widgets

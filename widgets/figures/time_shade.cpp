@@ -25,7 +25,7 @@ TimeShade::TimeShade(QCPAxisRect* axes, std::vector<TimeInterval> intervals)
       axes_(axes),
       intervals_(std::move(intervals)) {}
 
-/// SVG files know no clipping: shades are cut to the axis here.
+/// SVG files have no clipping: shades are cut to the axis here.
 void TimeShade::draw(QCPPainter* painter) {
   const QCPAxis* time = axes_->axis(QCPAxis::atBottom);
   const QRect area = axes_->rect();

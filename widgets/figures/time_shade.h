@@ -11,10 +11,10 @@ namespace capstan::widgets {
 /// A time in which the camera did not see the robot, or a sensor gave nothing [s].
 using TimeInterval = QCPRange;
 
-/// Spans without a sample: where the rising times `t` are further apart than `longest` [s].
+/// Intervals without a sample: where the rising times `t` are further apart than `longest` [s].
 std::vector<TimeInterval> gapsIn(const std::vector<double>& t, double longest);
 
-/// Typical period of the rising times `t`: the median of their differences; 0 of fewer than two.
+/// Typical period of the rising times `t`: the median of their differences; 0 for fewer than two.
 double typicalPeriod(const std::vector<double>& t);
 
 /// Shades time intervals behind the curves of one axis rect.

@@ -12,12 +12,12 @@ namespace capstan::widgets {
 
 namespace {
 
-constexpr double kWidths = 0.5;       ///< of lines on a figure, against the window's
-constexpr double kStepsAPixel = 2.5;  ///< history steps drawn
-constexpr double kDotsAPixel = 0.6;   ///< camera observations drawn
+constexpr double kWidths = 0.5;       ///< line width in the figure, relative to the window's
+constexpr double kStepsAPixel = 2.5;  ///< history steps drawn per pixel
+constexpr double kDotsAPixel = 0.6;   ///< camera observations drawn per pixel
 constexpr std::size_t kLeastRows = 256;
 constexpr int kTwoColumns = 600;     ///< [px]
-constexpr double kLeastSpan = 1e-3;  ///< of a value axis [deg or mm]
+constexpr double kLeastSpan = 1e-3;  ///< least range of a value axis [deg or mm]
 
 double inScreenUnit(double value, int joint) {
   return tracking::kJointUnits[static_cast<std::size_t>(joint)][0] == 'm' ? base::toMillimetres(value)
@@ -34,12 +34,12 @@ tracking::Snapshot snapshotOf(const TrajectorySample& sample) {
   s.q_link_ukf_sigma = sample.sigma;
   s.q_link_cam = sample.q_cam;
   s.camera_updated = sample.q_cam.allFinite();
-  // The instant in which an occlusion begins may have an observation from before it.
+  // The row in which an occlusion begins may contain an observation from before it.
   s.gate = sample.occluded && !s.camera_updated ? tracking::Gate::kBothLost : tracking::Gate::kOpen;
   return s;
 }
 
-/// Estimates − true in the place of the estimates, zero in that of the true values.
+/// Copies with estimates − true in place of the estimates, and zero in place of the true values.
 tracking::Snapshot errorsOf(const TrajectorySample& sample) {
   tracking::Snapshot s = snapshotOf(sample);
   s.q_link_true = sample.q_true - sample.q_true;
@@ -49,7 +49,7 @@ tracking::Snapshot errorsOf(const TrajectorySample& sample) {
   return s;
 }
 
-/// RMS of `which` − true, joint by joint, and how many instants know a joint at least.
+/// RMS of `which` − true per joint, and the number of instants with a value of any joint.
 std::pair<Eigen::Vector3d, std::uint64_t> rmsOf(const std::vector<TrajectorySample>& samples,
                                                 Eigen::Vector3d TrajectorySample::*which) {
   Eigen::Vector3d rms = Eigen::Vector3d::Constant(std::nan(""));
@@ -153,7 +153,7 @@ std::vector<JointPlot*> TrajectoryFigure::all() const {
   return plots;
 }
 
-/// Errors stand beside the positions where a page is broad, else below.
+/// Errors are beside the positions on a broad page, else below them.
 int TrajectoryFigure::columnsFor(QSize size) const {
   const bool all =
       std::all_of(error_plots_.begin(), error_plots_.end(), [](const auto& plot) { return plot != nullptr; });
@@ -195,7 +195,7 @@ void TrajectoryFigure::setEntries() {
   setLegend(std::move(entries));
 }
 
-/// As many numbers as there is room for, the first and the last at the axis' ends.
+/// As many numbers as there is room for, with the first and the last at the axis' ends.
 void TrajectoryFigure::endOnTicks(JointPlot& plot) const {
   constexpr double kPitch = 1.2;    // of numbers, in their heights
   constexpr double kPadding = 4.0;  // beyond the values, so that no line is cut or lies on the axis [px]

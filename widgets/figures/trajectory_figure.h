@@ -13,16 +13,17 @@
 
 namespace capstan::widgets {
 
-/// One instant of a trajectory, joints as rad, rad, m; NaN: not known.
+/// One instant of a trajectory, joints in rad, rad, m; NaN: unknown.
 struct TrajectorySample {
   double t = 0.0;  ///< [s], rising
   Eigen::Vector3d q_true, q_kin, q_cam, q_ukf;
-  Eigen::Vector3d sigma;  ///< of q_ukf
+  Eigen::Vector3d sigma;  ///< standard deviation of q_ukf
   bool occluded = false;
-  std::optional<double> t_cam = {};  ///< exposure behind q_cam [s]; none: t
+  std::optional<double> t_cam = {};  ///< time of exposure of q_cam [s]; none: t
 };
 
-/// RMS differences from the true joints over every sample of a run, as rad, rad, m, and how many they are.
+/// RMS differences from the true joints over every sample of a run, in rad, rad, m, and the numbers of
+/// samples.
 struct TrajectoryRms {
   Eigen::Vector3d kinematic, ukf;
   std::uint64_t kinematic_n = 0, ukf_n = 0;
@@ -30,18 +31,19 @@ struct TrajectoryRms {
 
 struct TrajectoryData {
   QString title = {}, note = {};
-  QString error = QStringLiteral("error");  ///< what a difference from the true values is called
+  QString error = QStringLiteral("error");  ///< name of a difference from the true values
   std::array<QString, 3> joint_names = {QStringLiteral("shoulder"), QStringLiteral("elbow"),
                                         QStringLiteral("insertion")};
   std::vector<TrajectorySample> samples = {};
-  /// Of the run that `samples` were thinned from, as tables have it; none: it is taken over `samples`.
+  /// RMS differences of the run from which `samples` were thinned, as in the tables; none: computed from
+  /// `samples`.
   std::optional<TrajectoryRms> rms = {};
 };
 
 /// Three joints over time: true, kinematic, camera, UKF with its ±2σ, occluded time shaded (UKF paper,
-/// figures 5 and 8), drawn by the same joint plots as on screen. Beneath each the differences of the
-/// kinematic and UKF estimates from the true values, where these are known, in a scale of their own; above
-/// each the RMS differences.
+/// figures 5 and 8), drawn by the same joint plots as on screen. Below each plot, where the true values are
+/// known, are the differences of the kinematic and UKF estimates from them, in a scale of their own; above it
+/// the RMS differences.
 class TrajectoryFigure : public PanelFigure {
   Q_OBJECT
  public:
@@ -52,7 +54,7 @@ class TrajectoryFigure : public PanelFigure {
   std::vector<FigureNumbers> numbers() const override;
   const TrajectoryData& data() const { return data_; }
   JointPlot& plot(int joint) { return *plots_[static_cast<std::size_t>(joint)]; }
-  /// Estimates − true; null where no true values are known.
+  /// The plot of estimates − true; null where the true values are unknown.
   JointPlot* errorPlot(int joint) { return error_plots_[static_cast<std::size_t>(joint)].get(); }
   const TrajectoryRms& rms() const { return rms_; }
 

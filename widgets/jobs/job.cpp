@@ -12,9 +12,9 @@ namespace capstan::widgets {
 
 namespace {
 
-constexpr int kPeriod = 100;  ///< of progressed() [ms]
+constexpr int kPeriod = 100;  ///< period of progressed() [ms]
 
-/// Of the calling thread only; without effect where the system has no such thing.
+/// Lowers the priority of the calling thread; without effect where the system does not support it.
 void lowerPriority() {
 #ifdef __linux__
   constexpr int kNice = 10;

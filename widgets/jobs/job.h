@@ -12,9 +12,9 @@
 
 namespace capstan::widgets {
 
-/// One place for background work: at most one piece at a time, on a thread of its own and at low priority, so
-/// that pictures and plots come first. Its result reaches the window's thread, unless it was cancelled. The
-/// destructor cancels and waits for the thread.
+/// Runs background work: at most one piece at a time, on its own thread with low priority, so that images and
+/// plots have precedence. The result is delivered on the window's thread, unless the work was cancelled. The
+/// destructor cancels the work and waits for its thread.
 class Job : public QObject {
   Q_OBJECT
 
@@ -22,8 +22,8 @@ class Job : public QObject {
   explicit Job(QObject* parent = nullptr);
   ~Job() override;
 
-  /// Runs `work(progress)` in the background, then `done(result)` here. Only if not busy(). What `work`
-  /// throws comes as failed().
+  /// Runs `work(progress)` in the background, then `done(result)` on this thread. Only if not busy().
+  /// Exceptions of `work` are reported by failed().
   template <class Work, class Done>
   void start(Work work, Done done) {
     using Result = std::invoke_result_t<Work&, base::Progress&>;
@@ -33,15 +33,15 @@ class Job : public QObject {
         [done = std::move(done), result]() mutable { done(std::move(**result)); });
   }
 
-  /// Asks the work to end and drops its result. It is busy() until it has ended.
+  /// Requests that the work ends, and drops its result. busy() is true until it has ended.
   void cancel();
   bool busy() const { return task_ != nullptr; }
 
  signals:
-  /// About ten times a second while work is under way: share done, 0…1, and what is being done.
+  /// Emitted about ten times per second while work is running: share done, 0…1, and the present activity.
   void progressed(double fraction, const QString& doing);
   void failed(const QString& why);
-  /// The thread has ended, whatever came of it; behind done and failed().
+  /// The thread has ended, with any result; emitted after done and failed().
   void ended();
 
  private:

@@ -16,14 +16,14 @@ constexpr double kLinkRadius = 0.011;
 constexpr double kCableRadius = 0.0026;
 constexpr double kCableGap = 0.011;
 
-/// Axis of the joint behind `row`, seen in the frame before it.
+/// Axis of the joint after `row`, in the frame before it.
 Vector3d nextAxis(const robot::DhRow& row) { return {0.0, -std::sin(row.alpha), std::cos(row.alpha)}; }
 
 double sideOf(const Vector3d& centre_of_mass, const Vector3d& axis) {
   return centre_of_mass.dot(axis) < 0.0 ? -1.0 : 1.0;
 }
 
-/// Great arc of `radius` between two unit vectors.
+/// Great-circle arc of `radius` between two unit vectors.
 std::vector<Vector3d> arc(const Vector3d& from, const Vector3d& to, double radius) {
   constexpr int kSteps = 24;
   const double angle = std::acos(std::clamp(from.dot(to), -1.0, 1.0));
@@ -47,8 +47,8 @@ std::vector<Vector3d> ring(const Vector3d& centre, const Vector3d& axis, double 
   return path;
 }
 
-/// Radius about the remote centre at which an arc between the axes has its centre of mass where the file
-/// says.
+/// Radius about the remote centre at which an arc between the axes has its centre of mass at the position in
+/// the robot file.
 double arcRadius(const robot::Joint& joint, const Vector3d& from, const Vector3d& to) {
   const double half = 0.5 * std::acos(std::clamp(from.dot(to), -1.0, 1.0));
   return joint.link.centre_of_mass.norm() / std::max(0.3, std::cos(half));

@@ -1,14 +1,8 @@
 #include "widgets/scene/cloud_renderer.h"
 
-#include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkPoints.h>
 #include <vtkProperty.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
-#include <vtkUnsignedCharArray.h>
-
-#include <cmath>
 
 #include "widgets/scene/vtk_shapes.h"
 
@@ -34,18 +28,8 @@ vtkSmartPointer<vtkActor> actorOfCloud(const PointCloud& cloud) {
 
 }  // namespace
 
-class CloudRenderer::Parts {
+class CloudRenderer::Parts : public OffScreen {
  public:
-  Parts() {
-    window->SetOffScreenRendering(1);
-    window->SetMultiSamples(0);
-    window->AddRenderer(renderer);
-    renderer->SetUseFXAA(true);
-  }
-
-  vtkSmartPointer<vtkRenderWindow> window = vtkSmartPointer<vtkRenderWindow>::New();
-  vtkSmartPointer<vtkRenderer> renderer = vtkSmartPointer<vtkRenderer>::New();
-  vtkSmartPointer<vtkUnsignedCharArray> pixels = vtkSmartPointer<vtkUnsignedCharArray>::New();
   vtkSmartPointer<vtkActor> grid;
   std::vector<vtkSmartPointer<vtkActor>> clouds;
   QColor grid_colour;
@@ -78,20 +62,8 @@ void CloudRenderer::setClouds(const std::vector<PointCloud>& clouds) {
 }
 
 QImage CloudRenderer::render(const OrbitCamera& camera, const QSize& size) {
-  if (size.isEmpty()) return {};
-  auto* view = parts_->renderer->GetActiveCamera();
-  const Eigen::Vector3d from = camera.position(), to = camera.focus(), up = camera.viewUp();
-  view->SetPosition(from.data());
-  view->SetFocalPoint(to.data());
-  view->SetViewUp(up.data());
-  view->SetViewAngle(camera.viewAngle() * 180.0 / M_PI);
-  view->SetClippingRange(0.01, 20.0);
-  parts_->window->SetSize(size.width(), size.height());
-  parts_->window->Render();
-  parts_->window->GetRGBACharPixelData(0, 0, size.width() - 1, size.height() - 1, 0, parts_->pixels);
-  const QImage bottom_up(parts_->pixels->GetPointer(0), size.width(), size.height(), 4 * size.width(),
-                         QImage::Format_RGBX8888);
-  return bottom_up.mirrored().convertToFormat(QImage::Format_RGB32);
+  constexpr double kNearest = 0.01;  // [m]
+  return parts_->render(camera, size, kNearest);
 }
 
 }  // namespace capstan::widgets

@@ -12,18 +12,18 @@
 
 namespace capstan::widgets {
 
-/// Positions of one kind.
+/// Positions of one kind, with their style.
 struct PointCloud {
   QString name = {};
   QColor colour = {};
-  double size = 2.5;  ///< of a point [px]
+  double size = 2.5;  ///< size of a point [px]
   bool shown = true;
-  bool framed = true;                        ///< the grid is around it
-  std::vector<Eigen::Vector3d> points = {};  ///< [m]
+  bool framed = true;                        ///< the grid encloses it
+  std::vector<Eigen::Vector3d> points = {};  ///< positions [m]
 };
 
-/// The VTK side of a view of point clouds: an off-screen render window whose picture is read back. Needs an X
-/// display: VTK crashes without one, so ask SceneView::available() first.
+/// VTK part of a view of point clouds: an off-screen render window whose image is read back. It needs an X
+/// display; VTK crashes without one, so call SceneView::available() first.
 class CloudRenderer {
  public:
   CloudRenderer();
@@ -33,7 +33,7 @@ class CloudRenderer {
 
   void setColours(const QColor& background, const QColor& grid);
   void setGrid(const WorkspaceGrid& grid);
-  /// Those shown, the first drawn first.
+  /// Sets the clouds. Only shown ones are drawn, the first one first.
   void setClouds(const std::vector<PointCloud>& clouds);
   QImage render(const OrbitCamera& camera, const QSize& size);
 

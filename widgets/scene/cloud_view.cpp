@@ -13,9 +13,9 @@ namespace capstan::widgets {
 
 namespace {
 
-constexpr double kAzimuth = 0.2, kElevation = 0.42;  ///< of the opening view [rad]
+constexpr double kAzimuth = 0.2, kElevation = 0.42;  ///< angles of the initial view [rad]
 constexpr double kKeyPoints = 9.5;
-constexpr int kPeriod = 66;  ///< between pictures at least [ms]
+constexpr int kPeriod = 66;  ///< least time between images [ms]
 
 Eigen::AlignedBox3d boxOf(const std::vector<PointCloud>& clouds) {
   Eigen::AlignedBox3d box;
@@ -28,7 +28,7 @@ Eigen::AlignedBox3d boxOf(const std::vector<PointCloud>& clouds) {
   return box;
 }
 
-/// 10, 20 or 50 mm …: some ten lines along the longest side.
+/// Distance of grid lines, 10, 20 or 50 mm …: about ten lines along the longest side.
 double cellFor(const Eigen::AlignedBox3d& box) {
   const double longest = box.sizes().maxCoeff();
   for (const double cell : {0.005, 0.01, 0.02, 0.05, 0.1, 0.2})
@@ -130,7 +130,7 @@ void CloudView::paintEvent(QPaintEvent*) {
   drawKey(painter);
 }
 
-/// Upper right: the upright scale stands left of it.
+/// Draws the key in the upper right corner; the upright scale is left of it.
 void CloudView::drawKey(QPainter& painter) const {
   constexpr int kMark = 18, kEdge = 10;
   painter.setFont(textFont(kKeyPoints));

@@ -11,8 +11,8 @@
 namespace capstan::widgets {
 
 /// Point clouds over a grid in millimetres, with a key. Left drag orbits, middle or shift drag pans, the
-/// wheel zooms, a double click goes back; Home, plus and minus do the same. Draws when something changed.
-/// Without a display it reports an error.
+/// wheel zooms, a double click resets the view; Home, plus and minus do the same from the keyboard. It draws
+/// when something changed. Without a display it shows an error.
 class CloudView : public QWidget {
   Q_OBJECT
 
@@ -21,14 +21,14 @@ class CloudView : public QWidget {
   ~CloudView() override;
 
   void setTheme(const Theme& theme);
-  /// Others; the view stays. The grid is around those that are framed, shown or not.
+  /// Sets the clouds and keeps the camera. The grid encloses the clouds with `framed`, shown or not.
   void setClouds(std::vector<PointCloud> clouds);
   const std::vector<PointCloud>& clouds() const { return clouds_; }
-  /// What stands in its place while there are none.
+  /// Sets the text shown while there are no clouds.
   void setEmptyWords(const QString& words);
   OrbitCamera& camera() { return camera_; }
   void resetCamera();
-  /// Draws now and gives the clouds without labels. For tests and exports.
+  /// Draws now and returns the image of the clouds without labels. For tests and exports.
   QImage image();
 
   QSize sizeHint() const override { return {640, 420}; }

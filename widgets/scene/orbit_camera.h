@@ -7,19 +7,20 @@
 
 namespace capstan::widgets {
 
-/// A view that circles a point on a turntable: azimuth about `up`, elevation above the horizon. Metres, frame
+/// Camera that orbits a point on a turntable: azimuth about `up`, elevation above the horizon. Metres, frame
 /// 0.
 class OrbitCamera {
  public:
-  /// `up` unit; azimuth counts from the direction `ahead` (made orthogonal to up).
+  /// Sets the axes. `up`: unit vector; azimuth is measured from the direction `ahead` (made orthogonal to
+  /// up).
   void setAxes(const Eigen::Vector3d& up, const Eigen::Vector3d& ahead);
   void look(const Eigen::Vector3d& focus, double distance, double azimuth, double elevation);
 
-  /// Turntable by angles [rad]; the elevation stays short of the poles.
+  /// Rotates the camera by the given angles [rad]; the elevation stays short of the poles.
   void orbit(double azimuth, double elevation);
-  /// Moves the focus by shares of the view's height, along the picture's right and up.
+  /// Moves the focus by shares of the view's height, along the image's right and up directions.
   void pan(double right, double up);
-  /// Distance times `factor`, between 5 cm and 10 m.
+  /// Multiplies the distance by `factor`, within 5 cm to 10 m.
   void zoom(double factor);
   void setFocus(const Eigen::Vector3d& focus) { focus_ = focus; }
 
@@ -29,10 +30,10 @@ class OrbitCamera {
   double distance() const { return distance_; }
   double azimuth() const { return azimuth_; }
   double elevation() const { return elevation_; }
-  double viewAngle() const { return view_angle_; }  ///< vertical [rad]
+  double viewAngle() const { return view_angle_; }  ///< vertical field of view [rad]
   const Eigen::Vector3d& up() const { return up_; }
 
-  /// Where a point [m, frame 0] lies in a picture of `size`; nothing behind the camera.
+  /// Position of a point [m, frame 0] in an image of `size`; none if it is behind the camera.
   std::optional<QPointF> project(const Eigen::Vector3d& point, const QSize& size) const;
 
  private:

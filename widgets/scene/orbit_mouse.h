@@ -9,12 +9,12 @@ class QWheelEvent;
 
 namespace capstan::widgets {
 
-/// How a mouse moves a view: left drag orbits, middle or shift drag pans, the wheel zooms.
+/// Moves a camera by the mouse: left drag orbits, middle or shift drag pans, the wheel zooms.
 class OrbitMouse {
  public:
-  /// True: a drag has begun.
+  /// Handles a press; returns true if a drag begins.
   bool press(const QMouseEvent& event);
-  /// In a view of `height` [px]. True: the camera has moved.
+  /// Handles a move in a view of `height` [px]; returns true if the camera has moved.
   bool move(const QMouseEvent& event, OrbitCamera& camera, int height);
   void release() { dragging_ = false; }
   static void wheel(QWheelEvent& event, OrbitCamera& camera);

@@ -1,13 +1,10 @@
 #include "widgets/scene/scene_renderer.h"
 
-#include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkLight.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkProperty.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <Eigen/Eigenvalues>
@@ -24,7 +21,8 @@ using Eigen::Vector3d;
 
 constexpr double kFrustumDepth = 0.10;  // [m]
 
-/// Apex to the four corners of the image, and the corners' frame, in the camera's own axes.
+/// Lines of a frustum: from the apex to the four corners of the image, and around the corners, in the
+/// camera's frame.
 LineSegments frustum(const vision::Camera& camera) {
   std::array<Vector3d, 4> corner;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -44,13 +42,9 @@ LineSegments frustum(const vision::Camera& camera) {
 
 }  // namespace
 
-class SceneRenderer::Parts {
+class SceneRenderer::Parts : public OffScreen {
  public:
   Parts() {
-    window->SetOffScreenRendering(1);
-    window->SetMultiSamples(0);
-    window->AddRenderer(renderer);
-    renderer->SetUseFXAA(true);
     trail->SetPoints(vtkSmartPointer<vtkPoints>::New());
     trail_actor = lineActorOf(trail, 3.0);
     ellipsoid = actorOf(sphereSurface(1.0, 28));
@@ -143,9 +137,6 @@ class SceneRenderer::Parts {
     }
   }
 
-  vtkSmartPointer<vtkRenderWindow> window = vtkSmartPointer<vtkRenderWindow>::New();
-  vtkSmartPointer<vtkRenderer> renderer = vtkSmartPointer<vtkRenderer>::New();
-  vtkSmartPointer<vtkUnsignedCharArray> pixels = vtkSmartPointer<vtkUnsignedCharArray>::New();
   vtkSmartPointer<vtkPolyData> trail = vtkSmartPointer<vtkPolyData>::New();
   vtkSmartPointer<vtkActor> trail_actor, ellipsoid, centre, grid;
   std::array<vtkSmartPointer<vtkActor>, 2> frusta, rays;
@@ -207,20 +198,8 @@ void SceneRenderer::pose(const ScenePose& pose) {
 }
 
 QImage SceneRenderer::render(const OrbitCamera& camera, const QSize& size) {
-  if (size.isEmpty()) return {};
-  auto* view = parts_->renderer->GetActiveCamera();
-  const Vector3d from = camera.position(), to = camera.focus(), up = camera.viewUp();
-  view->SetPosition(from.data());
-  view->SetFocalPoint(to.data());
-  view->SetViewUp(up.data());
-  view->SetViewAngle(camera.viewAngle() * 180.0 / M_PI);
-  view->SetClippingRange(0.02, 20.0);
-  parts_->window->SetSize(size.width(), size.height());
-  parts_->window->Render();
-  parts_->window->GetRGBACharPixelData(0, 0, size.width() - 1, size.height() - 1, 0, parts_->pixels);
-  const QImage bottom_up(parts_->pixels->GetPointer(0), size.width(), size.height(), 4 * size.width(),
-                         QImage::Format_RGBX8888);
-  return bottom_up.mirrored().convertToFormat(QImage::Format_RGB32);
+  constexpr double kNearest = 0.02;  // [m]
+  return parts_->render(camera, size, kNearest);
 }
 
 }  // namespace capstan::widgets

@@ -16,18 +16,18 @@
 
 namespace capstan::widgets {
 
-/// What moves in the scene, frame 0, metres.
+/// Moving parts of the scene, in frame 0 [m].
 struct ScenePose {
-  std::array<Eigen::Isometry3d, 4> frames;  ///< of the arm
+  std::array<Eigen::Isometry3d, 4> frames;  ///< frames of the arm
   std::array<QColor, 3> cables;
   Eigen::Vector3d tip = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d ellipsoid = Eigen::Matrix3d::Zero();  ///< covariance as it is to be drawn; zero: none
-  std::vector<Eigen::Vector3d> trail;                   ///< oldest first
+  Eigen::Matrix3d ellipsoid = Eigen::Matrix3d::Zero();  ///< scaled covariance; zero: not drawn
+  std::vector<Eigen::Vector3d> trail;                   ///< trail of the tip, oldest point first
   std::array<bool, 2> seen{};                           ///< left, right camera sees the marker
 };
 
-/// The VTK side of the 3-D view: an off-screen render window whose picture is read back. Needs an X display:
-/// VTK crashes without one, so ask SceneView::available() first.
+/// VTK part of the 3-D view: an off-screen render window whose image is read back. It needs an X display; VTK
+/// crashes without one, so call SceneView::available() first.
 class SceneRenderer {
  public:
   SceneRenderer();
@@ -38,7 +38,7 @@ class SceneRenderer {
   void setTheme(const Theme& theme);
   void setArm(const ArmShape& shape);
   void setGrid(const WorkspaceGrid& grid);
-  /// Camera frusta in frame 0; nothing: none are drawn.
+  /// Sets the camera frusta, in frame 0; without rig or registration none are drawn.
   void setRig(const std::optional<vision::StereoRig>& rig,
               const std::optional<Eigen::Isometry3d>& base_from_camera);
   void pose(const ScenePose& pose);

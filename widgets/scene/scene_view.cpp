@@ -14,6 +14,7 @@ namespace capstan::widgets {
 
 namespace {
 
+constexpr int kPeriod = 66;  ///< least time between images [ms]
 constexpr double kEllipsoidSigmas = 2.0;
 constexpr double kEllipsoidWanted = 0.012;  // [m] half axis that can be seen from the opening view
 
@@ -44,7 +45,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent) {
   key(Qt::Key_Plus, [this] { camera_.zoom(kNearer); });
   key(Qt::Key_Minus, [this] { camera_.zoom(1.0 / kNearer); });
   key(Qt::Key_Home, [this] { resetCamera(); });
-  setRate(15.0);
+  timer_.setInterval(kPeriod);
   connect(&timer_, &QTimer::timeout, this, [this] {
     if (changed_ && isVisible()) draw();
   });
@@ -126,10 +127,6 @@ void SceneView::keepTrail(const tracking::Snapshot& snapshot) {
   if (trail_.empty() || snapshot.t - trail_.back().t >= 0.02)
     trail_.push_back({snapshot.t, snapshot.tip_ukf});
   while (!trail_.empty() && trail_.front().t < snapshot.t - trail_seconds_) trail_.pop_front();
-}
-
-void SceneView::setRate(double frames_a_second) {
-  timer_.setInterval(static_cast<int>(1000.0 / frames_a_second));
 }
 
 void SceneView::setEllipsoidScale(double factor) {

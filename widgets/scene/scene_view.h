@@ -20,9 +20,9 @@ namespace capstan::widgets {
 class SceneRenderer;
 
 /// The 3-D view: arm, cables coloured by force, camera frusta, tip trail, 2σ ellipsoid and workspace grid.
-/// Left drag orbits, middle or shift drag pans, the wheel zooms, a double click goes back; more in the
-/// context menu. Draws at most `rate` pictures a second and only when something changed. Without a display it
-/// reports it.
+/// Left drag orbits, middle or shift drag pans, the wheel zooms, a double click resets the view; more in the
+/// context menu. It draws at most 15 images per second, and only when something changed. Without a
+/// display it reports an error.
 class SceneView : public QWidget {
   Q_OBJECT
 
@@ -34,20 +34,19 @@ class SceneView : public QWidget {
   static bool available();
 
   void setTheme(const Theme& theme);
-  /// Another source: the arm, its cameras and their registration; forgets the trail.
+  /// Sets the arm, its cameras and their registration for another source; clears the trail.
   void setRobot(const robot::Description& robot, const std::optional<vision::StereoRig>& rig,
                 const std::optional<Eigen::Isometry3d>& base_from_camera);
   void setRegistration(const std::optional<Eigen::Isometry3d>& base_from_camera);
   void showSnapshot(const tracking::Snapshot& snapshot);
 
-  void setRate(double frames_a_second);
   void setTrailSeconds(double seconds) { trail_seconds_ = seconds; }
-  /// How much larger than life the ellipsoid is drawn; 0 chooses a round factor that keeps it visible.
+  /// Sets the scale factor of the drawn ellipsoid; 0 selects a round factor that keeps it visible.
   void setEllipsoidScale(double factor);
   double ellipsoidScale() const { return captions_.ellipsoid_scale; }
   OrbitCamera& camera() { return camera_; }
   void resetCamera();
-  /// Draws now and gives the scene without labels. For tests and exports.
+  /// Draws now and returns the image of the scene without labels. For tests and exports.
   QImage image();
 
   QSize sizeHint() const override { return {420, 330}; }

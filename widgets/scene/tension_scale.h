@@ -5,12 +5,12 @@
 
 namespace capstan::widgets {
 
-/// Colour of a cable force gamma [N] on a diverging scale from −limit (blue: pulls back) over grey to +limit
-/// (orange: pulls on), and the limit itself, a round number above the largest value so far.
+/// Colour scale of a cable force gamma [N]: diverging from −limit (blue: pulls back) over grey to +limit
+/// (orange: pulls on). The limit is a round number above the largest value so far.
 class TensionScale {
  public:
-  /// Grows the limit to the next of 1, 2, 5 × 10^k above the largest |tension|; it never shrinks but by
-  /// reset().
+  /// Increases the limit to the next of 1, 2, 5 × 10^k above the largest |tension|. Only reset() decreases
+  /// it.
   void include(const Eigen::Vector3d& tension);
   void reset() { limit_ = 5.0; }
   double limit() const { return limit_; }

@@ -1,6 +1,7 @@
 #include "widgets/scene/vtk_shapes.h"
 
 #include <vtkAppendPolyData.h>
+#include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkMatrix4x4.h>
 #include <vtkPoints.h>
@@ -9,6 +10,8 @@
 #include <vtkProperty.h>
 #include <vtkSphereSource.h>
 #include <vtkTubeFilter.h>
+
+#include <cmath>
 
 namespace capstan::widgets {
 
@@ -101,6 +104,31 @@ void place(vtkActor& actor, const Eigen::Matrix4d& transform) {
 
 void paint(vtkActor& actor, const QColor& colour) {
   actor.GetProperty()->SetColor(colour.redF(), colour.greenF(), colour.blueF());
+}
+
+OffScreen::OffScreen() {
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(0);
+  window->AddRenderer(renderer);
+  renderer->SetUseFXAA(true);
+}
+
+QImage OffScreen::render(const OrbitCamera& camera, const QSize& size, double nearest) {
+  if (size.isEmpty()) return {};
+  constexpr double kFarthest = 20.0;  // [m]
+  auto* view = renderer->GetActiveCamera();
+  const Eigen::Vector3d from = camera.position(), to = camera.focus(), up = camera.viewUp();
+  view->SetPosition(from.data());
+  view->SetFocalPoint(to.data());
+  view->SetViewUp(up.data());
+  view->SetViewAngle(camera.viewAngle() * 180.0 / M_PI);
+  view->SetClippingRange(nearest, kFarthest);
+  window->SetSize(size.width(), size.height());
+  window->Render();
+  window->GetRGBACharPixelData(0, 0, size.width() - 1, size.height() - 1, 0, pixels);
+  const QImage bottom_up(pixels->GetPointer(0), size.width(), size.height(), 4 * size.width(),
+                         QImage::Format_RGBX8888);
+  return bottom_up.mirrored().convertToFormat(QImage::Format_RGB32);
 }
 
 }  // namespace capstan::widgets

@@ -15,7 +15,7 @@ QString millimetres(double metres) { return withMinus(QString::number(std::lroun
 
 bool numbered(double metres, double cell) { return std::abs(std::remainder(metres, 2.0 * cell)) < 1e-6; }
 
-/// Lines across axis `a` at each cell of axis `b`, in the plane of `grid.low`, and their numbers.
+/// Adds lines across axis `a` at each cell of axis `b`, in the plane of `grid.low`, and their numbers.
 void ruleAlong(WorkspaceGrid& grid, int a, int b, double cell) {
   const double beyond = 0.36 * cell;
   for (int i = 0; grid.low(b) + i * cell <= grid.high(b) + 1e-9; ++i) {

@@ -30,8 +30,8 @@ void AnalysisController::addAction(QStackedWidget& centre, SessionBar& bar) {
   action->setObjectName("analyse");
   action->setCheckable(true);
   action->setShortcut(QKeySequence(QStringLiteral("Ctrl+L")));
-  action->setToolTip(
-      tr("Histogram, box plot and comparison of runs in the place of the plots, or back (Ctrl+L)"));
+  action->setToolTip(tr(
+      "Show histogram, box plot and comparison of runs instead of the plots, or the plots again (Ctrl+L)"));
   bar.addPanelAction(action);
   connect(action, &QAction::toggled, &centre, [this, &centre](bool shown) {
     centre.setCurrentIndex(shown ? 1 : 0);
@@ -39,7 +39,7 @@ void AnalysisController::addAction(QStackedWidget& centre, SessionBar& bar) {
   });
 }
 
-/// On the pipeline's thread; a robot that was exchanged begins the errors again, as it does in their table.
+/// Called on the pipeline's thread. A change of the robot restarts the errors, as in the errors table.
 void AnalysisController::gather(SessionLink& link) {
   connect(&link, &SessionLink::opened, this,
           [this, &link](const tracking::SourceInfo& info, const SourceChoice& choice) {

@@ -18,13 +18,13 @@ class NotesPanel;
 class SessionBar;
 class SessionLink;
 
-/// Joins the analysis panel to the running session: gathers its errors and its motion since the errors table
-/// began, brings the panel in the place of the plots and back, a line in the notes for what was exported.
+/// Connects the analysis panel to the running session: gathers errors and motion of the session since the
+/// errors table was reset, switches between the plots and the panel, and adds a note for each export.
 class AnalysisController : public QObject {
   Q_OBJECT
 
  public:
-  /// `centre`: the plots first, the panel behind them.
+  /// `centre`: contains the plots first, then the panel.
   AnalysisController(AnalysisPanel& panel, QStackedWidget& centre, SessionLink& link, SessionBar& bar,
                      ErrorsPanel& errors, NotesPanel& notes, QObject* parent);
 
@@ -32,11 +32,11 @@ class AnalysisController : public QObject {
   void addAction(QStackedWidget& centre, SessionBar& bar);
   void gather(SessionLink& link);
   analysis::ErrorRun sessionSoFar(const SessionLink& link) const;
-  /// Files that hold the session: what it replays, and what it has recorded.
+  /// Registers a file that contains the session: a file that it replays, or one that it has recorded.
   void noteFile(const QString& file);
 
   AnalysisPanel& panel_;
-  /// What is gathered on the pipeline's thread.
+  /// Data gathered on the pipeline's thread.
   struct Gathered {
     analysis::ErrorCollector errors;
     experiments::SessionMotion motion;

@@ -30,8 +30,9 @@ void DiagnosisController::addAction(QStackedWidget& centre, SessionBar& bar) {
   action->setObjectName("diagnose");
   action->setCheckable(true);
   action->setShortcut(QKeySequence(QStringLiteral("Ctrl+D")));
-  action->setToolTip(tr(
-      "What the simulation gets wrong in recordings, and why, in the place of the plots, or back (Ctrl+D)"));
+  action->setToolTip(
+      tr("Show errors of the simulation in recordings, and their causes, instead of the plots, or the plots "
+         "again (Ctrl+D)"));
   bar.addPanelAction(action);
   connect(action, &QAction::toggled, &centre, [this, &centre](bool shown) {
     centre.setCurrentIndex(shown ? pageWith(centre, panel_) : 0);
@@ -49,7 +50,7 @@ void DiagnosisController::offerRecordings(SessionLink& link) {
   connect(&link, &SessionLink::status, this, &DiagnosisController::onStatus);
 }
 
-/// A recording is offered when its file is whole.
+/// Offers a recording when its file is complete.
 void DiagnosisController::onStatus(const live::RunStatus& status) {
   now_ = status.t;
   const bool recording = status.recorder && status.recorder->state == recording::RecorderState::kRecording;

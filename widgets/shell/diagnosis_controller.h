@@ -16,14 +16,14 @@ class NotesPanel;
 class SessionBar;
 class SessionLink;
 
-/// Joins the diagnosis panel to the running session: offers what was just recorded, or the recording that is
-/// open; the extended robot takes the place of the one in use; brings the panel in the place of the plots and
-/// back; a line in the notes for what was saved.
+/// Connects the diagnosis panel to the running session: offers the recording that was just made or is open,
+/// lets the session use the extended robot, switches between the plots and the panel, and adds a note for
+/// each saved file.
 class DiagnosisController : public QObject {
   Q_OBJECT
 
  public:
-  /// `centre`: holds the plots first, and the panel.
+  /// `centre`: contains the plots first, then the panel.
   DiagnosisController(DiagnosisPanel& panel, QStackedWidget& centre, SessionLink& link, SessionBar& bar,
                       IdentificationPanel& identification, NotesPanel& notes, QObject* parent);
 
@@ -34,7 +34,7 @@ class DiagnosisController : public QObject {
   void useRobots(SessionLink& link, IdentificationPanel& identification, NotesPanel& notes);
 
   DiagnosisPanel& panel_;
-  QString recording_;  ///< under way; empty: none
+  QString recording_;  ///< file being recorded; empty: none
   double now_ = 0.0;   ///< newest session time [s]
 };
 

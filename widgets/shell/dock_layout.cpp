@@ -10,9 +10,9 @@ namespace capstan::widgets {
 
 namespace {
 
-constexpr int kRoomForAll = 950;  ///< height below which identification and notes share a place [px]
+constexpr int kRoomForAll = 950;  ///< height below which identification and notes are tabs of one place [px]
 constexpr int kBars = 160;        ///< menus, toolbar, status line, tabs and gaps, about [px]
-constexpr int kRoomForTwo = 680;  ///< height below which all panels of a side share one [px]
+constexpr int kRoomForTwo = 680;  ///< height below which all panels of a side are tabs of one place [px]
 
 }  // namespace
 

@@ -4,8 +4,8 @@ class QMainWindow;
 
 namespace capstan::widgets {
 
-/// Gives cameras, scene and panels their share of the window's size; in a low window docks share a place as
-/// tabs. For a window whose user has no layout of their own.
+/// Divides the window among cameras, scene and panels; in a low window docks become tabs of one place. For
+/// users without a saved layout.
 void layOutDocks(QMainWindow& window);
 
 }  // namespace capstan::widgets

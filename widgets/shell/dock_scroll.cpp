@@ -8,8 +8,8 @@ namespace capstan::widgets {
 
 namespace {
 
-constexpr int kBorder = 1;    ///< as the style sheet below has it [px]
-const QSize kLeast(150, 60);  ///< that still shows a control and its scroll bar [px]
+constexpr int kBorder = 1;    ///< width of the border in the style sheet below [px]
+const QSize kLeast(150, 60);  ///< least size, for one control and its scroll bar [px]
 
 }  // namespace
 

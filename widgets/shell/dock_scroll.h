@@ -6,8 +6,8 @@ class QStackedWidget;
 
 namespace capstan::widgets {
 
-/// Lets a panel be smaller than it wants to be: what has no room is scrolled to. Tab stops at the area itself
-/// only while there is something to scroll, so that arrow keys move it.
+/// Scroll area that lets a panel be smaller than its minimum size. Tab stops at the area itself only while
+/// there is something to scroll, so that arrow keys move it.
 class DockScroll : public QScrollArea {
   Q_OBJECT
 
@@ -25,7 +25,7 @@ class DockScroll : public QScrollArea {
   void chooseFocus();
 };
 
-/// The page of `pages` that holds `panel`, scrolled or not.
+/// Index of the page of `pages` that contains `panel`, in a scroll area or not.
 int pageWith(const QStackedWidget& pages, const QWidget& panel);
 
 }  // namespace capstan::widgets

@@ -13,7 +13,7 @@ namespace capstan::widgets {
 
 namespace {
 
-/// Hairlines between rows and air in the cells, where Qt would draw double frames.
+/// Style: thin lines between rows and padding in cells, where Qt would draw double frames.
 void drawTablesQuietly(QTextDocument& document) {
   for (QTextFrame* frame : document.rootFrame()->childFrames()) {
     auto* table = qobject_cast<QTextTable*>(frame);
@@ -29,7 +29,7 @@ void drawTablesQuietly(QTextDocument& document) {
 
 }  // namespace
 
-/// Pictures are shrunk to the width of the page.
+/// Shrinks images to the width of the page.
 class HelpWindow::Pages : public QTextBrowser {
  public:
   QVariant loadResource(int type, const QUrl& name) override {

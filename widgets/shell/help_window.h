@@ -4,13 +4,13 @@
 
 namespace capstan::widgets {
 
-/// The manual of resources/manual in a window of its own, beside the session; with a search line.
+/// The manual of resources/manual in a non-modal window with a search line.
 class HelpWindow : public QDialog {
   Q_OBJECT
 
  public:
   explicit HelpWindow(QWidget* parent = nullptr);
-  /// The manual as plain text; empty when it could not be found.
+  /// The manual as plain text; empty if it was not found.
   QString text() const;
 
  private:

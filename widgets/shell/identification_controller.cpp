@@ -17,9 +17,9 @@ IdentificationController::IdentificationController(IdentificationPanel& panel, Q
   auto* action = new QAction(tr("Identify"), this);
   action->setObjectName("identify");
   action->setShortcut(QKeySequence(QStringLiteral("Ctrl+I")));
-  action->setToolTip(tr("Find what the robot file has wrong, while the session runs (Ctrl+I)"));
+  action->setToolTip(tr("Find wrong parameters of the robot file while the session runs (Ctrl+I)"));
   bar.addPanelAction(action);
-  // Behind another tab it comes to the front; in front it goes.
+  // A dock behind another tab is brought to the front; a dock in front is hidden.
   connect(action, &QAction::triggered, &dock, [&dock] {
     const bool in_front = dock.isVisible() && !dock.visibleRegion().isEmpty();
     dock.setVisible(!in_front);

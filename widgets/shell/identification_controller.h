@@ -12,8 +12,8 @@ class NotesPanel;
 class SessionBar;
 class SessionLink;
 
-/// Joins the identification panel to the running session: samples in, the accepted robot out, an entry in the
-/// bar, a line in the notes.
+/// Connects the identification panel to the running session: passes samples to the panel and the accepted
+/// robot to the session, and adds an entry in the bar and notes.
 class IdentificationController : public QObject {
   Q_OBJECT
 

@@ -14,14 +14,14 @@ namespace capstan::widgets {
 
 namespace {
 
-/// A control behind another dock's tab comes to the front with its dock.
+/// Brings a control that is behind another dock's tab to the front, with its dock.
 void raiseDockOf(const QWidget& control) {
   for (QWidget* up = control.parentWidget(); up && !up->isWindow(); up = up->parentWidget())
     if (auto* dock = qobject_cast<QDockWidget*>(up))
       if (dock->visibleRegion().isEmpty()) dock->raise();
 }
 
-/// Of what is larger than the area, its beginning.
+/// For a control larger than the area, its beginning.
 void scrollTo(QScrollArea& area, const QWidget& control) {
   constexpr int kMargin = 4;  // [px]
   const QSize room = area.viewport()->size() - QSize(2 * kMargin, 2 * kMargin);
@@ -30,7 +30,7 @@ void scrollTo(QScrollArea& area, const QWidget& control) {
                      place.height() / 2 + kMargin);
 }
 
-/// Every scroll area around the control brings it into view, the innermost first.
+/// Scrolls every area around the control so that it is visible, the innermost first.
 void bringIntoView(const QWidget& control) {
   for (QWidget* up = control.parentWidget(); up && !up->isWindow(); up = up->parentWidget())
     if (auto* area = qobject_cast<QScrollArea*>(up))
@@ -53,7 +53,7 @@ KeyboardReach::KeyboardReach(QMainWindow* window) : QObject(window), window_(win
     if (!now || !window_->isAncestorOf(now)) return;
     raiseDockOf(*now);
     bringIntoView(*now);
-    // Once more when a dock that was raised has its size.
+    // Repeats it when a raised dock has its size.
     QTimer::singleShot(0, now, [now] {
       if (now->hasFocus()) bringIntoView(*now);
     });
@@ -62,7 +62,8 @@ KeyboardReach::KeyboardReach(QMainWindow* window) : QObject(window), window_(win
 
 bool KeyboardReach::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Show) {
-    // Keys bring docks and Tab goes through all of them: a tab, which may be covered, is no stop between.
+    // Keys bring docks to the front, and Tab goes through all of them, so the tabs themselves are not Tab
+    // stops.
     auto* tabs = qobject_cast<QTabBar*>(watched);
     if (tabs && tabs->parentWidget() == window_) tabs->setFocusPolicy(Qt::NoFocus);
   }

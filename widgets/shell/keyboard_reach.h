@@ -7,8 +7,8 @@ class QWidget;
 
 namespace capstan::widgets {
 
-/// For whoever works without a mouse: the control that takes the focus is brought into view, and Return
-/// presses the button that has it (Space runs and pauses the session). In the window and its floating docks.
+/// Keyboard operation without a mouse, in the window and its floating docks: the control that takes the focus
+/// is scrolled into view, and Return presses the focused button (Space runs and pauses the session).
 class KeyboardReach : public QObject {
   Q_OBJECT
 
@@ -22,7 +22,7 @@ class KeyboardReach : public QObject {
   QMainWindow* window_;
 };
 
-/// Gives the focus to the first control of `content` that Tab reaches.
+/// Moves the focus to the first control of `content` that Tab reaches.
 void focusFirst(QWidget& content);
 
 }  // namespace capstan::widgets

@@ -29,8 +29,8 @@ void LearningController::addAction(LearningPanel& panel, QStackedWidget& centre,
   action->setCheckable(true);
   action->setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+L")));
   action->setToolTip(
-      tr("Learn from recorded tip poses the command so that the arm arrives where it should, in the "
-         "place of the plots, or back (Ctrl+Shift+L)"));
+      tr("Learn a correction of commands from recorded tip poses, instead of the plots, or the plots again "
+         "(Ctrl+Shift+L)"));
   bar.addPanelAction(action);
   connect(action, &QAction::toggled, &centre, [&panel, &centre](bool shown) {
     centre.setCurrentIndex(shown ? pageWith(centre, panel) : 0);

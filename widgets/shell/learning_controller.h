@@ -11,12 +11,12 @@ class NotesPanel;
 class SessionBar;
 class SessionLink;
 
-/// Brings the learning panel in the place of the plots and back; a line in the notes for what it saved.
+/// Switches between the plots and the learning panel, and adds a note for each file that it saved.
 class LearningController : public QObject {
   Q_OBJECT
 
  public:
-  /// `centre`: holds the plots first, and the panel.
+  /// `centre`: contains the plots first, then the panel.
   LearningController(LearningPanel& panel, QStackedWidget& centre, SessionLink& link, SessionBar& bar,
                      NotesPanel& notes, QObject* parent);
 

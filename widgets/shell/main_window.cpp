@@ -97,8 +97,8 @@ MainWindow::MainWindow(const QString& settings, QWidget* parent)
 
 MainWindow::~MainWindow() = default;
 
-/// Menus above the toolbar, which outside of the window's own toolbar areas puts what has no room into a
-/// menu.
+/// Adds the menus above the toolbar. The toolbar is outside the window's toolbar areas, so that actions
+/// without room go into a menu.
 QMenuBar* MainWindow::addBars() {
   auto* bars = new QWidget;
   auto* column = new QVBoxLayout(bars);
@@ -230,7 +230,8 @@ void MainWindow::open(const SourceChoice& choice) {
   link_.open(choice);
 }
 
-/// Nothing is tracked of the table before its units are chosen; what was open stays.
+/// Asks for the units of a table. The table is not tracked before they are chosen, and the open session
+/// stays.
 void MainWindow::askUnits(const recording::ImplausibleUnits& refused, const SourceChoice& choice) {
   title_ = link_.runner() ? QString::fromStdString(link_.runner()->info().title) : tr("no source");
   auto* dialog = new UnitsDialog(refused, this);

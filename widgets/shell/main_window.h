@@ -30,9 +30,9 @@ class SessionBar;
 class StatusLine;
 class StereoView;
 
-/// The workstation's window: pictures and scene left, joint plots in the middle, occlusion, identification,
-/// errors and notes right, status below. `settings` (an .ini path) keeps layout, theme, folders and last
-/// source; empty: the user's own.
+/// The workstation's window: camera images and scene left, joint plots in the middle, occlusion,
+/// identification, errors and notes right, status below. `settings`: path of an .ini file for layout, theme,
+/// folders and last source; empty: the user's own.
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
@@ -52,10 +52,11 @@ class MainWindow : public QMainWindow {
   AnalysisPanel& analysis();  ///< errors of runs
   DiagnosisPanel& diagnosis() { return *diagnosis_; }
   LearningPanel& learning() { return *learning_; }
-  /// What went wrong, as the message bar says it; empty: nothing, or closed.
+  /// Text of the message bar; empty: no message, or closed.
   QString message() const;
   QAction* action(const QString& name) const { return findChild<QAction*>(name); }
-  /// The plots as they are now: base.pdf, .svg, .png and .csv. Failures come into the message bar.
+  /// Writes the plots in their present state: base.pdf, .svg, .png and .csv. Errors are shown in the message
+  /// bar.
   void exportFigure(const QString& base);
 
  signals:
@@ -66,7 +67,7 @@ class MainWindow : public QMainWindow {
   void closeEvent(QCloseEvent* event) override;
 
  private:
-  /// A new view, which follows the theme from now on.
+  /// Connects a new view to the theme.
   template <class View>
   View* themed(View* view) {
     connect(this, &MainWindow::themeChanged, view, &View::setTheme);

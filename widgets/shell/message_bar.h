@@ -8,16 +8,15 @@ class QLabel;
 
 namespace capstan::widgets {
 
-/// A line above the plots that says what went wrong and what to do; stays until it is closed, never in the
-/// way.
+/// A line above the plots for an error and its remedy. It stays until it is closed, and covers nothing.
 class MessageBar : public QFrame {
   Q_OBJECT
  public:
   explicit MessageBar(QWidget* parent = nullptr);
   void setTheme(const Theme& theme);
-  /// `about` names what it is of, so that settle() takes it away.
+  /// Shows a message. `about`: its subject, by which settle() removes it.
   void showMessage(const QString& text, const QString& about = {});
-  /// What the message is about has succeeded since: it goes, if it is still that one.
+  /// The subject has succeeded since: hides the message if it is about this subject.
   void settle(const QString& about);
   QString message() const;
 

@@ -61,7 +61,7 @@ void MotorController::addMenu(SessionBar& bar, SessionLink& link) {
     button->setPopupMode(QToolButton::InstantPopup);
 }
 
-/// Somebody said it, and nobody took it back.
+/// Keeps motors declared as failed by a user, until the user takes it back.
 void MotorController::keepDeclared(SessionLink& link) {
   for (std::size_t i = 0; i < faults_.size(); ++i)
     if (link.again() && faults_[i] == MotorFault::kDeclared)

@@ -15,9 +15,8 @@ class NotesPanel;
 class SessionBar;
 class SessionLink;
 
-/// Motor encoders that failed, where an operator sees it: beside the title of the joint's plot, in the
-/// message bar and the notes; and the bar's menu that says of a motor that it has failed, or is to be
-/// used again.
+/// Shows failed motor encoders beside the title of the joint's plot, in the message bar and in the notes. The
+/// menu of the bar declares a motor encoder as failed, or as usable again.
 class MotorController : public QObject {
   Q_OBJECT
 

@@ -11,7 +11,7 @@ OcclusionController::OcclusionController(OcclusionPanel& panel, SessionLink& lin
     : QObject(parent), panel_(panel), link_(link), notes_(notes) {
   connect(&link, &SessionLink::snapshot, this, [this](const tracking::Snapshot& s) {
     now_ = s.t;
-    // Tips without pictures: known only when the first one comes.
+    // Tip positions without images are recognized only when the first sample arrives.
     if (s.camera_samples > 0 && !panel_.isEnabled()) take(true);
   });
   connect(&panel, &OcclusionPanel::blockChanged, this, [this](bool left, bool right) {
@@ -38,14 +38,14 @@ void OcclusionController::begin(const tracking::SourceInfo& info) {
   take(info.rig.has_value());
 }
 
-/// What cannot be blocked is free, whatever the panel shows; what can is blocked as the panel shows.
+/// Applies the panel's blocks and schedule if the source can be blocked; otherwise nothing is blocked.
 void OcclusionController::take(bool blockable) {
   panel_.setBlockable(blockable);
   link_.runner()->setOcclusion(blockable ? panel_.schedule() : live::OcclusionSchedule{});
   link_.runner()->block(blockable && panel_.blocked()[0], blockable && panel_.blocked()[1]);
 }
 
-/// In a recording, which had its own occlusion or none, what the user adds is called that.
+/// Adds a note. For a recording, it says that the user's occlusion was added to the recorded one.
 void OcclusionController::note(const QString& what) {
   notes_.addEvent(now_, "occlusion",
                   link_.runner()->info().live ? what : tr("%1, added to the recording").arg(what));

@@ -12,14 +12,14 @@ class NotesPanel;
 class OcclusionPanel;
 class SessionLink;
 
-/// Between the occlusion panel and the session: blocks the cameras as the panel shows, and notes it.
+/// Connects the occlusion panel and the session: blocks the cameras as the panel shows, and adds a note.
 class OcclusionController : public QObject {
   Q_OBJECT
 
  public:
   OcclusionController(OcclusionPanel& panel, SessionLink& link, NotesPanel& notes, QObject* parent);
 
-  /// A session was opened. Call it when its notes have begun.
+  /// A session was opened. Call this after its notes have begun.
   void begin(const tracking::SourceInfo& info);
 
  private:

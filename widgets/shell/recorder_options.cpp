@@ -8,8 +8,8 @@ namespace capstan::widgets {
 
 namespace {
 
-constexpr double kLeastTime = 2.0;  ///< a stalled disk is bridged for this long [s]
-constexpr double kFastest = 60.0;   ///< pairs of pictures a second that are held for so long
+constexpr double kLeastTime = 2.0;  ///< time of a stalled disk that the buffers bridge [s]
+constexpr double kFastest = 60.0;   ///< rate of image pairs for which kLeastTime holds [1/s]
 
 }  // namespace
 

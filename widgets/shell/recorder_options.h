@@ -4,9 +4,9 @@
 
 namespace capstan::widgets {
 
-/// What a recorder must hold for a source: its pictures' size (none without a rig), and rows and pictures at
-/// the rates expected or reached by now, whichever is higher, at the requested speed. 2 s of them at least,
-/// for up to 60 pairs of pictures a second: 120 pairs are the most memory that is taken.
+/// Buffer sizes of a recorder for a source: size of its images (none without a rig), and numbers of rows and
+/// images at the expected or measured rates, whichever is higher, at the requested speed. The buffers hold at
+/// least 2 s, for up to 60 pairs of images per second: 120 pairs are the upper limit of the memory.
 recording::RecorderOptions recorderOptionsFor(const tracking::SourceInfo& info,
                                               const live::RunStatus& status);
 

@@ -47,7 +47,7 @@ void RegistrationController::addAction(SessionBar& bar) {
   action->setObjectName("register");
   action->setText(tr("Register"));
   action->setShortcut(QKeySequence(QStringLiteral("Ctrl+R")));
-  action->setToolTip(tr("Find the cameras' place at the hard stop (Ctrl+R)"));
+  action->setToolTip(tr("Find the cameras' pose at the hard stop (Ctrl+R)"));
   bar.addPanelAction(action);
   connect(action, &QAction::triggered, this, [this](bool shown) {
     if (shown && link_.runner() && !panel_.active()) begin();
@@ -81,13 +81,13 @@ void RegistrationController::connectPanel(SceneView& scene, NotesPanel& notes) {
   });
 }
 
-/// The scene and the notes hear of it once they have taken the session up themselves.
+/// Passes an accepted registration on, after the scene and the notes have begun the session themselves.
 void RegistrationController::keepAccepted(SceneView& scene, NotesPanel& notes) {
   link_.runner()->setRegistration(*accepted_);
   const auto tell = [this, &scene, &notes] {
     if (!accepted_) return;
     scene.setRegistration(*accepted_);
-    notes.addEvent(now_, "registration", tr("the accepted one stays in use"));
+    notes.addEvent(now_, "registration", tr("the accepted registration stays in use"));
   };
   QMetaObject::invokeMethod(this, tell, Qt::QueuedConnection);
 }

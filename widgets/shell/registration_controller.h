@@ -21,8 +21,8 @@ class SceneView;
 class SessionBar;
 class SessionLink;
 
-/// Joins the registration panel to the running session: drives the simulated arm, hands the accepted place of
-/// the cameras to the pipeline and the scene, an entry in the bar, lines in the notes.
+/// Connects the registration panel to the running session: moves the simulated arm, passes the accepted pose
+/// of the cameras to the pipeline and the scene, and adds an entry in the bar and notes.
 class RegistrationController : public QObject {
   Q_OBJECT
 
@@ -42,7 +42,7 @@ class RegistrationController : public QObject {
   SessionLink& link_;
   double now_ = 0.0;  ///< newest session time [s]
   std::optional<Eigen::Isometry3d> in_use_;
-  std::optional<Eigen::Isometry3d> accepted_;  ///< by somebody, for this source
+  std::optional<Eigen::Isometry3d> accepted_;  ///< accepted by a user for this source
 };
 
 }  // namespace capstan::widgets

@@ -8,25 +8,24 @@
 
 namespace capstan::widgets {
 
-/// Why a robot is in use, in words.
+/// Texts that explain why a robot is in use.
 struct RobotWords {
   QString word;     ///< "identified", "diagnosed"
-  QString origin;   ///< what found it: "the dual UKF over 30 s of …"
+  QString origin;   ///< method that found it: "the dual UKF over 30 s of …"
   QString summary;  ///< what changed
 };
 
-/// The robot that somebody put to use in place of the one that the source brings: by identification or
-/// diagnosis. It belongs to an arm and stays in use, through a session that begins again and through other
-/// sources of the same arm, until somebody chooses another. One arm is one robot file and, where it is
-/// simulated, one truth file.
+/// The robot that a user chose in place of the source's own, by identification or diagnosis. The choice
+/// belongs to an arm: it stays in use when the session restarts and with other sources of the same arm, until
+/// another robot is chosen. An arm is identified by its robot file and, if simulated, its truth file.
 class RobotChoice {
  public:
-  /// For the arm of `source`, whose own robot takes the choice back.
+  /// Chooses `robot` for the arm of `source`. Choosing the source's own robot clears the choice.
   void choose(const tracking::SourceInfo& source, const robot::Description& robot, const RobotWords& words);
-  /// The chosen robot where it belongs to the arm of `source`, else null: the source's own.
+  /// The chosen robot if it belongs to the arm of `source`, else null: the source's own is used.
   const robot::Description* robotFor(const tracking::SourceInfo& source) const;
 
-  /// "RAVEN-II left, identified": what is in use with `source`.
+  /// Name of the robot in use with `source`: "RAVEN-II left, identified".
   QString words(const tracking::SourceInfo& source) const;
   QString origin() const { return chosen_ ? chosen_->words.origin : QString(); }
   QString summary() const { return chosen_ ? chosen_->words.summary : QString(); }

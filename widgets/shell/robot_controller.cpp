@@ -27,9 +27,9 @@ void RobotController::report(const tracking::SourceInfo& info) {
                     tr("%1: stays in use; Undo under Identification takes it back (%2)")
                         .arg(robots.words(info), robots.summary()));
   else if (robots.any())
-    notes_.addEvent(info.begin, "robot",
-                    tr("%1, as this source brings it; the robot chosen before belongs to another arm")
-                        .arg(robots.words(info)));
+    notes_.addEvent(
+        info.begin, "robot",
+        tr("%1, the source's own; the robot chosen before belongs to another arm").arg(robots.words(info)));
 }
 
 }  // namespace capstan::widgets

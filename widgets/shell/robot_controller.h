@@ -12,8 +12,8 @@ class NotesPanel;
 class SessionLink;
 class StatusLine;
 
-/// Names the robot in use in the status line, and in the notes where a session begins with one that was
-/// chosen before. Made after what clears the notes for a new session.
+/// Shows the robot in use in the status line, and in the notes if a session starts with a robot that was
+/// chosen before. Construct it after the object that clears the notes for a new session.
 class RobotController : public QObject {
   Q_OBJECT
 

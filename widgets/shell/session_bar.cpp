@@ -25,7 +25,7 @@ SessionBar::SessionBar(QWidget* parent) : QToolBar(tr("Session"), parent) {
   run_ = add("run", tr("▸ Run"), Qt::Key_Space, tr("Run or pause"));
   run_->setCheckable(true);
   connect(run_, &QAction::triggered, this, [this] { Q_EMIT runToggled(); });
-  step_ = add("step", tr("Step"), Qt::Key_Period, tr("On to the next camera sample"));
+  step_ = add("step", tr("Step"), Qt::Key_Period, tr("Step to the next camera sample"));
   connect(step_, &QAction::triggered, this, &SessionBar::stepRequested);
   addSpeed();
   addSeparator();
@@ -44,7 +44,7 @@ SessionBar::SessionBar(QWidget* parent) : QToolBar(tr("Session"), parent) {
           &QAction::triggered, this, &SessionBar::themeToggled);
 }
 
-/// The button of what has no room shows a sign in the theme's colour: the style's own is dark on dark.
+/// The button for actions without room shows a sign in the theme's colour: the style's own is dark on dark.
 void SessionBar::drawMore() {
   auto* more = findChild<QToolButton*>("qt_toolbar_ext_button");
   if (!more) return;
@@ -60,7 +60,7 @@ void SessionBar::drawMore() {
   painter.drawText(QRect(0, 0, kSide, kSide), Qt::AlignCenter, QStringLiteral("»"));
   painter.end();
   more->setIcon(sign);
-  more->setToolTip(tr("What has no room here; everything is also in the menus above"));
+  more->setToolTip(tr("Actions without room here; all actions are also in the menus above"));
 }
 
 void SessionBar::changeEvent(QEvent* event) {
@@ -94,7 +94,7 @@ void SessionBar::addSpeed() {
   addOffBar("faster", tr("Faster"), Qt::Key_BracketRight, [this] { shiftSpeed(1); });
 }
 
-/// In the window's menus only; its key works all the same.
+/// Adds an action that is only in the window's menus; its key works too.
 QAction* SessionBar::addOffBar(const QString& name, const QString& text, const QKeySequence& key,
                                std::function<void()> act) {
   auto* action = new QAction(text, parentWidget());

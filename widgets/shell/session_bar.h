@@ -12,9 +12,8 @@ namespace capstan::widgets {
 
 class SourceMenu;
 
-/// Everything one does to a session, in a row: run, step, speed, source, record, registration,
-/// identification, analysis, diagnosis, export, note, help, theme. Holds no state of its own: showStatus()
-/// updates it.
+/// Tool bar with all actions on a session: run, step, speed, source, record, registration, identification,
+/// analysis, diagnosis, export, note, help, theme. It has no state of its own: showStatus() updates it.
 class SessionBar : public QToolBar {
   Q_OBJECT
 
@@ -23,13 +22,13 @@ class SessionBar : public QToolBar {
 
   void showStatus(const live::RunStatus& status);
   void setRecordingFolder(const QString& folder);
-  /// As somebody chose it; refused where nothing can be recorded.
+  /// Sets the folder that a user chose; refused if recordings cannot be written there.
   void chooseRecordingFolder(const QString& folder);
   QString recordingFolder() const { return folder_; }
   double speed() const;
   void setSpeed(double speed);
   SourceMenu& sources() { return *sources_; }
-  /// Gives the action of a panel its place in the row, behind those before it.
+  /// Adds the action of a panel to the bar, after those added before.
   void addPanelAction(QAction* action);
 
  signals:

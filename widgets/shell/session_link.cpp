@@ -15,7 +15,7 @@ namespace capstan::widgets {
 namespace {
 
 constexpr int kPeriod = 33;       ///< [ms]
-constexpr int kReportTicks = 10;  ///< the error table is renewed three times a second
+constexpr int kReportTicks = 10;  ///< ticks per update of the error table: three per second
 
 std::unique_ptr<live::Runner> makeRunner(std::unique_ptr<tracking::Source> source) {
   auto pipeline = tracking::makePipeline(source->info());
@@ -79,7 +79,7 @@ bool SessionLink::useRobot(const robot::Description& robot, const RobotWords& wo
   return true;
 }
 
-/// Ends in the background; hearRetired() reports what became of its recording.
+/// Ends a runner in the background; hearRetired() reports errors of its recording.
 void SessionLink::retire(std::unique_ptr<live::Runner> runner) {
   if (!runner) return;
   const bool recording = std::exchange(recorded_when_left_, false) || isRecording(*runner);

@@ -15,18 +15,18 @@
 
 namespace capstan::widgets {
 
-/// Between the window and the session: opens sources in the background and pulls 30 times a second what the
-/// runner has published. Nothing here waits for the pipeline.
+/// Connects the window and the session: opens sources in the background, and reads 30 times per second the
+/// data that the runner has published. Nothing here waits for the pipeline.
 class SessionLink : public QObject {
   Q_OBJECT
  public:
   explicit SessionLink(QObject* parent = nullptr);
   ~SessionLink() override;
 
-  /// Ends in opened(), failed() or unitsAsked(). While another one is opening, this one waits for it, takes
-  /// its place and that of what waited before: of several only the newest is heard of.
+  /// Opens a source; ends in opened(), failed() or unitsAsked(). While another source is opening, this one
+  /// waits for it and replaces it and any source that was waiting: only the newest choice is reported.
   void open(const SourceChoice& choice);
-  /// Takes a ready source, as tests have.
+  /// Opens a source that exists already, for tests.
   void take(std::unique_ptr<tracking::Source> source);
   bool opening() const { return opening_.valid(); }
   /// Null while there is no session.
@@ -36,31 +36,31 @@ class SessionLink : public QObject {
   /// The source has no more samples.
   bool ended() const { return runner_ && last_state_ == live::RunState::kEnded; }
   bool recording() const;
-  /// The session that is open is the one before from its beginning: it was opened by the same choice.
+  /// Whether the open session is the previous one from its beginning: both were opened by the same choice.
   bool again() const { return again_; }
-  /// The pipeline uses `robot` from now on, and so does every session of the same arm (RobotChoice). False:
-  /// refused, nothing changes, failed() says why.
+  /// Makes the pipeline use `robot` from now on, and every session of the same arm (RobotChoice). Returns
+  /// false if it is refused: nothing changes, and failed() gives the reason.
   bool useRobot(const robot::Description& robot, const RobotWords& words);
   const RobotChoice& robots() const { return robots_; }
-  /// `who` hears what the running session's pipeline makes of every sample, beside others that listen, with
-  /// the listener given last; {}: no longer. Whenever somebody comes or goes, all that stay hear begin()
-  /// again. A new session begins with nobody.
+  /// Registers `listener` for `who`: it receives every sample of the running session's pipeline, beside other
+  /// listeners. {} removes it. Whenever a listener is added or removed, all others receive begin() again. A
+  /// new session starts without listeners.
   void listen(const QObject* who, live::Listener listener);
-  /// Starts or stops; failures come as failed().
+  /// Starts or stops recording; errors are reported by failed().
   void toggleRecording(const QString& folder);
 
  signals:
-  /// `choice`: what open() was given for this source.
+  /// `choice`: the argument of open() for this source.
   void opened(const capstan::tracking::SourceInfo& info, const capstan::widgets::SourceChoice& choice);
   void failed(const QString& message);
-  /// What useRobot() put to use, before the notes hear of it.
+  /// useRobot() has changed the robot; emitted before the notes are written.
   void robotChanged();
-  /// open() met a table whose units have to be chosen first (SourceChoice::read_as).
+  /// open() read a table whose units have to be chosen first (SourceChoice::read_as).
   void unitsAsked(const capstan::recording::ImplausibleUnits& refused,
                   const capstan::widgets::SourceChoice& choice);
   void history(const std::vector<capstan::tracking::Snapshot>& snapshots);
   void snapshot(const capstan::tracking::Snapshot& snapshot);
-  /// The newest pair of pictures and what the pipeline made of exactly these.
+  /// The newest pair of images and the pipeline's result for this pair.
   void frames(const capstan::tracking::StereoFrame& frame, const capstan::tracking::Snapshot& seen);
   void status(const capstan::live::RunStatus& status);
   void report(const capstan::tracking::TrackReport& report);
@@ -75,12 +75,12 @@ class SessionLink : public QObject {
 
   QTimer timer_;
   std::future<std::unique_ptr<live::Runner>> opening_;
-  SourceChoice choice_;                     ///< of opening_
-  std::optional<SourceChoice> waiting_;     ///< to be opened next
-  std::optional<SourceChoice> running_by_;  ///< what runner_ was opened by
+  SourceChoice choice_;                     ///< choice of opening_
+  std::optional<SourceChoice> waiting_;     ///< the source to open next
+  std::optional<SourceChoice> running_by_;  ///< choice that runner_ was opened with
   bool again_ = false;
   RobotChoice robots_;
-  std::vector<std::future<std::string>> retiring_;  ///< old runners end; a fault of their recordings
+  std::vector<std::future<std::string>> retiring_;  ///< ending runners; result: error of the recording
   bool recorded_when_left_ = false;  ///< runner_ was recording when another source was requested
   std::unique_ptr<live::Runner> runner_;
   std::map<const QObject*, live::Listener> listeners_;
@@ -88,7 +88,7 @@ class SessionLink : public QObject {
   tracking::StereoFrame frame_;
   std::vector<tracking::Snapshot> history_;
   live::RunState last_state_ = live::RunState::kPaused;
-  std::uint64_t command_faults_ = 0;  ///< reported so far
+  std::uint64_t command_faults_ = 0;  ///< number of faults reported so far
   int ticks_ = 0;
 };
 

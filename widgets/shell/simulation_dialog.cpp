@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* kAskFile = "?";
 
-/// Selects the entry whose data is `value`; a file that is no entry yet becomes one.
+/// Selects the entry with the data `value`; a file without an entry gets a new one.
 void select(QComboBox* box, const QString& value) {
   int index = box->findData(value);
   if (index < 0) {

@@ -12,8 +12,7 @@ class QSpinBox;
 
 namespace capstan::widgets {
 
-/// Asks for a simulated session: movement, what the robot really is, its nominal file, seed, scene. Not
-/// modal.
+/// Non-modal dialog for a simulated session: trajectory, true robot, nominal robot file, seed, scene.
 class SimulationDialog : public QDialog {
   Q_OBJECT
 
@@ -27,7 +26,7 @@ class SimulationDialog : public QDialog {
   void chosen(const capstan::simulation::SimulationRequest& request);
 
  private:
-  /// A list of names with "file…" at its end; a chosen file becomes an entry of its own.
+  /// A list of names, with "file…" at its end; a chosen file becomes an entry of its own.
   QComboBox* addChoice(QFormLayout* form, const QString& label, const QList<QPair<QString, QString>>& names,
                        const QString& filter);
   void askFile(QComboBox* box, const QString& filter);

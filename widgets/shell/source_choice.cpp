@@ -9,10 +9,10 @@ namespace capstan::widgets {
 
 namespace {
 
-/// Means the same file from any folder; empty stays empty.
+/// Absolute path of a file; empty stays empty.
 QString absolute(const QString& path) { return path.isEmpty() ? path : QFileInfo(path).absoluteFilePath(); }
 
-/// A file's name becomes absolute, one of the names that need no file stays.
+/// Absolute path of a file; names of built-in choices stay as they are.
 QString absoluteUnlessName(const std::string& text) {
   const QString path = QString::fromStdString(text);
   return path.contains('.') || path.contains('/') ? absolute(path) : path;

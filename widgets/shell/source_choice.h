@@ -10,11 +10,11 @@ class QSettings;
 
 namespace capstan::widgets {
 
-/// What the user asked to open; kept between starts.
+/// Source that the user opens; saved in the settings.
 struct SourceChoice {
   bool simulated = true;
   simulation::SimulationRequest simulation;
-  QString file;     ///< session or measured table, where not simulated
+  QString file;     ///< file of a session or measured table, if not simulated
   QString read_as;  ///< units of a table, as recording::parseReadAs() takes them; empty: SI
   QString robot;    ///< robot file for a recording that brings none; empty: the left RAVEN-II
 
@@ -27,11 +27,11 @@ struct SourceChoice {
   bool operator==(const SourceChoice&) const = default;
 };
 
-/// What the window calls it: a recording by its file, and by what it says of itself where that is more.
+/// Title of the source in the window: for a recording its file name, and its own title if that says more.
 QString titleOf(const SourceChoice& choice, const std::string& own_title);
 
-/// Opens it. Takes a moment (a simulation registers its cameras first). Throws recording::ImplausibleUnits
-/// and other base::InputError.
+/// Opens the source. Takes some time (a simulation registers its cameras first). Throws
+/// recording::ImplausibleUnits and other base::InputError.
 std::unique_ptr<tracking::Source> openSource(const SourceChoice& choice);
 
 }  // namespace capstan::widgets

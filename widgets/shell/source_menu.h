@@ -8,7 +8,7 @@ namespace capstan::widgets {
 
 class SimulationDialog;
 
-/// New simulation, open a file, and the recordings opened lately.
+/// Menu with new simulation, open a file, and the recent recordings.
 class SourceMenu : public QMenu {
   Q_OBJECT
 
@@ -17,7 +17,7 @@ class SourceMenu : public QMenu {
 
   explicit SourceMenu(QWidget* parent = nullptr);
 
-  /// Remembers what was opened: the dialog starts from it, files come first in the list.
+  /// Remembers the opened source: the dialog starts with it, a file becomes the first in the list.
   void remember(const SourceChoice& choice);
   QStringList recentFiles() const { return recent_; }
   void setRecentFiles(const QStringList& files);

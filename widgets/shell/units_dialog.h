@@ -9,14 +9,14 @@ class QComboBox;
 
 namespace capstan::widgets {
 
-/// Asks how the columns of a table are to be read that can hardly be in SI units: what was found of each, and
-/// a choice. Not modal; nothing is opened before the choice is made.
+/// Non-modal dialog that asks for the units of table columns that can hardly be in SI units. It shows for
+/// each column the values found and a choice. Nothing is opened before the choice is made.
 class UnitsDialog : public QDialog {
   Q_OBJECT
 
  public:
   UnitsDialog(const recording::ImplausibleUnits& refused, QWidget* parent = nullptr);
-  /// What is chosen now, of every column that was requested, as recording::parseReadAs() takes it.
+  /// The present choice for every column, in the format of recording::parseReadAs().
   QString readAs() const;
 
  signals:

@@ -14,7 +14,7 @@ namespace capstan::widgets {
 
 namespace {
 
-// By number of the key; the registration has its own.
+// Docks by the number of their key; the registration has a key of its own.
 constexpr std::array kDocks = {"cameras", "scene", "occlusion", "identification", "errors", "notes"};
 
 void addActions(QMenu& menu, const MainWindow& window, std::initializer_list<const char*> names) {
@@ -27,7 +27,7 @@ void addActions(QMenu& menu, const MainWindow& window, std::initializer_list<con
 
 bool inFront(const QDockWidget& dock) { return dock.isVisible() && !dock.visibleRegion().isEmpty(); }
 
-/// Behind another tab it comes to the front, with the focus; in front it goes.
+/// Brings a dock behind another tab to the front, with the focus; hides a dock in front.
 void toggle(QDockWidget& dock) {
   const bool go = inFront(dock);
   dock.setVisible(!go);
@@ -49,7 +49,7 @@ QAction* addDock(QMenu& view, MainWindow& window, const char* name, int number) 
   return action;
 }
 
-/// All docks away, and those that were there back.
+/// Hides all docks, or shows those that were visible before.
 void addAllDocks(QMenu& view, MainWindow& window) {
   auto* action = view.addAction(QObject::tr("All panels, or none"));
   action->setObjectName("view_docks");

@@ -6,8 +6,8 @@ namespace capstan::widgets {
 
 class MainWindow;
 
-/// Every action of the toolbar in a menu, and a View menu whose keys bring each dock to the front or take it
-/// away.
+/// Adds every action of the toolbar to a menu, and a View menu whose keys bring each dock to the front or
+/// hide it.
 void addMenus(MainWindow& window, QMenuBar& menus);
 
 }  // namespace capstan::widgets

@@ -10,8 +10,8 @@
 
 namespace capstan::widgets {
 
-/// Draws `word` in dark letters on a rounded patch of `colour`, left and centred in `area`: a state that is
-/// distinguished by its word first and its colour second. Returns the patch.
+/// Draws `word` in dark letters on a rounded patch of `colour`, left and vertically centred in `area`. The
+/// word distinguishes the state first, the colour second. Returns the patch.
 inline QRect drawPill(QPainter& painter, const QRect& area, const QString& word, const QColor& colour,
                       double points) {
   painter.save();

@@ -9,6 +9,7 @@ namespace {
 
 constexpr int kMargin = 8;
 constexpr int kGap = 8;
+constexpr int kLeastInset = 88;  ///< least width of the inset beside the image [px]
 
 QSizeF fit(const cv::Size& shape, double width, double height) {
   if (shape.width <= 0 || shape.height <= 0 || width <= 0 || height <= 0) return {0.0, 0.0};
@@ -19,7 +20,7 @@ QSizeF fit(const cv::Size& shape, double width, double height) {
 }  // namespace
 
 RoiLayout layOutRoi(const QSize& size, int text_height, const cv::Size& main_shape,
-                    const cv::Size& inset_shape, int least_inset) {
+                    const cv::Size& inset_shape) {
   RoiLayout layout;
   const int width = size.width() - 2 * kMargin;
   layout.header = QRect(kMargin, kMargin / 2, width, text_height);
@@ -30,7 +31,7 @@ RoiLayout layOutRoi(const QSize& size, int text_height, const cv::Size& main_sha
   layout.main = QRectF(QPointF(kMargin, top), main);
   const double left = width - main.width() - kGap;
   QSizeF inset = fit(inset_shape, left, height);
-  layout.inset_inside = inset.width() < least_inset;
+  layout.inset_inside = inset.width() < kLeastInset;
   if (layout.inset_inside) {
     layout.main.moveLeft(kMargin + std::floor((width - main.width()) / 2.0));
     inset = fit(inset_shape, main.width() * 0.36, main.height() * 0.36);

@@ -11,11 +11,11 @@
 
 namespace capstan::widgets {
 
-/// Part of an image shown in part of a widget. Image pixel (0, 0) is the centre of the top-left pixel, so
-/// that the picture's edge lies at −0.5.
+/// Part of an image that is shown in part of a widget. Image pixel (0, 0) is the centre of the top-left
+/// pixel, so the image's edge is at −0.5.
 struct ImageMap {
-  QRectF target;    ///< in the widget
-  cv::Rect source;  ///< whole pixels of the image
+  QRectF target;    ///< area in the widget
+  cv::Rect source;  ///< area in the image, whole pixels
 
   double scale() const { return source.width > 0 ? target.width() / source.width : 0.0; }
   QPointF toWidget(const Eigen::Vector2d& pixel) const {
@@ -24,21 +24,22 @@ struct ImageMap {
   }
 };
 
-/// Where the parts of a region-of-interest view lie: header, magnified picture, whole frame as inset,
+/// Positions of the parts of a region-of-interest view: header, magnified image, whole frame as inset,
 /// caption.
 struct RoiLayout {
   QRect header, caption;
-  QRectF main, inset;         ///< aspect ratios of what they show are kept
-  bool inset_inside = false;  ///< no room beside the picture: the inset covers a corner of it
+  QRectF main, inset;         ///< with the aspect ratios of their images
+  bool inset_inside = false;  ///< no room beside the image: the inset covers a corner of it
 };
 
-/// Lays out a widget of `size`. The picture gets all the height there is; the inset gets the width left
-/// beside it, or a corner when less than `least_inset` [px] is left.
+/// Lays out a widget of `size`. The image gets the whole height. The inset gets the width beside it, or a
+/// corner of the image if that width is less than 88 px.
 RoiLayout layOutRoi(const QSize& size, int text_height, const cv::Size& main_shape,
-                    const cv::Size& inset_shape, int least_inset = 88);
+                    const cv::Size& inset_shape);
 
-/// The part of a frame of `frame` size to magnify: the region that was searched, or as large a square about
-/// the marker when it was found (or sought) outside, inside the frame in any case.
+/// The part of a frame of size `frame` to magnify, always inside the frame: the region that was searched, of
+/// `side` pixels. After a search of the whole frame: a region of that size about the marker, or `last` if
+/// none was found.
 cv::Rect regionToShow(const vision::MarkerDetection& detection, const cv::Size& frame, int side,
                       const cv::Rect& last);
 

@@ -14,10 +14,11 @@ namespace capstan::widgets {
 namespace {
 
 constexpr double kTextPoints = 10.0;
+constexpr int kRegionSide = 100;  ///< side of the magnified region [px]
 
 QString text(std::string_view view) { return QString::fromUtf8(view.data(), static_cast<int>(view.size())); }
 
-/// `source` of a BGR frame as an image of about `target` size: shrunk where it is larger, never enlarged.
+/// The area `source` of a BGR frame as an image of about `target` size: reduced if larger, never enlarged.
 QImage cut(const cv::Mat& frame, const cv::Rect& source, const QSize& target) {
   cv::Mat part = frame(source);
   if (target.width() < part.cols && target.width() > 0 && target.height() > 0)
@@ -29,7 +30,7 @@ QImage cut(const cv::Mat& frame, const cv::Rect& source, const QSize& target) {
   return image;
 }
 
-/// Strokes `path` in `colour` over a dark halo: legible upon any picture.
+/// Strokes `path` in `colour` over a dark outline, so that it is visible on any image.
 void strokeWithHalo(QPainter& painter, const QPainterPath& path, const QColor& colour, double width,
                     Qt::PenStyle style = Qt::SolidLine) {
   painter.setBrush(Qt::NoBrush);
@@ -61,7 +62,7 @@ void RoiView::showFrame(const cv::Mat& bgr, const vision::MarkerDetection& detec
     frame_.release();
   } else {
     bgr.copyTo(frame_);
-    region_ = regionToShow(detection_, frame_.size(), side_, region_);
+    region_ = regionToShow(detection_, frame_.size(), kRegionSide, region_);
   }
   message_ = "no image";
   update();
@@ -105,7 +106,7 @@ QString RoiView::captionWithin(const QFontMetrics& metrics, int width) const {
 RoiLayout RoiView::layOut() const {
   const int height = QFontMetrics(textFont(kTextPoints)).height() + 4;
   const cv::Size whole = frame_.empty() ? cv::Size(640, 480) : frame_.size();
-  const cv::Size part = frame_.empty() ? cv::Size(side_, side_) : region_.size();
+  const cv::Size part = frame_.empty() ? cv::Size(kRegionSide, kRegionSide) : region_.size();
   return whole_large_ ? layOutRoi(size(), height, whole, part) : layOutRoi(size(), height, part, whole);
 }
 

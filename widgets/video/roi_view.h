@@ -13,18 +13,18 @@
 
 namespace capstan::widgets {
 
-/// A line over the image, in pixels of the whole frame: the projected arm, for one.
+/// A line over the image in pixels of the whole frame, for example the projected arm.
 struct ImageLine {
   std::vector<Eigen::Vector2d> points;
   QColor colour;
   bool dashed = false;
   double circle = 0.0;  ///< radius of a circle about the last point [px]; 0: none
-  QString label;        ///< at the last point
+  QString label;        ///< label at the last point
 };
 
-/// One camera: the region of interest magnified with the detected circle and centroid, the whole frame as
-/// inset with the region's box, and a line that says what was found or why nothing was. A double click swaps
-/// the two pictures.
+/// View of one camera: the region of interest magnified with the detected circle and centroid, the whole
+/// frame as inset with the region's box, and a line with the detection or the reason why there is none. A
+/// double click swaps the two images.
 class RoiView : public QWidget {
   Q_OBJECT
 
@@ -32,24 +32,23 @@ class RoiView : public QWidget {
   explicit RoiView(const QString& title, QWidget* parent = nullptr);
 
   void setTheme(const Theme& theme);
-  /// A whole frame (8-bit BGR, copied) and what the detector says of it. An empty frame shows the reason
-  /// only.
+  /// Shows a whole frame (8-bit BGR, copied) and the detector's result for it. For an empty frame only the
+  /// reason is shown.
   void showFrame(const cv::Mat& bgr, const vision::MarkerDetection& detection);
-  /// Drops the picture; `why` stands in its place.
+  /// Removes the image and shows `why` instead.
   void clear(const QString& why);
   void setLines(std::vector<ImageLine> lines);
-  /// Whole frame large, region of interest as inset.
+  /// Shows the whole frame large and the region of interest as inset.
   void setWholeFrameLarge(bool large);
   bool wholeFrameLarge() const { return whole_large_; }
-  void setRegionSide(int pixels) { side_ = pixels; }
 
-  /// The line under the picture, as `circle 11.3 px · 0.08 px σ · ok` or the reason why the marker is lost.
+  /// The line below the image: `circle 11.3 px · 0.08 px σ · ok`, or the reason why the marker is lost.
   QString caption() const;
-  /// The caption in `width` pixels of `metrics`: whole parts go from its end, so that no number is cut; only
-  /// a single part is elided.
+  /// The caption shortened to `width` pixels of `metrics`: whole parts are removed from its end, so that no
+  /// number is cut; only a single remaining part is elided.
   QString captionWithin(const QFontMetrics& metrics, int width) const;
   bool lost() const { return !detection_.found(); }
-  /// The magnified picture and the inset as they lie now, for tests and for overlays of others.
+  /// Present positions of the magnified image and the inset, for tests and overlays.
   ImageMap mainMap() const;
   ImageMap insetMap() const;
   QSize sizeHint() const override { return {420, 250}; }
@@ -76,7 +75,6 @@ class RoiView : public QWidget {
   cv::Mat frame_;
   vision::MarkerDetection detection_;
   cv::Rect region_;
-  int side_ = 100;
   bool whole_large_ = false;
   std::vector<ImageLine> lines_;
 };

@@ -40,8 +40,8 @@ void StereoView::setWholeFrameLarge(bool large) {
 void StereoView::resizeEvent(QResizeEvent*) { arrange(); }
 
 void StereoView::arrange() {
-  // Whole frames go beside each other as soon as that makes them larger; regions stand above each other, so
-  // that their insets find room at their side.
+  // Whole frames are side by side if that makes them larger; regions are one above the other, so that their
+  // insets have room beside them.
   constexpr double kLines = 56.0, kShape = 4.0 / 3.0;  // header and caption [px]; width by height of a frame
   const double beside = std::min(width() / 2.0, (height() - kLines) * kShape);
   const double above = std::min<double>(width(), (height() / 2.0 - kLines) * kShape);

@@ -10,7 +10,7 @@
 
 namespace capstan::widgets {
 
-/// Left and right camera, one above the other, or beside each other where the place is wide.
+/// Left and right camera, one above the other, or side by side if the widget is wide.
 class StereoView : public QWidget {
   Q_OBJECT
 
@@ -18,9 +18,10 @@ class StereoView : public QWidget {
   explicit StereoView(QWidget* parent = nullptr);
 
   void setTheme(const Theme& theme);
-  /// The images of one camera sample and the snapshot it gave. Images are copied; empty ones show the reason.
+  /// Shows the images of one camera sample and the snapshot computed from it. Images are copied; for empty
+  /// ones the reason is shown.
   void showFrames(const cv::Mat& left, const cv::Mat& right, const tracking::Snapshot& snapshot);
-  /// For a source without images: `why` in place of the pictures.
+  /// For a source without images: shows `why` instead.
   void clear(const QString& why);
   void setLines(const std::array<std::vector<ImageLine>, 2>& lines);
   void setWholeFrameLarge(bool large);

@@ -16,6 +16,9 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kFewestPieceRows = 5;
+constexpr double kLongestGap = 0.05;  // longest gap that the input is interpolated over [s]: longer ones end
+                                      // a segment, if they are also longer than 3.5 periods
+constexpr double kSmoothing = 0.01;   // half width of the window that q_m is differentiated in [s]
 
 [[noreturn]] void refuse(const RecordedTracks& tracks, std::string column, std::string value,
                          std::string reason, std::string remedy) {
@@ -37,10 +40,6 @@ void checkJoints(const RecordedTracks& tracks, const robot::Description& robot) 
              "Give the robot file that the recording was made with, or columns for each of its joints");
 }
 
-DriveKind driveOf(const robot::Description& robot, const EvidenceOptions& options) {
-  return options.drive.value_or(robot.drive);
-}
-
 void checkSensors(const RecordedTracks& tracks, DriveKind drive) {
   if (drive == DriveKind::kCable && tracks.q_m.empty())
     refuse(tracks, "q_m1", {}, "is missing: motor positions drive the simulation of a cable-driven robot",
@@ -50,16 +49,15 @@ void checkSensors(const RecordedTracks& tracks, DriveKind drive) {
     refuse(tracks, "tau_m1", {}, "is missing: motor torques drive the simulation of a rigid robot",
            "Add the motor torques (or forces) [N*m or N] as columns tau_m1 …");
   if (tracks.q.empty() && tracks.tip.empty())
-    refuse(
-        tracks, "q1, p_c1", {},
-        tracks.own_kinematics
-            ? "are missing: neither joint encoders nor cameras say what the robot did (joint positions are "
-              "what it computed from its motors)"
-            : "are missing: neither joint encoders nor cameras say what the robot did",
-        "Add joint encoders [rad or m] as q1 … or the tip seen by cameras [m] as p_c1, p_c2, p_c3");
+    refuse(tracks, "q1, p_c1", {},
+           tracks.own_kinematics
+               ? "are missing: neither joint encoders nor cameras measured the motion (the joint "
+                 "positions are those that the robot computed from its motors)"
+               : "are missing: neither joint encoders nor cameras measured the motion",
+           "Add joint encoders [rad or m] as q1 … or the tip seen by cameras [m] as p_c1, p_c2, p_c3");
 }
 
-/// Times of the rows in which every motor has what drives.
+/// Times of the rows in which every joint has its input.
 std::vector<double> drivenTimes(const RecordedTracks& tracks, const Columns& drive) {
   std::vector<double> times;
   for (std::size_t i = 0; i < tracks.t.size(); ++i)
@@ -69,17 +67,7 @@ std::vector<double> drivenTimes(const RecordedTracks& tracks, const Columns& dri
   return times;
 }
 
-EvenGrid gridOf(const RecordedTracks& tracks, bool cable, const EvidenceOptions& options) {
-  const std::vector<double> times = drivenTimes(tracks, cable ? tracks.q_m : tracks.tau_m);
-  const double period = ownPeriod(times, EvidenceOptions::kLongestGap);
-  if (options.step > 0.0 && options.step < 0.999 * period)
-    refuse(tracks, "step", fmt::format("{} s", options.step),
-           fmt::format("is shorter than the recording's own, {:.6g} s", period),
-           "Give a longer step, or none to take every row");
-  return evenGrid(times, options.step, EvidenceOptions::kLongestGap);
-}
-
-/// Channels on the rows of the grid, noise from their own samples.
+/// Channels on the rows of the grid, and their noise, estimated from their own samples.
 struct Placed {
   Columns columns;
   std::vector<ChannelNoise> noise;
@@ -111,10 +99,10 @@ Placed placeReference(const EvenGrid& grid, const RecordedTracks& tracks) {
   return placed;
 }
 
-/// Motor velocities where none were measured, segment by segment.
-void differentiate(Evidence& evidence, double smoothing) {
+/// Fills in motor velocities that were not measured, segment by segment.
+void differentiate(Evidence& evidence) {
   const auto half =
-      std::max<std::size_t>(3, static_cast<std::size_t>(std::lround(smoothing / evidence.step)));
+      std::max<std::size_t>(3, static_cast<std::size_t>(std::lround(kSmoothing / evidence.step)));
   evidence.dq_m.resize(evidence.q_m.size(), std::vector<double>(evidence.rows(), kNaN));
   for (std::size_t j = 0; j < evidence.q_m.size(); ++j)
     for (const Segment& segment : evidence.segments) {
@@ -161,8 +149,8 @@ void placeObservations(Evidence& evidence, const EvenGrid& grid, const RecordedT
   }
 }
 
-/// Loads must be there in every row, as what drives: where none was read the nearest reading stands in and
-/// the row does not count. A joint without any has no load cell, and bears none.
+/// Fills in missing loads, since a simulation needs a load in every row: the last reading is held, and the
+/// row does not count. A joint without any reading has no load cell; its load is 0.
 void fillLoads(Evidence& evidence) {
   for (std::vector<double>& load : evidence.tau_ext) {
     const auto first = std::find_if(load.begin(), load.end(), [](double x) { return std::isfinite(x); });
@@ -178,8 +166,7 @@ void fillLoads(Evidence& evidence) {
 /// The motor side and the joint encoders on the rows of the grid.
 void placeChannels(Evidence& evidence, const EvenGrid& grid, const RecordedTracks& tracks) {
   const bool cable = evidence.drive == DriveKind::kCable;
-  const double whole = 3.5 * grid.period,
-               reach = std::max(EvidenceOptions::kLongestGap, whole) * (1.0 + 1e-9);
+  const double whole = 3.5 * grid.step, reach = std::max(kLongestGap, whole) * (1.0 + 1e-9);
   std::vector<std::uint8_t> missing;
   const auto place = [&](const Columns& columns, Columns& out, std::vector<ChannelNoise>& noise, double over,
                          bool drives) {
@@ -199,8 +186,9 @@ void placeChannels(Evidence& evidence, const EvenGrid& grid, const RecordedTrack
 
 void noticeLosses(Evidence& evidence, const RecordedTracks& tracks) {
   if (evidence.segments.size() > 1)
-    evidence.notices.push_back(fmt::format("{}: {} pieces with gaps between them: simulated one by one",
-                                           evidence.title, evidence.segments.size()));
+    evidence.notices.push_back(
+        fmt::format("{}: {} segments with gaps between them; each is simulated separately", evidence.title,
+                    evidence.segments.size()));
   const auto share = [&](ExclusionReason reason) {
     const auto rows = std::count_if(evidence.exclusions.begin(), evidence.exclusions.end(),
                                     [&](std::uint8_t bits) { return (bits & reason) != 0; });
@@ -219,7 +207,7 @@ void noticeLosses(Evidence& evidence, const RecordedTracks& tracks) {
         fmt::format("{}: {} of {} tip observations do not count", evidence.title, seen - kept, seen));
 }
 
-/// Anything to be said from what counts?
+/// Throws base::InputError if too few rows or observations count for a diagnosis.
 void checkLength(const RecordedTracks& tracks, const Evidence& evidence) {
   if (evidence.countingRows() < kFewestRows)
     refuse(tracks, "t", fmt::format("{} rows", evidence.countingRows()),
@@ -241,8 +229,8 @@ void checkLength(const RecordedTracks& tracks, const Evidence& evidence) {
 std::vector<std::uint8_t> standsAtEnd(const std::vector<double>& column, const std::vector<Segment>& segments,
                                       double noise) {
   std::vector<std::uint8_t> stands(column.size(), 0);
-  std::vector<std::size_t> rows;  // that have a reading
-  std::vector<double> jerks;      // |second differences| about them
+  std::vector<std::size_t> rows;  // rows with a reading
+  std::vector<double> jerks;      // |second difference| at each of them
   for (const Segment& segment : segments)
     for (std::size_t i = segment.begin; i < segment.end; ++i)
       if (std::isfinite(column[i])) rows.push_back(i);
@@ -256,7 +244,7 @@ std::vector<std::uint8_t> standsAtEnd(const std::vector<double>& column, const s
   for (std::size_t begin = 0, end = 0; begin < rows.size() && low < high; begin = end) {
     for (end = begin + 1; end < rows.size() && x(end) == x(begin);) ++end;
     if (end - begin < kFewestPieceRows || (x(begin) != low && x(begin) != high)) continue;
-    // The jerk is at the run's first sample, or at the last one before it where the end was reached between.
+    // The jerk is at the run's first sample, or one sample earlier if the end was reached between the two.
     const double at_entry = std::max(jerks[begin], begin > 0 ? jerks[begin - 1] : 0.0);
     const double at_exit = std::max(jerks[end - 1], end < rows.size() ? jerks[end] : 0.0);
     if (std::max(at_entry, at_exit) <= jerk) continue;
@@ -267,22 +255,22 @@ std::vector<std::uint8_t> standsAtEnd(const std::vector<double>& column, const s
 
 Evidence assembleEvidence(const RecordedTracks& tracks, const robot::Description& robot,
                           const EvidenceOptions& options) {
-  const DriveKind drive = driveOf(robot, options);
-  checkSensors(tracks, drive);
+  checkSensors(tracks, robot.drive);
   checkJoints(tracks, robot);
-  const EvenGrid grid = gridOf(tracks, drive == DriveKind::kCable, options);
+  const Columns& input = robot.drive == DriveKind::kCable ? tracks.q_m : tracks.tau_m;
+  const EvenGrid grid = evenGrid(drivenTimes(tracks, input), kLongestGap);
   Evidence evidence;
   evidence.title = tracks.title;
   evidence.file = tracks.file;
   evidence.notices = tracks.notices;
-  evidence.drive = drive;
+  evidence.drive = robot.drive;
   evidence.joints = robot.size();
   evidence.step = grid.step;
   evidence.t = grid.t;
   evidence.segments = grid.segments;
   evidence.exclusions.assign(grid.t.size(), 0);
   placeChannels(evidence, grid, tracks);
-  if (!evidence.q_m.empty()) differentiate(evidence, options.smoothing);
+  if (!evidence.q_m.empty()) differentiate(evidence);
   markSaturated(evidence, robot);
   for (std::size_t i = 0; i < evidence.rows(); ++i)
     if (evidence.t[i] < evidence.t.front() + options.skip_start) evidence.exclusions[i] |= kStart;

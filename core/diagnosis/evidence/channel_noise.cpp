@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kFewestDifferences = 20;
 
-/// |changes| from one finite sample to the next that are more than rounding of the last digits.
+/// Absolute changes from one finite sample to the next, without those within rounding of the last digits.
 std::vector<double> changesOf(std::span<const double> values) {
   double largest = 0.0, last = std::numeric_limits<double>::quiet_NaN();
   for (const double x : values)
@@ -26,7 +26,7 @@ std::vector<double> changesOf(std::span<const double> values) {
   return changes;
 }
 
-/// Mean square without what lies beyond 4.5 RMS of the others, found in passes.
+/// Mean square without the values beyond 4.5 RMS of the others, found in passes.
 double trimmedMeanSquare(const std::vector<double>& values) {
   double mean_square = std::numeric_limits<double>::infinity();
   for (int pass = 0; pass < 6; ++pass) {
@@ -41,13 +41,13 @@ double trimmedMeanSquare(const std::vector<double>& values) {
   return mean_square;
 }
 
-/// Differences of one order in place; NaN where a sample was.
+/// Replaces the values by their first differences; NaN where one of the two values is NaN.
 void difference(std::vector<double>& x) {
   for (std::size_t i = 0; i + 1 < x.size(); ++i) x[i] = x[i + 1] - x[i];
   x.pop_back();
 }
 
-/// Does any of the changes [i, i + order) differ from 0?
+/// Answers whether any of the samples from i to i + order differs from the one before.
 class Motion {
  public:
   explicit Motion(std::span<const double> values) : moved_(values.size(), 0) {

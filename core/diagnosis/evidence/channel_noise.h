@@ -6,18 +6,21 @@
 
 namespace capstan::diagnosis {
 
-/// Quantisation step of samples in order of time: the smallest change from one to the next, averaged over
-/// those within half of it, where at least 95 % of the changes up to ten of it are whole multiples within
-/// 5 % of it. 0 where they are not: the samples are continuous, or never change. NaN samples are passed over.
+/// Quantisation step of samples in order of time: mean of the changes between neighbours that are below 1.5
+/// times the smallest change. The samples count as quantised if at least 95 % of the changes up to ten steps
+/// are whole multiples of the step, within 5 % of the step. Returns 0 for continuous samples and with fewer
+/// than 20 changes. NaN samples are skipped.
 double quantisationStep(std::span<const double> values);
 
-/// Standard deviation of white noise under a smooth motion, by differences: those of order d keep
-/// C(2d, d) σ² of the noise and ever less of the motion (d = 2: the second difference, 6 σ²). The least over
-/// d = 2 … 6 counts; squares beyond 4.5 RMS are excluded, and so are segments without any change, where a
-/// quantised channel hides its noise. Samples equally spaced in time but for NaN, which no difference
-/// reaches over. 0 with fewer than 20 differences of an order: nothing can be said.
+/// Standard deviation of white noise under a smooth motion, estimated from differences. A difference of
+/// order d has the noise variance C(2d, d) σ² (d = 2: 6 σ²), and the motion contributes less to it the higher
+/// d is. The result is the smallest estimate over d = 2 … 6. Differences beyond 4.5 RMS are excluded, and so
+/// are segments without any change, because a quantised channel hides its noise there. Samples are equally
+/// spaced in time; NaN marks a missing sample, and no difference reaches over it. Returns 0 with fewer than
+/// 20 second differences.
 double whiteNoise(std::span<const double> values);
 
+/// quantisationStep() and whiteNoise() of the same samples.
 ChannelNoise channelNoise(std::span<const double> values);
 
 }  // namespace capstan::diagnosis

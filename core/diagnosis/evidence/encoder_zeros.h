@@ -7,13 +7,13 @@
 
 namespace capstan::diagnosis {
 
-/// Prior standard deviations of joint encoders' zeros. A zero that is free takes with it whatever holds still
-/// over what it is free for: one for each recording also takes the stretch under a load that is constant in
-/// each, one for all recordings does not.
+/// What a fit assumes of the joint encoders' zeros. A free zero absorbs every residual that is constant over
+/// the recordings that share this zero. One zero per recording therefore also absorbs the cable stretch under
+/// a load that is constant within each recording; one zero for all recordings does not.
 enum class EncoderZeros {
-  kKnown,            ///< as in the robot file: an error is homing_offset's
-  kOneForAll,        ///< unknown, the same in all recordings
-  kOnePerRecording,  ///< unknown, where there are several recordings; known where there is one
+  kKnown,            ///< as in the robot file; a zero error is the effect homing_offset
+  kOneForAll,        ///< unknown, and the same in all recordings
+  kOnePerRecording,  ///< unknown in each of several recordings; known where there is only one
 };
 
 }  // namespace capstan::diagnosis

@@ -10,10 +10,10 @@ namespace capstan::diagnosis {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kSameTime = 1e-3;    // of a period
-constexpr double kRowMissing = 1.75;  // periods between rows, from which on there is one missing
+constexpr double kSameTime = 1e-3;    // of a step: largest difference of times that count as equal
+constexpr double kRowMissing = 1.75;  // periods between two rows from which on a row is missing between them
 
-/// Pieces [begin, end) of the times without a longer pause.
+/// Pieces [begin, end) of the times without a pause longer than the longest gap or 3.5 median periods.
 std::vector<Segment> piecesOf(std::span<const double> t, double longest_gap) {
   std::vector<double> periods;
   for (std::size_t i = 1; i < t.size(); ++i) periods.push_back(t[i] - t[i - 1]);
@@ -27,7 +27,7 @@ std::vector<Segment> piecesOf(std::span<const double> t, double longest_gap) {
 
 double spanOf(std::span<const double> t, const Segment& piece) { return t[piece.end - 1] - t[piece.begin]; }
 
-/// Periods of the piece, those counted that missing rows exclude.
+/// Number of periods in the piece, missing rows counted.
 double periodsIn(std::span<const double> t, const Segment& piece) {
   std::vector<double> periods;
   for (std::size_t i = piece.begin + 1; i < piece.end; ++i) periods.push_back(t[i] - t[i - 1]);
@@ -38,7 +38,7 @@ double periodsIn(std::span<const double> t, const Segment& piece) {
   return count;
 }
 
-/// The sample at `time`, or −1.
+/// Index of the sample at `time`; −1: none.
 std::ptrdiff_t sampleAt(const Track& track, std::size_t after, double time, double tolerance) {
   const auto i = static_cast<std::ptrdiff_t>(after);
   if (after < track.size() && track.t[after] - time <= tolerance) return i;
@@ -46,7 +46,7 @@ std::ptrdiff_t sampleAt(const Track& track, std::size_t after, double time, doub
   return -1;
 }
 
-/// Slope of the track about sample i, over its nearest neighbours.
+/// Slope of the track at sample i, between its neighbours.
 double slopeAbout(const Track& track, std::size_t i) {
   const std::size_t a = i > 0 ? i - 1 : i, b = i + 1 < track.size() ? i + 1 : i;
   return b > a ? (track.x[b] - track.x[a]) / (track.t[b] - track.t[a]) : 0.0;
@@ -61,21 +61,15 @@ Track trackOf(std::span<const double> t, std::span<const double> x) {
   return track;
 }
 
-double ownPeriod(std::span<const double> t, double longest_gap) {
-  if (t.size() < 3) return 0.0;
+EvenGrid evenGrid(std::span<const double> t, double longest_gap) {
+  EvenGrid grid;
+  if (t.size() < 3) return grid;
   const std::vector<Segment> pieces = piecesOf(t, longest_gap);
   const Segment longest = *std::max_element(
       pieces.begin(), pieces.end(), [&](const Segment& a, const Segment& b) { return a.size() < b.size(); });
-  if (longest.size() < 2) return 0.0;
-  return spanOf(t, longest) / periodsIn(t, longest);
-}
-
-EvenGrid evenGrid(std::span<const double> t, double step, double longest_gap) {
-  EvenGrid grid;
-  grid.period = ownPeriod(t, longest_gap);
-  if (!(grid.period > 0.0)) return grid;
-  grid.step = step > 0.0 ? step : grid.period;
-  for (const Segment& piece : piecesOf(t, longest_gap)) {
+  if (longest.size() < 2) return grid;
+  grid.step = spanOf(t, longest) / periodsIn(t, longest);
+  for (const Segment& piece : pieces) {
     const double span = spanOf(t, piece);
     if (span < kShortestPiece) continue;
     const auto rows = static_cast<std::size_t>(std::floor(span / grid.step + kSameTime)) + 1;
@@ -95,14 +89,14 @@ std::vector<double> interpolateTo(const EvenGrid& grid, const Track& track, doub
   for (std::size_t row = 0; row < grid.t.size(); ++row) {
     const double time = grid.t[row];
     while (after < track.size() && track.t[after] < time) ++after;
-    const std::ptrdiff_t same = sampleAt(track, after, time, kSameTime * grid.period);
+    const std::ptrdiff_t same = sampleAt(track, after, time, kSameTime * grid.step);
     if (same >= 0) {
       result[row] = track.x[static_cast<std::size_t>(same)];
       continue;
     }
     if (after == 0 || after == track.size()) continue;
     const double apart = track.t[after] - track.t[after - 1];
-    if (interpolated && apart > kRowMissing * grid.period) (*interpolated)[row] = 1;
+    if (interpolated && apart > kRowMissing * grid.step) (*interpolated)[row] = 1;
     if (apart > reach) continue;
     const double share = (time - track.t[after - 1]) / apart;
     result[row] = track.x[after - 1] + share * (track.x[after] - track.x[after - 1]);
@@ -120,7 +114,7 @@ std::vector<double> placeOn(const EvenGrid& grid, const Track& track) {
     const double late = grid.t[row] - track.t[i];
     if (std::abs(late) >= nearest[row] || std::abs(late) > grid.step) continue;
     nearest[row] = std::abs(late);
-    const bool on_it = std::abs(late) <= kSameTime * grid.period;
+    const bool on_it = std::abs(late) <= kSameTime * grid.step;
     result[row] = on_it ? track.x[i] : track.x[i] + late * slopeAbout(track, i);
   }
   return result;

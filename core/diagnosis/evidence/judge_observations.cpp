@@ -10,10 +10,10 @@
 namespace capstan::diagnosis {
 namespace {
 
-constexpr std::size_t kAbout = 3;  // observations on either side
-constexpr std::size_t kForCubic = 6;
-constexpr double kFarthest = 8.0;
-constexpr double kNeverAnOutlier = 1e-3;  // [m]
+constexpr std::size_t kAbout = 3;         // observations on either side that the median is of
+constexpr std::size_t kForCubic = 6;      // fewest observations for the cubic
+constexpr double kFarthest = 8.0;         // deviation of an outlier, in spreads
+constexpr double kNeverAnOutlier = 1e-3;  // deviation below which no observation is an outlier [m]
 
 robot::JointVector vectorAt(const Columns& columns, double row) {
   robot::JointVector values(static_cast<Eigen::Index>(columns.size()));
@@ -22,7 +22,7 @@ robot::JointVector vectorAt(const Columns& columns, double row) {
   return values;
 }
 
-/// Where the joints put the tip; the origin where joints are not measured.
+/// Tip by the kinematics of the measured joints, or else of the motors; the origin if neither is measured.
 Eigen::Vector3d tipOfJoints(const Evidence& evidence, const robot::Chain& chain,
                             const robot::Transmission* transmission, double row) {
   if (evidence.hasEncoders()) {
@@ -33,7 +33,8 @@ Eigen::Vector3d tipOfJoints(const Evidence& evidence, const robot::Chain& chain,
   return chain.marker(transmission->jointFromMotor(vectorAt(evidence.q_m, row)));
 }
 
-/// The cubic through four others at observation i: two on either side, at the ends the four next.
+/// Value at observation i of the cubic through the two observations on either side (at the ends, through the
+/// four nearest on one side).
 double cubicAt(const std::vector<double>& d, std::size_t i) {
   const auto outside = [&](std::size_t a, std::size_t b, std::size_t c, std::size_t e) {
     return 4.0 * (d[a] + d[c]) - 6.0 * d[b] - d[e];
@@ -43,8 +44,9 @@ double cubicAt(const std::vector<double>& d, std::size_t i) {
   return (4.0 * (d[i - 1] + d[i + 1]) - d[i - 2] - d[i + 2]) / 6.0;
 }
 
-/// |Distance of each observation from the median of those about it|, but no more than from the cubic through
-/// its neighbours, which a smooth motion under a camera that lags obeys.
+/// Deviation of each observation: the smaller of its distances from the median of the observations around it
+/// and from the cubic through its neighbours. A smooth motion under a late camera deviates from the first
+/// only.
 std::vector<double> strayings(const std::vector<double>& d) {
   std::vector<double> result;
   for (std::size_t i = 0; i < d.size(); ++i) {

@@ -14,7 +14,7 @@
 namespace capstan::diagnosis {
 namespace {
 
-constexpr double kNorm = 0.01;  // by which an orientation's norm may miss 1
+constexpr double kNorm = 0.01;  // largest difference of an orientation's norm from 1
 
 using learning::RawMotion;
 using learning::RawPose;
@@ -28,7 +28,7 @@ using learning::StreamKind;
 
 bool hasTurn(const RawPose& pose) { return pose.quaternion.allFinite(); }
 
-/// Does any row of the stream have an orientation?
+/// True if any row of the stream has an orientation.
 bool turns(const std::vector<RawMotion>& motions, StreamKind kind) {
   const auto at = static_cast<std::size_t>(kind);
   return std::any_of(motions.begin(), motions.end(), [at](const RawMotion& motion) {
@@ -36,14 +36,14 @@ bool turns(const std::vector<RawMotion>& motions, StreamKind kind) {
   });
 }
 
-/// Of one table, one stream.
+/// One stream of one table.
 struct List {
   const std::string& file;
   std::string_view prefix;
   bool turns;
 };
 
-/// Nothing: a placeholder.
+/// The row's pose; nothing for a placeholder.
 std::optional<Pose> poseOf(const RawPose& raw, const List& list) {
   Pose pose;
   pose.t = raw.t;
@@ -71,7 +71,7 @@ std::vector<Pose> posesOf(const std::vector<RawPose>& rows, const List& list, Po
     } else {
       if (!poses.empty() && pose->t < poses.back().t)
         refuse(list.file, raw, fmt::format("t_{}_s", list.prefix), pose->t,
-               fmt::format("goes back behind {} within a trajectory", poses.back().t),
+               fmt::format("is earlier than {} before it, in the same trajectory", poses.back().t),
                "Order each trajectory's rows by time");
       poses.push_back(*pose);
     }
@@ -79,7 +79,8 @@ std::vector<Pose> posesOf(const std::vector<RawPose>& rows, const List& list, Po
   return poses;
 }
 
-/// Longest chain of observations, each within reach of the one before; the rest does not count.
+/// Marks outliers and returns their number: observations outside of the longest sequence in which each is
+/// within reach of the one before.
 std::size_t markOutliers(std::vector<Pose>& observations) {
   const std::size_t n = observations.size();
   std::vector<std::size_t> length(n, 1), before(n, n);
@@ -106,7 +107,7 @@ void addNotices(PoseEvidence& evidence, std::size_t too_short) {
         fmt::format("{}: {} {} poses in {} rows; {} placeholders and {} repeats excluded", evidence.title,
                     counts.poses(), what, counts.rows, counts.placeholders, counts.repeats);
     if (counts.outliers > 0)
-      line += fmt::format(", {} that no tip could have reached do not count", counts.outliers);
+      line += fmt::format(", {} outliers beyond the reach of any tip do not count", counts.outliers);
     evidence.notices.push_back(std::move(line));
   };
   say("camera", evidence.camera);
@@ -114,7 +115,7 @@ void addNotices(PoseEvidence& evidence, std::size_t too_short) {
   say("command", evidence.command);
   if (too_short > 0)
     evidence.notices.push_back(
-        fmt::format("{}: {} trajectories too short to compare", evidence.title, too_short));
+        fmt::format("{}: {} trajectories are too short to compare", evidence.title, too_short));
 }
 
 }  // namespace

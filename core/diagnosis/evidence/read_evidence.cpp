@@ -25,8 +25,7 @@ void leaveOutJoints(RecordedTracks& tracks) {
   tracks.t_q.clear(), tracks.q.clear();
   tracks.own_kinematics = true;
   tracks.notices.push_back(fmt::format(
-      "{}: joint positions are what the robot computed from its motors: excluded, they are no reference",
-      tracks.title));
+      "{}: joint positions are excluded, because the robot computed them from its motors", tracks.title));
 }
 
 bool hasNumbers(const Columns& columns) {
@@ -48,7 +47,7 @@ void reorder(std::vector<T>& values, const std::vector<std::size_t>& order) {
   values = std::move(moved);
 }
 
-/// Order that makes times rise, the first of equal ones alone.
+/// Indices in order of rising time; of equal times the first alone.
 std::vector<std::size_t> risingOrder(const std::vector<double>& t) {
   std::vector<std::size_t> order(t.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -58,7 +57,7 @@ std::vector<std::size_t> risingOrder(const std::vector<double>& t) {
   return order;
 }
 
-/// Takes what a source yields and what the pipeline saw in its pictures.
+/// Collects the samples of a source, and the tips that the pipeline found in its images.
 class TrackCollector {
  public:
   void add(const tracking::Sample& sample, const tracking::Snapshot& snapshot) {

@@ -9,29 +9,30 @@
 
 namespace capstan::diagnosis {
 
-/// The evidence of a measured table. Rows go to the even grid that lies nearest to them: a row on it keeps
-/// its numbers to the last bit; between rows the drive is interpolated linearly, and a joint encoder's
-/// reading is moved to the nearest row along the line to its neighbours. Columns p_c give tip observations at
-/// their rows' times. q that the robot computed from its motors is excluded, as no reference.
+/// Evidence of a measured table, on a grid of rows with a constant time step (even_grid.h). A row that lies
+/// on the grid keeps its numbers to the last bit. Elsewhere motor data are interpolated linearly, and a joint
+/// encoder's reading is moved to the nearest row along the slope between its neighbours. Columns p_c give tip
+/// observations at the times of their rows. Columns q are excluded if the robot computed them from its
+/// motors.
 ///
-/// `robot` gives the number of joints, the motors' torque limits, and the kinematics by which the noise of
-/// tips is distinguished from motion. Throws base::InputError naming file, column and remedy: neither joint
-/// encoders nor camera tips; no q_m for a cable drive, no tau_m for a rigid one; another number of joints
-/// than the robot's; a step below the table's own; fewer rows that count than kFewestRows, or fewer
-/// observations than kFewestObservations where there are no encoders.
+/// `robot` gives the drive, the number of joints, the motors' torque limits, and the kinematics that separate
+/// the tips' noise from motion. Throws base::InputError with file, column and remedy if there are neither
+/// joint encoders nor camera tips; if q_m (cable drive) or tau_m (rigid drive) is missing; if the number of
+/// joints is not the robot's; with fewer counting rows than kFewestRows; and with both fewer encoder readings
+/// than kFewestRows and fewer observations than kFewestObservations.
 Evidence evidenceOf(const recording::MeasuredTable& table, const robot::Description& robot,
                     const EvidenceOptions& options = {});
 
-/// The evidence of a recording with samples of three-joint arms, on the grid of its motor samples, with the
-/// tips that the tracking pipeline of its own options found in pictures (or was given). Tips that its gate
-/// calls jumps are kept and judged here. The robot is the source's. Errors as above; cable drives only.
-/// Cancelled: what was read until then.
+/// Evidence of a recording of a three-joint arm with a cable drive, on the grid of its motor samples. Tips
+/// are those that the tracking pipeline, with the recording's own options, found in the images or was given;
+/// tips that its gate rejects are included and judged by judgeObservations(). The robot is the source's.
+/// Throws as above. If `progress` is cancelled, the evidence holds the samples read until then.
 Evidence evidenceOf(tracking::Source& source, const EvidenceOptions& options = {},
                     base::Progress* progress = nullptr);
 
-/// Reads a session file, a recording of the RAVEN-II's own software, or a measured table. `robot` is for
-/// recordings that bring none. Throws recording::ImplausibleUnits, base::InputError as the readers and as
-/// above.
+/// Evidence of a file: a session, a recording of the RAVEN-II's own software, or a measured table. `robot` is
+/// used for recordings that contain no robot. Throws recording::ImplausibleUnits and base::InputError as the
+/// readers do, and as above.
 Evidence readEvidence(const std::filesystem::path& path, const robot::Description& robot,
                       const EvidenceOptions& options = {}, base::Progress* progress = nullptr);
 

@@ -10,7 +10,7 @@
 namespace capstan::diagnosis {
 namespace {
 
-/// Row i: weights of a window's samples in the derivative at its sample i, in units of the half width.
+/// Weights of a window's samples: row i gives the derivative at sample i, per unit of the half width.
 Eigen::MatrixXd windowWeights(std::size_t length, int order) {
   const auto n = static_cast<Eigen::Index>(length);
   const Eigen::Index terms = std::min<Eigen::Index>(4, n);

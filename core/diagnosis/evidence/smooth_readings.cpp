@@ -14,14 +14,14 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using Matrix = Eigen::SparseMatrix<double>;
 
-constexpr Index kStretch = 50;      // readings
+constexpr Index kSegment = 50;      // readings per segment that is compared with the noise
 constexpr double kMostOften = 0.9;  // share of the segments that must be within noise
-constexpr double kSlack = 1.1;      // times noise: a short stretch's own scatter
-constexpr double kMost = 2.0;       // times noise, of any: rest beside an encoder's step has √3
+constexpr double kSlack = 1.1;      // their limit, times noise: the RMS of a short segment scatters itself
+constexpr double kMost = 2.0;  // limit of any segment, times noise: rest beside an encoder's step has √3
 constexpr double kFastest = 1.0, kSlowest = 0.01;  // cut-off of the smoother [rad per reading]
-constexpr int kHalvings = 6;
+constexpr int kHalvings = 6;                       // bisections of the cut-off between these two
 
-/// Δ³ of n readings.
+/// Matrix of the third differences Δ³ of n readings.
 Matrix thirdDifferences(Index n) {
   Matrix d(n - 3, n);
   std::vector<Eigen::Triplet<double>> entries;
@@ -34,13 +34,13 @@ Matrix thirdDifferences(Index n) {
   return d;
 }
 
-/// No stretch is left by more than noise: kMostOften of them, and none by far.
-bool isNoise(const VectorXd& left, double noise) {
+/// True if the residual is within noise: the share kMostOften of its segments by kSlack, all by kMost.
+bool isNoise(const VectorXd& residual, double noise) {
   std::vector<double> errors;
-  for (Index k = 0; k + kStretch <= left.size(); k += kStretch)
-    errors.push_back(std::sqrt(left.segment(k, kStretch).squaredNorm() / kStretch));
-  const Index last = std::min(kStretch, left.size());
-  errors.push_back(std::sqrt(left.tail(last).squaredNorm() / static_cast<double>(last)));
+  for (Index k = 0; k + kSegment <= residual.size(); k += kSegment)
+    errors.push_back(std::sqrt(residual.segment(k, kSegment).squaredNorm() / kSegment));
+  const Index last = std::min(kSegment, residual.size());
+  errors.push_back(std::sqrt(residual.tail(last).squaredNorm() / static_cast<double>(last)));
   return stats::quantile(errors, kMostOften) <= kSlack * noise &&
          *std::max_element(errors.begin(), errors.end()) <= kMost * noise;
 }
@@ -54,7 +54,7 @@ class Whittaker {
     solver_.analyzePattern(Matrix(identity_ + roughness_));
   }
 
-  /// `cutoff`: the frequency [rad per reading] that comes out halved, λ = cutoff⁻⁶.
+  /// Smoothed readings. `cutoff` is the frequency with half the amplitude [rad per reading]; λ = cutoff⁻⁶.
   VectorXd operator()(const VectorXd& readings, double cutoff) {
     solver_.factorize(Matrix(identity_ + std::pow(cutoff, -6.0) * roughness_));
     return solver_.solve(readings);
@@ -81,7 +81,7 @@ std::vector<double> smoothReadings(std::span<const double> readings, double nois
     const VectorXd x = smooth(y, std::exp(middle));
     const bool within = isNoise(y - x, noise);
     if (within) best = x;
-    if (k == 0 && !within) break;  // even the least takes off more than noise
+    if (k == 0 && !within) break;  // even the weakest smoothing removes more than noise
     (within ? high : low) = middle;
   }
   for (Index k = 0; k < n; ++k) result[static_cast<std::size_t>(k)] = origin + best[k];

@@ -14,16 +14,17 @@ namespace {
 
 using robot::kChainLanes;
 
-constexpr double kLongestStep = 1e-3;        // of the integration [s]
-constexpr double kLongestFreeStep = 0.5e-3;  // of a rigid drive, whose errors add up [s]
-constexpr double kContactStep = 0.25e-3;     // likewise, where contacts open or cables yield [s]
-constexpr double kFastestTurn = 0.7;         // of an oscillation in one step [rad]
-constexpr int kMostSteps = 80;               // a row
-constexpr double kOutputStep = 5e-3;         // of what the kernel hands out [s]
-constexpr double kAfterRestart = 0.12;       // observations so soon after a restart may look behind it [s]
+constexpr double kLongestStep = 1e-3;        // largest integration step [s]
+constexpr double kLongestFreeStep = 0.5e-3;  // the same for rigid drives, whose errors accumulate [s]
+constexpr double kContactStep = 0.25e-3;     // the same where contacts open or cables yield [s]
+constexpr double kFastestTurn = 0.7;         // largest phase of the fastest oscillation per step [rad]
+constexpr int kMostSteps = 80;               // largest number of integration steps per row
+constexpr double kOutputStep = 5e-3;         // time between outputs of the simulation kernel [s]
+constexpr double kAfterRestart = 0.12;       // time after a restart in which cameras are not compared: a late
+                                             // observation may show the time before the restart [s]
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
-/// Position at row `begin` and slope of a column, from a line through its rows [begin, end).
+/// Position at row `begin` and slope of a column, from a line fitted to its rows [begin, end).
 std::pair<double, double> lineAround(const std::vector<double>& column, std::size_t begin, std::size_t end,
                                      double step) {
   double n = 0, st = 0, stt = 0, sx = 0, stx = 0;
@@ -38,7 +39,7 @@ std::pair<double, double> lineAround(const std::vector<double>& column, std::siz
   return {(sx - slope * st) / n, slope};
 }
 
-/// The same from a parabola: for a start that a long simulation has to bear.
+/// The same from a fitted parabola, which gives the accurate start that a long simulation needs.
 std::pair<double, double> parabolaFrom(const std::vector<double>& column, std::size_t begin, std::size_t end,
                                        double step) {
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
@@ -56,12 +57,13 @@ std::pair<double, double> parabolaFrom(const std::vector<double>& column, std::s
   return {found[0], found[1] / span};
 }
 
-/// None where none was estimated.
+/// Noise of one joint's channel; zero if none was estimated.
 ChannelNoise noiseOf(const std::vector<ChannelNoise>& noise, std::size_t joint) {
   return joint < noise.size() ? noise[joint] : ChannelNoise{};
 }
 
-/// A column without its sensor's noise, segment by segment: what drives a simulation must not shake it.
+/// Column without its sensor's noise, smoothed segment by segment, so that noise does not excite a
+/// simulation.
 std::vector<double> smooth(const Evidence& evidence, std::vector<double> column, const ChannelNoise& noise) {
   for (const Segment& segment : evidence.segments) {
     const auto readings = std::span(column).subspan(segment.begin, segment.size());
@@ -70,8 +72,8 @@ std::vector<double> smooth(const Evidence& evidence, std::vector<double> column,
   return column;
 }
 
-/// Commanded torques; motor positions without the steps of their encoders, each of which would
-/// be a jerk of the cable.
+/// Inputs of the simulation: commanded torques, or motor positions without the steps of their encoders, since
+/// each step would jerk the cable.
 Columns driveOf(const Evidence& evidence) {
   if (evidence.drive == DriveKind::kRigid) return evidence.tau_m;
   Columns columns;
@@ -80,7 +82,7 @@ Columns driveOf(const Evidence& evidence) {
   return columns;
 }
 
-/// Lane `lane` of a structure of lanes.
+/// Copies numbers into lane `lane` of a structure of lanes.
 template <template <class> class Of>
 void put(const Of<double>& from, int lane, Of<robot::ChainLane>& to) {
   constexpr std::size_t kCount = sizeof(Of<double>) / sizeof(double);
@@ -115,7 +117,7 @@ ChainSimulation::ChainSimulation(const Evidence& evidence, const robot::Descript
 }
 
 void ChainSimulation::findWindows(double horizon) {
-  constexpr std::size_t kLeastWindow = 50;  // rows, of a coarse recording
+  constexpr std::size_t kLeastWindow = 50;  // fewest rows per window, which matters at low sampling rates
   const auto most =
       horizon > 0.0 ? std::max(kLeastWindow, static_cast<std::size_t>(std::lround(horizon / evidence_.step)))
                     : std::numeric_limits<std::size_t>::max() / 2;
@@ -337,7 +339,7 @@ Eigen::Vector3d ChainSimulation::tipAt(double output, std::size_t outputs, std::
   const double s = outputs >= 2 ? x - static_cast<double>(k) : 0.0, h = evidence_.step * stride_;
   const double s2 = s * s, s3 = s2 * s;
   robot::JointVector at(joints_);
-  for (int j = 0; j < joints_; ++j) {  // cubic through both ends and their velocities
+  for (int j = 0; j < joints_; ++j) {  // cubic Hermite interpolation
     const std::size_t here = k * static_cast<std::size_t>(joints_) + static_cast<std::size_t>(j);
     const std::size_t next = outputs >= 2 ? here + static_cast<std::size_t>(joints_) : here;
     at[j] = (2 * s3 - 3 * s2 + 1) * q[here].value[lane] + (s3 - 2 * s2 + s) * h * dq[here].value[lane] +

@@ -20,35 +20,37 @@ struct Window {
   std::size_t begin = 0, end = 0;
 };
 
-/// What measured and simulated are compared by: numbers in one order, window by window and in a window
-/// channel by channel.
+/// One sensor channel in the comparison of measured and simulated.
 struct ComparedChannel {
   std::string name, unit;
-  int joint = 0;  ///< from 1; 0: a camera's
-  int axis = -1;  ///< of frame 0; −1: a joint encoder's
-  double noise = 0.0;
+  int joint = 0;       ///< joint of the encoder, from 1; 0: a camera channel
+  int axis = -1;       ///< axis of frame 0, from 0; −1: a joint encoder
+  double noise = 0.0;  ///< noise floor, ChannelNoise::floor()
 };
+/// Readings that measured and simulated are compared by, in one order: window by window, and in each window
+/// channel by channel.
 struct Compared {
   std::vector<ComparedChannel> channels;
   Eigen::VectorXd measured;
-  std::vector<int> channel;               ///< of each number
-  std::vector<double> t;                  ///< of each number [s]
-  std::vector<std::size_t> window_begin;  ///< first number of each window, and their total at the end
+  std::vector<int> channel;               ///< channel of each reading
+  std::vector<double> t;                  ///< time of each reading [s]
+  std::vector<std::size_t> window_begin;  ///< first reading of each window, then the number of readings
 };
 
-/// One robot to simulate.
+/// One robot to simulate, and its initial states.
 struct Robot {
   const robot::ChainModel* model = nullptr;
-  /// Initial states beyond those of initialStates(), 4n × windows; null: none beyond.
+  /// Offsets that are added to initialStates(), 4n × windows; null: no offsets.
   const Eigen::MatrixXd* initial = nullptr;
 };
 
 /// Open-loop simulations of one recording, 16 robots at a time.
 /// With cable drives, each segment starts from the joint positions that the joint encoders measured. Without
 /// joint encoders it starts from the positions that rigid cables would give, and observations in the first
-/// kSettling seconds are not compared. Rigid drives also restart after each `horizon` seconds, from encoders
-/// and their slope, since a small torque error grows to a large position error in time. Joint encoders are
-/// compared kComparedRate times a second, cameras at every observation.
+/// kSettling seconds are not compared. Rigid drives also restart after each `horizon` seconds from the
+/// encoders and their slope, because a small torque error grows to a large position error over time; with
+/// `horizon` 0 they restart at segments only. Joint encoders are compared at kComparedRate, cameras at every
+/// observation.
 class ChainSimulation {
  public:
   /// Keeps a reference to `evidence`.
@@ -59,24 +61,25 @@ class ChainSimulation {
   const Compared& compared() const { return compared_; }
   const std::vector<Window>& windows() const { return windows_; }
   const Evidence& evidence() const { return evidence_; }
-  /// q, then dq of each joint at the begin of each window, then how far compliant motors are from where the
-  /// slow motion puts them, in position and speed: 4n × windows.
+  /// Initial states, 4n × windows: q and dq of the joints, then the deviations in position and speed of
+  /// compliant motors from their quasi-static state.
   const Eigen::MatrixXd& initialStates() const { return initial_; }
 
-  /// Simulated sensor readings of each robot, a column each, as Compared::measured. At most 16 robots. NaN
-  /// where a simulation ran away.
+  /// Simulates at most 16 robots: one column of readings per robot, in the order of Compared::measured. NaN
+  /// where a simulation diverged.
   void simulate(std::span<const Robot> robots, Eigen::Ref<Eigen::MatrixXd> readings) const {
     simulate(rows_, robots, readings);
   }
 
-  /// The same of one robot, with noise as their sensors have it on loads and on the motors of cable drives.
+  /// Simulates one robot with random noise on its inputs, of the size of the sensors' noise: on loads, and on
+  /// motor positions of cable drives.
   void simulateShaken(const Robot& robot, base::Random& random, Eigen::Ref<Eigen::MatrixXd> readings) const;
 
-  /// One robot through whole segments, all rows.
+  /// Simulates one robot through whole segments, without restarts at windows, on all rows.
   SimulatedMotion motion(const robot::ChainModel& model) const;
 
  private:
-  using Lanes = std::vector<robot::ChainLane>;  ///< of output k and joint j at k n + j
+  using Lanes = std::vector<robot::ChainLane>;  ///< output k of joint j is at index k n + j
   void findWindows(double horizon);
   void findInitialStates(const robot::Description& robot);
   void findSamples(const robot::Description& robot);
@@ -93,14 +96,14 @@ class ChainSimulation {
                         const Lanes& dq) const;
 
   struct Sample {
-    std::size_t number;  ///< in Compared::measured
-    std::size_t output;  ///< of the window
-    int joint;           ///< from 0
+    std::size_t number;  ///< index in Compared::measured
+    std::size_t output;  ///< index of the window's output
+    int joint;           ///< joint, from 0
   };
   struct Observation {
-    std::size_t number;  ///< of x; y and z are `numbers` and twice that further
-    std::size_t stride;
-    double output;  ///< of the window, between rows
+    std::size_t number;  ///< index of x in Compared::measured
+    std::size_t stride;  ///< distance from x to y, and from y to z, in Compared::measured
+    double output;       ///< position among the window's outputs
   };
 
   const Evidence& evidence_;
@@ -110,17 +113,18 @@ class ChainSimulation {
   std::vector<Window> windows_;
   Eigen::MatrixXd initial_;
   Compared compared_;
-  std::vector<std::vector<Sample>> samples_;            ///< by window
-  std::vector<std::vector<Observation>> observations_;  ///< by window
-  Columns drive_;               ///< motor torque; of cable drives motor positions, smoothed
-  Columns load_, signed_load_;  ///< smoothed; as measured, and with the signs of withSigns()
+  std::vector<std::vector<Sample>> samples_;            ///< one list per window
+  std::vector<std::vector<Observation>> observations_;  ///< one list per window
+  Columns drive_;               ///< inputs: motor torques, or smoothed motor positions of a cable drive
+  Columns load_, signed_load_;  ///< smoothed loads: as measured, and with the signs of withSigns()
   robot::ChainRows rows_;
 };
-inline constexpr double kSettling = 0.5;        ///< [s]
-inline constexpr double kComparedRate = 100.0;  ///< [Hz]
+inline constexpr double kSettling = 0.5;        ///< time that is not compared at a start without encoders [s]
+inline constexpr double kComparedRate = 100.0;  ///< rate at which joint encoders are compared [Hz]
 
-/// Restores the sign of loads whose sensor gives only the magnitude: the sign flips where the magnitude comes
-/// near zero with a kink, so that the signed load crosses zero smoothly. The first segment keeps its sign.
+/// Restores the sign of a load whose sensor measures only the magnitude. The sign flips at the minimum of
+/// each approach to zero, and the load is positive up to the first one. Fewer than 20 samples are returned as
+/// they are.
 std::vector<double> withSigns(std::span<const double> magnitude);
 
 }  // namespace capstan::diagnosis

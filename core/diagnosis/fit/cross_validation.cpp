@@ -15,10 +15,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// The instant of something that happens once: one block alone knows it.
+/// True for the time of a single event, which one block alone determines.
 bool isEvent(const FitParameter& parameter) { return parameter.name.ends_with(".time"); }
 
-/// Weighted Jacobian and residual of the free parameters, and which rows each block has.
+/// Weighted Jacobian of the free parameters, weighted residual, and the rows of each block.
 struct FreeSystem {
   std::vector<Index> free;
   MatrixXd jacobian;
@@ -42,7 +42,7 @@ struct FreeSystem {
   }
 };
 
-/// Residual of one channel, a run a block.
+/// Residual of one channel, one run per block.
 using Runs = std::vector<std::vector<double>>;
 
 double covarianceAt(const Runs& runs, std::size_t lag) {
@@ -52,8 +52,8 @@ double covarianceAt(const Runs& runs, std::size_t lag) {
   return count > 0.0 ? sum / count : 0.0;
 }
 
-/// Numbers in which a run forgets itself: 1 + 2 Σ ρ_k up to the first ρ_k that is not positive. Not centred:
-/// a mean of its own is remembered, too.
+/// Correlation time in samples: 1 + 2 Σ ρ_k up to the first ρ_k that is not positive. The runs are not
+/// centred, so that a non-zero mean counts as correlation.
 double correlationTime(const Runs& runs) {
   const double variance = covarianceAt(runs, 0);
   double time = 1.0;

@@ -8,60 +8,63 @@
 
 namespace capstan::diagnosis {
 
-/// Squares of what a fit leaves, by channel and block of time.
+/// Sums of squared residuals of a fit, by channel and block of time.
 struct BlockSquares {
   Eigen::MatrixXd sum;    ///< Σ e², channels × blocks [unit²]
-  Eigen::MatrixXd count;  ///< numbers in it
-  /// Numbers in which e forgets itself, by channel: ≥ 1. Of simulations what its correlation within blocks
-  /// says, or how much more sums of blocks vary than those of independent numbers, whichever is more; of tip
-  /// poses the latter.
+  Eigen::MatrixXd count;  ///< number of residuals, channels × blocks
+  /// Correlation length of e per channel, in residuals, ≥ 1. For simulations it is the larger of two
+  /// estimates: from the autocorrelation within blocks, and from the variance of block sums over that of
+  /// independent residuals. For tip poses it is the second.
   Eigen::VectorXd inflation;
 
-  /// Of one channel, over all blocks [unit²]; 0: it has no numbers.
+  /// Mean square of one channel over all blocks [unit²]; 0 for a channel without residuals.
   double meanSquare(Eigen::Index channel) const;
 };
+/// Sums of squares of the residuals e, which are ordered as the data.
 BlockSquares squaresOf(const FitData& data, const Eigen::VectorXd& e);
 
-/// Residuals in blocks that the fit has not seen. The blocks fall into kFolds folds, one block in kFolds to
-/// each; without a fold the fit goes, by one Gauss–Newton step,
-///     −(A − J_fᵀ J_f)⁻¹ J_fᵀ e_f,   A = Jᵀ J + priors
-/// (what PRESS, Allen 1974, takes for exact), at most kLongestWay in any u and within the bounds; there the
-/// robot is simulated again, initial states of rigid drives following, and the fold's residuals are those;
-/// held-out segments fit nuisances of their own. Parameters at a bound stay there, and so do
-/// instants of events, which one block alone knows. Costs one simulation of kFolds robots side by side.
+/// Held-out residuals by cross-validation. Block b belongs to fold b mod kFolds. For each fold f, the
+/// parameters without that fold follow from one Gauss–Newton step of the fit,
+///     Δu = −(A − J_fᵀ J_f)⁻¹ J_fᵀ e_f,   A = Jᵀ J + priors
+/// (the step that PRESS, Allen 1974, takes as exact), of at most kLongestWay in any u and within the bounds.
+/// The robot is then simulated with u + Δu, with the initial states of rigid drives adapted, and the
+/// residuals of fold f are taken from this simulation. Nuisances are fitted to held-out segments too.
+/// Parameters at a bound stay there; so do times of single events, because one block alone determines them.
+/// The cost is one simulation of kFolds robots side by side.
 Eigen::VectorXd heldOut(const FitData& data, const Fit& fit, const Weighting& weighting);
 inline constexpr int kFolds = 16;
 inline constexpr double kLongestWay = 1.0;
 
-/// Covariance of u: the larger, number by number of its diagonal, of the model's (weights taken for true) and
-/// the sandwich of the blocks' scores (Liang and Zeger 1986), which knows dependent and unequal errors. Rows
-/// of parameters at a bound are zero.
+/// Covariance of u. Each variance is the larger of two: of the model's covariance, which assumes that the
+/// weights are true, and of the sandwich estimator from the blocks' scores (Liang and Zeger 1986), which is
+/// valid for correlated errors of unequal variance. Correlations are the model's. Rows and columns of
+/// parameters at a bound are zero.
 Eigen::MatrixXd covarianceOf(const FitData& data, const Fit& fit, const Weighting& weighting);
 
-/// Compares models by what they leave in blocks that they were not fitted to: Gaussian log likelihood with
-/// each channel's scale free,  −½ Σ_c N_c ln (S_c / n_c),  N_c = n_c / inflation.
+/// Compares models by their held-out residuals, with the Gaussian log likelihood maximized over each
+/// channel's variance: −½ Σ_c N_c ln (S_c / n_c),  N_c = n_c / inflation.
 class Comparison {
  public:
-  /// `draws` block bootstraps, the same for all models.
+  /// Draws `draws` block-bootstrap samples, which are the same for all models.
   Comparison(Eigen::Index blocks, int draws, std::uint64_t seed);
   Comparison(const FitData& data, int draws, std::uint64_t seed) : Comparison(data.blocks(), draws, seed) {}
 
-  /// Score of `better` above `worse` [nats]: of all blocks, then of each draw.
+  /// Log likelihood of `better` minus that of `worse` [nats]: first for all blocks, then for each draw.
   std::vector<double> gain(const BlockSquares& worse, const BlockSquares& better) const;
 
  private:
-  Eigen::MatrixXd times_;  ///< blocks × (1 + draws): how often each is drawn; the first column is ones
+  Eigen::MatrixXd times_;  ///< how often each block is drawn, blocks × (1 + draws); first column: ones
 };
 
-/// 1 − S_c(better) / S_c(worse) of the channel where it is largest, and that channel; 0 where `worse` leaves
-/// nothing in any.
+/// Reduction of one channel's sum of squares.
 struct Reduction {
-  double share = 0.0;
-  int channel = 0;
+  double share = 0.0;  ///< 1 − S_c(better) / S_c(worse)
+  int channel = 0;     ///< c
 };
+/// The largest reduction over the channels; share 0 if S_c(worse) is 0 in all of them.
 Reduction largestReduction(const BlockSquares& worse, const BlockSquares& better);
 
-/// `p`-quantile of draws 1 … of gain().
+/// `p`-quantile of gain() over the bootstrap draws; without draws, the gain over all blocks.
 double lowerOf(const std::vector<double>& gain, double p);
 
 }  // namespace capstan::diagnosis

@@ -49,7 +49,7 @@ Fit fit(const FitData& data, const FitModel& model, const VectorXd& u, const Ini
     const double gain = system.objective - best.objective;
     if (!(gain > 0.0)) break;
     const bool last = gain < options.tolerance || iteration == options.iterations;
-    if (last) {  // the linearisation of a step before serves
+    if (last) {  // the linearisation of the step before is kept
       system.at.u = best.u, system.at.e = best.e, system.at.initial = best.initial;
       system.at.objective = objectiveOf(model, best.u, best.e, weighting);
       system.at.iterations = iteration;

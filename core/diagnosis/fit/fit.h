@@ -11,10 +11,11 @@
 
 namespace capstan::diagnosis {
 
-/// Initial states beyond those of each recording's simulation: by recording, 4n × windows.
+/// Offsets of the initial states from those of the simulations: one matrix 4n × windows per recording.
 using InitialStates = std::vector<Eigen::MatrixXd>;
 
-/// All recordings of one robot, and how their numbers stack: recording by recording, each as its Compared.
+/// All recordings of one robot for a fit. Readings are stacked recording by recording, each in the order of
+/// its Compared.
 class FitData {
  public:
   FitData(const std::vector<Evidence>& recordings, const robot::Description& robot, double horizon,
@@ -27,21 +28,21 @@ class FitData {
   const Eigen::VectorXd& measured() const { return measured_; }
   int threads() const { return threads_; }
   bool rigid() const { return rigid_; }
-  bool zerosFree() const { return zeros_ != EncoderZeros::kKnown; }  ///< of joint encoders
+  bool zerosFree() const { return zeros_ != EncoderZeros::kKnown; }  ///< joint encoders' zeros
 
-  /// Sensor channels of all recordings, in order; channel()[i] is that of number i.
+  /// Sensor channels of all recordings, in order; channel()[i] is the channel of reading i.
   const std::vector<ComparedChannel>& channels() const { return channels_; }
   const std::vector<int>& channel() const { return channel_; }
-  /// Blocks of time, about kBlock seconds, of rigid drives their windows: what cross-validation and bootstrap
-  /// exclude and draw. block()[i] is that of number i.
+  /// Number of time blocks, the units of cross-validation and bootstrap. A block lasts about kBlock; a window
+  /// of a rigid drive below 4 kBlock is one block. block()[i] is the block of reading i.
   int blocks() const { return blocks_; }
   const std::vector<int>& block() const { return block_; }
-  /// Stretches that have nuisances of their own (initial states of rigid drives; encoder zeros of a
-  /// recording, or of all): numbers [begin, end) of each.
+  /// Segments with their own nuisances, each as readings [begin, end). Nuisances are the initial states of a
+  /// rigid drive's window, or the encoder zeros of one recording or of all.
   const std::vector<std::pair<Eigen::Index, Eigen::Index>>& segments() const { return segments_; }
 
-  /// Simulated readings of the robots of several models, a column each. `initial`: of each robot; empty: none
-  /// beyond the simulations' own.
+  /// Simulated readings of several robots, one column per robot. `initial` has the offsets of the initial
+  /// states of each robot; empty: no offsets.
   Eigen::MatrixXd simulate(const std::vector<robot::ChainModel>& models,
                            const std::vector<InitialStates>& initial = {}) const;
 
@@ -58,35 +59,36 @@ class FitData {
   bool rigid_ = false;
   EncoderZeros zeros_ = EncoderZeros::kKnown;
 };
-inline constexpr double kBlock = 1.0;  ///< [s]
+inline constexpr double kBlock = 1.0;  ///< duration of a time block [s]
 
+/// Offsets of zero for all initial states.
 InitialStates noneBeyond(const FitData& data);
 
-/// Where a fit stands, and its linearisation.
+/// State of a fit: model, estimate, residuals and linearisation.
 struct Fit {
   FitModel model;
   Eigen::VectorXd u = {};
   InitialStates initial = {};
-  Eigen::VectorXd e = {};         ///< measured − simulated, nuisances taken off
-  Eigen::MatrixXd jacobian = {};  ///< d simulated / du, nuisances taken off; columns of `model`
-  Eigen::MatrixXd nuisance = {};  ///< d simulated / d nuisance of the number's own stretch
-  std::vector<Eigen::MatrixXd> removed =
-      {};                        ///< by segment: change of the nuisances that best compensates a change of u
-  std::vector<bool> bound = {};  ///< parameters that stand at a bound and would go on
-  double objective = 0.0;        ///< of e
+  Eigen::VectorXd e = {};         ///< measured − simulated, with nuisances subtracted
+  Eigen::MatrixXd jacobian = {};  ///< d simulated / du, with nuisances subtracted
+  Eigen::MatrixXd nuisance = {};  ///< d simulated / d nuisance, of the reading's own segment
+  /// d nuisance / du that compensates a change of u best, one matrix per segment (with the sign reversed).
+  std::vector<Eigen::MatrixXd> removed = {};
+  std::vector<bool> bound = {};  ///< true for parameters that a bound stops
+  double objective = 0.0;        ///< objectiveOf() e
   int iterations = 0;
 };
 
-/// How numbers count in a fit.
+/// Weights of the readings in a fit.
 struct Weighting {
-  Eigen::VectorXd weights;  ///< 1 / standard deviation of each number
+  Eigen::VectorXd weights;  ///< 1 / standard deviation of each reading
 };
 
 struct FitOptions {
-  int iterations = 12;
-  double tolerance = 0.1;  ///< fall of the objective that counts as standing still
-  /// Cable drives: derivatives by the parameters that this fit has as well are taken from there instead of
-  /// again: coarser and faster, for a first ranking.
+  int iterations = 12;     ///< largest number of iterations
+  double tolerance = 0.1;  ///< decrease of the objective below which the fit has converged
+  /// Fit whose derivatives are reused for the parameters that both fits have (cable drives). This is coarser
+  /// and faster, for a first ranking.
   const Fit* known = nullptr;
 };
 
@@ -100,29 +102,30 @@ struct FitOptions {
 Fit fit(const FitData& data, const FitModel& model, const Eigen::VectorXd& u, const InitialStates& initial,
         const Weighting& weighting, const FitOptions& options = {}, const base::Progress* progress = nullptr);
 
-/// Residuals and derivatives at `u` without a step.
+/// Fit at `u` without a step: residuals and derivatives only.
 Fit linearise(const FitData& data, const FitModel& model, const Eigen::VectorXd& u,
               const InitialStates& initial, const Weighting& weighting);
 
-/// Measured less the simulated readings of each of `robots`, a column each, from the fit's initial states and
-/// with its nuisances taken off.
+/// Residuals measured − simulated of several robots, one column per robot. All start from the fit's initial
+/// states, and the fit's nuisances are subtracted.
 Eigen::MatrixXd residualsOf(const FitData& data, const Fit& at, const std::vector<robot::ChainModel>& robots,
                             const Weighting& weighting);
 
-/// Likewise of the fit's own model with other numbers u, from initial states that follow them.
+/// Residuals of the fit's model with other parameters u, one column per u. The initial states are adapted to
+/// each u, and the fit's nuisances are subtracted.
 Eigen::MatrixXd residualsWith(const FitData& data, const Fit& at, const std::vector<Eigen::VectorXd>& numbers,
                               const Weighting& weighting);
 
-/// Takes the fit's nuisances off the columns of `e`, numbers as the data's.
+/// Subtracts the best-fitting nuisances from each column of `e`, in place; rows are the data's readings.
 void takeOffNuisances(const FitData& data, const Fit& at, const Weighting& weighting,
                       Eigen::Ref<Eigen::MatrixXd> e);
 
-/// Σ (w e)² and priors.
+/// Objective of the fit: Σ (w_i e_i)² + Σ (u_k / prior_k)²; infinite if e is not finite.
 double objectiveOf(const FitModel& model, const Eigen::VectorXd& u, const Eigen::VectorXd& e,
                    const Weighting& weighting);
 
-/// Weight of each number: 1 / (max(noise, RMS of e) √n) of its channel, where n is the correlation length of
-/// e in samples.
+/// Weight of each reading, 1 / (s √n) of its channel. n is the correlation length of e in samples, and
+/// s = max(RMS of e, noise × √r), where r is the largest ratio RMS / noise of all channels.
 Eigen::VectorXd weightsFor(const FitData& data, const Eigen::VectorXd& e);
 
 }  // namespace capstan::diagnosis

@@ -51,8 +51,8 @@ void FitData::stack(const ChainSimulation& simulation) {
 
 namespace {
 
-/// Robots that can stand side by side: at most 16, and all or none of them compliant at a joint, since that
-/// law has no neutral number.
+/// Groups of robots that can be simulated side by side: at most 16 per group, and at each joint all or none
+/// of a group are compliant, since no parameter value turns that law off.
 std::vector<std::vector<std::size_t>> groupsOf(const std::vector<robot::ChainModel>& models) {
   std::map<unsigned, std::vector<std::size_t>> kinds;
   for (std::size_t k = 0; k < models.size(); ++k) {
@@ -105,7 +105,7 @@ Eigen::VectorXd weightsFor(const FitData& data, const Eigen::VectorXd& e) {
     sums[c][static_cast<std::size_t>(data.block()[i])] += x;
   }
   const auto noiseOf = [&](std::size_t c) { return std::max(data.channels()[c].noise, 1e-12); };
-  double worst = 1.0;  // of all channels, RMS by noise
+  double worst = 1.0;  // largest ratio RMS / noise of all channels
   for (std::size_t c = 0; c < channels; ++c)
     if (count[c] > 0.0) worst = std::max(worst, std::sqrt(squares[c] / count[c]) / noiseOf(c));
   std::vector<double> weight(channels, 0.0);

@@ -8,12 +8,12 @@
 namespace capstan::diagnosis {
 namespace {
 
-constexpr double kFactorSigma = 0.3;   // of ln of a mistuned number
-constexpr double kCentreSigma = 0.15;  // of a centre of mass, by its distance from the joint
-constexpr double kMostCentre = 0.3;    // likewise, at most
-constexpr double kEffectPrior = 3.0;   // in sizes that would be large
-constexpr double kBackgroundPrior = 0.5;
-constexpr double kFarShape = 8.0;  // times a start that speeds, times and lengths may go
+constexpr double kFactorSigma = 0.3;      // prior σ of the logarithm of a parameter's factor
+constexpr double kCentreSigma = 0.15;     // prior σ of a centre of mass, over its distance from the joint
+constexpr double kMostCentre = 0.3;       // largest change of a centre of mass, over the same distance
+constexpr double kEffectPrior = 3.0;      // prior σ of an effect's number, over EffectStart::scale
+constexpr double kBackgroundPrior = 0.5;  // prior σ of a background effect, over Hypothesis::background
+constexpr double kFarShape = 8.0;         // largest factor between speeds, times, lengths and their starts
 
 }  // namespace
 
@@ -82,7 +82,7 @@ EffectTerm FitModel::backgroundTerm(const Hypothesis& hypothesis, int joint) con
   const std::vector<EffectStart> starts = hypothesis.starts(scales, joint);
   EffectTerm term{&hypothesis, joint, starts[starts.size() / 2], true, {}};
   for (std::size_t k = 0; k < neutral.size(); ++k) {
-    if (neutral[k] != 0.0) continue;  // a shape: free, as in the effect
+    if (neutral[k] != 0.0) continue;  // a shape parameter: free, as in the effect
     term.start.value[k] = 0.0;
     term.start.scale[k] = hypothesis.background(scales);
   }
@@ -108,7 +108,7 @@ void FitModel::addTerm(EffectTerm term) {
       p.low = std::max(p.low, -scale);
       p.high = std::min(p.high, scale);
       p.prior = kBackgroundPrior;
-    } else if (start > 0.0 && numbers[k].low > 0.0) {  // a speed, time or length: no zero within reach
+    } else if (start > 0.0 && numbers[k].low > 0.0) {  // a speed, time or length, which is never zero
       p.logarithmic = true;
       p.scale = scale / start;
       p.low = std::max(p.low, start / kFarShape);
@@ -122,7 +122,7 @@ void FitModel::addTerm(EffectTerm term) {
 }
 
 int FitModel::addBegun(const EffectTerm& term) {
-  constexpr double kHalfWay = 0.5, kLeast = -1.0, kMost = 2.0;  // loads before may have been others
+  constexpr double kHalfWay = 0.5, kLeast = -1.0, kMost = 2.0;  // loads before may have been larger
   parameters_.push_back({fmt::format("{}.begun", term.hypothesis->name()), "", term.joint, kHalfWay, kHalfWay,
                          false, kLeast, kMost, 1.0});
   return size() - 1;

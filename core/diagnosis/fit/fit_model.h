@@ -11,68 +11,68 @@
 
 namespace capstan::diagnosis {
 
-/// One number that a fit moves, by way of a dimensionless u whose prior is N(0, prior²).
+/// One parameter of a fit. The fit changes a dimensionless u with the prior N(0, prior²).
 struct FitParameter {
   std::string name, unit;        ///< "cable_stiffness"; of an effect "backlash.half_width"
-  int joint = 0;                 ///< from 1; 0: whole arm
+  int joint = 0;                 ///< joint, from 1; 0: whole arm
   double start = 0.0;            ///< value at u = 0
   double scale = 1.0;            ///< d value / du, or d ln value / du
   bool logarithmic = false;      ///< value = start exp(scale u), else start + scale u
   double low = 0.0, high = 0.0;  ///< bounds of the value
-  double prior = 1.0;
+  double prior = 1.0;            ///< standard deviation of u
 
-  double value(double u) const;
-  double u(double value) const;
-  double valueSigma(double u, double sigma) const;  ///< of the value, to first order
+  double value(double u) const;                     ///< value at u, within the bounds
+  double u(double value) const;                     ///< inverse of value()
+  double valueSigma(double u, double sigma) const;  ///< sigma of the value from that of u, to first order
 };
 
-/// An effect in a model, and where its fit starts.
+/// One effect of a model, and the start of its fit.
 struct EffectTerm {
   const Hypothesis* hypothesis = nullptr;
-  int joint = 0;  ///< from 1; 0: whole arm
+  int joint = 0;  ///< joint, from 1; 0: whole arm
   EffectStart start;
-  bool background = false;  ///< a background effect, limited by Hypothesis::background
-  std::vector<int> index;   ///< of its numbers among the model's parameters; −1: stays as in `start`
-  int begun = -1;           ///< of JointNumbers::creep_begun, where the hypothesis remembers; −1: none
+  bool background = false;  ///< true for a background effect, limited by Hypothesis::background
+  std::vector<int> index;   ///< positions of its numbers among the parameters; −1: as in `start`
+  int begun = -1;           ///< position of JointNumbers::creep_begun, see Hypothesis::remembers; −1: none
 };
 
-/// A structure to fit: the numbers of the nominal robot that may be mistuned, background effects,
-/// and effects.
+/// Structure that is fitted: the nominal robot with adjustable parameters, background effects, and effects.
 ///
-/// Mistuned may be stiffness and damping of cables, joint friction and masses with their inertia, each by a
-/// factor, ln N(0, 0.3²), at most kMostMistuned either way; and centres of mass, by 0.15 of their distance
-/// from the joint (σ) and 0.3 at most along each axis. What goes beyond has a cause, for a hypothesis to
-/// name.
+/// Adjustable are cable stiffness and damping, joint friction, and masses with their inertia. Each has a
+/// factor whose logarithm has the prior N(0, 0.3²), between 1/kMostMistuned and kMostMistuned. Centres of
+/// mass are adjustable along each axis, with σ 0.15 and at most 0.3 of their distance from the joint. A
+/// larger deviation needs a hypothesis that explains it.
 class FitModel {
  public:
-  /// `scales`: of each joint.
+  /// `scales` has one entry per joint.
   FitModel(const robot::Description& nominal, const std::vector<JointScales>& scales);
 
   int size() const { return static_cast<int>(parameters_.size()); }
   const std::vector<FitParameter>& parameters() const { return parameters_; }
-  int baseSize() const { return static_cast<int>(base_.size()); }  ///< mistunable numbers, which come first
+  int baseSize() const { return static_cast<int>(base_.size()); }  ///< nominal parameters, which come first
   const std::vector<EffectTerm>& effects() const { return effects_; }
   const std::vector<JointScales>& scales() const { return scales_; }
   bool rigid() const { return rigid_; }
   /// True if the effect is in the model as a full effect, not only as a background effect.
   bool has(const Hypothesis& hypothesis, int joint) const;
 
-  /// This model plus one effect; a background term of the same effect and joint is removed.
+  /// This model with one more effect, which replaces the background effect of the same name and joint.
   FitModel with(const Hypothesis& hypothesis, int joint, const EffectStart& start) const;
-  /// Without that effect, its background form back where it has one.
+  /// This model without that effect; its background effect is restored if it has one.
   FitModel without(const Hypothesis& hypothesis, int joint) const;
 
   const robot::Description& nominal() const { return nominal_; }
   robot::Description refitted(const Eigen::VectorXd& u) const;  ///< the nominal structure alone
   robot::Description extended(const Eigen::VectorXd& u) const;  ///< with all effects, background ones too
-  robot::Effect effect(std::size_t k, const Eigen::VectorXd& u) const;
+  robot::Effect effect(std::size_t k, const Eigen::VectorXd& u) const;  ///< effect k with its values at u
   std::vector<double> effectValues(std::size_t k, const Eigen::VectorXd& u) const;
   robot::ChainModel chain(const Eigen::VectorXd& u) const;
 
-  /// u of this model that has the values of `other` at `u_other` where both have a parameter, else 0.
+  /// u of this model with the values that `other` has at `u_other`; 0 for parameters that `other` lacks.
   Eigen::VectorXd carry(const FitModel& other, const Eigen::VectorXd& u_other) const;
-  /// The same; effects that `other` lacks, or has as background effects only, begin at their start values.
+  /// carry(), but effects that `other` lacks or has only as background effects are at their start values.
   Eigen::VectorXd startFrom(const FitModel& other, const Eigen::VectorXd& u_other) const;
+  /// u with every value within its bounds.
   Eigen::VectorXd clipped(const Eigen::VectorXd& u) const;
 
  private:
@@ -88,13 +88,13 @@ class FitModel {
   robot::Description nominal_;
   bool rigid_;
   std::vector<JointScales> scales_;
-  std::vector<std::pair<Number, int>> base_;  ///< and its joint, from 0
+  std::vector<std::pair<Number, int>> base_;  ///< number and joint, from 0
   std::vector<FitParameter> parameters_;
   std::vector<EffectTerm> effects_;
 };
-inline constexpr double kMostMistuned = 2.0;
+inline constexpr double kMostMistuned = 2.0;  ///< largest factor between a refitted and a nominal parameter
 
-/// Scales that an effect of joint `joint` goes by: the joint's; of the whole arm the last joint's.
+/// Scales of an effect: those of joint `joint` (from 1); those of the last joint for the whole arm (0).
 const JointScales& scalesOf(const std::vector<JointScales>& scales, int joint);
 
 }  // namespace capstan::diagnosis

@@ -13,7 +13,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double kLongestStep = 3.0;  // of any u in one iteration
+constexpr double kLongestStep = 3.0;  // largest change of any u in one iteration
 
 struct Attempt {
   double damping, length;
@@ -21,11 +21,12 @@ struct Attempt {
 constexpr Attempt kAttempts[] = {{0.0, 1.0},  {0.0, 0.5},  {0.0, 0.2},  {1e-2, 1.0}, {1e-2, 0.5}, {1e-2, 0.2},
                                  {0.1, 1.0},  {0.1, 0.5},  {0.1, 0.2},  {1.0, 1.0},  {1.0, 0.5},  {1.0, 0.2},
                                  {10.0, 1.0}, {10.0, 0.5}, {10.0, 0.2}, {100.0, 1.0}};
-/// Of rigid drives, each with some shares of the initial states' way.
+/// Shares of the linearised change of the initial states; every attempt of a rigid drive is tried with each.
 constexpr double kShares[] = {1.0, 0.4, 0.1};
 constexpr Attempt kRigidAttempts[] = {{0.0, 1.0}, {0.0, 0.4}, {0.0, 0.1}, {0.1, 1.0}, {1.0, 1.0}};
 
-/// Initial states as a step of u moves them, and by `share` of the way to where the linearisation puts them.
+/// Initial states after a step of u, plus the share `share` of the correction that the linearisation
+/// predicts.
 InitialStates movedStates(const FitData& data, const System& system, const VectorXd& step, double share) {
   InitialStates initial = following(data, system.at, step);
   if (data.rigid())
@@ -35,7 +36,7 @@ InitialStates movedStates(const FitData& data, const System& system, const Vecto
   return initial;
 }
 
-/// Each attempt with each share, side by side; not judged yet.
+/// Simulates each attempt with each share, side by side, without computing objectives.
 std::vector<Trial> simulated(const FitData& data, const System& system, const BoundedStep& stepFor,
                              std::span<const Attempt> attempts, std::span<const double> shares) {
   const FitModel& model = system.at.model;
@@ -59,7 +60,7 @@ std::vector<Trial> simulated(const FitData& data, const System& system, const Bo
   return trials;
 }
 
-/// Of trials with the same u, each segment from the one whose initial states suit it best.
+/// Combines trials with the same u: each segment is taken from the trial that fits it best.
 Trial mixed(const FitData& data, std::span<const Trial> trials, const Weighting& weighting) {
   Trial best = trials.front();
   forSegments(data, [&](std::size_t r, Index w, std::size_t segment) {

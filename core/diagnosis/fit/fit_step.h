@@ -7,15 +7,15 @@
 
 namespace capstan::diagnosis {
 
-/// Step of the normal equations with the damping, bounds kept: what would leave them stays at them.
-/// Keeps references to `model` and `u`.
+/// Step of the damped normal equations within the bounds: parameters that would leave their bounds stay
+/// there. Keeps references to `model` and `u`.
 class BoundedStep {
  public:
   BoundedStep(const FitModel& model, const Eigen::VectorXd& u, Eigen::MatrixXd normal,
               Eigen::VectorXd gradient)
       : model_(model), u_(u), normal_(std::move(normal)), gradient_(std::move(gradient)) {}
 
-  /// `bound`, where given: the numbers that stay at a bound.
+  /// Step for one damping. `bound`, if given, receives the parameters that a bound stops.
   Eigen::VectorXd operator()(double damping, std::vector<bool>* bound = nullptr) const;
 
  private:
@@ -27,15 +27,15 @@ class BoundedStep {
   Eigen::VectorXd gradient_;
 };
 
-/// Where a step led.
+/// Result of one step.
 struct Trial {
   Eigen::VectorXd u, e;
   InitialStates initial;
   double objective = std::numeric_limits<double>::infinity();  ///< reached()
 };
 
-/// The best of some steps, simulated side by side; of a rigid drive with initial states that follow the
-/// linearisation by more or less.
+/// Best of several steps, which differ in damping and length and are simulated side by side. For rigid drives
+/// the initial states also move by different shares of the linearised step.
 Trial bestOf(const FitData& data, const System& system, const BoundedStep& stepFor,
              const Weighting& weighting);
 

@@ -6,14 +6,14 @@
 
 namespace capstan::diagnosis {
 
-/// What noise of the sensors that drive a simulation (load cells; motor encoders of cable drives) makes of
-/// it: RMS [unit of the channel], a number each of FitData::channels(), nuisances taken off. Simulations of
-/// the fit's robot with noise of their size added, as often as kInputDraws; of rigid drives it adds up, and
-/// no model explains it.
+/// RMS change of the simulated readings by noise in the simulation's inputs (load cells; motor encoders of
+/// cable drives), one number per FitData::channels() [unit of the channel], with nuisances subtracted. It is
+/// estimated from kInputDraws simulations of the fit's robot with random noise of the sensors' size on the
+/// inputs. In rigid drives this noise accumulates over time, and no model can explain it.
 Eigen::VectorXd inputNoise(const FitData& data, const Fit& at, const Weighting& weighting);
 inline constexpr int kInputDraws = 4;
-/// Mean square, in that of the inputs' noise, up to which a few slow oscillations of it remain: it has
-/// few degrees of freedom.
+/// Mean square of a residual, over that of the input noise, up to which the residual can be input noise. The
+/// ratio is above 1 because this noise consists of a few slow oscillations with few degrees of freedom.
 inline constexpr double kSwings = 4.0;
 
 }  // namespace capstan::diagnosis

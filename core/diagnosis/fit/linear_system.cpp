@@ -12,21 +12,22 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double kDifference = 1e-3;  // of u, for derivatives
+constexpr double kDifference = 1e-3;  // step of u for finite differences
 
-/// Turns of the motor by one of the joint.
+/// Rotation of the motor per rotation of the joint.
 double ratioOf(const robot::ChainModel& model, int j) {
   return model.numbers.joints[j].link_radius / model.numbers.joints[j].lever;
 }
 
-/// Rate of a compliant motor on its cable, the joint held [rad/s].
+/// Natural frequency of a compliant motor on its cable, with the joint held [rad/s].
 double motorRate(const robot::ChainModel& model, int j) {
   const robot::JointNumbers<double>& p = model.numbers.joints[j];
   return p.lever / std::sqrt(p.compliance * p.motor_inertia);
 }
 
-/// Small changes of the initial states: of joint positions by their range, of speeds by the largest, of
-/// compliant motors as their joints; 0: a state that the robot does not have.
+/// Steps of the initial states for finite differences: 1e-5 of the range for joint positions, 1e-5 of the
+/// largest for speeds, and the same through the gear ratio for compliant motors; 0 for states that the robot
+/// does not have.
 VectorXd initialDifferences(const robot::ChainModel& model) {
   const int n = model.shape.joints;
   VectorXd h = VectorXd::Zero(4 * n);
@@ -45,7 +46,7 @@ InitialStates shifted(InitialStates initial, Index state, double h) {
   return initial;
 }
 
-/// Ones where joint j has an encoder reading.
+/// Derivatives by the encoder zeros: 1 in column j for readings of joint j's encoder.
 MatrixXd encoderZeros(const FitData& data, int joints) {
   MatrixXd zeros = MatrixXd::Zero(data.size(), joints);
   for (std::size_t i = 0; i < data.channel().size(); ++i) {
@@ -55,7 +56,7 @@ MatrixXd encoderZeros(const FitData& data, int joints) {
   return zeros;
 }
 
-/// Place of the parameter in another model that has it in the same terms; −1: none.
+/// Index of the parameter in another model that has it with the same scale; −1: none.
 int placeIn(const FitModel& other, const FitParameter& parameter) {
   for (int k = 0; k < other.size(); ++k) {
     const FitParameter& p = other.parameters()[static_cast<std::size_t>(k)];
@@ -66,7 +67,7 @@ int placeIn(const FitModel& other, const FitParameter& parameter) {
   return -1;
 }
 
-/// u with number k moved a little, away from a bound.
+/// u with parameter k moved by kDifference, away from a bound.
 VectorXd moved(const FitModel& model, const VectorXd& u, int k) {
   VectorXd to = u;
   to[k] += kDifference;
@@ -79,11 +80,11 @@ VectorXd moved(const FitModel& model, const VectorXd& u, int k) {
 VectorXd nuisancePrecision(const FitData& data, const robot::ChainModel& model) {
   const int n = model.shape.joints;
   if (!data.rigid()) return VectorXd::Zero(n);
-  constexpr double kWholeSlope = 500.0;  // of the noise [1/s]
-  constexpr double kMotorSwing = 0.1;    // of compliant motors, in what joint speeds are off
+  constexpr double kWholeSlope = 500.0;  // σ of an initial speed, over the encoder's noise [1/s]
+  constexpr double kMotorSwing = 0.1;    // σ of a compliant motor's speed, over that of the joint's, geared
   const ChainSimulation& first = data.simulation(0);
   const bool whole = first.windows().size() == first.evidence().segments.size();
-  VectorXd precision = VectorXd::Ones(4 * n);  // of what is not there: anything
+  VectorXd precision = VectorXd::Ones(4 * n);  // 1 for states that do not exist
   for (int j = 0; j < n; ++j) {
     double noise = 0.0;
     for (const ComparedChannel& channel : data.channels())
@@ -128,7 +129,7 @@ System systemAt(const FitData& data, const FitModel& model, const VectorXd& u, c
   const int p = model.size();
   std::vector<robot::ChainModel> robots(1, model.chain(u));
   MatrixXd jacobian(data.size(), p);
-  std::vector<std::pair<int, double>> steps;  // parameters to simulate, and how far they move
+  std::vector<std::pair<int, double>> steps;  // parameters to simulate, and their steps
   for (int k = 0; k < p; ++k) {
     const int place = known ? placeIn(known->model, model.parameters()[static_cast<std::size_t>(k)]) : -1;
     if (place >= 0) {

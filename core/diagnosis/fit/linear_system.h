@@ -6,38 +6,43 @@
 
 namespace capstan::diagnosis {
 
-/// A fit linearised at its numbers and initial states, and what the nuisances of each segment take off the
+/// Fit linearised at its parameters and initial states, with the nuisances that were subtracted from the
 /// residual.
 struct System {
   Fit at;
-  std::vector<Eigen::MatrixXd> off_residual;  ///< by stretch: coefficients of e
-  double objective = 0.0;                     ///< as simulated: see reached()
+  std::vector<Eigen::MatrixXd> off_residual;  ///< coefficients of the nuisances of e, by segment
+  double objective = 0.0;                     ///< reached()
 };
 
+/// Linearises the model at u and the initial states. `known` is FitOptions::known.
 System systemAt(const FitData& data, const FitModel& model, const Eigen::VectorXd& u,
                 const InitialStates& initial, const Weighting& weighting, const Fit* known = nullptr);
 
-/// What a step is judged by. Initial states are where the simulation began, not where its linearisation would
-/// put them, which may be far from what friction at rest makes of it; encoder zeros are linear.
+/// Objective that a step is judged by. For rigid drives it uses the residuals `simulated` from the actual
+/// initial states, because the linearised ones can be far off with static friction. For cable drives it uses
+/// `removed`, from which the encoder zeros are subtracted, because these are linear.
 double reached(const FitData& data, const FitModel& model, const Eigen::VectorXd& u,
                const Eigen::VectorXd& simulated, const Eigen::VectorXd& removed, const Weighting& weighting);
 
-/// Precision of the nuisances' own estimates: initial positions are known to some counts of the encoder,
-/// speeds to a tenth of the largest, those of whole recordings' starts to the encoder's value (a change of
-/// speed there would be a step for all that follows); encoder zeros not at all.
+/// Prior precision 1/σ² of the nuisances. For initial positions, σ is four times the encoder's noise. For
+/// initial speeds it is 1/200 of the largest speed; if a recording is simulated as a whole, it is at most
+/// the encoder's noise × 500/s, because a wrong speed there affects the whole recording. Encoder zeros have
+/// no prior.
 Eigen::VectorXd nuisancePrecision(const FitData& data, const robot::ChainModel& model);
 
-/// Coefficients of each segment's nuisances that explain the columns of x best, subtracted from x in place.
+/// Fits each segment's nuisances to the columns of x by least squares and subtracts them from x in place.
+/// Returns their coefficients, one matrix per segment.
 std::vector<Eigen::MatrixXd> takeOffNuisances(const FitData& data, const Eigen::MatrixXd& nuisance,
                                               const Eigen::VectorXd& precision,
                                               const Eigen::VectorXd& weights, Eigen::Ref<Eigen::MatrixXd> x);
 
+/// Prior precision 1 / prior² of each parameter u.
 Eigen::VectorXd priorPrecision(const FitModel& model);
 
-/// Initial states as a step of u moves them.
+/// Initial states after a step of u, by the linearisation.
 InitialStates following(const FitData& data, const Fit& at, const Eigen::VectorXd& step);
 
-/// Of rigid drives: calls with recording, window and stretch of each window that has numbers.
+/// Calls use(recording, window, segment) for each window with readings, for rigid drives.
 template <typename Use>
 void forSegments(const FitData& data, const Use& use) {
   std::size_t segment = 0;

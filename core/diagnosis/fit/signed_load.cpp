@@ -7,10 +7,10 @@
 namespace capstan::diagnosis {
 namespace {
 
-constexpr double kAway = 2.0;     // times what counts as zero
-constexpr double kLingers = 1.5;  // times the noise, whose magnitude averages to 0.8 of it about zero
+constexpr double kAway = 2.0;     // level at which an approach to zero ends, over the level where it begins
+constexpr double kLingers = 1.5;  // lowest such beginning, over the noise: about zero, |noise| averages 0.8 σ
 
-/// Centred moving average over ±half rows.
+/// Centred moving average over ± half rows.
 std::vector<double> smoothed(std::span<const double> x, std::size_t half) {
   std::vector<double> sums(x.size() + 1, 0.0), mean(x.size());
   for (std::size_t k = 0; k < x.size(); ++k) sums[k + 1] = sums[k] + x[k];
@@ -39,7 +39,7 @@ std::vector<double> withSigns(std::span<const double> magnitude) {
       load[k] *= sign, ++k;
       continue;
     }
-    // An approach to zero, which ends when the level is well away: the sign changes at its minimum.
+    // An approach to zero ends when the level has risen well above it; the sign changes at the minimum.
     std::size_t end = k;
     while (end < level.size() && level[end] < kAway * reach) ++end;
     const auto lowest = std::min_element(level.begin() + static_cast<std::ptrdiff_t>(k),

@@ -5,12 +5,13 @@
 namespace capstan::diagnosis::library {
 namespace {
 
-constexpr double kAsRigid = 0.01;  // of the range: a stretch that makes no difference
-constexpr double kLarge = 0.1;     // likewise, that makes a large one
+constexpr double kAsRigid = 0.01;  // stretch that has no visible effect, over the joint's range
+constexpr double kLarge = 0.1;     // stretch that has a large effect, over the joint's range
 
-/// In a cable drive linear in its number, from none of it on; what is large goes by the nominal stiffness,
-/// and where that is as good as rigid by what the forces of the recording would show. In a rigid drive no
-/// spring is an infinitely stiff one, so that starts have one, by resonance.
+/// Starts of a compliance. In a cable drive the effect is linear in its parameter and starts at 0; its scale
+/// is the nominal compliance, or that of a large stretch if the nominal cable is practically rigid. In a
+/// rigid drive no value means an infinitely stiff spring, so that fits start from springs with typical
+/// resonances.
 Starts cableComplianceStarts(const JointScales& s, int) {
   Starts all;
   if (s.stiffness > 0.0) {
@@ -20,7 +21,7 @@ Starts cableComplianceStarts(const JointScales& s, int) {
     if (given < kAsRigid) all.push_back({{0.0}, {kLarge / given / s.stiffness}});
     return usable(std::move(all));
   }
-  for (const double resonance : {5.0, 10.0, 20.0}) {  // of the joint on the spring, the motor held [Hz]
+  for (const double resonance : {5.0, 10.0, 20.0}) {  // of the joint on the spring with the motor held [Hz]
     const double rate = 2.0 * std::numbers::pi * resonance;
     const double compliance = s.radius * s.radius / (s.inertia * rate * rate);
     all.push_back({{compliance}, {compliance}});
@@ -34,8 +35,8 @@ Starts backlashStarts(const JointScales& s, int) {
   return usable(std::move(all));
 }
 
-constexpr double kNone = 1e3;    // a pretension that no load uses up [m]
-constexpr double kLeast = 1e-6;  // below it 1 / pretension goes on along its tangent [m]
+constexpr double kNone = 1e3;    // pretension that no load exceeds [m]
+constexpr double kLeast = 1e-6;  // pretension below which 1 / pretension continues along its tangent [m]
 
 Starts slackStarts(const JointScales& s, int) {
   Starts all;
@@ -43,8 +44,8 @@ Starts slackStarts(const JointScales& s, int) {
   return usable(std::move(all));
 }
 
-/// Its size is 1 / pretension [1/m] less that of the neutral one: it rises as pretension falls, through 0
-/// into what is too long.
+/// Size of slack: 1 / pretension [1/m] minus its neutral value. The size rises as the pretension falls, also
+/// through 0 to negative values, which are cables that are too long.
 double slackSize(const std::vector<double>& v) {
   const double p = v.at(0);
   if (p >= kNone) return 0.0;
@@ -78,8 +79,8 @@ std::vector<Hypothesis> cableHypotheses() {
               {
                   .title = "Cable softer than the model's",
                   .what =
-                      "Something gives between motor and joint that the model takes for rigid, or for "
-                      "stiffer: cable terminations, idlers, their brackets, or the whole cable of a drive "
+                      "A part between motor and joint is softer than the model says, or the model takes it "
+                      "as rigid: cable terminations, idlers, their brackets, or the whole cable of a drive "
                       "modelled without one.",
                   .equation =
                       "δ = δ_cable(γ) + compliance γ; in a rigid drive γ = δ / compliance, δ = r_mc q_m / N "
@@ -91,12 +92,12 @@ std::vector<Hypothesis> cableHypotheses() {
                       "Cable: a linear spring in series with the nominal cable. In a rigid drive motor and "
                       "joint become two masses with a spring between them.",
                   .signature =
-                      "In proportion to the torque at the joint, that of gravity, load and friction; in a "
-                      "rigid drive a ringing after every change of torque, and the more the faster the "
+                      "The residual is proportional to the torque at the joint (gravity, load and "
+                      "friction). In a rigid drive it rings after every change of torque, more in faster "
                       "motion.",
                   .experiment =
-                      "Press against the joint with a known load while the motor holds; in a rigid drive, "
-                      "steps of torque or a sweep of frequency over the resonance.",
+                      "Press against the joint with a known load while the motor holds. In a rigid drive, "
+                      "apply steps of torque or a frequency sweep over the resonance.",
               },
           .neutral = {0.0},
           .grid = cableComplianceStarts,
@@ -107,8 +108,8 @@ std::vector<Hypothesis> cableHypotheses() {
           .words =
               {
                   .title = "Cable that stiffens as it stretches",
-                  .what = "Strands of a wire rope settle and bear together, so that the cable is stiffer the "
-                          "more it is stretched, more than the nominal exponential law says.",
+                  .what = "The strands of a wire rope settle and share the load, so that the cable becomes "
+                          "stiffer with stretch than the nominal exponential law says.",
                   .equation = "γ = 2 k_e sinh(a δ) + 2 k_e a cubic δ³",
                   .source =
                       "Kovacic and Brennan, The Duffing Equation (2011): odd power series of a symmetric "
@@ -116,14 +117,14 @@ std::vector<Hypothesis> cableHypotheses() {
                       "Unscented Kalman filter and 3D vision to improve cable driven surgical robot joint "
                       "angle estimation, ICRA 2016, (5) and (6)",
                   .changes =
-                      "Cable: a cubic term beside the nominal force; small stretches feel nothing of it.",
+                      "Cable: a cubic term is added to the nominal force; it has no effect at small stretch.",
                   .signature =
-                      "Against the joint's torque or the stretch a curve that is flat in the middle and "
-                      "bends at both ends, away from the load: at high load the joint gives way less than "
+                      "Against the joint torque or the stretch, the residual is flat in the middle and "
+                      "bends at both ends, away from the load: at high load the joint moves less than "
                       "simulated.",
                   .experiment =
-                      "Loads up to the highest allowed, both ways, slowly; small loads alone do not show "
-                      "it.",
+                      "Apply loads up to the highest allowed, both ways, slowly; small loads alone do not "
+                      "show the effect.",
               },
           .neutral = {0.0},
           .grid =
@@ -146,11 +147,11 @@ std::vector<Hypothesis> cableHypotheses() {
                   .source =
                       "Werkmeister and Slocum, Theoretical and experimental determination of capstan drive "
                       "stiffness, Precision Engineering 31 (2007): stiffness E A / L of the free length L",
-                  .changes = "Cable: the stiffness of both cables of this joint, by its position.",
+                  .changes = "Cable: the stiffness of both cables of this joint depends on its position.",
                   .signature =
-                      "In proportion to the torque at the joint, with one sign near one end of the range "
-                      "and with the other near the other end.",
-                  .experiment = "The same load at both ends of the range and in the middle.",
+                      "The residual is proportional to the torque at the joint, with opposite signs near "
+                      "the two ends of the range.",
+                  .experiment = "Apply the same load at both ends of the range and in the middle.",
               },
           .neutral = {0.0},
           .grid =
@@ -165,23 +166,23 @@ std::vector<Hypothesis> cableHypotheses() {
               {
                   .title = "Backlash",
                   .what =
-                      "There is play between motor and joint, in the gear, a key or a cable end: when the "
-                      "force changes sides, the motor crosses the play before it moves the joint.",
+                      "There is play between motor and joint, in the gear, a key or a cable end. When the "
+                      "force changes sign, the motor crosses the play before it moves the joint.",
                   .equation =
                       "γ = 2 k_e sinh(a (|δ| − half_width)₊ sgn δ) + 2 b_e dδ/dt, 0 within the play; it "
                       "presses and never pulls",
                   .source = "Nordin and Gutman, Controlling mechanical systems with backlash: a survey, "
                             "Automatica 38 (2002)",
                   .changes =
-                      "Cable: no force while the stretch is within ± half_width, and the nominal law beyond "
-                      "it.",
+                      "Cable: there is no force while the stretch is within ± half_width, and the nominal "
+                      "law beyond it.",
                   .signature =
-                      "Two levels, half_width / r_l apart from the middle, one for each side of the force: "
-                      "against the direction of motion where friction is the force, against the sign of the "
-                      "torque where gravity or load is. Steps at reversals.",
+                      "The residual has two levels, ± half_width / r_l, one for each sign of the force. The "
+                      "sign is opposite to the direction of motion where friction dominates, and to that of "
+                      "the torque where gravity or load dominates. Steps appear at reversals.",
                   .experiment =
-                      "Slow reversals with little load, where friction changes the side; then the same "
-                      "against a constant load, under which the steps disappear.",
+                      "Reverse slowly with little load, where friction changes the sign of the force; then "
+                      "repeat against a constant load, under which the steps disappear.",
               },
           .neutral = {0.0},
           .grid = backlashStarts,
@@ -193,9 +194,9 @@ std::vector<Hypothesis> cableHypotheses() {
               {
                   .title = "Lost pretension",
                   .what =
-                      "The pair of cables has lost its pretension: beyond some stretch one of them sags and "
-                      "the other one is alone, half as stiff. If both are too long, there is a stretch in "
-                      "which neither pulls.",
+                      "The pair of cables has lost its pretension: beyond some stretch one cable sags, and "
+                      "the other one alone is half as stiff. If both cables are too long, neither pulls "
+                      "within a range of stretch.",
                   .equation =
                       "γ = f(pretension + δ) − f(pretension − δ), f(x) = k_e a x for x > 0, else 0; damping "
                       "where a cable is taut",
@@ -203,14 +204,15 @@ std::vector<Hypothesis> cableHypotheses() {
                       "Palli, Borghesan and Melchiorri, Modeling, identification, and control of "
                       "tendon-based actuation systems, IEEE Transactions on Robotics 28 (2012): tendons "
                       "pull only",
-                  .changes = "Cable: two cables that can only pull take the place of the nominal law.",
+                  .changes = "Cable: two cables that can only pull replace the nominal law.",
                   .signature =
-                      "Against the joint's torque nothing in the middle and a straight line beyond a corner "
-                      "on either side: at high load the joint gives way more than simulated. With both "
-                      "cables too long two levels, as backlash has, and soft beyond.",
+                      "Against the joint torque, the residual is zero in the middle and a straight line "
+                      "beyond a corner on either side: at high load the joint moves more than simulated. If "
+                      "both cables are too long, it has two levels as for backlash, and the joint is soft "
+                      "beyond them.",
                   .experiment =
-                      "Loads that rise slowly through the corner, both ways; small motions about rest for a "
-                      "pair that is too long.",
+                      "Apply loads that rise slowly through the corner, both ways; for a pair that is too "
+                      "long, make small motions about rest.",
               },
           .neutral = {kNone},
           .grid = slackStarts,
@@ -223,19 +225,19 @@ std::vector<Hypothesis> cableHypotheses() {
               {
                   .title = "Hysteresis of the cable",
                   .what =
-                      "Strands and sheaths rub on one another as the cable stretches: force follows stretch "
-                      "in a loop that does not depend on speed.",
+                      "Strands and sheaths rub against each other as the cable stretches: the force follows "
+                      "the stretch in a loop that does not depend on speed.",
                   .equation =
                       "γ = γ_nominal + force z / yield, dz/dt = dδ/dt − (|dδ/dt| z + dδ/dt |z|) / (2 yield)",
                   .source =
                       "Wen, Method for random vibration of hysteretic systems, Journal of the Engineering "
                       "Mechanics Division, ASCE 102 (1976), with his n = 1, A = 1 and β = γ = 1 / (2 yield)",
-                  .changes = "Cable: a Bouc–Wen element beside the nominal cable, with one state more.",
+                  .changes = "Cable: a Bouc–Wen element with one more state is added to the nominal cable.",
                   .signature =
-                      "A loop against stretch or torque that is as wide at low speed as at high; after a "
-                      "reversal the residual turns over within the yield stretch.",
+                      "Against stretch or torque, the residual is a loop of the same width at low and at "
+                      "high speed. After a reversal it changes sign within the yield stretch.",
                   .experiment =
-                      "The motor held, load and unload the joint slowly, in large and in small loops.",
+                      "Hold the motor, and load and unload the joint slowly, in large and in small loops.",
               },
           .neutral = {0.0, 1e-4},
           .grid = cableHysteresisStarts,
@@ -247,19 +249,21 @@ std::vector<Hypothesis> cableHypotheses() {
               {
                   .title = "Creeping cable",
                   .what =
-                      "Under load the cable goes on stretching for seconds, and takes as long to recover, "
-                      "as polymer fibres and rope cores do.",
+                      "Under load the cable continues to stretch for seconds, and recovers as slowly, like "
+                      "polymer fibres and rope cores.",
                   .equation = "dx_c/dt = (share (δ − x_c) − x_c) / time_constant, γ = γ_nominal(δ − x_c)",
                   .source =
                       "Findley, Lai and Onaran, Creep and Relaxation of Nonlinear Viscoelastic Materials "
                       "(1976): Kelvin–Voigt element in series with a spring",
                   .changes =
-                      "Cable: a spring and damper in series with the nominal cable, with one state more.",
+                      "Cable: a spring and damper with one more state are added in series with the nominal "
+                      "cable.",
                   .signature =
-                      "After a change of load an exponential against time; the residual follows the torque "
-                      "with a lag, and at slow motion more than at fast.",
+                      "After a change of load, the residual is an exponential over time. It follows the "
+                      "torque with a lag, and is larger in slow motion than in fast motion.",
                   .experiment =
-                      "Put a load on, hold still for several time constants, take it off and hold again.",
+                      "Apply a load, hold still for several time constants, remove the load and hold still "
+                      "again.",
               },
           .neutral = {0.0, 1.0},
           .grid = cableCreepStarts,

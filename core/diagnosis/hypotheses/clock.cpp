@@ -8,18 +8,19 @@ std::vector<Hypothesis> clockHypotheses() {
           .place = Place::kClock,
           .words =
               {
-                  .title = "Cameras late by their stamps",
+                  .title = "Late time stamps of the cameras",
                   .what =
-                      "Exposure, transfer and a clock of their own make the cameras' time stamps late (or "
-                      "early) by a constant: they show where the tip was a moment ago.",
+                      "The cameras' time stamps are late (or early) by a constant, because of exposure, "
+                      "transfer or a clock of their own: the cameras show where the tip was a moment ago.",
                   .equation = "p_c(t) = p(t − delay)",
                   .source = "Furgale, Rehder and Siegwart, Unified temporal and spatial calibration for "
                             "multi-sensor systems, IROS 2013",
-                  .changes = "Clock: the instant at which the tip is compared with what the cameras saw.",
+                  .changes =
+                      "Clock: the time at which the simulated tip is compared with the observation changes.",
                   .signature =
-                      "In proportion to the tip's velocity in the cameras' channels, nothing at rest and "
-                      "nothing in the joint encoders.",
-                  .experiment = "Fast motion back and forth along one axis; rests between.",
+                      "In the camera channels, the residual is proportional to the tip's velocity, and zero "
+                      "at rest. The joint encoders show nothing.",
+                  .experiment = "Move fast back and forth along one axis, with rests between.",
               },
           .neutral = {0.0},
           .grid =

@@ -34,8 +34,9 @@ std::vector<Hypothesis> frictionHypotheses() {
           .words =
               {
                   .title = "Friction that is higher at low speed",
-                  .what = "Near standstill the lubricant film breaks down and friction exceeds Coulomb's; as "
-                          "speed rises it falls to it. The joint sticks and jumps.",
+                  .what =
+                      "Near standstill the lubricant film breaks down, and friction exceeds Coulomb "
+                      "friction; it falls to Coulomb friction as speed rises. The joint sticks and jumps.",
                   .equation =
                       "F = F_c (1 + excess exp(−(v / speed)²)) sgn v + F_v v, sgn v smoothed as tanh(v / "
                       "v_eps)",
@@ -43,13 +44,13 @@ std::vector<Hypothesis> frictionHypotheses() {
                       "Armstrong-Hélouvry, Dupont and Canudas de Wit, A survey of models, analysis tools "
                       "and compensation methods for the control of machines with friction, Automatica 30 "
                       "(1994)",
-                  .changes = "Friction: the Coulomb friction of this joint, by its speed.",
+                  .changes = "Friction: the Coulomb friction of this joint depends on its speed.",
                   .signature =
-                      "Against velocity a pair of peaks of opposite sign beside zero and nothing at high "
-                      "speed; steps where the motion starts.",
+                      "Against velocity, the residual has a pair of peaks of opposite sign beside zero, and "
+                      "is zero at high speed. Steps appear where the motion starts.",
                   .experiment =
-                      "Very slow motion and many reversals; constant speeds from a hundredth of the highest "
-                      "on.",
+                      "Move very slowly with many reversals; move at constant speeds, from a hundredth of "
+                      "the highest speed upwards.",
               },
           .neutral = {0.0, 1.0},
           .grid = stribeckFrictionStarts,
@@ -62,22 +63,23 @@ std::vector<Hypothesis> frictionHypotheses() {
               {
                   .title = "Friction that differs between the directions",
                   .what =
-                      "The joint rubs more one way than the other, by a one-sided seal, a worn tooth flank "
-                      "or a cable that climbs out of its groove.",
+                      "Friction is higher in one direction than in the other, because of a one-sided seal, "
+                      "a worn tooth flank or a cable that climbs out of its groove.",
                   .equation = "F = F_c (1 + share sgn v) sgn v + F_v v, sgn v smoothed as tanh(v / v_eps)",
                   .source =
                       "Armstrong-Hélouvry, Dupont and Canudas de Wit, A survey of models, analysis tools "
                       "and compensation methods for the control of machines with friction, Automatica 30 "
                       "(1994)",
                   .changes =
-                      "Friction: Coulomb friction is 1 + share of itself forwards and 1 − share backwards.",
+                      "Friction: Coulomb friction is multiplied by 1 + share forwards and by 1 − share "
+                      "backwards.",
                   .signature =
-                      "Against the direction of motion the same level both ways and another one at rest: it "
-                      "acts like a constant force that is there only while the joint moves. In a rigid "
-                      "drive one direction is too fast, the other too slow.",
+                      "The residual has the same level in both directions of motion and another one at "
+                      "rest: the effect acts like a constant force that is present only in motion. In a "
+                      "rigid drive one direction is too fast and the other too slow.",
                   .experiment =
-                      "Equal slow motions both ways with rests in between; the rests distinguish it from an "
-                      "offset.",
+                      "Make equal slow motions both ways, with rests in between; the rests distinguish the "
+                      "effect from an offset.",
               },
           .neutral = {0.0},
           .grid =
@@ -92,20 +94,19 @@ std::vector<Hypothesis> frictionHypotheses() {
           .words =
               {
                   .title = "Viscous friction that differs between the directions",
-                  .what = "Grease and seals brake one way more than the other, or the losses of a screw or "
-                          "gear are others "
-                          "when "
-                          "the motor drives than when it brakes.",
+                  .what = "Grease and seals brake one direction more than the other, or a screw or gear has "
+                          "other losses when the motor drives than when it brakes.",
                   .equation = "F = F_c sgn v + F_v (1 + share sgn v) v, sgn v smoothed as tanh(v / v_eps)",
                   .source =
                       "Armstrong-Hélouvry, Control of Machines with Friction (1991), chapter 3: viscous "
                       "friction identified for each direction of its own",
                   .changes =
-                      "Friction: viscous friction is 1 + share of itself forwards and 1 − share backwards.",
+                      "Friction: viscous friction is multiplied by 1 + share forwards and by 1 − share "
+                      "backwards.",
                   .signature =
-                      "Nothing in slow motion; in fast motion an error of one sign both ways that grows with "
-                      "speed.",
-                  .experiment = "Equal paths both ways at a low, a middle and the highest speed.",
+                      "The residual is zero in slow motion. In fast motion it has the same sign both ways "
+                      "and grows with speed.",
+                  .experiment = "Move along equal paths both ways at a low, a middle and the highest speed.",
               },
           .neutral = {0.0},
           .grid =
@@ -126,11 +127,11 @@ std::vector<Hypothesis> frictionHypotheses() {
                   .source =
                       "Siciliano, Sciavicco, Villani and Oriolo, Robotics: Modelling, Planning and Control "
                       "(2009), joint friction torques",
-                  .changes = "Friction: the viscous friction F_v of this joint.",
+                  .changes = "Friction: the viscous friction F_v of this joint changes.",
                   .signature =
-                      "A straight line against velocity through zero; in a rigid drive fast motions come "
-                      "out too large or too small, slow ones less so.",
-                  .experiment = "The same path at a low, a middle and the highest speed.",
+                      "Against velocity, the residual is a straight line through zero. In a rigid drive "
+                      "fast motions are too large or too small, and slow motions less so.",
+                  .experiment = "Follow the same path at a low, a middle and the highest speed.",
               },
           .neutral = {0.0},
           .grid = viscousFrictionStarts,
@@ -141,8 +142,8 @@ std::vector<Hypothesis> frictionHypotheses() {
           .words =
               {
                   .title = "Friction that grows with load",
-                  .what = "Bearings, gears and cables on their idlers rub more the more force goes through "
-                          "them: a share of the driving torque is lost.",
+                  .what = "Bearings, gears and cables on their idlers have more friction the more force they "
+                          "transmit: a share of the driving torque is lost.",
                   .equation =
                       "F = (F_c + share |Γ|) sgn v + F_v v, Γ the torque of the cable or motor at the joint",
                   .source = "Hamon, Gautier and Garrec, Dynamic identification of robots with a dry friction "
@@ -151,9 +152,9 @@ std::vector<Hypothesis> frictionHypotheses() {
                       "Friction: Coulomb friction of this joint grows with the magnitude of the driving "
                       "torque.",
                   .signature =
-                      "A gap between the directions of motion that widens with the torque, whichever side "
-                      "the torque is on.",
-                  .experiment = "Slow motion both ways under no, middle and high load.",
+                      "The residual differs between the directions of motion, and the difference grows with "
+                      "the magnitude of the torque, whatever its sign.",
+                  .experiment = "Move slowly both ways under no load, a middle load and a high load.",
               },
           .neutral = {0.0},
           .grid =
@@ -166,18 +167,18 @@ std::vector<Hypothesis> frictionHypotheses() {
           .place = Place::kFriction,
           .words =
               {
-                  .title = "Friction that waves with the position",
-                  .what =
-                      "A bent shaft, an eccentric bearing or pulley or the teeth of a gear rub more at some "
-                      "positions than at others, and repeat after a period.",
+                  .title = "Friction that varies periodically with the position",
+                  .what = "A bent shaft, an eccentric bearing or pulley, or the teeth of a gear cause more "
+                          "friction at some positions than at others, with a constant period.",
                   .equation =
                       "F = F_c (1 + sine sin(2π q / period) + cosine cos(2π q / period)) sgn v + F_v v",
                   .source = "Popović and Goldenberg, Modeling of friction using spectral analysis, IEEE "
                             "Transactions on Robotics and Automation 14 (1998)",
-                  .changes = "Friction: Coulomb friction of this joint, by its position.",
+                  .changes = "Friction: the Coulomb friction of this joint depends on its position.",
                   .signature =
-                      "A wave against the joint's position whose sign turns with the direction of motion.",
-                  .experiment = "Slow sweeps over the whole range both ways, at one speed and load.",
+                      "Against the joint's position, the residual is a wave whose sign changes with the "
+                      "direction of motion.",
+                  .experiment = "Sweep slowly over the whole range both ways, at one speed and one load.",
               },
           .neutral = {0.0, 0.0, 1.0},
           .grid = positionFrictionStarts,

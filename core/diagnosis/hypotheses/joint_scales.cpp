@@ -10,7 +10,7 @@
 namespace capstan::diagnosis {
 namespace {
 
-/// Joint positions at a row: encoders, else what rigid cables would give.
+/// Position of a joint at a row: its encoder's, or else that of the motors with rigid cables.
 double positionAt(const Evidence& e, const robot::ChainModel& model, int joint, std::size_t row) {
   const auto at = static_cast<std::size_t>(joint);
   if (e.hasEncoders()) return e.q[at][row];
@@ -35,7 +35,7 @@ double topSpeed(const std::vector<Evidence>& recordings, const robot::ChainModel
   return *at;
 }
 
-/// Largest measured load; 0: none is measured.
+/// Largest measured load of a joint; 0: loads are not measured.
 double largestLoad(const std::vector<Evidence>& recordings, int joint) {
   double most = 0.0;
   for (const Evidence& e : recordings) {

@@ -8,9 +8,9 @@
 
 namespace capstan::diagnosis {
 
-/// The sizes that fits start from, joint by joint: numbers of the robot file; the top speed (99 % quantile)
-/// and duration of the recordings; the stretch that gravity in the middle of the range and twice the Coulomb
-/// friction make; the largest measured load. Rigid drives have stiffness and stretch 0.
+/// Scales of each joint: from the robot file, the highest speed (99 % quantile) and the longest duration of
+/// the recordings, and the largest measured load. The stretch is that by gravity in the middle of the range
+/// plus twice the Coulomb friction. Rigid drives have stiffness and stretch 0.
 std::vector<JointScales> jointScales(const std::vector<Evidence>& recordings,
                                      const robot::Description& robot);
 

@@ -6,7 +6,7 @@
 
 #include "core/diagnosis/hypotheses/hypothesis.h"
 
-/// The hypotheses, a file for each Place and an entry for each hypothesis; hypotheses() lists them.
+/// Library of the hypotheses: one file per Place, one entry per hypothesis. hypotheses() returns all of them.
 namespace capstan::diagnosis::library {
 
 std::vector<Hypothesis> transmissionHypotheses();
@@ -18,14 +18,14 @@ std::vector<Hypothesis> clockHypotheses();
 
 using Starts = std::vector<EffectStart>;
 
-/// Of the effect of this name, which has to be in robot::effectFacts().
+/// Facts of the effect of this name, which must be in robot::effectFacts().
 const robot::EffectFacts& factsOf(std::string_view name);
 
-/// Those of `all` that a fit can begin at: finite numbers, and a first one that is free to move. Scales of a
-/// robot that lacks something (no friction, no stretch, no cable) leave none.
+/// Starts of `all` that a fit can use: finite numbers, and a positive scale of the first number. None are
+/// usable if the robot lacks what the effect needs (friction, stretch, a cable).
 Starts usable(Starts all);
 
-/// Euclid's norm of the first `count` values.
+/// Euclidean norm of the first `count` values.
 double amplitude(const std::vector<double>& values, std::size_t count);
 
 }  // namespace capstan::diagnosis::library

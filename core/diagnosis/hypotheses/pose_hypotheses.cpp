@@ -9,69 +9,71 @@ using Parameters = std::vector<robot::EffectParameter>;
 using Values = std::span<const double>;
 
 constexpr HypothesisWords kMarkerOffset{
-    .title = "Marker elsewhere on the tool",
+    .title = "Marker offset on the tool",
     .what =
-        "The point that the cameras track is not the point of the robot's kinematics: it sits a "
-        "constant way off, fixed to the tool and turning with it.",
+        "The point that the cameras track is not the point of the robot's kinematics: it has a constant "
+        "offset, which is fixed to the tool and rotates with it.",
     .equation = "p_c = p + R_t (x, y, z), R_t the tool's orientation",
     .source =
         "Tsai and Lenz, A new technique for fully autonomous and efficient 3D robotics hand/eye "
         "calibration, IEEE Transactions on Robotics and Automation 5 (1989)",
-    .changes = "Sensor: the point of the tool that is compared.",
-    .signature = "A shift that is constant in the tool's frame and rotates with the wrist in frame 0.",
+    .changes = "Sensor: another point of the tool is compared with the observations.",
+    .signature = "The residual is constant in the tool's frame, and rotates with the wrist in frame 0.",
     .experiment = "Rotate the wrist through its range with the tip at one position.",
 };
 
 constexpr HypothesisWords kInsertionOffset{
-    .title = "Insertion counted from elsewhere",
+    .title = "Offset of the insertion",
     .what =
-        "The sliding joint's zero, or the tool's length, is off: the tip is further from or nearer to the "
-        "remote centre than the robot says, by the same everywhere.",
+        "The zero of the sliding joint or the length of the tool is wrong: the tip is farther from or "
+        "nearer to the remote centre than the robot reports, by the same distance everywhere.",
     .equation = "p_c = p + offset p / |p|, frame 0 in the remote centre",
     .source = "Mooring, Roth and Driels, Fundamentals of manipulator calibration, Wiley 1991, chapter 2",
     .changes = "Transmission: a constant is added to the insertion.",
     .signature =
-        "A shift along the tool's shaft, whose direction in frame 0 rotates with the shoulder's joints.",
-    .experiment = "Shoulder joints through their range at one depth of insertion.",
+        "The residual is a constant shift along the tool's shaft, whose direction in frame 0 rotates with "
+        "the shoulder joints.",
+    .experiment = "Move the shoulder joints through their range at one depth of insertion.",
 };
 
 constexpr HypothesisWords kTipGap{
     .title = "Play between motors and tip",
     .what =
-        "Cables slacken and stretch under friction, gears have play: after a reversal the motors move while "
-        "the tip stays, and it runs half a width behind them in each direction.",
+        "Cables are slack or stretched by friction, or gears have play: after a reversal the motors move "
+        "while the tip stays, and the tip then stays half a width behind them in each direction.",
     .equation = "play: c moves only when |c − p| would exceed half_width, axis by axis of frame 0",
     .source =
         "Nordin and Gutman, Controlling mechanical systems with backlash: a survey, Automatica 38 (2002)",
     .changes = "Transmission: the tip stays where it is until the play is crossed.",
-    .signature = "Two levels against the direction of motion along each axis, steps at reversals.",
-    .experiment = "Slow motion back and forth along each axis, over and over the same way.",
+    .signature =
+        "Along each axis, the residual has one level per direction of motion, with steps at reversals.",
+    .experiment = "Move slowly back and forth along each axis, repeatedly along the same path.",
 };
 
 constexpr HypothesisWords kCommandDelay{
     .title = "Tip follows its command after a dead time",
     .what =
-        "Transport, control cycles and buffers let the command wait: the tip does the command a "
-        "constant time ago. Late stamps of the cameras look the same; kinematics beside the command "
-        "distinguish "
-        "the two.",
+        "Transport, control cycles and buffers delay the command by a constant time. Late camera stamps "
+        "look the same; a table with both kinematics and commands distinguishes the two.",
     .equation = "p(t) = p_command(t − delay)",
     .source = "Åström and Murray, Feedback systems, Princeton 2008, chapter 10",
-    .changes = "Clock: the instant of the command that the tip is compared with.",
-    .signature = "In proportion to the command's velocity, over at once when it stops for the delay.",
-    .experiment = "Steps of the command with rests between.",
+    .changes = "Clock: the time of the command that the tip is compared with changes.",
+    .signature =
+        "The residual is proportional to the command's velocity, and zero once the command has stopped for "
+        "longer than the delay.",
+    .experiment = "Command steps with rests between.",
 };
 
 constexpr HypothesisWords kFollowingLag{
-    .title = "Tip follows its command late",
+    .title = "Tip follows its command with a lag",
     .what =
-        "Controller, drives and cables follow the command with a lag of first order: the faster the "
-        "command, the further the tip is behind.",
+        "Controller, drives and cables follow the command with a first-order lag: the faster the command, "
+        "the farther the tip is behind.",
     .equation = "time_constant dp/dt = p_command − p",
     .source = "Åström and Murray, Feedback systems, Princeton 2008, chapter 5",
-    .changes = "Drive: the path that the tip is said to take.",
-    .signature = "In proportion to the command's velocity, fading after each stop.",
-    .experiment = "Steps of the command with rests between.",
+    .changes = "Drive: the simulated path of the tip follows the command with a lag.",
+    .signature = "The residual is proportional to the command's velocity, and decays after each stop.",
+    .experiment = "Command steps with rests between.",
 };
 
 const Parameters kMarkerNumbers = {{"x", "m", -0.1, 0.1, "in the tool's frame"},
@@ -86,7 +88,7 @@ const Parameters kLagNumbers = {{"time_constant", "s", 0.0, 1.0, "with which the
 
 Eigen::Vector3d vectorOf(Values v) { return {v[0], v[1], v[2]}; }
 
-/// One that robot files know too.
+/// Pose hypothesis of an effect that robot files also have.
 PoseHypothesis known(std::string_view name, double scale, void (*set)(PoseNumbers&, Values)) {
   const Hypothesis* hypothesis = hypothesisNamed(name);
   return {hypothesis->name(), &hypothesis->words, &hypothesis->facts->parameters, scale, 0.0, set};

@@ -10,25 +10,25 @@
 
 namespace capstan::diagnosis {
 
-/// A cause that poses alone can show. Those that a robot file knows carry its name and words, the others
-/// have their own. Zero is nominal for all of their numbers.
+/// Hypothesis that tip poses alone can test. An effect that robot files also have takes its name and texts
+/// from there; other effects have their own. The nominal value of every parameter is 0.
 struct PoseHypothesis {
   std::string_view name;
   const HypothesisWords* words = nullptr;
   const std::vector<robot::EffectParameter>* parameters = nullptr;
-  double scale = 0.0;  ///< of each number: large [its unit]
-  double start = 0.0;  ///< where a fit begins, where zero has no slope
+  double scale = 0.0;  ///< large value of each parameter [its unit]
+  double start = 0.0;  ///< start of a fit; not 0 if the residual has no slope there
   void (*set)(PoseNumbers& numbers, std::span<const double> values) = nullptr;
 
   std::size_t size() const { return parameters->size(); }
 };
 
-/// camera_offset, camera_rotation, camera_scale, insertion_offset, tip_gap; marker_offset, where there are
-/// orientations; camera_latency where kinematics are the reference, command_delay and following_lag where
-/// the command is.
+/// Pose hypotheses: camera_offset, camera_rotation, camera_scale, insertion_offset, tip_gap; marker_offset if
+/// there are orientations (`turns`); camera_latency if the reference is the kinematics, command_delay and
+/// following_lag if it is the command.
 std::vector<PoseHypothesis> poseHypotheses(PoseReference reference, bool turns);
 
-/// Words of an effect, of the robot's library or of poses; null: none of this name.
+/// Texts of an effect of either library, hypotheses() or poseHypotheses(); null: no effect of this name.
 const HypothesisWords* wordsOf(std::string_view effect);
 
 }  // namespace capstan::diagnosis

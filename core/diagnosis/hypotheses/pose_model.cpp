@@ -10,7 +10,7 @@
 namespace capstan::diagnosis {
 namespace {
 
-/// Is `t` inside the path, late enough for a delay, and in no gap?
+/// True if `t` is inside the path, at least kBefore after its start, and in no gap.
 bool comparable(const std::vector<double>& path, double t) {
   if (t < path.front() + kBefore || t > path.back()) return false;
   const auto after = std::lower_bound(path.begin() + 1, path.end(), t);
@@ -37,7 +37,7 @@ PoseMotion motionOf(const PoseTrajectory& trajectory, const std::vector<Pose>& p
   return motion;
 }
 
-/// Each point moves by what is of the tool and of the remote centre.
+/// Moves each point by the marker offset and by the insertion offset.
 void moveTool(const PoseNumbers& numbers, const PoseMotion& motion, Eigen::Matrix3Xd& path) {
   if (!numbers.marker.isZero(0.0))
     for (Eigen::Index i = 0; i < path.cols(); ++i)
@@ -103,7 +103,7 @@ Eigen::Matrix3Xd seenBy(const PoseNumbers& numbers, const PoseMotion& motion) {
   play(numbers.gap, path);
   Eigen::Matrix3Xd observed(3, motion.observed.cols());
   const Eigen::Vector3d origin = numbers.camera.measure(Eigen::Vector3d::Zero());
-  Eigen::Matrix3d rotated;  // their measurement of a point is linear but for the offset
+  Eigen::Matrix3d rotated;  // the measurement of a point is linear plus the offset
   for (int axis = 0; axis < 3; ++axis)
     rotated.col(axis) = numbers.camera.measure(Eigen::Vector3d::Unit(axis)) - origin;
   std::size_t after = 1;

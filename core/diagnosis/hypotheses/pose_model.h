@@ -12,45 +12,47 @@
 
 namespace capstan::diagnosis {
 
-/// What the cameras are compared with.
+/// Reference that the observed poses are compared with.
 enum class PoseReference {
-  kKinematics,  ///< what the robot computed from its motors
-  kCommand,     ///< what it was commanded
+  kKinematics,  ///< forward kinematics of the robot
+  kCommand,     ///< commanded poses
 };
 
-/// A path that a simulation says and the observations to compare it with, of one trajectory.
+/// Reference path of one trajectory, and the observations that are compared with it.
 struct PoseMotion {
   std::string name;
-  std::vector<double> t;  ///< of the path, rising [s]
-  Eigen::Matrix3Xd path;  ///< [m]
+  std::vector<double> t;  ///< times of the path, rising [s]
+  Eigen::Matrix3Xd path;  ///< positions of the path [m]
   std::vector<Eigen::Quaterniond> rotation;
-  std::vector<double> t_seen;  ///< of the observations, rising [s]
-  Eigen::Matrix3Xd observed;   ///< [m]
+  std::vector<double> t_seen;  ///< times of the observations, rising [s]
+  Eigen::Matrix3Xd observed;   ///< observed positions [m]
 };
 
-/// Observations that count, later than kBefore after the path's begin (a delay reaches back), before its end,
-/// and not where the path has a gap longer than kLongestGap. Trajectories without any are excluded.
-/// base::InputError: the table has no such poses, or fewer than kFewestMotions trajectories are left.
+/// Motions of all trajectories with observations. Observations are used if they count, lie at least kBefore
+/// after the start of the path (a delay refers to earlier poses) and before its end, and are not in a gap of
+/// the path longer than kLongestGap. Throws base::InputError with fewer than kFewestMotions motions.
 std::vector<PoseMotion> motionsOf(const PoseEvidence& evidence, PoseReference reference);
 inline constexpr double kBefore = 0.2, kLongestGap = 0.1;  ///< [s]
 inline constexpr std::size_t kFewestMotions = 20;
 
-/// Between a path and what cameras see of it; all zero: they see the path.
+/// Parameters between a path and the camera measurements of it; if all are zero, the cameras measure the
+/// path.
 struct PoseNumbers {
   robot::CameraNumbers camera;
-  Eigen::Vector3d marker = Eigen::Vector3d::Zero();  ///< in the tool's frame [m]
+  Eigen::Vector3d marker = Eigen::Vector3d::Zero();  ///< marker position in the tool's frame [m]
   Eigen::Vector3d gap = Eigen::Vector3d::Zero();     ///< half width of the play along each axis [m]
-  double insertion = 0.0;     ///< along the line from the remote centre, frame 0's origin [m]
-  double clock_offset = 0.0;  ///< time constant with which the tip follows [s]
+  double insertion = 0.0;     ///< shift along the line from the remote centre (origin of frame 0) [m]
+  double clock_offset = 0.0;  ///< time constant of the first-order lag of the tip [s]
 };
 
-/// What cameras should see at the observations, 3 × observations: the path p with its tool's turn R_t becomes
+/// Simulated camera measurements at the observations, 3 × observations. The path p with the tool's rotation
+/// R_t becomes
 ///     a = p + R_t marker + insertion p / |p|,
-///     b: lag ḃ = a − b, b = a at the begin,
-///     c: play of half width `gap` on b, axis by axis (c moves when it is half a width behind; it begins in
-///        the middle),
-///     d(t) = c(t − delay), linear between the path's stamps, its ends beyond it,
-/// and the observation is CameraNumbers::measure(d), that is (1 + scale) R d + offset.
+///     b: clock_offset ḃ = a − b, b = a at the start,
+///     c: play of half width `gap` on b, axis by axis (c moves when it is half a width behind; it starts in
+///        the middle of the play),
+///     d(t) = c(t − delay), linear between the path's stamps, and constant beyond its ends.
+/// The observation is CameraNumbers::measure(d), that is (1 + scale) R d + offset.
 Eigen::Matrix3Xd seenBy(const PoseNumbers& numbers, const PoseMotion& motion);
 
 }  // namespace capstan::diagnosis

@@ -3,8 +3,8 @@
 namespace capstan::diagnosis::library {
 namespace {
 
-constexpr int kTimes = 12;           // equally far apart in the middle four fifths of the recording
-constexpr double kTimeScale = 0.05;  // [s]
+constexpr int kTimes = 12;           // start times, equally spaced in the middle four fifths of the recording
+constexpr double kTimeScale = 0.05;  // scale of the time of a slip [s]
 
 Starts encoderSlipStarts(const JointScales& s, int) {
   Starts all;
@@ -26,19 +26,18 @@ std::vector<Hypothesis> sensorHypotheses() {
               {
                   .title = "Motor encoder that has slipped",
                   .what =
-                      "At one instant the motor encoder lost counts, or its disc or the capstan slipped on "
-                      "the shaft: from then on the reading falls short of the motor by a constant.",
+                      "At one time the motor encoder lost counts, or its disc or the capstan slipped on the "
+                      "shaft: from then on the reading is too small by a constant.",
                   .equation = "reading = q_m − slip u(t − time), u a smooth step",
                   .source = "Hinkley, Inference about the change-point in a sequence of random variables, "
                             "Biometrika 57 (1970): a step of unknown size at an unknown time",
-                  .changes =
-                      "Sensor: from `time` on the motor stands further than its reading says, by slip.",
+                  .changes = "Sensor: from `time` on the motor position is its reading plus slip.",
                   .signature =
-                      "A step against time: one constant before it and another one after it, whatever the "
-                      "arm does.",
+                      "Against time, the residual is a step: one constant before it and another one after "
+                      "it, whatever the arm does.",
                   .experiment =
-                      "Go back to the same pose again and again, with fast motion in between; the hard "
-                      "stop is the best of poses.",
+                      "Return to the same pose again and again, with fast motion in between; the hard stop "
+                      "is the best pose for this.",
               },
           .neutral = {0.0, 0.0},
           .grid = encoderSlipStarts,
@@ -50,18 +49,18 @@ std::vector<Hypothesis> sensorHypotheses() {
               {
                   .title = "Cameras registered with a rotation",
                   .what =
-                      "The registration of the cameras to the robot is turned, by a bumped tripod or a poor "
-                      "calibration: everything they see is turned about the origin of frame 0.",
+                      "The registration of the cameras to the robot is rotated, because of a bumped tripod "
+                      "or a poor calibration: all observations are rotated about the origin of frame 0.",
                   .equation = "p_c = R p, R the rotation by the vector (x, y, z) in frame 0",
                   .source =
                       "Horn, Closed-form solution of absolute orientation using unit quaternions, Journal "
                       "of the Optical Society of America A 4 (1987)",
-                  .changes = "Sensor: what the cameras see is turned about the origin of frame 0.",
+                  .changes = "Sensor: observations are rotated about the origin of frame 0.",
                   .signature =
-                      "In the cameras' channels straight lines against the tip's other coordinates, zero at "
-                      "the origin of frame 0; nothing in the joint encoders, and none of it depends on "
-                      "direction or speed.",
-                  .experiment = "Poses spread over the whole workspace, also far from the origin of frame 0.",
+                      "In the camera channels, the residual is a straight line against the tip's other "
+                      "coordinates, and zero at the origin of frame 0. It does not depend on direction or "
+                      "speed. The joint encoders show nothing.",
+                  .experiment = "Take poses over the whole workspace, also far from the origin of frame 0.",
               },
           .neutral = {0.0, 0.0, 0.0},
           .grid =
@@ -76,19 +75,20 @@ std::vector<Hypothesis> sensorHypotheses() {
           .words =
               {
                   .title = "Cameras registered with an offset",
-                  .what = "The registration of the cameras to the robot is shifted, or the marker sits "
-                          "elsewhere on the tool than the robot file says.",
+                  .what =
+                      "The registration of the cameras to the robot is shifted, or the marker is at another "
+                      "position on the tool than in the robot file.",
                   .equation = "p_c = p + (x, y, z) in frame 0",
                   .source =
                       "Horn, Closed-form solution of absolute orientation using unit quaternions, Journal "
                       "of the Optical Society of America A 4 (1987)",
-                  .changes = "Sensor: a constant is added to what the cameras see.",
+                  .changes = "Sensor: a constant is added to the observations.",
                   .signature =
-                      "A constant in each of the cameras' channels, whatever the arm does; nothing in the "
-                      "joint encoders.",
+                      "The residual of each camera channel is constant, whatever the arm does. The joint "
+                      "encoders show nothing.",
                   .experiment =
-                      "Poses spread over the workspace that turn the tool: a shift of the marker turns with "
-                      "it, one of the cameras does not.",
+                      "Take poses over the workspace that rotate the tool: the shift of a marker rotates "
+                      "with the tool, the shift of a camera does not.",
               },
           .neutral = {0.0, 0.0, 0.0},
           .grid =
@@ -104,17 +104,17 @@ std::vector<Hypothesis> sensorHypotheses() {
               {
                   .title = "Cameras with a wrong scale",
                   .what =
-                      "The base line of the stereo cameras or the size of their calibration target is "
-                      "wrong: all that they see is larger or smaller, as seen from the origin of frame 0.",
+                      "The baseline of the stereo cameras or the size of their calibration target is wrong: "
+                      "all observations are scaled about the origin of frame 0.",
                   .equation = "p_c = (1 + share) p in frame 0",
                   .source =
                       "Horn, Closed-form solution of absolute orientation using unit quaternions, Journal "
                       "of the Optical Society of America A 4 (1987)",
-                  .changes = "Sensor: what the cameras see is multiplied by 1 + share.",
+                  .changes = "Sensor: observations are multiplied by 1 + share.",
                   .signature =
-                      "In the cameras' channels a straight line against the tip's own coordinate, of one "
-                      "slope in all three; nothing in the joint encoders.",
-                  .experiment = "Poses near to and far from the origin of frame 0, in all directions.",
+                      "In the camera channels, the residual is a straight line against the tip's own "
+                      "coordinate, with the same slope in all three. The joint encoders show nothing.",
+                  .experiment = "Take poses near to and far from the origin of frame 0, in all directions.",
               },
           .neutral = {0.0},
           .grid =
@@ -129,17 +129,16 @@ std::vector<Hypothesis> sensorHypotheses() {
               {
                   .title = "Load sensor without a sign",
                   .what =
-                      "The sensor of the external load measures only how large it is, not to which side it "
-                      "pushes, as a rectifying amplifier or a cable-force sensor does.",
+                      "The sensor of the external load measures only the magnitude of the load and not its "
+                      "sign, like a rectifying amplifier or a cable-force sensor.",
                   .equation = "reading = |τ_ext|",
                   .source = "Horowitz and Hill, The Art of Electronics (1989): the full-wave rectifier, or "
                             "absolute-value circuit",
-                  .changes =
-                      "Sensor: the measured load enters with its magnitude, and with a sign that is taken "
-                      "from the recording instead.",
+                  .changes = "Sensor: the measured load is used with a sign that is reconstructed from the "
+                             "recording.",
                   .signature =
-                      "Against the measured load two branches, mirrored: no residual while the load pushes "
-                      "forwards, twice the load's effect while it pushes backwards.",
+                      "Against the measured load, the residual has two mirrored branches: zero while the "
+                      "load is positive, twice the load's effect while it is negative.",
                   .experiment = "Push the joint at rest by hand to one side, then to the other.",
               },
           .neutral = {0.0},

@@ -3,7 +3,7 @@
 namespace capstan::diagnosis::library {
 namespace {
 
-/// A start for each other joint, which a fit keeps.
+/// One start per other joint; a fit does not change the other joint.
 Starts cableCouplingStarts(const JointScales& s, int joint) {
   Starts all;
   for (int other = 1; other <= s.joints; ++other)
@@ -11,7 +11,8 @@ Starts cableCouplingStarts(const JointScales& s, int joint) {
   return usable(std::move(all));
 }
 
-/// Times against the recording's: what has seated early and what goes on to its end look different.
+/// Starts with several time constants: a drift that settles early and one that lasts to the end of the
+/// recording look different.
 Starts zeroDriftStarts(const JointScales& s, int) {
   Starts all;
   for (const double share : {0.05, 0.15, 0.4}) {
@@ -31,11 +32,9 @@ std::vector<Hypothesis> transmissionHypotheses() {
           .words =
               {
                   .title = "Pulley of another radius",
-                  .what =
-                      "The pulley that turns the joint is larger or smaller than the robot file says, by a "
-                      "worn groove, another cable diameter or a wrong drawing: a revolution of the motor "
-                      "moves "
-                      "the joint less or more.",
+                  .what = "The pulley at the joint is larger or smaller than in the robot file, because of a "
+                          "worn groove, another cable diameter or a wrong drawing: a revolution of the motor "
+                          "moves the joint less or more.",
                   .equation =
                       "s_l = r_l (1 + share) (A (q − q_hs)), hence q − q_hs is the nominal one / (1 + "
                       "share)",
@@ -45,11 +44,11 @@ std::vector<Hypothesis> transmissionHypotheses() {
                       "r_l is its most uncertain number",
                   .changes = "Transmission: the link radius r_l of this joint is multiplied by 1 + share.",
                   .signature =
-                      "A straight line against the joint's own position that is zero at the hard stop, the "
-                      "same in both directions of motion and at every speed.",
+                      "Against the joint's own position, the residual is a straight line that is zero at "
+                      "the hard stop, the same in both directions of motion and at every speed.",
                   .experiment =
-                      "Slow sweeps over the whole range without load; how far the joint travels matters, "
-                      "not how fast.",
+                      "Sweep slowly over the whole range without load; the range matters, the speed does "
+                      "not.",
               },
           .neutral = {0.0},
           .grid =
@@ -62,22 +61,23 @@ std::vector<Hypothesis> transmissionHypotheses() {
           .place = Place::kTransmission,
           .words =
               {
-                  .title = "Motion of another joint carried over by the cable",
+                  .title = "Cable coupling to another joint's motion",
                   .what =
-                      "The cable of this joint runs over pulleys on the axis of another joint, whose motion "
-                      "winds it up by a share that the coupling matrix lacks or has wrong.",
+                      "The cable of this joint runs over pulleys on the axis of another joint. The motion "
+                      "of that joint winds up the cable, by a share that is missing or wrong in the "
+                      "coupling matrix.",
                   .equation = "s_l = r_l (A (q − q_hs)), A(joint, other) = nominal + added",
                   .source =
                       "Lee and Tsai, The structural synthesis of tendon-driven manipulators having a "
                       "pseudotriangular structure matrix, International Journal of Robotics Research 10 "
                       "(1991)",
                   .changes =
-                      "Transmission: one number off the diagonal of the coupling matrix A; torques follow "
-                      "by its transpose.",
+                      "Transmission: one number off the diagonal of the coupling matrix A changes; torques "
+                      "follow by the transpose of A.",
                   .signature =
-                      "A straight line against the position of the other joint, also while this joint's "
-                      "motor stands still.",
-                  .experiment = "Hold this joint's motor and sweep each other joint alone over its range.",
+                      "Against the position of the other joint, the residual is a straight line, even while "
+                      "this joint's motor stands still.",
+                  .experiment = "Hold this joint's motor, and sweep each other joint alone over its range.",
               },
           .neutral = {0.0, 1.0},
           .grid = cableCouplingStarts,
@@ -87,20 +87,22 @@ std::vector<Hypothesis> transmissionHypotheses() {
           .place = Place::kTransmission,
           .words =
               {
-                  .title = "Hard stop elsewhere",
-                  .what = "The joint was homed at a position other than the one in the robot file, by a bent "
-                          "stop, a mounting error or homing that stopped early: every position is off by one "
-                          "constant.",
+                  .title = "Hard stop at another position",
+                  .what =
+                      "The joint was homed at another position than that in the robot file, because of a "
+                      "bent stop, a mounting error or homing that stopped early: all positions are off by "
+                      "one constant.",
                   .equation = "q = (q_hs + offset) + A⁻¹ (r_mc q_m / (N r_l)) without stretch",
                   .source = "Mooring, Roth and Driels, Fundamentals of Manipulator Calibration (1991): joint "
                             "offsets of the kinematic model",
-                  .changes = "Transmission: the position q_hs at the hard stop of this joint.",
+                  .changes = "Transmission: the position q_hs at the hard stop of this joint changes.",
                   .signature =
-                      "A constant, at every position, direction and speed, moving or at rest; joints whose "
-                      "cables are coupled to this one are off by a constant, too. Cameras see it rotated by "
-                      "the arm.",
+                      "The residual is constant at every position, direction and speed, in motion and at "
+                      "rest. Joints whose cables are coupled to this one are off by a constant, too. The "
+                      "cameras see the offset rotated by the arm.",
                   .experiment =
-                      "Any slow motion with rests; home again in between and see whether the constant stays.",
+                      "Move slowly with rests; home again in between and check whether the constant stays "
+                      "the same.",
               },
           .neutral = {0.0},
           .grid =
@@ -113,25 +115,23 @@ std::vector<Hypothesis> transmissionHypotheses() {
           .place = Place::kTransmission,
           .words =
               {
-                  .title = "Zero that drifts and settles",
-                  .what =
-                      "After the arm was homed the joint's zero went on moving, by cables that seat on their "
-                      "pulleys or get warm, fast in the beginning and then less and less.",
+                  .title = "Joint zero that drifts and settles",
+                  .what = "After homing, the joint's zero continued to move, because cables settle on their "
+                          "pulleys or get warm; the drift is fast at first and then slower and slower.",
                   .equation = "q_hs(t) = q_hs + drift (1 − exp(−t / time_constant)), t from the begin of the "
                               "recording",
                   .source = "Incropera, DeWitt, Bergman and Lavine, Fundamentals of Heat and Mass Transfer "
                             "(2007), chapter 5, lumped capacitance: what warms up does so exponentially, and "
                             "lengths change with it",
                   .changes =
-                      "Transmission: the position q_hs at the hard stop of this joint, by the time that has "
-                      "passed.",
+                      "Transmission: the position q_hs at the hard stop of this joint changes over time.",
                   .signature =
-                      "An exponential against time that levels out, at every position, direction and speed, "
-                      "moving or at rest, loaded or not; it comes neither at once, as a slip, nor with the "
-                      "load, as creep.",
+                      "Against time, the residual is an exponential that levels out, at every position, "
+                      "direction and speed, loaded or not. Unlike a slip it is gradual; unlike creep it "
+                      "does not follow the load.",
                   .experiment =
-                      "Record from a cold start, long enough for the drift to level out, and go back to the "
-                      "same pose again and again.",
+                      "Record from a cold start until the drift levels out, and return to the same pose "
+                      "again and again.",
               },
           .neutral = {0.0, 1.0},
           .grid = zeroDriftStarts,
@@ -142,20 +142,21 @@ std::vector<Hypothesis> transmissionHypotheses() {
           .words =
               {
                   .title = "Eccentric motor capstan",
-                  .what =
-                      "The axis of the motor capstan is off the centre of its drum, or the drum is out of "
-                      "round: in each turn it takes up more cable on one side and less on the other.",
+                  .what = "The axis of the motor capstan is off the centre of its drum, or the drum is not "
+                          "round: within each revolution it winds up more cable on one side and less on the "
+                          "other.",
                   .equation = "s_m = r_mc φ + cosine sin φ + sine (cos φ − 1), φ = q_m / N",
                   .source =
                       "Tuttle and Seering, A nonlinear model of a harmonic drive gear transmission, IEEE "
                       "Transactions on Robotics and Automation 12 (1996): kinematic error by harmonics of "
                       "the rotation; here the first, of a circle turning off its centre",
-                  .changes = "Transmission: cable travel and lever of the motor wave once a revolution of "
-                             "the capstan.",
+                  .changes =
+                      "Transmission: cable travel and lever of the motor vary sinusoidally with the angle "
+                      "of the capstan.",
                   .signature =
-                      "A sine against the capstan's angle modulo one turn, of one height at every speed and "
-                      "load.",
-                  .experiment = "Slow sweeps over many turns of the capstan, both ways.",
+                      "Against the capstan's angle modulo one revolution, the residual is a sine of the "
+                      "same amplitude at every speed and load.",
+                  .experiment = "Sweep slowly over many revolutions of the capstan, both ways.",
               },
           .neutral = {0.0, 0.0},
           .grid =

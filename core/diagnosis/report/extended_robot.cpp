@@ -10,14 +10,14 @@
 namespace capstan::diagnosis {
 namespace {
 
-/// Comments end with their line.
+/// Text without line breaks and control characters, because a comment ends with its line.
 std::string oneLine(std::string text) {
   for (char& c : text)
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
   return text;
 }
 
-/// "stribeck friction (joint 1), …": effects that are no causes.
+/// "stribeck friction (joint 1), …": effects that are not causes.
 std::string backgroundEffects(const Report& report) {
   std::string names;
   for (const robot::Effect& effect : report.extended.effects) {
@@ -36,16 +36,17 @@ std::string extendedRobotText(const Report& report, const std::string& software)
   for (const std::string& title : report.recordings) recordings += (recordings.empty() ? "" : ", ") + title;
   std::string text = "# Extended by a diagnosis of " + oneLine(recordings);
   if (!software.empty()) text += ", by " + oneLine(software);
-  text += report.causes.empty() ? "; no missing effect was named.\n" : "; value ± one standard deviation:\n";
+  text +=
+      report.causes.empty() ? "; no missing effect was identified.\n" : "; value ± one standard deviation:\n";
   for (const Cause& cause : report.causes)
     text +=
         fmt::format("#   {}; probability {:.0f} %\n", oneLine(causeText(cause)), 100.0 * cause.probability);
   if (const std::string background = backgroundEffects(report); !background.empty())
-    text += "# Beside these, within what every robot has of it: " + background + "\n";
+    text += "# Background effects, within their normal size: " + background + "\n";
   bool moved = false;
   for (const RefitNumber& one : report.refit) {
     if (!one.moved) continue;
-    if (!moved) text += "# Numbers that the refit of the nominal model moved:\n";
+    if (!moved) text += "# Parameters that the refit of the nominal model changed:\n";
     moved = true;
     text += fmt::format("#   {}: {} instead of {}\n", oneLine(shownName(one.name)),
                         shownNumber(one.value, one.sigma, one.unit), shownNumber(one.nominal, 0.0, one.unit));

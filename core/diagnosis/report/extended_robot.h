@@ -6,9 +6,9 @@
 
 namespace capstan::diagnosis {
 
-/// The robot file of report.extended, with comments on top that say from which recordings it is, what was
-/// named and which numbers the refit moved: robot::parseDescription() gives the robot back to the last bit.
-/// `software`: program and version; empty: not said.
+/// Robot file of report.extended. Comments at its top list the recordings, the identified causes, and the
+/// parameters that the refit changed. robot::parseDescription() restores the robot to the last bit.
+/// `software` is the program and its version; empty: omitted.
 std::string extendedRobotText(const Report& report, const std::string& software);
 
 }  // namespace capstan::diagnosis

@@ -12,27 +12,30 @@
 
 namespace capstan::diagnosis {
 
+/// Result of a diagnosis in one word.
 enum class Verdict {
-  kFound,        ///< one effect
-  kSeveral,      ///< more than one
-  kTie,          ///< the recording cannot distinguish two or more
-  kNothing,      ///< nothing material
-  kUnexplained,  ///< something is there that no hypothesis explains
+  kFound,        ///< one cause
+  kSeveral,      ///< more than one cause
+  kTie,          ///< the recording cannot distinguish two or more causes
+  kNothing,      ///< no material effect
+  kUnexplained,  ///< a material residual that no hypothesis explains
 };
 
+/// Estimated parameter of a cause.
 struct FoundParameter {
   std::string name, unit;
   double value = 0.0, sigma = 0.0;  ///< SI
 };
 
-/// What knowing a cause is worth on one channel, on data that were not fitted.
+/// Reduction of one channel's RMS residual by a cause, on held-out data.
 struct Gain {
   std::string channel, unit;
-  double rms_before = 0.0, rms_after = 0.0;
-  stats::Interval before, after;  ///< 95 % of each, block bootstrap
-  stats::Interval interval;       ///< 95 % of rms_after / rms_before, block bootstrap
+  double rms_before = 0.0, rms_after = 0.0;  ///< without and with the cause
+  stats::Interval before, after;             ///< 95 % intervals of these two, by block bootstrap
+  stats::Interval interval;                  ///< 95 % interval of rms_after / rms_before, by block bootstrap
 };
 
+<<<<<<< HEAD
 /// How far an effect moves something: simulated with it less simulated without it, over the recordings.
 struct Displacement {
   double rms = 0.0, largest = 0.0;  ///< SI
@@ -51,10 +54,14 @@ struct Tolerance {
   double length = 1e-5;                                  ///< [m]: two counts of its linear encoder (5 um)
 };
 
+=======
+/// Identified cause: an effect on one joint, with its parameters.
+>>>>>>> main
 struct Cause {
   std::string effect;
-  int joint = 0;  ///< from 1; 0: the whole arm or a camera
+  int joint = 0;  ///< joint, from 1; 0: the whole arm or a camera
   std::vector<FoundParameter> parameters;
+<<<<<<< HEAD
   double probability = 0.0;  ///< posterior probability that the effect belongs to the model
   double loss = 0.0;         ///< held-out log predictive density that is lost without this effect alone [nats]
   Displacements moves = {};  ///< empty joints: not computed
@@ -71,57 +78,72 @@ struct NamedEffect {
 struct SetProbability {
   std::vector<NamedEffect> effects;
   double probability = 0.0;
+=======
+  double probability = 0.0;  ///< share of block-bootstrap draws in which it is the best (or needed)
+  Gain gain;                 ///< gain of the channel with the largest reduction
+>>>>>>> main
 };
 
 /// Effects that explain the recording equally well.
 struct Tie {
   std::vector<Cause> causes;  ///< best first
-  std::string separate;       ///< the motion that would distinguish them
+  std::string separate;       ///< the motion that would distinguish the causes
 };
 
-/// A number of the nominal model after the refit.
+/// Parameter of the nominal model after the refit.
 struct RefitNumber {
   std::string name, unit;  ///< "cable_stiffness of joint 2"
   double nominal = 0.0, value = 0.0, sigma = 0.0;
-  bool at_bound = false;  ///< it would go further than a mistuned number may
-  bool moved = false;     ///< by more than two sigmas
+  bool at_bound = false;  ///< true if the estimate stands at its bound
+  bool moved = false;     ///< true if it changed by more than two sigmas
 };
 
 /// One hypothesis in the ranking of one round.
 struct Candidate {
   std::string effect;
   int joint = 0;
+<<<<<<< HEAD
   int round = 1;          ///< expansion of the search in which it was tested
   double screened = 0.0;  ///< share of the residual's mean square that the score test expects the effect to remove
   bool refitted = false;
   double reduction = 0.0;  ///< cross-validated, of the channel that gains most; NaN: not refitted
   double score = 0.0;      ///< cross-validated, above the model without it [nats]; NaN: not refitted
   double probability = 0.0;  ///< posterior probability that it belongs to the model
+=======
+  int round = 1;          ///< round of the forward selection
+  double screened = 0.0;  ///< predicted reduction of the residual's mean square (score test), as a share
+  bool refitted = false;
+  double reduction = 0.0;    ///< largest cross-validated reduction over the channels; NaN: not refitted
+  double score = 0.0;        ///< cross-validated log likelihood gain over the model without it [nats]; NaN:
+                             ///< not refitted
+  double probability = 0.0;  ///< as Cause::probability
+>>>>>>> main
 };
 
-/// A sensor channel of one recording through the three models.
+/// Residuals of one sensor channel of one recording under the three models.
 struct ChannelReport {
-  int recording = 0;  ///< from 0
+  int recording = 0;  ///< index of the recording, from 0
   Channel nominal, refitted, extended;
   ChannelStatistics nominal_statistics, refitted_statistics, extended_statistics;
-  std::vector<Signature> before, after;  ///< of refitted and of extended, the strongest first
-  Gain gain;                             ///< of extended over refitted, held out
+  std::vector<Signature> before, after;  ///< signatures of refitted and of extended, strongest first
+  Gain gain;                             ///< gain of extended over refitted, on held-out data
 };
 
-/// A line in the spectrum of the residual that stands out of what is around it.
+/// Line in the residual's spectrum that is significantly higher than the spectrum around it.
 struct SpectralLine {
   std::string channel;
-  double frequency = 0.0;  ///< [Hz]
-  double amplitude = 0.0;  ///< [the channel's unit]
-  double p_value = 1.0;    ///< of as high a line in noise, all frequencies counted
+  double frequency = 0.0;  ///< frequency [Hz]
+  double amplitude = 0.0;  ///< amplitude [the channel's unit]
+  double p_value = 1.0;    ///< probability that noise has an equally high line at any frequency
 };
 
-/// What the Kalman filter gains: RMS of its joint errors against the encoders.
+/// RMS error of one joint's Kalman-filter estimate against its encoder, with each of the three models.
 struct FilterGain {
   std::string joint, unit;
   double nominal = 0.0, refitted = 0.0, extended = 0.0;
 };
 
+<<<<<<< HEAD
 /// How much of a sensor channel could be explained from the recordings' own signals, RMS on held-out data. Channels of all
 /// recordings that read the same thing are one.
 struct Explainable {
@@ -138,11 +160,15 @@ struct Explainable {
 };
 
 /// How long each stage took [s].
+=======
+/// Stage of a diagnosis, and its duration.
+>>>>>>> main
 struct Stage {
   std::string name;
   double seconds = 0.0;
 };
 
+/// Result of a diagnosis.
 struct Report {
   Verdict verdict = Verdict::kNothing;
   std::string summary;  ///< one or two sentences for people
@@ -154,17 +180,21 @@ struct Report {
   std::vector<RefitNumber> refit;
   std::vector<Candidate> candidates;
   std::vector<ChannelReport> channels;
+<<<<<<< HEAD
   std::vector<std::string> recordings;     ///< titles
   std::vector<Explainable> explainable;    ///< by channel, the one with most beyond noise first
   std::vector<ResidualProcess> processes;  ///< where something stays unexplained
+=======
+  std::vector<std::string> recordings;     ///< titles of the recordings
+  std::vector<ResidualProcess> processes;  ///< of channels whose residual stays unexplained
+>>>>>>> main
   std::vector<SpectralLine> lines;
   std::vector<FilterGain> filter;  ///< empty: not requested, or no joint encoders
-  double explained =
-      0.0;  ///< share of what is beyond noise in the refitted residual that the causes take off
-  robot::Description refitted, extended;  ///< robot files
+  double explained = 0.0;          ///< share of the refitted residual beyond noise that the causes explain
+  robot::Description refitted, extended;  ///< refitted robot, and the same with all effects
   std::vector<Stage> stages;
-  std::vector<std::string> notices;
-  bool cancelled = false;
+  std::vector<std::string> notices;  ///< remarks for the user, one line each
+  bool cancelled = false;            ///< true if the diagnosis was cancelled before its end
 };
 
 }  // namespace capstan::diagnosis

@@ -8,7 +8,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Not finite is null, as JSON has it.
+/// Number as JSON; null if it is not finite, since JSON has no NaN.
 json number(double value) { return std::isfinite(value) ? json(value) : json(); }
 
 json interval(const stats::Interval& bounds) { return {number(bounds.low), number(bounds.high)}; }

@@ -6,9 +6,8 @@
 
 namespace capstan::diagnosis {
 
-/// A report as JSON: numbers in SI to the last bit, not a number as null, as is the verdict of a report that
-/// was cancelled; without the samples of channels and
-/// without the robots, which are robot files.
+/// Report as JSON. Numbers are in SI, to the last bit; NaN and infinity are null. The verdict of a cancelled
+/// report is null. The samples of channels are omitted, and so are the robots, which are files of their own.
 ///     {"verdict": "found|several|tie|nothing|unexplained", "summary", "explained", "cancelled",
 ///     "recordings",
 ///      "causes": [{"effect", "joint", "parameters": {name: {"value", "sigma", "unit"}}, "probability",
@@ -20,11 +19,12 @@ namespace capstan::diagnosis {
 ///      "channels": [{"recording", "name", "unit", "joint", "nominal", "refitted", "extended", "before",
 ///                    "after", "gain"}],
 ///      "processes", "lines", "filter", "stages", "notices"}
-/// Intervals are [low, high] of 95 %: "before" and "after" of the RMS, "interval" of after / before. A
-/// channel's "nominal", "refitted" and "extended" are its statistics under the three models, its "before" and
-/// "after" the signatures of the refitted and the extended one, strongest first. Joints count from 1; 0 is
-/// the whole arm or a camera.
+/// Intervals are 95 % intervals [low, high]. In a gain, "before" and "after" are intervals of the RMS, and
+/// "interval" is that of rms_after / rms_before. In a channel, "nominal", "refitted" and "extended" are its
+/// statistics under the three models, and "before" and "after" are the signatures of the refitted and of the
+/// extended model, strongest first. Joints count from 1; 0 is the whole arm or a camera.
 nlohmann::json jsonOf(const Report& report);
+/// Cause as JSON, as in a report.
 nlohmann::json jsonOf(const Cause& cause);
 
 }  // namespace capstan::diagnosis

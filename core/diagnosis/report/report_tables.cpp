@@ -42,7 +42,7 @@ std::string recordingOf(const Report& report, int recording) {
   return i < report.recordings.size() ? report.recordings[i] : fmt::format("recording {}", recording + 1);
 }
 
-/// Refitted before not refitted, likelier before less likely, then by score and by score_test.
+/// Order within a round: refitted candidates first, then by probability, score and predicted reduction.
 bool ahead(const Candidate& a, const Candidate& b) {
   if (a.round != b.round) return a.round < b.round;
   if (a.refitted != b.refitted) return a.refitted;
@@ -98,7 +98,7 @@ Table channelTable(const Report& report) {
   table.columns.push_back(number("fit before", "%", 2, NumberStyle::kFixed));
   if (extended) {
     table.columns.push_back(number("fit after", "%", 2, NumberStyle::kFixed));
-    table.columns.push_back(text("left, held out [%]"));
+    table.columns.push_back(text("RMS ratio, held out [%]"));
   }
   for (const ChannelReport& channel : report.channels) {
     const double scale = shownUnit(channel.refitted.unit).scale;
@@ -115,16 +115,17 @@ Table channelTable(const Report& report) {
     if (report.recordings.size() < 2) row.erase(row.begin());
     table.rows.push_back(std::move(row));
   }
-  table.note = "Noise is the sensor's own, and fit 100 (1 − ‖e‖ / ‖y − mean‖).";
+  table.note = "Noise: standard deviation of the sensor's noise. Fit: 100 (1 − ‖e‖ / ‖y − mean‖).";
   if (extended)
     table.note +=
-        " Left: of the RMS, on segments that were not fitted, with the 95 % interval of a block bootstrap.";
+        " RMS ratio: after / before, on segments that were not fitted, with its 95 % interval (block "
+        "bootstrap).";
   return table;
 }
 
 Table refitTable(const Report& report) {
   Table table;
-  table.title = "What the refit of the nominal model moved";
+  table.title = "Parameters of the nominal model after the refit";
   table.columns = {text("number"), text("nominal"), text("refitted"), text("change"), text("remark")};
   std::vector<RefitNumber> numbers = report.refit;
   std::stable_partition(numbers.begin(), numbers.end(), [](const RefitNumber& one) { return one.moved; });
@@ -134,14 +135,13 @@ Table refitTable(const Report& report) {
                           one.at_bound ? "at its bound: it would go further"
                           : one.moved  ? "moved"
                                        : "not moved"});
-  table.note =
-      "Moved: by more than two standard deviations. A number that is only mistuned is no missing effect.";
+  table.note = "Moved: by more than two standard deviations. A mistuned parameter is not a missing effect.";
   return table;
 }
 
 Table rankingTable(const Report& report, std::size_t most) {
   Table table;
-  table.title = "Which effects were weighed";
+  table.title = "Ranking of the candidate effects";
   table.columns = {number("round", "", 0, NumberStyle::kFixed),
                    text("effect"),
                    text("where"),
@@ -166,15 +166,15 @@ Table rankingTable(const Report& report, std::size_t most) {
                           100.0 * one.probability});
   }
   table.note =
-      "Predicted: share of the residual's mean square that the score test expects to remove; held out and "
-      "score (logarithm of the likelihood): of those that were refitted, on segments that were not fitted.";
-  if (excluded > 0) table.note += fmt::format(" {} more have a smaller prediction.", excluded);
+      "Predicted: share of the residual's mean square that the effect removes, by the score test. Held out "
+      "and score (gain of log likelihood): for refitted effects, on segments that were not fitted.";
+  if (excluded > 0) table.note += fmt::format(" {} more effects have a smaller prediction.", excluded);
   return table;
 }
 
 Table filterTable(const Report& report) {
   Table table;
-  table.title = "What the Kalman filter gains";
+  table.title = "Errors of the Kalman filter with each model";
   table.columns = {text("joint"), number("RMS nominal", "", 3, NumberStyle::kSignificant),
                    number("refitted", "", 3, NumberStyle::kSignificant),
                    number("extended", "", 3, NumberStyle::kSignificant)};
@@ -183,7 +183,7 @@ Table filterTable(const Report& report) {
     table.rows.push_back({one.joint + " [" + unit.unit + "]", unit.scale * one.nominal,
                           unit.scale * one.refitted, unit.scale * one.extended});
   }
-  table.note = "RMS of the unscented Kalman filter's joints against the encoders.";
+  table.note = "RMS difference between the unscented Kalman filter's joint positions and the encoders.";
   return table;
 }
 
@@ -200,7 +200,8 @@ Table lineTable(const Report& report) {
         {line.channel, line.frequency, shownNumber(line.amplitude, 0.0, unit), line.p_value});
   }
   table.note =
-      "A vibration, hum or ripple that no variable of the motion carries; p of as high a line in noise.";
+      "A line is a vibration, hum or ripple that depends on no variable of the motion. p is the probability "
+      "of an equally high line in noise.";
   return table;
 }
 
@@ -218,10 +219,9 @@ Table processTable(const ResidualProcess& process) {
     table.rows.push_back({one.name, fmt::format("{:.1f} ± {:.1f}", 100.0 * one.relevance, 100.0 * one.sigma),
                           has_length ? shownNumber(one.length, 0.0, one.unit) : std::string()});
   }
-  table.note = fmt::format(
-      "A Gaussian process on {} points predicts {:.0f} % of the variance of segments that it was not fitted "
-      "to.",
-      process.points, 100.0 * process.explained);
+  table.note =
+      fmt::format("A Gaussian process on {} points predicts {:.0f} % of the variance on held-out segments.",
+                  process.points, 100.0 * process.explained);
   if (excluded > 0) table.note += fmt::format(" {} more variables hardly matter.", excluded);
   return table;
 }

@@ -29,7 +29,7 @@ constexpr std::array kKnown = {Known{"rad", kDegrees, "deg"},
                                Known{"m/N", 1e6, "µm/N"},
                                Known{"m/rad", 1e3, "mm/rad"}};
 
-/// Numbers without a unit that are no shares.
+/// Names of parameters without a unit that are not shares.
 constexpr std::array<std::string_view, 2> kCounts = {"other", "present"};
 
 void replaceAll(std::string& text, std::string_view what, std::string_view with) {
@@ -43,7 +43,7 @@ bool isShare(const FoundParameter& parameter) {
 
 bool isCount(const FoundParameter& parameter) { return parameter.unit.empty() && !isShare(parameter); }
 
-/// Fixed decimals, or powers of ten where these would be too many or none.
+/// Number with fixed decimals, or with a power of ten if it is large or needs too many decimals.
 std::string number(double value, int decimals) {
   constexpr int kMost = 6;
   constexpr double kFar = 1e6;
@@ -54,7 +54,7 @@ std::string number(double value, int decimals) {
   return base::withMinus(std::move(text));
 }
 
-/// That `digits` significant digits of `value` need.
+/// Number of decimals for `digits` significant digits of `value`.
 int decimalsFor(double value, int digits) {
   return value == 0.0 ? 0 : digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-12));
 }

@@ -7,13 +7,13 @@
 namespace capstan::diagnosis {
 namespace {
 
-/// What the fitted half predicts in each bin, and without the variable.
+/// Predictions of the fitted half: the residual's mean in each bin, and its mean over all bins.
 struct Prediction {
   std::vector<double> bins;
   double mean = 0.0;
 };
 
-/// Variance of one block's mean in a bin, pooled over bins.
+/// Variance of the mean of one block in a bin, pooled over the bins.
 double pooledVariance(const std::vector<BinMean>& means) {
   double scatter = 0.0, weights = 0.0;
   for (const BinMean& bin : means)
@@ -21,7 +21,8 @@ double pooledVariance(const std::vector<BinMean>& means) {
   return weights > 0.0 ? scatter / weights : std::numeric_limits<double>::infinity();
 }
 
-/// DerSimonian and Laird (1986): variance between the bins' true means from that of the found ones.
+/// Variance between the true means of the bins, from that of the estimated means (DerSimonian and Laird
+/// 1986).
 struct BetweenBins {
   double variance = 0.0, centre = 0.0;
 };
@@ -41,7 +42,7 @@ BetweenBins betweenBins(const std::vector<BinMean>& means, double of_block) {
   return between;
 }
 
-/// A bin without samples in the fitted half takes the nearest bin that has some.
+/// Gives each bin without samples in the fitted half the prediction of the nearest bin with samples.
 void takeFromNeighbours(const std::vector<BinMean>& means, Prediction& prediction) {
   const std::size_t n = means.size();
   for (std::size_t b = 0; b < n; ++b)
@@ -62,7 +63,7 @@ Prediction fit(const BlockTable& table, const std::vector<bool>& member) {
   for (const BinMean& bin : means) all += bin.all;
   Prediction prediction{std::vector<double>(means.size(), 0.0), all.n > 0.0 ? all.sum / all.n : 0.0};
   const double of_block = pooledVariance(means);
-  // Bins without any scatter know their means; with too little time in all of them, none is known.
+  // Without any scatter the bins' means are exact; with too few blocks in every bin they are unknown.
   const bool exact = of_block == 0.0, unknown = !std::isfinite(of_block);
   const BetweenBins between = exact || unknown ? BetweenBins{} : betweenBins(means, of_block);
   for (std::size_t b = 0; b < means.size(); ++b) {

@@ -43,7 +43,7 @@ void push(const Evidence& evidence, Channel& channel, double t, double row, doub
           double simulated) {
   if (!std::isfinite(simulated))
     refuse(evidence, "simulated " + channel.name, fmt::format("{} at {:.3f} s", simulated, t),
-           "is not finite: the simulation ran away",
+           "is not finite: the simulation diverged",
            "Start from a robot file whose parameters are nearer to this robot");
   channel.t.push_back(t);
   channel.row.push_back(row);

@@ -18,18 +18,18 @@
 namespace capstan::diagnosis {
 namespace {
 
-constexpr int kTrial = 6;        // iterations from each start before the better goes on
-constexpr double kShows = 0.03;  // share of a signature that shortens the starting length
-constexpr double kShort = 1.0, kLong = 8.0;
+constexpr int kTrial = 6;        // iterations from each start, before the better one is continued
+constexpr double kShows = 0.03;  // Signature::share above which a variable starts with the short length scale
+constexpr double kShort = 1.0, kLong = 8.0;  // length scales of the second start [spread of the variable]
 
 /// The decimated residual, standardised, with its variables.
 struct Points {
   ProcessInputs inputs;
   Eigen::VectorXd e;                 ///< mean 0, variance 1
-  std::vector<std::size_t> segment;  ///< of each point
+  std::vector<std::size_t> segment;  ///< segment of each point
   std::vector<const Variable*> variables;
-  Eigen::VectorXd spread;  ///< of each variable, by which it was divided; 1 of angles
-  double scale = 1.0;      ///< of e [the channel's unit]
+  Eigen::VectorXd spread;  ///< divisor of each variable; for angles 1 if they are in rad
+  double scale = 1.0;      ///< standard deviation of the residual before scaling [the channel's unit]
 };
 
 Channel keptOf(const Channel& channel, const Decimated& thin) {
@@ -100,7 +100,7 @@ Half halfOf(const Points& points, std::size_t parity) {
   return half;
 }
 
-/// Long lengths all alike, and short ones where a signature shows something.
+/// Two starts: equal length scales, and short length scales where a signature shows a dependence.
 std::array<ProcessParameters, 2> startsOf(const Points& points, const Channel& channel) {
   const Eigen::Index d = points.inputs.variables();
   ProcessParameters alike(kLengths + d);
@@ -128,10 +128,10 @@ ProcessParameters bestFit(const ArdProcess& process, const std::array<ProcessPar
   return process.fit(best, iterations, progress);
 }
 
-/// Sums over a stretch of what held-out data say.
+/// Sums of held-out squared errors over one segment.
 struct Score {
   double variance = 0.0, error = 0.0;
-  Eigen::ArrayXd gain;  ///< of each variable, (shuffled error − error) / 2
+  Eigen::ArrayXd gain;  ///< per variable: (squared error with shuffled values − squared error) / 2
 };
 
 Eigen::VectorXd predict(const Eigen::MatrixXd& distances, const Eigen::VectorXd& alpha,
@@ -139,7 +139,7 @@ Eigen::VectorXd predict(const Eigen::MatrixXd& distances, const Eigen::VectorXd&
   return std::exp(2.0 * parameters(kSignal)) * ((-0.5 * distances.array()).exp().matrix() * alpha);
 }
 
-/// Scores half `tested` by the process fitted to `fitted`.
+/// Scores the half `tested` with the process fitted to the half `fitted`.
 void score(const Half& fitted, double mean, const ProcessParameters& parameters, const Half& tested,
            const std::vector<std::size_t>& segment, const ProcessOptions& options, base::Random& random,
            std::vector<Score>& scores) {

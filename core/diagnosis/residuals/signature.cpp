@@ -1,18 +1,15 @@
 #include "core/diagnosis/residuals/signature.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
-#include "core/base/error.h"
 #include "core/diagnosis/residuals/block_table.h"
 
 namespace capstan::diagnosis {
 namespace {
 
-constexpr std::size_t kForEdges = 5000;  // samples that bins are laid out by
+constexpr std::size_t kForEdges = 5000;  // samples that the edges of bins are computed from
 
 std::vector<double> equallyWide(double low, double high, std::size_t bins) {
   std::vector<double> edges;
@@ -21,8 +18,8 @@ std::vector<double> equallyWide(double low, double high, std::size_t bins) {
   return edges;
 }
 
-/// Half by width and half by filling: equal steps of the mean of (x − low) / (high − low) and the share of
-/// samples below x.
+/// Edges half way between equal width and equal filling: equal steps of the mean of (x − low) / (high − low)
+/// and the share of samples below x.
 std::vector<double> balanced(const std::vector<double>& values, std::size_t bins) {
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
   const double low = *least, high = *most;
@@ -59,7 +56,7 @@ std::vector<double> edgesOf(const Variable& variable, const std::vector<double>&
   return balanced(values, bins);
 }
 
-/// Which segment of the recording a block lies in.
+/// Segment of the recording in which each block begins.
 std::vector<std::size_t> segmentsOf(const Channel& channel, const TimeBlocks& blocks) {
   const double span = channel.t.back() - channel.t.front();
   const double length = std::max(blocks.length, span / kSegments);
@@ -95,15 +92,7 @@ std::vector<SignatureBin> binsOf(const BlockTable& table, const std::vector<doub
 
 }  // namespace
 
-Signature signatureOf(const Channel& channel, const TimeBlocks& blocks, const Variable& variable,
-                      const SignatureOptions& options) {
-  if (options.bins < 2)
-    throw base::InputError({{},
-                            0,
-                            "bins",
-                            fmt::format("{}", options.bins),
-                            "must be at least 2",
-                            "Ask for more bins, for example 24"});
+Signature signatureOf(const Channel& channel, const TimeBlocks& blocks, const Variable& variable) {
   Signature signature;
   signature.kind = variable.kind;
   signature.joint = variable.joint;
@@ -113,7 +102,7 @@ Signature signatureOf(const Channel& channel, const TimeBlocks& blocks, const Va
   signature.channel = channel.name;
   if (channel.size() == 0) return signature;
   const std::vector<double> values = variable.at(channel);
-  const std::vector<double> edges = edgesOf(variable, values, options.bins);
+  const std::vector<double> edges = edgesOf(variable, values, kMostBins);
   const BlockTable table(channel.residual, values, blocks, edges);
   signature.bins = binsOf(table, edges);
   const std::vector<std::size_t> segment = segmentsOf(channel, blocks);
@@ -121,7 +110,7 @@ Signature signatureOf(const Channel& channel, const TimeBlocks& blocks, const Va
   CrossValidated scored;
   if (variable.kind == VariableKind::kTime) {
     const std::size_t pairs = std::max<std::size_t>(1, (segment.back() + 1) / 2);
-    const std::vector<double> coarse = edgesOf(variable, values, std::min(pairs, options.bins));
+    const std::vector<double> coarse = edgesOf(variable, values, std::min(pairs, kMostBins));
     scored = crossValidatedShare(BlockTable(channel.residual, values, blocks, coarse), half, segment);
   } else {
     scored = crossValidatedShare(table, half, segment);
@@ -131,12 +120,11 @@ Signature signatureOf(const Channel& channel, const TimeBlocks& blocks, const Va
   return signature;
 }
 
-std::vector<Signature> signaturesOf(const Channel& channel, const std::vector<Variable>& variables,
-                                    const SignatureOptions& options) {
+std::vector<Signature> signaturesOf(const Channel& channel, const std::vector<Variable>& variables) {
   const TimeBlocks blocks = timeBlocks(channel);
   std::vector<Signature> signatures;
   for (const Variable& variable : variables)
-    if (concerns(variable, channel)) signatures.push_back(signatureOf(channel, blocks, variable, options));
+    if (concerns(variable, channel)) signatures.push_back(signatureOf(channel, blocks, variable));
   return signatures;
 }
 

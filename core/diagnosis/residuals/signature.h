@@ -11,51 +11,46 @@
 
 namespace capstan::diagnosis {
 
-/// The residual where the variable lies in [low, high).
+/// Mean residual over the samples whose variable lies in [low, high).
 struct SignatureBin {
-  double low = 0.0, high = 0.0;  ///< of the variable
+  double low = 0.0, high = 0.0;  ///< bounds of the variable
   double centre = 0.0;           ///< mean of the variable in the bin
-  double mean = 0.0;             ///< of the residual in the bin
-  /// 95 % of the mean, from the spread of the time blocks' own means: honest for dependent samples. NaN where
-  /// fewer than two blocks' worth of time was spent in the bin.
+  double mean = 0.0;             ///< mean of the residual in the bin
+  /// 95 % interval of the mean, from the scatter of the time blocks' means, so that it is valid for
+  /// correlated samples. NaN if `blocks` is below 2.
   stats::Interval interval;
   std::size_t samples = 0;
-  double blocks = 0.0;  ///< time blocks that the samples are worth, (Σ n_k)² / Σ n_k²
+  double blocks = 0.0;  ///< effective number of time blocks in the bin, (Σ n_k)² / Σ n_k²
 };
 
 /// How the residual of a channel depends on a variable.
 struct Signature {
   VariableKind kind = VariableKind::kTime;
-  int joint = 0;  ///< of the variable, from 1; 0: of the whole recording
+  int joint = 0;  ///< joint of the variable, from 1; 0: of the whole recording
   std::string variable, unit;
-  double period = 0.0;             ///< of the variable; 0: none
+  double period = 0.0;             ///< period of the variable; 0: none
   std::string channel;             ///< name of the residual's channel
-  std::vector<SignatureBin> bins;  ///< rising; empty ones excluded
-  /// Share of the residual's variance that the bins' means explain on data that they were not fitted to:
-  ///     1 − Σ (e − p)² / Σ (e − ē)²,
-  /// p the bins' means and ē the mean of every other segment of time, scored on those between, both ways
-  /// round. Means are drawn towards their common one by what the spread of the blocks makes of them (random
-  /// effects, DerSimonian and Laird 1986), and a bin without samples there takes its neighbours', so that
-  /// noise alone gives about 0, at times a little less.
+  std::vector<SignatureBin> bins;  ///< in rising order; empty bins excluded
+  /// Share of the residual's variance that the bins' means explain on held-out data:
+  ///     1 − Σ (e − p)² / Σ (e − ē)².
+  /// The bins' means p and the overall mean ē are estimated on every other segment of time and scored on the
+  /// segments between, and vice versa. Each mean is shrunk towards the common mean according to the scatter
+  /// of its blocks (random effects, DerSimonian and Laird 1986), and a bin without samples takes the mean of
+  /// its neighbours. Noise alone therefore gives a share of about 0, and sometimes a slightly negative one.
   double share = 0.0;
-  double share_sigma = 0.0;  ///< standard deviation of `share`, from stretch to stretch
+  double share_sigma = 0.0;  ///< standard deviation of `share`, from its scatter between segments
 };
 
-struct SignatureOptions {
-  std::size_t bins = 24;  ///< at most; directions have three
-};
-
-/// The signature of `channel` against `variable`. Bins of angles and of time are equally wide; the others
-/// stand half way between equally wide and equally full. `blocks` of timeBlocks(channel). Scored in stretches
-/// of a block or a kSegments-th of the recording, whichever is longer; time in as many bins as pairs of
-/// these. base::InputError: fewer than two bins requested. A channel without samples gives no bins and share
-/// 0.
-Signature signatureOf(const Channel& channel, const TimeBlocks& blocks, const Variable& variable,
-                      const SignatureOptions& options = {});
+/// Signature of `channel` against `variable`, in at most kMostBins bins. Directions have three bins; bins of
+/// angles and of time are equally wide; edges of other bins are half way between equal width and equal number
+/// of samples. `blocks` is timeBlocks(channel). The segments of Signature::share are as long as a block or as
+/// 1/kSegments of the recording, whichever is longer; for the share, time has as many bins as there are pairs
+/// of segments. A channel without samples gives no bins and the share 0.
+Signature signatureOf(const Channel& channel, const TimeBlocks& blocks, const Variable& variable);
+inline constexpr std::size_t kMostBins = 24;
 inline constexpr double kSegments = 12.0;
 
-/// Of every variable that concerns the channel, in their order.
-std::vector<Signature> signaturesOf(const Channel& channel, const std::vector<Variable>& variables,
-                                    const SignatureOptions& options = {});
+/// Signatures against all variables that concern the channel, in the order of the variables.
+std::vector<Signature> signaturesOf(const Channel& channel, const std::vector<Variable>& variables);
 
 }  // namespace capstan::diagnosis

@@ -15,7 +15,7 @@ namespace capstan::diagnosis {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr double kHalfWindow = 0.01;  // of derivatives [s]
+constexpr double kHalfWindow = 0.01;  // half width of the window of derivatives [s]
 
 Columns derivatives(const Evidence& evidence, const Columns& columns) {
   const auto half =
@@ -43,7 +43,7 @@ Columns directions(const Columns& velocity) {
   return result;
 }
 
-/// Motor positions, measured or else of the simulated joints.
+/// Motor positions: measured ones, or else those of the simulated joints.
 Columns motorPositions(const Evidence& evidence, const SimulatedMotion& simulated,
                        const robot::Description& robot) {
   if (!evidence.q_m.empty() || robot.drives.size() != simulated.q.size()) return evidence.q_m;
@@ -68,7 +68,7 @@ Columns capstanAngles(Columns motors, const robot::Description& robot) {
   return motors;
 }
 
-/// Collects what can be drawn against.
+/// Collects the variables that change and are finite.
 class Collector {
  public:
   explicit Collector(const robot::Description& robot) : robot_(robot) {}

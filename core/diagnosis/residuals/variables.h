@@ -9,45 +9,47 @@
 
 namespace capstan::diagnosis {
 
-/// What a residual may depend on.
+/// Kind of variable that a residual may depend on.
 enum class VariableKind {
   kPosition,
-  kDirection,  ///< −1, 0, +1: the joint moves back, rests, moves on
+  kDirection,  ///< direction of motion: −1, 0 at rest, +1
   kVelocity,
   kAcceleration,
   kMotorTorque,
-  kJointTorque,   ///< of the drive or cable, simulated
+  kJointTorque,   ///< torque of the drive or cable at the joint, simulated
   kLoad,          ///< measured external load
   kMotorAngle,    ///< modulo one turn of the motor
   kCapstanAngle,  ///< modulo one turn of the capstan behind the gear
-  kStretch,       ///< of the cable, simulated
+  kStretch,       ///< stretch of the cable, simulated
   kTime,
 };
 
-/// A number a row that signatures are drawn against. Motion is the simulated one: the measured one carries
-/// the residual itself and the sensor's noise.
+/// Variable that signatures are computed against, one number per row. Motion is simulated, because measured
+/// motion contains the residual itself and the sensor's noise.
 struct Variable {
   VariableKind kind = VariableKind::kTime;
-  int joint = 0;               ///< from 1; 0: of the whole recording
+  int joint = 0;               ///< joint of the variable, from 1; 0: of the whole recording
   std::string name;            ///< "motor angle of joint 2"
   std::string unit;            ///< SI; empty for a direction
-  double period = 0.0;         ///< values that differ by it are the same; 0: none. `values` are not wrapped
-  std::vector<double> values;  ///< a row each
+  double period = 0.0;         ///< period of an angle; 0: none. `values` are not wrapped
+  std::vector<double> values;  ///< one entry per row
 
-  /// At the samples of a channel: linear between rows, a direction the nearest row's; wrapped to [0, period).
+  /// Values at the samples of a channel, interpolated linearly between rows; a direction is the nearest
+  /// row's, and periodic values are wrapped to [0, period).
   std::vector<double> at(const Channel& channel) const;
 };
 
-/// All that evidence and simulation have of these, joints in order, time last. A joint rests where its speed
-/// is below kRest of the 95 % quantile of its speed while it moves. Motor angles are measured, or, where the
-/// robot has motors without encoders of their own (rigid drives), follow from the simulated joints.
-/// Excluded: what never changes, and columns with values that are not finite.
+/// All variables that evidence and simulation provide, kind by kind, joints in order, time last. A joint is
+/// at rest where its speed is at most kRest × the 95 % quantile of its speed in motion. Motor angles are
+/// measured; for motors without encoders (rigid drives) they follow from the simulated joints. Variables that
+/// never change, or have values that are not finite, are excluded.
 std::vector<Variable> variablesOf(const Evidence& evidence, const SimulatedMotion& simulated,
                                   const robot::Description& robot);
 inline constexpr double kRest = 0.02;
 
-/// Does `variable` belong to what a channel is shown against: all of the channel's own joint, positions and
-/// directions of the others, time; of a camera's channel positions, directions, velocities and loads of all.
+/// True if signatures of `channel` are computed against `variable`. For a joint encoder these are time, all
+/// variables of its joint, and positions and directions of the other joints; for a camera channel they are
+/// time, and positions, directions, velocities and loads of all joints.
 bool concerns(const Variable& variable, const Channel& channel);
 
 }  // namespace capstan::diagnosis

@@ -7,22 +7,22 @@
 
 #include "core/learning/poses/states.h"
 
-/// Errors of corrected poses against commanded ones.
+/// Errors of corrected poses relative to commanded poses.
 namespace capstan::learning {
 
-/// Errors of many states, summed up.
+/// Summary of the errors of many states.
 struct CorrectionErrors {
-  learning::Vector6d mean =
-      learning::Vector6d::Zero();  ///< of |x|, |y|, |z| [m], |yaw|, |pitch|, |roll| [rad]
+  /// Mean of |x|, |y|, |z| [m], |yaw|, |pitch|, |roll| [rad].
+  learning::Vector6d mean = learning::Vector6d::Zero();
   learning::Vector6d deviation = learning::Vector6d::Zero(), median = learning::Vector6d::Zero();
   double distance = 0.0, median_distance = 0.0;  ///< mean and median of ‖Δt‖ [m]
   double angle = 0.0, median_angle = 0.0;        ///< mean and median of the geodesic angle [rad]
   std::size_t states = 0;
 };
 
-/// Errors state by state, before they are summed up: translations along the axes, angles as yaw, pitch and
-/// roll of either turn apart, each counted from `middle` so that none comes near a pitch of 90°, where yaw
-/// and roll are hardly two.
+/// Errors per state. Translation errors are along the axes. Rotation errors are differences of the yaw, pitch
+/// and roll of the corrected and of the commanded rotation. Both rotations are taken relative to `middle`, to
+/// stay away from a pitch of 90°, where yaw and roll cannot be distinguished.
 struct PoseErrors {
   Eigen::Quaterniond middle = Eigen::Quaterniond::Identity();
   std::vector<learning::Vector6d> apart;  ///< |x|, |y|, |z| [m], |yaw|, |pitch|, |roll| [rad]
@@ -30,15 +30,15 @@ struct PoseErrors {
 
   void add(const Eigen::Isometry3d& corrected, const Eigen::Isometry3d& commanded);
   void add(const PoseErrors& other);
-  /// Of one degree of freedom, 0…5.
+  /// Errors of all states in one degree of freedom, 0…5.
   std::vector<double> along(Eigen::Index degree) const;
   CorrectionErrors summed() const;
 };
 
-/// Mean of the commanded rotations, for PoseErrors.
+/// Mean of the commanded rotations, for PoseErrors::middle.
 Eigen::Quaterniond middleCommandOf(const std::vector<learning::State>& states);
 
-/// The degrees of freedom as people read them, three of position and three of turn.
+/// Names of the degrees of freedom, three of position and three of rotation.
 inline constexpr std::array kDegreesOfFreedom = {"x", "y", "z", "yaw", "pitch", "roll"};
 
 }  // namespace capstan::learning

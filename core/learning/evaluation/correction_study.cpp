@@ -24,12 +24,12 @@ learning::Motion motionOf(M method) {
   return method >= M::kHistory ? learning::Motion::kHistory : learning::Motion::kVelocity;
 }
 
-/// What a split is learned from and judged by.
+/// Training and test data of a split.
 struct Split {
   std::vector<State> train, clean;
   learning::TrainingStates weighed;
   std::vector<State> test, clean_test;
-  std::vector<learning::Reason> judged;  ///< of `test`
+  std::vector<learning::Reason> judged;  ///< reasons for the states of `test`
 };
 
 Split splitOf(const std::vector<State>& states, const CorrectionStudyOptions& options, int number,
@@ -40,7 +40,7 @@ Split splitOf(const std::vector<State>& states, const CorrectionStudyOptions& op
   const learning::CleaningReport cleaned = learning::cleanStates(train, options.cleaning);
   learning::CleaningReport judged;
   judged.reason = learning::judgedBy(cleaned, test, options.cleaning);
-  learning::TrainingStates training = learning::trainingStates(train, cleaned, options.correction.lever);
+  learning::TrainingStates training = learning::trainingStates(train, cleaned);
   std::vector<State> clean = training.states;
   learning::CorrectionOptions correction = options.correction;
   correction.motion = motionOf(M::kWeights);
@@ -50,10 +50,10 @@ Split splitOf(const std::vector<State>& states, const CorrectionStudyOptions& op
           std::move(test),  std::move(clean_test), std::move(judged.reason)};
 }
 
-std::vector<Eigen::Isometry3d> byOffset(M method, const Split& split, double lever) {
+std::vector<Eigen::Isometry3d> byOffset(M method, const Split& split) {
   Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();
   const auto pairs = learning::pairsOf(method == M::kOffsetCleaning ? split.clean : split.train);
-  if (method != M::kUncorrected) offset = learning::rigidOffset(pairs, lever);
+  if (method != M::kUncorrected) offset = learning::rigidOffset(pairs);
   std::vector<Eigen::Isometry3d> poses;
   for (const State& state : split.test) poses.push_back(offset * state.pair.observed);
   return poses;
@@ -72,7 +72,7 @@ learning::CorrectionModel modelBy(M method, const Split& split, learning::Correc
   return learning::CorrectionModel::trained(cleaned ? split.clean : split.train, options, progress, part);
 }
 
-/// Of all test states, and of those that count.
+/// Errors of all test states, and of the clean ones.
 std::pair<PoseErrors, PoseErrors> errorsOf(const Split& split, const std::vector<Eigen::Isometry3d>& poses,
                                            const Eigen::Quaterniond& middle) {
   PoseErrors all{middle, {}, {}, {}}, kept = all;
@@ -83,7 +83,7 @@ std::pair<PoseErrors, PoseErrors> errorsOf(const Split& split, const std::vector
   return {std::move(all), std::move(kept)};
 }
 
-/// What successive states that count are off by, differently, over √2; and what all of these are off by.
+/// Errors of successive clean states, and the changes of these errors.
 class Jitters {
  public:
   void add(const std::vector<State>& states, const std::vector<learning::Reason>& reason,
@@ -123,7 +123,7 @@ CorrectionStudyReport correctionStudy(const std::vector<State>& states, const Co
   Jitters jitters;
   const Eigen::Quaterniond middle = middleCommandOf(states);
   for (int number = 0; number < options.splits; ++number) {
-    // Weighing takes about as long as a method.
+    // weigh() takes about as long as a method.
     const auto partOf = [&](std::size_t m, std::string_view doing) {
       const double share = 1.0 / (kCorrectionMethods + 1) / options.splits;
       const double done = static_cast<double>(number) / options.splits + static_cast<double>(m) * share;
@@ -135,7 +135,7 @@ CorrectionStudyReport correctionStudy(const std::vector<State>& states, const Co
       const auto method = static_cast<M>(m);
       std::vector<Eigen::Isometry3d> poses;
       if (method < M::kProcess) {
-        poses = byOffset(method, split, options.correction.lever);
+        poses = byOffset(method, split);
       } else {
         const learning::CorrectionModel model =
             modelBy(method, split, options.correction, progress, partOf(m + 1, base::nameOf(method)));

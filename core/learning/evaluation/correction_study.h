@@ -11,11 +11,11 @@
 #include "core/learning/model/correction_model.h"
 #include "core/learning/poses/clean_states.h"
 
-/// Table I of the GPR paper on any recording of tip poses: errors of corrected poses against commanded ones,
-/// on trajectories held out.
+/// Table I of the GPR paper for any recording of tip poses: errors of corrected poses relative to commanded
+/// poses, on trajectories held out.
 namespace capstan::learning {
 
-/// The paper's six, and ours.
+/// Correction methods: the six of the paper, then four of Capstan.
 enum class CorrectionMethod {
   kUncorrected,
   kOffset,
@@ -31,41 +31,42 @@ enum class CorrectionMethod {
 inline constexpr std::size_t kPaperMethods = 6, kCorrectionMethods = 10;
 
 struct CorrectionStudyOptions {
-  int splits = 10;          ///< random ones, by trajectory
-  double test_share = 0.2;  ///< of the trajectories
+  int splits = 10;          ///< number of random splits, by trajectory
+  double test_share = 0.2;  ///< share of the trajectories that is held out
   learning::CleaningOptions cleaning;
   learning::CorrectionOptions correction;
   std::uint64_t seed = 1;
 };
 
-/// Share of the mean square of errors that changes from one observation of a trajectory to the next, ½ E|e' −
-/// e|² / E|e|²: about 1 of white noise, which no correction can know, about 0 of what stays for many
-/// observations.
+/// Share of the mean square error that changes from one observation of a trajectory to the next, ½ E|e' − e|²
+/// / E|e|². It is about 1 for white noise, which no correction can predict, and about 0 for errors that are
+/// constant over many observations.
 struct ErrorJitter {
   double distance = 0.0, angle = 0.0;
 };
 
 struct CorrectionStudyReport {
-  /// By method, on all test states and on those that cleaning keeps; pooled over the splits.
+  /// Errors by method, on all test states and on those that cleaning accepts; pooled over the splits.
   std::array<CorrectionErrors, kCorrectionMethods> dirty{}, clean{};
   std::array<std::vector<double>, kCorrectionMethods> distances,
-      angles;                                           ///< of each clean test state [m], [rad]
-  std::vector<std::vector<CorrectionErrors>> by_split;  ///< of the last: [split][dirty, clean]
-  StatedErrors stated;                                  ///< of the last, on clean states
-  ErrorJitter jitter;                                   ///< likewise
+      angles;                                           ///< errors of each clean test state [m], [rad]
+  std::vector<std::vector<CorrectionErrors>> by_split;  ///< errors of the last method: [split][dirty, clean]
+  StatedErrors stated;                                  ///< of the last method, on clean states
+  ErrorJitter jitter;                                   ///< of the last method, on clean states
   bool cancelled = false;
 };
 
-/// For each split: training trajectories are cleaned (and weighed), an offset and a model are learned from
-/// them as each method asks, and the errors
+/// For each split, training trajectories are cleaned (and weighted), and an offset and a model are learned
+/// from them as each method requires. The result is the errors
 ///     F(x_observed) ⊖ p_commanded
-/// of test trajectories taken (PoseErrors, from the mean of all commanded rotations). Clean test states are
-/// those that the limits and least median found in the training data keep.
+/// of the test trajectories (PoseErrors, relative to the mean of all commanded rotations). Clean test states
+/// are those that pass the limits and the least median of squares found in the training data.
 CorrectionStudyReport correctionStudy(const std::vector<learning::State>& states,
                                       const CorrectionStudyOptions& options,
                                       base::Progress* progress = nullptr);
 
-/// The paper's numbers, [method][degree of freedom], mean and one standard deviation [mm, deg].
+/// One cell of the paper's table: mean and standard deviation [mm, deg]. PaperTable is [method][degree of
+/// freedom].
 struct PaperCell {
   double mean = 0.0, deviation = 0.0;
 };
@@ -73,7 +74,8 @@ using PaperTable = std::array<std::array<PaperCell, 6>, kPaperMethods>;
 const PaperTable& paperDirty();
 const PaperTable& paperClean();
 
-/// Ours beside the paper's, a row a degree of freedom, a column a method.
+/// Table of the results `ours` beside those of the paper, one row per degree of freedom, one column per
+/// method.
 base::Table correctionTable(const std::array<CorrectionErrors, kCorrectionMethods>& ours,
                             const PaperTable& paper, std::string title);
 

@@ -8,23 +8,23 @@
 namespace capstan::learning {
 namespace {
 
-constexpr double kTrained = 0.9;  ///< of the time
+constexpr double kTrained = 0.9;  ///< share of the time
 
 void checkHeldOut(const HeldOutEvaluation& evaluation) {
   if (evaluation.motions_held > 0 && evaluation.motions_held < evaluation.motions) return;
   throw base::InputError({"pose tables", 0, "trajectories", fmt::format("{}", evaluation.motions),
-                          "are too few to hold some out and to learn from others",
+                          "are too few to hold some out and learn from the others",
                           "Add tables with more trajectories"});
 }
 
-/// Which states the limits found in training keep.
+/// States that are within the limits found in training.
 std::vector<Reason> judged(const LearningReport& learned, const std::vector<State>& states,
                            const LearningOptions& options) {
   if (options.clean) return judgedBy(learned.cleaning, states, options.cleaning);
   return judgedBy(cleanStates(learned.prepared.states, options.cleaning), states, options.cleaning);
 }
 
-/// `middle`: of the rotations commanded, for PoseErrors.
+/// `middle`: mean of the commanded rotations, for PoseErrors.
 Evaluation evaluated(const LearningReport& learned, const std::vector<State>& states,
                      const std::vector<Eigen::Isometry3d>& corrected, const LearningOptions& options,
                      const Eigen::Quaterniond& middle) {

@@ -5,17 +5,18 @@
 
 #include "core/learning/poses/states.h"
 
-/// Trajectories that nothing is learned from, to judge by.
+/// Hold-out set of trajectories for evaluation.
 namespace capstan::learning {
 
-/// Which motions are held out: `share` of those that have states, by place among the motions.
+/// Selects the motions to hold out: `share` of those that have states. The result is indexed by motion; true:
+/// held out.
 std::vector<bool> heldOut(const std::vector<learning::State>& states, double share, std::uint64_t seed);
 
 struct SplitStates {
   std::vector<learning::State> train, test;
 };
 
-/// The states of motions that are held out, and the others.
+/// Splits states into those of motions held out (test) and the others (train).
 SplitStates splitStates(const std::vector<learning::State>& states, const std::vector<bool>& held);
 
 }  // namespace capstan::learning

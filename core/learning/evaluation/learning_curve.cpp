@@ -50,7 +50,7 @@ LearningCurve learningCurve(const std::vector<State>& states, const LearningCurv
   train = learning::kept(train, cleaned);
   const std::vector<learning::PosePair> pairs = learning::pairsOf(train);
   curve.none = errorsOf(moved(clean, Eigen::Isometry3d::Identity()), clean);
-  curve.offset = errorsOf(moved(clean, learning::rigidOffset(pairs, options.correction.lever)), clean);
+  curve.offset = errorsOf(moved(clean, learning::rigidOffset(pairs)), clean);
 
   const auto count = static_cast<double>(options.shares.size());
   for (const double share : options.shares) {

@@ -20,7 +20,7 @@ constexpr auto kCamera = static_cast<std::size_t>(StreamKind::kCamera);
 void checkStates(const LearningStages& stages) {
   if (stages.states.size() >= learning::kFewestStates) return;
   throw base::InputError({"pose tables", 0, "states", fmt::format("{}", stages.states.size()),
-                          fmt::format("camera and {} overlap in time too little: {} states are needed",
+                          fmt::format("camera and {} overlap too little in time: {} states are needed",
                                       base::nameOf(stages.towards), learning::kFewestStates),
                           "Check the clocks of the streams, or record longer"});
 }
@@ -70,7 +70,7 @@ void takeOffset(LearningStages& stages) {
 LearningStages learningStages(const std::vector<learning::RawMotion>& motions, const LearningOptions& options,
                               base::Progress* progress) {
   LearningStages stages;
-  constexpr double kPrepared = 0.7;  // of the time
+  constexpr double kPrepared = 0.7;  // share of the time
   stages.towards = options.towards;
   static_cast<PreparedStates&>(stages) = prepare(motions, options, progress, {0.2, kPrepared, {}});
   if (stages.cancelled) return stages;

@@ -5,21 +5,21 @@
 
 #include "core/learning/model/correction_model.h"
 
-/// Whether a correction is off by as much as it says.
+/// Comparison of a correction's errors with its stated standard deviations.
 namespace capstan::learning {
 
-/// Errors of corrections in units of the σ that were stated for them.
+/// Errors of corrections in units of their stated σ.
 struct StatedErrors {
-  std::array<std::vector<double>, 6>
-      ratio;  ///< |e| / σ, state by state, of x, y, z and of the rotation's parts
+  /// |e| / σ of each state, by output: x, y, z and the components of the rotation.
+  std::array<std::vector<double>, 6> ratio;
 
   void add(const learning::CorrectionModel& model, const std::vector<learning::State>& states);
   std::size_t states() const { return ratio[0].size(); }
-  /// Share of an output's errors that are within `sigmas` stated σ; 0 without states.
+  /// Share of an output's errors within `sigmas` times the stated σ; 0 without states.
   double within(std::size_t output, double sigmas) const;
 };
 
-/// Share of a normal distribution within ±`sigmas` of its σ, and the inverse of that.
+/// Share of a normal distribution within ±`sigmas` σ, and its inverse function.
 double normalShare(double sigmas);
 double normalSigmas(double share);
 

@@ -13,7 +13,8 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// From r² by element, which rounding may make negative, into `k`; in one pass for the RBF.
+/// Computes the kernel from r², element by element, into `k`, in one pass for the RBF. Rounding may have made
+/// r² negative.
 template <class Squares>
 void setCovariance(const KernelParameters& parameters, const Squares& squares, Eigen::Ref<Eigen::ArrayXd> k) {
   const double variance = parameters.signalVariance();

@@ -14,10 +14,10 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// Of a symmetric matrix given by its lower triangle: the sums of its rows.
+/// Row sums of a symmetric matrix that is given by its lower triangle.
 VectorXd rowSums(const MatrixXd& lower) { return math::timesSymmetric(lower, VectorXd::Ones(lower.rows())); }
 
-/// ½ Σ_ab M_ab (z_ai − z_bi)² = Σ_a s_a z_ai² − z_iᵀ M z_i, s = M 1, of each feature i.
+/// ½ Σ_ab M_ab (z_ai − z_bi)² = Σ_a s_a z_ai² − z_iᵀ M z_i, s = M 1, for each feature i.
 VectorXd byLengths(const MatrixXd& m, const MatrixXd& z) {
   const VectorXd sums = rowSums(m);
   return (z.array().square().colwise() * sums.array()).colwise().sum().matrix().transpose() -

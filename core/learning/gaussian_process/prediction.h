@@ -4,10 +4,10 @@
 
 namespace capstan::learning {
 
-/// What a process says at some points, a row each.
+/// Prediction of a process at some points, one row per point.
 struct Prediction {
-  Eigen::MatrixXd mean;      ///< a column an output
-  Eigen::VectorXd variance;  ///< of the function, without the noise; the same of all outputs
+  Eigen::MatrixXd mean;      ///< one column per output
+  Eigen::VectorXd variance;  ///< variance of the function without noise, equal for all outputs
 };
 
 }  // namespace capstan::learning

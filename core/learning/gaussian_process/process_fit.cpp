@@ -10,7 +10,7 @@
 namespace capstan::learning {
 namespace {
 
-/// What a search for the most likely hyperparameters lowers.
+/// Objective of the search: negative log likelihood with penalties.
 class Cost : public ceres::FirstOrderFunction {
  public:
   Cost(MarginalLikelihood& likelihood, double steep, const KernelParameters& start,
@@ -41,7 +41,7 @@ class Cost : public ceres::FirstOrderFunction {
   int NumParameters() const override { return static_cast<int>(start_.size()); }
 
  private:
-  /// Rises steeply beyond `farthest` from the start.
+  /// Adds a steep penalty beyond the distance `farthest` from the start.
   void fence(const Eigen::Map<const Eigen::VectorXd>& at, Eigen::Index k, double farthest, double& cost,
              Eigen::VectorXd* slope) const {
     const double way = at[k] - start_[k], beyond = std::abs(way) - farthest;
@@ -51,7 +51,7 @@ class Cost : public ceres::FirstOrderFunction {
   }
 
   MarginalLikelihood& likelihood_;
-  double steep_;  ///< of the fences
+  double steep_;  ///< factor of the penalties
   Eigen::VectorXd start_;
   Kernel kernel_;
   const ProcessFitOptions& options_;

@@ -36,7 +36,7 @@ SparseProcess::SparseProcess(SparseProcessParts parts) : known_(std::move(parts)
 
 void SparseProcess::findRoot() {
   const MatrixXd covariance = signalCovariance(known_.inducing, known_.parameters);
-  for (double jitter = 1e-10;; jitter *= 10.0) {  // of the signal's variance: inducing points may be near
+  for (double jitter = 1e-10;; jitter *= 10.0) {  // times the signal variance; inducing points may be close
     root_ = covariance;
     root_.diagonal().array() += jitter * known_.parameters.signalVariance();
     if (math::choleskyInPlace(root_) || jitter > 1.0) break;
@@ -47,7 +47,7 @@ void SparseProcess::add(const MatrixXd& x, const MatrixXd& y) { add(x, y, Eigen:
 
 void SparseProcess::add(const MatrixXd& x, const MatrixXd& y, const Eigen::VectorXd& besides) {
   CAPSTAN_ASSERT(x.rows() == y.rows() && x.rows() == besides.size() && y.cols() == known_.sum.cols());
-  constexpr Index kRows = 2048;  // at a time, for memory
+  constexpr Index kRows = 2048;  // rows per block, to limit memory
   const Eigen::VectorXd root_precision = (known_.parameters.noiseVariance() + besides.array()).rsqrt();
   for (Index first = 0; first < x.rows(); first += kRows) {
     const Index rows = std::min(kRows, x.rows() - first);
@@ -65,7 +65,7 @@ void SparseProcess::add(const MatrixXd& x, const MatrixXd& y, const Eigen::Vecto
 void SparseProcess::factorise() {
   factor_ = known_.square;
   const bool fine = math::choleskyInPlace(factor_);
-  CAPSTAN_ASSERT(fine);  // the identity and squares
+  CAPSTAN_ASSERT(fine);  // identity plus squares, always positive definite
   static_cast<void>(fine);
   weights_ = known_.sum;
   math::solveLower(factor_, weights_);

@@ -29,7 +29,7 @@ void check(const std::vector<Waypoint>& waypoints) {
                               "Give waypoints in the order of their times"});
 }
 
-/// Share of the way that is behind at each waypoint, by length; by time where there is no way.
+/// Share of the path covered at each waypoint, by length, or by time for a path of length 0.
 std::vector<double> sharesOf(const std::vector<Waypoint>& waypoints) {
   std::vector<double> shares = {0.0};
   for (std::size_t k = 1; k < waypoints.size(); ++k)
@@ -42,7 +42,7 @@ std::vector<double> sharesOf(const std::vector<Waypoint>& waypoints) {
   return shares;
 }
 
-/// As of a path that was seen: with velocities, and how it moved before.
+/// States of the planned path like those of an observed path: with velocities and motion history.
 std::vector<State> plannedStates(const std::vector<Waypoint>& waypoints) {
   std::vector<StampedPose> path;
   for (const Waypoint& waypoint : waypoints) {
@@ -60,7 +60,7 @@ class PathCorrection {
                  const CommandCorrectionOptions& options)
       : model_(model), waypoints_(waypoints), options_(options), states_(plannedStates(waypoints)) {}
 
-  /// Of one waypoint by itself.
+  /// Corrected waypoint k.
   CorrectedWaypoint at(std::size_t k) const {
     const Waypoint& waypoint = waypoints_[k];
     if (options_.mode == CorrectionMode::kNone) return asked(k, waypoint.pose, 1.0);
@@ -68,7 +68,7 @@ class PathCorrection {
     return asked(k, corrected.pose, corrected.confidence);
   }
 
-  /// The nearest to `pose` that can be commanded.
+  /// Waypoint k with the command `pose`, reduced to the robot's reach.
   CorrectedWaypoint asked(std::size_t k, const Eigen::Isometry3d& pose, double confidence) const {
     const Waypoint& waypoint = waypoints_[k];
     const Eigen::Isometry3d rigid =

@@ -6,7 +6,7 @@
 namespace capstan::learning {
 namespace {
 
-/// What was learned, moved by the offset.
+/// Training positions, transformed by the offset.
 struct Moved {
   std::vector<Eigen::Isometry3d> poses;
   Eigen::AlignedBox3d box;
@@ -22,7 +22,6 @@ struct Moved {
 ConfidenceSlice planeOf(const Moved& moved, const SliceOptions& options) {
   ConfidenceSlice slice;
   slice.axis = options.axis;
-  slice.near = options.near;
   slice.right = options.axis == 0 ? 1 : 0;
   slice.up = options.axis == 2 ? 1 : 2;
   const Eigen::Vector3d low = moved.box.min(), high = moved.box.max();
@@ -34,7 +33,7 @@ ConfidenceSlice planeOf(const Moved& moved, const SliceOptions& options) {
   slice.confidence = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(std::lround(side[1] / step)) + 1,
                                            static_cast<Eigen::Index>(std::lround(side[0] / step)) + 1);
   for (const Eigen::Isometry3d& pose : moved.poses)
-    if (std::abs(pose.translation()[slice.axis] - slice.at) <= options.near)
+    if (std::abs(pose.translation()[slice.axis] - slice.at) <= slice.near)
       slice.learned.emplace_back(pose.translation()[slice.right], pose.translation()[slice.up]);
   return slice;
 }

@@ -32,7 +32,7 @@ constexpr int kVersion = 3;
   throw base::InputError({path.string(), 0, {}, {}, std::move(what), std::move(remedy)});
 }
 
-/// Numbers one behind the other.
+/// Sequence of the numbers in a file.
 class Numbers {
  public:
   explicit Numbers(std::string bytes = {}) : bytes_(std::move(bytes)) {}
@@ -46,7 +46,7 @@ class Numbers {
     for (Index c = 0; c < x.cols(); ++c) put(MatrixXd(x.col(c).tail(x.rows() - c)));
   }
 
-  /// std::out_of_range: there are fewer.
+  /// Throws std::out_of_range if there are fewer numbers.
   MatrixXd take(Index rows, Index columns = 1) {
     const std::size_t size = static_cast<std::size_t>(rows * columns) * sizeof(double);
     if (size > bytes_.size() - at_) throw std::out_of_range("numbers");
@@ -161,7 +161,7 @@ CorrectionParts partsFrom(const Json& header, Numbers& from) {
   return parts;
 }
 
-/// The next line of `text`, taken off it.
+/// Returns the next line of `text` and removes it from there.
 std::string lineOff(std::string& text) {
   const std::size_t end = std::min(text.find('\n'), text.size());
   std::string line = text.substr(0, end);
@@ -174,8 +174,8 @@ void checkVersion(const std::string& line, const std::filesystem::path& path) {
     refuse(path, "is no model of a correction", "Give a file that `capstan-cli learn --model` wrote");
   const std::string version = line.substr(kMagic.size());
   if (version != std::to_string(kVersion))
-    refuse(path, fmt::format("is a model of version {}, and this program reads {}", version, kVersion),
-           "Read it with the program that wrote it, or learn it again");
+    refuse(path, fmt::format("is a model of version {}; this program reads version {}", version, kVersion),
+           "Read it with the program version that wrote it, or learn the model again");
 }
 
 }  // namespace
@@ -199,7 +199,7 @@ void writeCorrection(const CorrectionFile& file, const std::filesystem::path& pa
 CorrectionFile readCorrection(const std::filesystem::path& path) {
   std::string text = base::readTextFile(path);
   checkVersion(lineOff(text), path);
-  constexpr const char* kRemedy = "Copy it again from where it was written, or learn it again";
+  constexpr const char* kRemedy = "Copy the original file again, or learn the model again";
   Json header = Json::parse(lineOff(text), nullptr, false);
   if (!header.is_object() || !header.contains("checksum") || !header.contains("numbers"))
     refuse(path, "has a damaged second line", kRemedy);
@@ -209,7 +209,8 @@ CorrectionFile readCorrection(const std::filesystem::path& path) {
     refuse(path,
            fmt::format("holds {} of {} numbers", text.size() / sizeof(double), header["numbers"].dump()),
            kRemedy);
-  if (checksum != base::checksumOf(header.dump() + text)) refuse(path, "does not have its checksum", kRemedy);
+  if (checksum != base::checksumOf(header.dump() + text))
+    refuse(path, "does not match its checksum", kRemedy);
   try {
     Numbers numbers(std::move(text));
     CorrectionParts parts = partsFrom(header, numbers);

@@ -27,12 +27,13 @@ struct Group {
 };
 constexpr std::array<Group, 4> kGroups = {{{0, 1}, {1, 1}, {2, 1}, {3, 3}}};
 
-constexpr double kChoiceShare = 0.3;                // of the time, where it is made
-constexpr double kFitShare = 0.6, kAllShare = 0.3;  // of the time: hyperparameters, all states
-/// Seeds of the members' draws, apart for each of the options'.
+constexpr double kChoiceShare = 0.3;                // share of the time for the choice of motion features
+constexpr double kFitShare = 0.6, kAllShare = 0.3;  // shares of the time: hyperparameters, all states
+/// Seeds of the members' draws, different for each seed of the options.
 constexpr std::uint64_t kDraws = 1000, kInducingDraw = 300, kCalibrationDraw = 600;
 
-/// Of a group's outputs in scales, their mean where they are three.
+/// Additional variance of each state in a group's outputs, divided by the squared scales; the mean over the
+/// outputs.
 Eigen::VectorXd downWeightsOf(const std::vector<State>& states, const Group& group,
                               const Eigen::RowVectorXd& scale) {
   const Eigen::VectorXd precision =
@@ -44,16 +45,16 @@ Eigen::VectorXd downWeightsOf(const std::vector<State>& states, const Group& gro
   return down_weights / static_cast<double>(group.count);
 }
 
-/// Of each group those of its members.
+/// Hyperparameters of each group's members.
 using GroupParameters = std::array<std::vector<KernelParameters>, kGroups.size()>;
 
-/// How many members differ: more than one where not all have all states.
+/// Number of members: one if every member would have all states, because members would then be equal.
 std::size_t membersOf(Index states, const CorrectionOptions& options) {
   const bool all = states <= options.likelihood_points && states <= options.inducing_points;
   return all ? 1 : static_cast<std::size_t>(std::max(options.members, 1));
 }
 
-/// Hyperparameters of every member of every group, from its own drawn states.
+/// Fits the hyperparameters of every member of every group to its own random states.
 GroupParameters fitted(const MatrixXd& x, const MatrixXd& y, const CorrectionOptions& options,
                        base::Progress* progress, const base::ProgressPart& part) {
   constexpr const char* kLearning = "learning hyperparameters";
@@ -75,7 +76,8 @@ GroupParameters fitted(const MatrixXd& x, const MatrixXd& y, const CorrectionOpt
   return found;
 }
 
-/// A committee of some hyperparameters that knows no states yet, each member's inducing points drawn of `x`.
+/// Committee with given hyperparameters and without training states; each member's inducing points are drawn
+/// from `x`.
 Committee knowingNothing(const MatrixXd& x, Index outputs, const std::vector<KernelParameters>& members,
                          Index inducing_points, std::uint64_t seed) {
   std::vector<SparseProcess> processes;
@@ -91,9 +93,9 @@ std::vector<KernelParameters> parametersOf(const Committee& committee) {
   return all;
 }
 
-/// Factor to σ by which shares of `multiples`, |e| / σ, within it and its double are a normal distribution's
-/// at least; of normal errors a little more, as the larger of two quantiles that chance moves. 1 of an output
-/// that never errs.
+/// Factor on σ for which the shares of |e| / σ (`multiples`) within σ and 2 σ are at least those of a normal
+/// distribution. For normal errors it is slightly above 1, because it is the larger of two random quantiles.
+/// It is 1 for an output without errors.
 double inflationOf(const std::vector<double>& multiples) {
   constexpr std::array<double, 2> kShares = {kWithinSigma, kWithinTwoSigma};
   const std::vector<double> at = stats::quantiles(multiples, kShares);
@@ -107,8 +109,8 @@ void checkEnough(std::size_t states) {
                             0,
                             "states",
                             fmt::format("{}", states),
-                            fmt::format("are too few to learn from; {} at least", kFewestStates),
-                            "Record longer, or clean less"});
+                            fmt::format("are too few to learn from; at least {} are needed", kFewestStates),
+                            "Record longer, or use wider cleaning limits"});
 }
 
 }  // namespace
@@ -140,8 +142,7 @@ CorrectionModel CorrectionModel::rigid(const std::vector<State>& states, const C
   checkEnough(states.size());
   const std::vector<PosePair> pairs = pairsOf(states);
   CorrectionParts parts;
-  parts.offset = options.offset ? *options.offset : rigidOffset(pairs, options.lever);
-  parts.lever = options.lever;
+  parts.offset = options.offset ? *options.offset : rigidOffset(pairs);
   std::vector<Eigen::Isometry3d> moved;
   for (const PosePair& pair : pairs) moved.push_back(parts.offset * pair.observed);
   parts.features =
@@ -185,7 +186,7 @@ void CorrectionModel::findScales(const std::vector<State>& states) {
   known_.middle = Eigen::RowVectorXd::Zero(features);
   known_.deviation = Eigen::RowVectorXd::Ones(features);
   known_.scale = known_.inflation = Eigen::RowVectorXd::Ones(kOutputs);
-  const auto orOne = [](double x) { return x > 1e-12 ? x : 1.0; };  // of what never changes
+  const auto orOne = [](double x) { return x > 1e-12 ? x : 1.0; };  // for constant columns
   MatrixXd x(static_cast<Index>(states.size()), features);
   for (std::size_t k = 0; k < states.size(); ++k)
     x.row(static_cast<Index>(k)) = known_.features.of(known_.offset, states[k]);
@@ -271,11 +272,12 @@ std::vector<Eigen::Isometry3d> CorrectionModel::correct(const std::vector<State>
   return poses;
 }
 
-/// Errors of motions held out, from the others at the same hyperparameters: their shares within σ and 2 σ
-/// shall be those of a normal distribution at least (errors' tails are heavier than its). Every eighth motion
-/// is, of one motion each eighth of its duration; where that makes few, more such eighths in turn.
+/// Calibrates σ by the errors of motions held out, predicted from the others with the same hyperparameters.
+/// The shares within σ and 2 σ must be at least those of a normal distribution, because the errors have
+/// heavier tails. Every eighth motion is held out (of a single motion an eighth of its duration); with few
+/// motions more such eighths are held out in turn.
 void CorrectionModel::findInflation(const std::vector<State>& states, const CorrectionOptions& options) {
-  constexpr std::size_t kEighths = 8, kEnough = 20;  // motions held out
+  constexpr std::size_t kEighths = 8, kEnough = 20;  // number of motions held out
   const std::vector<std::size_t> places = motionPlaces(states);
   const std::size_t motions = places.back() + 1;
   const auto eighthOf = [&](std::size_t k) {
@@ -293,7 +295,7 @@ void CorrectionModel::findInflation(const std::vector<State>& states, const Corr
     if (!ratios[k].empty()) known_.inflation[static_cast<Index>(k)] = inflationOf(ratios[k]);
 }
 
-/// |e| / σ of states held out, from a model of those seen.
+/// Adds |e| / σ of the states held out, from a model of the other states.
 void CorrectionModel::addRatios(const std::vector<State>& observed, const std::vector<State>& held,
                                 const CorrectionOptions& options,
                                 std::array<std::vector<double>, 6>& ratios) const {

@@ -8,8 +8,9 @@
 
 namespace capstan::learning {
 
-/// The source of a model that learn() or learnMore() made from `tables`: what command line and window write
-/// beside it. `before`: of the model that it was learned onto. base::InputError: a table cannot be read.
+/// Source of a model that learn() or learnMore() learned from `tables`. Command line and window write it into
+/// the model's file. `before`: source of the model to which learnMore() added. Throws base::InputError if a
+/// table cannot be read.
 CorrectionSource correctionSource(const std::vector<std::string>& tables, learning::StreamKind towards,
                                   const learning::LearningReport& report, const std::string& software,
                                   CorrectionSource before = {});

@@ -12,7 +12,7 @@ namespace capstan::learning {
 namespace {
 
 constexpr double kOutputs = 6.0;
-constexpr std::size_t kAtOnce = 500;  // states that are corrected together
+constexpr std::size_t kAtOnce = 500;  // number of states that are corrected together
 
 }  // namespace
 
@@ -32,7 +32,7 @@ DriftReport DriftMonitor::add(const State& state, const Corrected& corrected) {
   return worst;
 }
 
-/// Of the last pieces of the window.
+/// Report over the last `pieces` of the window.
 DriftReport DriftMonitor::reportOver(std::size_t pieces) const {
   DriftReport report;
   Vector6d sum = Vector6d::Zero();
@@ -45,7 +45,8 @@ DriftReport DriftMonitor::reportOver(std::size_t pieces) const {
   const double chance = std::erfc(1.0 / (DriftOptions::kSigmaKnown * std::numbers::sqrt2));
   const boost::math::binomial number(n, chance);
   report.limit =
-      boost::math::quantile(boost::math::complement(number, options_.level / (kOutputs * kWindows))) / n;
+      boost::math::quantile(boost::math::complement(number, DriftOptions::kLevel / (kOutputs * kWindows))) /
+      n;
   report.known = pieces >= kFewestPieces;
   report.drifted = report.known && report.beyond > report.limit;
   return report;
@@ -53,14 +54,13 @@ DriftReport DriftMonitor::reportOver(std::size_t pieces) const {
 
 namespace {
 
-/// Takes states to a monitor, one motion behind the other, and keeps what it says.
+/// Passes states of successive motions to a monitor and collects its reports.
 class Walk {
  public:
-  Walk(const CorrectionModel& model, const DriftOptions& options)
-      : monitor_(model, options), options_(options) {}
+  Walk(const CorrectionModel& model, const DriftOptions& options) : monitor_(model, options) {}
 
   void take(std::size_t place, const State& state, const Corrected& corrected) {
-    if (corrected.confidence < options_.least_confidence) {
+    if (corrected.confidence < kLowConfidence) {
       ++history_.low_confidence;
       return;
     }
@@ -90,11 +90,10 @@ class Walk {
 
  private:
   DriftMonitor monitor_;
-  DriftOptions options_;
   DriftHistory history_;
   std::array<std::vector<double>, 6> off_;
   std::size_t motion_ = 0;
-  double begun_ = 0.0;  ///< the motion's clock at the whole's zero
+  double begun_ = 0.0;  ///< time on the motion's clock at which the common time is 0
 };
 
 }  // namespace

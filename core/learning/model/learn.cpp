@@ -21,8 +21,8 @@ void pairAt(PreparedStates& prepared, StreamKind towards) {
                             0,
                             std::string(base::nameOf(towards)),
                             {},
-                            "has no pose at an instant at which the camera has one",
-                            "Choose another stream, or look at the stamps: both must be of the same clock"});
+                            "has no pose at the times of the camera's poses",
+                            "Choose another stream, or check the stamps: both must be of the same clock"});
 }
 
 }  // namespace
@@ -38,8 +38,8 @@ PreparedStates prepare(const std::vector<RawMotion>& motions, const LearningOpti
   if (!goOn(0.0, "screening")) return prepared;
   checkTables(motions, options.towards);
   prepared.screen = screenPoses(motions);
-  if (!goOn(0.2, "looking for the lag")) return prepared;
-  prepared.clock_offset = clockOffsetBetween(prepared.screen.motions, options.towards, options.clock_offset);
+  if (!goOn(0.2, "estimating the clock offset")) return prepared;
+  prepared.clock_offset = clockOffsetBetween(prepared.screen.motions, options.towards);
   if (!goOn(0.7, "pairing")) return prepared;
   if (options.align) prepared.removed = prepared.clock_offset.clock_offset;
   pairAt(prepared, options.towards);
@@ -71,7 +71,7 @@ LearningReport learnPrepared(PreparedStates prepared, const LearningOptions& opt
     cleaned = cleanStates(prepared.states, options.cleaning);
   else
     cleaned.reason.assign(prepared.states.size(), Reason::kNone);
-  TrainingStates training = trainingStates(prepared.states, std::move(cleaned), options.correction.lever);
+  TrainingStates training = trainingStates(prepared.states, std::move(cleaned));
   checkRelated(prepared.screen.motions, prepared.states,
                options.clean ? training.cleaning.offset : training.offset, options.towards);
   CorrectionOptions correction = options.correction;
@@ -92,8 +92,12 @@ LearningReport learnMore(CorrectionModel model, double clock_offset, const std::
                          const LearningOptions& options, base::Progress* progress) {
   constexpr double kPrepared = 0.3, kJudged = 0.7;  // of the time
   if (model.processes().empty())
-    throw base::InputError(
-        {{}, 0, "model", {}, "is a rigid offset alone, which takes nothing in", "Retrain on all tables"});
+    throw base::InputError({{},
+                            0,
+                            "model",
+                            {},
+                            "is a rigid offset alone, to which no states can be added",
+                            "Retrain on all tables"});
   if (progress) progress->report(0.0, "pairing");
   PreparedStates prepared = prepareAt(clock_offset, motions, options.towards);
   checkRelated(prepared.screen.motions, prepared.states, model.offset(), options.towards);
@@ -104,16 +108,16 @@ LearningReport learnMore(CorrectionModel model, double clock_offset, const std::
                             0,
                             "states",
                             fmt::format("{}", counting.size()),
-                            fmt::format("are left to learn from; {} at least", kFewestStates),
+                            fmt::format("are left to learn from; at least {} are needed", kFewestStates),
                             "Record longer"});
-  if (progress) progress->report(kPrepared, "comparing with what is known");
+  if (progress) progress->report(kPrepared, "comparing with the model");
   if (const DriftHistory history = driftAlong(model, counting); history.driftedNow())
     throw base::InputError({{},
                             0,
                             "motions",
                             {},
                             "contradict what the model has learned: it has drifted",
-                            "Retrain on motions that are as the robot is now"});
+                            "Retrain on motions of the robot in its present state"});
   if (progress) progress->report(kJudged, "learning more states");
   const bool cancelled = progress && progress->cancelled();
   if (!cancelled) model.add(counting);

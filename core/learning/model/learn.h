@@ -5,63 +5,64 @@
 #include "core/learning/poses/screen_poses.h"
 #include "core/learning/poses/training_states.h"
 
-/// From tables of tip poses to a model: every stage of learning in its order (GPR paper, section IV).
+/// Learning of a correction model from tables of tip poses, with all stages in their order (GPR paper,
+/// section IV).
 namespace capstan::learning {
 
 struct LearningOptions {
-  StreamKind towards = StreamKind::kCommand;  ///< what corrected poses will be asked of
-  ClockOffsetOptions clock_offset;
-  bool align = true;  ///< compensate the clock offset of observations behind commands
+  StreamKind towards = StreamKind::kCommand;  ///< stream towards which poses are corrected
+  bool align = true;                          ///< compensate the clock offset of observations behind commands
   bool clean = true;
-  /// Weighs states, rejected ones too, by how well models of others predict them; where states are cleaned,
-  /// and processes learned.
+  /// Weights states, also rejected ones, by how well models of other motions predict them (weigh()). Used
+  /// only with `clean` and without `rigid`.
   bool weigh = true;
   bool rigid = false;  ///< learn the rigid offset alone
-  /// Stricter than the paper's P: in a trajectory that is wrong in part (swapped axes, say) some states pass
-  /// by chance.
+  /// most_rejected is stricter than the paper's P, because in a partly wrong trajectory (for example with
+  /// swapped axes) some states pass by chance.
   CleaningOptions cleaning{.most_rejected = 0.4};
   CorrectionOptions correction{.motion = std::nullopt};
 };
 
-/// What becomes of the rows of a recording before anything is learned.
+/// Result of preparing the rows of a recording for learning.
 struct PreparedStates {
   ScreenReport screen;
-  ClockOffsetReport clock_offset;  ///< as measured, taken off or not; nothing tried: as it was given
-  double removed = 0.0;            ///< [s]
-  std::vector<State> states;       ///< paired, with velocities
-  bool cancelled = false;          ///< what came behind is empty
+  /// Measured offset, removed or not; `tried` is empty if the offset was given.
+  ClockOffsetReport clock_offset;
+  double removed = 0.0;       ///< clock offset that was removed [s]
+  std::vector<State> states;  ///< paired states with velocities
+  bool cancelled = false;     ///< results of later stages are empty
 };
 
-/// What statesOf() finds in the motions at a lag that is known.
+/// Prepares states with a known clock offset [s], by screenPoses() and statesOf().
 PreparedStates prepareAt(double clock_offset, const std::vector<RawMotion>& motions, StreamKind towards);
 
-/// Screens, aligns and pairs. base::InputError as checkTables(), and where no motion has both streams at
-/// once.
+/// Screens rows, estimates the clock offset and pairs poses. Throws base::InputError as checkTables(), and if
+/// no motion has both streams at the same time.
 PreparedStates prepare(const std::vector<RawMotion>& motions, const LearningOptions& options,
                        base::Progress* progress = nullptr, const base::ProgressPart& part = {});
 
 struct LearningReport {
   PreparedStates prepared;
-  CleaningReport cleaning;  ///< of prepared.states; where nothing is cleaned all count
-  WeighingReport weighing;  ///< kept ones of `cleaning` are those that count after it
+  CleaningReport cleaning;  ///< cleaning of prepared.states; without cleaning all states are inliers
+  WeighingReport weighing;  ///< `cleaning` has the inliers after weighing
   CorrectionModel model;
   bool cancelled = false;
 };
 
-/// Learns a correction from states that prepare() made with the same options, of all of them.
-/// base::InputError: too few states are left; checkRelated().
+/// Learns a correction from all states of prepare() with the same options. Throws base::InputError if too few
+/// states remain, and as checkRelated().
 LearningReport learnPrepared(PreparedStates prepared, const LearningOptions& options = {},
                              base::Progress* progress = nullptr, const base::ProgressPart& part = {});
 
-/// prepare() and learnPrepared(). base::InputError as both.
+/// Calls prepare() and learnPrepared(). Throws base::InputError as both.
 LearningReport learn(const std::vector<RawMotion>& motions, const LearningOptions& options = {},
                      base::Progress* progress = nullptr);
 
 /// Adds new motions to a learned model, in seconds instead of minutes. The motions are screened, paired at
-/// `clock_offset` (the model's own; it is not measured again) and cleaned by options.cleaning. The model
-/// keeps its offset, hyperparameters, inducing points and σ scales, so in regions without earlier data it
-/// gains less than learn(). base::InputError as learn(), and where the motions contradict the model
-/// (driftAlong) or it has no processes.
+/// the model's own `clock_offset` (it is not measured again) and cleaned by options.cleaning. The model keeps
+/// its offset, hyperparameters, inducing points and factors on σ, so in regions without earlier data it
+/// improves less than with learn(). Throws base::InputError as learn(), and if the motions contradict the
+/// model (driftAlong) or it has no processes.
 LearningReport learnMore(CorrectionModel model, double clock_offset, const std::vector<RawMotion>& motions,
                          const LearningOptions& options = {}, base::Progress* progress = nullptr);
 

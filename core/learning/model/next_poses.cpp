@@ -9,7 +9,7 @@ using Eigen::MatrixXd;
 
 namespace {
 
-/// Covariance of all candidates under one process after the queries so far.
+/// Covariance of all candidates for one process after the queries so far.
 struct Open {
   MatrixXd covariance;
   double weight, noise;
@@ -34,7 +34,7 @@ std::vector<Open> openOf(const CorrectionModel& model, const std::vector<State>&
   return open;
 }
 
-/// Positions and rotations that the model's inducing points have, as features in deviations.
+/// Positions and rotations of the model's inducing points, as standardised features.
 MatrixXd learnedPoses(const CorrectionModel& model) {
   constexpr Index kPose = 6;
   MatrixXd all(0, kPose);
@@ -56,7 +56,7 @@ std::vector<NextPose> nextPoses(const CorrectionModel& model, const std::vector<
   std::vector<NextPose> chosen;
   std::vector<Open> open = openOf(model, candidates);
   std::vector<bool> queried(candidates.size(), false);
-  double whole = 0.0, left = 0.0;  // without data, and now
+  double whole = 0.0, left = 0.0;  // total variance without data, and at present
   for (std::size_t g = 0; g < open.size(); ++g) {
     whole += open[g].weight * model.processes()[g].signalVariance() * static_cast<double>(candidates.size());
     left += open[g].weight * open[g].covariance.trace();

@@ -28,8 +28,8 @@ void checkPoses(const ScreenReport& screen, StreamKind stream) {
                           "Give tables with this stream, quaternions of norm 1 as x, y, z, w"});
 }
 
-/// Observations are paired with commanded poses within kLongestGap: commands seconds apart have stamps
-/// in another unit.
+/// Checks the unit of stamps. Poses are paired within kLongestGap; commands that are seconds apart have
+/// stamps in another unit.
 void checkStamps(const ScreenReport& screen, StreamKind reference) {
   constexpr double kLongest = 2.0;  // [s]
   std::vector<double> steps;
@@ -42,11 +42,11 @@ void checkStamps(const ScreenReport& screen, StreamKind reference) {
                           0,
                           fmt::format("stamps of the {}", base::nameOf(reference)),
                           fmt::format("{:.3g} s", step),
-                          "is the median step from one pose to the next, too long to follow a motion",
-                          "Give stamps in seconds, and poses at 10 Hz at least"});
+                          "is the median time from pose to pose, too long to follow a motion",
+                          "Give stamps in seconds, and poses at 10 Hz or more"});
 }
 
-/// How wide the middle half of a stream's positions lies along each axis [m].
+/// Interquartile range of a stream's positions along each axis [m].
 Eigen::Vector3d halfWidthsOf(const std::vector<PoseMotion>& motions, StreamKind stream) {
   constexpr std::array kQuartiles = {0.25, 0.75};
   Eigen::Vector3d widths;
@@ -60,7 +60,8 @@ Eigen::Vector3d halfWidthsOf(const std::vector<PoseMotion>& motions, StreamKind 
   return widths;
 }
 
-/// Half of the positions are nearer together than an arm is long, whatever outliers there are.
+/// Checks the unit of positions: their interquartile range cannot exceed the length of an arm, whatever
+/// outliers there are.
 void checkMetres(const ScreenReport& screen, StreamKind stream) {
   constexpr double kWidest = 1.5;  // [m]
   const Eigen::Vector3d widths = halfWidthsOf(screen.motions, stream);
@@ -72,7 +73,7 @@ void checkMetres(const ScreenReport& screen, StreamKind stream) {
                           0,
                           fmt::format("positions of the {}", base::nameOf(stream)),
                           fmt::format("{:.3g} m", widths.maxCoeff()),
-                          "is how wide half of them lie, wider than an arm reaches",
+                          "is their interquartile range, larger than an arm's reach",
                           fmt::format("Give {} of the {} in metres", axes, base::nameOf(stream))});
 }
 

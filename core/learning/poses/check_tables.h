@@ -6,9 +6,10 @@
 
 namespace capstan::learning {
 
-/// Looks at motions table by table (RawMotion::table, those of one stand together): beside others a table
-/// that cannot be learned from would be excluded without a word. base::InputError naming the table: it has no
-/// observed or commanded poses, or its stamps that are not seconds or positions that are not metres.
+/// Checks motions table by table (RawMotion::table; motions of one table are contiguous), because an unusable
+/// table among others would otherwise be excluded silently. Throws base::InputError naming a table without
+/// observed or commanded poses, with stamps that are not in seconds, or with positions that are not in
+/// metres.
 void checkTables(std::span<const RawMotion> motions, StreamKind towards);
 
 }  // namespace capstan::learning

@@ -5,7 +5,7 @@
 namespace capstan::learning {
 namespace {
 
-constexpr std::size_t kEach = 5;  // motion is held out
+constexpr std::size_t kEach = 5;  // every kEach-th motion is held out
 
 struct Parts {
   std::vector<State> learned, held;
@@ -27,7 +27,7 @@ double leftBy(Motion motion, const Parts& parts, CorrectionOptions options, base
               const base::ProgressPart& part) {
   options.motion = motion;
   const CorrectionModel model = trialModel(parts.learned, options, progress, part);
-  return stats::median(sizesOf(leftOf(model, parts.held), options.lever));
+  return stats::median(sizesOf(leftOf(model, parts.held), kLever));
 }
 
 }  // namespace

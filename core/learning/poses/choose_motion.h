@@ -4,10 +4,10 @@
 
 namespace capstan::learning {
 
-/// Motion features of a correction besides the pose: its velocity, or also how it moved in the
-/// last kSpans. A trialModel of each is learned from four fifths of the motions and corrects the other fifth;
-/// history is chosen where the median of ‖Δt‖ + lever · angle is less by kWorth. Fewer than kFewestMotions,
-/// or cancelled: velocity.
+/// Chooses the motion features of a correction: velocity, or velocity and history (the last kSpans). A
+/// trialModel with each is learned from 4/5 of the motions and evaluated on the others. History is chosen if
+/// its median of ‖Δt‖ + lever · angle is lower by the share kWorth. Velocity is chosen with fewer than
+/// kFewestMotions or if cancelled.
 Motion chooseMotion(const std::vector<State>& states, const CorrectionOptions& options,
                     base::Progress* progress = nullptr, const base::ProgressPart& part = {});
 

@@ -17,7 +17,7 @@ Reason judged(const State& state, const CleaningReport& report) {
   return Reason::kNone;
 }
 
-/// Trajectories of which most is out of place, go.
+/// Rejects all states of trajectories whose share of misplaced states exceeds `most`.
 void rejectTrajectories(const std::vector<State>& states, double most, std::vector<Reason>& reason) {
   for (std::size_t begin = 0, end = 0; begin < states.size(); begin = end) {
     std::size_t gone = 0;
@@ -52,8 +52,8 @@ CleaningReport cleanStates(const std::vector<State>& states, const CleaningOptio
   report.offset = median.offset;
   report.deviation = median.deviation;
   if (!states.empty()) {
-    report.workspace.min().array() -= options.margin;
-    report.workspace.max().array() += options.margin;
+    report.workspace.min().array() -= CleaningOptions::kMargin;
+    report.workspace.max().array() += CleaningOptions::kMargin;
   }
   for (std::size_t k = 0; k < states.size(); ++k)
     report.reason.push_back(median.belongs[k] ? judged(states[k], report) : Reason::kOutlier);
@@ -64,10 +64,10 @@ CleaningReport cleanStates(const std::vector<State>& states, const CleaningOptio
 std::vector<Reason> judgedBy(const CleaningReport& found, const std::vector<State>& states,
                              const CleaningOptions& options) {
   std::vector<Reason> reason;
-  const double most = std::pow(options.median.reach * found.deviation, 2);
+  const double most = std::pow(MedianOptions::kReach * found.deviation, 2);
   for (const State& state : states) {
-    const bool belongs = squaredDistance(found.offset * state.pair.observed, state.pair.commanded,
-                                         options.median.lever) <= most;
+    const bool belongs =
+        squaredDistance(found.offset * state.pair.observed, state.pair.commanded, kLever) <= most;
     reason.push_back(belongs ? judged(state, found) : Reason::kOutlier);
   }
   rejectTrajectories(states, options.most_rejected, reason);

@@ -9,7 +9,7 @@
 namespace capstan::learning {
 namespace {
 
-/// In ±π.
+/// Angle in ±π.
 double wrapped(double angle) { return std::remainder(angle, 2.0 * std::numbers::pi); }
 
 }  // namespace
@@ -61,7 +61,7 @@ Eigen::RowVectorXd PoseFeatures::of(const Eigen::Isometry3d& offset, const State
         rotationVector(middle_.conjugate() * Eigen::Quaterniond(pose.linear())).transpose();
   else
     features.segment<3>(3) = yawPitchRoll(pose.linear()).transpose();
-  const auto put = [&](Eigen::Index at, const Vector6d& velocity) {  // turn rates are in the tool's own frame
+  const auto put = [&](Eigen::Index at, const Vector6d& velocity) {  // rotation rates stay in the tool frame
     features.segment<3>(at) = (offset.linear() * velocity.head<3>()).transpose();
     features.segment<3>(at + 3) = velocity.tail<3>().transpose();
   };

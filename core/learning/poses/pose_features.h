@@ -3,23 +3,24 @@
 #include "core/base/names.h"
 #include "core/learning/poses/states.h"
 
-/// Poses and velocities as the numbers that a process learns from and of.
+/// Poses and velocities as input features and outputs of a process.
 namespace capstan::learning {
 
 enum class RotationForm {
-  kTangent,       ///< rotation vectors: of features from a middle turn, of corrections in the tool's frame
-  kYawPitchRoll,  ///< the paper's: R = R_z(yaw) R_y(pitch) R_x(roll), each angle alone
+  kTangent,  ///< rotation vectors: for features relative to a mean rotation, for corrections in the tool's
+             ///< frame
+  kYawPitchRoll,  ///< as in the paper: R = R_z(yaw) R_y(pitch) R_x(roll), each angle separately
 };
 
 /// Motion features of a process besides the pose.
 enum class Motion {
   kNone,
-  kVelocity,  ///< the paper's
-  kHistory,   ///< mean velocities of the last kSpans besides
+  kVelocity,  ///< as in the paper
+  kHistory,   ///< in addition the mean velocities of the last kSpans
 };
 
-/// Angles of R = R_z(yaw) R_y(pitch) R_x(roll) [rad], pitch in ±π/2, the others in ±π; where the pitch is
-/// ±π/2, roll is 0.
+/// Angles of R = R_z(yaw) R_y(pitch) R_x(roll) [rad], pitch in ±π/2, the others in ±π. At a pitch of ±π/2,
+/// roll is 0.
 Eigen::Vector3d yawPitchRoll(const Eigen::Matrix3d& rotation);
 Eigen::Matrix3d fromYawPitchRoll(const Eigen::Vector3d& angles);
 
@@ -28,16 +29,16 @@ Eigen::Quaterniond meanRotation(const std::vector<Eigen::Isometry3d>& poses);
 
 class PoseFeatures {
  public:
-  /// Of poses around `middle`.
+  /// Features of poses around the rotation `middle`.
   PoseFeatures(RotationForm form, Motion motion, const Eigen::Quaterniond& middle);
 
   Eigen::Index size() const;
-  /// [position [m], turn [rad], velocity [m/s], turn rate [rad/s], and those of each of kSpans] of what
-  /// `seen` saw, moved by `offset` on its left.
+  /// Features of `observed`, multiplied by `offset` on the left: position [m], rotation [rad], velocity
+  /// [m/s], rotation rate [rad/s], and the mean velocities of each of kSpans.
   Eigen::RowVectorXd of(const Eigen::Isometry3d& offset, const State& observed) const;
-  /// What takes `from` to `to`: [position [m], turn [rad]].
+  /// Difference from `from` to `to`: position [m], rotation [rad].
   Vector6d correction(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to) const;
-  /// The pose that a correction leads to.
+  /// Pose `from` after a correction.
   Eigen::Isometry3d corrected(const Eigen::Isometry3d& from, const Vector6d& correction) const;
 
   RotationForm form() const { return form_; }

@@ -8,14 +8,14 @@
 
 #include "core/base/names.h"
 
-/// Motions of a tip as three streams of stamped poses: observed by cameras, reported by the robot's forward
-/// kinematics, and commanded.
+/// Motions of a tip as three streams of poses with time stamps: observed by cameras, computed by the robot's
+/// forward kinematics, and commanded.
 namespace capstan::learning {
 
 enum class StreamKind { kCamera, kRobot, kCommand };
 inline constexpr std::size_t kStreams = 3;
 
-/// Why a row of a stream, or a state, does not count.
+/// Reason why a row of a stream or a state is rejected.
 enum class Reason {
   kNone,
   kNotFinite,     ///< an empty cell, NaN or infinity
@@ -24,17 +24,17 @@ enum class Reason {
   kRepeat,        ///< the stamp of the row before
   kBackInTime,    ///< a stamp before that of the row before
   kOutlier,       ///< beyond the least median of squares
-  kTooFarTurned,  ///< an orientation that the markers cannot be seen in
-  kOutside,       ///< a position that the arm does not reach
-  kTooFast,       ///< a speed that the robot does not have
+  kTooFarTurned,  ///< an orientation in which the markers are not visible
+  kOutside,       ///< a position that the arm cannot reach
+  kTooFast,       ///< a speed that the robot cannot reach
   kTurnsTooFast,
   kTrajectory,  ///< most of its trajectory was rejected
 };
 
-/// As a table has it, nothing checked.
+/// Pose of a table without any check.
 struct RawPose {
   std::size_t row = 0;                                    ///< line of the file, for messages
-  double t = 0.0;                                         ///< stamp [s], a clock of the stream's own
+  double t = 0.0;                                         ///< stamp [s] on the stream's own clock
   Eigen::Vector3d position = Eigen::Vector3d::Zero();     ///< [m]
   Eigen::Vector4d quaternion = Eigen::Vector4d::UnitW();  ///< x, y, z, w
 };
@@ -42,7 +42,7 @@ struct RawPose {
 struct RawMotion {
   std::string name;  ///< "task 1, trajectory 22"
   std::array<std::vector<RawPose>, kStreams> streams;
-  std::string table = {};  ///< the file that it is of, for messages
+  std::string table = {};  ///< its file, for messages
 };
 
 struct StampedPose {
@@ -51,7 +51,7 @@ struct StampedPose {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
 };
 
-/// Stamps of each stream rise strictly.
+/// Motion whose stamps strictly increase in each stream.
 struct PoseMotion {
   std::string name;
   std::array<std::vector<StampedPose>, kStreams> streams;

@@ -13,7 +13,7 @@
 namespace capstan::learning {
 namespace {
 
-/// How wide nine tenths of a stream's positions lie along each of its axes [m].
+/// Range of 90 % of a stream's positions along each axis [m].
 Eigen::Vector3d widthsOf(const std::vector<State>& states, Eigen::Isometry3d PosePair::*pose) {
   constexpr std::array kTails = {0.05, 0.95};
   Eigen::Vector3d widths;
@@ -26,9 +26,10 @@ Eigen::Vector3d widthsOf(const std::vector<State>& states, Eigen::Isometry3d Pos
   return widths;
 }
 
-/// What makes two streams differ so: an axis far wider than all of the other's is in another unit.
+/// Advice for streams that are not related: an axis with a far larger range than all axes of the other stream
+/// is in another unit.
 std::string unitsAdvice(const std::vector<State>& states, StreamKind towards) {
-  constexpr double kOtherUnit = 4.0;  // a frame that is turned makes it √3
+  constexpr double kOtherUnit = 4.0;  // a rotated frame changes it by at most √3
   const Eigen::Vector3d observed = widthsOf(states, &PosePair::observed),
                         commanded = widthsOf(states, &PosePair::commanded);
   const bool is_seen = observed.maxCoeff() > commanded.maxCoeff();
@@ -40,8 +41,8 @@ std::string unitsAdvice(const std::vector<State>& states, StreamKind towards) {
   if (axes.empty()) return "Check units (metres), the order of axes and of quaternions (x, y, z, w)";
   const StreamKind wider = is_seen ? StreamKind::kCamera : towards,
                    other = is_seen ? towards : StreamKind::kCamera;
-  return fmt::format("Give {} of the {} in metres: it is up to {:.3g} m wide, all of the {} {:.2g} m", axes,
-                     base::nameOf(wider), wide.maxCoeff(), base::nameOf(other), narrow);
+  return fmt::format("Give {} of the {} in metres: its range is up to {:.3g} m, that of the {} only {:.2g} m",
+                     axes, base::nameOf(wider), wide.maxCoeff(), base::nameOf(other), narrow);
 }
 
 /// Median distance of commanded positions from their mean [m].
@@ -57,7 +58,7 @@ double sizeOf(const std::vector<State>& states) {
   return stats::median(std::move(way));
 }
 
-/// Medians of what the offset leaves.
+/// Median residuals of the offset.
 struct Left {
   double distance = 0.0;  ///< [m]
   double rotation = 0.0;  ///< [rad]
@@ -80,25 +81,25 @@ void checkDistance(const std::vector<State>& states, double left, double size, S
        0,
        "poses",
        fmt::format("{:.3g} m", left),
-       fmt::format("is what the best rigid offset leaves of half of the observations, and motions are "
+       fmt::format("is the median residual of the best rigid offset, and motions are only "
                    "{:.3g} m long",
                    size),
        unitsAdvice(states, towards) + "; both streams must be of one arm, and it must move"});
 }
 
-/// A mount that turns the marker turns all observations alike.
+/// Checks the rotation. A rotated marker mount is no error, because it rotates all observations in the same
+/// way.
 void checkRotation(double left, double of_all) {
   constexpr double kMost = 1.0;  // [rad]
   if (left <= of_all + kMost) return;
-  throw base::InputError(
-      {{},
-       0,
-       "quaternions",
-       fmt::format("{:.0f} deg", left * 180.0 / std::numbers::pi),
-       fmt::format("is the rotation that the best rigid offset leaves of half of the observations, of "
-                   "all tables' {:.0f} deg",
-                   of_all * 180.0 / std::numbers::pi),
-       "Give quaternions in the order x, y, z, w, of the same marker in all tables"});
+  throw base::InputError({{},
+                          0,
+                          "quaternions",
+                          fmt::format("{:.0f} deg", left * 180.0 / std::numbers::pi),
+                          fmt::format("is the median rotation residual of the best rigid offset; over "
+                                      "all tables it is {:.0f} deg",
+                                      of_all * 180.0 / std::numbers::pi),
+                          "Give quaternions in the order x, y, z, w, of the same marker in all tables"});
 }
 
 }  // namespace

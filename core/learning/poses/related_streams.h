@@ -4,11 +4,11 @@
 
 namespace capstan::learning {
 
-/// Checks that one rigid offset relates the observed and the commanded stream of each table; without it
-/// nothing can be learned. In each table half of the states must lie nearer to their commanded position, less
-/// the offset, than the length of the motions. Beside other tables, half of them must also be rotated about
-/// as the others' are. States are of `motions`. base::InputError naming the table that fails, and its axes in
-/// another unit where these can be determined.
+/// Checks that one rigid offset relates the observed and the commanded stream of each table; otherwise
+/// nothing can be learned. In each table the median distance from the commanded position after the offset
+/// must be small compared with the length of the motions. The median rotation after the offset must be
+/// similar to that of all tables. `states` are those of `motions`. Throws base::InputError naming the table
+/// that fails, and the axes that are in another unit if they can be determined.
 void checkRelated(const std::vector<PoseMotion>& motions, const std::vector<State>& states,
                   const Eigen::Isometry3d& offset, StreamKind towards);
 

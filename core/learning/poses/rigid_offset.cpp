@@ -50,28 +50,28 @@ Eigen::Isometry3d rigidOffset(std::span<const PosePair> pairs, double lever) {
 MedianReport leastMedianOffset(std::span<const PosePair> pairs, const MedianOptions& options) {
   MedianReport report;
   report.belongs.assign(pairs.size(), true);
-  const auto sample = static_cast<std::size_t>(options.sample);
-  if (pairs.size() <= sample) {
-    report.offset = rigidOffset(pairs, options.lever);
+  constexpr std::size_t kSample = MedianOptions::kSample;
+  if (pairs.size() <= kSample) {
+    report.offset = rigidOffset(pairs, kLever);
     return report;
   }
   base::Random random(options.seed, "least median of squares");
   double least = std::numeric_limits<double>::infinity();
-  std::vector<PosePair> drawn(sample);
+  std::vector<PosePair> drawn(kSample);
   for (int draw = 0; draw < MedianOptions::kDraws; ++draw) {
     for (PosePair& pair : drawn) pair = pairs[random.bits() % pairs.size()];
-    const Eigen::Isometry3d offset = rigidOffset(drawn, options.lever);
-    const double median = stats::median(squaredDistances(pairs, offset, options.lever));
+    const Eigen::Isometry3d offset = rigidOffset(drawn, kLever);
+    const double median = stats::median(squaredDistances(pairs, offset, kLever));
     if (median < least) least = median, report.offset = offset;
   }
-  const double n = static_cast<double>(pairs.size() - sample);
+  const double n = static_cast<double>(pairs.size() - kSample);
   report.deviation = 1.4826 * (1.0 + 5.0 / n) * std::sqrt(least);
-  const std::vector<double> squares = squaredDistances(pairs, report.offset, options.lever);
-  const double most = std::pow(options.reach * report.deviation, 2);
+  const std::vector<double> squares = squaredDistances(pairs, report.offset, kLever);
+  const double most = std::pow(MedianOptions::kReach * report.deviation, 2);
   std::vector<PosePair> belonging;
   for (std::size_t k = 0; k < pairs.size(); ++k)
     if ((report.belongs[k] = squares[k] <= most)) belonging.push_back(pairs[k]);
-  report.offset = rigidOffset(belonging, options.lever);
+  report.offset = rigidOffset(belonging, kLever);
   return report;
 }
 

@@ -6,10 +6,10 @@
 /// robotics, 2018, section IV).
 namespace capstan::learning {
 
-/// Axis times angle [rad], the short way round: |result| ≤ π.
+/// Rotation vector: axis times angle [rad], by the shorter rotation, so |result| ≤ π.
 Eigen::Vector3d rotationVector(const Eigen::Quaterniond& rotation);
 
-/// The rotation about the vector's direction by its length.
+/// Rotation about the vector's direction by its length [rad].
 Eigen::Quaterniond turnBy(const Eigen::Vector3d& rotation_vector);
 
 }  // namespace capstan::learning

@@ -29,10 +29,10 @@ std::vector<Eigen::Quaterniond> turnsOf(const std::vector<StampedPose>& stream) 
 }
 
 constexpr double kSpeedSpan = 0.1;   // [s]
-constexpr double kFastestTip = 0.5;  // [m/s]: faster is a jump of observations
+constexpr double kFastestTip = 0.5;  // [m/s]; a faster observation is a jump
 
-/// Speeds of a stream over time: of the way over kSpeedSpan, since the noise of observations looks like
-/// speed, and the more the nearer they are in time.
+/// Speeds of a stream over time. They are means over kSpeedSpan, because over shorter times the noise of
+/// observations causes larger errors of speed.
 struct Speeds {
   std::vector<double> t, speed;
 
@@ -57,13 +57,13 @@ struct Speeds {
   }
 };
 
-/// Sum and number of a motion's differences of speed at each lag.
+/// Sum and number of a motion's differences of speed at each clock offset.
 struct Misfit {
   Eigen::VectorXd sum, count;
 };
 
-/// By observations that have a counterpart at every lag, since others would change what is compared from lag
-/// to lag; of a motion too short for that by all.
+/// Misfit over the observations that have a counterpart at every clock offset, so that all offsets are
+/// compared on the same data. If a motion is too short for that, all observations are used.
 Misfit misfitOf(const PoseMotion& motion, StreamKind reference, const std::vector<double>& clock_offsets) {
   constexpr double kEnough = 0.25;
   const Speeds observed(motion.of(StreamKind::kCamera)), commanded(motion.of(reference));
@@ -91,7 +91,7 @@ std::vector<Misfit> misfitsOf(const std::vector<PoseMotion>& motions, StreamKind
   return misfits;
 }
 
-/// Over all motions.
+/// Mean difference of speeds over all motions.
 Eigen::VectorXd meanOf(const std::vector<Misfit>& misfits) {
   if (misfits.empty()) return Eigen::VectorXd::Zero(1);
   Misfit all{Eigen::VectorXd::Zero(misfits.front().sum.size()),
@@ -100,7 +100,7 @@ Eigen::VectorXd meanOf(const std::vector<Misfit>& misfits) {
   return all.sum.cwiseQuotient(all.count.cwiseMax(1.0));
 }
 
-/// Where the parabola through the least of all and its neighbours is least.
+/// Clock offset at the minimum of the parabola through the smallest value and its neighbours.
 double leastAt(const std::vector<double>& clock_offsets, const Eigen::VectorXd& mean) {
   Eigen::Index least = 0;
   mean.minCoeff(&least);
@@ -111,7 +111,7 @@ double leastAt(const std::vector<double>& clock_offsets, const Eigen::VectorXd& 
   return bend > 0.0 ? at + 0.5 * (before - after) / bend * (clock_offsets[1] - clock_offsets[0]) : at;
 }
 
-/// Mean velocity of the last `span` seconds before observation k.
+/// Mean velocity over the last `span` seconds before observation k.
 Vector6d driftAt(const std::vector<StampedPose>& observed, std::size_t k, double span) {
   const double begin = observed[k].t - span;
   const auto from =
@@ -187,19 +187,19 @@ std::vector<State> statesOf(const std::vector<PoseMotion>& motions, StreamKind r
   return states;
 }
 
-ClockOffsetReport clockOffsetBetween(const std::vector<PoseMotion>& motions, StreamKind reference,
-                                     const ClockOffsetOptions& options) {
+ClockOffsetReport clockOffsetBetween(const std::vector<PoseMotion>& motions, StreamKind reference) {
+  constexpr double kEarliest = -0.1, kLatest = 0.4;  // searched range [s]; delays are positive
+  constexpr double kStep = 0.01;                     // of the grid search [s]
   ClockOffsetReport report;
-  for (double clock_offset = options.earliest; clock_offset <= options.latest + 0.5 * options.step;
-       clock_offset += options.step)
+  for (double clock_offset = kEarliest; clock_offset <= kLatest + 0.5 * kStep; clock_offset += kStep)
     report.tried.push_back(clock_offset);
   const Eigen::VectorXd coarse = meanOf(misfitsOf(motions, reference, report.tried));
   report.misfit.assign(coarse.data(), coarse.data() + coarse.size());
   Eigen::Index least = 0;
   coarse.minCoeff(&least);
-  std::vector<double> near;  // where hardly an observation has no counterpart
+  std::vector<double> near;  // near the minimum almost every observation has a counterpart
   for (const int step : {-2, -1, 0, 1, 2})
-    near.push_back(report.tried[static_cast<std::size_t>(least)] + step * options.step);
+    near.push_back(report.tried[static_cast<std::size_t>(least)] + step * kStep);
   const std::vector<Misfit> misfits = misfitsOf(motions, reference, near);
   report.clock_offset = leastAt(near, meanOf(misfits));
   double squares = 0.0, used = 0.0;

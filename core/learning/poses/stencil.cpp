@@ -8,7 +8,7 @@
 namespace capstan::learning {
 namespace {
 
-/// First of the stamps in the stencil of stamp k.
+/// Index of the first stamp in the stencil of stamp k.
 std::size_t firstAround(std::size_t k, std::size_t size) {
   const std::size_t width = std::min(kStencil, size);
   return std::min(k - std::min(k, width / 2), size - width);

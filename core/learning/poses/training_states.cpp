@@ -15,7 +15,7 @@ bool mayCount(Reason reason) {
   return reason == Reason::kNone || reason == Reason::kTrajectory || misplaced(reason);
 }
 
-/// Of those that cleaning kept.
+/// Sizes of the inliers of cleaning.
 std::vector<double> ofKept(const std::vector<double>& sizes, const std::vector<bool>& kept) {
   std::vector<double> some;
   for (std::size_t k = 0; k < sizes.size(); ++k)
@@ -23,12 +23,12 @@ std::vector<double> ofKept(const std::vector<double>& sizes, const std::vector<b
   return some;
 }
 
-/// Standard deviation of a normal distribution that has the median of |left| among those kept, of each of
-/// six.
-Vector6d scatterOf(const std::vector<Vector6d>& left, const std::vector<bool>& kept, double lever) {
+/// Scale of each of the six components: standard deviation of a normal distribution with the median of |left|
+/// among the inliers.
+Vector6d scatterOf(const std::vector<Vector6d>& left, const std::vector<bool>& kept) {
   constexpr double kOfNormal = 1.4826;
   Vector6d arms, scatter;
-  arms << 1.0, 1.0, 1.0, lever, lever, lever;
+  arms << 1.0, 1.0, 1.0, kLever, kLever, kLever;
   for (Eigen::Index i = 0; i < 6; ++i) {
     std::vector<double> sizes;
     for (const Vector6d& one : left) sizes.push_back(arms[i] * std::abs(one[i]));
@@ -37,17 +37,17 @@ Vector6d scatterOf(const std::vector<Vector6d>& left, const std::vector<bool>& k
   return scatter.cwiseMax(kScatterShare * scatter.maxCoeff()).cwiseQuotient(arms);
 }
 
-/// Residuals of states, and the weights that follow.
+/// Weights of states from their residuals.
 class Judgement {
  public:
-  Judgement(std::vector<Vector6d> left, std::vector<bool> kept, double lever)
+  Judgement(std::vector<Vector6d> left, std::vector<bool> kept)
       : left_(std::move(left)), kept_(std::move(kept)) {
-    if (!left_.empty()) scatter_ = scatterOf(left_, kept_, lever);
+    if (!left_.empty()) scatter_ = scatterOf(left_, kept_);
   }
 
-  /// Not: cancelled, or nothing is left of half of the states.
+  /// False: cancelled, or the median residual is 0.
   bool made() const { return scatter_.maxCoeff() > 0.0; }
-  /// Of position and rotation together.
+  /// Weight over position and rotation together.
   double weight(std::size_t k) const { return weightOf(inScatters(k)); }
   bool counts(std::size_t k) const { return kept_[k] || weight(k) >= kAgain; }
   Vector6d extraVariance(std::size_t k) const {
@@ -69,21 +69,20 @@ class Judgement {
   Vector6d scatter_ = Vector6d::Zero();
 };
 
-/// Leaves `after` no more than `before`, of half of the states and of the worst?
+/// True if the residuals `after` are not larger than `before`, by the median and by the kWorst quantile.
 bool noWorse(const std::vector<double>& before, const std::vector<double>& after) {
   constexpr std::array kShares = {0.5, kWorst};
   const std::vector<double> was = stats::quantiles(before, kShares), is = stats::quantiles(after, kShares);
   return is[0] <= (1.0 + kByChance) * was[0] && is[1] <= (1.0 + kByChance) * was[1];
 }
 
-/// Residual of each under models of all, down-weighted, or, where these are worse, of the inliers. Empty:
-/// cancelled, or too few.
+/// Residual of each state under down-weighted models of all states, or under models of the inliers if these
+/// are better. Empty: cancelled, or too few states.
 std::vector<Vector6d> residualOfEach(std::vector<State> states, const std::vector<bool>& kept,
                                      const CorrectionOptions& options, base::Progress* progress,
                                      const base::ProgressPart& part) {
   std::vector<bool> counts(states.size(), true);
-  const Judgement by_all(leftByOthers(states, counts, options, progress, part.within(0.0, 0.33)), kept,
-                         options.lever);
+  const Judgement by_all(leftByOthers(states, counts, options, progress, part.within(0.0, 0.33)), kept);
   if (progress && progress->cancelled()) return {};
   std::vector<Vector6d> by_kept = leftByOthers(states, kept, options, progress, part.within(0.33, 0.67));
   if (by_kept.empty() || !by_all.made()) return by_kept;
@@ -95,25 +94,26 @@ std::vector<Vector6d> residualOfEach(std::vector<State> states, const std::vecto
       leftByOthers(states, counts, options, progress, part.within(0.67, 1.0));
   if (by_down_weighted.empty()) return {};
   const auto ofKeptBy = [&](const std::vector<Vector6d>& left) {
-    return ofKept(sizesOf(left, options.lever), kept);
+    return ofKept(sizesOf(left, kLever), kept);
   };
   return noWorse(ofKeptBy(by_kept), ofKeptBy(by_down_weighted)) ? by_down_weighted : by_kept;
 }
 
 }  // namespace
 
-TrainingStates trainingStates(const std::vector<State>& all, CleaningReport cleaned, double lever) {
+TrainingStates trainingStates(const std::vector<State>& all, CleaningReport cleaned) {
   TrainingStates training;
   training.states = kept(all, cleaned);
-  training.offset = rigidOffset(pairsOf(training.states), lever);
+  training.offset = rigidOffset(pairsOf(training.states));
   training.cleaning = std::move(cleaned);
   return training;
 }
 
-void weigh(TrainingStates& training, const std::vector<State>& all, const CorrectionOptions& options, base::Progress* progress, const base::ProgressPart& part) {
+void weigh(TrainingStates& training, const std::vector<State>& all, const CorrectionOptions& options,
+           base::Progress* progress, const base::ProgressPart& part) {
   CleaningReport& cleaning = training.cleaning;
   std::vector<State> some;
-  std::vector<std::size_t> places;  // in `all`
+  std::vector<std::size_t> places;  // indices in `all`
   std::vector<bool> kept;
   for (std::size_t k = 0; k < all.size(); ++k) {
     if (!mayCount(cleaning.reason[k]) || tooFast(all[k])) continue;
@@ -124,7 +124,7 @@ void weigh(TrainingStates& training, const std::vector<State>& all, const Correc
   if (some.empty() || motionPlaces(some).back() + 1 < kFewestMotions) return;
   CorrectionOptions own = options;
   own.offset = training.offset;
-  const Judgement judgement(residualOfEach(some, kept, own, progress, part), kept, options.lever);
+  const Judgement judgement(residualOfEach(some, kept, own, progress, part), kept);
   if (!judgement.made()) return;
   training.states.clear();
   for (std::size_t k = 0; k < some.size(); ++k) {

@@ -3,7 +3,7 @@
 namespace capstan::learning {
 namespace {
 
-/// Largest share found of the way between two poses, of which the first can be commanded.
+/// Largest share of the path between two poses that can be commanded; the first pose can be.
 WithinReach farthest(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to, ReachLimit limit,
                      const Reachable& reachable) {
   WithinReach found{from, limit, 0.0};

@@ -4,9 +4,9 @@
 
 #include "core/robot/chain/chain_numbers.h"
 
-/// Rigid bodies of a chain, for any scalar: Newton–Euler recursion outward and inward over a modified
+/// Rigid-body dynamics of a chain, for any scalar: outward and inward Newton–Euler recursion over a modified
 /// Denavit–Hartenberg table (Luh, Walker, Paul 1980, in the form of Craig, Introduction to Robotics, 3rd ed.,
-/// 6.45–6.53, about link origins), the mass matrix column by column.
+/// 6.45–6.53, about link origins). The mass matrix is computed column by column.
 namespace capstan::robot {
 
 #define CAPSTAN_CHAIN_INLINE [[gnu::always_inline]] inline
@@ -28,18 +28,20 @@ CAPSTAN_CHAIN_INLINE Triple<S> scaled(const S& k, const Triple<S>& a) {
   return {k * a.x, k * a.y, k * a.z};
 }
 
-/// Link i in the frame before: rotation RotX(alpha) RotZ(theta) by its sine and cosine, and origin.
+/// Pose of link i in the previous frame: origin, and sines and cosines of RotX(alpha) RotZ(theta).
 template <class S>
 struct LinkPose {
   S sine, cosine;
   Triple<S> origin;
   double sin_alpha, cos_alpha;
 
-  CAPSTAN_CHAIN_INLINE Triple<S> out(const Triple<S>& v) const {  ///< from the frame before into the link's
+  CAPSTAN_CHAIN_INLINE Triple<S> out(
+      const Triple<S>& v) const {  ///< rotates v from the previous frame to the link's
     const S y = cos_alpha * v.y + sin_alpha * v.z;
     return {cosine * v.x + sine * y, cosine * y - sine * v.x, cos_alpha * v.z - sin_alpha * v.y};
   }
-  CAPSTAN_CHAIN_INLINE Triple<S> back(const Triple<S>& v) const {  ///< and back
+  CAPSTAN_CHAIN_INLINE Triple<S> back(
+      const Triple<S>& v) const {  ///< rotates v from the link's frame to the previous one
     const S y = sine * v.x + cosine * v.y;
     return {cosine * v.x - sine * v.y, cos_alpha * y - sin_alpha * v.z, sin_alpha * y + cos_alpha * v.z};
   }
@@ -60,7 +62,7 @@ CAPSTAN_CHAIN_INLINE LinkPose<S> placeOf(const ChainShape& shape, int i, const S
   return place;
 }
 
-/// Rates of one link's frame, and the wrench that its motion takes about its origin.
+/// Motion of a link's frame: angular velocity, angular and linear acceleration.
 template <class S>
 struct LinkMotion {
   Triple<S> omega, alpha, acceleration;
@@ -77,7 +79,8 @@ CAPSTAN_CHAIN_INLINE Triple<S> inertiaTimes(const LinkNumbers<S>& link, const Tr
           i[4] * v.x + i[5] * v.y + i[2] * v.z};
 }
 
-/// m a + dω × mc + ω × (ω × mc);  I dω + ω × I ω + mc × a.
+/// Wrench that a link's motion requires: force m a + dω × mc + ω × (ω × mc), and moment about the link's
+/// origin I dω + ω × I ω + mc × a.
 template <class S>
 CAPSTAN_CHAIN_INLINE Wrench<S> wrenchOf(const LinkNumbers<S>& link, const LinkMotion<S>& m) {
   const Triple<S> moment = {link.moment[0], link.moment[1], link.moment[2]};
@@ -86,7 +89,7 @@ CAPSTAN_CHAIN_INLINE Wrench<S> wrenchOf(const LinkNumbers<S>& link, const LinkMo
               cross(moment, m.acceleration)};
 }
 
-/// The same of a link that starts to move from rest.
+/// Wrench that the motion of a link requires when its velocity is zero.
 template <class S>
 CAPSTAN_CHAIN_INLINE Wrench<S> startingWrench(const LinkNumbers<S>& link, const Triple<S>& alpha,
                                               const Triple<S>& acceleration) {
@@ -102,7 +105,7 @@ CAPSTAN_CHAIN_INLINE void carryBack(const LinkPose<S>& place, const Wrench<S>& f
   to.force = to.force + force;
 }
 
-/// M(q), full and symmetric, and C(q, dq) dq + G(q).
+/// Mass matrix M(q), full and symmetric, and bias C(q, dq) dq + G(q).
 template <class S>
 struct ChainBodies {
   S mass[kChainJoints][kChainJoints];
@@ -173,7 +176,7 @@ CAPSTAN_CHAIN_INLINE void chainBodies(const ChainShape& shape, const ChainNumber
   massOf<S>(shape, p, places, q[0] - q[0], bodies);
 }
 
-/// Square-root-free Cholesky factors L D Lᵀ in place: L below the diagonal, 1 / D on it.
+/// Computes the square-root-free Cholesky factors L D Lᵀ in place: L below the diagonal, 1 / D on it.
 template <class S>
 CAPSTAN_CHAIN_INLINE void factorise(int n, S (&m)[kChainJoints][kChainJoints]) {
   for (int j = 0; j < n; ++j) {
@@ -195,7 +198,7 @@ CAPSTAN_CHAIN_INLINE void factorise(int n, S (&m)[kChainJoints][kChainJoints]) {
   }
 }
 
-/// x of L D Lᵀ x = b in place.
+/// Solves L D Lᵀ x = b in place.
 template <class S>
 CAPSTAN_CHAIN_INLINE void solve(int n, const S (&m)[kChainJoints][kChainJoints], S* b) {
   for (int i = 1; i < n; ++i)

@@ -7,35 +7,36 @@
 
 namespace capstan::robot {
 
-/// Robots that are simulated side by side.
+/// Number of robots that are simulated in parallel.
 inline constexpr int kChainLanes = 16;
 struct alignas(64) ChainLane {
   double value[kChainLanes];
 };
 
-/// Rows of a recording as the kernels read them: joint j's row k at column[j][k].
+/// Rows of a recording in the kernels' layout: row k of joint j is at [j][k].
 struct ChainRows {
-  const double* t = nullptr;                     ///< [s]
-  const double* drive[kChainJoints] = {};        ///< q_m [rad], or torque of rigid drives
-  const double* load[kChainJoints] = {};         ///< tau_ext; null: none
-  const double* signed_load[kChainJoints] = {};  ///< null: as `load`
+  const double* t = nullptr;                     ///< times [s]
+  const double* drive[kChainJoints] = {};        ///< q_m [rad], or torque of rigid drives [N·m]
+  const double* load[kChainJoints] = {};         ///< tau_ext [N·m or N]; null when there is no load
+  const double* signed_load[kChainJoints] = {};  ///< tau_ext with sign [N·m or N]; null when equal to `load`
 };
 
-/// A segment of rows to simulate, begin to end, and the place of every `stride`-th row of it, the first one
-/// included: q and dq of joint j at output k in q[(k n + j) kChainLanes + lane], both 64-byte aligned.
+/// Segment of rows [begin, end) to simulate, and memory for the output of every `stride`-th row from the
+/// first on. Output k of joint j of n is at q[(k n + j) kChainLanes + lane] and likewise in dq; both are
+/// 64-byte aligned.
 struct ChainRun {
   std::size_t begin = 0, end = 0;
-  int steps = 1;  ///< a row
+  int steps = 1;  ///< number of integration steps per row
   int stride = 1;
   double* q = nullptr;
   double* dq = nullptr;
 };
 
-/// Advances the 16 robots of `numbers` from `state` at row run.begin to row run.end − 1, in place.
+/// Advances the 16 robots of `numbers` in place, from `state` at row run.begin to row run.end − 1.
 using SimulateChain = void (*)(const ChainShape& shape, const ChainNumbers<ChainLane>& numbers,
                                const ChainRows& rows, const ChainRun& run, ChainState<ChainLane>& state);
 
-/// The kernel for `set`, which must be available.
+/// Kernel for the instruction set `set`, which must be available.
 SimulateChain simulateChainKernel(math::InstructionSet set = math::bestInstructionSet());
 
 }  // namespace capstan::robot

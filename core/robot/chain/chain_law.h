@@ -5,8 +5,8 @@
 #include "core/robot/chain/chain_bodies.h"
 #include "core/robot/chain/chain_numbers.h"
 
-/// Transmission, cable and friction of a joint with every effect that a robot file can have, for any scalar.
-/// The one place where these laws stand: plant, filter and diagnosis run them all.
+/// Laws of transmission, cable and friction of a joint with every effect that a robot file can have, for any
+/// scalar. Plant, filter and diagnosis all use these laws; there is no second implementation.
 namespace capstan::robot {
 
 CAPSTAN_CHAIN_INLINE double whereGreater(double x, double y, double yes, double no) {
@@ -19,7 +19,7 @@ CAPSTAN_CHAIN_INLINE S positivePart(const S& x) {
   const S zero = constantLike(x, 0.0);
   return whereGreater(x, zero, x, zero);
 }
-/// x kept within ±limit.
+/// Returns x limited to ±limit.
 template <class S>
 CAPSTAN_CHAIN_INLINE S clipped(const S& x, double limit) {
   const S high = constantLike(x, limit), low = constantLike(x, -limit);
@@ -28,9 +28,8 @@ CAPSTAN_CHAIN_INLINE S clipped(const S& x, double limit) {
 }
 
 /// Travel of a cable on the motor's side [m],
-///     s_m = r_mc q_m / N + e_c sin φ + e_s (cos φ − 1), φ = q_m / N:
-/// a capstan whose axis is off its centre by (e_c, e_s) has the effective radius r_mc + e_c cos φ − e_s sin
-/// φ.
+///     s_m = r_mc q_m / N + e_c sin φ + e_s (cos φ − 1), φ = q_m / N.
+/// A capstan with the eccentricity (e_c, e_s) has the effective radius r_mc + e_c cos φ − e_s sin φ.
 template <class S>
 CAPSTAN_CHAIN_INLINE S motorTravel(const JointNumbers<S>& p, unsigned laws, const S& angle) {
   using std::cos, std::sin;
@@ -42,8 +41,8 @@ CAPSTAN_CHAIN_INLINE S motorTravel(const JointNumbers<S>& p, unsigned laws, cons
   return travel;
 }
 
-/// d s_m / d q_m [m/rad]: velocity of the cable by that of the motor, torque on the motor by the cable's
-/// force.
+/// Lever d s_m / d q_m [m/rad]: velocity of the cable per velocity of the motor, and torque on the motor per
+/// force of the cable.
 template <class S>
 CAPSTAN_CHAIN_INLINE S motorLever(const JointNumbers<S>& p, unsigned laws, const S& angle) {
   using std::cos, std::sin;
@@ -52,8 +51,8 @@ CAPSTAN_CHAIN_INLINE S motorLever(const JointNumbers<S>& p, unsigned laws, const
   return p.lever + (p.eccentric_cosine * cos(phi) - p.eccentric_sine * sin(phi)) * p.inverse_gear;
 }
 
-/// How far a reading has fallen short: slip times a smooth step of kSlipTime from slip_time on.
-inline constexpr double kSlipTime = 0.05;  // [s]
+/// Deficit of the motor's reading at time t [rad]: slip times a smooth step from slip_time over kSlipTime.
+inline constexpr double kSlipTime = 0.05;  // duration of the step [s]
 template <class S>
 CAPSTAN_CHAIN_INLINE S slipAt(const JointNumbers<S>& p, double t) {
   const S one = constantLike(p.slip, 1.0);
@@ -62,15 +61,15 @@ CAPSTAN_CHAIN_INLINE S slipAt(const JointNumbers<S>& p, double t) {
   return p.slip * (y * y * (3.0 - 2.0 * y));
 }
 
-/// How far a zero has moved, and how fast it moves.
+/// Shift of a joint's zero and its rate.
 template <class S>
 struct ZeroShift {
   S by;    ///< [rad or m]
   S rate;  ///< [rad/s or m/s]
 };
 
-/// drift (1 − exp(−t / T)) of q_hs, as cables that seat or warm up move it; t from the begin of the recording
-/// [s], nothing before.
+/// Shift drift (1 − exp(−t / T)) of q_hs, as caused by cables that seat or warm up. t is the time since the
+/// begin of the recording [s]; before it the shift is 0.
 template <class S>
 CAPSTAN_CHAIN_INLINE ZeroShift<S> zeroShiftAt(const JointNumbers<S>& p, double t) {
   using std::exp;
@@ -79,7 +78,7 @@ CAPSTAN_CHAIN_INLINE ZeroShift<S> zeroShiftAt(const JointNumbers<S>& p, double t
   return {p.zero_drift - left, p.zero_drift_rate * left};
 }
 
-/// One of the two cables of a pair [N]: nothing while it sags. `taut`: 1 or 0.
+/// Force of one of the two cables of a pair [N]; 0 while it sags. Sets `taut` to 1, or to 0 while it sags.
 template <class S>
 CAPSTAN_CHAIN_INLINE S oneCable(const JointNumbers<S>& p, const S& stretch, const S& rate, S& taut) {
   const S none = constantLike(stretch, 0.0);
@@ -88,18 +87,19 @@ CAPSTAN_CHAIN_INLINE S oneCable(const JointNumbers<S>& p, const S& stretch, cons
   return taut * pull;
 }
 
-/// What a cable does at one instant.
+/// Force of a cable and rates of its hidden states at one instant.
 template <class S>
 struct CablePull {
   S force;            ///< gamma [N]
   S damping;          ///< d gamma / d rate [N·s/m]
   S hysteresis_rate;  ///< dz/dt [m/s]
-  S creep_rate;       ///< [m/s]
+  S creep_rate;       ///< rate of the creep elongation [m/s]
 };
 
-/// gamma = 2 k_e sinh(a x) + 2 b_e dδ with x = δ less creep, beyond a play; the stiffness over 1 + m ρ (free
-/// length over the range ρ = −1…1); Duffing's cubic; a pair with one cable sagging; Bouc–Wen (n = 1,
-/// β = γ = 1 / 2 y) beside it. A spring and damper behind a play press and never pull.
+/// Force of a cable, gamma = 2 k_e sinh(a x) + 2 b_e dδ, where x is the stretch δ minus the creep, beyond the
+/// play. Effects: stiffness divided by 1 + m ρ (free length over the range ρ = −1…1), cubic stiffening
+/// (Duffing), a pair of which one cable sags, and parallel Bouc–Wen hysteresis (n = 1, β = γ = 1 / 2 y).
+/// Behind a play, spring and damper can press but not pull.
 template <class S>
 CAPSTAN_CHAIN_INLINE CablePull<S> cablePull(const JointNumbers<S>& p, unsigned laws, const S& stretch,
                                             const S& rate, const S& range, const S& z, const S& creep) {
@@ -144,15 +144,15 @@ CAPSTAN_CHAIN_INLINE CablePull<S> cablePull(const JointNumbers<S>& p, unsigned l
   return pull;
 }
 
-/// Friction that opposes a motion, and its slope by the speed where that is positive.
+/// Friction that opposes a motion, and its derivative with respect to the speed, without negative terms.
 template <class S>
 struct Opposing {
   S force, slope;
 };
 
-/// F_c (1 + excess e^{−(v/v_s)²} + asymmetry sgn v + wave) sgn v + μ |drive| sgn v + F_v (1 + asymmetry_v sgn
-/// v) v, sgn v smoothed as tanh(v / v_eps); `drive` is the torque of cable or motor at the joint. The slope
-/// is that of sgn v alone.
+/// Joint friction F_c (1 + excess e^{−(v/v_s)²} + asymmetry sgn v + wave) sgn v + μ |drive| sgn v
+/// + F_v (1 + asymmetry_v sgn v) v, with sgn v smoothed as tanh(v / v_eps). `drive` is the torque of the
+/// cable or motor at the joint. The slope contains the derivative of sgn v and the viscous coefficient only.
 template <class S>
 CAPSTAN_CHAIN_INLINE Opposing<S> jointFriction(const JointNumbers<S>& p, unsigned laws, const S& q,
                                                const S& dq, const S& drive) {
@@ -177,7 +177,7 @@ CAPSTAN_CHAIN_INLINE Opposing<S> jointFriction(const JointNumbers<S>& p, unsigne
           positivePart(force) * p.inverse_smoothing * (1.0 - sign * sign) + viscous};
 }
 
-/// tau_cm tanh(dq_m / v_eps) + tau_vm dq_m [N·m].
+/// Motor friction tau_cm tanh(dq_m / v_eps) + tau_vm dq_m [N·m].
 template <class S>
 CAPSTAN_CHAIN_INLINE Opposing<S> motorFriction(const JointNumbers<S>& p, const S& rate) {
   using std::tanh;
@@ -186,7 +186,7 @@ CAPSTAN_CHAIN_INLINE Opposing<S> motorFriction(const JointNumbers<S>& p, const S
           p.motor_coulomb * p.inverse_motor_smoothing * (1.0 - sign * sign) + p.motor_viscous};
 }
 
-/// The hidden cable of a rigid drive [N]: linear, with 10 % of the critical damping of the motor on it.
+/// Force of the compliance of a rigid drive [N]: a linear spring with 10 % of the motor's critical damping.
 template <class S>
 CAPSTAN_CHAIN_INLINE S complianceForce(const JointNumbers<S>& p, const S& stretch, const S& rate) {
   using std::sqrt;

@@ -14,7 +14,7 @@
 namespace capstan::robot {
 namespace {
 
-constexpr double kGentle = 5.0;  // exponent of a cable [1/m]: 1 cm of stretch bends its law by 4e-4
+constexpr double kGentle = 5.0;  // exponent of a cable [1/m]: 1 cm of stretch changes its law by 4e-4
 
 static_assert(kChainJoints == kMaxJoints);
 
@@ -98,7 +98,7 @@ void tiltGravity(const Effect& effect, ChainModel& model) {
   gravity = rotationOf(vectorOf(effect)) * Eigen::Vector3d(gravity);
 }
 
-/// Effects of the whole arm and of cameras. False: it is none of these.
+/// Adds an effect of the whole arm or of the cameras. Returns false for any other effect.
 bool addWhole(const Effect& effect, ChainModel& model) {
   const std::string& name = effect.effect;
   if (name == "gravity_tilt") {
@@ -197,11 +197,11 @@ void ChainModel::add(const Effect& effect) {
   if (addWhole(effect, *this)) return;
   if (!effectNamed(effect.effect))
     throw base::InputError(
-        {"", 0, "effect", effect.effect, "is none that is known", "See the list of effects"});
+        {"", 0, "effect", effect.effect, "is not a known effect", "See the list of effects"});
   const auto joint = [&](double number, const char* key) {
     if (number >= 1 && number <= shape.joints) return static_cast<int>(std::lround(number)) - 1;
     throw base::InputError({"", 0, key, fmt::format("{:g}", number),
-                            fmt::format("is no joint of the robot, for {}", effect.effect),
+                            fmt::format("is not a joint of the robot, for {}", effect.effect),
                             fmt::format("Choose 1 to {}", shape.joints)});
   };
   const int i = joint(effect.joint, "joint");
@@ -239,7 +239,7 @@ unsigned lawOf(std::string_view effect) {
 
 namespace {
 
-/// Slope of a joint's friction at rest [N·m·s/rad or N·s/m]; `weight` that gravity puts on it.
+/// Slope of a joint's friction at rest [N·m·s/rad or N·s/m]. `weight` is the load of gravity on the joint.
 double steepestFriction(const JointNumbers<double>& p, double weight) {
   const double wave = std::hypot(p.wave_sine, p.wave_cosine);
   const double coulomb = p.coulomb * (1.0 + p.stribeck_excess + std::abs(p.asymmetry) + wave);
@@ -264,16 +264,16 @@ JointMatrix massWithArmature(const ChainModel& model, const ChainBodies<double>&
   return mass;
 }
 
-/// What the drive of a joint is to the joints [N/m, N·s/m, kg] along its cable, and to a motor of its own.
+/// Stiffness, damping and inertia of a joint's drive along its cable [N/m, N·s/m, kg], and its motor's rates.
 struct DriveRates {
   double stiffness = 0.0, damping = 0.0, inertia = 0.0;
-  double motor_spring = 0.0, motor_damping = 0.0;  ///< by the motor's inertia [1/s², 1/s]
+  double motor_spring = 0.0, motor_damping = 0.0;  ///< divided by the motor's inertia [1/s², 1/s]
 };
 
 DriveRates driveRates(const JointNumbers<double>& p, bool rigid, unsigned laws) {
   DriveRates rates;
   if (!rigid) {
-    constexpr double kHarder = 4.0;  // times, where a stiffening cable bears most
+    constexpr double kHarder = 4.0;  // factor of the stiffness of a stiffening cable at its largest load
     const double harder = p.stiffening > 0.0 ? kHarder : 1.0;
     const double shorter = 1.0 / std::max(1.0 - 1.2 * std::abs(p.position_stiffness), 0.04);
     rates.stiffness =
@@ -309,9 +309,9 @@ JointMatrix massMatrix(const ChainModel& model, const JointVector& q) {
 namespace {
 
 struct ChainRates {
-  double damping = 0.0;  ///< of joints and cables [1/s]
-  double turning = 0.0;  ///< of springs
-  double motor = 0.0;    ///< damping of compliant motors
+  double damping = 0.0;  ///< rate of the damping of joints and cables [1/s]
+  double turning = 0.0;  ///< rate of the springs [1/s]
+  double motor = 0.0;    ///< rate of the damping of compliant motors [1/s]
 };
 
 ChainRates chainRates(const ChainModel& model, const JointVector& q) {

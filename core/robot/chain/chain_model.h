@@ -10,48 +10,48 @@
 
 namespace capstan::robot {
 
-/// How the cameras measure a point p of frame 0: scale · R p + offset, of an instant `delay` earlier (a
-/// similarity, Horn, JOSA A 4, 1987).
+/// Camera model: a point p in frame 0 is measured as (1 + scale) R p + offset, with a delay (similarity
+/// transform; Horn, JOSA A 4, 1987).
 struct CameraNumbers {
   Eigen::Vector3d rotation = Eigen::Vector3d::Zero();  ///< rotation vector [rad]
-  Eigen::Vector3d offset = Eigen::Vector3d::Zero();    ///< [m]
-  double scale = 0.0;                                  ///< share beyond 1
-  double delay = 0.0;                                  ///< [s]
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();    ///< offset in frame 0 [m]
+  double scale = 0.0;                                  ///< scale factor minus 1
+  double delay = 0.0;                                  ///< age of the point at its time stamp [s]
 
   Eigen::Vector3d measure(const Eigen::Vector3d& point) const;
-  /// The point of a measurement.
+  /// Point in frame 0 of a measurement [m].
   Eigen::Vector3d undo(const Eigen::Vector3d& measured) const;
-  /// Covariance of the point by that of the measurement.
+  /// Covariance of the point from the covariance of the measurement [m²].
   Eigen::Matrix3d undo(const Eigen::Matrix3d& covariance) const;
 };
 
-/// A chain in the form that ChainStep runs: the nominal numbers of a robot file, and effects put into them.
+/// Model of a chain in the form that ChainStep needs: the nominal numbers of a robot file with added effects.
 struct ChainModel {
   ChainShape shape;
   ChainNumbers<double> numbers{};
   CameraNumbers camera;
   Eigen::Vector3d marker = Eigen::Vector3d::Zero();  ///< in the last driven joint's frame [m]
 
-  /// Effects of the description are put in.
+  /// Adds all effects of the description.
   explicit ChainModel(const Description& description);
-  /// base::InputError: an unknown effect, joint or parameter.
+  /// Adds one effect. Throws base::InputError for an unknown effect, joint or parameter.
   void add(const Effect& effect);
 };
 
-/// Law that an effect needs at its joint; 0: it changes numbers alone.
+/// ChainLaw bit that an effect needs at its joint; 0 when it only changes numbers.
 unsigned lawOf(std::string_view effect);
 
-/// M(q) of the bodies and of inertia that was added at the joints [kg·m², kg·m, kg]; motors of rigid drives
-/// are not in it.
+/// Mass matrix M(q) of the bodies and of inertia that was added at the joints [kg·m², kg·m, kg], without the
+/// motors of rigid drives.
 JointMatrix massMatrix(const ChainModel& model, const JointVector& q);
 
-/// Upper bound [1/s] on the chain's eigenvalues λ, of pose `q` and at rest, friction at its steepest,
-/// without gravity's own stiffness: for M λ² + D λ + K with symmetric parts |λ| is at most the largest
-/// eigenvalue of M⁻¹ D or the root of that of M⁻¹ K, whichever is larger. Runge–Kutta steps shorter than 2.7
-/// over it are stable.
+/// Upper bound [1/s] on the magnitude of the chain's eigenvalues λ at rest at `q`, with the steepest friction
+/// and without the stiffness of gravity. For M λ² + D λ + K with symmetric matrices, |λ| is at most the
+/// larger of the largest eigenvalue of M⁻¹ D and the square root of that of M⁻¹ K. Runge–Kutta steps shorter
+/// than 2.7 / bound are stable.
 double chainRate(const ChainModel& model, const JointVector& q);
-/// The same of what ChainStep's Jacobian does not have: springs, and the damping of compliant motors. Its
-/// steps should be shorter than 0.7 over it.
+/// Upper bound [1/s], as chainRate(), for the parts that ChainStep's Jacobian does not contain: springs, and
+/// the damping of compliant motors. The steps of ChainStep should be shorter than 0.7 / bound.
 double chainOscillation(const ChainModel& model, const JointVector& q);
 
 }  // namespace capstan::robot

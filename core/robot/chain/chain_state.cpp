@@ -38,7 +38,7 @@ void windUp(const ChainModel& model, const ChainInput& input, ChainState<double>
   for (int i = 0; i < n; ++i) {
     if (!(model.shape.laws[i] & kLawCompliance)) continue;
     const JointNumbers<double>& p = model.numbers.joints[i];
-    double acceleration = 0.0;  // of the cable
+    double acceleration = 0.0;  // acceleration of the cable
     for (int j = 0; j < n; ++j)
       acceleration += p.link_radius * model.numbers.coupling[i][j] * step.acceleration()[j];
     const double torque = p.gain * input.torque[i] - motorFriction(p, state.motor_rate[i]).force -

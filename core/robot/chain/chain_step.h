@@ -2,17 +2,17 @@
 
 #include "core/robot/chain/chain_law.h"
 
-/// How a chain goes from one row of its drive to the next, for any scalar.
+/// Integration of a chain from one row of a recording to the next, for any scalar.
 namespace capstan::robot {
 
-/// One row's step: the mass matrix and C dq + G are those of the middle of the row, as the start's velocity
-/// foretells it, and motors go from one end of the row to the other at a constant speed of their cables. In
-/// between ROS2 (Verwer, Spee, Blom, Hundsdorfer, A second-order Rosenbrock method applied to photochemical
-/// dispersion problems, SIAM J. Sci. Comput. 20, 1999), of second order whatever stands for the Jacobian W,
-/// and L-stable for the damping of cables and friction, D, which is all that W has: with γ = 1 − 1/√2, f the
-/// sum of forces,
-///     (M + γ h D) k_1 = f(t, x),   (M + γ h D) k_2 = f(t + h, x + h k_1) − 2 M k_1,   x += h (3 k_1 + k_2)
-///     / 2.
+/// Integrator for one row. The mass matrix and C dq + G are evaluated once, at the position in the middle of
+/// the row that the initial velocity predicts. The motors move so that the speed of their cables is constant.
+/// The method is ROS2 (Verwer, Spee, Blom, Hundsdorfer, A second-order Rosenbrock method applied to
+/// photochemical dispersion problems, SIAM J. Sci. Comput. 20, 1999), which is of second order for any
+/// approximation W of the Jacobian. Here W contains only the damping D of cables and friction, for which the
+/// method is L-stable. With γ = 1 − 1/√2 and the sum of forces f,
+///     (M + γ h D) k_1 = f(t, x),   (M + γ h D) k_2 = f(t + h, x + h k_1) − 2 M k_1,
+///     x += h (3 k_1 + k_2) / 2.
 template <class S>
 class ChainStep {
  public:
@@ -26,12 +26,13 @@ class ChainStep {
     for (int step = 0; step < steps; ++step) substep(input, step * part, part, state);
   }
 
-  /// Torque of drive or cable at the joints [N·m or N] and stretch of the cables [m], of the last slope.
+  /// Torque of drives or cables at the joints [N·m or N] and stretch of the cables [m] at the last evaluation
+  /// of the forces.
   const S* torque() const { return torque_; }
   const S* stretch() const { return stretch_; }
   const S* acceleration() const { return acceleration_; }
 
-  /// Looks at the row's start: fills torque(), stretch() and acceleration().
+  /// Evaluates the start of the row: sets torque(), stretch() and acceleration().
   CAPSTAN_CHAIN_INLINE void look(const ChainInput& input, const ChainState<S>& state) {
     prepare(input, state);
     ChainState<S> slope;
@@ -65,7 +66,7 @@ class ChainStep {
       if (shape_.laws[j] & kLawZeroDrift) moveZero(input, j);
   }
 
-  /// The zero of joint j moves: to the cables it is as if the motors went on by as much.
+  /// Adds the shift of the zero of joint j to the cables' travel, as if the motors had moved by it.
   CAPSTAN_CHAIN_INLINE void moveZero(const ChainInput& input, int j) {
     const S begin = zeroShiftAt(p_.joints[j], input.t).by;
     const S change = zeroShiftAt(p_.joints[j], input.t + input.dt).by - begin;
@@ -77,7 +78,7 @@ class ChainStep {
     }
   }
 
-  /// Motor's side of a cable over the row.
+  /// Computes the travel of cable i on the motor's side over the row.
   CAPSTAN_CHAIN_INLINE void prepareTravel(const ChainInput& input, int i) {
     const JointNumbers<S>& p = p_.joints[i];
     const unsigned laws = shape_.laws[i];
@@ -126,7 +127,7 @@ class ChainStep {
     return force;
   }
 
-  /// Sum of forces at the joints, damping of drives and joints, and how fast hidden states change.
+  /// Computes the sum of forces at the joints, the damping, and the rates of hidden states.
   CAPSTAN_CHAIN_INLINE void forces(const ChainInput& input, double fraction, const ChainState<S>& x,
                                    ChainState<S>& slope) {
     const int n = shape_.joints;
@@ -149,7 +150,7 @@ class ChainStep {
     }
   }
 
-  /// M + share D, factorised.
+  /// Computes the factors of M + share D.
   CAPSTAN_CHAIN_INLINE void factoriseDamped(double share, S (&w)[kChainJoints][kChainJoints]) const {
     const int n = shape_.joints;
     for (int j = 0; j < n; ++j)
@@ -194,7 +195,7 @@ class ChainStep {
     keepInBox(state);
   }
 
-  /// to = from + h by, of the hidden states that take part.
+  /// Sets to = from + h by for the hidden states in use.
   CAPSTAN_CHAIN_INLINE void moveHidden(int i, const ChainState<S>& from, double h, const ChainState<S>& by,
                                        ChainState<S>& to) const {
     if (shape_.laws[i] & kLawHysteresis) to.hysteresis[i] = from.hysteresis[i] + h * by.hysteresis[i];

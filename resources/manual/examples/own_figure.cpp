@@ -1,4 +1,4 @@
-// A figure of one's own, drawn from a recording and exported as Capstan exports its figures.
+// A figure of your own, drawn from a recording and exported like the figures of Capstan.
 //   own_figure ROBOT.yaml TABLE.csv BASE        writes BASE.pdf, BASE.svg, BASE.png, BASE.csv
 #include "own_figure.h"
 

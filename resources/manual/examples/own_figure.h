@@ -4,13 +4,13 @@
 
 #include "widgets/figures/panel_figure.h"
 
-/// Normalised innovation squared of the camera measurements over time. Plain data, given once.
+/// Normalised innovation squared of the camera measurements over time: the data of the figure.
 struct NisData {
   QString title, note;
-  std::vector<double> t, nis;  ///< [s]; over 3 degrees of freedom, 1 for a consistent filter
+  std::vector<double> t, nis;  ///< time [s]; NIS / 3, mean 1 for a consistent filter
 };
 
-/// A figure like Capstan's own: themes, paper sizes, export and numbers come with PanelFigure.
+/// Figure of the NIS. PanelFigure provides themes, paper sizes and export.
 class NisFigure : public capstan::widgets::PanelFigure {
  public:
   explicit NisFigure(NisData data);

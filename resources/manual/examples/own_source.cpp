@@ -1,7 +1,6 @@
-// A Source of one's own: lines from standard input, as a robot's logger writes them into a pipe.
+// A Source of your own: reads lines from standard input, for example from a robot's logger through a pipe.
 //   logger | own_source ROBOT.yaml
-// A line is "m t q1 q2 q3" (motor positions, s and rad) or "c t x y z" (tip seen by cameras, s and m, frame
-// 0).
+// A line is "m t q1 q2 q3" (motor positions; s, rad) or "c t x y z" (tip from the cameras in frame 0; s, m).
 #include <cmath>
 #include <iostream>
 #include <limits>
@@ -38,7 +37,7 @@ class LineSource : public tracking::Source {
     if (kind == 'm')
       out = tracking::MotorSample{t, value, none, none};  // without velocity and torque
     else
-      out = tracking::TipSample{t, t, blocked_ ? none : value};  // arrives when it was exposed
+      out = tracking::TipSample{t, t, blocked_ ? none : value};  // the sample arrives at its exposure
     return true;
   }
   void block(bool left, bool right) override { blocked_ = left || right; }

@@ -1,4 +1,4 @@
-% Tracks a measured table with the command line; reads estimates and errors into MATLAB or GNU Octave.
+% Tracks a measured table with the command line and reads estimates and errors into MATLAB or GNU Octave.
 %   octave --no-gui track.m ROBOT.yaml TABLE.csv
 %   matlab -batch "robot = 'ROBOT.yaml'; table = 'TABLE.csv'; track"
 if exist('OCTAVE_VERSION', 'builtin')
@@ -12,13 +12,13 @@ estimates = [tempname() '.csv'];
 report = [tempname() '.json'];
 [status, words] = system(sprintf('"%s" track "%s" --robot "%s" --out "%s" --json "%s" 2>&1', ...
                                  cli, table, robot, estimates, report));
-if status ~= 0, error('%s', words); end  % file, line, value, remedy
+if status ~= 0, error('%s', words); end  % the message names file, line, value and remedy
 
 found = jsondecode(fileread(report));
 file = fopen(estimates);
 names = strsplit(strtrim(fgetl(file)), ',');
 formats = repmat({'%f'}, size(names));
-formats{strcmp(names, 'gate')} = '%s';  % the only column of words
+formats{strcmp(names, 'gate')} = '%s';  % the only column with text
 columns = textscan(file, strjoin(formats, ''), 'Delimiter', ',', 'EmptyValue', NaN);
 fclose(file);
 q = @(joint) columns{strcmp(names, sprintf('q_ukf%d', joint))};

@@ -14,14 +14,14 @@ CLI = os.environ.get("CAPSTAN_CLI", "capstan-cli")
 
 
 def track(table, robot):
-    """Estimates as a DataFrame indexed by time [s], and the report of `capstan-cli track --json`."""
+    """Returns estimates as a DataFrame indexed by time [s], and the report of `capstan-cli track --json`."""
     with tempfile.TemporaryDirectory() as folder:
         estimates = os.path.join(folder, "estimates.csv")
         done = subprocess.run(
             [CLI, "track", table, "--robot", robot, "--out", estimates, "--json", "-"],
             capture_output=True, text=True)
         if done.returncode != 0:
-            raise ValueError(done.stderr.strip())  # file, line, value, remedy
+            raise ValueError(done.stderr.strip())  # names file, line, value and remedy
         return pd.read_csv(estimates).set_index("t"), json.loads(done.stdout)
 
 

@@ -1,4 +1,4 @@
-// Core as a library: a measured table in, joint estimates out.
+// Core as a library: reads a measured table and writes joint estimates.
 //   track_table ROBOT.yaml TABLE.csv ESTIMATES.csv
 #include <cstdio>
 
@@ -28,10 +28,10 @@ int main(int count, char** arguments) {
                        sigma[1], sigma[2]);
         });
     std::fclose(out);
-    std::fputs(report.errors.text().c_str(), stdout);  // against joint encoders, where the table has some
+    std::fputs(report.errors.text().c_str(), stdout);  // RMS errors, if the table has joint encoders
     return 0;
   } catch (const base::InputError& error) {
-    std::fprintf(stderr, "%s\n", error.what());  // place, value, remedy
+    std::fprintf(stderr, "%s\n", error.what());  // names place, value and remedy
     return 2;
   }
 }

@@ -22,10 +22,7 @@ double inflationOf(double phi) {
   options.effects = 0;
   options.duration = 20.0;
   options.sensors.cameras = false;
-  EvidenceOptions read;
-  read.drive = DriveKind::kRigid;
-  const std::vector<Evidence> evidence{
-      evidenceOf(test::record(test::draw(5, options)).table, options.robot, read)};
+  const std::vector<Evidence> evidence{evidenceOf(test::record(test::draw(5, options)).table, options.robot)};
   const FitData data(evidence, options.robot, 2.0, EncoderZeros::kKnown, 1);
   std::vector<std::vector<Eigen::Index>> rows(static_cast<std::size_t>(data.blocks()));
   for (std::size_t i = 0; i < data.block().size(); ++i)

@@ -130,18 +130,10 @@ TEST(Evidence, VelocityIsDifferentiatedWhereNoneWasMeasured) {
 }
 
 TEST(Evidence, TheStartMayBeSkipped) {
-  const Evidence evidence = evidenceOf(jointTable(), slide(), {DriveKind::kCable, 0.0, 0.5});
+  const Evidence evidence = evidenceOf(jointTable(), slide(), {.skip_start = 0.5});
   EXPECT_EQ(evidence.countingRows(), evidence.rows() - 500);
   EXPECT_EQ(evidence.exclusions[0], kStart);
   EXPECT_TRUE(evidence.counts(500));
-}
-
-TEST(Evidence, ACoarserGridTakesEveryFourthRow) {
-  const recording::MeasuredTable table = jointTable();
-  const Evidence evidence = evidenceOf(table, slide(), {DriveKind::kCable, 4e-3});
-  ASSERT_EQ(evidence.rows(), 501U);
-  for (std::size_t i = 0; i < evidence.rows(); ++i) EXPECT_EQ(evidence.q[0][i], table.q[0][4 * i]);
-  EXPECT_EQ(evidence.countingRows(), evidence.rows());
 }
 
 TEST(Evidence, AnEncoderAtItsEndIsNoReading) {
@@ -171,11 +163,14 @@ TEST(Evidence, RestAtTheFarthestPointCounts) {
             0);
 }
 
+robot::Description rigidSlide(double force_limit) {
+  robot::Description robot = slide(force_limit);
+  robot.drive = DriveKind::kRigid;
+  return robot;
+}
+
 TEST(Evidence, ATorqueBeyondTheMotorDoesNotCount) {
-  const recording::MeasuredTable table = jointTable();
-  EvidenceOptions rigid;
-  rigid.drive = DriveKind::kRigid;
-  const Evidence evidence = evidenceOf(table, slide(15.0), rigid);
+  const Evidence evidence = evidenceOf(jointTable(), rigidSlide(15.0));
   EXPECT_EQ(evidence.countingRows(), 1501U);
   EXPECT_EQ(evidence.exclusions[1700], kSaturated);
 }
@@ -200,8 +195,6 @@ TEST(Evidence, WhatTheRobotComputedIsNoReference) {
 }
 
 TEST(Evidence, RefusesByNameWithARemedy) {
-  EvidenceOptions rigid;
-  rigid.drive = DriveKind::kRigid;
   recording::MeasuredTable table = jointTable();
   table.q.clear();
   base::InputFault fault = faultOf(table, slide());
@@ -212,9 +205,9 @@ TEST(Evidence, RefusesByNameWithARemedy) {
   table = jointTable();
   table.q_m.clear();
   EXPECT_EQ(faultOf(table, slide()).key, "q_m1");
-  EXPECT_NO_THROW(evidenceOf(table, slide(1e4), rigid));
+  EXPECT_NO_THROW(evidenceOf(table, rigidSlide(1e4)));
   table.tau_m.clear();
-  EXPECT_EQ(faultOf(table, slide(), rigid).key, "tau_m1");
+  EXPECT_EQ(faultOf(table, rigidSlide(1e4)).key, "tau_m1");
 
   fault = faultOf(jointTable(), raven());
   EXPECT_EQ(fault.key, "q_m1");
@@ -223,8 +216,7 @@ TEST(Evidence, RefusesByNameWithARemedy) {
   fault = faultOf(jointTable(0.05), slide());
   EXPECT_EQ(fault.key, "t");
   EXPECT_NE(fault.reason.find("100"), std::string::npos) << fault.reason;
-  EXPECT_EQ(faultOf(jointTable(), slide(), {DriveKind::kCable, 0.0, 1.9505}).value, "50 rows");
-  EXPECT_EQ(faultOf(jointTable(), slide(), {DriveKind::kCable, 5e-4}).key, "step");
+  EXPECT_EQ(faultOf(jointTable(), slide(), {.skip_start = 1.9505}).value, "50 rows");
 
   table = jointTable();
   std::fill(table.q[0].begin() + 50, table.q[0].end(), kNaN);

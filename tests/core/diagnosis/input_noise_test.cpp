@@ -29,9 +29,7 @@ struct Sound {
     test::PlantedCase drawn = test::draw(5, options);
     drawn.sensors.load_cells = true;
     drawn.sensors.load_sigma = load_sigma;
-    EvidenceOptions read;
-    read.drive = DriveKind::kRigid;
-    evidence.push_back(evidenceOf(test::record(drawn).table, robot, read));
+    evidence.push_back(evidenceOf(test::record(drawn).table, robot));
   }
 
   Selection refitted(const FitData& data) const {

@@ -15,9 +15,9 @@ namespace {
 TEST(MeasuredEvidence, SlideOfThePublicBenchmark) {
   const std::filesystem::path file = dataFolder() / "emps" / "train.csv";
   REQUIRE_DATA(file);
-  EvidenceOptions rigid;
+  robot::Description rigid = slide(1e3);
   rigid.drive = DriveKind::kRigid;
-  const Evidence evidence = readEvidence(file, slide(1e3), rigid);
+  const Evidence evidence = readEvidence(file, rigid);
   EXPECT_EQ(evidence.rows(), 24841U);
   EXPECT_EQ(evidence.countingRows(), evidence.rows());
   EXPECT_NEAR(evidence.step, 1e-3, 1e-12);

@@ -126,10 +126,9 @@ SimulatedMotion slideByPublishedParameters(const Evidence& evidence) {
 TEST(MeasuredResidual, OfTheBenchmarksSlideIsNoNoise) {
   const std::filesystem::path file = dataFolder() / "emps" / "test.csv";
   REQUIRE_DATA(file);
-  EvidenceOptions rigid;
-  rigid.drive = DriveKind::kRigid;
-  const robot::Description robot = slide(1e3);
-  const Evidence evidence = readEvidence(file, robot, rigid);
+  robot::Description robot = slide(1e3);
+  robot.drive = DriveKind::kRigid;
+  const Evidence evidence = readEvidence(file, robot);
   const auto channels = residualOf(evidence, slideByPublishedParameters(evidence), robot);
   const ChannelStatistics statistics = statisticsOf(channels[0]);
   EXPECT_EQ(statistics.unit, "m");

@@ -38,7 +38,7 @@ TEST(ReportTables, ChannelsInDegreesAndMillimetres) {
               report.channels[1].refitted_statistics.rms * 180.0 / std::numbers::pi, 1e-12);
   EXPECT_NEAR(table.rows[2][columnOf(table, "extended")].number,
               report.channels[2].extended_statistics.rms * 1e3, 1e-12);
-  const std::string left = table.rows[1][columnOf(table, "left, held out [%]")].text;
+  const std::string left = table.rows[1][columnOf(table, "RMS ratio, held out [%]")].text;
   EXPECT_NE(left.find('('), std::string::npos) << left;
   const Table quiet = channelTable(sampleReport({.verdict = Verdict::kNothing, .duration = 12.0}));
   expectWhole(quiet);
@@ -119,7 +119,7 @@ TEST(ExtendedRobot, IsARobotFileThatSaysWhereItIsFrom) {
   EXPECT_EQ(robot::formatDescription(robot::parseDescription(text, "text")),
             robot::formatDescription(report.extended));
   const Report quiet = sampleReport({.verdict = Verdict::kNothing, .duration = 12.0});
-  EXPECT_NE(extendedRobotText(quiet, "").find("no missing effect was named"), std::string::npos);
+  EXPECT_NE(extendedRobotText(quiet, "").find("no missing effect was identified"), std::string::npos);
 }
 
 }  // namespace

@@ -32,9 +32,7 @@ struct Sticking {
     options.duration = 20.0;
     auto [recording, measured] = test::recordWithTruth(test::draw(30003012, options));
     truth = measured;
-    EvidenceOptions read;
-    read.drive = DriveKind::kRigid;
-    evidence.push_back(evidenceOf(recording.table, robot, read));
+    evidence.push_back(evidenceOf(recording.table, robot));
   }
 
   Fit refitted(const FitData& data) const {

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <map>
 
-#include "core/base/error.h"
 #include "tests/core/diagnosis/synthetic.h"
 
 namespace capstan::diagnosis {
@@ -205,13 +204,6 @@ TEST(Signature, OfCamerasIsTakenAtTheirOwnInstants) {
   EXPECT_GT(found.of("position of joint 2"), 0.97);
   EXPECT_LT(found.of("position of joint 1"), 0.3);
   EXPECT_EQ(found.signatures.count("motor angle of joint 1"), 0U);
-}
-
-TEST(Signature, AskingForOneBinIsRefused) {
-  const Scene s = scene(1, 1.0, 1);
-  const auto variables = variablesOf(s.evidence, s.simulated, s.robot);
-  const auto channels = residualOf(s.evidence, s.simulated, s.robot);
-  EXPECT_THROW(signaturesOf(channels[0], variables, {1}), base::InputError);
 }
 
 }  // namespace

@@ -138,9 +138,8 @@ TEST(SquareRootUkf, LinearCaseIsTheKalmanFilter) {
 TEST(SquareRootUkf, AgreesWithTextbookUkfInLongDouble) {
   using Real = long double;
   using RealState = Eigen::Matrix<Real, 4, 1>;
-  const SigmaRule rule;
-  SquareRootUkf<4> filter(rule);
-  test::UkfReference<Real, 4> reference(rule);
+  SquareRootUkf<4> filter;
+  test::UkfReference<Real, 4> reference;
   const State start(1.0, 0.0, 2.0, 0.2);
   const Lower<4> root = 0.1 * Lower<4>::Identity();
   filter.reset(start, root);

@@ -43,7 +43,7 @@ std::vector<State> states(const RandomizedRobot& world, std::size_t motions) {
 }
 
 TrainingStates weighed(const std::vector<State>& all, base::Progress* progress = nullptr) {
-  TrainingStates training = trainingStates(all, cleanStates(all), kLever);
+  TrainingStates training = trainingStates(all, cleanStates(all));
   weigh(training, all, quickOptions(), progress);
   return training;
 }
@@ -59,7 +59,7 @@ Vector6d doubtOf(const TrainingStates& training, std::size_t motion) {
 
 TEST(Weigh, WhatIsOutOfPlaceInTheSameWayEachTimeCounts) {
   const std::vector<State> all = states({.stuck_beyond = 0.02}, 30);
-  const TrainingStates before = trainingStates(all, cleanStates(all), kLever), after = weighed(all);
+  const TrainingStates before = trainingStates(all, cleanStates(all)), after = weighed(all);
   const std::size_t taken = all.size() - before.states.size();
   ASSERT_GT(taken, 200U);
   EXPECT_GT(after.weighing.again.size(), taken / 2);

@@ -106,7 +106,7 @@ tracking::Snapshot detected(test::RegistrationFeed& feed, bool exchanged, double
 }
 
 TEST_F(Guide, NamesExchangedCamerasAsTheCause) {
-  RegistrationGuide with_rig(feed.robot, {}, test::stereoRig());
+  RegistrationGuide with_rig(feed.robot, test::stereoRig());
   with_rig.start(nominal());
   feed.run(with_rig, 1.0);
   ASSERT_TRUE(with_rig.collect());
@@ -118,7 +118,7 @@ TEST_F(Guide, NamesExchangedCamerasAsTheCause) {
 }
 
 TEST_F(Guide, ViewsThatDisagreeAreNoExchange) {
-  RegistrationGuide with_rig(feed.robot, {}, test::stereoRig());
+  RegistrationGuide with_rig(feed.robot, test::stereoRig());
   with_rig.start(nominal());
   feed.run(with_rig, 1.0);
   ASSERT_TRUE(with_rig.collect());

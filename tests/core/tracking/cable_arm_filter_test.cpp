@@ -42,11 +42,10 @@ TEST(CableArmFilter, AgreesWithTextbookUkfInLongDouble) {
   using Real = long double;
   using Reference = capstan::test::CableArmReference<Real>;
   using RealState = Reference::State;
-  const estimation::SigmaRule rule;
   const CableArmModel model(raven());
   const Reference arm(raven());
-  Filter filter(rule);
-  capstan::test::UkfReference<Real, 6> reference(rule);
+  Filter filter;
+  capstan::test::UkfReference<Real, 6> reference;
   const State p0 = sigmas(0.02, 0.1), q = sigmas(1e-5, 1e-2);
   const Eigen::Vector3d r(2e-3, 2e-3, 5e-4);
   State start;

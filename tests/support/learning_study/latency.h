@@ -4,7 +4,8 @@
 
 namespace capstan::study {
 
-/// How long one command takes, with and without its σ, and how many a second side by side, full model.
+/// Prints the time per correction with and without σ, and the number of corrections per second in parallel,
+/// with the full model.
 void tellLatency(const LearningData& data, const LearningStudyOptions& options);
 
 }  // namespace capstan::study

@@ -7,23 +7,23 @@
 
 #include "core/learning/model/learn.h"
 
-/// The GPR paper's numbers on a recording, beside other programs'.
+/// Study of the GPR paper's results on a recording, compared with other programs.
 namespace capstan::study {
 
 struct LearningStudyOptions {
   std::string data, folder;
   int splits = 10;
-  std::vector<std::string> towards = {"robot", "command"};  ///< of the table
+  std::vector<std::string> towards = {"robot", "command"};  ///< streams of the table to learn towards
   std::uint64_t seed = 1;
   learning::CorrectionOptions correction;
 };
 
-/// States of one recording towards one stream.
+/// States of one recording, with one stream as the target.
 struct Target {
   learning::StreamKind towards = learning::StreamKind::kCommand;
   learning::ClockOffsetReport clock_offset;
-  std::vector<learning::State> states;   ///< the lag taken off
-  std::vector<learning::State> as_told;  ///< of the same motions, stamps as they are
+  std::vector<learning::State> states;   ///< states with the clock offset removed
+  std::vector<learning::State> as_told;  ///< states of the same motions with the original stamps
 };
 
 struct LearningData {
@@ -31,20 +31,20 @@ struct LearningData {
 };
 LearningData readLearningData(const LearningStudyOptions& options);
 
-/// Numbers as lines of commas.
+/// Writes the numbers as lines with commas.
 void writeNumbers(const std::filesystem::path& path, const Eigen::MatrixXd& numbers);
 
-/// What sklearn_process.py says of a folder; null where there is no scikit-learn.
+/// Output of sklearn_process.py for a folder; null if scikit-learn is missing.
 nlohmann::json askSklearn(const std::filesystem::path& folder);
 
-/// A folder for `part` of the study, empty.
+/// Empty folder for `part` of the study.
 std::filesystem::path folderFor(const LearningStudyOptions& options, const std::string& part);
 
-/// Features in deviations and targets in scales as a plain process has them: pose and velocity after the
-/// rigid offset.
+/// Standardised features (pose and velocity after the rigid offset) and scaled targets of a plain Gaussian
+/// process.
 struct PlainTable {
   Eigen::MatrixXd features, targets;
-  Eigen::RowVectorXd scale;  ///< of the targets [m, rad]
+  Eigen::RowVectorXd scale;  ///< scale of the targets [m, rad]
 };
 struct PlainScales {
   learning::CorrectionParts parts;

@@ -4,9 +4,10 @@
 
 namespace capstan::study {
 
-/// Table I, towards the command and towards the robot's own kinematics, dirty and clean, with medians,
-/// geodesic angles and how the stated σ hold; and the last row's means beside a plain scikit-learn process
-/// (ARD-RBF, 1,500 training states, lag not taken off) on the same splits.
+/// Prints Table I towards the command and towards the robot's kinematics, with and without outliers, with
+/// medians, geodesic angles and the coverage of the predicted σ. The means of the last row are compared with
+/// a plain scikit-learn process (ARD-RBF, 1,500 training states, clock offset not removed) on the same
+/// splits.
 void raceSplits(const LearningData& data, const LearningStudyOptions& options);
 
 }  // namespace capstan::study

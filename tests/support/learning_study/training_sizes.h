@@ -4,8 +4,9 @@
 
 namespace capstan::study {
 
-/// Figure 5: held-out error and time of training, all six outputs with hyperparameters, against the number of
-/// states, on one split; and of all states the exact process, whose Cholesky factor is computed once.
+/// Prints Figure 5: held-out error and training time (six outputs, with hyperparameters) against the number
+/// of states, on one split, and the same for the exact process of all states, whose Cholesky factor is
+/// computed once.
 void tellTrainingSizes(const LearningData& data, const LearningStudyOptions& options);
 
 }  // namespace capstan::study

@@ -6,11 +6,11 @@
 
 namespace capstan::measured {
 
-/// A model that was chosen, its numbers refitted to the open-loop simulation of whole recordings: for
-/// rigid drives, whose effects are chosen by simulations that restart after kFarHorizon at the latest.
-/// Errors of force add up over a whole recording, so that its numbers simulate long motions better, and are
-/// less sure where a recording has something that no effect explains. `robot` is the nominal one; starts at
-/// `chosen`.
+/// Selected model with its parameters refitted to the open-loop simulation of whole recordings, for rigid
+/// drives. Their effects are selected with simulations that restart after at most kFarHorizon. Force errors
+/// accumulate over a whole recording. The refitted parameters therefore simulate long motions better, but are
+/// less accurate if a recording has an effect that the model lacks. `robot` is the nominal one; the fit
+/// starts at `chosen`.
 diagnosis::Fit wholeFit(const std::vector<diagnosis::Evidence>& recordings, const robot::Description& robot,
                         const diagnosis::Fit& chosen, diagnosis::EncoderZeros zeros, int threads);
 

@@ -6,17 +6,17 @@
 
 namespace capstan::test {
 
-/// One number by which a robot without a fault may differ: a drifted one of drifted(), or a part of
-/// backgroundTexture(), off by kBackgroundStep of its standard deviation.
+/// Change of one number in which robots without a fault differ: a number that worn() draws, or one effect of
+/// backgroundTexture(). It is changed by kBackgroundStep standard deviations.
 struct BackgroundChange {
-  robot::Description robot;      ///< drifted, that number off; as it is where it is one of texture
-  std::vector<Planted> texture;  ///< that part of texture; empty: none
-  double low = 0.0, high = 0.0;  ///< how far from here it may be, in standard deviations
+  robot::Description robot;      ///< the worn robot with that number changed; unchanged for an effect
+  std::vector<Planted> texture;  ///< that effect; empty: none
+  double low = 0.0, high = 0.0;  ///< range of the number about its value, in standard deviations
 };
 inline constexpr double kBackgroundStep = 0.02;
 
-/// Of each joint: friction of joint and motor, mass with its inertia, centre of mass, stiffness and damping
-/// of a cable; then the texture.
+/// All such changes. For each joint these are friction of joint and motor, mass with its inertia, centre of
+/// mass, stiffness and damping of a cable; then follow the effects of the texture.
 std::vector<BackgroundChange> backgroundChanges(const robot::Description& nominal,
                                                 const robot::Description& worn, bool rigid);
 

@@ -7,8 +7,8 @@
 
 namespace capstan::test {
 
-/// What can be wrong with the planted robot. kExternalVibration to kEncoderDrift have no name among the
-/// effects that a diagnosis would look for. The order decides on seeds: a new one comes last.
+/// Effects that can be planted in a robot. kExternalVibration to kEncoderDrift are not among the hypotheses
+/// of a diagnosis. Seeds depend on the order: a new effect comes last.
 enum class Effect {
   kPulleyRadius,
   kCableCoupling,
@@ -43,34 +43,35 @@ enum class Effect {
   kZeroDrift,
 };
 
-/// Where an effect sits: decides on which joints and drives it can be planted.
+/// Part of the robot that an effect belongs to, which decides in which joints and drives it can be planted.
 enum class Place { kTransmission, kCable, kFriction, kBody, kCamera, kSensor, kOutside };
 
+/// Properties of an effect.
 struct EffectFacts {
   Effect effect;
-  std::string_view name;       ///< as in verdicts: backlash
-  std::string_view magnitude;  ///< what Planted::magnitude is, with its unit
+  std::string_view name;       ///< name as in reports: backlash
+  std::string_view magnitude;  ///< meaning of Planted::magnitude, with its unit
   Place place;
   bool cable;    ///< can be planted in a cable drive
   bool rigid;    ///< can be planted in a rigid drive
-  bool whole;    ///< of the whole arm or a camera: joint 0
-  bool covered;  ///< false: no diagnosis is expected to have a name for it
+  bool whole;    ///< belongs to the whole arm or a camera: joint 0
+  bool covered;  ///< false: it is not among the hypotheses of a diagnosis
 };
 
 /// All effects, in the order of the enumeration.
 const std::vector<EffectFacts>& allEffects();
 const EffectFacts& factsOf(Effect effect);
-/// Null: no effect of this name.
+/// Facts of the effect of this name; null: none.
 const EffectFacts* effectNamed(std::string_view name);
 
-/// One effect as it sits in a plant; nothing of it is left at magnitude 0.
+/// One effect in a plant; at magnitude 0 it has no influence.
 struct Planted {
   Effect effect = Effect::kPulleyRadius;
   int joint = 0;           ///< counts from 0; not used by effects of the whole arm
   double magnitude = 0.0;  ///< EffectFacts::magnitude
   double signature = 1.0;  ///< a second number with a unit of its own: speed, time constant, frequency, width
   double phase = 0.0;      ///< [rad], or the time of a slip as a share of the recording
-  int other = 0;           ///< another joint: that whose motion a coupling carries over
+  int other = 0;           ///< other joint, whose motion a coupling transmits
   Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  ///< direction in frame 0, of unit length
 };
 

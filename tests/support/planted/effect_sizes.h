@@ -4,31 +4,32 @@
 
 namespace capstan::test {
 
-/// `effect` on joint i (from 0) as large as a robot that still works could have it; direction, phase, speed,
-/// time constant and so on drawn. `p`: the drifted robot without effects.
+/// `effect` on joint i (from 0) of the largest size that a working robot could have. Direction, phase, speed,
+/// time constant and so on are drawn at random. `p` is the worn robot without effects.
 Planted largestPlausible(Effect effect, int i, const PlantParameters& p, const robot::Description& nominal,
                          base::Random& random);
 
-/// Background texture of every joint: friction a few per cent stronger one way, in a cable drive a capstan
-/// some micrometres out of centre, a trace of Stribeck.
+/// Background effects of every joint: friction that is a few per cent higher in one direction, slight
+/// Stribeck friction, and in a cable drive a capstan that is eccentric by some micrometres.
 std::vector<Planted> backgroundTexture(const PlantParameters& p, base::Random& random);
 
-/// How much of an effect a reference would show that no robot without a fault would: open-loop simulations
-/// over the motion of the robot without it, less what drift and texture, as far as they are drawn and to
-/// first order, can do to look like it. A little more mass at the tip is a mistuned mass, and 2 % of
-/// asymmetry are texture.
+/// Computes how visible an effect is: the change of the readings that it causes, without the part that a
+/// robot without a fault could show too. The change is simulated open loop over the motion of the robot
+/// without the effect. The part that drift and texture within their drawn ranges can imitate is subtracted,
+/// to first order. For example, a little more mass at the tip is a mistuned mass, and 2 % of asymmetry is
+/// texture.
 class Visibility {
  public:
   Visibility(const robot::Description& nominal, const robot::Description& worn, bool rigid,
              const std::vector<Planted>& texture, const SensorOptions& sensors, PlantedMotion motion);
 
-  /// RMS of what the effect changes beyond drift and texture, over RMS of noise and texture, of the channel
-  /// (a joint encoder, the cameras) that shows most of it.
+  /// Visibility of an effect: RMS of the change beyond drift and texture over RMS of noise and texture, in
+  /// the channel (a joint encoder or the cameras) where this ratio is largest.
   double of(const Planted& planted) const;
 
  private:
   PlantedMotion replayOf(const robot::Description& robot, const std::vector<Planted>& effects) const;
-  /// What the sensors would tell, a row an instant: joints [rad or m], then the tip [m].
+  /// Simulated readings, one row per instant: joints [rad or m], then the tip [m].
   Eigen::MatrixXd tell(const PlantedMotion& motion, const std::vector<Planted>& effects) const;
   Eigen::MatrixXd changeBy(const std::vector<Planted>& effects) const;
   Eigen::VectorXd channels(const Eigen::MatrixXd& change) const;  ///< RMS of each joint and of the tip
@@ -40,28 +41,29 @@ class Visibility {
   SensorOptions sensors_;
   PlantedMotion recorded_, plain_motion_;
   Eigen::MatrixXd plain_;
-  Eigen::VectorXd noise_, level_;  ///< of channels(); level_: noise and texture together
-  /// What one standard deviation of each background change does to the readings, JᵀJ, and how far each may
-  /// go.
+  Eigen::VectorXd noise_, level_;  ///< per channel of channels(): noise; noise and texture together
+  /// Change of the readings J per standard deviation of each background change, JᵀJ, and the bounds of the
+  /// changes.
   Eigen::MatrixXd background_, normal_;
   Eigen::VectorXd low_, high_;
 };
 
-/// Visibility at size 1; just visible, 1, is a tenth of it.
+/// Visibility at size 1. A just visible effect has the visibility 1.
 inline constexpr double kLargeVisibility = 10.0;
 
+/// Effect with its visibility.
 struct Sized {
   Planted planted;
   double visibility = 0.0;
 };
 
-/// Visibility at `size` of an effect that shows at most `most`: on a logarithmic scale from 1 at size 0.1 to
-/// kLargeVisibility at 1, or to `most` where that is less; size times `most` where that is not even 1; above
-/// size 1 size times kLargeVisibility.
+/// Visibility at `size`, for an effect with the largest possible visibility `most`. It rises from 1 at size
+/// 0.1 to min(kLargeVisibility, most) at size 1, evenly on a logarithmic scale. It is size × most if `most`
+/// is below 1, and size × kLargeVisibility above size 1.
 double visibilityOf(double size, double most);
 
-/// `largest` made so much smaller that its visibility is visibilityOf(size, its own), within a quarter; as it
-/// is where that is more than it has. size > 0. sensor_sign stays as it is.
+/// `largest`, reduced so that its visibility is visibilityOf(size, its own visibility) within a quarter. It
+/// is not changed if that is more than its own visibility, and neither is sensor_sign. size > 0.
 Sized sizedTo(double size, const Planted& largest, const Visibility& visibility);
 
 }  // namespace capstan::test

@@ -8,17 +8,17 @@
 
 namespace capstan::test {
 
-/// 0 to 1 over x from 0 to 1, velocity and acceleration zero at both ends.
+/// Smooth step from 0 to 1 for x from 0 to 1, with zero velocity and acceleration at both ends.
 double smoothStep(double x);
 
-/// What the joints are asked to do: moves at all speeds to all places with dwells between them, many of them
-/// short and back again, and sums of sines that come and go. Twice continuously differentiable, inside the
-/// joint limits, below 0.85 of the joints' highest speed.
+/// Random commanded motion of the joints: moves at all speeds over the whole range with dwells between them,
+/// many of them short and back again, and sums of sines that fade in and out. The motion is twice
+/// continuously differentiable, inside the joint limits, and below 0.85 of the joints' highest speed.
 class Excitation {
  public:
   Excitation(const robot::Description& robot, double duration, base::Random& random);
 
-  /// Wanted joint positions at t [rad or m]; before 0 those at 0.
+  /// Desired joint positions at t [rad or m]; before t = 0 those at 0.
   Joints at(double t) const;
 
  private:
@@ -33,7 +33,7 @@ class Excitation {
     std::vector<Sine> sines;
   };
   struct Axis {
-    std::vector<Move> moves;  ///< by time
+    std::vector<Move> moves;  ///< in order of time
     std::vector<Swell> swells;
     double start = 0.0;
   };
@@ -44,10 +44,10 @@ class Excitation {
   std::vector<Axis> axes_;
 };
 
-/// Loads that a hand or a weight puts on the joints, of both signs, slow beside the motion.
+/// Loads on the joints as of a hand or a weight: of both signs, and slow compared with the motion.
 class ExternalLoad {
  public:
-  /// amplitude: of each joint [N·m or N]; 0 where there is none.
+  /// `amplitude` is the amplitude per joint [N·m or N]; 0: no load.
   ExternalLoad(const Joints& amplitude, base::Random& random);
   Joints at(double t) const;
 

@@ -7,52 +7,53 @@
 
 namespace capstan::test {
 
-/// Blocks of the state, each one number a joint.
+/// Blocks of the state, each with one number per joint.
 enum Block : std::size_t { kMotor, kMotorRate, kJoint, kJointRate, kHysteresis, kCreep, kBlocks };
 using PlantState = std::array<Joints, kBlocks>;
 
-/// What acts on the plant during one step.
+/// Inputs of the plant during one step.
 struct PlantInput {
-  Joints torque{};  ///< asked of the motors, held over the step [N·m or N]
-  Joints load{};    ///< external load that pushes the joint towards positive q, held [N·m or N]
-  /// Motors that move as measured, whatever their torque: position and velocity at the step's two ends,
-  /// cubic in between. Null: the motors obey their own equation.
+  Joints torque{};  ///< commanded motor torque, held over the step [N·m or N]
+  Joints load{};    ///< external load, positive towards positive q, held [N·m or N]
+  /// Prescribed motion of the motors, independent of their torque: position and velocity at both ends of the
+  /// step, cubic in between. Null: the motors follow their own equation of motion.
   const Joints* motor = nullptr;
   const Joints* motor_end = nullptr;
   const Joints* motor_rate = nullptr;
   const Joints* motor_rate_end = nullptr;
 };
 
-/// Motors, cables and links with planted effects. Cable drive (UKF paper 2–8):
+/// Simulation of motors, cables and links with planted effects. Cable drive (UKF paper 2–8):
 ///     gamma = k (e^{a δ} − e^{−a δ}) + 2 b dδ,   δ = r_mc q_m/N − r_l A (q − q_hs)
 ///     I_m ddq_m = tau − tau_c tanh(dq_m/v) − tau_v dq_m − (ds_m/dq_m) gamma
 ///     M ddq = Aᵀ (r_l ∘ gamma) − C dq − G − F_c tanh(dq/v) − F_v dq + tau_ext
-/// Rigid drive: q_m = N/r_mc r_l A (q − q_hs) holds always, so that the motors' torque, friction and inertia
-/// act on the joints. Classical Runge–Kutta steps of a fixed length far inside the stability limit.
+/// Rigid drive: q_m = N/r_mc r_l A (q − q_hs) always holds, so that the motors' torque, friction and inertia
+/// act on the joints. Integration is by classical Runge–Kutta steps of fixed length, far inside the stability
+/// limit.
 class Plant {
  public:
   Plant(const PlantParameters& parameters, const std::vector<Planted>& effects);
 
   int size() const { return p_.size; }
   const PlantParameters& parameters() const { return p_; }
-  /// At rest at `q`, the cables carrying gravity; t [s] does not matter.
+  /// State at rest at `q`, with cables that carry gravity.
   PlantState rest(const Joints& q);
   /// Motor positions that hold a rigid cable at `q` [rad].
   Joints motorsAt(const Joints& q) const;
-  /// Steps of equal length into which `duration` [s] has to be cut; never fewer than two a millisecond.
-  /// Throws std::invalid_argument where that would be more than a thousand a millisecond.
+  /// Number of equal integration steps that `duration` [s] needs, at least two per millisecond. Throws
+  /// std::invalid_argument if it needs more than a thousand per millisecond.
   int stepsFor(double duration, const Joints& q);
-  /// State at t + duration from that at t, in `steps` steps.
+  /// Advances the state from t to t + duration in `steps` steps.
   void advance(PlantState& state, double t, double duration, int steps, const PlantInput& input);
-  /// Slope of the state at time t.
+  /// Time derivative of the state at time t.
   PlantState slope(const PlantState& state, double t, const PlantInput& input);
-  /// Kinetic and potential energy of motors, springs and links [J]; of cable pairs in nominal condition, and
-  /// of zeros where the recording begins.
+  /// Kinetic and potential energy of motors, springs and links [J], for cable pairs in nominal condition and
+  /// for zeros as at the start of the recording.
   double energy(const PlantState& state);
 
  private:
   struct CableState {
-    double travel = 0.0, travel_rate = 0.0;  ///< of the motor's side
+    double travel = 0.0, travel_rate = 0.0;  ///< cable travel and its rate on the motor's side
     double lever = 0.0;                      ///< d travel / d q_m
     double stretch = 0.0, rate = 0.0, range = 0.0;
   };

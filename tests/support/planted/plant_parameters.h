@@ -7,34 +7,34 @@
 
 namespace capstan::test {
 
-/// The robot of `nominal` after some years: cable stiffness and damping, joint and motor friction, masses
-/// (with their inertias) each times a factor of its own between 0.7 and 1.4, centres of mass moved by up to
-/// 15 % of their distance from the joint. Geometry and transmission stay.
+/// `nominal` after some years of use. Cable stiffness and damping, joint and motor friction, and masses with
+/// their inertias are each multiplied by a random factor between 0.7 and 1.4. Centres of mass move by up to
+/// 15 % of their distance from the joint. Geometry and transmission do not change.
 robot::Description worn(const robot::Description& nominal, base::Random& random);
 
-/// Numbers of one plant, joint by joint, units as in the robot file.
+/// Parameters of one plant per joint, with units as in the robot file.
 struct PlantParameters {
   explicit PlantParameters(const robot::Description& robot, bool rigid_drive);
 
   int size = 0;
   bool rigid = false;  ///< motor torque drives the joint directly
-  int refinement = 1;  ///< times as many integration steps as stability asks for
+  int refinement = 1;  ///< factor on the number of integration steps that stability needs
   RigidChain chain;
   Joints gear{}, capstan{}, radius{}, homing{}, stiffness{}, damping{}, exponent{}, motor_inertia{};
   Joints motor_coulomb{}, motor_viscous{}, motor_smoothing{}, coulomb{}, viscous{}, smoothing{};
-  Joints middle{}, half_range{};  ///< of the joint's limits
+  Joints middle{}, half_range{};  ///< middle and half width of the range between the joint limits
   Joints armature{};              ///< added to the diagonal of the mass matrix
-  Joints actuator_gain{};         ///< torque that arrives over commanded torque
-  Joints compliance{};            ///< of the cable of a rigid drive [m/N]; 0: rigid
+  Joints actuator_gain{};         ///< actual torque over commanded torque
+  Joints compliance{};            ///< compliance of a rigid drive's cable [m/N]; 0: rigid
   std::array<Joints, kMostJoints> coupling{};
 };
 
-/// Effects that are another number in the model of the robot file: link radius, coupling, zero, gravity,
-/// bodies, inertia, gain, compliance. Others leave `parameters` as they are.
+/// Applies an effect that changes a parameter of the robot model: link radius, coupling, zero, gravity,
+/// bodies, inertia, gain or compliance. Other effects do not change `parameters`.
 void plantInParameters(const Planted& planted, const robot::Description& nominal,
                        PlantParameters& parameters);
 
-/// Cable stretch that the Coulomb friction of joint i alone makes [m]: the scale of what a cable shows.
+/// Cable stretch by the Coulomb friction of joint i alone [m], the typical scale of cable stretch.
 double frictionStretch(const PlantParameters& parameters, int i);
 
 }  // namespace capstan::test

@@ -39,7 +39,7 @@ class CaseRobot {
     Plant plant(parameters, effects);
     const PlantedMotion motion = moved(plant, effects, case_.duration);
     base::Random noise(case_.seed, "sensors");
-    return {sense(motion, case_.robot, effects, case_.sensors, noise), case_.robot, case_.rigid};
+    return {sense(motion, case_.robot, effects, case_.sensors, noise), case_.robot};
   }
 
  private:

@@ -8,17 +8,17 @@
 
 namespace capstan::test {
 
-/// One effect of a case. Size: 0 none, 0.1 just visible (an open-loop simulation of the reference changes,
-/// beyond what drift and texture can make of it, by as much as noise and texture are), 1 large (ten times
-/// that, or as large as is plausible where that is less).
-/// sensor_sign is there or not: its size is that of the load.
+/// One effect of a case. Size 0 is no effect; size 0.1 is just visible (Visibility 1: beyond what drift and
+/// texture can imitate, the readings change by as much as noise and texture); size 1 is large (ten times
+/// that, or the largest plausible size if it is less). sensor_sign has no size of its own: its size is that
+/// of the load.
 struct ChosenEffect {
   Effect effect = Effect::kPulleyRadius;
   int joint = 1;  ///< counts from 1; 0: the whole arm or a camera
   double size = 0.0;
 };
 
-/// Everything that a recording is made of. Same case, same bytes.
+/// Complete specification of a recording. The same case gives the same bytes.
 struct PlantedCase {
   std::uint64_t seed = 1;
   robot::Description robot;  ///< nominal
@@ -29,17 +29,16 @@ struct PlantedCase {
   double duration = 30.0;  ///< [s]
   SensorOptions sensors;
   Joints load{};       ///< amplitude of measured external loads [N·m or N]
-  int refinement = 1;  ///< of the integration steps
+  int refinement = 1;  ///< PlantParameters::refinement
 };
 
-/// What a diagnosis may see.
+/// Data that a diagnosis may use.
 struct Recording {
   recording::MeasuredTable table;
   robot::Description robot;  ///< nominal
-  bool rigid = false;
 };
 
-/// What it may not see.
+/// Data that a diagnosis may not use: what was planted.
 struct Truth {
   struct Item {
     std::string effect;
@@ -50,36 +49,38 @@ struct Truth {
   };
   std::vector<Item> items;
   std::vector<Planted> texture;  ///< background texture in the recording; empty: it has none
-  robot::Description robot;      ///< drifted
+  robot::Description robot;      ///< worn robot
   bool textured = false;
 };
 
-/// What draw() leaves to chance: everything that is not given.
+/// Options of draw(), which draws at random everything that is not given.
 struct DrawOptions {
   robot::Description robot;
   bool rigid = false;
-  std::optional<int> effects;    ///< how many, 0–2; unset: 1
-  std::optional<Effect> effect;  ///< of the first
-  std::optional<int> joint;      ///< of the first, from 1
-  std::optional<double> size;    ///< of the first; unset: 0.1–1, evenly on a logarithmic scale
-  bool uncovered = false;        ///< the first is one that no diagnosis has a name for
+  std::optional<int> effects;    ///< number of effects, 0–2; unset: 1
+  std::optional<Effect> effect;  ///< the first effect
+  std::optional<int> joint;      ///< joint of the first effect, from 1
+  std::optional<double> size;    ///< size of the first effect; unset: 0.1–1, evenly on a logarithmic scale
+  bool uncovered = false;        ///< true: the first effect is not among the hypotheses of a diagnosis
   std::optional<bool> textured;
   std::optional<double> duration;  ///< unset: 20–40 s
   SensorOptions sensors;
 };
 
-/// Joints, counted from 1, on which `effect` makes sense on this robot; {0} for one of the whole arm; none
-/// when the drive or the sensors do not have it. Joints whose cable is so stiff that its Coulomb friction
-/// moves them by less than five times the sensors' noise have no effects of force.
+/// Joints, counted from 1, in which `effect` can be planted; {0} for an effect of the whole arm; empty if the
+/// drive or the sensors cannot have it. Effects of force are excluded in joints whose cable is so stiff that
+/// Coulomb friction moves them by less than five times the sensors' noise.
 std::vector<int> jointsFor(Effect effect, const DrawOptions& options);
 
-/// A case from a seed. Throws std::invalid_argument when the wanted effect makes no sense on this robot or
-/// joint.
+/// Random case of a seed. Throws std::invalid_argument if the requested effect cannot be planted in this
+/// robot or joint.
 PlantedCase draw(std::uint64_t seed, const DrawOptions& options);
 
+/// Recording of a case.
 Recording record(const PlantedCase& planted_case);
+/// Truth of a case.
 Truth truthOf(const PlantedCase& planted_case);
-/// Both, for the price of one.
+/// record() and truthOf() in one computation.
 std::pair<Recording, Truth> recordWithTruth(const PlantedCase& planted_case);
 
 }  // namespace capstan::test

@@ -8,36 +8,37 @@
 
 namespace capstan::test {
 
-/// What the plant did, a row a millisecond.
+/// Motion of the plant, one row per millisecond.
 struct PlantedMotion {
   std::vector<double> t;  ///< [s]
   std::vector<Joints> q, dq;
-  std::vector<Joints> motor, motor_rate;                  ///< where the motors are
-  std::vector<Joints> motor_reading, motor_rate_reading;  ///< what their encoders tell
+  std::vector<Joints> motor, motor_rate;                  ///< motor positions and velocities
+  std::vector<Joints> motor_reading, motor_rate_reading;  ///< readings of the motor encoders
   std::vector<Joints> torque, load;                       ///< held from this row to the next
 };
 
 using JointPath = std::function<Joints(double t)>;
 
-/// How the motors are driven and how finely the plant is cut.
+/// Options of drive().
 struct DriveOptions {
-  double duration = 30.0;  ///< [s]
-  double settling = 1.0;   ///< the robot stands so long before the first row [s]
+  double duration = 30.0;  ///< duration of the motion [s]
+  double settling = 1.0;   ///< time at rest before the first row [s]
 };
 
-/// The robot under its own controller, 1 kHz: tau = K_p (wanted − read) + K_d (its rate − filtered rate), on
-/// motor encoder counts, critically damped, cut at the torque limit and rounded to 1e-5 N·m as the amplifier
-/// takes it. The wanted motor angle is that of a rigid cable of the nominal robot.
+/// Motion of the robot under its own 1 kHz controller: tau = K_p (desired − measured) + K_d (desired rate −
+/// filtered rate) on motor encoder counts, critically damped, clipped at the torque limit and rounded to the
+/// amplifier's resolution of 1e-5 N·m. The desired motor angle is that of the nominal robot with rigid
+/// cables.
 PlantedMotion drive(Plant& plant, const robot::Description& nominal, const std::vector<Planted>& effects,
                     const JointPath& wanted, const JointPath& load, const DriveOptions& options);
 
-/// The same plant, or another, open loop over what was recorded: cable drives follow the motor angles, rigid
-/// ones the torque; loads as their sensors tell them.
+/// Open-loop simulation of a plant over a recorded motion: cable drives follow the recorded motor angles,
+/// rigid drives the recorded torques; loads are those that the sensors measured.
 PlantedMotion replay(Plant& plant, const PlantedMotion& recorded, const std::vector<Planted>& effects);
 
-/// Counts lost by the encoder of motor i at t, as an angle [rad]: the reading falls short of the motor by it.
+/// Angle of the counts that the encoder of motor i has lost at t [rad]: motor position minus reading.
 double slipOf(const std::vector<Planted>& effects, int i, double t, double duration);
-/// The load sensor of joint i tells the magnitude alone.
+/// True if the load sensor of joint i measures the magnitude alone.
 bool tellsNoSign(const std::vector<Planted>& effects, int i);
 
 }  // namespace capstan::test

@@ -8,17 +8,17 @@
 
 namespace capstan::study {
 
-/// What was hidden in a recording, as the study keeps it.
+/// Planted effects of a recording, as the study stores them.
 struct HiddenTruth {
   std::vector<test::Truth::Item> items;
   std::vector<test::Planted> texture;  ///< background texture of the recording; empty: it has none
-  double duration = 0.0;               ///< of the recording [s]
-  /// Size at which the true model would find half of the first item's like, IdealObserver::limit; NaN: not
-  /// requested.
+  double duration = 0.0;               ///< duration of the recording [s]
+  /// Size at which the ideal observer detects half of such effects, for the first item
+  /// (IdealObserver::limit); NaN: not requested.
   double ideal_limit = 0.0;
 };
 
-/// One case, what was hidden in it and what was said of it.
+/// Result of one case: what was planted, and the answer of the diagnosis.
 struct CaseOutcome {
   StudyCase of;
   HiddenTruth truth;
@@ -26,7 +26,7 @@ struct CaseOutcome {
 };
 
 nlohmann::json jsonOf(const CaseOutcome& outcome);
-/// Throws nlohmann::json::exception, and std::invalid_argument for a name that is none.
+/// Outcome of its JSON. Throws nlohmann::json::exception, and std::invalid_argument for an unknown name.
 CaseOutcome outcomeFrom(const nlohmann::json& json);
 
 }  // namespace capstan::study

@@ -8,15 +8,15 @@
 
 namespace capstan::study {
 
-/// How far an effect moves what the sensors tell, in standard deviations of everything else that may move it
-/// the same way: what an observer could make of the recording who has the true model itself, knows the truth
-/// but for the drift (and the texture, where there is one) and knows how those are drawn:
+/// Observer with the best possible detection of an effect. It has the true model, and knows everything except
+/// the drift and the texture, of which it knows the distributions. Its detection index D is the change of the
+/// readings by the effect, in standard deviations of all other changes of the same form:
 ///     D² = dᵀ (Σ + J P Jᵀ)⁻¹ d
-/// d: change of all sensors' readings by the effect, open loop over the motion of the robot without it; Σ:
-/// the sensors' white noise; J: change by each drifted number of each joint (stiffness, damping, friction of
-/// joint and motor, mass, centre of mass) and by the background texture; P: their variances as they are
-/// drawn. Linear in the drift. From the case's first `seconds`, taken to come as often as its length has
-/// room for.
+/// d: change of all readings by the effect, simulated open loop over the motion of the robot without it; Σ:
+/// covariance of the sensors' white noise; J: changes by each drifted number of each joint (stiffness,
+/// damping, friction of joint and motor, mass, centre of mass) and by the background texture; P: the
+/// variances that these are drawn with. The model is linear in the drift. D is computed from the first
+/// `seconds` of the case and scaled as if they were repeated over its duration.
 class IdealObserver {
  public:
   IdealObserver(const test::PlantedCase& planted_case, const test::Truth& truth, double seconds = 8.0);
@@ -24,18 +24,18 @@ class IdealObserver {
   IdealObserver(const IdealObserver&) = delete;
   IdealObserver& operator=(const IdealObserver&) = delete;
 
-  /// D of an effect.
+  /// Detection index D of an effect.
   double deflection(const test::Planted& planted);
 
   struct Limit {
-    double share = 0.0;  ///< of the effect's magnitude
+    double share = 0.0;  ///< limit as a share of the effect's magnitude
     double size = 0.0;
   };
-  /// Where an effect of size `size` would be found by half: its magnitude is made so much smaller
-  /// that D is kHalfFound (within 5 %), its size in the same measure as its change |Σ^-1/2 d|. D ∝ size where
-  /// D is less than kHalfFound as it is, and of sensor_sign. NaN: it changes nothing.
-  /// Where however little of it is found (the plant's play presses and does not pull, as soon as there is
-  /// one), that is the limit.
+  /// Detection limit of an effect that has the size `size` as planted. Its magnitude is reduced until D is
+  /// kHalfFound (within 5 %); its size is reduced in proportion to its change |Σ^-1/2 d|. For sensor_sign,
+  /// and if D is below kHalfFound as planted, D is taken as proportional to size. NaN: the effect changes no
+  /// reading. If even the smallest magnitude is detected (any play changes the plant, since it presses and
+  /// does not pull), that magnitude is the limit.
   Limit limit(const test::Planted& planted, double size);
 
  private:
@@ -45,14 +45,14 @@ class IdealObserver {
 
   std::unique_ptr<Sensors> sensors_;
   robot::Description worn_;
-  double times_ = 1.0;  ///< that the seconds looked at fit into the recording
+  double times_ = 1.0;  ///< duration of the recording over the `seconds` that are used
   Eigen::VectorXd plain_;
   Eigen::MatrixXd spread_;  ///< Σ^-1/2 J P^1/2
   Eigen::LDLT<Eigen::MatrixXd> normal_;
 };
 
-/// D at which such an observer, who raises a false alarm in 3 % of sound robots and has 60 effects and joints
-/// to choose from, finds half of all: normal quantile at 1 − 0.03/120.
+/// D at which this observer detects half of the effects, with false alarms in 3 % of robots without a fault
+/// and 60 combinations of effect and joint: normal quantile at 1 − 0.03/120.
 inline constexpr double kHalfFound = 3.48;
 
 }  // namespace capstan::study

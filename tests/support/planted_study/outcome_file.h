@@ -11,22 +11,24 @@
 
 namespace capstan::study {
 
-/// Outcomes of cases, a line of JSON each, so that an interrupted study goes on where it stopped:
+/// File of case outcomes, one line of JSON per case, so that an interrupted study can continue:
 ///     {"name": …, "made_by": …, "checksum": …, "outcome": {…}}
-/// A case that is in the file is not run again, unless another program (or other options) made it.
+/// A case in the file is not run again, unless it is from another program or from other options.
 class OutcomeFile {
  public:
-  /// Reads what is there; `file` and its folder are created by the first keep(). A last line that is not
-  /// whole, as an interruption leaves it, is cut off with a word in notices(). base::InputError with file and
-  /// line where any other line is damaged, and where the file cannot be read.
+  /// Reads an existing file; keep() creates `file` and its folder. An incomplete last line, as after an
+  /// interruption, is removed with a notice. Throws base::InputError with file and line if another line is
+  /// damaged, and if the file cannot be read.
   OutcomeFile(std::filesystem::path file, std::string made_by);
 
-  /// Of this program and these options; of any with `any_maker`, the last one kept. The answer is a copy.
+  /// Outcome of a case by this program and these options, or, with `any_maker`, the last stored one of any.
+  /// It is a copy.
   std::optional<CaseOutcome> find(const StudyCase& one, bool any_maker = false) const;
-  /// Appends, at once and whole. Any thread. base::InputError where the file cannot be written.
+  /// Appends an outcome at once, as one whole line; thread-safe. Throws base::InputError if the file cannot
+  /// be written.
   void keep(const CaseOutcome& outcome);
 
-  /// Cut off line, lines of other makers.
+  /// Remarks on a removed line and on lines of other programs.
   const std::vector<std::string>& notices() const { return notices_; }
 
  private:
@@ -38,7 +40,7 @@ class OutcomeFile {
 
   std::filesystem::path file_;
   std::string made_by_;
-  std::map<std::string, std::vector<Kept>> kept_;  ///< by name, as they were kept
+  std::map<std::string, std::vector<Kept>> kept_;  ///< by name, in the order of the file
   std::vector<std::string> notices_;
   mutable std::mutex mutex_;
 };

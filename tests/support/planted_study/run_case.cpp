@@ -15,10 +15,8 @@ Answer diagnosed(const test::Recording& recording, const Diagnoser& diagnoser) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
   try {
-    diagnosis::EvidenceOptions options;
-    options.drive = recording.rigid ? diagnosis::DriveKind::kRigid : diagnosis::DriveKind::kCable;
     const diagnosis::Report report =
-        diagnoser({diagnosis::evidenceOf(recording.table, recording.robot, options)}, recording.robot);
+        diagnoser({diagnosis::evidenceOf(recording.table, recording.robot)}, recording.robot);
     return answerOf(report, seconds());
   } catch (const std::exception& error) {
     Answer answer;

@@ -7,18 +7,18 @@
 
 namespace capstan::study {
 
-/// What is put to the test: diagnosis::diagnose, or something in its place.
+/// Function under test: diagnosis::diagnose, or a replacement.
 using Diagnoser = std::function<diagnosis::Report(const std::vector<diagnosis::Evidence>& recordings,
                                                   const robot::Description& nominal)>;
 
 struct RunOptions {
-  bool ideal_limit = true;  ///< also HiddenTruth::ideal_limit, of cases with one effect
+  bool ideal_limit = true;  ///< true: compute HiddenTruth::ideal_limit for cases with one effect
 };
 
-/// Draws the case, records it and has it diagnosed. The diagnosis sees the recording's table, the nominal
-/// robot and what drives it, nothing else. What it throws becomes the answer's verdict "error".
+/// Draws the case, records it and runs the diagnosis, which gets only the recorded table and the nominal
+/// robot. An exception of the diagnosis becomes the verdict "error".
 CaseOutcome runCase(const StudyCase& one, const Diagnoser& diagnoser, const RunOptions& options = {});
-/// The same of a case that was drawn otherwise; `one` is its name.
+/// The same for a case that is already drawn; `one` gives its name.
 CaseOutcome runCase(const StudyCase& one, const test::PlantedCase& drawn, const Diagnoser& diagnoser,
                     const RunOptions& options = {});
 

@@ -8,16 +8,16 @@
 
 namespace capstan::study {
 
-/// A case that was just done.
+/// Progress of a study after a completed case.
 struct Step {
   const CaseOutcome& outcome;
-  std::size_t done = 0, of = 0;  ///< of those that had to be run
-  double seconds_left = 0.0;     ///< if the others take as long
+  std::size_t done = 0, of = 0;  ///< completed cases, and cases to run
+  double seconds_left = 0.0;     ///< remaining time, at the same duration per case
 };
 
-/// Runs the cases that `file` does not hold, `threads` at a time in their order, and keeps each at once.
-/// `tell` is called after each, by one thread at a time. What is no answer of the diagnosis (a full disk,
-/// say) stops the study and is thrown on; what was done by then is kept.
+/// Runs the cases that are not in `file`, in order, on `threads` threads, and stores each outcome at once.
+/// `tell` is called after each case, by one thread at a time. Errors outside of the diagnosis (a full disk,
+/// for example) stop the study and are rethrown; the outcomes so far are stored.
 void runStudy(const std::vector<StudyCase>& cases, const Diagnoser& diagnoser, int threads, OutcomeFile& file,
               const std::function<void(const Step&)>& tell = {}, const RunOptions& options = {});
 

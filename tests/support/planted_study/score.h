@@ -9,10 +9,10 @@
 
 namespace capstan::study {
 
-/// How an answer stands to one effect that was planted.
+/// Result of an answer for one planted effect.
 enum class Hit {
   kRight,       ///< right effect and joint named first, not as one of a tie
-  kTie,         ///< one of a tie that contains it
+  kTie,         ///< a tie that contains the effect is named
   kLater,       ///< named, but not first
   kWrongJoint,  ///< the effect named first is right, its joint is not
   kWrong,       ///< another effect named
@@ -21,19 +21,20 @@ enum class Hit {
   kError,
 };
 
+/// Score of a case with one planted effect.
 struct Score {
   Hit hit = Hit::kNothing;
-  /// What is named first: an effect, or none, unexplained, error; of a tie the planted effect where it is in
-  /// it, else the tie's best.
+  /// First result: an effect, or none, unexplained or error. For a tie it is the planted effect if the tie
+  /// contains it, else the best of the tie.
   std::string named;
   int named_joint = -1;              ///< −1: nothing named
-  std::vector<NumberCheck> numbers;  ///< where the effect was named rightly and alone
+  std::vector<NumberCheck> numbers;  ///< for kRight only
 };
 
-/// Of a case with one effect that has a name.
+/// Score of a case with one effect that is among the hypotheses.
 Score scoreOne(const CaseOutcome& outcome);
 
-/// Of a case with two effects: how each of them comes out, its place among the causes aside.
+/// Score of a case with two effects, regardless of their order among the causes.
 struct PairScore {
   std::array<Hit, 2> hits{};  ///< kRight: among the causes; kTie: in a tie only
   bool both() const { return hits[0] == Hit::kRight && hits[1] == Hit::kRight; }
@@ -42,12 +43,12 @@ struct PairScore {
 };
 PairScore scoreTwo(const CaseOutcome& outcome);
 
-/// What a case says first, whatever was planted: an effect, "nothing", "unexplained" or "error".
+/// First result of an answer, whatever was planted: an effect, "nothing", "unexplained" or "error".
 std::string firstNamed(const Answer& answer);
-/// The cause that firstNamed tells of; null: it is none.
+/// Cause whose effect firstNamed() returns; null: no effect is named.
 const NamedCause* firstCause(const Answer& answer);
 
-/// Anything but "nothing" is a false alarm where nothing was planted.
+/// True unless the answer is "nothing"; without a planted effect this is a false alarm.
 bool isAlarm(const Answer& answer);
 
 }  // namespace capstan::study

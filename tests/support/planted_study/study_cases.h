@@ -11,44 +11,45 @@
 
 namespace capstan::study {
 
-/// What is hidden in a recording.
+/// Kind of case: one planted effect, none, two, or one that is not among the hypotheses.
 enum class Kind { kOne, kNone, kTwo, kUncovered };
 
-/// The RAVEN-II with all its sensors; the rigid arm and axis of tests/support/planted/data, whose motor
-/// torques drive them.
+/// Robot of a case: the RAVEN-II with all sensors, or the rigid-drive arm or axis of
+/// tests/support/planted/data.
 enum class Robot { kRaven, kArm, kAxis };
 
-/// One recording of a study, told by its name.
+/// One case of a study, identified by its name.
 struct StudyCase {
   Kind kind = Kind::kOne;
   Robot robot = Robot::kRaven;
-  std::string effect;      ///< of kOne and kUncovered; else empty: drawn
-  std::uint64_t seed = 1;  ///< everything else is drawn from it
+  std::string effect;      ///< effect of kOne and kUncovered; empty for other kinds, which draw it
+  std::uint64_t seed = 1;  ///< seed of all other properties
 
-  /// "one backlash raven 1008".
+  /// Name of the case, for example "one backlash raven 1008".
   std::string name() const;
 };
 
 struct StudyOptions {
-  int seeds = 8;  ///< of each effect that has a name
-  int none = 80, two = 40, uncovered = 30;
+  int seeds = 8;                            ///< number of cases per effect among the hypotheses
+  int none = 80, two = 40, uncovered = 30;  ///< number of cases of these kinds
   std::uint64_t first_seed = 1;
   std::vector<std::string> only;   ///< effects, or none, two, uncovered; empty: all
-  std::vector<Robot> robots = {};  ///< where everything happens; empty: see casesOf
+  std::vector<Robot> robots = {};  ///< robots of all cases; empty: as casesOf() chooses
 };
 
-/// The cases of a study, in an order in which every beginning is a fair sample: first every effect once, and
-/// so on. The RAVEN-II, and a rigid drive for each fourth case of an effect that both have and for all of
-/// effects that only rigid drives have; of the uncovered external_vibration and nonlinear_spring twice as
-/// often as joint_detent and encoder_drift. Combinations without sense are excluded. base::InputError: an
-/// unknown name in `only`, or nothing left.
+/// Cases of a study. They are ordered so that the first cases are always a representative sample: first every
+/// effect once, then every effect a second time, and so on. The robot is the RAVEN-II. Every fourth case of
+/// an effect that both drives can have, and every case of an effect that only rigid drives can have, is on a
+/// rigid drive. Of the uncovered effects, external_vibration and nonlinear_spring are twice as frequent as
+/// joint_detent and encoder_drift. Impossible combinations are excluded. Throws base::InputError for an
+/// unknown name in `only`, and if no case is left.
 std::vector<StudyCase> casesOf(const StudyOptions& options);
 
-/// Everything drawn: joint, size (of the first effect, where it is not given: 0.1–1, evenly on a logarithmic
-/// scale), length (20–40 s), texture (half of all), loads.
+/// Random specification of a case: joint, size of the first effect (if not given: 0.1–1, evenly on a
+/// logarithmic scale), duration (20–40 s), texture (in half of the cases), and loads.
 test::PlantedCase planned(const StudyCase& one, std::optional<double> size = std::nullopt);
 
-/// The nominal robot of cases on it.
+/// Nominal description of a robot.
 robot::Description robotOf(Robot which);
 
 }  // namespace capstan::study

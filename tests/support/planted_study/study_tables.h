@@ -9,19 +9,21 @@
 
 namespace capstan::study {
 
+/// Table of a study, and the name of its file.
 struct StudyTable {
-  std::string name;  ///< of its file
+  std::string name;
   base::Table table;
 };
 
-/// goals, effects, groups, confusion (numbers in place of names, read for people: names of the columns stand
-/// in the note), misses, outside.
+/// Tables of a study: goals, effects, groups, confusion (its columns are numbered, and the note lists their
+/// names), misses, outside.
 std::vector<StudyTable> tablesOf(const Summary& summary);
 
-/// All of them for people, under a heading with the number of cases and how long each took.
+/// All tables as Markdown, under a heading with the number of cases and the time per case.
 std::string markdownOf(const Summary& summary);
 
-/// study.md and NAME.csv of each table into `folder`, which is made. base::InputError: it cannot be written.
+/// Writes study.md and one NAME.csv per table into `folder`, which is created if necessary. Throws
+/// base::InputError if it cannot be written.
 void writeTables(const Summary& summary, const std::filesystem::path& folder);
 
 }  // namespace capstan::study

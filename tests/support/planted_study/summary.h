@@ -11,6 +11,7 @@
 
 namespace capstan::study {
 
+/// Number of hits in a number of trials.
 struct Proportion {
   int hits = 0, trials = 0;
   void add(bool hit) { hits += hit, ++trials; }
@@ -18,7 +19,7 @@ struct Proportion {
   stats::Interval interval() const;  ///< 95 %, Clopper and Pearson; [0, 1] without trials
 };
 
-/// A question that the study asks, and what is aimed at.
+/// One result of the study, and its goal.
 struct Aim {
   enum class Goal { kNone, kAtLeast, kAtMost };
   std::string what;
@@ -28,37 +29,38 @@ struct Aim {
   bool met() const;
 };
 
-/// Cases with one effect that has a name, of one kind: an effect, a robot, a range of sizes.
+/// Group of cases with one effect that is among the hypotheses: all of one effect, robot or range of sizes.
 struct Group {
   std::string name;
-  std::array<int, base::NamesOf<Hit>::value.size()> hits{};  ///< by Hit
-  Proportion numbers;                                        ///< inside their 95 %
-  DetectionLimit limit;                                      ///< found: right, or a tie with it
+  std::array<int, base::NamesOf<Hit>::value.size()> hits{};  ///< number of cases per Hit
+  Proportion numbers;                                        ///< estimated numbers inside their 95 % interval
+  DetectionLimit limit;                                      ///< detection limit; found means kRight or kTie
   double ideal = 0.0;  ///< median of HiddenTruth::ideal_limit; NaN: none
   int cases() const;
   int count(Hit hit) const { return hits[static_cast<std::size_t>(hit)]; }
 };
 
-/// Planted × first named, what never occurs excluded; a case that was named on the wrong joint counts under
-/// its name.
+/// Confusion matrix of planted effects × first results, without empty rows and columns. A right effect on a
+/// wrong joint counts as that effect.
 struct Confusion {
   std::vector<std::string> planted, named;
   std::map<std::pair<std::string, std::string>, int> counts;
 };
 
-/// A case that did not come out as it should.
+/// Case with a wrong or missing result.
 struct Miss {
   CaseOutcome outcome;
-  std::string planted, said;  ///< for people
+  std::string planted, said;  ///< planted effect and result, for people
 };
 
+/// Summary of a study.
 struct Summary {
   std::vector<Aim> aims;
   std::vector<Group> effects, groups;
   Confusion confusion;
-  std::vector<std::pair<std::string, NumberCheck>> outside;  ///< case, number outside its 95 %
+  std::vector<std::pair<std::string, NumberCheck>> outside;  ///< case, and number outside of its 95 %
   std::vector<Miss> misses;
-  std::vector<double> seconds;  ///< that each diagnosis took, rising
+  std::vector<double> seconds;  ///< durations of the diagnoses, in rising order
 };
 
 Summary summaryOf(const std::vector<CaseOutcome>& outcomes);

@@ -70,7 +70,7 @@ TEST_F(DiagnosisPages, SayTheVerdictTheCausesAndWhatIsToldOfThem) {
     EXPECT_TRUE(has(html, std::string(part))) << part;
   EXPECT_TRUE(has(html, "Worth</dt><dd>q2: RMS"));
   EXPECT_TRUE(has(html, "cable stiffness of joint 2"));
-  EXPECT_TRUE(has(html, "What the Kalman filter gains"));
+  EXPECT_TRUE(has(html, "Errors of the Kalman filter with each model"));
   EXPECT_TRUE(has(html, "--share:97%")) << "a bar behind the probability";
   EXPECT_TRUE(has(html, report.notices[0]));
 }

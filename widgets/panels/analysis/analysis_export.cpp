@@ -27,7 +27,7 @@ void AnalysisPanel::askExport(const PaperSize& size) {
   const QString name = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + "/Capstan/" +
                        QDateTime::currentDateTime().toString("yyyy-MM-dd_HHmmss") + "-errors";
   auto* dialog =
-      new QFileDialog(this, tr("Export figures and table; the name is what the files begin with"), name);
+      new QFileDialog(this, tr("Export figures and table; all file names begin with this name"), name);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   connect(dialog, &QFileDialog::fileSelected, this,
@@ -52,7 +52,7 @@ void AnalysisPanel::exportTo(const QString& base, PaperSize size) {
   say();
 }
 
-/// Runs that could be read, their errors as they are shown.
+/// Runs that could be read, with their errors as shown.
 std::vector<ExportedRun> AnalysisPanel::exportedRuns() const {
   std::vector<ExportedRun> runs;
   for (const Side& side : sides_)
@@ -60,7 +60,7 @@ std::vector<ExportedRun> AnalysisPanel::exportedRuns() const {
   return runs;
 }
 
-/// Of two runs: the figures and the table that are shown.
+/// The figures and the table as shown, for two runs.
 ExportExtras AnalysisPanel::comparison() const {
   if (!figures_->histogram() || analysis_.title_b.empty()) return {};
   const HistogramData histogram = figures_->histogram()->data();
@@ -74,7 +74,7 @@ ExportExtras AnalysisPanel::comparison() const {
 
 void AnalysisPanel::askExportAll() {
   auto* dialog =
-      new QFileDialog(this, tr("Folder for all figures and tables: an empty one, or one of a former export"),
+      new QFileDialog(this, tr("Folder for all figures and tables: empty, or of an earlier export"),
                       QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
   dialog->setObjectName("ask_export_all");
   dialog->setAttribute(Qt::WA_DeleteOnClose);

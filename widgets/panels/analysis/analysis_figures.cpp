@@ -30,7 +30,7 @@ QString noteOf(const Analysis& analysis) {
   return parts.join(QStringLiteral("; "));
 }
 
-/// Values of an estimator and joint, of both runs where there are two.
+/// Values of one estimator and joint, for both runs if there are two.
 std::vector<std::vector<double>> valuesOf(const Analysis& analysis, const ErrorRun& a, const ErrorRun* b,
                                           int joint, Estimator estimator) {
   std::vector<std::vector<double>> values{selectedErrors(a, estimator, joint, analysis.options).value};

@@ -6,18 +6,20 @@
 
 namespace capstan::widgets {
 
-/// What the two figures of an analysis show. Histogram: a panel a joint, estimators overlaid; of two runs a
-/// panel a joint and estimator, the runs overlaid. Box plot: a panel a joint, a group a run.
+/// Data of the two figures of an analysis. Histogram: one panel per joint with the estimators overlaid; for
+/// two runs one panel per joint and estimator with the runs overlaid. Box plot: one panel per joint, one
+/// group per run.
 struct AnalysisFigures {
   HistogramData histogram;
   BoxplotData boxplot;
 };
 
-/// `b` null: one run. `joint_names`: as the robot's file has them, empty ones stay away.
+/// Data for runs `a` and `b`; `b` null: one run. `joint_names`: as in the robot file; empty names are not
+/// shown.
 AnalysisFigures analysisFigures(const analysis::Analysis& analysis, const analysis::ErrorRun& a,
                                 const analysis::ErrorRun* b, const std::array<QString, 3>& joint_names);
 
-/// The colour that stands for an estimator.
+/// The quantity whose colour an estimator has.
 Quantity quantityOf(experiments::Estimator estimator);
 
 }  // namespace capstan::widgets

@@ -21,7 +21,7 @@ using Kind = RunChoice::Kind;
 
 namespace {
 
-constexpr int kFigureShare = 64;  ///< of the height that figures and table share [%]
+constexpr int kFigureShare = 64;  ///< share of the height for the figures, the rest for the table [%]
 
 const std::array<QString, 2> kLetters = {QStringLiteral("A"), QStringLiteral("B")};
 
@@ -95,7 +95,7 @@ void AnalysisPanel::addFoot(QBoxLayout* column) {
   progress_->setFixedWidth(150);
   cancel_ = new QPushButton(tr("Cancel"));
   cancel_->setObjectName("cancel_analysis");
-  cancel_->setToolTip(tr("Stop what is being computed (Esc)"));
+  cancel_->setToolTip(tr("Stop the computation (Esc)"));
   cancel_->setStyleSheet("padding: 3px 8px;");
   refresh_ = new QToolButton;
   refresh_->setObjectName("refresh_analysis");
@@ -169,7 +169,7 @@ void AnalysisPanel::onRunChanged(std::size_t run) {
   onOptionsChanged();
 }
 
-/// What is under way for an older choice is given up; a run that is being read for the present one is not.
+/// Cancels work for an older choice; the reading of a run for the present choice continues.
 void AnalysisPanel::onOptionsChanged() {
   analysis_stale_ = intervals_stale_ = true;
   halted_ = false;
@@ -213,7 +213,7 @@ bool AnalysisPanel::settled() const {
   return !busy() && !sides_[0].stale && !sides_[1].stale && !analysis_stale_ && !intervals_stale_;
 }
 
-/// The next piece of work, when there is one and nothing else is under way.
+/// Starts the next piece of work, if there is one and nothing is running.
 void AnalysisPanel::proceed() {
   if (isVisible() && !halted_ && !busy()) {
     bool started = false;
@@ -238,7 +238,7 @@ void AnalysisPanel::proceed() {
   say();
 }
 
-/// True: it is being read in the background.
+/// Returns true if the run is being read in the background.
 bool AnalysisPanel::load(std::size_t run) {
   Side& side = sides_[run];
   const RunChoice choice = side.picker->choice();
@@ -334,7 +334,7 @@ void AnalysisPanel::say() {
       lines << kLetters[i] + QStringLiteral(": ") + text(notice);
   }
   if (!fault_.isEmpty()) lines << fault_;
-  if (halted_) lines << tr("Cancelled. Refresh (F5) goes on.");
+  if (halted_) lines << tr("Cancelled. Refresh (F5) continues.");
   if (!said_.isEmpty()) lines << said_;
   words_->setText(lines.join('\n'));
   const bool working = busy();

@@ -27,9 +27,9 @@ class AnalysisTable;
 class FigurePair;
 class OptionsBar;
 
-/// Errors of up to two runs as histogram, box plot and numbers: the running session so far, a recording, a
-/// trial of an experiment. Reading, tracking and counting happen in the background, one piece at a time, and
-/// only while the panel is visible: numbers and figures first, intervals of differences behind them.
+/// Errors of up to two runs as histogram, box plot and numbers. A run is the running session so far, a
+/// recording, or a trial of an experiment. Reading, tracking and statistics run in the background, one job at
+/// a time, and only while the panel is visible: numbers and figures first, then the intervals of differences.
 class AnalysisPanel : public QWidget {
   Q_OBJECT
 
@@ -38,25 +38,26 @@ class AnalysisPanel : public QWidget {
   ~AnalysisPanel() override;
 
   void setTheme(const Theme& theme);
-  /// Gives the errors of the running session so far; throws base::InputError where there are none.
+  /// Sets the function that returns the errors of the running session so far. It throws base::InputError
+  /// where there are none.
   void setSession(std::function<analysis::ErrorRun()> session);
-  /// Another session: the former one's errors are gone.
+  /// Another session was opened: discards the errors of the former one.
   void sessionOpened();
   void setJointNames(const std::array<QString, 3>& names);
   void save(QSettings& settings) const;
   void restore(const QSettings& settings);
 
-  /// Run 0 (A) or 1 (B).
+  /// Chooses run 0 (A) or 1 (B).
   void choose(std::size_t run, const RunChoice& choice);
-  /// Reads the runs again; goes on after a cancel.
+  /// Reads the runs again; also continues after a cancel.
   void refresh();
   void cancel();
-  /// base-histogram and base-boxplot as .pdf, .svg, .png and .csv, base-table as .md, .tex and .csv. What
-  /// goes wrong is said on the panel.
+  /// Writes base-histogram and base-boxplot as .pdf, .svg, .png and .csv, base-table as .md, .tex and .csv.
+  /// The panel shows errors.
   void exportTo(const QString& base, PaperSize size);
-  /// Every figure and table of the chosen runs (of results: of the whole experiment), and of two runs their
-  /// comparison as shown, into `folder`, with an index page. In the background; how it ends, and why not, is
-  /// said on the panel.
+  /// Writes every figure and table of the chosen runs (for results: of the whole experiment) into `folder`,
+  /// with an index page; for two runs also their comparison as shown. It runs in the background; the panel
+  /// shows the result or the error.
   void exportAllTo(const QString& folder, PaperSize size = {});
 
   RunPicker& picker(std::size_t run) { return *sides_[run].picker; }
@@ -66,7 +67,7 @@ class AnalysisPanel : public QWidget {
   const analysis::Analysis& analysis() const { return analysis_; }
   QString words() const;
   bool busy() const { return job_.busy() || full_export_.busy(); }
-  /// Nothing is left to be done for what was chosen.
+  /// Whether all work for the present choice is done.
   bool settled() const;
 
  signals:
@@ -81,8 +82,8 @@ class AnalysisPanel : public QWidget {
   struct Side {
     RunPicker* picker = nullptr;
     std::shared_ptr<const analysis::ErrorRun> run;
-    bool stale = true;  ///< `run` is not what was chosen, or not yet
-    QString fault;      ///< why there is none
+    bool stale = true;  ///< `run` is not yet the chosen run
+    QString fault;      ///< error why there is no run; empty: none
   };
   struct Prepared {
     analysis::Analysis analysis;
@@ -115,7 +116,7 @@ class AnalysisPanel : public QWidget {
   Work work_ = Work::kNothing;
   OptionsBar* options_;
   QSplitter* split_;
-  bool user_split_ = false;  ///< the user's own stays
+  bool user_split_ = false;  ///< the user has moved the splitter: it is not arranged again
   FigurePair* figures_;
   AnalysisTable* table_;
   QLabel* words_;
@@ -123,7 +124,7 @@ class AnalysisPanel : public QWidget {
   QToolButton *refresh_, *export_all_;
   QPushButton* cancel_;
   FullExport full_export_;
-  Job job_;  ///< last: ends before what it reports to
+  Job job_;  ///< last member: destroyed before the members it reports to
 };
 
 }  // namespace capstan::widgets

@@ -59,11 +59,10 @@ void AnalysisTable::showAnalysis(const Analysis& analysis) {
                    two ? QStringLiteral("B − A") : tr("UKF − kin."), tr("95 % interval"), QStringLiteral("P"),
                    two && !same_counts ? tr("n of A") : QStringLiteral("n"), tr("n of B")});
   headerItem()->setTextAlignment(kName, Qt::AlignLeft | Qt::AlignVCenter);
-  headerItem()->setToolTip(kInterval, tr("Of the difference: circular block bootstrap, blocks as long as the "
-                                         "errors' correlation asks for"));
-  headerItem()->setToolTip(kP,
-                           tr("Of equal means, two-sided: t-test of the means of blocks; paired where both "
-                              "runs are of the same instants, else Welch's"));
+  headerItem()->setToolTip(kInterval, tr("95 % interval of the difference: circular block bootstrap, block "
+                                         "length from the errors' autocorrelation"));
+  headerItem()->setToolTip(kP, tr("P value of equal means, two-sided: t-test of block means; paired if both "
+                                  "runs have the same instants, else Welch's"));
   setColumnHidden(kB, !two);
   setColumnHidden(kCountB, !two || same_counts);
   for (const int column : {kDifference, kInterval, kP}) setColumnHidden(column, !differences);
@@ -75,7 +74,7 @@ void AnalysisTable::showAnalysis(const Analysis& analysis) {
   expandAll();
 }
 
-/// "−0.123"; no sign before a zero.
+/// Number as "−0.123"; zero has no sign.
 QString AnalysisTable::numberText(double value, bool sign) const {
   if (!std::isfinite(value)) return QStringLiteral("–");
   const double shown = std::abs(value) < 0.5 * std::pow(10.0, -decimals_) ? 0.0 : value;
@@ -84,7 +83,8 @@ QString AnalysisTable::numberText(double value, bool sign) const {
   return withMinus(text);
 }
 
-/// Lines over all columns: whose kinematics and filter the numbers are of, and what memory did not keep.
+/// Lines over all columns: whose kinematics and filter the numbers belong to, and which samples were not
+/// stored.
 void AnalysisTable::addNotes() {
   const bool two = !analysis_.title_b.empty();
   const auto named = [&](const char* letter, const std::string& robots) {
@@ -157,8 +157,8 @@ void AnalysisTable::fill(QTreeWidgetItem& item, const AnalysisRow& row, Measure 
     item.setToolTip(kInterval, tr("%1 blocks of %2 samples, %3")
                                    .arg(row.blocks)
                                    .arg(row.block_length)
-                                   .arg(row.paired ? tr("both sides at the same instants")
-                                                   : tr("sides independent of each other")));
+                                   .arg(row.paired ? tr("both runs at the same instants")
+                                                   : tr("runs independent of each other")));
 }
 
 const QTreeWidgetItem* AnalysisTable::line(Measure measure, int joint, Estimator estimator) const {
@@ -170,7 +170,7 @@ const QTreeWidgetItem* AnalysisTable::line(Measure measure, int joint, Estimator
   return nullptr;
 }
 
-/// Copies the chosen lines, cells apart by tabulators.
+/// Copies the selected lines, with cells separated by tabs.
 void AnalysisTable::keyPressEvent(QKeyEvent* event) {
   if (!event->matches(QKeySequence::Copy)) return QTreeWidget::keyPressEvent(event);
   QStringList lines;

@@ -7,10 +7,10 @@
 
 namespace capstan::widgets {
 
-/// Numbers of an analysis: a group a measure (RMS, median, IQR, mean), a line a joint and estimator, A beside
-/// B, their difference with its 95 % interval, P beside the means, and how many samples there were (in one
-/// column where they are as many). The first lines name the robots that the numbers are of. A difference
-/// whose interval leaves zero out is bold.
+/// Numbers of an analysis: one group per measure (RMS, median, IQR, mean), one line per joint and estimator.
+/// A line has A, B, their difference with its 95 % interval, P beside the means, and the numbers of samples
+/// (one column where they are equal). The first lines name the robots that the numbers belong to. A
+/// difference whose interval excludes zero is bold.
 class AnalysisTable : public QTreeWidget {
   Q_OBJECT
 
@@ -22,7 +22,7 @@ class AnalysisTable : public QTreeWidget {
   void showAnalysis(const analysis::Analysis& analysis);
   /// The line of a measure, joint (0…2) and estimator; null: not shown.
   const QTreeWidgetItem* line(analysis::Measure measure, int joint, experiments::Estimator estimator) const;
-  /// The lines before the groups: whose kinematics and filter.
+  /// The lines before the groups: whose kinematics and filter the numbers belong to.
   QString noteWords() const;
   QSize sizeHint() const override { return {560, 230}; }
   QSize minimumSizeHint() const override { return {200, 90}; }
@@ -40,7 +40,7 @@ class AnalysisTable : public QTreeWidget {
   QString numberText(double value, bool sign = false) const;
 
   analysis::Analysis analysis_;
-  int notes_ = 0;  ///< lines before the groups
+  int notes_ = 0;  ///< number of lines before the groups
   int decimals_ = 3;
 };
 

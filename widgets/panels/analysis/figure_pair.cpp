@@ -7,11 +7,11 @@ namespace capstan::widgets {
 
 namespace {
 
-constexpr int kLeastWidth = 270;        ///< of a figure beside the other [px]
+constexpr int kLeastWidth = 270;        ///< least width of figures side by side [px]
 constexpr int kLeastPanelHeight = 115;  ///< [px]
 constexpr int kHeadHeight = 70;         ///< title, note and legend of a figure [px]
 
-/// Columns as the figures choose them.
+/// Number of columns, as the figures choose it.
 int histogramColumns(int width) { return std::max(1, width / 190); }
 int boxplotColumns(const BoxplotData& data, int width) {
   std::size_t boxes = 1;

@@ -9,8 +9,8 @@ class QBoxLayout;
 
 namespace capstan::widgets {
 
-/// Histogram and box plot side by side, below each other where there is no room; scrolled where panels would
-/// become too low to read.
+/// Histogram and box plot side by side, or below each other where the width is too small; scrolled where
+/// panels would become too low to read.
 class FigurePair : public QScrollArea {
   Q_OBJECT
 

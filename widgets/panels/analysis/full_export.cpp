@@ -14,14 +14,14 @@ using Kind = RunChoice::Kind;
 
 namespace {
 
-constexpr double kReading = 0.5;  ///< share of the progress
+constexpr double kReading = 0.5;  ///< share of reading in the progress
 
 Results resultsOf(const ExportedRun& run) {
   if (run.choice.kind == Kind::kResults) return experiments::readResults(run.choice.path.toStdString());
   return analysis::resultsOfErrors(*run.run, base::software());
 }
 
-/// A folder of results is drawn whole, so two of its trials are one export.
+/// Results are exported as a whole, so two trials of the same results are one export.
 bool same(const ExportedRun& a, const ExportedRun& b) {
   if (a.choice.kind != b.choice.kind) return false;
   return a.choice.kind == Kind::kSession ||

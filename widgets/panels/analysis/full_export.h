@@ -12,32 +12,33 @@
 
 namespace capstan::widgets {
 
-/// A chosen run, and its errors as the panel shows them. Results of an experiment are read whole.
+/// A chosen run, and its errors as the panel shows them. For results the whole experiment is read.
 struct ExportedRun {
   RunChoice choice;
   std::shared_ptr<const analysis::ErrorRun> run = {};
 };
 
-/// All figures and tables of runs, and of their comparison, into a folder with an index page. Results are
-/// read in the background; figures, which are widgets, are drawn on the window's thread, one each time
-/// nothing else waits.
+/// Exports all figures and tables of runs, and of their comparison, into a folder with an index page. Results
+/// are read in the background. Figures are widgets, so they are drawn on the window's thread, one at a time,
+/// when it is idle.
 class FullExport : public QObject {
   Q_OBJECT
 
  public:
   explicit FullExport(QObject* parent = nullptr);
 
-  /// Only if not busy(). Throws base::InputError for a folder that checkExportFolder() refuses.
+  /// Starts the export; only if not busy(). Throws base::InputError for a folder that checkExportFolder()
+  /// refuses.
   void start(const std::vector<ExportedRun>& runs, ExportExtras extras, const QString& folder,
              const PageOptions& pages);
-  /// What is drawn already stays, with an index page that reports it.
+  /// Stops the export. Figures drawn so far stay, with an index page that reports the cancel.
   void cancel();
   bool busy() const { return job_.busy() || drawing_ != nullptr; }
 
  signals:
   void progressed(double fraction, const QString& doing);
-  /// It is no longer busy. `index`: the page, empty where there is none; `words`: what was written, or why
-  /// not.
+  /// The export has ended. `index`: path of the page, empty if there is none; `words`: what was written, or
+  /// the error.
   void ended(const QString& index, const QString& words);
 
  private:
@@ -52,7 +53,7 @@ class FullExport : public QObject {
   QString fault_;
   std::unique_ptr<FigureExport> drawing_;
   QTimer next_;
-  Job job_;  ///< last: ends before what it reports to
+  Job job_;  ///< last member: destroyed before the members it reports to
 };
 
 }  // namespace capstan::widgets

@@ -21,7 +21,7 @@ namespace {
 constexpr std::array kEstimators = {Estimator::kKinematic, Estimator::kCamera, Estimator::kUkf};
 constexpr const char* kLetters = "KCU";
 
-/// The next entry, round and round.
+/// Selects the next entry; after the last, the first.
 void turn(QComboBox* box) { box->setCurrentIndex((box->currentIndex() + 1) % box->count()); }
 
 }  // namespace
@@ -52,7 +52,7 @@ void OptionsBar::addChoices() {
   joint_ = box("joint", tr("Joint (Alt+0 all, Alt+1, Alt+2, Alt+3)"),
                {tr("all joints"), tr("joint 1"), tr("joint 2"), tr("joint 3")});
   error_ = box("error", tr("Error, or its absolute value (Alt+A)"), {tr("error"), tr("|error|")});
-  share_ = box("time", tr("Which time counts: all, occluded only, seen only (Alt+T)"),
+  share_ = box("time", tr("Time to analyse: all, only occluded, only observed (Alt+T)"),
                {tr("all time"), tr("occluded"), tr("seen")});
 }
 
@@ -87,7 +87,7 @@ void OptionsBar::addExport() {
   titles_ = menu->addAction(tr("titles above the figures"));
   titles_->setCheckable(true);
   titles_->setChecked(true);
-  titles_->setToolTip(tr("Without: title and note are in the captions of the index page only"));
+  titles_->setToolTip(tr("If off, title and note are only in the captions of the index page"));
   export_->setMenu(menu);
   layout()->addWidget(export_);
 }

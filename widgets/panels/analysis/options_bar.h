@@ -15,7 +15,7 @@ class QToolButton;
 
 namespace capstan::widgets {
 
-/// What of the runs is looked at: joint, estimators, error or |error|, which time; and the export.
+/// Chooses the part of the runs that is analysed (joint, estimators, error or |error|, time), and the export.
 class OptionsBar : public QWidget {
   Q_OBJECT
 

@@ -17,7 +17,7 @@ using Kind = RunChoice::Kind;
 
 namespace {
 
-/// Takes what room there is, its text shortened in the middle.
+/// Label that fills the available width, with its text shortened in the middle.
 class ElidedLabel : public QLabel {
  public:
   ElidedLabel() { setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); }
@@ -79,7 +79,7 @@ RunPicker::RunPicker(const QString& letter, bool may_be_none, QWidget* parent) :
   trial_->setAccessibleName(tr("trial of run %1").arg(letter));
   robot_ = new QToolButton;
   robot_->setObjectName("robot");
-  robot_->setToolTip(tr("Robot that the estimator assumes: the recording's own, or another file's"));
+  robot_->setToolTip(tr("Robot of the estimator: the recording's own, or from another file"));
   robot_->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(robot_);
   menu->addAction(tr("the recording's own"), this, [this] {
@@ -131,7 +131,7 @@ void RunPicker::setTrials(const QStringList& trials, const QString& current) {
   refresh();
 }
 
-/// A kind that needs a file stays as it was until one is chosen.
+/// The choice does not change to a kind that needs a file before a file is chosen.
 void RunPicker::onKind(int index) {
   const auto kind = static_cast<Kind>(kind_->itemData(index).toInt());
   if (kind == Kind::kNone || kind == Kind::kSession) return choose({.kind = kind});
@@ -156,7 +156,7 @@ void RunPicker::ask(Kind kind) {
 }
 
 void RunPicker::askRobot() {
-  auto* dialog = new QFileDialog(this, tr("Robot that the estimator assumes"), QFileInfo(choice_.path).path(),
+  auto* dialog = new QFileDialog(this, tr("Robot of the estimator"), QFileInfo(choice_.path).path(),
                                  tr("Robot files (*.yaml);;All files (*)"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);

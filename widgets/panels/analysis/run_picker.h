@@ -11,21 +11,21 @@ class QToolButton;
 
 namespace capstan::widgets {
 
-/// Where the errors of a run come from; kept between starts.
+/// Source of the errors of a run; saved in the settings.
 struct RunChoice {
   enum class Kind { kNone, kSession, kRecording, kResults };
 
   Kind kind = Kind::kNone;
-  QString path = {};   ///< of a recording, or folder of results
-  QString trial = {};  ///< of results; empty: the first
-  QString robot = {};  ///< robot file that the estimator assumes, of a recording; empty: its own
+  QString path = {};   ///< path of a recording, or folder of results
+  QString trial = {};  ///< trial of results; empty: the first
+  QString robot = {};  ///< for a recording: robot file of the estimator; empty: the recording's own
 
   bool operator==(const RunChoice&) const = default;
   void save(QSettings& settings, const QString& key) const;
   static RunChoice restore(const QSettings& settings, const QString& key, Kind otherwise);
 };
 
-/// One line that chooses a run: its letter, the kind of source, what was chosen, trial or robot.
+/// One line to choose a run: its letter, the kind of source, the chosen file or folder, trial or robot.
 class RunPicker : public QWidget {
   Q_OBJECT
 
@@ -35,12 +35,12 @@ class RunPicker : public QWidget {
 
   void setTheme(const Theme& theme);
   const RunChoice& choice() const { return choice_; }
-  /// Shows `choice`, without a signal.
+  /// Shows `choice`; emits no signal.
   void setChoice(const RunChoice& choice);
-  /// Trials of the results just read, and which of them it was.
+  /// Sets the trials of the results that were read, and the one in use.
   void setTrials(const QStringList& trials, const QString& current);
 
-  /// Asks for a file or folder of the kind, beside the program's other windows.
+  /// Opens a non-modal dialog for a file or folder of this kind.
   void ask(RunChoice::Kind kind);
 
  signals:

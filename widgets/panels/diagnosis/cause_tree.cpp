@@ -24,7 +24,7 @@ constexpr double kPoints = 10.0;
 
 QString shown(const std::string& words) { return QString::fromStdString(words); }
 
-/// In lines of at most `width` pixels, between words.
+/// `text` wrapped between words into lines of at most `width` pixels.
 QString wrapped(const QString& words, const QFontMetrics& metrics, int width) {
   QString lines, line;
   for (const QString& word : words.split(QLatin1Char(' '))) {
@@ -41,7 +41,7 @@ QString wrapped(const QString& words, const QFontMetrics& metrics, int width) {
 
 bool sameCause(const Cause& a, const Cause& b) { return a.effect == b.effect && a.joint == b.joint; }
 
-/// "q2 on other data: 1.31 → 0.62 deg"
+/// Gain as "q2 on other data: 1.31 → 0.62 deg".
 QString gainWords(const diagnosis::Gain& gain) {
   if (gain.channel.empty()) return {};
   const diagnosis::ShownUnit unit = diagnosis::shownUnit(gain.unit);
@@ -72,7 +72,7 @@ CauseTree::CauseTree(QWidget* parent) : QTreeWidget(parent) {
   header()->setSectionResizeMode(kProbability, QHeaderView::Fixed);
   header()->resizeSection(kProbability, 84);
   header()->setFont(textFont(9.0));
-  // Names wrap by the width that they have.
+  // Wraps the names to the present width.
   connect(header(), &QHeaderView::sectionResized, this, [this] { wrapNames(); });
   connect(this, &QTreeWidget::currentItemChanged, this, [this] { Q_EMIT chosenChanged(); });
 }
@@ -114,7 +114,7 @@ void CauseTree::fill() {
   }
   if (causes_.empty())
     addLine(nullptr, verdict_ == diagnosis::Verdict::kUnexplained
-                         ? tr("No hypothesis explains what is there; see what it depends on.")
+                         ? tr("No hypothesis explains the residual; see the variables that it depends on.")
                          : tr("No material cause."));
   expandAll();
   wrapNames();
@@ -145,7 +145,8 @@ void CauseTree::addCause(QTreeWidgetItem* parent, const Cause& cause) {
   item->setText(kProbability, percentText(cause.probability));
   item->setFont(kProbability, numberFont(kPoints));
   item->setTextAlignment(kProbability, Qt::AlignRight | Qt::AlignVCenter);
-  item->setToolTip(kProbability, tr("Share of resampled recordings in which it comes first, or is needed"));
+  item->setToolTip(kProbability,
+                   tr("Share of resampled recordings in which the cause ranks first, or is needed"));
   const auto found = std::find_if(causes_.begin(), causes_.end(),
                                   [&](const Cause& other) { return sameCause(other, cause); });
   item->setData(0, kCauseRole, static_cast<int>(found - causes_.begin()));

@@ -7,9 +7,9 @@
 
 namespace capstan::widgets {
 
-/// The causes that a report names, the likeliest first: title and joint, probability as a bar, below each its
-/// numbers ± σ and what it is worth. Those that cannot be distinguished stand together, with the motion that
-/// would part them.
+/// The causes in a report, the most probable first: title and joint, probability as a bar, and below each its
+/// parameters ± σ and its gain. Causes that cannot be distinguished are in one group, with the motion that
+/// would distinguish them.
 class CauseTree : public QTreeWidget {
   Q_OBJECT
 
@@ -17,9 +17,9 @@ class CauseTree : public QTreeWidget {
   explicit CauseTree(QWidget* parent = nullptr);
   void setTheme(const Theme& theme);
   void showReport(const diagnosis::Report& report);
-  /// The cause that is chosen, as shown: null where none is.
+  /// The selected cause; null: none.
   const diagnosis::Cause* chosen() const;
-  /// Everything as text, a line each, indented: for tests and the clipboard.
+  /// Everything as indented text, one line per item: for tests and the clipboard.
   QString text() const;
   QSize sizeHint() const override { return {320, 150}; }
   QSize minimumSizeHint() const override { return {180, 60}; }
@@ -32,16 +32,16 @@ class CauseTree : public QTreeWidget {
 
  private:
   void fill();
-  void wrapNames();  ///< to the width that there is
+  void wrapNames();  ///< wraps names to the present width
   void addCause(QTreeWidgetItem* parent, const diagnosis::Cause& cause);
   QTreeWidgetItem* addLine(QTreeWidgetItem* parent, const QString& words);
 
   Theme theme_ = Theme::dark();
   diagnosis::Verdict verdict_ = diagnosis::Verdict::kNothing;
   robot::Description robot_;
-  std::vector<diagnosis::Cause> causes_;  ///< as listed, tied ones too
+  std::vector<diagnosis::Cause> causes_;  ///< causes in the order of the list, tied ones included
   std::vector<diagnosis::Tie> ties_;
-  std::size_t alone_ = 0;  ///< of causes_, those that are not tied
+  std::size_t alone_ = 0;  ///< number of causes that are not tied
 };
 
 }  // namespace capstan::widgets

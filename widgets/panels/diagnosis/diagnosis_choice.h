@@ -11,22 +11,22 @@ class QSettings;
 
 namespace capstan::widgets {
 
-/// What the user wants diagnosed; kept between starts.
+/// Input of a diagnosis; saved in the settings.
 struct DiagnosisChoice {
   QStringList recordings = {};  ///< recordings of one robot, or one table of tip poses: absolute paths
   QString robot = {};           ///< robot file; empty: the recordings' own, or the left RAVEN-II
 
   bool operator==(const DiagnosisChoice&) const = default;
-  /// Adds those of `files` that are not there yet.
+  /// Adds those of `files` that are not in `recordings` yet.
   void add(const QStringList& files);
   void save(QSettings& settings) const;
   static DiagnosisChoice restore(const QSettings& settings);
 };
 
-/// From files to a report, in the background; throws base::InputError.
+/// Reads files and returns a report, in the background; throws base::InputError.
 using DiagnosisRun = std::function<diagnosis::Report(const DiagnosisChoice&, base::Progress&)>;
 
-/// diagnosis::diagnoseFiles() of the choice, as capstan-cli diagnose.
+/// Runs diagnosis::diagnoseFiles() on the choice, as capstan-cli diagnose does.
 diagnosis::Report runDiagnosis(const DiagnosisChoice& choice, base::Progress& progress);
 
 }  // namespace capstan::widgets

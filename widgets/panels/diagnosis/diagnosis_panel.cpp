@@ -24,7 +24,7 @@ using diagnosis::Verdict;
 
 namespace {
 
-constexpr int kCauseShare = 25;  ///< of the height that causes and pictures share [%]
+constexpr int kCauseShare = 25;  ///< share of the height for the causes, the rest for the figures [%]
 
 QString namesOf(const QStringList& paths) {
   QStringList names;
@@ -32,7 +32,7 @@ QString namesOf(const QStringList& paths) {
   return names.join(QStringLiteral(", "));
 }
 
-/// A word, with a mark that distinguishes it in grey too.
+/// Verdict as a word, with a mark that distinguishes it in grey print too.
 QString markOf(Verdict verdict) {
   switch (verdict) {
     case Verdict::kNothing:
@@ -152,7 +152,7 @@ void DiagnosisPanel::diagnose() {
 void DiagnosisPanel::cancel() {
   if (export_.busy()) return export_.cancel();
   if (!job_.busy()) return;
-  said_ = report() ? tr("Cancelled; what is shown is of the run before.") : tr("Cancelled.");
+  said_ = report() ? tr("Cancelled; the results shown are of the previous run.") : tr("Cancelled.");
   job_.cancel();
   refresh();
 }
@@ -166,7 +166,7 @@ void DiagnosisPanel::showReport(Report report) {
   refresh();
 }
 
-/// Words and pictures follow the cause: the channel that gains most by it.
+/// Shows the description of the selected cause, and the channel with the largest gain by it.
 void DiagnosisPanel::onCause() {
   if (!report_) return;
   const diagnosis::Cause* cause = causes_->chosen();
@@ -174,7 +174,7 @@ void DiagnosisPanel::onCause() {
   showCard();
 }
 
-/// Of the chosen cause; a candidate's words stay no longer than its page.
+/// Shows the description of the selected cause; without one, of the residual.
 void DiagnosisPanel::showCard() {
   if (!report_) return;
   const diagnosis::Cause* cause = causes_->chosen();
@@ -192,7 +192,7 @@ void DiagnosisPanel::onCandidate() {
 void DiagnosisPanel::useRobot() {
   if (!report()) return;
   Q_EMIT robotChosen(report_->extended,
-                     tr("extended robot in use, errors again: %1").arg(headlineOf(*report_)));
+                     tr("extended robot in use, errors restarted: %1").arg(headlineOf(*report_)));
   said_ = tr("The running session uses the extended robot; its errors restart.");
   refresh();
 }
@@ -251,7 +251,7 @@ void DiagnosisPanel::showVerdict() {
       if (!tie.separate.empty())
         below += QLatin1Char('\n') + tr("To distinguish them: %1").arg(QString::fromStdString(tie.separate));
   } else if (job_.busy()) {
-    head = tr("Looking for what the simulation gets wrong…");
+    head = tr("Searching for errors of the simulation…");
     below = tr("The longer the recordings, the longer it takes; Esc cancels it.");
   } else if (!failed_.isEmpty()) {
     head = tr("Not diagnosed");
@@ -259,10 +259,9 @@ void DiagnosisPanel::showVerdict() {
   } else if (choice().recordings.isEmpty()) {
     head = tr("What does the simulation get wrong?");
     below =
-        tr("Choose one or more recordings of the robot moving: 20 s with all joints in motion, fast and "
-           "slow, back and forth; or one table of tip poses. Diagnosis names what the model lacks, and what "
-           "it is "
-           "worth.");
+        tr("Choose one or more recordings of the moving robot: 20 s with all joints in motion, fast and "
+           "slow, back and forth; or one table of tip poses. Diagnosis names the effects that the model "
+           "lacks, and the gain by each.");
   } else {
     head = tr("Ready to diagnose");
     below = tr("Press Diagnose (F5).");
@@ -289,7 +288,7 @@ void DiagnosisPanel::refresh() {
   const bool working = busy();
   showProgress(working);
   diagnose_->setText(working ? tr("Cancel") : tr("Diagnose"));
-  diagnose_->setToolTip(working ? tr("Stop what is being computed (Esc)")
+  diagnose_->setToolTip(working ? tr("Stop the computation (Esc)")
                                 : tr("Find what the simulation gets wrong, and why (F5)"));
   diagnose_->setEnabled(working || !choice().recordings.isEmpty());
   for (QPushButton* one : {save_, use_, page_}) one->setVisible(shown != nullptr && !working);

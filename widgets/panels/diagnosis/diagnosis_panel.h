@@ -21,38 +21,39 @@ class HypothesisCard;
 class RecordingPicker;
 class ReportPages;
 
-/// What the simulation of a robot gets wrong in recordings, why, and what it is worth to know: verdict and
-/// causes on top, below them what they look like. Everything is thought by core/diagnosis, in the background.
+/// Shows the residual of a robot's simulation in recordings, its causes, and the gain of modelling them:
+/// verdict and causes on top, details below. core/diagnosis computes everything, in the background.
 class DiagnosisPanel : public WorkPanel {
   Q_OBJECT
 
  public:
-  /// `run` makes the reports: runDiagnosis, or what a test has in its place.
+  /// `run` computes the reports: runDiagnosis, or a substitute in tests.
   explicit DiagnosisPanel(DiagnosisRun run, QWidget* parent = nullptr);
   ~DiagnosisPanel() override;
 
   void setTheme(const Theme& theme);
-  /// A recording of the session, once it is complete: `words` on the button that takes it. Empty: none.
+  /// Offers a complete recording of the session; `words`: text of the button that chooses it. Empty: none.
   void offer(const QString& path, const QString& words);
-  /// Joints of the running session's robot, which may take the extended robot's place; 0: no session.
+  /// Sets the number of joints of the running session's robot, which the extended robot may replace; 0: no
+  /// session.
   void setSessionJoints(int joints);
   void save(QSettings& settings) const;
   void restore(const QSettings& settings);
 
   void choose(const DiagnosisChoice& choice);
   const DiagnosisChoice& choice() const;
-  /// Begins; what was under way is given up.
+  /// Starts a diagnosis; cancels one that is running.
   void diagnose();
   void cancel() override;
   bool busy() const override { return job_.busy() || export_.busy(); }
-  /// Shows a report, as diagnose() does when it is done.
+  /// Shows a report, as diagnose() does when it is finished.
   void showReport(diagnosis::Report report);
-  /// That of the recordings and the robot chosen; null: none yet, or of others.
+  /// The report of the chosen recordings and robot; null: none yet, or only one of another choice.
   const diagnosis::Report* report() const { return of_ == choice() ? report_.get() : nullptr; }
-  /// The extended robot as a robot file; what goes wrong is said on the panel.
+  /// Writes the extended robot to a robot file. The panel shows errors.
   void saveRobot(const QString& path);
-  /// A page with figures, report.json and robot.yaml in `folder`; how it ends, and why not, is said on the
-  /// panel.
+  /// Writes a page with figures, report.json and robot.yaml into `folder`. The panel shows the result or the
+  /// error.
   void exportTo(const QString& folder);
 
   RecordingPicker& picker() { return *picker_; }
@@ -60,7 +61,7 @@ class DiagnosisPanel : public WorkPanel {
   ReportPages& pages() { return *pages_; }
 
  signals:
-  /// The session is to use `robot`; `summary` says what it has beyond the former one.
+  /// Requests that the session uses `robot`; `summary` lists the differences from the former one.
   void robotChosen(const capstan::robot::Description& robot, const QString& summary);
   void robotSaved(const QString& path);
   void exported(const QString& index);
@@ -84,8 +85,8 @@ class DiagnosisPanel : public WorkPanel {
   Theme theme_ = Theme::dark();
   DiagnosisRun run_;
   std::shared_ptr<const diagnosis::Report> report_;
-  DiagnosisChoice of_;  ///< what the report is of
-  QString failed_;      ///< why there is no report; empty: nothing failed
+  DiagnosisChoice of_;  ///< choice that the report belongs to
+  QString failed_;      ///< error why there is no report; empty: none
   QString said_;
   int session_joints_ = 0;
   bool user_split_ = false;
@@ -96,7 +97,7 @@ class DiagnosisPanel : public WorkPanel {
   ReportPages* pages_;
   QPushButton *diagnose_, *save_, *use_, *page_;
   ReportExport export_;
-  Job job_;  ///< last: ends before what it reports to
+  Job job_;  ///< last member: destroyed before the members it reports to
 };
 
 }  // namespace capstan::widgets

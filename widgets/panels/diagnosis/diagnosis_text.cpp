@@ -24,7 +24,7 @@ QString jointName(const robot::Description& robot, int joint) {
   return known ? text(robot.joints[static_cast<std::size_t>(joint - 1)].name) : QString();
 }
 
-/// A title within a sentence; abbreviations and names stay as they are.
+/// A title in lower case for use within a sentence; abbreviations and names keep their case.
 QString within(QString title) {
   if (title.size() > 1 && title[1].isLower()) title[0] = title[0].toLower();
   return title;

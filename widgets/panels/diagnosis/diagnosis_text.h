@@ -6,23 +6,25 @@
 
 namespace capstan::widgets {
 
-/// "Backlash of the cable drive"; an effect that no hypothesis is known of by its own name.
+/// Title of an effect, for example "Backlash of the cable drive"; for an effect without a hypothesis its own
+/// name.
 QString titleOf(const std::string& effect);
 
-/// "joint 2 (elbow)", "whole arm", "cameras"; names of `robot`.
+/// Location of an effect: "joint 2 (elbow)", "whole arm", "cameras"; joint names of `robot`.
 QString placeOf(const std::string& effect, int joint, const robot::Description& robot);
 
-/// What a report comes to, in a line: "Found: backlash of the cable drive, joint 2 (elbow)".
+/// Result of a report in one line: "Found: backlash of the cable drive, joint 2 (elbow)".
 QString headlineOf(const diagnosis::Report& report);
 
-/// Which of a report's channels these are: "q2 (elbow)", behind the recording where there are several.
+/// Title of a channel: "q2 (elbow)", after the name of the recording where a report has several.
 QString channelTitle(const diagnosis::Report& report, const diagnosis::ChannelReport& channel);
 
-/// The channel to look at where no cause says which: that of the process that goes on where something stays
-/// unexplained, else the one in which a single variable explains most of what is beyond the sensor's noise.
+/// The channel to show if no cause determines it: the channel of an ongoing process if a residual is
+/// unexplained, else the channel in which a single variable explains the largest part of the variance beyond
+/// the sensor's noise.
 std::string channelWorthSeeing(const diagnosis::Report& report);
 
-/// "+3.1 %"; a dash where it is not known.
+/// Percentage as "+3.1 %"; a dash where `share` is not finite.
 QString percentText(double share, int decimals = 0, bool sign = false);
 
 }  // namespace capstan::widgets

@@ -18,7 +18,7 @@ constexpr double kPoints = 10.0;
 constexpr int kEndsRole = Qt::UserRole + 1;  ///< before, its low and high, after, its low and high; 0…1
 constexpr int kColoursRole = Qt::UserRole + 2;
 
-/// Two values with their intervals, one above the other: before a square, after a disc.
+/// Draws two values with their intervals, one above the other: before as a square, after as a disc.
 class IntervalCell : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -57,15 +57,16 @@ GainTable::GainTable(QWidget* parent) : QTreeWidget(parent) {
   setColumnCount(kColumns);
   setHeaderLabels({tr("RMS error of"), tr("robot file"), tr("refitted"), tr("extended"), tr("left"),
                    tr("■ refitted ● extended")});
-  headerItem()->setToolTip(kDrawn, tr("With their 95 % intervals, angles and lengths each to one scale"));
-  headerItem()->setToolTip(kLeft, tr("Of the refitted model's error, with its 95 % interval"));
+  headerItem()->setToolTip(kDrawn, tr("RMS with 95 % intervals; one scale for angles, one for lengths"));
+  headerItem()->setToolTip(kLeft,
+                           tr("Share of the refitted model's error that is left, with its 95 % interval"));
   setItemDelegateForColumn(kDrawn, new IntervalCell(this));
   setRootIsDecorated(false);
   setItemsExpandable(false);
   setIndentation(10);
   setFrameShape(QFrame::NoFrame);
   setAllColumnsShowFocus(true);
-  setAccessibleName(tr("what the extended model is worth"));
+  setAccessibleName(tr("gain of the extended model"));
   header()->setStretchLastSection(false);
   header()->setMinimumSectionSize(10);
   header()->setFont(textFont(9.0));
@@ -112,8 +113,8 @@ void GainTable::fill() {
   clear();
   if (channels_.empty()) return;
   QTreeWidgetItem* simulation =
-      addGroup(tr("open-loop simulation, on data not fitted"),
-               tr("Every segment of the recordings is judged by a model that was fitted to the others"));
+      addGroup(tr("open-loop simulation, on held-out data"),
+               tr("Every segment of the recordings is evaluated with a model that was fitted to the others"));
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     addChannel(simulation, channels_[i]);
     simulation->child(static_cast<int>(i))->setText(kName, titles_[i]);

@@ -7,9 +7,8 @@
 
 namespace capstan::widgets {
 
-/// What the extended model is worth on data not fitted: RMS of every channel's residual before and after
-/// with 95 % intervals, drawn to one scale for angles and one for lengths; below it what the Kalman filter
-/// gains.
+/// Gain of the extended model on held-out data: RMS of every channel's residual before and after with 95 %
+/// intervals, drawn with one scale for angles and one for lengths. Below it the gain of the Kalman filter.
 class GainTable : public QTreeWidget {
   Q_OBJECT
 
@@ -29,8 +28,8 @@ class GainTable : public QTreeWidget {
   double reachOf(const std::string& unit) const;
 
   Theme theme_ = Theme::dark();
-  std::vector<diagnosis::ChannelReport> channels_;  ///< without samples and signatures
-  std::vector<QString> titles_;                     ///< of these
+  std::vector<diagnosis::ChannelReport> channels_;  ///< the report's channels without samples and signatures
+  std::vector<QString> titles_;                     ///< titles of channels_
   std::vector<diagnosis::FilterGain> filter_;
 };
 

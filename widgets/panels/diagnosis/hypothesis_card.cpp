@@ -50,7 +50,7 @@ HypothesisCard::HypothesisCard(QWidget* parent) : QTextBrowser(parent) {
   setObjectName("hypothesis");
   setFrameShape(QFrame::NoFrame);
   setOpenLinks(false);
-  setAccessibleName(tr("what the chosen cause is"));
+  setAccessibleName(tr("description of the selected cause"));
   setTheme(theme_);
 }
 
@@ -88,8 +88,8 @@ void HypothesisCard::showRemains(const diagnosis::Report& report) {
   for (const diagnosis::SpectralLine& line : report.lines)
     html += paragraph({}, lineWords(line, unitOf(report, line.channel)));
   if (report.verdict == diagnosis::Verdict::kNothing)
-    html += paragraph({}, tr("With its numbers refitted, the model as it is accounts for these recordings as "
-                             "well as any hypothesis would. The signatures below are what remains."));
+    html += paragraph({}, tr("The refitted model explains these recordings as well as a model with any "
+                             "hypothesis. The signatures below show the residual."));
   show(html);
 }
 

@@ -7,16 +7,16 @@
 
 namespace capstan::widgets {
 
-/// The words of a hypothesis: what it is, how it shows, which motion would show it best, equation and source.
+/// Description of a hypothesis: definition, symptoms, the motion that shows it best, equation and source.
 class HypothesisCard : public QTextBrowser {
   Q_OBJECT
 
  public:
   explicit HypothesisCard(QWidget* parent = nullptr);
   void setTheme(const Theme& theme);
-  /// `place`: where it was found or looked for. `remark`: a line on top, or nothing.
+  /// Shows an effect. `place`: where it was found or searched. `remark`: a line on top; empty: none.
   void showEffect(const std::string& effect, const QString& place, const QString& remark = {});
-  /// Of a report without a cause: what remains, and on what it depends.
+  /// For a report without a cause: shows the residual, and the variables that it depends on.
   void showRemains(const diagnosis::Report& report);
   QSize sizeHint() const override { return {300, 150}; }
   QSize minimumSizeHint() const override { return {160, 60}; }

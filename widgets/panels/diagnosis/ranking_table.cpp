@@ -18,7 +18,8 @@ using diagnosis::Candidate;
 constexpr int kCandidateRole = Qt::UserRole + 1;
 constexpr double kPoints = 10.0;
 
-/// Refitted ones by their score, then what was only screened by what it score_tests.
+/// Order of candidates: refitted ones by their score, then screened ones by the reduction that the score test
+/// predicts.
 bool better(const Candidate& a, const Candidate& b) {
   if (a.round != b.round) return a.round < b.round;
   if (a.refitted != b.refitted) return a.refitted;
@@ -36,10 +37,10 @@ RankingTable::RankingTable(QWidget* parent) : QTreeWidget(parent) {
   setObjectName("ranking");
   setColumnCount(kColumns);
   setHeaderLabels({tr("candidate"), tr("takes off"), tr("score"), tr("probability")});
-  headerItem()->setToolTip(kTaken,
-                           tr("Share of the residual's mean square on data not fitted; outlined: what the "
-                              "the score test predicts of one that was not refitted"));
-  headerItem()->setToolTip(kScore, tr("Cross-validated, above the model without it [nats]"));
+  headerItem()->setToolTip(kTaken, tr("Reduction of the residual's mean square on held-out data; outlined: "
+                                      "prediction of the score test for candidates that were not refitted"));
+  headerItem()->setToolTip(
+      kScore, tr("Gain in cross-validated log-likelihood over the model without the effect [nats]"));
   setItemDelegateForColumn(kTaken, new ShareBar(this));
   setRootIsDecorated(false);
   setItemsExpandable(false);
@@ -100,7 +101,7 @@ void RankingTable::fill() {
   expandAll();
 }
 
-/// Beyond doubling the residual it does not matter by how much.
+/// Text of the reduction. A candidate that more than doubles the mean square is only called "worse".
 QString RankingTable::takenText(double taken) {
   if (taken < -1.0) return tr("worse");
   const double shown = std::abs(taken) < 5e-4 ? 0.0 : taken;

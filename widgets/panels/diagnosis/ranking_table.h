@@ -7,9 +7,9 @@
 
 namespace capstan::widgets {
 
-/// Candidates of each round of the selection, the best first. The bar is the share of the residual's mean
-/// square that a candidate takes off data not fitted; of those that were only screened an outline, what the
-/// score test score_tests.
+/// Candidates of each round of the selection, the best first. The bar is the reduction of the residual's mean
+/// square on held-out data, as a share. Candidates that were only screened have an outline: the reduction
+/// predicted by the score test.
 class RankingTable : public QTreeWidget {
   Q_OBJECT
 
@@ -19,10 +19,10 @@ class RankingTable : public QTreeWidget {
   explicit RankingTable(QWidget* parent = nullptr);
   void setTheme(const Theme& theme);
   void showReport(const diagnosis::Report& report);
-  /// The candidate chosen; null: none.
+  /// The selected candidate; null: none.
   const diagnosis::Candidate* chosen() const;
   const robot::Description& robot() const { return robot_; }
-  /// "Backlash of the cable drive, joint 2 (elbow) | 91 % | 412 | 97 %", line by line.
+  /// Rows as text, one per candidate: "Backlash of the cable drive, joint 2 (elbow) | 91 % | 412 | 97 %".
   QStringList lines() const;
 
  signals:
@@ -38,7 +38,7 @@ class RankingTable : public QTreeWidget {
 
   Theme theme_ = Theme::dark();
   robot::Description robot_;
-  std::vector<diagnosis::Candidate> candidates_;  ///< as shown
+  std::vector<diagnosis::Candidate> candidates_;  ///< candidates in the order shown
 };
 
 }  // namespace capstan::widgets

@@ -11,7 +11,8 @@ class QToolButton;
 
 namespace capstan::widgets {
 
-/// One line that chooses what is diagnosed: recordings, the one just made among them, and a robot.
+/// One line to choose the input of a diagnosis: recordings, the latest of the session among them, and a
+/// robot.
 class RecordingPicker : public QWidget {
   Q_OBJECT
 
@@ -20,14 +21,14 @@ class RecordingPicker : public QWidget {
 
   void setTheme(const Theme& theme);
   const DiagnosisChoice& choice() const { return choice_; }
-  /// Shows `choice`, without a signal.
+  /// Shows `choice`; emits no signal.
   void setChoice(const DiagnosisChoice& choice);
-  /// A recording of the session, offered as long as it is not what is chosen; `words` on its button. Empty:
-  /// there is none.
+  /// Offers a recording of the session, unless it is already chosen; `words`: text of its button. Empty:
+  /// none.
   void offer(const QString& path, const QString& words);
-  /// Puts the offered recording in the place of all others; does nothing without one.
+  /// Replaces all chosen recordings by the offered one; does nothing without one.
   void takeOffered();
-  /// Ask for files beside the program's other windows.
+  /// Open non-modal file dialogs.
   void askRecordings();
   void askRobot();
 

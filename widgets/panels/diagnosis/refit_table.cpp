@@ -23,13 +23,13 @@ QString shown(double value, double sigma, const std::string& unit) {
 RefitTable::RefitTable(QWidget* parent) : QTreeWidget(parent) {
   setObjectName("refit");
   setColumnCount(kColumns);
-  setHeaderLabels({tr("number of the robot"), tr("robot file"), tr("refitted"), tr("change"), QString()});
-  headerItem()->setToolTip(kValue, tr("Fitted before any cause was looked for, ± its standard deviation"));
+  setHeaderLabels({tr("parameter"), tr("robot file"), tr("refitted"), tr("change"), QString()});
+  headerItem()->setToolTip(kValue, tr("Fitted before the search for causes, ± standard deviation"));
   setRootIsDecorated(false);
   setUniformRowHeights(true);
   setFrameShape(QFrame::NoFrame);
   setAllColumnsShowFocus(true);
-  setAccessibleName(tr("what the refit moved"));
+  setAccessibleName(tr("parameters changed by the refit"));
   header()->setStretchLastSection(false);
   header()->setMinimumSectionSize(10);
   header()->setFont(textFont(9.0));

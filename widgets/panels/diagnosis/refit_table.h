@@ -7,8 +7,8 @@
 
 namespace capstan::widgets {
 
-/// Numbers of the nominal model after the refit, before any cause was looked for: what moved stands first and
-/// strong, what would go further than a mistuned number may has a word.
+/// Parameters of the nominal model after the refit, before the search for causes. Those that changed are
+/// first and bold. A remark marks those at the bound of the change that the refit allows.
 class RefitTable : public QTreeWidget {
   Q_OBJECT
 

@@ -8,24 +8,25 @@
 
 namespace capstan::widgets {
 
-/// A report as a page with figures, JSON and robot file. Figures, which are widgets, are drawn on the
-/// window's thread, one each time nothing else waits.
+/// Exports a report as a page with figures, JSON and robot file. Figures are widgets, so they are drawn on
+/// the window's thread, one at a time, when it is idle.
 class ReportExport : public QObject {
   Q_OBJECT
 
  public:
   explicit ReportExport(QObject* parent = nullptr);
 
-  /// Only if not busy(). Throws base::InputError for a folder that DiagnosisExport refuses.
+  /// Starts the export; only if not busy(). Throws base::InputError for a folder that DiagnosisExport
+  /// refuses.
   void start(const diagnosis::Report& report, const std::string& robot, const QString& folder);
-  /// What is drawn already stays, with a page that reports it.
+  /// Stops the export. Figures drawn so far stay, with a page that reports the cancel.
   void cancel();
   bool busy() const { return drawing_ != nullptr; }
 
  signals:
   void progressed(double fraction, const QString& doing);
-  /// It is no longer busy. `index`: the page, empty where there is none; `words`: what was written, or why
-  /// not.
+  /// The export has ended. `index`: path of the page, empty if there is none; `words`: what was written, or
+  /// the error.
   void ended(const QString& index, const QString& words);
 
  private:

@@ -22,10 +22,10 @@ ReportPages::ReportPages(QWidget* parent) : QTabWidget(parent) {
   };
   page(signatures_ = new SignatureView, tr("Signatures"), tr("What the residual depends on"));
   page(history_ = new TimeView, tr("Over time"), tr("Measured, simulated, and residual, over time"));
-  page(ranking_ = new RankingTable, tr("Ranking"), tr("Every candidate, and how much it takes off"));
+  page(ranking_ = new RankingTable, tr("Ranking"), tr("Every candidate with its reduction of the residual"));
   page(refit_ = new RefitTable, tr("Refit"),
-       tr("Numbers of the robot that moved before any cause was looked for"));
-  page(gain_ = new GainTable, tr("Gain"), tr("What the extended model is worth on data not fitted"));
+       tr("Parameters of the robot changed by the refit, before the search for causes"));
+  page(gain_ = new GainTable, tr("Gain"), tr("Gain of the extended model on held-out data"));
   connect(ranking_, &RankingTable::chosenChanged, this, &ReportPages::candidateChosen);
 }
 

@@ -14,7 +14,7 @@ class RefitTable;
 class SignatureView;
 class TimeView;
 
-/// The pages of a report: signatures, time series, ranking, refit, gain; Alt+1 to Alt+5.
+/// The pages of a report: signatures, time series, ranking, refit, gain; keys Alt+1 to Alt+5.
 class ReportPages : public QTabWidget {
   Q_OBJECT
 
@@ -23,14 +23,14 @@ class ReportPages : public QTabWidget {
 
   void setTheme(const Theme& theme);
   void showReport(const std::shared_ptr<const diagnosis::Report>& report);
-  /// The pictures' channel.
+  /// Shows the figures of the channel `name`.
   void showChannel(const std::string& name);
   SignatureView& signatures() { return *signatures_; }
   TimeView& course() { return *history_; }
   RankingTable& ranking() { return *ranking_; }
 
  signals:
-  /// Of the ranking.
+  /// A candidate of the ranking was selected.
   void candidateChosen();
 
  private:

@@ -23,9 +23,9 @@ using diagnosis::Signature;
 enum Column { kVariable, kBefore, kAfter, kColumns };
 constexpr double kPoints = 9.5;
 constexpr int kNarrow = 720, kList = 250, kLeastList = 236;  ///< widths [px]
-constexpr double kVisible = 2.0;  ///< sigmas of a share from which on it is more than nothing
+constexpr double kVisible = 2.0;  ///< a share counts as more than zero above this many sigmas
 
-/// Null: not among them.
+/// Finds the signature; null: none.
 const Signature* against(const std::vector<Signature>& signatures, const std::string& variable) {
   for (const Signature& signature : signatures)
     if (signature.variable == variable) return &signature;
@@ -37,17 +37,18 @@ QString shareText(const Signature& signature) {
   return QString::fromStdString(diagnosis::shareWords(seen ? signature.share : 0.0));
 }
 
-/// Signatures are of what varies: a constant is removed before.
+/// Sentence about the whole residual. Signatures describe its variation, so a constant part is named
+/// separately.
 QString wrongIn(const ChannelReport& channel, const QString& name) {
   const diagnosis::ChannelStatistics& s = channel.refitted_statistics;
   const double constant = s.rms > 0.0 ? s.mean * s.mean / (s.rms * s.rms) : 0.0;
-  if (constant < 0.5) return QObject::tr("What is wrong in %1: ").arg(name);
-  return QObject::tr("What is wrong in %1: %2 is the same all the time, %3; of the rest ")
+  if (constant < 0.5) return QObject::tr("Residual of %1: ").arg(name);
+  return QObject::tr("Residual of %1: %2 is constant, %3; of the rest ")
       .arg(name, QString::fromStdString(diagnosis::shareWords(constant)),
            QString::fromStdString(diagnosis::shownNumber(s.mean, 0.0, s.unit)));
 }
 
-/// "velocity" of the channel's own joint, "velocity, joint 1" of another.
+/// Name of a variable: "velocity" for the channel's own joint, "velocity, joint 1" for another.
 QString shortName(const Signature& signature, const diagnosis::Channel& channel) {
   const QString name = QString::fromStdString(signature.variable);
   const int of = name.lastIndexOf(QStringLiteral(" of joint "));
@@ -62,9 +63,9 @@ QTreeWidget* variableList() {
   list->setColumnCount(kColumns);
   list->setHeaderLabels({QObject::tr("variable"), QObject::tr("before"), QObject::tr("after")});
   list->headerItem()->setToolTip(
-      kBefore, QObject::tr("Share of the variance that this variable alone explains, of what the refitted "
-                           "model leaves"));
-  list->headerItem()->setToolTip(kAfter, QObject::tr("The same of what the extended model leaves"));
+      kBefore,
+      QObject::tr("Share of the refitted model's residual variance that this variable alone explains"));
+  list->headerItem()->setToolTip(kAfter, QObject::tr("The same share for the extended model"));
   list->setRootIsDecorated(false);
   list->setUniformRowHeights(true);
   list->setFrameShape(QFrame::NoFrame);
@@ -98,7 +99,7 @@ SignatureView::SignatureView(QWidget* parent) : QWidget(parent) {
   words_ = new QLabel;
   words_->setWordWrap(true);
   words_->setFont(textFont(10.0, true));
-  words_->setAccessibleName(tr("what the signature says"));
+  words_->setAccessibleName(tr("description of the signature"));
   row->addWidget(channels_, 0, Qt::AlignTop);
   row->addWidget(words_, 1);
   column->addLayout(row);
@@ -190,7 +191,8 @@ void SignatureView::resizeEvent(QResizeEvent* event) {
   fitList();
 }
 
-/// The picture has what room there is: where it is scarce, it alone shows what comes after.
+/// Fits the list to the width; a narrow view hides the column of the extended model, which the figure shows
+/// too.
 void SignatureView::fitList() {
   const bool narrow = width() < kNarrow;
   variables_->setColumnHidden(kAfter, narrow || !extended());
@@ -198,7 +200,7 @@ void SignatureView::fitList() {
   narrow_ = narrow;
 }
 
-/// The chosen one again: a figure's data are given once.
+/// Draws the selected signature in a new figure, because the data of a figure cannot be changed.
 void SignatureView::draw() {
   delete figure_;
   figure_ = nullptr;

@@ -14,9 +14,9 @@ class QVBoxLayout;
 
 namespace capstan::widgets {
 
-/// What the residual of one channel depends on: its variables in a list, the strongest first, the share of
-/// variance of each as bars before and after the causes were added; beside it the chosen one large, and in a
-/// sentence what it says.
+/// Dependence of one channel's residual on variables: a list of variables, the strongest first, with the
+/// share of variance that each explains before and after the causes were added, as bars; beside it the figure
+/// of the selected variable and a sentence about it.
 class SignatureView : public QWidget {
   Q_OBJECT
 
@@ -25,7 +25,8 @@ class SignatureView : public QWidget {
 
   void setTheme(const Theme& theme);
   void showReport(std::shared_ptr<const diagnosis::Report> report);
-  /// The first recording's channel of this name, its strongest signature; nothing where there is none.
+  /// Shows the channel of this name in the first recording, with its strongest signature; does nothing
+  /// without one.
   void showChannel(const std::string& name);
   QComboBox& channels() { return *channels_; }
   QTreeWidget& variables() { return *variables_; }

@@ -15,7 +15,7 @@ using diagnosis::ChannelReport;
 
 namespace {
 
-/// "The robot file's model is 2.1 mm off, refitted 1.3 mm, with the causes found 0.6 mm (RMS)."
+/// Sentence: "The robot file's model is 2.1 mm off, refitted 1.3 mm, with the causes found 0.6 mm (RMS)."
 QString wordsOf(const ChannelReport& channel, bool extended) {
   const diagnosis::ShownUnit unit = diagnosis::shownUnit(channel.refitted.unit);
   const auto shown = [&](const diagnosis::ChannelStatistics& statistics) {
@@ -42,7 +42,7 @@ TimeView::TimeView(QWidget* parent) : QWidget(parent) {
   words_ = new QLabel;
   words_->setWordWrap(true);
   words_->setFont(textFont(10.0, true));
-  words_->setAccessibleName(tr("how far off each model is"));
+  words_->setAccessibleName(tr("error of each model"));
   row->addWidget(channels_, 0, Qt::AlignTop);
   row->addWidget(words_, 1);
   column->addLayout(row);
@@ -79,7 +79,7 @@ void TimeView::showEvent(QShowEvent* event) {
   if (stale_) draw();
 }
 
-/// Tens of thousands of points wait until somebody looks.
+/// Draws only while visible, because a figure can have tens of thousands of points.
 void TimeView::draw() {
   delete figure_;
   figure_ = nullptr;
@@ -94,7 +94,7 @@ void TimeView::draw() {
   drawn.note.clear();
   figure_ = new ResidualFigure(std::move(drawn));
   figure_->setAccessibleName(words_->text());
-  figure_->setToolTip(tr("Drag and wheel move and stretch the time; a double click shows all of it"));
+  figure_->setToolTip(tr("Drag and wheel move and zoom the time axis; a double click shows all of it"));
   figure_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
   for (const PanelFigure::Panel& panel : figure_->panels()) {
     panel.axes->setRangeDrag(Qt::Horizontal);

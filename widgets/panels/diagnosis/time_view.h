@@ -12,8 +12,8 @@ class QVBoxLayout;
 
 namespace capstan::widgets {
 
-/// One channel over time: measured, simulated by the three models, and its residual before and after.
-/// Drag and wheel move and stretch the time; a double click shows all of it.
+/// One channel over time: measured, simulated by the three models, and its residual before and after. Drag
+/// and wheel move and zoom the time axis; a double click shows all of it.
 class TimeView : public QWidget {
   Q_OBJECT
 
@@ -22,7 +22,7 @@ class TimeView : public QWidget {
 
   void setTheme(const Theme& theme);
   void showReport(std::shared_ptr<const diagnosis::Report> report);
-  /// The first recording's channel of this name; nothing where there is none.
+  /// Shows the channel of this name in the first recording; does nothing without one.
   void showChannel(const std::string& name);
   QComboBox& channels() { return *channels_; }
   const ResidualFigure* figure() const { return figure_; }
@@ -38,7 +38,7 @@ class TimeView : public QWidget {
 
   const Theme* theme_ = &Theme::dark();
   std::shared_ptr<const diagnosis::Report> report_;
-  bool stale_ = false;  ///< what is drawn is not what is chosen: drawn when it is looked at
+  bool stale_ = false;  ///< the drawing is out of date; it is redrawn when the view is shown
   QComboBox* channels_;
   QLabel* words_;
   QVBoxLayout* sheet_;

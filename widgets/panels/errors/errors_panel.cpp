@@ -17,7 +17,7 @@ namespace {
 constexpr Quantity kColumns[] = {Quantity::kKinematic, Quantity::kCamera, Quantity::kUkf};
 constexpr double kCellPoints = 14.0;
 
-/// Fixed width and two decimals, so that points stand below each other.
+/// Cell text with fixed width and two decimals, so that decimal points line up.
 QString cellText(double rms, int joint) {
   if (!std::isfinite(rms)) return QStringLiteral("—.——").rightJustified(5);
   const double shown = joint < 2 ? base::toDegrees(rms) : base::toMillimetres(rms);
@@ -59,7 +59,7 @@ ErrorsPanel::ErrorsPanel(QWidget* parent) : QWidget(parent) {
   note_ = new QLabel;
   note_->setFont(textFont(9.5));
   reset_ = new QPushButton(tr("Reset"));
-  reset_->setToolTip(tr("Begin the errors again (E)"));
+  reset_->setToolTip(tr("Restart the errors (E)"));
   reset_->setShortcut(QKeySequence(Qt::Key_E));
   connect(reset_, &QPushButton::clicked, this, &ErrorsPanel::resetRequested);
   grid->addWidget(note_, 4, 0, 1, 3);

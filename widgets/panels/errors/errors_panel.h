@@ -11,7 +11,7 @@ class QPushButton;
 
 namespace capstan::widgets {
 
-/// RMS against the joint encoders of kinematics, camera and UKF: one row a joint, in deg, deg, mm.
+/// RMS errors of kinematics, camera and UKF against the joint encoders: one row per joint, in deg, deg, mm.
 class ErrorsPanel : public QWidget {
   Q_OBJECT
  public:
@@ -19,11 +19,12 @@ class ErrorsPanel : public QWidget {
 
   void setTheme(const Theme& theme);
   void showErrors(const tracking::ErrorTable& errors);
-  /// For a source without joint encoders: reports it in place of numbers.
+  /// Sets whether the source has joint encoders; without them a note replaces the number of samples. Clears
+  /// the errors.
   void setReference(bool fitted);
   /// Text of a cell: `joint` 0…2, `column` 0 kinematic, 1 camera, 2 UKF.
   QString cell(int joint, int column) const;
-  /// The table as the clipboard takes it: a line a joint, tabs between.
+  /// The table as text for the clipboard: one line per joint, separated by tabs.
   QString text() const;
 
  signals:
@@ -32,7 +33,7 @@ class ErrorsPanel : public QWidget {
  private:
   std::array<std::array<QLabel*, 3>, 3> cells_{};
   std::array<QLabel*, 3> heads_{};
-  std::array<QLabel*, 6> quiet_{};  ///< joint names and units
+  std::array<QLabel*, 6> quiet_{};  ///< labels in the muted colour: joint names and units
   QLabel* note_;
   QPushButton* reset_;
   bool reference_ = true;

@@ -11,8 +11,8 @@ class QToolButton;
 
 namespace capstan::widgets {
 
-/// One line that chooses an experiment E to H and, for E and F, tables of tip poses and the stream that poses
-/// are compared with.
+/// One line to choose an experiment E to H and, for E and F, tables of tip poses and the stream to compare
+/// poses with.
 class ExperimentPicker : public QWidget {
   Q_OBJECT
 
@@ -22,13 +22,13 @@ class ExperimentPicker : public QWidget {
   experiments::CorrectionExperiment experiment() const;
   learning::StreamKind towards() const;
   const QStringList& tables() const { return tables_; }
-  /// E and F without a table: nothing can be run.
+  /// Whether the choice can be run: E and F need a table.
   bool complete() const;
 
   void choose(experiments::CorrectionExperiment experiment);
   void setTables(const QStringList& tables);
   void setTowards(learning::StreamKind towards);
-  /// Asks for files beside the program's other windows.
+  /// Opens a non-modal file dialog.
   void askTables();
 
  signals:

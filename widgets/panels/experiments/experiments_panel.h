@@ -17,7 +17,7 @@ class ExperimentPicker;
 class FigureSheet;
 
 /// Experiments E to H of the GPR paper: runs one in the background, shows its figure and its comparison with
-/// the published numbers, and exports both. The same function of core as `capstan-cli experiment E`.
+/// the published numbers, and exports both. It calls the same function of core as `capstan-cli experiment E`.
 class ExperimentsPanel : public WorkPanel {
   Q_OBJECT
 
@@ -29,11 +29,11 @@ class ExperimentsPanel : public WorkPanel {
   void save(QSettings& settings) const;
   void restore(const QSettings& settings);
 
-  /// Runs the chosen experiment; while one is running, cancels it.
+  /// Runs the chosen experiment; cancels the running one.
   void runOrCancel();
   void cancel() override;
   bool busy() const override { return job_.busy(); }
-  /// writeExperiment() into `folder`; a fault is shown on the panel.
+  /// Calls writeExperiment() for `folder`; the panel shows errors.
   void exportTo(const QString& folder);
 
   ExperimentPicker& picker() { return *picker_; }
@@ -47,7 +47,7 @@ class ExperimentsPanel : public WorkPanel {
   void askFolder();
   void refresh();
 
-  const experiments::CorrectionExperimentOptions options_;  ///< beside what the picker chooses
+  const experiments::CorrectionExperimentOptions options_;  ///< options that the picker does not set
   std::unique_ptr<experiments::CorrectionExperimentResults> results_;
   QString said_, title_;
   ExperimentPicker* picker_;
@@ -55,7 +55,7 @@ class ExperimentsPanel : public WorkPanel {
   FigureSheet* figure_;
   QTextBrowser* comparison_;
   QPushButton *run_, *export_;
-  Job job_;  ///< last: ends before what it reports to
+  Job job_;  ///< last member: destroyed before the members it reports to
 };
 
 }  // namespace capstan::widgets

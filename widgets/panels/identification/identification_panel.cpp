@@ -29,7 +29,7 @@ constexpr int kAdviceLines = 2;
 
 QString text(const std::string& words) { return QString::fromStdString(words); }
 
-/// "drives[0].link_radius\n  0.063095 → 0.059021  −6.46 %"
+/// Change as "drives[0].link_radius\n  0.063095 → 0.059021  −6.46 %".
 QString changesText(const std::vector<identification::RobotChange>& changes) {
   QStringList lines;
   for (const auto& change : changes)
@@ -101,7 +101,7 @@ void IdentificationPanel::addPages(QVBoxLayout* column) {
   changes_->setFont(numberFont(9.5));
   changes_->setLineWrapMode(QPlainTextEdit::NoWrap);
   changes_->setMinimumHeight(60);
-  changes_->setAccessibleName(tr("what the robot in use has other than the robot file"));
+  changes_->setAccessibleName(tr("differences of the robot in use from the robot file"));
   auto* rolled = new QScrollArea;  // a low window does not show every check box
   rolled->setFrameShape(QFrame::NoFrame);
   rolled->setWidgetResizable(true);
@@ -131,9 +131,9 @@ void IdentificationPanel::addButtons(QVBoxLayout* column) {
   row->setSpacing(4);
   start_ =
       button("start", tr("Collect from the running session, or stop (I)"), &IdentificationPanel::startOrStop);
-  refine_ = button("refine", tr("Stop, and let the batch method go over everything (Shift+I)"),
+  refine_ = button("refine", tr("Stop, and refine on all collected data by the batch method (Shift+I)"),
                    &IdentificationPanel::refine);
-  discard_ = button("discard", tr("Forget what was found; nothing changes (Ctrl+Backspace)"),
+  discard_ = button("discard", tr("Discard the values found; the robot in use stays (Ctrl+Backspace)"),
                     &IdentificationPanel::discard);
   accept_ = button("accept", tr("The filter uses these values from now on; errors restart (Ctrl+Return)"),
                    &IdentificationPanel::accept);
@@ -150,7 +150,7 @@ void IdentificationPanel::addButtons(QVBoxLayout* column) {
   column->addLayout(row);
 }
 
-/// Keys act as their buttons do: only where these are shown and enabled.
+/// A key acts as its button: only while the button is shown and enabled.
 void IdentificationPanel::addKeys() {
   const auto key = [this](const char* sequence, QPushButton* pressed) {
     auto* shortcut = new QShortcut(QKeySequence(sequence), this);
@@ -243,8 +243,8 @@ void IdentificationPanel::accept() {
   const QString summary = text(live_.summary());
   in_use_ = live_.accept();
   overtake();
-  said_ = tr("In use from now on; errors restart. Other than the robot file:");
-  Q_EMIT robotChosen(in_use_, tr("identified values in use, errors again: %1").arg(summary));
+  said_ = tr("In use from now on; errors restart. Differences from the robot file:");
+  Q_EMIT robotChosen(in_use_, tr("identified values in use, errors restarted: %1").arg(summary));
   refresh();
 }
 
@@ -252,7 +252,7 @@ void IdentificationPanel::revert() {
   in_use_ = live_.revert();
   overtake();
   said_ = tr("The robot file's values are in use again; errors restart.");
-  Q_EMIT robotChosen(in_use_, tr("the robot file's values in use again, errors again"));
+  Q_EMIT robotChosen(in_use_, tr("the robot file's values in use again, errors restarted"));
   refresh();
 }
 
@@ -278,7 +278,7 @@ void IdentificationPanel::saveRobot(const QString& path) {
   refresh();
 }
 
-/// The user has decided: what runs no longer matters, and samples go where they should.
+/// The user has decided: cancels running work, and stops sending samples to an old recording.
 void IdentificationPanel::overtake() {
   job_.cancel();
   if (live_.sink() != sink_) {
@@ -293,7 +293,7 @@ void IdentificationPanel::overtake() {
   poll();
 }
 
-/// The next run, when its time has come.
+/// Starts the next run when it is due.
 void IdentificationPanel::poll() {
   const auto now = [this] { return 1e-3 * static_cast<double>(clock_.elapsed()); };
   if (!job_.busy())
@@ -309,7 +309,7 @@ QString IdentificationPanel::stateWords() const {
   if (live_.phase() != LivePhase::kIdle) return text(live_.words());
   if (!open_) return tr("No session: open one first.");
   if (ended_) return tr("The session has ended: begin it again (Space), then Start.");
-  return tr("Finds what the robot file has wrong, from how the arm moves.");
+  return tr("Finds wrong parameters of the robot file from the motion of the arm.");
 }
 
 void IdentificationPanel::refresh() {

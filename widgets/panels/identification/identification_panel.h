@@ -23,9 +23,9 @@ class ParameterChoice;
 class ParameterTable;
 class TracePlot;
 
-/// Identification beside the running session: choose parameters, collect, see value ± σ, trace and advice,
-/// refine, accept or discard. What it shows is thought by identification::LiveIdentification; runs are made
-/// in the background, one at a time.
+/// Identification during the running session: choose parameters, collect data, see value ± σ, trace and
+/// advice, refine, accept or discard. identification::LiveIdentification holds the state; its runs are
+/// computed in the background, one at a time.
 class IdentificationPanel : public QWidget {
   Q_OBJECT
 
@@ -34,14 +34,14 @@ class IdentificationPanel : public QWidget {
   ~IdentificationPanel() override;
 
   void setTheme(const Theme& theme);
-  /// A session was opened: whatever was under way is given up.
+  /// A session was opened: cancels work that is running.
   void begin(const tracking::SourceInfo& source);
-  /// The session uses `robot` from now on, not by this panel's doing: found by `origin`, it is the one that
-  /// values begin with, and what was under way on top of the former is given up. Undo takes it back.
+  /// The session uses `robot` from now on, chosen outside this panel and found by `origin`. New values start
+  /// from `robot`, and work that started from the former robot is cancelled. Undo restores the former one.
   void useRobot(const robot::Description& robot, const QString& origin);
-  /// Collecting ends with the session.
+  /// Shows the state of the session; ends collecting when it ends.
   void showStatus(const live::RunStatus& status);
-  /// The accepted robot and its changes, as a robot file. What goes wrong is said on the panel.
+  /// Writes the accepted robot and its changes to a robot file. The panel shows errors.
   void saveRobot(const QString& path);
 
   const identification::LiveIdentification& live() const { return live_; }
@@ -54,9 +54,9 @@ class IdentificationPanel : public QWidget {
   QString changes() const;
 
  signals:
-  /// Samples are to go there from now on; null: nowhere.
+  /// Requests that samples are sent to `sink` from now on; null: to nobody.
   void listenerRequested(const std::shared_ptr<capstan::identification::LiveRecording>& sink);
-  /// The pipeline is to use `robot`; `summary` says what differs.
+  /// Requests that the pipeline uses `robot`; `summary` lists the differences.
   void robotChosen(const capstan::robot::Description& robot, const QString& summary);
   void robotSaved(const QString& path);
 
@@ -84,12 +84,12 @@ class IdentificationPanel : public QWidget {
   Theme theme_ = Theme::dark();
   identification::LiveIdentification live_;
   robot::Description in_use_;
-  std::string title_;  ///< of the session
+  std::string title_;  ///< title of the session
   QString said_;
   bool open_ = false, ended_ = false;
   std::shared_ptr<identification::LiveRecording> sink_;
-  std::vector<identification::LiveRow> rows_;   ///< as the table shows them
-  std::pair<std::uint64_t, int> drawn_{0, -1};  ///< report and parameter that the trace shows
+  std::vector<identification::LiveRow> rows_;   ///< rows shown in the table
+  std::pair<std::uint64_t, int> drawn_{0, -1};  ///< report and parameter of the drawn trace
   QElapsedTimer clock_;
   QTimer polls_;
   QLabel *words_, *advice_;
@@ -101,7 +101,7 @@ class IdentificationPanel : public QWidget {
   QPlainTextEdit* changes_;
   QProgressBar* progress_;
   QPushButton *start_, *refine_, *discard_, *accept_, *revert_, *save_;
-  Job job_;  ///< last: ends before what it reports to
+  Job job_;  ///< last member: destroyed before the members it reports to
 };
 
 }  // namespace capstan::widgets

@@ -12,16 +12,16 @@ class QLabel;
 
 namespace capstan::widgets {
 
-/// What is to be identified: pulley radius, stiffness, damping and friction by joint.
+/// Check boxes for the parameters to identify: pulley radius, stiffness, damping and friction per joint.
 class ParameterChoice : public QWidget {
   Q_OBJECT
 
  public:
   explicit ParameterChoice(QWidget* parent = nullptr);
   void setTheme(const Theme& theme);
-  /// As identification::ParameterSet takes them, r_l1,k_e2…; empty: nothing is ticked.
+  /// Checked parameters in the format of identification::ParameterSet, r_l1,k_e2…; empty: none is checked.
   std::string names() const;
-  /// Ticks those of `names`, as ParameterSet takes them, and no others.
+  /// Checks exactly the parameters in `names`, in the format of ParameterSet.
   void setNames(const std::string& names);
   QCheckBox& box(identification::Quantity quantity, int joint) const;
 
@@ -29,7 +29,7 @@ class ParameterChoice : public QWidget {
   void changed();
 
  private:
-  std::vector<QCheckBox*> boxes_;  ///< quantity by quantity
+  std::vector<QCheckBox*> boxes_;  ///< the boxes, quantity by quantity
   std::vector<QLabel*> heads_;
 };
 

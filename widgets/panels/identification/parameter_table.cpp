@@ -12,7 +12,7 @@ enum Column { kName, kValue, kSigma, kChange, kColumns };
 constexpr double kPoints = 10.0;
 constexpr int kRowHeight = 26, kBar = 3;  // [px]
 
-/// Leaves room for the bar.
+/// Item delegate that reserves room for the bar.
 class Rows : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;

@@ -8,8 +8,8 @@
 
 namespace capstan::widgets {
 
-/// One line a parameter: name, value ± σ, change from the robot file, and below it a thin bar: how far its σ
-/// has come towards its goal. A settled one has a tick.
+/// One line per parameter: name, value ± σ, change from the robot file, and below it a thin bar that shows
+/// the progress of σ towards its goal. A settled parameter has a tick.
 class ParameterTable : public QTreeWidget {
   Q_OBJECT
 
@@ -17,10 +17,10 @@ class ParameterTable : public QTreeWidget {
   explicit ParameterTable(QWidget* parent = nullptr);
   void setTheme(const Theme& theme);
   void showRows(const std::vector<identification::LiveRow>& rows);
-  /// The line chosen, or -1.
+  /// Index of the selected line, or -1.
   int chosen() const;
   void choose(int row);
-  /// A line as text: "✓ r_l1 59.02 ±0.02 mm −6.5 %".
+  /// Text of a line: "✓ r_l1 59.02 ±0.02 mm −6.5 %".
   QString text(int row) const;
   QSize minimumSizeHint() const override { return {200, 48}; }
   QSize sizeHint() const override;

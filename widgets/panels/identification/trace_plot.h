@@ -11,7 +11,7 @@ class QCustomPlot;
 
 namespace capstan::widgets {
 
-/// One parameter over the time of the recording: value, its ±2σ, and dashed the value it began with.
+/// One parameter over the time of the recording: value, its ±2σ, and its initial value as a dashed line.
 class TracePlot : public QWidget {
   Q_OBJECT
 

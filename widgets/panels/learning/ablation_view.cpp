@@ -60,7 +60,7 @@ AblationView::AblationView(QWidget* parent) : LearningView(parent) {
       tr("Random splits of the trajectories, four fifths to learn from; each trains seven models"));
   run_ = new QPushButton(tr("Run the table"));
   run_->setObjectName("run_ablation");
-  run_->setToolTip(tr("Every part of the method switched on in turn (F6)"));
+  run_->setToolTip(tr("Error with each part of the method added in turn (F6)"));
   which_ = new QComboBox;
   which_->setObjectName("ablation_states");
   which_->addItem(tr("clean test states"));
@@ -86,7 +86,7 @@ AblationView::AblationView(QWidget* parent) : LearningView(parent) {
   table_->setFrameShape(QFrame::NoFrame);
   table_->setAllColumnsShowFocus(true);
   table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
-  table_->setAccessibleName(tr("what each part of the method is worth"));
+  table_->setAccessibleName(tr("error with each part of the method"));
   table_->header()->setStretchLastSection(false);
   table_->header()->setMinimumSectionSize(10);
   table_->header()->setFont(textFont(9.0));
@@ -130,14 +130,14 @@ void AblationView::fill() {
   which_->setVisible(study_ != nullptr);
   if (!study_) {
     words_->setText(
-        tr("What the rigid offset, cleaning, the Gaussian process and velocities as features are "
-           "worth, on trajectories held out; beside it what the paper's authors found. Each split "
-           "trains seven models, the last of them of several members: allow minutes."));
+        tr("Errors with the rigid offset, cleaning, the Gaussian process and velocities as features, on "
+           "held-out trajectories, beside the paper's results. Each split trains seven models, the last one "
+           "with several members: this takes minutes."));
     return;
   }
   const bool clean = which_->currentIndex() == 0;
   const auto& all = clean ? study_->clean : study_->dirty;
-  words_->setText(tr("Mean ± standard deviation of |error|, %1 test states of %2. Bold: the least of ours.")
+  words_->setText(tr("Mean ± standard deviation of |error|, %1 test states of %2. Bold: our smallest.")
                       .arg(countText(all[0].states),
                            of_splits_ == 1 ? tr("one split") : tr("%1 splits").arg(of_splits_)));
   for (std::size_t m = 0; m < kCorrectionMethods; ++m) addMethod(static_cast<CorrectionMethod>(m), clean);

@@ -10,8 +10,8 @@ class QTreeWidget;
 
 namespace capstan::widgets {
 
-/// Table I of the GPR paper: what each part of the method is worth, over random splits by trajectory, the
-/// paper's numbers below ours.
+/// Table I of the GPR paper: the error with each part of the method, over random splits by trajectory, with
+/// the paper's numbers below ours.
 class AblationView : public LearningView {
   Q_OBJECT
 
@@ -20,11 +20,11 @@ class AblationView : public LearningView {
 
   void setTheme(const Theme& theme) override;
   void showResults(const LearningResults& results) override;
-  /// `ready`: there are states to run on, and nothing is under way.
+  /// Enables the run. `ready`: there are states to run on, and no work is running.
   void setReady(bool ready);
   int splits() const;
   void setSplits(int splits);
-  /// "offset, GP | ours | 1.21 ± 0.98 | …", line by line.
+  /// Rows as text: "offset, GP | ours | 1.21 ± 0.98 | …".
   QStringList lines() const;
 
  signals:

@@ -34,7 +34,8 @@ CloudsView::CloudsView(QWidget* parent) : LearningView(parent) {
     connect(box, &QCheckBox::toggled, this, &CloudsView::draw);
     row->addWidget(box);
   }
-  layers_[kVisible]->setToolTip(tr("In the frame of the cameras: the rigid offset away from the commands"));
+  layers_[kVisible]->setToolTip(
+      tr("In the frame of the cameras: it differs from that of the commands by the rigid offset"));
   row->addStretch();
   column->addLayout(row);
   column->addWidget(view_ = new CloudView, 1);

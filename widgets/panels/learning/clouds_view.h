@@ -12,8 +12,8 @@ namespace capstan::widgets {
 
 class CloudView;
 
-/// Positions in 3-D before and after: commanded, observed, with the rigid offset, corrected; states that
-/// were rejected in the colour of warnings.
+/// Positions in 3-D before and after correction: commanded, observed, with the rigid offset, corrected.
+/// Rejected states have the colour of warnings.
 class CloudsView : public LearningView {
   Q_OBJECT
 

@@ -13,7 +13,7 @@ namespace capstan::widgets {
 
 namespace {
 
-constexpr int kSteps = 40, kSoon = 150;  ///< of the slider; [ms]
+constexpr int kSteps = 40, kSoon = 150;  ///< steps of the slider; delay after its last move [ms]
 
 }  // namespace
 
@@ -27,13 +27,13 @@ ConfidenceView::ConfidenceView(QWidget* parent) : LearningView(parent) {
   axis_->setObjectName("slice_axis");
   for (const char* name : {"x", "y", "z"}) axis_->addItem(tr("plane across %1").arg(name));
   axis_->setCurrentIndex(2);
-  axis_->setToolTip(tr("The axis that the plane is across (Alt+A: the next)"));
+  axis_->setToolTip(tr("Axis normal to the plane (Alt+A: the next)"));
   depth_ = new QSlider(Qt::Horizontal);
   depth_->setObjectName("slice_depth");
   depth_->setRange(0, kSteps);
   depth_->setPageStep(kSteps / 10);
   depth_->setValue(kSteps / 2);
-  depth_->setToolTip(tr("Where the plane lies, from the lowest to the highest position learned (← →)"));
+  depth_->setToolTip(tr("Position of the plane, from the lowest to the highest training position (← →)"));
   depth_->setAccessibleName(tr("depth of the plane"));
   words_ = new QLabel;
   words_->setMinimumWidth(words_->fontMetrics().horizontalAdvance(tr("computing…")) + 8);

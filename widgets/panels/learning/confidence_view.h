@@ -14,8 +14,8 @@ namespace capstan::widgets {
 
 class FigureSheet;
 
-/// Confidence of the correction over a plane of the workspace; axis and depth are chosen, Alt+A takes the
-/// next axis. Computed in the background as soon as there is a correction.
+/// Confidence of the correction over a plane of the workspace, of selectable axis and depth; Alt+A selects
+/// the next axis. Computed in the background as soon as there is a correction.
 class ConfidenceView : public LearningView {
   Q_OBJECT
 
@@ -27,7 +27,7 @@ class ConfidenceView : public LearningView {
   QComboBox& axis() { return *axis_; }
   QSlider& depth() { return *depth_; }
   FigureSheet& sheet() { return *sheet_; }
-  /// What is shown; null: nothing yet.
+  /// The slice shown; null: none yet.
   const learning::ConfidenceSlice* slice() const;
 
  private:
@@ -35,13 +35,13 @@ class ConfidenceView : public LearningView {
   void compute();
 
   std::shared_ptr<const learning::LearningReport> learned_;
-  bool stale_ = false;  ///< what is shown is not what is chosen
+  bool stale_ = false;  ///< the slice shown is not yet the chosen one
   QComboBox* axis_;
   QSlider* depth_;
   QLabel* words_;
   FigureSheet* sheet_;
-  QTimer soon_;  ///< a slider that is being moved is waited for
-  Job job_;      ///< last: ends before what it reports to
+  QTimer soon_;  ///< delays the computation while the slider moves
+  Job job_;      ///< last member: destroyed before the members it reports to
 };
 
 }  // namespace capstan::widgets

@@ -21,8 +21,8 @@ CurveView::CurveView(QWidget* parent) : LearningView(parent) {
   column->addLayout(row);
   column->addWidget(sheet_ = new FigureSheet, 1);
   sheet_->setEmptyWords(
-      tr("How many states are enough: corrections are trained on more and more of them, and "
-         "judged on the same trajectories held out"));
+      tr("Number of states that is enough: corrections are trained on increasing numbers of states, and "
+         "evaluated on the same held-out trajectories"));
   connect(run_, &QPushButton::clicked, this, &CurveView::runRequested);
 }
 

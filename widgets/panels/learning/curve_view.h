@@ -8,7 +8,7 @@ namespace capstan::widgets {
 
 class FigureSheet;
 
-/// How many states there have to be: error held out against the number learned from.
+/// Learning curve: error on held-out trajectories against the number of training states.
 class CurveView : public LearningView {
   Q_OBJECT
 

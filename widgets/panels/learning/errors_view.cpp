@@ -22,22 +22,20 @@ ErrorsView::ErrorsView(QWidget* parent) : LearningView(parent) {
   words_->setAccessibleName(tr("errors in words"));
   which_ = new QComboBox;
   which_->setObjectName("error_states");
-  which_->addItem(tr("states that cleaning keeps"));
-  which_->addItem(tr("all states held out"));
-  which_->setToolTip(tr("Whether observations that are wrong themselves count"));
+  which_->addItem(tr("states accepted by cleaning"));
+  which_->addItem(tr("all held-out states"));
+  which_->setToolTip(tr("With or without observations that cleaning rejects"));
   observed_ = new QCheckBox(tr("observed"));
   observed_->setObjectName("error_observed");
   observed_->setChecked(true);
-  observed_->setToolTip(
-      tr("Whether errors without any correction are shown, which make the others small (Alt+S)"));
+  observed_->setToolTip(tr("Show errors without any correction too, on a larger scale (Alt+S)"));
   row->addWidget(words_, 1);
   row->addWidget(observed_, 0, Qt::AlignTop);
   row->addWidget(which_, 0, Qt::AlignTop);
   column->addLayout(row);
   column->addWidget(sheet_ = new FigureSheet, 1);
   sheet_->setEmptyWords(
-      tr("Errors on trajectories that nothing is learned from, once a correction is "
-         "trained: press Train (F5)"));
+      tr("Errors on held-out trajectories, once a correction is trained: press Train (F5)"));
   connect(which_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &ErrorsView::draw);
   connect(observed_, &QCheckBox::toggled, this, &ErrorsView::draw);
   connect(new QShortcut(QKeySequence(QStringLiteral("Alt+S")), this), &QShortcut::activated, observed_,

@@ -10,7 +10,7 @@ namespace capstan::widgets {
 
 class FigureSheet;
 
-/// Errors of each degree of freedom on held-out trajectories: observed, with the rigid offset, corrected.
+/// Errors per degree of freedom on held-out trajectories: observed, with the rigid offset, corrected.
 class ErrorsView : public LearningView {
   Q_OBJECT
 

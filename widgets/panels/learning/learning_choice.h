@@ -9,19 +9,19 @@ class QSettings;
 
 namespace capstan::widgets {
 
-/// What the user wants learned; kept between starts.
+/// Input of learning; saved in the settings.
 struct LearningChoice {
-  QStringList tables = {};                                        ///< of tip poses: absolute paths, each once
-  learning::StreamKind towards = learning::StreamKind::kCommand;  ///< to correct towards
+  QStringList tables = {};                                        ///< tip poses: absolute paths, each once
+  learning::StreamKind towards = learning::StreamKind::kCommand;  ///< stream to correct towards
 
   bool operator==(const LearningChoice&) const = default;
-  /// Adds those of `files` that are not there yet.
+  /// Adds those of `files` that are not in `tables` yet.
   void add(const QStringList& files);
   void save(QSettings& settings) const;
   static LearningChoice restore(const QSettings& settings);
 };
 
-/// "command", "robot's kinematics"
+/// Name of a stream: "command", "robot's kinematics".
 QString nameOf(learning::StreamKind stream);
 
 }  // namespace capstan::widgets

@@ -23,7 +23,7 @@ const StepErrors& errorsOf(const HeldOutEvaluation& evaluation, bool clean) {
   return clean ? evaluation.test.clean : evaluation.test.all;
 }
 
-/// One value a state, in units for people.
+/// One value per state, in units for people.
 template <class Take>
 BoxplotPanel errorPanel(const QString& title, bool angle, const StepErrors& errors, bool observed,
                         const Take& take) {
@@ -38,7 +38,7 @@ BoxplotPanel errorPanel(const QString& title, bool angle, const StepErrors& erro
   return panel;
 }
 
-/// The three angles beside `before`, without a jump [deg].
+/// The three angles closest to `before`, so that the trace has no jump [deg].
 Eigen::Vector3d anglesBeside(const Eigen::Isometry3d& pose, const Eigen::Vector3d& before) {
   const Eigen::Vector3d now = learning::yawPitchRoll(pose.linear()).unaryExpr(&base::toDegrees);
   return before + (now - before).unaryExpr([](double apart) { return std::remainder(apart, 360.0); });
@@ -57,7 +57,7 @@ void append(std::array<std::vector<double>, 6>& history, const Eigen::Isometry3d
 QString countText(std::size_t count) { return QLocale(QLocale::English).toString(qulonglong(count)); }
 
 ClockOffsetData clockOffsetData(const LearningStages& stages) {
-  return {QObject::tr("Lag of what cameras saw behind the %1").arg(nameOf(stages.towards)),
+  return {QObject::tr("Lag of camera observations behind the %1").arg(nameOf(stages.towards)),
           {},
           stages.clock_offset};
 }
@@ -68,7 +68,7 @@ BoxplotData errorData(const HeldOutEvaluation& evaluation, bool clean, bool obse
   data.title = QObject::tr("Errors on %1 of %2 trajectories, held out of training")
                    .arg(evaluation.motions_held)
                    .arg(evaluation.motions);
-  data.note = clean ? QObject::tr("states that cleaning keeps") : QObject::tr("all states");
+  data.note = clean ? QObject::tr("states accepted by cleaning") : QObject::tr("all states");
   data.quantity = QObject::tr("|error|");
   data.most_columns = 4;
   data.panels.push_back(errorPanel(QObject::tr("distance"), false, errors, observed,
@@ -112,8 +112,8 @@ QString motionWords(learning::Motion motion) {
 }
 
 LearningCurveData curveData(const LearningCurve& curve) {
-  return {QObject::tr("Error against the number of states learned from"),
-          QObject::tr("%1 states of %2 trajectories held out, those that cleaning keeps")
+  return {QObject::tr("Error against the number of training states"),
+          QObject::tr("%1 states of %2 held-out trajectories, accepted by cleaning")
               .arg(countText(curve.offset.states))
               .arg(curve.motions_held),
           curve};
@@ -128,7 +128,7 @@ PoseTraceData traceData(const LearningStages& stages, const HeldOutEvaluation* e
       QObject::tr("%1 states, %2 rejected").arg(countText(motion.states()), countText(motion.rejected));
   if (evaluation)
     data.note += evaluation->held[motion.motion] ? QObject::tr("; held out of training")
-                                                 : QObject::tr("; learned from");
+                                                 : QObject::tr("; used for training");
   const Eigen::Isometry3d offset =
       evaluation && evaluation->learned ? evaluation->learned->model.offset() : stages.offset;
   Eigen::Vector3d angles = Eigen::Vector3d::Zero();
@@ -149,8 +149,8 @@ PoseTraceData traceData(const LearningStages& stages, const HeldOutEvaluation* e
 }
 
 ReliabilityData reliabilityData(const HeldOutEvaluation& evaluation) {
-  return {QObject::tr("Whether errors are as large as stated"),
-          QObject::tr("%1 states of %2 trajectories held out, those that cleaning keeps")
+  return {QObject::tr("Reliability of the stated errors"),
+          QObject::tr("%1 states of %2 held-out trajectories, accepted by cleaning")
               .arg(countText(evaluation.test.stated.states()))
               .arg(evaluation.motions_held),
           evaluation.test.stated};
@@ -160,7 +160,7 @@ ConfidenceData confidenceData(const learning::ConfidenceSlice& slice) {
   return {QObject::tr("Confidence of the correction, %1 = %2 mm")
               .arg(QLatin1Char("xyz"[slice.axis]))
               .arg(withMinus(QString::number(base::toMillimetres(slice.at), 'f', 1))),
-          QObject::tr("at rest, in the middle of the orientations learned"), slice};
+          QObject::tr("at rest, at the centre of the training orientations"), slice};
 }
 
 }  // namespace capstan::widgets

@@ -30,13 +30,13 @@ LearningPages::LearningPages(QWidget* parent) : QTabWidget(parent) {
   page(clouds_ = new CloudsView, tr("3-D"), tr("Commanded, observed and corrected positions"));
   page(trajectories_ = new TrajectoryView, tr("Trajectories"),
        tr("Rejected states of each, and its poses over time"));
-  page(errors_ = new ErrorsView, tr("Errors"), tr("Errors of each degree of freedom, held out"));
-  page(ablation_ = new AblationView, tr("Ablation"), tr("What each part of the method is worth"));
-  page(curve_ = new CurveView, tr("Curve"), tr("Error against the number of states learned from"));
+  page(errors_ = new ErrorsView, tr("Errors"), tr("Errors per degree of freedom on held-out trajectories"));
+  page(ablation_ = new AblationView, tr("Ablation"), tr("Error with each part of the method"));
+  page(curve_ = new CurveView, tr("Curve"), tr("Error against the number of training states"));
   page(confidence_ = new ConfidenceView, tr("Confidence"),
        tr("Confidence of the correction over the workspace"));
   page(reliability_ = new ReliabilityView, tr("Reliability"),
-       tr("Whether errors are as large as the correction says"));
+       tr("Reliability of the errors that the correction states"));
 }
 
 std::vector<LearningView*> LearningPages::views() const {

@@ -18,7 +18,7 @@ class StagesView;
 class TrajectoryView;
 
 /// The pages of learning: stages, clouds, trajectories, errors, ablation, learning curve, confidence,
-/// reliability; Alt+1 to Alt+8.
+/// reliability; keys Alt+1 to Alt+8.
 class LearningPages : public QTabWidget {
   Q_OBJECT
 

@@ -55,7 +55,7 @@ void LearningPanel::makeButtons() {
              [this] { askModel(); });
   export_button_ =
       button("export_learning", tr("Export…"),
-             tr("Figures, the ablation table and what was rejected, into a folder (Ctrl+Shift+E)"),
+             tr("Figures, the ablation table and the rejected states, into a folder (Ctrl+Shift+E)"),
              [this] { askFolder(); });
   addKey("F6", [this] { runAblation(); });
   addKey("F7", [this] { runCurve(); });
@@ -182,7 +182,7 @@ void LearningPanel::runCurve() {
 void LearningPanel::cancel() {
   if (export_.busy()) return export_.cancel();
   if (!job_.busy()) return;
-  said_ = results_.stages ? tr("Cancelled; what is shown is of before.") : tr("Cancelled.");
+  said_ = results_.stages ? tr("Cancelled; the results shown are from before.") : tr("Cancelled.");
   job_.cancel();
   refresh();
 }
@@ -257,27 +257,27 @@ void LearningPanel::showState() {
     below = failed_;
   } else if (results_.evaluation) {
     head = tr("● Corrected: %1").arg(errorWords(*results_.evaluation, true));
-    below = tr("As seen → rigid offset → corrected: medians on %1 of %2 trajectories, held out of training. "
+    below = tr("Observed → rigid offset → corrected: medians on %1 of %2 trajectories, held out of training. "
                "Learned from %3.")
                 .arg(results_.evaluation->motions_held)
                 .arg(results_.evaluation->motions)
                 .arg(motionWords(results_.learned->model.motion()));
   } else if (stages) {
-    head = tr("○ %1 of %2 states count; a rigid offset leaves %3\u00a0mm,\u00a0%4°")
+    head = tr("○ %1 of %2 states accepted; with a rigid offset %3\u00a0mm,\u00a0%4°")
                .arg(countText(stages->cleaning.kept()), countText(stages->states.size()))
                .arg(base::toMillimetres(stages->after.median_distance), 0, 'f', 1)
                .arg(base::toDegrees(stages->after.median_angle), 0, 'f', 1);
     below = job_.busy() ? tr("This may take some minutes; Esc cancels it.")
-                        : tr("Press Train (F5) to learn the rest of it.");
+                        : tr("Press Train (F5) to learn the remaining error.");
   } else if (job_.busy()) {
     head = tr("Reading…");
     below = tr("Screening, pairing, cleaning; Esc cancels it.");
   } else if (choice().tables.isEmpty()) {
     head = tr("How far from its command does the arm arrive?");
     below =
-        tr("Choose one or more tables of tip poses: observed poses beside commanded ones, over "
-           "some tens of trajectories. A correction of the commands is learned from them, and judged on "
-           "trajectories held out.");
+        tr("Choose one or more tables of tip poses: observed poses beside commanded ones, over some tens of "
+           "trajectories. A correction of the commands is learned from them, and evaluated on held-out "
+           "trajectories.");
   } else {
     head = tr("Not read yet");
     below = tr("Press Read (F5).");
@@ -294,9 +294,8 @@ void LearningPanel::refresh() {
                   : results_.stages || choice().tables.isEmpty() ? tr("Train")
                                                                  : tr("Read"));
   train_->setToolTip(
-      working
-          ? tr("Stop what is being computed (Esc)")
-          : tr("Take errors on a fifth of the trajectories, held out, and learn a correction from all (F5)"));
+      working ? tr("Stop the computation (Esc)")
+              : tr("Evaluate on a held-out fifth of the trajectories, and learn a correction from all (F5)"));
   train_->setEnabled(working || !choice().tables.isEmpty());
   pages_->ablation().setReady(ready());
   pages_->curve().setReady(ready());

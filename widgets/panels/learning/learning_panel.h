@@ -15,8 +15,9 @@ namespace capstan::widgets {
 class LearningPages;
 class TablePicker;
 
-/// From tables of tip poses to a correction of commands: what is read, excluded and why, trained, and worth.
-/// Everything is computed by core/learning and core/experiments, in the background, one thing at a time.
+/// Learns a correction of commands from tables of tip poses: data read, data excluded with reasons, training,
+/// and evaluation. core/learning and core/experiments compute everything, in the background, one job at a
+/// time.
 class LearningPanel : public WorkPanel {
   Q_OBJECT
 
@@ -25,13 +26,13 @@ class LearningPanel : public WorkPanel {
   ~LearningPanel() override;
 
   void setTheme(const Theme& theme);
-  /// Of what is begun from now on.
+  /// Sets the settings of the work that is started from now on.
   void setSettings(const LearningSettings& settings) { settings_ = settings; }
   void save(QSettings& settings) const;
-  /// Tables are read when the panel is looked at.
+  /// Restores the choice. Its tables are read when the panel is shown.
   void restore(const QSettings& settings);
 
-  /// Reads the tables; what was under way is given up, what was learned of others is forgotten.
+  /// Reads the tables; cancels running work, and discards results of other tables.
   void choose(const LearningChoice& choice);
   const LearningChoice& choice() const;
   void train();
@@ -40,7 +41,7 @@ class LearningPanel : public WorkPanel {
   void cancel() override;
   bool busy() const override { return job_.busy() || export_.busy(); }
   const LearningResults& results() const { return results_; }
-  /// Figures and tables in `folder`; how it ends, and why not, is said on the panel.
+  /// Writes figures and tables into `folder`. The panel shows the result or the error.
   void exportTo(const QString& folder);
   void saveModel(const QString& path);
 
@@ -73,15 +74,15 @@ class LearningPanel : public WorkPanel {
   Theme theme_ = Theme::dark();
   LearningSettings settings_;
   LearningResults results_;
-  Doing doing_ = Doing::kNothing;  ///< newest piece of work, under way or ended
-  bool read_again_ = false;        ///< tables were chosen while another piece of work had to end
-  QString failed_;                 ///< why the newest work failed; empty: it did not
+  Doing doing_ = Doing::kNothing;  ///< the latest work, running or ended
+  bool read_again_ = false;        ///< tables were chosen while other work had to end
+  QString failed_;                 ///< error of the latest work; empty: none
   QString said_;
   TablePicker* picker_;
   LearningPages* pages_;
   QPushButton *train_, *export_button_, *model_button_;
   LearningExport export_;
-  Job job_;  ///< last: ends before what it reports to
+  Job job_;  ///< last member: destroyed before the members it reports to
 };
 
 }  // namespace capstan::widgets

@@ -12,7 +12,7 @@ learning::LearningOptions LearningSettings::towards(learning::StreamKind stream)
 
 TrainedCorrection trainCorrection(const learning::LearningStages& stages, const LearningSettings& settings,
                                   base::Progress& progress) {
-  constexpr double kEvaluated = 0.5;  // of the time
+  constexpr double kEvaluated = 0.5;  // share of the evaluation in the progress
   const learning::LearningOptions options = settings.towards(stages.towards);
   learning::HeldOutEvaluation evaluation =
       evaluateHeldOut(stages, options, settings.hold_out, &progress, {0.0, kEvaluated, "evaluating"});

@@ -11,10 +11,10 @@
 
 namespace capstan::widgets {
 
-/// How is learned and evaluated: the same of every figure and table of the panel. Defaults are those of
+/// Settings of learning and evaluation, common to all figures and tables of the panel. Defaults are those of
 /// capstan-cli learn.
 struct LearningSettings {
-  learning::LearningOptions learning;  ///< towards: as the choice of tables says
+  learning::LearningOptions learning;  ///< options of learning; LearningChoice sets `towards`
   learning::HoldOut hold_out;
 
   learning::LearningOptions towards(learning::StreamKind stream) const;
@@ -22,29 +22,29 @@ struct LearningSettings {
   learning::LearningCurveOptions curve() const;
 };
 
-/// What there is so far; null: not yet.
+/// Results so far; null: not computed yet.
 struct LearningResults {
   std::shared_ptr<const learning::LearningStages> stages;
-  std::shared_ptr<const learning::LearningReport> learned;  ///< from all trajectories: what is saved
+  std::shared_ptr<const learning::LearningReport> learned;  ///< trained on all trajectories; this is saved
   std::shared_ptr<const learning::HeldOutEvaluation> evaluation;
   std::shared_ptr<const learning::CorrectionStudyReport> study;
   std::shared_ptr<const learning::LearningCurve> curve;
-  int splits = 0;  ///< of the study
+  int splits = 0;  ///< number of splits of the study
 };
 
-/// What training leaves.
+/// Result of training.
 struct TrainedCorrection {
   learning::LearningReport learned;
   learning::HeldOutEvaluation evaluation;
 };
 
-/// Evaluates on trajectories held out, and learns a model from all. base::InputError as evaluateHeldOut() and
-/// learnPrepared().
+/// Evaluates on held-out trajectories, and trains a model on all trajectories. Throws base::InputError as
+/// evaluateHeldOut() and learnPrepared().
 TrainedCorrection trainCorrection(const learning::LearningStages& stages, const LearningSettings& settings,
                                   base::Progress& progress);
 
-/// Reads the tables and goes through all stages up to the rigid offset, in the background. base::InputError
-/// as readPoseTables() and learningStages().
+/// Reads the tables and runs all stages up to the rigid offset, in the background. Throws base::InputError as
+/// readPoseTables() and learningStages().
 learning::LearningStages readStages(const LearningChoice& choice, const LearningSettings& settings,
                                     base::Progress& progress);
 

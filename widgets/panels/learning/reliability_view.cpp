@@ -12,7 +12,7 @@ ReliabilityView::ReliabilityView(QWidget* parent) : LearningView(parent) {
   column->setContentsMargins(0, 6, 0, 0);
   column->addWidget(sheet_ = new FigureSheet, 1);
   sheet_->setEmptyWords(
-      tr("Whether errors are as large as the correction says, once it is trained: press Train (F5)"));
+      tr("Reliability of the stated errors, once a correction is trained: press Train (F5)"));
 }
 
 void ReliabilityView::setTheme(const Theme& theme) { sheet_->setTheme(theme); }

@@ -6,7 +6,7 @@ namespace capstan::widgets {
 
 class FigureSheet;
 
-/// Whether the correction is off by as much as it says, on trajectories held out.
+/// Reliability of the stated uncertainty of the correction, on held-out trajectories.
 class ReliabilityView : public LearningView {
   Q_OBJECT
  public:

@@ -28,7 +28,7 @@ QString degrees(double radians, int decimals = 1) {
   return withMinus(QString::number(base::toDegrees(radians), 'f', decimals)) + QStringLiteral("°");
 }
 
-/// A line for each reason that something was excluded for, the commonest first.
+/// One line per reason of exclusion, the most frequent first.
 template <class Count>
 void addReasons(StageGroup& group, std::size_t all, const Count& count) {
   std::vector<std::pair<std::size_t, Reason>> found;
@@ -61,10 +61,10 @@ StageGroup pairing(const LearningStages& stages) {
             uncertainText(milli * stages.clock_offset.clock_offset, milli * stages.clock_offset.sigma) +
                 QStringLiteral(" ms"),
             std::nan(""), false,
-            tr("By which observations come behind commands: difference of the clocks and delay of the "
-               "robot together; σ from trajectory to trajectory")},
+            tr("Delay of observations behind commands: clock offset plus delay of the robot; σ over "
+               "trajectories")},
            {tr("states: observations with a commanded pose"), countText(stages.states.size())},
-           {tr("observations without it"), countText(stages.unpaired)}}};
+           {tr("observations without a commanded pose"), countText(stages.unpaired)}}};
 }
 
 StageGroup velocities(const LearningStages& stages) {
@@ -82,7 +82,7 @@ StageGroup velocities(const LearningStages& stages) {
 StageGroup cleaning(const LearningStages& stages) {
   const std::size_t all = stages.states.size(), kept = stages.cleaning.kept();
   StageGroup group{tr("4  Cleaning"), {}};
-  group.rows.push_back({QObject::tr("states that count, of %1").arg(countText(all)), countText(kept),
+  group.rows.push_back({QObject::tr("accepted states, of %1").arg(countText(all)), countText(kept),
                         static_cast<double>(kept) / static_cast<double>(std::max<std::size_t>(all, 1))});
   addReasons(group, all, [&](Reason reason) { return stages.cleaning.count(reason); });
   const auto whole = static_cast<std::size_t>(
@@ -111,7 +111,7 @@ StageGroup rigidOffset(const LearningStages& stages) {
             degrees(stages.before.median_angle).chopped(1) + arrow + degrees(stages.after.median_angle)}}};
 }
 
-/// As PoseFeatures::of() has them.
+/// Names of the features, in the order of PoseFeatures::of().
 QString featureName(std::size_t feature) {
   static constexpr std::array kNames = {"x", "y", "z", "rx", "ry", "rz", "vx", "vy", "vz", "ωx", "ωy", "ωz"};
   if (feature < kNames.size()) return QString::fromUtf8(kNames[feature]);
@@ -121,7 +121,7 @@ QString featureName(std::size_t feature) {
       .arg(learning::kSpans[drift / 6]);
 }
 
-/// Features whose length-scales are shortest: what a correction depends on most.
+/// Features with the shortest length-scales: those that a correction depends on most.
 QString sharpest(const learning::KernelParameters& parameters) {
   std::vector<std::pair<double, std::size_t>> lengths;
   for (Eigen::Index i = 0; i < parameters.ln_length.size(); ++i)
@@ -135,7 +135,7 @@ QString sharpest(const learning::KernelParameters& parameters) {
   return parts.join(QStringLiteral(" · "));
 }
 
-/// In the middle of a committee's, by their logarithms.
+/// Parameters of a committee: geometric mean over its members.
 learning::KernelParameters middleOf(const learning::Committee& committee) {
   const auto& members = committee.members();
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(members.front().parameters().packed().size());
@@ -152,21 +152,21 @@ QString inducingWords(const learning::Committee& committee) {
 
 StageGroup process(const LearningReport& learned) {
   StageGroup group{tr("6  Gaussian process"), {}};
-  group.rows.push_back({tr("states learned from"), countText(learned.cleaning.kept())});
+  group.rows.push_back({tr("training states"), countText(learned.cleaning.kept())});
+  group.rows.push_back({tr("… that cleaning had rejected"), countText(learned.weighing.again.size()),
+                        std::nan(""), false,
+                        tr("States with the same error on several trajectories, for example where the robot "
+                           "does not follow its command. This error can be learned, so they are accepted "
+                           "again. States with random errors are not.")});
   group.rows.push_back(
-      {tr("… that cleaning had taken"), countText(learned.weighing.again.size()), std::nan(""), false,
-       tr("States out of place in the same way on several trajectories, where the robot does not "
-          "follow its command, say: they can be learned, and count again. What is wrong by chance does "
-          "not.")});
-  group.rows.push_back({tr("… down-weighted"), countText(learned.weighing.down_weighted), std::nan(""), false,
-                        tr("States that models of other trajectories contradict: an observation "
-                           "that jumps a little, a "
-                           "trajectory apart from the others. They count with noise of their own.")});
+      {tr("… down-weighted"), countText(learned.weighing.down_weighted), std::nan(""), false,
+       tr("States that contradict models of other trajectories: an observation with a small jump, or a "
+          "trajectory that differs from the others. They have a larger noise variance.")});
   const auto& processes = learned.model.processes();
   if (!processes.empty())
     group.rows.push_back({tr("inducing points"), inducingWords(processes[0]), std::nan(""), false,
-                          tr("Members of each committee, whose corrections are averaged, and the states of "
-                             "each that stand for all")});
+                          tr("Members of each committee, whose corrections are averaged, and number of "
+                             "inducing points of each")});
   static constexpr std::array kOutputs = {"x", "y", "z", "rx", "ry", "rz"};
   for (std::size_t k = 0; k < processes.size(); ++k) {
     const learning::KernelParameters p = middleOf(processes[k]);
@@ -176,18 +176,18 @@ StageGroup process(const LearningReport& learned) {
              .arg(QString::fromUtf8(kOutputs[k]),
                   ratio < kLargeRatio ? significantText(ratio, 2) : QStringLiteral("> %1").arg(kLargeRatio)),
          sharpest(p), std::nan(""), false,
-         tr("Standard deviations of the correction and of what it leaves to noise, in their ratio; and the "
-            "three features that the correction changes with soonest: position x y z, turn r, speed v, turn "
-            "rate ω, each with its length-scale in standard deviations of the feature")});
+         tr("Ratio of the standard deviations of correction and noise, and the three features with the "
+            "shortest length-scales: position x y z, rotation r, velocity v, angular velocity ω; "
+            "length-scales in standard deviations of the feature")});
   }
   return group;
 }
 
 StageGroup heldOut(const HeldOutEvaluation& evaluation) {
-  StageGroup group{QObject::tr("7  Errors on %1 trajectories held out").arg(evaluation.motions_held), {}};
-  group.rows.push_back({tr("distance, median: seen → offset → corrected"),
+  StageGroup group{QObject::tr("7  Errors on %1 held-out trajectories").arg(evaluation.motions_held), {}};
+  group.rows.push_back({tr("distance, median: observed → offset → corrected"),
                         medianWords(evaluation, true, false) + QStringLiteral(" mm")});
-  group.rows.push_back({tr("angle, median: seen → offset → corrected"),
+  group.rows.push_back({tr("angle, median: observed → offset → corrected"),
                         medianWords(evaluation, true, true) + QStringLiteral("°")});
   return group;
 }

@@ -6,13 +6,13 @@
 
 #include "widgets/panels/learning/learning_work.h"
 
-/// The stages of learning as lines of a table.
+/// One stage of learning as a line of a table.
 namespace capstan::widgets {
 
 struct StageRow {
   QString name, value;
-  double share = std::numeric_limits<double>::quiet_NaN();  ///< of the stage's rows or states; NaN: none
-  bool rejected = false;                                    ///< counts what was excluded
+  double share = std::numeric_limits<double>::quiet_NaN();  ///< share of the rows or states; NaN: none
+  bool rejected = false;                                    ///< the line counts excluded rows or states
   QString tip = {};
 };
 
@@ -21,7 +21,7 @@ struct StageGroup {
   std::vector<StageRow> rows;
 };
 
-/// Those that there are results of.
+/// The stages that have results.
 std::vector<StageGroup> stageGroups(const LearningResults& results);
 
 }  // namespace capstan::widgets

@@ -9,8 +9,8 @@ namespace capstan::widgets {
 
 class FigureSheet;
 
-/// Every stage with its numbers: what was excluded and why, lag, velocities, offset, process, errors. Beside
-/// them the misfit against the lag.
+/// Every stage of learning with its numbers: rejected data with reasons, lag, velocities, offset, process,
+/// errors. Beside them the misfit against the lag.
 class StagesView : public LearningView {
   Q_OBJECT
 
@@ -19,7 +19,7 @@ class StagesView : public LearningView {
 
   void setTheme(const Theme& theme) override;
   void showResults(const LearningResults& results) override;
-  /// "lag behind the command, ± σ | 87.2 ± 1.1 ms", line by line.
+  /// Rows as text: "lag behind the command, ± σ | 87.2 ± 1.1 ms".
   QStringList lines() const;
 
  protected:

@@ -34,8 +34,7 @@ TablePicker::TablePicker(QWidget* parent) : QWidget(parent), menu_(new QMenu(thi
   for (const StreamKind stream : {StreamKind::kCommand, StreamKind::kRobot})
     towards_->addItem(tr("towards the %1").arg(nameOf(stream)), static_cast<int>(stream));
   towards_->setToolTip(
-      tr("The command so that cameras see a pose: the command, or what the robot's "
-         "forward kinematics says"));
+      tr("Stream to correct towards: the command, or the pose from the robot's forward kinematics"));
   row->addWidget(tables_);
   row->addWidget(what_, 1);
   row->addWidget(towards_);

@@ -12,7 +12,7 @@ class QToolButton;
 
 namespace capstan::widgets {
 
-/// One line that chooses what is learned from: tables of tip poses, and the stream to correct towards.
+/// One line to choose the input of learning: tables of tip poses, and the stream to correct towards.
 class TablePicker : public QWidget {
   Q_OBJECT
 
@@ -21,9 +21,9 @@ class TablePicker : public QWidget {
 
   void setTheme(const Theme& theme);
   const LearningChoice& choice() const { return choice_; }
-  /// Shows `choice`, without a signal.
+  /// Shows `choice`; emits no signal.
   void setChoice(const LearningChoice& choice);
-  /// Asks for files beside the program's other windows.
+  /// Opens a non-modal file dialog.
   void askTables();
 
  signals:

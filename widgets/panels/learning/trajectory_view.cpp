@@ -20,7 +20,7 @@ enum Role { kSortRole = Qt::UserRole + 1, kMotionRole };
 constexpr double kPoints = 9.5;
 constexpr int kBeside = 760, kList = 300;  ///< [px]
 
-/// Sorted by what its cells mean, not by how they are written.
+/// List item that is sorted by the values of its cells, not by their texts.
 class TrajectoryItem : public QTreeWidgetItem {
  public:
   using QTreeWidgetItem::QTreeWidgetItem;
@@ -44,8 +44,8 @@ TrajectoryView::TrajectoryView(QWidget* parent) : LearningView(parent) {
   list_->setObjectName("trajectories");
   list_->setColumnCount(kColumns);
   list_->setHeaderLabels({tr("trajectory"), tr("states"), tr("rejected"), tr("held")});
-  list_->headerItem()->setToolTip(kRejected, tr("Share of its states that cleaning excludes"));
-  list_->headerItem()->setToolTip(kHeld, tr("Not learned from: its errors are those of new motions"));
+  list_->headerItem()->setToolTip(kRejected, tr("Share of the trajectory's states that cleaning rejects"));
+  list_->headerItem()->setToolTip(kHeld, tr("Held out of training: its errors are those of new motions"));
   list_->setRootIsDecorated(false);
   list_->setUniformRowHeights(true);
   list_->setFrameShape(QFrame::NoFrame);
@@ -142,7 +142,7 @@ void TrajectoryView::showEvent(QShowEvent* event) {
   if (stale_) draw();
 }
 
-/// The figure has what room there is: beside the list, or below it.
+/// Gives the figure the remaining room: beside the list, or below it.
 void TrajectoryView::resizeEvent(QResizeEvent* event) {
   LearningView::resizeEvent(event);
   const bool beside = width() >= kBeside;

@@ -11,8 +11,8 @@ namespace capstan::widgets {
 
 class FigureSheet;
 
-/// Trajectories with the share of each that was rejected, and the one chosen over time; Alt+Down and Alt+Up
-/// go through them.
+/// List of trajectories with the share of rejected states of each, and the selected one over time; Alt+Down
+/// and Alt+Up select the next and the previous.
 class TrajectoryView : public LearningView {
   Q_OBJECT
 
@@ -23,7 +23,7 @@ class TrajectoryView : public LearningView {
   void showResults(const LearningResults& results) override;
   QTreeWidget& list() { return *list_; }
   FigureSheet& sheet() { return *sheet_; }
-  /// The one chosen among stages.motions; −1: none.
+  /// Index of the selected trajectory in stages.motions; −1: none.
   int chosen() const;
 
  protected:
@@ -37,7 +37,7 @@ class TrajectoryView : public LearningView {
 
   Theme theme_ = Theme::dark();
   LearningResults results_;
-  bool stale_ = false;  ///< drawn when somebody looks
+  bool stale_ = false;  ///< the drawing is out of date; it is redrawn when the view is shown
   QSplitter* split_;
   QTreeWidget* list_;
   FigureSheet* sheet_;

@@ -97,7 +97,7 @@ void NotesPanel::addFile(double t, const QString& kind, const QString& path) {
   nameFile(item);
 }
 
-/// A name is one word, which no line break shortens.
+/// Shortens a file name, which is one word and cannot be wrapped.
 void NotesPanel::nameFile(QTreeWidgetItem* item) const {
   const QString path = item->data(kTime, kPathRole).toString();
   if (path.isEmpty()) return;

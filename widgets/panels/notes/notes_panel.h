@@ -11,28 +11,29 @@ class QTreeWidgetItem;
 
 namespace capstan::widgets {
 
-/// What happened in a session and what its user noted, newest last, and a line to write the next note.
+/// Events of a session and notes of its user, newest last, and a line to write a note.
 class NotesPanel : public QWidget {
   Q_OBJECT
 
  public:
-  static constexpr int kMostRows = 2000;  ///< the oldest make room
+  static constexpr int kMostRows = 2000;  ///< limit; the oldest rows are removed
 
   explicit NotesPanel(QWidget* parent = nullptr);
 
   void setTheme(const Theme& theme);
   void clear();
-  /// A row: session time [s], kind ("note", "recording", "registration", "occlusion", "fault") and text.
+  /// Adds a row: session time [s], kind ("note", "recording", "registration", "occlusion", "fault") and text.
   void addEvent(double t, const QString& kind, const QString& text);
-  /// A row about a file: its name, shortened in the middle where it does not fit, and its path as tool tip.
+  /// Adds a row about a file: its name, shortened in the middle where it does not fit, and its path as tool
+  /// tip.
   void addFile(double t, const QString& kind, const QString& path);
-  /// Notes are kept in a file only while recording; the line says which.
+  /// Sets whether a recording is running. Notes are saved only while recording; the line says which it is.
   void setRecording(bool recording);
-  /// Puts the keyboard into the line; Escape gives it back.
+  /// Moves the keyboard focus to the line; Escape moves it back.
   void beginNote();
 
   int rows() const;
-  /// One row as "time kind text".
+  /// Text of one row: "time kind text".
   QString row(int index) const;
   QLineEdit& line() { return *line_; }
 
@@ -51,8 +52,8 @@ class NotesPanel : public QWidget {
   Theme theme_ = Theme::dark();
   QTreeWidget* list_;
   QLineEdit* line_;
-  QTimer naming_;  ///< of files again, once the columns have their widths
-  QTimer scroll_;  ///< to the newest row, once however many came
+  QTimer naming_;  ///< shortens names of files again when the columns have their widths
+  QTimer scroll_;  ///< scrolls to the newest row, once for all rows added together
 };
 
 }  // namespace capstan::widgets

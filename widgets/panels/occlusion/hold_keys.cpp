@@ -12,7 +12,7 @@ namespace capstan::widgets {
 
 namespace {
 
-/// The main window, also of what stands in a floating dock.
+/// The main window of a widget, also for widgets in a floating dock.
 const QWidget* mainWindowOf(const QWidget& widget) {
   const QWidget* window = widget.window();
   while (qobject_cast<const QDockWidget*>(window) && window->parentWidget())

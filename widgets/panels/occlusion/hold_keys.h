@@ -9,27 +9,27 @@ class QWidget;
 
 namespace capstan::widgets {
 
-/// Turns presses and releases into a toggle with a momentary side: a short press stays, a long one ends with
-/// its release.
+/// Distinguishes short presses, which toggle, from long ones, which are undone at their release.
 class HoldToggle {
  public:
   static constexpr qint64 kHoldMilliseconds = 350;
 
   void press() { pressed_.start(); }
-  /// Whether the press that now ends was a hold.
+  /// Whether the press that ends now was a long one.
   bool wasHeld() const { return pressed_.isValid() && pressed_.elapsed() >= kHoldMilliseconds; }
 
  private:
   QElapsedTimer pressed_;
 };
 
-/// Single keys for a whole window and its floating docks, with press and release and without auto-repeat;
-/// silent while a text is being typed. No number holds them, so that number fields do not keep them.
+/// Single keys for a whole window and its floating docks, with press and release, without auto-repeat.
+/// Ignored while the user types text. The keys do not occur in numbers, so they also work while a number
+/// field has the focus.
 class HoldKeys : public QObject {
   Q_OBJECT
 
  public:
-  /// Listens in the window that holds `owner`.
+  /// Handles keys in the window that contains `owner`.
   explicit HoldKeys(QWidget* owner);
   void bind(int key, std::function<void(bool pressed)> action) { actions_[key] = std::move(action); }
 

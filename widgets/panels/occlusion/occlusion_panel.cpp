@@ -126,7 +126,7 @@ QString OcclusionPanel::reason() const {
   if (gate_ == tracking::Gate::kOpen)
     return tip_alone_ ? QString("The tip is seen.") : QString("The marker is seen in both images.");
   if (gate_ == tracking::Gate::kUnregistered)
-    return "not registered: the marker is seen, the cameras' place is unknown (Ctrl+R).";
+    return "not registered: the marker is seen, the cameras' pose is unknown (Ctrl+R).";
   QString why = text(gate_words_);
   if (tip_alone_) return why + ".";
   for (std::size_t side = 0; side < 2; ++side) {
@@ -223,7 +223,7 @@ void OcclusionPanel::set(std::array<bool, 2> blocked) {
 }
 
 void OcclusionPanel::markButtons() {
-  // Pressed by hand, or blocked in fact by the schedule: both show.
+  // A button shows both: pressed by hand, and actually blocked by the schedule.
   const std::array<bool, 2> shut = {hand_[0] || blocked_[0], hand_[1] || blocked_[1]};
   const std::array<bool, 3> on = {hand_[0], hand_[1], hand_[0] && hand_[1]};
   const std::array<bool, 3> lit = {shut[0], shut[1], shut[0] && shut[1]};

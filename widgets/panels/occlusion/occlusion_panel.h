@@ -19,9 +19,9 @@ namespace capstan::widgets {
 
 class OcclusionTimeline;
 
-/// Block the cameras by hand or by schedule, and see what the filter observes meanwhile.
-/// Left, right and both are toggles (keys L, K and B); held longer than a third of a second they block only
-/// as long.
+/// Blocks the cameras by hand or by schedule, and shows which measurements the filter uses meanwhile. The
+/// buttons left, right and both are toggles (keys L, K and B); a press longer than a third of a second blocks
+/// only until its release.
 class OcclusionPanel : public QWidget {
   Q_OBJECT
 
@@ -29,16 +29,16 @@ class OcclusionPanel : public QWidget {
   explicit OcclusionPanel(QWidget* parent = nullptr);
 
   void setTheme(const Theme& theme);
-  /// The observation line and the timeline's now.
+  /// Updates the observation line and the present time of the timeline.
   void showSnapshot(const tracking::Snapshot& snapshot);
-  /// What is blocked in fact, by hand or by schedule: marks the buttons.
+  /// Marks the buttons of cameras that are actually blocked, by hand or by schedule.
   void showBlocked(const std::array<bool, 2>& blocked);
-  /// Takes a schedule over without emitting it; for a restored session.
+  /// Sets the schedule without emitting a signal; for a restored session.
   void setSchedule(const live::OcclusionSchedule& schedule);
-  /// Another session begins at `t` [s], free: occlusion belongs to a session. `again`: it is the same one
-  /// from its beginning; block and schedule stay as they are set, the schedule restarts.
+  /// Another session begins at `t` [s], without occlusion. `again`: it is the same session from its
+  /// beginning; blocks by hand and schedule are kept, and the schedule restarts.
   void beginSession(double t, bool again);
-  /// Nothing to block: a recording without cameras, or none at all.
+  /// Sets whether there are cameras to block: false for a recording without cameras, or without a session.
   void setBlockable(bool blockable);
 
   const live::OcclusionSchedule& schedule() const { return schedule_; }
@@ -63,10 +63,10 @@ class OcclusionPanel : public QWidget {
   Theme theme_ = Theme::dark();
   std::array<QPushButton*, 3> buttons_{};
   std::array<HoldToggle, 3> holds_;
-  std::array<bool, 2> before_{};                    // of the press that is being held
-  std::array<bool, 2> hand_{};                      // set by hand
-  std::array<bool, 2> blocked_{};                   // in fact
-  std::array<bool, 3> marked_on_{}, marked_lit_{};  // as the buttons show it
+  std::array<bool, 2> before_{};                    // state before the present press
+  std::array<bool, 2> hand_{};                      // blocked by hand
+  std::array<bool, 2> blocked_{};                   // actually blocked
+  std::array<bool, 3> marked_on_{}, marked_lit_{};  // as shown by the buttons
   QButtonGroup* shares_ = nullptr;
   QDoubleSpinBox* interval_ = nullptr;
   OcclusionTimeline* timeline_ = nullptr;
@@ -77,7 +77,7 @@ class OcclusionPanel : public QWidget {
   live::OcclusionSchedule schedule_;
   tracking::Gate gate_ = tracking::Gate::kNoCamera;
   std::string_view gate_words_ = base::nameOf(gate_);
-  bool tip_alone_ = false;  // measured elsewhere, no pictures
+  bool tip_alone_ = false;  // the tip is measured externally, without images
   std::array<vision::MarkerFault, 2> faults_{};
   double t_ = 0.0;
 };

@@ -7,7 +7,8 @@ namespace capstan::widgets {
 
 namespace {
 constexpr int kAxisHeight = 16;
-constexpr double kTick = 4.0;  // [s]
+constexpr double kTick = 4.0;   // [s]
+constexpr double kSpan = 24.0;  // time shown [s], a quarter of it in the past
 }  // namespace
 
 OcclusionTimeline::OcclusionTimeline(QWidget* parent) : QWidget(parent) {
@@ -31,27 +32,22 @@ void OcclusionTimeline::setNow(double t) {
   update();
 }
 
-void OcclusionTimeline::setSpan(double seconds) {
-  span_ = seconds;
-  update();
-}
-
-double OcclusionTimeline::xOf(double t) const { return width() * ((t - now_) / span_ + 0.25); }
+double OcclusionTimeline::xOf(double t) const { return width() * ((t - now_) / kSpan + 0.25); }
 
 void OcclusionTimeline::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   const QRect band(0, 2, width(), height() - kAxisHeight - 2);
   painter.fillRect(band, theme_.surface);
   for (int x = 0; x < width(); ++x) {
-    const double t = now_ + span_ * ((x + 0.5) / width() - 0.25);
+    const double t = now_ + kSpan * ((x + 0.5) / width() - 0.25);
     if (t >= 0.0 && schedule_.blockedAt(t)) painter.fillRect(x, band.top(), 1, band.height(), theme_.warning);
   }
   painter.setPen(theme_.border);
   painter.drawRect(band.adjusted(0, 0, -1, -1));
   painter.setFont(numberFont(8.0));
   painter.setPen(theme_.muted);
-  const double first = std::ceil((now_ - 0.25 * span_) / kTick) * kTick;
-  for (double t = std::max(0.0, first); t < now_ + 0.75 * span_; t += kTick) {
+  const double first = std::ceil((now_ - 0.25 * kSpan) / kTick) * kTick;
+  for (double t = std::max(0.0, first); t < now_ + 0.75 * kSpan; t += kTick) {
     const int x = static_cast<int>(std::lround(xOf(t)));
     painter.drawLine(x, band.bottom(), x, band.bottom() + 3);
     if (x > 12 && x < width() - 14)

@@ -7,8 +7,8 @@
 
 namespace capstan::widgets {
 
-/// What the occlusion schedule brings: some seconds back and the rest ahead, blocked time shaded, "now" as a
-/// line.
+/// Timeline of the occlusion schedule: some seconds of the past and the time ahead, with blocked time shaded
+/// and the present as a line.
 class OcclusionTimeline : public QWidget {
   Q_OBJECT
 
@@ -18,9 +18,7 @@ class OcclusionTimeline : public QWidget {
   void setTheme(const Theme& theme);
   void setSchedule(const live::OcclusionSchedule& schedule);
   void setNow(double t);
-  /// Seconds shown, a quarter of them past.
-  void setSpan(double seconds);
-  /// Where the instant t lies [px].
+  /// Horizontal position of time t [px].
   double xOf(double t) const;
   QSize sizeHint() const override { return {200, 46}; }
   QSize minimumSizeHint() const override { return {120, 46}; }
@@ -32,7 +30,6 @@ class OcclusionTimeline : public QWidget {
   Theme theme_ = Theme::dark();
   live::OcclusionSchedule schedule_;
   double now_ = 0.0;
-  double span_ = 24.0;
 };
 
 }  // namespace capstan::widgets

@@ -68,11 +68,11 @@ void CollectPage::showGuide(const registration::RegistrationGuide& guide) {
   const bool refused = guide.step() == registration::RegistrationStep::kRefused;
   count_->setText(QString("%1 of %2 points used, %3 rejected, %4 frames seen")
                       .arg(scatter.used)
-                      .arg(guide.options().frames)
+                      .arg(registration::RegistrationGuide::kFrames)
                       .arg(scatter.outliers)
                       .arg(guide.framesSeen()));
-  progress_->setRange(0, guide.options().frames);
-  progress_->setValue(std::min(scatter.used, guide.options().frames));
+  progress_->setRange(0, registration::RegistrationGuide::kFrames);
+  progress_->setValue(std::min(scatter.used, registration::RegistrationGuide::kFrames));
   const Eigen::Vector3d mm = 1e3 * scatter.sigma;
   sigma_->setText(QString("σ of one point:  x %1  y %2  z %3 mm")
                       .arg(mm.x(), 6, 'f', 3)

@@ -13,8 +13,8 @@ class QPushButton;
 
 namespace capstan::widgets {
 
-/// Step 2: frames come in; their scatter, σ per axis, and each rejected point with its reason. Also what is
-/// shown when the collection was refused.
+/// Step 2: collects frames and shows their scatter, σ per axis, and each rejected point with its reason. It
+/// also shows why a collection was refused.
 class CollectPage : public QWidget {
   Q_OBJECT
 
@@ -22,7 +22,7 @@ class CollectPage : public QWidget {
   explicit CollectPage(QWidget* parent = nullptr);
   void setTheme(const Theme& theme);
   void showGuide(const registration::RegistrationGuide& guide);
-  /// No frame comes any more.
+  /// Sets whether the session has ended, so that no more frames arrive.
   void setEnded(bool ended);
   ScatterPlot& plot() { return *plot_; }
   QString refusal() const;

@@ -28,7 +28,7 @@ RegistrationPanel::RegistrationPanel(QWidget* parent) : QWidget(parent) {
   end_->setWordWrap(true);
   end_->setFont(textFont(12.0));
   ended_ = new QLabel(
-      "The session has ended: the arm cannot be driven and no frames come. Begin it again (Space).");
+      "The session has ended: the arm cannot be driven and no frames arrive. Begin it again (Space).");
   ended_->setWordWrap(true);
   ended_->hide();
   close_ = new QPushButton("Cancel");
@@ -87,9 +87,8 @@ void RegistrationPanel::setTheme(const Theme& theme) {
 }
 
 void RegistrationPanel::begin(const tracking::SourceInfo& source,
-                              const std::optional<Eigen::Isometry3d>& current,
-                              const registration::RegistrationOptions& options) {
-  guide_ = std::make_unique<registration::RegistrationGuide>(source.robot, options, source.rig);
+                              const std::optional<Eigen::Isometry3d>& current) {
+  guide_ = std::make_unique<registration::RegistrationGuide>(source.robot, source.rig);
   guide_->start(current);
   stop_->setDrivable(source.live);
   result_->setRig(source.robot, source.rig);

@@ -21,8 +21,8 @@ class ResultPage;
 class StepBar;
 class StopPage;
 
-/// The guided hard-stop registration: three steps over a registration::RegistrationGuide, beside the running
-/// window. The owner feeds it every snapshot with camera_updated and, for the overlay, frames.
+/// Guided hard-stop registration in three steps, by a registration::RegistrationGuide, during the running
+/// session. The owner passes it every snapshot with camera_updated and, for the overlay, frames.
 class RegistrationPanel : public QWidget {
   Q_OBJECT
 
@@ -31,14 +31,13 @@ class RegistrationPanel : public QWidget {
   ~RegistrationPanel() override;
 
   void setTheme(const Theme& theme);
-  /// Starts again for a source. `current` is the registration in use, or else the nominal mounting of the
-  /// cameras: its rotation is taken as known.
-  void begin(const tracking::SourceInfo& source, const std::optional<Eigen::Isometry3d>& current,
-             const registration::RegistrationOptions& options = {});
+  /// Starts again for a source. `current`: the registration in use, or else the nominal mounting of the
+  /// cameras; its rotation is assumed to be known.
+  void begin(const tracking::SourceInfo& source, const std::optional<Eigen::Isometry3d>& current);
   void showSnapshot(const tracking::Snapshot& snapshot);
   void showFrames(const cv::Mat& left, const cv::Mat& right, const tracking::Snapshot& snapshot);
 
-  /// The session has ended: no frame comes any more, and the arm cannot be driven.
+  /// Sets whether the session has ended, so that no more frames arrive and the arm cannot be moved.
   void setEnded(bool ended);
 
   bool active() const;
@@ -50,10 +49,10 @@ class RegistrationPanel : public QWidget {
 
  signals:
   void driveToHardStopRequested();
-  /// The user accepted: to be given to the pipeline and kept with the session.
+  /// The user accepted the registration; the owner passes it to the pipeline and stores it with the session.
   void accepted(const Eigen::Isometry3d& base_from_camera, const QString& summary);
   void rejected(const QString& reason);
-  /// Cancelled, or closed after the decision: the panel may be hidden.
+  /// The user cancelled, or closed the panel after the decision: the panel may be hidden.
   void finished();
 
  private:

@@ -95,7 +95,7 @@ void ResultPage::showGuide(const registration::RegistrationGuide& guide) {
   QStringList lines = {QString("%1%2%3%4").arg("", 22).arg("x", 10).arg("y", 10).arg("z", 10),
                        row("base_from_camera", new_->translation(), ""),
                        row("at the tool, 95 %", proposal->half_width, "±")};
-  if (old_) lines << row("moves the seen tip by", proposal->shift, "");
+  if (old_) lines << row("moves observed tip by", proposal->shift, "");
   numbers_->setText(lines.join('\n'));
   note_->setText(
       QString(

@@ -18,8 +18,8 @@ namespace capstan::widgets {
 
 class StereoView;
 
-/// Step 3: the new translation with its ±, what it changes, and the arm as both registrations project it over
-/// the images. Accept, redo, or reject with a reason.
+/// Step 3: the new translation with its ±, the change by it, and the arm as projected over the images by the
+/// old and the new registration. Accept, redo, or reject with a reason.
 class ResultPage : public QWidget {
   Q_OBJECT
 
@@ -29,7 +29,7 @@ class ResultPage : public QWidget {
   void setTheme(const Theme& theme);
   void setRig(const robot::Description& robot, const std::optional<vision::StereoRig>& rig);
   void showGuide(const registration::RegistrationGuide& guide);
-  /// No frame comes any more: nothing can be collected again.
+  /// Sets whether the session has ended, so that nothing can be collected again.
   void setEnded(bool ended);
   void showFrames(const cv::Mat& left, const cv::Mat& right, const tracking::Snapshot& snapshot);
   StereoView& pictures() { return *frames_; }

@@ -95,7 +95,8 @@ void ScatterPlot::showGuide(const registration::RegistrationGuide& guide) {
   ellipse_->setVisible(scatter.used > 2);
   ellipse_->topLeft->setCoords(mean.x() - 2 * sigma.x(), mean.y() - 2 * sigma.y());
   ellipse_->bottomRight->setCoords(mean.x() + 2 * sigma.x(), mean.y() + 2 * sigma.y());
-  depth_frames_ = std::max(guide.options().frames, static_cast<int>(guide.points().size())) + 1;
+  depth_frames_ =
+      std::max(registration::RegistrationGuide::kFrames, static_cast<int>(guide.points().size())) + 1;
   for (const double side : {-1.0, 1.0}) {
     auto* line = side < 0 ? depth_low_ : depth_high_;
     line->setVisible(scatter.used > 2);

@@ -13,8 +13,8 @@ class QCustomPlot;
 
 namespace capstan::widgets {
 
-/// Triangulated points about their median, camera axes, mm: x–y with its 2σ ellipse, and z over the frames.
-/// Rejected points are crosses in the fault colour.
+/// Triangulated points relative to their median in camera axes [mm]: x–y with its 2σ ellipse, and z against
+/// the frame number. Rejected points are crosses in the fault colour.
 class ScatterPlot : public QWidget {
   Q_OBJECT
 
@@ -22,7 +22,7 @@ class ScatterPlot : public QWidget {
   explicit ScatterPlot(QWidget* parent = nullptr);
   void setTheme(const Theme& theme);
   void showGuide(const registration::RegistrationGuide& guide);
-  /// Points drawn as used and as rejected, for tests.
+  /// Number of points drawn as used, and as rejected; for tests.
   int usedShown() const;
   int outliersShown() const;
   QCustomPlot& across() { return *across_; }
@@ -35,7 +35,7 @@ class ScatterPlot : public QWidget {
   void scaleAcross();
 
   QCustomPlot* across_;  // x–y
-  QCustomPlot* depth_;   // z over the frames
+  QCustomPlot* depth_;   // z against the frame number
   QCPGraph *used_, *rejected_, *depth_used_, *depth_rejected_;
   QCPItemEllipse* ellipse_;
   QCPItemLine *depth_low_, *depth_high_;

@@ -7,14 +7,14 @@
 
 namespace capstan::widgets {
 
-/// Numbered steps in a row, the current one lit, those done ticked.
+/// Numbered steps in a row: the current one is highlighted, finished ones have a tick.
 class StepBar : public QWidget {
   Q_OBJECT
 
  public:
   explicit StepBar(QStringList steps, QWidget* parent = nullptr);
   void setTheme(const Theme& theme);
-  /// Steps before `step` are done; `step` beyond the last: all are.
+  /// Sets the current step; those before it are finished. `step` beyond the last: all are finished.
   void setStep(int step);
   int step() const { return step_; }
   QSize sizeHint() const override { return {360, 34}; }

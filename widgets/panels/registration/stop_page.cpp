@@ -51,8 +51,7 @@ StopPage::StopPage(QWidget* parent) : QWidget(parent) {
   state_ = new QLabel;
   state_->setFont(textFont(10.5, true));
   grid->addWidget(state_, 6, 0, 1, 5);
-  override_ =
-      new QCheckBox("The arm stands at a known place: use the encoders although it is not at the stop");
+  override_ = new QCheckBox("The arm is at a known pose: use the encoders although it is not at the stop");
   grid->addWidget(override_, 7, 0, 1, 5);
   drive_ = new QPushButton("Drive to the hard stop");
   collect_ = new QPushButton("Collect frames");
@@ -77,14 +76,11 @@ void StopPage::setDrivable(bool drivable) {
   override_->setVisible(!drivable);
   override_->setChecked(false);
   advice_->setText(
-      drivable
-          ? "At the hard stop the encoders are exact, so the marker's position in the robot's frame is "
-            "known. "
-            "Drive the arm there and let it come to rest observable of both cameras."
-          : "At the hard stop the encoders are exact, so the marker's position in the robot's frame is "
-            "known. "
-            "Move the arm against its stops by hand (in a recording: play to where it is) and let it rest "
-            "observable of both cameras.");
+      drivable ? "At the hard stop the encoders are exact, so the marker's position in the robot's frame is "
+                 "known. Drive the arm there and let it come to rest in view of both cameras."
+               : "At the hard stop the encoders are exact, so the marker's position in the robot's frame is "
+                 "known. Move the arm against its stops by hand (in a recording: play to where it is there) "
+                 "and let it rest in view of both cameras.");
 }
 
 void StopPage::setEnded(bool ended) {
@@ -107,15 +103,16 @@ void StopPage::showGuide(const registration::RegistrationGuide& guide) {
                                     ? QString("color:%1; font-weight:bold;").arg(theme_.text.name())
                                     : QString("color:%1;").arg(theme_.muted.name()));
   }
-  const double wanted = registration::RegistrationOptions::kRestTime;
+  const double wanted = registration::RegistrationGuide::kRestTime;
   rest_->setRange(0, 100);
   rest_->setValue(static_cast<int>(100.0 * std::clamp(arrival.rest / wanted, 0.0, 1.0)));
   const bool can = guide.canCollect();
   const bool near = arrival.near[0] && arrival.near[1] && arrival.near[2];
   state_->setText(arrival.arrived ? "Arrived: at rest at the hard stop."
                   : near          ? QString("At the stop, waiting for %1 s of rest.").arg(wanted)
-                  : can ? QString("At rest, %1.").arg("not at the stop: the encoders' error there counts")
-                        : QString("Not at the hard stop yet."));
+                  : can
+                      ? QString("At rest, %1.").arg("not at the stop: the encoders' error adds to the result")
+                      : QString("Not at the hard stop yet."));
   collect_->setEnabled(can && !ended_);
 }
 

@@ -13,18 +13,17 @@ class QPushButton;
 
 namespace capstan::widgets {
 
-/// Step 1: the arm goes to its hard stop; each joint's distance from it, and how long the arm has been at
-/// rest.
+/// Step 1: the arm moves to its hard stop; shows each joint's distance from it, and the time at rest.
 class StopPage : public QWidget {
   Q_OBJECT
 
  public:
   explicit StopPage(QWidget* parent = nullptr);
   void setTheme(const Theme& theme);
-  /// A source that can be commanded gets a button; others are moved by hand, and their user may vouch for the
-  /// place.
+  /// Sets whether the source can be commanded. If so there is a button; otherwise the user moves the arm by
+  /// hand and may confirm that it is at the hard stop.
   void setDrivable(bool drivable);
-  /// Nothing moves and no frame comes any more.
+  /// Sets whether the session has ended, so that nothing moves and no more frames arrive.
   void setEnded(bool ended);
   void showGuide(const registration::RegistrationGuide& guide);
 

@@ -17,10 +17,10 @@ using live::RunState;
 using recording::RecorderState;
 using tracking::Gate;
 
-constexpr double kBehind = 0.9;        ///< of the requested speed; less is said
-constexpr qint64 kDiskPeriod = 10000;  ///< between looks at the disk [ms]
+constexpr double kBehind = 0.9;        ///< below this share of the requested speed a warning is shown
+constexpr qint64 kDiskPeriod = 10000;  ///< period of checking the disk [ms]
 
-constexpr double kSoonFull = 300.0;  ///< until the reserve is reached; less is a warning [s]
+constexpr double kSoonFull = 300.0;  ///< warning if the reserve is reached in less time [s]
 
 QString sizeText(std::uint64_t bytes) { return QString::fromStdString(recording::sizeText(bytes)); }
 
@@ -95,8 +95,7 @@ void StatusLine::setFolder(const QString& folder) {
 
 void StatusLine::setRobot(const QString& words, const QString& changes) {
   set(kRobot, words.isEmpty() ? QString() : tr("robot %1").arg(words));
-  labels_[kRobot]->setToolTip(changes.isEmpty() ? tr("The filter uses the robot that the source brings")
-                                                : changes);
+  labels_[kRobot]->setToolTip(changes.isEmpty() ? tr("The filter uses the source's own robot") : changes);
 }
 
 void StatusLine::setSource(const QString& source) { set(kSource, source); }
@@ -249,7 +248,7 @@ void StatusLine::showRecorder(const recording::RecorderStats& recorder, double r
     set(kRecording, tr("● REC %1").arg(clock), Tone::kWarning);
 }
 
-/// Cameras that somebody blocks; in a recording that is no part of it.
+/// Shows which cameras the user blocks; in a recording this is not part of the recorded data.
 void StatusLine::showOcclusion(const live::RunStatus& status) {
   QString what;
   if (status.occlusion.percentage > 0.0)
@@ -261,7 +260,7 @@ void StatusLine::showOcclusion(const live::RunStatus& status) {
   set(kOcclusion, status.occlusion_added ? tr("%1, added to the recording").arg(what) : what, Tone::kWarning);
 }
 
-/// Of the recording under way, else of the folder that the next one goes to.
+/// Shows the disk of the running recording, else of the folder for the next one.
 void StatusLine::showDisk(const recording::RecorderStats* recording) {
   if (recording) {
     disk_backlog_.invalidate();
@@ -282,9 +281,9 @@ void StatusLine::setDisk(const recording::DiskSpace& space, double time_left) {
   const bool full = space.free < space.reserve;
   const bool soon = time_left > 0.0 && time_left < kSoonFull;
   set(kDisk, text, full ? Tone::kFault : soon ? Tone::kWarning : Tone::kPlain);
-  labels_[kDisk]->setToolTip(tr("Free where recordings go: %1. A recording stops, whole, when only the "
-                                "reserve is free.")
-                                 .arg(folder_));
+  labels_[kDisk]->setToolTip(
+      tr("Free space for recordings in %1. A recording stops, complete, when only the reserve is free.")
+          .arg(folder_));
 }
 
 QString StatusLine::text() const {

@@ -16,9 +16,9 @@ class QToolButton;
 
 namespace capstan::widgets {
 
-/// One line about the session: the recording, robot, rates, lag, gate, occlusion, motor encoders that failed,
-/// consistency, rescues, recording, disk. A verdict that is not good carries the warning or fault colour and
-/// says it in a word. Where the window is too narrow, parts that ask for nothing are left to the tool tip.
+/// One line about the session: the recording, robot, rates, lag, gate, occlusion, failed motor encoders,
+/// consistency, rescues, recording, disk. A state that is not good has the warning or fault colour and a
+/// word. If the window is too narrow, parts that need no action are shown only in the tool tip.
 class StatusLine : public QWidget {
   Q_OBJECT
  public:
@@ -28,13 +28,14 @@ class StatusLine : public QWidget {
   void showSnapshot(const tracking::Snapshot& snapshot);
   void showStatus(const live::RunStatus& status, double recorded_seconds);
   void clear();
-  /// Which robot the filter takes the arm for; `changes`: what it has other than the robot file.
+  /// Sets the robot that the filter uses; `changes`: its differences from the robot file.
   void setRobot(const QString& words, const QString& changes);
-  /// What is replayed, as "recording trial.capstan"; empty for a simulation.
+  /// Sets the name of the replayed source, as "recording trial.capstan"; empty for a simulation.
   void setSource(const QString& source);
-  /// What a button beside the NIS offers while it fails, or while the filter carries a transmission error.
+  /// Sets the actions of a button beside the NIS. It is shown while the NIS is too high or the filter
+  /// estimates a transmission error.
   void setRemedies(const QList<QAction*>& remedies);
-  /// Whose disk is shown: the folder of recordings.
+  /// Sets the folder of recordings, whose disk space is shown.
   void setFolder(const QString& folder);
   /// The whole line, parts joined by " · ".
   QString text() const;
@@ -74,18 +75,18 @@ class StatusLine : public QWidget {
 
   Theme theme_ = Theme::dark();
   std::array<QLabel*, kParts> labels_{};
-  std::array<QLabel*, kParts> dots_{};  ///< before each part but the first that is seen
+  std::array<QLabel*, kParts> dots_{};  ///< dot before each visible part but the first
   std::array<Tone, kParts> tones_{};
   QToolButton* remedies_;
   QString folder_;
-  bool tips_ = false;  ///< the camera samples are tips, not pictures
+  bool tips_ = false;  ///< the camera samples are tip positions, not images
   QElapsedTimer disk_backlog_;
 };
 
-/// "lost", "frozen" or "failed", as of an encoder.
+/// Word for a fault of an encoder: "lost", "frozen" or "failed".
 QString faultWords(tracking::MotorFault fault);
 
-/// Minutes and seconds as 03:12, or 1:03:12 from an hour on.
+/// Time as minutes and seconds, 03:12, or 1:03:12 from one hour on.
 QString clockText(double seconds);
 
 }  // namespace capstan::widgets

@@ -10,7 +10,7 @@ class QVBoxLayout;
 
 namespace capstan::widgets {
 
-/// Room for one figure, or for the words that say what would be there.
+/// Area for one figure, or for a text while there is none.
 class FigureSheet : public QWidget {
   Q_OBJECT
 
@@ -18,7 +18,7 @@ class FigureSheet : public QWidget {
   explicit FigureSheet(QWidget* parent = nullptr);
 
   void setTheme(const Theme& theme);
-  /// Null: none.
+  /// Shows `figure`; null: none.
   void setFigure(std::unique_ptr<PanelFigure> figure);
   void setEmptyWords(const QString& words);
   PanelFigure* figure() const { return figure_; }

@@ -13,9 +13,9 @@ class QVBoxLayout;
 
 namespace capstan::widgets {
 
-/// What panels share that work in the background: a picker beside the button that begins, a headline with its
-/// summary, the body, and below it words about what was done, progress, and buttons for what came of it. F5
-/// begins, Esc cancels, keys act as their buttons do: only where these are shown and enabled.
+/// Base class of panels with background work: a picker beside the button that starts the work, a headline
+/// with a summary, the body, and below it a message, the progress, and buttons for the results. F5 starts,
+/// Esc cancels. A key acts as its button: only while the button is shown and enabled.
 class WorkPanel : public QWidget {
   Q_OBJECT
 
@@ -32,7 +32,7 @@ class WorkPanel : public QWidget {
 
   QPushButton* button(const QString& name, const QString& words, const QString& tip,
                       std::function<void()> pressed);
-  /// From the top to the bottom, each once.
+  /// Add the parts from top to bottom; call each once.
   void addHead(QWidget* picker, QPushButton* begin, const QString& accessible_name);
   void addBody(QWidget* body);
   void addFoot(const std::vector<QPushButton*>& buttons, const QString& accessible_name);
@@ -41,9 +41,9 @@ class WorkPanel : public QWidget {
   void addKey(const QString& sequence, QPushButton* pressed);
 
   void styleWords(const Theme& theme);
-  /// The body is shown where there is something in it.
+  /// Shows headline and summary, and the body if `body`.
   void showHead(const QString& headline, const QString& summary, bool body);
-  /// Nothing where they are empty.
+  /// Shows a message; empty: none.
   void showWords(const QString& words, const QString& tip = {});
   void showProgress(bool shown);
   void beginProgress(const QString& doing);
@@ -53,7 +53,7 @@ class WorkPanel : public QWidget {
   QVBoxLayout* column_;
   QPushButton* begin_ = nullptr;
   QLabel *headline_, *summary_, *words_;
-  QWidget *body_ = nullptr, *rest_;  ///< `rest_` takes the body's room while there is nothing in it
+  QWidget *body_ = nullptr, *rest_;  ///< `rest_` fills the body's room while it is hidden
   QProgressBar* progress_;
 };
 
