@@ -52,6 +52,7 @@ std::string commanded(const char* name, std::string_view words) {
 std::string causeBlock(const Cause& cause) {
   std::string text = wrapped(diagnosis::causeText(cause));
   text += wrapped(fmt::format("probability {:.0f} %", 100.0 * cause.probability), 2);
+  if (!cause.moves.joints.empty()) text += wrapped(diagnosis::movesText(cause), 2);
   if (!cause.gain.channel.empty()) text += wrapped(diagnosis::gainText(cause.gain), 2);
   if (const diagnosis::HypothesisWords* words = diagnosis::wordsOf(cause.effect))
     text += commanded("what it is", words->what) + commanded("shown best by", words->experiment);
@@ -76,6 +77,14 @@ std::string causesText(const Report& report) {
     if (!tie.separate.empty()) text += wrapped("What would distinguish them: " + tie.separate) + "\n";
   }
   return text;
+}
+
+std::string alsoMeasurableText(const Report& report) {
+  if (report.also_measurable.empty()) return {};
+  std::string text = fmt::format("Also measurable, below the tolerance of {}:\n", formatTolerance(report.material));
+  for (const Cause& cause : report.also_measurable)
+    text += wrapped(diagnosis::causeText(cause) + "; " + diagnosis::movesText(cause), 2);
+  return text + "\n";
 }
 
 std::string unexplainedText(const Report& report) {
@@ -123,8 +132,11 @@ std::string plainText(const base::Table& table) {
 std::string textOf(const Report& report) {
   std::string text = report.cancelled
                          ? "Cancelled: no verdict. Results until then:\n\n"
-                         : wrapped(report.summary) + "\n" + causesText(report) + unexplainedText(report);
+                         : wrapped(report.summary) + "\n" + causesText(report) + alsoMeasurableText(report) +
+                               unexplainedText(report);
   if (!report.channels.empty()) text += plainText(diagnosis::channelTable(report)) + "\n";
+  if (!report.explainable.empty()) text += plainText(diagnosis::explainableTable(report)) + "\n";
+  if (report.posterior.size() > 1) text += plainText(diagnosis::posteriorTable(report, kRanked)) + "\n";
   if (!report.refit.empty()) text += plainText(diagnosis::refitTable(report)) + "\n";
   if (!report.candidates.empty()) text += plainText(diagnosis::rankingTable(report, kRanked)) + "\n";
   if (!report.filter.empty()) text += plainText(diagnosis::filterTable(report)) + "\n";

@@ -39,6 +39,8 @@ void checkPoseOptions(const DiagnoseArguments& arguments) {
     refuseOption("--skip-start", fmt::format("{}", arguments.skip_start),
                  "is for recordings that are simulated; poses are compared trajectory by trajectory",
                  "Leave it out");
+  if (!arguments.material.empty())
+    refuseOption("--material", arguments.material, "is for recordings that are simulated", "Leave it out");
   if (!arguments.zeros.empty())
     refuseOption("--zeros", arguments.zeros, "is for recordings with joint encoders; poses have none",
                  "Leave it out");
@@ -65,6 +67,8 @@ diagnosis::DiagnosisRequest requestOf(const DiagnoseArguments& arguments) {
   request.evidence.skip_start = arguments.skip_start;
   request.evidence.read_as = readAsOf(arguments.read_as);
   request.options = arguments.options;
+  if (!arguments.material.empty())
+    request.options.material = diagnosis::parseTolerance(arguments.material, "--material");
   if (const auto zeros = base::fromName<diagnosis::EncoderZeros>(arguments.zeros))
     request.options.zeros = *zeros;
   request.towards = base::fromName<diagnosis::PoseReference>(arguments.towards);

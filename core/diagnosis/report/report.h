@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/base/names.h"
+#include "core/diagnosis/report/tolerance.h"
 #include "core/diagnosis/residuals/residual.h"
 #include "core/diagnosis/residuals/residual_process.h"
 #include "core/diagnosis/residuals/signature.h"
@@ -38,7 +39,8 @@ struct Gain {
 <<<<<<< HEAD
 /// How far an effect moves something: simulated with it less simulated without it, over the recordings.
 struct Displacement {
-  double rms = 0.0, largest = 0.0;  ///< SI
+  double rms = 0.0, largest = 0.0;  ///< [m], of revolute joints [rad]
+  bool slides = false;              ///< true: of a prismatic joint or the tip
 };
 
 /// Displacement of each joint and of the tip by one effect.
@@ -47,16 +49,6 @@ struct Displacements {
   Displacement tip;                  ///< in frame 0, as cameras would see it [m]
 };
 
-/// Displacement from which on an effect is material: RMS, or a third of the largest.
-/// A lower tolerance lists more effects as causes; it never changes what is fitted.
-struct Tolerance {
-  double angle = 0.02 * 3.14159265358979323846 / 180.0;  ///< [rad]: four counts of the UKF paper's reference encoders
-  double length = 1e-5;                                  ///< [m]: two counts of its linear encoder (5 um)
-};
-
-=======
-/// Identified cause: an effect on one joint, with its parameters.
->>>>>>> main
 struct Cause {
   std::string effect;
   int joint = 0;  ///< joint, from 1; 0: the whole arm or a camera

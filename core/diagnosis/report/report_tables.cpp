@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "core/diagnosis/hypotheses/pose_hypotheses.h"
 #include "core/diagnosis/report/shown.h"
@@ -82,6 +83,23 @@ std::string gainText(const Gain& gain) {
           fmt::format(" (95 %: {:.1f} to {:.1f} %)", 100.0 * gain.interval.low, 100.0 * gain.interval.high);
   }
   return text + ", on data that were not fitted";
+}
+
+std::string movesText(const Cause& cause) {
+  constexpr double kNamed = 0.1;  // of the joint that moves most: others are not named
+  const Displacements& moves = cause.moves;
+  const auto one = [](const std::string& what, const Displacement& moved, const char* unit) {
+    return fmt::format("{} by {} RMS (largest {})", what, shownNumber(moved.rms, 0.0, unit),
+                       shownNumber(moved.largest, 0.0, unit));
+  };
+  double most = 0.0;
+  for (const Displacement& joint : moves.joints) most = std::max(most, joint.rms);
+  std::vector<std::string> parts;
+  for (std::size_t j = 0; j < moves.joints.size(); ++j)
+    if (moves.joints[j].rms > kNamed * most)
+      parts.push_back(one(fmt::format("joint {}", j + 1), moves.joints[j], moves.joints[j].slides ? "m" : "rad"));
+  if (moves.tip.largest > 0.0) parts.push_back(one("the tip", moves.tip, "m"));
+  return parts.empty() ? std::string("moves nothing in these recordings") : fmt::format("moves {}", fmt::join(parts, ", "));
 }
 
 Table channelTable(const Report& report) {
@@ -184,6 +202,43 @@ Table filterTable(const Report& report) {
                           unit.scale * one.refitted, unit.scale * one.extended});
   }
   table.note = "RMS difference between the unscented Kalman filter's joint positions and the encoders.";
+  return table;
+}
+
+Table explainableTable(const Report& report) {
+  Table table;
+  table.title = "RMS residual on held-out data, beside regressions on the recordings' own signals";
+  table.columns = {text("channel"),
+                   number("refitted", "", 3, NumberStyle::kSignificant),
+                   number("with effects", "", 3, NumberStyle::kSignificant),
+                   number("least squares", "", 3, NumberStyle::kSignificant),
+                   number("Gaussian process", "", 3, NumberStyle::kSignificant),
+                   number("explained", "%", 0, NumberStyle::kFixed),
+                   text("the better regression")};
+  for (const Explainable& one : report.explainable) {
+    const ShownUnit unit = shownUnit(one.unit);
+    table.rows.push_back({one.channel + " [" + unit.unit + "]", unit.scale * one.refitted, unit.scale * one.named,
+                          unit.scale * one.linear, unit.scale * one.flexible, 100.0 * one.share, one.leans_on});
+  }
+  table.note =
+      "Explained: share of what can be explained from these signals. Least squares: on at most seven measured columns.";
+  return table;
+}
+
+Table posteriorTable(const Report& report, std::size_t most) {
+  Table table;
+  table.title = "Posterior probability of the sets of effects";
+  table.columns = {text("effects"), number("probability", "%", 1, NumberStyle::kFixed)};
+  double others = 1.0;
+  for (std::size_t k = 0; k < std::min(most, report.posterior.size()); ++k) {
+    std::vector<std::string> names;
+    for (const NamedEffect& one : report.posterior[k].effects)
+      names.push_back(fmt::format("{} ({})", titleOf(one.effect), shownJoint(one.effect, one.joint)));
+    table.rows.push_back({names.empty() ? std::string("none") : fmt::format("{}", fmt::join(names, " + ")),
+                          100.0 * report.posterior[k].probability});
+    others -= report.posterior[k].probability;
+  }
+  table.note = fmt::format("All other sets together: {:.1f} %.", 100.0 * std::max(0.0, others));
   return table;
 }
 

@@ -18,6 +18,10 @@ std::string causeText(const Cause& cause);
 /// were not fitted".
 std::string gainText(const Gain& gain);
 
+/// Displacement by a cause in one line: "moves joint 2 by 0.41 deg RMS (largest 0.93 deg), the tip by 1.9 mm RMS (largest 4.2 mm)".
+/// Joints that move by less than a tenth of the one that moves most are not named.
+std::string movesText(const Cause& cause);
+
 /// One row per channel: RMS of measured − simulated under the three models, the sensor's noise, the fit
 /// before and after, and the ratio of RMS after / before on held-out data with its 95 % interval. Columns of
 /// the extended model appear only with causes, and the recording only if there are several.
@@ -29,6 +33,11 @@ base::Table refitTable(const Report& report);
 base::Table rankingTable(const Report& report, std::size_t most = 12);
 /// RMS errors of the Kalman filter's joints with the three models; no rows if they were not requested.
 base::Table filterTable(const Report& report);
+/// One row per channel: RMS residual of the refitted model, of the model with its effects and of the regressions, and the share
+/// of what can be explained that the effects explain.
+base::Table explainableTable(const Report& report);
+/// The most probable sets of effects, at most `most`. The note gives the probability of all others.
+base::Table posteriorTable(const Report& report, std::size_t most = 12);
 /// Significant lines in the residual's spectrum.
 base::Table lineTable(const Report& report);
 /// Variables that the residual depends on, by its Gaussian process: the most relevant one, and all others

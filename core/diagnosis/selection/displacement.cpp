@@ -18,8 +18,8 @@ class Sum {
     squares_ += x * x, ++count_;
     largest_ = std::max(largest_, std::abs(x));
   }
-  Displacement displacement() const {
-    return {count_ > 0 ? std::sqrt(squares_ / static_cast<double>(count_)) : 0.0, largest_};
+  Displacement displacement(bool slides) const {
+    return {count_ > 0 ? std::sqrt(squares_ / static_cast<double>(count_)) : 0.0, largest_, slides};
   }
 
  private:
@@ -72,22 +72,19 @@ Displacements displacementsBy(const FitData& data, const Fit& fit, const EffectC
     addTip(chain, a, b, tip);
   }
   Displacements moves;
-  for (const Sum& joint : joints) moves.joints.push_back(joint.displacement());
-  moves.tip = tip.displacement();
+  for (std::size_t j = 0; j < joints.size(); ++j)
+    moves.joints.push_back(joints[j].displacement(robot.joints[j].type == robot::JointType::kPrismatic));
+  moves.tip = tip.displacement(true);
   return moves;
 }
 
-bool isMaterial(const Displacements& moves, const robot::Description& robot, const Tolerance& tolerance) {
-  const auto beyond = [](const Displacement& moved, double most) {
+bool isMaterial(const Displacements& moves, const Tolerance& tolerance) {
+  const auto beyond = [&](const Displacement& moved) {
+    const double most = moved.slides ? tolerance.length : tolerance.angle;
     return moved.rms > most || moved.largest > kPeak * most;
   };
-  bool moved = false;
-  for (std::size_t j = 0; j < moves.joints.size(); ++j) {
-    const bool slides = robot.joints[j].type == robot::JointType::kPrismatic;
-    if (beyond(moves.joints[j], slides ? tolerance.length : tolerance.angle)) return true;
-    moved = moved || moves.joints[j].largest > 0.0;
-  }
-  return !moved && beyond(moves.tip, tolerance.length);
+  const bool joints = std::ranges::any_of(moves.joints, [](const Displacement& moved) { return moved.largest > 0.0; });
+  return joints ? std::ranges::any_of(moves.joints, beyond) : beyond(moves.tip);
 }
 
 }  // namespace capstan::diagnosis

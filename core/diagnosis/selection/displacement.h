@@ -13,6 +13,6 @@ Displacements displacementsBy(const FitData& data, const Fit& fit, const EffectC
                               const robot::Description& robot);
 
 /// True if the effect moves a joint (or, where it moves no joint, the tip) by more than the tolerance.
-bool isMaterial(const Displacements& moves, const robot::Description& robot, const Tolerance& tolerance);
+bool isMaterial(const Displacements& moves, const Tolerance& tolerance);
 
 }  // namespace capstan::diagnosis

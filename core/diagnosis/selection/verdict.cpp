@@ -194,7 +194,7 @@ void judge(const FitData& data, const Selection& s, const robot::Description& ro
   report.posterior = s.posterior;
   for (const SelectedEffect& selected : s.effects) {
     Cause cause = causeOf(data, s, selected, covariance, robot);
-    const bool material = isMaterial(cause.moves, robot, report.material);
+    const bool material = isMaterial(cause.moves, report.material);
     (material ? report.causes : report.also_measurable).push_back(std::move(cause));
   }
   addTies(s, report);
