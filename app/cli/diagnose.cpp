@@ -9,7 +9,8 @@ namespace capstan::cli {
 void addDiagnose(CLI::App& app, ExitCode& exit) {
   auto arguments = std::make_shared<DiagnoseArguments>();
   CLI::App* command = app.add_subcommand(
-      "diagnose", "Find the errors of a robot's simulation, their causes, and the gain of modelling them");
+      "diagnose",
+      "Find where a robot model disagrees with recordings, the causes, and how much modelling them helps");
   command
       ->add_option(
           "REC", arguments->files,
@@ -22,7 +23,8 @@ void addDiagnose(CLI::App& app, ExitCode& exit) {
       ->delimiter(',');
   command
       ->add_option("--towards", arguments->towards,
-                   "for tip poses: reference of the cameras (default: kinematics, if the table has it)")
+                   "for tip poses: compare the observed poses with the robot's kinematics or with the commands\n"
+                   "(default: kinematics, if the table has it)")
       ->check(CLI::IsMember({"kinematics", "command"}));
   command
       ->add_option("--skip-start", arguments->skip_start,
@@ -46,7 +48,7 @@ void addDiagnose(CLI::App& app, ExitCode& exit) {
       ->capture_default_str();
   command->add_flag_callback(
       "--no-filter", [arguments] { arguments->options.filter = false; },
-      "do not compute the gain of the Kalman filter");
+      "do not compute how much the error of the Kalman filter falls with the extended robot");
   command->add_option("--out", arguments->out,
                       "extended robot file to write, for simulator, identification and filter");
   command->add_option("--report", arguments->report,

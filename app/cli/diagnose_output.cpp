@@ -81,7 +81,7 @@ std::string causesText(const Report& report) {
 
 std::string alsoMeasurableText(const Report& report) {
   if (report.also_measurable.empty()) return {};
-  std::string text = fmt::format("Also measurable, below the tolerance of {}:\n", formatTolerance(report.material));
+  std::string text = diagnosis::alsoMeasurableTitle(report) + ":\n";
   for (const Cause& cause : report.also_measurable)
     text += wrapped(diagnosis::causeText(cause) + "; " + diagnosis::movesText(cause), 2);
   return text + "\n";

@@ -28,7 +28,7 @@ void addCorrectionOptions(CLI::App& command, CorrectionExperimentArguments& argu
   const auto grouped = [](CLI::Option* option) { return option->group(kGroup); };
   grouped(command.add_option("POSES,--poses", options.poses, "tables of tip poses (.csv), for E and F"));
   grouped(command.add_option("--towards", arguments.towards,
-                             "stream that observed poses are compared with, for E and F"))
+                             "poses that the observed poses are compared with: commands or the robot's kinematics, for E and F"))
       ->capture_default_str()
       ->check(CLI::IsMember({"command", "robot"}));
   grouped(command.add_option("--splits", options.errors.splits,

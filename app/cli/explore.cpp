@@ -103,7 +103,8 @@ void addExplore(CLI::App& app, ExitCode& exit) {
           "output table: proposed poses as commands, best first, with standard deviations and confidence")
       ->required();
   command->footer(
-      "The stated uncertainty is that of a model that is retrained on all motions.\n"
+      "The printed uncertainty after each pose is that of a model retrained on all old and new motions;\n"
+      "a model that is extended with `learn --onto` improves less.\n"
       "Example: capstan-cli explore --model arm.correction --count 20 queries.csv");
   command->callback([arguments, &exit] { exit = run(*arguments); });
 }

@@ -141,7 +141,7 @@ void addFigures(CLI::App& app, ExitCode& exit) {
       "and Markdown. A figure whose panels would be lower than 10 mm is written as a page for each joint:\n"
       "NAME-page-1.pdf, NAME-page-2.pdf and so on. Only files of the same names are overwritten; nothing is\n"
       "deleted. Examples:\n"
-      "  capstan-cli figures results --out figures           (all that capstan-cli experiment left there)\n"
+      "  capstan-cli figures results --out figures           (everything that capstan-cli experiment wrote)\n"
       "  capstan-cli figures results --out column --size 88x90 --only boxplots,histograms\n"
       "  capstan-cli figures trial.capstan --out trial_figures");
   command->callback([arguments, &exit] { exit = figures(*arguments); });

@@ -278,7 +278,8 @@ void addIdentify(CLI::App& app, ExitCode& exit) {
   command
       ->add_option(
           "--parameters", arguments->parameters,
-          "parameters to identify, of r_l1…3, k_e1…3, b_e1…3, f_c1…3; r_l, k_e, b_e, f_c: of all joints")
+          "parameters to identify: r_l (pulley radius), k_e (cable stiffness), b_e (cable damping), f_c (Coulomb\n"
+          "friction) of all joints, or r_l1, k_e2, … of one joint")
       ->capture_default_str();
   command->add_option("--options", arguments->options,
                       "file of priors and goals (format: resources/identification/default.yaml)");
@@ -291,8 +292,8 @@ void addIdentify(CLI::App& app, ExitCode& exit) {
       "--out", arguments->out,
       "identified robot file to write; result of the batch method if it found one, else of the dual UKF");
   command->add_option("--tracking-out", arguments->tracking_out,
-                      "file for track --options to write, with the identified delay of the camera");
-  command->add_option("--trace", arguments->trace, "estimates of the dual UKF over time to write, as CSV");
+                      "file to write with the identified delay of the camera, for use with track --options");
+  command->add_option("--trace", arguments->trace, "CSV file to write with the estimates of the dual UKF over time");
   command->add_option("--held-out", arguments->drive.held_out,
                       "robot of one joint: recordings for evaluation only");
   command
@@ -306,8 +307,10 @@ void addIdentify(CLI::App& app, ExitCode& exit) {
   addSimulationOptions(*command, arguments->simulation);
   command->footer(
       "The observations are those of the cameras; joint encoders are not used. A robot of one joint is\n"
-      "different: it needs its measured load, its observation is the joint encoder, and its parameters are\n"
-      "r_l, k_c, a, b_e, f_c, f_v, tau_c, tau_v.\n"
+      "identified differently: the recording must contain the measured load, the joint encoder is the\n"
+      "observation, and the parameters are r_l, k_c (stiffness of the unstretched cable), a (exponent of the\n"
+      "cable), b_e, f_c and f_v (Coulomb and viscous friction of the joint), tau_c and tau_v (the same of\n"
+      "the motor).\n"
       "Examples:\n"
       "  capstan-cli identify trial.capstan --out my_robot.yaml\n"
       "  capstan-cli identify sinusoid.capstan --parameters r_l1 --method dual-ukf --trace r_l1.csv\n"

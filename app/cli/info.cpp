@@ -195,7 +195,9 @@ void addInfo(CLI::App& app, ExitCode& exit) {
   command->add_option("FILE", arguments->file, "session (.capstan), table (.csv) or robot file (.yaml)")
       ->required();
   addReadAs(*command, arguments->read_as);
-  command->add_option("--robot", arguments->robot, "robot file, for the units of tables and RAVEN-II logs");
+  command->add_option("--robot", arguments->robot,
+                      "robot file whose limits are used to check the units of a table or of a RAVEN-II log\n"
+                      "(default: the left RAVEN-II)");
   command->add_option("--json", arguments->json, "result as JSON: a file, or - for standard output");
   command->footer(
       "Examples:\n"

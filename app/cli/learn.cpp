@@ -134,7 +134,8 @@ void addLearn(CLI::App& app, ExitCode& exit) {
   CLI::App* command = app.add_subcommand("learn", "Learn a correction of commands from tip poses");
   command
       ->add_option("--train", arguments->train,
-                   "tables of tip poses (.csv with traj, t_cam_s, cam_x …, and the same of robot or cmd)")
+                   "tables of tip poses (.csv with traj, t_cam_s, cam_x …, and the same columns for robot or cmd:\n"
+                   "t_robot_s, robot_x … or t_cmd_s, cmd_x …)")
       ->required();
   command->add_option("--test", arguments->test,
                       "tables of other trajectories, on which errors are measured");
@@ -148,15 +149,16 @@ void addLearn(CLI::App& app, ExitCode& exit) {
   command
       ->add_option(
           "--method", arguments->method,
-          "offset: rigid offset only; the others add a Gaussian process. Its inputs are, none: the pose;\n"
-          "velocity: also its velocity; history: also the motion of the last 1.6 s; auto: velocity or\n"
-          "history, whichever has the smaller error on held-out trajectories")
+          "offset: rigid offset only. The other methods add a Gaussian process. none: its input is the pose\n"
+          "alone; velocity: pose and velocity; history: pose, velocity and the motion of the last 1.6 s;\n"
+          "auto: velocity or history, whichever has the smaller error on held-out trajectories")
       ->capture_default_str()
       ->check(CLI::IsMember({"auto", "offset", "none", "velocity", "history"}));
   command
       ->add_option(
           "--towards", arguments->towards,
-          "stream that the correction is learned for: commanded poses, or poses of the robot's kinematics")
+          "poses that the correction is learned for: commanded poses, or poses of the robot's kinematics\n"
+          "(`diagnose --towards` calls the latter kinematics)")
       ->capture_default_str()
       ->check(CLI::IsMember({"command", "robot"}));
   command->add_flag("--no-cleaning", arguments->no_cleaning,
@@ -182,15 +184,16 @@ void addLearn(CLI::App& app, ExitCode& exit) {
                    "number of inducing points of each member process")
       ->capture_default_str()
       ->check(CLI::Range(20, 20000));
-  command->add_option("--threads", arguments->options.correction.threads)
+  command->add_option("--threads", arguments->options.correction.threads, "number of worker threads")
       ->capture_default_str()
       ->check(CLI::Range(1, 64));
   command->add_option("--seed", arguments->options.correction.seed, "random seed")->capture_default_str();
   command->add_option("--model", arguments->model, "file to write")->required();
   CLI::Option* onto = command->add_option(
       "--onto", arguments->onto,
-      "model that the motions are added to, in seconds; its offset, kernels, scales and clock offset stay.\n"
-      "It gains little in regions without earlier data. Motions that contradict it are refused");
+      "existing model to add the training motions to, without retraining (takes a few seconds); its offset,\n"
+      "kernels, scales and clock offset stay. It improves little in regions without earlier data. Motions\n"
+      "that contradict the model are refused");
   for (const char* fixed : {"--method", "--towards", "--no-cleaning", "--no-weights", "--kernel",
                             "--no-alignment", "--members", "--inducing", "--threads", "--seed"})
     onto->excludes(command->get_option(fixed));

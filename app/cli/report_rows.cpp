@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <array>
 #include <cmath>
 #include <sstream>
 
 #include "app/cli/html_text.h"
 #include "app/cli/track_output.h"
-#include "core/base/units.h"
 #include "core/identification/live_text.h"
 #include "core/tracking/transmission_text.h"
 
@@ -21,11 +19,9 @@ using identification::Estimate;
 using tracking::TrackReport;
 
 constexpr const char* kLegend = "RMS error as kinematic / camera / UKF";
-constexpr std::array<const char*, 3> kUnits = {"deg", "deg", "mm"};
 
 double forPeople(const tracking::JointRms& rms, int joint) {
-  const double value = rms.value()(joint);
-  return joint == 2 ? base::toMillimetres(value) : base::toDegrees(value);
+  return tracking::forPeople(rms.value()(joint), joint);
 }
 
 std::string number(double value) { return std::isnan(value) ? "-" : fmt::format("{:.3f}", value); }
@@ -51,7 +47,8 @@ std::string comparison(const TrackReport& report, bool own_kinematics) {
                              const char* name) {
       if (forPeople(ukf, joint) > forPeople(input, joint))  // false without an input
         worse.push_back(fmt::format("q{} ({:.3f} {}, {} {:.3f})", joint + 1, forPeople(ukf, joint),
-                                    kUnits[static_cast<std::size_t>(joint)], name, forPeople(input, joint)));
+                                    tracking::kJointUnits[static_cast<std::size_t>(joint)], name,
+                                    forPeople(input, joint)));
     };
     compare(report.errors.ukf(), report.errors.kinematic(), "kinematics alone");
     compare(report.errors.ukfSeen(), report.errors.camera(), "the camera alone where it saw the tip");

@@ -112,9 +112,10 @@ ExitCode run(Options& options, const StudyArguments& arguments) {
 void addCramerRaoStudy(CLI::App& study, ExitCode& exit) {
   auto options = std::make_shared<Options>();
   auto arguments = std::make_shared<StudyArguments>();
-  CLI::App* command = study.add_subcommand("cramer-rao",
-                                           "The filter beside the posterior Cramér-Rao bound; measurement "
-                                           "noise R from pixels beside a constant R");
+  CLI::App* command =
+      study.add_subcommand("cramer-rao",
+                           "Compare the filter's error with the posterior Cramér-Rao bound, and a measurement "
+                           "noise R computed from the pixel noise with a constant R");
   CramerRaoOptions& bound = options->bound;
   command->add_option("--runs", bound.runs, "number of random trajectories of the filter's model")
       ->capture_default_str()
@@ -129,9 +130,12 @@ void addCramerRaoStudy(CLI::App& study, ExitCode& exit) {
       ->check(CLI::Range(1e-3, 10.0));
   command
       ->add_option("--truth", options->noise.truth,
-                   "truth of the robot in the comparison of R: default or a truth file")
+                   "true parameters of the simulated robot with which the two R are compared: default, or a truth\n"
+                   "file")
       ->capture_default_str();
-  command->add_option("--trials", options->noise.trials, "number of block transfers of that robot")
+  command
+      ->add_option("--trials", options->noise.trials,
+                   "number of simulated block transfers with which the two R are compared")
       ->capture_default_str()
       ->check(CLI::Range(1, 1000));
   command->add_option("--trial-duration", options->noise.duration, "duration of each block transfer [s]")

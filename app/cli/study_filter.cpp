@@ -90,8 +90,8 @@ void addFilterStudy(CLI::App& study, ExitCode& exit) {
   command->add_flag_callback(
       "--no-images", [options] { options->images = false; }, "simulate tip positions instead of images");
   command->add_flag("--disturbed", options->disturbed,
-                    "repeat each session with moved cameras, slipping motors and wrong constants "
-                    "(tip positions)");
+                    "repeat each session with moved cameras, slipping motors and wrong constants;\n"
+                    "tip positions are simulated instead of images");
   addStudyOptions(*command, *arguments, options->threads, "recordings");
   command->footer(
       "Examples:\n"

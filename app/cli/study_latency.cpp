@@ -59,7 +59,8 @@ void addLatencyStudy(CLI::App& study, ExitCode& exit) {
   auto arguments = std::make_shared<StudyArguments>();
   CLI::App* command = study.add_subcommand(
       "latency",
-      "The identified delay of the camera's clock, and the errors with and without its correction");
+      "Compare the identified delay of the camera's clock with the true one, and the errors with and without\n"
+      "its correction");
   command->add_option("--delays", options->delays, "true delays of the time stamps [s]")
       ->capture_default_str()
       ->check(CLI::Range(-0.2, 0.2));

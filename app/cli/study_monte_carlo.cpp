@@ -94,14 +94,16 @@ CLI::App* addNamed(CLI::App& study, const char* name, ExitCode& exit) {
       ->capture_default_str();
   command->add_option("--parameters", options->parameters, "parameters to identify, as in `identify`")
       ->capture_default_str();
-  command->add_option("--truth", options->truth, "truth file at the centre of the random robots")
+  command
+      ->add_option("--truth", options->truth,
+                   "truth file whose parameters are the centre of the distribution of random robots")
       ->check(CLI::ExistingFile);
   command->add_option("--pixel-sigma", options->pixel_sigma, "standard deviation of a marker's position [px]")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 10.0));
-  addStudyOptions(*command, *arguments, options->threads, "samples");
+  addStudyOptions(*command, *arguments, options->threads, "randomized robots");
   command->footer(
-      "A sample takes about half a minute on one core. Examples:\n"
+      "One random robot takes about half a minute on one core. Examples:\n"
       "  capstan-cli study monte-carlo --out samples    # continues where it was stopped\n"
       "  capstan-cli study monte-carlo --count 10 --duration 60");
   command->callback([options, arguments, &exit] { exit = run(*options, *arguments); });

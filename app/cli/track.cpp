@@ -176,7 +176,8 @@ void addTrack(CLI::App& app, ExitCode& exit) {
   addReadAs(*command, arguments->read_as);
   command->add_option(
       "--robot", arguments->robot,
-      "nominal robot file, of a simulation also that of the plant; a session contains its own");
+      "nominal robot file; with --simulate, the simulated robot is built from it too; a session contains its\n"
+      "own");
   command->add_option("--estimator-robot", arguments->estimator_robot,
                       "robot that the filter assumes, e.g. an identified robot; default: the nominal one");
   command->add_option(
@@ -184,8 +185,9 @@ void addTrack(CLI::App& app, ExitCode& exit) {
       "file of filter options (format: resources/tracking/default.yaml); a session contains its own");
   command
       ->add_option("--register", arguments->registration,
-                   "registration of the cameras: stored; hard-stop: from frames at rest there;\n"
-                   "kinematics: from the whole movement; or a file")
+                   "how the cameras are registered. stored: as in the recording; hard-stop: computed from images\n"
+                   "at rest at the hard stop; kinematics: fitted to the motors' kinematics over the whole\n"
+                   "movement; or a registration file")
       ->capture_default_str();
   command->add_option("--mounting", arguments->mounting,
                       "registration file with the known rotation for --register hard-stop");
@@ -198,7 +200,8 @@ void addTrack(CLI::App& app, ExitCode& exit) {
   command
       ->add_option(
           "--fail-motor", arguments->fail_motor,
-          "MOTOR@SECONDS[:frozen|lost]: failure of the encoder of motor 1, 2, 3 or all at a time; repeatable")
+          "MOTOR@SECONDS[:frozen|lost]: make the encoder of motor MOTOR (1, 2, 3 or all) fail at the time\n"
+          "SECONDS (default: frozen); repeatable")
       ->allow_extra_args(false);  // FILE may come next
   command
       ->add_option(

@@ -57,13 +57,6 @@ std::size_t charactersIn(const std::string& text) {
       text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
-std::string csvQuoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return out + "\"";
-}
-
 /// LaTeX source of a number such as "2.6e-09" as a power of ten.
 std::string latexNumber(const std::string& text) {
   const std::size_t e = text.find('e');
@@ -183,6 +176,13 @@ std::string latexOf(const Table& table, const std::string& label) {
   if (!table.note.empty())
     text += "  \\par\\smallskip\n  {\\footnotesize " + latexEscaped(table.note) + "}\n";
   return text + "\\end{table}\n";
+}
+
+std::string csvQuoted(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return out + "\"";
 }
 
 std::string csvOf(const Table& table) {

@@ -51,6 +51,8 @@ std::string markdownOf(const Table& table);
 std::string latexOf(const Table& table, const std::string& label = {});
 /// CSV text: a header line (`name [unit]`), one line per row, exact numbers, cells quoted as needed.
 std::string csvOf(const Table& table);
+/// `text` as a CSV cell (RFC 4180): quoted if it has a comma, a quote or a line end.
+std::string csvQuoted(const std::string& text);
 
 /// LaTeX source that prints `text` unchanged: LaTeX's special characters, and the UTF-8 characters in the
 /// tables of this program (–, ±, ·, ×, Greek letters, superscripts), become commands that every engine knows.

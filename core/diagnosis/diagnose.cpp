@@ -56,14 +56,19 @@ void check(const std::vector<Evidence>& recordings, const robot::Description& ro
           {"", 0, "only", name, "is the name of no hypothesis", "Choose one of the library"});
 }
 
+/// Nominal parameters come first in every model, in the same order.
 void addRefit(const FitData& data, const Selection& s, Report& report) {
   const Eigen::MatrixXd covariance = covarianceOf(data, s.best, s.weighting);
   const FitModel& model = s.best.model;
   for (int k = 0; k < model.baseSize(); ++k) {
     const FitParameter& p = model.parameters()[static_cast<std::size_t>(k)];
     const double u = s.best.u[k], value = p.value(u);
-    RefitNumber number{fmt::format("{} of joint {}", p.name, p.joint), p.unit, p.start, value,
-                       p.valueSigma(u, std::sqrt(covariance(k, k))),   false,  false};
+    RefitNumber number{.name = fmt::format("{} of joint {}", p.name, p.joint),
+                       .unit = p.unit,
+                       .nominal = p.start,
+                       .value = value,
+                       .sigma = p.valueSigma(u, std::sqrt(covariance(k, k))),
+                       .value_without = p.value(s.base.u[k])};
     number.at_bound = std::abs(u - p.u(p.low)) < kAtBound || std::abs(u - p.u(p.high)) < kAtBound;
     number.moved = std::abs(value - p.start) > kMoved * number.sigma;
     report.refit.push_back(std::move(number));

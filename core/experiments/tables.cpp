@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/base/units.h"
 #include "core/base/yaml.h"
 #include "core/experiments/identified.h"
 #include "core/experiments/trial_robots.h"
@@ -147,10 +146,6 @@ std::vector<TableCell> parameterRow(const IdentifiedParameter& p, const Publishe
 }
 
 }  // namespace
-
-double forPeople(double value, int joint) {
-  return joint == 2 ? base::toMillimetres(value) : base::toDegrees(value);
-}
 
 bool isPapers(const Results& results) {
   constexpr std::array kNames = {"A", "B", "C", "D"};

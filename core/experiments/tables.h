@@ -23,8 +23,7 @@ Improvement improvementOf(const std::vector<double>& before, const std::vector<d
 /// Improvement of joint 0…2 over the trials of `results` that have a reference [deg, deg, mm].
 Improvement improvementOf(const Results& results, Estimator before, Estimator after, int joint);
 
-/// Converts a value of `joint` from SI to deg, deg, mm.
-double forPeople(double value, int joint);
+using tracking::forPeople;
 /// Name and unit of a joint: "1 [deg]".
 std::string jointName(int joint);
 

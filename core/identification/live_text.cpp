@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/minus.h"
+#include "core/base/shown_number.h"
 
 namespace capstan::identification {
 namespace {
@@ -16,8 +16,7 @@ bool inKilonewtons(const Parameter& parameter) {
 
 /// Number of decimals that show two digits of `sigma`.
 int decimalsFor(double sigma) {
-  if (!(sigma > 0.0)) return 2;
-  return std::clamp(1 - static_cast<int>(std::floor(std::log10(sigma))), 0, 6);
+  return sigma > 0.0 ? std::clamp(base::significantDecimals(sigma, 2), 0, 6) : 2;
 }
 
 }  // namespace

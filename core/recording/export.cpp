@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/part_file.h"
+#include "core/base/table.h"
 #include "core/base/yaml.h"
 #include "core/recording/disk_space.h"
 #include "core/recording/schema.h"
@@ -21,14 +22,6 @@ namespace capstan::recording {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-/// Cell by RFC 4180: text with a comma, a quote or a line end is quoted.
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return out + '"';
-}
 
 std::string tableText(Database& database, const Table& table, base::Progress* progress) {
   std::string names;
@@ -44,7 +37,7 @@ std::string tableText(Database& database, const Table& table, base::Progress* pr
       if (rows.isReal(i))
         fmt::format_to(std::back_inserter(text), "{}", rows.real(i));
       else
-        text += quoted(rows.text(i));
+        text += base::csvQuoted(rows.text(i));
     }
     text += '\n';
   }

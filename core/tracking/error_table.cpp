@@ -5,8 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include "core/base/units.h"
-
 namespace capstan::tracking {
 
 void ErrorTable::add(const Snapshot& snapshot) {
@@ -26,8 +24,7 @@ std::string ErrorTable::text() const {
     text += fmt::format("q{} [{}] ", joint + 1, kJointUnits[static_cast<std::size_t>(joint)])
                 .append(joint == 2 ? " " : "");
     for (const JointRms* column : columns) {
-      const double value = column->value()(joint);
-      const double shown = joint == 2 ? base::toMillimetres(value) : base::toDegrees(value);
+      const double shown = forPeople(column->value()(joint), joint);
       text += std::isnan(shown) ? fmt::format("{:>12}", "-") : fmt::format("{:>12.4f}", shown);
     }
     text += '\n';

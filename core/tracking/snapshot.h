@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/base/names.h"
+#include "core/base/units.h"
 #include "core/tracking/transmission_estimate.h"
 #include "core/vision/marker.h"
 
@@ -19,6 +20,9 @@ enum class Gate { kOpen, kNoCamera, kLeftLost, kRightLost, kBothLost, kUnreachab
 enum class MotorFault { kNone, kLost, kFrozen, kDeclared };
 
 inline constexpr std::array<const char*, 3> kJointUnits = {"deg", "deg", "mm"};
+
+/// `value` [rad, m] of a joint in kJointUnits.
+constexpr double forPeople(double value, int joint) { return base::degreesOrMillimetres(value, joint != 2); }
 
 /// State of the pipeline after one sample. Plain data; joints in rad, rad, m. Quantities that do not exist
 /// (no reference encoders, no camera sample yet) are NaN.

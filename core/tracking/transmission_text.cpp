@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/shown_number.h"
 #include "core/base/units.h"
 
 namespace capstan::tracking {
@@ -13,8 +14,7 @@ namespace {
 
 /// With a sign, and a real minus.
 std::string signedText(double value, int digits) {
-  const std::string text = fmt::format("{:+.{}f}", value, digits);
-  return text.front() == '-' ? "−" + text.substr(1) : text;
+  return base::withMinus(fmt::format("{:+.{}f}", value, digits));
 }
 
 /// Smallest delay that is reported; exposures cause shorter ones.

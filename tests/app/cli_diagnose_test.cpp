@@ -51,6 +51,7 @@ TEST_F(CliDiagnose, SaysWhatIsWrongWithItsArguments) {
   fails(slow + " --threads 0", "--threads");
   fails(slow + " --zeros free", "--zeros");
   fails(slow + " --skip-start soon", "--skip-start");
+  fails(slow + " --material 0mm", "--material");
   fails(slow + " --robot " + slow, "slow.csv");
   fails(slow + " --out " + slow, "is the same file as the input");
   fails(slow + " --skip-start 100", "slow.csv");

@@ -45,6 +45,40 @@ TEST(DiagnoseText, BeginsWithTheVerdictThenCausesThenNumbers) {
   EXPECT_TRUE(has(line, "verdict: found"));
 }
 
+TEST(DiagnoseText, SaysWhatACauseMovesAndWhatIsBelowTheTolerance) {
+  Report report = sampleReport({.duration = 12.0});
+  report.causes[0].moves.joints = {{}, {0.015, 0.033, false}, {0.0, 0.0, true}};
+  diagnosis::Cause small = report.causes[0];
+  small.effect = "asymmetric_friction", small.joint = 1, small.parameters = {{"share", "", 0.04, 0.01}};
+  small.moves.joints = {{1e-4, 2e-4, false}, {}, {0.0, 0.0, true}};
+  report.also_measurable = {small};
+  report.material = {2e-3 * 3.14159265358979323846, 1e-4};
+  const std::string line = flat(textOf(report));
+  const std::size_t cause = line.find(diagnosis::causeText(report.causes[0])),
+                    moves = line.find(diagnosis::movesText(report.causes[0])),
+                    heading = line.find("Also measurable, below the tolerance of 0.36deg,0.1mm:"),
+                    below = line.find(diagnosis::causeText(small) + "; " + diagnosis::movesText(small)),
+                    channels = line.find("model by model");
+  for (const std::size_t at : {cause, moves, heading, below, channels})
+    ASSERT_NE(at, std::string::npos) << line;
+  EXPECT_TRUE(cause < moves && moves < heading && heading < below && below < channels);
+  report.also_measurable.clear();
+  EXPECT_FALSE(has(flat(textOf(report)), "Also measurable"));
+}
+
+TEST(DiagnoseText, ShowsRegressionsAndThePosteriorWhereThereIsAChoice) {
+  Report report = sampleReport({.duration = 12.0});
+  report.explainable = {{"q2", "rad", 1e-5, 0.02, 1e-3, 2e-3, 1.5e-3, 0.97, "depends on q_m2"}};
+  report.posterior = {{{{"backlash", 2}}, 0.75}, {{{"cable_hysteresis", 2}}, 0.2}};
+  const std::string text = flat(textOf(report));
+  EXPECT_TRUE(has(text, diagnosis::explainableTable(report).title));
+  EXPECT_TRUE(has(text, "depends on q_m2"));
+  EXPECT_TRUE(has(text, diagnosis::posteriorTable(report).title));
+  EXPECT_TRUE(has(text, "All other sets together: 5.0 %."));
+  report.posterior.pop_back();
+  EXPECT_FALSE(has(flat(textOf(report)), diagnosis::posteriorTable(report).title)) << "no choice";
+}
+
 TEST(DiagnoseText, TiesStandTogetherWithWhatWouldTellThemApart) {
   const Report report = sampleReport({.verdict = Verdict::kTie, .duration = 12.0});
   const std::string text = flat(textOf(report));

@@ -89,6 +89,7 @@ TEST_F(DiagnoseRun, HandsOnRecordingsRobotAndOptions) {
   arguments_.options.only = {"backlash", "slack"};
   arguments_.options.threads = 1;
   arguments_.zeros = "shared";
+  arguments_.material = "3mm";
   EXPECT_EQ(run(), kOk);
   ASSERT_EQ(recordings_.size(), 2U);
   EXPECT_EQ(recordings_[0].rows(), 800U);
@@ -99,6 +100,8 @@ TEST_F(DiagnoseRun, HandsOnRecordingsRobotAndOptions) {
   EXPECT_EQ(options_.only, arguments_.options.only);
   EXPECT_EQ(options_.threads, 1);
   EXPECT_EQ(options_.zeros, diagnosis::EncoderZeros::kOneForAll);
+  EXPECT_NEAR(options_.material.length, 3e-3, 1e-15);
+  EXPECT_EQ(options_.material.angle, diagnosis::Tolerance{}.angle);
   EXPECT_NE(out_.find(report_.summary.substr(0, 40)), std::string::npos) << out_;
   EXPECT_NE(err_.find(report_.notices[0]), std::string::npos) << err_;
 }
@@ -244,6 +247,9 @@ TEST_F(DiagnoseRun, RefusesWhatPosesAndOtherRecordingsDoNotShare) {
   arguments_.skip_start = 1.0;
   expectRefusal({"--skip-start"});
   arguments_.skip_start = 0.0;
+  arguments_.material = "1mm";
+  expectRefusal({"--material", "1mm"});
+  arguments_.material = {};
   arguments_.zeros = "shared";
   expectRefusal({"--zeros", "shared"});
   arguments_.zeros = {};

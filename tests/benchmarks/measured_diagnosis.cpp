@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <memory>
 
 #include "core/diagnosis/diagnose.h"
 #include "tests/support/data_folder.h"
@@ -64,22 +65,39 @@ void emps(const std::filesystem::path& folder, measured::EmpsStart start, int th
   printNumbers(steps.back().robot);
 }
 
-void jaw(const std::filesystem::path& folder, const std::vector<std::string>& frequencies, int threads) {
-  if (!isHere(folder)) return;
-  fmt::print(
-      "da Vinci jaw, {} Hz, RMS [deg]. Effects are chosen, and numbers and one encoder zero for all "
-      "recordings\n"
-      "fitted, under even load levels.\n",
-      fmt::join(frequencies, " and "));
-  fmt::print("  {:50}{:>8}{:>8}{:>18}\n", "load levels:", "even", "odd", "odd, a zero each");
-  const auto steps = measured::jawSteps(folder, frequencies, {}, threads);
-  for (const measured::JawStep& step : steps)
-    fmt::print("  {:50}{:>8.3f}{:>8.3f}{:>18.3f}\n", named(step.name, step.competitors), step.even_deg,
-               step.odd_deg, step.odd_zero_each_deg);
-  fmt::print(
-      "  quick fits, odd levels: gear ratio alone 2.88; with linear stretch 1.73; with Coulomb friction too "
-      "1.16\n");
-  printNumbers(steps.back().robot);
+void printErrors(const std::string& name, const measured::JawErrors& errors) {
+  fmt::print("  {:50}{:>8.3f}{:>8.3f}{:>18.3f}\n", name, errors.even, errors.odd, errors.odd_zero_each);
+}
+
+/// One table per jaw; then the effects of each jaw with their numbers fitted to each other one.
+void jaws(const std::filesystem::path& data, const std::vector<std::string>& frequencies, int threads) {
+  const std::vector<std::filesystem::path> folders = measured::jawFolders(data);
+  if (folders.empty()) isHere(data / "davinci-jaw");
+  std::vector<std::unique_ptr<measured::Jaw>> all;
+  std::vector<diagnosis::Selection> selections;
+  for (const std::filesystem::path& folder : folders) {
+    all.push_back(std::make_unique<measured::Jaw>(folder, frequencies, threads));
+    fmt::print(
+        "{}, {} Hz, RMS [deg]. Effects are chosen, and numbers and one encoder zero for all "
+        "recordings\n"
+        "fitted, under even load levels.\n",
+        folder.filename().string(), fmt::join(frequencies, " and "));
+    fmt::print("  {:50}{:>8}{:>8}{:>18}\n", "load levels:", "even", "odd", "odd, a zero each");
+    selections.push_back(all.back()->select({}));
+    const auto steps = all.back()->steps(selections.back());
+    for (const measured::JawStep& step : steps) printErrors(named(step.name, step.competitors), step.errors);
+    printErrors("least squares: spindle angle", all.back()->regression(2));
+    printErrors("least squares: and load", all.back()->regression(3));
+    printErrors("least squares: and direction, load x direction", all.back()->regression(5));
+    printErrors("least squares: and speed, spindle torque", all.back()->regression(7));
+    printNumbers(steps.back().robot);
+  }
+  for (std::size_t k = 0; k < all.size(); ++k)
+    for (std::size_t other = 0; other < all.size(); ++other)
+      if (other != k)
+        printErrors(fmt::format("{} with the effects of {}", folders[k].filename().string(),
+                                folders[other].filename().string()),
+                    all[k]->transferred(selections[other]).errors);
 }
 
 }  // namespace
@@ -89,13 +107,15 @@ int main(int argc, char** argv) {
   int threads = 2;
   CLI::App app("What diagnosis names in recordings of real robots");
   app.add_option("--data", data, "folder of measured data");
+  std::string only;
+  app.add_option("--only", only, "emps or jaws; default: both")->check(CLI::IsMember({"emps", "jaws"}));
   app.add_option("--threads", threads)->check(CLI::Range(1, 256));
   CLI11_PARSE(app, argc, argv);
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
   try {
-    for (const auto start : {measured::EmpsStart::kFourNumbers, measured::EmpsStart::kThreeNumbers})
+    if (only != "jaws") for (const auto start : {measured::EmpsStart::kFourNumbers, measured::EmpsStart::kThreeNumbers})
       emps(std::filesystem::path(data) / "emps", start, threads);
-    jaw(std::filesystem::path(data) / "davinci-jaw", {"0.1", "0.3"}, threads);
+    if (only != "emps") jaws(data, {"0.1", "0.3"}, threads);
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "measured_diagnosis: %s\n", error.what());

@@ -63,24 +63,92 @@ const Gain& gainOn(const Report& report, const std::string& channel) {
       ->gain;
 }
 
-Cause backlash(const Report& report, double probability) {
-  return {"backlash", 2, {{"half_width", "m", 0.93e-3, 0.03e-3}}, probability, gainOn(report, "q2")};
+Displacements movesOf(int joint, double rms, double tip) {
+  Displacements moves{{{}, {}, {0.0, 0.0, true}}, {tip, 2.2 * tip, true}};
+  Displacement& moved = moves.joints[static_cast<std::size_t>(joint - 1)];
+  moved.rms = rms, moved.largest = 2.2 * rms;
+  return moves;
 }
 
+Cause backlash(const Report& report, double probability) {
+  return {.effect = "backlash",
+          .joint = 2,
+          .parameters = {{"half_width", "m", 0.93e-3, 0.03e-3}},
+          .probability = probability,
+          .loss = 412.0,
+          .moves = movesOf(2, 15e-3, 3.1e-3),
+          .gain = gainOn(report, "q2")};
+}
+
+/// Tied with the backlash: not in the model, so nothing is simulated with it.
 Cause hysteresis(const Report& report, double probability) {
-  return {"cable_hysteresis",
-          2,
-          {{"force", "N", 31.0, 4.0}, {"yield", "m", 1.1e-4, 0.6e-4}},
-          probability,
-          gainOn(report, "q2")};
+  return {.effect = "cable_hysteresis",
+          .joint = 2,
+          .parameters = {{"force", "N", 31.0, 4.0}, {"yield", "m", 1.1e-4, 0.6e-4}},
+          .probability = probability,
+          .gain = gainOn(report, "q2")};
 }
 
 Cause eccentricity(const Report& report, double probability) {
-  return {"capstan_eccentricity",
-          1,
-          {{"sine", "m", 2e-5, 1e-5}, {"cosine", "m", 0.41e-3, 0.012e-3}},
-          probability,
-          gainOn(report, "q1")};
+  return {.effect = "capstan_eccentricity",
+          .joint = 1,
+          .parameters = {{"sine", "m", 2e-5, 1e-5}, {"cosine", "m", 0.41e-3, 0.012e-3}},
+          .probability = probability,
+          .loss = 190.0,
+          .moves = movesOf(1, 6e-3, 1.2e-3),
+          .gain = gainOn(report, "q1")};
+}
+
+/// Below the tolerance.
+Cause asymmetry(const Report& report) {
+  return {.effect = "asymmetric_friction",
+          .joint = 1,
+          .parameters = {{"share", "", 0.04, 0.01}},
+          .probability = 0.88,
+          .loss = 6.2,
+          .moves = movesOf(1, 1.2e-4, 2.4e-5),
+          .gain = gainOn(report, "q1")};
+}
+
+void addPosterior(Report& report) {
+  const bool tied = report.verdict == Verdict::kTie;
+  std::vector<NamedEffect> best, other;
+  for (const Cause& cause : report.causes) best.push_back({cause.effect, cause.joint});
+  other = best;
+  if (tied) other = {{"cable_hysteresis", 2}};
+  for (const Cause& cause : report.also_measurable) best.push_back({cause.effect, cause.joint});
+  if (best.empty()) {
+    report.posterior = {{{}, 0.96}, {{{"backlash", 2}}, 0.02}};
+    return;
+  }
+  report.posterior = {{best, tied ? 0.55 : 0.87}, {other, tied ? 0.43 : 0.1}};
+}
+
+/// Of the joints' encoders. In an unexplained report, a Gaussian process explains more of q1 than the effects
+/// do.
+void addExplainable(Report& report) {
+  const bool some = !report.causes.empty();
+  for (const ChannelReport& channel : report.channels) {
+    if (channel.recording > 0 || channel.refitted.joint == 0) continue;
+    const double before = channel.refitted_statistics.rms, after = channel.extended_statistics.rms;
+    Explainable one{.channel = channel.refitted.name,
+                    .unit = channel.refitted.unit,
+                    .noise = channel.refitted.noise,
+                    .refitted = before,
+                    .named = some ? after : before,
+                    .linear = kNaN,
+                    .flexible = kNaN,
+                    .share = kNaN,
+                    .leans_on = {}};
+    if (some || report.verdict == Verdict::kUnexplained) {
+      one.linear = std::min(0.9 * before, 1.4 * after);
+      one.flexible = std::min(0.8 * before, 0.95 * after);
+      one.share = std::min(
+          1.0, (before * before - one.named * one.named) / (before * before - one.flexible * one.flexible));
+      one.leans_on = "depends on position and direction of joint " + std::to_string(channel.refitted.joint);
+    }
+    report.explainable.push_back(one);
+  }
 }
 
 void addCauses(Report& report) {
@@ -111,6 +179,7 @@ void addCauses(Report& report) {
       report.lines = {{"q3", kSampleVibration, 4e-4, 3e-9}};
       break;
   }
+  if (!report.causes.empty()) report.also_measurable = {asymmetry(report)};
   report.explained = report.causes.empty() ? 0.0 : 0.9;
 }
 
@@ -131,11 +200,12 @@ void addCandidates(Report& report) {
 void addRefit(Report& report, const robot::Description& nominal) {
   const double stiffness = nominal.drives[1].cable_stiffness;
   const double coulomb = nominal.joints[0].friction.coulomb;
-  report.refit = {
-      {"cable_stiffness of joint 2", "N", stiffness, 0.82 * stiffness, 0.01 * stiffness, false, true},
-      {"coulomb friction of joint 1", "N*m", coulomb, 1.02 * coulomb, 0.02 * coulomb, false, false},
-      {"mass of link 3", "kg", nominal.joints[2].link.mass, 1.3 * nominal.joints[2].link.mass,
-       0.01 * nominal.joints[2].link.mass, true, true}};
+  const double mass = nominal.joints[2].link.mass;
+  report.refit = {{"cable_stiffness of joint 2", "N", stiffness, 0.82 * stiffness, 0.01 * stiffness, false,
+                   true, 0.71 * stiffness},
+                  {"coulomb friction of joint 1", "N*m", coulomb, 1.02 * coulomb, 0.02 * coulomb, false,
+                   false, 1.1 * coulomb},
+                  {"mass of link 3", "kg", mass, 1.3 * mass, 0.01 * mass, true, true, 1.3 * mass}};
   report.refitted = report.extended = nominal;
   for (robot::Description* robot : {&report.refitted, &report.extended})
     robot->drives[1].cable_stiffness = 0.82 * stiffness;
@@ -158,6 +228,8 @@ diagnosis::Report sampleReport(const SampleDiagnosis& sample) {
   }
   addRefit(report, robot);
   addCauses(report);
+  addPosterior(report);
+  addExplainable(report);
   addCandidates(report);
   if (!report.causes.empty())
     report.filter = {{"q1", "rad", 0.012, 0.011, 0.0108},

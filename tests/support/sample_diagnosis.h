@@ -9,7 +9,8 @@ namespace capstan::testing {
 
 /// Sample report of a left RAVEN-II, made without the diagnosis engine, for tests of panels, files and pages.
 /// Motion, residuals, statistics, signatures, gains and processes are computed from one another as in a real
-/// report; causes, ranking and refit are written by hand to match.
+/// report; causes, posterior, ranking and refit are written by hand to match. With causes, an asymmetric
+/// friction of joint 1 that moves less than the tolerance is also measurable.
 struct SampleDiagnosis {
   /// kFound: backlash in joint 2; kSeveral: an eccentric capstan of joint 1 as well; kTie: backlash or
   /// hysteresis in joint 2; kNothing: noise alone; kUnexplained: a vibration of joint 3 at 7.3 Hz, and a

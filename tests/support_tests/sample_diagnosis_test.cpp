@@ -38,6 +38,12 @@ TEST(SampleDiagnosis, HasEveryVerdictSeveralRecordingsAndCameras) {
     EXPECT_EQ(report.recordings.size(), 2U);
     EXPECT_EQ(report.causes.empty(), verdict == Verdict::kNothing || verdict == Verdict::kUnexplained);
     EXPECT_EQ(report.ties.empty(), verdict != Verdict::kTie);
+    EXPECT_EQ(report.also_measurable.empty(), report.causes.empty());
+    EXPECT_EQ(report.explainable.size(), 3U) << "one a joint, of both recordings";
+    double probability = 0.0;
+    for (const auto& set : report.posterior) probability += set.probability;
+    EXPECT_GT(probability, 0.9) << name;
+    EXPECT_LE(probability, 1.0) << name;
     EXPECT_EQ(report.lines.empty(), verdict != Verdict::kUnexplained);
   }
   const Report observed = sampleReport({.cameras = true, .duration = 12.0});

@@ -1,13 +1,8 @@
 // The diagnosis panel without a window around it: reports handed in or made by a job of the test's own.
-#include "widgets/panels/diagnosis/diagnosis_panel.h"
-
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
-#include <QApplication>
 #include <QComboBox>
 #include <QFile>
-#include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -17,53 +12,17 @@
 #include <atomic>
 
 #include "core/base/error.h"
-#include "tests/support/sample_diagnosis.h"
+#include "tests/widgets/diagnosis_fixture.h"
 #include "tests/widgets/picture.h"
-#include "widgets/panels/diagnosis/cause_tree.h"
-#include "widgets/panels/diagnosis/hypothesis_card.h"
 #include "widgets/panels/diagnosis/ranking_table.h"
 #include "widgets/panels/diagnosis/recording_picker.h"
-#include "widgets/panels/diagnosis/report_pages.h"
 #include "widgets/panels/diagnosis/signature_view.h"
 #include "widgets/panels/diagnosis/time_view.h"
 
 namespace capstan::widgets {
 namespace {
 
-using diagnosis::Report;
-using diagnosis::Verdict;
 using ::testing::HasSubstr;
-
-/// Each made once: they take a moment.
-const Report& sample(Verdict verdict) {
-  static std::map<Verdict, Report> made;
-  if (!made.contains(verdict))
-    made[verdict] = testing::sampleReport({.verdict = verdict, .cameras = verdict == Verdict::kSeveral});
-  return made.at(verdict);
-}
-
-template <class Condition>
-bool waitFor(Condition&& condition) {
-  return QTest::qWaitFor(condition, 60000);
-}
-
-class Diagnosis : public ::testing::Test {
- protected:
-  void SetUp() override { show(nullptr); }
-  /// A panel whose job is `run`.
-  void show(DiagnosisRun run) {
-    panel = std::make_unique<DiagnosisPanel>(std::move(run));
-    panel->resize(1000, 860);
-    panel->show();
-    QApplication::setActiveWindow(panel.get());  // for its keys
-  }
-  QPushButton* button(const char* name) { return panel->findChild<QPushButton*>(name); }
-  std::string headline() { return panel->headline().toStdString(); }
-  std::string causes() { return panel->causes().text().toStdString(); }
-  QString card() { return panel->findChild<HypothesisCard*>()->toPlainText(); }
-
-  std::unique_ptr<DiagnosisPanel> panel;
-};
 
 TEST_F(Diagnosis, BeginsWithAQuestionAndNothingToPress) {
   EXPECT_THAT(headline(), HasSubstr("What does the simulation get wrong?"));
@@ -82,6 +41,8 @@ TEST_F(Diagnosis, AFoundCauseHasANamePlaceSizeAndWorth) {
   EXPECT_THAT(causes(), HasSubstr("half width 0.930 ± 0.030 mm"));
   EXPECT_THAT(causes(), HasSubstr("97 %"));
   EXPECT_THAT(causes(), HasSubstr("q2 on other data: 0.894"));
+  EXPECT_THAT(causes(), HasSubstr("moves joint 2 by 0.859 deg RMS (largest 1.89 deg), "
+                                  "the tip by 3.10 mm RMS (largest 6.82 mm)"));
   EXPECT_TRUE(card().contains("What would show it best:")) << card().toStdString();
   for (int page = 0; page < panel->pages().count(); ++page) {
     panel->pages().setCurrentIndex(page);

@@ -29,17 +29,18 @@ class DiagnosisRuns : public ::testing::Test {
  protected:
   std::string path(const char* name) const { return folder_.filePath(name).toStdString(); }
   /// What the panel shows of `file`, as JSON.
-  nlohmann::json window(const QString& file) {
+  nlohmann::json window(const QString& file, DiagnosisChoice choice = {}) {
     DiagnosisPanel panel(runDiagnosis);
-    panel.choose({.recordings = {file}});
+    choice.recordings = QStringList{file};
+    panel.choose(choice);
     panel.diagnose();
     EXPECT_TRUE(QTest::qWaitFor([&] { return !panel.busy(); }, 100000));
     EXPECT_TRUE(panel.report()) << panel.summary().toStdString();
     return panel.report() ? diagnosis::jsonOf(*panel.report()) : nlohmann::json();
   }
-  nlohmann::json commandLine(const QString& file) {
+  nlohmann::json commandLine(const QString& file, const QStringList& more = {}) {
     QProcess process;
-    process.start(CAPSTAN_CLI, {"diagnose", file, "--json", "-"});
+    process.start(CAPSTAN_CLI, QStringList{"diagnose", file, "--json", "-"} + more);
     EXPECT_TRUE(process.waitForFinished(100000));
     EXPECT_EQ(process.exitCode(), 0) << process.readAllStandardError().toStdString();
     return nlohmann::json::parse(process.readAllStandardOutput().toStdString());
@@ -54,6 +55,14 @@ TEST_F(DiagnosisRuns, TheReportOfARecordingIsThatOfTheCommandLine) {
   const nlohmann::json report = window(file);
   EXPECT_EQ(report.at("channels").size(), 3U);
   EXPECT_EQ(withoutTimes(report).dump(), withoutTimes(commandLine(file)).dump());
+}
+
+TEST_F(DiagnosisRuns, TheToleranceOfTheWindowIsThatOfTheOption) {
+  testing::writeRecording(path("slow.csv"), {.duration = 8.0});
+  const QString file = folder_.filePath("slow.csv"), tolerance = "3deg,40mm";
+  const nlohmann::json report = window(file, {.material = tolerance});
+  EXPECT_EQ(report.at("material").at("length").get<double>(), 0.04);
+  EXPECT_EQ(withoutTimes(report).dump(), withoutTimes(commandLine(file, {"--material", tolerance})).dump());
 }
 
 TEST_F(DiagnosisRuns, OfATableOfTipPosesToo) {

@@ -4,7 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QDir>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QTabBar>
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <QtTest/QTest>
@@ -110,8 +114,11 @@ TEST_F(DiagnosisWindow, ShowsLargePicturesAndItsRobotIsUsed) {
   EXPECT_GT(panel().pages().signatures().figure()->width(), 300);
   EXPECT_GT(panel().pages().signatures().figure()->height(), 230);
   pictures("found_signature");
-  for (const auto& [page, state] :
-       {std::pair{1, "found_course"}, {2, "found_ranking"}, {3, "found_refit"}, {4, "found_gain"}}) {
+  for (const auto& [page, state] : {std::pair{1, "found_course"},
+                                    {2, "found_ranking"},
+                                    {3, "found_refit"},
+                                    {4, "found_gain"},
+                                    {5, "found_posterior"}}) {
     panel().pages().setCurrentIndex(page);
     pictures(state);
   }
@@ -130,6 +137,40 @@ TEST_F(DiagnosisWindow, ShowsLargePicturesAndItsRobotIsUsed) {
   ASSERT_EQ(window_->identification().live().phase(), identification::LivePhase::kCollecting);
   EXPECT_EQ(window_->identification().live().set()->nominal().drives[1].cable_stiffness,
             report.extended.drives[1].cable_stiffness);
+}
+
+TEST_F(DiagnosisWindow, TheOpenRecordingIsChosenWhereNoneIs) {
+  open(1280, 800);
+  EXPECT_TRUE(panel().choice().recordings.isEmpty()) << "a simulation is no recording";
+  window_->action("record")->trigger();
+  ASSERT_TRUE(waitFor([&] { return window_->link().recording(); }));
+  QTest::qWait(1500);
+  auto* offered = panel().findChild<QToolButton*>("offered");
+  window_->action("diagnose")->trigger();
+  window_->action("record")->trigger();
+  ASSERT_TRUE(waitFor([&] { return offered->isVisible(); }));
+  EXPECT_TRUE(panel().choice().recordings.isEmpty());
+  const QFileInfoList files = QDir(folder_.filePath("recordings")).entryInfoList({"*.capstan"}, QDir::Files);
+  ASSERT_EQ(files.size(), 1);
+  window_->open(SourceChoice::ofFile(files[0].absoluteFilePath()));
+  ASSERT_TRUE(waitFor([&] { return !panel().choice().recordings.isEmpty(); }));
+  EXPECT_EQ(panel().choice().recordings, QStringList{files[0].absoluteFilePath()});
+  EXPECT_TRUE(button("diagnose_now")->isEnabled());
+}
+
+/// At 1280 px every tab of the pages is shown, and the panel needs no horizontal scroll bar.
+TEST_F(DiagnosisWindow, NothingIsCutAt1280Pixels) {
+  open(1280, 800);
+  window_->action("diagnose")->trigger();
+  panel().showReport(testing::sampleReport({.verdict = Verdict::kSeveral, .cameras = true}));
+  QTest::qWait(100);
+  const auto* tabs = panel().pages().findChild<QTabBar*>();
+  ASSERT_TRUE(tabs);
+  EXPECT_LE(tabs->tabRect(tabs->count() - 1).right(), panel().pages().width());
+  for (const QWidget* up = panel().parentWidget(); up; up = up->parentWidget())
+    if (const auto* area = qobject_cast<const QScrollArea*>(up)) {
+      EXPECT_EQ(area->horizontalScrollBar()->maximum(), 0);
+    }
 }
 
 TEST_F(DiagnosisWindow, EveryVerdictHasAFace) {

@@ -37,8 +37,7 @@ class MethodsPanel {
   double scale_;
 };
 
-constexpr double kMillimetres = 1e3;
-const double kDegrees = base::toDegrees(1.0);
+constexpr double kMillimetres = base::toMillimetres(1.0), kDegrees = base::toDegrees(1.0);
 
 BoxplotData boxes(const char* title, const char* quantity, std::vector<BoxplotPanel> panels) {
   BoxplotData data;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/diagnosis/hypotheses/pose_hypotheses.h"
 #include "core/diagnosis/report/report_tables.h"
 #include "core/diagnosis/report/shown.h"
@@ -28,6 +30,7 @@ dl { display: grid; gap: 0.2em 1.2em; grid-template-columns: max-content 1fr; }
 dt { color: var(--quiet); }
 dd { margin: 0; }
 figure { margin: 1em 0; }
+summary { cursor: pointer; }
 )";
 
 std::string paragraph(const std::string& text, const char* kind = nullptr) {
@@ -50,7 +53,7 @@ std::string verdictHtml(const Report& report) {
   return html + "</div>\n";
 }
 
-/// Description of a cause: joint, size, probability, gain, and explanation.
+/// Description of a cause: joint, size, probability, displacement, gain, and explanation.
 std::string causeHtml(const Cause& cause) {
   std::string html = "<section class=\"cause\"><h3>" +
                      htmlEscaped(diagnosis::titleOf(cause.effect) + ", " +
@@ -61,6 +64,7 @@ std::string causeHtml(const Cause& cause) {
     size += (size.empty() ? "" : ", ") + diagnosis::shownParameter(parameter);
   html += paragraph(size, "size");
   html += "<dl>\n" + term("Probability", fmt::format("{:.0f} %", 100.0 * cause.probability));
+  if (!cause.moves.joints.empty()) html += term("Displacement", diagnosis::movesText(cause));
   if (!cause.gain.channel.empty()) html += term("Worth", diagnosis::gainText(cause.gain));
   if (const diagnosis::HypothesisWords* words = diagnosis::wordsOf(cause.effect))
     html += term("What it is", words->what) + term("Equation", words->equation) +
@@ -88,6 +92,23 @@ std::string causesHtml(const Report& report) {
     if (!tied) html += causeHtml(cause);
   }
   return html;
+}
+
+/// Effects of the model that are no causes, folded.
+std::string alsoMeasurableHtml(const Report& report) {
+  if (report.also_measurable.empty()) return {};
+  std::string html =
+      "<details><summary>" + htmlEscaped(diagnosis::alsoMeasurableTitle(report)) + "</summary>\n<ul>\n";
+  for (const Cause& cause : report.also_measurable)
+    html +=
+        "<li>" + htmlEscaped(diagnosis::causeText(cause) + "; " + diagnosis::movesText(cause)) + "</li>\n";
+  return html + "</ul></details>\n";
+}
+
+/// Table with bars behind the column `name`.
+std::string barTable(const base::Table& table, const std::string& name) {
+  const auto column = std::ranges::find(table.columns, name, &base::TableColumn::name);
+  return htmlTable(table, static_cast<std::size_t>(column - table.columns.begin()));
 }
 
 std::string unexplainedHtml(const Report& report) {
@@ -120,10 +141,8 @@ std::string imageHtml(const DiagnosisImage& image) {
 std::string numbersHtml(const Report& report) {
   std::string html;
   if (!report.refit.empty()) html += htmlTable(diagnosis::refitTable(report));
-  if (!report.candidates.empty()) {
-    const base::Table ranking = diagnosis::rankingTable(report);
-    html += htmlTable(ranking, ranking.columns.size() - 1);
-  }
+  if (!report.posterior.empty()) html += barTable(diagnosis::posteriorTable(report), "probability");
+  if (!report.candidates.empty()) html += barTable(diagnosis::rankingTable(report), "probability");
   if (!report.filter.empty()) html += htmlTable(diagnosis::filterTable(report));
   return html;
 }
@@ -170,9 +189,10 @@ std::string diagnosisPage(const Report& report, const DiagnosisOrigin& origin,
   html += paragraph(origin.software + (origin.created.empty() ? "" : ", " + origin.created) +
                         ". Recordings: " + recordings + ".",
                     "note");
-  html += verdictHtml(report) + causesHtml(report) + unexplainedHtml(report);
+  html += verdictHtml(report) + causesHtml(report) + alsoMeasurableHtml(report) + unexplainedHtml(report);
   html += "<h2>What the simulation gets wrong</h2>\n";
   if (!report.channels.empty()) html += htmlTable(diagnosis::channelTable(report));
+  if (!report.explainable.empty()) html += barTable(diagnosis::explainableTable(report), "explained");
   for (const DiagnosisChannel& channel : channels) {
     html += "<h3>" + htmlEscaped(channel.title) + "</h3>\n";
     for (const DiagnosisImage& image : channel.images) html += imageHtml(image);

@@ -2,16 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "core/base/table.h"
+
 namespace capstan::widgets {
 
-std::string csvText(const QString& text) {
-  if (!text.contains(QLatin1Char(',')) && !text.contains(QLatin1Char('"')) &&
-      !text.contains(QLatin1Char('\n')))
-    return text.toStdString();
-  QString quoted = text;
-  quoted.replace(QLatin1String("\""), QLatin1String("\"\""));
-  return "\"" + quoted.toStdString() + "\"";
-}
+std::string csvText(const QString& text) { return base::csvQuoted(text.toStdString()); }
 
 std::string csvNumber(double value) { return std::isnan(value) ? std::string() : fmt::format("{}", value); }
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "core/base/shown_number.h"
 #include "widgets/figures/number_text.h"
 
 namespace capstan::widgets {
@@ -22,8 +23,7 @@ inline QString significantText(double value, int digits = 3) {
   else if (size < 1e-3 || size >= kPowersFrom)
     text = QString::number(value, 'e', digits - 1);
   else
-    text = QString::number(value, 'f',
-                           std::max(0, digits - 1 - static_cast<int>(std::floor(std::log10(size) + 1e-12))));
+    text = QString::number(value, 'f', std::max(0, base::significantDecimals(size, digits)));
   return withMinus(text);
 }
 
@@ -31,7 +31,7 @@ inline QString significantText(double value, int digits = 3) {
 inline QString uncertainText(double value, double uncertainty) {
   if (!std::isfinite(value) || !std::isfinite(uncertainty) || uncertainty <= 0.0)
     return significantText(value, 4);
-  const int decimals = 1 - static_cast<int>(std::floor(std::log10(uncertainty)));
+  const int decimals = base::significantDecimals(uncertainty, 2);
   if (decimals > 8 || std::max(std::abs(value), uncertainty) >= kPowersFrom)
     return significantText(value, 4) + QStringLiteral(" ± ") + significantText(uncertainty, 2);
   const int shown = std::max(decimals, 0);

@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "core/base/units.h"
-
 namespace capstan::widgets {
 
 namespace {
@@ -11,10 +9,7 @@ namespace {
 using tracking::Gate;
 using tracking::Snapshot;
 
-float inScreenUnit(double value, int joint) {
-  const bool length = tracking::kJointUnits[static_cast<std::size_t>(joint)][0] == 'm';
-  return static_cast<float>(length ? base::toMillimetres(value) : base::toDegrees(value));
-}
+float inScreenUnit(double value, int joint) { return static_cast<float>(tracking::forPeople(value, joint)); }
 
 JointHistory::Row rowOf(const Snapshot& snapshot) {
   JointHistory::Row row;

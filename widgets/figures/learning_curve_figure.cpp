@@ -17,10 +17,10 @@ using learning::CorrectionErrors;
 constexpr int kLeastPanelWidth = 330;  ///< [px] of panels side by side
 
 double meanOf(const CorrectionErrors& errors, bool angle) {
-  return angle ? base::toDegrees(errors.angle) : base::toMillimetres(errors.distance);
+  return base::degreesOrMillimetres(angle ? errors.angle : errors.distance, angle);
 }
 double medianOf(const CorrectionErrors& errors, bool angle) {
-  return angle ? base::toDegrees(errors.median_angle) : base::toMillimetres(errors.median_distance);
+  return base::degreesOrMillimetres(angle ? errors.median_angle : errors.median_distance, angle);
 }
 
 QPen correctedPen(const Theme& theme, double line, bool median) {
@@ -128,8 +128,7 @@ std::vector<FigureNumbers> LearningCurveFigure::numbers() const {
     for (const bool angle : {false, true})
       rows += "," + csvNumber(meanOf(point.errors, angle)) + "," + csvNumber(medianOf(point.errors, angle));
     for (Eigen::Index k = 0; k < 6; ++k)
-      rows += "," + csvNumber(k < 3 ? base::toMillimetres(point.errors.mean[k])
-                                    : base::toDegrees(point.errors.mean[k]));
+      rows += "," + csvNumber(base::degreesOrMillimetres(point.errors.mean[k], k >= 3));
     rows += '\n';
   }
   return {{"", rows}};

@@ -12,6 +12,11 @@ inline const QString kSigmaName = QStringLiteral("±2σ");
 /// `number` with a true minus sign (U+2212, as wide as a digit) in place of each hyphen.
 inline QString withMinus(QString number) { return number.replace(QLatin1Char('-'), QChar(0x2212)); }
 
+/// `value` with its sign: "+6.5" or "−6.5".
+inline QString signedText(double value, int decimals) {
+  return QChar(value < 0 ? 0x2212 : '+') + QString::number(std::abs(value), 'f', decimals);
+}
+
 /// `value` with two decimals if its integer part has up to three digits, without decimals up to five digits,
 /// in powers of ten beyond; a dash where it is not finite. At most seven characters.
 inline QString valueText(double value) {

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/diagnosis/report/shown.h"
+#include "widgets/figures/channel_note.h"
 #include "widgets/figures/figure_text.h"
 #include "widgets/figures/legend_entries.h"
 
@@ -81,8 +82,7 @@ ResidualTrace residualTrace(const diagnosis::ChannelReport& channel, bool extend
 ResidualData residualData(const diagnosis::Report& report, const diagnosis::ChannelReport& channel) {
   ResidualData data;
   data.title = QObject::tr("%1: measured and simulated").arg(fromUtf8(channel.refitted.name));
-  const auto recording = static_cast<std::size_t>(channel.recording);
-  if (recording < report.recordings.size()) data.note = fromUtf8(report.recordings[recording]);
+  data.note = channelNote(report, channel);
   data.traces.push_back(residualTrace(channel, !report.causes.empty()));
   return data;
 }

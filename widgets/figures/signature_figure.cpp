@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/diagnosis/report/shown.h"
+#include "widgets/figures/channel_note.h"
 #include "widgets/figures/figure_text.h"
 
 namespace capstan::widgets {
@@ -39,11 +40,7 @@ QString percent(const Signature& signature) {
   return withMinus(text) + QStringLiteral(" %");
 }
 
-/// A share below two of its standard deviations counts as zero.
-QString shareText(const Signature& signature) {
-  const bool seen = signature.share > 2.0 * signature.share_sigma;
-  return fromUtf8(diagnosis::shareWords(seen ? signature.share : 0.0));
-}
+QString shareText(const Signature& signature) { return fromUtf8(diagnosis::shareWords(signature)); }
 
 QString words(const SignaturePanel& panel) {
   QString text =
@@ -159,8 +156,7 @@ SignatureData strongestSignatures(const diagnosis::Report& report, const diagnos
                                   std::size_t most) {
   SignatureData data;
   data.title = QObject::tr("%1: dependence of its residual").arg(fromUtf8(channel.refitted.name));
-  const auto recording = static_cast<std::size_t>(channel.recording);
-  if (recording < report.recordings.size()) data.note = fromUtf8(report.recordings[recording]);
+  data.note = channelNote(report, channel);
   for (std::size_t i = 0; i < channel.before.size() && data.panels.size() < most; ++i) {
     const Signature& signature = channel.before[i];
     if (i > 0 && signature.share < std::max(kWorthShowing, 2.0 * signature.share_sigma)) break;

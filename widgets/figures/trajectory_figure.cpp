@@ -4,7 +4,6 @@
 #include <cmath>
 #include <tuple>
 
-#include "core/base/units.h"
 #include "widgets/figures/figure_text.h"
 #include "widgets/figures/round_ticker.h"
 
@@ -18,11 +17,6 @@ constexpr double kDotsAPixel = 0.6;   ///< camera observations drawn per pixel
 constexpr std::size_t kLeastRows = 256;
 constexpr int kTwoColumns = 600;     ///< [px]
 constexpr double kLeastSpan = 1e-3;  ///< least range of a value axis [deg or mm]
-
-double inScreenUnit(double value, int joint) {
-  return tracking::kJointUnits[static_cast<std::size_t>(joint)][0] == 'm' ? base::toMillimetres(value)
-                                                                          : base::toDegrees(value);
-}
 
 tracking::Snapshot snapshotOf(const TrajectorySample& sample) {
   tracking::Snapshot s;
@@ -138,9 +132,9 @@ void TrajectoryFigure::addJoint(int joint) {
 QString TrajectoryFigure::words(int joint) const {
   QStringList parts;
   if (std::isfinite(rms_.kinematic[joint]))
-    parts << tr("kinematic %1").arg(significantText(inScreenUnit(rms_.kinematic[joint], joint)));
+    parts << tr("kinematic %1").arg(significantText(tracking::forPeople(rms_.kinematic[joint], joint)));
   if (std::isfinite(rms_.ukf[joint]))
-    parts << tr("UKF %1").arg(significantText(inScreenUnit(rms_.ukf[joint], joint)));
+    parts << tr("UKF %1").arg(significantText(tracking::forPeople(rms_.ukf[joint], joint)));
   if (parts.isEmpty()) return unbroken(tr("no reference, n %1").arg(data_.samples.size()));
   return unbroken(tr("RMS %1: %2").arg(data_.error, parts.join(QStringLiteral(", "))));
 }
@@ -233,7 +227,7 @@ std::string TrajectoryFigure::rmsCsv() const {
     for (const auto& [name, rms, n] : {std::tuple{"kinematic", rms_.kinematic[joint], rms_.kinematic_n},
                                        std::tuple{"ukf", rms_.ukf[joint], rms_.ukf_n}})
       csv += "q" + std::to_string(joint + 1) + "," + tracking::kJointUnits[static_cast<std::size_t>(joint)] +
-             "," + name + "," + csvNumber(inScreenUnit(rms, joint)) + "," + std::to_string(n) + "\n";
+             "," + name + "," + csvNumber(tracking::forPeople(rms, joint)) + "," + std::to_string(n) + "\n";
   return csv;
 }
 
@@ -248,7 +242,7 @@ std::vector<FigureNumbers> TrajectoryFigure::numbers() const {
     csv += csvNumber(sample.t);
     for (int joint = 0; joint < 3; ++joint)
       for (const auto* value : {&sample.q_true, &sample.q_kin, &sample.q_cam, &sample.q_ukf, &sample.sigma})
-        csv += "," + csvNumber(inScreenUnit((*value)[joint], joint));
+        csv += "," + csvNumber(tracking::forPeople((*value)[joint], joint));
     csv += sample.occluded ? ",1," : ",0,";
     csv += csvNumber(sample.q_cam.allFinite() ? sample.t_cam.value_or(sample.t) : std::nan("")) + "\n";
   }

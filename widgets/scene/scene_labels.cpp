@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "widgets/figures/number_text.h"
+
 namespace capstan::widgets {
 
 namespace {
@@ -14,8 +16,7 @@ constexpr double kSmall = 8.5;
 
 QString signedNewtons(double value) {
   if (!std::isfinite(value)) return QString("%1   ").arg("–", 6);
-  return QString("%1 N").arg(
-      (value < 0 ? QString("−") : QString("+")) + QString::number(std::abs(value), 'f', 1), 6);
+  return QString("%1 N").arg(signedText(value, 1), 6);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/units.h"
 #include "widgets/figures/number_text.h"
 
 namespace capstan::widgets {
@@ -11,7 +12,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-QString millimetres(double metres) { return withMinus(QString::number(std::lround(metres * 1e3))); }
+QString millimetres(double metres) {
+  return withMinus(QString::number(std::lround(base::toMillimetres(metres))));
+}
 
 bool numbered(double metres, double cell) { return std::abs(std::remainder(metres, 2.0 * cell)) < 1e-6; }
 

@@ -45,7 +45,9 @@ void DiagnosisController::offerRecordings(SessionLink& link) {
           [this](const tracking::SourceInfo& info, const SourceChoice& choice) {
             now_ = info.begin;
             panel_.setSessionJoints(info.robot.size());
-            if (!choice.simulated) panel_.offer(choice.file, tr("Open recording"));
+            if (choice.simulated) return;
+            panel_.offer(choice.file, tr("Open recording"));
+            panel_.preselect(choice.file);
           });
   connect(&link, &SessionLink::status, this, &DiagnosisController::onStatus);
 }

@@ -17,8 +17,8 @@ class SessionBar;
 class SessionLink;
 
 /// Connects the diagnosis panel to the running session: offers the recording that was just made or is open,
-/// lets the session use the extended robot, switches between the plots and the panel, and adds a note for
-/// each saved file.
+/// chooses the open one if none is chosen, lets the session use the extended robot, switches between the
+/// plots and the panel, and adds a note for each saved file.
 class DiagnosisController : public QObject {
   Q_OBJECT
 

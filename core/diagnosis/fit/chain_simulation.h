@@ -27,8 +27,8 @@ struct ComparedChannel {
   int axis = -1;       ///< axis of frame 0, from 0; −1: a joint encoder
   double noise = 0.0;  ///< noise floor, ChannelNoise::floor()
 };
-/// Readings that measured and simulated are compared by, in one order: window by window, and in each window
-/// channel by channel.
+/// Readings at which measurement and simulation are compared. They are ordered window by window, and within a
+/// window channel by channel.
 struct Compared {
   std::vector<ComparedChannel> channels;
   Eigen::VectorXd measured;
@@ -44,7 +44,8 @@ struct Robot {
   const Eigen::MatrixXd* initial = nullptr;
 };
 
-/// Open-loop simulations of one recording, 16 robots at a time.
+/// Open-loop simulations of a robot model on the recorded inputs of one recording (motor positions of cable
+/// drives, motor torques of rigid drives, loads), 16 robots at a time.
 /// With cable drives, each segment starts from the joint positions that the joint encoders measured. Without
 /// joint encoders it starts from the positions that rigid cables would give, and observations in the first
 /// kSettling seconds are not compared. Rigid drives also restart after each `horizon` seconds from the

@@ -30,10 +30,10 @@ BlockSquares squaresOf(const FitData& data, const Eigen::VectorXd& e);
 /// The robot is then simulated with u + Δu, with the initial states of rigid drives adapted, and the
 /// residuals of fold f are taken from this simulation. Nuisances are fitted to held-out segments too.
 /// Parameters at a bound stay there; so do times of single events, because one block alone determines them.
-/// The cost is one simulation of kFolds robots side by side.
+/// The cost is one simulation of kFolds robots in parallel.
 Eigen::VectorXd heldOut(const FitData& data, const Fit& fit, const Weighting& weighting);
 inline constexpr int kFolds = 16;
-inline constexpr double kLongestWay = 1.0;
+inline constexpr double kLongestWay = 1.0;  ///< largest change of any u without a fold
 
 /// Covariance of u. Each variance is the larger of two: of the model's covariance, which assumes that the
 /// weights are true, and of the sandwich estimator from the blocks' scores (Liang and Zeger 1986), which is

@@ -14,8 +14,8 @@ namespace capstan::diagnosis {
 /// Offsets of the initial states from those of the simulations: one matrix 4n × windows per recording.
 using InitialStates = std::vector<Eigen::MatrixXd>;
 
-/// All recordings of one robot for a fit. Readings are stacked recording by recording, each in the order of
-/// its Compared.
+/// All recordings of one robot for a fit. Readings are stacked recording by recording. Within a recording they
+/// are in the order of the struct Compared of its simulation.
 class FitData {
  public:
   FitData(const std::vector<Evidence>& recordings, const robot::Description& robot, double horizon,
@@ -28,13 +28,14 @@ class FitData {
   const Eigen::VectorXd& measured() const { return measured_; }
   int threads() const { return threads_; }
   bool rigid() const { return rigid_; }
-  bool zerosFree() const { return zeros_ != EncoderZeros::kKnown; }  ///< joint encoders' zeros
+  /// True if the zeros of the joint encoders are unknown and are fitted.
+  bool zerosFree() const { return zeros_ != EncoderZeros::kKnown; }
 
   /// Sensor channels of all recordings, in order; channel()[i] is the channel of reading i.
   const std::vector<ComparedChannel>& channels() const { return channels_; }
   const std::vector<int>& channel() const { return channel_; }
-  /// Number of time blocks, the units of cross-validation and bootstrap. A block lasts about kBlock; a window
-  /// of a rigid drive below 4 kBlock is one block. block()[i] is the block of reading i.
+  /// Number of time blocks, the units of cross-validation and bootstrap. A block lasts about kBlock. With rigid
+  /// drives, a window shorter than 4 kBlock is a single block. block()[i] is the block of reading i.
   int blocks() const { return blocks_; }
   const std::vector<int>& block() const { return block_; }
   /// Segments with their own nuisances, each as readings [begin, end). Nuisances are the initial states of a
@@ -61,7 +62,7 @@ class FitData {
 };
 inline constexpr double kBlock = 1.0;  ///< duration of a time block [s]
 
-/// Offsets of zero for all initial states.
+/// Offsets 0 of all initial states.
 InitialStates noneBeyond(const FitData& data);
 
 /// State of a fit: model, estimate, residuals and linearisation.
@@ -72,10 +73,11 @@ struct Fit {
   Eigen::VectorXd e = {};         ///< measured − simulated, with nuisances subtracted
   Eigen::MatrixXd jacobian = {};  ///< d simulated / du, with nuisances subtracted
   Eigen::MatrixXd nuisance = {};  ///< d simulated / d nuisance, of the reading's own segment
-  /// d nuisance / du that compensates a change of u best, one matrix per segment (with the sign reversed).
+  /// Coefficients of the nuisances that were subtracted from `jacobian`, one matrix per segment. After a step
+  /// du of u, the best-fitting nuisances change by −removed · du.
   std::vector<Eigen::MatrixXd> removed = {};
   std::vector<bool> bound = {};  ///< true for parameters that a bound stops
-  double objective = 0.0;        ///< objectiveOf() e
+  double objective = 0.0;        ///< objectiveOf() the residuals e
   int iterations = 0;
 };
 
@@ -94,9 +96,9 @@ struct FitOptions {
 
 /// Least squares on the simulation error with priors,
 ///     Σ (w_i e_i)² + Σ (u_k / prior_k)²:
-/// Gauss–Newton on forward differences, 16 robots side by side; each step is tried in several dampings and
-/// lengths at once (Levenberg–Marquardt) and kept inside the bounds. Encoder zeros are solved for in
-/// each segment. Initial states of rigid drives are solved for in each segment too: the linearised step is
+/// Gauss–Newton with forward differences; 16 robots with perturbed parameters are simulated in parallel.
+/// Several dampings and lengths of each step are tried at once (Levenberg–Marquardt), and each step is kept
+/// inside the bounds. Encoder zeros are solved for in each segment. Initial states of rigid drives are solved for in each segment too: the linearised step is
 /// tried at several fractions of its length, and each trial is judged by a simulation, because static
 /// friction is strongly nonlinear. Ends early, with the estimate so far, when `progress` is cancelled.
 Fit fit(const FitData& data, const FitModel& model, const Eigen::VectorXd& u, const InitialStates& initial,

@@ -31,12 +31,14 @@ struct EffectTerm {
   const Hypothesis* hypothesis = nullptr;
   int joint = 0;  ///< joint, from 1; 0: whole arm
   EffectStart start;
-  bool background = false;  ///< true for a background effect, limited by Hypothesis::background
-  std::vector<int> index;   ///< positions of its numbers among the parameters; −1: as in `start`
-  int begun = -1;           ///< position of JointNumbers::creep_begun, see Hypothesis::remembers; −1: none
+  bool background = false;  ///< true for a background effect: its size is limited by Hypothesis::background
+  std::vector<int> index;   ///< indices of its numbers in FitModel::parameters(); −1: fixed as in `start`
+  int begun = -1;           ///< index of JointNumbers::creep_begun, see Hypothesis::remembers; −1: none
 };
 
-/// Structure that is fitted: the nominal robot with adjustable parameters, background effects, and effects.
+/// Model that is fitted: the nominal robot with adjustable parameters, effects that explain the recordings, and
+/// background effects. A background effect is one that every robot has to a small degree, such as a little
+/// backlash: it is fitted up to its normal size and is not reported as a cause.
 ///
 /// Adjustable are cable stiffness and damping, joint friction, and masses with their inertia. Each has a
 /// factor whose logarithm has the prior N(0, 0.3²), between 1/kMostMistuned and kMostMistuned. Centres of
@@ -63,7 +65,7 @@ class FitModel {
 
   const robot::Description& nominal() const { return nominal_; }
   robot::Description refitted(const Eigen::VectorXd& u) const;  ///< the nominal structure alone
-  robot::Description extended(const Eigen::VectorXd& u) const;  ///< with all effects, background ones too
+  robot::Description extended(const Eigen::VectorXd& u) const;  ///< with all effects, also background effects
   robot::Effect effect(std::size_t k, const Eigen::VectorXd& u) const;  ///< effect k with its values at u
   std::vector<double> effectValues(std::size_t k, const Eigen::VectorXd& u) const;
   robot::ChainModel chain(const Eigen::VectorXd& u) const;

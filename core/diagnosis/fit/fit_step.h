@@ -34,7 +34,7 @@ struct Trial {
   double objective = std::numeric_limits<double>::infinity();  ///< reached()
 };
 
-/// Best of several steps, which differ in damping and length and are simulated side by side. For rigid drives
+/// Best of several steps, which differ in damping and length and are simulated in parallel. For rigid drives
 /// the initial states also move by different shares of the linearised step.
 Trial bestOf(const FitData& data, const System& system, const BoundedStep& stepFor,
              const Weighting& weighting);

@@ -19,7 +19,7 @@ struct HypothesisWords {
   std::string_view equation;    ///< its equation as plain text, with the symbols of the papers
   std::string_view source;      ///< publication that the equation is from
   std::string_view changes;     ///< the change to the model
-  std::string_view signature;   ///< the pattern in the residual
+  std::string_view signature;   ///< how the residual depends on other variables
   std::string_view experiment;  ///< the motion that shows the effect best
 };
 
@@ -27,8 +27,8 @@ struct HypothesisWords {
 struct JointScales {
   double range = 0.0;      ///< range between the joint limits [rad or m]
   double speed = 0.0;      ///< highest speed in the recording [rad/s or m/s]
-  double coulomb = 0.0;    ///< refitted Coulomb friction [N·m or N]
-  double viscous = 0.0;    ///< refitted viscous friction
+  double coulomb = 0.0;    ///< Coulomb friction of the robot file [N·m or N]
+  double viscous = 0.0;    ///< viscous friction of the robot file
   double inertia = 0.0;    ///< diagonal of the mass matrix in the middle of the range [kg·m² or kg]
   double radius = 0.0;     ///< link radius r_l [m/rad or m/m]
   double capstan = 0.0;    ///< motor capstan radius r_mc [m]
@@ -41,7 +41,7 @@ struct JointScales {
 };
 
 /// One start of a fit: a value and a scale per number, in the order of EffectFacts::parameters. The scale is
-/// a large size of the number; with scale 0 the number is not fitted.
+/// a large magnitude of the number; a number with scale 0 is not fitted.
 struct EffectStart {
   std::vector<double> value;
   std::vector<double> scale;
@@ -56,11 +56,12 @@ struct Hypothesis {
   Place place;
   HypothesisWords words;
   std::vector<double> neutral;  ///< parameter values at which the model is the nominal one
-  /// Starts before starts() clips them to the parameters' bounds.
+  /// Starts of fits, not yet clipped to the parameters' bounds; see starts().
   std::vector<EffectStart> (*grid)(const JointScales& scales, int joint);
-  /// Size up to which the effect is a background effect, in the unit of size(); 0: it never is.
+  /// Size that the effect normally has on a robot in good order, in the unit of size(). Models contain the
+  /// effect up to this size as a background effect, which is no cause. 0: no background effect.
   double (*background)(const JointScales& scales) = [](const JointScales&) { return 0.0; };
-  bool remembers = false;  ///< true if its state at the start is one more parameter of a fit
+  bool remembers = false;  ///< true if the effect's state at the start is one more parameter of a fit
   /// Size of the effect as one number: usually the first parameter's magnitude.
   double (*size)(const std::vector<double>& values) = firstMagnitude;
 

@@ -114,7 +114,7 @@ std::vector<PoseHypothesis> poseHypotheses(PoseReference reference, bool turns) 
   } else {
     all.push_back({"command_delay", &kCommandDelay, &kDelayNumbers, 0.05, 0.0, delay});
     all.push_back({"following_lag", &kFollowingLag, &kLagNumbers, 0.05, 0.02,
-                   [](PoseNumbers& n, Values v) { n.clock_offset = v[0]; }});
+                   [](PoseNumbers& n, Values v) { n.time_constant = v[0]; }});
   }
   return all;
 }

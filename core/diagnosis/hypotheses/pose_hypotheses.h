@@ -10,14 +10,14 @@
 
 namespace capstan::diagnosis {
 
-/// Hypothesis that tip poses alone can test. An effect that robot files also have takes its name and texts
-/// from there; other effects have their own. The nominal value of every parameter is 0.
+/// Hypothesis that tip poses alone can test. An effect that also exists in robot files has the name and texts
+/// of its entry in hypotheses(); the other effects have their own. The nominal value of every parameter is 0.
 struct PoseHypothesis {
   std::string_view name;
   const HypothesisWords* words = nullptr;
   const std::vector<robot::EffectParameter>* parameters = nullptr;
   double scale = 0.0;  ///< large value of each parameter [its unit]
-  double start = 0.0;  ///< start of a fit; not 0 if the residual has no slope there
+  double start = 0.0;  ///< start value of a fit; not 0 if the residual's derivative is 0 there
   void (*set)(PoseNumbers& numbers, std::span<const double> values) = nullptr;
 
   std::size_t size() const { return parameters->size(); }

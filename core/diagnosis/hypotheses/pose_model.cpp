@@ -48,14 +48,14 @@ void moveTool(const PoseNumbers& numbers, const PoseMotion& motion, Eigen::Matri
 }
 
 /// First-order lag, exact for a path that is linear between its stamps.
-void follow(double clock_offset, const std::vector<double>& t, Eigen::Matrix3Xd& path) {
-  if (!(clock_offset > 0.0)) return;
+void follow(double time_constant, const std::vector<double>& t, Eigen::Matrix3Xd& path) {
+  if (!(time_constant > 0.0)) return;
   Eigen::Vector3d behind = Eigen::Vector3d::Zero(), last = path.col(0);
   for (Eigen::Index i = 1; i < path.cols(); ++i) {
     const double step = t[static_cast<std::size_t>(i)] - t[static_cast<std::size_t>(i - 1)];
-    const double decay = std::exp(-step / clock_offset);
+    const double decay = std::exp(-step / time_constant);
     const Eigen::Vector3d now = path.col(i), rate = (now - last) / step;
-    behind = decay * behind + (1.0 - decay) * clock_offset * rate;
+    behind = decay * behind + (1.0 - decay) * time_constant * rate;
     path.col(i) = now - behind;
     last = now;
   }
@@ -99,7 +99,7 @@ std::vector<PoseMotion> motionsOf(const PoseEvidence& evidence, PoseReference re
 Eigen::Matrix3Xd seenBy(const PoseNumbers& numbers, const PoseMotion& motion) {
   Eigen::Matrix3Xd path = motion.path;
   moveTool(numbers, motion, path);
-  follow(numbers.clock_offset, motion.t, path);
+  follow(numbers.time_constant, motion.t, path);
   play(numbers.gap, path);
   Eigen::Matrix3Xd observed(3, motion.observed.cols());
   const Eigen::Vector3d origin = numbers.camera.measure(Eigen::Vector3d::Zero());

@@ -41,17 +41,17 @@ struct PoseNumbers {
   robot::CameraNumbers camera;
   Eigen::Vector3d marker = Eigen::Vector3d::Zero();  ///< marker position in the tool's frame [m]
   Eigen::Vector3d gap = Eigen::Vector3d::Zero();     ///< half width of the play along each axis [m]
-  double insertion = 0.0;     ///< shift along the line from the remote centre (origin of frame 0) [m]
-  double clock_offset = 0.0;  ///< time constant of the first-order lag of the tip [s]
+  double insertion = 0.0;      ///< shift along the line from the remote centre (origin of frame 0) [m]
+  double time_constant = 0.0;  ///< time constant of the first-order lag of the tip [s]
 };
 
-/// Simulated camera measurements at the observations, 3 × observations. The path p with the tool's rotation
-/// R_t becomes
+/// Simulated camera measurements at the times of the observations, 3 × observations [m]. The path p with the
+/// tool's rotation R_t becomes
 ///     a = p + R_t marker + insertion p / |p|,
-///     b: clock_offset ḃ = a − b, b = a at the start,
+///     b: time_constant ḃ = a − b, b = a at the start,
 ///     c: play of half width `gap` on b, axis by axis (c moves when it is half a width behind; it starts in
 ///        the middle of the play),
-///     d(t) = c(t − delay), linear between the path's stamps, and constant beyond its ends.
+///     d(t) = c(t − camera.delay), linear between the path's stamps, and constant beyond its ends.
 /// The observation is CameraNumbers::measure(d), that is (1 + scale) R d + offset.
 Eigen::Matrix3Xd seenBy(const PoseNumbers& numbers, const PoseMotion& motion);
 

@@ -17,7 +17,7 @@ std::vector<double> rowOf(const Matrix3Xd& values, int axis) {
   return row;
 }
 
-/// Rising over all trajectories.
+/// Times of all observations, which increase over all trajectories [s].
 std::vector<double> timesOf(const PoseData& data) {
   std::vector<double> t;
   double begin = 0.0;
@@ -28,7 +28,7 @@ std::vector<double> timesOf(const PoseData& data) {
   return t;
 }
 
-/// The commanded path, `late` seconds before each observation.
+/// Positions of the reference path `late` seconds before each observation, 3 × observations [m].
 Matrix3Xd pathAt(const PoseData& data, double late) {
   PoseNumbers numbers;
   numbers.camera.delay = late;

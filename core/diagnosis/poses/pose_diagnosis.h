@@ -17,47 +17,50 @@
 namespace capstan::diagnosis {
 
 struct PoseOptions {
-  std::optional<PoseReference> towards;  ///< none: kinematics where the table has them, else the command
+  /// Poses that the observed poses are compared with. Empty: kinematics if the table has them, else commands.
+  std::optional<PoseReference> towards;
   std::vector<std::string> only;         ///< names of effects to consider; empty: all
-  std::uint64_t seed = 1;                ///< of the bootstraps
-  bool show = true;                      ///< also signatures, and what the residual depends on
+  std::uint64_t seed = 1;                ///< seed of the bootstraps
+  bool show = true;                      ///< true: also signatures and the Gaussian process of the residual
 };
 
-/// How far off a tip is with the effects known until then, on trajectories held out: of the three axes
-/// together and of each [m].
+/// Distance between observed and predicted tip on held-out trajectories, with the effects that were added
+/// until this step [m].
 struct PoseStep {
-  std::string effect;  ///< that came last; empty: none yet
-  double rms = 0.0;
-  stats::Interval interval;  ///< 95 %, bootstrap of trajectories
-  std::array<double, 3> axis{};
-  double median = 0.0;  ///< distance that half of the observations are within
+  std::string effect;            ///< effect that was added last; empty: none yet
+  double rms = 0.0;              ///< RMS of the distance
+  stats::Interval interval;      ///< 95 % interval of `rms`, by a bootstrap of trajectories
+  std::array<double, 3> axis{};  ///< RMS along each axis
+  double median = 0.0;           ///< median of the distance
 };
 
+/// Result of diagnosePoses().
 struct PoseReport {
   Report report;
   PoseReference towards = PoseReference::kKinematics;
-  std::size_t fitted = 0, held_out = 0;  ///< trajectories
-  std::vector<PoseStep> steps;
+  std::size_t fitted = 0, held_out = 0;  ///< number of fitted and of held-out trajectories
+  std::vector<PoseStep> steps;           ///< the first one without effects
 };
 
-/// Differences between the tip that a robot's kinematics (or its commands) report and the tip that cameras
-/// see: effects of pose_hypotheses.h, chosen and fitted on four trajectories in five (pose_selection.h); the
-/// fifths measure its gain. Only positions are compared; the tool's orientation turns
-/// `marker_offset`, and the registration's rotation is from positions alone.
+/// Explains the differences between observed tip positions and the reference (kinematics or commands) by
+/// effects of pose_hypotheses.h. The effects are selected and fitted on four trajectories in five
+/// (pose_selection.h); the other trajectories are held out and show how much each effect lowers the error.
+/// Only positions are compared. The tool's orientation is used for `marker_offset` alone, and the rotation of
+/// the registration follows from positions.
 ///
-/// The report's channels are the held-out observations, tip x, y, z of frame 0; each is "nominal" and
-/// "refitted" as measured, for there is nothing to refit, and its times are the trajectories' one behind the
-/// other. Noise is what differs from observation to observation. `nominal` is the robot file that effects of
-/// cameras are put into where the reference is the kinematics. base::InputError: as motionsOf(), and a name
-/// in `only` that is no effect of poses.
+/// The report's channels are the held-out observations: tip x, y, z of frame 0. In each channel, "nominal" and
+/// "refitted" are the residual without effects, because there is nothing to refit; the times of the
+/// trajectories follow each other. Noise is noiseOf() the final residual. If the reference is the kinematics,
+/// the extended robot of the report is `nominal` with the effects of the cameras. Throws base::InputError as
+/// motionsOf(), and for a name in `only` that is not in poseHypotheses().
 PoseReport diagnosePoses(const PoseEvidence& evidence, const robot::Description& nominal,
                          const PoseOptions& options = {}, base::Progress* progress = nullptr);
-inline constexpr std::size_t kHeldOut = 5;  ///< one trajectory in so many
+inline constexpr std::size_t kHeldOut = 5;  ///< every so many trajectories, one is held out
 
-/// A row a step, in millimetres.
+/// One row per step, in millimetres.
 base::Table poseStepTable(const PoseReport& report);
-/// jsonOf(Report) with "towards", "trajectories": {"fitted", "held_out"} and "steps": [{"effect", "rms",
-/// "interval", "axis", "median"}] beside it.
+/// jsonOf(Report), extended by "towards", "trajectories": {"fitted", "held_out"} and "steps": [{"effect",
+/// "rms", "interval", "axis", "median"}].
 nlohmann::json jsonOf(const PoseReport& report);
 
 }  // namespace capstan::diagnosis

@@ -8,7 +8,7 @@
 
 namespace capstan::diagnosis {
 
-/// Motions to fit to, their observations in one row.
+/// Motions of a fit. The observations of all motions are numbered in one sequence.
 class PoseData {
  public:
   explicit PoseData(std::vector<PoseMotion> motions);
@@ -16,8 +16,9 @@ class PoseData {
   const std::vector<PoseMotion>& motions() const { return motions_; }
   Eigen::Index observations() const { return first_.back(); }
   Eigen::Index blocks() const { return static_cast<Eigen::Index>(motions_.size()); }
-  /// Columns of motion `k` begin here; there is one more, the end.
+  /// First observation of motion `k`; for k = blocks() the number of observations.
   Eigen::Index first(Eigen::Index k) const { return first_[static_cast<std::size_t>(k)]; }
+  /// Number of observations of motion `k`.
   Eigen::Index count(Eigen::Index k) const { return first(k + 1) - first(k); }
 
  private:
@@ -25,42 +26,46 @@ class PoseData {
   std::vector<Eigen::Index> first_;
 };
 
-/// A model of some effects, fitted.
+/// Model with some effects, and its fit.
 struct PoseFit {
   std::vector<PoseHypothesis> effects;
-  Eigen::VectorXd value;     ///< numbers of all effects, SI
+  Eigen::VectorXd value;     ///< parameters of all effects, SI
   Eigen::Matrix3Xd e;        ///< observed − predicted at each observation [m]
-  Eigen::VectorXd weight;    ///< of each number of e, column by column: Huber's over the axis' variance
-  Eigen::MatrixXd jacobian;  ///< of the prediction by value / scale
+  Eigen::VectorXd weight;    ///< Huber weight / variance of the axis, per entry of e in column order
+  Eigen::MatrixXd jacobian;  ///< derivative of the prediction by value / scale
 
-  /// Place of the effect's first number; −1: it is not in.
+  /// Index of the effect's first parameter in `value`; −1: the model does not have the effect.
   Eigen::Index placeOf(std::string_view effect) const;
+  /// Parameters of the effect; empty if the model does not have it.
   std::vector<double> valuesOf(std::string_view effect) const;
 };
 
+/// Numbers of the pose model with these effects, whose parameters are `value`.
 PoseNumbers numbersOf(const std::vector<PoseHypothesis>& effects, const Eigen::VectorXd& value);
 
-/// Observed − predicted of all observations.
+/// Observed − predicted at all observations, 3 × observations [m].
 Eigen::Matrix3Xd residualOf(const PoseData& data, const PoseNumbers& numbers);
 
-/// Robust least squares: Σ ρ(e / s) by Levenberg and Marquardt within the parameters' bounds, ρ Huber's with
-/// kHuber, s each axis' 1.4826 median |e|, brought up to date as the fit proceeds. Begins at `value`.
+/// Robust least squares from the start `value`: minimizes Σ ρ(e / s) by Levenberg–Marquardt within the bounds
+/// of the parameters. ρ is Huber's function with the limit kHuber; s = 1.4826 median |e| per axis, computed
+/// again in each iteration.
 PoseFit fitPoses(const PoseData& data, std::vector<PoseHypothesis> effects, Eigen::VectorXd value);
 inline constexpr double kHuber = 2.0;
 
-/// The fit with one more effect, begun from it; and without one.
+/// Fit of the model with one more effect, started from `fit`.
 PoseFit with(const PoseData& data, const PoseFit& fit, const PoseHypothesis& effect);
+/// Fit of the model without one effect, started from `fit`.
 PoseFit without(const PoseData& data, const PoseFit& fit, std::string_view effect);
 
-/// Observed − predicted where each trajectory is predicted by the fit to the others: motions fall into kFolds
-/// folds; without a fold, values go by one Gauss–Newton step.
+/// Held-out residuals observed − predicted by cross-validation, 3 × observations [m]. Motion k belongs to fold
+/// k mod kFolds. The parameters without a fold follow from one Gauss–Newton step of the fit.
 Eigen::Matrix3Xd heldOut(const PoseData& data, const PoseFit& fit);
 
-/// Covariance of the values, dependent errors within a trajectory allowed for: sandwich by trajectories
-/// (Liang and Zeger 1986).
+/// Covariance of the parameters `value`, valid for errors that are correlated within a trajectory: sandwich
+/// estimator over trajectories (Liang and Zeger 1986).
 Eigen::MatrixXd covarianceOf(const PoseData& data, const PoseFit& fit);
 
-/// Squares by axis and trajectory, as FitData has them by channel and block.
+/// Sums of squares of e, by axis (as channel) and trajectory (as block).
 BlockSquares squaresOf(const PoseData& data, const Eigen::Matrix3Xd& e);
 
 }  // namespace capstan::diagnosis

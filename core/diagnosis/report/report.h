@@ -36,7 +36,6 @@ struct Gain {
   stats::Interval interval;                  ///< 95 % interval of rms_after / rms_before, by block bootstrap
 };
 
-<<<<<<< HEAD
 /// How far an effect moves something: simulated with it less simulated without it, over the recordings.
 struct Displacement {
   double rms = 0.0, largest = 0.0;  ///< [m], of revolute joints [rad]
@@ -49,15 +48,15 @@ struct Displacements {
   Displacement tip;                  ///< in frame 0, as cameras would see it [m]
 };
 
+/// Identified cause: an effect on one joint, with its parameters.
 struct Cause {
   std::string effect;
   int joint = 0;  ///< joint, from 1; 0: the whole arm or a camera
   std::vector<FoundParameter> parameters;
-<<<<<<< HEAD
   double probability = 0.0;  ///< posterior probability that the effect belongs to the model
   double loss = 0.0;         ///< held-out log predictive density that is lost without this effect alone [nats]
   Displacements moves = {};  ///< empty joints: not computed
-  Gain gain = {};            ///< on the channel that gains most
+  Gain gain = {};            ///< gain of the channel with the largest reduction
 };
 
 /// An effect of a set in the posterior.
@@ -70,10 +69,6 @@ struct NamedEffect {
 struct SetProbability {
   std::vector<NamedEffect> effects;
   double probability = 0.0;
-=======
-  double probability = 0.0;  ///< share of block-bootstrap draws in which it is the best (or needed)
-  Gain gain;                 ///< gain of the channel with the largest reduction
->>>>>>> main
 };
 
 /// Effects that explain the recording equally well.
@@ -85,31 +80,24 @@ struct Tie {
 /// Parameter of the nominal model after the refit.
 struct RefitNumber {
   std::string name, unit;  ///< "cable_stiffness of joint 2"
-  double nominal = 0.0, value = 0.0, sigma = 0.0;
-  bool at_bound = false;  ///< true if the estimate stands at its bound
-  bool moved = false;     ///< true if it changed by more than two sigmas
+  double nominal = 0.0;
+  double value = 0.0, sigma = 0.0;  ///< refitted together with the effects of the model
+  bool at_bound = false;            ///< true if the estimate stands at its bound
+  bool moved = false;               ///< true if it changed by more than two sigmas
+  double value_without = 0.0;       ///< refitted without any effect
 };
 
 /// One hypothesis in the ranking of one round.
 struct Candidate {
   std::string effect;
   int joint = 0;
-<<<<<<< HEAD
   int round = 1;          ///< expansion of the search in which it was tested
-  double screened = 0.0;  ///< share of the residual's mean square that the score test expects the effect to remove
-  bool refitted = false;
-  double reduction = 0.0;  ///< cross-validated, of the channel that gains most; NaN: not refitted
-  double score = 0.0;      ///< cross-validated, above the model without it [nats]; NaN: not refitted
-  double probability = 0.0;  ///< posterior probability that it belongs to the model
-=======
-  int round = 1;          ///< round of the forward selection
   double screened = 0.0;  ///< predicted reduction of the residual's mean square (score test), as a share
   bool refitted = false;
   double reduction = 0.0;    ///< largest cross-validated reduction over the channels; NaN: not refitted
   double score = 0.0;        ///< cross-validated log likelihood gain over the model without it [nats]; NaN:
                              ///< not refitted
   double probability = 0.0;  ///< as Cause::probability
->>>>>>> main
 };
 
 /// Residuals of one sensor channel of one recording under the three models.
@@ -135,7 +123,6 @@ struct FilterGain {
   double nominal = 0.0, refitted = 0.0, extended = 0.0;
 };
 
-<<<<<<< HEAD
 /// How much of a sensor channel could be explained from the recordings' own signals, RMS on held-out data. Channels of all
 /// recordings that read the same thing are one.
 struct Explainable {
@@ -151,10 +138,7 @@ struct Explainable {
   std::string leans_on;  ///< what the regression with the least residual depends on
 };
 
-/// How long each stage took [s].
-=======
 /// Stage of a diagnosis, and its duration.
->>>>>>> main
 struct Stage {
   std::string name;
   double seconds = 0.0;
@@ -172,14 +156,9 @@ struct Report {
   std::vector<RefitNumber> refit;
   std::vector<Candidate> candidates;
   std::vector<ChannelReport> channels;
-<<<<<<< HEAD
-  std::vector<std::string> recordings;     ///< titles
-  std::vector<Explainable> explainable;    ///< by channel, the one with most beyond noise first
-  std::vector<ResidualProcess> processes;  ///< where something stays unexplained
-=======
   std::vector<std::string> recordings;     ///< titles of the recordings
+  std::vector<Explainable> explainable;    ///< by channel, the one with most beyond noise first
   std::vector<ResidualProcess> processes;  ///< of channels whose residual stays unexplained
->>>>>>> main
   std::vector<SpectralLine> lines;
   std::vector<FilterGain> filter;  ///< empty: not requested, or no joint encoders
   double explained = 0.0;          ///< share of the refitted residual beyond noise that the causes explain

@@ -64,6 +64,7 @@ json refitJson(const std::vector<RefitNumber>& refit) {
     all[keyOf(one.name)] = {{"nominal", number(one.nominal)},
                             {"value", number(one.value)},
                             {"sigma", number(one.sigma)},
+                            {"without", number(one.value_without)},
                             {"unit", one.unit},
                             {"moved", one.moved},
                             {"at_bound", one.at_bound}};

@@ -59,6 +59,8 @@ std::string changeOf(const RefitNumber& one) {
 
 }  // namespace
 
+bool hasEffects(const Report& report) { return !report.causes.empty() || !report.also_measurable.empty(); }
+
 std::string titleOf(std::string_view effect) {
   const HypothesisWords* words = wordsOf(effect);
   return std::string(words ? words->title : effect);
@@ -102,6 +104,20 @@ std::string movesText(const Cause& cause) {
   return parts.empty() ? std::string("moves nothing in these recordings") : fmt::format("moves {}", fmt::join(parts, ", "));
 }
 
+std::string alsoMeasurableTitle(const Report& report) {
+  return "Also measurable, below the tolerance of " + formatTolerance(report.material);
+}
+
+std::string explainedText(const Report& report, std::string_view channel) {
+  const auto one = std::ranges::find(report.explainable, channel, &Explainable::channel);
+  if (one == report.explainable.end()) return {};
+  if (!std::isfinite(one->share))
+    return fmt::format("No regression on the recorded signals explains any of the residual of {}.", channel);
+  return fmt::format(
+      "The effects explain {:.0f} % of what the recorded signals can explain of the residual of {}.",
+      100.0 * std::max(0.0, one->share), channel);
+}
+
 Table channelTable(const Report& report) {
   const bool extended = !report.causes.empty();
   Table table;
@@ -142,18 +158,26 @@ Table channelTable(const Report& report) {
 }
 
 Table refitTable(const Report& report) {
+  const bool effects = hasEffects(report);
   Table table;
   table.title = "Parameters of the nominal model after the refit";
-  table.columns = {text("number"), text("nominal"), text("refitted"), text("change"), text("remark")};
+  table.columns = {text("number"),          text("nominal"),
+                   text("without effects"), text(effects ? "with effects" : "refitted"),
+                   text("change"),          text("remark")};
   std::vector<RefitNumber> numbers = report.refit;
   std::stable_partition(numbers.begin(), numbers.end(), [](const RefitNumber& one) { return one.moved; });
   for (const RefitNumber& one : numbers)
     table.rows.push_back({shownName(one.name), shownNumber(one.nominal, 0.0, one.unit),
+                          shownNumber(one.value_without, 0.0, one.unit),
                           shownNumber(one.value, one.sigma, one.unit), changeOf(one),
                           one.at_bound ? "at its bound: it would go further"
                           : one.moved  ? "moved"
                                        : "not moved"});
   table.note = "Moved: by more than two standard deviations. A mistuned parameter is not a missing effect.";
+  if (effects) return table;
+  constexpr std::ptrdiff_t kWithout = 2;  // without effects the two values are the same
+  table.columns.erase(table.columns.begin() + kWithout);
+  for (auto& row : table.rows) row.erase(row.begin() + kWithout);
   return table;
 }
 

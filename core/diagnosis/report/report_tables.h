@@ -10,6 +10,8 @@
 /// Tables of a report for people, in degrees, millimetres and per cent (shown.h).
 namespace capstan::diagnosis {
 
+/// True if the model has effects: causes or effects that are also measurable.
+bool hasEffects(const Report& report);
 /// Title of the effect's hypothesis, "Backlash"; the effect's name if there is no such hypothesis.
 std::string titleOf(std::string_view effect);
 /// Cause in one line: "Backlash, joint 2: half width 0.930 ± 0.030 mm".
@@ -21,12 +23,18 @@ std::string gainText(const Gain& gain);
 /// Displacement by a cause in one line: "moves joint 2 by 0.41 deg RMS (largest 0.93 deg), the tip by 1.9 mm RMS (largest 4.2 mm)".
 /// Joints that move by less than a tenth of the one that moves most are not named.
 std::string movesText(const Cause& cause);
+/// Heading of Report::also_measurable: "Also measurable, below the tolerance of 0.02deg,0.01mm".
+std::string alsoMeasurableTitle(const Report& report);
+/// Share of a channel's residual that the effects explain, of what the recorded signals can explain, in one
+/// sentence. Empty if the report has none for this channel.
+std::string explainedText(const Report& report, std::string_view channel);
 
 /// One row per channel: RMS of measured − simulated under the three models, the sensor's noise, the fit
 /// before and after, and the ratio of RMS after / before on held-out data with its 95 % interval. Columns of
 /// the extended model appear only with causes, and the recording only if there are several.
 base::Table channelTable(const Report& report);
-/// Parameters of the nominal model before and after the refit; parameters that moved come first.
+/// Parameters of the nominal model before and after the refit; parameters that moved come first. If the model
+/// has effects, the values refitted without and with them.
 base::Table refitTable(const Report& report);
 /// Hypotheses of each round, most probable first, at most `most` per round. The note gives the number of
 /// omitted hypotheses.

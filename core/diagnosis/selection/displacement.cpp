@@ -61,7 +61,12 @@ void addTip(const robot::Chain& chain, const SimulatedMotion& with, const Simula
 Displacements displacementsBy(const FitData& data, const Fit& fit, const EffectCandidate& effect,
                               const robot::Description& robot) {
   const FitModel less = fit.model.without(*effect.hypothesis, effect.joint);
-  const robot::ChainModel with = fit.model.chain(fit.u), without = less.chain(less.carry(fit.model, fit.u));
+  Eigen::VectorXd none = less.carry(fit.model, fit.u);
+  for (const EffectTerm& term : less.effects())  // a background term in its place would take up a part of it
+    if (term.hypothesis == effect.hypothesis && term.joint == effect.joint)
+      for (const int at : term.index)
+        if (at >= 0) none[at] = 0.0;
+  const robot::ChainModel with = fit.model.chain(fit.u), without = less.chain(none);
   const robot::Chain chain(robot);
   std::vector<Sum> joints(static_cast<std::size_t>(robot.size()));
   Sum tip;

@@ -175,7 +175,7 @@ class Search {
       report(fmt::format("Refitting with {}", test.hypothesis->words.title));
       trials.push_back(fitter_.extended(parent, test));
     }
-    note(parent, tests, trials);
+    if (effects.empty() || effects == found_.best) note(parent, tests, trials);
     settleBest(std::move(trials));
     if (!effects.empty() && effects != found_.best) SetFitter::thin(at(effects));
   }

@@ -129,9 +129,12 @@ Selection select(const FitData& data, const std::vector<Evidence>& recordings, c
   const PredictiveScore score = scoreOf(data, found, options.seed);
   const Posterior posterior = posteriorOf(found, score);
   const SetFitter fitter(data, progress);
-  const SetFit &base = found.sets.at({}), &chosen = mostProbable(posterior, found);
-  SetFit best = chosen;
+  const SetFit& base = found.sets.at({});
+  SetFit best = mostProbable(posterior, found);
   fitter.relinearise(best);
+  for (const EffectCandidate& effect : best.effects)
+    if (const EffectSet less = minus(best.effects, effect); !found.sets.contains(less))
+      found.sets.emplace(less, fitter.settled(fitter.reduced(best, effect)));
   Selection s{.base = base.fit,
               .base_squares = base.squares,
               .input_noise = found.input_noise,

@@ -1,48 +1,19 @@
-// The parts of the engine on recordings of planted robots: fits, score tests, cross-validation, verdicts.
+// The parts of the engine on recordings of planted robots: fits, cross-validation, verdicts.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <numbers>
 #include <thread>
 
 #include "core/base/error.h"
-#include "core/base/random.h"
-#include "core/base/resource.h"
 #include "core/diagnosis/diagnose.h"
-#include "core/diagnosis/evidence/read_evidence.h"
 #include "core/diagnosis/hypotheses/joint_scales.h"
 #include "core/diagnosis/selection/selection.h"
-#include "core/diagnosis/selection/spectral_line.h"
-#include "tests/support/planted/planted_case.h"
+#include "tests/core/diagnosis/planted_evidence.h"
 
 namespace capstan::diagnosis {
 namespace {
-
-robot::Description raven() { return robot::readDescription(base::resource("robots/raven2_left.yaml")); }
-
-/// A short recording of the RAVEN-II, drifted but without texture, with or without an effect.
-struct Planted {
-  robot::Description robot = raven();
-  test::Truth truth;
-  std::vector<Evidence> evidence;
-
-  explicit Planted(std::uint64_t seed, std::optional<test::Effect> effect = {}, int joint = 0,
-                   double duration = 12.0) {
-    test::DrawOptions options;
-    options.robot = robot;
-    options.effects = effect ? 1 : 0;
-    if (effect) options.effect = effect;
-    if (effect && joint > 0) options.joint = joint;
-    options.size = 0.6;
-    options.textured = false;
-    options.duration = duration;
-    auto [recording, measured] = test::recordWithTruth(test::draw(seed, options));
-    truth = measured;
-    evidence.push_back(evidenceOf(recording.table, robot));
-  }
-};
 
 double ratio(double value, double nominal) { return std::log(value / nominal); }
 
@@ -112,7 +83,7 @@ TEST(Fit, findsTheAgedRobotsNumbers) {
   const FitData data(planted.evidence, planted.robot, 2.0, EncoderZeros::kOnePerRecording, 2);
   const Selection s =
       select(data, planted.evidence, FitModel(planted.robot, jointScales(planted.evidence, planted.robot)),
-             {.most_causes = 0, .refits = 0, .only = {}, .seed = 1}, nullptr);
+             nullptr, {.most_causes = 0, .refits = 0, .only = {}, .seed = 1}, nullptr);
   const robot::Description found = s.base.model.refitted(s.base.u);
   // Stretch tells ratios: friction by stiffness; gravity's by stiffness where a cable carries it.
   double off = 0.0;
@@ -174,144 +145,6 @@ TEST(LeftOut, isWorseThanTheFitAndNearIt) {
   const double outside = weighting.weights.cwiseProduct(left).squaredNorm();
   EXPECT_GT(outside, inside);
   EXPECT_LT(outside, 1.5 * inside);
-}
-
-TEST(Screening, putsWhatIsHiddenFirst) {
-  const Planted planted(5, test::Effect::kLoadFriction, 2);
-  const FitData data(planted.evidence, planted.robot, 2.0, EncoderZeros::kOnePerRecording, 2);
-  const Selection s =
-      select(data, planted.evidence, FitModel(planted.robot, jointScales(planted.evidence, planted.robot)),
-             {.most_causes = 1, .refits = 3, .only = {}, .seed = 1}, nullptr);
-  ASSERT_FALSE(s.candidates.empty());
-  EXPECT_EQ(s.candidates.front().effect, "load_friction");
-  EXPECT_EQ(s.candidates.front().joint, 2);
-  ASSERT_EQ(s.taken.size(), 1U);
-  EXPECT_EQ(s.taken.front().added.hypothesis->name(), "load_friction");
-}
-
-TEST(WithSigns, turnsTheSignWhereTheMagnitudeTouchesZero) {
-  std::vector<double> magnitude, load;
-  base::Random random(7);
-  for (int k = 0; k < 20000; ++k) {
-    const double x = std::sin(2.0 * std::numbers::pi * k / 6000.0 + 0.7) +
-                     0.2 * std::sin(2.0 * std::numbers::pi * k / 2300.0);
-    load.push_back(x);
-    magnitude.push_back(std::abs(x + random.normal(0.0, 0.002)));
-  }
-  const std::vector<double> measured = withSigns(magnitude);
-  int wrong = 0;
-  for (std::size_t k = 0; k < load.size(); ++k)
-    wrong += std::abs(load[k]) > 0.1 && measured[k] * load[k] < 0.0;
-  EXPECT_EQ(wrong, 0);
-}
-
-TEST(WithSigns, turnsOnceWhereNoiseLingersAboutZero) {
-  std::vector<double> magnitude, load;
-  base::Random random(8);
-  for (int k = 0; k < 20000; ++k) {
-    load.push_back(-0.3 * std::sin(2.0 * std::numbers::pi * k / 9000.0 - 0.9));
-    magnitude.push_back(std::abs(load.back() + random.normal(0.0, 0.005)));
-  }
-  const std::vector<double> measured = withSigns(magnitude);
-  const double start = load.front() < 0.0 ? -1.0 : 1.0;  // nobody can know
-  int wrong = 0;
-  for (std::size_t k = 0; k < load.size(); ++k)
-    wrong += std::abs(load[k]) > 0.05 && start * measured[k] * load[k] < 0.0;
-  EXPECT_EQ(wrong, 0);
-}
-
-TEST(WithSigns, findsTheTurnsOfALoadNotMuchLargerThanItsNoise) {
-  std::vector<double> magnitude, load;
-  base::Random random(9);
-  for (int k = 0; k < 20000; ++k) {
-    load.push_back(0.02 * std::sin(2.0 * std::numbers::pi * k / 4400.0 + 0.5));
-    magnitude.push_back(std::abs(load.back() + random.normal(0.0, 0.005)));
-  }
-  const std::vector<double> measured = withSigns(magnitude);
-  int wrong = 0;
-  for (std::size_t k = 0; k < load.size(); ++k)
-    wrong += std::abs(load[k]) > 0.01 && measured[k] * load[k] < 0.0;
-  EXPECT_EQ(wrong, 0);
-}
-
-TEST(Creep, mayHaveBegunBeforeTheRecording) {
-  const Planted planted(11, test::Effect::kCableCreep, 3, 24.0);
-  const FitData data(planted.evidence, planted.robot, 2.0, EncoderZeros::kKnown, 2);
-  const Selection s =
-      select(data, planted.evidence, FitModel(planted.robot, jointScales(planted.evidence, planted.robot)),
-             {.most_causes = 1, .refits = 3, .only = {"cable_creep"}, .seed = 1}, nullptr);
-  ASSERT_EQ(s.taken.size(), 1U);
-  const FitModel& model = s.best.model;
-  const std::vector<double> found = model.effectValues(model.effects().size() - 1, s.best.u);
-  const test::Planted& truth = planted.truth.items.front().planted;
-  EXPECT_NEAR(found[0], truth.magnitude, 0.05 * truth.magnitude);
-  EXPECT_NEAR(found[1], truth.signature, 0.1 * truth.signature);
-}
-
-/// A zero that drifts beside what it could be taken for: all move a joint away from where its motor says it
-/// is.
-Selection amongMovingZeros(const Planted& planted) {
-  const FitData data(planted.evidence, planted.robot, 2.0, EncoderZeros::kKnown, 2);
-  return select(
-      data, planted.evidence, FitModel(planted.robot, jointScales(planted.evidence, planted.robot)),
-      {.most_causes = 1,
-       .refits = 3,
-       .only = {"zero_drift", "homing_offset", "encoder_slip", "cable_creep", "capstan_eccentricity"},
-       .seed = 1},
-      nullptr);
-}
-
-TEST(ZeroDrift, isFoundWithItsNumbers) {
-  for (const int joint : {1, 3}) {
-    const Planted planted(12, test::Effect::kZeroDrift, joint, 20.0);
-    const Selection s = amongMovingZeros(planted);
-    ASSERT_EQ(s.taken.size(), 1U) << joint;
-    EXPECT_EQ(s.taken.front().added.hypothesis->name(), "zero_drift");
-    EXPECT_TRUE(s.competitors.front().others.empty()) << joint;
-    EXPECT_EQ(s.taken.front().added.joint, joint);
-    const FitModel& model = s.best.model;
-    const std::vector<double> found = model.effectValues(model.effects().size() - 1, s.best.u);
-    const test::Planted& truth = planted.truth.items.front().planted;
-    EXPECT_NEAR(found[0], truth.magnitude, 0.1 * std::abs(truth.magnitude)) << joint;
-    EXPECT_NEAR(found[1], truth.signature, 0.2 * truth.signature) << joint;
-  }
-}
-
-/// On the elbow, whose cable gives enough for creep to show by its load; in less than twenty seconds that is
-/// not clear beside its stiffness.
-TEST(ZeroDrift, isNotTakenForWhatItResembles) {
-  for (const test::Effect effect : {test::Effect::kHomingOffset, test::Effect::kEncoderSlip,
-                                    test::Effect::kCableCreep, test::Effect::kCapstanEccentricity}) {
-    const Planted planted(13, effect, 2, effect == test::Effect::kCableCreep ? 24.0 : 12.0);
-    const Selection s = amongMovingZeros(planted);
-    const std::string_view name = test::factsOf(effect).name;
-    ASSERT_EQ(s.taken.size(), 1U) << name;
-    EXPECT_EQ(s.taken.front().added.hypothesis->name(), name);
-    EXPECT_EQ(s.taken.front().added.joint, 2) << name;
-  }
-}
-
-Channel channelOf(double line, double frequency) {
-  Channel channel;
-  channel.name = "q1";
-  base::Random random(9);
-  double slow = 0.0;
-  for (int k = 0; k < 3000; ++k) {
-    slow = 0.98 * slow + random.normal(0.0, 1.0);
-    channel.t.push_back(0.01 * k);
-    channel.residual.push_back(slow + random.normal(0.0, 1.0) +
-                               line * std::sin(2.0 * std::numbers::pi * frequency * 0.01 * k));
-  }
-  return channel;
-}
-
-TEST(SpectralLine, findsAVibrationInColouredNoiseAndNoneWhereThereIsNone) {
-  EXPECT_FALSE(spectralLine(channelOf(0.0, 0.0)));
-  const auto line = spectralLine(channelOf(1.5, 7.3));
-  ASSERT_TRUE(line);
-  EXPECT_NEAR(line->frequency, 7.3, 0.05);
-  EXPECT_NEAR(line->amplitude, 1.5, 0.4);
-  EXPECT_LT(line->p_value, kLineChance);
 }
 
 TEST(Diagnose, isTheSameWhateverTheThreads) {

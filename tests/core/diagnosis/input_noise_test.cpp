@@ -33,9 +33,9 @@ struct Sound {
   }
 
   Selection refitted(const FitData& data) const {
-    SelectionOptions options;
+    SearchOptions options;
     options.most_causes = 0;
-    return select(data, evidence, FitModel(robot, jointScales(evidence, robot)), options, nullptr);
+    return select(data, evidence, FitModel(robot, jointScales(evidence, robot)), nullptr, options, nullptr);
   }
 };
 

@@ -31,15 +31,16 @@ TEST(MeasuredDiagnosis, AxisOfThePublicBenchmark) {
 TEST(MeasuredDiagnosis, JawOfAnInstrument) {
   const std::filesystem::path folder = test::dataFolder() / "davinci-jaw";
   REQUIRE_DATA(folder);
-  diagnosis::SelectionOptions options;
+  diagnosis::SearchOptions options;
   options.most_causes = 2;
   options.refits = 4;
-  const std::vector<JawStep> steps = jawSteps(folder, {"0.1", "0.3"}, options, 2);
-  EXPECT_NEAR(steps.front().odd_deg, 2.88, 0.15) << "a gear ratio alone, as others found";
+  const Jaw jaw(folder, {"0.1", "0.3"}, 2);
+  const std::vector<JawStep> steps = jaw.steps(jaw.select(options));
+  EXPECT_NEAR(steps.front().errors.odd, 2.88, 0.15) << "a gear ratio alone, as others found";
   ASSERT_GE(steps.size(), 2U);
   EXPECT_EQ(steps[1].name, "+ cable_compliance");
-  EXPECT_LT(steps[1].odd_deg, 1.73) << "a linear stretch, as others found";
-  EXPECT_LT(steps.back().odd_deg, 1.1);
+  EXPECT_LT(steps[1].errors.odd, 1.73) << "a linear stretch, as others found";
+  EXPECT_LT(steps.back().errors.odd, 1.1);
 }
 
 }  // namespace

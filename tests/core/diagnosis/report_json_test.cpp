@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <set>
 
+#include "core/base/resource.h"
+#include "core/base/yaml.h"
 #include "tests/support/sample_diagnosis.h"
 
 namespace capstan::diagnosis {
@@ -40,6 +43,96 @@ TEST(ReportJson, SaysWhatTheReportSays) {
   EXPECT_EQ(document.at("stages")[0].at("name"), "refit");
   EXPECT_EQ(document.at("notices"), json(report.notices));
   EXPECT_EQ(document.at("cancelled"), false);
+}
+
+/// A report with everything that a search over sets of effects says, made by hand.
+Report searched() {
+  Report report;
+  Cause cause{.effect = "backlash", .joint = 2, .parameters = {}, .probability = 0.875, .loss = 31.5};
+  cause.moves.joints = {{1e-4, 2e-4, false}, {3e-3, 7e-3, false}, {2e-5, 4e-5, true}};
+  cause.moves.tip = {5e-4, 9e-4, true};
+  report.causes = {cause};
+  cause.effect = "asymmetric_friction", cause.joint = 1, cause.loss = 4.5;
+  report.also_measurable = {cause};
+  report.material = {7e-4, 3e-5};
+  report.posterior = {
+      {{{"asymmetric_friction", 1}, {"backlash", 2}}, 0.8125}, {{{"backlash", 2}}, 0.125}, {{}, 0.0625}};
+  Explainable channel{"q2",
+                      "rad",
+                      1e-5,
+                      4e-3,
+                      2e-4,
+                      6e-4,
+                      std::numeric_limits<double>::quiet_NaN(),
+                      0.96875,
+                      "depends on q_m2"};
+  report.explainable = {channel};
+  return report;
+}
+
+TEST(ReportJson, HasCausesWithLossAndMovesAndWhatIsAlsoMeasurable) {
+  const json document = json::parse(jsonOf(searched()).dump());
+  const json& cause = document.at("causes")[0];
+  EXPECT_EQ(cause.at("probability"), 0.875);
+  EXPECT_EQ(cause.at("loss"), 31.5);
+  ASSERT_EQ(cause.at("moves").at("joints").size(), 3U);
+  EXPECT_EQ(cause.at("moves").at("joints")[1], json({{"rms", 3e-3}, {"largest", 7e-3}}));
+  EXPECT_EQ(cause.at("moves").at("tip"), json({{"rms", 5e-4}, {"largest", 9e-4}}));
+  ASSERT_EQ(document.at("also_measurable").size(), 1U);
+  EXPECT_EQ(document.at("also_measurable")[0].at("effect"), "asymmetric_friction");
+  EXPECT_EQ(document.at("also_measurable")[0].at("loss"), 4.5);
+  EXPECT_EQ(document.at("material"), json({{"angle", 7e-4}, {"length", 3e-5}}));
+  const json empty = jsonOf(Report{});
+  EXPECT_EQ(empty.at("also_measurable"), json::array());
+  EXPECT_EQ(empty.at("material").at("length").get<double>(), Tolerance{}.length);
+}
+
+TEST(ReportJson, HasThePosteriorAndTheExplainableShare) {
+  const json document = json::parse(jsonOf(searched()).dump());
+  const json& posterior = document.at("posterior");
+  ASSERT_EQ(posterior.size(), 3U);
+  EXPECT_EQ(posterior[0].at("probability"), 0.8125);
+  ASSERT_EQ(posterior[0].at("effects").size(), 2U);
+  EXPECT_EQ(posterior[0].at("effects")[1], json({{"effect", "backlash"}, {"joint", 2}}));
+  EXPECT_EQ(posterior[2].at("effects"), json::array()) << "the nominal structure";
+  ASSERT_EQ(document.at("explainable").size(), 1U);
+  const json& channel = document.at("explainable")[0];
+  EXPECT_EQ(channel.at("channel"), "q2");
+  EXPECT_EQ(channel.at("unit"), "rad");
+  EXPECT_EQ(channel.at("noise"), 1e-5);
+  EXPECT_EQ(channel.at("refitted"), 4e-3);
+  EXPECT_EQ(channel.at("named"), 2e-4);
+  EXPECT_EQ(channel.at("linear"), 6e-4);
+  EXPECT_TRUE(channel.at("flexible").is_null()) << "there was none";
+  EXPECT_EQ(channel.at("share"), 0.96875);
+  EXPECT_EQ(channel.at("leans_on"), "depends on q_m2");
+}
+
+/// Keys of a document but for the names of parameters and refitted numbers, which are the robot's.
+void collectKeys(const json& document, std::set<std::string>& keys) {
+  if (document.is_object())
+    for (const auto& [key, value] : document.items()) {
+      keys.insert(key);
+      const bool named = key == "parameters" || key == "refit";
+      if (!named) collectKeys(value, keys);
+      for (const auto& one : named ? value : json::object()) collectKeys(one, keys);
+    }
+  if (document.is_array())
+    for (const json& value : document) collectKeys(value, keys);
+}
+
+TEST(ReportJson, EveryKeyStandsInTheManual) {
+  std::set<std::string> keys;
+  collectKeys(jsonOf(searched()), keys);
+  for (const Verdict verdict : {Verdict::kTie, Verdict::kUnexplained})
+    collectKeys(jsonOf(sampleReport({.verdict = verdict, .duration = 12.0})), keys);
+  for (const char* key : {"also_measurable", "leans_on", "loss", "moves", "sigma", "relevance", "separate"})
+    EXPECT_TRUE(keys.contains(key)) << key << " is not in the documents that are compared";
+  const std::string page = base::readTextFile(base::resource("manual/json.md"));
+  const std::size_t begin = page.find("## diagnose");
+  ASSERT_NE(begin, std::string::npos);
+  const std::string section = page.substr(begin, page.find("\n## ", begin + 1) - begin);
+  for (const std::string& key : keys) EXPECT_NE(section.find(key), std::string::npos) << key;
 }
 
 TEST(ReportJson, NotANumberIsNull) {

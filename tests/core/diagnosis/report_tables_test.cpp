@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "core/diagnosis/hypotheses/hypothesis.h"
@@ -50,13 +51,28 @@ TEST(ReportTables, RefitShowsFirstWhatMoved) {
   std::swap(report.refit[0], report.refit[1]);
   const Table table = refitTable(report);
   expectWhole(table);
+  const std::size_t change = columnOf(table, "change"), remark = columnOf(table, "remark");
   EXPECT_EQ(table.rows[0][0].text, "cable stiffness of joint 2");
-  EXPECT_EQ(table.rows[0][3].text, "-18.0 %");
-  EXPECT_EQ(table.rows[0][4].text, "moved");
-  EXPECT_NE(table.rows[1][4].text.find("bound"), std::string::npos);
-  EXPECT_EQ(table.rows[2][4].text, "not moved");
+  EXPECT_EQ(table.rows[0][change].text, "-18.0 %");
+  EXPECT_EQ(table.rows[0][remark].text, "moved");
+  EXPECT_NE(table.rows[1][remark].text.find("bound"), std::string::npos);
+  EXPECT_EQ(table.rows[2][remark].text, "not moved");
   report.refit[0].nominal = 0.0;
   expectWhole(refitTable(report));
+}
+
+TEST(ReportTables, RefitShowsValuesWithAndWithoutEffects) {
+  Report report = sampleReport({.duration = 12.0});
+  report.refit = {{"cable_stiffness of joint 2", "N", 1000.0, 820.0, 0.0, false, true, 710.0}};
+  const Table with = refitTable(report);
+  EXPECT_EQ(with.rows[0][columnOf(with, "without effects")].text, "710 N");
+  EXPECT_EQ(with.rows[0][columnOf(with, "with effects")].text, "820 N");
+  report.causes.clear(), report.also_measurable.clear();
+  const Table alone = refitTable(report);
+  expectWhole(alone);
+  EXPECT_EQ(alone.rows[0][columnOf(alone, "refitted")].text, "820 N");
+  for (const auto& column : alone.columns)
+    EXPECT_EQ(column.name.find("effects"), std::string::npos) << column.name;
 }
 
 TEST(ReportTables, RankingIsByRoundAndLikelihoodAndSaysWhatItLeavesOut) {
@@ -105,6 +121,56 @@ TEST(ReportTables, CausesInWords) {
       "q3: RMS 2.00 mm becomes 1.00 mm, 50.0 % of it (95 %: 40.0 to 60.0 %), on data that were not fitted");
   gain.rms_before = 0.0;
   EXPECT_EQ(gainText(gain).find("%"), std::string::npos) << "no share of nothing";
+}
+
+TEST(ReportTables, WhatAnEffectMoves) {
+  Cause cause;
+  EXPECT_EQ(movesText(cause), "moves nothing in these recordings");
+  cause.moves.joints = {
+      {1e-6, 2e-6, false}, {std::numbers::pi / 180.0, std::numbers::pi / 90.0, false}, {4e-3, 5e-3, true}};
+  const std::string joints =
+      "moves joint 2 by 1.00 deg RMS (largest 2.00 deg), joint 3 by 4.00 mm RMS (largest 5.00 mm)";
+  EXPECT_EQ(movesText(cause), joints) << "joint 1 moves by less than a tenth of joint 2";
+  cause.moves.tip = {1e-3, 3e-3, true};
+  EXPECT_EQ(movesText(cause), joints + ", the tip by 1.00 mm RMS (largest 3.00 mm)");
+}
+
+TEST(ReportTables, ExplainableBesideRegressions) {
+  Report report;
+  report.explainable = {{"q2", "rad", 1e-5, 2.0 * std::numbers::pi / 180.0, std::numbers::pi / 180.0, 3e-3,
+                         NAN, 0.75, "depends on q_m2"},
+                        {"q3", "m", 1e-6, 2e-3, 2e-3, NAN, NAN, NAN, {}}};
+  const Table table = explainableTable(report);
+  expectWhole(table);
+  ASSERT_EQ(table.rows.size(), 2U);
+  EXPECT_EQ(table.rows[0][0].text, "q2 [deg]");
+  EXPECT_NEAR(table.rows[0][columnOf(table, "refitted")].number, 2.0, 1e-12);
+  EXPECT_NEAR(table.rows[0][columnOf(table, "with effects")].number, 1.0, 1e-12);
+  EXPECT_NEAR(table.rows[0][columnOf(table, "least squares")].number, 3e-3 * 180.0 / std::numbers::pi, 1e-12);
+  EXPECT_TRUE(std::isnan(table.rows[0][columnOf(table, "Gaussian process")].number));
+  EXPECT_NEAR(table.rows[0][columnOf(table, "explained")].number, 75.0, 1e-12);
+  EXPECT_EQ(table.rows[1][0].text, "q3 [mm]");
+  EXPECT_TRUE(std::isnan(table.rows[1][columnOf(table, "explained")].number));
+  EXPECT_NE(explainedText(report, "q2").find("75 %"), std::string::npos) << explainedText(report, "q2");
+  EXPECT_NE(explainedText(report, "q3").find("No regression"), std::string::npos)
+      << explainedText(report, "q3");
+  EXPECT_TRUE(explainedText(report, "q1").empty());
+}
+
+TEST(ReportTables, PosteriorOfSetsAndAllOthers) {
+  Report report;
+  report.posterior = {{{{"backlash", 2}, {"payload", 0}}, 0.5}, {{{"backlash", 2}}, 0.25}, {{}, 0.125}};
+  const Table table = posteriorTable(report);
+  expectWhole(table);
+  ASSERT_EQ(table.rows.size(), 3U);
+  EXPECT_EQ(table.rows[0][0].text,
+            titleOf("backlash") + " (joint 2) + " + titleOf("payload") + " (whole arm)");
+  EXPECT_EQ(table.rows[0][1].number, 50.0);
+  EXPECT_EQ(table.rows[2][0].text, "none");
+  EXPECT_NE(table.note.find("12.5 %"), std::string::npos) << table.note;
+  const Table brief = posteriorTable(report, 1);
+  EXPECT_EQ(brief.rows.size(), 1U);
+  EXPECT_NE(brief.note.find("50.0 %"), std::string::npos) << brief.note;
 }
 
 TEST(ExtendedRobot, IsARobotFileThatSaysWhereItIsFrom) {

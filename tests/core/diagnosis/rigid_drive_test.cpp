@@ -36,9 +36,10 @@ struct Sticking {
   }
 
   Fit refitted(const FitData& data) const {
-    SelectionOptions options;
+    SearchOptions options;
     options.most_causes = 0;
-    return select(data, evidence, FitModel(robot, jointScales(evidence, robot)), options, nullptr).base;
+    return select(data, evidence, FitModel(robot, jointScales(evidence, robot)), nullptr, options, nullptr)
+        .base;
   }
 };
 

@@ -69,6 +69,13 @@ TEST_F(DiagnosisPages, SayTheVerdictTheCausesAndWhatIsToldOfThem) {
   for (const std::string_view part : {words.title, words.what, words.experiment, words.source})
     EXPECT_TRUE(has(html, std::string(part))) << part;
   EXPECT_TRUE(has(html, "Worth</dt><dd>q2: RMS"));
+  EXPECT_TRUE(has(html, "Displacement</dt><dd>" + diagnosis::movesText(report.causes[0])));
+  EXPECT_TRUE(has(html, "<summary>Also measurable, below the tolerance of 0.02deg,0.01mm</summary>"));
+  EXPECT_TRUE(has(html, diagnosis::causeText(report.also_measurable[0])));
+  EXPECT_TRUE(has(html, diagnosis::posteriorTable(report).title));
+  EXPECT_TRUE(has(html, "--share:87%")) << "a bar behind the posterior";
+  EXPECT_TRUE(has(html, diagnosis::explainableTable(report).title));
+  EXPECT_TRUE(has(html, "without effects"));
   EXPECT_TRUE(has(html, "cable stiffness of joint 2"));
   EXPECT_TRUE(has(html, "Errors of the Kalman filter with each model"));
   EXPECT_TRUE(has(html, "--share:97%")) << "a bar behind the probability";
@@ -96,6 +103,7 @@ TEST_F(DiagnosisPages, SayWhatStaysUnexplainedAndThatNothingIsWorthNaming) {
   EXPECT_TRUE(has(quiet, "Nothing material"));
   EXPECT_FALSE(has(quiet, "Causes</h2>"));
   EXPECT_FALSE(has(quiet, "extended"));
+  EXPECT_FALSE(has(quiet, "Also measurable"));
 }
 
 TEST_F(DiagnosisPages, EscapeWhatComesFromFiles) {

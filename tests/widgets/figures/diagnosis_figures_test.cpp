@@ -140,6 +140,9 @@ TEST(ResidualFigures, ShowTheNumbersOfTheReport) {
   EXPECT_EQ(rows[10][3].toDouble(), degrees * channel.refitted.measured[10]);
   EXPECT_TRUE(wordsAbove(figure, 1).contains("extended")) << wordsAbove(figure, 1).toStdString();
   EXPECT_TRUE(figure.caption().contains("slow.csv"));
+  EXPECT_TRUE(figure.caption().contains("of what the recorded signals can explain of the residual of q2"))
+      << figure.caption().toStdString();
+  EXPECT_TRUE(SignatureFigure(strongestSignatures(report, channel)).caption().contains("recorded signals"));
 }
 
 TEST(ResidualFigures, LongRecordingsLeaveAFewThousandRows) {

@@ -38,9 +38,7 @@ std::vector<Results> readAll(const std::vector<ExportedRun>& runs, base::Progres
 
 }  // namespace
 
-FullExport::FullExport(QObject* parent) : QObject(parent) {
-  next_.setSingleShot(true);
-  connect(&next_, &QTimer::timeout, this, &FullExport::drawNext);
+FullExport::FullExport(QObject* parent) : StepExport(parent) {
   connect(&job_, &Job::progressed, this,
           [this](double fraction, const QString& doing) { Q_EMIT progressed(kReading * fraction, doing); });
   connect(&job_, &Job::failed, this, [this](const QString& why) { fault_ = why; });
@@ -71,33 +69,21 @@ void FullExport::onRead(std::vector<Results> all) {
     options.titles = pages_.titles;
     drawing_ =
         std::make_unique<FigureExport>(std::move(all), folder_.toStdString(), options, std::move(extras_));
-    next_.start(0);
+    begin();
   } catch (const std::exception& error) {
     fault_ = QString::fromStdString(error.what());  // said when the job has ended
   }
 }
 
-void FullExport::drawNext() {
-  if (!drawing_) return;
-  try {
-    if (drawing_->drawn()) return finish();
-    drawing_->draw();
-    Q_EMIT progressed(kReading + (1.0 - kReading) * drawing_->fraction(), tr("drawing"));
-    next_.start(0);
-  } catch (const std::exception& error) {
-    end({}, QString::fromStdString(error.what()));
-  }
+void FullExport::step() {
+  if (drawing_->drawn()) return finish();
+  drawing_->draw();
+  Q_EMIT progressed(kReading + (1.0 - kReading) * drawing_->fraction(), tr("drawing"));
 }
 
 void FullExport::cancel() {
   job_.cancel();
-  if (!drawing_) return;
-  next_.stop();
-  try {
-    finish();
-  } catch (const std::exception& error) {
-    end({}, QString::fromStdString(error.what()));
-  }
+  if (drawing_) attempt([this] { finish(); });
 }
 
 void FullExport::finish() {
@@ -106,11 +92,6 @@ void FullExport::finish() {
   QString words = tr("%1 figures and %2 tables: open %3").arg(report.figures).arg(report.tables).arg(index);
   if (report.cancelled) words = tr("Cancelled. ") + words;
   end(index, words);
-}
-
-void FullExport::end(const QString& index, const QString& words) {
-  drawing_.reset();
-  Q_EMIT ended(index, words);
 }
 
 }  // namespace capstan::widgets

@@ -1,13 +1,12 @@
 #pragma once
 
-#include <QObject>
-#include <QTimer>
 #include <memory>
 #include <vector>
 
 #include "core/analysis/error_run.h"
 #include "widgets/figures/export_all.h"
 #include "widgets/jobs/job.h"
+#include "widgets/jobs/step_export.h"
 #include "widgets/panels/analysis/run_picker.h"
 
 namespace capstan::widgets {
@@ -18,10 +17,9 @@ struct ExportedRun {
   std::shared_ptr<const analysis::ErrorRun> run = {};
 };
 
-/// Exports all figures and tables of runs, and of their comparison, into a folder with an index page. Results
-/// are read in the background. Figures are widgets, so they are drawn on the window's thread, one at a time,
-/// when it is idle.
-class FullExport : public QObject {
+/// Exports all figures and tables of runs, and of their comparison, into a folder. Results are read in the
+/// background. The result is the path of an index page.
+class FullExport : public StepExport {
   Q_OBJECT
 
  public:
@@ -33,26 +31,21 @@ class FullExport : public QObject {
              const PageOptions& pages);
   /// Stops the export. Figures drawn so far stay, with an index page that reports the cancel.
   void cancel();
-  bool busy() const { return job_.busy() || drawing_ != nullptr; }
+  bool busy() const override { return job_.busy() || drawing_ != nullptr; }
 
- signals:
-  void progressed(double fraction, const QString& doing);
-  /// The export has ended. `index`: path of the page, empty if there is none; `words`: what was written, or
-  /// the error.
-  void ended(const QString& index, const QString& words);
+ protected:
+  void step() override;
+  void drop() override { drawing_.reset(); }
 
  private:
   void onRead(std::vector<experiments::Results> all);
-  void drawNext();
   void finish();
-  void end(const QString& index, const QString& words);
 
   QString folder_;
   PageOptions pages_;
   ExportExtras extras_;
   QString fault_;
   std::unique_ptr<FigureExport> drawing_;
-  QTimer next_;
   Job job_;  ///< last member: destroyed before the members it reports to
 };
 

@@ -11,6 +11,7 @@
 #include "core/diagnosis/report/shown.h"
 #include "widgets/figures/share_bar.h"
 #include "widgets/panels/diagnosis/diagnosis_text.h"
+#include "widgets/panels/diagnosis/wrapped_words.h"
 
 namespace capstan::widgets {
 
@@ -19,27 +20,19 @@ namespace {
 using diagnosis::Cause;
 
 enum Column { kWords, kProbability, kColumns };
-constexpr int kCauseRole = Qt::UserRole + 1, kNameRole = Qt::UserRole + 2;
+constexpr int kCauseRole = Qt::UserRole + 1;
 constexpr double kPoints = 10.0;
 
 QString shown(const std::string& words) { return QString::fromStdString(words); }
 
-/// `text` wrapped between words into lines of at most `width` pixels.
-QString wrapped(const QString& words, const QFontMetrics& metrics, int width) {
-  QString lines, line;
-  for (const QString& word : words.split(QLatin1Char(' '))) {
-    const QString longer = line.isEmpty() ? word : line + QLatin1Char(' ') + word;
-    if (!line.isEmpty() && metrics.horizontalAdvance(longer) > width) {
-      lines += line + QLatin1Char('\n');
-      line = word;
-    } else {
-      line = longer;
-    }
-  }
-  return lines + line;
-}
-
 bool sameCause(const Cause& a, const Cause& b) { return a.effect == b.effect && a.joint == b.joint; }
+
+bool isTied(const diagnosis::Report& report, const Cause& cause) {
+  return std::any_of(report.ties.begin(), report.ties.end(), [&](const diagnosis::Tie& tie) {
+    return std::any_of(tie.causes.begin(), tie.causes.end(),
+                       [&](const Cause& other) { return sameCause(cause, other); });
+  });
+}
 
 /// Gain as "q2 on other data: 1.31 → 0.62 deg".
 QString gainWords(const diagnosis::Gain& gain) {
@@ -50,6 +43,14 @@ QString gainWords(const diagnosis::Gain& gain) {
       .arg(unit.scale * gain.rms_before, 0, 'g', 3)
       .arg(unit.scale * gain.rms_after, 0, 'g', 3)
       .arg(shown(unit.unit));
+}
+
+QString probabilityTip(const Cause& cause) {
+  QString tip = QObject::tr("Posterior probability that the effect belongs to the model");
+  if (cause.loss > 0.0)
+    tip += QObject::tr("; without it, the log predictive density of held-out data falls by %1 nats")
+               .arg(cause.loss, 0, 'g', 3);
+  return tip;
 }
 
 }  // namespace
@@ -72,9 +73,11 @@ CauseTree::CauseTree(QWidget* parent) : QTreeWidget(parent) {
   header()->setSectionResizeMode(kProbability, QHeaderView::Fixed);
   header()->resizeSection(kProbability, 84);
   header()->setFont(textFont(9.0));
-  // Wraps the names to the present width.
-  connect(header(), &QHeaderView::sectionResized, this, [this] { wrapNames(); });
+  connect(header(), &QHeaderView::sectionResized, this, [this] { wrapWords(*this, kWords); });
   connect(this, &QTreeWidget::currentItemChanged, this, [this] { Q_EMIT chosenChanged(); });
+  connect(this, &QTreeWidget::itemClicked, this, [this](const QTreeWidgetItem* item) {
+    if (item == folded_) setUnfolded(!unfolded_);
+  });
 }
 
 void CauseTree::setTheme(const Theme& theme) {
@@ -89,43 +92,62 @@ void CauseTree::setTheme(const Theme& theme) {
 void CauseTree::showReport(const diagnosis::Report& report) {
   verdict_ = report.verdict;
   robot_ = report.extended;
-  ties_ = report.ties;
   causes_.clear();
-  const auto tied = [&](const Cause& cause) {
-    return std::any_of(ties_.begin(), ties_.end(), [&](const diagnosis::Tie& tie) {
-      return std::any_of(tie.causes.begin(), tie.causes.end(),
-                         [&](const Cause& other) { return sameCause(cause, other); });
-    });
-  };
+  tied_.clear();
   for (const Cause& cause : report.causes)
-    if (!tied(cause)) causes_.push_back(cause);
+    if (!isTied(report, cause)) causes_.push_back(cause);
   alone_ = causes_.size();
-  for (const diagnosis::Tie& tie : ties_) causes_.insert(causes_.end(), tie.causes.begin(), tie.causes.end());
+  for (const diagnosis::Tie& tie : report.ties) {
+    causes_.insert(causes_.end(), tie.causes.begin(), tie.causes.end());
+    tied_.push_back(tie.causes.size());
+  }
+  causes_.insert(causes_.end(), report.also_measurable.begin(), report.also_measurable.end());
+  also_ = report.also_measurable.empty() ? QString()
+                                         : tr("%1: %2")
+                                               .arg(shown(diagnosis::alsoMeasurableTitle(report)))
+                                               .arg(report.also_measurable.size());
   fill();
 }
 
 void CauseTree::fill() {
   const QSignalBlocker quiet(this);
   clear();
-  for (std::size_t i = 0; i < alone_; ++i) addCause(nullptr, causes_[i]);
-  for (const diagnosis::Tie& tie : ties_) {
+  folded_ = nullptr;
+  std::size_t next = 0;
+  for (; next < alone_; ++next) addCause(nullptr, next);
+  for (const std::size_t tied : tied_) {
     QTreeWidgetItem* group = addLine(nullptr, tr("One of these:"));
-    for (const Cause& cause : tie.causes) addCause(group, cause);
+    for (std::size_t i = 0; i < tied; ++i) addCause(group, next++);
   }
-  if (causes_.empty())
+  if (next == 0)
     addLine(nullptr, verdict_ == diagnosis::Verdict::kUnexplained
                          ? tr("No hypothesis explains the residual; see the variables that it depends on.")
                          : tr("No material cause."));
+  QTreeWidgetItem* first = nullptr;
+  for (QTreeWidgetItemIterator it(this); *it && !first; ++it)
+    if ((*it)->data(0, kCauseRole).isValid()) first = *it;
+  if (!also_.isEmpty()) {
+    folded_ = addLine(nullptr, also_);
+    folded_->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
+    while (next < causes_.size()) addCause(folded_, next++);
+  }
   expandAll();
-  wrapNames();
-  QTreeWidgetItemIterator it(this);
-  while (*it && !(*it)->data(0, kCauseRole).isValid()) ++it;
-  setCurrentItem(*it);
+  setUnfolded(unfolded_);
+  setCurrentItem(first);
+}
+
+void CauseTree::setUnfolded(bool unfolded) {
+  unfolded_ = unfolded;
+  if (folded_) {
+    folded_->setExpanded(unfolded);
+    setWords(*folded_, kWords, (unfolded ? QStringLiteral("▾ ") : QStringLiteral("▸ ")) + also_);
+  }
+  wrapWords(*this, kWords);
 }
 
 QTreeWidgetItem* CauseTree::addLine(QTreeWidgetItem* parent, const QString& words) {
   auto* item = new QTreeWidgetItem;
-  item->setText(kWords, words);
+  setWords(*item, kWords, words);
   item->setFont(kWords, textFont(kPoints - 0.5));
   item->setForeground(kWords, theme_.muted);
   item->setFlags(Qt::ItemIsEnabled);
@@ -135,49 +157,44 @@ QTreeWidgetItem* CauseTree::addLine(QTreeWidgetItem* parent, const QString& word
   return item;
 }
 
-void CauseTree::addCause(QTreeWidgetItem* parent, const Cause& cause) {
+QTreeWidgetItem* CauseTree::addTitle(QTreeWidgetItem* parent, const Cause& cause) {
   auto* item = new QTreeWidgetItem;
-  item->setData(kWords, kNameRole,
-                titleOf(cause.effect) + QStringLiteral(", ") + placeOf(cause.effect, cause.joint, {}));
-  item->setToolTip(kWords,
-                   titleOf(cause.effect) + QStringLiteral(", ") + placeOf(cause.effect, cause.joint, robot_));
+  const QString title = titleOf(cause.effect) + QStringLiteral(", ");
+  QString place = placeOf(cause.effect, cause.joint, {});
+  setWords(*item, kWords, title + place.replace(QLatin1Char(' '), QChar(QChar::Nbsp)));  // in one line
+  item->setToolTip(kWords, title + placeOf(cause.effect, cause.joint, robot_));
   item->setFont(kWords, textFont(kPoints, true));
   item->setText(kProbability, percentText(cause.probability));
   item->setFont(kProbability, numberFont(kPoints));
   item->setTextAlignment(kProbability, Qt::AlignRight | Qt::AlignVCenter);
-  item->setToolTip(kProbability,
-                   tr("Share of resampled recordings in which the cause ranks first, or is needed"));
-  const auto found = std::find_if(causes_.begin(), causes_.end(),
-                                  [&](const Cause& other) { return sameCause(other, cause); });
-  item->setData(0, kCauseRole, static_cast<int>(found - causes_.begin()));
+  item->setToolTip(kProbability, probabilityTip(cause));
   ShareBar::set(*item, kProbability, cause.probability, theme_.accent);
   parent ? parent->addChild(item) : addTopLevelItem(item);
+  return item;
+}
+
+void CauseTree::addCause(QTreeWidgetItem* parent, std::size_t index) {
+  const Cause& cause = causes_[index];
+  QTreeWidgetItem* item = addTitle(parent, cause);
+  item->setData(0, kCauseRole, static_cast<int>(index));
   for (const diagnosis::FoundParameter& parameter : cause.parameters) {
     QTreeWidgetItem* line = addLine(item, shown(diagnosis::shownParameter(parameter)));
     line->setFont(kWords, numberFont(kPoints - 0.5));
     line->setForeground(kWords, theme_.text);
   }
+  if (!cause.moves.joints.empty()) addLine(item, shown(diagnosis::movesText(cause)));
   if (const QString gain = gainWords(cause.gain); !gain.isEmpty())
     addLine(item, gain)->setToolTip(kWords, shown(diagnosis::gainText(cause.gain)));
 }
 
-void CauseTree::wrapNames() {
-  constexpr int kMargins = 8;  // of an item [px]
-  for (QTreeWidgetItemIterator it(this); *it; ++it) {
-    QString name = (*it)->data(kWords, kNameRole).toString();
-    if (name.isEmpty()) continue;
-    name.replace(name.lastIndexOf(QLatin1Char(' ')), 1, QChar::Nbsp);  // "joint 1" in one line
-    const int indent = (*it)->parent() ? indentation() : 0;
-    (*it)->setText(kWords,
-                   wrapped(name, QFontMetrics((*it)->font(kWords)), columnWidth(kWords) - indent - kMargins));
-  }
-}
-
 const Cause* CauseTree::chosen() const {
+  const auto causeOf = [this](const QTreeWidgetItem* item) {
+    const QVariant index = item ? item->data(0, kCauseRole) : QVariant();
+    return index.isValid() ? &causes_[static_cast<std::size_t>(index.toInt())] : nullptr;
+  };
   for (const QTreeWidgetItem* item = currentItem(); item; item = item->parent())
-    if (const QVariant index = item->data(0, kCauseRole); index.isValid())
-      return &causes_[static_cast<std::size_t>(index.toInt())];
-  return nullptr;
+    if (const Cause* cause = causeOf(item)) return cause;
+  return currentItem() ? causeOf(currentItem()->child(0)) : nullptr;
 }
 
 QString CauseTree::text() const {
@@ -185,19 +202,20 @@ QString CauseTree::text() const {
   for (QTreeWidgetItemIterator it(const_cast<CauseTree*>(this)); *it; ++it) {
     int depth = 0;
     for (const QTreeWidgetItem* up = (*it)->parent(); up; up = up->parent()) ++depth;
-    const QVariant name = (*it)->data(kWords, kNameRole);
-    lines << (QString(2 * depth, QLatin1Char(' ')) +
-              (name.isValid() ? name.toString() : (*it)->text(kWords)) + QLatin1Char(' ') +
-              (*it)->text(kProbability))
-                 .trimmed()
-                 .prepend(QString(2 * depth, QLatin1Char(' ')));
+    QString line = wordsOf(**it, kWords) + QLatin1Char(' ') + (*it)->text(kProbability);
+    lines << QString(2 * depth, QLatin1Char(' ')) +
+                 line.replace(QChar(QChar::Nbsp), QLatin1Char(' ')).trimmed();
   }
   return lines.join('\n');
 }
 
 void CauseTree::keyPressEvent(QKeyEvent* event) {
-  if (!event->matches(QKeySequence::Copy)) return QTreeWidget::keyPressEvent(event);
-  QApplication::clipboard()->setText(text());
+  if (event->matches(QKeySequence::Copy)) return QApplication::clipboard()->setText(text());
+  const int key = event->key();
+  if (folded_ && currentItem() == folded_ &&
+      (key == Qt::Key_Space || key == Qt::Key_Return || key == Qt::Key_Enter))
+    return setUnfolded(!unfolded_);
+  QTreeWidget::keyPressEvent(event);
 }
 
 }  // namespace capstan::widgets

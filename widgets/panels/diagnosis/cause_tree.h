@@ -7,9 +7,10 @@
 
 namespace capstan::widgets {
 
-/// The causes in a report, the most probable first: title and joint, probability as a bar, and below each its
-/// parameters ± σ and its gain. Causes that cannot be distinguished are in one group, with the motion that
-/// would distinguish them.
+/// The causes in a report, in its order: title and joint, posterior probability as a bar, and below each its
+/// parameters ± σ, how far it moves the joints and the tip, and its gain. Causes that cannot be distinguished
+/// are in one group. Effects that are also measurable are in a folded group at the end; a click, Return or
+/// the space bar unfolds it.
 class CauseTree : public QTreeWidget {
   Q_OBJECT
 
@@ -17,9 +18,12 @@ class CauseTree : public QTreeWidget {
   explicit CauseTree(QWidget* parent = nullptr);
   void setTheme(const Theme& theme);
   void showReport(const diagnosis::Report& report);
-  /// The selected cause; null: none.
+  /// The selected cause, of a selected group its first one; null: none.
   const diagnosis::Cause* chosen() const;
-  /// Everything as indented text, one line per item: for tests and the clipboard.
+  /// Shows or hides the effects that are also measurable.
+  void setUnfolded(bool unfolded);
+  bool unfolded() const { return unfolded_; }
+  /// Everything as indented text, one line per item, folded ones included: for tests and the clipboard.
   QString text() const;
   QSize sizeHint() const override { return {320, 150}; }
   QSize minimumSizeHint() const override { return {180, 60}; }
@@ -32,16 +36,21 @@ class CauseTree : public QTreeWidget {
 
  private:
   void fill();
-  void wrapNames();  ///< wraps names to the present width
-  void addCause(QTreeWidgetItem* parent, const diagnosis::Cause& cause);
+  void addCause(QTreeWidgetItem* parent, std::size_t index);
+  QTreeWidgetItem* addTitle(QTreeWidgetItem* parent, const diagnosis::Cause& cause);
   QTreeWidgetItem* addLine(QTreeWidgetItem* parent, const QString& words);
 
   Theme theme_ = Theme::dark();
   diagnosis::Verdict verdict_ = diagnosis::Verdict::kNothing;
   robot::Description robot_;
-  std::vector<diagnosis::Cause> causes_;  ///< causes in the order of the list, tied ones included
-  std::vector<diagnosis::Tie> ties_;
-  std::size_t alone_ = 0;  ///< number of causes that are not tied
+  /// Causes that are not tied, those of the ties, and effects that are also measurable: in the order of the
+  /// list.
+  std::vector<diagnosis::Cause> causes_;
+  std::vector<std::size_t> tied_;  ///< number of causes of each tie
+  std::size_t alone_ = 0;          ///< number of causes that are not tied
+  QString also_;                   ///< heading of the folded group; empty: there is none
+  QTreeWidgetItem* folded_ = nullptr;
+  bool unfolded_ = false;
 };
 
 }  // namespace capstan::widgets

@@ -15,6 +15,9 @@ namespace capstan::widgets {
 struct DiagnosisChoice {
   QStringList recordings = {};  ///< recordings of one robot, or one table of tip poses: absolute paths
   QString robot = {};           ///< robot file; empty: the recordings' own, or the left RAVEN-II
+  /// Displacement from which on an effect is a cause, as parseTolerance() reads it. Tables of tip poses do
+  /// not use it.
+  QString material = QString::fromStdString(diagnosis::formatTolerance({}));
 
   bool operator==(const DiagnosisChoice&) const = default;
   /// Adds those of `files` that are not in `recordings` yet.
@@ -25,6 +28,9 @@ struct DiagnosisChoice {
 
 /// Reads files and returns a report, in the background; throws base::InputError.
 using DiagnosisRun = std::function<diagnosis::Report(const DiagnosisChoice&, base::Progress&)>;
+
+/// Tolerance of a choice. Throws base::InputError as diagnosis::parseTolerance() does.
+diagnosis::Tolerance toleranceOf(const QString& material);
 
 /// Runs diagnosis::diagnoseFiles() on the choice, as capstan-cli diagnose does.
 diagnosis::Report runDiagnosis(const DiagnosisChoice& choice, base::Progress& progress);

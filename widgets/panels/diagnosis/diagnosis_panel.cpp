@@ -1,26 +1,25 @@
 #include "widgets/panels/diagnosis/diagnosis_panel.h"
 
+#include <QBoxLayout>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QLayout>
 #include <QPushButton>
-#include <QSaveFile>
 #include <QSplitter>
 
 #include "core/base/error.h"
-#include "core/base/software.h"
-#include "core/diagnosis/report/extended_robot.h"
 #include "widgets/panels/diagnosis/cause_tree.h"
+#include "widgets/panels/diagnosis/diagnosis_headline.h"
 #include "widgets/panels/diagnosis/diagnosis_text.h"
+#include "widgets/panels/diagnosis/extended_robot_file.h"
 #include "widgets/panels/diagnosis/hypothesis_card.h"
 #include "widgets/panels/diagnosis/ranking_table.h"
 #include "widgets/panels/diagnosis/recording_picker.h"
 #include "widgets/panels/diagnosis/report_pages.h"
+#include "widgets/panels/diagnosis/tolerance_edit.h"
 
 namespace capstan::widgets {
 
 using diagnosis::Report;
-using diagnosis::Verdict;
 
 namespace {
 
@@ -32,31 +31,15 @@ QString namesOf(const QStringList& paths) {
   return names.join(QStringLiteral(", "));
 }
 
-/// Verdict as a word, with a mark that distinguishes it in grey print too.
-QString markOf(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kNothing:
-      return QStringLiteral("○ ");
-    case Verdict::kTie:
-    case Verdict::kUnexplained:
-      return QStringLiteral("◐ ");
-    default:
-      return QStringLiteral("● ");
-  }
-}
-
 }  // namespace
 
 DiagnosisPanel::DiagnosisPanel(DiagnosisRun run, QWidget* parent) : WorkPanel(parent), run_(std::move(run)) {
   makeButtons();
-  addHead(picker_ = new RecordingPicker, diagnose_, tr("verdict"));
+  addHead(makeInput(), diagnose_, tr("verdict"));
   addBody(makeBody());
   addFoot({save_, use_, page_}, tr("state of the diagnosis"));
-  connect(picker_, &RecordingPicker::changed, this, [this] {
-    said_.clear();
-    failed_.clear();
-    refresh();
-  });
+  connect(picker_, &RecordingPicker::changed, this, &DiagnosisPanel::onInput);
+  connect(tolerance_, &ToleranceEdit::changed, this, &DiagnosisPanel::onInput);
   connect(causes_, &CauseTree::chosenChanged, this, &DiagnosisPanel::onCause);
   connect(pages_, &ReportPages::candidateChosen, this, &DiagnosisPanel::onCandidate);
   connect(pages_, &ReportPages::currentChanged, this, &DiagnosisPanel::showCard);
@@ -74,6 +57,16 @@ DiagnosisPanel::DiagnosisPanel(DiagnosisRun run, QWidget* parent) : WorkPanel(pa
 }
 
 DiagnosisPanel::~DiagnosisPanel() = default;
+
+QWidget* DiagnosisPanel::makeInput() {
+  auto* input = new QWidget;
+  auto* rows = new QVBoxLayout(input);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(4);
+  rows->addWidget(picker_ = new RecordingPicker);
+  rows->addWidget(tolerance_ = new ToleranceEdit);
+  return input;
+}
 
 QWidget* DiagnosisPanel::makeBody() {
   split_ = new QSplitter(Qt::Vertical);
@@ -107,6 +100,7 @@ void DiagnosisPanel::makeButtons() {
 void DiagnosisPanel::setTheme(const Theme& theme) {
   theme_ = theme;
   picker_->setTheme(theme);
+  tolerance_->setTheme(theme);
   causes_->setTheme(theme);
   card_->setTheme(theme);
   pages_->setTheme(theme);
@@ -115,28 +109,49 @@ void DiagnosisPanel::setTheme(const Theme& theme) {
 
 void DiagnosisPanel::offer(const QString& path, const QString& words) { picker_->offer(path, words); }
 
+void DiagnosisPanel::preselect(const QString& path) {
+  DiagnosisChoice chosen = choice();
+  if (busy() || !chosen.recordings.isEmpty()) return;
+  chosen.add({path});
+  choose(chosen);
+}
+
 void DiagnosisPanel::setSessionJoints(int joints) {
   session_joints_ = joints;
   refresh();
 }
 
-void DiagnosisPanel::save(QSettings& settings) const { picker_->choice().save(settings); }
+void DiagnosisPanel::save(QSettings& settings) const { choice().save(settings); }
 
 void DiagnosisPanel::restore(const QSettings& settings) { choose(DiagnosisChoice::restore(settings)); }
 
 void DiagnosisPanel::choose(const DiagnosisChoice& choice) {
   picker_->setChoice(choice);
+  tolerance_->setText(choice.material);
+  onInput();
+}
+
+/// Recordings and robot of the picker, and the tolerance of the line below it.
+DiagnosisChoice DiagnosisPanel::choice() const {
+  DiagnosisChoice choice = picker_->choice();
+  choice.material = tolerance_->text();
+  return choice;
+}
+
+void DiagnosisPanel::onInput() {
   said_.clear();
   failed_.clear();
   refresh();
 }
 
-const DiagnosisChoice& DiagnosisPanel::choice() const { return picker_->choice(); }
+bool DiagnosisPanel::canDiagnose() const {
+  return !choice().recordings.isEmpty() && tolerance_->error().isEmpty();
+}
 
 void DiagnosisPanel::diagnoseOrCancel() { busy() ? cancel() : diagnose(); }
 
 void DiagnosisPanel::diagnose() {
-  if (busy() || choice().recordings.isEmpty()) return;
+  if (busy() || !canDiagnose()) return;
   said_.clear();
   failed_.clear();
   beginProgress(tr("reading"));
@@ -209,14 +224,7 @@ void DiagnosisPanel::askFile() {
 
 void DiagnosisPanel::saveRobot(const QString& path) {
   if (!report()) return;
-  const QByteArray content =
-      QByteArray::fromStdString(diagnosis::extendedRobotText(*report_, base::software()));
-  QSaveFile file(path);
-  const bool saved =
-      file.open(QIODevice::WriteOnly) && file.write(content) == content.size() && file.commit();
-  said_ = saved ? tr("Saved as %1.").arg(path)
-                : tr("%1 cannot be written (%2). Choose a folder that exists and has room.")
-                      .arg(path, file.errorString());
+  const bool saved = saveExtendedRobot(*report_, path, said_);
   if (saved) Q_EMIT robotSaved(path);
   refresh();
 }
@@ -242,31 +250,14 @@ void DiagnosisPanel::exportTo(const QString& folder) {
 }
 
 void DiagnosisPanel::showVerdict() {
-  QString head, below;
   const Report* shown = job_.busy() ? nullptr : report();
-  if (shown) {
-    head = markOf(shown->verdict) + headlineOf(*shown);
-    below = QString::fromStdString(shown->summary);
-    for (const diagnosis::Tie& tie : shown->ties)
-      if (!tie.separate.empty())
-        below += QLatin1Char('\n') + tr("To distinguish them: %1").arg(QString::fromStdString(tie.separate));
-  } else if (job_.busy()) {
-    head = tr("Searching for errors of the simulation…");
-    below = tr("The longer the recordings, the longer it takes; Esc cancels it.");
-  } else if (!failed_.isEmpty()) {
-    head = tr("Not diagnosed");
-    below = failed_;
-  } else if (choice().recordings.isEmpty()) {
-    head = tr("What does the simulation get wrong?");
-    below =
-        tr("Choose one or more recordings of the moving robot: 20 s with all joints in motion, fast and "
-           "slow, back and forth; or one table of tip poses. Diagnosis names the effects that the model "
-           "lacks, and the gain by each.");
-  } else {
-    head = tr("Ready to diagnose");
-    below = tr("Press Diagnose (F5).");
-  }
-  showHead(head, below, shown != nullptr);
+  const Headline head = shown                            ? verdictOf(*shown)
+                        : job_.busy()                    ? searchingHeadline()
+                        : !failed_.isEmpty()             ? Headline{tr("Not diagnosed"), failed_}
+                        : choice().recordings.isEmpty()  ? emptyHeadline()
+                        : !tolerance_->error().isEmpty() ? toleranceHeadline()
+                                                         : readyHeadline();
+  showHead(head.head, head.below, shown != nullptr);
 }
 
 void DiagnosisPanel::refresh() {
@@ -290,7 +281,7 @@ void DiagnosisPanel::refresh() {
   diagnose_->setText(working ? tr("Cancel") : tr("Diagnose"));
   diagnose_->setToolTip(working ? tr("Stop the computation (Esc)")
                                 : tr("Find what the simulation gets wrong, and why (F5)"));
-  diagnose_->setEnabled(working || !choice().recordings.isEmpty());
+  diagnose_->setEnabled(working || canDiagnose());
   for (QPushButton* one : {save_, use_, page_}) one->setVisible(shown != nullptr && !working);
   use_->setEnabled(shown && session_joints_ > 0 && shown->extended.size() == session_joints_);
 }

@@ -20,6 +20,7 @@ class CauseTree;
 class HypothesisCard;
 class RecordingPicker;
 class ReportPages;
+class ToleranceEdit;
 
 /// Shows the residual of a robot's simulation in recordings, its causes, and the gain of modelling them:
 /// verdict and causes on top, details below. core/diagnosis computes everything, in the background.
@@ -34,6 +35,8 @@ class DiagnosisPanel : public WorkPanel {
   void setTheme(const Theme& theme);
   /// Offers a complete recording of the session; `words`: text of the button that chooses it. Empty: none.
   void offer(const QString& path, const QString& words);
+  /// Chooses this recording, unless recordings are already chosen.
+  void preselect(const QString& path);
   /// Sets the number of joints of the running session's robot, which the extended robot may replace; 0: no
   /// session.
   void setSessionJoints(int joints);
@@ -41,7 +44,7 @@ class DiagnosisPanel : public WorkPanel {
   void restore(const QSettings& settings);
 
   void choose(const DiagnosisChoice& choice);
-  const DiagnosisChoice& choice() const;
+  DiagnosisChoice choice() const;
   /// Starts a diagnosis; cancels one that is running.
   void diagnose();
   void cancel() override;
@@ -57,6 +60,7 @@ class DiagnosisPanel : public WorkPanel {
   void exportTo(const QString& folder);
 
   RecordingPicker& picker() { return *picker_; }
+  ToleranceEdit& tolerance() { return *tolerance_; }
   CauseTree& causes() { return *causes_; }
   ReportPages& pages() { return *pages_; }
 
@@ -70,7 +74,10 @@ class DiagnosisPanel : public WorkPanel {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  QWidget* makeInput();
   QWidget* makeBody();
+  void onInput();
+  bool canDiagnose() const;
   void makeButtons();
   void diagnoseOrCancel();
   void useRobot();
@@ -91,6 +98,7 @@ class DiagnosisPanel : public WorkPanel {
   int session_joints_ = 0;
   bool user_split_ = false;
   RecordingPicker* picker_;
+  ToleranceEdit* tolerance_;
   QSplitter *split_, *top_;
   CauseTree* causes_;
   HypothesisCard* card_;

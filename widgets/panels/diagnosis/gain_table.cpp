@@ -1,49 +1,19 @@
 #include "widgets/panels/diagnosis/gain_table.h"
 
 #include <QHeaderView>
-#include <QPainter>
-#include <QStyledItemDelegate>
 #include <algorithm>
 #include <cmath>
 
 #include "core/diagnosis/report/shown.h"
 #include "widgets/figures/figure_text.h"
 #include "widgets/panels/diagnosis/diagnosis_text.h"
+#include "widgets/panels/diagnosis/interval_cell.h"
 
 namespace capstan::widgets {
 
 namespace {
 
 constexpr double kPoints = 10.0;
-constexpr int kEndsRole = Qt::UserRole + 1;  ///< before, its low and high, after, its low and high; 0…1
-constexpr int kColoursRole = Qt::UserRole + 2;
-
-/// Draws two values with their intervals, one above the other: before as a square, after as a disc.
-class IntervalCell : public QStyledItemDelegate {
- public:
-  using QStyledItemDelegate::QStyledItemDelegate;
-
-  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
-    QStyledItemDelegate::paint(painter, option, index);
-    const QVariantList ends = index.data(kEndsRole).toList(), colours = index.data(kColoursRole).toList();
-    if (ends.size() != 6 || colours.size() != 2) return;
-    const QRectF cell = QRectF(option.rect).adjusted(8.0, 0.0, -8.0, 0.0);
-    const auto x = [&](int i) { return cell.left() + ends[i].toDouble() * cell.width(); };
-    painter->save();
-    painter->setRenderHint(QPainter::Antialiasing);
-    for (int row = 0; row < 2; ++row) {
-      const double y = cell.top() + (row == 0 ? 0.3 : 0.7) * cell.height();
-      const QColor colour = colours[row].value<QColor>();
-      const int first = 3 * row;
-      painter->setPen(QPen(colour, 2.0));
-      painter->setBrush(colour);
-      painter->drawLine(QPointF(x(first + 1), y), QPointF(x(first + 2), y));
-      const QRectF mark(x(first) - 3.5, y - 3.5, 7.0, 7.0);
-      row == 0 ? painter->drawRect(mark) : painter->drawEllipse(mark);
-    }
-    painter->restore();
-  }
-};
 
 QString intervalTip(const stats::Interval& interval, double scale) {
   return QObject::tr("95 %: %1 … %2")
@@ -57,7 +27,7 @@ GainTable::GainTable(QWidget* parent) : QTreeWidget(parent) {
   setColumnCount(kColumns);
   setHeaderLabels({tr("RMS error of"), tr("robot file"), tr("refitted"), tr("extended"), tr("left"),
                    tr("■ refitted ● extended")});
-  headerItem()->setToolTip(kDrawn, tr("RMS with 95 % intervals; one scale for angles, one for lengths"));
+  headerItem()->setToolTip(kDrawn, tr("RMS with 95 % intervals; one axis for angles, one for lengths"));
   headerItem()->setToolTip(kLeft,
                            tr("Share of the refitted model's error that is left, with its 95 % interval"));
   setItemDelegateForColumn(kDrawn, new IntervalCell(this));
@@ -87,15 +57,20 @@ void GainTable::setTheme(const Theme& theme) {
 void GainTable::showReport(const diagnosis::Report& report) {
   channels_.clear();
   titles_.clear();
-  for (const diagnosis::ChannelReport& channel : report.channels) {
-    titles_.push_back(channelTitle(report, channel));
-    auto& kept = channels_.emplace_back();
-    kept.nominal_statistics = channel.nominal_statistics;
-    kept.refitted_statistics = channel.refitted_statistics;
-    kept.extended_statistics = channel.extended_statistics;
-    kept.gain = channel.gain;
-  }
   filter_ = report.filter;
+  // Channels of one unit share an axis, which is drawn below the last of them.
+  std::vector<const diagnosis::ChannelReport*> ordered;
+  for (const diagnosis::ChannelReport& channel : report.channels) ordered.push_back(&channel);
+  std::stable_partition(ordered.begin(), ordered.end(),
+                        [](const auto* channel) { return channel->gain.unit == "rad"; });
+  for (const diagnosis::ChannelReport* channel : ordered) {
+    titles_.push_back(channelTitle(report, *channel));
+    auto& kept = channels_.emplace_back();
+    kept.nominal_statistics = channel->nominal_statistics;
+    kept.refitted_statistics = channel->refitted_statistics;
+    kept.extended_statistics = channel->extended_statistics;
+    kept.gain = channel->gain;
+  }
   fill();
 }
 
@@ -106,7 +81,7 @@ double GainTable::reachOf(const std::string& unit) const {
       for (const double value : {channel.gain.rms_before, channel.gain.rms_after, channel.gain.before.high,
                                  channel.gain.after.high})
         if (std::isfinite(value)) reach = std::max(reach, value);
-  return reach;
+  return diagnosis::shownUnit(unit).scale * reach;
 }
 
 void GainTable::fill() {
@@ -116,8 +91,9 @@ void GainTable::fill() {
       addGroup(tr("open-loop simulation, on held-out data"),
                tr("Every segment of the recordings is evaluated with a model that was fitted to the others"));
   for (std::size_t i = 0; i < channels_.size(); ++i) {
-    addChannel(simulation, channels_[i]);
-    simulation->child(static_cast<int>(i))->setText(kName, titles_[i]);
+    addChannel(simulation, channels_[i], titles_[i]);
+    const std::string& unit = channels_[i].gain.unit;
+    if (i + 1 == channels_.size() || channels_[i + 1].gain.unit != unit) addAxis(simulation, unit);
   }
   if (!filter_.empty()) {
     QTreeWidgetItem* filter =
@@ -138,7 +114,7 @@ QTreeWidgetItem* GainTable::addGroup(const QString& words, const QString& tip) {
   return group;
 }
 
-void GainTable::addRow(QTreeWidgetItem* group, const QStringList& cells) {
+QTreeWidgetItem* GainTable::addRow(QTreeWidgetItem* group, const QStringList& cells) {
   auto* item = new QTreeWidgetItem(cells);
   for (int column = 0; column < kColumns; ++column) {
     item->setFont(column, column == kName ? textFont(kPoints) : numberFont(kPoints));
@@ -146,29 +122,33 @@ void GainTable::addRow(QTreeWidgetItem* group, const QStringList& cells) {
       item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
   }
   group->addChild(item);
+  return item;
 }
 
-void GainTable::addChannel(QTreeWidgetItem* group, const diagnosis::ChannelReport& channel) {
+void GainTable::addChannel(QTreeWidgetItem* group, const diagnosis::ChannelReport& channel,
+                           const QString& title) {
   const diagnosis::Gain& gain = channel.gain;
   const diagnosis::ShownUnit unit = diagnosis::shownUnit(gain.unit);
   const QString name = QString::fromStdString(unit.unit);
   const auto shown = [&](double value) {
     return significantText(unit.scale * value) + QLatin1Char(' ') + name;
   };
-  addRow(group, {QString(), shown(channel.nominal_statistics.rms), shown(gain.rms_before),
-                 shown(gain.rms_after), percentText(gain.rms_after / gain.rms_before, 1)});
-  QTreeWidgetItem* item = group->child(group->childCount() - 1);
+  QTreeWidgetItem* item =
+      addRow(group, {title, shown(channel.nominal_statistics.rms), shown(gain.rms_before),
+                     shown(gain.rms_after), percentText(gain.rms_after / gain.rms_before, 1)});
   item->setToolTip(kBefore, intervalTip(gain.before, unit.scale));
   item->setToolTip(kAfter, intervalTip(gain.after, unit.scale));
   item->setToolTip(kLeft, intervalTip(gain.interval, 100.0));
-  const double reach = reachOf(gain.unit);
-  QVariantList ends;
-  for (const double value :
-       {gain.rms_before, gain.before.low, gain.before.high, gain.rms_after, gain.after.low, gain.after.high})
-    ends << (reach > 0.0 && std::isfinite(value) ? value / reach : 0.0);
-  item->setData(kDrawn, kEndsRole, ends);
-  item->setData(kDrawn, kColoursRole,
-                QVariantList{theme_.colour(Quantity::kKinematic), theme_.colour(Quantity::kUkf)});
+  IntervalCell::set(*item, kDrawn, gain, unit.scale, IntervalAxis::to(reachOf(gain.unit)), theme_);
+}
+
+/// Row with the numbers of the axis that the channels of one unit share.
+void GainTable::addAxis(QTreeWidgetItem* group, const std::string& unit) {
+  QTreeWidgetItem* item = addRow(group, {QString()});
+  item->setText(kLeft, QStringLiteral("[%1]").arg(QString::fromStdString(diagnosis::shownUnit(unit).unit)));
+  item->setForeground(kLeft, theme_.muted);
+  item->setFlags(Qt::ItemIsEnabled);
+  IntervalCell::setAxis(*item, kDrawn, IntervalAxis::to(reachOf(unit)), theme_);
 }
 
 void GainTable::addFilter(QTreeWidgetItem* group, const diagnosis::FilterGain& gain) {

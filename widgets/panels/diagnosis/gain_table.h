@@ -8,7 +8,7 @@
 namespace capstan::widgets {
 
 /// Gain of the extended model on held-out data: RMS of every channel's residual before and after with 95 %
-/// intervals, drawn with one scale for angles and one for lengths. Below it the gain of the Kalman filter.
+/// intervals, drawn over one axis for angles and one for lengths. Below it the gain of the Kalman filter.
 class GainTable : public QTreeWidget {
   Q_OBJECT
 
@@ -22,9 +22,11 @@ class GainTable : public QTreeWidget {
  private:
   void fill();
   QTreeWidgetItem* addGroup(const QString& words, const QString& tip);
-  void addChannel(QTreeWidgetItem* group, const diagnosis::ChannelReport& channel);
+  void addChannel(QTreeWidgetItem* group, const diagnosis::ChannelReport& channel, const QString& title);
+  void addAxis(QTreeWidgetItem* group, const std::string& unit);
   void addFilter(QTreeWidgetItem* group, const diagnosis::FilterGain& gain);
-  void addRow(QTreeWidgetItem* group, const QStringList& cells);
+  QTreeWidgetItem* addRow(QTreeWidgetItem* group, const QStringList& cells);
+  /// End of the axis of this unit, in the unit for people.
   double reachOf(const std::string& unit) const;
 
   Theme theme_ = Theme::dark();

@@ -8,6 +8,7 @@
 #include "widgets/figures/number_text.h"
 #include "widgets/figures/share_bar.h"
 #include "widgets/panels/diagnosis/diagnosis_text.h"
+#include "widgets/panels/diagnosis/wrapped_words.h"
 
 namespace capstan::widgets {
 
@@ -44,9 +45,7 @@ RankingTable::RankingTable(QWidget* parent) : QTreeWidget(parent) {
   setItemDelegateForColumn(kTaken, new ShareBar(this));
   setRootIsDecorated(false);
   setItemsExpandable(false);
-  setTextElideMode(Qt::ElideMiddle);  // which joint stands at the end
   setIndentation(10);
-  setUniformRowHeights(true);
   setFrameShape(QFrame::NoFrame);
   setAllColumnsShowFocus(true);
   setAccessibleName(tr("ranking of the candidates"));
@@ -58,6 +57,7 @@ RankingTable::RankingTable(QWidget* parent) : QTreeWidget(parent) {
   header()->setSectionResizeMode(kTaken, QHeaderView::Fixed);
   for (const int column : {kTaken, kScore, kProbability})
     headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+  connect(header(), &QHeaderView::sectionResized, this, [this] { wrapWords(*this, kName); });
   connect(this, &QTreeWidget::currentItemChanged, this, [this] { Q_EMIT chosenChanged(); });
 }
 
@@ -88,8 +88,7 @@ void RankingTable::fill() {
   QTreeWidgetItem* round = nullptr;
   for (std::size_t i = 0; i < candidates_.size(); ++i) {
     if (!round || candidates_[i].round != candidates_[i - 1].round) {
-      round = new QTreeWidgetItem(
-          {candidates_[i].round == 1 ? tr("first effect") : tr("effect %1").arg(candidates_[i].round)});
+      round = new QTreeWidgetItem({tr("expansion %1 of the search").arg(candidates_[i].round)});
       round->setFlags(Qt::ItemIsEnabled);
       round->setForeground(kName, theme_.muted);
       round->setFont(kName, textFont(kPoints - 0.5));
@@ -99,6 +98,7 @@ void RankingTable::fill() {
     addCandidate(round, i);
   }
   expandAll();
+  wrapWords(*this, kName);
 }
 
 /// Text of the reduction. A candidate that more than doubles the mean square is only called "worse".
@@ -112,8 +112,8 @@ void RankingTable::addCandidate(QTreeWidgetItem* round, std::size_t index) {
   const Candidate& candidate = candidates_[index];
   const double taken = candidate.refitted ? candidate.reduction : candidate.screened;
   auto* item = new QTreeWidgetItem;
-  item->setText(kName, titleOf(candidate.effect) + QStringLiteral(", ") +
-                           placeOf(candidate.effect, candidate.joint, {}));
+  setWords(*item, kName,
+           titleOf(candidate.effect) + QStringLiteral(", ") + placeOf(candidate.effect, candidate.joint, {}));
   item->setToolTip(kName, titleOf(candidate.effect) + QStringLiteral(", ") +
                               placeOf(candidate.effect, candidate.joint, robot_));
   item->setText(kTaken, takenText(taken));
@@ -140,7 +140,7 @@ QStringList RankingTable::lines() const {
   for (QTreeWidgetItemIterator it(const_cast<RankingTable*>(this)); *it; ++it) {
     if (!(*it)->data(0, kCandidateRole).isValid()) continue;
     QStringList cells;
-    for (int column = 0; column < kColumns; ++column) cells << (*it)->text(column);
+    for (int column = 0; column < kColumns; ++column) cells << wordsOf(**it, column);
     lines << cells.join(QStringLiteral(" | "));
   }
   return lines;

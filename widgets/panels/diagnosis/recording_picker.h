@@ -1,25 +1,18 @@
 #pragma once
 
-#include <QWidget>
-
-#include "widgets/figures/theme.h"
 #include "widgets/panels/diagnosis/diagnosis_choice.h"
-
-class QLabel;
-class QMenu;
-class QToolButton;
+#include "widgets/panels/work/file_picker.h"
 
 namespace capstan::widgets {
 
 /// One line to choose the input of a diagnosis: recordings, the latest of the session among them, and a
 /// robot.
-class RecordingPicker : public QWidget {
+class RecordingPicker : public FilePicker {
   Q_OBJECT
 
  public:
   explicit RecordingPicker(QWidget* parent = nullptr);
 
-  void setTheme(const Theme& theme);
   const DiagnosisChoice& choice() const { return choice_; }
   /// Shows `choice`; emits no signal.
   void setChoice(const DiagnosisChoice& choice);
@@ -28,29 +21,19 @@ class RecordingPicker : public QWidget {
   void offer(const QString& path, const QString& words);
   /// Replaces all chosen recordings by the offered one; does nothing without one.
   void takeOffered();
-  /// Open non-modal file dialogs.
-  void askRecordings();
+  /// Opens a non-modal file dialog.
   void askRobot();
 
- signals:
-  void changed();
-
  protected:
-  void resizeEvent(QResizeEvent* event) override;
-  void dragEnterEvent(QDragEnterEvent* event) override;
-  void dropEvent(QDropEvent* event) override;
+  QStringList& chosen() override { return choice_.recordings; }
+  void refresh() override;
 
  private:
-  void choose(const DiagnosisChoice& choice);
-  void addFiles(const QStringList& files);
-  void fillMenu();
-  void refresh();
+  void setRobot(const QString& robot);
 
   DiagnosisChoice choice_;
   QString offered_;
-  QToolButton *recordings_, *offer_, *robot_;
-  QMenu* menu_;
-  QLabel* what_;
+  QToolButton *offer_, *robot_;
 };
 
 }  // namespace capstan::widgets

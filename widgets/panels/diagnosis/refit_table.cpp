@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/diagnosis/report/report_tables.h"
 #include "core/diagnosis/report/shown.h"
 #include "widgets/figures/number_text.h"
 #include "widgets/panels/diagnosis/diagnosis_text.h"
+#include "widgets/panels/diagnosis/wrapped_words.h"
 
 namespace capstan::widgets {
 
@@ -23,10 +25,9 @@ QString shown(double value, double sigma, const std::string& unit) {
 RefitTable::RefitTable(QWidget* parent) : QTreeWidget(parent) {
   setObjectName("refit");
   setColumnCount(kColumns);
-  setHeaderLabels({tr("parameter"), tr("robot file"), tr("refitted"), tr("change"), QString()});
-  headerItem()->setToolTip(kValue, tr("Fitted before the search for causes, ± standard deviation"));
+  headerItem()->setToolTip(kWithout, tr("Fitted to the nominal structure, without any effect"));
+  headerItem()->setToolTip(kValue, tr("Fitted together with the effects of the model, ± standard deviation"));
   setRootIsDecorated(false);
-  setUniformRowHeights(true);
   setFrameShape(QFrame::NoFrame);
   setAllColumnsShowFocus(true);
   setAccessibleName(tr("parameters changed by the refit"));
@@ -34,8 +35,9 @@ RefitTable::RefitTable(QWidget* parent) : QTreeWidget(parent) {
   header()->setMinimumSectionSize(10);
   header()->setFont(textFont(9.0));
   header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  header()->setSectionResizeMode(kRemark, QHeaderView::Stretch);
-  for (const int column : {kNominal, kValue, kChange})
+  header()->setSectionResizeMode(kName, QHeaderView::Stretch);
+  connect(header(), &QHeaderView::sectionResized, this, [this] { wrapWords(*this, kName); });
+  for (const int column : {kNominal, kWithout, kValue, kChange})
     headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
 }
 
@@ -48,6 +50,7 @@ void RefitTable::setTheme(const Theme& theme) {
 }
 
 void RefitTable::showReport(const diagnosis::Report& report) {
+  effects_ = diagnosis::hasEffects(report);
   numbers_ = report.refit;
   std::stable_partition(numbers_.begin(), numbers_.end(), [](const auto& number) { return number.moved; });
   fill();
@@ -55,25 +58,34 @@ void RefitTable::showReport(const diagnosis::Report& report) {
 
 void RefitTable::fill() {
   clear();
-  for (const diagnosis::RefitNumber& number : numbers_) {
-    const double change = number.nominal != 0.0 ? number.value / number.nominal - 1.0
-                                                : std::numeric_limits<double>::quiet_NaN();
-    auto* item = new QTreeWidgetItem(
-        {QString::fromStdString(diagnosis::shownName(number.name)), shown(number.nominal, 0.0, number.unit),
-         shown(number.value, number.sigma, number.unit), percentText(change, 1, true),
-         number.at_bound ? tr("at its bound: it would go further")
-         : number.moved  ? tr("moved")
-                         : QString()});
-    for (int column = 0; column < kColumns; ++column) {
-      const bool words = column == kName || column == kRemark;
-      item->setFont(column, words ? textFont(kPoints, number.moved && column == kName)
-                                  : numberFont(kPoints, number.moved && column == kValue));
-      item->setForeground(column, number.moved ? theme_.text : theme_.muted);
-      if (!words) item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
-    }
-    if (number.at_bound) item->setFont(kRemark, textFont(kPoints, true));
-    addTopLevelItem(item);
+  setHeaderLabels({tr("parameter"), tr("robot file"), tr("without effects"),
+                   effects_ ? tr("with effects") : tr("refitted"), tr("change")});
+  setColumnHidden(kWithout, !effects_);
+  for (const diagnosis::RefitNumber& number : numbers_) addNumber(number);
+  wrapWords(*this, kName);
+}
+
+void RefitTable::addNumber(const diagnosis::RefitNumber& number) {
+  const double change =
+      number.nominal != 0.0 ? number.value / number.nominal - 1.0 : std::numeric_limits<double>::quiet_NaN();
+  QString changed = percentText(change, 1, true);
+  if (number.at_bound) changed += tr(", at its bound");
+  auto* item = new QTreeWidgetItem({QString(), shown(number.nominal, 0.0, number.unit),
+                                    shown(number.value_without, 0.0, number.unit),
+                                    shown(number.value, number.sigma, number.unit), changed});
+  setWords(*item, kName, QString::fromStdString(diagnosis::shownName(number.name)));
+  const QString tip = number.at_bound ? tr("It would go further than the refit allows")
+                      : number.moved  ? tr("Changed by more than two standard deviations")
+                                      : tr("Changed by less than two standard deviations");
+  for (int column = 0; column < kColumns; ++column) {
+    const bool bold = number.moved && (column == kName || column == kValue);
+    item->setFont(column, column == kName ? textFont(kPoints, bold) : numberFont(kPoints, bold));
+    item->setForeground(column, number.moved ? theme_.text : theme_.muted);
+    if (column != kName) item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+    item->setToolTip(column, tip);
   }
+  if (number.at_bound) item->setFont(kChange, numberFont(kPoints, true));
+  addTopLevelItem(item);
 }
 
 }  // namespace capstan::widgets

@@ -7,13 +7,14 @@
 
 namespace capstan::widgets {
 
-/// Parameters of the nominal model after the refit, before the search for causes. Those that changed are
-/// first and bold. A remark marks those at the bound of the change that the refit allows.
+/// Parameters of the nominal model after the refit, without and with the effects of the model; without
+/// effects one value alone. Those that changed are first and bold. The change of those at the bound of what
+/// the refit allows is marked.
 class RefitTable : public QTreeWidget {
   Q_OBJECT
 
  public:
-  enum Column { kName, kNominal, kValue, kChange, kRemark, kColumns };
+  enum Column { kName, kNominal, kWithout, kValue, kChange, kColumns };
 
   explicit RefitTable(QWidget* parent = nullptr);
   void setTheme(const Theme& theme);
@@ -21,9 +22,11 @@ class RefitTable : public QTreeWidget {
 
  private:
   void fill();
+  void addNumber(const diagnosis::RefitNumber& number);
 
   Theme theme_ = Theme::dark();
   std::vector<diagnosis::RefitNumber> numbers_;
+  bool effects_ = false;  ///< the model has effects
 };
 
 }  // namespace capstan::widgets

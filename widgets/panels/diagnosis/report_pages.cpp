@@ -4,6 +4,7 @@
 #include <QTabBar>
 
 #include "widgets/panels/diagnosis/gain_table.h"
+#include "widgets/panels/diagnosis/posterior_table.h"
 #include "widgets/panels/diagnosis/ranking_table.h"
 #include "widgets/panels/diagnosis/refit_table.h"
 #include "widgets/panels/diagnosis/signature_view.h"
@@ -24,8 +25,9 @@ ReportPages::ReportPages(QWidget* parent) : QTabWidget(parent) {
   page(history_ = new TimeView, tr("Over time"), tr("Measured, simulated, and residual, over time"));
   page(ranking_ = new RankingTable, tr("Ranking"), tr("Every candidate with its reduction of the residual"));
   page(refit_ = new RefitTable, tr("Refit"),
-       tr("Parameters of the robot changed by the refit, before the search for causes"));
+       tr("Parameters of the robot changed by the refit, without and with the effects"));
   page(gain_ = new GainTable, tr("Gain"), tr("Gain of the extended model on held-out data"));
+  page(posterior_ = new PosteriorTable, tr("Posterior"), tr("Probability of each set of effects"));
   connect(ranking_, &RankingTable::chosenChanged, this, &ReportPages::candidateChosen);
 }
 
@@ -35,6 +37,7 @@ void ReportPages::setTheme(const Theme& theme) {
   ranking_->setTheme(theme);
   refit_->setTheme(theme);
   gain_->setTheme(theme);
+  posterior_->setTheme(theme);
 }
 
 void ReportPages::showReport(const std::shared_ptr<const diagnosis::Report>& report) {
@@ -43,6 +46,7 @@ void ReportPages::showReport(const std::shared_ptr<const diagnosis::Report>& rep
   ranking_->showReport(*report);
   refit_->showReport(*report);
   gain_->showReport(*report);
+  posterior_->showReport(*report);
 }
 
 void ReportPages::showChannel(const std::string& name) {

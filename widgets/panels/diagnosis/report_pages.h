@@ -9,12 +9,13 @@
 namespace capstan::widgets {
 
 class GainTable;
+class PosteriorTable;
 class RankingTable;
 class RefitTable;
 class SignatureView;
 class TimeView;
 
-/// The pages of a report: signatures, time series, ranking, refit, gain; keys Alt+1 to Alt+5.
+/// The pages of a report: signatures, time series, ranking, refit, gain, posterior; keys Alt+1 to Alt+6.
 class ReportPages : public QTabWidget {
   Q_OBJECT
 
@@ -28,6 +29,9 @@ class ReportPages : public QTabWidget {
   SignatureView& signatures() { return *signatures_; }
   TimeView& course() { return *history_; }
   RankingTable& ranking() { return *ranking_; }
+  RefitTable& refit() { return *refit_; }
+  GainTable& gain() { return *gain_; }
+  PosteriorTable& posterior() { return *posterior_; }
 
  signals:
   /// A candidate of the ranking was selected.
@@ -39,6 +43,7 @@ class ReportPages : public QTabWidget {
   RankingTable* ranking_;
   RefitTable* refit_;
   GainTable* gain_;
+  PosteriorTable* posterior_;
 };
 
 }  // namespace capstan::widgets

@@ -9,6 +9,7 @@
 #include <QTreeWidget>
 
 #include "core/diagnosis/report/shown.h"
+#include "widgets/figures/channel_note.h"
 #include "widgets/figures/number_text.h"
 #include "widgets/figures/share_bar.h"
 #include "widgets/panels/diagnosis/diagnosis_text.h"
@@ -23,7 +24,6 @@ using diagnosis::Signature;
 enum Column { kVariable, kBefore, kAfter, kColumns };
 constexpr double kPoints = 9.5;
 constexpr int kNarrow = 720, kList = 250, kLeastList = 236;  ///< widths [px]
-constexpr double kVisible = 2.0;  ///< a share counts as more than zero above this many sigmas
 
 /// Finds the signature; null: none.
 const Signature* against(const std::vector<Signature>& signatures, const std::string& variable) {
@@ -33,8 +33,7 @@ const Signature* against(const std::vector<Signature>& signatures, const std::st
 }
 
 QString shareText(const Signature& signature) {
-  const bool seen = signature.share > kVisible * signature.share_sigma;
-  return QString::fromStdString(diagnosis::shareWords(seen ? signature.share : 0.0));
+  return QString::fromStdString(diagnosis::shareWords(signature));
 }
 
 /// Sentence about the whole residual. Signatures describe its variation, so a constant part is named
@@ -216,6 +215,7 @@ void SignatureView::draw() {
   if (after) words += tr("; with the causes in the model %1").arg(shareText(*after));
   words_->setText(words + QLatin1Char('.'));
   SignatureData drawn;
+  drawn.note = explainedNote(*report_, *shown);
   drawn.panels = {signaturePanel(*shown, static_cast<std::size_t>(which), extended())};
   figure_ = new SignatureFigure(std::move(drawn));
   figure_->setAccessibleName(words_->text());

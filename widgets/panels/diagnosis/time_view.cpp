@@ -6,6 +6,7 @@
 #include <QShortcut>
 
 #include "core/diagnosis/report/shown.h"
+#include "widgets/figures/channel_note.h"
 #include "widgets/figures/figure_text.h"
 #include "widgets/panels/diagnosis/diagnosis_text.h"
 
@@ -90,8 +91,8 @@ void TimeView::draw() {
   const ChannelReport& channel = report_->channels[static_cast<std::size_t>(index)];
   words_->setText(wordsOf(channel, !report_->causes.empty()));
   ResidualData drawn = residualData(*report_, channel);
-  drawn.title.clear();  // the box above says it
-  drawn.note.clear();
+  drawn.title.clear();  // the box above says it, and the recording
+  drawn.note = explainedNote(*report_, channel);
   figure_ = new ResidualFigure(std::move(drawn));
   figure_->setAccessibleName(words_->text());
   figure_->setToolTip(tr("Drag and wheel move and zoom the time axis; a double click shows all of it"));

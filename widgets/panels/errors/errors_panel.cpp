@@ -8,8 +8,6 @@
 #include <QPushButton>
 #include <cmath>
 
-#include "core/base/units.h"
-
 namespace capstan::widgets {
 
 namespace {
@@ -20,8 +18,7 @@ constexpr double kCellPoints = 14.0;
 /// Cell text with fixed width and two decimals, so that decimal points line up.
 QString cellText(double rms, int joint) {
   if (!std::isfinite(rms)) return QStringLiteral("—.——").rightJustified(5);
-  const double shown = joint < 2 ? base::toDegrees(rms) : base::toMillimetres(rms);
-  return QString::number(shown, 'f', 2).rightJustified(5);
+  return QString::number(tracking::forPeople(rms, joint), 'f', 2).rightJustified(5);
 }
 
 }  // namespace

@@ -1,19 +1,15 @@
 #pragma once
 
-#include <QStringList>
-#include <QWidget>
-
 #include "core/experiments/correction_experiment.h"
+#include "widgets/panels/work/file_picker.h"
 
 class QComboBox;
-class QLabel;
-class QToolButton;
 
 namespace capstan::widgets {
 
 /// One line to choose an experiment E to H and, for E and F, tables of tip poses and the stream to compare
 /// poses with.
-class ExperimentPicker : public QWidget {
+class ExperimentPicker : public FilePicker {
   Q_OBJECT
 
  public:
@@ -26,21 +22,16 @@ class ExperimentPicker : public QWidget {
   bool complete() const;
 
   void choose(experiments::CorrectionExperiment experiment);
-  void setTables(const QStringList& tables);
+  void setTables(const QStringList& tables) { setFiles(tables); }
   void setTowards(learning::StreamKind towards);
-  /// Opens a non-modal file dialog.
-  void askTables();
 
- signals:
-  void changed();
+ protected:
+  QStringList& chosen() override { return tables_; }
+  void refresh() override;
 
  private:
-  void refresh();
-
   QStringList tables_;
   QComboBox *experiment_, *towards_;
-  QToolButton* ask_;
-  QLabel* names_;
 };
 
 }  // namespace capstan::widgets

@@ -43,6 +43,7 @@ ExperimentsPanel::ExperimentsPanel(CorrectionExperimentOptions options, QWidget*
 ExperimentsPanel::~ExperimentsPanel() = default;
 
 void ExperimentsPanel::setTheme(const Theme& theme) {
+  picker_->setTheme(theme);
   figure_->setTheme(theme);
   styleWords(theme);
 }
@@ -66,7 +67,7 @@ void ExperimentsPanel::restore(const QSettings& settings) {
 
 void ExperimentsPanel::runOrCancel() {
   if (busy()) return cancel();
-  if (!picker_->complete()) return picker_->askTables();
+  if (!picker_->complete()) return picker_->askFiles();
   CorrectionExperimentOptions options = options_;
   options.experiment = picker_->experiment();
   options.towards = picker_->towards();

@@ -10,9 +10,9 @@
 #include <QScrollArea>
 #include <QShortcut>
 #include <QStackedWidget>
-#include <cmath>
 
 #include "core/base/error.h"
+#include "widgets/figures/number_text.h"
 #include "widgets/panels/identification/parameter_choice.h"
 #include "widgets/panels/identification/parameter_table.h"
 #include "widgets/panels/identification/trace_plot.h"
@@ -37,8 +37,7 @@ QString changesText(const std::vector<identification::RobotChange>& changes) {
           << QStringLiteral("  %1 → %2  %3 %")
                  .arg(change.nominal, 0, 'g', 5)
                  .arg(change.identified, 0, 'g', 5)
-                 .arg((change.percent < 0 ? QStringLiteral("−") : QStringLiteral("+")) +
-                      QString::number(std::abs(change.percent), 'f', 2));
+                 .arg(signedText(change.percent, 2));
   return lines.isEmpty() ? QObject::tr("no difference") : lines.join('\n');
 }
 

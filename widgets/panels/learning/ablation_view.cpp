@@ -29,9 +29,7 @@ QString cellText(double mean, double deviation) {
       .arg(deviation, 0, 'f', deviation < 99.95 ? 1 : 0);
 }
 
-double shown(double value, Eigen::Index degree) {
-  return degree < 3 ? base::toMillimetres(value) : base::toDegrees(value);
-}
+double shown(double value, Eigen::Index degree) { return base::degreesOrMillimetres(value, degree >= 3); }
 
 QString headOf(CorrectionMethod method, const CorrectionErrors& errors) {
   return QObject::tr("%1 ─ distance %2 mm, angle %3° (medians %4 mm, %5°)")

@@ -1,17 +1,11 @@
 #include "widgets/panels/learning/learning_choice.h"
 
-#include <QFileInfo>
 #include <QObject>
 #include <QSettings>
 
 namespace capstan::widgets {
 
 using learning::StreamKind;
-
-void LearningChoice::add(const QStringList& files) {
-  for (const QString& file : files)
-    if (const QString path = QFileInfo(file).absoluteFilePath(); !tables.contains(path)) tables << path;
-}
 
 void LearningChoice::save(QSettings& settings) const {
   settings.setValue("learning/tables", tables);

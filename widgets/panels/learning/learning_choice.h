@@ -15,8 +15,6 @@ struct LearningChoice {
   learning::StreamKind towards = learning::StreamKind::kCommand;  ///< stream to correct towards
 
   bool operator==(const LearningChoice&) const = default;
-  /// Adds those of `files` that are not in `tables` yet.
-  void add(const QStringList& files);
   void save(QSettings& settings) const;
   static LearningChoice restore(const QSettings& settings);
 };

@@ -32,11 +32,6 @@ void makeFolder(const QString& folder) {
 
 }  // namespace
 
-LearningExport::LearningExport(QObject* parent) : QObject(parent) {
-  timer_.setSingleShot(true);
-  connect(&timer_, &QTimer::timeout, this, &LearningExport::next);
-}
-
 void LearningExport::start(const LearningResults& results, int which, const learning::ConfidenceSlice* slice,
                            const QImage& clouds, const QString& folder) {
   Q_ASSERT(!busy());
@@ -58,7 +53,7 @@ void LearningExport::start(const LearningResults& results, int which, const lear
            if (clouds.save(QString::fromStdString(path))) return std::size_t{1};
            throw base::InputError({path, 0, {}, {}, "cannot be written", "Check the folder and its rights"});
          }});
-  timer_.start(0);
+  begin();
 }
 
 void LearningExport::addTables(const LearningResults& results, const std::string& base) {
@@ -98,27 +93,11 @@ void LearningExport::addFigures(const LearningResults& results, int which, const
         {tr("learning curve"), drawing<LearningCurveFigure>(curveData(*results.curve), base + "curve")});
 }
 
-void LearningExport::next() {
-  if (!busy()) return;
+void LearningExport::step() {
   if (at_ == steps_.size())
-    return end(true, tr("%1 files in %2.").arg(files_).arg(QDir::toNativeSeparators(folder_)));
+    return end(folder_, tr("%1 files in %2.").arg(files_).arg(QDir::toNativeSeparators(folder_)));
   Q_EMIT progressed(static_cast<double>(at_) / static_cast<double>(steps_.size()), steps_[at_].name);
-  try {
-    files_ += steps_[at_++].write();
-    timer_.start(0);
-  } catch (const base::InputError& error) {
-    end(false, QString::fromStdString(error.what()));
-  }
-}
-
-void LearningExport::cancel() {
-  if (busy()) end(false, tr("Export cancelled; %1 is not complete.").arg(QDir::toNativeSeparators(folder_)));
-}
-
-void LearningExport::end(bool written, const QString& words) {
-  timer_.stop();
-  steps_.clear();
-  Q_EMIT ended(written, words);
+  files_ += steps_[at_++].write();
 }
 
 }  // namespace capstan::widgets

@@ -1,23 +1,21 @@
 #pragma once
 
 #include <QImage>
-#include <QObject>
-#include <QTimer>
 #include <functional>
 #include <vector>
 
 #include "core/learning/model/confidence_slice.h"
+#include "widgets/jobs/step_export.h"
 #include "widgets/panels/learning/learning_work.h"
 
 namespace capstan::widgets {
 
-/// Exports figures and tables of the learning results into a folder. Figures are widgets, so they are drawn
-/// on the window's thread, one at a time, when it is idle.
-class LearningExport : public QObject {
+/// Exports figures and tables of the learning results. The result is the path of the folder.
+class LearningExport : public StepExport {
   Q_OBJECT
 
  public:
-  explicit LearningExport(QObject* parent = nullptr);
+  explicit LearningExport(QObject* parent = nullptr) : StepExport(parent) {}
 
   /// Writes those of the following that have results: rejected.csv; lag, errors (clean and all), reliability,
   /// curve and trajectory `which` (−1: none) as PDF, SVG, PNG and CSV; ablation (clean and all) as CSV and
@@ -26,14 +24,12 @@ class LearningExport : public QObject {
   void start(const LearningResults& results, int which, const learning::ConfidenceSlice* slice,
              const QImage& clouds, const QString& folder);
   /// Stops the export; files written so far stay.
-  void cancel();
-  bool busy() const { return !steps_.empty(); }
-  const QString& folder() const { return folder_; }
+  void cancel() { endCancelled(folder_); }
+  bool busy() const override { return !steps_.empty(); }
 
- signals:
-  void progressed(double fraction, const QString& doing);
-  /// The export has ended. `written`: everything was written; `words`: the number of files, or the error.
-  void ended(bool written, const QString& words);
+ protected:
+  void step() override;
+  void drop() override { steps_.clear(); }
 
  private:
   struct Step {
@@ -42,13 +38,10 @@ class LearningExport : public QObject {
   };
   void addTables(const LearningResults& results, const std::string& base);
   void addFigures(const LearningResults& results, int which, const std::string& base);
-  void next();
-  void end(bool written, const QString& words);
 
   QString folder_;
   std::vector<Step> steps_;
   std::size_t at_ = 0, files_ = 0;
-  QTimer timer_;
 };
 
 }  // namespace capstan::widgets

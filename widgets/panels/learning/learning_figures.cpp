@@ -31,7 +31,7 @@ BoxplotPanel errorPanel(const QString& title, bool angle, const StepErrors& erro
   BoxplotGroup group{QObject::tr("states"), {}};
   for (std::size_t s = observed ? 0 : 1; s < kSteps.size(); ++s) {
     std::vector<double> values = take(errors[s]);
-    for (double& value : values) value = angle ? base::toDegrees(value) : base::toMillimetres(value);
+    for (double& value : values) value = base::degreesOrMillimetres(value, angle);
     group.boxes.push_back({{quantityOf(kSteps[s]), 0, {}, nameOf(kSteps[s])}, boxplotOf(values)});
   }
   panel.groups.push_back(std::move(group));
@@ -88,8 +88,8 @@ QString medianWords(const HeldOutEvaluation& evaluation, bool clean, bool angle)
   QStringList parts;
   for (const PoseErrors& step : errorsOf(evaluation, clean)) {
     const CorrectionErrors sums = step.summed();
-    parts << (angle ? QString::number(base::toDegrees(sums.median_angle), 'f', 1)
-                    : QString::number(base::toMillimetres(sums.median_distance), 'f', 1));
+    const double median = angle ? sums.median_angle : sums.median_distance;
+    parts << QString::number(base::degreesOrMillimetres(median, angle), 'f', 1);
   }
   return parts.join(QStringLiteral(" → "));
 }

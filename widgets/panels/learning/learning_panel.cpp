@@ -37,9 +37,9 @@ LearningPanel::LearningPanel(LearningSettings settings, QWidget* parent)
   connect(&job_, &Job::ended, this, &LearningPanel::onEnded);
   connect(&job_, &Job::progressed, this, &LearningPanel::onProgress);
   connect(&export_, &LearningExport::progressed, this, &LearningPanel::onProgress);
-  connect(&export_, &LearningExport::ended, this, [this](bool written, const QString& words) {
+  connect(&export_, &LearningExport::ended, this, [this](const QString& folder, const QString& words) {
     said_ = words;
-    if (written) Q_EMIT exported(export_.folder());
+    if (!folder.isEmpty()) Q_EMIT exported(folder);
     refresh();
   });
   setTheme(theme_);

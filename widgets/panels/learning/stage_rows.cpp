@@ -20,12 +20,9 @@ constexpr int kLargeRatio = 1000;
 
 QString tr(const char* words) { return QObject::tr(words); }
 
-QString millimetres(double metres, int decimals = 1) {
-  return withMinus(QString::number(base::toMillimetres(metres), 'f', decimals)) + QStringLiteral(" mm");
-}
-
-QString degrees(double radians, int decimals = 1) {
-  return withMinus(QString::number(base::toDegrees(radians), 'f', decimals)) + QStringLiteral("°");
+/// Number with one decimal, in mm or in degrees.
+QString shown(double value, bool angle = false) {
+  return withMinus(QString::number(base::degreesOrMillimetres(value, angle), 'f', 1));
 }
 
 /// One line per reason of exclusion, the most frequent first.
@@ -99,16 +96,16 @@ StageGroup cleaning(const LearningStages& stages) {
 StageGroup rigidOffset(const LearningStages& stages) {
   const Eigen::AngleAxisd rotation(stages.offset.linear());
   const Eigen::Vector3d by = stages.offset.translation();
-  const QString arrow = QStringLiteral(" → ");
   return {tr("5  Rigid offset"),
-          {{tr("rotates by"), degrees(rotation.angle())},
-           {tr("moves by x, y, z"), millimetres(by[0]).chopped(3) + QStringLiteral(", ") +
-                                        millimetres(by[1]).chopped(3) + QStringLiteral(", ") +
-                                        millimetres(by[2])},
-           {tr("distance, median, before and after"), millimetres(stages.before.median_distance).chopped(3) +
-                                                          arrow + millimetres(stages.after.median_distance)},
+          {{tr("rotates by"), shown(rotation.angle(), true) + QStringLiteral("°")},
+           {tr("moves by x, y, z"),
+            QStringLiteral("%1, %2, %3 mm").arg(shown(by[0]), shown(by[1]), shown(by[2]))},
+           {tr("distance, median, before and after"),
+            QStringLiteral("%1 → %2 mm")
+                .arg(shown(stages.before.median_distance), shown(stages.after.median_distance))},
            {tr("angle, median, before and after"),
-            degrees(stages.before.median_angle).chopped(1) + arrow + degrees(stages.after.median_angle)}}};
+            QStringLiteral("%1 → %2°")
+                .arg(shown(stages.before.median_angle, true), shown(stages.after.median_angle, true))}}};
 }
 
 /// Names of the features, in the order of PoseFeatures::of().

@@ -73,7 +73,7 @@ void CollectPage::showGuide(const registration::RegistrationGuide& guide) {
                       .arg(guide.framesSeen()));
   progress_->setRange(0, registration::RegistrationGuide::kFrames);
   progress_->setValue(std::min(scatter.used, registration::RegistrationGuide::kFrames));
-  const Eigen::Vector3d mm = 1e3 * scatter.sigma;
+  const Eigen::Vector3d mm = base::toMillimetres(1.0) * scatter.sigma;
   sigma_->setText(QString("σ of one point:  x %1  y %2  z %3 mm")
                       .arg(mm.x(), 6, 'f', 3)
                       .arg(mm.y(), 6, 'f', 3)
@@ -99,7 +99,7 @@ void CollectPage::listOutliers(const registration::RegistrationGuide& guide) {
   for (const auto& point : guide.points()) {
     ++frame;
     if (point.verdict == registration::PointVerdict::kUsed) continue;
-    const double off = 1e3 * (point.position(point.axis) - guide.scatter().median(point.axis));
+    const double off = base::toMillimetres(point.position(point.axis) - guide.scatter().median(point.axis));
     outliers_->addItem(QString("point %1 rejected: %2 is %3 mm from the median, %4 σ")
                            .arg(frame)
                            .arg(QChar("xyz"[point.axis]))

@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QVariant>
 
+#include "core/base/units.h"
 #include "core/live/arm_overlay.h"
 #include "widgets/video/stereo_view.h"
 
@@ -17,7 +18,7 @@ namespace {
 QString row(const QString& name, const Eigen::Vector3d& metres, const QString& sign) {
   QString line = name.leftJustified(22);
   for (int i = 0; i < 3; ++i) {
-    const double mm = 1e3 * metres(i);
+    const double mm = base::toMillimetres(metres(i));
     const QString number = QString::number(std::abs(mm), 'f', 2);
     line += (sign + (mm < -0.005 && sign.isEmpty() ? QString("−") : QString()) + number).rightJustified(10);
   }
@@ -102,8 +103,8 @@ void ResultPage::showGuide(const registration::RegistrationGuide& guide) {
           "%1 frames, %2 mm rms about their place. The ± is what the scatter leaves. One pose cannot show a "
           "wrong mounting angle: each degree of it moves the far end of the workspace by %3 mm.")
           .arg(proposal->registration.frames)
-          .arg(1e3 * proposal->registration.rms, 0, 'f', 2)
-          .arg(1e3 * proposal->per_degree, 0, 'f', 1));
+          .arg(base::toMillimetres(proposal->registration.rms), 0, 'f', 2)
+          .arg(base::toMillimetres(proposal->per_degree), 0, 'f', 1));
   overlay(guide, guide.collectedPose());
   reason_->setCurrentIndex(-1);
   reason_->clearEditText();

@@ -11,6 +11,8 @@ namespace capstan::widgets {
 
 namespace {
 
+constexpr double kMillimetres = base::toMillimetres(1.0);
+
 QCPGraph* marks(QCustomPlot& plot, QCPScatterStyle::ScatterShape shape, double size) {
   auto* graph = plot.addGraph();
   graph->setLineStyle(QCPGraph::lsNone);
@@ -81,11 +83,12 @@ void ScatterPlot::setTheme(const Theme& theme) {
 void ScatterPlot::showGuide(const registration::RegistrationGuide& guide) {
   for (auto* graph : {used_, rejected_, depth_used_, depth_rejected_}) graph->data()->clear();
   const auto& scatter = guide.scatter();
-  const Eigen::Vector3d sigma = 1e3 * scatter.sigma, mean = 1e3 * (scatter.mean - scatter.median);
+  const Eigen::Vector3d sigma = kMillimetres * scatter.sigma,
+                        mean = kMillimetres * (scatter.mean - scatter.median);
   double frame = 0.0, deep = 0.5;
   reach_ = 0.2;
   for (const auto& point : guide.points()) {
-    const Eigen::Vector3d at = 1e3 * (point.position - scatter.median);
+    const Eigen::Vector3d at = kMillimetres * (point.position - scatter.median);
     const bool used = point.verdict == registration::PointVerdict::kUsed;
     (used ? used_ : rejected_)->addData(at.x(), at.y());
     (used ? depth_used_ : depth_rejected_)->addData(++frame, at.z());

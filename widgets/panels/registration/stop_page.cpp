@@ -15,7 +15,7 @@ namespace {
 
 QString inUnits(const robot::Joint& joint, double value, bool sign) {
   const bool turns = joint.type == robot::JointType::kRevolute;
-  const double shown = turns ? base::toDegrees(value) : base::toMillimetres(value);
+  const double shown = base::degreesOrMillimetres(value, turns);
   const QString number = QString::number(std::abs(shown), 'f', 2);
   const QString minus = shown < -0.005 ? QString("−") : sign && shown > 0.005 ? QString("+") : QString(" ");
   return QString("%1 %2").arg(minus + number, 8).arg(turns ? "deg" : "mm ");

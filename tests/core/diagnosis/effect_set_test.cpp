@@ -1,0 +1,55 @@
+// Sets of effects: sorted, each effect once, and what counts as an exchange.
+#include "core/diagnosis/selection/effect_set.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace capstan::diagnosis {
+namespace {
+
+EffectCandidate at(std::string_view name, int joint) { return {hypothesisNamed(name), joint}; }
+
+TEST(EffectSet, IsSortedWhateverTheOrderInWhichEffectsCame) {
+  const EffectCandidate a = at("backlash", 2), b = at("homing_offset", 1), c = at("homing_offset", 3);
+  std::vector<EffectCandidate> order = {a, b, c};
+  std::ranges::sort(order);
+  const EffectSet sorted = order;
+  do {
+    EffectSet set;
+    for (const EffectCandidate& one : order) set = plus(std::move(set), one);
+    EXPECT_EQ(set, sorted);
+  } while (std::ranges::next_permutation(order).found);
+}
+
+TEST(EffectSet, HasEachEffectOnceAndJointsApart) {
+  const EffectSet one = plus({}, at("backlash", 2));
+  EXPECT_EQ(plus(one, at("backlash", 2)), one);
+  const EffectSet two = plus(one, at("backlash", 3));
+  EXPECT_EQ(two.size(), 2U);
+  EXPECT_TRUE(contains(two, at("backlash", 2)));
+  EXPECT_TRUE(contains(two, at("backlash", 3)));
+  EXPECT_FALSE(contains(two, at("backlash", 1)));
+  EXPECT_FALSE(contains({}, at("backlash", 2)));
+}
+
+TEST(EffectSet, TakesAwayWhatItHasAndNothingElse) {
+  const EffectSet two = plus(plus({}, at("slack", 1)), at("payload", 0));
+  EXPECT_EQ(minus(two, at("slack", 1)), plus({}, at("payload", 0)));
+  EXPECT_EQ(minus(two, at("slack", 2)), two);
+  EXPECT_TRUE(minus(minus(two, at("slack", 1)), at("payload", 0)).empty());
+}
+
+TEST(EffectSet, AnExchangeChangesExactlyOneEffect) {
+  const EffectSet a = plus(plus({}, at("slack", 1)), at("payload", 0));
+  EXPECT_TRUE(differByExchange(a, plus(plus({}, at("backlash", 1)), at("payload", 0))));
+  EXPECT_TRUE(differByExchange(a, plus(plus({}, at("slack", 2)), at("payload", 0)))) << "of another joint";
+  EXPECT_TRUE(differByExchange(plus({}, at("slack", 1)), plus({}, at("payload", 0))));
+  EXPECT_FALSE(differByExchange(a, a));
+  EXPECT_FALSE(differByExchange({}, {}));
+  EXPECT_FALSE(differByExchange(a, minus(a, at("slack", 1)))) << "one less";
+  EXPECT_FALSE(differByExchange(a, plus(plus({}, at("backlash", 1)), at("backlash", 2)))) << "both";
+}
+
+}  // namespace
+}  // namespace capstan::diagnosis

@@ -1,0 +1,167 @@
+// What the diagnosis panel shows of a report besides its signatures: displacements, effects below the
+// tolerance, posterior, refit and gain; and the choices of tolerance and recording.
+#include <gmock/gmock.h>
+
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTreeWidgetItemIterator>
+
+#include "tests/widgets/diagnosis_fixture.h"
+#include "tests/widgets/picture.h"
+#include "widgets/figures/share_bar.h"
+#include "widgets/panels/diagnosis/gain_table.h"
+#include "widgets/panels/diagnosis/interval_cell.h"
+#include "widgets/panels/diagnosis/posterior_table.h"
+#include "widgets/panels/diagnosis/refit_table.h"
+#include "widgets/panels/diagnosis/signature_view.h"
+#include "widgets/panels/diagnosis/time_view.h"
+
+namespace capstan::widgets {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Every text of the tree is at most as wide as its cell.
+void expectWhole(QTreeWidget& tree) {
+  for (QTreeWidgetItemIterator it(&tree); *it; ++it)
+    for (int column = 0; column < tree.columnCount(); ++column) {
+      if ((*it)->isFirstColumnSpanned() || tree.isColumnHidden(column)) continue;
+      const QFontMetrics metrics((*it)->font(column));
+      for (const QString& line : (*it)->text(column).split('\n'))
+        EXPECT_LE(metrics.horizontalAdvance(line), tree.columnWidth(column)) << line.toStdString();
+    }
+  const QFontMetrics metrics(tree.header()->font());
+  for (int column = 0; column < tree.columnCount(); ++column) {
+    if (tree.isColumnHidden(column)) continue;
+    const QString name = tree.headerItem()->text(column);
+    EXPECT_LE(metrics.horizontalAdvance(name), tree.columnWidth(column)) << name.toStdString();
+  }
+}
+
+TEST_F(Diagnosis, EffectsBelowTheToleranceAreFolded) {
+  panel->showReport(sample(Verdict::kFound));
+  CauseTree& tree = panel->causes();
+  QTreeWidgetItem* group = tree.topLevelItem(tree.topLevelItemCount() - 1);
+  EXPECT_THAT(causes(), HasSubstr("Also measurable, below the tolerance of 0.02deg,0.01mm: 1"));
+  EXPECT_FALSE(group->isExpanded());
+  EXPECT_EQ(tree.chosen()->effect, "backlash");
+  tree.scrollToItem(group);
+  QTest::mouseClick(tree.viewport(), Qt::LeftButton, {}, tree.visualItemRect(group).center());
+  EXPECT_TRUE(group->isExpanded());
+  ASSERT_TRUE(tree.chosen());
+  EXPECT_EQ(tree.chosen()->effect, "asymmetric_friction");
+  QTest::keyClick(&tree, Qt::Key_Space);
+  EXPECT_FALSE(group->isExpanded());
+  panel->showReport(sample(Verdict::kNothing));
+  EXPECT_THAT(causes(), ::testing::Not(HasSubstr("Also measurable")));
+}
+
+TEST_F(Diagnosis, TheExplainedShareIsALineInBothFigures) {
+  panel->showReport(sample(Verdict::kFound));
+  const char* words = "of what the recorded signals can explain of the residual of q2";
+  EXPECT_THAT(panel->pages().signatures().figure()->caption().toStdString(), HasSubstr(words));
+  panel->pages().setCurrentIndex(1);
+  EXPECT_THAT(panel->pages().course().figure()->caption().toStdString(), HasSubstr(words));
+}
+
+TEST_F(Diagnosis, ThePosteriorIsShownAsBars) {
+  panel->showReport(sample(Verdict::kTie));
+  PosteriorTable& posterior = panel->pages().posterior();
+  const QStringList lines = posterior.lines();
+  ASSERT_EQ(lines.size(), 2);
+  EXPECT_TRUE(lines[0].endsWith("| 55.0 %")) << lines[0].toStdString();
+  EXPECT_TRUE(lines[1].endsWith("| 43.0 %")) << lines[1].toStdString();
+  EXPECT_NEAR(ShareBar::shareOf(*posterior.topLevelItem(0), PosteriorTable::kProbability), 0.55, 1e-12);
+  EXPECT_THAT(posterior.topLevelItem(2)->text(0).toStdString(), HasSubstr("All other sets"));
+}
+
+TEST_F(Diagnosis, TheRefitHasAColumnWithoutAndOneWithTheEffects) {
+  panel->showReport(sample(Verdict::kFound));
+  const RefitTable& refit = panel->pages().refit();
+  EXPECT_FALSE(refit.isColumnHidden(RefitTable::kWithout));
+  EXPECT_EQ(refit.headerItem()->text(RefitTable::kValue), "with effects");
+  const QTreeWidgetItem& stiffness = *refit.topLevelItem(0);
+  EXPECT_NE(stiffness.text(RefitTable::kWithout), stiffness.text(RefitTable::kNominal));
+  EXPECT_THAT(stiffness.text(RefitTable::kValue).toStdString(), HasSubstr("±"));
+  EXPECT_THAT(refit.topLevelItem(1)->text(RefitTable::kChange).toStdString(), HasSubstr("at its bound"));
+  panel->showReport(sample(Verdict::kNothing));
+  EXPECT_TRUE(refit.isColumnHidden(RefitTable::kWithout)) << "both are the same";
+}
+
+TEST_F(Diagnosis, TheGainIsDrawnOverAnAxis) {
+  panel->showReport(sample(Verdict::kSeveral));
+  const QTreeWidgetItem& simulation = *panel->pages().gain().topLevelItem(0);
+  QStringList units;
+  for (int i = 0; i < simulation.childCount(); ++i) {
+    const QStringList numbers = IntervalCell::numbersOf(*simulation.child(i), GainTable::kDrawn);
+    if (numbers.isEmpty()) continue;
+    units << simulation.child(i)->text(GainTable::kLeft);
+    EXPECT_EQ(numbers[0], "0");
+    EXPECT_GE(numbers.size(), 2);
+    EXPECT_LE(numbers.size(), 5);
+  }
+  EXPECT_EQ(units, (QStringList{"[deg]", "[mm]"}));
+  EXPECT_THAT(IntervalAxis::to(0.9).ticks, ::testing::ElementsAre(0.0, 0.5));
+  EXPECT_THAT(IntervalAxis::to(4.0).ticks, ::testing::ElementsAre(0.0, 1.0, 2.0, 3.0, 4.0));
+  EXPECT_THAT(IntervalAxis::to(0.0).ticks, ::testing::ElementsAre(0.0));
+}
+
+TEST_F(Diagnosis, TheToleranceIsChangedInPlaceAndKept) {
+  DiagnosisChoice asked;
+  show([&asked](const DiagnosisChoice& choice, base::Progress&) {
+    asked = choice;
+    return sample(Verdict::kFound);
+  });
+  panel->choose({.recordings = {"/a/one.csv"}});
+  auto* edit = panel->findChild<QLineEdit*>("tolerance");
+  auto* words = panel->findChild<QLabel*>("tolerance_words");
+  EXPECT_EQ(edit->text().toStdString(), diagnosis::formatTolerance({}));
+  edit->setText("0.1");
+  EXPECT_THAT(words->text().toStdString(), HasSubstr("is no angle or length"));
+  EXPECT_FALSE(button("diagnose_now")->isEnabled());
+  EXPECT_THAT(headline(), HasSubstr("tolerance cannot be read"));
+  edit->setText("0.1deg");
+  EXPECT_TRUE(button("diagnose_now")->isEnabled());
+  panel->diagnose();
+  ASSERT_TRUE(waitFor([&] { return !panel->busy(); }));
+  EXPECT_EQ(asked.material, "0.1deg");
+  EXPECT_TRUE(panel->report());
+  edit->setText("0.2deg");
+  EXPECT_FALSE(panel->report()) << "of another tolerance";
+  const QTemporaryDir folder;
+  QSettings settings(folder.filePath("settings.ini"), QSettings::IniFormat);
+  panel->save(settings);
+  show(nullptr);
+  panel->restore(settings);
+  EXPECT_EQ(panel->choice().material, "0.2deg");
+  EXPECT_EQ(toleranceOf(panel->choice().material).length, diagnosis::Tolerance{}.length);
+}
+
+TEST_F(Diagnosis, ARecordingIsPreselectedWhereNoneIsChosen) {
+  panel->preselect("/a/open.capstan");
+  EXPECT_EQ(panel->choice().recordings, QStringList{"/a/open.capstan"});
+  panel->preselect("/a/other.capstan");
+  EXPECT_EQ(panel->choice().recordings, QStringList{"/a/open.capstan"}) << "a choice stays";
+}
+
+/// About the room between the docks of a window of 1280 px.
+TEST_F(Diagnosis, NoTextIsCutInANarrowPanel) {
+  panel->resize(620, 620);
+  panel->showReport(sample(Verdict::kSeveral));
+  QTest::qWait(50);
+  expectWhole(panel->causes());
+  for (int page = 2; page < panel->pages().count(); ++page) {
+    panel->pages().setCurrentIndex(page);
+    QTest::qWait(50);
+    auto* tree = qobject_cast<QTreeWidget*>(panel->pages().currentWidget());
+    ASSERT_TRUE(tree) << page;
+    expectWhole(*tree);
+    test::grab(*panel, QStringLiteral("diagnosis_panel_narrow_%1").arg(page));
+  }
+}
+
+}  // namespace
+}  // namespace capstan::widgets

@@ -1,0 +1,55 @@
+#include "widgets/panels/diagnosis/diagnosis_headline.h"
+
+#include <QObject>
+
+#include "widgets/panels/diagnosis/diagnosis_text.h"
+
+namespace capstan::widgets {
+
+namespace {
+
+using diagnosis::Verdict;
+
+QString markOf(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kNothing:
+      return QStringLiteral("○ ");
+    case Verdict::kTie:
+    case Verdict::kUnexplained:
+      return QStringLiteral("◐ ");
+    default:
+      return QStringLiteral("● ");
+  }
+}
+
+}  // namespace
+
+Headline verdictOf(const diagnosis::Report& report) {
+  QString below = QString::fromStdString(report.summary);
+  for (const diagnosis::Tie& tie : report.ties)
+    if (!tie.separate.empty())
+      below += QLatin1Char('\n') +
+               QObject::tr("To distinguish them: %1").arg(QString::fromStdString(tie.separate));
+  return {markOf(report.verdict) + headlineOf(report), below};
+}
+
+Headline searchingHeadline() {
+  return {QObject::tr("Searching for errors of the simulation…"),
+          QObject::tr("The longer the recordings, the longer it takes; Esc cancels it.")};
+}
+
+Headline emptyHeadline() {
+  return {QObject::tr("What does the simulation get wrong?"),
+          QObject::tr(
+              "Choose one or more recordings of the moving robot: 20 s with all joints in motion, fast and "
+              "slow, back and forth; or one table of tip poses. Diagnosis names the effects that the model "
+              "lacks, and the gain by each.")};
+}
+
+Headline toleranceHeadline() {
+  return {QObject::tr("The tolerance cannot be read"), QObject::tr("Correct it above.")};
+}
+
+Headline readyHeadline() { return {QObject::tr("Ready to diagnose"), QObject::tr("Press Diagnose (F5).")}; }
+
+}  // namespace capstan::widgets

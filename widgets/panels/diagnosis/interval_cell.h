@@ -1,0 +1,39 @@
+#pragma once
+
+#include <QStyledItemDelegate>
+#include <QTreeWidgetItem>
+#include <vector>
+
+#include "core/diagnosis/report/report.h"
+#include "widgets/figures/theme.h"
+
+namespace capstan::widgets {
+
+/// Axis of the drawn intervals of one unit, from 0 to `reach`.
+struct IntervalAxis {
+  double reach = 0.0;         ///< largest number that is drawn, in the unit for people
+  std::vector<double> ticks;  ///< numbers at the axis, the first is 0
+
+  /// Axis with at most five round numbers.
+  static IntervalAxis to(double reach);
+};
+
+/// Delegate that draws in a cell two values with their intervals, one above the other: before as a square,
+/// after as a disc. Cells of one unit share an axis: its ticks are lines in each of them, and numbers in a
+/// cell of their own.
+class IntervalCell : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  /// Sets the values of a cell. `scale`: factor from the gain's unit to that of the axis.
+  static void set(QTreeWidgetItem& item, int column, const diagnosis::Gain& gain, double scale,
+                  const IntervalAxis& axis, const Theme& theme);
+  /// Sets the numbers of the axis.
+  static void setAxis(QTreeWidgetItem& item, int column, const IntervalAxis& axis, const Theme& theme);
+  /// Numbers of the axis in a cell, empty for other cells.
+  static QStringList numbersOf(const QTreeWidgetItem& item, int column);
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+};
+
+}  // namespace capstan::widgets
