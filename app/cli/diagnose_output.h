@@ -8,8 +8,8 @@
 namespace capstan::cli {
 
 /// Text of a report for a terminal, in units for people: the verdict, causes and ties, unexplained residuals,
-/// residuals of each model, the refit, the ranking and the gain of the filter. The text of a cancelled
-/// report has no verdict, only the results until then.
+/// residuals of each model, the refit, the ranking and the errors of the Kalman filter. The text of a
+/// cancelled report has no verdict, only the results until then.
 std::string textOf(const diagnosis::Report& report);
 
 /// Text of a table for a terminal: columns aligned, numbers to the right; the wrapped note follows.

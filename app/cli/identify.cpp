@@ -255,7 +255,7 @@ ExitCode identify(IdentifyArguments& arguments, const CLI::App& command) {
   const experiments::Choice& choice = found->identified->choice;
   if (!choice.method) return fail("nothing was identified: " + choice.words, arguments);
   if (!choice.words.empty()) notice(choice.words);
-  if (!found->identified->anySeen()) return fail("no parameter could be seen in this motion", arguments);
+  if (!found->identified->anySeen()) return fail("no parameter is observable in this motion", arguments);
   if (!arguments.out.empty()) writeRobot(arguments, *found);
   if (!arguments.tracking_out.empty())
     writeTrackingOptions(found->tracking, found->delay(), arguments.tracking_out);

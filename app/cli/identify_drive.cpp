@@ -121,7 +121,7 @@ ExitCode identifyDrive(const IdentifyDriveArguments& arguments, const robot::Des
   }
   const auto& estimates = findings.report.estimates;
   if (std::none_of(estimates.begin(), estimates.end(), [](const auto& e) { return e.seen; })) {
-    notice("no parameter could be seen in this motion" + not_written);
+    notice("no parameter is observable in this motion" + not_written);
     return kFailed;
   }
   if (!arguments.out.empty()) writeRobot(nominal, findings, training, arguments.out);

@@ -41,7 +41,7 @@ std::string parameterTable(const DriveFindings& findings) {
             ? padded(fmt::format("{:.5g} ± {:.2g}", scale * estimate.value(), scale * estimate.valueSigma()),
                      24) +
                   fmt::format("{:+.1f} %\n", estimate.percent())
-            : padded("not seen", 24) + "—\n";
+            : padded("not observable", 24) + "—\n";
   }
   const auto& drive = findings.report.robot.drives.front();
   text += fmt::format("  k_c = 2 k_e a; robot file: k_e {:.5g} N, a {:.5g} 1/m\n", drive.cable_stiffness,

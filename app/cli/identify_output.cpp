@@ -18,7 +18,7 @@ using identification::DualUkfReport;
 using identification::Estimate;
 
 std::string cell(const Estimate& estimate) {
-  if (!estimate.seen) return "not seen";
+  if (!estimate.seen) return "not observable";
   const double scale = estimate.parameter.scale();
   return fmt::format("{:.5g} ± {:.2g}", scale * estimate.value(), scale * estimate.valueSigma());
 }
@@ -76,7 +76,7 @@ std::string withoutNumbers(std::string text) {
 }
 
 /// Advice of all estimates, one paragraph per parameter. Advice that differs from that of the dual UKF only
-/// in its numbers is replaced by "not seen, as above".
+/// in its numbers is replaced by "not observable, as above".
 std::string advice(const std::vector<Estimate>& estimates, const DualUkfReport* dual) {
   std::string text;
   for (std::size_t i = 0; i < estimates.size(); ++i) {
@@ -84,7 +84,7 @@ std::string advice(const std::vector<Estimate>& estimates, const DualUkfReport* 
     if (estimate.advice.empty()) continue;
     const bool again = !estimate.seen && dual && i < dual->estimates.size() && !dual->estimates[i].seen &&
                        withoutNumbers(dual->estimates[i].advice) == withoutNumbers(estimate.advice);
-    text += said(estimate.parameter.name(), again ? "not seen, as above" : estimate.advice);
+    text += said(estimate.parameter.name(), again ? "not observable, as above" : estimate.advice);
   }
   return text;
 }

@@ -41,8 +41,8 @@ struct ErrorRun {
   /// Files with the motion: the file that was read; for a session, its replayed and its recorded file.
   std::vector<std::filesystem::path> files = {};
   std::string name = "session", trial = "session";  ///< names of its files in an export
-  /// Moments over all samples, also where `errors` and `camera` are thinned. n = 0: not known; then the
-  /// points count.
+  /// Moments over all samples, also where `errors` and `camera` are thinned. With n = 0 they
+  /// are not known, and the statistics are computed from the points.
   std::array<std::array<ErrorMoments, kTimeShares>, experiments::kEstimators> moments = {};
 
   const ErrorMoments& momentsOf(experiments::Estimator which, TimeShare share) const {
@@ -55,9 +55,10 @@ struct ErrorRun {
 bool sameMotion(const ErrorRun& a, const ErrorRun& b);
 
 /// Collects the errors of a running pipeline: of kinematic and UKF estimates where a reference coincides with
-/// a motor sample, and of the camera where the filter accepted it. `occluded` is the state of the newest
-/// camera sample: a marker is hidden, or samples are missing. Another thread may read it. Its memory is fixed
-/// (kCapacity points): when full, every second point is dropped; the moments remain those of all samples.
+/// a motor sample, and of the camera where the filter accepted it. ErrorPoint::occluded is
+/// true if a marker was hidden in the newest camera sample, or if camera samples are missing. Another thread
+/// may read it. The memory is fixed (kCapacity points): when it is full, every second point is dropped; the
+/// moments remain those of all samples.
 class ErrorCollector {
  public:
   static constexpr std::size_t kCapacity = std::size_t{1} << 19;  ///< points of nine minutes at 1 kHz

@@ -7,7 +7,8 @@
 namespace capstan::base {
 
 /// Seeded source of random numbers. The same seed and stream name give the same numbers. Streams of one seed
-/// are independent: one more draw from a stream (image noise) leaves encoder jitter unchanged.
+/// are independent: an additional draw from one stream, for example image noise, does not change the numbers
+/// of another one, for example encoder jitter.
 class Random {
  public:
   explicit Random(std::uint64_t seed, std::string_view stream = {}) : engine_(mix(seed, stream)) {}

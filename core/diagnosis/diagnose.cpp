@@ -19,8 +19,8 @@
 namespace capstan::diagnosis {
 namespace {
 
-constexpr double kMoved = 2.0;     // sigmas from nominal that count as moved
-constexpr double kAtBound = 1e-6;  // of u
+constexpr double kMoved = 2.0;     // distance from nominal that counts as moved [sigmas]
+constexpr double kAtBound = 1e-6;  // distance of u from its bound that counts as at the bound
 
 class Clock {
  public:
@@ -75,7 +75,7 @@ void addRefit(const FitData& data, const Selection& s, Report& report) {
   }
 }
 
-/// Strongest first.
+/// Signatures of the channel, strongest first.
 std::vector<Signature> sortedSignatures(const Channel& channel, const std::vector<Variable>& variables) {
   std::vector<Signature> signatures = signaturesOf(channel, variables);
   std::stable_sort(signatures.begin(), signatures.end(),
@@ -118,7 +118,7 @@ class Assembly {
     }
   }
 
-  /// Lines of what the best model leaves, as it is on the simulation's own horizon.
+  /// Spectral lines of the best model's residual, simulated with the horizon of the fit.
   void addLines() {
     std::size_t place = 0;
     for (int r = 0; r < data_.recordings(); place += data_.simulation(r).compared().channels.size(), ++r) {
@@ -141,7 +141,7 @@ class Assembly {
     }
   }
 
-  /// What the residual of the channel with most beyond noise depends on.
+  /// Gaussian process of the residual of the channel whose RMS is largest relative to its noise.
   void addProcess(base::Progress* progress) {
     const ChannelReport* most = nullptr;
     for (const ChannelReport& channel : report_.channels) {
@@ -163,7 +163,7 @@ class Assembly {
     return residualOf(evidence, motion, nominal_);
   }
 
-  /// The channel's place among FitData::channels().
+  /// Index of the channel in FitData::channels().
   int placeOf(int recording, const Channel& channel) const {
     std::size_t place = 0;
     for (int r = 0; r < recording; ++r) place += data_.simulation(r).compared().channels.size();
@@ -196,7 +196,7 @@ bool haveEncoders(const std::vector<Evidence>& recordings) {
                      [](const Evidence& evidence) { return evidence.hasEncoders(); });
 }
 
-/// What was selected, and the data that it speaks of.
+/// Selection, and the data that it was fitted to.
 struct Selected {
   std::unique_ptr<FitData> data;
   Selection selection;
@@ -211,7 +211,7 @@ bool sameCauses(const Selection& a, const Selection& b) {
   return setOf(a) == setOf(b);
 }
 
-/// Over the near horizon; over the far one where that changes the causes.
+/// Selection with the near horizon, or with the far horizon if that changes the causes.
 Selected selected(const std::vector<Evidence>& recordings, const robot::Description& nominal,
                   const FitModel& base, const DiagnosisOptions& options, base::Progress* progress) {
   const bool both = nominal.drive == DriveKind::kRigid && haveEncoders(recordings);

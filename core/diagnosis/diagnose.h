@@ -10,28 +10,34 @@
 
 namespace capstan::diagnosis {
 
-/// A rigid drive's simulation restarts so often in the fits [s]. Effects are sought over the near horizon
-/// first, from which every fit finds its least, then over the far one, where slow ones show. Cameras alone
-/// need time to determine the state at a window's start: they use the far horizon only.
+/// In fits of rigid drives, the simulation restarts from the joint encoders after each horizon [s]. Effects
+/// are first searched with the near horizon, with which every fit reaches its minimum, and then with the far
+/// horizon, in which slow effects become visible. Recordings without joint encoders are fitted with the far
+/// horizon only, because camera observations need time to determine the state at the start of a window.
 inline constexpr double kNearHorizon = 0.5, kFarHorizon = 2.0;
 
 struct DiagnosisOptions {
-  int threads = 2;
-  int most_causes = 6;     ///< largest set of effects that is tried
-  Tolerance material = {};  ///< what an effect must move to be a cause
-  EncoderZeros zeros = EncoderZeros::kOnePerRecording;  ///< of cable drives
-  bool show =
-      true;  ///< also traces and signatures of every channel; false: verdict, causes and ranking alone
-  bool filter = true;  ///< also what the Kalman filter gains (three-joint cable arms with both sensors)
+  int threads = 2;                                      ///< number of worker threads
+  int most_causes = 6;                                  ///< largest number of effects in a model
+  Tolerance material = {};                              ///< displacement from which on an effect is a cause
+  EncoderZeros zeros = EncoderZeros::kOnePerRecording;  ///< zeros of joint encoders, for cable drives
+  /// True: the report also has time series and signatures of every channel (Signature: how the residual
+  /// depends on a variable). False: verdict, causes and ranking alone.
+  bool show = true;
+  /// True: the report also states how much the error of the Kalman filter falls (only cable arms of three
+  /// joints with joint encoders and cameras).
+  bool filter = true;
   std::vector<std::string> only;  ///< names of hypotheses to consider; empty: all
-  std::uint64_t seed = 1;         ///< of the bootstraps
+  std::uint64_t seed = 1;         ///< seed of the bootstraps
 };
 
-/// Shows what the nominal robot's simulation gets wrong in recordings of one robot, names the cause, extends
-/// the model and measures the gain: refit, screen, select (selection.h), judge (verdict.h). Deterministic:
-/// the same evidence and options give the same report, whatever the threads. base::InputError: no recordings;
-/// recordings of different drives or joints; an unknown name in `only`. Cancelled through `progress`:
-/// Report::cancelled, with what there is.
+/// Diagnosis of one robot. It simulates the nominal robot on the inputs of the recordings (motor positions,
+/// or motor torques of rigid drives), compares the result with joint encoders and cameras, finds the effects
+/// that explain the residual, extends the model by them, and measures how much the residual falls on held-out
+/// data. Its steps: refit, score tests, selection (selection.h), verdict (verdict.h). The same evidence and
+/// options give the same report for any number of threads. Throws base::InputError without recordings, for
+/// recordings of different drives or joints, and for an unknown name in `only`. If `progress` is cancelled,
+/// Report::cancelled is set and the report contains the results computed until then.
 Report diagnose(const std::vector<Evidence>& recordings, const robot::Description& nominal,
                 const DiagnosisOptions& options = {}, base::Progress* progress = nullptr);
 

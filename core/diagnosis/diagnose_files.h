@@ -14,9 +14,11 @@ namespace capstan::diagnosis {
 struct DiagnosisRequest {
   std::vector<std::string> files;
   std::string robot = {};         ///< nominal robot file; empty: the recordings' own, or the default robot
-  EvidenceOptions evidence = {};  ///< for recordings
+  EvidenceOptions evidence = {};  ///< options of reading recordings; not for tip poses
   DiagnosisOptions options = {};  ///< for tip poses, only `only` and `seed` are used
-  std::optional<PoseReference> towards = {};  ///< for tip poses
+  /// Poses that observed tip poses are compared with. Empty: kinematics if the table has them, else commands.
+  /// Only for tables of tip poses.
+  std::optional<PoseReference> towards = {};
 };
 
 /// Result of diagnoseFiles().

@@ -12,7 +12,7 @@
 
 namespace capstan::diagnosis {
 
-/// Robots that the same filter runs with.
+/// Robots with which the same filter runs.
 struct FilterRobots {
   robot::Description nominal, refitted, extended;
 };
@@ -41,12 +41,12 @@ struct FilterGainReport {
 /// (camera_latency below 0), observations come later by that time for all robots. The estimate of a row uses
 /// no later data. The encoders are the reference and never an input. Process noise is the same for all three
 /// robots and represents the errors of the nominal model: if it is large, a contact law such as backlash
-/// gains little.
+/// lowers the error little.
 ///
 /// The filter has two kernels, one for the nominal law and one for laws with effects. They differ in the time
 /// step and in the use of motor velocity, which changes the RMS even at joints without effects. With
-/// `one_kernel` this change is not counted as a gain. Without it, the RMS is that of tracking with each
-/// robot.
+/// `one_kernel` all robots run in the same kernel, so that this change does not appear in the result. Without
+/// it, the RMS is that of tracking with each robot.
 ///
 /// For cable-driven remote-centre arms of three joints. Recordings without joint encoders or cameras are
 /// excluded, with a notice each; a notice also gives the reason if the robot cannot be followed. The result

@@ -37,7 +37,7 @@ Goal parameterGoal(const IdentificationResult& result, const IdentifiedParameter
   goal.what =
       fmt::format("{} within {:g} % of the truth, or said to be not observable", parameter.name, percent);
   if (!estimate.seen) {
-    goal.measured = "not seen: " + estimate.advice;
+    goal.measured = "not observable: " + estimate.advice;
     goal.verdict = verdictOf(!estimate.advice.empty());
     return goal;
   }

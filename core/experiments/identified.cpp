@@ -71,7 +71,7 @@ std::string progressWords(const identification::Convergence& convergence, const 
 
 std::string valueLine(const std::string& name, double value, double sigma, const std::string& unit,
                       bool seen) {
-  if (!seen) return name + " not seen, as before";
+  if (!seen) return name + " not observable, as before";
   return fmt::format("{} {:.6g} ± {:.2g} {}", name, value, sigma, unit);
 }
 

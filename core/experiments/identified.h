@@ -42,7 +42,7 @@ struct RobotOrigin {
   std::string software;                 ///< program and version; empty: not known
 };
 
-/// Line of one parameter: "r_l1 59.012 ± 0.011 mm", or "b_e1 not seen, as before".
+/// Line of one parameter: "r_l1 59.012 ± 0.011 mm", or "b_e1 not observable, as before".
 std::string valueLine(const std::string& name, double value, double sigma, const std::string& unit,
                       bool seen);
 

@@ -17,7 +17,7 @@ namespace capstan::experiments {
 struct IdentifyAndTrack {
   std::optional<Identified> identified;  ///< none: `fault` has the reason
   std::optional<tracking::TrackReport>
-      tracked;             ///< tracking with the identified robot; none: no parameter was seen
+      tracked;             ///< tracking with the identified robot; none: no parameter is observable
   std::string fault;       ///< reason for missing results; empty: there is none
   double duration = 0.0;   ///< duration of the motor samples of the identification [s]
   bool cancelled = false;  ///< true: only finished parts are filled

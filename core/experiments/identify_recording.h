@@ -28,9 +28,9 @@ struct Identified {
 
   /// Estimates of the chosen method. Call it only if choice.method.
   const std::vector<identification::Estimate>& estimates() const;
-  /// True when the chosen method has seen at least one parameter.
+  /// True if at least one parameter is observable for the chosen method.
   bool anySeen() const;
-  /// Nominal robot with the estimates of all seen parameters. Call it only if choice.method.
+  /// Nominal robot with the estimates of all observable parameters. Call it only if choice.method.
   robot::Description robot() const { return identification::identifiedRobot(set, estimates()); }
 };
 

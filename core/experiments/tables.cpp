@@ -69,7 +69,7 @@ double pOf(Test&& test, const std::vector<double>& first, const std::vector<doub
 }
 
 std::string value(const ParameterEstimate& estimate, double scale) {
-  if (!estimate.seen) return "not seen";
+  if (!estimate.seen) return "not observable";
   return fmt::format("{:.5g} ± {:.2g}", scale * estimate.value, scale * estimate.sigma);
 }
 

@@ -24,7 +24,7 @@ using RobotBelief = std::function<robot::Description(const robot::Description& n
 /// applied in order. Throws base::InputError where the robot file is unusable.
 RobotBelief beliefOf(const Specification& specification, const std::vector<IdentificationResult>& found);
 
-/// `robot` with the parameters that `identification` has seen.
+/// `robot` with the estimates of the parameters that are observable in `identification`.
 robot::Description withIdentified(const robot::Description& robot,
                                   const IdentificationResult& identification);
 

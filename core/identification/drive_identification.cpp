@@ -37,7 +37,7 @@ DriveEstimate estimateOf(const DriveParameters& parameters, const DriveFit::Held
   estimate.seen = estimate.sigma < kSeenShare * parameter.prior_sigma;
   if (!estimate.seen) {
     estimate.advice =
-        parameter.words() + " cannot be seen in these recordings; " + helpFor(parameter.quantity);
+        parameter.words() + " is not observable in these recordings; " + helpFor(parameter.quantity);
     return estimate;
   }
   if (std::abs(estimate.log) > 0.999 * parameter.bound) {

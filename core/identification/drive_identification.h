@@ -46,7 +46,7 @@ struct DriveOffset {
 struct DriveReport {
   BatchEnd end = BatchEnd::kFailed;
   std::vector<DriveEstimate> estimates;  ///< estimates of the requested parameters, by DriveQuantity
-  Eigen::MatrixXd covariance;            ///< covariance of the logarithms of the seen parameters
+  Eigen::MatrixXd covariance;            ///< covariance of the logarithms of observable parameters
   Eigen::MatrixXd correlation;           ///< correlation of the same logarithms
   std::vector<DriveOffset> offsets;      ///< one for all recordings, or one per recording
   /// Slope [rad or m per N·m or N] and correlation of the recordings' offsets over their mean load. A

@@ -27,7 +27,7 @@ struct Estimate {
   double high() const { return parameter.nominal * std::exp(log + stats::kNormal95 * sigma); }
 };
 
-/// Largest posterior σ / prior σ at which a parameter counts as seen (observable).
+/// Largest posterior σ / prior σ at which a parameter counts as observable (Estimate::seen).
 inline constexpr double kSeenShare = 0.5;
 
 /// Huber's limit: size of a whitened residual or innovation above which its observation is down-weighted. It
@@ -44,7 +44,7 @@ inline std::vector<double> logsOf(const std::vector<Estimate>& estimates) {
   return logs;
 }
 
-/// The nominal robot with the estimates of all seen parameters; the other parameters keep their nominal
+/// The nominal robot with the estimates of all observable parameters; the other parameters keep their nominal
 /// value.
 inline robot::Description identifiedRobot(const ParameterSet& set, const std::vector<Estimate>& estimates) {
   ParameterSet::Logs logs = ParameterSet::Logs::Zero(set.size());

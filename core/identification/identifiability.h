@@ -18,7 +18,7 @@ struct Visibility {
   double correlation = 0.0;  ///< correlation with `partner`
   double stated = 0.0;       ///< σ that the estimate states; `sigma` before there is an estimate
   bool seen = false;         ///< observable: `stated` is below kSeenShare of the prior's σ
-  std::string advice;        ///< reason and remedy; empty when seen
+  std::string advice;        ///< reason and remedy; empty if observable
 };
 
 /// Local identifiability at x: singular values of the Jacobian scaled by noise and priors, and the
@@ -40,7 +40,7 @@ void findPartner(const Eigen::MatrixXd& covariance, int i, int count, Visibility
 /// Unknown i of OutputError in words: "joint 1's damping", "the camera's rotation about y".
 std::string wordsOf(const ParameterSet& set, int unknown);
 
-/// Advice for a parameter i that is not seen, or seen but not known to its goal: the reason and a remedy.
+/// Advice for a parameter i that is not observable, or not known to its goal: the reason and a remedy.
 /// Reasons: it changes the output by less than the noise; it correlates with another unknown (|correlation|
 /// above 0.7); or friction and hysteresis outside the model hide it.
 std::string adviceFor(const ParameterSet& set, int i, const Visibility& visibility, int observations);

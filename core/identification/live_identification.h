@@ -49,7 +49,7 @@ enum class LivePhase { kIdle, kCollecting, kStopped, kAccepted };
 /// Texts of one parameter for the screen.
 struct LiveRow {
   std::string name;    ///< r_l1
-  std::string value;   ///< "59.02", rounded to the digits of its σ; "weak" where the parameter is not seen
+  std::string value;   ///< "59.02", rounded to the digits of its σ; "weak" if it is not observable
   std::string sigma;   ///< "±0.02"
   std::string unit;    ///< mm, kN, N·s/m …
   std::string change;  ///< "−6.5 %", relative to the robot file
@@ -104,7 +104,7 @@ class LiveIdentification {
   /// Notes that a run ended without a report.
   void failed(const std::string& why, double now);
 
-  bool acceptable() const;  ///< true when at least one parameter was seen
+  bool acceptable() const;  ///< true if at least one parameter is observable
   bool refining() const { return refining_; }
   bool refined() const { return shown_.method == LiveMethod::kBatch && !shown_.estimates.empty(); }
   const std::optional<ParameterSet>& set() const { return set_; }

@@ -151,7 +151,7 @@ base::Table recoveriesOf(const MonteCarloStudy& study, const MonteCarloOptions& 
   base::Table table;
   table.title = fmt::format("Known truth recovered for {} randomized robots, {:g} s of block transfer each",
                             study.samples.size(), options.duration);
-  table.columns = {{"parameter", {}, 0},   {"method", {}, 0},        {"seen in", {}, 0},
+  table.columns = {{"parameter", {}, 0},   {"method", {}, 0},        {"observable in", {}, 0},
                    {"inside 95 %", {}, 0}, {"coverage", {}, 0},      {"95 %", {}, 0},
                    {"goal 90 %", {}, 0},   {"median error", "%", 3}, {"median sigma", "%", 3}};
   for (std::size_t i = 0; i < study.names.size(); ++i)

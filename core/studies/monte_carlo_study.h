@@ -49,15 +49,16 @@ struct RandomizedRobot {
   std::array<double, 2> seconds{};             ///< computing time of dual UKF, batch [s]
 };
 
-/// Result of one method for one parameter, over the samples in which the parameter was seen. In the other
-/// samples the interval is that of the prior, and its coverage does not test the method.
+/// Result of one method for one parameter, over the samples (randomized robots) in which the parameter is
+/// observable ("seen"). In the other samples the interval is that of the prior, and its coverage does not
+/// test the method.
 struct Recovery {
   /// Verdict by Clopper and Pearson's 95 % interval of the coverage, against kCoverageGoal.
   enum class Verdict { kUnseen, kTooFew, kMet, kMissed };
 
   int samples = 0;
   int seen = 0;     ///< number of samples in which the recording at least halved the prior's sigma
-  int covered = 0;  ///< number of seen samples with the truth inside the stated 95 % interval
+  int covered = 0;  ///< number of these samples with the truth inside the stated 95 % interval
   int covered_of_all = 0;
   double median_error = 0.0;  ///< median of |value / truth − 1| where seen; NaN: never seen
   double median_sigma = 0.0;  ///< median of the stated σ of the logarithm where seen; NaN: never seen

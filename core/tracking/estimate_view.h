@@ -25,9 +25,9 @@ class EstimateView {
   /// Writes the estimate into `snapshot`; `mean` and `covariance` are those of q1 dq1 q2 dq2 q3 dq3.
   void show(const CableArmModel::State& mean, const Eigen::Matrix<double, 6, 6>& covariance,
             const MotorSide& motors, const EncoderWatch& watch, Snapshot& snapshot);
-  /// Sets the cable memory at that instant (robots with effects).
+  /// Sets the cable memory for the next show() (robots with effects).
   void setMemory(const CableMemory& memory) { memory_ = memory; }
-  /// Sets the filter's motor correction at that instant.
+  /// Sets the filter's motor correction for the next show().
   void setCorrection(const MotorCorrection& correction) { correction_ = correction; }
   /// Covariance of the joint positions in the last snapshot [rad², rad², m²].
   const Eigen::Matrix3d& positionCovariance() const { return position_covariance_; }

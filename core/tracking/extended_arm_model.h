@@ -40,7 +40,8 @@ class ExtendedArmModel {
   /// True if the cables have memory (hysteresis or creep).
   bool hasMemory() const { return has_memory_; }
 
-  /// Bound on the eigenvalues within the joint limits [1/s]: the largest robot::chainRate() on a grid.
+  /// Bound on the magnitude of the model's eigenvalues [1/s]: the largest robot::chainRate() on a grid of
+  /// joint positions within the limits.
   double rate() const { return rate_; }
   const robot::ChainModel& model() const { return model_; }
 
@@ -52,7 +53,7 @@ class ExtendedArmModel {
   robot::SimulateChain kernel_;
   double low_[6], high_[6];
   double rate_ = 0.0;
-  double oscillation_ = 0.0;  ///< largest robot::chainOscillation() on a grid [1/s]
+  double oscillation_ = 0.0;  ///< largest robot::chainOscillation() on the same grid [1/s]
   bool has_memory_ = false;
 };
 

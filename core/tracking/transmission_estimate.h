@@ -14,7 +14,7 @@ struct TransmissionEstimate {
   Eigen::Vector3d offset = Eigen::Vector3d::Zero();             ///< error of the cable's zero [m]
   Eigen::Vector3d offset_sigma = Eigen::Vector3d::Zero();
   Eigen::Vector3d offset_probability = Eigen::Vector3d::Zero();
-  Eigen::Vector3d compliance = Eigen::Vector3d::Zero();  ///< 1 − k_e of the robot file / k_e
+  Eigen::Vector3d compliance = Eigen::Vector3d::Zero();  ///< 1 − k_file / k_true of k_e
   Eigen::Vector3d compliance_sigma = Eigen::Vector3d::Zero();
   Eigen::Vector3d compliance_probability = Eigen::Vector3d::Zero();
   /// Error of the tip measured by the cameras: rotation about the tip's position at the hard stop, in frame 0

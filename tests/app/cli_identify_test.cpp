@@ -55,14 +55,14 @@ TEST_F(Cli, WhatCannotBeSeenLeavesNoRobot) {
                       " --tracking-out " + path("o.yaml"));
   EXPECT_EQ(ran.exit, 1);
   EXPECT_THAT(ran.err,
-              HasSubstr("no parameter could be seen in this motion; not written: " + path("none.yaml")));
+              HasSubstr("no parameter is observable in this motion; not written: " + path("none.yaml")));
   EXPECT_FALSE(fs::exists(path("none.yaml")));
   EXPECT_FALSE(fs::exists(path("o.yaml")));
   // Both methods see nothing; it is said once, in lines that fit a terminal.
   const std::size_t batch = ran.out.find("batch: ");
   ASSERT_NE(batch, std::string::npos) << ran.out;
   EXPECT_THAT(ran.out.substr(0, batch), HasSubstr("  b_e1: joint 1's damping"));
-  EXPECT_THAT(ran.out.substr(batch), HasSubstr("  b_e1: not seen, as above\n"));
+  EXPECT_THAT(ran.out.substr(batch), HasSubstr("  b_e1: not observable, as above\n"));
   for (const std::string& line : split(ran.out, '\n'))
     if (line.rfind("  b_e1", 0) == 0 || line.rfind("      ", 0) == 0) {
       EXPECT_LE(line.size(), 100U) << line;
@@ -111,7 +111,7 @@ TEST_F(CliTable, WhereTheMethodsFindNothingTheyAreNamedAndNoFileIsLeft) {
     EXPECT_THAT(ran.err, HasSubstr("found nothing (no camera observations)")) << method;
     EXPECT_THAT(ran.err, HasSubstr("not written: " + path("none.yaml"))) << method;
     EXPECT_FALSE(fs::exists(path("none.yaml"))) << method;
-    EXPECT_THAT(ran.out, Not(HasSubstr("not seen"))) << method;
+    EXPECT_THAT(ran.out, Not(HasSubstr("not observable"))) << method;
   }
 }
 

@@ -1,4 +1,4 @@
-// What the identify command says of parameters that are not seen.
+// What the identify command says of parameters that are not observable.
 #include "app/cli/identify_output.h"
 
 #include <gmock/gmock.h>
@@ -24,7 +24,7 @@ std::string saidOf(const std::string& by_dual, const std::string& by_batch) {
 TEST(IdentifyOutput, WhyItIsNotSeenIsSaidOnceWhereBothMethodsSayTheSame) {
   const std::string text = saidOf("known to 12 % only; move faster", "known to 9.5 % only; move faster");
   EXPECT_THAT(text, HasSubstr("known to 12 % only"));
-  EXPECT_THAT(text, HasSubstr("not seen, as above"));
+  EXPECT_THAT(text, HasSubstr("not observable, as above"));
   EXPECT_THAT(text, Not(HasSubstr("9.5")));
 }
 

@@ -25,7 +25,7 @@ namespace {
 using ::testing::HasSubstr;
 
 TEST_F(Diagnosis, BeginsWithAQuestionAndNothingToPress) {
-  EXPECT_THAT(headline(), HasSubstr("What does the simulation get wrong?"));
+  EXPECT_THAT(headline(), HasSubstr("Where is the robot model wrong?"));
   EXPECT_FALSE(button("diagnose_now")->isEnabled()) << "no recording";
   EXPECT_FALSE(button("save_extended")->isVisible());
   panel->choose({.recordings = {"/somewhere/one.csv"}});

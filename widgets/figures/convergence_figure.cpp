@@ -110,7 +110,7 @@ std::unique_ptr<Figure> ConvergenceFigure::copy() const { return std::make_uniqu
 QString ConvergenceFigure::words(const ConvergencePanel& panel) const {
   QStringList parts;
   if (!panel.seen) {
-    parts << tr("not seen");
+    parts << tr("not observable");
     if (panel.truth)
       parts << tr("truth %1").arg(significantText(*panel.truth, 4)) + QLatin1Char(' ') + panel.unit;
     return unbroken(parts.join(QStringLiteral(", ")));

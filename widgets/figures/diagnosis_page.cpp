@@ -184,13 +184,13 @@ std::string diagnosisPage(const Report& report, const DiagnosisOrigin& origin,
   std::string recordings;
   for (const std::string& title : report.recordings) recordings += (recordings.empty() ? "" : ", ") + title;
   const std::string title =
-      "What the simulation of " + (origin.robot.empty() ? "the robot" : origin.robot) + " gets wrong";
+      "Where the model of " + (origin.robot.empty() ? "the robot" : origin.robot) + " is wrong";
   std::string html = htmlHead(title, kDiagnosisMark, kStyle) + "<h1>" + htmlEscaped(title) + "</h1>\n";
   html += paragraph(origin.software + (origin.created.empty() ? "" : ", " + origin.created) +
                         ". Recordings: " + recordings + ".",
                     "note");
   html += verdictHtml(report) + causesHtml(report) + alsoMeasurableHtml(report) + unexplainedHtml(report);
-  html += "<h2>What the simulation gets wrong</h2>\n";
+  html += "<h2>Where the robot model is wrong</h2>\n";
   if (!report.channels.empty()) html += htmlTable(diagnosis::channelTable(report));
   if (!report.explainable.empty()) html += barTable(diagnosis::explainableTable(report), "explained");
   for (const DiagnosisChannel& channel : channels) {

@@ -35,7 +35,7 @@ std::string verdictText(diagnosis::Verdict verdict);
 /// One HTML page (html_parts.h): the verdict; its causes with the descriptions of their hypotheses; ties with
 /// the motion that would distinguish them; effects that are also measurable; the unexplained residual;
 /// figures and numbers of each model's residual, beside what can be explained; the refit; the posterior; the
-/// ranking; the gain of the filter; notices and the files beside the page.
+/// ranking; the errors of the Kalman filter; notices and the files beside the page.
 std::string diagnosisPage(const diagnosis::Report& report, const DiagnosisOrigin& origin,
                           const std::vector<DiagnosisChannel>& channels,
                           const std::vector<std::string>& files);

@@ -27,9 +27,9 @@ void saveJointFigure(const JointHistory& history, const std::array<QString, 3>& 
 
 /// Writes the values of the joint plots as CSV, one row per time: t [s], then for each joint true, kinematic,
 /// camera (at its own times), UKF and its sigma, in deg, deg, mm; cells without a value are empty. Before
-/// history.detailBegin(), each block has one row with its lowest and one with its highest values, and two
-/// more columns: "block [s]", its length, and "of block". Throws base::InputError for a path that cannot be
-/// written.
+/// history.detailBegin(), each block has two rows, one with its lowest and one with its highest values. The
+/// table then has two more columns: "block [s]" is the length of the block, "of block" says lowest or
+/// highest. Throws base::InputError for a path that cannot be written.
 void saveJointTable(const JointHistory& history, double begin, double end, const std::filesystem::path& path);
 
 /// Writes base.pdf, base.svg, base.png and base.csv. Throws base::InputError.

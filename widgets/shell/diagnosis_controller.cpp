@@ -31,7 +31,7 @@ void DiagnosisController::addAction(QStackedWidget& centre, SessionBar& bar) {
   action->setCheckable(true);
   action->setShortcut(QKeySequence(QStringLiteral("Ctrl+D")));
   action->setToolTip(
-      tr("Show errors of the simulation in recordings, and their causes, instead of the plots, or the plots "
+      tr("Show where the robot model disagrees with recordings, and why, instead of the plots, or the plots "
          "again (Ctrl+D)"));
   bar.addPanelAction(action);
   connect(action, &QAction::toggled, &centre, [this, &centre](bool shown) {

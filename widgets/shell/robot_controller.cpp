@@ -24,7 +24,7 @@ void RobotController::report(const tracking::SourceInfo& info) {
   const RobotChoice& robots = link_.robots();
   if (robots.robotFor(info))
     notes_.addEvent(info.begin, "robot",
-                    tr("%1: stays in use; Undo under Identification takes it back (%2)")
+                    tr("%1: stays in use; Undo under Identification restores the robot file (%2)")
                         .arg(robots.words(info), robots.summary()));
   else if (robots.any())
     notes_.addEvent(

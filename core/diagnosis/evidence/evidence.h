@@ -16,7 +16,8 @@ namespace capstan::diagnosis {
 /// One column of numbers per joint or axis, one number per row: columns[joint][row]. Empty: not measured.
 using Columns = std::vector<std::vector<double>>;
 
-using DriveKind = robot::DriveType;  ///< input of the simulation: motor positions (cable), torques (rigid)
+/// Recorded signal that drives the simulation: motor positions (cable) or motor torques (rigid).
+using DriveKind = robot::DriveType;
 
 /// Resolution and noise of one channel, estimated from its own samples (channel_noise.h).
 struct ChannelNoise {
@@ -40,14 +41,15 @@ struct TipObservation {
   bool counts = true;  ///< false: an outlier, or a row beside it does not count
 };
 
-/// Rows [begin, end) with a constant time step. A simulation restarts at each segment, because the input
-/// between segments is not known.
+/// Rows [begin, end) with a constant time step. The simulation of the recording restarts at each segment,
+/// because the input between segments is not known.
 struct Segment {
   std::size_t begin = 0, end = 0;
   std::size_t size() const { return end - begin; }
 };
 
-/// Reason why a row is excluded from the comparison of measured and simulated; bits of Evidence::exclusions.
+/// Reason why a row is excluded from the comparison of measurement and simulation; bits of
+/// Evidence::exclusions.
 enum ExclusionReason : std::uint8_t {
   kGap = 1,        ///< the input was interpolated over missing rows
   kSaturated = 2,  ///< a motor encoder stands at its end, or the torque exceeds the motor's limit

@@ -36,9 +36,9 @@ struct EffectTerm {
   int begun = -1;           ///< index of JointNumbers::creep_begun, see Hypothesis::remembers; −1: none
 };
 
-/// Model that is fitted: the nominal robot with adjustable parameters, effects that explain the recordings, and
-/// background effects. A background effect is one that every robot has to a small degree, such as a little
-/// backlash: it is fitted up to its normal size and is not reported as a cause.
+/// Model that is fitted: the nominal robot with adjustable parameters, effects that explain the recordings,
+/// and background effects. A background effect is one that every robot has to a small degree, such as a
+/// slightly eccentric capstan: it is fitted up to its normal size and is not reported as a cause.
 ///
 /// Adjustable are cable stiffness and damping, joint friction, and masses with their inertia. Each has a
 /// factor whose logarithm has the prior N(0, 0.3²), between 1/kMostMistuned and kMostMistuned. Centres of

@@ -110,7 +110,7 @@ class Work {
     squares_.push_back(squares);
   }
 
-  /// Effects one by one, those known until then refitted each time.
+  /// Adds a step for each effect; the effects added before are refitted each time.
   void addSteps() {
     PoseFit fit = selection_.base;
     addStep(fit, {});
@@ -184,7 +184,7 @@ class Work {
     return signatures;
   }
 
-  /// Some axis has more than noise, and it lasts from observation to observation.
+  /// True if the residual of some axis exceeds its noise and is correlated from observation to observation.
   bool hasResidual() const {
     for (Index axis = 0; axis < 3; ++axis)
       if (squares_.back().meanSquare(axis) > std::pow(kBeyondNoise * noise_[axis], 2.0) &&

@@ -17,7 +17,7 @@ namespace capstan::diagnosis {
 enum class Verdict {
   kFound,        ///< one cause
   kSeveral,      ///< more than one cause
-  kTie,          ///< the recording cannot distinguish two or more causes
+  kTie,          ///< the recording cannot distinguish two or more explanations
   kNothing,      ///< no material effect
   kUnexplained,  ///< a material residual that no hypothesis explains
 };
@@ -25,7 +25,7 @@ enum class Verdict {
 /// Estimated parameter of a cause.
 struct FoundParameter {
   std::string name, unit;
-  double value = 0.0, sigma = 0.0;  ///< SI
+  double value = 0.0, sigma = 0.0;  ///< estimate and its standard deviation, SI
 };
 
 /// Reduction of one channel's RMS residual by a cause, on held-out data.
@@ -36,16 +36,17 @@ struct Gain {
   stats::Interval interval;                  ///< 95 % interval of rms_after / rms_before, by block bootstrap
 };
 
-/// How far an effect moves something: simulated with it less simulated without it, over the recordings.
+/// Displacement of a joint or of the tip by an effect: position simulated with the effect minus position
+/// simulated without it, over all recordings.
 struct Displacement {
-  double rms = 0.0, largest = 0.0;  ///< [m], of revolute joints [rad]
-  bool slides = false;              ///< true: of a prismatic joint or the tip
+  double rms = 0.0, largest = 0.0;  ///< RMS and largest magnitude [m; for revolute joints rad]
+  bool slides = false;              ///< true for a prismatic joint and the tip
 };
 
 /// Displacement of each joint and of the tip by one effect.
 struct Displacements {
   std::vector<Displacement> joints;  ///< [rad or m]; from joint 1
-  Displacement tip;                  ///< in frame 0, as cameras would see it [m]
+  Displacement tip;                  ///< tip in frame 0, as the cameras measure it [m]
 };
 
 /// Identified cause: an effect on one joint, with its parameters.
@@ -55,17 +56,17 @@ struct Cause {
   std::vector<FoundParameter> parameters;
   double probability = 0.0;  ///< posterior probability that the effect belongs to the model
   double loss = 0.0;         ///< held-out log predictive density that is lost without this effect alone [nats]
-  Displacements moves = {};  ///< empty joints: not computed
-  Gain gain = {};            ///< gain of the channel with the largest reduction
+  Displacements moves = {};  ///< displacement by the effect; joints empty: not computed
+  Gain gain = {};            ///< reduction of the channel whose residual falls most
 };
 
-/// An effect of a set in the posterior.
+/// Effect in a set of the posterior.
 struct NamedEffect {
   std::string effect;
   int joint = 0;
 };
 
-/// Posterior probability of one set of effects. No effects: the nominal structure.
+/// Posterior probability of the model with one set of effects. No effects: the refitted nominal robot.
 struct SetProbability {
   std::vector<NamedEffect> effects;
   double probability = 0.0;
@@ -81,10 +82,10 @@ struct Tie {
 struct RefitNumber {
   std::string name, unit;  ///< "cable_stiffness of joint 2"
   double nominal = 0.0;
-  double value = 0.0, sigma = 0.0;  ///< refitted together with the effects of the model
-  bool at_bound = false;            ///< true if the estimate stands at its bound
-  bool moved = false;               ///< true if it changed by more than two sigmas
-  double value_without = 0.0;       ///< refitted without any effect
+  double value = 0.0, sigma = 0.0;  ///< estimate together with the effects of the model
+  bool at_bound = false;            ///< true if the estimate is at its bound
+  bool moved = false;               ///< true if `value` differs from `nominal` by more than two sigmas
+  double value_without = 0.0;       ///< estimate without any effect
 };
 
 /// One hypothesis in the ranking of one round.
@@ -95,8 +96,8 @@ struct Candidate {
   double screened = 0.0;  ///< predicted reduction of the residual's mean square (score test), as a share
   bool refitted = false;
   double reduction = 0.0;    ///< largest cross-validated reduction over the channels; NaN: not refitted
-  double score = 0.0;        ///< cross-validated log likelihood gain over the model without it [nats]; NaN:
-                             ///< not refitted
+  /// Held-out log likelihood with the effect minus that without it [nats]; NaN: not refitted.
+  double score = 0.0;
   double probability = 0.0;  ///< as Cause::probability
 };
 
@@ -105,8 +106,8 @@ struct ChannelReport {
   int recording = 0;  ///< index of the recording, from 0
   Channel nominal, refitted, extended;
   ChannelStatistics nominal_statistics, refitted_statistics, extended_statistics;
-  std::vector<Signature> before, after;  ///< signatures of refitted and of extended, strongest first
-  Gain gain;                             ///< gain of extended over refitted, on held-out data
+  std::vector<Signature> before, after;  ///< signatures of `refitted` and of `extended`, strongest first
+  Gain gain;                             ///< reduction of RMS from `refitted` to `extended`, on held-out data
 };
 
 /// Line in the residual's spectrum that is significantly higher than the spectrum around it.
@@ -123,19 +124,21 @@ struct FilterGain {
   double nominal = 0.0, refitted = 0.0, extended = 0.0;
 };
 
-/// How much of a sensor channel could be explained from the recordings' own signals, RMS on held-out data. Channels of all
-/// recordings that read the same thing are one.
+/// How much of a channel's residual regressions on the recorded signals can explain, compared with the
+/// effects: RMS residuals on held-out data. Channels of the same sensor in several recordings are one channel
+/// here.
 struct Explainable {
   std::string channel, unit;
-  double noise = 0.0;     ///< of the sensor and of the inputs that drive the simulation
-  double refitted = 0.0;  ///< residual of the refitted nominal structure
-  double named = 0.0;     ///< residual of the model with the effects
-  double linear = 0.0;    ///< residual of a least-squares fit on at most seven measured columns; NaN: none
-  double flexible = 0.0;  ///< residual of a Gaussian process on positions, speeds, loads, torques, directions and time; NaN: none
-  /// (refitted² − named²) / (refitted² − least²) with the least of linear and flexible; at most 1, NaN where neither
-  /// explains anything.
+  double noise = 0.0;     ///< RMS noise of the sensor and of the simulation's inputs
+  double refitted = 0.0;  ///< RMS residual of the refitted nominal robot
+  double named = 0.0;     ///< RMS residual of the model with the effects
+  double linear = 0.0;  ///< RMS residual of a least-squares fit on at most seven measured columns; NaN: none
+  /// RMS residual of a Gaussian process on positions, speeds, loads, torques, directions and time; NaN: none.
+  double flexible = 0.0;
+  /// (refitted² − named²) / (refitted² − least²), where least is the smaller of linear and flexible; at
+  /// most 1. NaN if neither regression explains anything.
   double share = 0.0;
-  std::string leans_on;  ///< what the regression with the least residual depends on
+  std::string leans_on;  ///< signals that the regression with the smaller residual depends on
 };
 
 /// Stage of a diagnosis, and its duration.
@@ -148,8 +151,8 @@ struct Stage {
 struct Report {
   Verdict verdict = Verdict::kNothing;
   std::string summary;  ///< one or two sentences for people
-  std::vector<Cause> causes;           ///< material ones, by Cause::loss
-  std::vector<Cause> also_measurable;  ///< in the model, and smaller than the tolerance
+  std::vector<Cause> causes;           ///< material effects, the largest Cause::loss first
+  std::vector<Cause> also_measurable;  ///< effects of the model that are smaller than the tolerance
   Tolerance material;
   std::vector<Tie> ties;
   std::vector<SetProbability> posterior;  ///< the most probable set first
@@ -157,8 +160,8 @@ struct Report {
   std::vector<Candidate> candidates;
   std::vector<ChannelReport> channels;
   std::vector<std::string> recordings;     ///< titles of the recordings
-  std::vector<Explainable> explainable;    ///< by channel, the one with most beyond noise first
-  std::vector<ResidualProcess> processes;  ///< of channels whose residual stays unexplained
+  std::vector<Explainable> explainable;    ///< one per channel; the largest ratio of residual to noise first
+  std::vector<ResidualProcess> processes;  ///< processes of channels with an unexplained residual
   std::vector<SpectralLine> lines;
   std::vector<FilterGain> filter;  ///< empty: not requested, or no joint encoders
   double explained = 0.0;          ///< share of the refitted residual beyond noise that the causes explain

@@ -9,16 +9,19 @@ namespace capstan::diagnosis {
 /// Report as JSON. Numbers are in SI, to the last bit; NaN and infinity are null. The verdict of a cancelled
 /// report is null. The samples of channels are omitted, and so are the robots, which are files of their own.
 ///     {"verdict": "found|several|tie|nothing|unexplained", "summary", "explained", "cancelled",
-///     "recordings",
+///      "recordings",
 ///      "causes": [{"effect", "joint", "parameters": {name: {"value", "sigma", "unit"}}, "probability",
+///                  "loss", "moves": {"joints": [{"rms", "largest"}], "tip": {"rms", "largest"}},
 ///                  "gain": {"channel", "unit", "rms_before", "rms_after", "before", "after", "interval"}}],
+///      "also_measurable": [as causes], "material": {"angle", "length"},
+///      "posterior": [{"effects": [{"effect", "joint"}], "probability"}],
 ///      "ties": [{"causes": [as above], "separate"}],
-///      "refit": {name: {"nominal", "value", "sigma", "unit", "moved", "at_bound"}},
+///      "refit": {name: {"nominal", "value", "sigma", "without", "unit", "moved", "at_bound"}},
 ///      "candidates": [{"effect", "joint", "round", "screened", "refitted", "reduction", "score",
 ///                      "probability"}],
 ///      "channels": [{"recording", "name", "unit", "joint", "nominal", "refitted", "extended", "before",
 ///                    "after", "gain"}],
-///      "processes", "lines", "filter", "stages", "notices"}
+///      "explainable", "processes", "lines", "filter", "stages", "notices"}
 /// Intervals are 95 % intervals [low, high]. In a gain, "before" and "after" are intervals of the RMS, and
 /// "interval" is that of rms_after / rms_before. In a channel, "nominal", "refitted" and "extended" are its
 /// statistics under the three models, and "before" and "after" are the signatures of the refitted and of the

@@ -16,22 +16,21 @@ bool hasEffects(const Report& report);
 std::string titleOf(std::string_view effect);
 /// Cause in one line: "Backlash, joint 2: half width 0.930 ± 0.030 mm".
 std::string causeText(const Cause& cause);
-/// Gain in one line: "q2: RMS 0.894 deg becomes 0.0251 deg, 2.8 % of it (95 %: 2.6 to 3.1 %), on data that
-/// were not fitted".
+/// Reduction of a channel's RMS residual in one line: "q2: RMS 0.894 deg becomes 0.0251 deg, 2.8 % of it (95
+/// %: 2.6 to 3.1 %), on data that were not fitted".
 std::string gainText(const Gain& gain);
 
-/// Displacement by a cause in one line: "moves joint 2 by 0.41 deg RMS (largest 0.93 deg), the tip by 1.9 mm RMS (largest 4.2 mm)".
-/// Joints that move by less than a tenth of the one that moves most are not named.
+/// Displacement by a cause in one line: "moves joint 2 by 0.41 deg RMS (largest 0.93 deg), the tip by 1.9 mm
+/// RMS (largest 4.2 mm)". Joints that move by less than a tenth of the one that moves most are not named.
 std::string movesText(const Cause& cause);
 /// Heading of Report::also_measurable: "Also measurable, below the tolerance of 0.02deg,0.01mm".
 std::string alsoMeasurableTitle(const Report& report);
-/// Share of a channel's residual that the effects explain, of what the recorded signals can explain, in one
-/// sentence. Empty if the report has none for this channel.
+/// Explainable::share of a channel in one sentence. Empty if the report has no Explainable of this channel.
 std::string explainedText(const Report& report, std::string_view channel);
 
-/// One row per channel: RMS of measured − simulated under the three models, the sensor's noise, the fit
-/// before and after, and the ratio of RMS after / before on held-out data with its 95 % interval. Columns of
-/// the extended model appear only with causes, and the recording only if there are several.
+/// One row per channel: RMS of measured − simulated with each of the three models, the sensor's noise, the
+/// fit before and after, and the ratio of RMS after / before on held-out data with its 95 % interval. Columns
+/// of the extended model appear only with causes, and the recording only if there are several.
 base::Table channelTable(const Report& report);
 /// Parameters of the nominal model before and after the refit; parameters that moved come first. If the model
 /// has effects, the values refitted without and with them.
@@ -41,8 +40,8 @@ base::Table refitTable(const Report& report);
 base::Table rankingTable(const Report& report, std::size_t most = 12);
 /// RMS errors of the Kalman filter's joints with the three models; no rows if they were not requested.
 base::Table filterTable(const Report& report);
-/// One row per channel: RMS residual of the refitted model, of the model with its effects and of the regressions, and the share
-/// of what can be explained that the effects explain.
+/// One row per channel: RMS residual of the refitted model, of the model with its effects and of the
+/// regressions, and Explainable::share.
 base::Table explainableTable(const Report& report);
 /// The most probable sets of effects, at most `most`. The note gives the probability of all others.
 base::Table posteriorTable(const Report& report, std::size_t most = 12);

@@ -24,7 +24,7 @@ struct ProcessVariable {
   VariableKind kind = VariableKind::kTime;
   int joint = 0;  ///< joint of the variable, from 1; 0: of the whole recording
   std::string name, unit;
-  double length = 0.0;  ///< length scale ℓ, in the variable's unit; a long one means little dependence
+  double length = 0.0;  ///< length scale ℓ, in the variable's unit; long: little dependence
   /// Share of the residual's variance that depends on this variable, on segments of time that were not
   /// fitted:
   ///     (E (e − f(x₋ᵢ, x'ᵢ))² − E (e − f(x))²) / 2 var e,
@@ -37,12 +37,13 @@ struct ProcessVariable {
 
 enum class ProcessEnd { kDone, kTooFew, kCancelled };
 
-/// Gaussian process of a residual that no hypothesis explains: on which variables it depends.
+/// Gaussian process of a residual that no hypothesis explains. It shows on which variables the residual
+/// depends.
 struct ResidualProcess {
   ProcessEnd end = ProcessEnd::kTooFew;
   std::string channel;
   std::size_t points = 0;
-  double amplitude = 0.0;  ///< standard deviation σ_f of the part explained by variables [channel unit]
+  double amplitude = 0.0;  ///< standard deviation σ_f of the part that depends on variables [channel unit]
   double noise = 0.0;      ///< standard deviation of white and correlated noise together [channel unit]
   double lasting = 0.0;    ///< standard deviation σ_c of the correlated noise alone [channel unit]
   double memory = 0.0;     ///< time constant τ of the correlated noise [s]

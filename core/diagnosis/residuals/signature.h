@@ -23,7 +23,7 @@ struct SignatureBin {
   double blocks = 0.0;  ///< effective number of time blocks in the bin, (Σ n_k)² / Σ n_k²
 };
 
-/// How the residual of a channel depends on a variable.
+/// Signature: how the residual of a channel depends on one variable.
 struct Signature {
   VariableKind kind = VariableKind::kTime;
   int joint = 0;  ///< joint of the variable, from 1; 0: of the whole recording

@@ -16,16 +16,16 @@ enum class VariableKind {
   kVelocity,
   kAcceleration,
   kMotorTorque,
-  kJointTorque,   ///< torque of the drive or cable at the joint, simulated
+  kJointTorque,   ///< simulated torque of the drive or cable at the joint
   kLoad,          ///< measured external load
-  kMotorAngle,    ///< modulo one turn of the motor
-  kCapstanAngle,  ///< modulo one turn of the capstan behind the gear
-  kStretch,       ///< stretch of the cable, simulated
+  kMotorAngle,    ///< angle of the motor, modulo one revolution
+  kCapstanAngle,  ///< angle of the capstan behind the gear, modulo one revolution
+  kStretch,       ///< simulated stretch of the cable
   kTime,
 };
 
-/// Variable that signatures are computed against, one number per row. Motion is simulated, because measured
-/// motion contains the residual itself and the sensor's noise.
+/// Variable on which a residual may depend, one number per row (see Signature). Motion is taken from the
+/// simulation of the recording, because measured motion contains the residual itself and the sensor's noise.
 struct Variable {
   VariableKind kind = VariableKind::kTime;
   int joint = 0;               ///< joint of the variable, from 1; 0: of the whole recording
@@ -39,10 +39,10 @@ struct Variable {
   std::vector<double> at(const Channel& channel) const;
 };
 
-/// All variables that evidence and simulation provide, kind by kind, joints in order, time last. A joint is
-/// at rest where its speed is at most kRest × the 95 % quantile of its speed in motion. Motor angles are
-/// measured; for motors without encoders (rigid drives) they follow from the simulated joints. Variables that
-/// never change, or have values that are not finite, are excluded.
+/// All variables that `evidence` and its simulation provide, kind by kind, joints in order, time last. A
+/// joint is at rest where its speed is at most kRest × the 95 % quantile of its speed in motion. Motor angles
+/// are measured; for motors without encoders (rigid drives) they follow from the simulated joints. Variables
+/// that never change, or have values that are not finite, are excluded.
 std::vector<Variable> variablesOf(const Evidence& evidence, const SimulatedMotion& simulated,
                                   const robot::Description& robot);
 inline constexpr double kRest = 0.02;

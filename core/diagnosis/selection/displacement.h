@@ -6,13 +6,14 @@
 
 namespace capstan::diagnosis {
 
-/// How far one effect of the fit's model moves each joint and the tip: simulations of the fitted robot with the effect and
-/// without it, all other numbers alike. Joints of rigid drives are compared window by window, since their motion without the
-/// effect departs without limit.
+/// Displacement of each joint and of the tip by one effect of the fit's model: the fitted robot is simulated
+/// with the effect and without it; all other parameters are equal. Joints of rigid drives are compared window
+/// by window, because the two motions of a rigid drive depart from each other without limit.
 Displacements displacementsBy(const FitData& data, const Fit& fit, const EffectCandidate& effect,
                               const robot::Description& robot);
 
-/// True if the effect moves a joint (or, where it moves no joint, the tip) by more than the tolerance.
+/// True if the effect moves a joint by more than the tolerance, or the tip if it moves no joint: the RMS
+/// exceeds the tolerance, or the largest displacement exceeds three times the tolerance.
 bool isMaterial(const Displacements& moves, const Tolerance& tolerance);
 
 }  // namespace capstan::diagnosis

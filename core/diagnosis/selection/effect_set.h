@@ -7,21 +7,21 @@
 
 namespace capstan::diagnosis {
 
-/// An effect at a joint, as a candidate for the model.
+/// Effect on a joint, as a candidate for the model.
 struct EffectCandidate {
   const Hypothesis* hypothesis = nullptr;
-  int joint = 0;  ///< from 1; 0: whole arm
+  int joint = 0;  ///< joint, from 1; 0: whole arm
 
   friend auto operator<=>(const EffectCandidate&, const EffectCandidate&) = default;
 };
 
-/// Effects of one candidate model, sorted, each once. Empty: the nominal structure alone.
+/// Effects of one candidate model, sorted, each at most once. Empty: the nominal robot without effects.
 using EffectSet = std::vector<EffectCandidate>;
 
 bool contains(const EffectSet& set, const EffectCandidate& effect);
 EffectSet plus(EffectSet set, const EffectCandidate& effect);
 EffectSet minus(EffectSet set, const EffectCandidate& effect);
-/// True if `b` is `a` with exactly one effect exchanged for another one.
+/// True if the two sets differ by the exchange of exactly one effect for another.
 bool differByExchange(const EffectSet& a, const EffectSet& b);
 
 }  // namespace capstan::diagnosis

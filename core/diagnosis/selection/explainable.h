@@ -8,19 +8,21 @@
 
 namespace capstan::diagnosis {
 
-/// What regressions on the recordings' own signals leave of each joint's encoder (without encoders: of each axis of the tip)
-/// beside what the selection leaves, on held-out data: measuredRegression(), and residualProcess() of the refitted nominal
-/// structure's residual, all recordings together. No named model needs to reach the process; a material distance to it is
-/// something unexplained. The channel with most beyond noise first.
+/// Compares the held-out residual of the selected model with the residuals of regressions on the recorded
+/// signals, for each joint encoder (without encoders: for each axis of the tip), all recordings together. The
+/// regressions are measuredRegression(), and residualProcess() of the residual of the refitted nominal robot.
+/// A model of physical effects need not be as good as the process; if it is materially worse, something is
+/// unexplained. The channel with the largest ratio of residual to noise comes first.
 std::vector<Explainable> explainableOf(const FitData& data, const Selection& selection,
                                        const robot::Description& nominal, base::Progress* progress);
 
-/// True if a regression explains materially more of some channel than the selection does: less than kNear of what can be
-/// explained is named, and the difference is larger than the tolerance.
+/// True if a regression explains materially more of some channel than the selected model: Explainable::share
+/// is below kNear, and the difference of the residuals exceeds the tolerance.
 bool fallsShort(const std::vector<Explainable>& channels, const Tolerance& tolerance);
 inline constexpr double kNear = 0.9;
 
-/// True if some regression explains something, and of no channel more than the selection does.
+/// True if a regression explains something of at least one channel, and of no channel more than the selected
+/// model.
 bool isAllThatCanBe(const std::vector<Explainable>& channels);
 
 }  // namespace capstan::diagnosis

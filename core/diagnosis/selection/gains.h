@@ -5,7 +5,8 @@
 
 namespace capstan::diagnosis {
 
-/// RMS of channel c on held-out blocks before and after, with 95 % intervals by 1000 block bootstraps.
+/// Reduction of the RMS residual of channel c on held-out blocks, with 95 % intervals by 1000 block
+/// bootstraps.
 Gain gainOf(const FitData& data, const BlockSquares& before, const BlockSquares& after, int c);
 Gain gainOf(const ComparedChannel& channel, const BlockSquares& before, const BlockSquares& after, int c);
 

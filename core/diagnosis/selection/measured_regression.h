@@ -7,17 +7,18 @@
 
 namespace capstan::diagnosis {
 
-/// Least squares of a joint encoder on measured columns, judged on held-out blocks: what anybody would try first, and what a
-/// named model must not fall behind.
+/// Linear regression of a joint encoder on measured columns, evaluated on held-out blocks. It is the simple
+/// method with which a model of physical effects is compared.
 struct MeasuredRegression {
-  double mean_square = 0.0;          ///< of held-out residuals [unit²]; NaN: not enough columns or samples
-  std::vector<std::string> columns;  ///< of the regression with the least mean square
+  double mean_square = 0.0;  ///< mean square of held-out residuals [unit²]; NaN: too few columns or samples
+  std::vector<std::string> columns;  ///< columns of the regression with the smallest mean square
 };
 
-/// At most kMostColumns of these, in this order, are tried in growing numbers: motor positions of all joints (own joint first),
-/// the joint's load, its direction of motion, load × direction, motor speed, motor torque; always a constant, one per
-/// recording where encoder zeros are free. The blocks and folds are those of heldOut(). Joints of rigid drives have none: their
-/// positions are integrals of the torque.
+/// Best of several regressions by least squares. They use the first one, two, … of these columns, with the
+/// constant at most kMostColumns: motor positions of all joints (own joint first), the joint's load,
+/// direction of motion, load × direction, motor speed, motor torque. Each has a constant, or one per
+/// recording if encoder zeros are free. Blocks and folds are those of heldOut(). There is none for rigid
+/// drives, whose positions are integrals of the torque.
 MeasuredRegression measuredRegression(const FitData& data, int joint);
 inline constexpr int kMostColumns = 7;
 

@@ -8,23 +8,24 @@
 
 namespace capstan::diagnosis {
 
-/// An effect that a score test speaks for, and where its refit should start.
+/// Score test of one candidate effect, and the start of its refit.
 struct ScoreTest {
   const Hypothesis* hypothesis = nullptr;
-  int joint = 0;       ///< from 1; 0: whole arm
-  EffectStart start;   ///< with the size that the test suggests
-  double gain = 0.0;   ///< by which Σ (w e)² would fall, were the simulation linear
-  double share = 0.0;  ///< of the Σ (w e)² that the fit leaves
+  int joint = 0;       ///< joint, from 1; 0: whole arm
+  EffectStart start;   ///< start with the size that the test predicts
+  double gain = 0.0;   ///< predicted reduction of Σ (w e)², to first order
+  double share = 0.0;  ///< gain divided by Σ (w e)² of the fit
 };
 
-/// Effects that this robot and these sensors can have and that `model` has not; `only`: names of hypotheses, empty: all.
+/// Effects that this robot and these sensors can have and that `model` does not have. `only`: names of the
+/// hypotheses to consider; empty: all.
 std::vector<EffectCandidate> candidatesOf(const std::vector<Evidence>& recordings, const FitModel& model,
                                           const std::vector<std::string>& only);
 
-/// Score tests on sensitivities: each start of each candidate changes the fitted robot by a little (or, where
-/// an effect has no little, by the start itself), and the response, less what the fit's own parameters could
-/// do, is projected on the residual. Best start of each candidate, highest score first. Cost: one simulation
-/// a start.
+/// Score tests of all candidates; for each candidate its best start, the highest score first. Each start
+/// changes the fitted robot by a small size of the effect, or by the start itself if the effect has no small
+/// size. The change of the readings, without the part that the fit's own parameters could also produce, is
+/// projected on the residual. The cost is one simulation per start.
 std::vector<ScoreTest> screen(const FitData& data, const Fit& fit, const Weighting& weighting,
                               const std::vector<EffectCandidate>& candidates);
 

@@ -12,35 +12,36 @@
 namespace capstan::diagnosis {
 
 struct SearchOptions {
-  int most_causes = 6;  ///< largest set
-  int refits = 8;       ///< candidates with the highest score tests that are refitted where a set is expanded
+  int most_causes = 6;  ///< largest number of effects in a set
+  int refits = 8;  ///< number of candidates with the highest scores that are refitted per expansion of a set
   std::vector<std::string> only = {};  ///< names of hypotheses to consider; empty: all
-  std::uint64_t seed = 1;              ///< of the block bootstraps
-  double progress_end = 0.95;          ///< fraction of the caller's whole work when the search is done
+  std::uint64_t seed = 1;              ///< seed of the block bootstraps
+  double progress_end = 0.95;          ///< value of the caller's progress at the end of the search
 };
 
-/// The sets that were tried, and the candidates that were tested on the way.
+/// Result of searchSets().
 struct SearchResult {
   EffectSet best;
-  std::map<EffectSet, SetFit> sets;  ///< the best one and the nominal structure (empty set) not thinned
-  Eigen::VectorXd input_noise;       ///< RMS per channel that noise of the inputs brings in
-  int candidates = 0;                ///< effects that this robot and these sensors can have
-  std::vector<Candidate> tested;     ///< in the order of the expansions
+  std::map<EffectSet, SetFit> sets;  ///< all tried sets; thinned except the best and the empty one
+  Eigen::VectorXd input_noise;       ///< RMS per channel that noise of the inputs causes (inputNoise())
+  int candidates = 0;                ///< number of effects that this robot and these sensors can have
+  std::vector<Candidate> tested;     ///< tested candidates, in the order of the expansions
 };
 
-/// Best-first search over sets of effects. A set is expanded by score tests of every hypothesis on every joint and short refits
-/// of the most likely ones, and by the removal of each of its effects; the best of these are fitted to the end. Each time, the
-/// kBeam best sets that are not expanded yet are. When none is left, the neighbours of the best set are expanded: the sets with
-/// one effect less, from which one is exchanged for another, and those with two less, from which one replaces two. The search
-/// ends when none of these is better. Sets are ordered by PredictiveScore plus logPrior().
-/// `start`: a model whose effects are tried from the begin, as well; null: none.
+/// Best-first search over sets of effects. Sets are ordered by PredictiveScore plus logPrior(). The expansion
+/// of a set tests every hypothesis on every joint with score tests, adds the most likely ones in short
+/// refits, and removes each effect of the set; the best of these new sets are fitted until convergence. The
+/// search expands the kBeam best sets, until all of these are expanded. Then it expands the neighbours of the
+/// best set: the sets with one effect less (exchange of one effect) and with two effects less (one effect
+/// replaces two). The search ends when none of these leads to a better set. `start`: a model whose effects
+/// are tried at the beginning; null: none.
 SearchResult searchSets(const FitData& data, const std::vector<Evidence>& recordings, const FitModel& nominal,
                         const Fit* start, const SearchOptions& options, base::Progress* progress);
 
-/// Log prior of a set of `effects` out of `candidates` [nats]: every set of a size is equally probable, and each further effect
-/// has the odds kEffectOdds.
+/// Log prior of a set of `effects` out of `candidates` [nats]: all sets of one size are equally probable, and
+/// each further effect multiplies the probability of the size by kEffectOdds.
 double logPrior(std::size_t effects, int candidates);
 inline constexpr double kEffectOdds = 0.25;
-inline constexpr int kDraws = 400;  ///< block bootstraps
+inline constexpr int kDraws = 400;  ///< number of block bootstraps
 
 }  // namespace capstan::diagnosis

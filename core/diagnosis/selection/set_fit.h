@@ -7,36 +7,38 @@
 
 namespace capstan::diagnosis {
 
-/// A candidate model: a set of effects, fitted, with its residuals on held-out blocks.
+/// Fit of one candidate model (a set of effects), and its residuals on held-out blocks.
 struct SetFit {
   EffectSet effects;
   Fit fit;
   Weighting weighting;
   BlockSquares squares = {};
-  bool settled = false;  ///< false: after a short fit with the weights of the model that it started from
+  /// True: fitted until convergence. False: a short fit with the weights of the model that it started from.
+  bool settled = false;
 };
 
-/// Fits sets of effects to one robot's recordings. Each fit starts from another set's fit.
+/// Fits sets of effects to the recordings of one robot. Each fit starts from the fit of another set.
 class SetFitter {
  public:
   SetFitter(const FitData& data, const base::Progress* progress) : data_(data), progress_(progress) {}
 
-  /// The nominal structure, fitted from `u` (of `model`) to the end.
+  /// Fit of `model`, the nominal robot without effects, from `u` until convergence.
   SetFit nominal(const FitModel& model, const Eigen::VectorXd& u) const;
-  /// `parent` and one more effect, from where the score test suggests; a short fit.
+  /// Short fit of `parent` with one more effect, which starts as the score test predicts.
   SetFit extended(const SetFit& parent, const ScoreTest& test) const;
-  /// `parent` and several effects that `from` has, from its numbers; a short fit.
+  /// Short fit of `parent` with several effects of `from`, which start from the parameters of `from`.
   SetFit extended(const SetFit& parent, const EffectSet& effects, const Fit& from) const;
-  /// `parent` without one of its effects; a short fit.
+  /// Short fit of `parent` without one of its effects.
   SetFit reduced(const SetFit& parent, const EffectCandidate& effect) const;
-  /// The same set fitted to the end: the weights follow the residual.
+  /// The same set, fitted until convergence; the weights are computed again from the residual.
   SetFit settled(SetFit from) const;
-  /// The same set fitted to the end, with the nominal structure's numbers started from the nominal robot: a fit without an
-  /// effect bends them to replace it, at times too far to find back.
+  /// The same set, fitted until convergence; the parameters of the nominal robot start from their nominal
+  /// values. A fit without an effect changes these parameters to replace the effect, sometimes so far that a
+  /// fit with the effect does not return from there.
   SetFit settledFromNominal(const SetFit& like) const;
-  /// The linearisation that thin() dropped.
+  /// Computes the linearisation again that thin() deleted.
   void relinearise(SetFit& set) const;
-  /// Drops what can be computed again: Jacobians of all models that were tried would fill the memory.
+  /// Deletes what can be computed again, because the Jacobians of all tried models would fill the memory.
   static void thin(SetFit& set);
 
  private:

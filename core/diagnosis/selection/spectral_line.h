@@ -8,13 +8,13 @@
 
 namespace capstan::diagnosis {
 
-/// The line that stands out most in the spectrum of a channel's residual between kLowestLine and the half of
-/// its sampling rate (kHighestLine at most): periodogram over what a moving median of it is, p from
-/// exponentially distributed ratios, all frequencies counted (Fisher 1929 for unequal noise). Smooth
-/// processes do not see a vibration; this does. None where it could be chance (p > kLineChance) or there are
-/// too few samples.
+/// Most significant line in the spectrum of a channel's residual, between kLowestLine and the smaller of
+/// kHighestLine and 0.45 of the sampling rate. It detects vibrations, which smooth processes cannot
+/// represent. The statistic is the ratio of the periodogram to its moving median. p follows from
+/// exponentially distributed ratios at all frequencies (Fisher 1929 for unequal noise). Returns nothing if p
+/// ≥ kLineChance or with too few samples.
 std::optional<SpectralLine> spectralLine(const Channel& channel);
-inline constexpr double kLowestLine = 1.5, kHighestLine = 40.0;  ///< [Hz]
-inline constexpr double kLineChance = 1e-6;
+inline constexpr double kLowestLine = 1.5, kHighestLine = 40.0;  ///< range of frequencies [Hz]
+inline constexpr double kLineChance = 1e-6;                      ///< largest p of a reported line
 
 }  // namespace capstan::diagnosis

@@ -7,25 +7,28 @@
 
 namespace capstan::diagnosis {
 
-/// How much of what is beyond noise the named effects take off: of the channel that had most of it,
-/// 1 − (S_after − n noise²) / (S_before − n noise²), between 0 and 1.
+/// Share of the residual beyond noise that the selected effects explain, between 0 and 1:
+/// 1 − (S_after − n noise²) / (S_before − n noise²), in the channel with the largest ratio of residual to
+/// noise.
 double explainedShare(const FitData& data, const Selection& selection);
 
-/// Mean square of channel c up to which there is nothing in it but noise: of its sensor,
-/// and of those that drive the simulation.
+/// Largest mean square of channel c that noise alone can cause: noise of its sensor and of the simulation's
+/// inputs.
 double mostByChance(const FitData& data, const Selection& selection, Eigen::Index c);
 
-/// True if the residual of the selection's model has more than noise, chance and the tolerance in it: the mean square of
-/// some channel is beyond them, and it lasts from sample to sample or is far beyond them.
+/// True if the residual of the selected model is more than noise and the tolerance: the mean square of some
+/// channel exceeds mostByChance() plus the squared tolerance, and the residual is correlated in time or far
+/// above that limit.
 bool hasResidual(const FitData& data, const Selection& selection, const Tolerance& tolerance);
-inline constexpr double kBeyondNoise = 1.2;  ///< RMS, in noise of the sensor
-/// Share that effects must explain before they, and not something unknown, are the verdict, where something
-/// is left.
+inline constexpr double kBeyondNoise = 1.2;  ///< largest ratio of RMS to sensor noise that can be noise alone
+/// Smallest explained share at which the effects are the verdict although a residual remains; below it the
+/// verdict is kUnexplained.
 inline constexpr double kExplains = 0.96;
 
-/// Fills verdict, causes, also_measurable, ties, posterior, explained and summary of the report; Report::material is given. The σ
-/// of a cause's number is that of the fit, 1 % of the number, which a simplified law leaves at best, and half of the
-/// effect's background size.
+/// Fills verdict, causes, also_measurable, ties, posterior, explained and summary of the report from the
+/// selection; Report::material, explainable and lines are inputs. The σ of a cause's parameter combines
+/// three: the σ of the fit, 1 % of the parameter because laws are simplified, and half of the effect's
+/// background size.
 void judge(const FitData& data, const Selection& selection, const robot::Description& robot, Report& report);
 
 }  // namespace capstan::diagnosis

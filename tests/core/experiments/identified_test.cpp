@@ -108,7 +108,7 @@ TEST(Identified, TheRobotFileSaysWhereItComesFromAndReadsBack) {
               HasSubstr("# Identified from a.capstan, b name: x, 200.0 s, by the batch method of capstan "
                         "1.2.3 (abcdef); value ± one standard deviation:\n"
                         "#   r_l1 59.0123 ± 0.011 mm\n"
-                        "#   b_e1 not seen, as before\n"));
+                        "#   b_e1 not observable, as before\n"));
   EXPECT_THAT(text, HasSubstr("0.0590123 instead of 0.063095"));
   EXPECT_EQ(robot::formatDescription(robot::parseDescription(text, "robot.yaml")),
             robot::formatDescription(found));

@@ -207,8 +207,8 @@ TEST(ConvergencePanels, SayOfAParameterThatIsNotSeenNoValue) {
     QString words = figure.panels()[i].header->lines()[1].text;
     return words.replace(QChar(0x00A0), ' ').toStdString();
   };
-  EXPECT_EQ(wordsOf(0), "not seen, truth 612000 N");
-  EXPECT_EQ(wordsOf(1), "not seen");
+  EXPECT_EQ(wordsOf(0), "not observable, truth 612000 N");
+  EXPECT_EQ(wordsOf(1), "not observable");
 }
 
 TEST(OddData, NothingAtAllSaysSo) {

@@ -7,10 +7,10 @@
 
 namespace capstan::widgets {
 
-/// The causes in a report, in its order: title and joint, posterior probability as a bar, and below each its
-/// parameters ± σ, how far it moves the joints and the tip, and its gain. Causes that cannot be distinguished
-/// are in one group. Effects that are also measurable are in a folded group at the end; a click, Return or
-/// the space bar unfolds it.
+/// The causes of a report, in the report's order: title and joint, posterior probability as a bar, and below
+/// each its parameters ± σ, how far it moves the joints and the tip, and how much the residual falls. Causes
+/// that cannot be distinguished are in one group. Effects that are also measurable are in a folded group at
+/// the end; a click, Return or the space bar unfolds it.
 class CauseTree : public QTreeWidget {
   Q_OBJECT
 

@@ -34,16 +34,16 @@ Headline verdictOf(const diagnosis::Report& report) {
 }
 
 Headline searchingHeadline() {
-  return {QObject::tr("Searching for errors of the simulation…"),
+  return {QObject::tr("Searching for errors of the robot model…"),
           QObject::tr("The longer the recordings, the longer it takes; Esc cancels it.")};
 }
 
 Headline emptyHeadline() {
-  return {QObject::tr("What does the simulation get wrong?"),
+  return {QObject::tr("Where is the robot model wrong?"),
           QObject::tr(
               "Choose one or more recordings of the moving robot: 20 s with all joints in motion, fast and "
               "slow, back and forth; or one table of tip poses. Diagnosis names the effects that the model "
-              "lacks, and the gain by each.")};
+              "lacks, and how much the error falls with each.")};
 }
 
 Headline toleranceHeadline() {

@@ -181,7 +181,7 @@ void DiagnosisPanel::showReport(Report report) {
   refresh();
 }
 
-/// Shows the description of the selected cause, and the channel with the largest gain by it.
+/// Shows the description of the selected cause, and the channel whose residual falls most with it.
 void DiagnosisPanel::onCause() {
   if (!report_) return;
   const diagnosis::Cause* cause = causes_->chosen();
@@ -280,7 +280,7 @@ void DiagnosisPanel::refresh() {
   showProgress(working);
   diagnose_->setText(working ? tr("Cancel") : tr("Diagnose"));
   diagnose_->setToolTip(working ? tr("Stop the computation (Esc)")
-                                : tr("Find what the simulation gets wrong, and why (F5)"));
+                                : tr("Find where the robot model is wrong, and why (F5)"));
   diagnose_->setEnabled(working || canDiagnose());
   for (QPushButton* one : {save_, use_, page_}) one->setVisible(shown != nullptr && !working);
   use_->setEnabled(shown && session_joints_ > 0 && shown->extended.size() == session_joints_);

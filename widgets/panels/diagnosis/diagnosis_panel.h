@@ -22,8 +22,9 @@ class RecordingPicker;
 class ReportPages;
 class ToleranceEdit;
 
-/// Shows the residual of a robot's simulation in recordings, its causes, and the gain of modelling them:
-/// verdict and causes on top, details below. core/diagnosis computes everything, in the background.
+/// Shows where a robot model, simulated on the inputs of recordings, disagrees with the measurements; the
+/// causes; and how much the error falls if they are modelled. Verdict and causes are on top, details below.
+/// core/diagnosis computes everything, in the background.
 class DiagnosisPanel : public WorkPanel {
   Q_OBJECT
 

@@ -7,8 +7,9 @@
 
 namespace capstan::widgets {
 
-/// Gain of the extended model on held-out data: RMS of every channel's residual before and after with 95 %
-/// intervals, drawn over one axis for angles and one for lengths. Below it the gain of the Kalman filter.
+/// RMS of every channel's residual on held-out data before and after the model is extended, with 95 %
+/// intervals, drawn over one axis for angles and one for lengths. Below: the RMS errors of the Kalman filter
+/// with each robot.
 class GainTable : public QTreeWidget {
   Q_OBJECT
 

@@ -41,7 +41,7 @@ RankingTable::RankingTable(QWidget* parent) : QTreeWidget(parent) {
   headerItem()->setToolTip(kTaken, tr("Reduction of the residual's mean square on held-out data; outlined: "
                                       "prediction of the score test for candidates that were not refitted"));
   headerItem()->setToolTip(
-      kScore, tr("Gain in cross-validated log-likelihood over the model without the effect [nats]"));
+      kScore, tr("Log-likelihood on held-out data with the effect minus that without it [nats]"));
   setItemDelegateForColumn(kTaken, new ShareBar(this));
   setRootIsDecorated(false);
   setItemsExpandable(false);

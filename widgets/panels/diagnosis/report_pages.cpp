@@ -26,7 +26,8 @@ ReportPages::ReportPages(QWidget* parent) : QTabWidget(parent) {
   page(ranking_ = new RankingTable, tr("Ranking"), tr("Every candidate with its reduction of the residual"));
   page(refit_ = new RefitTable, tr("Refit"),
        tr("Parameters of the robot changed by the refit, without and with the effects"));
-  page(gain_ = new GainTable, tr("Gain"), tr("Gain of the extended model on held-out data"));
+  page(gain_ = new GainTable, tr("Gain"),
+       tr("RMS of the residual on held-out data before and after the model is extended"));
   page(posterior_ = new PosteriorTable, tr("Posterior"), tr("Probability of each set of effects"));
   connect(ranking_, &RankingTable::chosenChanged, this, &ReportPages::candidateChosen);
 }

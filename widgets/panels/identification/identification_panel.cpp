@@ -132,7 +132,7 @@ void IdentificationPanel::addButtons(QVBoxLayout* column) {
       button("start", tr("Collect from the running session, or stop (I)"), &IdentificationPanel::startOrStop);
   refine_ = button("refine", tr("Stop, and refine on all collected data by the batch method (Shift+I)"),
                    &IdentificationPanel::refine);
-  discard_ = button("discard", tr("Discard the values found; the robot in use stays (Ctrl+Backspace)"),
+  discard_ = button("discard", tr("Delete the estimates; the robot in use stays (Ctrl+Backspace)"),
                     &IdentificationPanel::discard);
   accept_ = button("accept", tr("The filter uses these values from now on; errors restart (Ctrl+Return)"),
                    &IdentificationPanel::accept);

@@ -37,7 +37,8 @@ class IdentificationPanel : public QWidget {
   /// A session was opened: cancels work that is running.
   void begin(const tracking::SourceInfo& source);
   /// The session uses `robot` from now on, chosen outside this panel and found by `origin`. New values start
-  /// from `robot`, and work that started from the former robot is cancelled. Undo restores the former one.
+  /// from `robot`, and work that started from the former robot is cancelled. Undo restores the robot of the
+  /// robot file.
   void useRobot(const robot::Description& robot, const QString& origin);
   /// Shows the state of the session; ends collecting when it ends.
   void showStatus(const live::RunStatus& status);
