@@ -32,7 +32,7 @@ std::vector<EffectFacts> transmissionEffects() {
               {{"offset", "rad or m", -3.2, 3.2, "added to q_hs, the position at the hard stop"}}),
       factsOf(
           "zero_drift", kCableDrive,
-          {{"drift", "rad or m", -3.2, 3.2, "final value of the drift of q_hs"},
+          {{"drift", "rad or m", -3.2, 3.2, "final drift of the cable's zero, as a motion of the joint"},
            {"time_constant", "s", 1e-3, 1e6, "time constant of the drift, which begins with the recording"}}),
       factsOf("encoder_slip", kCableDrive,
               {{"slip", "rad", -1e3, 1e3, "deficit of the motor's reading after the slip"},

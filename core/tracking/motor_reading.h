@@ -52,15 +52,13 @@ class MotorReading {
   static constexpr unsigned kLaws = kOwnLaws | robot::kLawZeroDrift;
 
  private:
-  /// Adds the motor movement that is equivalent to the drift of the joint's zero.
+  /// Adds the motor movement that is equivalent to the drift of the cable's zero.
   void holdZero(int j, MotorSample& sample) const {
     const robot::ZeroShift<double> zero = robot::zeroShiftAt(model_->numbers.joints[j], sample.t);
-    for (int i = 0; i < 3; ++i) {
-      const robot::JointNumbers<double>& p = model_->numbers.joints[i];
-      const double ratio = p.link_radius * model_->numbers.coupling[i][j] / p.lever;
-      sample.position[i] += ratio * zero.by;
-      sample.velocity[i] += ratio * zero.rate;
-    }
+    const robot::JointNumbers<double>& p = model_->numbers.joints[j];
+    const double ratio = p.link_radius * model_->numbers.coupling[j][j] / p.lever;
+    sample.position[j] += ratio * zero.by;
+    sample.velocity[j] += ratio * zero.rate;
   }
 
   static constexpr double kStep = 1e-3;  // [s]

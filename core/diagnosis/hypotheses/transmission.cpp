@@ -116,15 +116,16 @@ std::vector<Hypothesis> transmissionHypotheses() {
           .words =
               {
                   .title = "Joint zero that drifts and settles",
-                  .what = "After homing, the joint's zero continued to move, because cables settle on their "
-                          "pulleys or get warm; the drift is fast at first and then slower and slower.",
-                  .equation = "q_hs(t) = q_hs + drift (1 − exp(−t / time_constant)), t from the begin of the "
-                              "recording",
+                  .what = "After homing, the zero of the joint's cable continued to move, because cables settle on "
+                          "their pulleys or get warm; the drift is fast at first and then slower and slower.",
+                  .equation = "s_l = r_l (A (q − q_hs) − A(joint, joint) drift (1 − exp(−t / time_constant))), t from "
+                              "the begin of the recording",
                   .source = "Incropera, DeWitt, Bergman and Lavine, Fundamentals of Heat and Mass Transfer "
                             "(2007), chapter 5, lumped capacitance: what warms up does so exponentially, and "
                             "lengths change with it",
                   .changes =
-                      "Transmission: the position q_hs at the hard stop of this joint changes over time.",
+                      "Transmission: the zero of this joint's cable travel changes over time. Joints that are coupled "
+                      "to this one move with it.",
                   .signature =
                       "Against time, the residual is an exponential that levels out, at every position, "
                       "direction and speed, loaded or not. Unlike a slip it is gradual; unlike creep it "

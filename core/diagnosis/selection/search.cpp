@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kBeam = 2;      // sets that are expanded at a time
 constexpr std::size_t kSettled = 3;   // trials of an expansion that are fitted to the end
 constexpr int kNeighbourRefits = 4;   // refits where a neighbour of the best set is expanded
-constexpr double kHopeless = 1.0;     // [nats]: a score test that predicts less is not refitted
+constexpr double kHopeful = 0.5;      // share of the best trial's gain, and of a loss to be made up, that is pursued
 constexpr double kWindow = 7.0;       // [nats], odds of 1000: a set that is further below the best one is not expanded
 
 bool cancelled(const base::Progress* progress) { return progress && progress->cancelled(); }
@@ -102,8 +102,7 @@ class Search {
     bool any = false;
     for (const EffectSet& effects : sets) {
       if (!expanded_.insert(effects).second || cancelled(progress_)) continue;
-      expand(effects, options_.refits);
-      for (const EffectCandidate& effect : effects) shrink(effects, effect);
+      expand(effects, options_.refits, 0.0);
       any = true;
     }
     return any;
@@ -120,7 +119,7 @@ class Search {
       if (cancelled(progress_)) return false;
       if (!found_.sets.contains(effects)) shrinkTo(best, effects);
       if (!expanded_.insert(effects).second) continue;
-      expand(effects, kNeighbourRefits);
+      expand(effects, kNeighbourRefits, kHopeful * (value(at(best)) - value(at(effects))));
       if (found_.best != best) return true;
     }
     return false;
@@ -160,37 +159,40 @@ class Search {
     keep(std::move(fitted));
   }
 
-  void expand(const EffectSet& effects, int refits) {
+  /// Candidates whose score tests predict less than `least` nats, or less than one more effect costs, are not refitted.
+  void expand(const EffectSet& effects, int refits, double least) {
     if (effects.size() >= static_cast<std::size_t>(options_.most_causes)) return;
     SetFit& parent = at(effects);
     fitter_.relinearise(parent);
     const std::vector<EffectCandidate> candidates = candidatesOf(recordings_, parent.fit.model, options_.only);
     report("Testing hypotheses");
     const std::vector<ScoreTest> tests = screen(data_, parent.fit, parent.weighting, candidates);
+    const double cost = logPrior(effects.size(), found_.candidates) - logPrior(effects.size() + 1, found_.candidates);
     std::vector<SetFit> trials;
     for (const ScoreTest& test : tests) {
       if (trials.size() >= static_cast<std::size_t>(refits) || cancelled(progress_)) break;
-      if (0.5 * test.gain < kHopeless) break;
+      if (0.5 * test.gain < std::max(least, cost)) break;
       if (isSettled(plus(effects, {test.hypothesis, test.joint}))) continue;
       report(fmt::format("Refitting with {}", test.hypothesis->words.title));
       trials.push_back(fitter_.extended(parent, test));
     }
     if (effects.empty() || effects == found_.best) note(parent, tests, trials);
-    settleBest(std::move(trials));
+    settleBest(std::move(trials), score_->of(parent.squares));
     if (!effects.empty() && effects != found_.best) SetFitter::thin(at(effects));
   }
 
-  /// Fits the best trials to the end, and the first of the score tests.
-  void settleBest(std::vector<SetFit> trials) {
+  /// Fits the best trials to the end.
+  void settleBest(std::vector<SetFit> trials, double parent) {
     if (trials.empty()) return;
-    const EffectSet first = trials.front().effects;
     std::ranges::stable_sort(trials, [&](const SetFit& a, const SetFit& b) {
       return score_->of(a.squares) > score_->of(b.squares);
     });
+    const double best = score_->of(trials.front().squares);
     for (std::size_t k = 0; k < trials.size() && !cancelled(progress_); ++k) {
       SetFit trial = std::move(trials[k]);
       const EffectSet effects = trial.effects;
-      if (k >= kSettled && effects != first) {
+      const bool hopeful = score_->of(trial.squares) - parent >= kHopeful * (best - parent);
+      if (k >= kSettled || (k > 0 && !hopeful)) {
         SetFitter::thin(trial);
         keep(std::move(trial));
         continue;

@@ -78,12 +78,20 @@ const SetFit& mostProbable(const Posterior& posterior, const SearchResult& found
   return *posterior.sets[static_cast<std::size_t>(at)];
 }
 
+/// Sets without one effect. A camera that rotates about its own position is a rotation about frame 0 and an offset: without
+/// the rotation there is no offset either.
+EffectSet withoutEffect(const EffectSet& effects, const EffectCandidate& effect) {
+  EffectSet less = minus(effects, effect);
+  if (effect.hypothesis->name() == "camera_rotation") less = minus(std::move(less), {hypothesisNamed("camera_offset"), 0});
+  return less;
+}
+
 std::vector<SelectedEffect> effectsOf(const SetFit& best, const SearchResult& found, const Posterior& posterior,
                                       const PredictiveScore& score) {
   std::vector<SelectedEffect> effects;
   for (const EffectCandidate& effect : best.effects) {
     SelectedEffect one{effect, posterior.inclusion(effect), 0.0, found.sets.at({}).squares};
-    const auto less = found.sets.find(minus(best.effects, effect));
+    const auto less = found.sets.find(withoutEffect(best.effects, effect));
     if (less != found.sets.end()) one.without = less->second.squares;
     one.loss = score.of(best.squares) - score.of(one.without);
     effects.push_back(std::move(one));
@@ -132,9 +140,14 @@ Selection select(const FitData& data, const std::vector<Evidence>& recordings, c
   const SetFit& base = found.sets.at({});
   SetFit best = mostProbable(posterior, found);
   fitter.relinearise(best);
-  for (const EffectCandidate& effect : best.effects)
-    if (const EffectSet less = minus(best.effects, effect); !found.sets.contains(less))
-      found.sets.emplace(less, fitter.settled(fitter.reduced(best, effect)));
+  for (const EffectCandidate& effect : best.effects) {
+    const EffectSet less = withoutEffect(best.effects, effect);
+    if (found.sets.contains(less)) continue;
+    SetFit fitted = best;
+    for (const EffectCandidate& one : best.effects)
+      if (!contains(less, one)) fitted = fitter.reduced(fitted, one);
+    found.sets.emplace(less, fitter.settled(std::move(fitted)));
+  }
   Selection s{.base = base.fit,
               .base_squares = base.squares,
               .input_noise = found.input_noise,

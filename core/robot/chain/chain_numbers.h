@@ -38,7 +38,7 @@ struct JointNumbers {
   S slip_time;           ///< time of the slip [s]
   S link_radius;         ///< r_l [m/rad or m/m]
   S homing;              ///< q_hs [rad or m]
-  S zero_drift;          ///< final drift of q_hs [rad or m], neutral 0
+  S zero_drift;          ///< final drift of the cable's zero [rad or m], neutral 0
   S zero_drift_rate;     ///< 1 / time constant of the drift [1/s]
   S stiffness;           ///< k_e [N]
   S exponent;            ///< a [1/m]

@@ -66,16 +66,14 @@ class ChainStep {
       if (shape_.laws[j] & kLawZeroDrift) moveZero(input, j);
   }
 
-  /// Adds the shift of the zero of joint j to the cables' travel, as if the motors had moved by it.
+  /// Adds the drift of the zero of cable j to its travel, as if its motor had moved by it.
   CAPSTAN_CHAIN_INLINE void moveZero(const ChainInput& input, int j) {
     const S begin = zeroShiftAt(p_.joints[j], input.t).by;
     const S change = zeroShiftAt(p_.joints[j], input.t + input.dt).by - begin;
-    for (int i = 0; i < shape_.joints; ++i) {
-      const S lever = p_.joints[i].link_radius * p_.coupling[i][j];
-      travel_[i] = travel_[i] + lever * begin;
-      travel_change_[i] = travel_change_[i] + lever * change;
-      travel_rate_[i] = travel_rate_[i] + lever * change * (1.0 / input.dt);
-    }
+    const S lever = p_.joints[j].link_radius * p_.coupling[j][j];
+    travel_[j] = travel_[j] + lever * begin;
+    travel_change_[j] = travel_change_[j] + lever * change;
+    travel_rate_[j] = travel_rate_[j] + lever * change * (1.0 / input.dt);
   }
 
   /// Computes the travel of cable i on the motor's side over the row.

@@ -64,7 +64,9 @@ TEST(ExtendedPlant, withNeutralEffectsIsThePlant) {
 TEST(ExtendedPlant, effectsOfNumbersAreThoseNumbers) {
   robot::Description written = raven();
   written.drives[0].link_radius *= 1.02;
+  const double coupled = -written.coupling[2][1] * 0.01;
   written.joints[1].homing += 0.01;
+  written.joints[2].homing += coupled;
   written.coupling[2][0] += 0.003;
   written.joints[2].friction.viscous += 2.0;
   const robot::Description extended = ravenWith({{"pulley_radius", 1, {{"share", 0.02}}},
@@ -127,10 +129,13 @@ TEST(ExtendedPlant, anEccentricCapstanReactsByItsLever) {
   EXPECT_LT(most, 1e-5 * kinetic);
 }
 
-/// Before the recording nothing has moved; long after its begin the zero is another number of the file.
+/// Before the recording nothing has moved; long after its begin the cable's zero is another number of the file. Joint 3, which is
+/// coupled to joint 2, moves the other way: C12 Δq_2 + Δq_3 = 0.
 TEST(ExtendedPlant, aZeroThatHasSettledIsAHomingOffset) {
   robot::Description written = raven();
+  const double coupled = -written.coupling[2][1] * 0.01;
   written.joints[1].homing += 0.01;
+  written.joints[2].homing += coupled;
   const robot::Description drifting =
       ravenWith({{"zero_drift", 2, {{"drift", 0.01}, {"time_constant", 0.02}}}});
   const auto playFrom = [](double t, const robot::Description& robot, const Vector3d& q_link) {
@@ -148,7 +153,7 @@ TEST(ExtendedPlant, aZeroThatHasSettledIsAHomingOffset) {
     return states;
   };
   EXPECT_LT(apart(playFrom(-2.0, drifting, kPose), playFrom(0.0, raven(), kPose)), 1e-9);
-  const Vector3d further = kPose + Vector3d(0.0, 0.01, 0.0);
+  const Vector3d further = kPose + Vector3d(0.0, 0.01, coupled);
   EXPECT_LT(apart(playFrom(2.0, drifting, further), playFrom(0.0, written, further)), 1e-9);
 }
 

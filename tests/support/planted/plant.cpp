@@ -68,13 +68,13 @@ Plant::CableState Plant::cableState(int i, const PlantState& s, double t) const 
   c.travel_rate = c.lever * s[kMotorRate][i];
   double link = 0.0, link_rate = 0.0;
   for (int j = 0; j < p_.size; ++j) {
-    double q = s[kJoint][j] - p_.homing[j], dq = s[kJointRate][j];  // from the zero
-    for (const Planted& e : zero_[j]) {
-      q -= law::settledZero(e.magnitude, t, e.signature);
-      dq -= law::settlingZero(e.magnitude, t, e.signature);
-    }
+    const double q = s[kJoint][j] - p_.homing[j], dq = s[kJointRate][j];  // from the zero
     link += p_.coupling[i][j] * q;
     link_rate += p_.coupling[i][j] * dq;
+  }
+  for (const Planted& e : zero_[i]) {  // of the cable, in joint units
+    link -= p_.coupling[i][i] * law::settledZero(e.magnitude, t, e.signature);
+    link_rate -= p_.coupling[i][i] * law::settlingZero(e.magnitude, t, e.signature);
   }
   c.stretch = c.travel - p_.radius[i] * link;
   c.rate = c.travel_rate - p_.radius[i] * link_rate;
