@@ -257,7 +257,8 @@ Report diagnose(const std::vector<Evidence>& recordings, const robot::Descriptio
   clock.lap("show");
   assembly.addLines();
   report.material = options.material;
-  report.explainable = explainableOf(data, selection, nominal, progress);
+  if (options.show || hasResidual(data, selection, options.material))
+    report.explainable = explainableOf(data, selection, nominal, progress);
   clock.lap("explainable share");
   judge(data, selection, nominal, report);
   if (options.show && report.verdict == Verdict::kUnexplained) assembly.addProcess(progress);

@@ -198,9 +198,9 @@ void judge(const FitData& data, const Selection& s, const robot::Description& ro
     (material ? report.causes : report.also_measurable).push_back(std::move(cause));
   }
   addTies(s, report);
-  const bool short_of = fallsShort(report.explainable, report.material);
-  const bool left =
-      !report.lines.empty() || short_of || (hasResidual(data, s, report.material) && !isAllThatCanBe(report.explainable));
+  const bool residual = hasResidual(data, s, report.material);
+  const bool short_of = residual && fallsShort(report.explainable, report.material);
+  const bool left = !report.lines.empty() || short_of || (residual && !isAllThatCanBe(report.explainable));
   const bool explains = !report.causes.empty() && (!left || (report.explained >= kExplains && !short_of));
   if (explains)
     report.verdict = !report.ties.empty()       ? Verdict::kTie

@@ -153,6 +153,7 @@ TEST(Diagnose, isTheSameWhateverTheThreads) {
   options.filter = false;
   options.only = {"load_friction", "pulley_radius", "viscous_friction"};
   options.threads = 1;
+  options.material = {1e-7, 1e-7};  // what is found, however small
   const Report one = diagnose(planted.evidence, planted.robot, options);
   options.threads = 2;
   const Report two = diagnose(planted.evidence, planted.robot, options);
@@ -173,6 +174,7 @@ TEST(Diagnose, tellsNumbersInTheUnitOfTheJoint) {
     DiagnosisOptions options;
     options.filter = false;
     options.only = {"homing_offset"};
+    options.material = {1e-7, 1e-7};
     const Report report = diagnose(planted.evidence, planted.robot, options);
     return report.causes.empty() ? "no cause" : report.causes.front().parameters.front().unit;
   };

@@ -68,6 +68,7 @@ TEST_P(FilterGainOf, APlantedEffectIsSmallerErrors) {
   const std::vector<Evidence> evidence = {evidenceOf(recording.table, recording.robot)};
   DiagnosisOptions options;
   options.only = {effect};
+  options.material = {1e-7, 1e-7};  // what is found, however small
   options.show = false;
   const Report report = diagnose(evidence, recording.robot, options);
   ASSERT_EQ(report.causes.size(), 1U) << report.summary;

@@ -56,6 +56,7 @@ TEST(RigidDrive, FindsWhyItSticks) {
   const Sticking sticking;
   DiagnosisOptions options;
   options.show = false;
+  options.material = {1e-7, 1e-7};  // what is found, however small
   const Report report = diagnose(sticking.evidence, sticking.robot, options);
   EXPECT_EQ(report.verdict, Verdict::kFound);
   ASSERT_EQ(report.causes.size(), 1U);
@@ -70,6 +71,7 @@ TEST(RigidDrive, IsDiagnosedFromCamerasAlone) {
   ASSERT_FALSE(sticking.evidence[0].hasEncoders());
   DiagnosisOptions options;
   options.show = false;
+  options.material = {1e-7, 1e-7};  // what is found, however small
   const Report report = diagnose(sticking.evidence, sticking.robot, options);
   EXPECT_EQ(report.verdict, Verdict::kFound);
   ASSERT_FALSE(report.causes.empty());
@@ -81,6 +83,7 @@ TEST(RigidDrive, FarBeyondNoiseIsNeverNothing) {
   const Sticking sticking;
   DiagnosisOptions options;
   options.show = false;
+  options.material = {1e-7, 1e-7};  // what is found, however small
   options.only = {"torque_offset"};
   EXPECT_EQ(diagnose(sticking.evidence, sticking.robot, options).verdict, Verdict::kUnexplained);
 }
