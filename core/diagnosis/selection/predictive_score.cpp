@@ -55,6 +55,12 @@ double PredictiveScore::of(const BlockSquares& squares) const {
   return scores(pooled(squares.sum.rowwise().sum()), pooled(squares.count.rowwise().sum()))[0];
 }
 
+double PredictiveScore::predictedGain(const BlockSquares& squares, double share) const {
+  constexpr double kMost = 1.0 - 1e-6;  // nothing removes all
+  const MatrixXd count = pooled(squares.count.rowwise().sum());
+  return -0.5 * count.col(0).cwiseQuotient(inflation_).sum() * std::log1p(-std::min(share, kMost));
+}
+
 VectorXd PredictiveScore::ofDraws(const BlockSquares& squares) const {
   return scores(pooled(squares.sum * times_), pooled(squares.count * times_));
 }

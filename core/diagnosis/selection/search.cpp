@@ -171,7 +171,7 @@ class Search {
     std::vector<SetFit> trials;
     for (const ScoreTest& test : tests) {
       if (trials.size() >= static_cast<std::size_t>(refits) || cancelled(progress_)) break;
-      if (0.5 * test.gain < std::max(least, cost)) break;
+      if (score_->predictedGain(parent.squares, test.share) < std::max(least, cost)) break;
       if (isSettled(plus(effects, {test.hypothesis, test.joint}))) continue;
       report(fmt::format("Refitting with {}", test.hypothesis->words.title));
       trials.push_back(fitter_.extended(parent, test));
