@@ -33,16 +33,15 @@ ExtendedArm::ExtendedArm(const robot::Description& robot, const Truth& truth) : 
 
 ExtendedArm::Cables ExtendedArm::cablesOf(double t, const Vector& x) const {
   const robot::ChainNumbers<double>& p = model_.numbers;
-  robot::ZeroShift<double> zero[3];
-  for (int j = 0; j < 3; ++j) zero[j] = robot::zeroShiftAt(p.joints[j], t);
   Cables cables;
   for (int i = 0; i < 3; ++i) {
     const robot::JointNumbers<double>& joint = p.joints[i];
     const unsigned laws = model_.shape.laws[i];
-    double travel = 0.0, speed = 0.0;
+    const robot::ZeroShift<double> zero = robot::zeroShiftAt(joint, t);
+    double travel = -p.coupling[i][i] * zero.by, speed = -p.coupling[i][i] * zero.rate;
     for (int j = 0; j < 3; ++j) {
-      travel += p.coupling[i][j] * (x[6 + j] - p.joints[j].homing - zero[j].by);
-      speed += p.coupling[i][j] * (x[9 + j] - zero[j].rate);
+      travel += p.coupling[i][j] * (x[6 + j] - p.joints[j].homing);
+      speed += p.coupling[i][j] * x[9 + j];
     }
     const double lever = robot::motorLever(joint, laws, x[i]);
     const double stretch = robot::motorTravel(joint, laws, x[i]) - joint.link_radius * travel;

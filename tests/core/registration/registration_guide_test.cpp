@@ -132,7 +132,7 @@ TEST_F(Guide, RefusesTooLargeAScatterWithAxisAndNumbers) {
   arrive();
   feed.run(guide, 6.0);
   EXPECT_EQ(guide.fault(), RegistrationFault::kScatterTooLarge);
-  EXPECT_THAT(guide.reason(), HasSubstr("along camera z, 6.00 mm are allowed"));
+  EXPECT_THAT(guide.reason(), HasSubstr("along camera z; at most 6.00 mm is allowed"));
 }
 
 TEST_F(Guide, RejectsOutliersAndNamesTheirAxis) {

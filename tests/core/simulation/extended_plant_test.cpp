@@ -64,9 +64,7 @@ TEST(ExtendedPlant, withNeutralEffectsIsThePlant) {
 TEST(ExtendedPlant, effectsOfNumbersAreThoseNumbers) {
   robot::Description written = raven();
   written.drives[0].link_radius *= 1.02;
-  const double coupled = -written.coupling[2][1] * 0.01;
   written.joints[1].homing += 0.01;
-  written.joints[2].homing += coupled;
   written.coupling[2][0] += 0.003;
   written.joints[2].friction.viscous += 2.0;
   const robot::Description extended = ravenWith({{"pulley_radius", 1, {{"share", 0.02}}},
