@@ -55,10 +55,9 @@ double PredictiveScore::of(const BlockSquares& squares) const {
   return scores(pooled(squares.sum.rowwise().sum()), pooled(squares.count.rowwise().sum()))[0];
 }
 
-double PredictiveScore::predictedGain(const BlockSquares& squares, double share) const {
+double PredictiveScore::mostGain(const BlockSquares& squares, double share) {
   constexpr double kMost = 1.0 - 1e-6;  // nothing removes all
-  const MatrixXd count = pooled(squares.count.rowwise().sum());
-  return -0.5 * count.col(0).cwiseQuotient(inflation_).sum() * std::log1p(-std::min(share, kMost));
+  return -0.5 * squares.count.sum() * std::log1p(-std::min(share, kMost));
 }
 
 VectorXd PredictiveScore::ofDraws(const BlockSquares& squares) const {

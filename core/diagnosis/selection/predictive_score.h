@@ -25,8 +25,9 @@ class PredictiveScore {
   void learnInflation(const BlockSquares& squares);
   /// Score of all blocks; −infinity for residuals that are not finite.
   double of(const BlockSquares& squares) const;
-  /// Score that a model gains that removes `share` of each group's mean square: −½ Σ_g N_g ln(1 − share).
-  double predictedGain(const BlockSquares& squares, double share) const;
+  /// Largest score that a model can gain that removes `share` of the mean square: −½ n ln(1 − share) with all n samples
+  /// independent.
+  static double mostGain(const BlockSquares& squares, double share);
   /// Scores of all block bootstraps, in the same order for every model.
   Eigen::VectorXd ofDraws(const BlockSquares& squares) const;
 

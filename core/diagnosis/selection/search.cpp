@@ -159,7 +159,7 @@ class Search {
     keep(std::move(fitted));
   }
 
-  /// Candidates whose score tests predict less than `least` nats, or less than one more effect costs, are not refitted.
+  /// Candidates that can gain less than `least` nats by their score tests, or less than one more effect costs, are not refitted.
   void expand(const EffectSet& effects, int refits, double least) {
     if (effects.size() >= static_cast<std::size_t>(options_.most_causes)) return;
     SetFit& parent = at(effects);
@@ -171,7 +171,7 @@ class Search {
     std::vector<SetFit> trials;
     for (const ScoreTest& test : tests) {
       if (trials.size() >= static_cast<std::size_t>(refits) || cancelled(progress_)) break;
-      if (score_->predictedGain(parent.squares, test.share) < std::max(least, cost)) break;
+      if (PredictiveScore::mostGain(parent.squares, test.share) < std::max(least, cost)) break;
       if (isSettled(plus(effects, {test.hypothesis, test.joint}))) continue;
       report(fmt::format("Refitting with {}", test.hypothesis->words.title));
       trials.push_back(fitter_.extended(parent, test));
