@@ -1,6 +1,7 @@
 #include "core/diagnosis/selection/displacement.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/robot/kinematics.h"
@@ -27,14 +28,16 @@ class Sum {
   std::size_t count_ = 0;
 };
 
-/// Joint encoders of rigid drives, from the fit's initial states.
+/// Joint encoders and axes of the tip of rigid drives, from the fit's initial states.
 void addReadings(const FitData& data, const Fit& fit, const robot::ChainModel& with,
-                 const robot::ChainModel& without, std::vector<Sum>& joints) {
+                 const robot::ChainModel& without, std::vector<Sum>& joints, std::array<Sum, 3>& axes) {
   const Eigen::MatrixXd both = data.simulate({with, without}, {fit.initial, fit.initial});
   for (std::size_t i = 0; i < data.channel().size(); ++i) {
-    const int joint = data.channels()[static_cast<std::size_t>(data.channel()[i])].joint;
+    const ComparedChannel& channel = data.channels()[static_cast<std::size_t>(data.channel()[i])];
     const auto at = static_cast<Eigen::Index>(i);
-    if (joint > 0) joints[static_cast<std::size_t>(joint - 1)].add(both(at, 0) - both(at, 1));
+    Sum& sum = channel.joint > 0 ? joints[static_cast<std::size_t>(channel.joint - 1)]
+                                 : axes[static_cast<std::size_t>(channel.axis)];
+    sum.add(both(at, 0) - both(at, 1));
   }
 }
 
@@ -70,7 +73,8 @@ Displacements displacementsBy(const FitData& data, const Fit& fit, const EffectC
   const robot::Chain chain(robot);
   std::vector<Sum> joints(static_cast<std::size_t>(robot.size()));
   Sum tip;
-  if (data.rigid()) addReadings(data, fit, with, without, joints);
+  std::array<Sum, 3> axes;
+  if (data.rigid()) addReadings(data, fit, with, without, joints, axes);
   for (int r = 0; r < data.recordings() && !data.rigid(); ++r) {
     const SimulatedMotion a = data.simulation(r).motion(with), b = data.simulation(r).motion(without);
     addJoints(a, b, joints);
@@ -80,6 +84,11 @@ Displacements displacementsBy(const FitData& data, const Fit& fit, const EffectC
   for (std::size_t j = 0; j < joints.size(); ++j)
     moves.joints.push_back(joints[j].displacement(robot.joints[j].type == robot::JointType::kPrismatic));
   moves.tip = tip.displacement(true);
+  for (const Sum& axis : axes) {  // of rigid drives; the largest is a bound
+    const Displacement along = axis.displacement(true);
+    moves.tip.rms = std::hypot(moves.tip.rms, along.rms);
+    moves.tip.largest = std::hypot(moves.tip.largest, along.largest);
+  }
   return moves;
 }
 
