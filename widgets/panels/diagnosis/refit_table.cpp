@@ -35,10 +35,24 @@ RefitTable::RefitTable(QWidget* parent) : QTreeWidget(parent) {
   header()->setMinimumSectionSize(10);
   header()->setFont(textFont(9.0));
   header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  header()->setSectionResizeMode(kName, QHeaderView::Stretch);
+  header()->setSectionResizeMode(kName, QHeaderView::Fixed);
   connect(header(), &QHeaderView::sectionResized, this, [this] { wrapWords(*this, kName); });
   for (const int column : {kNominal, kWithout, kValue, kChange})
     headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+}
+
+/// The names take what the numbers leave; where that is too little for a word, the table scrolls.
+void RefitTable::resizeEvent(QResizeEvent* event) {
+  QTreeWidget::resizeEvent(event);
+  fitNames();
+}
+
+void RefitTable::fitNames() {
+  constexpr int kLeastWidth = 110;  // px
+  int numbers = 0;
+  for (int column = 0; column < kColumns; ++column)
+    if (column != kName && !isColumnHidden(column)) numbers += columnWidth(column);
+  header()->resizeSection(kName, std::max(kLeastWidth, viewport()->width() - numbers));
 }
 
 void RefitTable::setTheme(const Theme& theme) {
@@ -62,6 +76,8 @@ void RefitTable::fill() {
                    effects_ ? tr("with effects") : tr("refitted"), tr("change")});
   setColumnHidden(kWithout, !effects_);
   for (const diagnosis::RefitNumber& number : numbers_) addNumber(number);
+  for (const int column : {kNominal, kWithout, kValue, kChange}) resizeColumnToContents(column);
+  fitNames();
   wrapWords(*this, kName);
 }
 

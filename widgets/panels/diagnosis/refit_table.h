@@ -20,8 +20,12 @@ class RefitTable : public QTreeWidget {
   void setTheme(const Theme& theme);
   void showReport(const diagnosis::Report& report);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void fill();
+  void fitNames();
   void addNumber(const diagnosis::RefitNumber& number);
 
   Theme theme_ = Theme::dark();
