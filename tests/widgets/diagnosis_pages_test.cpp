@@ -36,8 +36,8 @@ void expectWhole(QTreeWidget& tree) {
   const QFontMetrics metrics(tree.header()->font());
   for (int column = 0; column < tree.columnCount(); ++column) {
     if (tree.isColumnHidden(column)) continue;
-    const QString name = tree.headerItem()->text(column);
-    EXPECT_LE(metrics.horizontalAdvance(name), tree.columnWidth(column)) << name.toStdString();
+    for (const QString& line : tree.headerItem()->text(column).split('\n'))
+      EXPECT_LE(metrics.horizontalAdvance(line), tree.columnWidth(column)) << line.toStdString();
   }
 }
 
