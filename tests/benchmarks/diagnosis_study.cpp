@@ -38,7 +38,6 @@ diagnosis::Report diagnosed(const std::vector<diagnosis::Evidence>& recordings,
   options.threads = 1;
   options.show = false;
   options.filter = false;
-  options.material = {3e-5, 1e-6};  // a tenth of the default: planted effects are sized by what sensors can show
   return diagnosis::diagnose(recordings, nominal, options);
 }
 

@@ -11,6 +11,10 @@ namespace {
 
 constexpr double kPeak = 3.0;  // largest displacement, in tolerances of the RMS, that is material by itself
 
+/// Tolerance of what cameras alone show, in that of a joint's length: they see the tip to a millimetre per frame, and some
+/// hundred frames average to a tenth of it.
+constexpr double kOfCameras = 10.0;
+
 /// RMS and largest magnitude of numbers that are given one by one.
 class Sum {
  public:
@@ -98,7 +102,8 @@ bool isMaterial(const Displacements& moves, const Tolerance& tolerance) {
     return moved.rms > most || moved.largest > kPeak * most;
   };
   const bool joints = std::ranges::any_of(moves.joints, [](const Displacement& moved) { return moved.largest > 0.0; });
-  return joints ? std::ranges::any_of(moves.joints, beyond) : beyond(moves.tip);
+  if (joints) return std::ranges::any_of(moves.joints, beyond);
+  return moves.tip.rms > kOfCameras * tolerance.length || moves.tip.largest > kPeak * kOfCameras * tolerance.length;
 }
 
 }  // namespace capstan::diagnosis

@@ -16,7 +16,6 @@ using Eigen::VectorXd;
 constexpr double kLittle = 0.1;     // of a size that would be large
 constexpr double kFarthest = 3.0;   // of it, where a refit may start
 constexpr double kOwn = 1e-6;       // share of a response that the fit cannot make itself: less is none
-constexpr double kEventStep = 0.1;  // between instants of an event that are tried [s]
 
 /// One start of one candidate and its columns among the responses.
 struct Probe {

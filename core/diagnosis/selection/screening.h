@@ -26,6 +26,7 @@ std::vector<EffectCandidate> candidatesOf(const std::vector<Evidence>& recording
 /// changes the fitted robot by a small size of the effect, or by the start itself if the effect has no small
 /// size. The change of the readings, without the part that the fit's own parameters could also produce, is
 /// projected on the residual. The cost is one simulation per start.
+inline constexpr double kEventStep = 0.1;  ///< between instants of an event that are tried [s]
 std::vector<ScoreTest> screen(const FitData& data, const Fit& fit, const Weighting& weighting,
                               const std::vector<EffectCandidate>& candidates);
 

@@ -37,6 +37,8 @@ class Search {
     SetFit base = fitter_.nominal(nominal, start ? nominal.carry(start->model, start->u)
                                                  : Eigen::VectorXd(Eigen::VectorXd::Zero(nominal.size())));
     found_.input_noise = inputNoise(data_, base.fit, base.weighting);
+    for (const Evidence& evidence : recordings_)
+      found_.instants = std::max(found_.instants, evidence.duration() / kEventStep);
     found_.candidates =
         static_cast<int>(candidatesOf(recordings_, nominal, options_.only).size());
     score_.emplace(data_, found_.input_noise, kDraws, options_.seed);
@@ -50,7 +52,7 @@ class Search {
 
  private:
   double value(const SetFit& set) const {
-    return score_->of(set.squares) + logPrior(set.effects.size(), found_.candidates);
+    return score_->of(set.squares) + logPrior(set.effects, found_.candidates, found_.instants);
   }
 
   SetFit& at(const EffectSet& effects) { return found_.sets.at(effects); }
@@ -257,6 +259,14 @@ double logPrior(std::size_t effects, int candidates) {
   const auto k = static_cast<double>(effects), n = static_cast<double>(std::max(candidates, 1));
   const double choices = k <= n ? std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0) : 0.0;
   return k * std::log(kEffectOdds) - choices;
+}
+
+double logPrior(const EffectSet& effects, int candidates, double instants) {
+  double prior = logPrior(effects.size(), candidates);
+  for (const EffectCandidate& effect : effects)
+    for (const robot::EffectParameter& parameter : effect.hypothesis->facts->parameters)
+      if (parameter.name == "time") prior -= std::log(instants);
+  return prior;
 }
 
 SearchResult searchSets(const FitData& data, const std::vector<Evidence>& recordings, const FitModel& nominal,

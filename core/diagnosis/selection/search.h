@@ -24,6 +24,7 @@ struct SearchResult {
   EffectSet best;
   std::map<EffectSet, SetFit> sets;  ///< all tried sets; thinned except the best and the empty one
   Eigen::VectorXd input_noise;       ///< RMS per channel that noise of the inputs causes (inputNoise())
+  double instants = 1.0;             ///< instants of an effect that happens once that score tests try
   int candidates = 0;                ///< number of effects that this robot and these sensors can have
   std::vector<Candidate> tested;     ///< tested candidates, in the order of the expansions
 };
@@ -41,6 +42,9 @@ SearchResult searchSets(const FitData& data, const std::vector<Evidence>& record
 /// Log prior of a set of `effects` out of `candidates` [nats]: all sets of one size are equally probable, and
 /// each further effect multiplies the probability of the size by kEffectOdds.
 double logPrior(std::size_t effects, int candidates);
+/// Log prior of the set and of the instants of its effects that happen once: such an effect may have happened in any of the
+/// `instants` that score tests try.
+double logPrior(const EffectSet& effects, int candidates, double instants);
 inline constexpr double kEffectOdds = 0.25;
 inline constexpr int kDraws = 400;  ///< number of block bootstraps
 

@@ -46,7 +46,7 @@ Posterior posteriorOf(const SearchResult& found, const PredictiveScore& score) {
   for (Index k = 0; k < count; ++k) {
     const SetFit& set = *posterior.sets[static_cast<std::size_t>(k)];
     log.row(k) = score.ofDraws(set.squares).transpose();
-    log.row(k).array() += logPrior(set.effects.size(), found.candidates);
+    log.row(k).array() += logPrior(set.effects, found.candidates, found.instants);
   }
   for (Index d = 0; d < log.cols(); ++d) {
     const VectorXd odds = (log.col(d).array() - log.col(d).maxCoeff()).exp();
