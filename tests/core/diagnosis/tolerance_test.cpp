@@ -91,8 +91,8 @@ TEST(Material, IsAlsoAPeakOfThreeTimesTheTolerance) {
 
 TEST(Material, IsTheTipWhereNoJointMoves) {
   const Tolerance tolerance{1e-3, 1e-4};
-  EXPECT_TRUE(isMaterial(moving({{}, {}}, {1.1e-4, 1.5e-4, true}), tolerance)) << "an error of the cameras";
-  EXPECT_FALSE(isMaterial(moving({{}, {}}, {0.9e-4, 1.5e-4, true}), tolerance));
+  EXPECT_TRUE(isMaterial(moving({{}, {}}, {1.1e-3, 1.5e-3, true}), tolerance)) << "an error of the cameras";
+  EXPECT_FALSE(isMaterial(moving({{}, {}}, {0.9e-3, 1.5e-3, true}), tolerance));
   EXPECT_FALSE(isMaterial(moving({{1e-4, 1e-4, false}}, {5e-3, 9e-3, true}), tolerance))
       << "joints decide where one moves";
   EXPECT_FALSE(isMaterial({}, tolerance));
