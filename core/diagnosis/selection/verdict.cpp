@@ -14,6 +14,9 @@
 namespace capstan::diagnosis {
 namespace {
 
+/// Share of a channel's held-out mean square that an effect must take off to be material: two effects may each move the tip
+/// far and together hardly at all.
+constexpr double kMaterialShare = 0.06;
 constexpr double kFar = 4.0;  // times what may be chance: no test needed
 
 /// Of the sensor, and of what those of loads and motors bring in.
@@ -194,7 +197,8 @@ void judge(const FitData& data, const Selection& s, const robot::Description& ro
   report.posterior = s.posterior;
   for (const SelectedEffect& selected : s.effects) {
     Cause cause = causeOf(data, s, selected, covariance, robot);
-    const bool material = isMaterial(cause.moves, report.material);
+    const bool material = isMaterial(cause.moves, report.material) &&
+                          largestReduction(selected.without, s.best_squares).share > kMaterialShare;
     (material ? report.causes : report.also_measurable).push_back(std::move(cause));
   }
   addTies(s, report);
