@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kPeak = 3.0;  // largest displacement, in tolerances of the RMS, that is material by itself
 
-/// Tolerance of what cameras alone show, in that of a joint's length: they see the tip to a millimetre per frame, and some
-/// hundred frames average to a tenth of it.
+/// Tolerance of what cameras alone show, in that of a joint's length: they see the tip to a millimetre per
+/// frame, and some hundred frames average to a tenth of it.
 constexpr double kOfCameras = 10.0;
 
 /// RMS and largest magnitude of numbers that are given one by one.
@@ -50,7 +50,8 @@ void addJoints(const SimulatedMotion& with, const SimulatedMotion& without, std:
     for (std::size_t k = 0; k < with.q[j].size(); ++k) joints[j].add(with.q[j][k] - without.q[j][k]);
 }
 
-void addTip(const robot::Chain& chain, const SimulatedMotion& with, const SimulatedMotion& without, Sum& tip) {
+void addTip(const robot::Chain& chain, const SimulatedMotion& with, const SimulatedMotion& without,
+            Sum& tip) {
   constexpr std::size_t kEvery = 10;  // rows
   for (std::size_t k = 0; k < with.tip.size(); ++k) tip.add((with.tip[k] - without.tip[k]).norm());
   if (!with.tip.empty()) return;
@@ -101,9 +102,11 @@ bool isMaterial(const Displacements& moves, const Tolerance& tolerance) {
     const double most = moved.slides ? tolerance.length : tolerance.angle;
     return moved.rms > most || moved.largest > kPeak * most;
   };
-  const bool joints = std::ranges::any_of(moves.joints, [](const Displacement& moved) { return moved.largest > 0.0; });
+  const bool joints =
+      std::ranges::any_of(moves.joints, [](const Displacement& moved) { return moved.largest > 0.0; });
   if (joints) return std::ranges::any_of(moves.joints, beyond);
-  return moves.tip.rms > kOfCameras * tolerance.length || moves.tip.largest > kPeak * kOfCameras * tolerance.length;
+  return moves.tip.rms > kOfCameras * tolerance.length ||
+         moves.tip.largest > kPeak * kOfCameras * tolerance.length;
 }
 
 }  // namespace capstan::diagnosis

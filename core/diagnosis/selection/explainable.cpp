@@ -21,7 +21,8 @@ struct Group {
 };
 
 std::vector<Group> groupsOf(const FitData& data) {
-  const bool encoders = std::ranges::any_of(data.channels(), [](const ComparedChannel& c) { return c.joint > 0; });
+  const bool encoders =
+      std::ranges::any_of(data.channels(), [](const ComparedChannel& c) { return c.joint > 0; });
   std::vector<Group> groups;
   for (std::size_t c = 0; c < data.channels().size(); ++c) {
     const ComparedChannel& channel = data.channels()[c];
@@ -29,7 +30,8 @@ std::vector<Group> groupsOf(const FitData& data) {
     const auto same = std::ranges::find_if(groups, [&](const Group& group) {
       return group.channel.joint == channel.joint && group.channel.axis == channel.axis;
     });
-    (same == groups.end() ? groups.emplace_back(Group{channel, {}}) : *same).members.push_back(static_cast<int>(c));
+    (same == groups.end() ? groups.emplace_back(Group{channel, {}}) : *same)
+        .members.push_back(static_cast<int>(c));
   }
   return groups;
 }
@@ -60,7 +62,8 @@ void append(std::vector<Variable>& all, std::vector<Variable> more) {
   }
 }
 
-Pooled pooledOf(const FitData& data, const Selection& s, const robot::Description& nominal, const Group& group) {
+Pooled pooledOf(const FitData& data, const Selection& s, const robot::Description& nominal,
+                const Group& group) {
   constexpr double kBetween = 10.0;  // between recordings [s]: nothing lasts from one to the next
   Pooled pooled;
   Channel& channel = pooled.channel;
@@ -77,7 +80,8 @@ Pooled pooledOf(const FitData& data, const Selection& s, const robot::Descriptio
       const Eigen::Index at = data.first(r) + static_cast<Eigen::Index>(i);
       if (!std::ranges::count(group.members, data.channel()[static_cast<std::size_t>(at)])) continue;
       const auto after = std::ranges::lower_bound(evidence.t, compared.t[i]);
-      const auto row = std::min<std::ptrdiff_t>(after - evidence.t.begin(), static_cast<std::ptrdiff_t>(evidence.rows()) - 1);
+      const auto row = std::min<std::ptrdiff_t>(after - evidence.t.begin(),
+                                                static_cast<std::ptrdiff_t>(evidence.rows()) - 1);
       channel.t.push_back(begin + compared.t[i] - evidence.t.front());
       channel.row.push_back(rows + static_cast<double>(row));
       channel.residual.push_back(s.base.e[at]);
@@ -95,8 +99,15 @@ Pooled pooledOf(const FitData& data, const Selection& s, const robot::Descriptio
 Explainable explainableOf(const FitData& data, const Selection& s, const robot::Description& nominal,
                           const Group& group, base::Progress* progress) {
   const double refitted = meanSquareOf(s.base_squares, group), named = meanSquareOf(s.best_squares, group);
-  Explainable one{group.channel.name, group.channel.unit, std::hypot(group.channel.noise, s.input_noise[group.members.front()]),
-                  std::sqrt(refitted), std::sqrt(named), kNaN, kNaN, kNaN, {}};
+  Explainable one{group.channel.name,
+                  group.channel.unit,
+                  std::hypot(group.channel.noise, s.input_noise[group.members.front()]),
+                  std::sqrt(refitted),
+                  std::sqrt(named),
+                  kNaN,
+                  kNaN,
+                  kNaN,
+                  {}};
   double least = refitted;
   if (group.channel.joint > 0) {
     const MeasuredRegression linear = measuredRegression(data, group.channel.joint);
@@ -107,7 +118,8 @@ Explainable explainableOf(const FitData& data, const Selection& s, const robot::
     }
   }
   const Pooled pooled = pooledOf(data, s, nominal, group);
-  const ResidualProcess process = residualProcess(pooled.channel, pooled.variables, {.shuffles = 2}, progress);
+  const ResidualProcess process =
+      residualProcess(pooled.channel, pooled.variables, {.shuffles = 2}, progress);
   if (process.end == ProcessEnd::kDone) {
     const double flexible = refitted * std::clamp(1.0 - process.explained, 0.0, 1.0);
     one.flexible = std::sqrt(flexible);
@@ -124,10 +136,11 @@ double beyondNoise(const Group& group, const Selection& s) {
 
 }  // namespace
 
-std::vector<Explainable> explainableOf(const FitData& data, const Selection& s, const robot::Description& nominal,
-                                       base::Progress* progress) {
+std::vector<Explainable> explainableOf(const FitData& data, const Selection& s,
+                                       const robot::Description& nominal, base::Progress* progress) {
   std::vector<Group> groups = groupsOf(data);
-  std::ranges::stable_sort(groups, std::greater<>(), [&](const Group& group) { return beyondNoise(group, s); });
+  std::ranges::stable_sort(groups, std::greater<>(),
+                           [&](const Group& group) { return beyondNoise(group, s); });
   std::vector<Explainable> channels;
   for (const Group& group : groups) {
     if (progress && progress->cancelled()) break;

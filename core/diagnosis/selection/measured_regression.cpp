@@ -63,7 +63,8 @@ std::vector<std::string> namesFor(const Evidence& evidence, int joint) {
   }
   if (!evidence.tau_ext.empty()) names.push_back("tau_ext" + own);
   if (!evidence.dq_m.empty()) names.push_back("direction" + own);
-  if (!evidence.tau_ext.empty() && !evidence.dq_m.empty()) names.push_back("tau_ext" + own + " x direction" + own);
+  if (!evidence.tau_ext.empty() && !evidence.dq_m.empty())
+    names.push_back("tau_ext" + own + " x direction" + own);
   if (!evidence.dq_m.empty()) names.push_back("dq_m" + own);
   if (!evidence.tau_m.empty()) names.push_back("tau_m" + own);
   return names;
@@ -80,7 +81,8 @@ std::vector<double> valuesAt(const Evidence& evidence, int joint, std::size_t ro
   const double direction = evidence.dq_m.empty() ? 0.0 : directionAt(evidence.dq_m[own], row, fastest);
   if (!evidence.tau_ext.empty()) values.push_back(evidence.tau_ext[own][row]);
   if (!evidence.dq_m.empty()) values.push_back(direction);
-  if (!evidence.tau_ext.empty() && !evidence.dq_m.empty()) values.push_back(evidence.tau_ext[own][row] * direction);
+  if (!evidence.tau_ext.empty() && !evidence.dq_m.empty())
+    values.push_back(evidence.tau_ext[own][row] * direction);
   if (!evidence.dq_m.empty()) values.push_back(evidence.dq_m[own][row]);
   if (!evidence.tau_m.empty()) values.push_back(evidence.tau_m[own][row]);
   return values;
@@ -115,7 +117,8 @@ Design columnsOf(const FitData& data, int joint) {
     all.x(i, constants > 1 ? r : 0) = 1.0;
     const std::vector<double> values = valuesAt(evidence, joint, rowAt(evidence, t), fastest);
     for (Index k = 0; k < std::min(wide, static_cast<Index>(values.size())); ++k)
-      all.x(i, constants + k) = std::isfinite(values[static_cast<std::size_t>(k)]) ? values[static_cast<std::size_t>(k)] : 0.0;
+      all.x(i, constants + k) =
+          std::isfinite(values[static_cast<std::size_t>(k)]) ? values[static_cast<std::size_t>(k)] : 0.0;
     all.y[i] = data.measured()[sample];
     all.fold.push_back(data.block()[static_cast<std::size_t>(sample)] % std::min(kFolds, data.blocks()));
   }
@@ -125,12 +128,14 @@ Design columnsOf(const FitData& data, int joint) {
 /// Mean square of held-out residuals with the first `used` columns.
 double heldOutSquare(const Design& all, Index used) {
   const MatrixXd x = all.x.leftCols(used);
-  const VectorXd scale = x.colwise().norm().transpose().cwiseMax(std::numeric_limits<double>::min()).cwiseInverse();
+  const VectorXd scale =
+      x.colwise().norm().transpose().cwiseMax(std::numeric_limits<double>::min()).cwiseInverse();
   const MatrixXd z = x * scale.asDiagonal();
   double squares = 0.0;
   for (int f = 0; f < kFolds; ++f) {
     std::vector<Index> fitted, tested;
-    for (Index i = 0; i < z.rows(); ++i) (all.fold[static_cast<std::size_t>(i)] == f ? tested : fitted).push_back(i);
+    for (Index i = 0; i < z.rows(); ++i)
+      (all.fold[static_cast<std::size_t>(i)] == f ? tested : fitted).push_back(i);
     if (tested.empty()) continue;
     const MatrixXd a = z(fitted, Eigen::all);
     MatrixXd normal = a.transpose() * a;

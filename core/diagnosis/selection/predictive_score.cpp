@@ -24,7 +24,8 @@ PredictiveScore::PredictiveScore(const FitData& data, const VectorXd& input_nois
                                  std::uint64_t seed) {
   std::map<std::pair<int, int>, Index> groups;
   for (const ComparedChannel& channel : data.channels())
-    group_.push_back(groups.try_emplace({channel.joint, channel.axis}, static_cast<Index>(groups.size())).first->second);
+    group_.push_back(
+        groups.try_emplace({channel.joint, channel.axis}, static_cast<Index>(groups.size())).first->second);
   const auto count = static_cast<Index>(groups.size());
   VectorXd channels = VectorXd::Zero(count);
   floor_ = VectorXd::Zero(count);

@@ -25,8 +25,8 @@ class PredictiveScore {
   void learnInflation(const BlockSquares& squares);
   /// Score of all blocks; −infinity for residuals that are not finite.
   double of(const BlockSquares& squares) const;
-  /// Largest score that a model can gain that removes `share` of the mean square: −½ n ln(1 − share) with all n samples
-  /// independent.
+  /// Largest score that a model can gain that removes `share` of the mean square: −½ n ln(1 − share) with all
+  /// n samples independent.
   static double mostGain(const BlockSquares& squares, double share);
   /// Scores of all block bootstraps, in the same order for every model.
   Eigen::VectorXd ofDraws(const BlockSquares& squares) const;

@@ -13,9 +13,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kLittle = 0.1;     // of a size that would be large
-constexpr double kFarthest = 3.0;   // of it, where a refit may start
-constexpr double kOwn = 1e-6;       // share of a response that the fit cannot make itself: less is none
+constexpr double kLittle = 0.1;    // of a size that would be large
+constexpr double kFarthest = 3.0;  // of it, where a refit may start
+constexpr double kOwn = 1e-6;      // share of a response that the fit cannot make itself: less is none
 
 /// One start of one candidate and its columns among the responses.
 struct Probe {

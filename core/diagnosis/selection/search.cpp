@@ -13,11 +13,13 @@
 namespace capstan::diagnosis {
 namespace {
 
-constexpr std::size_t kBeam = 2;      // sets that are expanded at a time
-constexpr std::size_t kSettled = 3;   // trials of an expansion that are fitted to the end
-constexpr int kNeighbourRefits = 4;   // refits where a neighbour of the best set is expanded
-constexpr double kHopeful = 0.5;      // share of the best trial's gain, and of a loss to be made up, that is pursued
-constexpr double kWindow = 7.0;       // [nats], odds of 1000: a set that is further below the best one is not expanded
+constexpr std::size_t kBeam = 2;     // sets that are expanded at a time
+constexpr std::size_t kSettled = 3;  // trials of an expansion that are fitted to the end
+constexpr int kNeighbourRefits = 4;  // refits where a neighbour of the best set is expanded
+constexpr double kHopeful =
+    0.5;  // share of the best trial's gain, and of a loss to be made up, that is pursued
+constexpr double kWindow =
+    7.0;  // [nats], odds of 1000: a set that is further below the best one is not expanded
 
 bool cancelled(const base::Progress* progress) { return progress && progress->cancelled(); }
 
@@ -39,8 +41,7 @@ class Search {
     found_.input_noise = inputNoise(data_, base.fit, base.weighting);
     for (const Evidence& evidence : recordings_)
       found_.instants = std::max(found_.instants, evidence.duration() / kEventStep);
-    found_.candidates =
-        static_cast<int>(candidatesOf(recordings_, nominal, options_.only).size());
+    found_.candidates = static_cast<int>(candidatesOf(recordings_, nominal, options_.only).size());
     score_.emplace(data_, found_.input_noise, kDraws, options_.seed);
     keep(std::move(base));
     if (start) tryStart(*start);
@@ -68,7 +69,8 @@ class Search {
       known->second = std::move(set);
     else
       known->second.settled = known->second.settled || set.settled;
-    for (const auto& [other, fitted] : found_.sets)  // what was learned may have changed the order of others, too
+    for (const auto& [other, fitted] :
+         found_.sets)  // what was learned may have changed the order of others, too
       if (fitted.settled && value(fitted) > value(at(found_.best))) found_.best = other;
     return found_.best == effects && former != effects;
   }
@@ -161,15 +163,18 @@ class Search {
     keep(std::move(fitted));
   }
 
-  /// Candidates that can gain less than `least` nats by their score tests, or less than one more effect costs, are not refitted.
+  /// Candidates that can gain less than `least` nats by their score tests, or less than one more effect
+  /// costs, are not refitted.
   void expand(const EffectSet& effects, int refits, double least) {
     if (effects.size() >= static_cast<std::size_t>(options_.most_causes)) return;
     SetFit& parent = at(effects);
     fitter_.relinearise(parent);
-    const std::vector<EffectCandidate> candidates = candidatesOf(recordings_, parent.fit.model, options_.only);
+    const std::vector<EffectCandidate> candidates =
+        candidatesOf(recordings_, parent.fit.model, options_.only);
     report("Testing hypotheses");
     const std::vector<ScoreTest> tests = screen(data_, parent.fit, parent.weighting, candidates);
-    const double cost = logPrior(effects.size(), found_.candidates) - logPrior(effects.size() + 1, found_.candidates);
+    const double cost =
+        logPrior(effects.size(), found_.candidates) - logPrior(effects.size() + 1, found_.candidates);
     std::vector<SetFit> trials;
     for (const ScoreTest& test : tests) {
       if (trials.size() >= static_cast<std::size_t>(refits) || cancelled(progress_)) break;
@@ -257,7 +262,8 @@ class Search {
 
 double logPrior(std::size_t effects, int candidates) {
   const auto k = static_cast<double>(effects), n = static_cast<double>(std::max(candidates, 1));
-  const double choices = k <= n ? std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0) : 0.0;
+  const double choices =
+      k <= n ? std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0) : 0.0;
   return k * std::log(kEffectOdds) - choices;
 }
 

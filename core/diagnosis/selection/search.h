@@ -42,8 +42,8 @@ SearchResult searchSets(const FitData& data, const std::vector<Evidence>& record
 /// Log prior of a set of `effects` out of `candidates` [nats]: all sets of one size are equally probable, and
 /// each further effect multiplies the probability of the size by kEffectOdds.
 double logPrior(std::size_t effects, int candidates);
-/// Log prior of the set and of the instants of its effects that happen once: such an effect may have happened in any of the
-/// `instants` that score tests try.
+/// Log prior of the set and of the instants of its effects that happen once: such an effect may have happened
+/// in any of the `instants` that score tests try.
 double logPrior(const EffectSet& effects, int candidates, double instants);
 inline constexpr double kEffectOdds = 0.25;
 inline constexpr int kDraws = 400;  ///< number of block bootstraps

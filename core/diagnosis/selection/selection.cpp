@@ -78,21 +78,33 @@ const SetFit& mostProbable(const Posterior& posterior, const SearchResult& found
   return *posterior.sets[static_cast<std::size_t>(at)];
 }
 
-/// Sets without one effect. A camera that rotates about its own position is a rotation about frame 0 and an offset: without
-/// the rotation there is no offset either.
+/// Sets without one effect. A camera that rotates about its own position is a rotation about frame 0 and an
+/// offset: without the rotation there is no offset either.
 EffectSet withoutEffect(const EffectSet& effects, const EffectCandidate& effect) {
   EffectSet less = minus(effects, effect);
-  if (effect.hypothesis->name() == "camera_rotation") less = minus(std::move(less), {hypothesisNamed("camera_offset"), 0});
+  if (effect.hypothesis->name() == "camera_rotation")
+    less = minus(std::move(less), {hypothesisNamed("camera_offset"), 0});
   return less;
 }
 
-std::vector<SelectedEffect> effectsOf(const SetFit& best, const SearchResult& found, const Posterior& posterior,
-                                      const PredictiveScore& score) {
+/// Best of the fitted subsets of `effects`: a refit with one effect less may end in a worse minimum than one
+/// with two less.
+const SetFit& bestWithin(const EffectSet& effects, const SearchResult& found, const PredictiveScore& score) {
+  const SetFit* best = &found.sets.at({});
+  for (const auto& [others, set] : found.sets) {
+    const bool within =
+        std::ranges::all_of(others, [&](const EffectCandidate& one) { return contains(effects, one); });
+    if (within && score.of(set.squares) > score.of(best->squares)) best = &set;
+  }
+  return *best;
+}
+
+std::vector<SelectedEffect> effectsOf(const SetFit& best, const SearchResult& found,
+                                      const Posterior& posterior, const PredictiveScore& score) {
   std::vector<SelectedEffect> effects;
   for (const EffectCandidate& effect : best.effects) {
-    SelectedEffect one{effect, posterior.inclusion(effect), 0.0, found.sets.at({}).squares};
-    const auto less = found.sets.find(withoutEffect(best.effects, effect));
-    if (less != found.sets.end()) one.without = less->second.squares;
+    const BlockSquares& without = bestWithin(withoutEffect(best.effects, effect), found, score).squares;
+    SelectedEffect one{effect, posterior.inclusion(effect), 0.0, without};
     one.loss = score.of(best.squares) - score.of(one.without);
     effects.push_back(std::move(one));
   }
@@ -100,7 +112,8 @@ std::vector<SelectedEffect> effectsOf(const SetFit& best, const SearchResult& fo
   return effects;
 }
 
-std::vector<CompetingExplanations> competitorsOf(const SetFit& best, const std::vector<SelectedEffect>& effects,
+std::vector<CompetingExplanations> competitorsOf(const SetFit& best,
+                                                 const std::vector<SelectedEffect>& effects,
                                                  const Posterior& posterior) {
   std::vector<CompetingExplanations> all;
   const double own = posterior.of(best.effects);
@@ -110,7 +123,8 @@ std::vector<CompetingExplanations> competitorsOf(const SetFit& best, const std::
     for (std::size_t k = 0; k < posterior.sets.size(); ++k) {
       const EffectSet& other = posterior.sets[k]->effects;
       const double p = posterior.probability[static_cast<Index>(k)];
-      if (!differByExchange(best.effects, other) || contains(other, one.effect) || p < kTie * (p + own)) continue;
+      if (!differByExchange(best.effects, other) || contains(other, one.effect) || p < kTie * (p + own))
+        continue;
       for (const EffectCandidate& effect : other)
         if (!contains(rest, effect)) competing.others.push_back(effect);
       competing.probabilities.push_back(p);
@@ -133,7 +147,8 @@ void addProbabilities(const Posterior& posterior, std::vector<Candidate>& candid
 
 Selection select(const FitData& data, const std::vector<Evidence>& recordings, const FitModel& nominal,
                  const Selection* start, const SearchOptions& options, base::Progress* progress) {
-  SearchResult found = searchSets(data, recordings, nominal, start ? &start->best : nullptr, options, progress);
+  SearchResult found =
+      searchSets(data, recordings, nominal, start ? &start->best : nullptr, options, progress);
   const PredictiveScore score = scoreOf(data, found, options.seed);
   const Posterior posterior = posteriorOf(found, score);
   const SetFitter fitter(data, progress);

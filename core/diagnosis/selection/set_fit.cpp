@@ -51,7 +51,8 @@ SetFit SetFitter::shortFit(const SetFit& parent, EffectSet effects, const FitMod
                            const Eigen::VectorXd& u) const {
   const FitOptions options = data_.rigid() ? FitOptions{kShortIterationsRigid, kRough, nullptr}
                                            : FitOptions{kShortIterations, kRough, &parent.fit};
-  SetFit set{std::move(effects), fit(data_, model, u, parent.fit.initial, parent.weighting, options, progress_),
+  SetFit set{std::move(effects),
+             fit(data_, model, u, parent.fit.initial, parent.weighting, options, progress_),
              parent.weighting};
   holdOut(set);
   return set;

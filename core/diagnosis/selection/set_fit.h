@@ -42,7 +42,8 @@ class SetFitter {
   static void thin(SetFit& set);
 
  private:
-  SetFit shortFit(const SetFit& parent, EffectSet effects, const FitModel& model, const Eigen::VectorXd& u) const;
+  SetFit shortFit(const SetFit& parent, EffectSet effects, const FitModel& model,
+                  const Eigen::VectorXd& u) const;
   void holdOut(SetFit& set) const;
 
   const FitData& data_;

@@ -14,8 +14,8 @@
 namespace capstan::diagnosis {
 namespace {
 
-/// Share of a channel's held-out mean square that an effect must take off to be material: two effects may each move the tip
-/// far and together hardly at all.
+/// Share of a channel's held-out mean square that an effect must take off to be material: two effects may
+/// each move the tip far and together hardly at all.
 constexpr double kMaterialShare = 0.06;
 constexpr double kFar = 4.0;  // times what may be chance: no test needed
 
@@ -96,8 +96,8 @@ Cause causeOf(const FitData& data, const Selection& s, const SelectedEffect& sel
       cause.parameters = parametersOf(s.best.model, k, s.best.u, covariance);
   }
   cause.moves = displacementsBy(data, s.best, effect, robot);
-  cause.gain =
-      gainOf(data, selected.without, s.best_squares, channelOf(data, effect, selected.without, s.best_squares));
+  cause.gain = gainOf(data, selected.without, s.best_squares,
+                      channelOf(data, effect, selected.without, s.best_squares));
   return cause;
 }
 
@@ -121,8 +121,9 @@ std::string summaryOf(const Report& report) {
     case Verdict::kNothing:
       return report.also_measurable.empty()
                  ? "Nothing material: the refitted nominal robot explains the recording down to noise."
-                 : fmt::format("Nothing material: {} can be measured and moves no joint by more than the tolerance.",
-                               namesOf(report.also_measurable));
+                 : fmt::format(
+                       "Nothing material: {} can be measured and moves no joint by more than the tolerance.",
+                       namesOf(report.also_measurable));
     case Verdict::kUnexplained:
       return report.causes.empty()
                  ? "Something is there that no hypothesis explains."
@@ -148,8 +149,8 @@ Tie tieOf(const CompetingExplanations& competing, const Cause& cause) {
     tie.causes.push_back(std::move(other));
   }
   const EffectCandidate &one = competing.selected, &another = competing.others.front();
-  tie.separate = fmt::format("For {}: {} For {}: {}", nameOf(one), one.hypothesis->words.experiment, nameOf(another),
-                             another.hypothesis->words.experiment);
+  tie.separate = fmt::format("For {}: {} For {}: {}", nameOf(one), one.hypothesis->words.experiment,
+                             nameOf(another), another.hypothesis->words.experiment);
   return tie;
 }
 
