@@ -83,7 +83,7 @@ std::vector<Arrival> arrivalsOf(const robot::Description& robot, const simulatio
   base::Random random(options.seed, "arrivals");
   std::vector<Eigen::Isometry3d> places;
   for (int k = 0; k < options.locations; ++k) {
-    const Fragment fragment = drawnFragment(random, 0.0, options.most_yaw);
+    const Fragment fragment = drawnFragment(random, 0.0, ArrivalOptions::kMostYaw);
     places.push_back(scene.pose(fragment.place, fragment.yaw));
   }
   std::vector<Arrival> repetitions;
@@ -97,7 +97,7 @@ std::vector<Arrival> arrivalsOf(const robot::Description& robot, const simulatio
                                   {mode, rig.reachable(), rig.commanded()});
       if (!rig.follow(path)) continue;
       from = goal;
-      rig.rest(options.settle);
+      rig.rest(ArrivalOptions::kSettle);
       const Eigen::Isometry3d observed =
           rig.camera().registration() * rig.robot().arm().pose() * rig.camera().mounting();
       repetitions.push_back(
@@ -115,7 +115,6 @@ void checkArrival(const ArrivalOptions& options) {
   requireOption("arrivals", options.repetitions, 2, 10'000);
   requireOption("waypoints", options.waypoints, 2, 10'000);
   requireOption("speed [m/s]", options.speed, 1e-4, 1.0);
-  requireOption("settle [s]", options.settle, 0.0, 60.0);
 }
 
 ArrivalReport arrivalStudy(const robot::Description& robot, const simulation::ToolTruth& truth,

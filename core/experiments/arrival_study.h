@@ -10,13 +10,13 @@
 namespace capstan::experiments {
 
 struct ArrivalOptions {
-  int locations = 10;      ///< number of locations
-  int repetitions = 10;    ///< number of arrivals per location
-  int waypoints = 10;      ///< number of waypoints per motion
-  double speed = 0.05;     ///< speed of the tool [m/s]
-  double settle = 0.5;     ///< time at rest before a measurement [s]
-  double most_yaw = 0.35;  ///< largest yaw of a fragment [rad]
-  int threads = 2;         ///< number of modes in parallel; the result does not depend on it
+  int locations = 10;                       ///< number of locations
+  int repetitions = 10;                     ///< number of arrivals per location
+  int waypoints = 10;                       ///< number of waypoints per motion
+  double speed = 0.05;                      ///< speed of the tool [m/s]
+  static constexpr double kSettle = 0.5;    ///< time at rest before a measurement [s]
+  static constexpr double kMostYaw = 0.35;  ///< largest yaw of a fragment [rad]
+  int threads = 2;                          ///< number of modes in parallel; the result does not depend on it
   std::uint64_t seed = 1;
 };
 

@@ -136,7 +136,7 @@ base::Table debridementTable(const DebridementStudyReport& report, const Debride
         "values are chosen, not published.",
         speedup.value, range(speedup.interval, 2), kPaperSpeedup, DebridementTaskOptions::kFindTime,
         DebridementTaskOptions::kPlanTime, DebridementTaskOptions::kJawTime, DebridementTaskOptions::kLook,
-        toMillimetres(options.task.piece), toMillimetres(options.task.near));
+        toMillimetres(DebridementTaskOptions::kPiece), toMillimetres(options.task.near));
   return table;
 }
 
@@ -144,7 +144,7 @@ base::Table beyondTable(const DebridementStudyReport& report, const DebridementS
   const std::string title =
       fmt::format("Debridement of a grid {:.0f} mm beside that of the data", toMillimetres(options.beyond));
   base::Table table = methodsTable(title, report.beyond, false);
-  table.note = fmt::format("Low confidence: below {:g}.", options.task.observations.least_confidence);
+  table.note = fmt::format("Low confidence: below {:g}.", learning::kLeastConfidence);
   return table;
 }
 

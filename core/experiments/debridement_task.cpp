@@ -83,7 +83,7 @@ class Worker {
 
   void goTo(const Isometry3d& goal) {
     if (go(goal)) here_ = goal;
-    rig_.rest(options_.settle);
+    rig_.rest(DebridementTaskOptions::kSettle);
   }
 
   /// Moves to `goal`. Returns false when it is out of reach; then the arm does not move.
@@ -120,7 +120,7 @@ class Worker {
   bool goWhereConfident(const Isometry3d& goal) {
     std::vector<learning::CorrectedWaypoint> path = planned(goal, learning::CorrectionMode::kFullTrajectory);
     const std::size_t whole = path.size();
-    path.resize(learning::nextObservation(path, 0, options_.observations) + 1);
+    path.resize(learning::nextObservation(path, 0) + 1);
     return follow(path) && (path.size() == whole || goObserving(goal));
   }
 
@@ -128,7 +128,7 @@ class Worker {
   /// commanded and observed pose.
   bool goObserving(const Isometry3d& goal) {
     const double whole = (goal.translation() - here_.translation()).norm();
-    const int most = kMostPieces + static_cast<int>(whole / options_.piece);
+    const int most = kMostPieces + static_cast<int>(whole / DebridementTaskOptions::kPiece);
     for (int piece = 0; piece < most; ++piece) {
       const auto observed = rig_.look(DebridementTaskOptions::kLook);
       ++run_.observations;
@@ -136,7 +136,8 @@ class Worker {
       const double left = std::sqrt(learning::squaredDistance(*observed, goal, learning::kLever));
       if ((goal.translation() - observed->translation()).norm() <= options_.near && piece > 0) return true;
       rig_.rest(DebridementTaskOptions::kPlanTime);
-      const Isometry3d next = learning::poseBetween(*observed, goal, std::min(1.0, options_.piece / left));
+      const Isometry3d next =
+          learning::poseBetween(*observed, goal, std::min(1.0, DebridementTaskOptions::kPiece / left));
       const Isometry3d command = learning::offsetObserved(rig_.commanded(), *observed) * next;
       const learning::WithinReach reached =
           learning::withinReach(command, rig_.commanded(), rig_.commanded(), rig_.reachable());
@@ -161,7 +162,6 @@ class Worker {
 
 void checkDebridementTask(const DebridementTaskOptions& options) {
   requireOption("fragments", options.fragments, 1, 100'000);
-  requireOption("piece [m]", options.piece, 1e-3, 1.0);
   requireOption("near [m]", options.near, 1e-4, 1.0);
   requireOption("waypoints", options.waypoints, 2, 10'000);
   requireOption("beside [m]", options.beside.cwiseAbs().maxCoeff(), 0.0, 0.1);
@@ -177,7 +177,7 @@ std::vector<FragmentRun> debridementTask(const robot::Description& robot, const 
   base::Random random(options.seed, "fragments");
   std::vector<FragmentRun> runs;
   for (int k = 0; k < options.fragments && !(progress && progress->cancelled()); ++k) {
-    Fragment fragment = drawnFragment(random, 0.0, options.most_yaw);
+    Fragment fragment = drawnFragment(random, 0.0, DebridementTaskOptions::kMostYaw);
     fragment.place += options.beside;
     runs.push_back(worker.clear(fragment));
   }

@@ -25,17 +25,16 @@ struct DebridementTaskOptions {
   Eigen::Vector3d beside = Eigen::Vector3d::Zero();  ///< offset of the grid: lateral, depth, height [m]
   static constexpr double kSlow = 0.01;              ///< speed of kReplanning, the paper's prior work [m/s]
   static constexpr double kFast = 0.06;              ///< speed of the other methods, the paper's [m/s]
-  double piece = 0.02;                               ///< length of a piece of kReplanning [m]
+  static constexpr double kPiece = 0.02;             ///< length of a piece of kReplanning [m]
   double near = 0.002;                               ///< distance within which kReplanning has arrived [m]
   learning::CorrectionMode mode = learning::CorrectionMode::kEndPoint;  ///< mode of kCorrected
-  learning::ObservationOptions observations;                            ///< options of kWhereUncertain
   int waypoints = 10;                              ///< number of waypoints per motion without observations
-  double most_yaw = 0.35;                          ///< largest yaw of a fragment [rad]
+  static constexpr double kMostYaw = 0.35;         ///< largest yaw of a fragment [rad]
   static constexpr double kHover = 0.02;           ///< height above a fragment before and after grasping [m]
   static constexpr double kFindTime = 2.0;         ///< time to detect a fragment [s]
   static constexpr double kPlanTime = 0.5;         ///< time to plan a motion [s]
   static constexpr double kJawTime = 0.7;          ///< time to open or close the jaws [s]
-  double settle = 0.2;                             ///< time at rest at the goal of a motion [s]
+  static constexpr double kSettle = 0.2;           ///< time at rest at the goal of a motion [s]
   static constexpr double kLook = 0.2;             ///< duration of an observation [s]
   static constexpr double kFindSigma = 5e-4;       ///< horizontal noise of the detected position [m]
   static constexpr double kFindDepthSigma = 1e-3;  ///< vertical noise of the detected position [m]

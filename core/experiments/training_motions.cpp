@@ -27,7 +27,7 @@ std::vector<learning::CorrectedWaypoint> uncorrected(const std::vector<learning:
 /// Random pose on the widened grid, with a random tilt of the tool.
 Eigen::Isometry3d drawnPose(base::Random& random, const DebridementScene& scene,
                             const TrainingOptions& options) {
-  const Fragment place = drawnFragment(random, options.margin, options.most_yaw);
+  const Fragment place = drawnFragment(random, options.margin, TrainingOptions::kMostYaw);
   const double tilt = options.most_tilt;
   const Eigen::Vector3d across(0.0, random.uniform(-tilt, tilt), random.uniform(-tilt, tilt));
   Eigen::Isometry3d pose = scene.pose(place.place, place.yaw);
@@ -42,7 +42,6 @@ void checkTraining(const TrainingOptions& options) {
   requireOption("training speed [m/s]", options.speed, 1e-4, 1.0);
   requireOption("rest [s]", options.rest, 0.0, 60.0);
   requireOption("margin [m]", options.margin, 0.0, 0.05);
-  requireOption("most_yaw [rad]", options.most_yaw, 0.0, 1.5);
   requireOption("most_tilt [rad]", options.most_tilt, 0.0, 1.0);
 }
 

@@ -36,7 +36,7 @@ experiments::TrialSetup setUpSample(const MonteCarloOptions& options,
   Eigen::Vector3d radius;
   for (int i = 0; i < 3; ++i) radius(i) = simulated.robot.drives[static_cast<std::size_t>(i)].link_radius;
   simulated.truth.cameras.pixel_sigma = options.pixel_sigma;
-  simulated.truth = drawRandomizedRobot(simulated.truth, radius, options.spread, seed);
+  simulated.truth = drawRandomizedRobot(simulated.truth, radius, RandomizationSpread{}, seed);
   simulated.joint_decimation = 0;
   setup.inputs.truth = simulation::formatTruth(simulated.truth);
   setup.inputs.trajectory = base::writeYaml(simulated.trajectory);

@@ -28,8 +28,7 @@ struct MonteCarloOptions {
   std::string parameters = "r_l,k_e,b_e,f_c";
   std::string truth;       ///< truth file at the centre of the samples
   std::string trajectory;  ///< see simulation::SimulationRequest::trajectory
-  RandomizationSpread spread;
-  int threads = 2;  ///< number of samples in parallel; the result does not depend on it
+  int threads = 2;         ///< number of samples in parallel; the result does not depend on it
   /// Folder of finished samples, which are not run again unless program, options or robot changed; empty:
   /// none.
   std::filesystem::path out;

@@ -8,18 +8,15 @@
 /// and are divided into short pieces with an observation after each where it is low (GPR paper, section VI).
 namespace capstan::learning {
 
-struct ObservationOptions {
-  /// Corrected::confidence below which a motion is divided. At 0.9 the standard deviation is a third of that
-  /// without data.
-  double least_confidence = 0.9;
-  double piece = 0.01;  ///< length of such a piece [m]
-};
+/// Corrected::confidence below which a motion is divided. At 0.9 the standard deviation is a third of that
+/// without data.
+inline constexpr double kLeastConfidence = 0.9;
+inline constexpr double kObservedPiece = 0.01;  ///< length of a piece of a divided motion [m]
 
 /// Index of the waypoint at which to stop and observe next, after the observation at waypoint `from`. If all
 /// waypoints ahead have high confidence, it is the last one. Otherwise it is the first one at a distance of
-/// `piece` along the desired path or the one before the first with low confidence, whichever is later.
-std::size_t nextObservation(const std::vector<CorrectedWaypoint>& path, std::size_t from,
-                            const ObservationOptions& options);
+/// kObservedPiece along the desired path or the one before the first with low confidence, whichever is later.
+std::size_t nextObservation(const std::vector<CorrectedWaypoint>& path, std::size_t from);
 
 /// Rigid offset commanded · observed⁻¹ at an observed pose. It maps the remaining motion from the cameras'
 /// frame to the robot's frame. It is the only correction of robots that observe continuously (Kehoe et al.,
