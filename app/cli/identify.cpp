@@ -292,7 +292,7 @@ void addIdentify(CLI::App& app, ExitCode& exit) {
       "--out", arguments->out,
       "identified robot file to write; result of the batch method if it found one, else of the dual UKF");
   command->add_option("--tracking-out", arguments->tracking_out,
-                      "file to write with the identified delay of the camera, for use with track --options");
+                      "output: file of filter options that contains the identified delay of the camera, for track --options");
   command->add_option("--trace", arguments->trace, "CSV file to write with the estimates of the dual UKF over time");
   command->add_option("--held-out", arguments->drive.held_out,
                       "robot of one joint: recordings for evaluation only");

@@ -157,7 +157,7 @@ void addLearn(CLI::App& app, ExitCode& exit) {
   command
       ->add_option(
           "--towards", arguments->towards,
-          "poses that the correction is learned for: commanded poses, or poses of the robot's kinematics\n"
+          "poses that the observed poses are compared with: commanded poses, or poses from the robot's kinematics\n"
           "(`diagnose --towards` calls the latter kinematics)")
       ->capture_default_str()
       ->check(CLI::IsMember({"command", "robot"}));

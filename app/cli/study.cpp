@@ -5,13 +5,13 @@
 #include "app/cli/study_monte_carlo.h"
 #include "app/cli/study_motor_failure.h"
 
-/// `capstan-cli study NAME`: Monte-Carlo studies of the method, not of a recording. Each file study_*.cpp
+/// `capstan-cli study NAME`: studies of the method, mostly on simulated robots. Each file study_*.cpp
 /// holds one study and adds its subcommand to `study`.
 namespace capstan::cli {
 
 void addStudy(CLI::App& app, ExitCode& exit) {
   CLI::App* study =
-      app.add_subcommand("study", "Monte-Carlo studies of the method itself, on the simulated robot");
+      app.add_subcommand("study", "Studies of the method itself, mostly Monte-Carlo studies on simulated robots");
   study->require_subcommand(1);
   addMonteCarloStudy(*study, exit);
   addCramerRaoStudy(*study, exit);

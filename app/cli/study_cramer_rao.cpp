@@ -114,8 +114,8 @@ void addCramerRaoStudy(CLI::App& study, ExitCode& exit) {
   auto arguments = std::make_shared<StudyArguments>();
   CLI::App* command =
       study.add_subcommand("cramer-rao",
-                           "Compare the filter's error with the posterior Cramér-Rao bound, and a measurement "
-                           "noise R computed from the pixel noise with a constant R");
+                           "Two comparisons: the filter's error with the posterior Cramér-Rao bound; tracking "
+                           "with a measurement noise R from the pixel noise with tracking with a constant R");
   CramerRaoOptions& bound = options->bound;
   command->add_option("--runs", bound.runs, "number of random trajectories of the filter's model")
       ->capture_default_str()

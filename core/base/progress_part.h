@@ -7,7 +7,7 @@
 namespace capstan::base {
 
 /// Part of a larger piece of work. Its own progress 0…1 is reported as `begin`…`end` of the whole, and its
-/// phrase is put behind the phrase `of` of the whole.
+/// phrase is appended to the phrase of the whole, which is the member `of`.
 struct ProgressPart {
   double begin = 0.0, end = 1.0;
   std::string of = {};

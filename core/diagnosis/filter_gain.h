@@ -49,7 +49,7 @@ struct FilterGainReport {
 /// it, the RMS is that of tracking with each robot.
 ///
 /// For cable-driven remote-centre arms of three joints. Recordings without joint encoders or cameras are
-/// excluded, with a notice each; a notice also gives the reason if the robot cannot be followed. The result
+/// excluded, with a notice each; a notice gives the reason if the filter cannot run with this robot. The result
 /// does not depend on the number of threads. Throws nothing of its own.
 FilterGainReport filterGain(const std::vector<Evidence>& recordings, const FilterRobots& robots,
                             const FilterGainOptions& options = {}, base::Progress* progress = nullptr);

@@ -25,8 +25,8 @@ struct MotorInterval {
 /// Parameter filter of the dual UKF, UKF paper (11)–(12): w_{k+1} = w_k + r_k, d_k = G(x_k, w_k) + e_k. G
 /// propagates the arm over an interval of motor samples and gives the tip as the camera measures it.
 ///
-/// The unknowns have unit prior, as in output_error.h: logarithms / their prior sigma, then CameraPose / its
-/// own. The sigma points are at ±√3 times the columns of S, the central-difference rule (van der Merwe 2004,
+/// Each unknown has a prior of variance 1, as in output_error.h: first each logarithm, then each element of
+/// CameraPose, divided by its prior sigma. The sigma points are at ±√3 times the columns of S, the central-difference rule (van der Merwe 2004,
 /// section 3.4), whose spread does not grow with the number of unknowns. The points advance side by side, one
 /// lane per point with its own cable. S is lower triangular with the cable parameters first, so the points of
 /// the pose need no propagation.

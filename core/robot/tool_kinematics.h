@@ -14,7 +14,7 @@ class ToolKinematics {
   /// (remote_centre.h).
   explicit ToolKinematics(const Description& description);
 
-  /// Transform frame 0 from the tool's frame.
+  /// Pose of the tool's frame in frame 0 (frame0_from_tool).
   Eigen::Isometry3d pose(const JointVector& q) const;
   /// Joint positions for a pose, on the branch nearest to `near`, within the limits of the robot file.
   base::Result<JointVector, ReachFault> solve(const Eigen::Isometry3d& pose, double opening,

@@ -28,7 +28,7 @@ struct PoseMotion {
   Eigen::Matrix3Xd observed;   ///< observed positions [m]
 };
 
-/// Motions of all trajectories with observations. Observations are used if they count, lie at least kBefore
+/// Motions of all trajectories with observations. Observations are used if they are no outliers (`counts`), lie at least kBefore
 /// after the start of the path (a delay refers to earlier poses) and before its end, and are not in a gap of
 /// the path longer than kLongestGap. Throws base::InputError with fewer than kFewestMotions motions.
 std::vector<PoseMotion> motionsOf(const PoseEvidence& evidence, PoseReference reference);
@@ -49,8 +49,8 @@ struct PoseNumbers {
 /// tool's rotation R_t becomes
 ///     a = p + R_t marker + insertion p / |p|,
 ///     b: time_constant ḃ = a − b, b = a at the start,
-///     c: play of half width `gap` on b, axis by axis (c moves when it is half a width behind; it starts in
-///        the middle of the play),
+///     c: play of half width `gap` on b, axis by axis (c follows b where they differ by more than `gap`, and
+///        stays `gap` behind; it starts in the middle of the play),
 ///     d(t) = c(t − camera.delay), linear between the path's stamps, and constant beyond its ends.
 /// The observation is CameraNumbers::measure(d), that is (1 + scale) R d + offset.
 Eigen::Matrix3Xd seenBy(const PoseNumbers& numbers, const PoseMotion& motion);

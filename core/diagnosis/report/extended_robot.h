@@ -6,8 +6,8 @@
 
 namespace capstan::diagnosis {
 
-/// Robot file of report.extended. Comments at its top list the recordings, the identified causes, and the
-/// parameters that the refit changed. robot::parseDescription() restores the robot to the last bit.
+/// Robot file of report.extended. Comments at its top list the recordings, the causes, smaller and background
+/// effects, and the parameters that the refit changed. robot::parseDescription() restores the robot to the last bit.
 /// `software` is the program and its version; empty: omitted.
 std::string extendedRobotText(const Report& report, const std::string& software);
 

@@ -53,7 +53,7 @@ class AnalysisPanel : public QWidget {
   void refresh();
   void cancel();
   /// Writes base-histogram and base-boxplot as .pdf, .svg, .png and .csv, base-table as .md, .tex and .csv.
-  /// The panel shows errors.
+  /// If writing fails, the panel shows the message.
   void exportTo(const QString& base, PaperSize size);
   /// Writes every figure and table of the chosen runs (for results: of the whole experiment) into `folder`,
   /// with an index page; for two runs also their comparison as shown. It runs in the background; the panel
