@@ -22,9 +22,10 @@ void addDiagnose(CLI::App& app, ExitCode& exit) {
   command->add_option("--only", arguments->options.only, "effects to consider, by their names in robot files")
       ->delimiter(',');
   command
-      ->add_option("--towards", arguments->towards,
-                   "for tip poses: compare the observed poses with the robot's kinematics or with the commands\n"
-                   "(default: kinematics, if the table has it)")
+      ->add_option(
+          "--towards", arguments->towards,
+          "for tip poses: compare the observed poses with the robot's kinematics or with the commands\n"
+          "(default: kinematics, if the table has it)")
       ->check(CLI::IsMember({"kinematics", "command"}));
   command
       ->add_option("--skip-start", arguments->skip_start,
@@ -51,6 +52,10 @@ void addDiagnose(CLI::App& app, ExitCode& exit) {
       "do not compute how much the error of the Kalman filter falls with the extended robot");
   command->add_option("--out", arguments->out,
                       "extended robot file to write, for simulator, identification and filter");
+  command->add_option(
+      "--next", arguments->next,
+      "trajectory to write (.csv for simulate --trajectory): the motion that best distinguishes\n"
+      "the most probable causes, if the verdict is tie or unexplained");
   command->add_option("--report", arguments->report,
                       "folder for a page with figures, JSON and robot file: new, empty, or of a former run");
   command->add_option("--json", arguments->json, "result as JSON, SI: a file, or - for standard output");
@@ -62,7 +67,8 @@ void addDiagnose(CLI::App& app, ExitCode& exit) {
       "Examples:\n"
       "  capstan-cli diagnose trial.capstan\n"
       "  capstan-cli diagnose slow.csv fast.csv --robot arm.yaml --report diagnosis --out arm_extended.yaml\n"
-      "  capstan-cli diagnose trial.capstan --only backlash,cable_hysteresis --json -");
+      "  capstan-cli diagnose trial.capstan --only backlash,cable_hysteresis --json -\n"
+      "  capstan-cli diagnose trial.capstan --next next.csv   # then record it and diagnose both");
   command->callback([arguments, &exit] { exit = runDiagnose(*arguments); });
 }
 

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <vector>
 
+#include "core/diagnosis/experiment_design/next_experiment.h"
 #include "core/diagnosis/hypotheses/pose_hypotheses.h"
 #include "core/diagnosis/report/report_tables.h"
 #include "core/diagnosis/report/shown.h"
@@ -79,6 +80,10 @@ std::string causesText(const Report& report) {
   return text;
 }
 
+std::string nextText(const Report& report) {
+  return report.next ? wrapped(diagnosis::sentenceOf(*report.next)) + "\n" : std::string();
+}
+
 std::string alsoMeasurableText(const Report& report) {
   if (report.also_measurable.empty()) return {};
   std::string text = diagnosis::alsoMeasurableTitle(report) + ":\n";
@@ -133,7 +138,7 @@ std::string textOf(const Report& report) {
   std::string text = report.cancelled
                          ? "Cancelled: no verdict. Results until then:\n\n"
                          : wrapped(report.summary) + "\n" + causesText(report) + alsoMeasurableText(report) +
-                               unexplainedText(report);
+                               unexplainedText(report) + nextText(report);
   if (!report.channels.empty()) text += plainText(diagnosis::channelTable(report)) + "\n";
   if (!report.explainable.empty()) text += plainText(diagnosis::explainableTable(report)) + "\n";
   if (report.posterior.size() > 1) text += plainText(diagnosis::posteriorTable(report, kRanked)) + "\n";

@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/base/software.h"
 #include "core/base/yaml.h"
+#include "core/diagnosis/experiment_design/next_experiment.h"
 #include "core/diagnosis/report/extended_robot.h"
 #include "core/robot/effects.h"
 #include "widgets/figures/diagnosis_export.h"
@@ -41,6 +42,8 @@ void checkPoseOptions(const DiagnoseArguments& arguments) {
                  "Leave it out");
   if (!arguments.material.empty())
     refuseOption("--material", arguments.material, "is for recordings that are simulated", "Leave it out");
+  if (!arguments.next.empty())
+    refuseOption("--next", arguments.next, "is for recordings that are simulated", "Leave it out");
   if (!arguments.zeros.empty())
     refuseOption("--zeros", arguments.zeros, "is for recordings with joint encoders; poses have none",
                  "Leave it out");
@@ -56,7 +59,7 @@ void checkFiles(const DiagnoseArguments& arguments) {
       refuseReadAs(file, format, readAsOf(arguments.read_as));
   std::vector<std::string> inputs = files;
   inputs.push_back(arguments.robot);
-  checkOutputs({{"--out", arguments.out}, {"--json", arguments.json}}, inputs);
+  checkOutputs({{"--out", arguments.out}, {"--next", arguments.next}, {"--json", arguments.json}}, inputs);
   if (arguments.report.empty()) return;
   checkOutputFolder("--report", arguments.report, {"index.html", "report.json", "robot.yaml"}, inputs);
   widgets::checkExportFolder(arguments.report, widgets::kDiagnosisMark);
@@ -94,6 +97,13 @@ void writeRobot(const DiagnoseArguments& arguments, const Report& report) {
   if (report.causes.empty()) notice("nothing was named: " + arguments.out + " is the refitted robot");
 }
 
+void writeNext(const DiagnoseArguments& arguments, const Report& report) {
+  if (report.next)
+    base::writeTextFile(arguments.next, diagnosis::trajectoryText(*report.next));
+  else
+    notice("no experiment is proposed: " + arguments.next + " was not written");
+}
+
 /// Writes the page of --report. Returns false if it was cancelled while figures were drawn.
 bool writePage(const DiagnoseArguments& arguments, const Report& report, const robot::Description& nominal) {
   const FileDrawing drawing;
@@ -106,7 +116,7 @@ bool writePage(const DiagnoseArguments& arguments, const Report& report, const r
 /// Prints a notice of the cancellation with the files that were not written. Returns kFailed.
 ExitCode cancelled(const DiagnoseArguments& arguments, const std::string& what) {
   std::string files;
-  for (const std::string& file : {arguments.out, arguments.report})
+  for (const std::string& file : {arguments.out, arguments.next, arguments.report})
     if (!file.empty()) files += (files.empty() ? "" : ", ") + file;
   notice("cancelled: " + what + (files.empty() ? "" : "; not written: " + files));
   return kFailed;
@@ -129,6 +139,7 @@ ExitCode runDiagnose(const DiagnoseArguments& arguments, const diagnosis::Diagno
   output.json(jsonOf(found));
   if (report.cancelled) return cancelled(arguments, "these are the results until then");
   if (!arguments.out.empty()) writeRobot(arguments, report);
+  if (!arguments.next.empty()) writeNext(arguments, report);
   if (!arguments.report.empty() && !writePage(arguments, report, found.nominal)) {
     notice("cancelled: " + arguments.report + " lacks figures");
     return kFailed;

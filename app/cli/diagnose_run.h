@@ -11,7 +11,7 @@ namespace capstan::cli {
 /// Arguments of `capstan-cli diagnose`.
 struct DiagnoseArguments {
   std::vector<std::string> files;
-  std::string robot, json, report, out;  ///< values of the options; empty: not given
+  std::string robot, json, report, out, next;  ///< values of the options; empty: not given
   std::string towards;      ///< reference of tip poses: kinematics, command; empty: chosen by the table
   std::string zeros;        ///< zeros of joint encoders: known, shared, each; empty: options.zeros
   double skip_start = 0.0;  ///< initial time that is not compared [s]

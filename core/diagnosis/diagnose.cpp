@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "core/base/error.h"
+#include "core/diagnosis/experiment_design/next_experiment.h"
 #include "core/diagnosis/filter_gain.h"
 #include "core/diagnosis/hypotheses/joint_scales.h"
 #include "core/diagnosis/selection/explainable.h"
@@ -263,6 +264,11 @@ Report diagnose(const std::vector<Evidence>& recordings, const robot::Descriptio
   judge(data, selection, nominal, report);
   if (options.show && report.verdict == Verdict::kUnexplained) assembly.addProcess(progress);
   clock.lap("judge");
+  if (options.show && (report.verdict == Verdict::kTie || report.verdict == Verdict::kUnexplained)) {
+    report.next =
+        nextExperiment(data, recordings, selection, nominal, options.zeros, options.threads, progress);
+    clock.lap("next experiment");
+  }
   for (const Evidence& evidence : recordings)
     report.notices.insert(report.notices.end(), evidence.notices.begin(), evidence.notices.end());
   if (options.show && options.filter) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/yaml.h"
+#include "core/diagnosis/experiment_design/next_experiment.h"
 #include "core/diagnosis/report/extended_robot.h"
 #include "core/diagnosis/report/report_json.h"
 #include "widgets/figures/residual_figure.h"
@@ -101,9 +102,14 @@ void DiagnosisExport::draw() {
 std::vector<fs::path> DiagnosisExport::finish() {
   base::writeTextFile(folder_ / "report.json", diagnosis::jsonOf(report_).dump(2) + "\n");
   base::writeTextFile(folder_ / "robot.yaml", diagnosis::extendedRobotText(report_, origin_.software));
-  base::writeTextFile(folder_ / kIndexFile,
-                      diagnosisPage(report_, origin_, channels_, {"report.json", "robot.yaml"}));
-  for (const char* file : {"report.json", "robot.yaml", kIndexFile}) files_.push_back(folder_ / file);
+  std::vector<std::string> names = {"report.json", "robot.yaml"};
+  if (report_.next) {
+    names.push_back("next-experiment.csv");
+    base::writeTextFile(folder_ / names.back(), diagnosis::trajectoryText(*report_.next));
+  }
+  base::writeTextFile(folder_ / kIndexFile, diagnosisPage(report_, origin_, channels_, names));
+  names.push_back(kIndexFile);
+  for (const std::string& file : names) files_.push_back(folder_ / file);
   return files_;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/diagnosis/experiment_design/next_experiment.h"
 #include "core/diagnosis/hypotheses/pose_hypotheses.h"
 #include "core/diagnosis/report/report_tables.h"
 #include "core/diagnosis/report/shown.h"
@@ -92,6 +93,10 @@ std::string causesHtml(const Report& report) {
     if (!tied) html += causeHtml(cause);
   }
   return html;
+}
+
+std::string nextHtml(const Report& report) {
+  return report.next ? paragraph(diagnosis::sentenceOf(*report.next)) : std::string();
 }
 
 /// Effects of the model that are no causes, folded.
@@ -189,7 +194,8 @@ std::string diagnosisPage(const Report& report, const DiagnosisOrigin& origin,
   html += paragraph(origin.software + (origin.created.empty() ? "" : ", " + origin.created) +
                         ". Recordings: " + recordings + ".",
                     "note");
-  html += verdictHtml(report) + causesHtml(report) + alsoMeasurableHtml(report) + unexplainedHtml(report);
+  html += verdictHtml(report) + causesHtml(report) + alsoMeasurableHtml(report) + unexplainedHtml(report) +
+          nextHtml(report);
   html += "<h2>Where the robot model is wrong</h2>\n";
   if (!report.channels.empty()) html += htmlTable(diagnosis::channelTable(report));
   if (!report.explainable.empty()) html += barTable(diagnosis::explainableTable(report), "explained");

@@ -22,7 +22,8 @@ std::string backgroundEffects(const Report& report) {
   std::string names;
   for (const robot::Effect& effect : report.extended.effects) {
     const auto is_it = [&](const Cause& c) { return c.effect == effect.effect && c.joint == effect.joint; };
-    if (std::ranges::any_of(report.causes, is_it) || std::ranges::any_of(report.also_measurable, is_it)) continue;
+    if (std::ranges::any_of(report.causes, is_it) || std::ranges::any_of(report.also_measurable, is_it))
+      continue;
     names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", shownName(effect.effect),
                          shownJoint(effect.effect, effect.joint));
   }
@@ -43,7 +44,8 @@ std::string extendedRobotText(const Report& report, const std::string& software)
         fmt::format("#   {}; probability {:.0f} %\n", oneLine(causeText(cause)), 100.0 * cause.probability);
   if (!report.also_measurable.empty())
     text += fmt::format("# Also measurable, below the tolerance of {}:\n", formatTolerance(report.material));
-  for (const Cause& cause : report.also_measurable) text += fmt::format("#   {}\n", oneLine(causeText(cause)));
+  for (const Cause& cause : report.also_measurable)
+    text += fmt::format("#   {}\n", oneLine(causeText(cause)));
   if (const std::string background = backgroundEffects(report); !background.empty())
     text += "# Background effects, within their normal size: " + background + "\n";
   bool moved = false;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -55,7 +56,7 @@ struct Cause {
   int joint = 0;  ///< joint, from 1; 0: the whole arm or a camera
   std::vector<FoundParameter> parameters;
   double probability = 0.0;  ///< posterior probability that the effect belongs to the model
-  double loss = 0.0;         ///< held-out log predictive density that is lost without this effect alone [nats]
+  double loss = 0.0;  ///< held-out log predictive density that is lost without this effect alone [nats]
   Displacements moves = {};  ///< displacement by the effect; joints empty: not computed
   Gain gain = {};            ///< reduction of the channel whose residual falls most
 };
@@ -95,7 +96,7 @@ struct Candidate {
   int round = 1;          ///< expansion of the search in which it was tested
   double screened = 0.0;  ///< predicted reduction of the residual's mean square (score test), as a share
   bool refitted = false;
-  double reduction = 0.0;    ///< largest cross-validated reduction over the channels; NaN: not refitted
+  double reduction = 0.0;  ///< largest cross-validated reduction over the channels; NaN: not refitted
   /// Held-out log likelihood with the effect minus that without it [nats]; NaN: not refitted.
   double score = 0.0;
   double probability = 0.0;  ///< as Cause::probability
@@ -141,6 +142,16 @@ struct Explainable {
   std::string leans_on;  ///< signals that the regression with the smaller residual depends on
 };
 
+/// Proposed recording: the motion that distinguishes the most probable models best (next_experiment.h).
+struct NextExperiment {
+  std::string motion;                      ///< "joint 2 sweeps slowly, the other joints rest"
+  std::vector<NamedEffect> distinguishes;  ///< effects that are in some of these models and not in all
+  std::vector<double> t;                   ///< times of the trajectory, from 0 [s]
+  Columns q;                               ///< joint positions of the trajectory [rad or m]
+  /// Probability of choosing a wrong one of these models: now, and its bound after the recording.
+  double confusion_now = 0.0, confusion_after = 0.0;
+};
+
 /// Stage of a diagnosis, and its duration.
 struct Stage {
   std::string name;
@@ -150,7 +161,7 @@ struct Stage {
 /// Result of a diagnosis.
 struct Report {
   Verdict verdict = Verdict::kNothing;
-  std::string summary;  ///< one or two sentences for people
+  std::string summary;                 ///< one or two sentences for people
   std::vector<Cause> causes;           ///< material effects, the largest Cause::loss first
   std::vector<Cause> also_measurable;  ///< effects of the model that are smaller than the tolerance
   Tolerance material;
@@ -163,8 +174,9 @@ struct Report {
   std::vector<Explainable> explainable;    ///< one per channel; the largest ratio of residual to noise first
   std::vector<ResidualProcess> processes;  ///< processes of channels with an unexplained residual
   std::vector<SpectralLine> lines;
-  std::vector<FilterGain> filter;  ///< empty: not requested, or no joint encoders
-  double explained = 0.0;          ///< share of the refitted residual beyond noise that the causes explain
+  std::vector<FilterGain> filter;      ///< empty: not requested, or no joint encoders
+  std::optional<NextExperiment> next;  ///< only for a tie or an unexplained residual of a cable drive
+  double explained = 0.0;  ///< share of the refitted residual beyond noise that the causes explain
   robot::Description refitted, extended;  ///< refitted robot, and the same with all effects
   std::vector<Stage> stages;
   std::vector<std::string> notices;  ///< remarks for the user, one line each

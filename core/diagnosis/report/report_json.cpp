@@ -37,12 +37,23 @@ json movesJson(const Displacements& moves) {
   return {{"joints", list(moves.joints, one)}, {"tip", one(moves.tip)}};
 }
 
+json namesJson(const std::vector<NamedEffect>& effects) {
+  return list(effects, [](const NamedEffect& one) {
+    return json{{"effect", one.effect}, {"joint", one.joint}};
+  });
+}
+
 json setJson(const SetProbability& set) {
-  return {{"effects", list(set.effects,
-                           [](const NamedEffect& one) {
-                             return json{{"effect", one.effect}, {"joint", one.joint}};
-                           })},
-          {"probability", number(set.probability)}};
+  return {{"effects", namesJson(set.effects)}, {"probability", number(set.probability)}};
+}
+
+json nextJson(const std::optional<NextExperiment>& next) {
+  if (!next) return json();
+  return {{"motion", next->motion},
+          {"duration", next->t.empty() ? 0.0 : next->t.back()},
+          {"distinguishes", namesJson(next->distinguishes)},
+          {"confusion_now", number(next->confusion_now)},
+          {"confusion_after", number(next->confusion_after)}};
 }
 
 json tieJson(const Tie& tie) {
@@ -139,15 +150,9 @@ json processJson(const ResidualProcess& process) {
 }
 
 json explainableJson(const Explainable& one) {
-  return {{"channel", one.channel},
-          {"unit", one.unit},
-          {"noise", number(one.noise)},
-          {"refitted", number(one.refitted)},
-          {"named", number(one.named)},
-          {"linear", number(one.linear)},
-          {"flexible", number(one.flexible)},
-          {"share", number(one.share)},
-          {"leans_on", one.leans_on}};
+  return {{"channel", one.channel},           {"unit", one.unit},           {"noise", number(one.noise)},
+          {"refitted", number(one.refitted)}, {"named", number(one.named)}, {"linear", number(one.linear)},
+          {"flexible", number(one.flexible)}, {"share", number(one.share)}, {"leans_on", one.leans_on}};
 }
 
 json lineJson(const SpectralLine& line) {
@@ -172,12 +177,9 @@ json jsonOf(const Cause& cause) {
   for (const FoundParameter& parameter : cause.parameters)
     parameters[parameter.name] = {
         {"value", number(parameter.value)}, {"sigma", number(parameter.sigma)}, {"unit", parameter.unit}};
-  return {{"effect", cause.effect},
-          {"joint", cause.joint},
-          {"parameters", parameters},
-          {"probability", number(cause.probability)},
-          {"loss", number(cause.loss)},
-          {"moves", movesJson(cause.moves)},
+  return {{"effect", cause.effect},      {"joint", cause.joint},
+          {"parameters", parameters},    {"probability", number(cause.probability)},
+          {"loss", number(cause.loss)},  {"moves", movesJson(cause.moves)},
           {"gain", gainJson(cause.gain)}};
 }
 
@@ -192,6 +194,7 @@ json jsonOf(const Report& report) {
           {"material", {{"angle", report.material.angle}, {"length", report.material.length}}},
           {"posterior", list(report.posterior, setJson)},
           {"ties", list(report.ties, tieJson)},
+          {"next_experiment", nextJson(report.next)},
           {"refit", refitJson(report.refit)},
           {"candidates", list(report.candidates, candidateJson)},
           {"channels", list(report.channels, channelJson)},

@@ -16,6 +16,8 @@ namespace capstan::diagnosis {
 ///      "also_measurable": [as causes], "material": {"angle", "length"},
 ///      "posterior": [{"effects": [{"effect", "joint"}], "probability"}],
 ///      "ties": [{"causes": [as above], "separate"}],
+///      "next_experiment": {"motion", "duration", "distinguishes": [{"effect", "joint"}], "confusion_now",
+///                          "confusion_after"} or null,
 ///      "refit": {name: {"nominal", "value", "sigma", "without", "unit", "moved", "at_bound"}},
 ///      "candidates": [{"effect", "joint", "round", "screened", "refitted", "reduction", "score",
 ///                      "probability"}],

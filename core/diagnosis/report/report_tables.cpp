@@ -99,9 +99,11 @@ std::string movesText(const Cause& cause) {
   std::vector<std::string> parts;
   for (std::size_t j = 0; j < moves.joints.size(); ++j)
     if (moves.joints[j].rms > kNamed * most)
-      parts.push_back(one(fmt::format("joint {}", j + 1), moves.joints[j], moves.joints[j].slides ? "m" : "rad"));
+      parts.push_back(
+          one(fmt::format("joint {}", j + 1), moves.joints[j], moves.joints[j].slides ? "m" : "rad"));
   if (moves.tip.largest > 0.0) parts.push_back(one("the tip", moves.tip, "m"));
-  return parts.empty() ? std::string("moves nothing in these recordings") : fmt::format("moves {}", fmt::join(parts, ", "));
+  return parts.empty() ? std::string("moves nothing in these recordings")
+                       : fmt::format("moves {}", fmt::join(parts, ", "));
 }
 
 std::string alsoMeasurableTitle(const Report& report) {
@@ -241,11 +243,13 @@ Table explainableTable(const Report& report) {
                    text("the better regression")};
   for (const Explainable& one : report.explainable) {
     const ShownUnit unit = shownUnit(one.unit);
-    table.rows.push_back({one.channel + " [" + unit.unit + "]", unit.scale * one.refitted, unit.scale * one.named,
-                          unit.scale * one.linear, unit.scale * one.flexible, 100.0 * one.share, one.leans_on});
+    table.rows.push_back({one.channel + " [" + unit.unit + "]", unit.scale * one.refitted,
+                          unit.scale * one.named, unit.scale * one.linear, unit.scale * one.flexible,
+                          100.0 * one.share, one.leans_on});
   }
   table.note =
-      "Explained: share of what can be explained from these signals. Least squares: on at most seven measured columns.";
+      "Explained: share of what can be explained from these signals. Least squares: on at most seven "
+      "measured columns.";
   return table;
 }
 

@@ -21,7 +21,8 @@ constexpr std::array kUnits = {Unit{"deg", base::kRadiansPerDegree, &Tolerance::
                                Unit{"um", 1e-6, &Tolerance::length}, Unit{"m", 1.0, &Tolerance::length}};
 
 [[noreturn]] void refuse(std::string_view part, const std::string& option) {
-  throw base::InputError({"", 0, option, std::string(part), "is no angle or length greater than zero with its unit",
+  throw base::InputError({"", 0, option, std::string(part),
+                          "is no angle or length greater than zero with its unit",
                           "Write for example 0.02deg,0.01mm; units: deg, rad, mm, um, m"});
 }
 
@@ -51,7 +52,8 @@ Tolerance parseTolerance(std::string_view text, const std::string& option) {
 }
 
 std::string formatTolerance(const Tolerance& tolerance) {
-  return fmt::format("{:.6g}deg,{:.6g}mm", base::toDegrees(tolerance.angle), base::toMillimetres(tolerance.length));
+  return fmt::format("{:.6g}deg,{:.6g}mm", base::toDegrees(tolerance.angle),
+                     base::toMillimetres(tolerance.length));
 }
 
 }  // namespace capstan::diagnosis

@@ -70,6 +70,17 @@ std::vector<SetProbability> windowOf(const Posterior& posterior) {
   return sets;
 }
 
+/// The sets with the highest probabilities, without what can be computed again.
+std::vector<ProbableSet> probableOf(const Posterior& posterior) {
+  std::vector<ProbableSet> sets;
+  for (std::size_t k = 0; k < posterior.sets.size(); ++k)
+    sets.push_back({*posterior.sets[k], posterior.probability[static_cast<Index>(k)]});
+  std::ranges::stable_sort(sets, std::greater<>(), &ProbableSet::probability);
+  if (sets.size() > kProbableSets) sets.erase(sets.begin() + kProbableSets, sets.end());
+  for (ProbableSet& one : sets) SetFitter::thin(one.set);
+  return sets;
+}
+
 /// Most probable set of those that were fitted; the search's best where there is none.
 const SetFit& mostProbable(const Posterior& posterior, const SearchResult& found) {
   Index at = 0;
@@ -172,6 +183,7 @@ Selection select(const FitData& data, const std::vector<Evidence>& recordings, c
               .effects = effectsOf(best, found, posterior, score),
               .competitors = {},
               .posterior = windowOf(posterior),
+              .probable = probableOf(posterior),
               .candidates = std::move(found.tested)};
   s.competitors = competitorsOf(best, s.effects, posterior);
   addProbabilities(posterior, s.candidates);

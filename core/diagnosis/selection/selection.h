@@ -25,6 +25,12 @@ struct CompetingExplanations {
   std::vector<double> probabilities;
 };
 
+/// One set of the posterior, with its fit.
+struct ProbableSet {
+  SetFit set;
+  double probability = 0.0;
+};
+
 /// Selected effects: the set with the highest posterior probability, and the probabilities of other sets.
 struct Selection {
   Fit base;  ///< fit of the nominal robot without effects
@@ -36,6 +42,7 @@ struct Selection {
   std::vector<SelectedEffect> effects;             ///< effects with the largest loss first
   std::vector<CompetingExplanations> competitors;  ///< effects with competitors, in the same order
   std::vector<SetProbability> posterior;           ///< sets within kOccam, most probable first
+  std::vector<ProbableSet> probable;               ///< the kProbableSets most probable sets, thinned
   std::vector<Candidate> candidates;               ///< candidates that the search tested
 };
 
@@ -51,5 +58,6 @@ inline constexpr double kOccam = 1e-3;
 /// Smallest share p / (p + p_selected) of the probability at which a set that differs from the selected one
 /// by one exchange makes a tie.
 inline constexpr double kTie = 0.2;
+inline constexpr std::size_t kProbableSets = 4;
 
 }  // namespace capstan::diagnosis

@@ -21,14 +21,14 @@ double mostByChance(const FitData& data, const Selection& selection, Eigen::Inde
 /// above that limit.
 bool hasResidual(const FitData& data, const Selection& selection, const Tolerance& tolerance);
 inline constexpr double kBeyondNoise = 1.2;  ///< largest ratio of RMS to sensor noise that can be noise alone
-/// Smallest explained share at which the effects are the verdict although a residual remains that a regression
-/// could explain, unless the effects fallsShort() of the regression.
+/// Smallest explained share at which the effects are the verdict although a residual remains that a
+/// regression could explain, unless the effects fallsShort() of the regression.
 inline constexpr double kExplains = 0.96;
 
 /// Fills verdict, causes, also_measurable, ties, posterior, explained and summary of the report from the
 /// selection; Report::material, explainable and lines are inputs. The σ of a cause's parameter combines
-/// three parts: the σ of the fit; 1 % of the parameter, because laws are simplified; and half of the size that
-/// the effect has on a robot in good order (Hypothesis::background).
+/// three parts: the σ of the fit; 1 % of the parameter, because laws are simplified; and half of the size
+/// that the effect has on a robot in good order (Hypothesis::background).
 void judge(const FitData& data, const Selection& selection, const robot::Description& robot, Report& report);
 
 }  // namespace capstan::diagnosis

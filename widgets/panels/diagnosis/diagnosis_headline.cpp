@@ -2,6 +2,7 @@
 
 #include <QObject>
 
+#include "core/diagnosis/experiment_design/next_experiment.h"
 #include "widgets/panels/diagnosis/diagnosis_text.h"
 
 namespace capstan::widgets {
@@ -30,6 +31,7 @@ Headline verdictOf(const diagnosis::Report& report) {
     if (!tie.separate.empty())
       below += QLatin1Char('\n') +
                QObject::tr("To distinguish them: %1").arg(QString::fromStdString(tie.separate));
+  if (report.next) below += QLatin1Char('\n') + QString::fromStdString(diagnosis::sentenceOf(*report.next));
   return {markOf(report.verdict) + headlineOf(report), below};
 }
 

@@ -10,10 +10,10 @@
 #include "widgets/panels/diagnosis/cause_tree.h"
 #include "widgets/panels/diagnosis/diagnosis_headline.h"
 #include "widgets/panels/diagnosis/diagnosis_text.h"
-#include "widgets/panels/diagnosis/extended_robot_file.h"
 #include "widgets/panels/diagnosis/hypothesis_card.h"
 #include "widgets/panels/diagnosis/ranking_table.h"
 #include "widgets/panels/diagnosis/recording_picker.h"
+#include "widgets/panels/diagnosis/report_files.h"
 #include "widgets/panels/diagnosis/report_pages.h"
 #include "widgets/panels/diagnosis/tolerance_edit.h"
 
@@ -89,11 +89,15 @@ void DiagnosisPanel::makeButtons() {
   use_ = button("use_extended", tr("Use this robot"),
                 tr("The running session uses it from now on; errors restart (Ctrl+Shift+Return)"),
                 [this] { useRobot(); });
+  next_ = button("save_next", tr("Save next experiment…"),
+                 tr("The proposed motion as a trajectory that a simulated session takes (Ctrl+Shift+N)"),
+                 [this] { askTrajectory(); });
   page_ = button("export_report", tr("Export report…"),
                  tr("A page with all figures, the report as JSON and the robot file (Ctrl+Shift+E)"),
                  [this] { askFolder(); });
   addKey("Ctrl+Shift+S", save_);
   addKey("Ctrl+Shift+Return", use_);
+  addKey("Ctrl+Shift+N", next_);
   addKey("Ctrl+Shift+E", page_);
 }
 
@@ -229,6 +233,22 @@ void DiagnosisPanel::saveRobot(const QString& path) {
   refresh();
 }
 
+void DiagnosisPanel::askTrajectory() {
+  auto* dialog = new QFileDialog(this, tr("Save the trajectory of the next experiment"),
+                                 "next-experiment.csv", tr("Trajectories (*.csv);;All files (*)"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix("csv");
+  connect(dialog, &QFileDialog::fileSelected, this, &DiagnosisPanel::saveTrajectory);
+  dialog->show();
+}
+
+void DiagnosisPanel::saveTrajectory(const QString& path) {
+  if (!report() || !report_->next) return;
+  saveNextExperiment(*report_->next, path, said_);
+  refresh();
+}
+
 void DiagnosisPanel::askFolder() {
   auto* dialog = new QFileDialog(this, tr("Folder for the page with all figures"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -283,6 +303,7 @@ void DiagnosisPanel::refresh() {
                                 : tr("Find where the robot model is wrong, and why (F5)"));
   diagnose_->setEnabled(working || canDiagnose());
   for (QPushButton* one : {save_, use_, page_}) one->setVisible(shown != nullptr && !working);
+  next_->setVisible(shown != nullptr && !working && shown->next);
   use_->setEnabled(shown && session_joints_ > 0 && shown->extended.size() == session_joints_);
 }
 

@@ -56,6 +56,8 @@ class DiagnosisPanel : public WorkPanel {
   const diagnosis::Report* report() const { return of_ == choice() ? report_.get() : nullptr; }
   /// Writes the extended robot to a robot file. The panel shows errors.
   void saveRobot(const QString& path);
+  /// Writes the trajectory of the proposed experiment. The panel shows errors.
+  void saveTrajectory(const QString& path);
   /// Writes a page with figures, report.json and robot.yaml into `folder`. The panel shows the result or the
   /// error.
   void exportTo(const QString& folder);
@@ -83,6 +85,7 @@ class DiagnosisPanel : public WorkPanel {
   void diagnoseOrCancel();
   void useRobot();
   void askFile();
+  void askTrajectory();
   void askFolder();
   void onCause();
   void showCard();
@@ -104,7 +107,7 @@ class DiagnosisPanel : public WorkPanel {
   CauseTree* causes_;
   HypothesisCard* card_;
   ReportPages* pages_;
-  QPushButton *diagnose_, *save_, *use_, *page_;
+  QPushButton *diagnose_, *save_, *use_, *next_, *page_;
   ReportExport export_;
   Job job_;  ///< last member: destroyed before the members it reports to
 };

@@ -7,9 +7,9 @@
 
 namespace capstan::widgets {
 
-/// Parameters of the nominal model after the refit, in two columns: refitted without the effects and together with
-/// them; one column if the model has no effects. Parameters that changed are first and bold. If a parameter is at
-/// the limit that the refit allows, its change is marked.
+/// Parameters of the nominal model after the refit, in two columns: refitted without the effects and together
+/// with them; one column if the model has no effects. Parameters that changed are first and bold. If a
+/// parameter is at the limit that the refit allows, its change is marked.
 class RefitTable : public QTreeWidget {
   Q_OBJECT
 

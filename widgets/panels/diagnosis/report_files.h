@@ -10,4 +10,7 @@ namespace capstan::widgets {
 /// was, or why not.
 bool saveExtendedRobot(const diagnosis::Report& report, const QString& path, QString& words);
 
+/// Writes the trajectory of a proposed experiment, in the same way.
+bool saveNextExperiment(const diagnosis::NextExperiment& next, const QString& path, QString& words);
+
 }  // namespace capstan::widgets
