@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <vector>
 
 #include "core/base/error.h"
 
@@ -20,19 +22,24 @@ constexpr std::array kUnits = {Unit{"deg", base::kRadiansPerDegree, &Tolerance::
                                Unit{"rad", 1.0, &Tolerance::angle}, Unit{"mm", 1e-3, &Tolerance::length},
                                Unit{"um", 1e-6, &Tolerance::length}, Unit{"m", 1.0, &Tolerance::length}};
 
-[[noreturn]] void refuse(std::string_view part, const std::string& option) {
-  throw base::InputError({"", 0, option, std::string(part),
-                          "is no angle or length greater than zero with its unit",
+[[noreturn]] void refuse(std::string_view part, const std::string& option,
+                         const char* reason = "is no angle or length greater than zero with its unit") {
+  throw base::InputError({"", 0, option, std::string(part), reason,
                           "Write for example 0.02deg,0.01mm; units: deg, rad, mm, um, m"});
 }
 
-void parsePart(std::string_view part, const std::string& option, Tolerance& tolerance) {
+/// Parses one part; `given`: the sizes that earlier parts gave.
+void parsePart(std::string_view part, const std::string& option, std::vector<double Tolerance::*>& given,
+               Tolerance& tolerance) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
   const std::string_view unit = part.substr(static_cast<std::size_t>(end - part.data()));
   if (error != std::errc() || !std::isfinite(value) || !(value > 0.0)) refuse(part, option);
   for (const Unit& known : kUnits)
     if (known.name == unit) {
+      if (std::ranges::find(given, known.size) != given.end())
+        refuse(part, option, "is the second angle or the second length");
+      given.push_back(known.size);
       tolerance.*known.size = known.factor * value;
       return;
     }
@@ -43,9 +50,10 @@ void parsePart(std::string_view part, const std::string& option, Tolerance& tole
 
 Tolerance parseTolerance(std::string_view text, const std::string& option) {
   Tolerance tolerance;
+  std::vector<double Tolerance::*> given;
   while (true) {
     const std::size_t comma = text.find(',');
-    parsePart(text.substr(0, comma), option, tolerance);
+    parsePart(text.substr(0, comma), option, given, tolerance);
     if (comma == std::string_view::npos) return tolerance;
     text.remove_prefix(comma + 1);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace capstan::diagnosis {
 namespace {
@@ -10,7 +11,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Sets that were fitted to the end, with their probabilities.
+/// Sets that were fitted to the end, with their probabilities, the most probable first.
 struct Posterior {
   std::vector<const SetFit*> sets;
   VectorXd probability;
@@ -35,6 +36,17 @@ PredictiveScore scoreOf(const FitData& data, const SearchResult& found, std::uin
   return score;
 }
 
+void sortByProbability(Posterior& posterior) {
+  std::vector<Index> order(posterior.sets.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, std::greater<>(), [&](Index k) { return posterior.probability[k]; });
+  const Posterior unsorted = posterior;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    posterior.sets[k] = unsorted.sets[static_cast<std::size_t>(order[k])];
+    posterior.probability[static_cast<Index>(k)] = unsorted.probability[order[k]];
+  }
+}
+
 Posterior posteriorOf(const SearchResult& found, const PredictiveScore& score) {
   Posterior posterior;
   for (const auto& [effects, set] : found.sets)
@@ -52,12 +64,13 @@ Posterior posteriorOf(const SearchResult& found, const PredictiveScore& score) {
     const VectorXd odds = (log.col(d).array() - log.col(d).maxCoeff()).exp();
     posterior.probability += odds / odds.sum() / static_cast<double>(kDraws);
   }
+  sortByProbability(posterior);
   return posterior;
 }
 
 std::vector<SetProbability> windowOf(const Posterior& posterior) {
   std::vector<SetProbability> sets;
-  const double least = posterior.probability.size() ? kOccam * posterior.probability.maxCoeff() : 0.0;
+  const double least = posterior.sets.empty() ? 0.0 : kOccam * posterior.probability[0];
   for (std::size_t k = 0; k < posterior.sets.size(); ++k) {
     const double p = posterior.probability[static_cast<Index>(k)];
     if (p < least) continue;
@@ -66,27 +79,22 @@ std::vector<SetProbability> windowOf(const Posterior& posterior) {
       set.effects.push_back({std::string(effect.hypothesis->name()), effect.joint});
     sets.push_back(std::move(set));
   }
-  std::ranges::stable_sort(sets, std::greater<>(), &SetProbability::probability);
   return sets;
 }
 
 /// The sets with the highest probabilities, without what can be computed again.
 std::vector<ProbableSet> probableOf(const Posterior& posterior) {
   std::vector<ProbableSet> sets;
-  for (std::size_t k = 0; k < posterior.sets.size(); ++k)
+  for (std::size_t k = 0; k < std::min(kProbableSets, posterior.sets.size()); ++k) {
     sets.push_back({*posterior.sets[k], posterior.probability[static_cast<Index>(k)]});
-  std::ranges::stable_sort(sets, std::greater<>(), &ProbableSet::probability);
-  if (sets.size() > kProbableSets) sets.erase(sets.begin() + kProbableSets, sets.end());
-  for (ProbableSet& one : sets) SetFitter::thin(one.set);
+    SetFitter::thin(sets.back().set);
+  }
   return sets;
 }
 
 /// Most probable set of those that were fitted; the search's best where there is none.
 const SetFit& mostProbable(const Posterior& posterior, const SearchResult& found) {
-  Index at = 0;
-  if (posterior.probability.size() == 0) return found.sets.at(found.best);
-  posterior.probability.maxCoeff(&at);
-  return *posterior.sets[static_cast<std::size_t>(at)];
+  return posterior.sets.empty() ? found.sets.at(found.best) : *posterior.sets.front();
 }
 
 /// Sets without one effect. A camera that rotates about its own position is a rotation about frame 0 and an

@@ -53,6 +53,7 @@ TEST(Tolerance, RefusesAnythingElseWithValueOptionAndRemedy) {
                                                          {"0.02inch,1mm", "0.02inch"},
                                                          {"-1deg", "-1deg"},
                                                          {"1deg,0mm", "0mm"},
+                                                         {"1deg,2rad", "2rad"},
                                                          {"nandeg", "nandeg"},
                                                          {"infmm", "infmm"}};
   for (const auto& [text, part] : refused) {

@@ -28,7 +28,9 @@ class CaseRobot {
 
   const Truth& truth() const { return truth_; }
 
-  Recording record() const {
+  Recording record() const { return recordAgain({}, case_.duration, case_.seed); }
+
+  Recording recordAgain(const JointPath& path, double duration, std::uint64_t seed) const {
     std::vector<Planted> effects = truth_.texture;
     PlantParameters parameters(robot_, case_.rigid);
     for (const Truth::Item& item : truth_.items) {
@@ -37,18 +39,20 @@ class CaseRobot {
     }
     parameters.refinement = case_.refinement;
     Plant plant(parameters, effects);
-    const PlantedMotion motion = moved(plant, effects, case_.duration);
-    base::Random noise(case_.seed, "sensors");
+    const PlantedMotion motion = moved(plant, effects, path, duration, seed);
+    base::Random noise(seed, "sensors");
     return {sense(motion, case_.robot, effects, case_.sensors, noise), case_.robot};
   }
 
  private:
-  PlantedMotion moved(Plant& plant, const std::vector<Planted>& effects, double duration) const {
-    base::Random way(case_.seed, "excitation"), push(case_.seed, "load");
-    const Excitation excitation(case_.robot, case_.duration, way);
+  PlantedMotion moved(Plant& plant, const std::vector<Planted>& effects, const JointPath& path,
+                      double duration, std::uint64_t seed) const {
+    base::Random way(seed, "excitation"), push(seed, "load");
+    const Excitation excitation(case_.robot, std::max(duration, seed == case_.seed ? case_.duration : 0.0),
+                                way);
     const ExternalLoad load(case_.load, push);
     return drive(
-        plant, case_.robot, effects, [&](double t) { return excitation.at(t); },
+        plant, case_.robot, effects, path ? path : [&](double t) { return excitation.at(t); },
         [&](double t) { return load.at(t); }, {duration, 1.0});
   }
 
@@ -56,7 +60,7 @@ class CaseRobot {
     if (!visibility_) {
       Plant plain(PlantParameters(robot_, case_.rigid), {});
       visibility_.emplace(case_.robot, robot_, case_.rigid, texture_, case_.sensors,
-                          moved(plain, {}, std::min(kCalibrationTime, case_.duration)));
+                          moved(plain, {}, {}, std::min(kCalibrationTime, case_.duration), case_.seed));
     }
     return *visibility_;
   }
@@ -201,6 +205,11 @@ PlantedCase draw(std::uint64_t seed, const DrawOptions& options) {
 }
 
 Recording record(const PlantedCase& planted_case) { return CaseRobot(planted_case).record(); }
+
+Recording recordAgain(const PlantedCase& planted_case, const JointPath& path, double duration,
+                      std::uint64_t seed) {
+  return CaseRobot(planted_case).recordAgain(path, duration, seed);
+}
 
 Truth truthOf(const PlantedCase& planted_case) { return CaseRobot(planted_case).truth(); }
 

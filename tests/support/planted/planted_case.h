@@ -80,6 +80,10 @@ PlantedCase draw(std::uint64_t seed, const DrawOptions& options);
 Recording record(const PlantedCase& planted_case);
 /// Truth of a case.
 Truth truthOf(const PlantedCase& planted_case);
+/// Another recording of the robot of a case, with noise and loads of `seed`: of the desired motion `path`, or
+/// of the random motion of that seed if `path` is empty.
+Recording recordAgain(const PlantedCase& planted_case, const JointPath& path, double duration,
+                      std::uint64_t seed);
 /// record() and truthOf() in one computation.
 std::pair<Recording, Truth> recordWithTruth(const PlantedCase& planted_case);
 
