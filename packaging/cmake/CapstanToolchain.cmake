@@ -12,7 +12,8 @@ find_program(CAPSTAN_CCACHE ccache)
 if(CAPSTAN_CCACHE)
   set(CMAKE_C_COMPILER_LAUNCHER ${CAPSTAN_CCACHE})
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros
-      CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} ${CAPSTAN_CCACHE})  # objects are shared by all clones and build folders
+      CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_INODECACHE=1 ${CAPSTAN_CCACHE})
+  # BASEDIR: clones and build folders share objects. INODECACHE: precompiled headers are hashed once, not at every use.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-fpch-preprocess>)  # for ccache, with precompiled headers
   endif()
