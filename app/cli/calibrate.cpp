@@ -155,7 +155,8 @@ void addCalibrate(CLI::App& app, ExitCode& exit) {
   command->add_option("--out", arguments->out, "folder for left.yaml and right.yaml (ROS camera_info)")
       ->capture_default_str();
   command->add_flag("--force", arguments->force, "overwrite an existing left.yaml or right.yaml");
-  command->add_flag("!--no-write", arguments->write, "print the result, write no file");
+  command->add_flag_callback(
+      "--no-write", [arguments] { arguments->write = false; }, "print the result, write no file");
   command->add_option("--json", arguments->json, "result as JSON: a file, or - for standard output");
   command->footer(
       "Examples:\n"

@@ -55,14 +55,15 @@ void addDiagnose(CLI::App& app, ExitCode& exit) {
   command->add_option(
       "--next", arguments->next,
       "trajectory to write (.csv for simulate --trajectory): the motion that best distinguishes\n"
-      "the most probable causes, if the verdict is tie or unexplained");
-  command->add_option("--report", arguments->report,
-                      "folder for a page with figures, JSON and robot file: new, empty, or of a former run");
+      "the most probable causes, if the verdict is tie or unexplained (cable drives only)");
+  command->add_option(
+      "--report", arguments->report,
+      "folder (new, empty, or of a former run) for a page with figures, the JSON and the robot file");
   command->add_option("--json", arguments->json, "result as JSON, SI: a file, or - for standard output");
   command->footer(
       "The nominal model is refitted first, so that a mistuned number is not reported as a missing effect.\n"
       "The reference is the joint encoders, or without them the tip position from the cameras. Verdicts:\n"
-      "found, several, tie (with a motion that would distinguish the candidates), nothing, unexplained.\n"
+      "found, several, tie, nothing, unexplained.\n"
       "Each verdict has exit code 0.\n"
       "Examples:\n"
       "  capstan-cli diagnose trial.capstan\n"

@@ -133,9 +133,10 @@ void addLearn(CLI::App& app, ExitCode& exit) {
   auto arguments = std::make_shared<LearnArguments>();
   CLI::App* command = app.add_subcommand("learn", "Learn a correction of commands from tip poses");
   command
-      ->add_option("--train", arguments->train,
-                   "tables of tip poses (.csv with traj, t_cam_s, cam_x …, and the same columns for robot or cmd:\n"
-                   "t_robot_s, robot_x … or t_cmd_s, cmd_x …)")
+      ->add_option(
+          "--train", arguments->train,
+          "tables of tip poses (.csv with traj, t_cam_s, cam_x …, and the same columns for robot or cmd:\n"
+          "t_robot_s, robot_x … or t_cmd_s, cmd_x …)")
       ->required();
   command->add_option("--test", arguments->test,
                       "tables of other trajectories, on which errors are measured");
@@ -147,18 +148,19 @@ void addLearn(CLI::App& app, ExitCode& exit) {
               "tested on them; the model that is written is learned from all")
           ->check(CLI::Range(1.0, 90.0));
   command
-      ->add_option(
-          "--method", arguments->method,
-          "offset: rigid offset only. The other methods add a Gaussian process. none: its input is the pose\n"
-          "alone; velocity: pose and velocity; history: pose, velocity and the motion of the last 1.6 s;\n"
-          "auto: velocity or history, whichever has the smaller error on held-out trajectories")
+      ->add_option("--method", arguments->method,
+                   "offset: rigid offset only. none, velocity and history add a Gaussian process, and say "
+                   "which motion is\n"
+                   "among its inputs: none (the pose alone), velocity, or history (velocity and the motion "
+                   "of the last 1.6 s);\n"
+                   "auto: velocity or history, whichever has the smaller error on held-out trajectories")
       ->capture_default_str()
       ->check(CLI::IsMember({"auto", "offset", "none", "velocity", "history"}));
   command
-      ->add_option(
-          "--towards", arguments->towards,
-          "poses that the observed poses are compared with: commanded poses, or poses from the robot's kinematics\n"
-          "(`diagnose --towards` calls the latter kinematics)")
+      ->add_option("--towards", arguments->towards,
+                   "poses that the observed poses are compared with: commanded poses, or poses from the "
+                   "robot's kinematics\n"
+                   "(`diagnose --towards` calls the latter kinematics)")
       ->capture_default_str()
       ->check(CLI::IsMember({"command", "robot"}));
   command->add_flag("--no-cleaning", arguments->no_cleaning,

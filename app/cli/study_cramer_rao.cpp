@@ -112,10 +112,10 @@ ExitCode run(Options& options, const StudyArguments& arguments) {
 void addCramerRaoStudy(CLI::App& study, ExitCode& exit) {
   auto options = std::make_shared<Options>();
   auto arguments = std::make_shared<StudyArguments>();
-  CLI::App* command =
-      study.add_subcommand("cramer-rao",
-                           "Two comparisons: the filter's error with the posterior Cramér-Rao bound; tracking "
-                           "with a measurement noise R from the pixel noise with tracking with a constant R");
+  CLI::App* command = study.add_subcommand(
+      "cramer-rao",
+      "Compare the filter's error to the posterior Cramér-Rao bound, and two choices of the "
+      "measurement noise R: computed from the pixel noise, or constant");
   CramerRaoOptions& bound = options->bound;
   command->add_option("--runs", bound.runs, "number of random trajectories of the filter's model")
       ->capture_default_str()
@@ -129,9 +129,10 @@ void addCramerRaoStudy(CLI::App& study, ExitCode& exit) {
       ->capture_default_str()
       ->check(CLI::Range(1e-3, 10.0));
   command
-      ->add_option("--truth", options->noise.truth,
-                   "true parameters of the simulated robot with which the two R are compared: default, or a truth\n"
-                   "file")
+      ->add_option(
+          "--truth", options->noise.truth,
+          "true parameters of the simulated robot with which the two R are compared: default, or a truth\n"
+          "file")
       ->capture_default_str();
   command
       ->add_option("--trials", options->noise.trials,

@@ -35,7 +35,7 @@ nlohmann::json jsonOf(const MotorFailureStudy& study, const MotorFailureStudyOpt
   for (const auto& cell : study.cells)
     cells.push_back({{"motor", cell.motor == 3 ? nlohmann::json("all") : nlohmann::json(cell.motor + 1)},
                      {"speed", cell.speed},
-                     {"occlusion", cell.occlusion},
+                     {"occlusion", cell.occlusion / 100.0},
                      {"found", std::isnan(cell.found) ? nlohmann::json() : nlohmann::json(cell.found)},
                      {"failed_rms", toJson(cell.failed_rms)},
                      {"normal", normalsOf(cell)},

@@ -26,9 +26,9 @@ class JointHistory {
   static constexpr std::uint64_t kReach = 86'400'000;       ///< rows in blocks: 24 h at 1 kHz
   static constexpr std::size_t kCameraPoints = 65'536;      ///< 18 min at 60 Hz
   static constexpr std::uint64_t kCameraReach = 5'184'000;  ///< points in blocks: 24 h at 60 Hz
-  static constexpr std::size_t kSpans = 8'192;              ///< exact occlusions; older: to one block
-  static constexpr std::size_t kBytes = 46'000'000;         ///< upper limit of the memory
-  static constexpr double kSetBack = 1.0;                   ///< a larger step back is another clock [s]
+  static constexpr std::size_t kSpans = 8'192;  ///< newest occlusions with exact times; older ones: by block
+  static constexpr std::size_t kBytes = 46'000'000;  ///< upper limit of the memory
+  static constexpr double kSetBack = 1.0;  ///< a larger step back in time is another clock: cleared [s]
   static constexpr int kJoints = 3;
 
   struct Row {
@@ -84,7 +84,8 @@ class JointHistory {
                     });
   }
   /// Calls `draw(begin, end)` for the occlusions that overlap [begin, end], in order of time. Occlusions
-  /// older than the newest kSpans have the ends of blocks; about `most` blocks are examined for them.
+  /// before the newest kSpans begin and end at block boundaries; about `most` blocks are examined to find
+  /// them.
   template <class Draw>
   void forEachOcclusion(double begin, double end, std::size_t most, Draw&& draw) const;
 

@@ -32,7 +32,7 @@ class StepExport : public QObject {
   void attempt(const std::function<void()>& part);
   /// Stops the steps, calls drop(), and emits ended().
   void end(const QString& result, const QString& words);
-  /// Ends an export into `folder` that the user cancels, if it is busy().
+  /// If busy(), ends the export as cancelled by the user; `folder` is not complete.
   void endCancelled(const QString& folder);
   /// Drops the data of the export; it is not busy() afterwards.
   virtual void drop() = 0;

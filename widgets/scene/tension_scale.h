@@ -5,8 +5,8 @@
 
 namespace capstan::widgets {
 
-/// Colour scale of a cable force gamma [N]: diverging from −limit (blue: pulls back) over grey to +limit
-/// (orange: pulls on). The limit is a round number above the largest value so far.
+/// Colour scale of a cable force gamma [N]: diverging from −limit (blue: against positive joint motion) over
+/// grey to +limit (orange: towards it). The limit is a round number above the largest value so far.
 class TensionScale {
  public:
   /// Increases the limit to the next of 1, 2, 5 × 10^k above the largest |tension|. Only reset() decreases

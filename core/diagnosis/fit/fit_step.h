@@ -7,8 +7,8 @@
 
 namespace capstan::diagnosis {
 
-/// Step of the damped normal equations within the bounds: parameters that would leave their bounds stay
-/// there. Keeps references to `model` and `u`.
+/// Step of the damped normal equations within the bounds: a parameter at a bound that would
+/// leave it is held there. Keeps references to `model` and `u`.
 class BoundedStep {
  public:
   BoundedStep(const FitModel& model, const Eigen::VectorXd& u, Eigen::MatrixXd normal,
@@ -31,7 +31,7 @@ class BoundedStep {
 struct Trial {
   Eigen::VectorXd u, e;
   InitialStates initial;
-  double objective = std::numeric_limits<double>::infinity();  ///< reached()
+  double objective = std::numeric_limits<double>::infinity();  ///< by reached() (linear_system.h)
 };
 
 /// Best of several steps, which differ in damping and length and are simulated in parallel. For rigid drives

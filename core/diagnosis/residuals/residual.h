@@ -22,8 +22,8 @@ struct SimulatedMotion {
   std::vector<Eigen::Vector3d> tip;
 };
 
-/// Measured, simulated and residual (measured − simulated) samples of one sensor channel. Only samples that
-/// were read and count are included.
+/// Measured, simulated and residual (measured − simulated) samples of one sensor channel. Includes only
+/// samples with a reading in a row that is not excluded.
 struct Channel {
   std::string name;         ///< "q2", "tip z"
   std::string unit;         ///< "rad" or "m"

@@ -75,7 +75,7 @@ class LearningPanel : public WorkPanel {
   LearningSettings settings_;
   LearningResults results_;
   Doing doing_ = Doing::kNothing;  ///< the latest work, running or ended
-  bool read_again_ = false;        ///< tables were chosen while other work had to end
+  bool read_again_ = false;        ///< true: tables were chosen during a job, and are read after it
   QString failed_;                 ///< error of the latest work; empty: none
   QString said_;
   TablePicker* picker_;

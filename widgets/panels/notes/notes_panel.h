@@ -22,7 +22,7 @@ class NotesPanel : public QWidget {
 
   void setTheme(const Theme& theme);
   void clear();
-  /// Adds a row: session time [s], kind ("note", "recording", "registration", "occlusion", "fault") and text.
+  /// Adds a row: session time [s], kind ("note", "recording", "occlusion", "fault", …) and text.
   void addEvent(double t, const QString& kind, const QString& text);
   /// Adds a row about a file: its name, shortened in the middle where it does not fit, and its path as tool
   /// tip.
