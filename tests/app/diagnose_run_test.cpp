@@ -143,6 +143,29 @@ TEST_F(DiagnoseRun, WritesAPage) {
   EXPECT_NE(base::readTextFile(path("page/index.html")).find("RAVEN-II left"), std::string::npos);
 }
 
+TEST_F(DiagnoseRun, WritesTheTrajectoryOfTheNextExperiment) {
+  arguments_.next = path("next.csv");
+  EXPECT_EQ(run(), kOk);
+  EXPECT_FALSE(fs::exists(path("next.csv")));
+  EXPECT_NE(err_.find("no experiment is proposed"), std::string::npos) << err_;
+  report_.next = {.motion = "joint 2 sweeps slowly, the other joints rest",
+                  .distinguishes = {{"backlash", 2}},
+                  .t = {0.0, 0.01},
+                  .q = {{0.1, 0.1}, {0.2, 0.25}, {0.3, 0.3}},
+                  .confusion_now = 0.4,
+                  .confusion_after = 0.002};
+  arguments_.report = path("page");
+  EXPECT_EQ(run(), kOk);
+  EXPECT_EQ(base::readTextFile(path("next.csv")), "t,q1,q2,q3\n0.0000,0.1,0.2,0.3\n0.0100,0.1,0.25,0.3\n");
+  EXPECT_NE(out_.find("joint 2 sweeps slowly"), std::string::npos) << out_;
+  EXPECT_NE(out_.find("from 40.0 % to 0.2 %"), std::string::npos) << out_;
+  EXPECT_TRUE(fs::exists(folder_ / "page" / "next-experiment.csv"));
+  EXPECT_NE(base::readTextFile(path("page/index.html")).find("joint 2 sweeps slowly"), std::string::npos);
+  const auto json = nlohmann::json::parse(base::readTextFile(path("page/report.json"))).at("next_experiment");
+  EXPECT_EQ(json.at("distinguishes").at(0).at("effect"), "backlash");
+  EXPECT_EQ(json.at("confusion_after"), 0.002);
+}
+
 TEST_F(DiagnoseRun, CancelledWritesNoRobotAndNoPage) {
   cancel_ = true;
   report_.cancelled = true;
@@ -250,6 +273,9 @@ TEST_F(DiagnoseRun, RefusesWhatPosesAndOtherRecordingsDoNotShare) {
   arguments_.material = "1mm";
   expectRefusal({"--material", "1mm"});
   arguments_.material = {};
+  arguments_.next = path("next.csv");
+  expectRefusal({"--next", "next.csv"});
+  arguments_.next = {};
   arguments_.zeros = "shared";
   expectRefusal({"--zeros", "shared"});
   arguments_.zeros = {};
