@@ -54,21 +54,27 @@ TEST(TestMotions, HaveTheVelocityOfTheirPositions) {
     }
 }
 
-/// A selection between the nominal robot and one effect, equally probable.
+/// A selection between the refitted nominal robot and the same with one effect, equally probable.
 class Undecided {
  public:
   Undecided(const Planted& planted, const char* effect, int joint, const EffectStart& start)
       : data_(planted.evidence, planted.robot, 0.0, EncoderZeros::kKnown, 2) {
     const FitModel nominal(planted.robot, jointScales(planted.evidence, planted.robot));
-    const Hypothesis* hypothesis = hypothesisNamed(effect);
-    const SetFit without = at({}, nominal),
-                 with = at({{hypothesis, joint}}, nominal.with(*hypothesis, joint, start));
+    const SetFit without = SetFitter(data_, nullptr).nominal(nominal, Eigen::VectorXd::Zero(nominal.size()));
+    const Hypothesis& hypothesis = *hypothesisNamed(effect);
+    const FitModel model = nominal.with(hypothesis, joint, start);
+    SetFit with{{{&hypothesis, joint}},
+                linearise(data_, model, model.startFrom(nominal, without.fit.u), noneBeyond(data_),
+                          without.weighting),
+                without.weighting,
+                without.squares,
+                true};
     selection_.emplace(Selection{.base = without.fit,
                                  .base_squares = without.squares,
                                  .input_noise = {},
-                                 .best = with.fit,
-                                 .best_squares = with.squares,
-                                 .weighting = with.weighting,
+                                 .best = without.fit,
+                                 .best_squares = without.squares,
+                                 .weighting = without.weighting,
                                  .effects = {},
                                  .competitors = {},
                                  .posterior = {},
@@ -81,16 +87,6 @@ class Undecided {
   }
 
  private:
-  SetFit at(EffectSet effects, const FitModel& model) const {
-    const Weighting weighting{Eigen::VectorXd::Constant(data_.size(), 1e3)};
-    SetFit set{std::move(effects),
-               linearise(data_, model, Eigen::VectorXd::Zero(model.size()), noneBeyond(data_), weighting),
-               weighting};
-    set.squares = squaresOf(data_, set.fit.e);
-    set.settled = true;
-    return set;
-  }
-
   FitData data_;
   std::optional<Selection> selection_;
 };
