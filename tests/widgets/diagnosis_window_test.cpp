@@ -5,12 +5,14 @@
 
 #include <QAction>
 #include <QDir>
+#include <QHeaderView>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QTabBar>
 #include <QTemporaryDir>
 #include <QToolButton>
+#include <QTreeWidget>
 #include <QtTest/QTest>
 
 #include "tests/support/sample_diagnosis.h"
@@ -171,6 +173,31 @@ TEST_F(DiagnosisWindow, NothingIsCutAt1280Pixels) {
     if (const auto* area = qobject_cast<const QScrollArea*>(up)) {
       EXPECT_EQ(area->horizontalScrollBar()->maximum(), 0);
     }
+}
+
+TEST_F(DiagnosisWindow, NoColumnOfATableIsCutAt1280Pixels) {
+  open(1280, 800);
+  window_->action("diagnose")->trigger();
+  panel().showReport(testing::sampleReport({.verdict = Verdict::kSeveral, .cameras = true}));
+  auto* tabs = panel().pages().findChild<QTabBar*>();
+  ASSERT_TRUE(tabs);
+  for (const char* name : {"refit", "gain"}) {
+    auto* table = panel().pages().findChild<QTreeWidget*>(name);
+    ASSERT_TRUE(table) << name;
+    for (int tab = 0; tab < tabs->count() && !table->isVisible(); ++tab) tabs->setCurrentIndex(tab);
+    QTest::qWait(50);
+    ASSERT_TRUE(table->isVisible()) << name;
+    EXPECT_EQ(table->horizontalScrollBar()->maximum(), 0) << name;
+    for (int column = 0; column < table->columnCount(); ++column) {
+      if (table->isColumnHidden(column)) continue;
+      const QFontMetrics metrics(table->header()->font());
+      const QString title = table->headerItem()->text(column);
+      int widest = 0;
+      for (const QString& line : title.split('\n'))
+        widest = std::max(widest, metrics.horizontalAdvance(line));
+      EXPECT_GE(table->columnWidth(column), widest) << name << ": " << title.toStdString();
+    }
+  }
 }
 
 TEST_F(DiagnosisWindow, EveryVerdictHasAFace) {

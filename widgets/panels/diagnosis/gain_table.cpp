@@ -15,6 +15,11 @@ namespace {
 
 constexpr double kPoints = 10.0;
 
+/// "q2 (elbow) [deg]": the unit beside the name leaves the columns to the numbers.
+QString withUnit(const QString& name, const std::string& si) {
+  return QStringLiteral("%1 [%2]").arg(name, QString::fromStdString(diagnosis::shownUnit(si).unit));
+}
+
 QString intervalTip(const stats::Interval& interval, double scale) {
   return QObject::tr("95 %: %1 … %2")
       .arg(significantText(scale * interval.low), significantText(scale * interval.high));
@@ -129,13 +134,10 @@ void GainTable::addChannel(QTreeWidgetItem* group, const diagnosis::ChannelRepor
                            const QString& title) {
   const diagnosis::Gain& gain = channel.gain;
   const diagnosis::ShownUnit unit = diagnosis::shownUnit(gain.unit);
-  const QString name = QString::fromStdString(unit.unit);
-  const auto shown = [&](double value) {
-    return significantText(unit.scale * value) + QLatin1Char(' ') + name;
-  };
-  QTreeWidgetItem* item =
-      addRow(group, {title, shown(channel.nominal_statistics.rms), shown(gain.rms_before),
-                     shown(gain.rms_after), percentText(gain.rms_after / gain.rms_before, 1)});
+  const auto shown = [&](double value) { return significantText(unit.scale * value); };
+  QTreeWidgetItem* item = addRow(
+      group, {withUnit(title, gain.unit), shown(channel.nominal_statistics.rms), shown(gain.rms_before),
+              shown(gain.rms_after), percentText(gain.rms_after / gain.rms_before, 1)});
   item->setToolTip(kBefore, intervalTip(gain.before, unit.scale));
   item->setToolTip(kAfter, intervalTip(gain.after, unit.scale));
   item->setToolTip(kLeft, intervalTip(gain.interval, 100.0));
@@ -153,10 +155,9 @@ void GainTable::addAxis(QTreeWidgetItem* group, const std::string& unit) {
 
 void GainTable::addFilter(QTreeWidgetItem* group, const diagnosis::FilterGain& gain) {
   const diagnosis::ShownUnit unit = diagnosis::shownUnit(gain.unit);
-  const QString name = QString::fromStdString(unit.unit);
-  QStringList cells{QString::fromStdString(gain.joint)};
+  QStringList cells{withUnit(QString::fromStdString(gain.joint), gain.unit)};
   for (const double value : {gain.nominal, gain.refitted, gain.extended})
-    cells << significantText(unit.scale * value) + QLatin1Char(' ') + name;
+    cells << significantText(unit.scale * value);
   cells << percentText(gain.extended / gain.refitted, 1);
   addRow(group, cells);
 }

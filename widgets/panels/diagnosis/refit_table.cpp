@@ -16,8 +16,15 @@ namespace {
 
 constexpr double kPoints = 10.0;
 
-QString shown(double value, double sigma, const std::string& unit) {
+/// Number in the unit that stands beside the name.
+QString shown(double value, double sigma, const std::string& si) {
+  const diagnosis::ShownUnit unit{diagnosis::shownUnit(si).scale, {}};
   return withMinus(QString::fromStdString(diagnosis::shownNumber(value, sigma, unit)));
+}
+
+QString nameOf(const diagnosis::RefitNumber& number) {
+  const std::string unit = diagnosis::shownUnit(number.unit).unit;
+  return QString::fromStdString(diagnosis::shownName(number.name) + (unit.empty() ? "" : " [" + unit + "]"));
 }
 
 }  // namespace
@@ -85,11 +92,11 @@ void RefitTable::addNumber(const diagnosis::RefitNumber& number) {
   const double change =
       number.nominal != 0.0 ? number.value / number.nominal - 1.0 : std::numeric_limits<double>::quiet_NaN();
   QString changed = percentText(change, 1, true);
-  if (number.at_bound) changed += tr(", at its bound");
+  if (number.at_bound) changed += tr("\nat its bound");
   auto* item = new QTreeWidgetItem({QString(), shown(number.nominal, 0.0, number.unit),
                                     shown(number.value_without, 0.0, number.unit),
                                     shown(number.value, number.sigma, number.unit), changed});
-  setWords(*item, kName, QString::fromStdString(diagnosis::shownName(number.name)));
+  setWords(*item, kName, nameOf(number));
   const QString tip = number.at_bound ? tr("It would go further than the refit allows")
                       : number.moved  ? tr("Changed by more than two standard deviations")
                                       : tr("Changed by less than two standard deviations");
