@@ -28,6 +28,7 @@ OcclusionPanel::OcclusionPanel(QWidget* parent) : QWidget(parent), keys_(new Hol
   addSchedule(column);
   now_ = new QLabel;
   now_->setFont(textFont(10.5, true));
+  now_->setWordWrap(true);
   now_->setAccessibleName("what the filter observes");
   reason_ = new QLabel;
   reason_->setWordWrap(true);
