@@ -20,7 +20,7 @@ struct TestMotion {
 
 /// The motions from which an experiment is chosen, kTestDuration each: for each joint slow sweeps, fast
 /// sweeps, steps with rests and small reversals; for all joints together sinusoids, and fast motion followed
-/// by rest. All stay within the range that the recordings visited, widened by a quarter at either end and
+/// by rest. All stay within the range of the recordings, widened by a quarter at either end and
 /// limited to the joint limits less a twentieth of their range, and below half of each joint's highest speed.
 /// `step` is the time between samples [s].
 std::vector<TestMotion> testMotions(const robot::Description& robot, const std::vector<Evidence>& recordings,
