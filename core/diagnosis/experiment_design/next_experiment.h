@@ -18,7 +18,7 @@ namespace capstan::diagnosis {
 /// selected set, with its correlation in time. The probability of choosing a wrong set is at most
 ///     Σ_{i<j} √(p_i p_j) exp(−D_ij / 8)
 /// (Bhattacharyya bound for equal covariances; Fukunaga 1990, section 3.4), and the motion with the smallest
-/// bound is chosen. Effects that happen once (an encoder that slipped) are excluded of the simulation,
+/// bound is chosen. Effects that happen once (an encoder that slipped) are excluded from the simulation,
 /// because a new recording does not repeat them.
 ///
 /// Only for cable drives; empty for rigid drives, for fewer than two sets, and if `progress` is cancelled.
