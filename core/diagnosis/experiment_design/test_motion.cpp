@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <limits>
+#include <tuple>
 
 #include "core/robot/transmission.h"
+#include "core/simulation/trajectory.h"
 
 namespace capstan::diagnosis {
 namespace {
@@ -78,9 +80,8 @@ class Path {
     std::pair<double, double> now{pieces_.empty() ? end_ : pieces_.front().from, 0.0};
     for (const Piece& piece : pieces_) {
       if (t < piece.begin) break;
-      const double s = std::min(1.0, (t - piece.begin) / piece.duration), way = piece.to - piece.from;
-      now = {piece.from + way * s * s * s * (10.0 - 15.0 * s + 6.0 * s * s),
-             way * 30.0 * s * s * (1.0 - s) * (1.0 - s) / piece.duration};
+      const auto [progress, rate] = simulation::minimumJerk(t - piece.begin, piece.duration);
+      now = {piece.from + progress * (piece.to - piece.from), rate * (piece.to - piece.from)};
     }
     return now;
   }
