@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tests/app/cli_fixture.h"
+#include "tests/support/folders.h"
 
 namespace capstan {
 namespace {
@@ -17,7 +18,7 @@ using nlohmann::json;
 using testing::Cli;
 using testing::Ran;
 
-const std::string kJaw = CAPSTAN_SOURCE_DIR "/tests/core/identification/data/davinci_jaw.yaml";
+const std::string kJaw = test::sourceFile("tests/core/identification/data/davinci_jaw.yaml");
 
 class CliDrive : public Cli {
  protected:

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/app/cli_fixture.h"
+#include "tests/support/folders.h"
 #include "tests/support/sample_poses.h"
 
 namespace capstan::testing {
@@ -67,7 +68,7 @@ TEST_F(Cli, AnExperimentThatIsNotKnownIsRefused) {
 /// The nominal robot file with joint 1's effective pulley.
 std::string believedRobot() {
   std::stringstream text;
-  text << std::ifstream(CAPSTAN_RESOURCES "/robots/raven2_left.yaml").rdbuf();
+  text << std::ifstream(test::resourceFile("robots/raven2_left.yaml")).rdbuf();
   std::string robot = text.str();
   const std::size_t at = robot.find("0.063095");
   EXPECT_NE(at, std::string::npos);

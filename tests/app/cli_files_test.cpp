@@ -2,6 +2,7 @@
 #include "core/recording/export.h"
 #include "core/recording/table_source.h"
 #include "tests/app/cli_fixture.h"
+#include "tests/support/folders.h"
 #include "tests/support/small_disk.h"
 
 namespace capstan {
@@ -33,7 +34,7 @@ TEST_F(CliFiles, AnOutputThatIsAnInputIsRefusedBeforeItIsTouched) {
   const std::string link = path("link"), hard = path("hard"), robot = path("robot.yaml");
   fs::create_symlink("s.capstan", link);
   fs::create_hard_link(file, hard);
-  fs::copy_file(CAPSTAN_RESOURCES "/robots/raven2_left.yaml", robot);
+  fs::copy_file(test::resourceFile("robots/raven2_left.yaml"), robot);
   ASSERT_EQ(run("convert " + file + " " + path("t.csv")).exit, 0);
   const std::string table = path("t.csv"), cells = textOf("t.csv"), drawing = textOf("robot.yaml");
   const std::string same = "is the same file as the input";

@@ -13,6 +13,8 @@
 #include <sstream>
 #include <string>
 
+#include "tests/support/folders.h"
+
 namespace capstan::testing {
 
 namespace fs = std::filesystem;
@@ -33,7 +35,7 @@ class Cli : public ::testing::Test {
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
   /// In a shell, behind the shell command `before`.
   Ran run(const std::string& arguments, const std::string& before = {}) const {
-    return runShell(before + CAPSTAN_CLI + " " + arguments);
+    return runShell(before + test::commandLineProgram() + " " + arguments);
   }
   Ran runShell(const std::string& command) const {
     FILE* pipe = popen(("(" + command + "\n) 2>" + path("stderr.txt")).c_str(), "r");
@@ -47,7 +49,7 @@ class Cli : public ::testing::Test {
   }
   /// Starts a command, sends it `signal` (Ctrl-C) once `file` is there, and waits for the end.
   Ran interrupt(const std::string& arguments, const std::string& file, int signal = SIGINT) const {
-    const std::string command = "exec " CAPSTAN_CLI " " + arguments + " >/dev/null 2>" + path("stderr.txt");
+    const std::string command = "exec " + test::commandLineProgram() + " " + arguments + " >/dev/null 2>" + path("stderr.txt");
     const pid_t child = fork();
     if (child == 0) {
       execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);

@@ -6,6 +6,7 @@
 #include "core/tracking/make_pipeline.h"
 #include "core/tracking/track_all.h"
 #include "tests/app/cli_fixture.h"
+#include "tests/support/folders.h"
 
 namespace capstan {
 namespace {
@@ -152,7 +153,7 @@ TEST_F(Cli, InfoAndConvertGoRound) {
   EXPECT_EQ(run("convert " + file + " " + path("c.csv")).exit, 2) << "does not overwrite unasked";
 
   const json robot =
-      json::parse(run(std::string("info ") + CAPSTAN_RESOURCES + "/robots/raven2_left.yaml --json -").out);
+      json::parse(run("info " + test::resourceFile("robots/raven2_left.yaml").string() + " --json -").out);
   EXPECT_EQ(robot["joints"].size(), 3u);
 }
 

@@ -1,5 +1,6 @@
 /// What capstan-cli says of a recording: exclusions about units, what the reference is, the NIS verdict.
 #include "tests/app/cli_fixture.h"
+#include "tests/support/folders.h"
 
 namespace capstan {
 namespace {
@@ -111,7 +112,7 @@ TEST_F(Cli, ReportTakesTheWindowsNames) {
   const json rms = rmsOf(file);
   EXPECT_EQ(rmsOf("--session " + file), rms);
   ASSERT_EQ(run("convert " + file + " " + path("t.csv")).exit, 0);
-  EXPECT_EQ(rmsOf("--table " + path("t.csv") + " --robot " CAPSTAN_RESOURCES "/robots/raven2_left.yaml"),
+  EXPECT_EQ(rmsOf("--table " + path("t.csv") + " --robot " + test::resourceFile("robots/raven2_left.yaml").string()),
             rmsOf(path("t.csv")));
   const Ran made =
       run("report --simulate --distractors --uneven-light --unregistered --seed 4 --truth matched "

@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <string>
 
+#include "tests/support/folders.h"
+
 namespace capstan {
 namespace {
 
@@ -25,7 +27,7 @@ Ran run(const std::string& command) {
   return result;
 }
 
-const std::string kWindow = CAPSTAN_WINDOW;
+const std::string kWindow = test::windowProgram();
 
 TEST(Window, UsageErrorsAreExitTwoWithoutADisplay) {
   const std::string window = "env -u DISPLAY " + kWindow;

@@ -13,12 +13,13 @@
 
 #include "core/base/yaml.h"
 #include "tests/architecture/include_graph.h"
+#include "tests/support/folders.h"
 
 namespace capstan {
 namespace {
 
 namespace fs = std::filesystem;
-const fs::path kRoot = CAPSTAN_SOURCE_DIR;
+const fs::path kRoot = test::sourceFile();
 
 using architecture::matches;
 using architecture::Room;

@@ -4,10 +4,11 @@
 #include <cstdio>
 
 #include "tests/architecture/include_graph.h"
+#include "tests/support/folders.h"
 
 int main(int argc, char** argv) {
   namespace architecture = capstan::architecture;
-  const std::filesystem::path root = argc > 1 ? argv[1] : CAPSTAN_SOURCE_DIR;
+  const std::filesystem::path root = argc > 1 ? argv[1] : capstan::test::sourceFile();
   int upwards = 0;
   for (const char* top : {"widgets", "core"}) {
     const auto rooms = architecture::roomsOf(root, top);

@@ -5,6 +5,7 @@
 
 #include "core/base/yaml.h"
 #include "tests/architecture/link_map.h"
+#include "tests/support/folders.h"
 
 namespace capstan {
 namespace {
@@ -13,7 +14,7 @@ namespace fs = std::filesystem;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-const fs::path kRoot = CAPSTAN_SOURCE_DIR;
+const fs::path kRoot = test::sourceFile();
 
 /// Sources of core/, relative to the root; without kernels that this machine's compiler does not build.
 std::vector<fs::path> coreSources() {

@@ -11,6 +11,7 @@
 #include "core/identification/batch.h"
 #include "core/identification/dual_ukf.h"
 #include "core/simulation/simulation_request.h"
+#include "tests/support/folders.h"
 
 namespace {
 
@@ -34,7 +35,7 @@ double secondsOf(Work&& work) {
 
 IdentificationData record(double duration) {
   simulation::SimulationRequest request;
-  const std::string resources = CAPSTAN_RESOURCES;
+  const std::string resources = test::sourceFile("resources");
   request.truth = resources + "/truth/laboratory.yaml";
   request.trajectory = resources + "/experiments/fls.yaml";
   request.duration = duration;

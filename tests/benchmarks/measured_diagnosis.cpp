@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "core/diagnosis/diagnose.h"
-#include "tests/support/data_folder.h"
+#include "tests/support/folders.h"
 #include "tests/support/measured_diagnosis/emps.h"
 #include "tests/support/measured_diagnosis/jaw.h"
 #include "tests/support/measured_diagnosis/steps.h"

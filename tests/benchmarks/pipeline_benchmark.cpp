@@ -14,6 +14,7 @@
 #include "core/simulation/simulation_request.h"
 #include "core/tracking/make_pipeline.h"
 #include "tests/support/counting_malloc.h"
+#include "tests/support/folders.h"
 
 namespace {
 
@@ -35,7 +36,7 @@ struct Case {
 
 void measure(const Case& one) {
   simulation::SimulatedOptions options;
-  const std::string resources = CAPSTAN_RESOURCES;
+  const std::string resources = test::sourceFile("resources");
   options.robot = robot::readDescription(resources + "/robots/raven2_left.yaml");
   if (one.cameras)
     options.rig = vision::readStereoRig(resources + "/cameras/left.yaml", resources + "/cameras/right.yaml");

@@ -10,6 +10,7 @@
 #include "core/robot/arm_kernel.h"
 #include "core/robot/description.h"
 #include "core/tracking/cable_arm_model.h"
+#include "tests/support/folders.h"
 
 /// What the candidate models of ukf_benchmark.cpp are given, and the scalar model that the slower ones run.
 namespace capstan::bench {
@@ -28,7 +29,7 @@ inline constexpr int kSamples = 2000;
 /// One second of motor motion and noisy joint observations; every candidate model gets the same.
 struct Problem {
   robot::Description robot =
-      robot::readDescription(std::string(CAPSTAN_RESOURCES) + "/robots/raven2_left.yaml");
+      robot::readDescription(test::resourceFile("robots/raven2_left.yaml"));
   std::vector<MotorState> motor;
   std::vector<Vector3> y;
   Vector6 mean0;

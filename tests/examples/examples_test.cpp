@@ -4,14 +4,15 @@
 #include <regex>
 
 #include "tests/app/cli_fixture.h"
+#include "tests/support/folders.h"
 
 namespace capstan::testing {
 namespace {
 
 using ::testing::HasSubstr;
 
-const fs::path kManual = fs::path(CAPSTAN_SOURCE_DIR) / "resources" / "manual" / "examples";
-const std::string kRobot = CAPSTAN_SOURCE_DIR "/resources/robots/raven2_left.yaml";
+const fs::path kManual = test::resourceFile("manual/examples");
+const std::string kRobot = test::resourceFile("robots/raven2_left.yaml");
 
 std::string textOfFile(const fs::path& path) {
   std::ifstream file(path);
@@ -35,8 +36,9 @@ class ExamplesTest : public Cli {
   /// A shell command in the test's folder, with the programs that the manual expects.
   Ran shell(const std::string& command) const {
     return runShell("set -e; cd " + path("") +
-                    "; export CAPSTAN_CLI='" CAPSTAN_CLI "' CAPSTAN_RESOURCES='" CAPSTAN_SOURCE_DIR
-                    "/resources'; PATH=\"$(dirname " CAPSTAN_CLI "):$PATH\"; " +
+                    "; export CAPSTAN_CLI='" + test::commandLineProgram() + "' CAPSTAN_RESOURCES='" +
+                    test::sourceFile("resources").string() + "'; PATH=\"$(dirname " +
+                    test::commandLineProgram() + "):$PATH\"; " +
                     command);
   }
   static std::string example(const std::string& name) { return std::string(CAPSTAN_EXAMPLES) + "/" + name; }
@@ -130,7 +132,7 @@ TEST_F(ExamplesTest, TheHypothesisIsInItsFilesAsQuotedAndIsFound) {
   const auto quoted = blocksOf(page, "cpp");
   ASSERT_EQ(quoted.size(), 8U);
   for (const auto& [file, block] : quoted)
-    EXPECT_THAT(textOfFile(fs::path(CAPSTAN_SOURCE_DIR) / file), HasSubstr(block)) << file;
+    EXPECT_THAT(textOfFile(test::sourceFile(file)), HasSubstr(block)) << file;
   const auto commands = blocksOf(page, "sh");
   ASSERT_EQ(commands.size(), 1U);
   const Ran ran = shell(commands[0].second);

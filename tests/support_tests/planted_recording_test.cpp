@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "tests/support/folders.h"
 #include "tests/support/planted/excitation.h"
 #include "tests/support_tests/planted_robots.h"
 

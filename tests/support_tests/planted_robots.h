@@ -1,25 +1,16 @@
 #pragma once
 
-#include <cstdlib>
-#include <filesystem>
-
+#include "tests/support/folders.h"
 #include "tests/support/planted/planted_case.h"
 
 namespace capstan::test {
 
 inline robot::Description raven() {
-  return robot::readDescription(std::filesystem::path(CAPSTAN_RESOURCES) / "robots" / "raven2_left.yaml");
+  return robot::readDescription(resourceFile("robots/raven2_left.yaml"));
 }
 
 inline robot::Description rigidRobot(const std::string& name) {
-  return robot::readDescription(std::filesystem::path(CAPSTAN_SOURCE_DIR) / "tests" / "support" / "planted" /
-                                "data" / (name + ".yaml"));
-}
-
-/// A file beside the data sets: in the parent of CAPSTAN_DATA, else in ../shared beside the repository.
-inline std::filesystem::path sharedFile(const std::string& name) {
-  if (const char* data = std::getenv("CAPSTAN_DATA")) return std::filesystem::path(data).parent_path() / name;
-  return std::filesystem::path(CAPSTAN_SOURCE_DIR) / ".." / "shared" / name;
+  return robot::readDescription(sourceFile("tests/support/planted/data/" + name + ".yaml"));
 }
 
 /// One level sliding joint of 2 kg on a cable of 1e4 N/m (2 k a), viscous enough to come to rest soon; no dry

@@ -4,5 +4,4 @@ capstan_display_test(NAME diagnosis_window_test SOURCES diagnosis_window_test.cp
                      capstan_sample_diagnosis)
 capstan_widget_test(NAME diagnosis_run_test SOURCES diagnosis_run_test.cpp LINKS capstan::diagnosis_panel
                     capstan_sample_diagnosis)
-target_compile_definitions(diagnosis_run_test PRIVATE CAPSTAN_CLI="$<TARGET_FILE:capstan-cli>")
 add_dependencies(diagnosis_run_test capstan-cli)

@@ -11,6 +11,7 @@
 #include "core/diagnosis/report/report_json.h"
 #include "tests/app/diagnose_recording.h"
 #include "tests/core/diagnosis/sampled_poses.h"
+#include "tests/support/folders.h"
 #include "widgets/panels/diagnosis/diagnosis_panel.h"
 
 namespace capstan::widgets {
@@ -40,7 +41,7 @@ class DiagnosisRuns : public ::testing::Test {
   }
   nlohmann::json commandLine(const QString& file, const QStringList& more = {}) {
     QProcess process;
-    process.start(CAPSTAN_CLI, QStringList{"diagnose", file, "--json", "-"} + more);
+    process.start(QString::fromStdString(capstan::test::commandLineProgram()), QStringList{"diagnose", file, "--json", "-"} + more);
     EXPECT_TRUE(process.waitForFinished(100000));
     EXPECT_EQ(process.exitCode(), 0) << process.readAllStandardError().toStdString();
     return nlohmann::json::parse(process.readAllStandardOutput().toStdString());

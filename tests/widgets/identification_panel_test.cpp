@@ -1,4 +1,5 @@
 // The calibration panel without a window around it: a session fed by hand, buttons pressed, files written.
+#include "tests/support/folders.h"
 #include "widgets/panels/identification/identification_panel.h"
 
 #include <gtest/gtest.h>
@@ -114,7 +115,7 @@ TEST_F(Identification, ValuesAreThoseOfTheCommandLine) {
   const QString session = folder.filePath("s.capstan");
   const auto run = [](const QStringList& arguments) {
     QProcess process;
-    process.start(CAPSTAN_CLI, arguments);
+    process.start(QString::fromStdString(capstan::test::commandLineProgram()), arguments);
     EXPECT_TRUE(process.waitForFinished(60000));
     EXPECT_EQ(process.exitCode(), 0) << process.readAllStandardError().toStdString();
     return process.readAllStandardOutput().toStdString();

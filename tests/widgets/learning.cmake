@@ -1,6 +1,5 @@
 capstan_widget_test(NAME learning_panel_test SOURCES learning_panel_test.cpp LINKS capstan::learning_panel
                     capstan_sample_poses)
-target_compile_definitions(learning_panel_test PRIVATE CAPSTAN_CLI="$<TARGET_FILE:capstan-cli>")
 add_dependencies(learning_panel_test capstan-cli)
 capstan_display_test(NAME learning_window_test SOURCES learning_window_test.cpp LINKS capstan::shell
                      capstan_sample_poses)

@@ -1,4 +1,5 @@
 // The learning panel without a window around it, on tables whose flaws are known.
+#include "tests/support/folders.h"
 #include "widgets/panels/learning/learning_panel.h"
 
 #include <gmock/gmock.h>
@@ -321,7 +322,7 @@ TEST_F(Learning, ModelAndErrorsAreThoseOfTheCommandLine) {
   ASSERT_TRUE(panel->results().evaluation) << panel->summary().toStdString();
   panel->saveModel(folder.filePath("window.correction"));
   QProcess process;
-  process.start(CAPSTAN_CLI, {"learn", "--train", tables[0], tables[1], "--inducing", "200", "--members", "1",
+  process.start(QString::fromStdString(capstan::test::commandLineProgram()), {"learn", "--train", tables[0], tables[1], "--inducing", "200", "--members", "1",
                               "--hold-out", "20", "--model", folder.filePath("line.correction"), "--json",
                               folder.filePath("line.json")});
   ASSERT_TRUE(process.waitForFinished(240000));

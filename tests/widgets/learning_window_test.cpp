@@ -8,7 +8,7 @@
 #include <QTemporaryDir>
 #include <QtTest/QTest>
 
-#include "tests/support/data_folder.h"
+#include "tests/support/folders.h"
 #include "tests/support/sample_poses.h"
 #include "tests/widgets/picture.h"
 #include "widgets/panels/analysis/analysis_panel.h"

@@ -7,11 +7,12 @@
 #include "core/robot/description.h"
 #include "core/tracking/snapshot.h"
 #include "core/vision/camera.h"
+#include "tests/support/folders.h"
 
 namespace capstan::test {
 
 inline robot::Description leftArm() {
-  return robot::readDescription(CAPSTAN_RESOURCES "/robots/raven2_left.yaml");
+  return robot::readDescription(resourceFile("robots/raven2_left.yaml"));
 }
 
 /// Two cameras of 650 px, 48 mm apart.

@@ -2,7 +2,6 @@ capstan_widget_test(
   NAME shell_test
   SOURCES shell_again_test.cpp shell_choice_test.cpp shell_disk_test.cpp shell_motors_test.cpp shell_sessions_test.cpp shell_window_test.cpp
   LINKS capstan::shell nlohmann_json::nlohmann_json)
-target_compile_definitions(shell_test PRIVATE CAPSTAN_CLI="$<TARGET_FILE:capstan-cli>")
 add_dependencies(shell_test capstan-cli)
 
 # In a real window, at the size of a small screen and with every pixel doubled.
@@ -10,7 +9,6 @@ capstan_display_test(
   NAME shell_reach_test
   SOURCES shell_operator_test.cpp shell_reach_test.cpp
   LINKS capstan::shell)
-target_compile_definitions(shell_reach_test PRIVATE CAPSTAN_CLI="$<TARGET_FILE:capstan-cli>")
 add_dependencies(shell_reach_test capstan-cli)
 add_test(NAME shell_reach_doubled_test COMMAND xvfb-run -a -s "-screen 0 1920x1080x24 -noreset"
                                                $<TARGET_FILE:shell_reach_test> --gtest_filter=Reach.*)

@@ -6,6 +6,7 @@
 #include <QTemporaryDir>
 #include <QtTest/QTest>
 
+#include "tests/support/folders.h"
 #include "widgets/shell/main_window.h"
 #include "widgets/shell/session_bar.h"
 
@@ -20,7 +21,7 @@ bool waitFor(Condition&& condition) {
 
 inline QByteArray commandLine(const QStringList& arguments) {
   QProcess process;
-  process.start(CAPSTAN_CLI, arguments);
+  process.start(QString::fromStdString(capstan::test::commandLineProgram()), arguments);
   EXPECT_TRUE(process.waitForFinished(60000));
   EXPECT_EQ(process.exitCode(), 0) << process.readAllStandardError().toStdString();
   return process.readAllStandardOutput();

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "core/base/resource.h"
+#include "tests/support/folders.h"
 #include "tests/widgets/picture.h"
 #include "tests/widgets/shell_fixture.h"
 #include "widgets/panels/notes/notes_panel.h"
@@ -56,7 +57,7 @@ TEST_F(Shell, SaysThatADriveOfOneJointIsForTheCommandLine) {
   window->open(atRest());
   ASSERT_TRUE(opened(*window));
   SourceChoice jaw = SourceChoice::ofFile(table.fileName());
-  jaw.robot = QStringLiteral(CAPSTAN_SOURCE_DIR "/tests/core/identification/data/davinci_jaw.yaml");
+  jaw.robot = QString::fromStdString(capstan::test::sourceFile("tests/core/identification/data/davinci_jaw.yaml"));
   window->open(jaw);
   ASSERT_TRUE(waitFor([&] { return !window->message().isEmpty(); }));
   EXPECT_TRUE(window->message().contains("da Vinci jaw has 1")) << window->message().toStdString();

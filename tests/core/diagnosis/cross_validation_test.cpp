@@ -7,6 +7,7 @@
 
 #include "core/base/random.h"
 #include "core/diagnosis/evidence/read_evidence.h"
+#include "tests/support/folders.h"
 #include "tests/support/planted/planted_case.h"
 
 namespace capstan::diagnosis {
@@ -16,8 +17,7 @@ namespace {
 /// only its correlation can tell: mean of 20 draws.
 double inflationOf(double phi) {
   test::DrawOptions options;
-  options.robot = robot::readDescription(std::filesystem::path(CAPSTAN_SOURCE_DIR) /
-                                         "tests/support/planted/data/rigid_axis.yaml");
+  options.robot = robot::readDescription(test::sourceFile("tests/support/planted/data/rigid_axis.yaml"));
   options.rigid = true;
   options.effects = 0;
   options.duration = 20.0;

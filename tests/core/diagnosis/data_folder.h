@@ -1,11 +1,9 @@
 /// Recordings of real robots and of others' simulations, where they are on this machine.
 #pragma once
 
-#include <filesystem>
-
 #include "core/base/resource.h"
 #include "core/robot/description.h"
-#include "tests/support/data_folder.h"
+#include "tests/support/folders.h"
 
 namespace capstan::diagnosis {
 
@@ -16,8 +14,7 @@ inline robot::Description raven() {
 }
 
 inline robot::Description jaw() {
-  return robot::readDescription(std::filesystem::path(CAPSTAN_SOURCE_DIR) / "tests" / "core" /
-                                "identification" / "data" / "davinci_jaw.yaml");
+  return robot::readDescription(test::sourceFile("tests/core/identification/data/davinci_jaw.yaml"));
 }
 
 /// One sliding joint that a motor force drives.

@@ -9,6 +9,7 @@
 #include "core/diagnosis/evidence/read_evidence.h"
 #include "core/diagnosis/hypotheses/joint_scales.h"
 #include "core/diagnosis/selection/selection.h"
+#include "tests/support/folders.h"
 #include "tests/support/planted/planted_case.h"
 
 namespace capstan::diagnosis {
@@ -16,8 +17,7 @@ namespace {
 
 /// A sound rigid axis under loads that are measured with noise, and its refitted nominal structure.
 struct Sound {
-  robot::Description robot = robot::readDescription(std::filesystem::path(CAPSTAN_SOURCE_DIR) /
-                                                    "tests/support/planted/data/rigid_axis.yaml");
+  robot::Description robot = robot::readDescription(test::sourceFile("tests/support/planted/data/rigid_axis.yaml"));
   std::vector<Evidence> evidence;
 
   explicit Sound(double load_sigma) {

@@ -2,7 +2,7 @@
 // (tests/benchmarks) prints the numbers.
 #include <gtest/gtest.h>
 
-#include "tests/support/data_folder.h"
+#include "tests/support/folders.h"
 #include "tests/support/measured_diagnosis/emps.h"
 #include "tests/support/measured_diagnosis/jaw.h"
 #include "tests/support/measured_diagnosis/steps.h"

@@ -8,6 +8,7 @@
 #include "core/diagnosis/evidence/read_evidence.h"
 #include "core/robot/kinematics.h"
 #include "tests/core/diagnosis/data_folder.h"
+#include "tests/support/folders.h"
 
 namespace capstan::diagnosis {
 namespace {

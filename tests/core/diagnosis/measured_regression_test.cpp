@@ -9,6 +9,7 @@
 #include "core/base/random.h"
 #include "tests/core/diagnosis/planted_evidence.h"
 #include "tests/core/diagnosis/synthetic.h"
+#include "tests/support/folders.h"
 
 namespace capstan::diagnosis {
 namespace {
@@ -74,8 +75,7 @@ TEST(MeasuredRegression, HasAConstantForEachRecordingWhoseZeroIsFree) {
 
 TEST(MeasuredRegression, RigidDrivesHaveNone) {
   test::DrawOptions options;
-  options.robot = robot::readDescription(std::filesystem::path(CAPSTAN_SOURCE_DIR) /
-                                         "tests/support/planted/data/rigid_axis.yaml");
+  options.robot = robot::readDescription(test::sourceFile("tests/support/planted/data/rigid_axis.yaml"));
   options.rigid = true;
   options.effects = 0;
   options.duration = 8.0;

@@ -13,6 +13,7 @@
 #include "core/robot/kinematics.h"
 #include "core/robot/transmission.h"
 #include "tests/core/diagnosis/data_folder.h"
+#include "tests/support/folders.h"
 
 namespace capstan::diagnosis {
 namespace {

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "tests/core/diagnosis/data_folder.h"
 #include "tests/core/diagnosis/sampled_poses.h"
+#include "tests/support/folders.h"
 
 namespace capstan::diagnosis {
 namespace {

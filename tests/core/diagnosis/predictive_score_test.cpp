@@ -12,6 +12,7 @@
 
 #include "core/base/random.h"
 #include "core/diagnosis/evidence/read_evidence.h"
+#include "tests/support/folders.h"
 #include "tests/support/planted/planted_case.h"
 
 namespace capstan::diagnosis {
@@ -30,8 +31,7 @@ struct TwoRecordings {
 
   TwoRecordings() {
     test::DrawOptions options;
-    options.robot = robot::readDescription(std::filesystem::path(CAPSTAN_SOURCE_DIR) /
-                                           "tests/support/planted/data/rigid_axis.yaml");
+    options.robot = robot::readDescription(test::sourceFile("tests/support/planted/data/rigid_axis.yaml"));
     options.rigid = true;
     options.effects = 0;
     options.duration = 8.0;

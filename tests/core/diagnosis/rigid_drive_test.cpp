@@ -7,6 +7,7 @@
 #include "core/diagnosis/evidence/read_evidence.h"
 #include "core/diagnosis/hypotheses/joint_scales.h"
 #include "core/diagnosis/selection/selection.h"
+#include "tests/support/folders.h"
 #include "tests/support/planted/planted_case.h"
 
 namespace capstan::diagnosis {
@@ -14,8 +15,7 @@ namespace {
 
 /// An axis that moves slowly enough to stick, with an effect.
 struct Sticking {
-  robot::Description robot = robot::readDescription(std::filesystem::path(CAPSTAN_SOURCE_DIR) /
-                                                    "tests/support/planted/data/rigid_axis.yaml");
+  robot::Description robot = robot::readDescription(test::sourceFile("tests/support/planted/data/rigid_axis.yaml"));
   test::Truth truth;
   std::vector<Evidence> evidence;
 

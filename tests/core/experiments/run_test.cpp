@@ -17,6 +17,7 @@
 #include "core/experiments/series.h"
 #include "core/recording/export.h"
 #include "core/simulation/simulation_request.h"
+#include "tests/support/folders.h"
 
 namespace capstan::experiments {
 namespace {
@@ -97,7 +98,7 @@ TEST_F(Experiments, TrialsAreTrackedAndKept) {
 
 // The README's specification is the one that people copy.
 TEST_F(Experiments, TheReadmesExampleRuns) {
-  const std::string readme = base::readTextFile(CAPSTAN_SOURCE_DIR "/README.md");
+  const std::string readme = base::readTextFile(test::sourceFile("README.md"));
   const std::string fence = "```yaml\n";
   const std::size_t begin = readme.find(fence);
   ASSERT_NE(begin, std::string::npos);

@@ -1,26 +1,19 @@
 /// The robot file and recordings of one jaw.
 #pragma once
 
-#include <cstdlib>
-#include <filesystem>
-
 #include "core/identification/drive_fit.h"
+#include "tests/support/folders.h"
 
 namespace capstan::identification {
 
 inline robot::Description jaw() {
-  return robot::readDescription(std::filesystem::path(CAPSTAN_SOURCE_DIR) / "tests" / "core" /
-                                "identification" / "data" / "davinci_jaw.yaml");
+  return robot::readDescription(test::sourceFile("tests/core/identification/data/davinci_jaw.yaml"));
 }
 
 /// Recordings of the jaw under even or odd load levels at 0.1, 0.3 and 0.5 Hz, in this order; empty where the
 /// measured data are not here.
 inline std::vector<DriveRecording> jawRecordings(bool odd, double step) {
-  const char* given = std::getenv("CAPSTAN_DATA");
-  const std::filesystem::path root =
-      (given ? std::filesystem::path(given)
-             : std::filesystem::path(CAPSTAN_SOURCE_DIR).parent_path() / "shared" / "data") /
-      "davinci-jaw";
+  const std::filesystem::path root = test::dataFolder() / "davinci-jaw";
   std::vector<DriveRecording> all;
   if (!std::filesystem::exists(root)) return all;
   for (const char* frequency : {"0.1", "0.3", "0.5"})

@@ -8,7 +8,7 @@
 #include "core/base/resource.h"
 #include "core/recording/read_table.h"
 #include "core/recording/settle_units.h"
-#include "tests/support/data_folder.h"
+#include "tests/support/folders.h"
 
 namespace capstan::recording {
 namespace {

@@ -30,7 +30,8 @@ struct Outcome {
   double stored = -1.0;       ///< of the newest motor sample in the copy [s]
   std::int64_t motor = 0;     ///< motor samples in the copy
   bool in_order = true;       ///< the copy has them from the first on without a gap
-  double foreseen_end = 0.0;  ///< by the time left that was told two seconds before the end [s]
+  double end = 0.0;           ///< when the recorder had failed, on the clock of the wall [s]
+  double foreseen_end = 0.0;  ///< the same by the time left that was told two seconds before [s]
   bool log_beside = false;    ///< something lay beside the file when the recorder had failed
 };
 
@@ -67,8 +68,9 @@ Outcome recordUntilItFails(const std::filesystem::path& path, const std::filesys
     if (tick % 66 == 0)
       recorder.offer(tracking::Sample(tracking::StereoFrame{t, t, pictures[0], pictures[1]}));
     outcome.stats = recorder.stats();
+    outcome.end = now() - begin;
     if (outcome.stats.state == RecorderState::kFailed) break;
-    if (outcome.stats.time_left > 2.0) outcome.foreseen_end = t + outcome.stats.time_left;
+    if (outcome.stats.time_left > 2.0) outcome.foreseen_end = outcome.end + outcome.stats.time_left;
   }
   EXPECT_EQ(outcome.stats.state, RecorderState::kFailed) << "the disk was never full";
   for (const char* suffix : {"-wal", "-shm", "-journal"})
@@ -251,7 +253,7 @@ TEST(DiskFault, RoomReserveAndTimeLeftAreKnown) {
   });
   EXPECT_EQ(outcome.stats.reserve_bytes, space.reserve);
   EXPECT_GT(outcome.foreseen_end, 0.0) << "no time left was told";
-  EXPECT_NEAR(outcome.foreseen_end, outcome.taken, 2.0);
+  EXPECT_NEAR(outcome.foreseen_end, outcome.end, 2.0);
   expectWhole(outcome);
 }
 

@@ -17,6 +17,7 @@
 #include "core/tracking/sample.h"
 #include "core/tracking/snapshot.h"
 #include "core/vision/marker.h"
+#include "tests/support/folders.h"
 
 /// Made-up samples and files for the session tests.
 namespace capstan::recording::testing {
@@ -44,16 +45,13 @@ class TemporaryFolder {
 };
 
 inline robot::Description raven() {
-  return robot::readDescription(std::filesystem::path(CAPSTAN_RESOURCES) / "robots" / "raven2_left.yaml");
+  return robot::readDescription(test::resourceFile("robots/raven2_left.yaml"));
 }
 
 /// The data sets: CAPSTAN_DATA, else ../shared/data beside the repository; empty where absent.
 inline std::filesystem::path dataFile(const std::string& name) {
-  const char* chosen = std::getenv("CAPSTAN_DATA");
-  const std::filesystem::path root =
-      chosen ? std::filesystem::path(chosen)
-             : std::filesystem::path(CAPSTAN_SOURCE_DIR).parent_path() / "shared" / "data";
-  return std::filesystem::exists(root / name) ? root / name : std::filesystem::path();
+  const std::filesystem::path file = test::dataFolder() / name;
+  return std::filesystem::exists(file) ? file : std::filesystem::path();
 }
 
 inline SessionHeader header() {

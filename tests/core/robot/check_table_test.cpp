@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -14,6 +13,7 @@
 #include "core/robot/chain/chain_model.h"
 #include "core/robot/chain_dynamics.h"
 #include "tests/core/robot/robot_files.h"
+#include "tests/support/folders.h"
 
 namespace capstan::robot {
 namespace {
@@ -21,11 +21,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// A file beside the data sets: in the parent of CAPSTAN_DATA, else in ../shared beside the repository.
-std::filesystem::path sharedFile(const std::string& name) {
-  if (const char* data = std::getenv("CAPSTAN_DATA")) return std::filesystem::path(data).parent_path() / name;
-  return std::filesystem::path(CAPSTAN_SOURCE_DIR) / ".." / "shared" / name;
-}
+using capstan::test::sharedFile;
 
 class Table {
  public:

@@ -6,11 +6,12 @@
 
 #include "core/base/random.h"
 #include "core/robot/description.h"
+#include "tests/support/folders.h"
 
 namespace capstan::robot::testing {
 
 inline std::filesystem::path robotFile(const std::string& side) {
-  return std::filesystem::path(CAPSTAN_RESOURCES) / "robots" / ("raven2_" + side + ".yaml");
+  return capstan::test::resourceFile("robots/raven2_" + side + ".yaml");
 }
 
 inline Description raven(const std::string& side = "left") { return readDescription(robotFile(side)); }

@@ -7,11 +7,12 @@
 #include "core/simulation/simulated_source.h"
 #include "core/simulation/truth.h"
 #include "core/vision/camera.h"
+#include "tests/support/folders.h"
 
 namespace capstan::simulation {
 
 inline robot::Description raven(const std::string& side = "left") {
-  return robot::readDescription(std::string(CAPSTAN_RESOURCES) + "/robots/raven2_" + side + ".yaml");
+  return robot::readDescription(test::resourceFile("robots/raven2_" + side + ".yaml"));
 }
 
 /// Two cameras like those on the robot: 640×480, f = 650 px, 48 mm apart, with barrel distortion.

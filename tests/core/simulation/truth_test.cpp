@@ -3,11 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "tests/support/folders.h"
 
 namespace capstan::simulation {
 namespace {
 
-const std::string kFolder = std::string(CAPSTAN_RESOURCES) + "/truth/";
+const std::string kFolder = test::resourceFile("truth/");
 
 TEST(Truth, ShippedFilesAreTheBuiltInTruths) {
   EXPECT_EQ(formatTruth(readTruth(kFolder + "default.yaml")), formatTruth(defaultTruth()));

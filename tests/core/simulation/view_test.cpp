@@ -6,6 +6,7 @@
 #include "core/simulation/camera_mounting.h"
 #include "core/simulation/trajectory.h"
 #include "tests/core/simulation/simulated_robot.h"
+#include "tests/support/folders.h"
 
 namespace capstan::simulation {
 namespace {
@@ -45,7 +46,7 @@ TEST(Mounting, LeftArmsRotationIsTheDocumentedOne) {
 TEST_P(View, BothCamerasSeeTheWholeTaskAndTheHardStop) {
   const robot::Description robot = raven(GetParam());
   const robot::ArmKinematics kinematics(robot);
-  const std::string folder = std::string(CAPSTAN_RESOURCES) + "/cameras/";
+  const std::string folder = test::resourceFile("cameras/");
   const vision::StereoRig rig = vision::readStereoRig(folder + "left.yaml", folder + "right.yaml");
   for (const Truth& truth : {Truth{}, defaultTruth()}) {
     const Eigen::Isometry3d camera_from_base = trueBaseFromCamera(robot, truth.cameras).inverse();

@@ -20,6 +20,7 @@
 #include "tests/core/tracking/cable_arm_scene.h"
 #include "tests/support/cable_arm_reference.h"
 #include "tests/support/counting_new.h"
+#include "tests/support/folders.h"
 #include "tests/support/ukf_reference.h"
 
 namespace capstan::tracking {
@@ -123,11 +124,9 @@ TEST_P(CableArmKernels, BoxHoldsWildPointsAndNaNIsNotHidden) {
 }
 
 TEST(CableArmReference, AgreesWithTheIndependentTable) {
-  const char* folder = std::getenv("CAPSTAN_DATA");
-  const std::filesystem::path data =
-      folder != nullptr ? folder : std::string(CAPSTAN_SOURCE_DIR) + "/../shared/data";
-  std::ifstream file(data.parent_path() / "raven2-check.csv");
-  if (!file) GTEST_SKIP() << "no raven2-check.csv beside " << data;
+  const std::filesystem::path table = capstan::test::sharedFile("raven2-check.csv");
+  REQUIRE_DATA(table);
+  std::ifstream file(table);
   const Reference reference(raven());
   std::string line;
   std::getline(file, line);

@@ -7,12 +7,13 @@
 #include "core/base/random.h"
 #include "core/robot/description.h"
 #include "core/tracking/cable_arm_model.h"
+#include "tests/support/folders.h"
 
 namespace capstan::tracking {
 
 inline const robot::Description& raven() {
   static const robot::Description robot =
-      robot::readDescription(std::string(CAPSTAN_RESOURCES) + "/robots/raven2_left.yaml");
+      robot::readDescription(capstan::test::resourceFile("robots/raven2_left.yaml"));
   return robot;
 }
 

@@ -9,6 +9,7 @@
 #include "core/robot/arm_kinematics.h"
 #include "core/simulation/truth.h"
 #include "tests/core/tracking/pipeline_scene.h"
+#include "tests/support/folders.h"
 
 namespace capstan::tracking {
 namespace {
@@ -18,7 +19,7 @@ using Eigen::Vector3d;
 
 const robot::Description& raven() {
   static const robot::Description robot =
-      robot::readDescription(std::string(CAPSTAN_RESOURCES) + "/robots/raven2_left.yaml");
+      robot::readDescription(capstan::test::resourceFile("robots/raven2_left.yaml"));
   return robot;
 }
 

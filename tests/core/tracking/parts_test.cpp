@@ -8,6 +8,7 @@
 #include "core/tracking/jump_gate.h"
 #include "core/tracking/options.h"
 #include "core/tracking/time_series.h"
+#include "tests/support/folders.h"
 
 namespace capstan::tracking {
 namespace {
@@ -104,7 +105,7 @@ TEST(ErrorTable, CountsPairedReferencesAndAcceptedCamerasOnly) {
 }
 
 TEST(TrackingOptions, TheFileInResourcesHoldsTheDefaults) {
-  const TrackingOptions file = readTrackingOptions(std::string(CAPSTAN_RESOURCES) + "/tracking/default.yaml");
+  const TrackingOptions file = readTrackingOptions(capstan::test::resourceFile("tracking/default.yaml"));
   EXPECT_EQ(base::writeYaml(file), base::writeYaml(TrackingOptions{}));
 }
 

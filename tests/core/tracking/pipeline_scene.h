@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -11,10 +10,11 @@
 #include "core/simulation/simulated_source.h"
 #include "core/tracking/make_pipeline.h"
 #include "core/tracking/track_all.h"
+#include "tests/support/folders.h"
 
 namespace capstan::tracking::test {
 
-inline const std::string kResources = CAPSTAN_RESOURCES;
+inline const std::string kResources = capstan::test::sourceFile("resources");
 
 inline simulation::SimulatedOptions simulated(const simulation::Truth& truth, double duration, bool images) {
   simulation::SimulatedOptions options;
@@ -37,12 +37,10 @@ inline std::vector<Sample> samplesOf(tracking::Source& source) {
 
 /// A recording of measured data, where it is at hand: $CAPSTAN_DATA or ../shared/data beside the repository.
 inline std::optional<std::filesystem::path> measured(const std::string& file) {
-  const char* given = std::getenv("CAPSTAN_DATA");
-  const std::filesystem::path root =
-      given ? std::filesystem::path(given) : std::filesystem::path(CAPSTAN_SOURCE_DIR) / "../shared/data";
+  const std::filesystem::path path = capstan::test::dataFolder() / file;
   std::error_code ignored;
-  if (!std::filesystem::exists(root / file, ignored)) return std::nullopt;
-  return root / file;
+  if (!std::filesystem::exists(path, ignored)) return std::nullopt;
+  return path;
 }
 
 /// Samples from memory.

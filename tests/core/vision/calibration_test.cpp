@@ -14,6 +14,7 @@
 #include "core/base/error.h"
 #include "core/base/random.h"
 #include "tests/core/vision/rig_for_tests.h"
+#include "tests/support/folders.h"
 
 namespace capstan::vision {
 namespace {
@@ -22,10 +23,7 @@ namespace fs = std::filesystem;
 
 /// The stereo chessboard images of OpenCV's samples, where they are at hand.
 fs::path openCvStereo() {
-  const char* folder = std::getenv("CAPSTAN_DATA");
-  const fs::path data =
-      folder != nullptr ? fs::path(folder) : fs::path(CAPSTAN_SOURCE_DIR) / "../shared/data";
-  return data / "opencv-stereo";
+  return test::dataFolder() / "opencv-stereo";
 }
 
 /// Picture of a chessboard by casting a ray for each sub-pixel, then a lens's slight blur: no model of ours

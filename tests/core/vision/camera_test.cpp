@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/random.h"
 #include "tests/core/vision/rig_for_tests.h"
+#include "tests/support/folders.h"
 
 namespace capstan::vision {
 namespace {
@@ -117,7 +118,7 @@ TEST(StereoRig, RectifiesAsTheRosConventionSays) {
 }
 
 TEST(StereoRig, DefaultRigIsTheLaboratorysPair) {
-  const std::string folder = std::string(CAPSTAN_RESOURCES) + "/cameras/";
+  const std::string folder = test::resourceFile("cameras/");
   const StereoRig rig = readStereoRig(folder + "left.yaml", folder + "right.yaml");
   EXPECT_NEAR(rig.baseline(), 0.048, 1e-12);
   EXPECT_EQ(rig.left.width, 640);

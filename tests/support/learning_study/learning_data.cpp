@@ -1,3 +1,4 @@
+#include "tests/support/folders.h"
 #include "tests/support/learning_study/learning_data.h"
 
 #include <fmt/format.h>
@@ -32,8 +33,8 @@ void writeNumbers(const std::filesystem::path& path, const Eigen::MatrixXd& numb
 }
 
 nlohmann::json askSklearn(const std::filesystem::path& folder) {
-  const std::string command = fmt::format("/usr/bin/python3 '{}/tests/benchmarks/sklearn_process.py' '{}'",
-                                          CAPSTAN_SOURCE_DIR, folder.string());
+  const std::string command = fmt::format("/usr/bin/python3 '{}' '{}'",
+                                          test::sourceFile("tests/benchmarks/sklearn_process.py").string(), folder.string());
   FILE* pipe = popen(command.c_str(), "r");
   std::string text;
   char buffer[4096];

@@ -1,12 +1,11 @@
 #include "tests/support/measured_diagnosis/steps.h"
 
-#include <filesystem>
+#include "tests/support/folders.h"
 
 namespace capstan::measured {
 
 robot::Description robotFile(const std::string& name) {
-  return robot::readDescription(std::filesystem::path(CAPSTAN_SOURCE_DIR) / "tests" / "core" / "diagnosis" /
-                                "data" / name);
+  return robot::readDescription(test::sourceFile("tests/core/diagnosis/data/" + name));
 }
 
 std::vector<Step> stepsOf(const diagnosis::FitData& data, const diagnosis::Selection& selection) {

@@ -1,3 +1,4 @@
+#include "tests/support/folders.h"
 #include "tests/support/planted_study/study_cases.h"
 
 #include <fmt/format.h>
@@ -126,8 +127,8 @@ test::PlantedCase planned(const StudyCase& one, std::optional<double> size) {
 
 robot::Description robotOf(Robot which) {
   if (which == Robot::kRaven) return robot::readDescription(base::resource("robots/raven2_left.yaml"));
-  const auto folder = std::filesystem::path(CAPSTAN_SOURCE_DIR) / "tests" / "support" / "planted" / "data";
-  return robot::readDescription(folder / (which == Robot::kArm ? "rigid_arm.yaml" : "rigid_axis.yaml"));
+  return robot::readDescription(test::sourceFile(which == Robot::kArm ? "tests/support/planted/data/rigid_arm.yaml"
+                                                                      : "tests/support/planted/data/rigid_axis.yaml"));
 }
 
 }  // namespace capstan::study
