@@ -218,7 +218,7 @@ Selected selected(const std::vector<Evidence>& recordings, const robot::Descript
   const bool both = nominal.drive == DriveKind::kRigid && haveEncoders(recordings);
   SearchOptions how{.most_causes = options.most_causes, .only = options.only, .seed = options.seed};
   const auto dataOver = [&](double horizon) {
-    return std::make_unique<FitData>(recordings, nominal, horizon, options.zeros, options.threads);
+    return std::make_unique<FitData>(recordings, nominal, horizon, options.zeros, options.threads, progress);
   };
   auto near = dataOver(both ? kNearHorizon : kFarHorizon);
   if (both) how.progress_end = 0.5;

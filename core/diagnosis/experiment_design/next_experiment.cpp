@@ -55,9 +55,8 @@ MatrixXd rootOf(const MatrixXd& covariance) {
   return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
 }
 
-std::vector<Prediction> predictionsOf(const FitData& data, const Selection& selection,
-                                      const base::Progress* progress) {
-  const SetFitter fitter(data, progress);
+std::vector<Prediction> predictionsOf(const FitData& data, const Selection& selection) {
+  const SetFitter fitter(data);
   std::vector<Prediction> all;
   double sum = 0.0;
   for (const ProbableSet& one : selection.probable) {
@@ -161,7 +160,7 @@ std::optional<NextExperiment> nextExperiment(const FitData& data, const std::vec
                                              EncoderZeros zeros, int threads, base::Progress* progress) {
   if (data.rigid() || selection.probable.size() < 2) return std::nullopt;
   if (progress) progress->report(progress->fraction(), "Choosing the next experiment");
-  const std::vector<Prediction> sets = predictionsOf(data, selection, progress);
+  const std::vector<Prediction> sets = predictionsOf(data, selection);
   const std::vector<TestMotion> motions = testMotions(nominal, recordings, recordings.front().step);
   std::vector<double> confusion(motions.size(), std::numeric_limits<double>::infinity());
   base::parallelFor(motions.size(), threads, [&](std::size_t k) {

@@ -290,8 +290,7 @@ void ChainSimulation::simulate(const robot::ChainRows& rows, std::span<const Rob
   for (int lane = 0; lane < kChainLanes; ++lane) {
     const Robot& robot = robots[std::min<std::size_t>(static_cast<std::size_t>(lane), robots.size() - 1)];
     put<robot::ChainNumbers>(robot.model->numbers, lane, *numbers);
-    if (static_cast<std::size_t>(lane) < robots.size())
-      run.steps = std::max(run.steps, stepsFor(*robot.model));
+    run.steps = std::max({run.steps, robot.steps, stepsFor(*robot.model)});
   }
   Lanes q, dq;
   for (std::size_t w = 0; w < windows_.size(); ++w) {

@@ -42,6 +42,7 @@ struct Robot {
   const robot::ChainModel* model = nullptr;
   /// Offsets that are added to initialStates(), 4n × windows; null: no offsets.
   const Eigen::MatrixXd* initial = nullptr;
+  int steps = 1;  ///< number of integration steps per row, at least stepsFor() the model
 };
 
 /// Open-loop simulations of a robot model on the recorded inputs of one recording (motor positions of cable
@@ -66,7 +67,10 @@ class ChainSimulation {
   /// compliant motors from their quasi-static state.
   const Eigen::MatrixXd& initialStates() const { return initial_; }
 
-  /// Simulates at most 16 robots: one column of readings per robot, in the order of Compared::measured. NaN
+  /// Number of integration steps per row that a robot needs.
+  int stepsFor(const robot::ChainModel& model) const;
+
+  /// Simulates at most 16 robots, with the largest of their numbers of steps: one column of readings per robot, in the order of Compared::measured. NaN
   /// where a simulation diverged.
   void simulate(std::span<const Robot> robots, Eigen::Ref<Eigen::MatrixXd> readings) const {
     simulate(rows_, robots, readings);
@@ -85,7 +89,6 @@ class ChainSimulation {
   void findInitialStates(const robot::Description& robot);
   void findSamples(const robot::Description& robot);
   robot::ChainShape shapeOf(std::span<const Robot> robots) const;
-  int stepsFor(const robot::ChainModel& model) const;
   robot::ChainInput inputAt(std::size_t row, std::size_t next) const;
   robot::ChainState<double> initialState(const robot::ChainModel& model, const Eigen::MatrixXd* beyond,
                                          std::size_t window) const;

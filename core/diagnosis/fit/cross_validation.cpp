@@ -96,10 +96,15 @@ BlockSquares squaresOf(const FitData& data, const VectorXd& e) {
   return squares;
 }
 
-VectorXd heldOut(const FitData& data, const Fit& fit, const Weighting& weighting) {
+namespace {
+
+int foldsOf(const FitData& data) { return std::min(kFolds, data.blocks()); }
+
+/// Parameters without each fold.
+std::vector<VectorXd> parametersWithoutFolds(const FitData& data, const Fit& fit, const Weighting& weighting) {
   const FreeSystem system(data, fit, weighting, true);
-  const int folds = std::min(kFolds, data.blocks());
-  std::vector<VectorXd> numbers;
+  const int folds = foldsOf(data);
+  std::vector<VectorXd> parameters;
   for (int f = 0; f < folds; ++f) {
     MatrixXd others = system.normal;
     VectorXd score = VectorXd::Zero(system.jacobian.cols());
@@ -112,12 +117,40 @@ VectorXd heldOut(const FitData& data, const Fit& fit, const Weighting& weighting
     const VectorXd step = others.ldlt().solve(-score).cwiseMax(-kLongestWay).cwiseMin(kLongestWay);
     VectorXd u = fit.u;
     for (std::size_t k = 0; k < system.free.size(); ++k) u[system.free[k]] += step[static_cast<Index>(k)];
-    numbers.push_back(fit.model.clipped(u));
+    parameters.push_back(fit.model.clipped(u));
   }
-  const MatrixXd e = residualsWith(data, fit, numbers, weighting);
+  return parameters;
+}
+
+/// Of each reading, the residual without its own fold; `e` has one column per fold.
+VectorXd ownFolds(const FitData& data, const MatrixXd& e) {
   VectorXd left(data.size());
-  for (Index i = 0; i < left.size(); ++i) left[i] = e(i, data.block()[static_cast<std::size_t>(i)] % folds);
+  for (Index i = 0; i < left.size(); ++i)
+    left[i] = e(i, data.block()[static_cast<std::size_t>(i)] % foldsOf(data));
   return left;
+}
+
+}  // namespace
+
+std::vector<VectorXd> heldOut(const FitData& data, const std::vector<WeightedFit>& fits) {
+  std::vector<std::vector<VectorXd>> parameters;
+  for (const auto& [fit, weighting] : fits)
+    parameters.push_back(parametersWithoutFolds(data, *fit, *weighting));
+  std::vector<VectorXd> left;
+  for (const MatrixXd& e : residualsWith(data, fits, parameters)) left.push_back(ownFolds(data, e));
+  return left;
+}
+
+VectorXd heldOut(const FitData& data, const Fit& fit, const Weighting& weighting) {
+  return heldOut(data, {{&fit, &weighting}}).front();
+}
+
+VectorXd linearHeldOut(const FitData& data, const Fit& fit, const Weighting& weighting) {
+  MatrixXd e(data.size(), foldsOf(data));
+  Index column = 0;
+  for (const VectorXd& u : parametersWithoutFolds(data, fit, weighting))
+    e.col(column++) = fit.e - fit.jacobian * (u - fit.u);
+  return ownFolds(data, e);
 }
 
 MatrixXd covarianceOf(const FitData& data, const Fit& fit, const Weighting& weighting) {

@@ -32,6 +32,10 @@ BlockSquares squaresOf(const FitData& data, const Eigen::VectorXd& e);
 /// Parameters at a bound stay there; so do times of single events, because one block alone determines them.
 /// The cost is one simulation of kFolds robots in parallel.
 Eigen::VectorXd heldOut(const FitData& data, const Fit& fit, const Weighting& weighting);
+/// The same of several fits, whose robots are simulated in parallel.
+std::vector<Eigen::VectorXd> heldOut(const FitData& data, const std::vector<WeightedFit>& fits);
+/// The same without a simulation, e − J Δu, which is coarser.
+Eigen::VectorXd linearHeldOut(const FitData& data, const Fit& fit, const Weighting& weighting);
 inline constexpr int kFolds = 16;
 inline constexpr double kLongestWay = 1.0;  ///< largest change of any u without a fold
 

@@ -2,12 +2,14 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "core/diagnosis/fit/fit_step.h"
 #include "core/diagnosis/fit/linear_system.h"
 
 namespace capstan::diagnosis {
 
+using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
@@ -28,65 +30,149 @@ double objectiveOf(const FitModel& model, const VectorXd& u, const VectorXd& e, 
 
 Fit linearise(const FitData& data, const FitModel& model, const VectorXd& u, const InitialStates& initial,
               const Weighting& weighting) {
-  return systemAt(data, model, u, initial, weighting).at;
-}
-
-Fit fit(const FitData& data, const FitModel& model, const VectorXd& u, const InitialStates& initial,
-        const Weighting& weighting, const FitOptions& options, const base::Progress* progress) {
-  System system = systemAt(data, model, model.clipped(u), initial, weighting, options.known);
-  const VectorXd& weights = weighting.weights;
-  for (int iteration = 1; iteration <= options.iterations; ++iteration) {
-    if (progress && progress->cancelled()) break;
-    const MatrixXd jacobian = weights.asDiagonal() * system.at.jacobian;
-    MatrixXd normal = jacobian.transpose() * jacobian;
-    VectorXd gradient = jacobian.transpose() * weights.cwiseProduct(system.at.e);
-    const VectorXd precision = priorPrecision(model);
-    normal.diagonal() += precision;
-    gradient -= precision.cwiseProduct(system.at.u);
-    const BoundedStep stepFor(model, system.at.u, normal, gradient);
-    stepFor(0.0, &system.at.bound);
-    const Trial best = bestOf(data, system, stepFor, weighting);
-    const double gain = system.objective - best.objective;
-    if (!(gain > 0.0)) break;
-    const bool last = gain < options.tolerance || iteration == options.iterations;
-    if (last) {  // the linearisation of the step before is kept
-      system.at.u = best.u, system.at.e = best.e, system.at.initial = best.initial;
-      system.at.objective = objectiveOf(model, best.u, best.e, weighting);
-      system.at.iterations = iteration;
-      break;
-    }
-    system = systemAt(data, model, best.u, best.initial, weighting, options.known);
-    system.at.iterations = iteration;
-  }
-  return system.at;
+  return systemsAt(data, {{&model, u, initial, &weighting, nullptr}}).front().at;
 }
 
 namespace {
 
-MatrixXd residualsFrom(const FitData& data, const Fit& at, const std::vector<robot::ChainModel>& robots,
-                       const std::vector<InitialStates>& starts, const Weighting& weighting) {
-  MatrixXd e = data.simulate(robots, starts);
+LinearisationPoint pointOf(const FitTask& task, VectorXd u, InitialStates initial) {
+  return {&task.model, std::move(u), std::move(initial), &task.weighting, task.options.known};
+}
+
+LinearisationPoint startOf(const FitTask& task) {
+  LinearisationPoint point = pointOf(task, task.model.clipped(task.u), task.initial);
+  if (task.options.begun) point.known = task.options.begun;
+  return point;
+}
+
+/// Damped normal equations of the linearised system.
+BoundedStep stepAt(const System& system, const Weighting& weighting) {
+  const MatrixXd jacobian = weighting.weights.asDiagonal() * system.at.jacobian;
+  MatrixXd normal = jacobian.transpose() * jacobian;
+  VectorXd gradient = jacobian.transpose() * weighting.weights.cwiseProduct(system.at.e);
+  const VectorXd precision = priorPrecision(system.at.model);
+  normal.diagonal() += precision;
+  gradient -= precision.cwiseProduct(system.at.u);
+  return {system.at.model, system.at.u, std::move(normal), std::move(gradient)};
+}
+
+/// Fits that proceed together, one iteration at a time.
+class FitBatch {
+ public:
+  FitBatch(const FitData& data, const std::vector<FitTask>& tasks) : data_(data), tasks_(tasks) {
+    std::vector<LinearisationPoint> points;
+    for (const FitTask& task : tasks) points.push_back(startOf(task));
+    systems_ = systemsAt(data, points);
+    for (std::size_t k = 0; k < tasks.size(); ++k)
+      if (tasks[k].options.iterations > 0) going_.push_back(k);
+  }
+
+  bool done() const { return going_.empty(); }
+
+  void iterate(int iteration) {
+    std::vector<Trial> trials = stepAll();
+    if (data_.cancelled()) return;
+    std::vector<std::size_t> on;
+    std::vector<LinearisationPoint> points;
+    for (std::size_t i = 0; i < going_.size(); ++i) {
+      const std::size_t k = going_[i];
+      System& system = systems_[k];
+      const double gain = system.objective - trials[i].objective;
+      if (!(gain > 0.0)) continue;
+      const FitOptions& options = tasks_[k].options;
+      if (gain < options.tolerance || iteration >= options.iterations) {
+        finish(system.at, std::move(trials[i]), tasks_[k], iteration);
+        continue;
+      }
+      on.push_back(k);
+      points.push_back(pointOf(tasks_[k], std::move(trials[i].u), std::move(trials[i].initial)));
+    }
+    std::vector<System> next = systemsAt(data_, points);
+    for (std::size_t i = 0; i < on.size(); ++i) {
+      systems_[on[i]] = std::move(next[i]);
+      systems_[on[i]].at.iterations = iteration;
+    }
+    going_ = std::move(on);
+  }
+
+  std::vector<Fit> results() {
+    std::vector<Fit> fits;
+    for (System& system : systems_) fits.push_back(std::move(system.at));
+    return fits;
+  }
+
+ private:
+  std::vector<Trial> stepAll() {
+    std::vector<BoundedStep> steps;
+    steps.reserve(going_.size());
+    std::vector<StepOrigin> origins;
+    for (const std::size_t k : going_) {
+      const BoundedStep& step = steps.emplace_back(stepAt(systems_[k], tasks_[k].weighting));
+      step(0.0, &systems_[k].at.bound);
+      origins.push_back({&systems_[k], &step, &tasks_[k].weighting, tasks_[k].options.coarse});
+    }
+    return bestSteps(data_, origins);
+  }
+
+  /// Takes the last step; the linearisation of the step before is kept.
+  static void finish(Fit& at, Trial best, const FitTask& task, int iteration) {
+    at.u = std::move(best.u), at.e = std::move(best.e), at.initial = std::move(best.initial);
+    at.objective = objectiveOf(task.model, at.u, at.e, task.weighting);
+    at.iterations = iteration;
+  }
+
+  const FitData& data_;
+  const std::vector<FitTask>& tasks_;
+  std::vector<System> systems_;
+  std::vector<std::size_t> going_;
+};
+
+}  // namespace
+
+std::vector<Fit> fitAll(const FitData& data, const std::vector<FitTask>& tasks) {
+  FitBatch batch(data, tasks);
+  for (int iteration = 1; !batch.done() && !data.cancelled(); ++iteration) batch.iterate(iteration);
+  return batch.results();
+}
+
+Fit fit(const FitData& data, const FitModel& model, const VectorXd& u, const InitialStates& initial,
+        const Weighting& weighting, const FitOptions& options) {
+  return fitAll(data, {{model, u, initial, weighting, options}}).front();
+}
+
+MatrixXd residualsOf(const FitData& data, const Fit& at, const std::vector<robot::ChainModel>& robots,
+                     const Weighting& weighting) {
+  std::vector<std::size_t> family(robots.size());
+  std::iota(family.begin(), family.end(), 0);
+  MatrixXd e = data.simulate(robots, std::vector<InitialStates>(robots.size(), at.initial), family);
   e = -(e.colwise() - data.measured());
   takeOffNuisances(data, at, weighting, e);
   return e;
 }
 
-}  // namespace
-
-MatrixXd residualsOf(const FitData& data, const Fit& at, const std::vector<robot::ChainModel>& robots,
-                     const Weighting& weighting) {
-  return residualsFrom(data, at, robots, std::vector<InitialStates>(robots.size(), at.initial), weighting);
-}
-
-MatrixXd residualsWith(const FitData& data, const Fit& at, const std::vector<VectorXd>& numbers,
-                       const Weighting& weighting) {
+std::vector<MatrixXd> residualsWith(const FitData& data, const std::vector<WeightedFit>& fits,
+                                    const std::vector<std::vector<VectorXd>>& parameters) {
   std::vector<robot::ChainModel> robots;
   std::vector<InitialStates> starts;
-  for (const VectorXd& u : numbers) {
-    robots.push_back(at.model.chain(u));
-    starts.push_back(following(data, at, u - at.u));
+  std::vector<std::size_t> family;
+  for (std::size_t k = 0; k < fits.size(); ++k)
+    for (const VectorXd& u : parameters[k]) {
+      const Fit& at = *fits[k].fit;
+      robots.push_back(at.model.chain(u));
+      starts.push_back(following(data, at, u - at.u));
+      family.push_back(k);
+    }
+  const MatrixXd readings = data.simulate(robots, starts, family);
+  std::vector<MatrixXd> residuals;
+  Index first = 0;
+  for (std::size_t k = 0; k < fits.size(); ++k) {
+    const auto count = static_cast<Index>(parameters[k].size());
+    MatrixXd e = -(readings.middleCols(first, count).colwise() - data.measured());
+    takeOffNuisances(data, *fits[k].fit, *fits[k].weighting, e);
+    residuals.push_back(std::move(e));
+    first += count;
   }
-  return residualsFrom(data, at, robots, starts, weighting);
+  return residuals;
 }
 
 void takeOffNuisances(const FitData& data, const Fit& at, const Weighting& weighting,

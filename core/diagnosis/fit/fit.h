@@ -19,7 +19,7 @@ using InitialStates = std::vector<Eigen::MatrixXd>;
 class FitData {
  public:
   FitData(const std::vector<Evidence>& recordings, const robot::Description& robot, double horizon,
-          EncoderZeros zeros, int threads);
+          EncoderZeros zeros, int threads, const base::Progress* progress = nullptr);
 
   int recordings() const { return static_cast<int>(simulations_.size()); }
   const ChainSimulation& simulation(int r) const { return *simulations_[static_cast<std::size_t>(r)]; }
@@ -28,6 +28,8 @@ class FitData {
   const Eigen::VectorXd& measured() const { return measured_; }
   int threads() const { return threads_; }
   bool rigid() const { return rigid_; }
+  /// True once the caller's progress is cancelled.
+  bool cancelled() const { return progress_ && progress_->cancelled(); }
   /// True if the zeros of the joint encoders are unknown and are fitted.
   bool zerosFree() const { return zeros_ != EncoderZeros::kKnown; }
 
@@ -43,9 +45,11 @@ class FitData {
   const std::vector<std::pair<Eigen::Index, Eigen::Index>>& segments() const { return segments_; }
 
   /// Simulated readings of several robots, one column per robot. `initial` has the offsets of the initial
-  /// states of each robot; empty: no offsets.
+  /// states of each robot; empty: no offsets. `family` numbers the robots' families, whose robots are compared
+  /// with each other and therefore integrated with equal steps; empty: all are one family.
   Eigen::MatrixXd simulate(const std::vector<robot::ChainModel>& models,
-                           const std::vector<InitialStates>& initial = {}) const;
+                           const std::vector<InitialStates>& initial = {},
+                           const std::vector<std::size_t>& family = {}) const;
 
  private:
   void stack(const ChainSimulation& simulation);
@@ -58,6 +62,7 @@ class FitData {
   std::vector<std::pair<Eigen::Index, Eigen::Index>> segments_;
   int blocks_ = 0, threads_ = 1;
   bool rigid_ = false;
+  const base::Progress* progress_ = nullptr;
   EncoderZeros zeros_ = EncoderZeros::kKnown;
 };
 inline constexpr double kBlock = 1.0;  ///< duration of a time block [s]
@@ -86,12 +91,31 @@ struct Weighting {
   Eigen::VectorXd weights;  ///< 1 / standard deviation of each reading
 };
 
+/// A fit and its weights.
+struct WeightedFit {
+  const Fit* fit = nullptr;
+  const Weighting* weighting = nullptr;
+};
+
 struct FitOptions {
   int iterations = 12;     ///< largest number of iterations
   double tolerance = 0.1;  ///< decrease of the objective below which the fit has converged
   /// Fit whose derivatives are reused for the parameters that both fits have (cable drives). This is coarser
   /// and faster, for a first ranking.
   const Fit* known = nullptr;
+  /// Fit of the same model at the same u, with other weights, whose derivatives serve the first step (cable
+  /// drives).
+  const Fit* begun = nullptr;
+  bool coarse = false;  ///< true: fewer dampings and lengths of each step are tried (cable drives)
+};
+
+/// One of several fits.
+struct FitTask {
+  FitModel model;
+  Eigen::VectorXd u;  ///< start
+  InitialStates initial;
+  Weighting weighting;
+  FitOptions options = {};
 };
 
 /// Least squares on the simulation error with priors,
@@ -100,9 +124,13 @@ struct FitOptions {
 /// Several dampings and lengths of each step are tried at once (Levenberg–Marquardt), and each step is kept
 /// inside the bounds. Encoder zeros are solved for in each segment. Initial states of rigid drives are solved for in each segment too: the linearised step is
 /// tried at several fractions of its length, and each trial is judged by a simulation, because static
-/// friction is strongly nonlinear. Ends early, with the estimate so far, when `progress` is cancelled.
+/// friction is strongly nonlinear. Ends early, with the estimate so far, when the data's progress is
+/// cancelled.
+/// All fits proceed together, so that the robots of all of them are simulated in parallel.
+std::vector<Fit> fitAll(const FitData& data, const std::vector<FitTask>& tasks);
+/// The same with one fit.
 Fit fit(const FitData& data, const FitModel& model, const Eigen::VectorXd& u, const InitialStates& initial,
-        const Weighting& weighting, const FitOptions& options = {}, const base::Progress* progress = nullptr);
+        const Weighting& weighting, const FitOptions& options = {});
 
 /// Fit at `u` without a step: residuals and derivatives only.
 Fit linearise(const FitData& data, const FitModel& model, const Eigen::VectorXd& u,
@@ -113,10 +141,11 @@ Fit linearise(const FitData& data, const FitModel& model, const Eigen::VectorXd&
 Eigen::MatrixXd residualsOf(const FitData& data, const Fit& at, const std::vector<robot::ChainModel>& robots,
                             const Weighting& weighting);
 
-/// Residuals of the fit's model with other parameters u, one column per u. The initial states are adapted to
-/// each u, and the fit's nuisances are subtracted.
-Eigen::MatrixXd residualsWith(const FitData& data, const Fit& at, const std::vector<Eigen::VectorXd>& numbers,
-                              const Weighting& weighting);
+/// Residuals of each fit's model with other parameters u: a matrix per fit, a column per u. The initial states
+/// are adapted to each u, and the fit's nuisances are subtracted. The robots of all fits are simulated in
+/// parallel.
+std::vector<Eigen::MatrixXd> residualsWith(const FitData& data, const std::vector<WeightedFit>& fits,
+                                           const std::vector<std::vector<Eigen::VectorXd>>& parameters);
 
 /// Subtracts the best-fitting nuisances from each column of `e`, in place; rows are the data's readings.
 void takeOffNuisances(const FitData& data, const Fit& at, const Weighting& weighting,

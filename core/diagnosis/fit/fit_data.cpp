@@ -8,8 +8,8 @@
 namespace capstan::diagnosis {
 
 FitData::FitData(const std::vector<Evidence>& recordings, const robot::Description& robot, double horizon,
-                 EncoderZeros zeros, int threads)
-    : threads_(threads), zeros_(zeros) {
+                 EncoderZeros zeros, int threads, const base::Progress* progress)
+    : threads_(threads), progress_(progress), zeros_(zeros) {
   if (zeros_ == EncoderZeros::kOnePerRecording && recordings.size() == 1) zeros_ = EncoderZeros::kKnown;
   for (const Evidence& evidence : recordings) {
     rigid_ = evidence.drive == DriveKind::kRigid;
@@ -51,38 +51,55 @@ void FitData::stack(const ChainSimulation& simulation) {
 
 namespace {
 
-/// Groups of robots that can be simulated side by side: at most 16 per group, and at each joint all or none
-/// of a group are compliant, since no parameter value turns that law off.
-std::vector<std::vector<std::size_t>> groupsOf(const std::vector<robot::ChainModel>& models) {
-  std::map<unsigned, std::vector<std::size_t>> kinds;
+/// Robots of one recording that are simulated side by side, at most 16.
+struct Group {
+  std::size_t recording = 0;
+  int steps = 1;
+  std::vector<std::size_t> members;
+};
+
+/// Bits of the joints that are compliant. At each joint all or none of a group are, since no parameter value
+/// turns that law off.
+unsigned complianceOf(const robot::ChainModel& model) {
+  unsigned bits = 0;
+  for (int j = 0; j < model.shape.joints; ++j)
+    if (model.shape.laws[j] & robot::kLawCompliance) bits |= 1u << j;
+  return bits;
+}
+
+/// Groups of one recording: of equal compliance and equal numbers of integration steps.
+void addGroups(const ChainSimulation& simulation, std::size_t recording,
+               const std::vector<robot::ChainModel>& models, const std::vector<std::size_t>& family,
+               std::vector<Group>& groups) {
+  std::map<std::size_t, int> steps;  // of each family
   for (std::size_t k = 0; k < models.size(); ++k) {
-    unsigned kind = 0;
-    for (int j = 0; j < models[k].shape.joints; ++j)
-      if (models[k].shape.laws[j] & robot::kLawCompliance) kind |= 1u << j;
-    kinds[kind].push_back(k);
+    int& most = steps[family.empty() ? 0 : family[k]];
+    most = std::max(most, simulation.stepsFor(models[k]));
   }
-  std::vector<std::vector<std::size_t>> groups;
+  std::map<std::pair<unsigned, int>, std::vector<std::size_t>> kinds;
+  for (std::size_t k = 0; k < models.size(); ++k)
+    kinds[{complianceOf(models[k]), steps[family.empty() ? 0 : family[k]]}].push_back(k);
   for (const auto& [kind, members] : kinds)
     for (std::size_t k = 0; k < members.size(); ++k) {
-      if (k % robot::kChainLanes == 0) groups.emplace_back();
-      groups.back().push_back(members[k]);
+      if (k % robot::kChainLanes == 0) groups.push_back({recording, kind.second, {}});
+      groups.back().members.push_back(members[k]);
     }
-  return groups;
 }
 
 }  // namespace
 
 Eigen::MatrixXd FitData::simulate(const std::vector<robot::ChainModel>& models,
-                                  const std::vector<InitialStates>& initial) const {
+                                  const std::vector<InitialStates>& initial,
+                                  const std::vector<std::size_t>& family) const {
   Eigen::MatrixXd readings(size(), static_cast<Eigen::Index>(models.size()));
-  const auto groups = groupsOf(models);
-  const std::size_t files = simulations_.size();
-  base::parallelFor(groups.size() * files, threads_, [&](std::size_t task) {
-    const std::size_t r = task % files;
-    const std::vector<std::size_t>& members = groups[task / files];
+  std::vector<Group> groups;
+  for (std::size_t r = 0; r < simulations_.size(); ++r)
+    addGroups(*simulations_[r], r, models, family, groups);
+  base::parallelFor(groups.size(), threads_, [&](std::size_t task) {
+    const auto& [r, steps, members] = groups[task];
     std::vector<Robot> robots;
     for (const std::size_t k : members)
-      robots.push_back({&models[k], initial.empty() ? nullptr : &initial[k][r]});
+      robots.push_back({&models[k], initial.empty() ? nullptr : &initial[k][r], steps});
     const Eigen::Index rows = simulations_[r]->compared().measured.size();
     Eigen::MatrixXd columns(rows, static_cast<Eigen::Index>(members.size()));
     simulations_[r]->simulate(robots, columns);

@@ -117,14 +117,14 @@ void FitModel::addTerm(EffectTerm term) {
     term.index[k] = size();
     parameters_.push_back(std::move(p));
   }
-  term.begun = term.hypothesis->remembers ? addBegun(term) : -1;
+  term.begun = term.hypothesis->begun ? addBegun(term) : -1;
   effects_.push_back(std::move(term));
 }
 
 int FitModel::addBegun(const EffectTerm& term) {
-  constexpr double kHalfWay = 0.5, kLeast = -1.0, kMost = 2.0;  // loads before may have been larger
-  parameters_.push_back({fmt::format("{}.begun", term.hypothesis->name()), "", term.joint, kHalfWay, kHalfWay,
-                         false, kLeast, kMost, 1.0});
+  const BegunShare& begun = *term.hypothesis->begun;
+  parameters_.push_back({fmt::format("{}.begun", term.hypothesis->name()), "", term.joint, begun.start,
+                         begun.scale, false, begun.low, begun.high, 1.0});
   return size() - 1;
 }
 
@@ -225,7 +225,7 @@ robot::ChainModel FitModel::chain(const Eigen::VectorXd& u) const {
     model.add(effect(k, u));
     const EffectTerm& term = effects_[k];
     if (term.begun >= 0)
-      model.numbers.joints[term.joint - 1].creep_begun =
+      model.numbers.joints[term.joint - 1].*term.hypothesis->begun->number =
           parameters_[static_cast<std::size_t>(term.begun)].value(u[term.begun]);
   }
   return model;

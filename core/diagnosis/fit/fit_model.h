@@ -33,7 +33,7 @@ struct EffectTerm {
   EffectStart start;
   bool background = false;  ///< true for a background effect: its size is limited by Hypothesis::background
   std::vector<int> index;   ///< indices of its numbers in FitModel::parameters(); −1: fixed as in `start`
-  int begun = -1;           ///< index of JointNumbers::creep_begun, see Hypothesis::remembers; −1: none
+  int begun = -1;           ///< index of Hypothesis::begun; −1: none
 };
 
 /// Model that is fitted: the nominal robot with adjustable parameters, effects that explain the recordings,

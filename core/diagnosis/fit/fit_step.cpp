@@ -21,6 +21,8 @@ struct Attempt {
 constexpr Attempt kAttempts[] = {{0.0, 1.0},  {0.0, 0.5},  {0.0, 0.2},  {1e-2, 1.0}, {1e-2, 0.5}, {1e-2, 0.2},
                                  {0.1, 1.0},  {0.1, 0.5},  {0.1, 0.2},  {1.0, 1.0},  {1.0, 0.5},  {1.0, 0.2},
                                  {10.0, 1.0}, {10.0, 0.5}, {10.0, 0.2}, {100.0, 1.0}};
+/// Attempts of a coarse fit.
+constexpr Attempt kCoarseAttempts[] = {{0.0, 1.0}, {0.0, 0.3}, {0.1, 1.0}, {1.0, 1.0}};
 /// Shares of the linearised change of the initial states; every attempt of a rigid drive is tried with each.
 constexpr double kShares[] = {1.0, 0.4, 0.1};
 constexpr Attempt kRigidAttempts[] = {{0.0, 1.0}, {0.0, 0.4}, {0.0, 0.1}, {0.1, 1.0}, {1.0, 1.0}};
@@ -36,28 +38,46 @@ InitialStates movedStates(const FitData& data, const System& system, const Vecto
   return initial;
 }
 
-/// Simulates each attempt with each share, side by side, without computing objectives.
-std::vector<Trial> simulated(const FitData& data, const System& system, const BoundedStep& stepFor,
-                             std::span<const Attempt> attempts, std::span<const double> shares) {
-  const FitModel& model = system.at.model;
+std::span<const double> sharesFor(const FitData& data) {
+  return data.rigid() ? std::span<const double>(kShares) : std::span<const double>(kShares, 1);
+}
+
+std::span<const Attempt> attemptsFor(const FitData& data, bool coarse) {
+  if (data.rigid()) return kRigidAttempts;
+  return coarse ? std::span<const Attempt>(kCoarseAttempts) : std::span<const Attempt>(kAttempts);
+}
+
+/// Each attempt with each share, not simulated yet.
+std::vector<Trial> trialsOf(const FitData& data, const StepOrigin& origin) {
+  const System& system = *origin.system;
   std::vector<Trial> trials;
-  std::vector<robot::ChainModel> robots;
-  std::vector<InitialStates> starts;
-  for (const auto& [damping, length] : attempts) {
-    VectorXd step = stepFor(damping);
+  for (const auto& [damping, length] : attemptsFor(data, origin.coarse)) {
+    VectorXd step = (*origin.stepFor)(damping);
     const double longest = step.size() ? step.cwiseAbs().maxCoeff() : 0.0;
     step *= length * std::min(1.0, kLongestStep / std::max(longest, 1e-12));
-    const VectorXd u = model.clipped(system.at.u + step);
-    for (const double share : shares) {
+    const VectorXd u = system.at.model.clipped(system.at.u + step);
+    for (const double share : sharesFor(data))
       trials.push_back({u, {}, movedStates(data, system, u - system.at.u, share)});
-      robots.push_back(model.chain(u));
-      starts.push_back(trials.back().initial);
-    }
   }
-  const MatrixXd readings = data.simulate(robots, starts);
-  for (std::size_t k = 0; k < trials.size(); ++k)
-    trials[k].e = data.measured() - readings.col(static_cast<Index>(k));
   return trials;
+}
+
+/// Simulates the trials of all origins side by side: residuals without nuisances subtracted.
+void simulate(const FitData& data, const std::vector<StepOrigin>& origins,
+              std::vector<std::vector<Trial>>& trials) {
+  std::vector<robot::ChainModel> robots;
+  std::vector<InitialStates> starts;
+  std::vector<std::size_t> family;
+  for (std::size_t k = 0; k < origins.size(); ++k)
+    for (const Trial& trial : trials[k]) {
+      family.push_back(k);
+      robots.push_back(origins[k].system->at.model.chain(trial.u));
+      starts.push_back(trial.initial);
+    }
+  const MatrixXd readings = data.simulate(robots, starts, family);
+  Index column = 0;
+  for (std::vector<Trial>& of_origin : trials)
+    for (Trial& trial : of_origin) trial.e = data.measured() - readings.col(column++);
 }
 
 /// Combines trials with the same u: each segment is taken from the trial that fits it best.
@@ -75,6 +95,24 @@ Trial mixed(const FitData& data, std::span<const Trial> trials, const Weighting&
       best.initial[r].col(w) = trial.initial[r].col(w);
     }
   });
+  return best;
+}
+
+/// Best of the simulated trials of one origin.
+Trial bestOf(const FitData& data, const StepOrigin& origin, std::span<const Trial> trials) {
+  const System& system = *origin.system;
+  const Weighting& weighting = *origin.weighting;
+  const std::size_t shares = sharesFor(data).size();
+  const VectorXd precision = nuisancePrecision(data, system.at.model.chain(system.at.u));
+  Trial best;
+  for (std::size_t k = 0; k < trials.size(); k += shares) {
+    Trial trial = data.rigid() ? mixed(data, trials.subspan(k, shares), weighting) : trials[k];
+    if (!trial.e.allFinite()) continue;
+    const VectorXd as_simulated = trial.e;
+    takeOffNuisances(data, system.at.nuisance, precision, weighting.weights, trial.e);
+    trial.objective = reached(data, system.at.model, trial.u, as_simulated, trial.e, weighting);
+    if (best.u.size() == 0 || trial.objective < best.objective) best = std::move(trial);
+  }
   return best;
 }
 
@@ -112,22 +150,12 @@ VectorXd BoundedStep::solve(double damping, const std::vector<bool>& held) const
   return a.ldlt().solve(b);
 }
 
-Trial bestOf(const FitData& data, const System& system, const BoundedStep& stepFor,
-             const Weighting& weighting) {
-  const std::size_t shares = data.rigid() ? std::size(kShares) : 1;
-  const std::vector<Trial> trials =
-      data.rigid() ? simulated(data, system, stepFor, kRigidAttempts, kShares)
-                   : simulated(data, system, stepFor, kAttempts, std::span(kShares).first(1));
-  const VectorXd precision = nuisancePrecision(data, system.at.model.chain(system.at.u));
-  Trial best;
-  for (std::size_t k = 0; k < trials.size(); k += shares) {
-    Trial trial = data.rigid() ? mixed(data, std::span(trials).subspan(k, shares), weighting) : trials[k];
-    if (!trial.e.allFinite()) continue;
-    const VectorXd as_simulated = trial.e;
-    takeOffNuisances(data, system.at.nuisance, precision, weighting.weights, trial.e);
-    trial.objective = reached(data, system.at.model, trial.u, as_simulated, trial.e, weighting);
-    if (best.u.size() == 0 || trial.objective < best.objective) best = std::move(trial);
-  }
+std::vector<Trial> bestSteps(const FitData& data, const std::vector<StepOrigin>& origins) {
+  std::vector<std::vector<Trial>> trials;
+  for (const StepOrigin& origin : origins) trials.push_back(trialsOf(data, origin));
+  simulate(data, origins, trials);
+  std::vector<Trial> best;
+  for (std::size_t k = 0; k < origins.size(); ++k) best.push_back(bestOf(data, origins[k], trials[k]));
   return best;
 }
 

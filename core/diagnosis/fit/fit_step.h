@@ -34,9 +34,17 @@ struct Trial {
   double objective = std::numeric_limits<double>::infinity();  ///< by reached() (linear_system.h)
 };
 
-/// Best of several steps, which differ in damping and length and are simulated in parallel. For rigid drives
-/// the initial states also move by different shares of the linearised step.
-Trial bestOf(const FitData& data, const System& system, const BoundedStep& stepFor,
-             const Weighting& weighting);
+/// What a step of one fit starts from.
+struct StepOrigin {
+  const System* system = nullptr;
+  const BoundedStep* stepFor = nullptr;
+  const Weighting* weighting = nullptr;
+  bool coarse = false;  ///< FitOptions::coarse
+};
+
+/// Best of several steps for each origin. The steps differ in damping and length; those of all origins are
+/// simulated in parallel. For rigid drives the initial states also move by different shares of the linearised
+/// step.
+std::vector<Trial> bestSteps(const FitData& data, const std::vector<StepOrigin>& origins);
 
 }  // namespace capstan::diagnosis

@@ -124,50 +124,103 @@ double reached(const FitData& data, const FitModel& model, const VectorXd& u, co
   return objectiveOf(model, u, data.rigid() ? simulated : removed, weighting);
 }
 
-System systemAt(const FitData& data, const FitModel& model, const VectorXd& u, const InitialStates& initial,
-                const Weighting& weighting, const Fit* known) {
-  const int p = model.size();
-  std::vector<robot::ChainModel> robots(1, model.chain(u));
-  MatrixXd jacobian(data.size(), p);
-  std::vector<std::pair<int, double>> steps;  // parameters to simulate, and their steps
-  for (int k = 0; k < p; ++k) {
-    const int place = known ? placeIn(known->model, model.parameters()[static_cast<std::size_t>(k)]) : -1;
-    if (place >= 0) {
-      jacobian.col(k) = known->jacobian.col(place);
-      continue;
+namespace {
+
+/// Derivatives by forward differences. The first robot is that of the point, then one robot per parameter that
+/// is simulated, then one robot per initial state of rigid drives.
+class ForwardDifferences {
+ public:
+  ForwardDifferences(const FitData& data, const LinearisationPoint& point)
+      : data_(data), point_(point), jacobian_(data.size(), point.model->size()) {
+    const FitModel& model = *point.model;
+    add(model.chain(point.u), point.initial);
+    for (int k = 0; k < model.size(); ++k) {
+      const FitParameter& parameter = model.parameters()[static_cast<std::size_t>(k)];
+      const int place = point.known ? placeIn(point.known->model, parameter) : -1;
+      if (place >= 0) {
+        jacobian_.col(k) = point.known->jacobian.col(place);
+        continue;
+      }
+      const VectorXd to = moved(model, point.u, k);
+      steps_.emplace_back(k, to[k] - point.u[k]);
+      add(model.chain(to), point.initial);
     }
-    const VectorXd to = moved(model, u, k);
-    steps.emplace_back(k, to[k] - u[k]);
-    robots.push_back(model.chain(to));
+    state_steps_ = initialDifferences(robots_.front());
+    for (Index s = 0; data.rigid() && s < state_steps_.size(); ++s)
+      if (state_steps_[s] != 0.0) add(robots_.front(), shifted(point.initial, s, state_steps_[s]));
   }
-  std::vector<InitialStates> starts(robots.size(), initial);
-  const VectorXd h = initialDifferences(robots.front());
-  for (Index s = 0; data.rigid() && s < h.size(); ++s) {
-    if (h[s] == 0.0) continue;
-    robots.push_back(robots.front());
-    starts.push_back(shifted(initial, s, h[s]));
+
+  const std::vector<robot::ChainModel>& robots() const { return robots_; }
+  const std::vector<InitialStates>& starts() const { return starts_; }
+
+  /// `readings`: one column per robot.
+  System system(const Eigen::Ref<const MatrixXd>& readings) {
+    for (std::size_t i = 0; i < steps_.size(); ++i)
+      jacobian_.col(steps_[i].first) =
+          (readings.col(static_cast<Index>(i) + 1) - readings.col(0)) / steps_[i].second;
+    System system{{*point_.model, point_.u, point_.initial, data_.measured() - readings.col(0),
+                   std::move(jacobian_), nuisances(readings)},
+                  {},
+                  {}};
+    const Weighting& weighting = *point_.weighting;
+    const VectorXd precision = nuisancePrecision(data_, robots_.front()), simulated = system.at.e;
+    system.off_residual =
+        takeOffNuisances(data_, system.at.nuisance, precision, weighting.weights, system.at.e);
+    system.at.removed =
+        takeOffNuisances(data_, system.at.nuisance, precision, weighting.weights, system.at.jacobian);
+    system.at.objective = objectiveOf(*point_.model, point_.u, system.at.e, weighting);
+    system.objective = reached(data_, *point_.model, point_.u, simulated, system.at.e, weighting);
+    return system;
   }
-  const MatrixXd readings = data.simulate(robots, starts);
-  for (std::size_t i = 0; i < steps.size(); ++i)
-    jacobian.col(steps[i].first) =
-        (readings.col(static_cast<Index>(i) + 1) - readings.col(0)) / steps[i].second;
-  System system{{model, u, initial, data.measured() - readings.col(0), std::move(jacobian)}, {}, {}};
-  if (data.rigid()) {
-    system.at.nuisance.setZero(data.size(), h.size());
-    auto shifted_column = static_cast<Index>(steps.size()) + 1;
-    for (Index s = 0; s < h.size(); ++s)
-      if (h[s] != 0.0) system.at.nuisance.col(s) = (readings.col(shifted_column++) - readings.col(0)) / h[s];
-  } else if (data.zerosFree()) {
-    system.at.nuisance = encoderZeros(data, robots.front().shape.joints);
+
+ private:
+  void add(const robot::ChainModel& robot, const InitialStates& start) {
+    robots_.push_back(robot);
+    starts_.push_back(start);
   }
-  const VectorXd precision = nuisancePrecision(data, robots.front());
-  const VectorXd simulated = system.at.e;
-  system.off_residual = takeOffNuisances(data, system.at.nuisance, precision, weighting.weights, system.at.e);
-  system.at.removed =
-      takeOffNuisances(data, system.at.nuisance, precision, weighting.weights, system.at.jacobian);
-  system.at.objective = objectiveOf(model, u, system.at.e, weighting);
-  system.objective = reached(data, model, u, simulated, system.at.e, weighting);
-  return system;
+
+  MatrixXd nuisances(const Eigen::Ref<const MatrixXd>& readings) const {
+    if (!data_.rigid())
+      return data_.zerosFree() ? encoderZeros(data_, robots_.front().shape.joints) : MatrixXd();
+    MatrixXd nuisance = MatrixXd::Zero(data_.size(), state_steps_.size());
+    auto column = static_cast<Index>(steps_.size()) + 1;
+    for (Index s = 0; s < state_steps_.size(); ++s)
+      if (state_steps_[s] != 0.0)
+        nuisance.col(s) = (readings.col(column++) - readings.col(0)) / state_steps_[s];
+    return nuisance;
+  }
+
+  const FitData& data_;
+  const LinearisationPoint& point_;
+  MatrixXd jacobian_;
+  std::vector<std::pair<int, double>> steps_;  ///< parameters that are simulated, and their steps
+  VectorXd state_steps_;                       ///< of the initial states; 0: the robot does not have the state
+  std::vector<robot::ChainModel> robots_;
+  std::vector<InitialStates> starts_;
+};
+
+}  // namespace
+
+std::vector<System> systemsAt(const FitData& data, const std::vector<LinearisationPoint>& points) {
+  std::vector<ForwardDifferences> differences;
+  std::vector<robot::ChainModel> robots;
+  std::vector<InitialStates> starts;
+  std::vector<std::size_t> family;
+  for (const LinearisationPoint& point : points) {
+    const ForwardDifferences& one = differences.emplace_back(data, point);
+    family.insert(family.end(), one.robots().size(), differences.size());
+    robots.insert(robots.end(), one.robots().begin(), one.robots().end());
+    starts.insert(starts.end(), one.starts().begin(), one.starts().end());
+  }
+  const MatrixXd readings = data.simulate(robots, starts, family);
+  std::vector<System> systems;
+  Index first = 0;
+  for (ForwardDifferences& one : differences) {
+    const auto count = static_cast<Index>(one.robots().size());
+    systems.push_back(one.system(readings.middleCols(first, count)));
+    first += count;
+  }
+  return systems;
 }
 
 VectorXd priorPrecision(const FitModel& model) {

@@ -14,9 +14,17 @@ struct System {
   double objective = 0.0;                     ///< reached()
 };
 
-/// Linearises the model at u and the initial states. `known` is FitOptions::known.
-System systemAt(const FitData& data, const FitModel& model, const Eigen::VectorXd& u,
-                const InitialStates& initial, const Weighting& weighting, const Fit* known = nullptr);
+/// Model, parameters and initial states of a linearisation.
+struct LinearisationPoint {
+  const FitModel* model = nullptr;
+  Eigen::VectorXd u;
+  InitialStates initial;
+  const Weighting* weighting = nullptr;
+  const Fit* known = nullptr;  ///< FitOptions::known
+};
+
+/// Linearises each model at its point. The robots of all points are simulated in parallel.
+std::vector<System> systemsAt(const FitData& data, const std::vector<LinearisationPoint>& points);
 
 /// Objective that a step is judged by. For rigid drives it uses the residuals `simulated` from the actual
 /// initial states, because the linearised ones can be far off with static friction. For cable drives it uses

@@ -267,7 +267,8 @@ std::vector<Hypothesis> cableHypotheses() {
               },
           .neutral = {0.0, 1.0},
           .grid = cableCreepStarts,
-          .remembers = true,
+          // Loads before the recording may have been larger.
+          .begun = BegunShare{&robot::JointNumbers<double>::creep_begun, 0.5, 0.5, -1.0, 2.0},
       },
   };
 }

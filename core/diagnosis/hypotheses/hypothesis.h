@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/diagnosis/evidence/evidence.h"
+#include "core/robot/chain/chain_numbers.h"
 #include "core/robot/effects.h"
 
 namespace capstan::diagnosis {
@@ -50,6 +52,12 @@ struct EffectStart {
 /// Magnitude of the first value, which is the size of most effects.
 double firstMagnitude(const std::vector<double>& values);
 
+/// Share of an effect's final state that it had reached when the recording began.
+struct BegunShare {
+  double robot::JointNumbers<double>::*number;
+  double start, scale, low, high;  ///< of the fit
+};
+
 /// Physical effect that diagnosis can name as a cause: one entry in the file of its Place in hypotheses/.
 struct Hypothesis {
   const robot::EffectFacts* facts;
@@ -61,7 +69,7 @@ struct Hypothesis {
   /// Size that the effect normally has on a robot in good order, in the unit of size(). Models contain the
   /// effect up to this size as a background effect, which is no cause. 0: no background effect.
   double (*background)(const JointScales& scales) = [](const JointScales&) { return 0.0; };
-  bool remembers = false;  ///< true if the effect's state at the start is one more parameter of a fit
+  std::optional<BegunShare> begun = {};  ///< one more parameter of a fit; empty: the effect has no past
   /// Size of the effect as one number: usually the first parameter's magnitude.
   double (*size)(const std::vector<double>& values) = firstMagnitude;
 

@@ -216,7 +216,7 @@ void judge(ResidualProcess& result, const Points& points, const ProcessParameter
 }  // namespace
 
 ResidualProcess residualProcess(const Channel& channel, const std::vector<Variable>& variables,
-                                const ProcessOptions& options, base::Progress* progress) {
+                                const ProcessOptions& options, const base::Progress* progress) {
   ResidualProcess result;
   result.channel = channel.name;
   result.words = "is too short, or never changes";
@@ -230,7 +230,6 @@ ResidualProcess residualProcess(const Channel& channel, const std::vector<Variab
   ProcessParameters mean_found = ProcessParameters::Zero(starts[0].size());
   base::Random random(options.seed, "remainder process");
   for (std::size_t parity = 0; parity < 2; ++parity) {
-    if (progress) progress->report(0.4 * static_cast<double>(parity), "fitting a Gaussian process");
     const Half fitted = halfOf(points, parity), tested = halfOf(points, 1 - parity);
     if (fitted.rows.size() < kFewestForProcess / 4 || tested.rows.empty()) return result;
     const double mean = fitted.e.mean();
@@ -240,7 +239,6 @@ ResidualProcess residualProcess(const Channel& channel, const std::vector<Variab
     score(fitted, mean, found, tested, points.segment, options, random, scores);
   }
   const ArdProcess whole(points.inputs, points.e);
-  if (progress) progress->report(0.8, "fitting a Gaussian process");
   const ProcessParameters parameters = whole.fit(mean_found, options.iterations / 4, progress);
   result.end = progress && progress->cancelled() ? ProcessEnd::kCancelled : ProcessEnd::kDone;
   if (result.end == ProcessEnd::kDone) judge(result, points, parameters, scores);

@@ -60,7 +60,7 @@ struct ResidualProcess {
 /// for variables whose signature explains more than 3 %, and continues from the better. The result is kTooFew
 /// with fewer than kFewestForProcess samples, without variables, and for a residual that never changes.
 ResidualProcess residualProcess(const Channel& channel, const std::vector<Variable>& variables,
-                                const ProcessOptions& options = {}, base::Progress* progress = nullptr);
+                                const ProcessOptions& options = {}, const base::Progress* progress = nullptr);
 inline constexpr std::size_t kFewestForProcess = 60;
 
 /// Smallest relevance that is reported as strong, clear and weak. A relevance below two sigmas is not

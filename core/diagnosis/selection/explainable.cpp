@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/parallel.h"
 #include "core/diagnosis/selection/measured_regression.h"
 #include "core/diagnosis/selection/verdict.h"
 
@@ -97,7 +98,7 @@ Pooled pooledOf(const FitData& data, const Selection& s, const robot::Descriptio
 }
 
 Explainable explainableOf(const FitData& data, const Selection& s, const robot::Description& nominal,
-                          const Group& group, base::Progress* progress) {
+                          const Group& group, const base::Progress* progress) {
   const double refitted = meanSquareOf(s.base_squares, group), named = meanSquareOf(s.best_squares, group);
   Explainable one{group.channel.name,
                   group.channel.unit,
@@ -141,11 +142,11 @@ std::vector<Explainable> explainableOf(const FitData& data, const Selection& s,
   std::vector<Group> groups = groupsOf(data);
   std::ranges::stable_sort(groups, std::greater<>(),
                            [&](const Group& group) { return beyondNoise(group, s); });
-  std::vector<Explainable> channels;
-  for (const Group& group : groups) {
-    if (progress && progress->cancelled()) break;
-    channels.push_back(explainableOf(data, s, nominal, group, progress));
-  }
+  if (progress) progress->report(progress->fraction(), "Fitting a regression to the residual");
+  std::vector<Explainable> channels(groups.size());
+  base::parallelFor(groups.size(), data.threads(), [&](std::size_t k) {
+    channels[k] = explainableOf(data, s, nominal, groups[k], progress);
+  });
   return channels;
 }
 

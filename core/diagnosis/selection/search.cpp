@@ -31,7 +31,7 @@ class Search {
         recordings_(recordings),
         options_(options),
         progress_(progress),
-        fitter_(data, progress),
+        fitter_(data),
         begin_(progress ? progress->fraction() : 0.0) {}
 
   SearchResult run(const FitModel& nominal, const Fit* start) {
@@ -58,17 +58,16 @@ class Search {
 
   SetFit& at(const EffectSet& effects) { return found_.sets.at(effects); }
 
-  /// The better fit of two of the same set stays. True: this set has become the best one.
+  /// Of two fits of the same set a settled one stays, else the better one. True: this set has become the best.
   bool keep(SetFit set) {
     score_->learnInflation(set.squares);
     const EffectSet effects = set.effects, former = found_.best;
     const auto known = found_.sets.find(effects);
     if (known == found_.sets.end())
       found_.sets.emplace(effects, std::move(set));
-    else if (score_->of(set.squares) > score_->of(known->second.squares))
+    else if (set.settled != known->second.settled ? set.settled
+                                                  : score_->of(set.squares) > score_->of(known->second.squares))
       known->second = std::move(set);
-    else
-      known->second.settled = known->second.settled || set.settled;
     for (const auto& [other, fitted] :
          found_.sets)  // what was learned may have changed the order of others, too
       if (fitted.settled && value(fitted) > value(at(found_.best))) found_.best = other;
@@ -112,55 +111,70 @@ class Search {
     return any;
   }
 
-  /// Expands the sets with one and with two effects less than the best one. True: one led to a better set.
+  /// Expands the sets with one and then those with two effects less than the best one. True: one led to a
+  /// better set.
   bool expandNeighbours() {
     const EffectSet best = found_.best;
-    std::vector<EffectSet> less;
-    for (const EffectCandidate& one : best) less.push_back(minus(best, one));
+    std::vector<EffectSet> one_less, two_less;
+    for (const EffectCandidate& effect : best) one_less.push_back(minus(best, effect));
     for (std::size_t i = 0; i < best.size() && best.size() > 2; ++i)
-      for (std::size_t j = i + 1; j < best.size(); ++j) less.push_back(minus(minus(best, best[i]), best[j]));
-    for (const EffectSet& effects : less) {
-      if (cancelled(progress_)) return false;
-      if (!found_.sets.contains(effects)) shrinkTo(best, effects);
+      for (std::size_t j = i + 1; j < best.size(); ++j)
+        two_less.push_back(minus(minus(best, best[i]), best[j]));
+    return expandSmaller(best, one_less) || expandSmaller(best, two_less);
+  }
+
+  /// Expands subsets of the best set. True: one led to a better set.
+  bool expandSmaller(const EffectSet& best, const std::vector<EffectSet>& smaller) {
+    shrinkTo(smaller, best);
+    for (const EffectSet& effects : smaller) {
+      if (found_.best != best) return true;
+      if (cancelled(progress_) || !found_.sets.contains(effects)) return false;
       if (!expanded_.insert(effects).second) continue;
       expand(effects, kNeighbourRefits, kHopeful * (value(at(best)) - value(at(effects))));
-      if (found_.best != best) return true;
     }
-    return false;
+    return found_.best != best;
   }
 
   /// Fits to the end what a short fit has brought near the best set. True: there was such a set.
   bool settleContenders() {
-    std::vector<EffectSet> sets;
-    for (const auto& [effects, set] : found_.sets)
-      if (!set.settled && value(set) > value(at(found_.best)) - kWindow) sets.push_back(effects);
-    for (const EffectSet& effects : sets) {
-      if (cancelled(progress_)) return false;
-      report("Settling a candidate model");
-      fitter_.relinearise(at(effects));
-      SetFit set = fitter_.settled(at(effects));
-      if (!keep(std::move(set))) SetFitter::thin(at(effects));
-    }
-    return !sets.empty();
+    std::vector<SetFit> sets;
+    for (auto& [effects, set] : found_.sets)
+      if (!set.settled && value(set) > value(at(found_.best)) - kWindow) sets.push_back(set);
+    if (sets.empty() || cancelled(progress_)) return false;
+    report("Settling the candidate models");
+    for (SetFit& set : sets) fitter_.relinearise(set);
+    keepThin(fitter_.settled(std::move(sets)));
+    return true;
   }
 
-  void shrinkTo(const EffectSet& from, const EffectSet& to) {
-    EffectSet now = from;
-    for (const EffectCandidate& effect : from)
-      if (!contains(to, effect)) {
-        shrink(now, effect);
-        now = minus(std::move(now), effect);
+  /// Fits those of `smaller`, subsets of the best set, that were not fitted to the end, each from a set with one
+  /// effect more.
+  void shrinkTo(const std::vector<EffectSet>& smaller, const EffectSet& best) {
+    std::vector<Removal> removals;
+    for (const EffectSet& effects : smaller) {
+      if (isSettled(effects)) continue;
+      for (const EffectCandidate& effect : best) {
+        const auto larger = found_.sets.find(plus(effects, effect));
+        if (contains(effects, effect) || larger == found_.sets.end()) continue;
+        fitter_.relinearise(larger->second);
+        removals.push_back({&larger->second, effect});
+        break;
       }
+    }
+    if (removals.empty() || cancelled(progress_)) return;
+    report(fmt::format("Fitting without {}", removals.front().effect.hypothesis->words.title));
+    keepThin(fitter_.settled(fitter_.reduced(removals)));
+    for (const Removal& removal : removals)
+      if (removal.parent->effects != found_.best) SetFitter::thin(at(removal.parent->effects));
   }
 
-  void shrink(const EffectSet& effects, const EffectCandidate& effect) {
-    const EffectSet less = minus(effects, effect);
-    if (isSettled(less)) return;
-    report(fmt::format("Fitting without {}", effect.hypothesis->words.title));
-    fitter_.relinearise(at(effects));
-    SetFit fitted = fitter_.settled(fitter_.reduced(at(effects), effect));
-    if (!less.empty()) SetFitter::thin(fitted);
-    keep(std::move(fitted));
+  /// Keeps sets, thinned except the best and the empty one.
+  void keepThin(std::vector<SetFit> sets) {
+    for (SetFit& set : sets) {
+      const EffectSet effects = set.effects;
+      keep(std::move(set));
+      if (!effects.empty() && effects != found_.best) SetFitter::thin(at(effects));
+    }
   }
 
   /// Candidates that can gain less than `least` nats by their score tests, or less than one more effect
@@ -175,14 +189,17 @@ class Search {
     const std::vector<ScoreTest> tests = screen(data_, parent.fit, parent.weighting, candidates);
     const double cost =
         logPrior(effects.size(), found_.candidates) - logPrior(effects.size() + 1, found_.candidates);
-    std::vector<SetFit> trials;
+    std::vector<ScoreTest> promising;
     for (const ScoreTest& test : tests) {
-      if (trials.size() >= static_cast<std::size_t>(refits) || cancelled(progress_)) break;
+      if (promising.size() >= static_cast<std::size_t>(refits)) break;
       if (PredictiveScore::mostGain(parent.squares, test.share) < std::max(least, cost)) break;
-      if (isSettled(plus(effects, {test.hypothesis, test.joint}))) continue;
-      report(fmt::format("Refitting with {}", test.hypothesis->words.title));
-      trials.push_back(fitter_.extended(parent, test));
+      if (!isSettled(plus(effects, {test.hypothesis, test.joint}))) promising.push_back(test);
     }
+    if (cancelled(progress_)) return;
+    if (!promising.empty())
+      report(fmt::format("Refitting with {}", promising.front().hypothesis->words.title));
+    std::vector<SetFit> trials = fitter_.extended(parent, promising);
+    if (cancelled(progress_)) return;
     if (effects.empty() || effects == found_.best) note(parent, tests, trials);
     settleBest(std::move(trials), score_->of(parent.squares));
     if (!effects.empty() && effects != found_.best) SetFitter::thin(at(effects));
@@ -195,19 +212,21 @@ class Search {
       return score_->of(a.squares) > score_->of(b.squares);
     });
     const double best = score_->of(trials.front().squares);
-    for (std::size_t k = 0; k < trials.size() && !cancelled(progress_); ++k) {
-      SetFit trial = std::move(trials[k]);
-      const EffectSet effects = trial.effects;
-      const bool hopeful = score_->of(trial.squares) - parent >= kHopeful * (best - parent);
-      if (k >= kSettled || (k > 0 && !hopeful)) {
-        SetFitter::thin(trial);
-        keep(std::move(trial));
-        continue;
-      }
-      report("Settling a candidate model");
-      if (keep(fitter_.settled(std::move(trial)))) keep(fitter_.settledFromNominal(at(effects)));
-      if (effects != found_.best) SetFitter::thin(at(effects));
+    std::vector<SetFit> hopeful, others;
+    for (SetFit& trial : trials) {
+      const bool near = score_->of(trial.squares) - parent >= kHopeful * (best - parent);
+      auto& kind = hopeful.empty() || (hopeful.size() < kSettled && near) ? hopeful : others;
+      kind.push_back(std::move(trial));
     }
+    keepThin(std::move(others));
+    if (cancelled(progress_)) return;
+    report("Settling the candidate models");
+    const EffectSet first = hopeful.front().effects, former = found_.best;
+    hopeful.push_back(SetFitter::fromNominal(hopeful.front()));
+    keepThin(fitter_.settled(std::move(hopeful)));
+    if (found_.best == former || found_.best == first) return;
+    fitter_.relinearise(at(found_.best));
+    keep(fitter_.settled(SetFitter::fromNominal(at(found_.best))));
   }
 
   void note(const SetFit& parent, const std::vector<ScoreTest>& tests, const std::vector<SetFit>& trials) {

@@ -170,7 +170,7 @@ Selection select(const FitData& data, const std::vector<Evidence>& recordings, c
       searchSets(data, recordings, nominal, start ? &start->best : nullptr, options, progress);
   const PredictiveScore score = scoreOf(data, found, options.seed);
   const Posterior posterior = posteriorOf(found, score);
-  const SetFitter fitter(data, progress);
+  const SetFitter fitter(data);
   const SetFit& base = found.sets.at({});
   SetFit best = mostProbable(posterior, found);
   fitter.relinearise(best);
@@ -179,7 +179,7 @@ Selection select(const FitData& data, const std::vector<Evidence>& recordings, c
     if (found.sets.contains(less)) continue;
     SetFit fitted = best;
     for (const EffectCandidate& one : best.effects)
-      if (!contains(less, one)) fitted = fitter.reduced(fitted, one);
+      if (!contains(less, one)) fitted = std::move(fitter.reduced({{&fitted, one}}).front());
     found.sets.emplace(less, fitter.settled(std::move(fitted)));
   }
   Selection s{.base = base.fit,

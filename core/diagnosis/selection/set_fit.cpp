@@ -5,6 +5,7 @@ namespace {
 
 constexpr int kShortIterations = 3;       // of a fit that ranks candidates
 constexpr int kShortIterationsRigid = 6;  // of rigid drives, whose errors of force add up
+constexpr int kFirstIterations = 20;      // of the nominal structure, whose numbers start from the robot file
 constexpr int kLastIterations = 12;       // of each pass of a settled fit
 constexpr int kPasses = 3;                // of a settled fit, each with the weights of the residual before
 
@@ -20,14 +21,20 @@ SetFit SetFitter::nominal(const FitModel& model, const Eigen::VectorXd& u) const
   SetFit set{{}, {.model = model}, {}};
   set.weighting.weights =
       weightsFor(data_, linearise(data_, model, u, initial, {Eigen::VectorXd::Ones(data_.size())}).e);
-  set.fit = fit(data_, model, u, initial, set.weighting, {20, toleranceOf(data_, 0), nullptr}, progress_);
+  set.fit = fit(data_, model, u, initial, set.weighting,
+                {.iterations = kFirstIterations, .tolerance = toleranceOf(data_, 0)});
   return settled(std::move(set));
 }
 
-SetFit SetFitter::extended(const SetFit& parent, const ScoreTest& test) const {
-  const FitModel model = parent.fit.model.with(*test.hypothesis, test.joint, test.start);
-  return shortFit(parent, plus(parent.effects, {test.hypothesis, test.joint}), model,
-                  model.startFrom(parent.fit.model, parent.fit.u));
+std::vector<SetFit> SetFitter::extended(const SetFit& parent, const std::vector<ScoreTest>& tests) const {
+  std::vector<FitTask> tasks;
+  std::vector<EffectSet> effects;
+  for (const ScoreTest& test : tests) {
+    const FitModel model = parent.fit.model.with(*test.hypothesis, test.joint, test.start);
+    tasks.push_back(shortFit(parent, model, model.startFrom(parent.fit.model, parent.fit.u)));
+    effects.push_back(plus(parent.effects, {test.hypothesis, test.joint}));
+  }
+  return fitted(tasks, std::move(effects));
 }
 
 SetFit SetFitter::extended(const SetFit& parent, const EffectSet& effects, const Fit& from) const {
@@ -39,43 +46,72 @@ SetFit SetFitter::extended(const SetFit& parent, const EffectSet& effects, const
     model = model.with(*term.hypothesis, term.joint, term.start);
     all = plus(std::move(all), effect);
   }
-  return shortFit(parent, std::move(all), model, model.carry(from.model, from.u));
+  return fitted({shortFit(parent, model, model.carry(from.model, from.u))}, {all}).front();
 }
 
-SetFit SetFitter::reduced(const SetFit& parent, const EffectCandidate& effect) const {
-  const FitModel model = parent.fit.model.without(*effect.hypothesis, effect.joint);
-  return shortFit(parent, minus(parent.effects, effect), model, model.carry(parent.fit.model, parent.fit.u));
+std::vector<SetFit> SetFitter::reduced(const std::vector<Removal>& removals) const {
+  std::vector<FitTask> tasks;
+  std::vector<EffectSet> effects;
+  for (const auto& [parent, effect] : removals) {
+    const FitModel model = parent->fit.model.without(*effect.hypothesis, effect.joint);
+    tasks.push_back(shortFit(*parent, model, model.carry(parent->fit.model, parent->fit.u)));
+    effects.push_back(minus(parent->effects, effect));
+  }
+  return fitted(tasks, std::move(effects));
 }
 
-SetFit SetFitter::shortFit(const SetFit& parent, EffectSet effects, const FitModel& model,
-                           const Eigen::VectorXd& u) const {
-  const FitOptions options = data_.rigid() ? FitOptions{kShortIterationsRigid, kRough, nullptr}
-                                           : FitOptions{kShortIterations, kRough, &parent.fit};
-  SetFit set{std::move(effects),
-             fit(data_, model, u, parent.fit.initial, parent.weighting, options, progress_),
-             parent.weighting};
-  holdOut(set);
-  return set;
+FitTask SetFitter::shortFit(const SetFit& parent, FitModel model, Eigen::VectorXd u) const {
+  FitTask task{std::move(model), std::move(u), parent.fit.initial, parent.weighting};
+  task.options = {.iterations = data_.rigid() ? kShortIterationsRigid : kShortIterations, .tolerance = kRough};
+  if (!data_.rigid()) task.options.known = &parent.fit, task.options.coarse = true;
+  return task;
+}
+
+std::vector<SetFit> SetFitter::fitted(const std::vector<FitTask>& tasks,
+                                      std::vector<EffectSet> effects) const {
+  std::vector<Fit> fits = fitAll(data_, tasks);
+  std::vector<SetFit> sets;
+  for (std::size_t k = 0; k < tasks.size(); ++k)
+    sets.push_back({std::move(effects[k]), std::move(fits[k]), tasks[k].weighting});
+  if (data_.rigid()) {
+    holdOut(sets);
+    return sets;
+  }
+  for (SetFit& set : sets)
+    if (set.fit.e.allFinite()) set.squares = squaresOf(data_, linearHeldOut(data_, set.fit, set.weighting));
+  return sets;
+}
+
+std::vector<SetFit> SetFitter::settled(std::vector<SetFit> sets) const {
+  for (int pass = 1; pass <= kPasses && !data_.cancelled(); ++pass) {
+    std::vector<FitTask> tasks;
+    for (SetFit& set : sets) {
+      set.weighting.weights = weightsFor(data_, set.fit.e);
+      FitTask task{set.fit.model, set.fit.u, set.fit.initial, set.weighting};
+      task.options = {.iterations = kLastIterations, .tolerance = toleranceOf(data_, pass)};
+      if (!data_.rigid() && pass > 1) task.options.begun = &set.fit;
+      tasks.push_back(std::move(task));
+    }
+    std::vector<Fit> fits = fitAll(data_, tasks);
+    for (std::size_t k = 0; k < sets.size(); ++k) sets[k].fit = std::move(fits[k]);
+  }
+  holdOut(sets);
+  for (SetFit& set : sets) set.settled = true;
+  return sets;
 }
 
 SetFit SetFitter::settled(SetFit set) const {
-  for (int pass = 1; pass <= kPasses; ++pass) {
-    set.weighting.weights = weightsFor(data_, set.fit.e);
-    if (progress_ && progress_->cancelled()) break;
-    set.fit = fit(data_, set.fit.model, set.fit.u, set.fit.initial, set.weighting,
-                  {kLastIterations, toleranceOf(data_, pass), nullptr}, progress_);
-  }
-  holdOut(set);
-  set.settled = true;
-  return set;
+  std::vector<SetFit> one;
+  one.push_back(std::move(set));
+  return std::move(settled(std::move(one)).front());
 }
 
-SetFit SetFitter::settledFromNominal(const SetFit& like) const {
-  Eigen::VectorXd fresh = like.fit.u;
-  fresh.head(like.fit.model.baseSize()).setZero();
-  SetFit set{like.effects, linearise(data_, like.fit.model, fresh, like.fit.initial, like.weighting),
-             like.weighting};
-  return settled(std::move(set));
+SetFit SetFitter::fromNominal(const SetFit& like) {
+  SetFit set{like.effects, {.model = like.fit.model, .u = like.fit.u}, like.weighting};
+  set.fit.u.head(like.fit.model.baseSize()).setZero();
+  set.fit.initial = like.fit.initial;
+  set.fit.e = like.fit.e;  // for the first weights
+  return set;
 }
 
 void SetFitter::relinearise(SetFit& set) const {
@@ -92,11 +128,17 @@ void SetFitter::thin(SetFit& set) {
   set.fit.e.resize(0);
 }
 
-void SetFitter::holdOut(SetFit& set) const {
-  if (set.fit.e.allFinite())
-    set.squares = squaresOf(data_, heldOut(data_, set.fit, set.weighting));
-  else
+void SetFitter::holdOut(std::vector<SetFit>& sets) const {
+  std::vector<SetFit*> finite;
+  std::vector<WeightedFit> fits;
+  for (SetFit& set : sets) {
     set.squares = {};
+    if (!set.fit.e.allFinite()) continue;
+    finite.push_back(&set);
+    fits.push_back({&set.fit, &set.weighting});
+  }
+  const std::vector<Eigen::VectorXd> residuals = heldOut(data_, fits);
+  for (std::size_t k = 0; k < finite.size(); ++k) finite[k]->squares = squaresOf(data_, residuals[k]);
 }
 
 }  // namespace capstan::diagnosis

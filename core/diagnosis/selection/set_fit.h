@@ -1,6 +1,7 @@
 #pragma once
 
-#include "core/base/progress.h"
+#include <vector>
+
 #include "core/diagnosis/fit/cross_validation.h"
 #include "core/diagnosis/selection/effect_set.h"
 #include "core/diagnosis/selection/screening.h"
@@ -17,37 +18,44 @@ struct SetFit {
   bool settled = false;
 };
 
-/// Fits sets of effects to the recordings of one robot. Each fit starts from the fit of another set.
+/// One effect to remove from a set.
+struct Removal {
+  const SetFit* parent = nullptr;
+  EffectCandidate effect;
+};
+
+/// Fits sets of effects to the recordings of one robot. Each fit starts from the fit of another set. Fits
+/// that one call makes proceed together (fitAll()).
 class SetFitter {
  public:
-  SetFitter(const FitData& data, const base::Progress* progress) : data_(data), progress_(progress) {}
+  explicit SetFitter(const FitData& data) : data_(data) {}
 
   /// Fit of `model`, the nominal robot without effects, from `u` until convergence.
   SetFit nominal(const FitModel& model, const Eigen::VectorXd& u) const;
-  /// Short fit of `parent` with one more effect, which starts as the score test predicts.
-  SetFit extended(const SetFit& parent, const ScoreTest& test) const;
+  /// Short fits of `parent` with one more effect each, which starts as the score test predicts.
+  std::vector<SetFit> extended(const SetFit& parent, const std::vector<ScoreTest>& tests) const;
   /// Short fit of `parent` with several effects of `from`, which start from the parameters of `from`.
   SetFit extended(const SetFit& parent, const EffectSet& effects, const Fit& from) const;
-  /// Short fit of `parent` without one of its effects.
-  SetFit reduced(const SetFit& parent, const EffectCandidate& effect) const;
-  /// The same set, fitted until convergence; the weights are computed again from the residual.
+  /// Short fits of sets without one of their effects each.
+  std::vector<SetFit> reduced(const std::vector<Removal>& removals) const;
+  /// The same sets, fitted until convergence; the weights are computed again from the residuals.
+  std::vector<SetFit> settled(std::vector<SetFit> from) const;
   SetFit settled(SetFit from) const;
-  /// The same set, fitted until convergence; the parameters of the nominal robot start from their nominal
-  /// values. A fit without an effect changes these parameters to replace the effect, sometimes so far that a
-  /// fit with the effect does not return from there.
-  SetFit settledFromNominal(const SetFit& like) const;
+  /// Start of another fit of the same set: the parameters of the nominal robot have their nominal values. A fit
+  /// without an effect changes these parameters to replace the effect, sometimes so far that a fit with the
+  /// effect does not return from there.
+  static SetFit fromNominal(const SetFit& like);
   /// Computes the linearisation again that thin() deleted.
   void relinearise(SetFit& set) const;
   /// Deletes what can be computed again, because the Jacobians of all tried models would fill the memory.
   static void thin(SetFit& set);
 
  private:
-  SetFit shortFit(const SetFit& parent, EffectSet effects, const FitModel& model,
-                  const Eigen::VectorXd& u) const;
-  void holdOut(SetFit& set) const;
+  FitTask shortFit(const SetFit& parent, FitModel model, Eigen::VectorXd u) const;
+  std::vector<SetFit> fitted(const std::vector<FitTask>& tasks, std::vector<EffectSet> effects) const;
+  void holdOut(std::vector<SetFit>& sets) const;
 
   const FitData& data_;
-  const base::Progress* progress_;
 };
 
 }  // namespace capstan::diagnosis

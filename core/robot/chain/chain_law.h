@@ -68,13 +68,13 @@ struct ZeroShift {
   S rate;  ///< [rad/s or m/s]
 };
 
-/// Shift drift (1 − exp(−t / T)) of a cable's zero, in joint units, as caused by cables that seat or warm up. t is the time since the
-/// begin of the recording [s]; before it the shift is 0.
+/// Shift drift (1 − (1 − begun) exp(−t / T)) of a cable's zero, in joint units, as caused by cables that seat or
+/// warm up. t is the time since the begin of the recording [s]; before it the shift is 0.
 template <class S>
 CAPSTAN_CHAIN_INLINE ZeroShift<S> zeroShiftAt(const JointNumbers<S>& p, double t) {
   using std::exp;
   if (t < 0.0) return {constantLike(p.zero_drift, 0.0), constantLike(p.zero_drift, 0.0)};
-  const S left = p.zero_drift * exp(-(p.zero_drift_rate * t));
+  const S left = p.zero_drift * (1.0 - p.zero_drift_begun) * exp(-(p.zero_drift_rate * t));
   return {p.zero_drift - left, p.zero_drift_rate * left};
 }
 

@@ -40,6 +40,7 @@ struct JointNumbers {
   S homing;              ///< q_hs [rad or m]
   S zero_drift;          ///< final drift of the cable's zero [rad or m], neutral 0
   S zero_drift_rate;     ///< 1 / time constant of the drift [1/s]
+  S zero_drift_begun;    ///< share of the drift at the begin of the recording, neutral 0
   S stiffness;           ///< k_e [N]
   S exponent;            ///< a [1/m]
   S damping;             ///< b_e [N·s/m]

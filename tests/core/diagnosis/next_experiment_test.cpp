@@ -60,7 +60,7 @@ class Undecided {
   Undecided(const Planted& planted, const char* effect, int joint, const EffectStart& start)
       : data_(planted.evidence, planted.robot, 0.0, EncoderZeros::kKnown, 2) {
     const FitModel nominal(planted.robot, jointScales(planted.evidence, planted.robot));
-    const SetFit without = SetFitter(data_, nullptr).nominal(nominal, Eigen::VectorXd::Zero(nominal.size()));
+    const SetFit without = SetFitter(data_).nominal(nominal, Eigen::VectorXd::Zero(nominal.size()));
     const Hypothesis& hypothesis = *hypothesisNamed(effect);
     const FitModel model = nominal.with(hypothesis, joint, start);
     SetFit with{{{&hypothesis, joint}},

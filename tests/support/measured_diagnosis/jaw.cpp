@@ -122,7 +122,7 @@ std::vector<JawStep> Jaw::steps(const diagnosis::Selection& selection) const {
 }
 
 JawStep Jaw::transferred(const diagnosis::Selection& other) const {
-  const diagnosis::SetFitter fitter(*fitted_, nullptr);
+  const diagnosis::SetFitter fitter(*fitted_);
   diagnosis::EffectSet effects;
   for (const diagnosis::SelectedEffect& one : other.effects) effects = plus(std::move(effects), one.effect);
   const diagnosis::SetFit nominal = fitter.nominal(base_, Eigen::VectorXd::Zero(base_.size()));
