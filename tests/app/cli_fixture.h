@@ -49,7 +49,8 @@ class Cli : public ::testing::Test {
   }
   /// Starts a command, sends it `signal` (Ctrl-C) once `file` is there, and waits for the end.
   Ran interrupt(const std::string& arguments, const std::string& file, int signal = SIGINT) const {
-    const std::string command = "exec " + test::commandLineProgram() + " " + arguments + " >/dev/null 2>" + path("stderr.txt");
+    const std::string command =
+        "exec " + test::commandLineProgram() + " " + arguments + " >/dev/null 2>" + path("stderr.txt");
     const pid_t child = fork();
     if (child == 0) {
       execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);

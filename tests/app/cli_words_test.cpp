@@ -112,7 +112,8 @@ TEST_F(Cli, ReportTakesTheWindowsNames) {
   const json rms = rmsOf(file);
   EXPECT_EQ(rmsOf("--session " + file), rms);
   ASSERT_EQ(run("convert " + file + " " + path("t.csv")).exit, 0);
-  EXPECT_EQ(rmsOf("--table " + path("t.csv") + " --robot " + test::resourceFile("robots/raven2_left.yaml").string()),
+  EXPECT_EQ(rmsOf("--table " + path("t.csv") + " --robot " +
+                  test::resourceFile("robots/raven2_left.yaml").string()),
             rmsOf(path("t.csv")));
   const Ran made =
       run("report --simulate --distractors --uneven-light --unregistered --seed 4 --truth matched "

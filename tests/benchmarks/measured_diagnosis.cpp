@@ -113,8 +113,9 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
   try {
-    if (only != "jaws") for (const auto start : {measured::EmpsStart::kFourNumbers, measured::EmpsStart::kThreeNumbers})
-      emps(std::filesystem::path(data) / "emps", start, threads);
+    if (only != "jaws")
+      for (const auto start : {measured::EmpsStart::kFourNumbers, measured::EmpsStart::kThreeNumbers})
+        emps(std::filesystem::path(data) / "emps", start, threads);
     if (only != "emps") jaws(data, {"0.1", "0.3"}, threads);
     return 0;
   } catch (const std::exception& error) {

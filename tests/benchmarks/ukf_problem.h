@@ -28,8 +28,7 @@ inline constexpr int kSamples = 2000;
 
 /// One second of motor motion and noisy joint observations; every candidate model gets the same.
 struct Problem {
-  robot::Description robot =
-      robot::readDescription(test::resourceFile("robots/raven2_left.yaml"));
+  robot::Description robot = robot::readDescription(test::resourceFile("robots/raven2_left.yaml"));
   std::vector<MotorState> motor;
   std::vector<Vector3> y;
   Vector6 mean0;

@@ -35,11 +35,9 @@ class ExamplesTest : public Cli {
   }
   /// A shell command in the test's folder, with the programs that the manual expects.
   Ran shell(const std::string& command) const {
-    return runShell("set -e; cd " + path("") +
-                    "; export CAPSTAN_CLI='" + test::commandLineProgram() + "' CAPSTAN_RESOURCES='" +
-                    test::sourceFile("resources").string() + "'; PATH=\"$(dirname " +
-                    test::commandLineProgram() + "):$PATH\"; " +
-                    command);
+    return runShell("set -e; cd " + path("") + "; export CAPSTAN_CLI='" + test::commandLineProgram() +
+                    "' CAPSTAN_RESOURCES='" + test::sourceFile("resources").string() +
+                    "'; PATH=\"$(dirname " + test::commandLineProgram() + "):$PATH\"; " + command);
   }
   static std::string example(const std::string& name) { return std::string(CAPSTAN_EXAMPLES) + "/" + name; }
 

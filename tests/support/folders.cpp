@@ -1,5 +1,5 @@
-// The only file that is compiled with paths of this checkout: all others are the same in every checkout, so the
-// compiler cache serves them.
+// The only file that is compiled with paths of this checkout: all others are the same in every checkout, so
+// the compiler cache serves them.
 #include "tests/support/folders.h"
 
 #include <cstdlib>

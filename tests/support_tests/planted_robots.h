@@ -5,9 +5,7 @@
 
 namespace capstan::test {
 
-inline robot::Description raven() {
-  return robot::readDescription(resourceFile("robots/raven2_left.yaml"));
-}
+inline robot::Description raven() { return robot::readDescription(resourceFile("robots/raven2_left.yaml")); }
 
 inline robot::Description rigidRobot(const std::string& name) {
   return robot::readDescription(sourceFile("tests/support/planted/data/" + name + ".yaml"));

@@ -1,6 +1,6 @@
 // Rigid bodies of the planted robot against the library's, an independent table, and first principles.
-#include "tests/support/folders.h"
 #include "tests/support/planted/rigid_chain.h"
+#include "tests/support/folders.h"
 
 #include <gtest/gtest.h>
 

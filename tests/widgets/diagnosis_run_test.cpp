@@ -41,7 +41,8 @@ class DiagnosisRuns : public ::testing::Test {
   }
   nlohmann::json commandLine(const QString& file, const QStringList& more = {}) {
     QProcess process;
-    process.start(QString::fromStdString(capstan::test::commandLineProgram()), QStringList{"diagnose", file, "--json", "-"} + more);
+    process.start(QString::fromStdString(capstan::test::commandLineProgram()),
+                  QStringList{"diagnose", file, "--json", "-"} + more);
     EXPECT_TRUE(process.waitForFinished(100000));
     EXPECT_EQ(process.exitCode(), 0) << process.readAllStandardError().toStdString();
     return nlohmann::json::parse(process.readAllStandardOutput().toStdString());

@@ -1,6 +1,6 @@
 // The calibration panel without a window around it: a session fed by hand, buttons pressed, files written.
-#include "tests/support/folders.h"
 #include "widgets/panels/identification/identification_panel.h"
+#include "tests/support/folders.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The learning panel without a window around it, on tables whose flaws are known.
-#include "tests/support/folders.h"
 #include "widgets/panels/learning/learning_panel.h"
+#include "tests/support/folders.h"
 
 #include <gmock/gmock.h>
 
@@ -29,12 +29,12 @@
 #include "widgets/panels/learning/confidence_view.h"
 #include "widgets/panels/learning/curve_view.h"
 #include "widgets/panels/learning/errors_view.h"
-#include "widgets/panels/work/figure_sheet.h"
 #include "widgets/panels/learning/learning_figures.h"
 #include "widgets/panels/learning/learning_pages.h"
 #include "widgets/panels/learning/reliability_view.h"
 #include "widgets/panels/learning/stages_view.h"
 #include "widgets/panels/learning/trajectory_view.h"
+#include "widgets/panels/work/figure_sheet.h"
 #include "widgets/scene/cloud_view.h"
 
 namespace capstan::widgets {
@@ -322,9 +322,10 @@ TEST_F(Learning, ModelAndErrorsAreThoseOfTheCommandLine) {
   ASSERT_TRUE(panel->results().evaluation) << panel->summary().toStdString();
   panel->saveModel(folder.filePath("window.correction"));
   QProcess process;
-  process.start(QString::fromStdString(capstan::test::commandLineProgram()), {"learn", "--train", tables[0], tables[1], "--inducing", "200", "--members", "1",
-                              "--hold-out", "20", "--model", folder.filePath("line.correction"), "--json",
-                              folder.filePath("line.json")});
+  process.start(
+      QString::fromStdString(capstan::test::commandLineProgram()),
+      {"learn", "--train", tables[0], tables[1], "--inducing", "200", "--members", "1", "--hold-out", "20",
+       "--model", folder.filePath("line.correction"), "--json", folder.filePath("line.json")});
   ASSERT_TRUE(process.waitForFinished(240000));
   ASSERT_EQ(process.exitCode(), 0) << process.readAllStandardError().toStdString();
   const auto bytes = [&](const char* name) {

@@ -57,7 +57,8 @@ TEST_F(Shell, SaysThatADriveOfOneJointIsForTheCommandLine) {
   window->open(atRest());
   ASSERT_TRUE(opened(*window));
   SourceChoice jaw = SourceChoice::ofFile(table.fileName());
-  jaw.robot = QString::fromStdString(capstan::test::sourceFile("tests/core/identification/data/davinci_jaw.yaml"));
+  jaw.robot =
+      QString::fromStdString(capstan::test::sourceFile("tests/core/identification/data/davinci_jaw.yaml"));
   window->open(jaw);
   ASSERT_TRUE(waitFor([&] { return !window->message().isEmpty(); }));
   EXPECT_TRUE(window->message().contains("da Vinci jaw has 1")) << window->message().toStdString();

@@ -70,8 +70,8 @@ class ChainSimulation {
   /// Number of integration steps per row that a robot needs.
   int stepsFor(const robot::ChainModel& model) const;
 
-  /// Simulates at most 16 robots, with the largest of their numbers of steps: one column of readings per robot, in the order of Compared::measured. NaN
-  /// where a simulation diverged.
+  /// Simulates at most 16 robots, with the largest of their numbers of steps: one column of readings per
+  /// robot, in the order of Compared::measured. NaN where a simulation diverged.
   void simulate(std::span<const Robot> robots, Eigen::Ref<Eigen::MatrixXd> readings) const {
     simulate(rows_, robots, readings);
   }

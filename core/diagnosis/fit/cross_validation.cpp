@@ -101,7 +101,8 @@ namespace {
 int foldsOf(const FitData& data) { return std::min(kFolds, data.blocks()); }
 
 /// Parameters without each fold.
-std::vector<VectorXd> parametersWithoutFolds(const FitData& data, const Fit& fit, const Weighting& weighting) {
+std::vector<VectorXd> parametersWithoutFolds(const FitData& data, const Fit& fit,
+                                             const Weighting& weighting) {
   const FreeSystem system(data, fit, weighting, true);
   const int folds = foldsOf(data);
   std::vector<VectorXd> parameters;

@@ -14,8 +14,8 @@ namespace capstan::diagnosis {
 /// Offsets of the initial states from those of the simulations: one matrix 4n × windows per recording.
 using InitialStates = std::vector<Eigen::MatrixXd>;
 
-/// All recordings of one robot for a fit. Readings are stacked recording by recording. Within a recording they
-/// are in the order of the struct Compared of its simulation.
+/// All recordings of one robot for a fit. Readings are stacked recording by recording. Within a recording
+/// they are in the order of the struct Compared of its simulation.
 class FitData {
  public:
   FitData(const std::vector<Evidence>& recordings, const robot::Description& robot, double horizon,
@@ -36,8 +36,8 @@ class FitData {
   /// Sensor channels of all recordings, in order; channel()[i] is the channel of reading i.
   const std::vector<ComparedChannel>& channels() const { return channels_; }
   const std::vector<int>& channel() const { return channel_; }
-  /// Number of time blocks, the units of cross-validation and bootstrap. A block lasts about kBlock. With rigid
-  /// drives, a window shorter than 4 kBlock is a single block. block()[i] is the block of reading i.
+  /// Number of time blocks, the units of cross-validation and bootstrap. A block lasts about kBlock. With
+  /// rigid drives, a window shorter than 4 kBlock is a single block. block()[i] is the block of reading i.
   int blocks() const { return blocks_; }
   const std::vector<int>& block() const { return block_; }
   /// Segments with their own nuisances, each as readings [begin, end). Nuisances are the initial states of a
@@ -45,8 +45,8 @@ class FitData {
   const std::vector<std::pair<Eigen::Index, Eigen::Index>>& segments() const { return segments_; }
 
   /// Simulated readings of several robots, one column per robot. `initial` has the offsets of the initial
-  /// states of each robot; empty: no offsets. `family` numbers the robots' families, whose robots are compared
-  /// with each other and therefore integrated with equal steps; empty: all are one family.
+  /// states of each robot; empty: no offsets. `family` numbers the robots' families, whose robots are
+  /// compared with each other and therefore integrated with equal steps; empty: all are one family.
   Eigen::MatrixXd simulate(const std::vector<robot::ChainModel>& models,
                            const std::vector<InitialStates>& initial = {},
                            const std::vector<std::size_t>& family = {}) const;
@@ -122,11 +122,11 @@ struct FitTask {
 ///     Σ (w_i e_i)² + Σ (u_k / prior_k)²:
 /// Gauss–Newton with forward differences; 16 robots with perturbed parameters are simulated in parallel.
 /// Several dampings and lengths of each step are tried at once (Levenberg–Marquardt), and each step is kept
-/// inside the bounds. Encoder zeros are solved for in each segment. Initial states of rigid drives are solved for in each segment too: the linearised step is
-/// tried at several fractions of its length, and each trial is judged by a simulation, because static
-/// friction is strongly nonlinear. Ends early, with the estimate so far, when the data's progress is
-/// cancelled.
-/// All fits proceed together, so that the robots of all of them are simulated in parallel.
+/// inside the bounds. Encoder zeros are solved for in each segment. Initial states of rigid drives are solved
+/// for in each segment too: the linearised step is tried at several fractions of its length, and each trial
+/// is judged by a simulation, because static friction is strongly nonlinear. Ends early, with the estimate so
+/// far, when the data's progress is cancelled. All fits proceed together, so that the robots of all of them
+/// are simulated in parallel.
 std::vector<Fit> fitAll(const FitData& data, const std::vector<FitTask>& tasks);
 /// The same with one fit.
 Fit fit(const FitData& data, const FitModel& model, const Eigen::VectorXd& u, const InitialStates& initial,
@@ -141,9 +141,9 @@ Fit linearise(const FitData& data, const FitModel& model, const Eigen::VectorXd&
 Eigen::MatrixXd residualsOf(const FitData& data, const Fit& at, const std::vector<robot::ChainModel>& robots,
                             const Weighting& weighting);
 
-/// Residuals of each fit's model with other parameters u: a matrix per fit, a column per u. The initial states
-/// are adapted to each u, and the fit's nuisances are subtracted. The robots of all fits are simulated in
-/// parallel.
+/// Residuals of each fit's model with other parameters u: a matrix per fit, a column per u. The initial
+/// states are adapted to each u, and the fit's nuisances are subtracted. The robots of all fits are simulated
+/// in parallel.
 std::vector<Eigen::MatrixXd> residualsWith(const FitData& data, const std::vector<WeightedFit>& fits,
                                            const std::vector<std::vector<Eigen::VectorXd>>& parameters);
 

@@ -8,7 +8,6 @@
 namespace capstan::diagnosis {
 namespace {
 
-constexpr double kFactorSigma = 0.3;      // prior σ of the logarithm of a parameter's factor
 constexpr double kCentreSigma = 0.15;     // prior σ of a centre of mass, over its distance from the joint
 constexpr double kMostCentre = 0.3;       // largest change of a centre of mass, over the same distance
 constexpr double kEffectPrior = 3.0;      // prior σ of an effect's number, over EffectStart::scale
@@ -46,11 +45,12 @@ FitModel::FitModel(const robot::Description& nominal, const std::vector<JointSca
     }
 }
 
-void FitModel::addFactor(Number number, const char* name, const char* unit, int joint, double nominal) {
+void FitModel::addFactor(Number number, const char* name, const char* unit, int joint, double nominal,
+                         const Spread& spread) {
   if (!(nominal > 0.0)) return;
   base_.emplace_back(number, joint);
-  parameters_.push_back({name, unit, joint + 1, nominal, kFactorSigma, true, nominal / kMostMistuned,
-                         nominal * kMostMistuned, 1.0});
+  parameters_.push_back({name, unit, joint + 1, nominal, spread.sigma, true, nominal / spread.most,
+                         nominal * spread.most, 1.0});
 }
 
 void FitModel::addBase() {
@@ -58,13 +58,14 @@ void FitModel::addBase() {
     const robot::Joint& joint = nominal_.joints[static_cast<std::size_t>(i)];
     const robot::Drive& drive = nominal_.drives[static_cast<std::size_t>(i)];
     if (!rigid_) {
-      addFactor(Number::kStiffness, "cable_stiffness", "N", i, drive.cable_stiffness);
-      addFactor(Number::kDamping, "cable_damping", "N*s/m", i, drive.cable_damping);
+      addFactor(Number::kStiffness, "cable_stiffness", "N", i, drive.cable_stiffness, kConstants);
+      addFactor(Number::kDamping, "cable_damping", "N*s/m", i, drive.cable_damping, kConstants);
     }
     const bool turns = joint.type == robot::JointType::kRevolute;
-    addFactor(Number::kCoulomb, "coulomb", turns ? "N*m" : "N", i, joint.friction.coulomb);
-    addFactor(Number::kViscous, "viscous", turns ? "N*m*s/rad" : "N*s/m", i, joint.friction.viscous);
-    addFactor(Number::kMass, "mass", "kg", i, joint.link.mass);
+    addFactor(Number::kCoulomb, "coulomb", turns ? "N*m" : "N", i, joint.friction.coulomb, kConstants);
+    addFactor(Number::kViscous, "viscous", turns ? "N*m*s/rad" : "N*s/m", i, joint.friction.viscous,
+              kConstants);
+    addFactor(Number::kMass, "mass", "kg", i, joint.link.mass, kMasses);
     const double arm = joint.link.centre_of_mass.norm();
     constexpr const char* kNames[] = {"centre_of_mass x", "centre_of_mass y", "centre_of_mass z"};
     for (int axis = 0; axis < 3 && arm > 0.0; ++axis) {

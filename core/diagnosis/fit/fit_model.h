@@ -41,9 +41,10 @@ struct EffectTerm {
 /// slightly eccentric capstan: it is fitted up to its normal size and is not reported as a cause.
 ///
 /// Adjustable are cable stiffness and damping, joint friction, and masses with their inertia. Each has a
-/// factor whose logarithm has the prior N(0, 0.3²), between 1/kMostMistuned and kMostMistuned. Centres of
-/// mass are adjustable along each axis, with σ 0.15 and at most 0.3 of their distance from the joint. A
-/// larger deviation needs a hypothesis that explains it.
+/// factor whose logarithm has a normal prior. Constants of cables and friction are often wrong by a factor of
+/// two (σ = 0.7, at most 4), masses by a third (σ = 0.3, at most 2). Centres of mass are adjustable along
+/// each axis, with σ 0.15 and at most 0.3 of their distance from the joint. A larger deviation needs a
+/// hypothesis that explains it.
 class FitModel {
  public:
   /// `scales` has one entry per joint.
@@ -78,10 +79,17 @@ class FitModel {
   Eigen::VectorXd clipped(const Eigen::VectorXd& u) const;
 
  private:
+  /// How far a nominal number may be wrong: σ of the logarithm of its factor, and the largest factor.
+  struct Spread {
+    double sigma, most;
+  };
+  static constexpr Spread kConstants{0.7, 4.0};  ///< of cables and friction
+  static constexpr Spread kMasses{0.3, 2.0};
   enum class Number { kStiffness, kDamping, kCoulomb, kViscous, kMass, kCentreX, kCentreY, kCentreZ };
 
   void addBase();
-  void addFactor(Number number, const char* name, const char* unit, int joint, double nominal);
+  void addFactor(Number number, const char* name, const char* unit, int joint, double nominal,
+                 const Spread& spread);
   void addTerm(EffectTerm term);
   int addBegun(const EffectTerm& term);
   EffectTerm backgroundTerm(const Hypothesis& hypothesis, int joint) const;
@@ -94,7 +102,6 @@ class FitModel {
   std::vector<FitParameter> parameters_;
   std::vector<EffectTerm> effects_;
 };
-inline constexpr double kMostMistuned = 2.0;  ///< largest factor between a refitted and a nominal parameter
 
 /// Scales of an effect: those of joint `joint` (from 1); those of the last joint for the whole arm (0).
 const JointScales& scalesOf(const std::vector<JointScales>& scales, int joint);

@@ -126,8 +126,8 @@ double reached(const FitData& data, const FitModel& model, const VectorXd& u, co
 
 namespace {
 
-/// Derivatives by forward differences. The first robot is that of the point, then one robot per parameter that
-/// is simulated, then one robot per initial state of rigid drives.
+/// Derivatives by forward differences. The first robot is that of the point, then one robot per parameter
+/// that is simulated, then one robot per initial state of rigid drives.
 class ForwardDifferences {
  public:
   ForwardDifferences(const FitData& data, const LinearisationPoint& point)
@@ -194,7 +194,7 @@ class ForwardDifferences {
   const LinearisationPoint& point_;
   MatrixXd jacobian_;
   std::vector<std::pair<int, double>> steps_;  ///< parameters that are simulated, and their steps
-  VectorXd state_steps_;                       ///< of the initial states; 0: the robot does not have the state
+  VectorXd state_steps_;  ///< of the initial states; 0: the robot does not have the state
   std::vector<robot::ChainModel> robots_;
   std::vector<InitialStates> starts_;
 };

@@ -116,16 +116,18 @@ std::vector<Hypothesis> transmissionHypotheses() {
           .words =
               {
                   .title = "Joint zero that drifts and settles",
-                  .what = "After homing, the zero of the joint's cable continued to move, because cables settle on "
+                  .what = "After homing, the zero of the joint's cable continued to move, because cables "
+                          "settle on "
                           "their pulleys or get warm; the drift is fast at first and then slower and slower.",
-                  .equation = "s_l = r_l (A (q − q_hs) − A(joint, joint) drift (1 − exp(−t / time_constant))), t from "
+                  .equation = "s_l = r_l (A (q − q_hs) − A(joint, joint) drift (1 − exp(−t / "
+                              "time_constant))), t from "
                               "the begin of the recording",
                   .source = "Incropera, DeWitt, Bergman and Lavine, Fundamentals of Heat and Mass Transfer "
                             "(2007), chapter 5, lumped capacitance: what warms up does so exponentially, and "
                             "lengths change with it",
-                  .changes =
-                      "Transmission: the zero of this joint's cable travel changes over time. Joints that are coupled "
-                      "to this one move with it.",
+                  .changes = "Transmission: the zero of this joint's cable travel changes over time. Joints "
+                             "that are coupled "
+                             "to this one move with it.",
                   .signature =
                       "Against time, the residual is an exponential that levels out, at every position, "
                       "direction and speed, loaded or not. Unlike a slip it is gradual; unlike creep it "
@@ -136,8 +138,8 @@ std::vector<Hypothesis> transmissionHypotheses() {
               },
           .neutral = {0.0, 1.0},
           .grid = zeroDriftStarts,
-          // Negative: the drift begins a moment after the recording. Most of it is in the recording: what came
-          // before cannot be told from a homing offset.
+          // Negative: the drift begins a moment after the recording. Most of it is in the recording: what
+          // came before cannot be told from a homing offset.
           .begun = BegunShare{&robot::JointNumbers<double>::zero_drift_begun, 0.0, 0.1, -0.1, 0.3},
       },
       {

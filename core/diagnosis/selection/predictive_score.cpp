@@ -44,7 +44,7 @@ PredictiveScore::PredictiveScore(const FitData& data, const VectorXd& input_nois
 }
 
 void PredictiveScore::learnInflation(const BlockSquares& squares) {
-  if (!squares.sum.allFinite()) return;
+  if (squares.sum.size() == 0 || !squares.sum.allFinite()) return;
   VectorXd own = VectorXd::Zero(inflation_.size());
   for (std::size_t c = 0; c < group_.size(); ++c)
     own[group_[c]] = std::max(own[group_[c]], squares.inflation[static_cast<Index>(c)]);

@@ -58,15 +58,17 @@ class Search {
 
   SetFit& at(const EffectSet& effects) { return found_.sets.at(effects); }
 
-  /// Of two fits of the same set a settled one stays, else the better one. True: this set has become the best.
+  /// Of two fits of the same set a settled one stays, else the better one. True: this set has become the
+  /// best.
   bool keep(SetFit set) {
     score_->learnInflation(set.squares);
     const EffectSet effects = set.effects, former = found_.best;
     const auto known = found_.sets.find(effects);
     if (known == found_.sets.end())
       found_.sets.emplace(effects, std::move(set));
-    else if (set.settled != known->second.settled ? set.settled
-                                                  : score_->of(set.squares) > score_->of(known->second.squares))
+    else if (set.settled != known->second.settled
+                 ? set.settled
+                 : score_->of(set.squares) > score_->of(known->second.squares))
       known->second = std::move(set);
     for (const auto& [other, fitted] :
          found_.sets)  // what was learned may have changed the order of others, too
@@ -147,8 +149,8 @@ class Search {
     return true;
   }
 
-  /// Fits those of `smaller`, subsets of the best set, that were not fitted to the end, each from a set with one
-  /// effect more.
+  /// Fits those of `smaller`, subsets of the best set, that were not fitted to the end, each from a set with
+  /// one effect more.
   void shrinkTo(const std::vector<EffectSet>& smaller, const EffectSet& best) {
     std::vector<Removal> removals;
     for (const EffectSet& effects : smaller) {

@@ -62,7 +62,8 @@ std::vector<SetFit> SetFitter::reduced(const std::vector<Removal>& removals) con
 
 FitTask SetFitter::shortFit(const SetFit& parent, FitModel model, Eigen::VectorXd u) const {
   FitTask task{std::move(model), std::move(u), parent.fit.initial, parent.weighting};
-  task.options = {.iterations = data_.rigid() ? kShortIterationsRigid : kShortIterations, .tolerance = kRough};
+  task.options = {.iterations = data_.rigid() ? kShortIterationsRigid : kShortIterations,
+                  .tolerance = kRough};
   if (!data_.rigid()) task.options.known = &parent.fit, task.options.coarse = true;
   return task;
 }
@@ -133,7 +134,8 @@ void SetFitter::holdOut(std::vector<SetFit>& sets) const {
   std::vector<WeightedFit> fits;
   for (SetFit& set : sets) {
     set.squares = {};
-    if (!set.fit.e.allFinite()) continue;
+    const bool begun = set.fit.jacobian.rows() == set.fit.e.size();  // not if cancelled before
+    if (!begun || !set.fit.e.allFinite()) continue;
     finite.push_back(&set);
     fits.push_back({&set.fit, &set.weighting});
   }

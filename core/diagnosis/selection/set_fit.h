@@ -41,9 +41,9 @@ class SetFitter {
   /// The same sets, fitted until convergence; the weights are computed again from the residuals.
   std::vector<SetFit> settled(std::vector<SetFit> from) const;
   SetFit settled(SetFit from) const;
-  /// Start of another fit of the same set: the parameters of the nominal robot have their nominal values. A fit
-  /// without an effect changes these parameters to replace the effect, sometimes so far that a fit with the
-  /// effect does not return from there.
+  /// Start of another fit of the same set: the parameters of the nominal robot have their nominal values. A
+  /// fit without an effect changes these parameters to replace the effect, sometimes so far that a fit with
+  /// the effect does not return from there.
   static SetFit fromNominal(const SetFit& like);
   /// Computes the linearisation again that thin() deleted.
   void relinearise(SetFit& set) const;

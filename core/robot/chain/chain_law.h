@@ -68,8 +68,8 @@ struct ZeroShift {
   S rate;  ///< [rad/s or m/s]
 };
 
-/// Shift drift (1 − (1 − begun) exp(−t / T)) of a cable's zero, in joint units, as caused by cables that seat or
-/// warm up. t is the time since the begin of the recording [s]; before it the shift is 0.
+/// Shift drift (1 − (1 − begun) exp(−t / T)) of a cable's zero, in joint units, as caused by cables that seat
+/// or warm up. t is the time since the begin of the recording [s]; before it the shift is 0.
 template <class S>
 CAPSTAN_CHAIN_INLINE ZeroShift<S> zeroShiftAt(const JointNumbers<S>& p, double t) {
   using std::exp;

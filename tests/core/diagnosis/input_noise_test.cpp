@@ -17,7 +17,8 @@ namespace {
 
 /// A sound rigid axis under loads that are measured with noise, and its refitted nominal structure.
 struct Sound {
-  robot::Description robot = robot::readDescription(test::sourceFile("tests/support/planted/data/rigid_axis.yaml"));
+  robot::Description robot =
+      robot::readDescription(test::sourceFile("tests/support/planted/data/rigid_axis.yaml"));
   std::vector<Evidence> evidence;
 
   explicit Sound(double load_sigma) {

@@ -15,7 +15,8 @@ namespace {
 
 /// An axis that moves slowly enough to stick, with an effect.
 struct Sticking {
-  robot::Description robot = robot::readDescription(test::sourceFile("tests/support/planted/data/rigid_axis.yaml"));
+  robot::Description robot =
+      robot::readDescription(test::sourceFile("tests/support/planted/data/rigid_axis.yaml"));
   test::Truth truth;
   std::vector<Evidence> evidence;
 

@@ -22,9 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The stereo chessboard images of OpenCV's samples, where they are at hand.
-fs::path openCvStereo() {
-  return test::dataFolder() / "opencv-stereo";
-}
+fs::path openCvStereo() { return test::dataFolder() / "opencv-stereo"; }
 
 /// Picture of a chessboard by casting a ray for each sub-pixel, then a lens's slight blur: no model of ours
 /// but Camera::normalise.

@@ -1,5 +1,5 @@
-#include "tests/support/folders.h"
 #include "tests/support/learning_study/learning_data.h"
+#include "tests/support/folders.h"
 
 #include <fmt/format.h>
 
@@ -33,8 +33,9 @@ void writeNumbers(const std::filesystem::path& path, const Eigen::MatrixXd& numb
 }
 
 nlohmann::json askSklearn(const std::filesystem::path& folder) {
-  const std::string command = fmt::format("/usr/bin/python3 '{}' '{}'",
-                                          test::sourceFile("tests/benchmarks/sklearn_process.py").string(), folder.string());
+  const std::string command =
+      fmt::format("/usr/bin/python3 '{}' '{}'",
+                  test::sourceFile("tests/benchmarks/sklearn_process.py").string(), folder.string());
   FILE* pipe = popen(command.c_str(), "r");
   std::string text;
   char buffer[4096];

@@ -17,8 +17,8 @@ using diagnosis::EncoderZeros;
 using Recordings = std::vector<diagnosis::Evidence>;
 
 /// Levels of one parity at the frequencies, in the order of the file names.
-Recordings recordingsAt(int parity, const std::filesystem::path& folder, const std::vector<std::string>& frequencies,
-                        const robot::Description& robot) {
+Recordings recordingsAt(int parity, const std::filesystem::path& folder,
+                        const std::vector<std::string>& frequencies, const robot::Description& robot) {
   static const std::regex pattern(R"(.*_([0-9.]+)Hz_load([0-9]+)\.csv)");
   diagnosis::EvidenceOptions options;
   options.skip_start = 1.0;
@@ -30,7 +30,8 @@ Recordings recordingsAt(int parity, const std::filesystem::path& folder, const s
     std::smatch match;
     const std::string name = file.filename().string();
     if (!std::regex_match(name, match, pattern) || std::stoi(match[2]) % 2 != parity) continue;
-    if (std::ranges::count(frequencies, match[1].str()) > 0) all.push_back(diagnosis::readEvidence(file, robot, options));
+    if (std::ranges::count(frequencies, match[1].str()) > 0)
+      all.push_back(diagnosis::readEvidence(file, robot, options));
   }
   return all;
 }
@@ -148,7 +149,8 @@ std::vector<std::filesystem::path> jawFolders(const std::filesystem::path& data)
   std::vector<std::filesystem::path> folders;
   if (!std::filesystem::is_directory(data)) return folders;
   for (const auto& entry : std::filesystem::directory_iterator(data))
-    if (entry.is_directory() && entry.path().filename().string().starts_with("davinci-jaw")) folders.push_back(entry.path());
+    if (entry.is_directory() && entry.path().filename().string().starts_with("davinci-jaw"))
+      folders.push_back(entry.path());
   std::ranges::sort(folders);
   return folders;
 }

@@ -1,5 +1,5 @@
-#include "tests/support/folders.h"
 #include "tests/support/planted_study/study_cases.h"
+#include "tests/support/folders.h"
 
 #include <fmt/format.h>
 
@@ -127,8 +127,9 @@ test::PlantedCase planned(const StudyCase& one, std::optional<double> size) {
 
 robot::Description robotOf(Robot which) {
   if (which == Robot::kRaven) return robot::readDescription(base::resource("robots/raven2_left.yaml"));
-  return robot::readDescription(test::sourceFile(which == Robot::kArm ? "tests/support/planted/data/rigid_arm.yaml"
-                                                                      : "tests/support/planted/data/rigid_axis.yaml"));
+  return robot::readDescription(test::sourceFile(which == Robot::kArm
+                                                     ? "tests/support/planted/data/rigid_arm.yaml"
+                                                     : "tests/support/planted/data/rigid_axis.yaml"));
 }
 
 }  // namespace capstan::study
