@@ -16,12 +16,14 @@ using robot::kChainLanes;
 
 constexpr double kLongestStep = 1e-3;        // largest integration step [s]
 constexpr double kLongestFreeStep = 0.5e-3;  // the same for rigid drives, whose errors accumulate [s]
-constexpr double kContactStep = 0.25e-3;     // the same where contacts open or cables yield [s]
-constexpr double kFastestTurn = 0.7;         // largest phase of the fastest oscillation per step [rad]
-constexpr int kMostSteps = 80;               // largest number of integration steps per row
-constexpr double kOutputStep = 5e-3;         // time between outputs of the simulation kernel [s]
-constexpr double kAfterRestart = 0.12;       // time after a restart in which cameras are not compared: a late
-                                             // observation may show the time before the restart [s]
+constexpr double kContactStep = 0.25e-3;     // the same where contacts open, cables yield or joints stick [s]
+constexpr double kSticking = 0.5;       // Stribeck excess above which a joint sticks and slips, which needs
+                                        // the contact step
+constexpr double kFastestTurn = 0.7;    // largest phase of the fastest oscillation per step [rad]
+constexpr int kMostSteps = 80;          // largest number of integration steps per row
+constexpr double kOutputStep = 5e-3;    // time between outputs of the simulation kernel [s]
+constexpr double kAfterRestart = 0.12;  // time after a restart in which cameras are not compared: a late
+                                        // observation may show the time before the restart [s]
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 /// Position at row `begin` and slope of a column, from a line fitted to its rows [begin, end).
@@ -222,7 +224,8 @@ robot::ChainShape ChainSimulation::shapeOf(std::span<const Robot> robots) const 
 int ChainSimulation::stepsFor(const robot::ChainModel& model) const {
   double rate = 1.0 / (model.shape.rigid ? kLongestFreeStep : kLongestStep);
   for (int j = 0; j < joints_; ++j)
-    if (model.shape.laws[j] & (robot::kLawPlay | robot::kLawSlack | robot::kLawHysteresis))
+    if (model.shape.laws[j] & (robot::kLawPlay | robot::kLawSlack | robot::kLawHysteresis) ||
+        model.numbers.joints[j].stribeck_excess > kSticking)
       rate = 1.0 / kContactStep;
   for (const double share : {-0.5, 0.0, 0.5}) {
     robot::JointVector q(joints_);
