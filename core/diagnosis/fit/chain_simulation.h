@@ -42,7 +42,7 @@ struct Robot {
   const robot::ChainModel* model = nullptr;
   /// Offsets that are added to initialStates(), 4n × windows; null: no offsets.
   const Eigen::MatrixXd* initial = nullptr;
-  int steps = 1;  ///< number of integration steps per row, at least stepsFor() the model
+  int steps = 1;  ///< number of integration steps per row; raised to stepsFor() if smaller
 };
 
 /// Open-loop simulations of a robot model on the recorded inputs of one recording (motor positions of cable

@@ -138,8 +138,8 @@ std::vector<Hypothesis> transmissionHypotheses() {
               },
           .neutral = {0.0, 1.0},
           .grid = zeroDriftStarts,
-          // Negative: the drift begins a moment after the recording. Most of it is in the recording: what
-          // came before cannot be told from a homing offset.
+          // Negative: an approximation of a drift that begins a moment after the recording. Most of it is in
+          // the recording: what came before cannot be told from a homing offset.
           .begun = BegunShare{&robot::JointNumbers<double>::zero_drift_begun, 0.0, 0.1, -0.1, 0.3},
       },
       {
