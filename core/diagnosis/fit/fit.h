@@ -103,8 +103,8 @@ struct FitOptions {
   /// Fit whose derivatives are reused for the parameters that both fits have (cable drives). This is coarser
   /// and faster, for a first ranking.
   const Fit* known = nullptr;
-  /// Fit of the same model at the same u, with other weights, whose derivatives (at most one step old) serve
-  /// the first step (cable drives).
+  /// Fit of the same model at the same u, with other weights, whose derivatives (a few steps old at most)
+  /// serve the first step (cable drives).
   const Fit* begun = nullptr;
   bool coarse = false;  ///< true: fewer dampings and lengths of each step are tried (cable drives)
 };
