@@ -1,11 +1,11 @@
 #include "core/diagnosis/fit/chain_simulation.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/diagnosis/evidence/smooth_readings.h"
+#include "core/diagnosis/fit/start_of_motion.h"
 #include "core/robot/chain/chain_state.h"
 #include "core/robot/chain/chain_step.h"
 
@@ -25,39 +25,6 @@ constexpr double kOutputStep = 5e-3;    // time between outputs of the simulatio
 constexpr double kAfterRestart = 0.12;  // time after a restart in which cameras are not compared: a late
                                         // observation may show the time before the restart [s]
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-
-/// Position at row `begin` and slope of a column, from a line fitted to its rows [begin, end).
-std::pair<double, double> lineAround(const std::vector<double>& column, std::size_t begin, std::size_t end,
-                                     double step) {
-  double n = 0, st = 0, stt = 0, sx = 0, stx = 0;
-  for (std::size_t k = begin; k < end; ++k) {
-    if (!std::isfinite(column[k])) continue;
-    const double t = static_cast<double>(k - begin) * step;
-    n += 1, st += t, stt += t * t, sx += column[k], stx += t * column[k];
-  }
-  const double det = n * stt - st * st;
-  if (n < 2 || det <= 0.0) return {n > 0 ? sx / n : kNothing, 0.0};
-  const double slope = (n * stx - st * sx) / det;
-  return {(sx - slope * st) / n, slope};
-}
-
-/// The same from a fitted parabola, which gives the accurate start that a long simulation needs.
-std::pair<double, double> parabolaFrom(const std::vector<double>& column, std::size_t begin, std::size_t end,
-                                       double step) {
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d right = Eigen::Vector3d::Zero();
-  const double span = static_cast<double>(end - begin) * step;
-  for (std::size_t k = begin; k < end; ++k) {
-    if (!std::isfinite(column[k])) continue;
-    const double s = static_cast<double>(k - begin) * step / span;
-    const Eigen::Vector3d row(1.0, s, s * s);
-    normal += row * row.transpose();
-    right += column[k] * row;
-  }
-  if (!(normal(0, 0) >= 4.0)) return lineAround(column, begin, end, step);
-  const Eigen::Vector3d found = normal.ldlt().solve(right);
-  return {found[0], found[1] / span};
-}
 
 /// Noise of one joint's channel; zero if none was estimated.
 ChannelNoise noiseOf(const std::vector<ChannelNoise>& noise, std::size_t joint) {

@@ -97,7 +97,7 @@ std::vector<SetFit> SetFitter::settled(std::vector<SetFit> sets) const {
     for (std::size_t k = 0; k < sets.size(); ++k) sets[k].fit = std::move(fits[k]);
   }
   holdOut(sets);
-  for (SetFit& set : sets) set.settled = true;
+  for (SetFit& set : sets) set.settled = set.effects.empty() || !data_.cancelled();
   return sets;
 }
 
