@@ -61,4 +61,8 @@ void GrowthRate::add(Clock::time_point now, std::uint64_t bytes) {
   bytes_ = bytes;
 }
 
+double GrowthRate::timeToGrow(std::uint64_t bytes) const {
+  return rate_ > 0.0 ? static_cast<double>(bytes) / rate_ : 0.0;
+}
+
 }  // namespace capstan::recording

@@ -25,18 +25,19 @@ void checkRecordingFolder(const std::filesystem::path& folder);
 /// Size for people, e.g. "12.3 GB", "1.6 MB".
 std::string sizeText(std::uint64_t bytes);
 
-/// Growth rate of a file, measured every 2 s.
+/// Growth rate of a file: mean over the last 2 s or a little more.
 class GrowthRate {
  public:
   using Clock = std::chrono::steady_clock;
 
   void add(Clock::time_point now, std::uint64_t bytes);
-  double bytesPerSecond() const { return rate_; }  ///< 0: not known yet
+  /// Time in which the file grows by `bytes` at this rate [s]; 0: the rate is not known yet, or is zero.
+  double timeToGrow(std::uint64_t bytes) const;
 
  private:
   Clock::time_point since_{};
   std::uint64_t bytes_ = 0;
-  double rate_ = 0.0;
+  double rate_ = 0.0;  ///< [bytes/s]
 };
 
 }  // namespace capstan::recording

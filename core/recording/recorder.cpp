@@ -273,8 +273,7 @@ class Recorder::Impl {
     const std::lock_guard lock(mutex_);
     takeSpace(now);
     growth_.add(Clock::now(), writer_.fileBytes());
-    if (known && growth_.bytesPerSecond() > 0.0)
-      stats_.time_left = static_cast<double>(now.free - reserve_) / growth_.bytesPerSecond();
+    if (known) stats_.time_left = growth_.timeToGrow(now.free - reserve_);
   }
 
   /// Stops recording; the queued rows use the reserve.

@@ -48,7 +48,7 @@ struct RecorderStats {
   std::uint64_t free_bytes = 0;     ///< free space on the disk of the file
   bool free_known = false;          ///< the system reports the free space
   std::uint64_t reserve_bytes = 0;  ///< free space that recording leaves
-  double time_left = 0.0;           ///< time until then at the present rate [s]; 0: not known yet
+  double time_left = 0.0;           ///< time until then at the present growth rate [s]; 0: not known
   std::uint64_t log_bytes = 0;      ///< size of the write-ahead log that is not yet in the main file
   double worst_commit = 0.0;        ///< longest commit [s]
   double worst_backlog = 0.0;       ///< longest time of a row from offer to commit [s]

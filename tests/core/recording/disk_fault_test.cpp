@@ -26,13 +26,12 @@ double now() {
 /// What a recording at the real rate left, seen in a copy of its one file.
 struct Outcome {
   RecorderStats stats;
-  double taken = -1.0;        ///< t of the newest sample that the recorder took [s]
-  double stored = -1.0;       ///< of the newest motor sample in the copy [s]
-  std::int64_t motor = 0;     ///< motor samples in the copy
-  bool in_order = true;       ///< the copy has them from the first on without a gap
-  double end = 0.0;           ///< when the recorder had failed, on the clock of the wall [s]
-  double foreseen_end = 0.0;  ///< the same by the time left that was told two seconds before [s]
-  bool log_beside = false;    ///< something lay beside the file when the recorder had failed
+  double taken = -1.0;      ///< t of the newest sample that the recorder took [s]
+  double stored = -1.0;     ///< of the newest motor sample in the copy [s]
+  std::int64_t motor = 0;   ///< motor samples in the copy
+  bool in_order = true;     ///< the copy has them from the first on without a gap
+  double told_rate = 0.0;   ///< largest growth rate by which a time left was told [bytes/s]; 0: none was
+  bool log_beside = false;  ///< something lay beside the file when the recorder had failed
 };
 
 void lookAtCopy(const std::filesystem::path& copy, Outcome& outcome) {
@@ -68,9 +67,11 @@ Outcome recordUntilItFails(const std::filesystem::path& path, const std::filesys
     if (tick % 66 == 0)
       recorder.offer(tracking::Sample(tracking::StereoFrame{t, t, pictures[0], pictures[1]}));
     outcome.stats = recorder.stats();
-    outcome.end = now() - begin;
     if (outcome.stats.state == RecorderState::kFailed) break;
-    if (outcome.stats.time_left > 2.0) outcome.foreseen_end = outcome.end + outcome.stats.time_left;
+    if (outcome.stats.time_left > 0.0)
+      outcome.told_rate = std::max(
+          outcome.told_rate, static_cast<double>(outcome.stats.free_bytes - outcome.stats.reserve_bytes) /
+                                 outcome.stats.time_left);
   }
   EXPECT_EQ(outcome.stats.state, RecorderState::kFailed) << "the disk was never full";
   for (const char* suffix : {"-wal", "-shm", "-journal"})
@@ -252,9 +253,28 @@ TEST(DiskFault, RoomReserveAndTimeLeftAreKnown) {
     std::ofstream(disk / "other", std::ios::binary) << std::string(disk.freeBytes() - (50U << 20), 'x');
   });
   EXPECT_EQ(outcome.stats.reserve_bytes, space.reserve);
-  EXPECT_GT(outcome.foreseen_end, 0.0) << "no time left was told";
-  EXPECT_NEAR(outcome.foreseen_end, outcome.end, 2.0);
+  EXPECT_GT(outcome.told_rate, 0.0) << "no time left was told";
+  const auto recorded = static_cast<double>(std::filesystem::file_size(away / "copy.capstan"));
+  EXPECT_LT(outcome.told_rate, recorded / 2.0) << "rates are means over at least two seconds";
   expectWhole(outcome);
+}
+
+/// The clock is given, so that the forecast does not depend on the speed of the machine.
+TEST(DiskFault, TheTimeLeftIsTheRoomOverTheLastGrowthRate) {
+  const auto at = [](double seconds) {
+    return GrowthRate::Clock::time_point{} + std::chrono::milliseconds(std::llround(1e3 * seconds));
+  };
+  GrowthRate growth;
+  growth.add(at(100.0), 5'000'000);
+  EXPECT_EQ(growth.timeToGrow(50'000'000), 0.0) << "one size gives no rate";
+  growth.add(at(101.9), 99'000'000);
+  EXPECT_EQ(growth.timeToGrow(50'000'000), 0.0) << "less than two seconds give no rate";
+  growth.add(at(102.5), 22'500'000);
+  EXPECT_DOUBLE_EQ(growth.timeToGrow(50'000'000), 50.0 / 7.0);
+  growth.add(at(105.0), 27'500'000);
+  EXPECT_DOUBLE_EQ(growth.timeToGrow(50'000'000), 25.0);
+  growth.add(at(107.5), 27'500'000);
+  EXPECT_EQ(growth.timeToGrow(50'000'000), 0.0) << "a file that does not grow never fills the disk";
 }
 
 /// 1 kHz motors and 15 pairs of noise a second without end; `at_two_seconds` is called once.
