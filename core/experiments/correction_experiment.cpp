@@ -86,8 +86,8 @@ std::pair<double, double> furtherFall(const learning::LearningCurve& curve,
 base::Table trainingSizeTable(const learning::LearningCurve& curve) {
   base::Table table;
   table.title = "Errors on clean held-out states by number of training states";
-  table.columns = {{"share", "%", 3},
-                   {"training states", {}, 5},
+  table.columns = {{"share", "%", 1},
+                   {"training states", {}, 0},
                    {"distance, mean", "mm", 3},
                    {"distance, median", "mm", 3},
                    {"angle, mean", "deg", 3},
