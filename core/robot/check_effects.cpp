@@ -63,6 +63,7 @@ void checkValues(const Listed& listed, const EffectFacts& facts) {
   for (const EffectParameter& parameter : facts.parameters) {
     const std::string name(parameter.name);
     const base::YamlPlace place = listed.at("values." + name);
+    if (!values[name].IsDefined() && parameter.omitted) continue;
     if (!values[name].IsDefined())
       base::refuseYaml(values, place, "is missing", fmt::format("Add it: {}", parameter.what));
     base::yamlNumber(values[name], place,

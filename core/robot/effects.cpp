@@ -28,8 +28,13 @@ std::vector<EffectFacts> transmissionEffects() {
       factsOf("cable_coupling", kCableDrive,
               {{"added", "rad/rad or m/rad", -10.0, 10.0, "added to A(joint, other)"},
                {"other", "", 1.0, 7.0, "joint whose motion moves the cable, from 1"}}),
-      factsOf("homing_offset", kCableDrive,
-              {{"offset", "rad or m", -3.2, 3.2, "added to q_hs, the position at the hard stop"}}),
+      factsOf(
+          "homing_offset", kCableDrive,
+          {{"offset", "rad or m", -3.2, 3.2, "added to q_hs, the position at the hard stop"},
+           {"at_motor", "", 0.0, 1.0,
+            "0: the joint stopped elsewhere; 1: the motor's zero alone is off, so that coupled joints move "
+            "too",
+            0.0}}),
       factsOf(
           "zero_drift", kCableDrive,
           {{"drift", "rad or m", -3.2, 3.2, "final drift of the cable's zero, as a motion of the joint"},
@@ -50,8 +55,13 @@ std::vector<EffectFacts> cableEffects() {
       factsOf("cable_stiffening", kCableDrive,
               {{"cubic", "1/m^2", -1e7, 1e13, "c in the added force 2 k_e a c delta^3"}}),
       factsOf("position_stiffness", kCableDrive,
-              {{"share", "", -0.8, 0.8, "stiffness is divided by 1 + share x, x = -1 … 1 over the range"}}),
-      factsOf("backlash", kCableDrive, {{"half_width", "m", 0.0, 0.1, "half-width of the play"}}),
+              {{"share", "", -0.8, 0.8, "relative change of the free length, x = -1 … 1 over the range"},
+               {"of_length", "", -1.0, 2.0,
+                "1: stiffness is divided by 1 + share x; 0: multiplied by 1 - share x", 1.0}}),
+      factsOf("backlash", kCableDrive,
+              {{"half_width", "m", 0.0, 0.1, "half-width of the play"},
+               {"damping", "", 0.0, 2.0,
+                "action of the cable's damper: 0 pressing only, 1 while the play is closed, 2 always", 0.0}}),
       factsOf("slack", kCableDrive,
               {{"pretension", "m", -0.1, 1e3,
                 "stretch at which one of the two cables sags; negative when both are too long"}}),
@@ -146,8 +156,10 @@ double Effect::operator[](std::string_view parameter) const {
   const EffectFacts* facts = effectNamed(effect);
   std::string all;
   if (facts != nullptr)
-    for (const EffectParameter& p : facts->parameters)
+    for (const EffectParameter& p : facts->parameters) {
+      if (p.name == parameter && p.omitted) return *p.omitted;
       all += fmt::format("{}{}", all.empty() ? "" : ", ", p.name);
+    }
   throw base::InputError({{},
                           0,
                           "effects",

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,9 +12,10 @@ namespace capstan::robot {
 /// Description of one number of an effect.
 struct EffectParameter {
   std::string_view name;
-  std::string_view unit;         ///< SI unit; "rad or m" when it depends on the type of the joint
-  double low = 0.0, high = 0.0;  ///< bounds of the number in a robot file
-  std::string_view what;         ///< meaning, shown when the number is missing
+  std::string_view unit;               ///< SI unit; "rad or m" when it depends on the type of the joint
+  double low = 0.0, high = 0.0;        ///< bounds of the number in a robot file
+  std::string_view what;               ///< meaning, shown when the number is missing
+  std::optional<double> omitted = {};  ///< value where a robot file omits the number; empty: it is required
 };
 
 /// Description of an effect that a robot can have beyond the nominal model. The physics is in
@@ -48,9 +50,10 @@ struct EffectValue {
 struct Effect {
   std::string effect;               ///< EffectFacts::name
   int joint = 0;                    ///< joint from 1; 0: the whole arm or a camera
-  std::vector<EffectValue> values;  ///< values of all EffectFacts::parameters
+  std::vector<EffectValue> values;  ///< values of EffectFacts::parameters
 
-  /// Value of this parameter. Throws base::InputError when the effect has no such parameter.
+  /// Value of this parameter, or EffectParameter::omitted where it is not in `values`. Throws
+  /// base::InputError when the effect has no such parameter, or a required one is missing.
   double operator[](std::string_view parameter) const;
 
   template <class Self, class Visitor>

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/robot/chain/chain_model.h"
+
 namespace capstan::robot {
 namespace {
 
@@ -20,6 +22,16 @@ bool addPayload(double mass, const Vector3d& at, Link& link) {
   link.mass = whole;
   for (int k = 0; k < 3; ++k) link.inertia[k] += reduced * (apart.squaredNorm() - apart[k] * apart[k]);
   return true;
+}
+
+void addHomingShift(const Effect& effect, Description& robot) {
+  const int n = robot.size();
+  JointMatrix coupling(n, n);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      coupling(i, j) = robot.coupling[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+  const JointVector shift = homingShift(coupling, effect.joint - 1, effect["offset"], effect["at_motor"]);
+  for (int j = 0; j < n; ++j) robot.joints[static_cast<std::size_t>(j)].homing += shift[j];
 }
 
 bool foldOne(const Effect& effect, Description& robot) {
@@ -39,7 +51,7 @@ bool foldOne(const Effect& effect, Description& robot) {
   } else if (name == "cable_coupling") {
     robot.coupling[i][static_cast<std::size_t>(std::lround(effect["other"])) - 1] += effect["added"];
   } else if (name == "homing_offset") {
-    robot.joints[i].homing += effect["offset"];
+    addHomingShift(effect, robot);
   } else if (name == "viscous_friction") {
     robot.joints[i].friction.viscous += effect["added"];
   } else if (name == "cable_compliance" && robot.drive == DriveType::kCable) {
@@ -55,6 +67,8 @@ bool foldOne(const Effect& effect, Description& robot) {
 Description foldEffects(Description description) {
   std::vector<Effect> effects;
   effects.swap(description.effects);
+  std::ranges::stable_partition(
+      effects, [](const Effect& effect) { return effect.effect == "cable_coupling"; });  // for homing errors
   for (Effect& effect : effects)
     if (!foldOne(effect, description)) description.effects.push_back(std::move(effect));
   return description;

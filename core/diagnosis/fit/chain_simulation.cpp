@@ -51,6 +51,12 @@ Columns driveOf(const Evidence& evidence) {
   return columns;
 }
 
+/// Whether contacts open, the cable yields, or the joint sticks and slips.
+bool isRough(const robot::ChainModel& model, int joint) {
+  return (model.shape.laws[joint] & (robot::kLawPlay | robot::kLawSlack | robot::kLawHysteresis)) != 0 ||
+         model.numbers.joints[joint].stribeck_excess > kSticking;
+}
+
 /// Copies numbers into lane `lane` of a structure of lanes.
 template <template <class> class Of>
 void put(const Of<double>& from, int lane, Of<robot::ChainLane>& to) {
@@ -191,9 +197,7 @@ robot::ChainShape ChainSimulation::shapeOf(std::span<const Robot> robots) const 
 int ChainSimulation::stepsFor(const robot::ChainModel& model) const {
   double rate = 1.0 / (model.shape.rigid ? kLongestFreeStep : kLongestStep);
   for (int j = 0; j < joints_; ++j)
-    if (model.shape.laws[j] & (robot::kLawPlay | robot::kLawSlack | robot::kLawHysteresis) ||
-        model.numbers.joints[j].stribeck_excess > kSticking)
-      rate = 1.0 / kContactStep;
+    if (isRough(model, j)) rate = 1.0 / kContactStep;
   for (const double share : {-0.5, 0.0, 0.5}) {
     robot::JointVector q(joints_);
     for (int j = 0; j < joints_; ++j)

@@ -2,7 +2,7 @@
 
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <map>
 
 #include "core/diagnosis/fit/fit_step.h"
 #include "core/diagnosis/fit/linear_system.h"
@@ -56,6 +56,23 @@ BoundedStep stepAt(const System& system, const Weighting& weighting) {
   return {system.at.model, system.at.u, std::move(normal), std::move(gradient)};
 }
 
+/// Largest number of steps between two linearisations of a fit (cable drives). Their derivatives are updated
+/// by the secant of each step.
+constexpr int kSecants = 3;
+
+/// Moves the linearisation to the trial. The derivatives J become those with the smallest change that agrees
+/// with the step du and the change dy of the simulated readings (Broyden, A class of methods for solving
+/// nonlinear simultaneous equations, Mathematics of Computation 19, 1965):
+///     J += (dy − J du) duᵀ / (duᵀ du).
+void followSecant(System& system, Trial trial, const FitTask& task) {
+  Fit& at = system.at;
+  const VectorXd step = trial.u - at.u, off = at.e - trial.e - at.jacobian * step;
+  at.jacobian += off * (step / step.squaredNorm()).transpose();
+  at.u = std::move(trial.u), at.e = std::move(trial.e), at.initial = std::move(trial.initial);
+  at.objective = objectiveOf(task.model, at.u, at.e, task.weighting);
+  system.objective = trial.objective;
+}
+
 /// Fits that proceed together, one iteration at a time.
 class FitBatch {
  public:
@@ -63,6 +80,7 @@ class FitBatch {
     std::vector<LinearisationPoint> points;
     for (const FitTask& task : tasks) points.push_back(startOf(task));
     systems_ = systemsAt(data, points);
+    secants_.assign(tasks.size(), 0);
     for (std::size_t k = 0; k < tasks.size(); ++k)
       if (tasks[k].options.iterations > 0) going_.push_back(k);
   }
@@ -72,26 +90,37 @@ class FitBatch {
   void iterate(int iteration) {
     std::vector<Trial> trials = stepAll();
     if (data_.cancelled()) return;
-    std::vector<std::size_t> on;
+    std::vector<std::size_t> on, linearised;
     std::vector<LinearisationPoint> points;
+    const auto lineariseAt = [&](std::size_t k, VectorXd u, InitialStates initial) {
+      linearised.push_back(k);
+      points.push_back(pointOf(tasks_[k], std::move(u), std::move(initial)));
+    };
     for (std::size_t i = 0; i < going_.size(); ++i) {
       const std::size_t k = going_[i];
       System& system = systems_[k];
-      const double gain = system.objective - trials[i].objective;
-      if (!(gain > 0.0)) continue;
+      Trial& trial = trials[i];
+      const double gain = system.objective - trial.objective;
       const FitOptions& options = tasks_[k].options;
-      if (gain < options.tolerance || iteration >= options.iterations) {
-        finish(system.at, std::move(trials[i]), tasks_[k], iteration);
+      const bool last = iteration >= options.iterations, small = !(gain >= options.tolerance);
+      if (last || (small && secants_[k] == 0)) {
+        if (gain > 0.0) finish(system.at, std::move(trial), tasks_[k], iteration);
         continue;
       }
       on.push_back(k);
-      points.push_back(pointOf(tasks_[k], std::move(trials[i].u), std::move(trials[i].initial)));
+      if (small && !(gain > 0.0))
+        lineariseAt(k, system.at.u, system.at.initial);
+      else if (small || !takesSecant(k))
+        lineariseAt(k, std::move(trial.u), std::move(trial.initial));
+      else
+        followSecant(system, std::move(trial), tasks_[k]), ++secants_[k];
     }
     std::vector<System> next = systemsAt(data_, points);
-    for (std::size_t i = 0; i < on.size(); ++i) {
-      systems_[on[i]] = std::move(next[i]);
-      systems_[on[i]].at.iterations = iteration;
+    for (std::size_t i = 0; i < linearised.size(); ++i) {
+      systems_[linearised[i]] = std::move(next[i]);
+      secants_[linearised[i]] = 0;
     }
+    for (const std::size_t k : on) systems_[k].at.iterations = iteration;
     going_ = std::move(on);
   }
 
@@ -102,6 +131,11 @@ class FitBatch {
   }
 
  private:
+  /// Secants serve fits whose linearisation simulates every parameter.
+  bool takesSecant(std::size_t k) const {
+    return !data_.rigid() && tasks_[k].options.known == nullptr && secants_[k] < kSecants;
+  }
+
   std::vector<Trial> stepAll() {
     std::vector<BoundedStep> steps;
     steps.reserve(going_.size());
@@ -124,6 +158,7 @@ class FitBatch {
   const FitData& data_;
   const std::vector<FitTask>& tasks_;
   std::vector<System> systems_;
+  std::vector<int> secants_;  ///< steps since the last linearisation, by fit
   std::vector<std::size_t> going_;
 };
 
@@ -140,14 +175,30 @@ Fit fit(const FitData& data, const FitModel& model, const VectorXd& u, const Ini
   return fitAll(data, {{model, u, initial, weighting, options}}).front();
 }
 
-MatrixXd residualsOf(const FitData& data, const Fit& at, const std::vector<robot::ChainModel>& robots,
-                     const Weighting& weighting) {
-  std::vector<std::size_t> family(robots.size());
-  std::iota(family.begin(), family.end(), 0);
-  MatrixXd e = data.simulate(robots, std::vector<InitialStates>(robots.size(), at.initial), family);
-  e = -(e.colwise() - data.measured());
-  takeOffNuisances(data, at, weighting, e);
-  return e;
+MatrixXd changesTo(const FitData& data, const Fit& at, const std::vector<robot::ChainModel>& robots,
+                   const Weighting& weighting) {
+  std::vector<robot::ChainModel> models = robots;
+  std::vector<std::size_t> family;
+  std::map<std::vector<int>, std::size_t> families;  // by integration steps in each recording
+  const robot::ChainModel own = at.model.chain(at.u);
+  for (const robot::ChainModel& robot : robots) {
+    std::vector<int> steps;
+    for (int r = 0; r < data.recordings(); ++r)
+      steps.push_back(std::max(data.simulation(r).stepsFor(robot), data.simulation(r).stepsFor(own)));
+    family.push_back(families.try_emplace(std::move(steps), families.size()).first->second);
+  }
+  for (std::size_t k = 0; k < families.size(); ++k) {  // the fit's robot, once in each family
+    models.push_back(own);
+    family.push_back(k);
+  }
+  const MatrixXd readings =
+      data.simulate(models, std::vector<InitialStates>(models.size(), at.initial), family);
+  MatrixXd changes(data.size(), static_cast<Index>(robots.size()));
+  for (std::size_t k = 0; k < robots.size(); ++k)
+    changes.col(static_cast<Index>(k)) =
+        readings.col(static_cast<Index>(k)) - readings.col(static_cast<Index>(robots.size() + family[k]));
+  takeOffNuisances(data, at, weighting, changes);
+  return changes;
 }
 
 std::vector<MatrixXd> residualsWith(const FitData& data, const std::vector<WeightedFit>& fits,

@@ -136,10 +136,11 @@ Fit fit(const FitData& data, const FitModel& model, const Eigen::VectorXd& u, co
 Fit linearise(const FitData& data, const FitModel& model, const Eigen::VectorXd& u,
               const InitialStates& initial, const Weighting& weighting);
 
-/// Residuals measured − simulated of several robots, one column per robot. All start from the fit's initial
-/// states, and the fit's nuisances are subtracted.
-Eigen::MatrixXd residualsOf(const FitData& data, const Fit& at, const std::vector<robot::ChainModel>& robots,
-                            const Weighting& weighting);
+/// Changes of the simulated readings from those of the fit to those of several other robots, one column per
+/// robot. All start from the fit's initial states, and the fit's nuisances are subtracted. A robot that needs
+/// shorter integration steps than the fit's is compared with the fit's robot at the same steps.
+Eigen::MatrixXd changesTo(const FitData& data, const Fit& at, const std::vector<robot::ChainModel>& robots,
+                          const Weighting& weighting);
 
 /// Residuals of each fit's model with other parameters u: a matrix per fit, a column per u. The initial
 /// states are adapted to each u, and the fit's nuisances are subtracted. The robots of all fits are simulated

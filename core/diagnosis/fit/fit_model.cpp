@@ -221,14 +221,11 @@ robot::Effect FitModel::effect(std::size_t k, const Eigen::VectorXd& u) const {
 }
 
 robot::ChainModel FitModel::chain(const Eigen::VectorXd& u) const {
-  robot::ChainModel model(refitted(u));
-  for (std::size_t k = 0; k < effects_.size(); ++k) {
-    model.add(effect(k, u));
-    const EffectTerm& term = effects_[k];
+  robot::ChainModel model(extended(u));
+  for (const EffectTerm& term : effects_)
     if (term.begun >= 0)
       model.numbers.joints[term.joint - 1].*term.hypothesis->begun->number =
           parameters_[static_cast<std::size_t>(term.begun)].value(u[term.begun]);
-  }
   return model;
 }
 

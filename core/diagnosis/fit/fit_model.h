@@ -42,7 +42,7 @@ struct EffectTerm {
 ///
 /// Adjustable are cable stiffness and damping, joint friction, and masses with their inertia. Each has a
 /// factor whose logarithm has a normal prior. Constants of cables and friction are often wrong by a factor of
-/// two (σ = 0.7, at most 4), masses by a third (σ = 0.3, at most 2). Centres of mass are adjustable along
+/// two (σ = 0.7, at most 8), masses by a third (σ = 0.3, at most 2). Centres of mass are adjustable along
 /// each axis, with σ 0.15 and at most 0.3 of their distance from the joint. A larger deviation needs a
 /// hypothesis that explains it.
 class FitModel {
@@ -83,7 +83,7 @@ class FitModel {
   struct Spread {
     double sigma, most;
   };
-  static constexpr Spread kConstants{0.7, 4.0};  ///< of cables and friction
+  static constexpr Spread kConstants{0.7, 8.0};  ///< of cables and friction
   static constexpr Spread kMasses{0.3, 2.0};
   enum class Number { kStiffness, kDamping, kCoulomb, kViscous, kMass, kCentreX, kCentreY, kCentreZ };
 

@@ -29,9 +29,12 @@ Starts cableComplianceStarts(const JointScales& s, int) {
   return usable(std::move(all));
 }
 
+constexpr double kWhileClosed = 1.0, kAlways = 2.0;  // values of a backlash's `damping`
+
 Starts backlashStarts(const JointScales& s, int) {
   Starts all;
-  for (const double share : {0.3, 1.0}) all.push_back({{share * s.stretch}, {0.3 * s.stretch}});
+  for (const double share : {0.3, 1.0})
+    all.push_back({{share * s.stretch, kWhileClosed}, {0.3 * s.stretch, 1.0}});
   return usable(std::move(all));
 }
 
@@ -142,8 +145,8 @@ std::vector<Hypothesis> cableHypotheses() {
                       "The free length of the cable grows as the joint moves over its range, and a longer "
                       "cable is softer.",
                   .equation =
-                      "γ = 2 k_e sinh(a δ) / (1 + share x) + 2 b_e dδ/dt, x = −1 … 1 from the lower to the "
-                      "upper limit, |x| ≤ 1.2",
+                      "γ = 2 k_e sinh(a δ) (1 − (1 − of_length) share x) / (1 + of_length share x) + 2 b_e "
+                      "dδ/dt, x = −1 … 1 from the lower to the upper limit, |x| ≤ 1.2",
                   .source =
                       "Werkmeister and Slocum, Theoretical and experimental determination of capstan drive "
                       "stiffness, Precision Engineering 31 (2007): stiffness E A / L of the free length L",
@@ -153,10 +156,10 @@ std::vector<Hypothesis> cableHypotheses() {
                       "the two ends of the range.",
                   .experiment = "Apply the same load at both ends of the range and in the middle.",
               },
-          .neutral = {0.0},
+          .neutral = {0.0, 1.0},
           .grid =
               [](const JointScales&, int) {
-                return Starts{{{0.0}, {0.4}}};
+                return Starts{{{0.0, 0.5}, {0.4, 0.5}}};
               },
       },
       {
@@ -169,13 +172,13 @@ std::vector<Hypothesis> cableHypotheses() {
                       "There is play between motor and joint, in the gear, a key or a cable end. When the "
                       "force changes sign, the motor crosses the play before it moves the joint.",
                   .equation =
-                      "γ = 2 k_e sinh(a (|δ| − half_width)₊ sgn δ) + 2 b_e dδ/dt, 0 within the play; it "
-                      "presses and never pulls",
+                      "γ = 2 k_e sinh(a (|δ| − half_width)₊ sgn δ) + 2 b_e dδ/dt; damping 0: γ presses and "
+                      "never pulls, 1: the damper acts while |δ| > half_width, 2: it acts always",
                   .source = "Nordin and Gutman, Controlling mechanical systems with backlash: a survey, "
                             "Automatica 38 (2002)",
                   .changes =
-                      "Cable: there is no force while the stretch is within ± half_width, and the nominal "
-                      "law beyond it.",
+                      "Cable: the spring has no force while the stretch is within ± half_width, and the "
+                      "nominal law beyond it. The damper acts as `damping` says.",
                   .signature =
                       "The residual has two levels, ± half_width / r_l, one for each sign of the force. The "
                       "sign is opposite to the direction of motion where friction dominates, and to that of "
@@ -184,7 +187,7 @@ std::vector<Hypothesis> cableHypotheses() {
                       "Reverse slowly with little load, where friction changes the sign of the force; then "
                       "repeat against a constant load, under which the steps disappear.",
               },
-          .neutral = {0.0},
+          .neutral = {0.0, kAlways},
           .grid = backlashStarts,
       },
       {

@@ -40,6 +40,7 @@ struct JointScales {
   double load = 0.0;       ///< largest measured load [N·m or N]; 0: loads are not measured
   double duration = 0.0;   ///< duration of the longest recording [s]
   int joints = 1;          ///< number of joints of the robot
+  bool moves_other_cables = false;  ///< whether the coupling lets this joint move cables of other joints
 };
 
 /// One start of a fit: a value and a scale per number, in the order of EffectFacts::parameters. The scale is

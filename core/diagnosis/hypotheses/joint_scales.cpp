@@ -76,6 +76,8 @@ std::vector<JointScales> jointScales(const std::vector<Evidence>& recordings,
     }
     for (const Evidence& e : recordings) s.duration = std::max(s.duration, e.duration());
     s.joints = robot.size();
+    for (int j = 0; j < robot.size(); ++j)
+      if (j != i && model.numbers.coupling[j][i] != 0.0) s.moves_other_cables = true;
     all.push_back(s);
   }
   return all;

@@ -92,10 +92,12 @@ std::vector<Hypothesis> transmissionHypotheses() {
                       "The joint was homed at another position than that in the robot file, because of a "
                       "bent stop, a mounting error or homing that stopped early: all positions are off by "
                       "one constant.",
-                  .equation = "q = (q_hs + offset) + A⁻¹ (r_mc q_m / (N r_l)) without stretch",
+                  .equation =
+                      "q = q_hs + h + A⁻¹ (r_mc q_m / (N r_l)) without stretch; at_motor 0: h is offset at "
+                      "this joint alone, 1: A h = A(joint, joint) offset for this cable alone",
                   .source = "Mooring, Roth and Driels, Fundamentals of Manipulator Calibration (1991): joint "
                             "offsets of the kinematic model",
-                  .changes = "Transmission: the position q_hs at the hard stop of this joint changes.",
+                  .changes = "Transmission: q_hs of this joint changes, or the zero of its motor.",
                   .signature =
                       "The residual is constant at every position, direction and speed, in motion and at "
                       "rest. Joints whose cables are coupled to this one are off by a constant, too. The "
@@ -104,10 +106,11 @@ std::vector<Hypothesis> transmissionHypotheses() {
                       "Move slowly with rests; home again in between and check whether the constant stays "
                       "the same.",
               },
-          .neutral = {0.0},
+          .neutral = {0.0, 0.0},
           .grid =
               [](const JointScales& s, int) {
-                return usable({{{0.0}, {0.02 * s.range}}});
+                // With no other cable on this joint, both forms are the same.
+                return usable({{{0.0, 0.5}, {0.02 * s.range, s.moves_other_cables ? 0.5 : 0.0}}});
               },
       },
       {

@@ -154,7 +154,7 @@ MatrixXd columnsOf(const FitData& data, const Probe& probe, const MatrixXd& resp
 /// Simulated readings of each robot less those of the fit; diverging ones score nothing.
 MatrixXd responsesOf(const FitData& data, const Fit& fit, const std::vector<robot::ChainModel>& robots,
                      const Weighting& weighting) {
-  MatrixXd change = -(residualsOf(data, fit, robots, weighting).colwise() - fit.e);
+  MatrixXd change = changesTo(data, fit, robots, weighting);
   for (Index k = 0; k < change.cols(); ++k)
     if (!change.col(k).allFinite()) change.col(k).setZero();
   return change;
@@ -196,6 +196,8 @@ std::vector<EffectCandidate> candidatesOf(const std::vector<Evidence>& recording
   for (const Hypothesis& hypothesis : hypotheses()) {
     const robot::EffectFacts& facts = *hypothesis.facts;
     if (!(model.rigid() ? facts.rigid : facts.cable)) continue;
+    // Springs in series with a cable change its k_e, which every model fits.
+    if (!model.rigid() && facts.name == "cable_compliance") continue;
     if (!only.empty() && std::find(only.begin(), only.end(), facts.name) == only.end()) continue;
     const bool of_camera = facts.name.starts_with("camera_");
     if (of_camera && !cameras) continue;

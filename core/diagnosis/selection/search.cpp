@@ -13,9 +13,10 @@
 namespace capstan::diagnosis {
 namespace {
 
-constexpr std::size_t kBeam = 2;     // sets that are expanded at a time
-constexpr std::size_t kSettled = 3;  // trials of an expansion that are fitted to the end
-constexpr int kNeighbourRefits = 4;  // refits where a neighbour of the best set is expanded
+constexpr std::size_t kBeam = 2;        // sets that are expanded at a time
+constexpr std::size_t kContenders = 8;  // sets near the best one that are fitted to the end at a time
+constexpr std::size_t kSettled = 3;     // trials of an expansion that are fitted to the end
+constexpr int kNeighbourRefits = 4;     // refits where a neighbour of the best set is expanded
 constexpr double kHopeful =
     0.5;  // share of the best trial's gain, and of a loss to be made up, that is pursued
 constexpr double kWindow =
@@ -73,6 +74,7 @@ class Search {
     for (const auto& [other, fitted] :
          found_.sets)  // what was learned may have changed the order of others, too
       if (fitted.settled && value(fitted) > value(at(found_.best))) found_.best = other;
+    if (found_.best != former && !former.empty()) SetFitter::thin(at(former));
     return found_.best == effects && former != effects;
   }
 
@@ -143,6 +145,8 @@ class Search {
     for (auto& [effects, set] : found_.sets)
       if (!set.settled && value(set) > value(at(found_.best)) - kWindow) sets.push_back(set);
     if (sets.empty() || cancelled(progress_)) return false;
+    std::ranges::stable_sort(sets, [&](const SetFit& a, const SetFit& b) { return value(a) > value(b); });
+    if (sets.size() > kContenders) sets.erase(sets.begin() + kContenders, sets.end());
     report("Settling the candidate models");
     for (SetFit& set : sets) fitter_.relinearise(set);
     keepThin(fitter_.settled(std::move(sets)));

@@ -96,10 +96,49 @@ struct CablePull {
   S creep_rate;       ///< rate of the creep elongation [m/s]
 };
 
+/// Factor of the stiffness at the relative position `range` (−1…1 over the limits, kept within ±1.2):
+///     (1 − (1 − w) s x) / (1 + w s x)
+/// with the share s. w = 1: the free length of the cable is 1 + s x; w = 0: its stiffness is 1 − s x.
+/// Numerator and denominator are at least 0.04.
+template <class S>
+CAPSTAN_CHAIN_INLINE S positionShare(const JointNumbers<S>& p, const S& range) {
+  const S way = p.position_stiffness * clipped(range, 1.2);
+  const S least = constantLike(range, 0.04);
+  const S above = 1.0 - (1.0 - p.length_share) * way, below = 1.0 + p.length_share * way;
+  return whereGreater(above, least, above, least) / whereGreater(below, least, below, least);
+}
+
+/// Force of spring and damper at a play, and d force / d rate.
+template <class S>
+struct PlayPull {
+  S force, damping;
+};
+
+/// Force at a play, from the force `spring` of the cable stretched by x beyond the play (0 within it) and
+/// that of its damper. The damper's action is p.play_damping: 0: spring and damper together press but never
+/// pull; 1: the damper acts while the play is closed; 2: it acts always. Values between are interpolated.
+template <class S>
+CAPSTAN_CHAIN_INLINE PlayPull<S> playPull(const JointNumbers<S>& p, const S& x, const S& spring,
+                                          const S& rate) {
+  using std::abs;
+  const S zero = constantLike(x, 0.0), one = constantLike(x, 1.0);
+  const S damping = 2.0 * p.damping, damper = damping * rate, all = spring + damper;
+  const S closed = whereGreater(abs(x), zero, one, zero);
+  const S pressing =
+      whereGreater(x, zero, positivePart(all), whereGreater(zero, x, -positivePart(-all), zero));
+  const S pressed = whereGreater(abs(pressing), zero, one, zero);
+  const S to_closed = whereGreater(p.play_damping, one, one, p.play_damping);
+  const S to_always = positivePart(p.play_damping - 1.0);
+  const S held = spring + closed * damper;
+  PlayPull<S> pull;
+  pull.force = pressing + to_closed * (held - pressing) + to_always * (all - held);
+  pull.damping = damping * (pressed + to_closed * (closed - pressed) + to_always * (1.0 - closed));
+  return pull;
+}
+
 /// Force of a cable, gamma = 2 k_e sinh(a x) + 2 b_e dδ, where x is the stretch δ minus the creep, beyond the
-/// play. Effects: stiffness divided by 1 + m ρ (free length over the range ρ = −1…1), cubic stiffening
+/// play (playPull()). Effects: stiffness that depends on the position (positionShare()), cubic stiffening
 /// (Duffing), a pair of which one cable sags, and parallel Bouc–Wen hysteresis (n = 1, β = γ = 1 / 2 y).
-/// Behind a play, spring and damper can press but not pull.
 template <class S>
 CAPSTAN_CHAIN_INLINE CablePull<S> cablePull(const JointNumbers<S>& p, unsigned laws, const S& stretch,
                                             const S& rate, const S& range, const S& z, const S& creep) {
@@ -116,7 +155,7 @@ CAPSTAN_CHAIN_INLINE CablePull<S> cablePull(const JointNumbers<S>& p, unsigned l
   }
   if (laws & kLawStiffening) extra = extra + stiffness * p.exponent * p.stiffening * x * x * x;
   S share = constantLike(stretch, 1.0);
-  if (laws & kLawPositionStiffness) share = 1.0 / (1.0 + p.position_stiffness * clipped(range, 1.2));
+  if (laws & kLawPositionStiffness) share = positionShare(p, range);
   if (laws & kLawPlay) {
     const S magnitude = positivePart(abs(x) - p.play);
     x = whereGreater(x, constantLike(x, 0.0), magnitude, -magnitude);
@@ -130,15 +169,14 @@ CAPSTAN_CHAIN_INLINE CablePull<S> cablePull(const JointNumbers<S>& p, unsigned l
   }
   const S y = p.exponent * x;
   const S bent = laws & kLawExponential ? sinh(y) : y + y * y * y * (1.0 / 6);
-  S force = share * stiffness * bent + (2.0 * p.damping) * rate;
+  const S spring = share * stiffness * bent;
+  S force = spring + (2.0 * p.damping) * rate;
   pull.damping = 2.0 * p.damping;
   if (laws & kLawPlay) {
     const S zero = constantLike(x, 0.0);
-    const S towards =
-        whereGreater(x, zero, positivePart(force), whereGreater(zero, x, -positivePart(-force), zero));
-    const S pressed = whereGreater(abs(towards), zero, pull.damping, zero);
-    pull.damping = whereGreater(p.play, zero, pressed, pull.damping);
-    force = whereGreater(p.play, zero, towards, force);
+    const PlayPull<S> at_play = playPull(p, x, spring, rate);
+    pull.damping = whereGreater(p.play, zero, at_play.damping, pull.damping);
+    force = whereGreater(p.play, zero, at_play.force, force);
   }
   pull.force = force + extra;
   return pull;
@@ -150,29 +188,31 @@ struct Opposing {
   S force, slope;
 };
 
-/// Joint friction F_c (1 + excess e^{−(v/v_s)²} + asymmetry sgn v + wave) sgn v + μ |drive| sgn v
-/// + F_v (1 + asymmetry_v sgn v) v, with sgn v smoothed as tanh(v / v_eps). `drive` is the torque of the
-/// cable or motor at the joint. The slope contains the derivative of sgn v and the viscous coefficient only.
+/// Joint friction
+///     F_c (1 + asymmetry ±1) (1 + excess e^{−(v/v_s)²}) (1 + wave) sgn v + μ |drive| sgn v
+///     + F_v (1 + asymmetry_v ±1) v
+/// with +1 for v > 0 and −1 else, and sgn v smoothed as tanh(v / v_eps): each direction has one level of
+/// Coulomb friction, of which the excess and the wave are factors. `drive` is the torque of the cable or
+/// motor at the joint. The slope contains the derivative of sgn v and the viscous coefficient only.
 template <class S>
 CAPSTAN_CHAIN_INLINE Opposing<S> jointFriction(const JointNumbers<S>& p, unsigned laws, const S& q,
                                                const S& dq, const S& drive) {
   using std::abs, std::cos, std::exp, std::sin, std::tanh;
   const S sign = tanh(dq * p.inverse_smoothing);
+  const S one = constantLike(q, 1.0), direction = whereGreater(dq, constantLike(q, 0.0), one, -one);
   S force = p.coulomb;
-  if (laws & (kLawStribeck | kLawAsymmetry | kLawWave)) {
-    S share = constantLike(q, 1.0);
-    if (laws & kLawStribeck) {
-      const S v = dq * p.inverse_stribeck;
-      share = share + p.stribeck_excess * exp(-(v * v));
-    }
-    if (laws & kLawAsymmetry) share = share + p.asymmetry * sign;
-    if (laws & kLawWave)
-      share = share + p.wave_sine * sin(p.wave_number * q) + p.wave_cosine * cos(p.wave_number * q);
-    force = force * share;
+  if (laws & kLawAsymmetry) force = force * (1.0 + p.asymmetry * direction);
+  if (laws & kLawStribeck) {
+    const S v = dq * p.inverse_stribeck;
+    force = force * (1.0 + p.stribeck_excess * exp(-(v * v)));
+  }
+  if (laws & kLawWave) {
+    const S phase = p.wave_number * q;
+    force = force * (1.0 + p.wave_sine * sin(phase) + p.wave_cosine * cos(phase));
   }
   if (laws & kLawLoadFriction) force = force + p.load_friction * abs(drive);
   S viscous = p.viscous;
-  if (laws & kLawAsymmetricViscosity) viscous = viscous * (1.0 + p.viscous_asymmetry * sign);
+  if (laws & kLawAsymmetricViscosity) viscous = viscous * (1.0 + p.viscous_asymmetry * direction);
   return {force * sign + viscous * dq,
           positivePart(force) * p.inverse_smoothing * (1.0 - sign * sign) + viscous};
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -47,7 +48,7 @@ JointNumbers<double> jointNumbers(const Joint& joint, const Drive& drive) {
   p.coulomb = joint.friction.coulomb;
   p.viscous = joint.friction.viscous;
   p.inverse_smoothing = 1.0 / joint.friction.smoothing;
-  p.gain = p.load_gain = 1.0;
+  p.gain = p.load_gain = p.length_share = 1.0;
   p.motor_inertia = drive.motor_inertia;
   p.motor_coulomb = drive.motor_friction.coulomb;
   p.motor_viscous = drive.motor_friction.viscous;
@@ -119,10 +120,18 @@ bool addWhole(const Effect& effect, ChainModel& model) {
   return true;
 }
 
+void moveZero(const Effect& effect, int i, ChainModel& model) {
+  const int n = model.shape.joints;
+  JointMatrix coupling(n, n);
+  for (int row = 0; row < n; ++row)
+    for (int column = 0; column < n; ++column) coupling(row, column) = model.numbers.coupling[row][column];
+  const JointVector shift = homingShift(coupling, i, effect["offset"], effect["at_motor"]);
+  for (int j = 0; j < n; ++j) model.numbers.joints[j].homing += shift[j];
+}
+
 void addToTransmission(const Effect& e, JointNumbers<double>& p) {
   const std::string& name = e.effect;
   if (name == "pulley_radius") p.link_radius *= 1.0 + e["share"];
-  if (name == "homing_offset") p.homing += e["offset"];
   if (name == "zero_drift") p.zero_drift += e["drift"], p.zero_drift_rate = 1.0 / e["time_constant"];
   if (name == "encoder_slip") p.slip += e["slip"], p.slip_time = e["time"];
   if (name == "capstan_eccentricity") p.eccentric_sine += e["sine"], p.eccentric_cosine += e["cosine"];
@@ -135,8 +144,8 @@ void addToCable(const Effect& e, bool rigid, JointNumbers<double>& p) {
     if (!rigid) p.stiffness /= 1.0 + 2.0 * p.stiffness * p.exponent * e["compliance"];  // springs in series
   }
   if (name == "cable_stiffening") p.stiffening += e["cubic"];
-  if (name == "position_stiffness") p.position_stiffness += e["share"];
-  if (name == "backlash") p.play += e["half_width"];
+  if (name == "position_stiffness") p.position_stiffness += e["share"], p.length_share = e["of_length"];
+  if (name == "backlash") p.play += e["half_width"], p.play_damping = e["damping"];
   if (name == "slack") p.pretension = e["pretension"];
   if (name == "cable_hysteresis") p.hysteresis_force += e["force"], p.inverse_yield = 1.0 / e["yield"];
   if (name == "cable_creep") p.creep_share += e["share"], p.creep_rate = 1.0 / e["time_constant"];
@@ -190,7 +199,9 @@ ChainModel::ChainModel(const Description& description) : marker(description.mark
       numbers.coupling[i][j] = description.coupling[at][static_cast<std::size_t>(j)];
   }
   for (int k = 0; k < 3; ++k) numbers.gravity[k] = description.gravity[k];
-  for (const Effect& effect : description.effects) add(effect);
+  for (const bool coupling : {true, false})  // the zero of a motor depends on the coupling
+    for (const Effect& effect : description.effects)
+      if ((effect.effect == "cable_coupling") == coupling) add(effect);
 }
 
 void ChainModel::add(const Effect& effect) {
@@ -207,12 +218,22 @@ void ChainModel::add(const Effect& effect) {
   const int i = joint(effect.joint, "joint");
   if (effect.effect == "cable_coupling")
     numbers.coupling[i][joint(effect["other"], "other")] += effect["added"];
+  if (effect.effect == "homing_offset") moveZero(effect, i, *this);
   addToTransmission(effect, numbers.joints[i]);
   addToCable(effect, shape.rigid, numbers.joints[i]);
   addToFriction(effect, numbers.joints[i]);
   addToBodyAndSensors(effect, numbers.joints[i]);
   const bool series = effect.effect == "cable_compliance" && !shape.rigid;
   if (!series) shape.laws[i] |= lawOf(effect.effect);
+}
+
+JointVector homingShift(const JointMatrix& coupling, int i, double offset, double at_motor) {
+  JointVector shift = JointVector::Zero(coupling.rows());
+  shift[i] = (1.0 - at_motor) * offset;
+  if (at_motor == 0.0) return shift;
+  JointVector travel = JointVector::Zero(coupling.rows());
+  travel[i] = coupling(i, i) * at_motor * offset;
+  return shift + coupling.partialPivLu().solve(travel);
 }
 
 unsigned lawOf(std::string_view effect) {
@@ -242,7 +263,8 @@ namespace {
 /// Slope of a joint's friction at rest [N·m·s/rad or N·s/m]. `weight` is the load of gravity on the joint.
 double steepestFriction(const JointNumbers<double>& p, double weight) {
   const double wave = std::hypot(p.wave_sine, p.wave_cosine);
-  const double coulomb = p.coulomb * (1.0 + p.stribeck_excess + std::abs(p.asymmetry) + wave);
+  const double coulomb =
+      p.coulomb * (1.0 + std::max(p.stribeck_excess, 0.0)) * (1.0 + std::abs(p.asymmetry)) * (1.0 + wave);
   const double load = p.load_friction * (std::abs(weight) + 2.0 * p.coulomb);
   return (coulomb + load) * p.inverse_smoothing + p.viscous * (1.0 + std::abs(p.viscous_asymmetry));
 }
@@ -275,7 +297,7 @@ DriveRates driveRates(const JointNumbers<double>& p, bool rigid, unsigned laws) 
   if (!rigid) {
     constexpr double kHarder = 4.0;  // factor of the stiffness of a stiffening cable at its largest load
     const double harder = p.stiffening > 0.0 ? kHarder : 1.0;
-    const double shorter = 1.0 / std::max(1.0 - 1.2 * std::abs(p.position_stiffness), 0.04);
+    const double shorter = std::max(positionShare(p, -1.2), positionShare(p, 1.2));
     rates.stiffness =
         2.0 * p.stiffness * p.exponent * harder * shorter + p.hysteresis_force * p.inverse_yield;
     rates.damping = 2.0 * p.damping;

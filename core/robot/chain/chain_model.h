@@ -41,6 +41,12 @@ struct ChainModel {
 /// ChainLaw bit that an effect needs at its joint; 0 when it only changes numbers.
 unsigned lawOf(std::string_view effect);
 
+/// Change of all q_hs [rad or m] by a homing error `offset` of joint i (from 0), with the coupling A. An
+/// error at the joint (at_motor = 0) moves q_hs of this joint. An error of the motor's zero (at_motor = 1)
+/// moves the zero of this cable alone, which is the shift h of all joints with A h = A(i, i) offset e_i.
+/// Values between are interpolated.
+JointVector homingShift(const JointMatrix& coupling, int i, double offset, double at_motor);
+
 /// Mass matrix M(q) of the bodies and of inertia that was added at the joints [kg·m², kg·m, kg], without the
 /// motors of rigid drives.
 JointMatrix massMatrix(const ChainModel& model, const JointVector& q);

@@ -46,7 +46,9 @@ struct JointNumbers {
   S damping;             ///< b_e [N·s/m]
   S stiffening;          ///< cubic coefficient c [1/m²], neutral 0
   S position_stiffness;  ///< relative change of the free length at the ends of the range, neutral 0
+  S length_share;        ///< form of the position's effect: 1 free length, 0 stiffness, see positionShare()
   S play;                ///< half-width of the play [m], neutral 0
+  S play_damping;        ///< action of the damper at the play: 0 pressing, 1 while closed, 2 always
   S pretension;          ///< stretch at which one cable sags [m], neutral kSound
   S hysteresis_force;    ///< largest force of the hysteresis [N], neutral 0
   S inverse_yield;       ///< 1 / yield stretch of the hysteresis [1/m]

@@ -25,7 +25,7 @@ TEST(FitModel, carriesNumbersFromModelToModel) {
   const FitModel more = base.with(backlash, 2, backlash.starts(scales, 2).front());
   EXPECT_TRUE(more.has(backlash, 2));
   EXPECT_FALSE(more.has(backlash, 1));
-  EXPECT_EQ(more.size(), base.size() + 1);
+  EXPECT_EQ(more.size(), base.size() + 2);  // half-width and damping
   Eigen::VectorXd u = Eigen::VectorXd::LinSpaced(base.size(), -0.3, 0.4);
   EXPECT_LT((more.carry(base, u).head(base.size()) - u).norm(), 1e-12);
   EXPECT_LT((more.without(backlash, 2).carry(base, u) - u).norm(), 1e-12);

@@ -6,7 +6,9 @@
 #include <Eigen/Cholesky>
 
 #include "core/base/error.h"
+#include "core/robot/chain/chain_state.h"
 #include "core/robot/chain_dynamics.h"
+#include "core/robot/fold_effects.h"
 #include "core/robot/transmission.h"
 #include "tests/core/robot/driven_chains.h"
 
@@ -117,6 +119,30 @@ TEST(ChainNumbers, aTiltTurnsGravityAlone) {
   robot.gravity = {std::cos(0.3) * g[0] - std::sin(0.3) * g[1], std::sin(0.3) * g[0] + std::cos(0.3) * g[1],
                    g[2]};
   expectBodiesOf(model, robot, random);
+}
+
+TEST(ChainNumbers, aMotorsZeroMovesItsOwnCableAlone) {
+  base::Random random(11);
+  Description robot = testing::drivenRobot(random, 3);
+  const ChainModel before(robot);
+  robot.effects = {{"homing_offset", 2, {{"offset", 0.02}, {"at_motor", 1.0}}},
+                   {"cable_coupling", 3, {{"added", 0.3}, {"other", 2.0}}}};
+  ChainModel after(robot);
+  std::swap(robot.effects[0], robot.effects[1]);  // the order in a file does not matter
+  const ChainModel swapped(robot);
+  const JointVector q = JointVector::Constant(3, 0.1);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(after.numbers.joints[i].homing, swapped.numbers.joints[i].homing);
+    ChainModel coupled = before;
+    coupled.add({"cable_coupling", 3, {{"added", 0.3}, {"other", 2.0}}});
+    const double moved = stretchAt(after, i, 0.0, q) - stretchAt(coupled, i, 0.0, q);
+    const double lever = before.numbers.joints[i].link_radius * before.numbers.coupling[i][i];
+    EXPECT_NEAR(moved, i == 1 ? lever * 0.02 : 0.0, 1e-15) << i;
+  }
+  const Description folded = foldEffects(robot);
+  EXPECT_TRUE(folded.effects.empty());
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_DOUBLE_EQ(folded.joints[i].homing, after.numbers.joints[static_cast<int>(i)].homing);
 }
 
 TEST(ChainNumbers, effectsGoWhereTheyBelong) {

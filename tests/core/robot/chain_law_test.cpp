@@ -20,7 +20,7 @@ JointNumbers<double> plainNumbers() {
   p.pretension = kSound;
   p.zero_drift_rate = p.inverse_yield = p.creep_rate = p.inverse_stribeck = p.wave_number = 1.0;
   p.coulomb = 0.5, p.viscous = 0.1, p.inverse_smoothing = 100.0;
-  p.gain = 1.0;
+  p.gain = p.length_share = 1.0;
   p.motor_inertia = 3e-5, p.motor_coulomb = 0.02, p.motor_viscous = 1e-4, p.inverse_motor_smoothing = 2.0;
   return p;
 }
@@ -91,6 +91,21 @@ TEST(ChainLaw, aLongerFreeCableIsSofter) {
             pullOf(p, kLawPositionStiffness, 2e-3, 0.0, 1.2));
 }
 
+TEST(ChainLaw, stiffnessItselfCanBeLinearInThePosition) {
+  JointNumbers<double> p = plainNumbers();
+  p.position_stiffness = 0.25;
+  p.length_share = 0.0;
+  EXPECT_DOUBLE_EQ(positionShare(p, 1.0), 0.75);
+  EXPECT_DOUBLE_EQ(positionShare(p, -1.0), 1.25);
+  p.length_share = 0.5;  // between the two forms
+  EXPECT_DOUBLE_EQ(positionShare(p, 1.0), 0.875 / 1.125);
+  p.position_stiffness = 0.8, p.length_share = 2.0;
+  for (double range = -1.2; range <= 1.2; range += 0.1) {
+    EXPECT_GE(positionShare(p, range), 0.02) << range;  // no cable pushes
+    EXPECT_LE(positionShare(p, range), 50.0) << range;
+  }
+}
+
 TEST(ChainLaw, playTransmitsNothingWithinAndPressesOutside) {
   JointNumbers<double> p = plainNumbers();
   p.play = 1e-3;
@@ -99,6 +114,29 @@ TEST(ChainLaw, playTransmitsNothingWithinAndPressesOutside) {
   EXPECT_NEAR(pullOf(p, kLawPlay, 3e-3, 0.1), 2000.0 * std::sinh(0.2) + 4.0, 1e-9);
   EXPECT_NEAR(pullOf(p, kLawPlay, -3e-3, -0.1), -(2000.0 * std::sinh(0.2) + 4.0), 1e-9);
   EXPECT_EQ(pullOf(p, kLawPlay, 1.01e-3, -1.0), 0.0);  // it leaves fast: the damper does not pull it back
+}
+
+TEST(ChainLaw, theDamperOfAPlayPressesOrActsWhileClosedOrAlways) {
+  JointNumbers<double> p = plainNumbers();
+  p.play = 1e-3;
+  const double spring = 2000.0 * std::sinh(1e-3), damper = -40.0;  // at 1.01 mm, leaving at 1 m/s
+  const auto leaving = [&] { return cablePull(p, kLawPlay | kLawExponential, 1.01e-3, -1.0, 0.0, 0.0, 0.0); };
+  const auto within = [&] { return cablePull(p, kLawPlay | kLawExponential, 0.9e-3, 0.5, 0.0, 0.0, 0.0); };
+  p.play_damping = 1.0;
+  EXPECT_NEAR(leaving().force, spring + damper, 1e-9);
+  EXPECT_EQ(leaving().damping, 40.0);
+  EXPECT_EQ(within().force, 0.0);
+  EXPECT_EQ(within().damping, 0.0);
+  p.play_damping = 2.0;
+  EXPECT_NEAR(leaving().force, spring + damper, 1e-9);
+  EXPECT_EQ(within().force, 20.0);
+  EXPECT_EQ(within().damping, 40.0);
+  p.play_damping = 0.25;
+  EXPECT_NEAR(leaving().force, 0.25 * (spring + damper), 1e-9);
+  p.play_damping = 1.25;
+  EXPECT_NEAR(within().force, 0.25 * 20.0, 1e-12);
+  for (p.play_damping = 0.0; p.play_damping <= 2.0; p.play_damping += 0.5)
+    EXPECT_NEAR(pullOf(p, kLawPlay, 3e-3, 0.1), 2000.0 * std::sinh(0.2) + 4.0, 1e-9);  // pressed: all alike
 }
 
 TEST(ChainLaw, aSlackCableOfAPairBearsNothing) {
@@ -149,8 +187,9 @@ TEST(ChainLaw, frictionHasAllItsParts) {
   EXPECT_NEAR(jointFriction(p, kLawStribeck, 0.2, v, 4.0).force,
               0.5 * (1.0 + 0.8 * std::exp(-2.25)) * sign + 0.1 * v, 1e-15);
   p.asymmetry = 0.3;
-  EXPECT_NEAR(jointFriction(p, kLawAsymmetry, 0.2, -v, 4.0).force, -0.5 * (1.0 - 0.3 * sign) * sign - 0.1 * v,
-              1e-15);
+  EXPECT_NEAR(jointFriction(p, kLawAsymmetry, 0.2, -v, 4.0).force, -0.5 * 0.7 * sign - 0.1 * v, 1e-15);
+  EXPECT_NEAR(jointFriction(p, kLawAsymmetry | kLawStribeck, 0.2, v, 4.0).force,
+              0.5 * 1.3 * (1.0 + 0.8 * std::exp(-2.25)) * sign + 0.1 * v, 1e-15);
   p.wave_sine = 0.2, p.wave_cosine = -0.1, p.wave_number = 10.0;
   EXPECT_NEAR(jointFriction(p, kLawWave, 0.2, v, 4.0).force,
               0.5 * (1.0 + 0.2 * std::sin(2.0) - 0.1 * std::cos(2.0)) * sign + 0.1 * v, 1e-15);
@@ -158,7 +197,7 @@ TEST(ChainLaw, frictionHasAllItsParts) {
   EXPECT_NEAR(jointFriction(p, kLawLoadFriction, 0.2, v, -4.0).force, (0.5 + 0.2) * sign + 0.1 * v, 1e-15);
   p.viscous_asymmetry = 0.4;
   const Opposing<double> backwards = jointFriction(p, kLawAsymmetricViscosity, 0.2, -v, 4.0);
-  EXPECT_NEAR(backwards.force, -0.5 * sign - 0.1 * (1.0 - 0.4 * sign) * v, 1e-15);
+  EXPECT_NEAR(backwards.force, -0.5 * sign - 0.1 * 0.6 * v, 1e-15);
 }
 
 TEST(ChainLaw, frictionNeverDrives) {

@@ -140,6 +140,22 @@ TEST(EffectsFile, numbersAreAllThereKnownAndWithinBounds) {
   EXPECT_THAT(large.reason, HasSubstr("0 … 0.1 m"));
 }
 
+TEST(EffectsFile, numbersOfLaterVersionsMayBeOmitted) {
+  const std::string items =
+      "effects:\n"
+      "  - {effect: backlash, joint: 2, values: {half_width: 4.5e-4}}\n"
+      "  - {effect: position_stiffness, joint: 2, values: {share: 0.2}}\n"
+      "  - {effect: homing_offset, joint: 1, values: {offset: 0.01}}\n";
+  const Description robot = parseDescription(with(items), "robot.yaml");
+  const ChainModel model(robot);
+  EXPECT_EQ(model.numbers.joints[1].play_damping, 0.0);
+  EXPECT_EQ(model.numbers.joints[1].length_share, 1.0);
+  EXPECT_DOUBLE_EQ(model.numbers.joints[0].homing, robot.joints[0].homing + 0.01);
+  EXPECT_EQ(model.numbers.joints[1].homing, robot.joints[1].homing);
+  const std::string wild = play("2", "{half_width: 4.5e-4, damping: 3}");
+  EXPECT_EQ(faultOf(with(wild)).key, "effects[0].values.damping");
+}
+
 TEST(EffectsFile, theDriveCanHaveIt) {
   const base::InputFault motor = faultOf(with(play("1", "{share: 0.1}", "actuator_gain")));
   EXPECT_EQ(motor.key, "effects[0].effect");
