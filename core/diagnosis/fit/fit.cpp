@@ -59,6 +59,15 @@ BoundedStep stepAt(const System& system, const Weighting& weighting) {
 /// Largest number of steps between two linearisations of a fit (cable drives). Their derivatives are updated
 /// by the secant of each step.
 constexpr int kSecants = 3;
+/// Largest square of the error of the linear prediction of a step, over the fall of the objective, with which
+/// the secant is taken. Otherwise the derivatives have changed too much, and new ones are simulated.
+constexpr double kLinear = 0.1;
+
+bool wasLinear(const System& system, const Trial& trial, const FitTask& task) {
+  const VectorXd off = system.at.e - trial.e - system.at.jacobian * (trial.u - system.at.u);
+  return task.weighting.weights.cwiseProduct(off).squaredNorm() <
+         kLinear * (system.objective - trial.objective);
+}
 
 /// Moves the linearisation to the trial. The derivatives J become those with the smallest change that agrees
 /// with the step du and the change dy of the simulated readings (Broyden, A class of methods for solving
@@ -81,6 +90,7 @@ class FitBatch {
     for (const FitTask& task : tasks) points.push_back(startOf(task));
     systems_ = systemsAt(data, points);
     secants_.assign(tasks.size(), 0);
+    linearised_.assign(tasks.size(), 1);
     for (std::size_t k = 0; k < tasks.size(); ++k)
       if (tasks[k].options.iterations > 0) going_.push_back(k);
   }
@@ -102,7 +112,8 @@ class FitBatch {
       Trial& trial = trials[i];
       const double gain = system.objective - trial.objective;
       const FitOptions& options = tasks_[k].options;
-      const bool last = iteration >= options.iterations, small = !(gain >= options.tolerance);
+      const bool last = linearised_[k] >= options.iterations && !takesSecant(k);
+      const bool small = !(gain >= options.tolerance);
       if (last || (small && secants_[k] == 0)) {
         if (gain > 0.0) finish(system.at, std::move(trial), tasks_[k], iteration);
         continue;
@@ -110,7 +121,7 @@ class FitBatch {
       on.push_back(k);
       if (small && !(gain > 0.0))
         lineariseAt(k, system.at.u, system.at.initial);
-      else if (small || !takesSecant(k))
+      else if (small || !takesSecant(k) || !wasLinear(system, trial, tasks_[k]))
         lineariseAt(k, std::move(trial.u), std::move(trial.initial));
       else
         followSecant(system, std::move(trial), tasks_[k]), ++secants_[k];
@@ -119,6 +130,7 @@ class FitBatch {
     for (std::size_t i = 0; i < linearised.size(); ++i) {
       systems_[linearised[i]] = std::move(next[i]);
       secants_[linearised[i]] = 0;
+      ++linearised_[linearised[i]];
     }
     for (const std::size_t k : on) systems_[k].at.iterations = iteration;
     going_ = std::move(on);
@@ -158,7 +170,8 @@ class FitBatch {
   const FitData& data_;
   const std::vector<FitTask>& tasks_;
   std::vector<System> systems_;
-  std::vector<int> secants_;  ///< steps since the last linearisation, by fit
+  std::vector<int> secants_;     ///< steps since the last linearisation, by fit
+  std::vector<int> linearised_;  ///< number of linearisations, by fit
   std::vector<std::size_t> going_;
 };
 

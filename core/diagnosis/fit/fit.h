@@ -98,7 +98,7 @@ struct WeightedFit {
 };
 
 struct FitOptions {
-  int iterations = 12;     ///< largest number of iterations
+  int iterations = 12;     ///< largest number of linearisations
   double tolerance = 0.1;  ///< decrease of the objective below which the fit has converged
   /// Fit whose derivatives are reused for the parameters that both fits have (cable drives). This is coarser
   /// and faster, for a first ranking.

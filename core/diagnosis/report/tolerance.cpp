@@ -25,7 +25,7 @@ constexpr std::array kUnits = {Unit{"deg", base::kRadiansPerDegree, &Tolerance::
 [[noreturn]] void refuse(std::string_view part, const std::string& option,
                          const char* reason = "is no angle or length greater than zero with its unit") {
   throw base::InputError({"", 0, option, std::string(part), reason,
-                          "Write for example 0.02deg,0.01mm; units: deg, rad, mm, um, m"});
+                          "Write for example 0.02deg,0.02mm; units: deg, rad, mm, um, m"});
 }
 
 /// Parses one part; `given`: the sizes that earlier parts gave.

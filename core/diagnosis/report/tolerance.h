@@ -11,13 +11,13 @@ namespace capstan::diagnosis {
 /// effects are reported as also measurable. The tolerance changes neither the fits nor the selection.
 struct Tolerance {
   double angle = 0.02 * base::kRadiansPerDegree;  ///< [rad]; default: four counts of the UKF paper's reference encoders
-  double length = 1e-5;                           ///< [m]; default: two counts of that paper's linear encoder
+  double length = 2e-5;                           ///< [m]; default: four counts of that paper's linear encoder
 };
 
-/// Parses "0.02deg,0.01mm": angle and length in any order. A missing one keeps its default. Units: deg, rad,
+/// Parses "0.02deg,0.02mm": angle and length in any order. A missing one keeps its default. Units: deg, rad,
 /// mm, um, m. Throws base::InputError, with the name `option`, for any other text.
 Tolerance parseTolerance(std::string_view text, const std::string& option);
-/// Text that parseTolerance() reads, "0.02deg,0.01mm".
+/// Text that parseTolerance() reads, "0.02deg,0.02mm".
 std::string formatTolerance(const Tolerance& tolerance);
 
 }  // namespace capstan::diagnosis

@@ -31,11 +31,11 @@ TEST(Tolerance, WhatIsNotGivenKeepsItsDefault) {
   EXPECT_EQ(parseTolerance("1deg", "--material").length, Tolerance{}.length);
   EXPECT_EQ(parseTolerance("1mm", "--material").angle, Tolerance{}.angle);
   EXPECT_NEAR(Tolerance{}.angle, 0.02 * kDegree, 1e-15);
-  EXPECT_NEAR(Tolerance{}.length, 1e-5, 1e-18);
+  EXPECT_NEAR(Tolerance{}.length, 2e-5, 1e-18);
 }
 
 TEST(Tolerance, IsFormattedAsItIsParsed) {
-  EXPECT_EQ(formatTolerance({}), "0.02deg,0.01mm");
+  EXPECT_EQ(formatTolerance({}), "0.02deg,0.02mm");
   EXPECT_EQ(formatTolerance({1.5 * kDegree, 2.5e-3}), "1.5deg,2.5mm");
   const Tolerance again = parseTolerance(formatTolerance({0.125 * kDegree, 3e-6}), "--material");
   EXPECT_NEAR(again.angle, 0.125 * kDegree, 1e-9);

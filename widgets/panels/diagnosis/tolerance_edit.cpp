@@ -12,7 +12,7 @@ namespace capstan::widgets {
 
 ToleranceEdit::ToleranceEdit(QWidget* parent)
     : QWidget(parent), edit_(new QLineEdit), name_(new QLabel(tr("Tolerance"))), words_(new QLabel) {
-  constexpr int kEditWidth = 150;  // of "0.02deg,0.01mm" and a little more [px]
+  constexpr int kEditWidth = 150;  // of "0.02deg,0.02mm" and a little more [px]
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(6);
