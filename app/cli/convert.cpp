@@ -150,7 +150,7 @@ void addConvert(CLI::App& app, ExitCode& exit) {
       "  capstan-cli convert trial.capstan frames/ --to png\n"
       "  capstan-cli convert trial.capstan trial.mkv              (both views side by side)\n"
       "  capstan-cli convert joints123.csv table.csv              (RAVEN-II motor log to SI)\n"
-      "  capstan-cli convert degrees.csv si.csv --read-as q_m=deg,q=deg\n"
+      "  capstan-cli convert degrees.csv si.csv --read-as q_m=deg,q1=deg,q2=deg\n"
       "  capstan-cli convert recording.csv recording.capstan");
   command->callback([arguments, &exit] { exit = convert(*arguments); });
 }

@@ -308,9 +308,9 @@ void addIdentify(CLI::App& app, ExitCode& exit) {
   command->footer(
       "The observations are those of the cameras; joint encoders are not used. A robot of one joint is\n"
       "identified differently: the recording must contain the measured load, the joint encoder is the\n"
-      "observation, and the parameters are r_l, k_c (stiffness of the unstretched cable), a (exponent of the\n"
-      "cable), b_e, f_c and f_v (Coulomb and viscous friction of the joint), tau_c and tau_v (the same of\n"
-      "the motor).\n"
+      "observation, and the parameters are r_l, k_c (stiffness of the unstretched cable), a (exponent of its\n"
+      "law k_c sinh(a x) / a), b_e, f_c and f_v (Coulomb and viscous friction of the joint), tau_c and tau_v\n"
+      "(the same of the motor).\n"
       "Examples:\n"
       "  capstan-cli identify trial.capstan --out my_robot.yaml\n"
       "  capstan-cli identify sinusoid.capstan --parameters r_l1 --method dual-ukf --trace r_l1.csv\n"

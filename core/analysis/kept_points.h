@@ -6,8 +6,8 @@
 
 namespace capstan::analysis {
 
-/// Points of a stream in fixed memory. Whenever `capacity` points are held, every second one is dropped, and
-/// from then on only every second point of the stream is stored.
+/// Points of a stream in fixed memory. When `capacity` points are stored, every second one is dropped and the
+/// stride doubles: then every 2nd, 4th, 8th … point of the stream is stored.
 template <class Point>
 class KeptPoints {
  public:

@@ -6,8 +6,8 @@
 
 namespace capstan::base {
 
-/// Part of a larger piece of work. Its own progress 0…1 is reported as `begin`…`end` of the whole, and its
-/// phrase is appended to the phrase of the whole, which is the member `of`.
+/// Part of a larger piece of work. Its own progress 0…1 is reported as `begin`…`end` of the whole. Its phrase
+/// is appended to the phrase of the whole, which the field `of` holds.
 struct ProgressPart {
   double begin = 0.0, end = 1.0;
   std::string of = {};

@@ -39,9 +39,9 @@ using Diagnose = std::function<Report(const std::vector<Evidence>&, const robot:
                                       const DiagnosisOptions&, base::Progress*)>;
 
 /// Reads the files and diagnoses them; window and command line both call this function. If `progress` is
-/// cancelled, the report has Report::cancelled and the results so far. Throws base::InputError as
-/// readEvidence(), diagnose(), readPoseEvidence() and diagnosePoses() do, if a recording is given twice (also
-/// under two paths), and if recordings contain different robots while no robot file is chosen.
+/// cancelled, the report has Report::cancelled and the results so far. Throws base::InputError if
+/// readEvidence(), diagnose(), readPoseEvidence() or diagnosePoses() throws it; if a recording is given
+/// twice, also under two paths; and if recordings contain different robots and no robot file is chosen.
 FilesDiagnosis diagnoseFiles(const DiagnosisRequest& request, base::Progress& progress,
                              const Diagnose& diagnose = diagnosis::diagnose);
 

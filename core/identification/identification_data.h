@@ -62,10 +62,10 @@ struct IdentificationData {
 /// Measures the camera noise in the recording and sets the observations' covariances to it. Camera noise is
 /// white, and all other differences between camera and transmission kinematics are slow. So the second
 /// difference of tip − tip_kin over three successive frames has six times the variance of the noise.
-/// Covariances from pixels are scaled by one factor: the median normalized square over the χ² median. Those
-/// of tips without pixels are only an option of the pipeline; they are replaced by the measured covariance
-/// (squares beyond the 99.9 % quantile excluded). q_covariance follows. With fewer than 30 triples nothing
-/// changes.
+/// Covariances from pixels are scaled by one factor: the median normalized square over the χ² median. For
+/// tips that were not computed from images, the covariance is only an assumption in the options of the
+/// pipeline. The measured covariance replaces it (squares beyond the 99.9 % quantile excluded). q_covariance
+/// follows. With fewer than 30 triples nothing changes.
 void measureNoise(IdentificationData& data);
 
 /// Appends `more`, a recording of the same robot and rig, to `data`, one second after its end. This gap in

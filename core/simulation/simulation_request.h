@@ -21,7 +21,7 @@ struct SimulationRequest {
   bool images = true;             ///< false: tip positions instead of images
   bool registered = true;         ///< false: the user registers the cameras
   bool distractors = false;       ///< objects of nearly the marker's colour
-  bool uneven_light = false;      ///< one side of the scene is dark
+  bool uneven_light = false;      ///< one side of the scene has less light
 
   bool operator==(const SimulationRequest&) const = default;
 };

@@ -16,7 +16,7 @@ struct Moments {
 
 // The functions below take values in any unit and return the same unit (the variance its square). Sums are
 // compensated (Neumaier 1974). The variance is the corrected two-pass form Σd² − (Σd)²/n over n − 1, d = x −
-// x̄ (Chan, Golub and LeVeque 1983), so that a large offset costs no further digits than the samples
+// x̄ (Chan, Golub and LeVeque 1983), so that a large common offset causes no further rounding than the samples
 // themselves have lost. Samples are scaled by a power of two, so that squares neither overflow nor underflow;
 // only the variance itself can. Throws base::InputError when there are no samples (fewer than two for a
 // variance or standard deviation) or one is not finite.

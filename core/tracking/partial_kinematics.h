@@ -19,7 +19,8 @@ JointMeasurement positionsOnly();
 void forgetJoints(JointSet set, const Eigen::Vector3d& position_sigma, const Eigen::Vector3d& speed,
                   CableArmModel::State& mean, estimation::Lower<6>& root);
 
-/// Observation that replaces the camera: y = H x + noise with the covariance root rootᵀ.
+/// Observation that replaces the camera: y = H x + noise; the covariance of the noise is R = `root` ·
+/// `root`ᵀ.
 struct KinematicObservation {
   JointMeasurement measurement;
   Eigen::Vector3d y;

@@ -9,9 +9,9 @@
 
 namespace capstan::vision {
 
-/// Set of 8-connected set pixels. Coordinates are pixels of the searched region.
+/// 8-connected group of pixels whose bit is 1. Coordinates are pixels of the searched region.
 struct Blob {
-  int area = 0;                  ///< number of set pixels
+  int area = 0;                  ///< number of pixels
   int first_x = 0, first_y = 0;  ///< leftmost pixel of the topmost row
   int left = 0, right = 0, top = 0, bottom = 0;
 };

@@ -26,9 +26,9 @@ struct EvenGrid {
 
 /// Grid over rows at the rising times `t`. A piece ends where no row follows within `longest_gap` or within
 /// 3.5 times the median period, whichever is longer; pieces shorter than kShortestPiece are excluded. The
-/// step is the duration of the longest piece over its number of periods, missing rows counted, so that the
-/// grid does not drift against a clock of constant rate. The grid is empty with fewer than three rows, and if
-/// no piece is long enough.
+/// step is the duration of the longest piece divided by its number of sampling periods, where a missing row
+/// counts as a period. So the grid stays in phase with a clock of constant rate. The grid is empty with fewer
+/// than three rows, and if no piece is long enough.
 EvenGrid evenGrid(std::span<const double> t, double longest_gap);
 inline constexpr double kShortestPiece = 0.2;  ///< shortest piece that is simulated [s]
 

@@ -63,6 +63,8 @@ constexpr int kSecants = 3;
 /// the secant is taken. Otherwise the derivatives have changed too much, and new ones are simulated.
 constexpr double kLinear = 0.1;
 
+/// Whether the linearisation predicted the residuals of the trial well: the square of its error is small
+/// beside the fall of the objective.
 bool wasLinear(const System& system, const Trial& trial, const FitTask& task) {
   const VectorXd off = system.at.e - trial.e - system.at.jacobian * (trial.u - system.at.u);
   return task.weighting.weights.cwiseProduct(off).squaredNorm() <

@@ -6,14 +6,16 @@
 
 namespace capstan::diagnosis {
 
-/// RMS change of the simulated readings by noise in the simulation's inputs (load cells; motor encoders of
-/// cable drives), one number per FitData::channels() [unit of the channel], with nuisances subtracted. It is
-/// estimated from kInputDraws simulations of the fit's robot with random noise of the sensors' size on the
-/// inputs. In rigid drives this noise accumulates over time, and no model can explain it.
+/// RMS change of the simulated readings that noise in the inputs (load cells; motor encoders of cable drives)
+/// causes, one number per FitData::channels() [unit of the channel]. The part that nuisances (initial states,
+/// encoder zeros) can take up is subtracted first. It is estimated from kInputDraws simulations of the fit's
+/// robot with random noise of the sensors' size on the inputs. In rigid drives this noise accumulates over
+/// time, and no model can explain it.
 Eigen::VectorXd inputNoise(const FitData& data, const Fit& at, const Weighting& weighting);
 inline constexpr int kInputDraws = 4;  ///< number of simulations with random input noise
-/// Largest ratio of a residual's mean square to that of the input noise at which the residual can be input
-/// noise. It is above 1 because this noise consists of a few slow oscillations with few degrees of freedom.
+/// If a residual's mean square, divided by that of the input noise, is at most this number, the residual may
+/// be input noise alone. It is above 1 because this noise consists of a few slow oscillations with few
+/// degrees of freedom.
 inline constexpr double kSwings = 4.0;
 
 }  // namespace capstan::diagnosis

@@ -19,8 +19,8 @@ struct IntervalAxis {
 };
 
 /// Delegate that draws in a cell two values with their intervals, one above the other: before as a square,
-/// after as a disc. Cells of one unit share an axis: its ticks are lines in each of them, and numbers in a
-/// cell of their own.
+/// after as a disc. Cells with the same unit share one axis. Each cell draws its ticks as lines; their
+/// numbers are in a separate cell.
 class IntervalCell : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;

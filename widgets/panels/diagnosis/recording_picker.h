@@ -16,8 +16,8 @@ class RecordingPicker : public FilePicker {
   const DiagnosisChoice& choice() const { return choice_; }
   /// Shows `choice`; emits no signal.
   void setChoice(const DiagnosisChoice& choice);
-  /// Offers a recording of the session, unless it is already chosen; `words`: text of its button. Empty:
-  /// none.
+  /// Shows a button with the text `words` that adds the recording `path` of the session, unless it is already
+  /// chosen. If `path` is empty, there is no button.
   void offer(const QString& path, const QString& words);
   /// Replaces all chosen recordings by the offered one; does nothing without one.
   void takeOffered();
