@@ -32,8 +32,8 @@ std::vector<EffectFacts> transmissionEffects() {
           "homing_offset", kCableDrive,
           {{"offset", "rad or m", -3.2, 3.2, "added to q_hs, the position at the hard stop"},
            {"at_motor", "", 0.0, 1.0,
-            "0: the joint stopped elsewhere; 1: the motor's zero alone is off, so that coupled joints move "
-            "too",
+            "0: the joint stopped elsewhere; 1: the zero of its motor is off, which also moves joints whose "
+            "cables are coupled to this one",
             0.0}}),
       factsOf(
           "zero_drift", kCableDrive,
@@ -55,9 +55,12 @@ std::vector<EffectFacts> cableEffects() {
       factsOf("cable_stiffening", kCableDrive,
               {{"cubic", "1/m^2", -1e7, 1e13, "c in the added force 2 k_e a c delta^3"}}),
       factsOf("position_stiffness", kCableDrive,
-              {{"share", "", -2.0, 2.0, "relative change of the free length, x = -1 … 1 over the range"},
+              {{"share", "", -2.0, 2.0,
+                "growth of the free length, or loss of stiffness, from the middle of the joint's range to "
+                "its upper "
+                "limit"},
                {"of_length", "", 0.0, 1.0,
-                "1: stiffness is divided by 1 + share x; 0: multiplied by 1 - share x", 1.0}}),
+                "1: the free length changes linearly with the position; 0: the stiffness does", 1.0}}),
       factsOf("backlash", kCableDrive,
               {{"half_width", "m", 0.0, 0.1, "half-width of the play"},
                {"damping", "", 0.0, 2.0,

@@ -42,6 +42,11 @@ std::vector<double> valuesOf(const Planted& e) {
       return {m, s};
     case Effect::kSlack:
       return {s * (1.0 - m)};
+    case Effect::kHomingOffset:  // at the joint
+    case Effect::kBacklash:      // spring and damper press only
+      return {m, 0.0};
+    case Effect::kPositionStiffness:  // by the free length
+      return {m, 1.0};
     case Effect::kGravityTilt:
     case Effect::kCameraRotation:
     case Effect::kCameraOffset:

@@ -56,19 +56,19 @@ BoundedStep stepAt(const System& system, const Weighting& weighting) {
   return {system.at.model, system.at.u, std::move(normal), std::move(gradient)};
 }
 
-/// Largest number of steps between two linearisations of a fit (cable drives). Their derivatives are updated
-/// by the secant of each step.
+/// Largest number of successive steps whose secant updates the derivatives of a cable drive's fit, instead of
+/// a linearisation, which simulates every parameter.
 constexpr int kSecants = 3;
-/// Largest square of the error of the linear prediction of a step, over the fall of the objective, with which
-/// the secant is taken. Otherwise the derivatives have changed too much, and new ones are simulated.
+/// A secant is taken if the squared error of the step's linear prediction is below this share of the fall of
+/// the objective. Otherwise the derivatives have changed too much.
 constexpr double kLinear = 0.1;
 
-/// Whether the linearisation predicted the residuals of the trial well: the square of its error is small
-/// beside the fall of the objective.
+/// Whether the linearisation predicted the residuals of the trial well.
 bool wasLinear(const System& system, const Trial& trial, const FitTask& task) {
-  const VectorXd off = system.at.e - trial.e - system.at.jacobian * (trial.u - system.at.u);
-  return task.weighting.weights.cwiseProduct(off).squaredNorm() <
-         kLinear * (system.objective - trial.objective);
+  const VectorXd step = trial.u - system.at.u;
+  const VectorXd off = system.at.e - trial.e - system.at.jacobian * step;
+  return step.squaredNorm() > 0.0 && task.weighting.weights.cwiseProduct(off).squaredNorm() <
+                                         kLinear * (system.objective - trial.objective);
 }
 
 /// Moves the linearisation to the trial. The derivatives J become those with the smallest change that agrees
@@ -113,20 +113,23 @@ class FitBatch {
       System& system = systems_[k];
       Trial& trial = trials[i];
       const double gain = system.objective - trial.objective;
-      const FitOptions& options = tasks_[k].options;
-      const bool last = linearised_[k] >= options.iterations && !takesSecant(k);
-      const bool small = !(gain >= options.tolerance);
-      if (last || (small && secants_[k] == 0)) {
-        if (gain > 0.0) finish(system.at, std::move(trial), tasks_[k], iteration);
+      const bool better = gain > 0.0, small = !(gain >= tasks_[k].options.tolerance);
+      const bool exact = secants_[k] == 0;  // the derivatives were simulated
+      if (!small && takesSecant(k) && wasLinear(system, trial, tasks_[k])) {
+        followSecant(system, std::move(trial), tasks_[k]);
+        ++secants_[k];
+        on.push_back(k);
         continue;
       }
-      on.push_back(k);
-      if (small && !(gain > 0.0))
-        lineariseAt(k, system.at.u, system.at.initial);
-      else if (small || !takesSecant(k) || !wasLinear(system, trial, tasks_[k]))
+      const bool ends = linearised_[k] >= tasks_[k].options.iterations || (small && exact);
+      if (!ends) on.push_back(k);
+      if (ends && exact) {
+        if (better) finish(system.at, std::move(trial), tasks_[k], iteration);
+      } else if (better) {
         lineariseAt(k, std::move(trial.u), std::move(trial.initial));
-      else
-        followSecant(system, std::move(trial), tasks_[k]), ++secants_[k];
+      } else {
+        lineariseAt(k, system.at.u, system.at.initial);
+      }
     }
     std::vector<System> next = systemsAt(data_, points);
     for (std::size_t i = 0; i < linearised.size(); ++i) {

@@ -83,7 +83,7 @@ struct Fit {
   std::vector<Eigen::MatrixXd> removed = {};
   std::vector<bool> bound = {};  ///< true for parameters that a bound stops
   double objective = 0.0;        ///< objectiveOf() the residuals e
-  int iterations = 0;
+  int iterations = 0;            ///< number of steps
 };
 
 /// Weights of the readings in a fit.
@@ -120,7 +120,8 @@ struct FitTask {
 
 /// Least squares on the simulation error with priors,
 ///     Σ (w_i e_i)² + Σ (u_k / prior_k)²:
-/// Gauss–Newton with forward differences; 16 robots with perturbed parameters are simulated in parallel.
+/// Gauss–Newton with forward differences; 16 robots with perturbed parameters are simulated in parallel. With
+/// cable drives, secants replace some of the forward differences between the first and the last step.
 /// Several dampings and lengths of each step are tried at once (Levenberg–Marquardt), and each step is kept
 /// inside the bounds. Encoder zeros are solved for in each segment. Initial states of rigid drives are solved
 /// for in each segment too: the linearised step is tried at several fractions of its length, and each trial
@@ -136,8 +137,8 @@ Fit fit(const FitData& data, const FitModel& model, const Eigen::VectorXd& u, co
 Fit linearise(const FitData& data, const FitModel& model, const Eigen::VectorXd& u,
               const InitialStates& initial, const Weighting& weighting);
 
-/// Changes of the simulated readings from those of the fit to those of several other robots, one column per
-/// robot. All start from the fit's initial states, and the fit's nuisances are subtracted. A robot that needs
+/// Simulated readings of several robots minus those of the fit's robot, one column per robot. All start from
+/// the fit's initial states, and the fit's nuisances are subtracted. A robot that needs
 /// shorter integration steps than the fit's is compared with the fit's robot at the same steps.
 Eigen::MatrixXd changesTo(const FitData& data, const Fit& at, const std::vector<robot::ChainModel>& robots,
                           const Weighting& weighting);

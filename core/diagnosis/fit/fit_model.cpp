@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/check.h"
+
 namespace capstan::diagnosis {
 namespace {
 
@@ -92,6 +94,7 @@ EffectTerm FitModel::backgroundTerm(const Hypothesis& hypothesis, int joint) con
 
 void FitModel::addTerm(EffectTerm term) {
   const auto& numbers = term.hypothesis->facts->parameters;
+  CAPSTAN_CHECK(term.start.value.size() == numbers.size() && term.start.scale.size() == numbers.size());
   term.index.assign(numbers.size(), -1);
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     const double start = term.start.value[k], scale = term.start.scale[k];

@@ -5,8 +5,7 @@
 namespace capstan::diagnosis::library {
 namespace {
 
-constexpr double kAsRigid = 0.01;  // stretch that has no visible effect, over the joint's range
-constexpr double kLarge = 0.1;     // stretch that has a large effect, over the joint's range
+constexpr double kLarge = 0.1;  // stretch that has a large effect, over the joint's range
 
 /// Starts of a compliance. In a cable drive the effect is linear in its parameter and starts at 0; its scale
 /// is the nominal compliance, or that of a large stretch if the nominal cable is practically rigid. In a
@@ -16,9 +15,7 @@ Starts cableComplianceStarts(const JointScales& s, int) {
   Starts all;
   if (s.stiffness > 0.0) {
     all.push_back({{0.0}, {1.0 / s.stiffness}});
-    const double stretch = s.stretch + s.load / s.radius / s.stiffness;
-    const double given = stretch / (s.radius * s.range);  // of the range, by the nominal cable
-    if (given < kAsRigid) all.push_back({{0.0}, {kLarge / given / s.stiffness}});
+    if (isPracticallyRigid(s)) all.push_back({{0.0}, {kLarge / stretchOfRange(s) / s.stiffness}});
     return usable(std::move(all));
   }
   for (const double resonance : {5.0, 10.0, 20.0}) {  // of the joint on the spring with the motor held [Hz]
@@ -29,12 +26,14 @@ Starts cableComplianceStarts(const JointScales& s, int) {
   return usable(std::move(all));
 }
 
-constexpr double kWhileClosed = 1.0, kAlways = 2.0;  // values of a backlash's `damping`
+constexpr double kAlways = 2.0;  // value of a backlash's `damping`
 
+/// Fits start on both sides of damping 1, where the law has a kink.
 Starts backlashStarts(const JointScales& s, int) {
   Starts all;
   for (const double share : {0.3, 1.0})
-    all.push_back({{share * s.stretch, kWhileClosed}, {0.3 * s.stretch, 1.0}});
+    for (const double damping : {0.5, 1.5})
+      all.push_back({{share * s.stretch, damping}, {0.3 * s.stretch, 1.0}});
   return usable(std::move(all));
 }
 
@@ -146,7 +145,8 @@ std::vector<Hypothesis> cableHypotheses() {
                       "cable is softer.",
                   .equation =
                       "γ = 2 k_e sinh(a δ) (1 − (1 − of_length) share x) / (1 + of_length share x) + 2 b_e "
-                      "dδ/dt, x = −1 … 1 from the lower to the upper limit, |x| ≤ 1.2",
+                      "dδ/dt, x = −1 … 1 from the lower to the upper limit, |x| ≤ 1.2, numerator and "
+                      "denominator at least 0.04",
                   .source =
                       "Werkmeister and Slocum, Theoretical and experimental determination of capstan drive "
                       "stiffness, Precision Engineering 31 (2007): stiffness E A / L of the free length L",
@@ -172,8 +172,9 @@ std::vector<Hypothesis> cableHypotheses() {
                       "There is play between motor and joint, in the gear, a key or a cable end. When the "
                       "force changes sign, the motor crosses the play before it moves the joint.",
                   .equation =
-                      "γ = 2 k_e sinh(a (|δ| − half_width)₊ sgn δ) + 2 b_e dδ/dt; damping 0: γ presses and "
-                      "never pulls, 1: the damper acts while |δ| > half_width, 2: it acts always",
+                      "γ = 2 k_e sinh(a (|δ| − half_width)₊ sgn δ) + 2 b_e dδ/dt, with a damper that depends "
+                      "on damping: 0: γ presses and never pulls; 1: the damper acts while |δ| > half_width; "
+                      "2: always; values between are interpolated",
                   .source = "Nordin and Gutman, Controlling mechanical systems with backlash: a survey, "
                             "Automatica 38 (2002)",
                   .changes =

@@ -65,7 +65,7 @@ std::vector<Hypothesis> frictionHypotheses() {
                   .what =
                       "Friction is higher in one direction than in the other, because of a one-sided seal, "
                       "a worn tooth flank or a cable that climbs out of its groove.",
-                  .equation = "F = F_c (1 ± share) tanh(v / v_eps) + F_v v, + for v > 0",
+                  .equation = "F = F_c (1 + d share) tanh(v / v_eps) + F_v v, d = 1 for v > 0, else −1",
                   .source =
                       "Armstrong-Hélouvry, Dupont and Canudas de Wit, A survey of models, analysis tools "
                       "and compensation methods for the control of machines with friction, Automatica 30 "
@@ -96,7 +96,7 @@ std::vector<Hypothesis> frictionHypotheses() {
                   .title = "Viscous friction that differs between the directions",
                   .what = "Grease and seals brake one direction more than the other, or a screw or gear has "
                           "other losses when the motor drives than when it brakes.",
-                  .equation = "F = F_c tanh(v / v_eps) + F_v (1 ± share) v, + for v > 0",
+                  .equation = "F = F_c tanh(v / v_eps) + F_v (1 + d share) v, d = 1 for v > 0, else −1",
                   .source =
                       "Armstrong-Hélouvry, Control of Machines with Friction (1991), chapter 3: viscous "
                       "friction identified for each direction of its own",

@@ -55,6 +55,15 @@ std::vector<EffectStart> Hypothesis::starts(const JointScales& scales, int joint
   return all;
 }
 
+double stretchOfRange(const JointScales& s) {
+  return (s.stretch + s.load / s.radius / s.stiffness) / (s.radius * s.range);
+}
+
+bool isPracticallyRigid(const JointScales& scales) {
+  constexpr double kAsRigid = 0.01;  // stretch that has no visible effect
+  return stretchOfRange(scales) < kAsRigid;
+}
+
 double firstMagnitude(const std::vector<double>& values) { return std::abs(values.at(0)); }
 
 const std::vector<Hypothesis>& hypotheses() {

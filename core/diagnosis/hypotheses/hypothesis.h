@@ -43,6 +43,12 @@ struct JointScales {
   bool moves_other_cables = false;  ///< whether the coupling lets this joint move cables of other joints
 };
 
+/// Largest stretch of the nominal cable by gravity, friction and load, over the joint's range.
+double stretchOfRange(const JointScales& scales);
+/// True if the nominal cable stretches so little that it is practically rigid. Its k_e can then be wrong by
+/// more than a fit of k_e reaches.
+bool isPracticallyRigid(const JointScales& scales);
+
 /// One start of a fit: a value and a scale per number, in the order of EffectFacts::parameters. The scale is
 /// a large magnitude of the number; a number with scale 0 is not fitted.
 struct EffectStart {

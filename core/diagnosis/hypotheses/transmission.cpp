@@ -87,21 +87,22 @@ std::vector<Hypothesis> transmissionHypotheses() {
           .place = Place::kTransmission,
           .words =
               {
-                  .title = "Hard stop at another position",
+                  .title = "Homing at another position",
                   .what =
                       "The joint was homed at another position than that in the robot file, because of a "
-                      "bent stop, a mounting error or homing that stopped early: all positions are off by "
-                      "one constant.",
+                      "bent stop, a mounting error or homing that stopped early. Or the zero of its motor is "
+                      "wrong. All positions are off by a constant.",
                   .equation =
                       "q = q_hs + h + A⁻¹ (r_mc q_m / (N r_l)) without stretch; at_motor 0: h is offset at "
-                      "this joint alone, 1: A h = A(joint, joint) offset for this cable alone",
+                      "this joint and 0 at the others; 1: A h is A(joint, joint) offset at this cable and 0 "
+                      "at the others",
                   .source = "Mooring, Roth and Driels, Fundamentals of Manipulator Calibration (1991): joint "
                             "offsets of the kinematic model",
-                  .changes = "Transmission: q_hs of this joint changes, or the zero of its motor.",
+                  .changes = "Transmission: q_hs of this joint or the zero of its motor changes.",
                   .signature =
                       "The residual is constant at every position, direction and speed, in motion and at "
-                      "rest. Joints whose cables are coupled to this one are off by a constant, too. The "
-                      "cameras see the offset rotated by the arm.",
+                      "rest. With at_motor above 0, joints whose cables are coupled to this one are off by a "
+                      "constant, too. The cameras see the offset rotated by the arm.",
                   .experiment =
                       "Move slowly with rests; home again in between and check whether the constant stays "
                       "the same.",
@@ -109,8 +110,9 @@ std::vector<Hypothesis> transmissionHypotheses() {
           .neutral = {0.0, 0.0},
           .grid =
               [](const JointScales& s, int) {
-                // With no other cable on this joint, both forms are the same.
-                return usable({{{0.0, 0.5}, {0.02 * s.range, s.moves_other_cables ? 0.5 : 0.0}}});
+                // If this joint moves no other cable, both forms are the same.
+                const double form = s.moves_other_cables ? 0.5 : 0.0;
+                return usable({{{0.0, form}, {0.02 * s.range, form}}});
               },
       },
       {

@@ -8,14 +8,21 @@
 namespace capstan::diagnosis {
 namespace {
 
-/// Names of parameters without a unit that are not shares.
+/// Names of parameters without a unit that are not shares: counts, and numbers that choose a form of a law.
 constexpr std::array<std::string_view, 2> kCounts = {"other", "present"};
+constexpr std::array<std::string_view, 3> kForms = {"at_motor", "of_length", "damping"};
 
-bool isShare(const FoundParameter& parameter) {
-  return parameter.unit.empty() && std::ranges::find(kCounts, parameter.name) == kCounts.end();
+bool isCount(const FoundParameter& parameter) {
+  return parameter.unit.empty() && std::ranges::find(kCounts, parameter.name) != kCounts.end();
 }
 
-bool isCount(const FoundParameter& parameter) { return parameter.unit.empty() && !isShare(parameter); }
+bool isForm(const FoundParameter& parameter) {
+  return parameter.unit.empty() && std::ranges::find(kForms, parameter.name) != kForms.end();
+}
+
+bool isShare(const FoundParameter& parameter) {
+  return parameter.unit.empty() && !isCount(parameter) && !isForm(parameter);
+}
 
 }  // namespace
 

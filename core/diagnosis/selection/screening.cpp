@@ -187,6 +187,16 @@ ScoreTest judge(const Probe& probe, const Projection& projection, const MatrixXd
 
 }  // namespace
 
+namespace {
+
+/// A spring in series with a cable changes its k_e, which every model fits within a factor.
+bool isStiffness(const EffectCandidate& effect, const FitModel& model) {
+  return effect.hypothesis->name() == "cable_compliance" && !model.rigid() &&
+         !isPracticallyRigid(scalesOf(model.scales(), effect.joint));
+}
+
+}  // namespace
+
 std::vector<EffectCandidate> candidatesOf(const std::vector<Evidence>& recordings, const FitModel& model,
                                           const std::vector<std::string>& only) {
   const Evidence& first = recordings.front();
@@ -196,14 +206,13 @@ std::vector<EffectCandidate> candidatesOf(const std::vector<Evidence>& recording
   for (const Hypothesis& hypothesis : hypotheses()) {
     const robot::EffectFacts& facts = *hypothesis.facts;
     if (!(model.rigid() ? facts.rigid : facts.cable)) continue;
-    // Springs in series with a cable change its k_e, which every model fits.
-    if (!model.rigid() && facts.name == "cable_compliance") continue;
     if (!only.empty() && std::find(only.begin(), only.end(), facts.name) == only.end()) continue;
     const bool of_camera = facts.name.starts_with("camera_");
     if (of_camera && !cameras) continue;
     if (facts.name == "sensor_sign" && first.tau_ext.empty()) continue;
     for (int joint = facts.whole ? 0 : 1; joint <= (facts.whole ? 0 : first.joints); ++joint)
-      if (!model.has(hypothesis, joint)) candidates.push_back({&hypothesis, joint});
+      if (!model.has(hypothesis, joint) && !isStiffness({&hypothesis, joint}, model))
+        candidates.push_back({&hypothesis, joint});
   }
   return candidates;
 }

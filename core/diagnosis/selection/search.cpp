@@ -14,7 +14,7 @@ namespace capstan::diagnosis {
 namespace {
 
 constexpr std::size_t kBeam = 2;        // sets that are expanded at a time
-constexpr std::size_t kContenders = 8;  // sets near the best one that are fitted to the end at a time
+constexpr std::size_t kContenders = 8;  // largest number of sets near the best one that are settled together
 constexpr std::size_t kSettled = 3;     // trials of an expansion that are fitted to the end
 constexpr int kNeighbourRefits = 4;     // refits where a neighbour of the best set is expanded
 constexpr double kHopeful =

@@ -114,9 +114,10 @@ struct PlayPull {
   S force, damping;
 };
 
-/// Force at a play, from the force `spring` of the cable stretched by x beyond the play (0 within it) and
-/// that of its damper. The damper's action is p.play_damping: 0: spring and damper together press but never
-/// pull; 1: the damper acts while the play is closed; 2: it acts always. Values between are interpolated.
+/// Force at a play of half-width h. `x` is the stretch δ beyond the play, 0 for |δ| < h. `spring` is the
+/// force of the cable at x, and `rate` dδ/dt for its damper. The damper acts as p.play_damping says: 0:
+/// spring and damper together press but never pull; 1: the damper acts while |δ| > h; 2: always. Values
+/// between are interpolated.
 template <class S>
 CAPSTAN_CHAIN_INLINE PlayPull<S> playPull(const JointNumbers<S>& p, const S& x, const S& spring,
                                           const S& rate) {
@@ -138,7 +139,8 @@ CAPSTAN_CHAIN_INLINE PlayPull<S> playPull(const JointNumbers<S>& p, const S& x, 
 
 /// Force of a cable, gamma = 2 k_e sinh(a x) + 2 b_e dδ, where x is the stretch δ minus the creep, beyond the
 /// play (playPull()). Effects: stiffness that depends on the position (positionShare()), cubic stiffening
-/// (Duffing), a pair of which one cable sags, and parallel Bouc–Wen hysteresis (n = 1, β = γ = 1 / 2 y).
+/// (Duffing), a pair of which one cable sags (it has no damper at a play), and parallel Bouc–Wen hysteresis
+/// (n = 1, β = γ = 1 / 2 y).
 template <class S>
 CAPSTAN_CHAIN_INLINE CablePull<S> cablePull(const JointNumbers<S>& p, unsigned laws, const S& stretch,
                                             const S& rate, const S& range, const S& z, const S& creep) {
@@ -189,9 +191,9 @@ struct Opposing {
 };
 
 /// Joint friction
-///     F_c (1 + asymmetry ±1) (1 + excess e^{−(v/v_s)²}) (1 + wave) sgn v + μ |drive| sgn v
-///     + F_v (1 + asymmetry_v ±1) v
-/// with +1 for v > 0 and −1 else, and sgn v smoothed as tanh(v / v_eps): each direction has one level of
+///     F_c (1 + d asymmetry) (1 + excess e^{−(v/v_s)²}) (1 + wave) sgn v + μ |drive| sgn v
+///     + F_v (1 + d asymmetry_v) v
+/// with d = 1 for v > 0, else −1, and sgn v smoothed as tanh(v / v_eps): each direction has one level of
 /// Coulomb friction, of which the excess and the wave are factors. `drive` is the torque of the cable or
 /// motor at the joint. The slope contains the derivative of sgn v and the viscous coefficient only.
 template <class S>

@@ -34,7 +34,8 @@ struct ChainModel {
 
   /// Adds all effects of the description.
   explicit ChainModel(const Description& description);
-  /// Adds one effect. Throws base::InputError for an unknown effect, joint or parameter.
+  /// Adds one effect. A homing offset at a motor uses the coupling so far: add couplings first. Throws
+  /// base::InputError for an unknown effect, joint or parameter.
   void add(const Effect& effect);
 };
 

@@ -45,7 +45,7 @@ struct JointNumbers {
   S exponent;            ///< a [1/m]
   S damping;             ///< b_e [N·s/m]
   S stiffening;          ///< cubic coefficient c [1/m²], neutral 0
-  S position_stiffness;  ///< relative change of the free length at the ends of the range, neutral 0
+  S position_stiffness;  ///< share s of positionShare(), neutral 0
   S length_share;        ///< form of the position's effect: 1 free length, 0 stiffness, see positionShare()
   S play;                ///< half-width of the play [m], neutral 0
   S play_damping;        ///< action of the damper at the play: 0 pressing, 1 while closed, 2 always

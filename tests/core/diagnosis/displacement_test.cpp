@@ -34,7 +34,7 @@ double tipMovedBy(const robot::Description& robot, const Evidence& evidence, Eig
 Fit homedAt(const FitData& data, const Planted& planted, int joint, double offset) {
   const FitModel nominal(planted.robot, jointScales(planted.evidence, planted.robot));
   const FitModel model =
-      nominal.with(*hypothesisNamed("homing_offset"), joint, {{offset}, {std::abs(offset)}});
+      nominal.with(*hypothesisNamed("homing_offset"), joint, {{offset, 0.0}, {std::abs(offset), 0.0}});
   return linearise(data, model, Eigen::VectorXd::Zero(model.size()), noneBeyond(data),
                    {Eigen::VectorXd::Ones(data.size())});
 }
@@ -83,7 +83,7 @@ TEST(Displacement, OfAnEffectWithoutSizeIsNone) {
   const FitData data(planted.evidence, planted.robot, 0.0, EncoderZeros::kKnown, 2);
   const FitModel nominal(planted.robot, jointScales(planted.evidence, planted.robot));
   const EffectCandidate effect{hypothesisNamed("homing_offset"), 2};
-  const FitModel model = nominal.with(*effect.hypothesis, 2, {{0.0}, {0.01}});
+  const FitModel model = nominal.with(*effect.hypothesis, 2, {{0.0, 0.0}, {0.01, 0.0}});
   const Fit fit = linearise(data, model, Eigen::VectorXd::Zero(model.size()), noneBeyond(data),
                             {Eigen::VectorXd::Ones(data.size())});
   const Displacements moves = displacementsBy(data, fit, effect, planted.robot);

@@ -100,7 +100,7 @@ TEST(NextExperiment, MovesTheJointWhoseModelIsInQuestion) {
   const Planted planted(1);
   for (const int joint : {1, 3}) {
     const double half_width = joint == 3 ? 5e-4 : 5e-3;
-    const Undecided undecided(planted, "backlash", joint, {{half_width}, {half_width}});
+    const Undecided undecided(planted, "backlash", joint, {{half_width, 1.0}, {half_width, 0.0}});
     const auto next = undecided.next(planted);
     ASSERT_TRUE(next) << joint;
     EXPECT_NEAR(next->confusion_now, 0.5, 1e-9);
@@ -124,7 +124,7 @@ TEST(NextExperiment, CannotRepeatWhatHappenedOnce) {
 
 TEST(NextExperiment, IsATrajectoryThatTheSimulatorTakes) {
   const Planted planted(1);
-  const Undecided undecided(planted, "backlash", 2, {{5e-3}, {5e-3}});
+  const Undecided undecided(planted, "backlash", 2, {{5e-3, 1.0}, {5e-3, 0.0}});
   const auto next = undecided.next(planted);
   ASSERT_TRUE(next);
   const std::string file = (std::filesystem::path(testing::TempDir()) / "next-experiment.csv").string();

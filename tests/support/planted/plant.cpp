@@ -129,13 +129,13 @@ double Plant::jointFriction(int i, double q, double dq, double drive) const {
   for (const Planted& e : friction_[i]) {
     switch (e.effect) {
       case Effect::kStribeckFriction:
-        share += law::stribeckShare(e.magnitude, dq, e.signature);
+        share *= 1.0 + law::stribeckShare(e.magnitude, dq, e.signature);
         break;
       case Effect::kAsymmetricFriction:
-        share += e.magnitude * sign;
+        share *= dq > 0.0 ? 1.0 + e.magnitude : 1.0 - e.magnitude;
         break;
       case Effect::kPositionFriction:
-        share += law::positionShare(e.magnitude, q, e.signature, e.phase);
+        share *= 1.0 + law::positionShare(e.magnitude, q, e.signature, e.phase);
         break;
       case Effect::kLoadFriction:
         load += e.magnitude;
