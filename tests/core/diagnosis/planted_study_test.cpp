@@ -54,6 +54,7 @@ diagnosis::Report diagnosed(const std::vector<diagnosis::Evidence>& recordings,
   options.threads = 1;
   options.show = false;
   options.filter = false;
+  options.material.length = 1e-5;  // the smallest planted effects are just visible, below the default
   return diagnosis::diagnose(recordings, nominal, options);
 }
 
