@@ -62,7 +62,7 @@ std::vector<EffectFacts> cableEffects() {
                {"of_length", "", 0.0, 1.0,
                 "1: the free length changes linearly with the position; 0: the stiffness does", 1.0}}),
       factsOf("backlash", kCableDrive,
-              {{"half_width", "m", 0.0, 0.1, "half-width of the play"},
+              {{"half_width", "m", 0.0, 0.1, "half of the total play"},
                {"damping", "", 0.0, 2.0,
                 "action of the cable's damper: 0 pressing only, 1 while the play is closed, 2 always", 0.0}}),
       factsOf("slack", kCableDrive,

@@ -4,16 +4,20 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
+#include <filesystem>
 #include <set>
 
 #include "core/base/error.h"
 #include "core/base/yaml.h"
+#include "tests/core/robot/robot_files.h"
 
 namespace capstan::robot {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 std::vector<std::string_view> namesWhere(bool (*wanted)(const EffectFacts&)) {
   std::vector<std::string_view> names;
@@ -104,6 +108,24 @@ TEST(Effects, GoThroughAFile) {
   ASSERT_EQ(after.values.size(), 2U);
   EXPECT_EQ(after["excess"], 0.75);
   EXPECT_EQ(after["speed"], 0.1);
+}
+
+/// Row of the manual's table of effects.
+std::string rowOf(const EffectFacts& facts, const EffectParameter& number) {
+  const char* drive = facts.cable && facts.rigid ? "both" : facts.cable ? "cable" : "rigid";
+  return fmt::format("| `{}` | {} | `{}` | {} | {:g} … {:g} | {} | {} |", facts.name,
+                     facts.whole ? "0" : drive, number.name, number.unit.empty() ? "–" : number.unit,
+                     number.low, number.high,
+                     number.omitted ? fmt::format("{:g}", *number.omitted) : "required", number.what);
+}
+
+TEST(Effects, AreInTheManualWithAllTheirNumbers) {
+  const auto page =
+      std::filesystem::path(testing::robotFile("left")).parent_path().parent_path() / "manual" / "effects.md";
+  const std::string text = base::readTextFile(page.string());
+  for (const EffectFacts& facts : effectFacts())
+    for (const EffectParameter& number : facts.parameters)
+      EXPECT_THAT(text, HasSubstr(rowOf(facts, number) + "\n"));
 }
 
 }  // namespace
