@@ -28,11 +28,11 @@ Starts cableComplianceStarts(const JointScales& s, int) {
 
 constexpr double kAlways = 2.0;  // value of a backlash's `damping`
 
-/// Fits start on both sides of damping 1, where the law has a kink.
+/// One start for each form of the damper: the law has a kink at damping 1.
 Starts backlashStarts(const JointScales& s, int) {
   Starts all;
   for (const double share : {0.3, 1.0})
-    for (const double damping : {0.5, 1.5})
+    for (const double damping : {0.0, 1.0, 2.0})
       all.push_back({{share * s.stretch, damping}, {0.3 * s.stretch, 1.0}});
   return usable(std::move(all));
 }
