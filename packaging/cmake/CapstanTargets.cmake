@@ -22,13 +22,13 @@ endfunction()
 function(capstan_test)
   cmake_parse_arguments(TEST "" "NAME;TIMEOUT" "SOURCES;LINKS" ${ARGN})
   if(NOT TEST_TIMEOUT)
-    set(TEST_TIMEOUT 120)
+    set(TEST_TIMEOUT 240)  # on a loaded machine with two cores
   endif()
   add_executable(${TEST_NAME} ${TEST_SOURCES})
   target_link_libraries(${TEST_NAME} PRIVATE ${TEST_LINKS} capstan_test_folders capstan_options GTest::gtest GTest::gmock GTest::gtest_main)
   target_compile_options(${TEST_NAME} PRIVATE ${CAPSTAN_TEST_OPTIONS})
   capstan_precompiled(${TEST_NAME} test)
-  gtest_discover_tests(${TEST_NAME} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT ${TEST_TIMEOUT})
+  gtest_discover_tests(${TEST_NAME} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT ${TEST_TIMEOUT})
 endfunction()
 
 # A Google Benchmark executable; built with the tests, run by tests/benchmarks/run only.

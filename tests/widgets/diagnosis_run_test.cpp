@@ -35,7 +35,7 @@ class DiagnosisRuns : public ::testing::Test {
     choice.recordings = QStringList{file};
     panel.choose(choice);
     panel.diagnose();
-    EXPECT_TRUE(QTest::qWaitFor([&] { return !panel.busy(); }, 100000));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !panel.busy(); }, 200000));
     EXPECT_TRUE(panel.report()) << panel.summary().toStdString();
     return panel.report() ? diagnosis::jsonOf(*panel.report()) : nlohmann::json();
   }
@@ -43,7 +43,7 @@ class DiagnosisRuns : public ::testing::Test {
     QProcess process;
     process.start(QString::fromStdString(capstan::test::commandLineProgram()),
                   QStringList{"diagnose", file, "--json", "-"} + more);
-    EXPECT_TRUE(process.waitForFinished(100000));
+    EXPECT_TRUE(process.waitForFinished(200000));
     EXPECT_EQ(process.exitCode(), 0) << process.readAllStandardError().toStdString();
     return nlohmann::json::parse(process.readAllStandardOutput().toStdString());
   }
@@ -52,7 +52,7 @@ class DiagnosisRuns : public ::testing::Test {
 };
 
 TEST_F(DiagnosisRuns, TheReportOfARecordingIsThatOfTheCommandLine) {
-  testing::writeRecording(path("slow.csv"), {.duration = 8.0});
+  testing::writeRecording(path("slow.csv"), {.duration = 5.0});
   const QString file = folder_.filePath("slow.csv");
   const nlohmann::json report = window(file);
   EXPECT_EQ(report.at("channels").size(), 3U);
@@ -60,7 +60,7 @@ TEST_F(DiagnosisRuns, TheReportOfARecordingIsThatOfTheCommandLine) {
 }
 
 TEST_F(DiagnosisRuns, TheToleranceOfTheWindowIsThatOfTheOption) {
-  testing::writeRecording(path("slow.csv"), {.duration = 8.0});
+  testing::writeRecording(path("slow.csv"), {.duration = 5.0});
   const QString file = folder_.filePath("slow.csv"), tolerance = "3deg,40mm";
   const nlohmann::json report = window(file, {.material = tolerance});
   EXPECT_EQ(report.at("material").at("length").get<double>(), 0.04);
@@ -79,12 +79,12 @@ TEST_F(DiagnosisRuns, OfATableOfTipPosesToo) {
 }
 
 TEST_F(DiagnosisRuns, FilesThatDoNotGoTogetherAreRefusedAsOnTheCommandLine) {
-  testing::writeRecording(path("slow.csv"), {.duration = 8.0});
+  testing::writeRecording(path("slow.csv"), {.duration = 5.0});
   base::writeTextFile(path("poses.csv"), diagnosis::testing::poseTable({}));
   DiagnosisPanel panel(runDiagnosis);
   panel.choose({.recordings = {folder_.filePath("slow.csv"), folder_.filePath("poses.csv")}});
   panel.diagnose();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !panel.busy(); }, 100000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !panel.busy(); }, 200000));
   EXPECT_FALSE(panel.report());
   EXPECT_THAT(panel.summary().toStdString(), HasSubstr("among other recordings"));
 }
