@@ -138,8 +138,8 @@ Fit linearise(const FitData& data, const FitModel& model, const Eigen::VectorXd&
               const InitialStates& initial, const Weighting& weighting);
 
 /// Simulated readings of several robots minus those of the fit's robot, one column per robot. All start from
-/// the fit's initial states, and the fit's nuisances are subtracted. A robot that needs
-/// shorter integration steps than the fit's is compared with the fit's robot at the same steps.
+/// the fit's initial states, and the fit's nuisances are subtracted. A robot that needs shorter integration
+/// steps than the fit's is compared with the fit's robot at the same steps.
 Eigen::MatrixXd changesTo(const FitData& data, const Fit& at, const std::vector<robot::ChainModel>& robots,
                           const Weighting& weighting);
 

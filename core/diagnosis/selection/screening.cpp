@@ -185,10 +185,6 @@ ScoreTest judge(const Probe& probe, const Projection& projection, const MatrixXd
   return score_test;
 }
 
-}  // namespace
-
-namespace {
-
 /// A spring in series with a cable changes its k_e, which every model fits within a factor.
 bool isStiffness(const EffectCandidate& effect, const FitModel& model) {
   return effect.hypothesis->name() == "cable_compliance" && !model.rigid() &&
