@@ -194,7 +194,8 @@ void addLearn(CLI::App& app, ExitCode& exit) {
   CLI::Option* onto = command->add_option(
       "--onto", arguments->onto,
       "existing model to add the training motions to, without retraining (takes a few seconds); its offset,\n"
-      "kernels, scales and clock offset stay. It improves little in regions without earlier data. Motions\n"
+      "kernels, inducing points, output scales and clock offset stay. It improves little in regions without "
+      "earlier data. Motions\n"
       "that contradict the model are refused");
   for (const char* fixed : {"--method", "--towards", "--no-cleaning", "--no-weights", "--kernel",
                             "--no-alignment", "--members", "--inducing", "--threads", "--seed"})
@@ -202,7 +203,7 @@ void addLearn(CLI::App& app, ExitCode& exit) {
   onto->excludes(hold_out);
   command->add_option("--json", arguments->json, "result as JSON, SI: a file, or - for standard output");
   command->footer(
-      "The output lists rows without a pose, impossible states and the clock offset.\n"
+      "The output lists rows without a pose, rejected states with the reasons, and the clock offset.\n"
       "Examples:\n"
       "  capstan-cli learn --train monday.csv --test tuesday.csv --model arm.correction\n"
       "  capstan-cli learn --train monday.csv --towards robot --method velocity --model arm.correction "

@@ -81,7 +81,8 @@ void addMotorFailureStudy(CLI::App& study, ExitCode& exit) {
   auto csv = std::make_shared<std::string>();
   auto arguments = std::make_shared<StudyArguments>();
   CLI::App* command = study.add_subcommand(
-      "motor-failure", "Errors of joints whose motor encoder has failed, estimated from the camera alone");
+      "motor-failure",
+      "Errors of joint estimates when a motor encoder has failed and only the camera observes its joint");
   command->add_option("--duration", options->duration, "duration of each trial after the failure [s]")
       ->capture_default_str()
       ->check(CLI::Range(5.0, 3600.0));

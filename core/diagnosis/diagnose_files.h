@@ -31,7 +31,8 @@ struct FilesDiagnosis {
 /// jsonOf() of the report.
 nlohmann::json jsonOf(const FilesDiagnosis& diagnosis);
 
-/// True if the file is a table of tip poses. Throws base::InputError if there are other files beside a table.
+/// True if the only file is a table of tip poses. Throws base::InputError if such a table is one of several
+/// files.
 bool arePoseTables(const std::vector<std::string>& files);
 
 /// diagnose(), or a replacement in a test.

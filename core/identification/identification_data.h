@@ -38,8 +38,9 @@ struct CameraObservation {
   Eigen::Vector3d tip_kin;         ///< tip by transmission kinematics at t [m]
   Eigen::Matrix3d tip_covariance;  ///< covariance of `tip` by the measurement noise [m²]
   Eigen::Vector3d q_cam;           ///< inverse kinematics of `tip` [rad, rad, m]
-  Eigen::Matrix3d q_covariance;  ///< covariance J⁻¹ tip_covariance J⁻ᵀ of q_cam, without a lower bound
-  bool open = false;             ///< true: a marker near the kinematic tip; else the observation is not used
+  Eigen::Matrix3d q_covariance;  ///< covariance J⁻¹ tip_covariance J⁻ᵀ of q_cam; no minimum is imposed,
+                                 ///< unlike in tracking
+  bool open = false;  ///< true: a marker near the kinematic tip; else the observation is not used
 };
 
 /// Data of a recording for identification: motors and cameras, without joint encoders.

@@ -95,13 +95,9 @@ void checkOnce(const Listed& listed, const std::vector<Effect>& effects, std::si
 void checkTogether(const YAML::Node& node, const std::string& file, const Description& description) {
   const ChainModel model(description);
   const int n = model.shape.joints;
-  JointMatrix coupling(n, n);
   JointVector middle(n);
-  for (int i = 0; i < n; ++i) {
-    middle[i] = model.shape.middle[i];
-    for (int j = 0; j < n; ++j) coupling(i, j) = model.numbers.coupling[i][j];
-  }
-  Eigen::FullPivLU<JointMatrix> decomposition(coupling);
+  for (int i = 0; i < n; ++i) middle[i] = model.shape.middle[i];
+  Eigen::FullPivLU<JointMatrix> decomposition(couplingMatrix(model));
   decomposition.setThreshold(1e-9);
   if (!decomposition.isInvertible())
     base::refuseYaml(node, {file, "effects"},

@@ -59,17 +59,14 @@ void checkCoupling(const YAML::Node& root, const std::string& file, const Descri
     base::refuseYaml(coupling, {file, "coupling"},
                      fmt::format("has {} rows for {} joints", description.coupling.size(), n),
                      "Write one row of the matrix A for each joint");
-  JointMatrix matrix(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
   for (std::size_t row = 0; row < n; ++row) {
     const std::vector<double>& numbers = description.coupling[row];
     if (numbers.size() != n)
       base::refuseYaml(coupling[row], {file, at("coupling", row)},
                        fmt::format("has {} numbers, the matrix is {}x{}", numbers.size(), n, n),
                        "Write one number for each joint");
-    for (std::size_t column = 0; column < n; ++column)
-      matrix(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) = numbers[column];
   }
-  Eigen::FullPivLU<JointMatrix> decomposition(matrix);
+  Eigen::FullPivLU<JointMatrix> decomposition(couplingMatrix(description));
   decomposition.setThreshold(kSmallestPivot);
   if (!decomposition.isInvertible())
     base::refuseYaml(coupling, {file, "coupling"},
@@ -101,6 +98,16 @@ Description readDescriptionOrDefault(const std::filesystem::path& path) {
 }
 
 std::string formatDescription(const Description& description) { return base::writeYaml(description); }
+
+JointMatrix couplingMatrix(const Description& description) {
+  const auto n = static_cast<Eigen::Index>(description.coupling.size());
+  JointMatrix matrix(n, n);
+  for (Eigen::Index row = 0; row < n; ++row)
+    for (Eigen::Index column = 0; column < n; ++column)
+      matrix(row, column) =
+          description.coupling[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
+  return matrix;
+}
 
 Eigen::Vector3d homingOf(const Description& description) {
   Eigen::Vector3d q = Eigen::Vector3d::Zero();

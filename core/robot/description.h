@@ -8,6 +8,7 @@
 #include "core/base/field.h"
 #include "core/base/names.h"
 #include "core/robot/effects.h"
+#include "core/robot/joint_vector.h"
 
 namespace capstan::robot {
 
@@ -170,6 +171,8 @@ Description parseDescription(const std::string& text, const std::string& name);
 /// Text of a robot file for `description`; parseDescription() of it returns the same numbers to the last bit.
 std::string formatDescription(const Description& description);
 
+/// Coupling matrix A of a checked description.
+JointMatrix couplingMatrix(const Description& description);
 /// q_hs of the first three joints [rad or m]; 0 for joints that the robot does not have.
 Eigen::Vector3d homingOf(const Description& description);
 

@@ -26,7 +26,8 @@ std::vector<EffectFacts> transmissionEffects() {
   return {
       factsOf("pulley_radius", kCableDrive, {{"share", "", -0.5, 0.5, "relative increase of r_l"}}),
       factsOf("cable_coupling", kCableDrive,
-              {{"added", "rad/rad or m/rad", -10.0, 10.0, "added to A(joint, other)"},
+              {{"added", "rad/rad or m/rad", -10.0, 10.0,
+                "added to the element (joint, other) of the coupling matrix A"},
                {"other", "", 1.0, 7.0, "joint whose motion moves the cable, from 1"}}),
       factsOf(
           "homing_offset", kCableDrive,
@@ -43,8 +44,9 @@ std::vector<EffectFacts> transmissionEffects() {
               {{"slip", "rad", -1e3, 1e3, "deficit of the motor's reading after the slip"},
                {"time", "s", 0.0, 1e6, "time of the slip since the begin of the recording"}}),
       factsOf("capstan_eccentricity", kCableDrive,
-              {{"sine", "m", -0.1, 0.1, "additional cable travel, times cos(phi) - 1"},
-               {"cosine", "m", -0.1, 0.1, "additional cable travel, times sin(phi)"}}),
+              {{"sine", "m", -0.1, 0.1,
+                "e_s in the added cable travel e_c sin(phi) + e_s (cos(phi) - 1); phi: angle of the capstan"},
+               {"cosine", "m", -0.1, 0.1, "e_c in the same equation"}}),
   };
 }
 

@@ -25,13 +25,9 @@ bool addPayload(double mass, const Vector3d& at, Link& link) {
 }
 
 void addHomingShift(const Effect& effect, Description& robot) {
-  const int n = robot.size();
-  JointMatrix coupling(n, n);
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j)
-      coupling(i, j) = robot.coupling[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
-  const JointVector shift = homingShift(coupling, effect.joint - 1, effect["offset"], effect["at_motor"]);
-  for (int j = 0; j < n; ++j) robot.joints[static_cast<std::size_t>(j)].homing += shift[j];
+  const JointVector shift =
+      homingShift(couplingMatrix(robot), effect.joint - 1, effect["offset"], effect["at_motor"]);
+  for (int j = 0; j < robot.size(); ++j) robot.joints[static_cast<std::size_t>(j)].homing += shift[j];
 }
 
 bool foldOne(const Effect& effect, Description& robot) {

@@ -12,14 +12,13 @@ Transmission::Transmission(const Description& description) {
   homing_.resize(n);
   motor_radius_.resize(n);
   link_radius_.resize(n);
-  coupling_.resize(n, n);
+  coupling_ = couplingMatrix(description);
   for (int i = 0; i < n; ++i) {
     const auto at = static_cast<std::size_t>(i);
     const Drive& drive = description.drives[at];
     homing_[i] = description.joints[at].homing;
     motor_radius_[i] = drive.motor_capstan_radius / drive.gear_ratio;
     link_radius_[i] = drive.link_radius;
-    for (int j = 0; j < n; ++j) coupling_(i, j) = description.coupling[at][static_cast<std::size_t>(j)];
   }
   coupling_inverse_ = coupling_.inverse();
 }

@@ -15,11 +15,11 @@
 
 namespace capstan::studies {
 
-/// Options of the study of motor encoder failures: how long, at which speeds and occlusions, the error of
-/// joints with a failed encoder stays within twice the normal error. Simulated block transfers, played slower
-/// and faster, are tracked in parallel with all encoders and with one or all failed. The robot's controller
-/// keeps its encoders; only the estimator loses them. There are two normal errors: that of the same
-/// estimator, and that of an estimator with the nominal robot, as in the UKF paper.
+/// Options of the study of motor encoder failures. The study measures, for each speed and occlusion, how long
+/// the error of joints with a failed encoder stays within twice the normal error. Simulated block transfers,
+/// played slower and faster, are tracked in parallel with all encoders and with one or all failed. The
+/// robot's controller keeps its encoders; only the estimator loses them. There are two normal errors: that of
+/// the same estimator, and that of an estimator with the nominal robot, as in the UKF paper.
 struct MotorFailureStudyOptions {
   double duration = 60.0;                                    ///< duration of the failure [s]
   double warm_up = 5.0;                                      ///< time before the failure [s]
@@ -53,7 +53,8 @@ struct Endurance {
   int whole = 0;       ///< number of trials within the limit all the time
 };
 
-/// Result of one failure in one trial, or over its seeds. The window is the last 2 s.
+/// Result for one failed motor, speed and occlusion: of one trial, or combined over trials with different
+/// seeds. RMS over the window: over the 2 s before each time.
 struct MotorFailureResult {
   int motor = 0;  ///< failed motor 0, 1, 2; 3: all
   double speed = 1.0, occlusion = 0.0;

@@ -101,9 +101,10 @@ void BoxplotFigure::build() {
 }
 
 void BoxplotFigure::buildPanel(const BoxplotPanel& data) {
-  const Panel& panel = addPanel({{QStringLiteral("%1 [%2]").arg(data.title, data.unit), true}},
-                                tr("%1, n below").arg(withUnit(data.x_label)),
-                                QStringLiteral("%1 [%2]").arg(data_.quantity, data.unit));
+  const Panel& panel = addPanel(
+      {{QStringLiteral("%1 [%2]").arg(data.title, data.unit), true}},
+      tr("%1, n below").arg(withUnit(data.x_label)),
+      QStringLiteral("%1 [%2]").arg(data_.quantity.isEmpty() ? data.title : data_.quantity, data.unit));
   Drawn drawn;
   const auto values = valuesOf(data);
   panel.empty->setVisible(!values);

@@ -99,7 +99,7 @@ std::unique_ptr<PanelFigure> drawDebridement(const DebridementStudyReport& repor
     time.add(method, std::move(seconds));
     off.add(method, std::move(metres));
   }
-  return std::make_unique<BoxplotFigure>(boxes("Debridement", "value", {time.panel(), off.panel()}));
+  return std::make_unique<BoxplotFigure>(boxes("Debridement", "", {time.panel(), off.panel()}));
 }
 
 std::unique_ptr<PanelFigure> draw(const DebridementStudyReport& report) {

@@ -9,7 +9,7 @@
 
 namespace capstan::widgets {
 
-/// Identity of a series in a box plot or histogram: a quantity, and a run where two are compared.
+/// Identity of a series in a box plot or histogram: a quantity and, where two runs are compared, the run.
 struct SeriesKey {
   Quantity quantity = Quantity::kUkf;
   int run = 0;            ///< first run: 0, second run: 1

@@ -8,9 +8,9 @@ namespace capstan::diagnosis {
 
 /// RMS change of the simulated readings that noise in the inputs (load cells; motor encoders of cable drives)
 /// causes, one number per FitData::channels() [unit of the channel]. The part that nuisances (initial states,
-/// encoder zeros) can take up is subtracted first. It is estimated from kInputDraws simulations of the fit's
-/// robot with random noise of the sensors' size on the inputs. In rigid drives this noise accumulates over
-/// time, and no model can explain it.
+/// encoder zeros) can take up is subtracted first. The RMS is estimated from kInputDraws simulations of the
+/// fitted robot, with random noise on the inputs whose σ is that of the sensors. In rigid drives this noise
+/// accumulates over time, and no model can explain it.
 Eigen::VectorXd inputNoise(const FitData& data, const Fit& at, const Weighting& weighting);
 inline constexpr int kInputDraws = 4;  ///< number of simulations with random input noise
 /// If a residual's mean square, divided by that of the input noise, is at most this number, the residual may

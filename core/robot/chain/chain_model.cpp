@@ -121,12 +121,8 @@ bool addWhole(const Effect& effect, ChainModel& model) {
 }
 
 void moveZero(const Effect& effect, int i, ChainModel& model) {
-  const int n = model.shape.joints;
-  JointMatrix coupling(n, n);
-  for (int row = 0; row < n; ++row)
-    for (int column = 0; column < n; ++column) coupling(row, column) = model.numbers.coupling[row][column];
-  const JointVector shift = homingShift(coupling, i, effect["offset"], effect["at_motor"]);
-  for (int j = 0; j < n; ++j) model.numbers.joints[j].homing += shift[j];
+  const JointVector shift = homingShift(couplingMatrix(model), i, effect["offset"], effect["at_motor"]);
+  for (int j = 0; j < shift.size(); ++j) model.numbers.joints[j].homing += shift[j];
 }
 
 void addToTransmission(const Effect& e, JointNumbers<double>& p) {
@@ -225,6 +221,14 @@ void ChainModel::add(const Effect& effect) {
   addToBodyAndSensors(effect, numbers.joints[i]);
   const bool series = effect.effect == "cable_compliance" && !shape.rigid;
   if (!series) shape.laws[i] |= lawOf(effect.effect);
+}
+
+JointMatrix couplingMatrix(const ChainModel& model) {
+  const int n = model.shape.joints;
+  JointMatrix matrix(n, n);
+  for (int row = 0; row < n; ++row)
+    for (int column = 0; column < n; ++column) matrix(row, column) = model.numbers.coupling[row][column];
+  return matrix;
 }
 
 JointVector homingShift(const JointMatrix& coupling, int i, double offset, double at_motor) {

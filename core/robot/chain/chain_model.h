@@ -39,6 +39,9 @@ struct ChainModel {
   void add(const Effect& effect);
 };
 
+/// Coupling matrix A with the effects of the model.
+JointMatrix couplingMatrix(const ChainModel& model);
+
 /// ChainLaw bit that an effect needs at its joint; 0 when it only changes numbers.
 unsigned lawOf(std::string_view effect);
 

@@ -57,15 +57,13 @@ double stretchAt(const ChainModel& model, int i, double q_m, const JointVector& 
 
 JointVector jointsFromMotors(const ChainModel& model, const JointVector& q_m) {
   const int n = model.shape.joints;
-  JointMatrix coupling(n, n);
   JointVector travel(n), homing(n);
   for (int i = 0; i < n; ++i) {
     const JointNumbers<double>& p = model.numbers.joints[i];
     travel[i] = motorTravel(p, model.shape.laws[i], q_m[i]) / p.link_radius;
     homing[i] = p.homing;
-    for (int j = 0; j < n; ++j) coupling(i, j) = model.numbers.coupling[i][j];
   }
-  return homing + coupling.inverse() * travel;
+  return homing + couplingMatrix(model).inverse() * travel;
 }
 
 }  // namespace capstan::robot

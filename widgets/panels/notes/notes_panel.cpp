@@ -110,7 +110,7 @@ void NotesPanel::nameFile(QTreeWidgetItem* item) const {
 
 void NotesPanel::setRecording(bool recording) {
   line_->setPlaceholderText(recording ? tr("Note into the recording (N)")
-                                      : tr("Note (N); kept in a file while recording"));
+                                      : tr("Note (N), filed while recording"));
 }
 
 void NotesPanel::beginNote() { line_->setFocus(Qt::ShortcutFocusReason); }
