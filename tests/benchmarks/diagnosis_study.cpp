@@ -1,15 +1,18 @@
-// diagnosis_study [--seeds 8] [--none 80] [--two 40] [--uncovered 30] [--threads 2] [--out DIR] …: plants
-// every effect in robots, has each recording diagnosed and says how often the answer is right. Cases that DIR
-// holds already are not run again, so that an interrupted study goes on where it stopped; --tables only
-// counts what is there.
+// diagnosis_study [--group development] [--seeds 8] [--none 80] [--two 40] [--uncovered 30] [--threads 2]
+// [--out DIR] …: plants every effect in robots, has each recording diagnosed and says how often the answer is
+// right. Cases that DIR holds already are not run again, so that an interrupted study goes on where it
+// stopped; --tables only counts what is there. Methods are developed on the group `development`, constants
+// are chosen on `choosing`; `blind` has the seeds of the program's commit, so that no one has met its cases.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <cstdio>
 
 #include "core/base/checksum.h"
 #include "core/base/error.h"
 #include "core/base/software.h"
+#include "core/base/units.h"
 #include "core/diagnosis/diagnose.h"
 #include "tests/support/planted_study/run_study.h"
 #include "tests/support/planted_study/study_tables.h"
@@ -18,10 +21,12 @@ namespace {
 
 using namespace capstan;
 
+constexpr std::uint64_t kChoosingSeed = 500'000;
+
 struct Wanted {
   study::StudyOptions cases;
   int threads = 2;
-  std::string out = "diagnosis_study", robot = "all";
+  std::string out = "diagnosis_study", robot = "all", group = "development";
   bool tables = false, rigid = false;
 };
 
@@ -38,8 +43,29 @@ diagnosis::Report diagnosed(const std::vector<diagnosis::Evidence>& recordings,
   options.threads = 1;
   options.show = false;
   options.filter = false;
-  options.material.length = 1e-5;  // the smallest planted effects are just visible, below the default
+  options.material = {base::toRadians(0.001), 1e-6};  // just visible effects are below the default
   return diagnosis::diagnose(recordings, nominal, options);
+}
+
+/// First seed of the cases that nobody has met: the program's commit. Throws base::InputError for a build of
+/// no commit.
+std::uint64_t blindSeed() {
+  const std::string software = base::software();
+  const std::size_t begin = software.find('(');
+  std::uint64_t seed = 0;
+  if (begin != std::string::npos && software.find("dirty") == std::string::npos)
+    std::from_chars(software.data() + begin + 1, software.data() + software.size(), seed, 16);
+  if (seed == 0)
+    throw base::InputError({"", 0, "group", "blind",
+                            "needs the seeds of a commit, and " + software + " is none",
+                            "Commit all changes, configure and build again"});
+  return seed;
+}
+
+void chooseGroup(Wanted& wanted) {
+  if (wanted.group == "development") return;
+  wanted.cases.population = study::Population::kVaried;
+  wanted.cases.first_seed = wanted.group == "blind" ? blindSeed() : kChoosingSeed;
 }
 
 void tell(const study::Step& step) {
@@ -68,12 +94,15 @@ void run(const Wanted& wanted) {
 }
 
 void addOptions(CLI::App& app, Wanted& wanted) {
+  app.add_option("--group", wanted.group, "development, choosing or blind")
+      ->check(CLI::IsMember({"development", "choosing", "blind"}));
   app.add_option("--seeds", wanted.cases.seeds, "cases of each effect")->check(CLI::Range(0, 10000));
   app.add_option("--none", wanted.cases.none, "recordings without an effect")->check(CLI::Range(0, 100000));
   app.add_option("--two", wanted.cases.two, "with two effects")->check(CLI::Range(0, 100000));
   app.add_option("--uncovered", wanted.cases.uncovered, "with an effect that no hypothesis covers")
       ->check(CLI::Range(0, 100000));
-  app.add_option("--first-seed", wanted.cases.first_seed, "another one: another study");
+  app.add_option("--first-seed", wanted.cases.first_seed,
+                 "of the group development; another one: another study");
   app.add_option("--threads", wanted.threads)->check(CLI::Range(1, 256));
   app.add_option("--out", wanted.out, "folder of cases.jsonl and the tables");
   app.add_option("--only", wanted.cases.only, "effects, or none, two, uncovered");
@@ -93,6 +122,7 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   try {
     if (const auto robot = base::fromName<study::Robot>(wanted.robot)) wanted.cases.robots = {*robot};
+    chooseGroup(wanted);
     run(wanted);
     return 0;
   } catch (const std::exception& error) {

@@ -53,6 +53,63 @@ TEST(StudyCases, AllCanBeDrawnAndHoldWhatTheirNamesSay) {
   }
 }
 
+StudyOptions variedOptions() {
+  StudyOptions options;
+  options.population = Population::kVaried;
+  options.first_seed = 1001;
+  options.seeds = 2, options.none = 10, options.two = 10, options.uncovered = 10;
+  return options;
+}
+
+TEST(StudyCases, VariedOnesDifferInMoreThanTheirSeed) {
+  std::set<int> joints, styles, periods;
+  std::set<double> rates;
+  int without_cameras = 0, without_encoders = 0;
+  for (const StudyCase& one : casesOf(variedOptions())) {
+    const test::PlantedCase drawn = planned(one);
+    EXPECT_EQ(one.population, Population::kVaried);
+    joints.insert(drawn.robot.size());
+    styles.insert(static_cast<int>(drawn.style));
+    periods.insert(drawn.sensors.row_period);
+    rates.insert(drawn.sensors.frame_rate);
+    without_cameras += !drawn.sensors.cameras;
+    without_encoders += !drawn.sensors.joint_encoders;
+    for (const auto& chosen : drawn.effects)
+      EXPECT_TRUE(one.effect.empty() || test::factsOf(chosen.effect).name == one.effect);
+  }
+  EXPECT_EQ(joints, (std::set{1, 2, 3, 4, 5, 6, 7}));
+  EXPECT_EQ(styles.size(), 4U);
+  EXPECT_EQ(periods, (std::set{1, 2, 4}));
+  EXPECT_EQ(rates.size(), 5U);
+  EXPECT_GT(without_cameras, 0);
+  EXPECT_GT(without_encoders, 0);
+}
+
+/// The controller of a plant that is unstable, or has too little torque, does not hold it near the way.
+TEST(StudyCases, VariedRobotsFollowEveryStyleWithinTheirLimits) {
+  for (StudyCase one : casesOf(variedOptions())) {
+    if (one.kind != Kind::kNone) continue;
+    test::PlantedCase drawn = planned(one);
+    drawn.duration = 4.0;
+    drawn.sensors.row_period = 2;
+    drawn.sensors.joint_encoders = true;
+    const recording::MeasuredTable table = test::record(drawn).table;
+    ASSERT_EQ(table.rows(), 2001U);
+    base::Random way(drawn.seed, "excitation");
+    const test::Excitation desired(drawn.robot, drawn.duration, way, drawn.style);
+    for (std::size_t i = 0; i < table.q.size(); ++i) {
+      const robot::Joint& joint = drawn.robot.joints[i];
+      const double range = joint.limit_high - joint.limit_low;
+      for (std::size_t k = 0; k < table.rows(); ++k) {
+        const double wanted = desired.at(table.t[k])[i];
+        ASSERT_GE(wanted, joint.limit_low) << one.name();
+        ASSERT_LE(wanted, joint.limit_high) << one.name();
+        ASSERT_NEAR(table.q[i][k], wanted, 0.15 * range) << one.name() << " joint " << i + 1;
+      }
+    }
+  }
+}
+
 TEST(StudyCases, ALongerStudyHoldsTheShorterOne) {
   StudyOptions small;
   small.seeds = 2, small.none = 10, small.two = 6, small.uncovered = 6;

@@ -23,6 +23,24 @@ TEST(StudyScore, EveryWayToBeRightAndWrong) {
   EXPECT_EQ(hitOf(answer("error")), Hit::kError);
 }
 
+TEST(StudyScore, BackgroundTextureThatIsThereMayBeNamed) {
+  const NamedCause right = cause("backlash", 2), there = cause("capstan_eccentricity", 1),
+                   not_there = cause("capstan_eccentricity", 3);
+  CaseOutcome one = backlashCase(answer("several", {there, right}));
+  test::Planted texture;
+  texture.effect = test::Effect::kCapstanEccentricity;
+  texture.joint = 0;
+  one.truth.texture = {texture};
+  EXPECT_EQ(scoreOne(one).hit, Hit::kRight);
+  one.answer = answer("several", {not_there, right});
+  EXPECT_EQ(scoreOne(one).hit, Hit::kLater);
+  one.answer = answer("found", {there});
+  EXPECT_EQ(scoreOne(one).hit, Hit::kNothing);
+  EXPECT_FALSE(isAlarm(one));
+  one.answer = answer("found", {not_there});
+  EXPECT_TRUE(isAlarm(one));
+}
+
 TEST(StudyScore, CandidatesAreKeptByScore) {
   diagnosis::Report report;
   const auto candidate = [&](const char* effect, int round, double score) {

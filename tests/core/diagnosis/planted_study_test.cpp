@@ -74,7 +74,7 @@ TEST(PlantedStudy, NamesWhatIsHiddenAndAccusesNoSoundRobot) {
   EXPECT_GE(named, kLeastNamed) << markdownOf(summary);
   for (const CaseOutcome& outcome : outcomes) {
     EXPECT_NE(outcome.answer.verdict, "error") << outcome.of.name() << ": " << outcome.answer.summary;
-    EXPECT_FALSE(outcome.of.kind == Kind::kNone && isAlarm(outcome.answer))
+    EXPECT_FALSE(outcome.of.kind == Kind::kNone && isAlarm(outcome))
         << outcome.of.name() << ": " << outcome.answer.summary;
   }
 }

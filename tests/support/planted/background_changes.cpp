@@ -7,7 +7,7 @@
 namespace capstan::test {
 namespace {
 
-// Standard deviations as drawn by drifted() and backgroundTexture().
+// Standard deviations as drawn by worn() and backgroundTexture() of an ordinary Ageing.
 const double kFactor = std::log(2.0) / std::sqrt(12.0);  // of ln of a number between 0.7 and 1.4
 const double kShift = 0.3 / std::sqrt(12.0);             // of the centre of mass, share of its arm
 const double kTrace = std::sqrt(7e-4);                   // of a share between 0.01 and 0.04 of any sign
@@ -16,8 +16,8 @@ const double kStribeck = 0.012;                          // of an excess between
 
 class Changes {
  public:
-  Changes(const robot::Description& nominal, const robot::Description& worn)
-      : nominal_(nominal), worn_(worn) {}
+  Changes(const robot::Description& nominal, const robot::Description& worn, const Ageing& ageing)
+      : nominal_(nominal), worn_(worn), ageing_(ageing) {}
 
   void addAgeing(std::size_t i, bool rigid) {
     addFactor(
@@ -46,18 +46,19 @@ class Changes {
     one.joint = i;
     one.effect = Effect::kAsymmetricFriction;
     one.magnitude = kBackgroundStep * kTrace;
-    add(one, -0.04 / kTrace, 0.04 / kTrace);
+    add(one, -0.04 * ageing_.texture / kTrace, 0.04 * ageing_.texture / kTrace);
     one.effect = Effect::kStribeckFriction;
     one.magnitude = kBackgroundStep * kStribeck;
     one.signature = 6.0 * p.smoothing[i];
-    add(one, 0.0, 0.05 / kStribeck);
+    add(one, 0.0, 0.05 * ageing_.texture / kStribeck);
     if (p.rigid) return;
     one.effect = Effect::kCapstanEccentricity;
     const double sigma = kEccentric / std::numbers::sqrt2;  // of the sine, and of the cosine
     one.magnitude = kBackgroundStep * sigma * p.capstan[i];
-    add(one, -1e-3 / sigma, 1e-3 / sigma);
+    const double most = 1e-3 * ageing_.texture / sigma;
+    add(one, -most, most);
     one.phase = 0.5 * std::numbers::pi;
-    add(one, -1e-3 / sigma, 1e-3 / sigma);
+    add(one, -most, most);
   }
 
   std::vector<BackgroundChange> take() { return std::move(changes_); }
@@ -72,8 +73,8 @@ class Changes {
     const double is = number(worn_.joints[i], worn_.drives[i]);
     if (was > 0.0 && is > 0.0) {
       const double gone = std::log(is / was);
-      change.low = std::min(0.0, (std::log(0.7) - gone) / kFactor);
-      change.high = std::max(0.0, (std::log(1.4) - gone) / kFactor);
+      change.low = std::min(0.0, (ageing_.wear * std::log(0.7) - gone) / kFactor);
+      change.high = std::max(0.0, (ageing_.wear * std::log(1.4) - gone) / kFactor);
     }
     changes_.push_back(std::move(change));
   }
@@ -87,8 +88,8 @@ class Changes {
     change.robot.joints[i].link.centre_of_mass(axis) += kBackgroundStep * kShift * arm;
     if (arm > 0.0) {
       const double gone = (is(axis) - was(axis)) / arm;
-      change.low = std::min(0.0, (-0.15 - gone) / kShift);
-      change.high = std::max(0.0, (0.15 - gone) / kShift);
+      change.low = std::min(0.0, (-0.15 * ageing_.wear - gone) / kShift);
+      change.high = std::max(0.0, (0.15 * ageing_.wear - gone) / kShift);
     }
     changes_.push_back(std::move(change));
   }
@@ -99,14 +100,16 @@ class Changes {
 
   const robot::Description& nominal_;
   const robot::Description& worn_;
+  Ageing ageing_;
   std::vector<BackgroundChange> changes_;
 };
 
 }  // namespace
 
 std::vector<BackgroundChange> backgroundChanges(const robot::Description& nominal,
-                                                const robot::Description& worn, bool rigid) {
-  Changes changes(nominal, worn);
+                                                const robot::Description& worn, bool rigid,
+                                                const Ageing& ageing) {
+  Changes changes(nominal, worn, ageing);
   for (std::size_t i = 0; i < worn.joints.size(); ++i) changes.addAgeing(i, rigid);
   const PlantParameters parameters(worn, rigid);
   for (int i = 0; i < parameters.size; ++i) changes.addTexture(i, parameters);

@@ -15,9 +15,11 @@ struct BackgroundChange {
 };
 inline constexpr double kBackgroundStep = 0.02;
 
-/// All such changes. For each joint these are friction of joint and motor, mass with its inertia, centre of
-/// mass, stiffness and damping of a cable; then follow the effects of the texture.
+/// All such changes, each within the range of `ageing`. For each joint these are friction of joint and motor,
+/// mass with its inertia, centre of mass, stiffness and damping of a cable; then follow the effects of the
+/// texture.
 std::vector<BackgroundChange> backgroundChanges(const robot::Description& nominal,
-                                                const robot::Description& worn, bool rigid);
+                                                const robot::Description& worn, bool rigid,
+                                                const Ageing& ageing);
 
 }  // namespace capstan::test

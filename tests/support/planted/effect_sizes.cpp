@@ -230,21 +230,21 @@ Planted largestPlausible(Effect effect, int i, const PlantParameters& p, const r
   return e;
 }
 
-std::vector<Planted> backgroundTexture(const PlantParameters& p, base::Random& random) {
+std::vector<Planted> backgroundTexture(const PlantParameters& p, base::Random& random, double factor) {
   std::vector<Planted> texture;
   for (int i = 0; i < p.size; ++i) {
     Planted e;
     e.joint = i;
     e.effect = Effect::kAsymmetricFriction;
-    e.magnitude = random.uniform(0.01, 0.04) * eitherSign(random);
+    e.magnitude = factor * random.uniform(0.01, 0.04) * eitherSign(random);
     texture.push_back(e);
     e.effect = Effect::kStribeckFriction;
-    e.magnitude = random.uniform(0.01, 0.05);
+    e.magnitude = factor * random.uniform(0.01, 0.05);
     e.signature = 6.0 * p.smoothing[i];
     texture.push_back(e);
     if (p.rigid) continue;
     e.effect = Effect::kCapstanEccentricity;
-    e.magnitude = random.uniform(0.2e-3, 1e-3) * p.capstan[i];
+    e.magnitude = factor * random.uniform(0.2e-3, 1e-3) * p.capstan[i];
     e.phase = random.uniform(0.0, kTurn);
     texture.push_back(e);
   }

@@ -11,7 +11,7 @@ Planted largestPlausible(Effect effect, int i, const PlantParameters& p, const r
 
 /// Background effects of every joint: friction that is a few per cent higher in one direction, slight
 /// Stribeck friction, and in a cable drive a capstan that is eccentric by some micrometres.
-std::vector<Planted> backgroundTexture(const PlantParameters& p, base::Random& random);
+std::vector<Planted> backgroundTexture(const PlantParameters& p, base::Random& random, double factor = 1.0);
 
 /// Computes how visible an effect is: the change of the readings that it causes, without the part that a
 /// robot without a fault could show too. The change is simulated open loop over the motion of the robot
@@ -21,7 +21,8 @@ std::vector<Planted> backgroundTexture(const PlantParameters& p, base::Random& r
 class Visibility {
  public:
   Visibility(const robot::Description& nominal, const robot::Description& worn, bool rigid,
-             const std::vector<Planted>& texture, const SensorOptions& sensors, PlantedMotion motion);
+             const Ageing& ageing, const std::vector<Planted>& texture, const SensorOptions& sensors,
+             PlantedMotion motion);
 
   /// Visibility of an effect: RMS of the change beyond drift and texture over RMS of noise and texture, in
   /// the channel (a joint encoder or the cameras) where this ratio is largest.
@@ -34,7 +35,7 @@ class Visibility {
   Eigen::MatrixXd changeBy(const std::vector<Planted>& effects) const;
   Eigen::VectorXd channels(const Eigen::MatrixXd& change) const;  ///< RMS of each joint and of the tip
   Eigen::VectorXd weighted(const Eigen::MatrixXd& change) const;
-  void findBackgroundChanges();
+  void findBackgroundChanges(const Ageing& ageing);
 
   robot::Description nominal_, worn_;
   PlantParameters parameters_;

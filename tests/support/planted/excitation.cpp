@@ -16,7 +16,8 @@ double smoothStep(double x) {
   return x * x * x * (10.0 + x * (6.0 * x - 15.0));
 }
 
-Excitation::Excitation(const robot::Description& robot, double duration, base::Random& random) {
+Excitation::Excitation(const robot::Description& robot, double duration, base::Random& random,
+                       MotionStyle style) {
   for (const robot::Joint& joint : robot.joints) {
     const bool turns = joint.type == robot::JointType::kRevolute;
     const double range = joint.limit_high - joint.limit_low, speed = 0.85 * joint.max_speed;
@@ -24,11 +25,70 @@ Excitation::Excitation(const robot::Description& robot, double duration, base::R
     const double low = joint.limit_low + (turns ? 0.12 : 0.10) * range;
     const double high = joint.limit_low + (turns ? 0.87 : 0.50) * range;
     Axis axis;
-    axis.start = random.uniform(low + sway, high - sway);
-    addMoves(axis, low + sway, high - sway, 0.7 * speed, duration, random);
-    addSwells(axis, sway, 0.3 * speed, duration, random);
+    axis.low = low + sway;
+    axis.high = high - sway;
+    axis.speed = 0.7 * speed;
+    axis.start = random.uniform(axis.low, axis.high);
+    if (style == MotionStyle::kMoves) {
+      addMoves(axis, axis.low, axis.high, axis.speed, duration, random);
+      addSwells(axis, sway, 0.3 * speed, duration, random);
+    }
+    if (style == MotionStyle::kMultisine) addMultisine(axis, duration, random);
     axes_.push_back(std::move(axis));
   }
+  if (style == MotionStyle::kTransfer) addTransfer(duration, random);
+  if (style == MotionStyle::kSweeps) addSweeps(duration, random);
+}
+
+void Excitation::addTransfer(double duration, base::Random& random) {
+  const std::size_t poses = 3 + random.bits() % 3;
+  std::vector<std::vector<double>> stations(poses);
+  for (auto& station : stations)
+    for (const Axis& axis : axes_) station.push_back(random.uniform(axis.low, axis.high));
+  std::vector<double> at;
+  for (const Axis& axis : axes_) at.push_back(axis.start);
+  double t = random.uniform(0.2, 0.8);
+  for (std::size_t k = 0; t < duration; ++k) {
+    const std::vector<double>& to = stations[k % poses];
+    const double pace = std::exp(random.uniform(std::log(0.2), 0.0));
+    double time = 0.15;
+    for (std::size_t i = 0; i < axes_.size(); ++i) {
+      const double distance = std::abs(to[i] - at[i]), speed = axes_[i].speed;
+      time = std::max({time, 1.875 * distance / (pace * speed), std::sqrt(5.78 * distance / (6.0 * speed))});
+    }
+    for (std::size_t i = 0; i < axes_.size(); ++i) axes_[i].moves.push_back({t, t + time, at[i], to[i]});
+    at = to;
+    t += time + random.uniform(0.2, 1.2);
+  }
+}
+
+void Excitation::addSweeps(double duration, base::Random& random) {
+  std::vector<double> at;
+  for (const Axis& axis : axes_) at.push_back(axis.start);
+  double t = random.uniform(0.2, 0.8);
+  for (std::size_t k = 0; t < duration; ++k) {
+    const std::size_t i = k % axes_.size();
+    const double to = random.uniform(axes_[i].low, axes_[i].high), distance = std::abs(to - at[i]);
+    const double fastest = axes_[i].speed * std::exp(random.uniform(std::log(0.3), 0.0));
+    const double time =
+        std::max({1.875 * distance / fastest, std::sqrt(5.78 * distance / (6.0 * axes_[i].speed)), 0.15});
+    axes_[i].moves.push_back({t, t + time, at[i], to});
+    at[i] = to;
+    t += time + random.uniform(0.0, 0.3);
+  }
+}
+
+/// The axis starts in the middle of its range, so that the sines of all phases stay inside.
+void Excitation::addMultisine(Axis& axis, double duration, base::Random& random) {
+  constexpr int kSines = 5;
+  axis.start = 0.5 * (axis.low + axis.high);
+  Swell swell{0.0, duration + 1.0, {}};
+  for (int k = 0; k < kSines; ++k) {
+    const double f = std::exp(random.uniform(std::log(0.05), std::log(1.5)));
+    const double most = std::min(0.5 * (axis.high - axis.low), axis.speed / (kTurn * f)) / kSines;
+    swell.sines.push_back({most * random.uniform(0.5, 1.0), f, random.uniform(0.0, kTurn)});
+  }
+  axis.swells.push_back(std::move(swell));
 }
 
 void Excitation::addMoves(Axis& axis, double low, double high, double speed, double duration,

@@ -6,8 +6,10 @@
 namespace capstan::test {
 namespace {
 
-/// Between 0.7 and 1.4, as often above 1 as below.
-double factor(base::Random& random) { return std::exp(random.uniform(std::log(0.7), std::log(1.4))); }
+/// Between 0.7 and 1.4 to the power of `wear`, as often above 1 as below.
+double factor(base::Random& random, double wear) {
+  return std::exp(wear * random.uniform(std::log(0.7), std::log(1.4)));
+}
 
 /// A base that does not stand level: gravity turned about `axis`.
 void tiltGravity(const Planted& planted, PlantParameters& p) {
@@ -17,22 +19,22 @@ void tiltGravity(const Planted& planted, PlantParameters& p) {
 
 }  // namespace
 
-robot::Description worn(const robot::Description& nominal, base::Random& random) {
+robot::Description worn(const robot::Description& nominal, base::Random& random, double wear) {
   robot::Description robot = nominal;
   for (robot::Joint& joint : robot.joints) {
-    const double mass = factor(random);
+    const double mass = factor(random, wear);
     joint.link.mass *= mass;
     joint.link.inertia *= mass;
     const double arm = joint.link.centre_of_mass.norm();
-    for (int k = 0; k < 3; ++k) joint.link.centre_of_mass(k) += arm * random.uniform(-0.15, 0.15);
-    joint.friction.coulomb *= factor(random);
-    joint.friction.viscous *= factor(random);
+    for (int k = 0; k < 3; ++k) joint.link.centre_of_mass(k) += arm * wear * random.uniform(-0.15, 0.15);
+    joint.friction.coulomb *= factor(random, wear);
+    joint.friction.viscous *= factor(random, wear);
   }
   for (robot::Drive& drive : robot.drives) {
-    drive.cable_stiffness *= factor(random);
-    drive.cable_damping *= factor(random);
-    drive.motor_friction.coulomb *= factor(random);
-    drive.motor_friction.viscous *= factor(random);
+    drive.cable_stiffness *= factor(random, wear);
+    drive.cable_damping *= factor(random, wear);
+    drive.motor_friction.coulomb *= factor(random, wear);
+    drive.motor_friction.viscous *= factor(random, wear);
   }
   return robot;
 }

@@ -7,10 +7,17 @@
 
 namespace capstan::test {
 
+/// How far robots without a fault differ from their file, as a factor on what they usually differ.
+struct Ageing {
+  double wear = 1.0;     ///< on the spread of masses, friction, stiffness and damping
+  double texture = 1.0;  ///< on the background texture
+};
+
 /// `nominal` after some years of use. Cable stiffness and damping, joint and motor friction, and masses with
-/// their inertias are each multiplied by a random factor between 0.7 and 1.4. Centres of mass move by up to
-/// 15 % of their distance from the joint. Geometry and transmission do not change.
-robot::Description worn(const robot::Description& nominal, base::Random& random);
+/// their inertias are each multiplied by a random factor between 0.7 and 1.4, to the power of `wear`. Centres
+/// of mass move by up to wear × 15 % of their distance from the joint. Geometry and transmission do not
+/// change.
+robot::Description worn(const robot::Description& nominal, base::Random& random, double wear = 1.0);
 
 /// Parameters of one plant per joint, with units as in the robot file.
 struct PlantParameters {

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "tests/support/planted/excitation.h"
-
 namespace capstan::test {
 namespace {
 
 constexpr double kCalibrationTime = 5.0;  // [s]
+constexpr double kLongCalibrationTime =
+    15.0;  // until every joint has moved, in motions of the other styles [s]
 
 /// The robot of one case and everything that moves it.
 class CaseRobot {
@@ -17,9 +17,9 @@ class CaseRobot {
   explicit CaseRobot(const PlantedCase& from)
       : case_(from),
         ageing_(from.seed, "ageing"),
-        robot_(from.is_worn ? worn(from.robot, ageing_) : from.robot) {
+        robot_(from.is_worn ? worn(from.robot, ageing_, from.ageing.wear) : from.robot) {
     base::Random texture(from.seed, "texture");
-    texture_ = backgroundTexture(PlantParameters(robot_, from.rigid), texture);
+    texture_ = backgroundTexture(PlantParameters(robot_, from.rigid), texture, from.ageing.texture);
     for (std::size_t k = 0; k < from.effects.size(); ++k) truth_.items.push_back(plant(k));
     truth_.robot = robot_;
     truth_.textured = from.textured;
@@ -49,7 +49,7 @@ class CaseRobot {
                       double duration, std::uint64_t seed) const {
     base::Random way(seed, "excitation"), push(seed, "load");
     const Excitation excitation(case_.robot, std::max(duration, seed == case_.seed ? case_.duration : 0.0),
-                                way);
+                                way, case_.style);
     const ExternalLoad load(case_.load, push);
     return drive(
         plant, case_.robot, effects, path ? path : [&](double t) { return excitation.at(t); },
@@ -59,8 +59,9 @@ class CaseRobot {
   const Visibility& visibility() {
     if (!visibility_) {
       Plant plain(PlantParameters(robot_, case_.rigid), {});
-      visibility_.emplace(case_.robot, robot_, case_.rigid, texture_, case_.sensors,
-                          moved(plain, {}, {}, std::min(kCalibrationTime, case_.duration), case_.seed));
+      const double time = case_.style == MotionStyle::kMoves ? kCalibrationTime : kLongCalibrationTime;
+      visibility_.emplace(case_.robot, robot_, case_.rigid, case_.ageing, texture_, case_.sensors,
+                          moved(plain, {}, {}, std::min(time, case_.duration), case_.seed));
     }
     return *visibility_;
   }
@@ -185,6 +186,8 @@ PlantedCase draw(std::uint64_t seed, const DrawOptions& options) {
   drawn.robot = options.robot;
   drawn.rigid = options.rigid;
   drawn.sensors = options.sensors;
+  drawn.ageing = options.ageing;
+  drawn.style = options.style;
   if (options.rigid) drawn.sensors.motor_encoders = drawn.sensors.motor_velocity = false;
   const int count = options.effects.value_or(1);
   for (int k = 0; k < count; ++k) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tests/support/planted/effect_sizes.h"
+#include "tests/support/planted/excitation.h"
 
 namespace capstan::test {
 
@@ -26,6 +27,8 @@ struct PlantedCase {
   std::vector<ChosenEffect> effects;
   bool textured = false;
   bool is_worn = true;
+  Ageing ageing;
+  MotionStyle style = MotionStyle::kMoves;
   double duration = 30.0;  ///< [s]
   SensorOptions sensors;
   Joints load{};       ///< amplitude of measured external loads [N·m or N]
@@ -65,6 +68,8 @@ struct DrawOptions {
   std::optional<bool> textured;
   std::optional<double> duration;  ///< unset: 20–40 s
   SensorOptions sensors;
+  Ageing ageing;
+  MotionStyle style = MotionStyle::kMoves;
 };
 
 /// Joints, counted from 1, in which `effect` can be planted; {0} for an effect of the whole arm; empty if the

@@ -72,6 +72,20 @@ void senseTip(const PlantedMotion& motion, const robot::Description& nominal,
   }
 }
 
+void thin(std::vector<double>& column, std::size_t period) {
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < column.size(); k += period) column[kept++] = column[k];
+  column.resize(kept);
+}
+
+/// Keeps every `period`th row.
+void thin(recording::MeasuredTable& table, std::size_t period) {
+  thin(table.t, period);
+  for (recording::TableColumns* columns :
+       {&table.q_m, &table.dq_m, &table.tau_m, &table.q, &table.p_c, &table.tau_ext})
+    for (auto& column : *columns) thin(column, period);
+}
+
 }  // namespace
 
 StereoPair::StereoPair(const Vector3d& looks_at, const SensorOptions& options) : options_(options) {
@@ -107,7 +121,8 @@ std::vector<std::size_t> exposures(const PlantedMotion& motion, const SensorOpti
   const double last = motion.t.back() - options.frame_delay;
   for (int frame = 0;; ++frame) {
     const double t = first + frame / options.frame_rate;
-    const auto row = static_cast<std::size_t>(std::lround(t * rate));
+    const auto period = static_cast<std::size_t>(options.row_period);
+    const auto row = period * static_cast<std::size_t>(std::lround(t * rate / options.row_period));
     if (t > last || row >= motion.t.size()) return rows;
     rows.push_back(row);
   }
@@ -154,6 +169,7 @@ recording::MeasuredTable sense(const PlantedMotion& motion, const robot::Descrip
     senseTip(motion, nominal, effects, options, table.p_c = columns(3, rows, kNothing), random);
   if (options.load_cells)
     senseLoads(motion, effects, options.load_sigma, table.tau_ext = columns(n, rows), random);
+  if (options.row_period > 1) thin(table, static_cast<std::size_t>(options.row_period));
   return table;
 }
 

@@ -24,6 +24,7 @@ struct SensorOptions {
   double baseline = 0.048;                               ///< [m]
   double distance = 0.55;     ///< distance of the cameras from the middle of the workspace [m]
   double load_sigma = 0.005;  ///< noise of the load cells [N·m or N]
+  int row_period = 1;         ///< [ms]
 };
 
 /// Parallel stereo cameras beside the robot, directed at the middle of the workspace, with noise in their
@@ -42,8 +43,8 @@ class StereoPair {
   Eigen::Vector3d position_;
 };
 
-/// Row indices of the exposures of a recording. The first is 0–1 frame period after the start. The last is at
-/// least frame_delay before the end, since later images are not processed in time.
+/// Row indices of the exposures of a motion, multiples of row_period. The first is 0–1 frame period after the
+/// start. The last is at least frame_delay before the end, since later images are not processed in time.
 std::vector<std::size_t> exposures(const PlantedMotion& motion, const SensorOptions& options,
                                    base::Random& random);
 

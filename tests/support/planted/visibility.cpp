@@ -27,8 +27,8 @@ Eigen::VectorXd leastWithin(const Eigen::MatrixXd& g, const Eigen::VectorXd& b, 
 }  // namespace
 
 Visibility::Visibility(const robot::Description& nominal, const robot::Description& worn, bool rigid,
-                       const std::vector<Planted>& texture, const SensorOptions& sensors,
-                       PlantedMotion motion)
+                       const Ageing& ageing, const std::vector<Planted>& texture,
+                       const SensorOptions& sensors, PlantedMotion motion)
     : nominal_(nominal),
       worn_(worn),
       parameters_(worn, rigid),
@@ -44,7 +44,7 @@ Visibility::Visibility(const robot::Description& nominal, const robot::Descripti
   }
   const Eigen::VectorXd of_texture = channels(changeBy(texture));
   level_ = (noise_.array().square() + of_texture.array().square()).sqrt();
-  findBackgroundChanges();
+  findBackgroundChanges(ageing);
 }
 
 /// In noise of a reading; sensors that are not there tell nothing.
@@ -56,8 +56,8 @@ Eigen::VectorXd Visibility::weighted(const Eigen::MatrixXd& change) const {
   return seen.reshaped();
 }
 
-void Visibility::findBackgroundChanges() {
-  const std::vector<BackgroundChange> changes = backgroundChanges(nominal_, worn_, parameters_.rigid);
+void Visibility::findBackgroundChanges(const Ageing& ageing) {
+  const std::vector<BackgroundChange> changes = backgroundChanges(nominal_, worn_, parameters_.rigid, ageing);
   const auto count = static_cast<Eigen::Index>(changes.size());
   background_.resize(plain_.size(), count);
   low_.resize(count), high_.resize(count);

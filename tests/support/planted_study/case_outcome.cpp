@@ -76,7 +76,8 @@ json jsonOf(const CaseOutcome& outcome) {
            {{"kind", base::nameOf(outcome.of.kind)},
             {"robot", base::nameOf(outcome.of.robot)},
             {"effect", outcome.of.effect},
-            {"seed", outcome.of.seed}}},
+            {"seed", outcome.of.seed},
+            {"population", base::nameOf(outcome.of.population)}}},
           {"truth", jsonOf(outcome.truth)},
           {"answer", jsonOf(outcome.answer)}};
 }
@@ -84,7 +85,7 @@ json jsonOf(const CaseOutcome& outcome) {
 CaseOutcome outcomeFrom(const json& from) {
   const json& of = from.at("case");
   return {{named<Kind>(of.at("kind")), named<Robot>(of.at("robot")), of.at("effect").get<std::string>(),
-           of.at("seed").get<std::uint64_t>()},
+           of.at("seed").get<std::uint64_t>(), named<Population>(of.at("population"))},
           truthFrom(from.at("truth")),
           answerFrom(from.at("answer"))};
 }

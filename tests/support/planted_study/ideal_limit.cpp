@@ -22,7 +22,7 @@ class IdealObserver::Sensors {
   Sensors(const test::PlantedCase& of, const robot::Description& worn, double seconds)
       : case_(of), worn_(worn), chain_(of.robot) {
     base::Random way(of.seed, "excitation"), push(of.seed, "load");
-    const test::Excitation excitation(of.robot, of.duration, way);
+    const test::Excitation excitation(of.robot, of.duration, way, of.style);
     const test::ExternalLoad load(of.load, push);
     test::Plant plant(test::PlantParameters(worn_, of.rigid), {});
     motion_ = drive(
@@ -75,7 +75,7 @@ IdealObserver::IdealObserver(const test::PlantedCase& planted_case, const test::
       times_(planted_case.duration / sensors_->duration()),
       plain_(sensors_->tell(worn_, {})) {
   std::vector<test::BackgroundChange> changes =
-      test::backgroundChanges(planted_case.robot, worn_, planted_case.rigid);
+      test::backgroundChanges(planted_case.robot, worn_, planted_case.rigid, planted_case.ageing);
   if (!truth.textured)
     std::erase_if(changes, [](const test::BackgroundChange& change) { return !change.texture.empty(); });
   spread_.resize(plain_.size(), static_cast<Eigen::Index>(changes.size()));

@@ -53,11 +53,27 @@ std::string firstNamed(const Answer& answer) {
   return answer.verdict == "nothing" || answer.verdict == "error" ? answer.verdict : "unexplained";
 }
 
-bool isAlarm(const Answer& answer) { return answer.verdict != "nothing"; }
+Answer withoutTexture(const CaseOutcome& outcome) {
+  Answer answer = outcome.answer;
+  const HiddenTruth& truth = outcome.truth;
+  std::erase_if(answer.causes, [&](const NamedCause& cause) {
+    const bool planted = std::any_of(truth.items.begin(), truth.items.end(),
+                                     [&](const Item& item) { return is(cause, item); });
+    return !planted &&
+           std::any_of(truth.texture.begin(), truth.texture.end(), [&](const test::Planted& texture) {
+             return test::factsOf(texture.effect).name == cause.effect && texture.joint + 1 == cause.joint;
+           });
+  });
+  if (answer.causes.empty() && (answer.verdict == "found" || answer.verdict == "several"))
+    answer.verdict = "nothing";
+  return answer;
+}
+
+bool isAlarm(const CaseOutcome& outcome) { return withoutTexture(outcome).verdict != "nothing"; }
 
 Score scoreOne(const CaseOutcome& outcome) {
   const Item& item = outcome.truth.items.at(0);
-  const Answer& answer = outcome.answer;
+  const Answer answer = withoutTexture(outcome);
   Score score;
   score.hit = hitOf(answer, item);
   score.named = score.hit == Hit::kTie ? item.effect : firstNamed(answer);
@@ -74,7 +90,7 @@ bool PairScore::bothWithTies() const {
 
 PairScore scoreTwo(const CaseOutcome& outcome) {
   PairScore score;
-  const Answer& answer = outcome.answer;
+  const Answer answer = withoutTexture(outcome);
   for (std::size_t k = 0; k < 2; ++k) {
     const Item& item = outcome.truth.items.at(k);
     const bool names = firstCause(answer) != nullptr;

@@ -31,6 +31,11 @@ struct Score {
   std::vector<NumberCheck> numbers;  ///< for kRight only
 };
 
+/// Answer of a case without the causes that are part of its background texture and not one of its planted
+/// effects: these are in the robot, and naming them is no error. "nothing" where no cause remains.
+Answer withoutTexture(const CaseOutcome& outcome);
+
+/// The functions below score this answer.
 /// Score of a case with one effect that is among the hypotheses.
 Score scoreOne(const CaseOutcome& outcome);
 
@@ -49,7 +54,7 @@ std::string firstNamed(const Answer& answer);
 const NamedCause* firstCause(const Answer& answer);
 
 /// True unless the answer is "nothing"; without a planted effect this is a false alarm.
-bool isAlarm(const Answer& answer);
+bool isAlarm(const CaseOutcome& outcome);
 
 }  // namespace capstan::study
 

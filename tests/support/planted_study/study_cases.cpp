@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/resource.h"
+#include "tests/support/planted_study/varied_case.h"
 
 namespace capstan::study {
 namespace {
@@ -100,17 +101,26 @@ void addTurn(const StudyOptions& options, int turn, std::vector<StudyCase>& case
   }
 }
 
+/// Two of three varied cases, and all that would have the axis, have a random robot.
+void vary(StudyCase& one) {
+  one.population = Population::kVaried;
+  if (one.seed / 1000 % 3 == 0 && one.robot != Robot::kAxis) return;
+  one.robot = one.robot == Robot::kRaven ? Robot::kCables : Robot::kJoints;
+}
+
 }  // namespace
 
 std::string StudyCase::name() const {
-  return fmt::format("{} {} {} {}", base::nameOf(kind), effect.empty() ? "-" : effect, base::nameOf(robot),
-                     seed);
+  return fmt::format("{} {} {} {}{}", base::nameOf(kind), effect.empty() ? "-" : effect, base::nameOf(robot),
+                     seed, population == Population::kVaried ? " varied" : "");
 }
 
 std::vector<StudyCase> casesOf(const StudyOptions& options) {
   checkNames(options);
   std::vector<StudyCase> cases;
   for (int turn = 0; turn < std::max(options.seeds, 1); ++turn) addTurn(options, turn, cases);
+  if (options.population == Population::kVaried)
+    for (StudyCase& one : cases) vary(one);
   if (cases.empty())
     throw base::InputError({"", 0, "only", fmt::format("{}", fmt::join(options.only, " ")),
                             "leaves no case on these robots", "Ask for more cases, effects or robots."});
@@ -118,7 +128,8 @@ std::vector<StudyCase> casesOf(const StudyOptions& options) {
 }
 
 test::PlantedCase planned(const StudyCase& one, std::optional<double> size) {
-  test::DrawOptions options = drawOptions(one.robot);
+  test::DrawOptions options =
+      one.population == Population::kVaried ? variedOptions(one) : drawOptions(one.robot);
   options.effects = one.kind == Kind::kNone ? 0 : one.kind == Kind::kTwo ? 2 : 1;
   options.size = size;
   if (!one.effect.empty()) options.effect = test::effectNamed(one.effect)->effect;

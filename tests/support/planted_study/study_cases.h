@@ -14,9 +14,14 @@ namespace capstan::study {
 /// Kind of case: one planted effect, none, two, or one that is not among the hypotheses.
 enum class Kind { kOne, kNone, kTwo, kUncovered };
 
-/// Robot of a case: the RAVEN-II with all sensors, or the rigid-drive arm or axis of
-/// tests/support/planted/data.
-enum class Robot { kRaven, kArm, kAxis };
+/// Robot of a case: the RAVEN-II; the rigid-drive arm or axis of tests/support/planted/data; or a random
+/// robot of one to seven joints with cables (kCables) or with rigid drives (kJoints).
+enum class Robot { kRaven, kArm, kAxis, kCables, kJoints };
+
+/// Populations of cases. kUsual: three robots, one kind of motion, the same sensors, files off by up to 1.4.
+/// Its seeds were used to develop the diagnosis. kVaried: also random robots, four kinds of motion, other
+/// noise, rates and sets of sensors, files off by up to 2, and more or less background texture.
+enum class Population { kUsual, kVaried };
 
 /// One case of a study, identified by its name.
 struct StudyCase {
@@ -24,8 +29,10 @@ struct StudyCase {
   Robot robot = Robot::kRaven;
   std::string effect;      ///< effect of kOne and kUncovered; empty for other kinds, which draw it
   std::uint64_t seed = 1;  ///< seed of all other properties
+  Population population = Population::kUsual;
 
-  /// Name of the case, for example "one backlash raven 1008".
+  /// Name of the case, for example "one backlash raven 1008", with " varied" for
+  /// that population.
   std::string name() const;
 };
 
@@ -33,6 +40,7 @@ struct StudyOptions {
   int seeds = 8;                            ///< number of cases per effect among the hypotheses
   int none = 80, two = 40, uncovered = 30;  ///< number of cases of these kinds
   std::uint64_t first_seed = 1;
+  Population population = Population::kUsual;
   std::vector<std::string> only;   ///< effects, or none, two, uncovered; empty: all
   std::vector<Robot> robots = {};  ///< robots of all cases; empty: as casesOf() chooses
 };
@@ -41,7 +49,8 @@ struct StudyOptions {
 /// effect once, then every effect a second time, and so on. The robot is the RAVEN-II. Every fourth case of
 /// an effect that both drives can have, and every case of an effect that only rigid drives can have, is on a
 /// rigid drive. Of the uncovered effects, external_vibration and nonlinear_spring are twice as frequent as
-/// joint_detent and encoder_drift. Impossible combinations are excluded. Throws base::InputError for an
+/// joint_detent and encoder_drift. In the varied population, two of three robots of each kind of drive are
+/// random ones. Impossible combinations are excluded. Throws base::InputError for an
 /// unknown name in `only`, and if no case is left.
 std::vector<StudyCase> casesOf(const StudyOptions& options);
 
@@ -49,7 +58,7 @@ std::vector<StudyCase> casesOf(const StudyOptions& options);
 /// logarithmic scale), duration (20–40 s), texture (in half of the cases), and loads.
 test::PlantedCase planned(const StudyCase& one, std::optional<double> size = std::nullopt);
 
-/// Nominal description of a robot.
+/// Nominal description of a robot that a file describes.
 robot::Description robotOf(Robot which);
 
 }  // namespace capstan::study
@@ -65,5 +74,12 @@ template <>
 struct capstan::base::NamesOf<capstan::study::Robot> {
   using R = capstan::study::Robot;
   static constexpr std::array value = {std::pair{R::kRaven, "raven"}, std::pair{R::kArm, "arm"},
-                                       std::pair{R::kAxis, "axis"}};
+                                       std::pair{R::kAxis, "axis"}, std::pair{R::kCables, "cables"},
+                                       std::pair{R::kJoints, "joints"}};
+};
+
+template <>
+struct capstan::base::NamesOf<capstan::study::Population> {
+  using P = capstan::study::Population;
+  static constexpr std::array value = {std::pair{P::kUsual, "usual"}, std::pair{P::kVaried, "varied"}};
 };

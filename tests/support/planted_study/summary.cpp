@@ -111,7 +111,7 @@ bool isRight(const CaseOutcome& outcome) {
       return hit == Hit::kRight || hit == Hit::kTie;
     }
     case Kind::kNone:
-      return !isAlarm(outcome.answer);
+      return !isAlarm(outcome);
     case Kind::kTwo:
       return scoreTwo(outcome).bothWithTies();
     case Kind::kUncovered:
@@ -166,10 +166,10 @@ std::vector<Aim> aimsOf(const std::vector<CaseOutcome>& outcomes) {
       {"named, but not first", hit(Hit::kLater)},
       {"numbers of these inside their 95 %", numbers, Goal::kAtLeast, 0.90},
       {"all numbers of a cause inside", whole},
-      {"false alarms", proportion(none, [](const CaseOutcome& one) { return isAlarm(one.answer); }),
-       Goal::kAtMost, 0.03},
+      {"false alarms", proportion(none, [](const CaseOutcome& one) { return isAlarm(one); }), Goal::kAtMost,
+       0.03},
       {"… that name a cause",
-       proportion(none, [](const CaseOutcome& one) { return firstCause(one.answer) != nullptr; })},
+       proportion(none, [](const CaseOutcome& one) { return firstCause(withoutTexture(one)) != nullptr; })},
       {"both of two", proportion(two, [](const CaseOutcome& one) { return scoreTwo(one).both(); }),
        Goal::kAtLeast, 0.80},
       {"… honest ties counted",

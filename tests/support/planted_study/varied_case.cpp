@@ -1,0 +1,68 @@
+#include "tests/support/planted_study/varied_case.h"
+
+#include <cmath>
+
+#include "tests/support/planted/random_robot.h"
+
+namespace capstan::study {
+namespace {
+
+double logarithmic(base::Random& random, double low, double high) {
+  return std::exp(random.uniform(std::log(low), std::log(high)));
+}
+
+test::SensorOptions variedSensors(bool rigid, int joints, base::Random& random) {
+  constexpr std::array kRates = {10.0, 15.0, 25.0, 30.0, 60.0};
+  constexpr std::array kPeriods = {1, 2, 4};
+  test::SensorOptions sensors;
+  sensors.frame_rate = kRates[random.bits() % kRates.size()];
+  sensors.pixel_sigma *= logarithmic(random, 0.5, 3.0);
+  sensors.distance = random.uniform(0.35, 0.8);
+  sensors.focal_length *= random.uniform(0.7, 1.6);
+  sensors.turn_count *= logarithmic(random, 0.5, 4.0);
+  sensors.slide_count *= logarithmic(random, 0.5, 4.0);
+  sensors.row_period = kPeriods[random.bits() % (rigid ? 2 : 3)];  // torque of rigid drives is an input
+  const double absent = random.uniform(0.0, 1.0);
+  if (absent < 0.25) sensors.cameras = false;
+  // A tip position determines at most three joints.
+  if (absent > 0.88 && !rigid && joints <= 3) sensors.joint_encoders = false;
+  return sensors;
+}
+
+/// Whether an effect can be planted in a robot and be told there from the robot's other numbers.
+bool suits(const StudyCase& one, const test::DrawOptions& options) {
+  const int joints = options.robot.size();
+  if (one.kind == Kind::kTwo) return joints >= 2;
+  if (one.effect.empty()) return true;
+  const test::EffectFacts& facts = *test::effectNamed(one.effect);
+  // Cameras that follow a point on a line or in a plane show no rotation about it.
+  if (facts.place == test::Place::kCamera && joints < 3) return false;
+  if (facts.effect == test::Effect::kGravityTilt && joints < 2) return false;
+  return !test::jointsFor(facts.effect, options).empty();
+}
+
+robot::Description variedRobot(Robot which, base::Random& random) {
+  constexpr std::array kJoints = {1, 2, 2, 3, 3, 3, 4, 4, 5, 6, 7};
+  const int joints = kJoints[random.bits() % kJoints.size()];
+  if (which == Robot::kCables) return test::randomCableRobot(joints, random);
+  if (which == Robot::kJoints) return test::randomRigidRobot(joints, random);
+  return robotOf(which);
+}
+
+}  // namespace
+
+test::DrawOptions variedOptions(const StudyCase& one) {
+  base::Random random(one.seed, "varied case");
+  test::DrawOptions options;
+  options.rigid = one.robot != Robot::kRaven && one.robot != Robot::kCables;
+  options.ageing = {random.uniform(0.5, 2.0), logarithmic(random, 0.3, 2.0)};
+  options.style = std::array{test::MotionStyle::kMoves, test::MotionStyle::kTransfer,
+                             test::MotionStyle::kSweeps, test::MotionStyle::kMultisine}[random.bits() % 4];
+  do {
+    options.robot = variedRobot(one.robot, random);
+    options.sensors = variedSensors(options.rigid, options.robot.size(), random);
+  } while (!suits(one, options));
+  return options;
+}
+
+}  // namespace capstan::study

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "tests/support/planted_study/study_cases.h"
+
+namespace capstan::study {
+
+/// Options of a case of the varied population: robot, sensors, motion, and how far the robot differs from its
+/// file, all drawn from the seed of the case. Random robots have as many joints as the effect needs.
+test::DrawOptions variedOptions(const StudyCase& one);
+
+}  // namespace capstan::study
