@@ -134,8 +134,8 @@ TEST_F(Identification, ValuesAreThoseOfTheCommandLine) {
   const auto& theirs = said["dual_ukf"]["parameters"];
   ASSERT_EQ(ours.size(), theirs.size());
   for (std::size_t i = 0; i < ours.size(); ++i) {
-    EXPECT_EQ(ours[i].value, theirs[i]["value"].get<double>()) << i;
-    EXPECT_EQ(ours[i].sigma, theirs[i]["sigma"].get<double>()) << i;
+    EXPECT_EQ(ours[i].value(), theirs[i]["value"].get<double>()) << i;
+    EXPECT_EQ(ours[i].valueSigma(), theirs[i]["sigma"].get<double>()) << i;
   }
 }
 
