@@ -42,7 +42,7 @@ bool suits(const StudyCase& one, const test::DrawOptions& options) {
 }
 
 robot::Description variedRobot(Robot which, base::Random& random) {
-  constexpr std::array kJoints = {1, 2, 2, 3, 3, 3, 4, 4, 5, 6, 7};
+  constexpr std::array kJoints = {1, 1, 2, 2, 2, 2, 3, 3, 3, 3, 3, 3, 4, 4, 4, 4, 5, 5, 6, 7};
   const int joints = kJoints[random.bits() % kJoints.size()];
   if (which == Robot::kCables) return test::randomCableRobot(joints, random);
   if (which == Robot::kJoints) return test::randomRigidRobot(joints, random);
