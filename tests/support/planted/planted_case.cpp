@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kCalibrationTime = 5.0;  // [s]
 constexpr double kLongCalibrationTime =
-    15.0;  // until every joint has moved, in motions of the other styles [s]
+    10.0;  // until every joint has moved, in motions of the other styles [s]
 
 /// The robot of one case and everything that moves it.
 class CaseRobot {
