@@ -38,6 +38,8 @@ bool suits(const StudyCase& one, const test::DrawOptions& options) {
   // Cameras that follow a point on a line or in a plane show no rotation about it.
   if (facts.place == test::Place::kCamera && joints < 3) return false;
   if (facts.effect == test::Effect::kGravityTilt && joints < 2) return false;
+  // The zeros of joint encoders are free numbers of a diagnosis: only cameras show where the joint is.
+  if (facts.effect == test::Effect::kHomingOffset && !options.sensors.cameras) return false;
   return !test::jointsFor(facts.effect, options).empty();
 }
 
