@@ -1,6 +1,7 @@
 // planted --effect backlash --joint 2 --size 0.5 --seed 7 --out rec.csv: a recording of a robot with a
 // planted fault as a measured table; --truth writes what was planted. What is not requested is drawn from the
-// seed.
+// seed. planted --case "one backlash cables 500000008 varied" --nominal robot.yaml --out rec.csv: a case of
+// diagnosis_study with its robot file.
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
@@ -9,7 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/base/resource.h"
-#include "tests/support/planted/planted_case.h"
+#include "tests/support/planted_study/study_cases.h"
 
 namespace {
 
@@ -17,7 +18,7 @@ using namespace capstan;
 
 struct Wanted {
   std::uint64_t seed = 1;
-  std::string effect, out, truth, robot;
+  std::string effect, out, truth, robot, study_case, nominal;
   int joint = -1, effects = 1;
   double size = -1.0, duration = 0.0;
   bool rigid = false, textured = false, plain = false, no_cameras = false, no_encoders = false, list = false;
@@ -81,6 +82,9 @@ int main(int argc, char** argv) {
   app.add_option("--effects", wanted.effects, "how many")->check(CLI::Range(0, 2));
   app.add_option("--duration", wanted.duration, "s")->check(CLI::Range(1.0, 3600.0));
   app.add_option("--robot", wanted.robot, "robot file; unset: RAVEN-II")->check(CLI::ExistingFile);
+  app.add_option("--case", wanted.study_case,
+                 "name of a case of diagnosis_study; replaces all other options of it");
+  app.add_option("--nominal", wanted.nominal, "robot file to write, before wear and effects");
   app.add_option("--out", wanted.out, "CSV file to write");
   app.add_option("--truth", wanted.truth, "JSON file of what was planted; unset: standard output");
   app.add_flag("--rigid", wanted.rigid, "motor torque drives the joints, no cables");
@@ -96,11 +100,14 @@ int main(int argc, char** argv) {
         std::printf("%.*s\n", static_cast<int>(facts.name.size()), facts.name.data());
     if (wanted.list) return 0;
     const auto begin = std::chrono::steady_clock::now();
-    const test::PlantedCase drawn = test::draw(wanted.seed, optionsOf(wanted));
+    const test::PlantedCase drawn = wanted.study_case.empty()
+                                        ? test::draw(wanted.seed, optionsOf(wanted))
+                                        : study::planned(study::caseNamed(wanted.study_case));
     const auto [recording, truth] = test::recordWithTruth(drawn);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     if (!wanted.out.empty()) write(wanted.out, recording::formatMeasuredTable(recording.table));
-    nlohmann::json json = jsonOf(truth, wanted.seed);
+    if (!wanted.nominal.empty()) write(wanted.nominal, robot::formatDescription(recording.robot));
+    nlohmann::json json = jsonOf(truth, drawn.seed);
     const std::string text = json.dump() + "\n";
     if (wanted.truth.empty())
       std::fputs(text.c_str(), stdout);

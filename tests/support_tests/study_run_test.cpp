@@ -76,7 +76,11 @@ TEST(StudyCases, VariedOnesDifferInMoreThanTheirSeed) {
     without_encoders += !drawn.sensors.joint_encoders;
     for (const auto& chosen : drawn.effects)
       EXPECT_TRUE(one.effect.empty() || test::factsOf(chosen.effect).name == one.effect);
+    EXPECT_EQ(planned(caseNamed(one.name())).robot.joints[0].link.mass, drawn.robot.joints[0].link.mass);
+    EXPECT_EQ(caseNamed(one.name()).name(), one.name());
   }
+  EXPECT_THROW(caseNamed("one backlash"), std::invalid_argument);
+  EXPECT_THROW(caseNamed("one bachlash raven 1"), std::invalid_argument);
   EXPECT_EQ(joints, (std::set{1, 2, 3, 4, 5, 6, 7}));
   EXPECT_EQ(styles.size(), 4U);
   EXPECT_EQ(periods, (std::set{1, 2, 4}));

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
+#include <stdexcept>
 
 #include "core/base/error.h"
 #include "core/base/resource.h"
@@ -113,6 +115,25 @@ void vary(StudyCase& one) {
 std::string StudyCase::name() const {
   return fmt::format("{} {} {} {}{}", base::nameOf(kind), effect.empty() ? "-" : effect, base::nameOf(robot),
                      seed, population == Population::kVaried ? " varied" : "");
+}
+
+StudyCase caseNamed(const std::string& name) {
+  std::istringstream words(name);
+  std::string kind, effect, robot, population;
+  StudyCase one;
+  words >> kind >> effect >> robot >> one.seed;
+  const bool whole = !words.fail();
+  words >> population;
+  const auto of_kind = base::fromName<Kind>(kind);
+  const auto which = base::fromName<Robot>(robot);
+  if (!whole || !of_kind || !which || (effect != "-" && !test::effectNamed(effect)) ||
+      (!population.empty() && population != "varied"))
+    throw std::invalid_argument("no case is named " + name + ", as in \"one backlash raven 1008\"");
+  one.kind = *of_kind;
+  one.robot = *which;
+  if (effect != "-") one.effect = effect;
+  if (!population.empty()) one.population = Population::kVaried;
+  return one;
 }
 
 std::vector<StudyCase> casesOf(const StudyOptions& options) {

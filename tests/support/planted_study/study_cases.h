@@ -36,6 +36,9 @@ struct StudyCase {
   std::string name() const;
 };
 
+/// Case of StudyCase::name(). Throws std::invalid_argument for another text.
+StudyCase caseNamed(const std::string& name);
+
 struct StudyOptions {
   int seeds = 8;                            ///< number of cases per effect among the hypotheses
   int none = 80, two = 40, uncovered = 30;  ///< number of cases of these kinds
