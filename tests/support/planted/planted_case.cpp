@@ -7,9 +7,8 @@
 namespace capstan::test {
 namespace {
 
-constexpr double kCalibrationTime = 5.0;  // [s]
-constexpr double kLongCalibrationTime =
-    10.0;  // until every joint has moved, in motions of the other styles [s]
+constexpr double kCalibrationTime = 5.0;       // [s]
+constexpr double kLongCalibrationTime = 10.0;  // until every joint has moved, one after the other [s]
 
 /// The robot of one case and everything that moves it.
 class CaseRobot {
@@ -59,7 +58,7 @@ class CaseRobot {
   const Visibility& visibility() {
     if (!visibility_) {
       Plant plain(PlantParameters(robot_, case_.rigid), {});
-      const double time = case_.style == MotionStyle::kMoves ? kCalibrationTime : kLongCalibrationTime;
+      const double time = case_.style == MotionStyle::kSweeps ? kLongCalibrationTime : kCalibrationTime;
       visibility_.emplace(case_.robot, robot_, case_.rigid, case_.ageing, texture_, case_.sensors,
                           moved(plain, {}, {}, std::min(time, case_.duration), case_.seed));
     }
