@@ -141,7 +141,7 @@ const std::set<Effect> kHidden = {Effect::kSensorSign, Effect::kAsymmetricFricti
 TEST(PlantedCase, SizeOneShows) {
   for (const bool rigid : {false, true}) {
     const Bench bench(rigid ? rigidRobot("rigid_arm") : raven(), rigid);
-    const Visibility visibility(bench.robot, bench.robot, bench.parameters.rigid, bench.texture,
+    const Visibility visibility(bench.robot, bench.robot, bench.parameters.rigid, {}, bench.texture,
                                 bench.sensors, bench.motion);
     base::Random random(9);
     for (const EffectFacts& facts : allEffects()) {
@@ -159,8 +159,8 @@ TEST(PlantedCase, SizeOneShows) {
 
 TEST(PlantedCase, ATenthOfLargeIsJustVisible) {
   const Bench bench(raven(), false);
-  const Visibility visibility(bench.robot, bench.robot, bench.parameters.rigid, bench.texture, bench.sensors,
-                              bench.motion);
+  const Visibility visibility(bench.robot, bench.robot, bench.parameters.rigid, {}, bench.texture,
+                              bench.sensors, bench.motion);
   base::Random random(9);
   for (const Effect effect :
        {Effect::kPulleyRadius, Effect::kBacklash, Effect::kSlack, Effect::kCableCoupling}) {
@@ -174,7 +174,8 @@ TEST(PlantedCase, ATenthOfLargeIsJustVisible) {
 /// asymmetry do not, since robots without a fault have as much; of 60 % of asymmetry all but 4 do.
 TEST(PlantedCase, WhatAgeingAndTextureMakeIsNotVisible) {
   const Bench bench(raven(), false);
-  const Visibility visibility(bench.robot, bench.robot, false, bench.texture, bench.sensors, bench.motion);
+  const Visibility visibility(bench.robot, bench.robot, false, {}, bench.texture, bench.sensors,
+                              bench.motion);
   Planted planted;
   planted.effect = Effect::kCameraOffset;
   planted.magnitude = 5e-3;
