@@ -194,9 +194,8 @@ void addLearn(CLI::App& app, ExitCode& exit) {
   CLI::Option* onto = command->add_option(
       "--onto", arguments->onto,
       "existing model to add the training motions to, without retraining (takes a few seconds); its offset,\n"
-      "kernels, inducing points, output scales and clock offset stay. It improves little in regions without "
-      "earlier data. Motions\n"
-      "that contradict the model are refused");
+      "kernels, inducing points, output scales and clock offset stay. It improves little in regions without\n"
+      "earlier data. Motions that contradict the model are refused");
   for (const char* fixed : {"--method", "--towards", "--no-cleaning", "--no-weights", "--kernel",
                             "--no-alignment", "--members", "--inducing", "--threads", "--seed"})
     onto->excludes(command->get_option(fixed));

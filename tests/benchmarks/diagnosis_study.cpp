@@ -61,8 +61,12 @@ std::uint64_t blindSeed() {
   return seed;
 }
 
-void chooseGroup(Wanted& wanted) {
+/// Groups other than development have their own seeds.
+void chooseGroup(Wanted& wanted, bool seed_given) {
   if (wanted.group == "development") return;
+  if (seed_given)
+    throw base::InputError({"", 0, "first-seed", std::to_string(wanted.cases.first_seed),
+                            "cannot be chosen in the group " + wanted.group, "Remove --first-seed"});
   wanted.cases.population = study::Population::kVaried;
   wanted.cases.first_seed = wanted.group == "blind" ? blindSeed() : kChoosingSeed;
 }
@@ -121,7 +125,7 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   try {
     if (const auto robot = base::fromName<study::Robot>(wanted.robot)) wanted.cases.robots = {*robot};
-    chooseGroup(wanted);
+    chooseGroup(wanted, app.count("--first-seed") > 0);
     run(wanted);
     return 0;
   } catch (const std::exception& error) {

@@ -81,6 +81,7 @@ TEST(StudyCases, VariedOnesDifferInMoreThanTheirSeed) {
   }
   EXPECT_THROW(caseNamed("one backlash"), std::invalid_argument);
   EXPECT_THROW(caseNamed("one bachlash raven 1"), std::invalid_argument);
+  EXPECT_THROW(planned(caseNamed("one backlash arm 1 varied")), std::invalid_argument);  // has no cable
   EXPECT_EQ(joints, (std::set{1, 2, 3, 4, 5, 6, 7}));
   EXPECT_EQ(styles.size(), 4U);
   EXPECT_EQ(periods, (std::set{1, 2, 4}));

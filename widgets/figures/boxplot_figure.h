@@ -29,7 +29,7 @@ struct BoxplotPanel {
 
 struct BoxplotData {
   QString title = {}, note = {};
-  QString quantity = QStringLiteral("error");  ///< quantity on the value axes
+  QString quantity = QStringLiteral("error");  ///< on the value axes; empty: the title of each panel
   std::vector<BoxplotPanel> panels = {};
   int most_columns = 0;  ///< largest number of panels side by side; 0: as many as fit
 };

@@ -4,10 +4,18 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/support/planted/log_uniform.h"
+
 namespace capstan::test {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
+
+/// Time of a smoothStep() over `distance` at a peak speed of at most `fastest`, and with no more acceleration
+/// than is used to reach `speed` [s].
+double moveTime(double distance, double fastest, double speed) {
+  return std::max({1.875 * distance / fastest, std::sqrt(5.78 * distance / (6.0 * speed)), 0.15});
+}
 
 }  // namespace
 
@@ -30,7 +38,7 @@ Excitation::Excitation(const robot::Description& robot, double duration, base::R
     axis.speed = 0.7 * speed;
     axis.start = random.uniform(axis.low, axis.high);
     if (style == MotionStyle::kMoves) {
-      addMoves(axis, axis.low, axis.high, axis.speed, duration, random);
+      addMoves(axis, duration, random);
       addSwells(axis, sway, 0.3 * speed, duration, random);
     }
     if (style == MotionStyle::kMultisine) addMultisine(axis, duration, random);
@@ -50,12 +58,10 @@ void Excitation::addTransfer(double duration, base::Random& random) {
   double t = random.uniform(0.2, 0.8);
   for (std::size_t k = 0; t < duration; ++k) {
     const std::vector<double>& to = stations[k % poses];
-    const double pace = std::exp(random.uniform(std::log(0.2), 0.0));
-    double time = 0.15;
-    for (std::size_t i = 0; i < axes_.size(); ++i) {
-      const double distance = std::abs(to[i] - at[i]), speed = axes_[i].speed;
-      time = std::max({time, 1.875 * distance / (pace * speed), std::sqrt(5.78 * distance / (6.0 * speed))});
-    }
+    const double share = logUniform(random, 0.2, 1.0);  // of the highest speed
+    double time = 0.0;
+    for (std::size_t i = 0; i < axes_.size(); ++i)
+      time = std::max(time, moveTime(std::abs(to[i] - at[i]), share * axes_[i].speed, axes_[i].speed));
     for (std::size_t i = 0; i < axes_.size(); ++i) axes_[i].moves.push_back({t, t + time, at[i], to[i]});
     at = to;
     t += time + random.uniform(0.2, 1.2);
@@ -68,10 +74,8 @@ void Excitation::addSweeps(double duration, base::Random& random) {
   double t = random.uniform(0.2, 0.8);
   for (std::size_t k = 0; t < duration; ++k) {
     const std::size_t i = k % axes_.size();
-    const double to = random.uniform(axes_[i].low, axes_[i].high), distance = std::abs(to - at[i]);
-    const double fastest = axes_[i].speed * std::exp(random.uniform(std::log(0.3), 0.0));
-    const double time =
-        std::max({1.875 * distance / fastest, std::sqrt(5.78 * distance / (6.0 * axes_[i].speed)), 0.15});
+    const double to = random.uniform(axes_[i].low, axes_[i].high), speed = axes_[i].speed;
+    const double time = moveTime(std::abs(to - at[i]), speed * logUniform(random, 0.3, 1.0), speed);
     axes_[i].moves.push_back({t, t + time, at[i], to});
     at[i] = to;
     t += time + random.uniform(0.0, 0.3);
@@ -84,16 +88,15 @@ void Excitation::addMultisine(Axis& axis, double duration, base::Random& random)
   axis.start = 0.5 * (axis.low + axis.high);
   Swell swell{0.0, duration + 1.0, {}};
   for (int k = 0; k < kSines; ++k) {
-    const double f = std::exp(random.uniform(std::log(0.05), std::log(1.5)));
+    const double f = logUniform(random, 0.05, 1.5);
     const double most = std::min(0.5 * (axis.high - axis.low), axis.speed / (kTurn * f)) / kSines;
     swell.sines.push_back({most * random.uniform(0.5, 1.0), f, random.uniform(0.0, kTurn)});
   }
   axis.swells.push_back(std::move(swell));
 }
 
-void Excitation::addMoves(Axis& axis, double low, double high, double speed, double duration,
-                          base::Random& random) {
-  const double range = high - low;
+void Excitation::addMoves(Axis& axis, double duration, base::Random& random) {
+  const double low = axis.low, high = axis.high, range = high - low;
   double at = axis.start, t = random.uniform(0.2, 0.8), way = 1.0;
   while (t < duration) {
     const bool back = random.uniform(0.0, 1.0) < 0.5;  // a short move against the one before
@@ -101,10 +104,8 @@ void Excitation::addMoves(Axis& axis, double low, double high, double speed, dou
     double to = back ? at - way * step : random.uniform(low, high);
     to = std::clamp(to, low, high);
     if (std::abs(to - at) < 0.01 * range) to = at > low + 0.5 * range ? at - step : at + step;
-    const double distance = std::abs(to - at);
-    const double fastest = speed * std::exp(random.uniform(std::log(0.15), 0.0));
-    const double time =
-        std::max({1.875 * distance / fastest, std::sqrt(5.78 * distance / (6.0 * speed)), 0.15});
+    const double fastest = axis.speed * logUniform(random, 0.15, 1.0);
+    const double time = moveTime(std::abs(to - at), fastest, axis.speed);
     axis.moves.push_back({t, t + time, at, to});
     way = to > at ? 1.0 : -1.0;
     at = to;
@@ -118,7 +119,7 @@ void Excitation::addSwells(Axis& axis, double amplitude, double speed, double du
   while (t < duration) {
     Swell swell{t, t + random.uniform(4.0, 8.0), {}};
     for (int k = 0; k < 3; ++k) {
-      const double f = std::exp(random.uniform(std::log(0.3), std::log(2.5)));
+      const double f = logUniform(random, 0.3, 2.5);
       const double most = std::min(amplitude, speed / (kTurn * f)) / 3.0;
       swell.sines.push_back({most * random.uniform(0.4, 1.0), f, random.uniform(0.0, kTurn)});
     }

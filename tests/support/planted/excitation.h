@@ -48,7 +48,7 @@ class Excitation {
     double speed = 0.0;            ///< highest speed of a move
   };
 
-  void addMoves(Axis& axis, double low, double high, double speed, double duration, base::Random& random);
+  void addMoves(Axis& axis, double duration, base::Random& random);
   void addSwells(Axis& axis, double amplitude, double speed, double duration, base::Random& random);
 
   void addTransfer(double duration, base::Random& random);

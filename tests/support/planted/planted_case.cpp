@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "tests/support/planted/log_uniform.h"
+
 namespace capstan::test {
 namespace {
 
@@ -137,7 +139,7 @@ int drawJoint(Effect effect, const DrawOptions& options, std::optional<int> want
   return wanted ? *wanted : joints[bits % joints.size()];
 }
 
-double drawSize(base::Random& random) { return std::exp(random.uniform(std::log(0.1), 0.0)); }
+double drawSize(base::Random& random) { return logUniform(random, 0.1, 1.0); }
 
 /// Loads of a case without sensor_sign say nothing about the effect: some have them, most have not.
 void drawLoad(PlantedCase& to, base::Random& random) {

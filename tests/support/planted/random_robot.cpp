@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/support/planted/log_uniform.h"
 #include "tests/support/planted/rigid_chain.h"
 
 namespace capstan::test {
@@ -11,10 +12,6 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kPi = std::numbers::pi;
-
-double logarithmic(base::Random& random, double low, double high) {
-  return std::exp(random.uniform(std::log(low), std::log(high)));
-}
 
 bool oneIn(base::Random& random, double times) { return random.uniform(0.0, times) < 1.0; }
 
@@ -67,7 +64,7 @@ robot::Drive cableDrive(const robot::Joint& joint, double inertia, base::Random&
   drive.gear_ratio = random.uniform(8.0, 16.0);
   drive.motor_capstan_radius = random.uniform(4e-3, 8e-3);
   drive.link_radius = turns ? random.uniform(0.035, 0.07) : 1.0;
-  const double stretch = turns ? logarithmic(random, 3e-4, 3e-3) : logarithmic(random, 3e-5, 3e-4);
+  const double stretch = turns ? logUniform(random, 3e-4, 3e-3) : logUniform(random, 3e-5, 3e-4);
   const double stiffness = joint.friction.coulomb / stretch;  // at the joint
   const double damping = random.uniform(0.2, 1.0) * 2.0 * std::sqrt(stiffness * inertia);
   const double square = drive.link_radius * drive.link_radius;

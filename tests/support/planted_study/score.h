@@ -35,11 +35,10 @@ struct Score {
 /// effects: these are in the robot, and naming them is no error. "nothing" where no cause remains.
 Answer withoutTexture(const CaseOutcome& outcome);
 
-/// The functions below score this answer.
-/// Score of a case with one effect that is among the hypotheses.
+/// Score of withoutTexture() of a case with one effect that is among the hypotheses.
 Score scoreOne(const CaseOutcome& outcome);
 
-/// Score of a case with two effects, regardless of their order among the causes.
+/// Score of withoutTexture() of a case with two effects, regardless of their order among the causes.
 struct PairScore {
   std::array<Hit, 2> hits{};  ///< kRight: among the causes; kTie: in a tie only
   bool both() const { return hits[0] == Hit::kRight && hits[1] == Hit::kRight; }
@@ -53,7 +52,7 @@ std::string firstNamed(const Answer& answer);
 /// Cause whose effect firstNamed() returns; null: no effect is named.
 const NamedCause* firstCause(const Answer& answer);
 
-/// True unless the answer is "nothing"; without a planted effect this is a false alarm.
+/// True unless withoutTexture() is "nothing"; without a planted effect this is a false alarm.
 bool isAlarm(const CaseOutcome& outcome);
 
 }  // namespace capstan::study

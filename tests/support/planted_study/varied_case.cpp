@@ -1,27 +1,26 @@
 #include "tests/support/planted_study/varied_case.h"
 
 #include <algorithm>
-#include <cmath>
+#include <stdexcept>
 
+#include "tests/support/planted/log_uniform.h"
 #include "tests/support/planted/random_robot.h"
 
 namespace capstan::study {
 namespace {
 
-double logarithmic(base::Random& random, double low, double high) {
-  return std::exp(random.uniform(std::log(low), std::log(high)));
-}
+constexpr int kAttempts = 1000;  // robots that are drawn until the effect makes sense on one
 
 test::SensorOptions variedSensors(bool rigid, int joints, base::Random& random) {
   constexpr std::array kRates = {10.0, 15.0, 25.0, 30.0, 60.0};
   constexpr std::array kPeriods = {1, 2, 4};
   test::SensorOptions sensors;
   sensors.frame_rate = kRates[random.bits() % kRates.size()];
-  sensors.pixel_sigma *= logarithmic(random, 0.5, 3.0);
+  sensors.pixel_sigma *= test::logUniform(random, 0.5, 3.0);
   sensors.distance = random.uniform(0.35, 0.8);
   sensors.focal_length *= random.uniform(0.7, 1.6);
-  sensors.turn_count *= logarithmic(random, 0.5, 4.0);
-  sensors.slide_count *= logarithmic(random, 0.5, 4.0);
+  sensors.turn_count *= test::logUniform(random, 0.5, 4.0);
+  sensors.slide_count *= test::logUniform(random, 0.5, 4.0);
   sensors.row_period = kPeriods[random.bits() % (rigid ? 2 : 3)];  // torque of rigid drives is an input
   const double absent = random.uniform(0.0, 1.0);
   if (absent < 0.25) sensors.cameras = false;
@@ -39,8 +38,6 @@ bool suits(const StudyCase& one, const test::DrawOptions& options) {
   // Cameras that follow a point on a line or in a plane show no rotation about it.
   if (facts.place == test::Place::kCamera && joints < 3) return false;
   if (facts.effect == test::Effect::kGravityTilt && joints < 2) return false;
-  // The zeros of joint encoders are free numbers of a diagnosis: only cameras show where the joint is.
-  if (facts.effect == test::Effect::kHomingOffset && !options.sensors.cameras) return false;
   return !test::jointsFor(facts.effect, options).empty();
 }
 
@@ -61,14 +58,16 @@ test::DrawOptions variedOptions(const StudyCase& one) {
   base::Random random(one.seed, "varied case");
   test::DrawOptions options;
   options.rigid = one.robot != Robot::kRaven && one.robot != Robot::kCables;
-  options.ageing = {random.uniform(0.5, 2.0), logarithmic(random, 0.3, 2.0)};
+  options.ageing = {random.uniform(0.5, 2.0), test::logUniform(random, 0.3, 2.0)};
   options.style = std::array{test::MotionStyle::kMoves, test::MotionStyle::kTransfer,
                              test::MotionStyle::kSweeps, test::MotionStyle::kMultisine}[random.bits() % 4];
-  do {
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
     options.robot = variedRobot(one.robot, random);
     options.sensors = variedSensors(options.rigid, options.robot.size(), random);
-  } while (!suits(one, options));
-  return options;
+    if (suits(one, options)) return options;
+  }
+  throw std::invalid_argument("effect " + one.effect + " makes no sense on robots of the kind " +
+                              std::string(base::nameOf(one.robot)));
 }
 
 }  // namespace capstan::study
