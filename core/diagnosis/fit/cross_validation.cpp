@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/base/random.h"
-#include "core/diagnosis/fit/linear_system.h"
+#include "core/diagnosis/fit/free_system.h"
 #include "core/stats/quantile.h"
 
 namespace capstan::diagnosis {
@@ -14,33 +14,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-/// True for the time of a single event, which one block alone determines.
-bool isEvent(const FitParameter& parameter) { return parameter.name.ends_with(".time"); }
-
-/// Weighted Jacobian of the free parameters, weighted residual, and the rows of each block.
-struct FreeSystem {
-  std::vector<Index> free;
-  MatrixXd jacobian;
-  VectorXd e;
-  MatrixXd normal;  ///< Jᵀ J + priors
-  std::vector<std::vector<Index>> rows;
-
-  FreeSystem(const FitData& data, const Fit& fit, const Weighting& weighting, bool hold_events) {
-    for (Index k = 0; k < fit.u.size(); ++k) {
-      const bool held = !fit.bound.empty() && fit.bound[static_cast<std::size_t>(k)];
-      if (!held && !(hold_events && isEvent(fit.model.parameters()[static_cast<std::size_t>(k)])))
-        free.push_back(k);
-    }
-    jacobian = weighting.weights.asDiagonal() * fit.jacobian(Eigen::all, free);
-    e = weighting.weights.cwiseProduct(fit.e);
-    normal = jacobian.transpose() * jacobian;
-    normal.diagonal() += priorPrecision(fit.model)(free);
-    rows.resize(static_cast<std::size_t>(data.blocks()));
-    for (std::size_t i = 0; i < data.block().size(); ++i)
-      rows[static_cast<std::size_t>(data.block()[i])].push_back(static_cast<Index>(i));
-  }
-};
 
 /// Residual of one channel, one run per block.
 using Runs = std::vector<std::vector<double>>;
@@ -94,64 +67,6 @@ BlockSquares squaresOf(const FitData& data, const VectorXd& e) {
                                       1.0, std::max(1.0, n / 8.0));
   }
   return squares;
-}
-
-namespace {
-
-int foldsOf(const FitData& data) { return std::min(kFolds, data.blocks()); }
-
-/// Parameters without each fold.
-std::vector<VectorXd> parametersWithoutFolds(const FitData& data, const Fit& fit,
-                                             const Weighting& weighting) {
-  const FreeSystem system(data, fit, weighting, true);
-  const int folds = foldsOf(data);
-  std::vector<VectorXd> parameters;
-  for (int f = 0; f < folds; ++f) {
-    MatrixXd others = system.normal;
-    VectorXd score = VectorXd::Zero(system.jacobian.cols());
-    for (int b = f; b < data.blocks(); b += folds) {
-      const std::vector<Index>& rows = system.rows[static_cast<std::size_t>(b)];
-      const MatrixXd part = system.jacobian(rows, Eigen::all);
-      others -= part.transpose() * part;
-      score += part.transpose() * system.e(rows);
-    }
-    const VectorXd step = others.ldlt().solve(-score).cwiseMax(-kLongestWay).cwiseMin(kLongestWay);
-    VectorXd u = fit.u;
-    for (std::size_t k = 0; k < system.free.size(); ++k) u[system.free[k]] += step[static_cast<Index>(k)];
-    parameters.push_back(fit.model.clipped(u));
-  }
-  return parameters;
-}
-
-/// Of each reading, the residual without its own fold; `e` has one column per fold.
-VectorXd ownFolds(const FitData& data, const MatrixXd& e) {
-  VectorXd left(data.size());
-  for (Index i = 0; i < left.size(); ++i)
-    left[i] = e(i, data.block()[static_cast<std::size_t>(i)] % foldsOf(data));
-  return left;
-}
-
-}  // namespace
-
-std::vector<VectorXd> heldOut(const FitData& data, const std::vector<WeightedFit>& fits) {
-  std::vector<std::vector<VectorXd>> parameters;
-  for (const auto& [fit, weighting] : fits)
-    parameters.push_back(parametersWithoutFolds(data, *fit, *weighting));
-  std::vector<VectorXd> left;
-  for (const MatrixXd& e : residualsWith(data, fits, parameters)) left.push_back(ownFolds(data, e));
-  return left;
-}
-
-VectorXd heldOut(const FitData& data, const Fit& fit, const Weighting& weighting) {
-  return heldOut(data, {{&fit, &weighting}}).front();
-}
-
-VectorXd linearHeldOut(const FitData& data, const Fit& fit, const Weighting& weighting) {
-  MatrixXd e(data.size(), foldsOf(data));
-  Index column = 0;
-  for (const VectorXd& u : parametersWithoutFolds(data, fit, weighting))
-    e.col(column++) = fit.e - fit.jacobian * (u - fit.u);
-  return ownFolds(data, e);
 }
 
 MatrixXd covarianceOf(const FitData& data, const Fit& fit, const Weighting& weighting) {

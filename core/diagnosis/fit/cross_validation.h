@@ -23,22 +23,6 @@ struct BlockSquares {
 /// Sums of squares of the residuals e, which are ordered as the data.
 BlockSquares squaresOf(const FitData& data, const Eigen::VectorXd& e);
 
-/// Held-out residuals by cross-validation. Block b belongs to fold b mod kFolds. For each fold f, the
-/// parameters without that fold follow from one Gauss–Newton step of the fit,
-///     Δu = −(A − J_fᵀ J_f)⁻¹ J_fᵀ e_f,   A = Jᵀ J + priors
-/// (the step that PRESS, Allen 1974, takes as exact), of at most kLongestWay in any u and within the bounds.
-/// The robot is then simulated with u + Δu, with the initial states of rigid drives adapted, and the
-/// residuals of fold f are taken from this simulation. Nuisances are fitted to held-out segments too.
-/// Parameters at a bound stay there; so do times of single events, because one block alone determines them.
-/// The cost is one simulation of kFolds robots in parallel.
-Eigen::VectorXd heldOut(const FitData& data, const Fit& fit, const Weighting& weighting);
-/// The same of several fits, whose robots are simulated in parallel.
-std::vector<Eigen::VectorXd> heldOut(const FitData& data, const std::vector<WeightedFit>& fits);
-/// The same without a simulation, e − J Δu, which is coarser.
-Eigen::VectorXd linearHeldOut(const FitData& data, const Fit& fit, const Weighting& weighting);
-inline constexpr int kFolds = 16;
-inline constexpr double kLongestWay = 1.0;  ///< largest change of any u without a fold
-
 /// Covariance of u. Each variance is the larger of two: of the model's covariance, which assumes that the
 /// weights are true, and of the sandwich estimator from the blocks' scores (Liang and Zeger 1986), which is
 /// valid for correlated errors of unequal variance. Correlations are the model's. Rows and columns of

@@ -93,8 +93,10 @@ class FitBatch {
     systems_ = systemsAt(data, points);
     secants_.assign(tasks.size(), 0);
     linearised_.assign(tasks.size(), 1);
-    for (std::size_t k = 0; k < tasks.size(); ++k)
+    for (std::size_t k = 0; k < tasks.size(); ++k) {
+      if (tasks[k].options.begun) secants_[k] = 1;
       if (tasks[k].options.iterations > 0) going_.push_back(k);
+    }
   }
 
   bool done() const { return going_.empty(); }
@@ -242,6 +244,25 @@ std::vector<MatrixXd> residualsWith(const FitData& data, const std::vector<Weigh
     first += count;
   }
   return residuals;
+}
+
+std::vector<double> objectivesAt(const FitData& data, const Fit& at, const std::vector<FitTask>& tasks) {
+  std::vector<robot::ChainModel> robots;
+  std::vector<InitialStates> starts;
+  std::vector<std::size_t> family;
+  for (const FitTask& task : tasks) {
+    family.push_back(family.size());
+    robots.push_back(task.model.chain(task.model.clipped(task.u)));
+    starts.push_back(task.initial);
+  }
+  const MatrixXd readings = data.simulate(robots, starts, family);
+  std::vector<double> objectives;
+  for (std::size_t k = 0; k < tasks.size(); ++k) {
+    MatrixXd e = data.measured() - readings.col(static_cast<Index>(k));
+    if (e.allFinite()) takeOffNuisances(data, at, tasks[k].weighting, e);
+    objectives.push_back(objectiveOf(tasks[k].model, tasks[k].u, e, tasks[k].weighting));
+  }
+  return objectives;
 }
 
 void takeOffNuisances(const FitData& data, const Fit& at, const Weighting& weighting,

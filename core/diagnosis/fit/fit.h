@@ -36,6 +36,10 @@ class FitData {
   /// Sensor channels of all recordings, in order; channel()[i] is the channel of reading i.
   const std::vector<ComparedChannel>& channels() const { return channels_; }
   const std::vector<int>& channel() const { return channel_; }
+  /// Number of sensors; sensorOf()[c] is the sensor of channel c. The channels of all recordings that a
+  /// joint's encoder or an axis of the cameras has made are of one sensor.
+  int sensors() const { return sensors_; }
+  const std::vector<int>& sensorOf() const { return sensor_of_; }
   /// Number of time blocks, the units of cross-validation and bootstrap. A block lasts about kBlock. With
   /// rigid drives, a window shorter than 4 kBlock is a single block. block()[i] is the block of reading i.
   int blocks() const { return blocks_; }
@@ -53,14 +57,15 @@ class FitData {
 
  private:
   void stack(const ChainSimulation& simulation);
+  void addChannel(const ComparedChannel& channel);
 
   std::vector<std::unique_ptr<ChainSimulation>> simulations_;
   std::vector<Eigen::Index> first_;
   Eigen::VectorXd measured_;
   std::vector<ComparedChannel> channels_;
-  std::vector<int> channel_, block_;
+  std::vector<int> channel_, sensor_of_, block_;
   std::vector<std::pair<Eigen::Index, Eigen::Index>> segments_;
-  int blocks_ = 0, threads_ = 1;
+  int blocks_ = 0, sensors_ = 0, threads_ = 1;
   bool rigid_ = false;
   const base::Progress* progress_ = nullptr;
   EncoderZeros zeros_ = EncoderZeros::kKnown;
@@ -103,8 +108,8 @@ struct FitOptions {
   /// Fit whose derivatives are reused for the parameters that both fits have (cable drives). This is coarser
   /// and faster, for a first ranking.
   const Fit* known = nullptr;
-  /// Fit of the same model at the same u, with other weights, whose derivatives (a few steps old at most)
-  /// serve the first step (cable drives).
+  /// Fit of the same model at the same u, whose derivatives, a few steps old or with other weights, serve the
+  /// first steps (cable drives). The fit does not end before it has simulated its own.
   const Fit* begun = nullptr;
   bool coarse = false;  ///< true: fewer dampings and lengths of each step are tried (cable drives)
 };
@@ -149,6 +154,10 @@ Eigen::MatrixXd changesTo(const FitData& data, const Fit& at, const std::vector<
 std::vector<Eigen::MatrixXd> residualsWith(const FitData& data, const std::vector<WeightedFit>& fits,
                                            const std::vector<std::vector<Eigen::VectorXd>>& parameters);
 
+/// Objectives of the tasks at their starts, with the nuisances of `at` subtracted: infinite where a
+/// simulation diverged.
+std::vector<double> objectivesAt(const FitData& data, const Fit& at, const std::vector<FitTask>& tasks);
+
 /// Subtracts the best-fitting nuisances from each column of `e`, in place; rows are the data's readings.
 void takeOffNuisances(const FitData& data, const Fit& at, const Weighting& weighting,
                       Eigen::Ref<Eigen::MatrixXd> e);
@@ -157,8 +166,9 @@ void takeOffNuisances(const FitData& data, const Fit& at, const Weighting& weigh
 double objectiveOf(const FitModel& model, const Eigen::VectorXd& u, const Eigen::VectorXd& e,
                    const Weighting& weighting);
 
-/// Weight of each reading, 1 / (s √n) of its channel. n is the correlation length of e in samples, and
-/// s = max(RMS of e, noise × √r), where r is the largest ratio RMS / noise of all channels.
+/// Weight of each reading, 1 / (s √n) of its sensor, which all recordings share: otherwise the recording that
+/// fits best would count most. n is the correlation length of e in samples, and s = max(RMS of e, noise ×
+/// √r), where r is the largest ratio RMS / noise of all sensors.
 Eigen::VectorXd weightsFor(const FitData& data, const Eigen::VectorXd& e);
 
 }  // namespace capstan::diagnosis

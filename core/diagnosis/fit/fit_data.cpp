@@ -26,7 +26,7 @@ void FitData::stack(const ChainSimulation& simulation) {
   measured_.conservativeResize(begin + compared.measured.size());
   measured_.tail(compared.measured.size()) = compared.measured;
   const int first_channel = static_cast<int>(channels_.size());
-  channels_.insert(channels_.end(), compared.channels.begin(), compared.channels.end());
+  for (const ComparedChannel& channel : compared.channels) addChannel(channel);
   for (const int channel : compared.channel) channel_.push_back(first_channel + channel);
   const bool windows_have_own = rigid_;
   for (std::size_t w = 0; w + 1 < compared.window_begin.size(); ++w) {
@@ -47,6 +47,15 @@ void FitData::stack(const ChainSimulation& simulation) {
   }
   if (!windows_have_own && zeros_ == EncoderZeros::kOnePerRecording)
     segments_.emplace_back(begin, measured_.size());
+}
+
+void FitData::addChannel(const ComparedChannel& channel) {
+  int sensor = sensors_;
+  for (std::size_t c = 0; c < channels_.size(); ++c)
+    if (channels_[c].joint == channel.joint && channels_[c].axis == channel.axis) sensor = sensor_of_[c];
+  sensors_ = std::max(sensors_, sensor + 1);
+  sensor_of_.push_back(sensor);
+  channels_.push_back(channel);
 }
 
 namespace {
@@ -110,35 +119,55 @@ Eigen::MatrixXd FitData::simulate(const std::vector<robot::ChainModel>& models,
   return readings;
 }
 
-Eigen::VectorXd weightsFor(const FitData& data, const Eigen::VectorXd& e) {
-  const std::size_t channels = data.channels().size();
-  std::vector<double> squares(channels, 0.0), count(channels, 0.0);
-  std::vector<std::vector<double>> sums(channels,
-                                        std::vector<double>(static_cast<std::size_t>(data.blocks()), 0.0));
+namespace {
+
+/// Sums over the readings of one sensor.
+struct SensorSums {
+  double squares = 0.0, count = 0.0, noise = 0.0;
+  double blocks = 0.0;  ///< Σ (Σ e of a block)²
+
+  double rms() const { return count > 0.0 ? std::sqrt(squares / count) : 0.0; }
+  /// Correlation length in samples, from the variance of the blocks' sums.
+  double inflation() const {
+    return squares > 0.0 ? std::clamp(blocks / squares, 1.0, count / 10.0 + 1.0) : 1.0;
+  }
+};
+
+std::vector<SensorSums> sumsOf(const FitData& data, const Eigen::VectorXd& e) {
+  constexpr double kLeastNoise = 1e-12;
+  std::vector<SensorSums> sums(static_cast<std::size_t>(data.sensors()));
+  Eigen::MatrixXd blocks = Eigen::MatrixXd::Zero(data.sensors(), data.blocks());
   for (std::size_t i = 0; i < data.channel().size(); ++i) {
-    const auto c = static_cast<std::size_t>(data.channel()[i]);
+    const int sensor = data.sensorOf()[static_cast<std::size_t>(data.channel()[i])];
     const double x = e[static_cast<Eigen::Index>(i)];
-    squares[c] += x * x, count[c] += 1.0;
-    sums[c][static_cast<std::size_t>(data.block()[i])] += x;
+    SensorSums& own = sums[static_cast<std::size_t>(sensor)];
+    own.squares += x * x, own.count += 1.0;
+    blocks(sensor, data.block()[i]) += x;
   }
-  const auto noiseOf = [&](std::size_t c) { return std::max(data.channels()[c].noise, 1e-12); };
-  double worst = 1.0;  // largest ratio RMS / noise of all channels
-  for (std::size_t c = 0; c < channels; ++c)
-    if (count[c] > 0.0) worst = std::max(worst, std::sqrt(squares[c] / count[c]) / noiseOf(c));
-  std::vector<double> weight(channels, 0.0);
-  for (std::size_t c = 0; c < channels; ++c) {
-    if (count[c] < 1.0) continue;
-    const double rms = std::sqrt(squares[c] / count[c]);
-    const double scale = std::max(rms, noiseOf(c) * std::sqrt(worst));
-    double between = 0.0;
-    for (const double sum : sums[c]) between += sum * sum;
-    const double inflation =
-        squares[c] > 0.0 ? std::clamp(between / squares[c], 1.0, count[c] / 10.0 + 1.0) : 1.0;
-    weight[c] = 1.0 / (scale * std::sqrt(inflation));
+  for (std::size_t s = 0; s < sums.size(); ++s)
+    sums[s].blocks = blocks.row(static_cast<Eigen::Index>(s)).squaredNorm();
+  for (std::size_t c = 0; c < data.channels().size(); ++c) {
+    SensorSums& own = sums[static_cast<std::size_t>(data.sensorOf()[c])];
+    own.noise = std::max({own.noise, data.channels()[c].noise, kLeastNoise});
   }
+  return sums;
+}
+
+}  // namespace
+
+Eigen::VectorXd weightsFor(const FitData& data, const Eigen::VectorXd& e) {
+  const std::vector<SensorSums> sums = sumsOf(data, e);
+  double worst = 1.0;  // largest ratio RMS / noise of all sensors
+  for (const SensorSums& sensor : sums)
+    if (sensor.count > 0.0) worst = std::max(worst, sensor.rms() / sensor.noise);
+  std::vector<double> weight;
+  for (const SensorSums& sensor : sums)
+    weight.push_back(
+        1.0 / (std::max(sensor.rms(), sensor.noise * std::sqrt(worst)) * std::sqrt(sensor.inflation())));
   Eigen::VectorXd weights(data.size());
   for (std::size_t i = 0; i < data.channel().size(); ++i)
-    weights[static_cast<Eigen::Index>(i)] = weight[static_cast<std::size_t>(data.channel()[i])];
+    weights[static_cast<Eigen::Index>(i)] =
+        weight[static_cast<std::size_t>(data.sensorOf()[static_cast<std::size_t>(data.channel()[i])])];
   return weights;
 }
 

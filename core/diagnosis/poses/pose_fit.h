@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/diagnosis/fit/cross_validation.h"
+#include "core/diagnosis/fit/held_out.h"
 #include "core/diagnosis/hypotheses/pose_hypotheses.h"
 
 namespace capstan::diagnosis {

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/diagnosis/fit/cross_validation.h"
+#include "core/diagnosis/fit/held_out.h"
 
 namespace capstan::diagnosis {
 namespace {

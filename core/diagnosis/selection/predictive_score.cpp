@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 #include "core/base/random.h"
 
@@ -13,25 +12,15 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-namespace {
-
-/// Share of the sensor's variance that counts as reached: its estimate is some per cent off.
-constexpr double kSensorConfidence = 0.9;
-
-}  // namespace
-
 PredictiveScore::PredictiveScore(const FitData& data, const VectorXd& input_noise, int draws,
                                  std::uint64_t seed) {
-  std::map<std::pair<int, int>, Index> groups;
-  for (const ComparedChannel& channel : data.channels())
-    group_.push_back(
-        groups.try_emplace({channel.joint, channel.axis}, static_cast<Index>(groups.size())).first->second);
-  const auto count = static_cast<Index>(groups.size());
+  group_.assign(data.sensorOf().begin(), data.sensorOf().end());
+  const Index count = data.sensors();
   VectorXd channels = VectorXd::Zero(count);
   floor_ = VectorXd::Zero(count);
   for (std::size_t c = 0; c < group_.size(); ++c) {
     const double sensor = data.channels()[c].noise, input = input_noise[static_cast<Index>(c)];
-    floor_[group_[c]] += kSensorConfidence * sensor * sensor + input * input;
+    floor_[group_[c]] += sensor * sensor + input * input;
     channels[group_[c]] += 1.0;
   }
   floor_ = floor_.cwiseQuotient(channels).cwiseMax(std::numeric_limits<double>::min());
@@ -56,9 +45,14 @@ double PredictiveScore::of(const BlockSquares& squares) const {
   return scores(pooled(squares.sum.rowwise().sum()), pooled(squares.count.rowwise().sum()))[0];
 }
 
-double PredictiveScore::mostGain(const BlockSquares& squares, double share) {
+double PredictiveScore::mostGain(const BlockSquares& squares, double share) const {
   constexpr double kMost = 1.0 - 1e-6;  // nothing removes all
-  return -0.5 * squares.count.sum() * std::log1p(-std::min(share, kMost));
+  return std::min(-0.5 * squares.count.sum() * std::log1p(-std::min(share, kMost)), room(squares));
+}
+
+double PredictiveScore::room(const BlockSquares& squares) const {
+  const BlockSquares none{MatrixXd::Zero(squares.sum.rows(), squares.sum.cols()), squares.count, {}};
+  return of(none) - of(squares);
 }
 
 VectorXd PredictiveScore::ofDraws(const BlockSquares& squares) const {

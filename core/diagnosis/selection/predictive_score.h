@@ -26,8 +26,10 @@ class PredictiveScore {
   /// Score of all blocks; −infinity for residuals that are not finite.
   double of(const BlockSquares& squares) const;
   /// Largest score that a model can gain that removes `share` of the mean square: −½ n ln(1 − share) with all
-  /// n samples independent.
-  static double mostGain(const BlockSquares& squares, double share);
+  /// n samples independent, and not more than room().
+  double mostGain(const BlockSquares& squares, double share) const;
+  /// Largest score that any model can gain: all variances become the smallest that noise allows.
+  double room(const BlockSquares& squares) const;
   /// Scores of all block bootstraps, in the same order for every model.
   Eigen::VectorXd ofDraws(const BlockSquares& squares) const;
 

@@ -90,12 +90,12 @@ void addProbes(const Fit& fit, const EffectCandidate& suspect, std::vector<Probe
 class Projection {
  public:
   Projection(const Fit& fit, const Weighting& weighting) : weights_(weighting.weights) {
-    std::vector<Index> free;
     for (Index k = 0; k < fit.u.size(); ++k)
-      if (fit.bound.empty() || !fit.bound[static_cast<std::size_t>(k)]) free.push_back(k);
-    jacobian_ = weights_.asDiagonal() * fit.jacobian(Eigen::all, free);
+      if (fit.bound.empty() || !fit.bound[static_cast<std::size_t>(k)]) free_.push_back(k);
+    parameters_ = fit.u.size();
+    jacobian_ = weights_.asDiagonal() * fit.jacobian(Eigen::all, free_);
     MatrixXd normal = jacobian_.transpose() * jacobian_;
-    normal.diagonal() += priorPrecision(fit.model)(free);
+    normal.diagonal() += priorPrecision(fit.model)(free_);
     normal_ = normal.ldlt();
     e_ = weights_.cwiseProduct(fit.e);
   }
@@ -122,6 +122,12 @@ class Projection {
     const auto [s, g] = ownDirections(d);
     return 2.0 * size.dot(g) - size.dot(s * size);
   }
+  /// Changes of the fit's parameters that go with sizes of the columns.
+  VectorXd follow(const MatrixXd& d, const VectorXd& size) const {
+    VectorXd change = VectorXd::Zero(parameters_);
+    change(free_) = -normal_.solve(jacobian_.transpose() * (d * size));
+    return change;
+  }
 
  private:
   /// Curvature and slope of the misfit along d, the fit's own numbers following.
@@ -131,6 +137,8 @@ class Projection {
             d.transpose() * e_ - own.transpose() * normal_.solve(jacobian_.transpose() * e_)};
   }
 
+  std::vector<Index> free_;
+  Index parameters_ = 0;
   VectorXd weights_, e_;
   MatrixXd jacobian_;
   Eigen::LDLT<MatrixXd> normal_;
@@ -173,15 +181,22 @@ ScoreTest judge(const Probe& probe, const Projection& projection, const MatrixXd
     size[k] = std::clamp(size[k], one_way ? 0.0 : -most, most);
   }
   if (size != before) gain = projection.gain(d, size);
-  ScoreTest score_test{probe.suspect.hypothesis, probe.suspect.joint, probe.start, std::max(gain, 0.0), 0.0};
+  ScoreTest score_test{.hypothesis = probe.suspect.hypothesis,
+                       .joint = probe.suspect.joint,
+                       .start = probe.start,
+                       .from = probe.start.value,
+                       .follow = projection.follow(d, size),
+                       .gain = std::max(gain, 0.0)};
   score_test.share = score_test.gain / projection.left();
   for (std::size_t k = 0; k < probe.numbers.size(); ++k) {
     const std::size_t number = probe.numbers[k];
     score_test.start.value[number] += kLittle * size[static_cast<Index>(k)] * score_test.start.scale[number];
   }
   if (whole && size.size() > 0 && probe.start.scale[0] > 0.0 && probe.start.value[0] > 0.0 &&
-      probe.suspect.hypothesis->neutral[0] == 0.0)
+      probe.suspect.hypothesis->neutral[0] == 0.0) {
     score_test.start.value[0] *= std::clamp(size[0], 0.2, kFarthest);
+    score_test.from = score_test.start.value;
+  }
   return score_test;
 }
 

@@ -11,10 +11,12 @@ namespace capstan::diagnosis {
 /// Score test of one candidate effect, and the start of its refit.
 struct ScoreTest {
   const Hypothesis* hypothesis = nullptr;
-  int joint = 0;       ///< joint, from 1; 0: whole arm
-  EffectStart start;   ///< start with the size that the test predicts
-  double gain = 0.0;   ///< predicted reduction of Σ (w e)², to first order
-  double share = 0.0;  ///< gain divided by Σ (w e)² of the fit
+  int joint = 0;             ///< joint, from 1; 0: whole arm
+  EffectStart start;         ///< start with the size that the test predicts
+  std::vector<double> from;  ///< values of the start from which the prediction goes out
+  Eigen::VectorXd follow;    ///< changes of the fit's parameters that go with `start`, to first order
+  double gain = 0.0;         ///< predicted reduction of Σ (w e)², to first order
+  double share = 0.0;        ///< gain divided by Σ (w e)² of the fit
 };
 
 /// Effects that this robot and these sensors can have and that `model` does not have. `only`: names of the

@@ -21,6 +21,7 @@ constexpr double kHopeful =
     0.5;  // share of the best trial's gain, and of a loss to be made up, that is pursued
 constexpr double kWindow =
     7.0;  // [nats], odds of 1000: a set that is further below the best one is not expanded
+constexpr double kRestart = 0.5;  // gain of another start [nats] for which the search goes on
 
 bool cancelled(const base::Progress* progress) { return progress && progress->cancelled(); }
 
@@ -46,7 +47,8 @@ class Search {
     score_.emplace(data_, found_.input_noise, kDraws, options_.seed);
     keep(std::move(base));
     if (start) tryStart(*start);
-    while (!cancelled(progress_) && (expandBeam() || expandNeighbours() || settleContenders())) {
+    while (!cancelled(progress_) &&
+           (expandBeam() || expandNeighbours() || settleContenders() || restartBest())) {
     }
     finish();
     return std::move(found_);
@@ -147,6 +149,7 @@ class Search {
     if (sets.empty() || cancelled(progress_)) return false;
     std::ranges::stable_sort(sets, [&](const SetFit& a, const SetFit& b) { return value(a) > value(b); });
     if (sets.size() > kContenders) sets.erase(sets.begin() + kContenders, sets.end());
+
     report("Settling the candidate models");
     for (SetFit& set : sets) fitter_.relinearise(set);
     keepThin(fitter_.settled(std::move(sets)));
@@ -168,6 +171,7 @@ class Search {
       }
     }
     if (removals.empty() || cancelled(progress_)) return;
+
     report(fmt::format("Fitting without {}", removals.front().effect.hypothesis->words.title));
     keepThin(fitter_.settled(fitter_.reduced(removals)));
     for (const Removal& removal : removals)
@@ -184,21 +188,22 @@ class Search {
   }
 
   /// Candidates that can gain less than `least` nats by their score tests, or less than one more effect
-  /// costs, are not refitted.
+  /// costs, are not refitted. A set is not expanded if no model can gain that much.
   void expand(const EffectSet& effects, int refits, double least) {
     if (effects.size() >= static_cast<std::size_t>(options_.most_causes)) return;
     SetFit& parent = at(effects);
+    const double cost =
+        logPrior(effects.size(), found_.candidates) - logPrior(effects.size() + 1, found_.candidates);
+    if (!effects.empty() && score_->room(parent.squares) < std::max(least, cost)) return;
     fitter_.relinearise(parent);
     const std::vector<EffectCandidate> candidates =
         candidatesOf(recordings_, parent.fit.model, options_.only);
     report("Testing hypotheses");
     const std::vector<ScoreTest> tests = screen(data_, parent.fit, parent.weighting, candidates);
-    const double cost =
-        logPrior(effects.size(), found_.candidates) - logPrior(effects.size() + 1, found_.candidates);
     std::vector<ScoreTest> promising;
     for (const ScoreTest& test : tests) {
       if (promising.size() >= static_cast<std::size_t>(refits)) break;
-      if (PredictiveScore::mostGain(parent.squares, test.share) < std::max(least, cost)) break;
+      if (score_->mostGain(parent.squares, test.share) < std::max(least, cost)) break;
       if (!isSettled(plus(effects, {test.hypothesis, test.joint}))) promising.push_back(test);
     }
     if (cancelled(progress_)) return;
@@ -226,13 +231,22 @@ class Search {
     }
     keepThin(std::move(others));
     if (cancelled(progress_)) return;
+
     report("Settling the candidate models");
-    const EffectSet first = hopeful.front().effects, former = found_.best;
-    hopeful.push_back(SetFitter::fromNominal(hopeful.front()));
     keepThin(fitter_.settled(std::move(hopeful)));
-    if (found_.best == former || found_.best == first) return;
-    fitter_.relinearise(at(found_.best));
-    keep(fitter_.settled(SetFitter::fromNominal(at(found_.best))));
+  }
+
+  /// Fits the best set from the nominal parameters, too. True: that has changed the best set or its fit.
+  bool restartBest() {
+    const EffectSet effects = found_.best;
+    if (effects.empty() || cancelled(progress_) || !restarted_.insert(effects).second) return false;
+    report("Refitting from the nominal parameters");
+    fitter_.relinearise(at(effects));
+    const double before = score_->of(at(effects).squares);
+    keep(fitter_.settled(SetFitter::fromNominal(at(effects))));
+    if (!(score_->of(at(effects).squares) > before + kRestart)) return found_.best != effects;
+    expanded_.erase(effects);
+    return true;
   }
 
   void note(const SetFit& parent, const std::vector<ScoreTest>& tests, const std::vector<SetFit>& trials) {
@@ -278,7 +292,7 @@ class Search {
   SetFitter fitter_;
   std::optional<PredictiveScore> score_;
   SearchResult found_;
-  std::set<EffectSet> expanded_;
+  std::set<EffectSet> expanded_, restarted_;
   int round_ = 0;
   double begin_, done_ = 0.0;
 };

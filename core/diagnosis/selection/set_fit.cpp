@@ -1,18 +1,24 @@
 #include "core/diagnosis/selection/set_fit.h"
 
+#include <algorithm>
+#include <iterator>
+
+#include "core/diagnosis/fit/held_out.h"
+
 namespace capstan::diagnosis {
 namespace {
 
-constexpr int kShortIterations = 3;       // of a fit that ranks candidates
-constexpr int kShortIterationsRigid = 6;  // of rigid drives, whose errors of force add up
-constexpr int kFirstIterations = 20;      // of the nominal structure, whose numbers start from the robot file
-constexpr int kLastIterations = 12;       // of each pass of a settled fit
-constexpr int kPasses = 3;                // of a settled fit, each with the weights of the residual before
+constexpr int kShortIterations = 3;                       // of a fit that ranks candidates
+constexpr int kShortIterationsRigid = 6;                  // of rigid drives, whose errors of force add up
+constexpr double kStartShares[] = {1.0, 0.3, 0.1, 0.03};  // of the way that a score test predicts
+constexpr int kFirstIterations = 20;  // of the nominal structure, whose numbers start from the robot file
+constexpr int kLastIterations = 12;   // of each pass of a settled fit
+constexpr int kPasses = 3;            // of a settled fit, each with the weights of the residual before
 
-/// Falls of the objective [nats] at which a fit stands still: of rigid drives, whose initial states creep,
-/// while weights still change; and at the end.
-constexpr double kRough = 0.1, kFine = 0.05;
-double toleranceOf(const FitData& data, int pass) { return data.rigid() && pass < kPasses ? kRough : kFine; }
+/// Falls of the objective [nats] at which a fit stands still: while weights still change, and at the end.
+constexpr double kRough = 0.3, kFine = 0.1;
+double toleranceOf(int pass) { return pass == 1 ? kRough : kFine; }
+constexpr double kSteady = 0.05;  // relative change of weights that no fit follows
 
 }  // namespace
 
@@ -21,18 +27,38 @@ SetFit SetFitter::nominal(const FitModel& model, const Eigen::VectorXd& u) const
   SetFit set{{}, {.model = model}, {}};
   set.weighting.weights =
       weightsFor(data_, linearise(data_, model, u, initial, {Eigen::VectorXd::Ones(data_.size())}).e);
-  set.fit = fit(data_, model, u, initial, set.weighting,
-                {.iterations = kFirstIterations, .tolerance = toleranceOf(data_, 0)});
+  set.fit =
+      fit(data_, model, u, initial, set.weighting, {.iterations = kFirstIterations, .tolerance = kRough});
   return settled(std::move(set));
 }
 
+namespace {
+
+/// The fit with the effect of `test`, at a share of the way that the score test predicts.
+FitTask startAt(const SetFit& parent, const ScoreTest& test, double share) {
+  EffectStart start = test.start;
+  for (std::size_t k = 0; k < start.value.size(); ++k)
+    start.value[k] = test.from[k] + share * (start.value[k] - test.from[k]);
+  FitModel model = parent.fit.model.with(*test.hypothesis, test.joint, start);
+  Eigen::VectorXd u = model.startFrom(parent.fit.model, parent.fit.u + share * test.follow);
+  return {std::move(model), std::move(u), parent.fit.initial, parent.weighting};
+}
+
+}  // namespace
+
 std::vector<SetFit> SetFitter::extended(const SetFit& parent, const std::vector<ScoreTest>& tests) const {
-  std::vector<FitTask> tasks;
+  constexpr std::size_t kStarts = std::size(kStartShares);
+  std::vector<FitTask> starts, tasks;
+  for (const ScoreTest& test : tests)
+    for (const double share : kStartShares) starts.push_back(startAt(parent, test, share));
+  const std::vector<double> objectives = objectivesAt(data_, parent.fit, starts);
   std::vector<EffectSet> effects;
-  for (const ScoreTest& test : tests) {
-    const FitModel model = parent.fit.model.with(*test.hypothesis, test.joint, test.start);
-    tasks.push_back(shortFit(parent, model, model.startFrom(parent.fit.model, parent.fit.u)));
-    effects.push_back(plus(parent.effects, {test.hypothesis, test.joint}));
+  for (std::size_t k = 0; k < tests.size(); ++k) {
+    const auto first = objectives.begin() + static_cast<std::ptrdiff_t>(k * kStarts);
+    const auto best = std::min_element(first, first + static_cast<std::ptrdiff_t>(kStarts));
+    FitTask& start = starts[static_cast<std::size_t>(best - objectives.begin())];
+    tasks.push_back(shortFit(parent, std::move(start.model), std::move(start.u)));
+    effects.push_back(plus(parent.effects, {tests[k].hypothesis, tests[k].joint}));
   }
   return fitted(tasks, std::move(effects));
 }
@@ -74,27 +100,38 @@ std::vector<SetFit> SetFitter::fitted(const std::vector<FitTask>& tasks,
   std::vector<SetFit> sets;
   for (std::size_t k = 0; k < tasks.size(); ++k)
     sets.push_back({std::move(effects[k]), std::move(fits[k]), tasks[k].weighting});
-  if (data_.rigid()) {
-    holdOut(sets);
-    return sets;
-  }
-  for (SetFit& set : sets)
-    if (set.fit.e.allFinite()) set.squares = squaresOf(data_, linearHeldOut(data_, set.fit, set.weighting));
+  holdOut(sets);
   return sets;
 }
 
+namespace {
+
+/// Whether weights have changed so little that a fit with the new ones would be the same.
+bool areSteady(const Eigen::VectorXd& before, const Eigen::VectorXd& after) {
+  return before.size() == after.size() && (after.array() / before.array() - 1.0).abs().maxCoeff() < kSteady;
+}
+
+}  // namespace
+
 std::vector<SetFit> SetFitter::settled(std::vector<SetFit> sets) const {
-  for (int pass = 1; pass <= kPasses && !data_.cancelled(); ++pass) {
+  std::vector<SetFit*> moving;
+  for (SetFit& set : sets) moving.push_back(&set);
+  for (int pass = 1; pass <= kPasses && !moving.empty() && !data_.cancelled(); ++pass) {
     std::vector<FitTask> tasks;
-    for (SetFit& set : sets) {
-      set.weighting.weights = weightsFor(data_, set.fit.e);
-      FitTask task{set.fit.model, set.fit.u, set.fit.initial, set.weighting};
-      task.options = {.iterations = kLastIterations, .tolerance = toleranceOf(data_, pass)};
-      if (!data_.rigid() && pass > 1) task.options.begun = &set.fit;
+    std::vector<SetFit*> fitted;
+    for (SetFit* set : moving) {
+      Eigen::VectorXd weights = weightsFor(data_, set->fit.e);
+      if (pass > 1 && areSteady(set->weighting.weights, weights)) continue;
+      set->weighting.weights = std::move(weights);
+      FitTask task{set->fit.model, set->fit.u, set->fit.initial, set->weighting};
+      task.options = {.iterations = kLastIterations, .tolerance = toleranceOf(pass)};
+      if (!data_.rigid() && set->fit.jacobian.size() > 0) task.options.begun = &set->fit;
       tasks.push_back(std::move(task));
+      fitted.push_back(set);
     }
     std::vector<Fit> fits = fitAll(data_, tasks);
-    for (std::size_t k = 0; k < sets.size(); ++k) sets[k].fit = std::move(fits[k]);
+    for (std::size_t k = 0; k < fitted.size(); ++k) fitted[k]->fit = std::move(fits[k]);
+    moving = std::move(fitted);
   }
   holdOut(sets);
   for (SetFit& set : sets) set.settled = set.effects.empty() || !data_.cancelled();

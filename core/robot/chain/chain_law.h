@@ -162,13 +162,6 @@ CAPSTAN_CHAIN_INLINE CablePull<S> cablePull(const JointNumbers<S>& p, unsigned l
     const S magnitude = positivePart(abs(x) - p.play);
     x = whereGreater(x, constantLike(x, 0.0), magnitude, -magnitude);
   }
-  if (laws & kLawSlack) {
-    S one, other;
-    const S pair = oneCable(p, p.pretension + x, rate, one) - oneCable(p, p.pretension - x, -rate, other);
-    pull.force = share * pair + extra;
-    pull.damping = share * p.damping * (one + other);
-    return pull;
-  }
   const S y = p.exponent * x;
   const S bent = laws & kLawExponential ? sinh(y) : y + y * y * y * (1.0 / 6);
   const S spring = share * stiffness * bent;
@@ -179,6 +172,13 @@ CAPSTAN_CHAIN_INLINE CablePull<S> cablePull(const JointNumbers<S>& p, unsigned l
     const PlayPull<S> at_play = playPull(p, x, spring, rate);
     pull.damping = whereGreater(p.play, zero, at_play.damping, pull.damping);
     force = whereGreater(p.play, zero, at_play.force, force);
+  }
+  if (laws & kLawSlack) {
+    S one, other;
+    const S pair = oneCable(p, p.pretension + x, rate, one) - oneCable(p, p.pretension - x, -rate, other);
+    const S sound = constantLike(stretch, kSound);
+    pull.damping = whereGreater(sound, p.pretension, share * p.damping * (one + other), pull.damping);
+    force = whereGreater(sound, p.pretension, share * pair, force);
   }
   pull.force = force + extra;
   return pull;

@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/diagnosis/diagnose.h"
+#include "core/diagnosis/fit/held_out.h"
 #include "core/diagnosis/hypotheses/joint_scales.h"
 #include "core/diagnosis/selection/selection.h"
 #include "tests/core/diagnosis/planted_evidence.h"

@@ -45,10 +45,10 @@ struct TwoRecordings {
   }
 
   Index blocks(int r) const { return std::ranges::count(recording, r); }
-  /// Variance below which the sensors explain everything: 0.9 of theirs, the mean of both recordings.
+  /// Variance below which the sensors explain everything: theirs, the mean of both recordings.
   double sensorFloor() const {
     const double a = data->channels()[0].noise, b = data->channels()[1].noise;
-    return 0.9 * 0.5 * (a * a + b * b);
+    return 0.5 * (a * a + b * b);
   }
 
   /// The same mean square in all blocks of a recording.
@@ -118,6 +118,18 @@ TEST(PredictiveScore, NothingIsGainedBelowWhatTheSensorsLeave) {
   PredictiveScore shaken = two.score(Eigen::Vector2d(input, 3.0 * input));
   shaken.learnInflation(below);
   EXPECT_NEAR(shaken.of(zero), -0.5 * n * std::log(floor + 5.0 * input * input), 1e-6);
+}
+
+TEST(PredictiveScore, NoModelCanGainMoreThanIsLeftAboveTheNoise) {
+  const TwoRecordings two;
+  const double floor = two.sensorFloor();
+  PredictiveScore score = two.score();
+  const BlockSquares least = two.squares(floor, floor), twice = two.squares(2.0 * floor, 2.0 * floor);
+  score.learnInflation(least);
+  EXPECT_NEAR(score.room(least), 0.0, 1e-9);
+  EXPECT_NEAR(score.room(twice), score.of(least) - score.of(twice), 1e-9);
+  EXPECT_EQ(score.mostGain(twice, 0.99), score.room(twice));
+  EXPECT_NEAR(score.mostGain(twice, 0.1), -0.5 * twice.count.sum() * std::log(0.9), 1e-9);
 }
 
 /// The least inflation of all models that were learned counts for all of them, of recordings the largest.

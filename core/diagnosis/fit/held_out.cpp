@@ -1,0 +1,141 @@
+#include "core/diagnosis/fit/held_out.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <limits>
+
+#include "core/diagnosis/fit/free_system.h"
+#include "core/diagnosis/fit/linear_system.h"
+
+namespace capstan::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kLengths[] = {1.0, 0.3};  // of each step
+constexpr int kMostSteps = 4;              // of each fold
+constexpr double kStands = 0.05;           // fall of the objective [nats] at which a fold's fit stands still
+
+int foldsOf(const FitData& data) { return std::min(kFolds, data.blocks()); }
+
+/// A fit as it goes on without each of its folds.
+class FoldFits {
+ public:
+  FoldFits(const FitData& data, const Fit& fit, const Weighting& weighting)
+      : data_(data), fit_(fit), weighting_(weighting), system_(data, fit, weighting, true) {
+    precision_ = priorPrecision(fit.model)(system_.free);
+    for (int f = 0; f < foldsOf(data); ++f) {
+      Fold fold{.outside = VectorXd::Ones(data.size()), .others = {}, .u = fit.u, .e = fit.e};
+      MatrixXd others = system_.normal;
+      for (int b = f; b < data.blocks(); b += foldsOf(data)) {
+        const std::vector<Index>& rows = system_.rows[static_cast<std::size_t>(b)];
+        const MatrixXd part = system_.jacobian(rows, Eigen::all);
+        others -= part.transpose() * part;
+        fold.outside(rows).setZero();
+      }
+      fold.others = others.ldlt();
+      fold.objective = objective(fold, fold.u, fold.e);
+      folds_.push_back(std::move(fold));
+    }
+  }
+
+  /// Next trials of the folds that still move.
+  std::vector<VectorXd> trials() {
+    tried_.clear();
+    std::vector<VectorXd> trials;
+    for (Fold& fold : folds_) {
+      if (fold.stands) continue;
+      const VectorXd step = stepOf(fold);
+      for (const double length : kLengths) {
+        VectorXd u = fold.u;
+        for (std::size_t k = 0; k < system_.free.size(); ++k)
+          u[system_.free[k]] += length * step[static_cast<Index>(k)];
+        trials.push_back(fit_.model.clipped(u));
+        tried_.push_back(&fold);
+      }
+    }
+    return trials;
+  }
+
+  /// Takes the better ones of the trials, whose residuals are the columns of `e`.
+  void take(const std::vector<VectorXd>& trials, const MatrixXd& e) {
+    constexpr std::size_t kOfAFold = std::size(kLengths);
+    for (std::size_t k = 0; k < trials.size(); k += kOfAFold) {
+      Fold& fold = *tried_[k];
+      const double before = fold.objective;
+      for (std::size_t i = k; i < k + kOfAFold; ++i) {
+        const double reached = objective(fold, trials[i], e.col(static_cast<Index>(i)));
+        if (!(reached < fold.objective)) continue;
+        fold.objective = reached;
+        fold.u = trials[i];
+        fold.e = e.col(static_cast<Index>(i));
+      }
+      fold.stands = !(before - fold.objective > kStands);
+    }
+  }
+
+  /// Of each reading, the residual without its own fold.
+  VectorXd heldOut() const {
+    VectorXd left(data_.size());
+    for (Index i = 0; i < left.size(); ++i) {
+      const int fold = data_.block()[static_cast<std::size_t>(i)] % foldsOf(data_);
+      left[i] = folds_[static_cast<std::size_t>(fold)].e[i];
+    }
+    return left;
+  }
+
+ private:
+  struct Fold {
+    VectorXd outside;  ///< 1 for readings of other folds, 0 for its own
+    Eigen::LDLT<MatrixXd> others;
+    VectorXd u, e;
+    double objective = std::numeric_limits<double>::infinity();
+    bool stands = false;
+  };
+
+  /// Objective of the other folds.
+  double objective(const Fold& fold, const VectorXd& u, const VectorXd& e) const {
+    return objectiveOf(fit_.model, u, fold.outside.cwiseProduct(e), weighting_);
+  }
+
+  VectorXd stepOf(const Fold& fold) const {
+    const VectorXd e = weighting_.weights.cwiseProduct(fold.outside).cwiseProduct(fold.e);
+    const VectorXd u = fold.u(system_.free);
+    return fold.others.solve(system_.jacobian.transpose() * e - precision_.cwiseProduct(u))
+        .cwiseMax(-kLongestWay)
+        .cwiseMin(kLongestWay);
+  }
+
+  const FitData& data_;
+  const Fit& fit_;
+  const Weighting& weighting_;
+  FreeSystem system_;
+  VectorXd precision_;
+  std::vector<Fold> folds_;
+  std::vector<Fold*> tried_;  ///< fold of each trial
+};
+
+}  // namespace
+
+std::vector<VectorXd> heldOut(const FitData& data, const std::vector<WeightedFit>& fits) {
+  std::vector<FoldFits> all;
+  for (const auto& [fit, weighting] : fits) all.emplace_back(data, *fit, *weighting);
+  for (int step = 0; step < kMostSteps && !data.cancelled(); ++step) {
+    std::vector<std::vector<VectorXd>> trials;
+    for (FoldFits& one : all) trials.push_back(one.trials());
+    if (std::ranges::all_of(trials, &std::vector<VectorXd>::empty)) break;
+    const std::vector<MatrixXd> e = residualsWith(data, fits, trials);
+    for (std::size_t k = 0; k < all.size(); ++k) all[k].take(trials[k], e[k]);
+  }
+  std::vector<VectorXd> left;
+  for (const FoldFits& one : all) left.push_back(one.heldOut());
+  return left;
+}
+
+VectorXd heldOut(const FitData& data, const Fit& fit, const Weighting& weighting) {
+  return heldOut(data, {{&fit, &weighting}}).front();
+}
+
+}  // namespace capstan::diagnosis

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/diagnosis/fit/fit.h"
+
+namespace capstan::diagnosis {
+
+/// Held-out residuals by cross-validation. Block b belongs to fold b mod kFolds. Without each fold f the fit
+/// goes on from its estimate, on the other folds only: chord Gauss–Newton steps
+///     Δu = (A − J_fᵀ J_f)⁻¹ (J_oᵀ e_o − P u),   A = Jᵀ J + P,
+/// with the fit's Jacobian J, its rows J_o of the other folds, and the priors P. Each step is tried at
+/// several lengths, of at most kLongestWay in any u and within the bounds, and judged by a simulation on the
+/// other folds. The residuals of fold f are those of the last simulation, with the initial states of rigid
+/// drives adapted. Nuisances are fitted to held-out segments too. Parameters at a bound stay there; so do
+/// times of single events, because one block alone determines them.
+Eigen::VectorXd heldOut(const FitData& data, const Fit& fit, const Weighting& weighting);
+/// The same of several fits, whose robots are simulated in parallel.
+std::vector<Eigen::VectorXd> heldOut(const FitData& data, const std::vector<WeightedFit>& fits);
+inline constexpr int kFolds = 8;
+inline constexpr double kLongestWay = 1.0;  ///< largest change of any u in one step without a fold
+
+}  // namespace capstan::diagnosis
