@@ -82,23 +82,48 @@ double quantisationStep(std::span<const double> values) {
   return quantised ? step : 0.0;
 }
 
-double whiteNoise(std::span<const double> values) {
-  if (values.size() < kFewestDifferences) return 0.0;
+namespace {
+
+/// Variance of the noise by the differences of one order, and its relative standard deviation.
+struct NoiseEstimate {
+  double variance = 0.0, deviation = 0.0;
+};
+
+/// Estimates by differences of the orders 2 … 6, as far as there are enough of them.
+std::vector<NoiseEstimate> noiseEstimates(std::span<const double> values) {
+  constexpr std::size_t kMostOrder = 6;
   const Motion motion(values);
   std::vector<double> differences(values.begin(), values.end()), kept;
-  double least = std::numeric_limits<double>::infinity(), gain = 1.0;
-  for (std::size_t order = 1; order <= 6; ++order) {
+  std::vector<NoiseEstimate> estimates;
+  double gain = 1.0, twice = 1.0;  // C(2d, d) and C(4d, 2d)
+  for (std::size_t order = 1; order <= kMostOrder; ++order) {
     difference(differences);
     const auto d = static_cast<double>(order);
-    gain *= 2.0 * (2.0 * d - 1.0) / d;  // C(2d, d)
+    gain *= 2.0 * (2.0 * d - 1.0) / d;
+    twice *= 4.0 * (4.0 * d - 1.0) * (4.0 * d - 3.0) / (2.0 * d * (2.0 * d - 1.0));
     if (order == 1) continue;
     kept.clear();
     for (std::size_t i = 0; i < differences.size(); ++i)
       if (std::isfinite(differences[i]) && motion.within(i, order)) kept.push_back(differences[i]);
     if (kept.size() < kFewestDifferences) break;
-    least = std::min(least, trimmedMeanSquare(kept) / gain);
+    estimates.push_back({trimmedMeanSquare(kept) / gain,
+                         std::sqrt(2.0 * twice / (gain * gain * static_cast<double>(kept.size())))});
   }
-  return std::isfinite(least) ? std::sqrt(least) : 0.0;
+  return estimates;
+}
+
+}  // namespace
+
+double whiteNoise(std::span<const double> values) {
+  constexpr double kByChance = 2.0;  // standard deviations by which an estimate may exceed the least one
+  if (values.size() < kFewestDifferences) return 0.0;
+  const std::vector<NoiseEstimate> estimates = noiseEstimates(values);
+  if (estimates.empty()) return 0.0;
+  const double least = std::ranges::min(estimates, {}, &NoiseEstimate::variance).variance;
+  const auto first = std::ranges::find_if(estimates, [&](const NoiseEstimate& one) {
+    return one.variance <= least * (1.0 + kByChance * one.deviation);
+  });
+  return std::sqrt(first->variance);
 }
 
 ChannelNoise channelNoise(std::span<const double> values) {

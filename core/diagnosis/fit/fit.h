@@ -44,6 +44,11 @@ class FitData {
   /// rigid drives, a window shorter than 4 kBlock is a single block. block()[i] is the block of reading i.
   int blocks() const { return blocks_; }
   const std::vector<int>& block() const { return block_; }
+  /// Number of folds of cross-validation; fold() is the fold of a block. Folds are whole recordings if there
+  /// are kFoldRecordings or more, since a model should hold for recordings that it has not met; else block b
+  /// belongs to fold b mod kFolds.
+  int folds() const;
+  int fold(int block) const;
   /// Segments with their own nuisances, each as readings [begin, end). Nuisances are the initial states of a
   /// rigid drive's window, or the encoder zeros of one recording or of all.
   const std::vector<std::pair<Eigen::Index, Eigen::Index>>& segments() const { return segments_; }
@@ -64,6 +69,7 @@ class FitData {
   Eigen::VectorXd measured_;
   std::vector<ComparedChannel> channels_;
   std::vector<int> channel_, sensor_of_, block_;
+  std::vector<int> recording_of_;  ///< of each block
   std::vector<std::pair<Eigen::Index, Eigen::Index>> segments_;
   int blocks_ = 0, sensors_ = 0, threads_ = 1;
   bool rigid_ = false;
@@ -71,6 +77,8 @@ class FitData {
   EncoderZeros zeros_ = EncoderZeros::kKnown;
 };
 inline constexpr double kBlock = 1.0;  ///< duration of a time block [s]
+inline constexpr int kFolds = 8;       ///< largest number of folds
+inline constexpr int kFoldRecordings = 3;
 
 /// Offsets 0 of all initial states.
 InitialStates noneBeyond(const FitData& data);

@@ -44,9 +44,19 @@ void FitData::stack(const ChainSimulation& simulation) {
       block_.push_back(blocks_ + std::min(pieces - 1, static_cast<int>(share * pieces)));
     }
     blocks_ += pieces;
+    recording_of_.resize(static_cast<std::size_t>(blocks_), recordings() - 1);
   }
   if (!windows_have_own && zeros_ == EncoderZeros::kOnePerRecording)
     segments_.emplace_back(begin, measured_.size());
+}
+
+int FitData::folds() const {
+  return std::min(kFolds, recordings() >= kFoldRecordings ? recordings() : blocks_);
+}
+
+int FitData::fold(int block) const {
+  const int number = recordings() >= kFoldRecordings ? recording_of_[static_cast<std::size_t>(block)] : block;
+  return number % folds();
 }
 
 void FitData::addChannel(const ComparedChannel& channel) {

@@ -18,18 +18,17 @@ constexpr double kLengths[] = {1.0, 0.3};  // of each step
 constexpr int kMostSteps = 4;              // of each fold
 constexpr double kStands = 0.05;           // fall of the objective [nats] at which a fold's fit stands still
 
-int foldsOf(const FitData& data) { return std::min(kFolds, data.blocks()); }
-
 /// A fit as it goes on without each of its folds.
 class FoldFits {
  public:
   FoldFits(const FitData& data, const Fit& fit, const Weighting& weighting)
       : data_(data), fit_(fit), weighting_(weighting), system_(data, fit, weighting, true) {
     precision_ = priorPrecision(fit.model)(system_.free);
-    for (int f = 0; f < foldsOf(data); ++f) {
+    for (int f = 0; f < data.folds(); ++f) {
       Fold fold{.outside = VectorXd::Ones(data.size()), .others = {}, .u = fit.u, .e = fit.e};
       MatrixXd others = system_.normal;
-      for (int b = f; b < data.blocks(); b += foldsOf(data)) {
+      for (int b = 0; b < data.blocks(); ++b) {
+        if (data.fold(b) != f) continue;
         const std::vector<Index>& rows = system_.rows[static_cast<std::size_t>(b)];
         const MatrixXd part = system_.jacobian(rows, Eigen::all);
         others -= part.transpose() * part;
@@ -80,7 +79,7 @@ class FoldFits {
   VectorXd heldOut() const {
     VectorXd left(data_.size());
     for (Index i = 0; i < left.size(); ++i) {
-      const int fold = data_.block()[static_cast<std::size_t>(i)] % foldsOf(data_);
+      const int fold = data_.fold(data_.block()[static_cast<std::size_t>(i)]);
       left[i] = folds_[static_cast<std::size_t>(fold)].e[i];
     }
     return left;

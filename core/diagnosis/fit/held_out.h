@@ -7,8 +7,8 @@
 
 namespace capstan::diagnosis {
 
-/// Held-out residuals by cross-validation. Block b belongs to fold b mod kFolds. Without each fold f the fit
-/// goes on from its estimate, on the other folds only: chord Gauss–Newton steps
+/// Held-out residuals by cross-validation with the folds of FitData::fold(). Without each fold f the fit goes
+/// on from its estimate, on the other folds only: chord Gauss–Newton steps
 ///     Δu = (A − J_fᵀ J_f)⁻¹ (J_oᵀ e_o − P u),   A = Jᵀ J + P,
 /// with the fit's Jacobian J, its rows J_o of the other folds, and the priors P. Each step is tried at
 /// several lengths, of at most kLongestWay in any u and within the bounds, and judged by a simulation on the
@@ -18,7 +18,6 @@ namespace capstan::diagnosis {
 Eigen::VectorXd heldOut(const FitData& data, const Fit& fit, const Weighting& weighting);
 /// The same of several fits, whose robots are simulated in parallel.
 std::vector<Eigen::VectorXd> heldOut(const FitData& data, const std::vector<WeightedFit>& fits);
-inline constexpr int kFolds = 8;
 inline constexpr double kLongestWay = 1.0;  ///< largest change of any u in one step without a fold
 
 }  // namespace capstan::diagnosis

@@ -121,7 +121,7 @@ Design columnsOf(const FitData& data, int joint) {
       all.x(i, constants + k) =
           std::isfinite(values[static_cast<std::size_t>(k)]) ? values[static_cast<std::size_t>(k)] : 0.0;
     all.y[i] = data.measured()[sample];
-    all.fold.push_back(data.block()[static_cast<std::size_t>(sample)] % std::min(kFolds, data.blocks()));
+    all.fold.push_back(data.fold(data.block()[static_cast<std::size_t>(sample)]));
   }
   return all;
 }

@@ -17,13 +17,16 @@ PredictiveScore::PredictiveScore(const FitData& data, const VectorXd& input_nois
   group_.assign(data.sensorOf().begin(), data.sensorOf().end());
   const Index count = data.sensors();
   VectorXd channels = VectorXd::Zero(count);
-  floor_ = VectorXd::Zero(count);
+  noise_ = floor_ = VectorXd::Zero(count);
   for (std::size_t c = 0; c < group_.size(); ++c) {
-    const double sensor = data.channels()[c].noise, input = input_noise[static_cast<Index>(c)];
-    floor_[group_[c]] += sensor * sensor + input * input;
+    const double sensor = std::pow(data.channels()[c].noise, 2),
+                 input = std::pow(input_noise[static_cast<Index>(c)], 2);
+    noise_[group_[c]] += sensor + input;
+    floor_[group_[c]] += kSensorConfidence * sensor + input;
     channels[group_[c]] += 1.0;
   }
-  floor_ = floor_.cwiseQuotient(channels).cwiseMax(std::numeric_limits<double>::min());
+  for (VectorXd* of : {&noise_, &floor_})
+    *of = of->cwiseQuotient(channels).cwiseMax(std::numeric_limits<double>::min());
   inflation_ = VectorXd::Constant(count, std::numeric_limits<double>::infinity());
   times_ = MatrixXd::Zero(data.blocks(), draws);
   base::Random random(seed, "block bootstrap");
@@ -42,21 +45,23 @@ void PredictiveScore::learnInflation(const BlockSquares& squares) {
 
 double PredictiveScore::of(const BlockSquares& squares) const {
   if (squares.sum.size() == 0 || !squares.sum.allFinite()) return -std::numeric_limits<double>::infinity();
-  return scores(pooled(squares.sum.rowwise().sum()), pooled(squares.count.rowwise().sum()))[0];
+  return scores(pooled(squares.sum.rowwise().sum()), pooled(squares.count.rowwise().sum()), floor_)[0];
 }
 
 double PredictiveScore::mostGain(const BlockSquares& squares, double share) const {
   constexpr double kMost = 1.0 - 1e-6;  // nothing removes all
-  return std::min(-0.5 * squares.count.sum() * std::log1p(-std::min(share, kMost)), room(squares));
+  const MatrixXd count = pooled(squares.count.rowwise().sum());
+  const double samples = count.col(0).cwiseQuotient(inflation_).sum();
+  return std::min(-0.5 * kBeyondTest * samples * std::log1p(-std::min(share, kMost)), room(squares));
 }
 
 double PredictiveScore::room(const BlockSquares& squares) const {
-  const BlockSquares none{MatrixXd::Zero(squares.sum.rows(), squares.sum.cols()), squares.count, {}};
-  return of(none) - of(squares);
+  const MatrixXd sum = pooled(squares.sum.rowwise().sum()), count = pooled(squares.count.rowwise().sum());
+  return (scores(MatrixXd::Zero(sum.rows(), 1), count, noise_) - scores(sum, count, noise_))[0];
 }
 
 VectorXd PredictiveScore::ofDraws(const BlockSquares& squares) const {
-  return scores(pooled(squares.sum * times_), pooled(squares.count * times_));
+  return scores(pooled(squares.sum * times_), pooled(squares.count * times_), floor_);
 }
 
 MatrixXd PredictiveScore::pooled(const MatrixXd& by_channel) const {
@@ -65,12 +70,12 @@ MatrixXd PredictiveScore::pooled(const MatrixXd& by_channel) const {
   return all;
 }
 
-VectorXd PredictiveScore::scores(const MatrixXd& sum, const MatrixXd& count) const {
+VectorXd PredictiveScore::scores(const MatrixXd& sum, const MatrixXd& count, const VectorXd& floor) const {
   VectorXd score = VectorXd::Zero(sum.cols());
   for (Index d = 0; d < sum.cols(); ++d)
     for (Index g = 0; g < sum.rows(); ++g) {
       const double n = count(g, d);
-      if (n > 0.0) score[d] -= 0.5 * n / inflation_[g] * std::log(std::max(sum(g, d) / n, floor_[g]));
+      if (n > 0.0) score[d] -= 0.5 * n / inflation_[g] * std::log(std::max(sum(g, d) / n, floor[g]));
     }
   return score;
 }

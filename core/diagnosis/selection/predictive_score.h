@@ -12,7 +12,8 @@ namespace capstan::diagnosis {
 ///     −½ Σ_g N_g ln max(S_g / n_g, floor_g),   N_g = n_g / inflation_g.
 /// A group g contains the channels of all recordings with the same sensor (a joint's encoder, an axis of the
 /// tip) and has one residual variance S_g / n_g. Recordings of one robot share it, so that one recording that
-/// is fitted perfectly cannot outvote the others. floor_g is the smallest variance that noise allows.
+/// is fitted perfectly cannot outvote the others. floor_g is kSensorConfidence times the variance of the
+/// sensor's noise, which is an estimate, plus the variance that noise of the inputs causes.
 /// inflation_g is the correlation length of the residual in samples: the smallest over all models, and the
 /// same for all.
 class PredictiveScore {
@@ -25,21 +26,25 @@ class PredictiveScore {
   void learnInflation(const BlockSquares& squares);
   /// Score of all blocks; −infinity for residuals that are not finite.
   double of(const BlockSquares& squares) const;
-  /// Largest score that a model can gain that removes `share` of the mean square: −½ n ln(1 − share) with all
-  /// n samples independent, and not more than room().
+  /// Largest score that a model can gain that a score test predicts to remove `share` of the mean square:
+  /// −½ k Σ_g N_g ln(1 − share), and not more than room(). A refit may gain k = kBeyondTest times as much as
+  /// the first order of the test.
   double mostGain(const BlockSquares& squares, double share) const;
-  /// Largest score that any model can gain: all variances become the smallest that noise allows.
+  /// Largest score that any model can gain whose variances become the sensors' and the inputs'.
   double room(const BlockSquares& squares) const;
   /// Scores of all block bootstraps, in the same order for every model.
   Eigen::VectorXd ofDraws(const BlockSquares& squares) const;
 
  private:
   Eigen::MatrixXd pooled(const Eigen::MatrixXd& by_channel) const;
-  Eigen::VectorXd scores(const Eigen::MatrixXd& sum, const Eigen::MatrixXd& count) const;
+  Eigen::VectorXd scores(const Eigen::MatrixXd& sum, const Eigen::MatrixXd& count,
+                         const Eigen::VectorXd& floor) const;
 
-  std::vector<Eigen::Index> group_;    ///< group of each channel
-  Eigen::VectorXd floor_, inflation_;  ///< one entry per group
-  Eigen::MatrixXd times_;              ///< how often each block is drawn, blocks × draws
+  std::vector<Eigen::Index> group_;            ///< group of each channel
+  Eigen::VectorXd noise_, floor_, inflation_;  ///< variances and correlation length, one entry per group
+  Eigen::MatrixXd times_;                      ///< how often each block is drawn, blocks × draws
 };
+inline constexpr double kBeyondTest = 2.0;
+inline constexpr double kSensorConfidence = 0.9;
 
 }  // namespace capstan::diagnosis

@@ -21,6 +21,8 @@ constexpr double kHopeful =
     0.5;  // share of the best trial's gain, and of a loss to be made up, that is pursued
 constexpr double kWindow =
     7.0;  // [nats], odds of 1000: a set that is further below the best one is not expanded
+constexpr double kContend = 3.0;  // the same, odds of 20: further below, its posterior is of no interest
+constexpr double kFar = 100.0;    // [nats]: more than that is far
 constexpr double kRestart = 0.5;  // gain of another start [nats] for which the search goes on
 
 bool cancelled(const base::Progress* progress) { return progress && progress->cancelled(); }
@@ -145,7 +147,7 @@ class Search {
   bool settleContenders() {
     std::vector<SetFit> sets;
     for (auto& [effects, set] : found_.sets)
-      if (!set.settled && value(set) > value(at(found_.best)) - kWindow) sets.push_back(set);
+      if (!set.settled && value(set) > value(at(found_.best)) - kContend) sets.push_back(set);
     if (sets.empty() || cancelled(progress_)) return false;
     std::ranges::stable_sort(sets, [&](const SetFit& a, const SetFit& b) { return value(a) > value(b); });
     if (sets.size() > kContenders) sets.erase(sets.begin() + kContenders, sets.end());
@@ -156,12 +158,13 @@ class Search {
     return true;
   }
 
-  /// Fits those of `smaller`, subsets of the best set, that were not fitted to the end, each from a set with
-  /// one effect more.
+  /// Short fits of those of `smaller`, subsets of the best set, that were not tried, each from a set with one
+  /// effect more. Most are far worse than the best set, and a fit to the end would take long and change
+  /// nothing.
   void shrinkTo(const std::vector<EffectSet>& smaller, const EffectSet& best) {
     std::vector<Removal> removals;
     for (const EffectSet& effects : smaller) {
-      if (isSettled(effects)) continue;
+      if (found_.sets.contains(effects)) continue;
       for (const EffectCandidate& effect : best) {
         const auto larger = found_.sets.find(plus(effects, effect));
         if (contains(effects, effect) || larger == found_.sets.end()) continue;
@@ -173,7 +176,11 @@ class Search {
     if (removals.empty() || cancelled(progress_)) return;
 
     report(fmt::format("Fitting without {}", removals.front().effect.hypothesis->words.title));
-    keepThin(fitter_.settled(fitter_.reduced(removals)));
+    std::vector<SetFit> near, others;
+    for (SetFit& set : fitter_.reduced(removals))
+      (value(set) > value(at(best)) - kFar ? near : others).push_back(std::move(set));
+    keepThin(std::move(others));
+    if (!near.empty() && !cancelled(progress_)) keepThin(fitter_.settled(std::move(near)));
     for (const Removal& removal : removals)
       if (removal.parent->effects != found_.best) SetFitter::thin(at(removal.parent->effects));
   }
@@ -202,9 +209,9 @@ class Search {
     const std::vector<ScoreTest> tests = screen(data_, parent.fit, parent.weighting, candidates);
     std::vector<ScoreTest> promising;
     for (const ScoreTest& test : tests) {
+      const EffectSet with = plus(effects, {test.hypothesis, test.joint});
       if (promising.size() >= static_cast<std::size_t>(refits)) break;
-      if (score_->mostGain(parent.squares, test.share) < std::max(least, cost)) break;
-      if (!isSettled(plus(effects, {test.hypothesis, test.joint}))) promising.push_back(test);
+      if (!isSettled(with) && canLead(parent, with, test, promising.size(), least)) promising.push_back(test);
     }
     if (cancelled(progress_)) return;
     if (!promising.empty())
@@ -212,26 +219,41 @@ class Search {
     std::vector<SetFit> trials = fitter_.extended(parent, promising);
     if (cancelled(progress_)) return;
     if (effects.empty() || effects == found_.best) note(parent, tests, trials);
-    settleBest(std::move(trials), score_->of(parent.squares));
+    settleBest(std::move(trials), effects);
     if (!effects.empty() && effects != found_.best) SetFitter::thin(at(effects));
   }
 
-  /// Fits the best trials to the end.
-  void settleBest(std::vector<SetFit> trials, double parent) {
+  /// Whether the recordings show much that the set does not explain. Then errors are so correlated, and laws
+  /// so far from linear, that score tests and short fits say little about what an effect gains.
+  bool isFar(const SetFit& set) const { return score_->room(set.squares) > kFar; }
+
+  /// Whether the effect of `test` can gain `least` nats and what it costs. Far from an explanation the first
+  /// kSettled ones can.
+  bool canLead(const SetFit& parent, const EffectSet& with, const ScoreTest& test, std::size_t before,
+               double least) const {
+    const double cost = logPrior(parent.effects, found_.candidates, found_.instants) -
+                        logPrior(with, found_.candidates, found_.instants);
+    const bool first = isFar(parent) && before < kSettled;
+    return (first ? score_->room(parent.squares) : score_->mostGain(parent.squares, test.share)) >=
+           std::max(least, cost);
+  }
+
+  /// Fits to the end the best trials that are better than the set which they extend; far from an explanation
+  /// the best one in any case.
+  void settleBest(std::vector<SetFit> trials, const EffectSet& extended) {
     if (trials.empty()) return;
-    std::ranges::stable_sort(trials, [&](const SetFit& a, const SetFit& b) {
-      return score_->of(a.squares) > score_->of(b.squares);
-    });
-    const double best = score_->of(trials.front().squares);
+    std::ranges::stable_sort(trials, [&](const SetFit& a, const SetFit& b) { return value(a) > value(b); });
+    const double before = value(at(extended)), best = value(trials.front()) - before;
+    const bool far = isFar(at(extended));
     std::vector<SetFit> hopeful, others;
     for (SetFit& trial : trials) {
-      const bool near = score_->of(trial.squares) - parent >= kHopeful * (best - parent);
-      auto& kind = hopeful.empty() || (hopeful.size() < kSettled && near) ? hopeful : others;
-      kind.push_back(std::move(trial));
+      const double gain = value(trial) - before;
+      const bool any = far && hopeful.empty();
+      const bool near = hopeful.size() < kSettled && gain > 0.0 && gain >= kHopeful * best;
+      (any || near ? hopeful : others).push_back(std::move(trial));
     }
     keepThin(std::move(others));
-    if (cancelled(progress_)) return;
-
+    if (hopeful.empty() || cancelled(progress_)) return;
     report("Settling the candidate models");
     keepThin(fitter_.settled(std::move(hopeful)));
   }

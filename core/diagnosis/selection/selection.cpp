@@ -11,6 +11,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+constexpr double kWorthMuch = 100.0;  // loss after a short fit [nats] that is not worth to be known exactly
+
 /// Sets that were fitted to the end, with their probabilities, the most probable first.
 struct Posterior {
   std::vector<const SetFit*> sets;
@@ -156,6 +158,29 @@ std::vector<CompetingExplanations> competitorsOf(const SetFit& best,
   return all;
 }
 
+/// Fits the selected set without each of its effects, to the end where the effect may be worth little: a
+/// short fit overstates the loss.
+void settleWithouts(const SetFitter& fitter, const SetFit& best, const PredictiveScore& score,
+                    SearchResult& found) {
+  std::vector<SetFit> open;
+  for (const EffectCandidate& effect : best.effects) {
+    const EffectSet less = withoutEffect(best.effects, effect);
+    const auto known = found.sets.find(less);
+    if (known == found.sets.end()) {
+      SetFit fitted = best;
+      for (const EffectCandidate& one : best.effects)
+        if (!contains(less, one)) fitted = std::move(fitter.reduced({{&fitted, one}}).front());
+      open.push_back(std::move(fitted));
+    } else if (!known->second.settled &&
+               score.of(best.squares) - score.of(known->second.squares) < kWorthMuch) {
+      fitter.relinearise(known->second);
+      open.push_back(known->second);
+    }
+  }
+  for (SetFit& set : fitter.settled(std::move(open)))
+    found.sets.insert_or_assign(EffectSet(set.effects), std::move(set));
+}
+
 /// Posterior inclusion of each candidate that was tested.
 void addProbabilities(const Posterior& posterior, std::vector<Candidate>& candidates) {
   for (Candidate& candidate : candidates)
@@ -174,14 +199,7 @@ Selection select(const FitData& data, const std::vector<Evidence>& recordings, c
   const SetFit& base = found.sets.at({});
   SetFit best = mostProbable(posterior, found);
   fitter.relinearise(best);
-  for (const EffectCandidate& effect : best.effects) {
-    const EffectSet less = withoutEffect(best.effects, effect);
-    if (found.sets.contains(less)) continue;
-    SetFit fitted = best;
-    for (const EffectCandidate& one : best.effects)
-      if (!contains(less, one)) fitted = std::move(fitter.reduced({{&fitted, one}}).front());
-    found.sets.emplace(less, fitter.settled(std::move(fitted)));
-  }
+  settleWithouts(fitter, best, score, found);
   Selection s{.base = base.fit,
               .base_squares = base.squares,
               .input_noise = found.input_noise,

@@ -66,6 +66,19 @@ TEST(ChannelNoise, IsTheNoiseAloneOfSlowlySampledMotion) {
   EXPECT_NEAR(whiteNoise(x), sigma, 0.1 * sigma);
 }
 
+/// The least of several estimates would be some per cent too small.
+TEST(ChannelNoise, IsOnAverageRightForAFewHundredSamples) {
+  constexpr int kTimes = 200;
+  base::Random random(9);
+  double sum = 0.0;
+  for (int time = 0; time < kTimes; ++time) {
+    std::vector<double> x(400);
+    for (double& value : x) value = random.normal(0.0, 1e-3);
+    sum += whiteNoise(x) / kTimes;
+  }
+  EXPECT_NEAR(sum, 1e-3, 0.02e-3);
+}
+
 TEST(ChannelNoise, OutliersAndRestsDoNotCount) {
   base::Random random(6);
   std::vector<double> x = motion(10000);

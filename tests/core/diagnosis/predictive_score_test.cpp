@@ -45,10 +45,10 @@ struct TwoRecordings {
   }
 
   Index blocks(int r) const { return std::ranges::count(recording, r); }
-  /// Variance below which the sensors explain everything: theirs, the mean of both recordings.
+  /// Variance below which the sensors explain everything: 0.9 of theirs, the mean of both recordings.
   double sensorFloor() const {
     const double a = data->channels()[0].noise, b = data->channels()[1].noise;
-    return 0.5 * (a * a + b * b);
+    return kSensorConfidence * 0.5 * (a * a + b * b);
   }
 
   /// The same mean square in all blocks of a recording.
@@ -122,14 +122,15 @@ TEST(PredictiveScore, NothingIsGainedBelowWhatTheSensorsLeave) {
 
 TEST(PredictiveScore, NoModelCanGainMoreThanIsLeftAboveTheNoise) {
   const TwoRecordings two;
-  const double floor = two.sensorFloor();
+  const double noise = two.sensorFloor() / kSensorConfidence;
   PredictiveScore score = two.score();
-  const BlockSquares least = two.squares(floor, floor), twice = two.squares(2.0 * floor, 2.0 * floor);
+  const BlockSquares least = two.squares(noise, noise), twice = two.squares(2.0 * noise, 2.0 * noise);
   score.learnInflation(least);
   EXPECT_NEAR(score.room(least), 0.0, 1e-9);
+  EXPECT_EQ(score.room(two.squares(0.5 * noise, 0.5 * noise)), 0.0);
   EXPECT_NEAR(score.room(twice), score.of(least) - score.of(twice), 1e-9);
   EXPECT_EQ(score.mostGain(twice, 0.99), score.room(twice));
-  EXPECT_NEAR(score.mostGain(twice, 0.1), -0.5 * twice.count.sum() * std::log(0.9), 1e-9);
+  EXPECT_NEAR(score.mostGain(twice, 0.1), -0.5 * kBeyondTest * twice.count.sum() * std::log(0.9), 1e-9);
 }
 
 /// The least inflation of all models that were learned counts for all of them, of recordings the largest.

@@ -29,6 +29,12 @@ test::SensorOptions variedSensors(bool rigid, int joints, base::Random& random) 
   return sensors;
 }
 
+/// Duration of a recording [s]; short with many joints, whose diagnosis takes long.
+double variedDuration(int joints, base::Random& random) {
+  constexpr int kMany = 5;
+  return random.uniform(10.0, joints < kMany ? 30.0 : 15.0);
+}
+
 /// Whether an effect can be planted in a robot and be told there from the robot's other numbers.
 bool suits(const StudyCase& one, const test::DrawOptions& options) {
   const int joints = options.robot.size();
@@ -64,6 +70,7 @@ test::DrawOptions variedOptions(const StudyCase& one) {
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     options.robot = variedRobot(one.robot, random);
     options.sensors = variedSensors(options.rigid, options.robot.size(), random);
+    options.duration = variedDuration(options.robot.size(), random);
     if (suits(one, options)) return options;
   }
   throw std::invalid_argument("effect " + one.effect + " makes no sense on robots of the kind " +
