@@ -50,13 +50,11 @@ void FitData::stack(const ChainSimulation& simulation) {
     segments_.emplace_back(begin, measured_.size());
 }
 
-int FitData::folds() const {
-  return std::min(kFolds, recordings() >= kFoldRecordings ? recordings() : blocks_);
-}
+int FitData::folds() const { return std::min(kFolds, blocks_); }
 
 int FitData::fold(int block) const {
-  const int number = recordings() >= kFoldRecordings ? recording_of_[static_cast<std::size_t>(block)] : block;
-  return number % folds();
+  const bool whole = recordings() >= kFolds;
+  return (whole ? recording_of_[static_cast<std::size_t>(block)] : block) % folds();
 }
 
 void FitData::addChannel(const ComparedChannel& channel) {

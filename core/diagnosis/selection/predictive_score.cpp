@@ -27,7 +27,7 @@ PredictiveScore::PredictiveScore(const FitData& data, const VectorXd& input_nois
   }
   for (VectorXd* of : {&noise_, &floor_})
     *of = of->cwiseQuotient(channels).cwiseMax(std::numeric_limits<double>::min());
-  inflation_ = VectorXd::Constant(count, std::numeric_limits<double>::infinity());
+  inflation_ = best_ = VectorXd::Constant(count, std::numeric_limits<double>::infinity());
   times_ = MatrixXd::Zero(data.blocks(), draws);
   base::Random random(seed, "block bootstrap");
   for (Index d = 0; d < draws; ++d)
@@ -40,7 +40,12 @@ void PredictiveScore::learnInflation(const BlockSquares& squares) {
   VectorXd own = VectorXd::Zero(inflation_.size());
   for (std::size_t c = 0; c < group_.size(); ++c)
     own[group_[c]] = std::max(own[group_[c]], squares.inflation[static_cast<Index>(c)]);
-  inflation_ = inflation_.cwiseMin(own);
+  const VectorXd variance = variances(squares).cwiseMax(noise_);
+  for (Index g = 0; g < own.size(); ++g) {
+    if (variance[g] > best_[g]) continue;
+    inflation_[g] = variance[g] < best_[g] ? own[g] : std::min(inflation_[g], own[g]);
+    best_[g] = variance[g];
+  }
 }
 
 double PredictiveScore::of(const BlockSquares& squares) const {
@@ -58,6 +63,15 @@ double PredictiveScore::mostGain(const BlockSquares& squares, double share) cons
 double PredictiveScore::room(const BlockSquares& squares) const {
   const MatrixXd sum = pooled(squares.sum.rowwise().sum()), count = pooled(squares.count.rowwise().sum());
   return (scores(MatrixXd::Zero(sum.rows(), 1), count, noise_) - scores(sum, count, noise_))[0];
+}
+
+VectorXd PredictiveScore::variances(const BlockSquares& squares) const {
+  const MatrixXd sum = pooled(squares.sum.rowwise().sum()), count = pooled(squares.count.rowwise().sum());
+  return sum.col(0).cwiseQuotient(count.col(0).cwiseMax(1.0));
+}
+
+double PredictiveScore::excess(const BlockSquares& squares) const {
+  return std::sqrt(variances(squares).cwiseQuotient(noise_).maxCoeff());
 }
 
 VectorXd PredictiveScore::ofDraws(const BlockSquares& squares) const {

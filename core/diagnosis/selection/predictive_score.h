@@ -14,15 +14,17 @@ namespace capstan::diagnosis {
 /// tip) and has one residual variance S_g / n_g. Recordings of one robot share it, so that one recording that
 /// is fitted perfectly cannot outvote the others. floor_g is kSensorConfidence times the variance of the
 /// sensor's noise, which is an estimate, plus the variance that noise of the inputs causes.
-/// inflation_g is the correlation length of the residual in samples: the smallest over all models, and the
-/// same for all.
+/// inflation_g is the correlation length of the residual in samples: that of the model which fits the sensor
+/// best, and the same for all models.
 class PredictiveScore {
  public:
   /// `input_noise`: RMS per channel that noise of the inputs causes (inputNoise()). `draws`: number of block
   /// bootstraps.
   PredictiveScore(const FitData& data, const Eigen::VectorXd& input_noise, int draws, std::uint64_t seed);
 
-  /// Lowers the inflation of each group to that of this model's residuals where the latter is smaller.
+  /// Takes the inflation of this model's residuals for the groups that no model has fitted better: a model
+  /// that fits badly may have residuals that look random. Of models within the noise the least inflation
+  /// counts.
   void learnInflation(const BlockSquares& squares);
   /// Score of all blocks; −infinity for residuals that are not finite.
   double of(const BlockSquares& squares) const;
@@ -32,17 +34,21 @@ class PredictiveScore {
   double mostGain(const BlockSquares& squares, double share) const;
   /// Largest score that any model can gain whose variances become the sensors' and the inputs'.
   double room(const BlockSquares& squares) const;
+  /// Largest RMS of a residual over that of the noise.
+  double excess(const BlockSquares& squares) const;
   /// Scores of all block bootstraps, in the same order for every model.
   Eigen::VectorXd ofDraws(const BlockSquares& squares) const;
 
  private:
   Eigen::MatrixXd pooled(const Eigen::MatrixXd& by_channel) const;
+  Eigen::VectorXd variances(const BlockSquares& squares) const;
   Eigen::VectorXd scores(const Eigen::MatrixXd& sum, const Eigen::MatrixXd& count,
                          const Eigen::VectorXd& floor) const;
 
   std::vector<Eigen::Index> group_;            ///< group of each channel
   Eigen::VectorXd noise_, floor_, inflation_;  ///< variances and correlation length, one entry per group
-  Eigen::MatrixXd times_;                      ///< how often each block is drawn, blocks × draws
+  Eigen::VectorXd best_;   ///< smallest variance of a residual so far, not below the noise
+  Eigen::MatrixXd times_;  ///< how often each block is drawn, blocks × draws
 };
 inline constexpr double kBeyondTest = 2.0;
 inline constexpr double kSensorConfidence = 0.9;

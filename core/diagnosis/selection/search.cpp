@@ -22,7 +22,7 @@ constexpr double kHopeful =
 constexpr double kWindow =
     7.0;  // [nats], odds of 1000: a set that is further below the best one is not expanded
 constexpr double kContend = 3.0;  // the same, odds of 20: further below, its posterior is of no interest
-constexpr double kFar = 100.0;    // [nats]: more than that is far
+constexpr double kFar = 2.0;      // RMS of a residual over that of the noise: more is far from an explanation
 constexpr double kRestart = 0.5;  // gain of another start [nats] for which the search goes on
 
 bool cancelled(const base::Progress* progress) { return progress && progress->cancelled(); }
@@ -178,7 +178,7 @@ class Search {
     report(fmt::format("Fitting without {}", removals.front().effect.hypothesis->words.title));
     std::vector<SetFit> near, others;
     for (SetFit& set : fitter_.reduced(removals))
-      (value(set) > value(at(best)) - kFar ? near : others).push_back(std::move(set));
+      (value(set) > value(at(best)) - kWorthMuch ? near : others).push_back(std::move(set));
     keepThin(std::move(others));
     if (!near.empty() && !cancelled(progress_)) keepThin(fitter_.settled(std::move(near)));
     for (const Removal& removal : removals)
@@ -225,7 +225,7 @@ class Search {
 
   /// Whether the recordings show much that the set does not explain. Then errors are so correlated, and laws
   /// so far from linear, that score tests and short fits say little about what an effect gains.
-  bool isFar(const SetFit& set) const { return score_->room(set.squares) > kFar; }
+  bool isFar(const SetFit& set) const { return score_->excess(set.squares) > kFar; }
 
   /// Whether the effect of `test` can gain `least` nats and what it costs. Far from an explanation the first
   /// kSettled ones can.

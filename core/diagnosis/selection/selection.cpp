@@ -11,8 +11,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kWorthMuch = 100.0;  // loss after a short fit [nats] that is not worth to be known exactly
-
 /// Sets that were fitted to the end, with their probabilities, the most probable first.
 struct Posterior {
   std::vector<const SetFit*> sets;
