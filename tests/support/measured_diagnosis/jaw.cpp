@@ -124,11 +124,17 @@ std::vector<JawStep> Jaw::steps(const diagnosis::Selection& selection) const {
 
 JawStep Jaw::transferred(const diagnosis::Selection& other) const {
   const diagnosis::SetFitter fitter(*fitted_);
-  diagnosis::EffectSet effects;
-  for (const diagnosis::SelectedEffect& one : other.effects) effects = plus(std::move(effects), one.effect);
   const diagnosis::SetFit nominal = fitter.nominal(base_, Eigen::VectorXd::Zero(base_.size()));
-  const diagnosis::SetFit fitted = fitter.settled(fitter.extended(nominal, effects, other.best));
-  return stepOf({"effects of the other jaw, refitted", {}, fitted.fit});
+  diagnosis::EffectSet effects;
+  diagnosis::SetFit one_by_one = nominal;
+  for (const diagnosis::SelectedEffect& one : other.effects) {
+    effects = plus(std::move(effects), one.effect);
+    const auto tests = screen(*fitted_, one_by_one.fit, one_by_one.weighting, {one.effect});
+    one_by_one = fitter.settled(std::move(fitter.extended(one_by_one, tests).front()));
+  }
+  diagnosis::SetFit at_once = fitter.settled(fitter.extended(nominal, effects, other.best));
+  const bool first = one_by_one.fit.e.squaredNorm() < at_once.fit.e.squaredNorm();
+  return stepOf({"effects of the other jaw, refitted", {}, (first ? one_by_one : at_once).fit});
 }
 
 JawErrors Jaw::regression(int terms) const {
