@@ -14,6 +14,7 @@ namespace capstan::diagnosis {
 namespace {
 
 constexpr std::size_t kBeam = 2;        // sets that are expanded at a time
+constexpr std::size_t kFarBeam = 4;     // the same, far from an explanation (isFar())
 constexpr std::size_t kContenders = 8;  // largest number of sets near the best one that are settled together
 constexpr std::size_t kSettled = 3;     // trials of an expansion that are fitted to the end
 constexpr int kNeighbourRefits = 4;     // refits where a neighbour of the best set is expanded
@@ -109,7 +110,7 @@ class Search {
   /// Expands those of the kBeam best sets that were not expanded yet. False: there is none.
   bool expandBeam() {
     std::vector<EffectSet> sets = ranked();
-    if (sets.size() > kBeam) sets.resize(kBeam);
+    sets.resize(std::min(sets.size(), isFar(at(found_.best)) ? kFarBeam : kBeam));
     bool any = false;
     for (const EffectSet& effects : sets) {
       if (!expanded_.insert(effects).second || cancelled(progress_)) continue;
@@ -239,7 +240,7 @@ class Search {
   }
 
   /// Fits to the end the best trials that are better than the set which they extend; far from an explanation
-  /// the best one in any case.
+  /// the best ones in any case.
   void settleBest(std::vector<SetFit> trials, const EffectSet& extended) {
     if (trials.empty()) return;
     std::ranges::stable_sort(trials, [&](const SetFit& a, const SetFit& b) { return value(a) > value(b); });
@@ -248,9 +249,8 @@ class Search {
     std::vector<SetFit> hopeful, others;
     for (SetFit& trial : trials) {
       const double gain = value(trial) - before;
-      const bool any = far && hopeful.empty();
-      const bool near = hopeful.size() < kSettled && gain > 0.0 && gain >= kHopeful * best;
-      (any || near ? hopeful : others).push_back(std::move(trial));
+      const bool better = gain > 0.0 && gain >= kHopeful * best;
+      (hopeful.size() < kSettled && (far || better) ? hopeful : others).push_back(std::move(trial));
     }
     keepThin(std::move(others));
     if (hopeful.empty() || cancelled(progress_)) return;
