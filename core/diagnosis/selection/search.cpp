@@ -24,7 +24,8 @@ constexpr double kWindow =
     7.0;  // [nats], odds of 1000: a set that is further below the best one is not expanded
 constexpr double kContend = 3.0;  // the same, odds of 20: further below, its posterior is of no interest
 constexpr double kFar = 2.0;      // RMS of a residual over that of the noise: more is far from an explanation
-constexpr double kRestart = 0.5;  // gain of another start [nats] for which the search goes on
+constexpr double kWorthMuch = 100.0;  // loss after a short fit [nats] that no fit to the end makes up
+constexpr double kRestart = 0.5;      // gain of another start [nats] for which the search goes on
 
 bool cancelled(const base::Progress* progress) { return progress && progress->cancelled(); }
 

@@ -48,8 +48,6 @@ double logPrior(std::size_t effects, int candidates);
 /// in any of the `instants` that score tests try.
 double logPrior(const EffectSet& effects, int candidates, double instants);
 inline constexpr double kEffectOdds = 0.25;
-inline constexpr double kWorthMuch =
-    100.0;                          ///< loss after a short fit [nats] that no fit to the end makes up
 inline constexpr int kDraws = 400;  ///< number of block bootstraps
 
 }  // namespace capstan::diagnosis

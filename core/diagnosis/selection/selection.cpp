@@ -156,24 +156,19 @@ std::vector<CompetingExplanations> competitorsOf(const SetFit& best,
   return all;
 }
 
-/// Fits the selected set without each of its effects, to the end where the effect may be worth little: a
-/// short fit overstates the loss.
-void settleWithouts(const SetFitter& fitter, const SetFit& best, const PredictiveScore& score,
-                    SearchResult& found) {
+/// Fits the selected set without each of its effects to the end: a short fit would overstate what the effect
+/// is worth.
+void settleWithouts(const SetFitter& fitter, const SetFit& best, SearchResult& found) {
   std::vector<SetFit> open;
   for (const EffectCandidate& effect : best.effects) {
     const EffectSet less = withoutEffect(best.effects, effect);
     const auto known = found.sets.find(less);
-    if (known == found.sets.end()) {
-      SetFit fitted = best;
-      for (const EffectCandidate& one : best.effects)
-        if (!contains(less, one)) fitted = std::move(fitter.reduced({{&fitted, one}}).front());
-      open.push_back(std::move(fitted));
-    } else if (!known->second.settled &&
-               score.of(best.squares) - score.of(known->second.squares) < kWorthMuch) {
-      fitter.relinearise(known->second);
-      open.push_back(known->second);
-    }
+    if (known != found.sets.end() && known->second.settled) continue;
+    SetFit fitted = known != found.sets.end() ? known->second : best;
+    fitter.relinearise(fitted);
+    for (const EffectCandidate& one : EffectSet(fitted.effects))
+      if (!contains(less, one)) fitted = std::move(fitter.reduced({{&fitted, one}}).front());
+    open.push_back(std::move(fitted));
   }
   for (SetFit& set : fitter.settled(std::move(open)))
     found.sets.insert_or_assign(EffectSet(set.effects), std::move(set));
@@ -197,7 +192,7 @@ Selection select(const FitData& data, const std::vector<Evidence>& recordings, c
   const SetFit& base = found.sets.at({});
   SetFit best = mostProbable(posterior, found);
   fitter.relinearise(best);
-  settleWithouts(fitter, best, score, found);
+  settleWithouts(fitter, best, found);
   Selection s{.base = base.fit,
               .base_squares = base.squares,
               .input_noise = found.input_noise,

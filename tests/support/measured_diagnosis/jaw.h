@@ -25,9 +25,9 @@ struct JawStep {
   JawErrors errors;
 };
 
-/// One jaw of a da Vinci Si instrument (O'Neill, Stephens, Kowalewski 2018): effects are selected, and numbers fitted, on
-/// recordings under even load levels. The jaw's encoder has one zero for all recordings, which is not known: a zero for each would
-/// take with it the stretch under loads that are constant in each.
+/// One jaw of a da Vinci Si instrument (O'Neill, Stephens, Kowalewski 2018): effects are selected, and
+/// numbers fitted, on recordings under even load levels. The jaw's encoder has one zero for all recordings,
+/// which is not known: a zero for each would take with it the stretch under loads that are constant in each.
 class Jaw {
  public:
   /// The recordings NAME_<frequency>Hz_load<level>.csv of `folder` at these frequencies ("0.1", "0.3").
@@ -36,10 +36,11 @@ class Jaw {
   diagnosis::Selection select(const diagnosis::SearchOptions& options) const;
   /// From a rigid gear on, each effect of the selection, by what it is worth.
   std::vector<JawStep> steps(const diagnosis::Selection& selection) const;
-  /// Effects that were selected on another jaw, their numbers fitted to this one.
+  /// Effects that were selected on another jaw, their numbers fitted to this one: from those of the other
+  /// jaw, and one effect after another; the better fit counts.
   JawStep transferred(const diagnosis::Selection& other) const;
-  /// Least squares on even levels: columns 1, spindle angle, load, direction of motion, load × direction, and for `terms` 7 speed
-  /// and spindle torque. `terms` is 2, 3, 5 or 7, the constant counted.
+  /// Least squares on even levels: columns 1, spindle angle, load, direction of motion, load × direction, and
+  /// for `terms` 7 speed and spindle torque. `terms` is 2, 3, 5 or 7, the constant counted.
   JawErrors regression(int terms) const;
 
  private:
