@@ -16,14 +16,15 @@ using robot::kChainLanes;
 
 constexpr double kLongestStep = 1e-3;        // largest integration step [s]
 constexpr double kLongestFreeStep = 0.5e-3;  // the same for rigid drives, whose errors accumulate [s]
-constexpr double kContactStep = 0.25e-3;     // the same where contacts open, cables yield or joints stick [s]
-constexpr double kSticking = 0.5;       // Stribeck excess above which a joint sticks and slips, which needs
-                                        // the contact step
-constexpr double kFastestTurn = 0.7;    // largest phase of the fastest oscillation per step [rad]
-constexpr int kMostSteps = 80;          // largest number of integration steps per row
-constexpr double kOutputStep = 5e-3;    // time between outputs of the simulation kernel [s]
-constexpr double kAfterRestart = 0.12;  // time after a restart in which cameras are not compared: a late
-                                        // observation may show the time before the restart [s]
+constexpr double kContactStep = 0.25e-3;  // the same where contacts open, cables yield or joints stick, and
+                                          // at a start: joints are at rest, maybe against moving motors [s]
+constexpr double kStarting = 0.15;        // duration of a start [s]
+constexpr double kSticking = 0.5;         // Stribeck excess above which a joint sticks and slips
+constexpr double kFastestTurn = 0.7;      // largest phase of the fastest oscillation per step [rad]
+constexpr int kMostSteps = 80;            // largest number of integration steps per row
+constexpr double kOutputStep = 5e-3;      // time between outputs of the simulation kernel [s]
+constexpr double kAfterRestart = 0.12;    // time after a restart in which cameras are not compared: a late
+                                          // observation may show the time before the restart [s]
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 /// Noise of one joint's channel; zero if none was estimated.
@@ -253,6 +254,20 @@ void ChainSimulation::simulateShaken(const Robot& robot, base::Random& random,
   simulate(rows, {&robot, 1}, readings);
 }
 
+std::size_t ChainSimulation::outputsOf(const Window& window) const {
+  return (window.end - window.begin - 1) / static_cast<std::size_t>(stride_) + 1;
+}
+
+int ChainSimulation::startingSteps() const {
+  return std::min(kMostSteps, static_cast<int>(std::ceil(evidence_.step / kContactStep - 1e-9)));
+}
+
+std::size_t ChainSimulation::startingOutputs(const Window& window) const {
+  if (evidence_.drive == DriveKind::kRigid) return 0;
+  const auto first = static_cast<std::size_t>(kStarting / (evidence_.step * stride_));
+  return first < outputsOf(window) ? first : 0;
+}
+
 void ChainSimulation::simulate(const robot::ChainRows& rows, std::span<const Robot> robots,
                                Eigen::Ref<Eigen::MatrixXd> readings) const {
   static const robot::SimulateChain kernel = robot::simulateChainKernel();
@@ -272,13 +287,21 @@ void ChainSimulation::simulate(const robot::ChainRows& rows, std::span<const Rob
       const Robot& robot = robots[std::min<std::size_t>(static_cast<std::size_t>(lane), robots.size() - 1)];
       put<robot::ChainState>(initialState(*robot.model, robot.initial, w), lane, *state);
     }
+    const std::size_t count = outputsOf(windows_[w]) * static_cast<std::size_t>(joints_);
+    if (q.size() < count) q.resize(count), dq.resize(count);
     run.begin = windows_[w].begin;
     run.end = windows_[w].end;
-    const std::size_t outputs = (run.end - run.begin - 1) / static_cast<std::size_t>(stride_) + 1;
-    const std::size_t count = outputs * static_cast<std::size_t>(joints_);
-    if (q.size() < count) q.resize(count), dq.resize(count);
-    run.q = q.front().value;
-    run.dq = dq.front().value;
+    const std::size_t first = startingOutputs(windows_[w]);
+    if (first > 0) {
+      robot::ChainRun begin = run;
+      begin.end = run.begin + first * static_cast<std::size_t>(stride_) + 1;
+      begin.steps = std::max(run.steps, startingSteps());
+      begin.q = q.front().value, begin.dq = dq.front().value;
+      kernel(shape, *numbers, rows, begin, *state);
+      run.begin = begin.end - 1;
+    }
+    const std::size_t next = first * static_cast<std::size_t>(joints_);
+    run.q = q[next].value, run.dq = dq[next].value;
     kernel(shape, *numbers, rows, run, *state);
     writeReadings(w, robots, q, dq, readings);
   }
@@ -286,8 +309,7 @@ void ChainSimulation::simulate(const robot::ChainRows& rows, std::span<const Rob
 
 void ChainSimulation::writeReadings(std::size_t window, std::span<const Robot> robots, const Lanes& q,
                                     const Lanes& dq, Eigen::Ref<Eigen::MatrixXd> readings) const {
-  const std::size_t outputs =
-      (windows_[window].end - windows_[window].begin - 1) / static_cast<std::size_t>(stride_) + 1;
+  const std::size_t outputs = outputsOf(windows_[window]);
   for (std::size_t lane = 0; lane < robots.size(); ++lane) {
     const auto column = static_cast<Eigen::Index>(lane);
     for (const Sample& sample : samples_[window])
@@ -345,6 +367,8 @@ SimulatedMotion ChainSimulation::motion(const robot::ChainModel& model) const {
   for (const Segment& segment : evidence_.segments) {
     while (w + 1 < windows_.size() && windows_[w].begin < segment.begin) ++w;
     robot::ChainState<double> state = initialState(model, nullptr, w);
+    const std::size_t started =
+        segment.begin + startingOutputs({segment.begin, segment.end}) * static_cast<std::size_t>(stride_);
     for (std::size_t k = segment.begin; k < segment.end; ++k) {
       const std::size_t next = std::min(k + 1, segment.end - 1);
       const robot::ChainInput input = inputAt(k, next);
@@ -356,7 +380,7 @@ SimulatedMotion ChainSimulation::motion(const robot::ChainModel& model) const {
         motion.tau[j][k] = step.torque()[j];
         motion.stretch[j][k] = step.stretch()[j];
       }
-      if (next > k) step.advance(input, steps, state);
+      if (next > k) step.advance(input, k < started ? std::max(steps, startingSteps()) : steps, state);
     }
   }
   if (evidence_.hasCameras()) {

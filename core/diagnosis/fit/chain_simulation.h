@@ -92,6 +92,11 @@ class ChainSimulation {
   robot::ChainInput inputAt(std::size_t row, std::size_t next) const;
   robot::ChainState<double> initialState(const robot::ChainModel& model, const Eigen::MatrixXd* beyond,
                                          std::size_t window) const;
+  std::size_t outputsOf(const Window& window) const;
+  /// Number of outputs of a window, and of those in its first kStarting seconds with a cable drive (0 if the
+  /// window ends before), which are simulated with startingSteps() per row or more.
+  std::size_t startingOutputs(const Window& window) const;
+  int startingSteps() const;
   void simulate(const robot::ChainRows& rows, std::span<const Robot> robots,
                 Eigen::Ref<Eigen::MatrixXd> readings) const;
   void writeReadings(std::size_t window, std::span<const Robot> robots, const Lanes& q, const Lanes& dq,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "core/base/check.h"
 
@@ -108,11 +109,14 @@ void FitModel::addTerm(EffectTerm term) {
                    numbers[k].low,
                    numbers[k].high,
                    kEffectPrior};
-    if (term.background && start == 0.0) {
+    if (k == 0 && term.hypothesis->least) p.low = *term.hypothesis->least;
+    if (numbers[k].name == "time") {
+      std::tie(p.low, p.high) = eventTimes(scalesOf(scales_, term.joint));
+    } else if (term.background && start == 0.0) {
       p.low = std::max(p.low, -scale);
       p.high = std::min(p.high, scale);
       p.prior = kBackgroundPrior;
-    } else if (start > 0.0 && numbers[k].low > 0.0) {  // a speed, time or length, which is never zero
+    } else if (start > 0.0 && numbers[k].low > 0.0) {  // a speed, duration or length, which is never zero
       p.logarithmic = true;
       p.scale = scale / start;
       p.low = std::max(p.low, start / kFarShape);

@@ -38,20 +38,17 @@ Starts backlashStarts(const JointScales& s, int) {
 }
 
 constexpr double kNone = 1e3;    // pretension that no load exceeds [m]
-constexpr double kLeast = 1e-6;  // pretension below which 1 / pretension continues along its tangent [m]
+constexpr double kLeast = 1e-6;  // the least pretension that differs from none [m]
 
 Starts slackStarts(const JointScales& s, int) {
   Starts all;
-  for (const double share : {0.6, 0.2, -0.3}) all.push_back({{share * s.stretch}, {0.3 * s.stretch}});
+  for (const double share : {0.6, 0.2}) all.push_back({{share * s.stretch}, {0.3 * s.stretch}});
   return usable(std::move(all));
 }
 
-/// Size of slack: 1 / pretension [1/m] minus its neutral value. The size rises as the pretension falls, also
-/// through 0 to negative values, which are cables that are too long.
+/// Size of slack: 1 / pretension [1/m] minus its neutral value. Two cables that are too long are a backlash.
 double slackSize(const std::vector<double>& v) {
-  const double p = v.at(0);
-  if (p >= kNone) return 0.0;
-  return p >= kLeast ? 1.0 / p - 1.0 / kNone : (2.0 - p / kLeast) / kLeast - 1.0 / kNone;
+  return 1.0 / std::clamp(v.at(0), kLeast, kNone) - 1.0 / kNone;
 }
 
 Starts cableHysteresisStarts(const JointScales& s, int) {
@@ -199,8 +196,8 @@ std::vector<Hypothesis> cableHypotheses() {
                   .title = "Lost pretension",
                   .what =
                       "The pair of cables has lost its pretension: beyond some stretch one cable sags, and "
-                      "the other one alone is half as stiff. If both cables are too long, neither pulls "
-                      "within a range of stretch.",
+                      "the other one alone is half as stiff. Two cables that are both too long are a "
+                      "backlash.",
                   .equation =
                       "γ = f(pretension + δ) − f(pretension − δ), f(x) = k_e a x for x > 0, else 0; damping "
                       "where a cable is taut",
@@ -211,15 +208,12 @@ std::vector<Hypothesis> cableHypotheses() {
                   .changes = "Cable: two cables that can only pull replace the nominal law.",
                   .signature =
                       "Against the joint torque, the residual is zero in the middle and a straight line "
-                      "beyond a corner on either side: at high load the joint moves more than simulated. If "
-                      "both cables are too long, it has two levels as for backlash, and the joint is soft "
-                      "beyond them.",
-                  .experiment =
-                      "Apply loads that rise slowly through the corner, both ways; for a pair that is too "
-                      "long, make small motions about rest.",
+                      "beyond a corner on either side: at high load the joint moves more than simulated.",
+                  .experiment = "Apply loads that rise slowly through the corner, both ways.",
               },
           .neutral = {kNone},
           .grid = slackStarts,
+          .least = 0.0,
           .size = slackSize,
       },
       {

@@ -64,6 +64,11 @@ bool isPracticallyRigid(const JointScales& scales) {
   return stretchOfRange(scales) < kAsRigid;
 }
 
+std::pair<double, double> eventTimes(const JointScales& scales) {
+  const double margin = std::min(kFromEnds, 0.1 * scales.duration);
+  return {margin, scales.duration - margin};
+}
+
 double firstMagnitude(const std::vector<double>& values) { return std::abs(values.at(0)); }
 
 const std::vector<Hypothesis>& hypotheses() {

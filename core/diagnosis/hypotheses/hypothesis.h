@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/diagnosis/evidence/evidence.h"
@@ -48,6 +49,12 @@ double stretchOfRange(const JointScales& scales);
 /// True if the nominal cable stretches so little that it is practically rigid. Its k_e can then be wrong by
 /// more than a fit of k_e reaches.
 bool isPracticallyRigid(const JointScales& scales);
+/// First and last time at which an event (a parameter `time`) is looked for [s]: kFromEnds, or a tenth of a
+/// short recording, after the begin and before the end. What happens nearer to an end is seen by a single
+/// block of the cross-validation, so that no other block can confirm it, and looks like an error of the
+/// initial state.
+std::pair<double, double> eventTimes(const JointScales& scales);
+inline constexpr double kFromEnds = 1.0;
 
 /// One start of a fit: a value and a scale per number, in the order of EffectFacts::parameters. The scale is
 /// a large magnitude of the number; a number with scale 0 is not fitted.
@@ -76,6 +83,8 @@ struct Hypothesis {
   /// Size that the effect normally has on a robot in good order, in the unit of size(). Models contain the
   /// effect up to this size as a background effect, which is no cause. 0: no background effect.
   double (*background)(const JointScales& scales) = [](const JointScales&) { return 0.0; };
+  /// Least value of the first parameter in a fit; empty: that of the facts. What is below is another effect.
+  std::optional<double> least = {};
   std::optional<BegunShare> begun = {};  ///< one more parameter of a fit; empty: the effect has no past
   /// Size of the effect as one number: usually the first parameter's magnitude.
   double (*size)(const std::vector<double>& values) = firstMagnitude;

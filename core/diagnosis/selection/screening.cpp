@@ -77,7 +77,8 @@ void addProbes(const Fit& fit, const EffectCandidate& suspect, std::vector<Probe
       probes.push_back(probe);
       continue;
     }
-    for (double from = 0.02 * scales.duration; from < 0.98 * scales.duration; from += kEventStep) {
+    const auto [first, last] = eventTimes(scales);
+    for (double from = first; from <= last; from += kEventStep) {
       probe.from = from;
       probe.start.value[static_cast<std::size_t>(time)] = from;
       probes.push_back(probe);

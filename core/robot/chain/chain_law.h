@@ -92,6 +92,7 @@ template <class S>
 struct CablePull {
   S force;            ///< gamma [N]
   S damping;          ///< d gamma / d rate [N·s/m]
+  S stiffness;        ///< d gamma / d stretch [N/m], without hysteresis
   S hysteresis_rate;  ///< dz/dt [m/s]
   S creep_rate;       ///< rate of the creep elongation [m/s]
 };
@@ -112,6 +113,7 @@ CAPSTAN_CHAIN_INLINE S positionShare(const JointNumbers<S>& p, const S& range) {
 template <class S>
 struct PlayPull {
   S force, damping;
+  S pressed;  ///< 1: the spring acts; 0: it does not
 };
 
 /// Force at a play of half-width h. `x` is the stretch δ beyond the play, 0 for |δ| < h. `spring` is the
@@ -134,6 +136,7 @@ CAPSTAN_CHAIN_INLINE PlayPull<S> playPull(const JointNumbers<S>& p, const S& x, 
   PlayPull<S> pull;
   pull.force = pressing + to_closed * (held - pressing) + to_always * (all - held);
   pull.damping = damping * (pressed + to_closed * (closed - pressed) + to_always * (1.0 - closed));
+  pull.pressed = pressed + to_closed * (closed - pressed);
   return pull;
 }
 
@@ -155,7 +158,11 @@ CAPSTAN_CHAIN_INLINE CablePull<S> cablePull(const JointNumbers<S>& p, unsigned l
     extra = extra + p.hysteresis_force * p.inverse_yield * z;
     pull.hysteresis_rate = rate - 0.5 * p.inverse_yield * (abs(rate) * z + rate * abs(z));
   }
-  if (laws & kLawStiffening) extra = extra + stiffness * p.exponent * p.stiffening * x * x * x;
+  S hardened = constantLike(stretch, 0.0);
+  if (laws & kLawStiffening) {
+    hardened = 3.0 * (stiffness * p.exponent * p.stiffening * x * x);
+    extra = extra + hardened * x * (1.0 / 3);
+  }
   S share = constantLike(stretch, 1.0);
   if (laws & kLawPositionStiffness) share = positionShare(p, range);
   if (laws & kLawPlay) {
@@ -167,10 +174,12 @@ CAPSTAN_CHAIN_INLINE CablePull<S> cablePull(const JointNumbers<S>& p, unsigned l
   const S spring = share * stiffness * bent;
   S force = spring + (2.0 * p.damping) * rate;
   pull.damping = 2.0 * p.damping;
+  pull.stiffness = share * stiffness * p.exponent * (1.0 + 0.5 * y * y);
   if (laws & kLawPlay) {
     const S zero = constantLike(x, 0.0);
     const PlayPull<S> at_play = playPull(p, x, spring, rate);
     pull.damping = whereGreater(p.play, zero, at_play.damping, pull.damping);
+    pull.stiffness = whereGreater(p.play, zero, at_play.pressed, constantLike(stretch, 1.0)) * pull.stiffness;
     force = whereGreater(p.play, zero, at_play.force, force);
   }
   if (laws & kLawSlack) {
@@ -178,9 +187,12 @@ CAPSTAN_CHAIN_INLINE CablePull<S> cablePull(const JointNumbers<S>& p, unsigned l
     const S pair = oneCable(p, p.pretension + x, rate, one) - oneCable(p, p.pretension - x, -rate, other);
     const S sound = constantLike(stretch, kSound);
     pull.damping = whereGreater(sound, p.pretension, share * p.damping * (one + other), pull.damping);
+    pull.stiffness =
+        whereGreater(sound, p.pretension, share * p.stiffness * p.exponent * (one + other), pull.stiffness);
     force = whereGreater(sound, p.pretension, share * pair, force);
   }
   pull.force = force + extra;
+  pull.stiffness = pull.stiffness + hardened;
   return pull;
 }
 

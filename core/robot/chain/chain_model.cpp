@@ -293,6 +293,7 @@ JointMatrix massWithArmature(const ChainModel& model, const ChainBodies<double>&
 /// Stiffness, damping and inertia of a joint's drive along its cable [N/m, N·s/m, kg], and its motor's rates.
 struct DriveRates {
   double stiffness = 0.0, damping = 0.0, inertia = 0.0;
+  double outside = 0.0;  ///< the stiffness where ChainStep's Jacobian does not contain all of it
   double motor_spring = 0.0, motor_damping = 0.0;  ///< divided by the motor's inertia [1/s², 1/s]
 };
 
@@ -304,6 +305,7 @@ DriveRates driveRates(const JointNumbers<double>& p, bool rigid, unsigned laws) 
     const double shorter = std::max(positionShare(p, -1.2), positionShare(p, 1.2));
     rates.stiffness =
         2.0 * p.stiffness * p.exponent * harder * shorter + p.hysteresis_force * p.inverse_yield;
+    rates.outside = p.hysteresis_force > 0.0 ? rates.stiffness : 0.0;
     rates.damping = 2.0 * p.damping;
     return rates;
   }
@@ -313,7 +315,7 @@ DriveRates driveRates(const JointNumbers<double>& p, bool rigid, unsigned laws) 
     rates.inertia = p.motor_inertia / (p.lever * p.lever);
     return rates;
   }
-  rates.stiffness = 1.0 / p.compliance;
+  rates.stiffness = rates.outside = 1.0 / p.compliance;
   rates.damping = 0.2 / p.lever * std::sqrt(rates.stiffness * p.motor_inertia);
   rates.motor_spring = p.lever * p.lever * rates.stiffness / p.motor_inertia;
   rates.motor_damping = (friction + p.lever * p.lever * rates.damping) / p.motor_inertia;
@@ -337,13 +339,15 @@ namespace {
 struct ChainRates {
   double damping = 0.0;  ///< rate of the damping of joints and cables [1/s]
   double turning = 0.0;  ///< rate of the springs [1/s]
+  double outside = 0.0;  ///< rate of those that ChainStep's Jacobian does not contain in full [1/s]
   double motor = 0.0;    ///< rate of the damping of compliant motors [1/s]
 };
 
 ChainRates chainRates(const ChainModel& model, const JointVector& q) {
   const int n = model.shape.joints;
   const ChainBodies<double> bodies = bodiesAtRest(model, q);
-  JointMatrix mass = massWithArmature(model, bodies), spring = JointMatrix::Zero(n, n), damping = spring;
+  JointMatrix mass = massWithArmature(model, bodies), spring = JointMatrix::Zero(n, n), damping = spring,
+              outside = spring;
   double motor_spring = 0.0, motor_damping = 0.0;
   for (int i = 0; i < n; ++i) {
     const JointNumbers<double>& p = model.numbers.joints[i];
@@ -352,6 +356,7 @@ ChainRates chainRates(const ChainModel& model, const JointVector& q) {
     for (int j = 0; j < n; ++j) row[j] = p.link_radius * model.numbers.coupling[i][j];
     const JointMatrix lever = row * row.transpose();
     spring += drive.stiffness * lever;
+    outside += drive.outside * lever;
     damping += drive.damping * lever;
     mass += drive.inertia * lever;
     damping(i, i) += steepestFriction(p, bodies.bias[i]);
@@ -359,7 +364,7 @@ ChainRates chainRates(const ChainModel& model, const JointVector& q) {
     motor_damping = std::max(motor_damping, drive.motor_damping);
   }
   return {largestEigenvalue(damping, mass), std::sqrt(largestEigenvalue(spring, mass) + motor_spring),
-          motor_damping};
+          std::sqrt(largestEigenvalue(outside, mass) + motor_spring), motor_damping};
 }
 
 }  // namespace
@@ -371,7 +376,7 @@ double chainRate(const ChainModel& model, const JointVector& q) {
 
 double chainOscillation(const ChainModel& model, const JointVector& q) {
   const ChainRates rates = chainRates(model, q);
-  return std::max(rates.turning, rates.motor);
+  return std::max(rates.outside, rates.motor);
 }
 
 }  // namespace capstan::robot

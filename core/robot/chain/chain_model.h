@@ -60,8 +60,9 @@ JointMatrix massMatrix(const ChainModel& model, const JointVector& q);
 /// larger of the largest eigenvalue of M⁻¹ D and the square root of that of M⁻¹ K. Runge–Kutta steps shorter
 /// than 2.7 / bound are stable.
 double chainRate(const ChainModel& model, const JointVector& q);
-/// Upper bound [1/s], as chainRate(), for the parts that ChainStep's Jacobian does not contain: springs, and
-/// the damping of compliant motors. The steps of ChainStep should be shorter than 0.7 / bound.
+/// Upper bound [1/s], as chainRate(), for the parts that ChainStep's Jacobian does not contain: cables with
+/// hysteresis, the springs of rigid drives, and the damping of compliant motors. The steps of ChainStep
+/// should be shorter than 0.7 / bound.
 double chainOscillation(const ChainModel& model, const JointVector& q);
 
 }  // namespace capstan::robot

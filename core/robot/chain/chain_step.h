@@ -9,10 +9,13 @@ namespace capstan::robot {
 /// the row that the initial velocity predicts. The motors move so that the speed of their cables is constant.
 /// The method is ROS2 (Verwer, Spee, Blom, Hundsdorfer, A second-order Rosenbrock method applied to
 /// photochemical dispersion problems, SIAM J. Sci. Comput. 20, 1999), which is of second order for any
-/// approximation W of the Jacobian. Here W contains only the damping D of cables and friction, for which the
-/// method is L-stable. With γ = 1 − 1/√2 and the sum of forces f,
-///     (M + γ h D) k_1 = f(t, x),   (M + γ h D) k_2 = f(t + h, x + h k_1) − 2 M k_1,
-///     x += h (3 k_1 + k_2) / 2.
+/// approximation of the Jacobian. Here this contains the damping D of cables and friction and the stiffness K
+/// of cables (without hysteresis), for which the method is L-stable. With γ = 1 − 1/√2, the sum of forces f,
+/// the speeds u of the cables' stretches and their lever arms R, W = M + γ h D + γ² h² K:
+///     W k_1 = f(t, q, v) + γ h Rᵀ k u(v),        p_1 = v + γ h k_1,
+///     W k_2 = f(t + h, q + h p_1, v + h k_1) − 2 M k_1 + γ h Rᵀ k (u(v + h k_1) − 2 u(p_1)),
+///     p_2 = v + h k_1 − 2 p_1 + γ h k_2,
+///     v += h (3 k_1 + k_2) / 2,                  q += h (3 p_1 + p_2) / 2.
 template <class S>
 class ChainStep {
  public:
@@ -100,6 +103,7 @@ class ChainStep {
     const CablePull<S> pull = cablePull(p, laws, stretch_[i], travel_rate_[i] - p.link_radius * speed, range,
                                         x.hysteresis[i], x.creep[i]);
     damping_[i] = pull.damping * p.link_radius * p.link_radius;
+    stiffness_[i] = pull.stiffness * p.link_radius;
     if (laws & kLawHysteresis) slope.hysteresis[i] = pull.hysteresis_rate;
     if (laws & kLawCreep) slope.creep[i] = pull.creep_rate;
     return pull.force;
@@ -109,7 +113,7 @@ class ChainStep {
                                     const ChainState<S>& x, ChainState<S>& slope) {
     const JointNumbers<S>& p = p_.joints[i];
     const S torque = p.gain * input.torque[i];
-    damping_[i] = constantLike(travel, 0.0);
+    damping_[i] = stiffness_[i] = constantLike(travel, 0.0);
     if (!compliant(i)) {
       stretch_[i] = constantLike(travel, 0.0);
       const S ratio = p.link_radius / p.lever;
@@ -148,31 +152,59 @@ class ChainStep {
     }
   }
 
-  /// Computes the factors of M + share D.
-  CAPSTAN_CHAIN_INLINE void factoriseDamped(double share, S (&w)[kChainJoints][kChainJoints]) const {
+  /// Computes the factors of M + share D + share² K.
+  CAPSTAN_CHAIN_INLINE void factoriseStiff(double share, S (&w)[kChainJoints][kChainJoints]) const {
     const int n = shape_.joints;
+    S drive[kChainJoints];
+    for (int i = 0; i < n; ++i)
+      drive[i] = share * (damping_[i] + share * stiffness_[i] * p_.joints[i].link_radius);
     for (int j = 0; j < n; ++j)
       for (int k = 0; k < n; ++k) {
         w[j][k] = bodies_.mass[j][k];
-        for (int i = 0; i < n; ++i)
-          w[j][k] = w[j][k] + share * damping_[i] * p_.coupling[i][j] * p_.coupling[i][k];
+        for (int i = 0; i < n; ++i) w[j][k] = w[j][k] + drive[i] * p_.coupling[i][j] * p_.coupling[i][k];
       }
     for (int j = 0; j < n; ++j) w[j][j] = w[j][j] + share * joint_damping_[j];
     factorise<S>(n, w);
   }
 
+  /// Speeds of the cables' stretches at the joint velocities v, times weight, plus what they were.
+  CAPSTAN_CHAIN_INLINE void addStretchSpeeds(double weight, const S* v, S* speeds) const {
+    for (int i = 0; i < shape_.joints; ++i) {
+      S speed = constantLike(v[0], 0.0);
+      for (int j = 0; j < shape_.joints; ++j) speed = speed + p_.coupling[i][j] * v[j];
+      speeds[i] = speeds[i] + weight * (travel_rate_[i] - p_.joints[i].link_radius * speed);
+    }
+  }
+
+  /// Adds the torques of the cables' stiffness, kept from the first stage, for stretches [m].
+  CAPSTAN_CHAIN_INLINE void addStiff(const S (&stiffness)[kChainJoints], const S* stretches,
+                                     S* torques) const {
+    for (int i = 0; i < shape_.joints; ++i)
+      for (int j = 0; j < shape_.joints; ++j)
+        torques[j] = torques[j] + p_.coupling[i][j] * (stiffness[i] * stretches[i]);
+  }
+
   CAPSTAN_CHAIN_INLINE void substep(const ChainInput& input, double at, double part, ChainState<S>& state) {
     constexpr double kGamma = 0.29289321881345254;  // 1 − 1/√2
     const int n = shape_.joints;
-    const double h = input.dt * part;
+    const double h = input.dt * part, share = kGamma * h;
     ChainState<S> slope, second_slope, end;
     forces(input, at, state, slope);
     S w[kChainJoints][kChainJoints], first[kChainJoints], second[kChainJoints], way[kChainJoints];
-    factoriseDamped(kGamma * h, w);
-    for (int i = 0; i < n; ++i) first[i] = force_[i];
+    S stiffness[kChainJoints], stretches[kChainJoints];
+    factoriseStiff(share, w);
+    for (int i = 0; i < n; ++i) {
+      first[i] = force_[i];
+      stiffness[i] = stiffness_[i];
+      stretches[i] = constantLike(force_[i], 0.0);
+    }
+    if (!shape_.rigid) {
+      addStretchSpeeds(share, state.dq, stretches);
+      addStiff(stiffness, stretches, first);
+    }
     solve<S>(n, w, first);
     for (int i = 0; i < n; ++i) {
-      way[i] = state.dq[i] + (kGamma * h) * first[i];
+      way[i] = state.dq[i] + share * first[i];
       end.q[i] = state.q[i] + h * way[i];
       end.dq[i] = state.dq[i] + h * first[i];
       moveHidden(i, state, h, slope, end);
@@ -180,11 +212,17 @@ class ChainStep {
     forces(input, at + part, end, second_slope);
     for (int i = 0; i < n; ++i) {
       second[i] = force_[i];
+      stretches[i] = constantLike(force_[i], 0.0);
       for (int k = 0; k < n; ++k) second[i] = second[i] - 2.0 * bodies_.mass[i][k] * first[k];
+    }
+    if (!shape_.rigid) {
+      addStretchSpeeds(share, end.dq, stretches);
+      addStretchSpeeds(-2.0 * share, way, stretches);
+      addStiff(stiffness, stretches, second);
     }
     solve<S>(n, w, second);
     for (int i = 0; i < n; ++i) {
-      const S second_way = end.dq[i] - 2.0 * way[i] + (kGamma * h) * second[i];
+      const S second_way = end.dq[i] - 2.0 * way[i] + share * second[i];
       state.q[i] = state.q[i] + (0.5 * h) * (3.0 * way[i] + second_way);
       state.dq[i] = state.dq[i] + (0.5 * h) * (3.0 * first[i] + second[i]);
       moveHidden(i, state, 0.5 * h, slope, state);
@@ -214,7 +252,7 @@ class ChainStep {
   const ChainNumbers<S>& p_;
   ChainBodies<S> bodies_;
   S travel_[kChainJoints], travel_change_[kChainJoints], travel_rate_[kChainJoints];
-  S damping_[kChainJoints], joint_damping_[kChainJoints], force_[kChainJoints];
+  S damping_[kChainJoints], stiffness_[kChainJoints], joint_damping_[kChainJoints], force_[kChainJoints];
   S load_[kChainJoints], torque_[kChainJoints], stretch_[kChainJoints], acceleration_[kChainJoints];
 };
 

@@ -110,7 +110,7 @@ void plausibleCable(Planted& e, const PlantParameters& p, base::Random& random) 
       e.magnitude = 0.01 * p.radius[i] * 2.0 * p.half_range[i];
       break;
     case Effect::kSlack:
-      e.magnitude = 1.3;
+      e.magnitude = 0.95;                     // without any, the pair is half as stiff wherever it is
       e.signature = 1.5 * peakStretch(p, i);  // pretension stretch of the sound pair
       break;
     case Effect::kCableHysteresis:

@@ -163,13 +163,22 @@ double Plant::outside(int i, double q, double t) const {
 }
 
 PlantState Plant::slope(const PlantState& s, double t, const PlantInput& input) {
+  return slopeWith(bodiesAt(s[kJoint], s[kJointRate]), s, t, input);
+}
+
+Plant::Bodies Plant::bodiesAt(const Joints& q, const Joints& dq) {
+  p_.chain.pose(q);
+  Bodies bodies{p_.chain.massMatrix(), p_.chain.bias(dq)};
+  for (int i = 0; i < p_.size; ++i) bodies.mass[i][i] += p_.armature[i];
+  return bodies;
+}
+
+PlantState Plant::slopeWith(const Bodies& bodies, const PlantState& s, double t,
+                            const PlantInput& input) const {
   PlantState d{};
-  p_.chain.pose(s[kJoint]);
-  RigidChain::Matrix mass = p_.chain.massMatrix();
-  const Joints bias = p_.chain.bias(s[kJointRate]);
+  RigidChain::Matrix mass = bodies.mass;
   Joints drive{}, force{};
   for (int i = 0; i < p_.size; ++i) {
-    mass[i][i] += p_.armature[i];
     const double torque = p_.actuator_gain[i] * input.torque[i];
     const CableState cable = cableState(i, s, t);
     double pull = 0.0;  // along the cable [N]
@@ -193,7 +202,7 @@ PlantState Plant::slope(const PlantState& s, double t, const PlantInput& input) 
   }
   for (int i = 0; i < p_.size; ++i)
     force[i] = drive[i] - jointFriction(i, s[kJoint][i], s[kJointRate][i], drive[i]) +
-               outside(i, s[kJoint][i], t) + input.load[i] - bias[i];
+               outside(i, s[kJoint][i], t) + input.load[i] - bodies.bias[i];
   d[kJoint] = s[kJointRate];
   d[kJointRate] = solveSymmetric(mass, force, p_.size);
   return d;

@@ -29,7 +29,8 @@ struct PlantInput {
 ///     M ddq = Aᵀ (r_l ∘ gamma) − C dq − G − F_c tanh(dq/v) − F_v dq + tau_ext
 /// Rigid drive: q_m = N/r_mc r_l A (q − q_hs) always holds, so that the motors' torque, friction and inertia
 /// act on the joints. Integration is by classical Runge–Kutta steps of fixed length, far inside the stability
-/// limit.
+/// limit. With cables, whose stiffness makes steps short, M and C dq + G are those of the position in the
+/// middle of a step that the velocity predicts.
 class Plant {
  public:
   Plant(const PlantParameters& parameters, const std::vector<Planted>& effects);
@@ -52,12 +53,19 @@ class Plant {
   double energy(const PlantState& state);
 
  private:
+  struct Bodies {
+    RigidChain::Matrix mass;  ///< without what motors add
+    Joints bias;              ///< C dq + G
+  };
   struct CableState {
     double travel = 0.0, travel_rate = 0.0;  ///< cable travel and its rate on the motor's side
     double lever = 0.0;                      ///< d travel / d q_m
     double stretch = 0.0, rate = 0.0, range = 0.0;
   };
 
+  Bodies bodiesAt(const Joints& q, const Joints& dq);
+  PlantState slopeWith(const Bodies& bodies, const PlantState& state, double t,
+                       const PlantInput& input) const;
   CableState cableState(int i, const PlantState& s, double t) const;
   double tension(int i, const CableState& cable, const PlantState& s, PlantState& slope) const;
   double complianceTension(int i, const CableState& cable) const;

@@ -43,19 +43,28 @@ double freeInertia(const RigidChain::Matrix& mass, int i, int n) {
 void Plant::advance(PlantState& s, double t, double duration, int steps, const PlantInput& input) {
   const double h = duration / steps;
   const int n = p_.size;
+  Bodies held;
+  const auto slopeAt = [&](const PlantState& at, double time) {
+    return p_.rigid ? slope(at, time, input) : slopeWith(held, at, time, input);
+  };
   for (int k = 0; k < steps; ++k) {
     const double at = k * h;
+    if (!p_.rigid) {
+      Joints middle = s[kJoint];
+      for (int i = 0; i < n; ++i) middle[i] += 0.5 * h * s[kJointRate][i];
+      held = bodiesAt(middle, s[kJointRate]);
+    }
     placeMotors(s, input, at / duration, duration, n);
-    const PlantState d1 = slope(s, t + at, input);
+    const PlantState d1 = slopeAt(s, t + at);
     PlantState half = moved(s, 0.5 * h, d1, n);
     placeMotors(half, input, (at + 0.5 * h) / duration, duration, n);
-    const PlantState d2 = slope(half, t + at + 0.5 * h, input);
+    const PlantState d2 = slopeAt(half, t + at + 0.5 * h);
     half = moved(s, 0.5 * h, d2, n);
     placeMotors(half, input, (at + 0.5 * h) / duration, duration, n);
-    const PlantState d3 = slope(half, t + at + 0.5 * h, input);
+    const PlantState d3 = slopeAt(half, t + at + 0.5 * h);
     PlantState end = moved(s, h, d3, n);
     placeMotors(end, input, (at + h) / duration, duration, n);
-    const PlantState d4 = slope(end, t + at + h, input);
+    const PlantState d4 = slopeAt(end, t + at + h);
     for (std::size_t b = 0; b < kBlocks; ++b)
       for (int i = 0; i < n; ++i)
         s[b][i] += h / 6.0 * (d1[b][i] + 2.0 * d2[b][i] + 2.0 * d3[b][i] + d4[b][i]);

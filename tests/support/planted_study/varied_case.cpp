@@ -31,8 +31,8 @@ test::SensorOptions variedSensors(bool rigid, int joints, base::Random& random) 
 
 /// Duration of a recording [s]; short with many joints, whose diagnosis takes long.
 double variedDuration(int joints, base::Random& random) {
-  constexpr int kMany = 5;
-  return random.uniform(10.0, joints < kMany ? 30.0 : 15.0);
+  constexpr int kMany = 4;
+  return random.uniform(8.0, joints < kMany ? 20.0 : 12.0);
 }
 
 /// Whether an effect can be planted in a robot and be told there from the robot's other numbers.
@@ -49,7 +49,7 @@ bool suits(const StudyCase& one, const test::DrawOptions& options) {
 
 robot::Description variedRobot(Robot which, base::Random& random) {
   // Time rises with the third power of the number of joints: many joints are rare.
-  constexpr std::array kUpTo = {0.1, 0.35, 0.7, 0.87, 0.93, 0.96, 1.0};
+  constexpr std::array kUpTo = {0.1, 0.35, 0.72, 0.92, 0.96, 0.98, 1.0};
   const double drawn = random.uniform(0.0, 1.0);
   const int joints =
       1 + static_cast<int>(std::lower_bound(kUpTo.begin(), kUpTo.end(), drawn) - kUpTo.begin());
