@@ -14,9 +14,15 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kLengths[] = {1.0, 0.3};  // of each step
-constexpr int kMostSteps = 4;              // of each fold
-constexpr double kStands = 0.05;           // fall of the objective [nats] at which a fold's fit stands still
+/// How each step is tried. A ridge, added to the normal equations, holds what the data hardly determine,
+/// where laws with corners are the least linear.
+struct Attempt {
+  double length, ridge;
+};
+constexpr Attempt kAttempts[] = {{1.0, 0.0}, {0.3, 0.0}, {1.0, 3.0}, {1.0, 100.0}};
+constexpr double kShorter = 0.1;  // factor of lengths and of 1 / ridge after a step that was too long
+constexpr int kMostSteps = 10;    // of each fold
+constexpr double kStands = 0.05;  // fall of the objective [nats] at which a fold's fit stands still
 
 /// A fit as it goes on without each of its folds.
 class FoldFits {
@@ -24,6 +30,7 @@ class FoldFits {
   FoldFits(const FitData& data, const Fit& fit, const Weighting& weighting)
       : data_(data), fit_(fit), weighting_(weighting), system_(data, fit, weighting, true) {
     precision_ = priorPrecision(fit.model)(system_.free);
+    remaining_ = system_.jacobian.transpose() * system_.e - precision_.cwiseProduct(fit.u(system_.free));
     for (int f = 0; f < data.folds(); ++f) {
       Fold fold{.outside = VectorXd::Ones(data.size()), .others = {}, .u = fit.u, .e = fit.e};
       MatrixXd others = system_.normal;
@@ -34,7 +41,7 @@ class FoldFits {
         others -= part.transpose() * part;
         fold.outside(rows).setZero();
       }
-      fold.others = others.ldlt();
+      fold.others = std::move(others);
       fold.objective = objective(fold, fold.u, fold.e);
       folds_.push_back(std::move(fold));
     }
@@ -46,8 +53,9 @@ class FoldFits {
     std::vector<VectorXd> trials;
     for (Fold& fold : folds_) {
       if (fold.stands) continue;
-      const VectorXd step = stepOf(fold);
-      for (const double length : kLengths) {
+      for (const Attempt& attempt : kAttempts) {
+        const double length = attempt.ridge > 0.0 ? attempt.length : fold.reach * attempt.length;
+        const VectorXd step = stepOf(fold, attempt.ridge / fold.reach);
         VectorXd u = fold.u;
         for (std::size_t k = 0; k < system_.free.size(); ++k)
           u[system_.free[k]] += length * step[static_cast<Index>(k)];
@@ -60,7 +68,7 @@ class FoldFits {
 
   /// Takes the better ones of the trials, whose residuals are the columns of `e`.
   void take(const std::vector<VectorXd>& trials, const MatrixXd& e) {
-    constexpr std::size_t kOfAFold = std::size(kLengths);
+    constexpr std::size_t kOfAFold = std::size(kAttempts);
     for (std::size_t k = 0; k < trials.size(); k += kOfAFold) {
       Fold& fold = *tried_[k];
       const double before = fold.objective;
@@ -71,7 +79,9 @@ class FoldFits {
         fold.u = trials[i];
         fold.e = e.col(static_cast<Index>(i));
       }
-      fold.stands = !(before - fold.objective > kStands);
+      const double fall = before - fold.objective;
+      if (!(fall > 0.0)) fold.reach *= kShorter;
+      fold.stands = fall > 0.0 && fall <= kStands;
     }
   }
 
@@ -88,21 +98,26 @@ class FoldFits {
  private:
   struct Fold {
     VectorXd outside;  ///< 1 for readings of other folds, 0 for its own
-    Eigen::LDLT<MatrixXd> others;
+    MatrixXd others;   ///< normal equations of the other folds
     VectorXd u, e;
+    double reach = 1.0;  ///< shortens the attempts
     double objective = std::numeric_limits<double>::infinity();
     bool stands = false;
   };
 
-  /// Objective of the other folds.
+  /// Objective of the other folds, less the way that the fit itself had still to go.
   double objective(const Fold& fold, const VectorXd& u, const VectorXd& e) const {
-    return objectiveOf(fit_.model, u, fold.outside.cwiseProduct(e), weighting_);
+    const VectorXd way = (u - fit_.u)(system_.free);
+    return objectiveOf(fit_.model, u, fold.outside.cwiseProduct(e), weighting_) + 2.0 * remaining_.dot(way);
   }
 
-  VectorXd stepOf(const Fold& fold) const {
+  VectorXd stepOf(const Fold& fold, double ridge) const {
     const VectorXd e = weighting_.weights.cwiseProduct(fold.outside).cwiseProduct(fold.e);
     const VectorXd u = fold.u(system_.free);
-    return fold.others.solve(system_.jacobian.transpose() * e - precision_.cwiseProduct(u))
+    MatrixXd normal = fold.others;
+    normal.diagonal().array() += ridge;
+    return normal.ldlt()
+        .solve(system_.jacobian.transpose() * e - precision_.cwiseProduct(u) - remaining_)
         .cwiseMax(-kLongestWay)
         .cwiseMin(kLongestWay);
   }
@@ -112,6 +127,7 @@ class FoldFits {
   const Weighting& weighting_;
   FreeSystem system_;
   VectorXd precision_;
+  VectorXd remaining_;  ///< Jᵀ e − P u of the fit, 0 at a minimum
   std::vector<Fold> folds_;
   std::vector<Fold*> tried_;  ///< fold of each trial
 };

@@ -9,12 +9,14 @@ namespace capstan::diagnosis {
 
 /// Held-out residuals by cross-validation with the folds of FitData::fold(). Without each fold f the fit goes
 /// on from its estimate, on the other folds only: chord Gauss–Newton steps
-///     Δu = (A − J_fᵀ J_f)⁻¹ (J_oᵀ e_o − P u),   A = Jᵀ J + P,
-/// with the fit's Jacobian J, its rows J_o of the other folds, and the priors P. Each step is tried at
-/// several lengths, of at most kLongestWay in any u and within the bounds, and judged by a simulation on the
-/// other folds. The residuals of fold f are those of the last simulation, with the initial states of rigid
-/// drives adapted. Nuisances are fitted to held-out segments too. Parameters at a bound stay there; so do
-/// times of single events, because one block alone determines them.
+///     Δu = (A − J_fᵀ J_f)⁻¹ (J_oᵀ e_o − P u − g),   A = Jᵀ J + P,
+/// with the fit's Jacobian J, its rows J_o of the other folds, the priors P, and g = Jᵀ e − P u of the fit:
+/// where the fit stopped before a minimum, its folds stop as well. Each step is tried in full, shorter, and
+/// with ridges (Levenberg–Marquardt), of at most kLongestWay in any u and within the bounds, and judged by a
+/// simulation on the other folds. A fold that no attempt moved would be predicted as well as it was fitted,
+/// which would favour the least linear models. The residuals of fold f are those of the last simulation, with
+/// the initial states of rigid drives adapted. Nuisances are fitted to held-out segments too. Parameters at a
+/// bound stay there; so do times of single events, because one block alone determines them.
 Eigen::VectorXd heldOut(const FitData& data, const Fit& fit, const Weighting& weighting);
 /// The same of several fits, whose robots are simulated in parallel.
 std::vector<Eigen::VectorXd> heldOut(const FitData& data, const std::vector<WeightedFit>& fits);

@@ -201,6 +201,16 @@ ScoreTest judge(const Probe& probe, const Projection& projection, const MatrixXd
   return score_test;
 }
 
+/// Whether two starts of one candidate have the same values of the numbers that a fit leaves as they are,
+/// such as the other joint of a coupling.
+bool isOfOneForm(const ScoreTest& a, const ScoreTest& b) {
+  if (a.hypothesis != b.hypothesis || a.joint != b.joint) return false;
+  for (std::size_t k = 0; k < a.start.value.size(); ++k)
+    if (a.start.scale[k] == 0.0 && b.start.scale[k] == 0.0 && a.start.value[k] != b.start.value[k])
+      return false;
+  return true;
+}
+
 /// A spring in series with a cable changes its k_e, which every model fits within a factor.
 bool isStiffness(const EffectCandidate& effect, const FitModel& model) {
   return effect.hypothesis->name() == "cable_compliance" && !model.rigid() &&
@@ -240,12 +250,12 @@ std::vector<ScoreTest> screen(const FitData& data, const Fit& fit, const Weighti
   for (const Probe& probe : probes) {
     const MatrixXd d = columnsOf(data, probe, response, projection.weights());
     ScoreTest score_test = judge(probe, projection, d);
-    if (!score_tests.empty() && score_tests.back().hypothesis == score_test.hypothesis &&
-        score_tests.back().joint == score_test.joint) {
-      if (score_test.gain > score_tests.back().gain) score_tests.back() = std::move(score_test);
-    } else {
+    const auto known = std::ranges::find_if(
+        score_tests, [&](const ScoreTest& other) { return isOfOneForm(other, score_test); });
+    if (known == score_tests.end())
       score_tests.push_back(std::move(score_test));
-    }
+    else if (score_test.gain > known->gain)
+      *known = std::move(score_test);
   }
   std::stable_sort(score_tests.begin(), score_tests.end(),
                    [](const ScoreTest& a, const ScoreTest& b) { return a.gain > b.gain; });

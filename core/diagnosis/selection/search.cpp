@@ -210,19 +210,35 @@ class Search {
     report("Testing hypotheses");
     const std::vector<ScoreTest> tests = screen(data_, parent.fit, parent.weighting, candidates);
     std::vector<ScoreTest> promising;
+    std::set<EffectSet> extended;
     for (const ScoreTest& test : tests) {
       const EffectSet with = plus(effects, {test.hypothesis, test.joint});
-      if (promising.size() >= static_cast<std::size_t>(refits)) break;
-      if (!isSettled(with) && canLead(parent, with, test, promising.size(), least)) promising.push_back(test);
+      if (extended.size() >= static_cast<std::size_t>(refits)) break;
+      if (isSettled(with) || !canLead(parent, with, test, extended.size(), least)) continue;
+      promising.push_back(test);
+      extended.insert(with);
     }
     if (cancelled(progress_)) return;
     if (!promising.empty())
       report(fmt::format("Refitting with {}", promising.front().hypothesis->words.title));
-    std::vector<SetFit> trials = fitter_.extended(parent, promising);
+    std::vector<SetFit> trials = bestOfEach(fitter_.extended(parent, promising));
     if (cancelled(progress_)) return;
     if (effects.empty() || effects == found_.best) note(parent, tests, trials);
     settleBest(std::move(trials), effects);
     if (!effects.empty() && effects != found_.best) SetFitter::thin(at(effects));
+  }
+
+  /// The best fit of each set: an effect can have several forms.
+  std::vector<SetFit> bestOfEach(std::vector<SetFit> trials) const {
+    std::vector<SetFit> best;
+    for (SetFit& trial : trials) {
+      const auto known = std::ranges::find(best, trial.effects, &SetFit::effects);
+      if (known == best.end())
+        best.push_back(std::move(trial));
+      else if (score_->of(trial.squares) > score_->of(known->squares))
+        *known = std::move(trial);
+    }
+    return best;
   }
 
   /// Whether the recordings show much that the set does not explain. Then errors are so correlated, and laws
@@ -274,7 +290,10 @@ class Search {
 
   void note(const SetFit& parent, const std::vector<ScoreTest>& tests, const std::vector<SetFit>& trials) {
     ++round_;
+    std::set<EffectSet> noted;
     for (const ScoreTest& test : tests) {
+      const EffectSet with = plus(parent.effects, {test.hypothesis, test.joint});
+      if (!noted.insert(with).second) continue;  // another form of it
       Candidate candidate{.effect = std::string(test.hypothesis->name()),
                           .joint = test.joint,
                           .round = round_,
@@ -283,7 +302,6 @@ class Search {
                           .reduction = std::numeric_limits<double>::quiet_NaN(),
                           .score = std::numeric_limits<double>::quiet_NaN(),
                           .probability = 0.0};
-      const EffectSet with = plus(parent.effects, {test.hypothesis, test.joint});
       for (const SetFit& trial : trials) {
         if (trial.effects != with || trial.squares.sum.size() == 0) continue;
         score_->learnInflation(trial.squares);
