@@ -96,8 +96,8 @@ struct Candidate {
   int round = 1;          ///< expansion of the search in which it was tested
   double screened = 0.0;  ///< predicted reduction of the residual's mean square (score test), as a share
   bool refitted = false;
-  double reduction = 0.0;  ///< largest cross-validated reduction over the channels; NaN: not refitted
-  /// Held-out log likelihood with the effect minus that without it [nats]; NaN: not refitted.
+  double reduction = 0.0;  ///< largest reduction over the channels by a short refit; NaN: not refitted
+  /// Log likelihood of the short refit with the effect minus that without it [nats]; NaN: not refitted.
   double score = 0.0;
   double probability = 0.0;  ///< as Cause::probability
 };

@@ -63,12 +63,17 @@ class Search {
     return score_->of(set.squares) + logPrior(set.effects, found_.candidates, found_.instants);
   }
 
+  /// The same of the fit's own residuals, which short fits have, too.
+  double fittedValue(const SetFit& set) const {
+    return score_->of(set.fitted) + logPrior(set.effects, found_.candidates, found_.instants);
+  }
+
   SetFit& at(const EffectSet& effects) { return found_.sets.at(effects); }
 
   /// Of two fits of the same set a settled one stays, else the better one. True: this set has become the
   /// best.
   bool keep(SetFit set) {
-    score_->learnInflation(set.squares);
+    if (set.settled) score_->learnInflation(set.squares);
     const EffectSet effects = set.effects, former = found_.best;
     const auto known = found_.sets.find(effects);
     if (known == found_.sets.end())
@@ -140,7 +145,7 @@ class Search {
       if (found_.best != best) return true;
       if (cancelled(progress_) || !found_.sets.contains(effects)) return false;
       if (!expanded_.insert(effects).second) continue;
-      expand(effects, kNeighbourRefits, kHopeful * (value(at(best)) - value(at(effects))));
+      expand(effects, kNeighbourRefits, kHopeful * (fittedValue(at(best)) - fittedValue(at(effects))));
     }
     return found_.best != best;
   }
@@ -149,9 +154,9 @@ class Search {
   bool settleContenders() {
     std::vector<SetFit> sets;
     for (auto& [effects, set] : found_.sets)
-      if (!set.settled && value(set) > value(at(found_.best)) - kContend) sets.push_back(set);
+      if (!set.settled && fittedValue(set) > fittedValue(at(found_.best)) - kContend) sets.push_back(set);
     if (sets.empty() || cancelled(progress_)) return false;
-    std::ranges::stable_sort(sets, [&](const SetFit& a, const SetFit& b) { return value(a) > value(b); });
+    sortByFit(sets);
     if (sets.size() > kContenders) sets.erase(sets.begin() + kContenders, sets.end());
 
     report("Settling the candidate models");
@@ -180,7 +185,7 @@ class Search {
     report(fmt::format("Fitting without {}", removals.front().effect.hypothesis->words.title));
     std::vector<SetFit> near, others;
     for (SetFit& set : fitter_.reduced(removals))
-      (value(set) > value(at(best)) - kWorthMuch ? near : others).push_back(std::move(set));
+      (fittedValue(set) > fittedValue(at(best)) - kWorthMuch ? near : others).push_back(std::move(set));
     keepThin(std::move(others));
     if (!near.empty() && !cancelled(progress_)) keepThin(fitter_.settled(std::move(near)));
     for (const Removal& removal : removals)
@@ -228,6 +233,11 @@ class Search {
     if (!effects.empty() && effects != found_.best) SetFitter::thin(at(effects));
   }
 
+  void sortByFit(std::vector<SetFit>& sets) const {
+    std::ranges::stable_sort(
+        sets, [&](const SetFit& a, const SetFit& b) { return fittedValue(a) > fittedValue(b); });
+  }
+
   /// The best fit of each set: an effect can have several forms.
   std::vector<SetFit> bestOfEach(std::vector<SetFit> trials) const {
     std::vector<SetFit> best;
@@ -235,7 +245,7 @@ class Search {
       const auto known = std::ranges::find(best, trial.effects, &SetFit::effects);
       if (known == best.end())
         best.push_back(std::move(trial));
-      else if (score_->of(trial.squares) > score_->of(known->squares))
+      else if (score_->of(trial.fitted) > score_->of(known->fitted))
         *known = std::move(trial);
     }
     return best;
@@ -260,12 +270,12 @@ class Search {
   /// the best ones in any case.
   void settleBest(std::vector<SetFit> trials, const EffectSet& extended) {
     if (trials.empty()) return;
-    std::ranges::stable_sort(trials, [&](const SetFit& a, const SetFit& b) { return value(a) > value(b); });
-    const double before = value(at(extended)), best = value(trials.front()) - before;
+    sortByFit(trials);
+    const double before = fittedValue(at(extended)), best = fittedValue(trials.front()) - before;
     const bool far = isFar(at(extended));
     std::vector<SetFit> hopeful, others;
     for (SetFit& trial : trials) {
-      const double gain = value(trial) - before;
+      const double gain = fittedValue(trial) - before;
       const bool better = gain > 0.0 && gain >= kHopeful * best;
       (hopeful.size() < kSettled && (far || better) ? hopeful : others).push_back(std::move(trial));
     }
@@ -303,11 +313,10 @@ class Search {
                           .score = std::numeric_limits<double>::quiet_NaN(),
                           .probability = 0.0};
       for (const SetFit& trial : trials) {
-        if (trial.effects != with || trial.squares.sum.size() == 0) continue;
-        score_->learnInflation(trial.squares);
+        if (trial.effects != with || trial.fitted.sum.size() == 0) continue;
         candidate.refitted = true;
-        candidate.reduction = largestReduction(parent.squares, trial.squares).share;
-        candidate.score = score_->of(trial.squares) - score_->of(parent.squares);
+        candidate.reduction = largestReduction(parent.fitted, trial.fitted).share;
+        candidate.score = score_->of(trial.fitted) - score_->of(parent.fitted);
       }
       found_.tested.push_back(std::move(candidate));
     }

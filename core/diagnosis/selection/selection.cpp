@@ -32,7 +32,8 @@ struct Posterior {
 
 PredictiveScore scoreOf(const FitData& data, const SearchResult& found, std::uint64_t seed) {
   PredictiveScore score(data, found.input_noise, kDraws, seed);
-  for (const auto& [effects, set] : found.sets) score.learnInflation(set.squares);
+  for (const auto& [effects, set] : found.sets)
+    if (set.settled) score.learnInflation(set.squares);
   return score;
 }
 
@@ -106,14 +107,14 @@ EffectSet withoutEffect(const EffectSet& effects, const EffectCandidate& effect)
   return less;
 }
 
-/// Best of the fitted subsets of `effects`: a refit with one effect less may end in a worse minimum than one
-/// with two less.
+/// Best of the subsets of `effects` that were fitted to the end: a refit with one effect less may end in a
+/// worse minimum than one with two less.
 const SetFit& bestWithin(const EffectSet& effects, const SearchResult& found, const PredictiveScore& score) {
   const SetFit* best = &found.sets.at({});
   for (const auto& [others, set] : found.sets) {
     const bool within =
         std::ranges::all_of(others, [&](const EffectCandidate& one) { return contains(effects, one); });
-    if (within && score.of(set.squares) > score.of(best->squares)) best = &set;
+    if (within && set.settled && score.of(set.squares) > score.of(best->squares)) best = &set;
   }
   return *best;
 }

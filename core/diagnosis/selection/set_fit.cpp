@@ -94,13 +94,23 @@ FitTask SetFitter::shortFit(const SetFit& parent, FitModel model, Eigen::VectorX
   return task;
 }
 
+namespace {
+
+/// False for a fit that was cancelled before its first linearisation, or whose simulation diverged.
+bool isComplete(const SetFit& set) {
+  return set.fit.jacobian.rows() == set.fit.e.size() && set.fit.e.allFinite();
+}
+
+}  // namespace
+
 std::vector<SetFit> SetFitter::fitted(const std::vector<FitTask>& tasks,
                                       std::vector<EffectSet> effects) const {
   std::vector<Fit> fits = fitAll(data_, tasks);
   std::vector<SetFit> sets;
   for (std::size_t k = 0; k < tasks.size(); ++k)
     sets.push_back({std::move(effects[k]), std::move(fits[k]), tasks[k].weighting});
-  holdOut(sets);
+  for (SetFit& set : sets)
+    if (isComplete(set)) set.fitted = set.squares = squaresOf(data_, set.fit.e);
   return sets;
 }
 
@@ -170,9 +180,9 @@ void SetFitter::holdOut(std::vector<SetFit>& sets) const {
   std::vector<SetFit*> finite;
   std::vector<WeightedFit> fits;
   for (SetFit& set : sets) {
-    set.squares = {};
-    const bool begun = set.fit.jacobian.rows() == set.fit.e.size();  // not if cancelled before
-    if (!begun || !set.fit.e.allFinite()) continue;
+    set.fitted = set.squares = {};
+    if (!isComplete(set)) continue;
+    set.fitted = squaresOf(data_, set.fit.e);
     finite.push_back(&set);
     fits.push_back({&set.fit, &set.weighting});
   }

@@ -8,11 +8,14 @@
 
 namespace capstan::diagnosis {
 
-/// Fit of one candidate model (a set of effects), and its residuals on held-out blocks.
+/// Fit of one candidate model (a set of effects), and its residuals.
 struct SetFit {
   EffectSet effects;
   Fit fit;
   Weighting weighting;
+  BlockSquares fitted = {};  ///< of the fit's residuals
+  /// Of the residuals on held-out blocks. A short fit has none: what it would leave there says more about how
+  /// far it has come than about the effects. Its `squares` are those of the fit.
   BlockSquares squares = {};
   /// True: fitted until convergence. False: a short fit with the weights of the model that it started from.
   bool settled = false;

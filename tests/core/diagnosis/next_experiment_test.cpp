@@ -67,6 +67,7 @@ class Undecided {
                 linearise(data_, model, model.startFrom(nominal, without.fit.u), noneBeyond(data_),
                           without.weighting),
                 without.weighting,
+                without.fitted,
                 without.squares,
                 true};
     selection_.emplace(Selection{.base = without.fit,

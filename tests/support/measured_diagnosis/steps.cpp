@@ -11,7 +11,7 @@ robot::Description robotFile(const std::string& name) {
 std::vector<Step> stepsOf(const diagnosis::FitData& data, const diagnosis::Selection& selection) {
   std::vector<Step> steps{{"nominal structure", {}, selection.base}};
   const diagnosis::SetFitter fitter(data);
-  const diagnosis::SetFit nominal{{}, selection.base, selection.weighting, {}, true};
+  const diagnosis::SetFit nominal{{}, selection.base, selection.weighting, {}, {}, true};
   diagnosis::EffectSet effects;
   for (const diagnosis::SelectedEffect& selected : selection.effects) {
     effects = plus(std::move(effects), selected.effect);

@@ -38,10 +38,10 @@ RankingTable::RankingTable(QWidget* parent) : QTreeWidget(parent) {
   setObjectName("ranking");
   setColumnCount(kColumns);
   setHeaderLabels({tr("candidate"), tr("takes off"), tr("score"), tr("probability")});
-  headerItem()->setToolTip(kTaken, tr("Reduction of the residual's mean square on held-out data; outlined: "
+  headerItem()->setToolTip(kTaken, tr("Reduction of the residual's mean square by a short refit; outlined: "
                                       "prediction of the score test for candidates that were not refitted"));
   headerItem()->setToolTip(
-      kScore, tr("Log-likelihood on held-out data with the effect minus that without it [nats]"));
+      kScore, tr("Log-likelihood of a short refit with the effect minus that without it [nats]"));
   setItemDelegateForColumn(kTaken, new ShareBar(this));
   setRootIsDecorated(false);
   setItemsExpandable(false);
