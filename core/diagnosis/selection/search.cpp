@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kBeam = 2;        // sets that are expanded at a time
 constexpr std::size_t kFarBeam = 4;     // the same, far from an explanation (isFar())
 constexpr std::size_t kContenders = 8;  // largest number of sets near the best one that are settled together
-constexpr std::size_t kSettled = 3;     // trials of an expansion that are fitted to the end
+constexpr std::size_t kSettled = 5;     // trials of an expansion that are fitted to the end
 constexpr int kNeighbourRefits = 4;     // refits where a neighbour of the best set is expanded
 constexpr double kHopeful =
     0.5;  // share of the best trial's gain, and of a loss to be made up, that is pursued
