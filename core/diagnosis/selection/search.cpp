@@ -17,7 +17,8 @@ constexpr std::size_t kBeam = 2;        // sets that are expanded at a time
 constexpr std::size_t kFarBeam = 4;     // the same, far from an explanation (isFar())
 constexpr std::size_t kContenders = 8;  // largest number of sets near the best one that are settled together
 constexpr std::size_t kSettled = 5;     // trials of an expansion that are fitted to the end
-constexpr int kNeighbourRefits = 4;     // refits where a neighbour of the best set is expanded
+constexpr std::size_t kNeighbourSettled = 2;  // the same where a neighbour of the best set is expanded
+constexpr int kNeighbourRefits = 4;           // refits of such an expansion
 constexpr double kHopeful =
     0.5;  // share of the best trial's gain, and of a loss to be made up, that is pursued
 constexpr double kWindow =
@@ -120,7 +121,7 @@ class Search {
     bool any = false;
     for (const EffectSet& effects : sets) {
       if (!expanded_.insert(effects).second || cancelled(progress_)) continue;
-      expand(effects, options_.refits, 0.0);
+      expand(effects, {.refits = options_.refits, .settled = kSettled, .least = 0.0});
       any = true;
     }
     return any;
@@ -145,7 +146,9 @@ class Search {
       if (found_.best != best) return true;
       if (cancelled(progress_) || !found_.sets.contains(effects)) return false;
       if (!expanded_.insert(effects).second) continue;
-      expand(effects, kNeighbourRefits, kHopeful * (fittedValue(at(best)) - fittedValue(at(effects))));
+      expand(effects, {.refits = kNeighbourRefits,
+                       .settled = kNeighbourSettled,
+                       .least = kHopeful * (fittedValue(at(best)) - fittedValue(at(effects)))});
     }
     return found_.best != best;
   }
@@ -201,9 +204,16 @@ class Search {
     }
   }
 
-  /// Candidates that can gain less than `least` nats by their score tests, or less than one more effect
-  /// costs, are not refitted. A set is not expanded if no model can gain that much.
-  void expand(const EffectSet& effects, int refits, double least) {
+  struct Expansion {
+    int refits = 0;           ///< largest number of candidates that are refitted
+    std::size_t settled = 0;  ///< largest number of them that are fitted to the end
+    double least = 0.0;       ///< [nats]
+  };
+
+  /// Candidates that can gain less than `least` by their score tests, or less than one more effect costs, are
+  /// not refitted. A set is not expanded if no model can gain that much.
+  void expand(const EffectSet& effects, const Expansion& how) {
+    const auto [refits, settled, least] = how;
     if (effects.size() >= static_cast<std::size_t>(options_.most_causes)) return;
     SetFit& parent = at(effects);
     const double cost =
@@ -229,7 +239,7 @@ class Search {
     std::vector<SetFit> trials = bestOfEach(fitter_.extended(parent, promising));
     if (cancelled(progress_)) return;
     if (effects.empty() || effects == found_.best) note(parent, tests, trials);
-    settleBest(std::move(trials), effects);
+    settleBest(std::move(trials), effects, settled);
     if (!effects.empty() && effects != found_.best) SetFitter::thin(at(effects));
   }
 
@@ -268,7 +278,7 @@ class Search {
 
   /// Fits to the end the best trials that are better than the set which they extend; far from an explanation
   /// the best ones in any case.
-  void settleBest(std::vector<SetFit> trials, const EffectSet& extended) {
+  void settleBest(std::vector<SetFit> trials, const EffectSet& extended, std::size_t most) {
     if (trials.empty()) return;
     sortByFit(trials);
     const double before = fittedValue(at(extended)), best = fittedValue(trials.front()) - before;
@@ -277,7 +287,7 @@ class Search {
     for (SetFit& trial : trials) {
       const double gain = fittedValue(trial) - before;
       const bool better = gain > 0.0 && gain >= kHopeful * best;
-      (hopeful.size() < kSettled && (far || better) ? hopeful : others).push_back(std::move(trial));
+      (hopeful.size() < most && (far || better) ? hopeful : others).push_back(std::move(trial));
     }
     keepThin(std::move(others));
     if (hopeful.empty() || cancelled(progress_)) return;
