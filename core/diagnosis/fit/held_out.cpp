@@ -20,6 +20,7 @@ struct Attempt {
   double length, ridge;
 };
 constexpr Attempt kAttempts[] = {{1.0, 0.0}, {0.3, 0.0}, {1.0, 3.0}, {1.0, 100.0}};
+constexpr double kStays = 0.1;    // weight of a fold in its own fit
 constexpr double kShorter = 0.1;  // factor of lengths and of 1 / ridge after a step that was too long
 constexpr int kMostSteps = 10;    // of each fold
 constexpr double kStands = 0.05;  // fall of the objective [nats] at which a fold's fit stands still
@@ -32,16 +33,16 @@ class FoldFits {
     precision_ = priorPrecision(fit.model)(system_.free);
     remaining_ = system_.jacobian.transpose() * system_.e - precision_.cwiseProduct(fit.u(system_.free));
     for (int f = 0; f < data.folds(); ++f) {
-      Fold fold{.outside = VectorXd::Ones(data.size()), .others = {}, .u = fit.u, .e = fit.e};
-      MatrixXd others = system_.normal;
+      Fold fold{.weight = VectorXd::Ones(data.size()), .normal = {}, .u = fit.u, .e = fit.e};
+      MatrixXd normal = system_.normal;
       for (int b = 0; b < data.blocks(); ++b) {
         if (data.fold(b) != f) continue;
         const std::vector<Index>& rows = system_.rows[static_cast<std::size_t>(b)];
         const MatrixXd part = system_.jacobian(rows, Eigen::all);
-        others -= part.transpose() * part;
-        fold.outside(rows).setZero();
+        normal -= (1.0 - kStays) * part.transpose() * part;
+        fold.weight(rows).setConstant(kStays);
       }
-      fold.others = std::move(others);
+      fold.normal = std::move(normal);
       fold.objective = objective(fold, fold.u, fold.e);
       folds_.push_back(std::move(fold));
     }
@@ -97,24 +98,25 @@ class FoldFits {
 
  private:
   struct Fold {
-    VectorXd outside;  ///< 1 for readings of other folds, 0 for its own
-    MatrixXd others;   ///< normal equations of the other folds
+    VectorXd weight;  ///< 1 for readings of other folds, kStays for its own
+    MatrixXd normal;  ///< normal equations with these weights
     VectorXd u, e;
     double reach = 1.0;  ///< shortens the attempts
     double objective = std::numeric_limits<double>::infinity();
     bool stands = false;
   };
 
-  /// Objective of the other folds, less the way that the fit itself had still to go.
+  /// Objective with the fold's weights, less the way that the fit itself had still to go.
   double objective(const Fold& fold, const VectorXd& u, const VectorXd& e) const {
     const VectorXd way = (u - fit_.u)(system_.free);
-    return objectiveOf(fit_.model, u, fold.outside.cwiseProduct(e), weighting_) + 2.0 * remaining_.dot(way);
+    return objectiveOf(fit_.model, u, fold.weight.cwiseSqrt().cwiseProduct(e), weighting_) +
+           2.0 * remaining_.dot(way);
   }
 
   VectorXd stepOf(const Fold& fold, double ridge) const {
-    const VectorXd e = weighting_.weights.cwiseProduct(fold.outside).cwiseProduct(fold.e);
+    const VectorXd e = weighting_.weights.cwiseProduct(fold.weight).cwiseProduct(fold.e);
     const VectorXd u = fold.u(system_.free);
-    MatrixXd normal = fold.others;
+    MatrixXd normal = fold.normal;
     normal.diagonal().array() += ridge;
     return normal.ldlt()
         .solve(system_.jacobian.transpose() * e - precision_.cwiseProduct(u) - remaining_)

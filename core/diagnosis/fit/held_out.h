@@ -7,9 +7,10 @@
 
 namespace capstan::diagnosis {
 
-/// Held-out residuals by cross-validation with the folds of FitData::fold(). Without each fold f the fit goes
-/// on from its estimate, on the other folds only: chord Gauss–Newton steps
-///     Δu = (A − J_fᵀ J_f)⁻¹ (J_oᵀ e_o − P u − g),   A = Jᵀ J + P,
+/// Held-out residuals by cross-validation with the folds of FitData::fold(). Without nine tenths of the weight
+/// of each fold f the fit goes on from its estimate. (Without all of it, one event that a single fold has seen
+/// would decide between models: where the play of a joint lay at the start.) Steps are chord Gauss–Newton,
+///     Δu = (A − 0.9 J_fᵀ J_f)⁻¹ (J_oᵀ e_o + 0.1 J_fᵀ e_f − P u − g),   A = Jᵀ J + P,
 /// with the fit's Jacobian J, its rows J_o of the other folds, the priors P, and g = Jᵀ e − P u of the fit:
 /// where the fit stopped before a minimum, its folds stop as well. Each step is tried in full, shorter, and
 /// with ridges (Levenberg–Marquardt), of at most kLongestWay in any u and within the bounds, and judged by a
