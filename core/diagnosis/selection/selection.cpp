@@ -107,6 +107,27 @@ EffectSet withoutEffect(const EffectSet& effects, const EffectCandidate& effect)
   return less;
 }
 
+/// The set without those effects that it is about as probable without (kTie): the simplest of the models
+/// between which the recordings do not decide.
+const SetFit& simplest(const SetFit& from, const Posterior& posterior, const SearchResult& found) {
+  const double least = kTie / (1.0 - kTie) * posterior.of(from.effects);
+  const SetFit* best = &from;
+  for (bool simpler = true; simpler;) {
+    simpler = false;
+    const EffectSet effects = best->effects;
+    double most = least;
+    for (const EffectCandidate& effect : effects) {
+      const EffectSet less = withoutEffect(effects, effect);
+      const double p = posterior.of(less);
+      if (!(p > most)) continue;
+      most = p;
+      best = &found.sets.at(less);
+      simpler = true;
+    }
+  }
+  return *best;
+}
+
 /// Best of the subsets of `effects` that were fitted to the end: a refit with one effect less may end in a
 /// worse minimum than one with two less.
 const SetFit& bestWithin(const EffectSet& effects, const SearchResult& found, const PredictiveScore& score) {
@@ -191,7 +212,7 @@ Selection select(const FitData& data, const std::vector<Evidence>& recordings, c
   const Posterior posterior = posteriorOf(found, score);
   const SetFitter fitter(data);
   const SetFit& base = found.sets.at({});
-  SetFit best = mostProbable(posterior, found);
+  SetFit best = simplest(mostProbable(posterior, found), posterior, found);
   fitter.relinearise(best);
   settleWithouts(fitter, best, found);
   Selection s{.base = base.fit,

@@ -31,7 +31,8 @@ struct ProbableSet {
   double probability = 0.0;
 };
 
-/// Selected effects: the set with the highest posterior probability, and the probabilities of other sets.
+/// Selected effects: the set with the highest posterior probability, without those of its effects that it is
+/// about as probable without (kTie); and the probabilities of other sets.
 struct Selection {
   Fit base;  ///< fit of the nominal robot without effects
   BlockSquares base_squares;
@@ -56,7 +57,7 @@ Selection select(const FitData& data, const std::vector<Evidence>& recordings, c
 /// Raftery 1994).
 inline constexpr double kOccam = 1e-3;
 /// Smallest share p / (p + p_selected) of the probability at which a set that differs from the selected one
-/// by one exchange makes a tie.
+/// by one exchange makes a tie, and a set with one effect less is selected in its place.
 inline constexpr double kTie = 0.2;
 inline constexpr std::size_t kProbableSets = 4;
 
