@@ -109,7 +109,7 @@ void FitModel::addTerm(EffectTerm term) {
                    numbers[k].low,
                    numbers[k].high,
                    kEffectPrior};
-    if (k == 0 && term.hypothesis->least) p.low = *term.hypothesis->least;
+    if (k < term.hypothesis->least.size()) p.low = std::max(p.low, term.hypothesis->least[k]);
     if (numbers[k].name == "time") {
       std::tie(p.low, p.high) = eventTimes(scalesOf(scales_, term.joint));
     } else if (term.background && start == 0.0) {

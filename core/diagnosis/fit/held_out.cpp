@@ -20,10 +20,11 @@ struct Attempt {
   double length, ridge;
 };
 constexpr Attempt kAttempts[] = {{1.0, 0.0}, {0.3, 0.0}, {1.0, 3.0}, {1.0, 100.0}};
-constexpr double kStays = 0.1;    // weight of a fold in its own fit
-constexpr double kShorter = 0.1;  // factor of lengths and of 1 / ridge after a step that was too long
-constexpr int kMostSteps = 10;    // of each fold
-constexpr double kStands = 0.05;  // fall of the objective [nats] at which a fold's fit stands still
+constexpr double kStays = 0.1;        // weight of a fold in its own fit
+constexpr double kShorter = 0.1;      // factor of lengths and of 1 / ridge after a step that was too long
+constexpr double kLeastReach = 5e-3;  // three steps that were too long
+constexpr int kMostSteps = 10;        // of each fold
+constexpr double kStands = 0.05;      // fall of the objective [nats] at which a fold's fit stands still
 
 /// A fit as it goes on without each of its folds.
 class FoldFits {
@@ -82,7 +83,7 @@ class FoldFits {
       }
       const double fall = before - fold.objective;
       if (!(fall > 0.0)) fold.reach *= kShorter;
-      fold.stands = fall > 0.0 && fall <= kStands;
+      fold.stands = fall > 0.0 ? fall <= kStands : fold.reach < kLeastReach;
     }
   }
 

@@ -14,9 +14,9 @@ namespace capstan::diagnosis {
 /// with the fit's Jacobian J, its rows J_o of the other folds, the priors P, and g = Jᵀ e − P u of the fit:
 /// where the fit stopped before a minimum, its folds stop as well. Each step is tried in full, shorter, and
 /// with ridges (Levenberg–Marquardt), of at most kLongestWay in any u and within the bounds, and judged by a
-/// simulation on the other folds. A fold that no attempt moved would be predicted as well as it was fitted,
-/// which would favour the least linear models. The residuals of fold f are those of the last simulation, with
-/// the initial states of rigid drives adapted. Nuisances are fitted to held-out segments too. Parameters at a
+/// simulation. If no attempt moved a fold, its residuals would still be those of the full fit, which would
+/// favour models that are far from linear. The residuals of fold f are those of the last accepted simulation,
+/// with the initial states of rigid drives adapted. Nuisances are fitted to held-out segments too. Parameters at a
 /// bound stay there; so do times of single events, because one block alone determines them.
 Eigen::VectorXd heldOut(const FitData& data, const Fit& fit, const Weighting& weighting);
 /// The same of several fits, whose robots are simulated in parallel.

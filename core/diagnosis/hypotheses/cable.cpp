@@ -213,7 +213,7 @@ std::vector<Hypothesis> cableHypotheses() {
               },
           .neutral = {kNone},
           .grid = slackStarts,
-          .least = 0.0,
+          .least = {0.0},
           .size = slackSize,
       },
       {

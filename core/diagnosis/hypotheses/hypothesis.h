@@ -50,9 +50,9 @@ double stretchOfRange(const JointScales& scales);
 /// more than a fit of k_e reaches.
 bool isPracticallyRigid(const JointScales& scales);
 /// First and last time at which an event (a parameter `time`) is looked for [s]: kFromEnds, or a tenth of a
-/// short recording, after the begin and before the end. What happens nearer to an end is seen by a single
-/// block of the cross-validation, so that no other block can confirm it, and looks like an error of the
-/// initial state.
+/// short recording, after the begin and before the end. What happens nearer to an end is seen by hardly more
+/// than one block of the cross-validation, so that no other block can confirm it, and looks like an error of
+/// the initial state.
 std::pair<double, double> eventTimes(const JointScales& scales);
 inline constexpr double kFromEnds = 1.0;
 
@@ -83,8 +83,9 @@ struct Hypothesis {
   /// Size that the effect normally has on a robot in good order, in the unit of size(). Models contain the
   /// effect up to this size as a background effect, which is no cause. 0: no background effect.
   double (*background)(const JointScales& scales) = [](const JointScales&) { return 0.0; };
-  /// Least value of the first parameter in a fit; empty: that of the facts. What is below is another effect.
-  std::optional<double> least = {};
+  /// Least values of parameters in a fit, in their order; of those beyond: that of the facts. What is below
+  /// is another effect.
+  std::vector<double> least = {};
   std::optional<BegunShare> begun = {};  ///< one more parameter of a fit; empty: the effect has no past
   /// Size of the effect as one number: usually the first parameter's magnitude.
   double (*size)(const std::vector<double>& values) = firstMagnitude;

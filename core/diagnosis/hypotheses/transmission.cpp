@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <limits>
+
 #include "core/diagnosis/hypotheses/library.h"
 
 namespace capstan::diagnosis::library {
@@ -11,12 +14,14 @@ Starts cableCouplingStarts(const JointScales& s, int joint) {
   return usable(std::move(all));
 }
 
+constexpr double kDriftsOn = 1.0;  // least time constant [s]: what settles sooner is an error of the zero
+
 /// Starts with several time constants: a drift that settles early and one that lasts to the end of the
 /// recording look different.
 Starts zeroDriftStarts(const JointScales& s, int) {
   Starts all;
   for (const double share : {0.05, 0.15, 0.4}) {
-    const double time = share * s.duration;
+    const double time = std::max(share * s.duration, kDriftsOn);
     all.push_back({{0.0, time}, {0.02 * s.range, 0.5 * time}});
   }
   return s.duration > 0.0 ? usable(std::move(all)) : Starts{};
@@ -143,6 +148,7 @@ std::vector<Hypothesis> transmissionHypotheses() {
               },
           .neutral = {0.0, 1.0},
           .grid = zeroDriftStarts,
+          .least = {std::numeric_limits<double>::lowest(), kDriftsOn},
           // Negative: an approximation of a drift that begins a moment after the recording. Most of it is in
           // the recording: what came before cannot be told from a homing offset.
           .begun = BegunShare{&robot::JointNumbers<double>::zero_drift_begun, 0.0, 0.1, -0.1, 0.3},

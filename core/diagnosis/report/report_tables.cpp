@@ -190,7 +190,7 @@ Table rankingTable(const Report& report, std::size_t most) {
                    text("effect"),
                    text("where"),
                    number("predicted", "%", 1, NumberStyle::kFixed),
-                   number("held out", "%", 1, NumberStyle::kFixed),
+                   number("refitted", "%", 1, NumberStyle::kFixed),
                    number("score", "nats", 1, NumberStyle::kFixed),
                    number("probability", "%", 0, NumberStyle::kFixed)};
   table.columns.front().grouped = true;

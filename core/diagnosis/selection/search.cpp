@@ -216,6 +216,7 @@ class Search {
     const auto [refits, settled, least] = how;
     if (effects.size() >= static_cast<std::size_t>(options_.most_causes)) return;
     SetFit& parent = at(effects);
+    if (parent.squares.sum.size() == 0) return;  // its simulation diverged
     const double cost =
         logPrior(effects.size(), found_.candidates) - logPrior(effects.size() + 1, found_.candidates);
     if (!effects.empty() && score_->room(parent.squares) < std::max(least, cost)) return;
@@ -229,7 +230,7 @@ class Search {
     for (const ScoreTest& test : tests) {
       const EffectSet with = plus(effects, {test.hypothesis, test.joint});
       if (extended.size() >= static_cast<std::size_t>(refits)) break;
-      if (isSettled(with) || !canLead(parent, with, test, extended.size(), least)) continue;
+      if (isSettled(with) || !canLead(parent, with, test, extended.size() < settled, least)) continue;
       promising.push_back(test);
       extended.insert(with);
     }
@@ -265,15 +266,14 @@ class Search {
   /// so far from linear, that score tests and short fits say little about what an effect gains.
   bool isFar(const SetFit& set) const { return score_->excess(set.squares) > kFar; }
 
-  /// Whether the effect of `test` can gain `least` nats and what it costs. Far from an explanation the first
-  /// kSettled ones can.
-  bool canLead(const SetFit& parent, const EffectSet& with, const ScoreTest& test, std::size_t before,
+  /// Whether the effect of `test` can gain `least` nats and what it costs. Far from an explanation those that
+  /// come `first` can.
+  bool canLead(const SetFit& parent, const EffectSet& with, const ScoreTest& test, bool first,
                double least) const {
     const double cost = logPrior(parent.effects, found_.candidates, found_.instants) -
                         logPrior(with, found_.candidates, found_.instants);
-    const bool first = isFar(parent) && before < kSettled;
-    return (first ? score_->room(parent.squares) : score_->mostGain(parent.squares, test.share)) >=
-           std::max(least, cost);
+    return (first && isFar(parent) ? score_->room(parent.squares)
+                                   : score_->mostGain(parent.squares, test.share)) >= std::max(least, cost);
   }
 
   /// Fits to the end the best trials that are better than the set which they extend; far from an explanation

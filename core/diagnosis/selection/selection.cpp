@@ -107,10 +107,10 @@ EffectSet withoutEffect(const EffectSet& effects, const EffectCandidate& effect)
   return less;
 }
 
-/// The set without those effects that it is about as probable without (kTie): the simplest of the models
+/// The set without those effects that it is about as probable without (kDoubt): the simplest of the models
 /// between which the recordings do not decide.
 const SetFit& simplest(const SetFit& from, const Posterior& posterior, const SearchResult& found) {
-  const double least = kTie / (1.0 - kTie) * posterior.of(from.effects);
+  const double least = kDoubt * posterior.of(from.effects);
   const SetFit* best = &from;
   for (bool simpler = true; simpler;) {
     simpler = false;
@@ -212,7 +212,8 @@ Selection select(const FitData& data, const std::vector<Evidence>& recordings, c
   const Posterior posterior = posteriorOf(found, score);
   const SetFitter fitter(data);
   const SetFit& base = found.sets.at({});
-  SetFit best = simplest(mostProbable(posterior, found), posterior, found);
+  const SetFit& most_probable = mostProbable(posterior, found);
+  SetFit best = simplest(most_probable, posterior, found);
   fitter.relinearise(best);
   settleWithouts(fitter, best, found);
   Selection s{.base = base.fit,
@@ -222,10 +223,13 @@ Selection select(const FitData& data, const std::vector<Evidence>& recordings, c
               .best_squares = best.squares,
               .weighting = best.weighting,
               .effects = effectsOf(best, found, posterior, score),
+              .doubtful = {},
               .competitors = {},
               .posterior = windowOf(posterior),
               .probable = probableOf(posterior),
               .candidates = std::move(found.tested)};
+  for (const EffectCandidate& effect : most_probable.effects)
+    if (!contains(best.effects, effect)) s.doubtful.push_back({effect, posterior.inclusion(effect)});
   s.competitors = competitorsOf(best, s.effects, posterior);
   addProbabilities(posterior, s.candidates);
   return s;

@@ -25,6 +25,12 @@ struct CompetingExplanations {
   std::vector<double> probabilities;
 };
 
+/// Effect of the most probable set without which the model is about as probable.
+struct DoubtfulEffect {
+  EffectCandidate effect;
+  double probability = 0.0;  ///< that the effect is in the model
+};
+
 /// One set of the posterior, with its fit.
 struct ProbableSet {
   SetFit set;
@@ -32,7 +38,7 @@ struct ProbableSet {
 };
 
 /// Selected effects: the set with the highest posterior probability, without those of its effects that it is
-/// about as probable without (kTie); and the probabilities of other sets.
+/// about as probable without (kDoubt); and the probabilities of other sets.
 struct Selection {
   Fit base;  ///< fit of the nominal robot without effects
   BlockSquares base_squares;
@@ -41,6 +47,7 @@ struct Selection {
   BlockSquares best_squares;
   Weighting weighting;                             ///< weights of `best`
   std::vector<SelectedEffect> effects;             ///< effects with the largest loss first
+  std::vector<DoubtfulEffect> doubtful;            ///< not selected (kDoubt)
   std::vector<CompetingExplanations> competitors;  ///< effects with competitors, in the same order
   std::vector<SetProbability> posterior;           ///< sets within kOccam, most probable first
   std::vector<ProbableSet> probable;               ///< the kProbableSets most probable sets, thinned
@@ -57,8 +64,11 @@ Selection select(const FitData& data, const std::vector<Evidence>& recordings, c
 /// Raftery 1994).
 inline constexpr double kOccam = 1e-3;
 /// Smallest share p / (p + p_selected) of the probability at which a set that differs from the selected one
-/// by one exchange makes a tie, and a set with one effect less is selected in its place.
+/// by one exchange makes a tie.
 inline constexpr double kTie = 0.2;
+/// Smallest ratio of the probability of a set with one effect less to that of the most probable set at which
+/// the effect is in doubt.
+inline constexpr double kDoubt = 0.5;
 inline constexpr std::size_t kProbableSets = 4;
 
 }  // namespace capstan::diagnosis

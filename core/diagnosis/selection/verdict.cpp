@@ -214,6 +214,9 @@ void judge(const FitData& data, const Selection& s, const robot::Description& ro
   else
     report.verdict = left ? Verdict::kUnexplained : Verdict::kNothing;
   report.summary = summaryOf(report);
+  for (const DoubtfulEffect& one : s.doubtful)
+    report.summary += fmt::format(" {} may be there, too (probability {:.0f} %).", nameOf(one.effect),
+                                  100.0 * one.probability);
   if (report.verdict == Verdict::kNothing && isTooShort(data, s))
     report.summary =
         "Too little motion to say: the refitted robot explains what it was fitted to, and not "

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
+#include <vector>
 
 #include "core/diagnosis/fit/fit_model.h"
 #include "core/diagnosis/hypotheses/joint_scales.h"
@@ -36,6 +38,8 @@ double errorOverNoise(const ChainSimulation& simulation, const robot::ChainModel
     sum[channel] += std::pow(usual(i, 0) - fine(i, 0), 2);
     count[channel] += 1.0;
   }
+  EXPECT_TRUE(usual.allFinite() && fine.allFinite());
+  EXPECT_GT(count.minCoeff(), 0.0);
   double most = 0.0;
   for (std::size_t c = 0; c < compared.channels.size(); ++c) {
     const auto k = static_cast<Eigen::Index>(c);

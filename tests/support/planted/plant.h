@@ -30,7 +30,7 @@ struct PlantInput {
 /// Rigid drive: q_m = N/r_mc r_l A (q − q_hs) always holds, so that the motors' torque, friction and inertia
 /// act on the joints. Integration is by classical Runge–Kutta steps of fixed length, far inside the stability
 /// limit. With cables, whose stiffness makes steps short, M and C dq + G are those of the position in the
-/// middle of a step that the velocity predicts.
+/// middle of a step that the velocity predicts, C dq with the velocity at its begin.
 class Plant {
  public:
   Plant(const PlantParameters& parameters, const std::vector<Planted>& effects);

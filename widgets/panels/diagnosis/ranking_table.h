@@ -8,7 +8,7 @@
 namespace capstan::widgets {
 
 /// Candidates of each expansion of the search, the best first. The bar is the reduction of the residual's
-/// mean square on held-out data, as a share. Candidates that were only screened have an outline: the
+/// mean square by a refit, as a share. Candidates that were only screened have an outline: the
 /// reduction predicted by the score test.
 class RankingTable : public QTreeWidget {
   Q_OBJECT
