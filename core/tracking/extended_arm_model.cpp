@@ -66,7 +66,6 @@ ExtendedArmModel::ExtendedArmModel(const robot::Description& robot, const double
     model_.shape.farthest[i] =
         std::max(high[2 * i] - model_.shape.middle[i], model_.shape.middle[i] - low[2 * i]);
     model_.shape.fastest[i] = high[2 * i + 1];
-    has_contact_ |= (model_.shape.laws[i] & (robot::kLawPlay | robot::kLawSlack)) != 0;
     has_memory_ |= (model_.shape.laws[i] & (robot::kLawHysteresis | robot::kLawCreep)) != 0;
   }
   rate_ = largestWithinLimits(model_, robot, robot::chainRate);
@@ -75,15 +74,13 @@ ExtendedArmModel::ExtendedArmModel(const robot::Description& robot, const double
 
 /// Integrates in rows of 1 ms; within a row the arm's mass matrix is constant.
 void ExtendedArmModel::run(ChainState<ChainLane>& state, const CableArmDrive& drive, double dt) const {
-  constexpr double kRow = 1e-3;         // [s]
-  constexpr double kContact = 0.25e-3;  // longest step where contacts open [s]
-  constexpr double kMost = 1000.0;      // a gap in the samples must not stall the pipeline
+  constexpr double kRow = 1e-3;     // [s]
+  constexpr double kMost = 1000.0;  // a gap in the samples must not stall the pipeline
   const int rows = static_cast<int>(std::clamp(std::ceil(dt / kRow), 1.0, kMost));
   const double step = dt / rows;
   robot::ChainRun run;
   run.end = 2, run.stride = 2;
-  const double longest = has_contact_ ? std::min(kContact, 0.7 / oscillation_) : 0.7 / oscillation_;
-  run.steps = std::max(1, static_cast<int>(std::ceil(step / longest)));
+  run.steps = std::max(1, static_cast<int>(std::ceil(oscillation_ * step / 0.7)));
   ChainLane q[3], dq[3];  // output of the first row: ignored
   run.q = q[0].value, run.dq = dq[0].value;
   for (int row = 0; row < rows; ++row) {

@@ -54,7 +54,7 @@ class ExtendedArmModel {
   double low_[6], high_[6];
   double rate_ = 0.0;
   double oscillation_ = 0.0;  ///< largest robot::chainOscillation() on the same grid [1/s]
-  bool has_memory_ = false, has_contact_ = false;
+  bool has_memory_ = false;
 };
 
 }  // namespace capstan::tracking

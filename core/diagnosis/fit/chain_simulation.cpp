@@ -146,7 +146,7 @@ void ChainSimulation::findSamples(const robot::Description& robot) {
     compared_.channels.push_back({std::string("tip ") + "xyz"[axis], "m", 0, axis,
                                   e.noise.tip[static_cast<std::size_t>(axis)].floor()});
   const int thin = std::max(1, static_cast<int>(std::lround(1.0 / (kComparedRate * e.step * stride_))));
-  const double skip = e.hasEncoders() && e.drive == DriveKind::kRigid ? 0.0 : kSettling;
+  const double skip = e.hasEncoders() ? 0.0 : kSettling;
   std::vector<double> measured;
   const auto add = [&](int channel, double t, double value) {
     compared_.channel.push_back(channel);
@@ -163,8 +163,7 @@ void ChainSimulation::findSamples(const robot::Description& robot) {
       for (std::size_t k = 0; k < outputs; k += static_cast<std::size_t>(thin)) {
         const std::size_t row = window.begin + k * static_cast<std::size_t>(stride_);
         const double q = e.q[static_cast<std::size_t>(j)][row];
-        const bool starts = static_cast<double>(row - window.begin) * e.step < skip;
-        if (starts || !e.counts(row) || !std::isfinite(q)) continue;
+        if (!e.counts(row) || !std::isfinite(q)) continue;
         const std::size_t number = add(encoder_channel[static_cast<std::size_t>(j)], e.t[row], q);
         samples_.back().push_back({number, k, j});
       }

@@ -47,12 +47,12 @@ struct Robot {
 
 /// Open-loop simulations of a robot model on the recorded inputs of one recording (motor positions of cable
 /// drives, motor torques of rigid drives, loads), 16 robots at a time.
-/// With cable drives, each segment starts from the joint positions that the joint encoders measured, or
-/// without joint encoders from the positions that rigid cables would give. Readings in the first kSettling
-/// seconds are not compared: how friction and cables had shared the load before is not known. Rigid drives
-/// also restart after each `horizon` seconds from the encoders and their slope, because a small torque error
-/// grows to a large position error over time; with `horizon` 0 they restart at segments only. Joint encoders
-/// are compared at kComparedRate, cameras at every observation.
+/// With cable drives, each segment starts from the joint positions that the joint encoders measured. Without
+/// joint encoders it starts from the positions that rigid cables would give, and observations in the first
+/// kSettling seconds are not compared. Rigid drives also restart after each `horizon` seconds from the
+/// encoders and their slope, because a small torque error grows to a large position error over time; with
+/// `horizon` 0 they restart at segments only. Joint encoders are compared at kComparedRate, cameras at every
+/// observation.
 class ChainSimulation {
  public:
   /// Keeps a reference to `evidence`.
@@ -128,7 +128,7 @@ class ChainSimulation {
   Columns load_, signed_load_;  ///< smoothed loads: as measured, and with the signs of withSigns()
   robot::ChainRows rows_;
 };
-inline constexpr double kSettling = 0.5;        ///< time that is not compared at a start of cable drives [s]
+inline constexpr double kSettling = 0.5;        ///< time that is not compared at a start without encoders [s]
 inline constexpr double kComparedRate = 100.0;  ///< rate at which joint encoders are compared [Hz]
 
 /// Restores the sign of a load whose sensor measures only the magnitude. The sign flips at the minimum of

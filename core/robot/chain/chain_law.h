@@ -92,7 +92,7 @@ template <class S>
 struct CablePull {
   S force;            ///< gamma [N]
   S damping;          ///< d gamma / d rate [N·s/m]
-  S stiffness;        ///< d gamma / d stretch [N/m], without hysteresis, not negative
+  S stiffness;        ///< d gamma / d stretch [N/m], without hysteresis
   S hysteresis_rate;  ///< dz/dt [m/s]
   S creep_rate;       ///< rate of the creep elongation [m/s]
 };
@@ -147,7 +147,7 @@ CAPSTAN_CHAIN_INLINE PlayPull<S> playPull(const JointNumbers<S>& p, const S& x, 
 template <class S>
 CAPSTAN_CHAIN_INLINE CablePull<S> cablePull(const JointNumbers<S>& p, unsigned laws, const S& stretch,
                                             const S& rate, const S& range, const S& z, const S& creep) {
-  using std::abs, std::sinh, std::sqrt;
+  using std::abs, std::sinh;
   CablePull<S> pull;
   S x = stretch, stiffness = 2.0 * p.stiffness, extra = constantLike(stretch, 0.0);
   if (laws & kLawCreep) {
@@ -174,8 +174,7 @@ CAPSTAN_CHAIN_INLINE CablePull<S> cablePull(const JointNumbers<S>& p, unsigned l
   const S spring = share * stiffness * bent;
   S force = spring + (2.0 * p.damping) * rate;
   pull.damping = 2.0 * p.damping;
-  const S steeper = laws & kLawExponential ? sqrt(1.0 + bent * bent) : 1.0 + 0.5 * y * y;
-  pull.stiffness = share * stiffness * p.exponent * steeper;
+  pull.stiffness = share * stiffness * p.exponent * (1.0 + 0.5 * y * y);
   if (laws & kLawPlay) {
     const S zero = constantLike(x, 0.0);
     const PlayPull<S> at_play = playPull(p, x, spring, rate);
@@ -193,7 +192,7 @@ CAPSTAN_CHAIN_INLINE CablePull<S> cablePull(const JointNumbers<S>& p, unsigned l
     force = whereGreater(sound, p.pretension, share * pair, force);
   }
   pull.force = force + extra;
-  pull.stiffness = positivePart(pull.stiffness + hardened);
+  pull.stiffness = pull.stiffness + hardened;
   return pull;
 }
 

@@ -104,7 +104,6 @@ class ChainStep {
                                         x.hysteresis[i], x.creep[i]);
     damping_[i] = pull.damping * p.link_radius * p.link_radius;
     stiffness_[i] = pull.stiffness * p.link_radius;
-    if (laws & kLawLoadFriction) stiffness_[i] = stiffness_[i] * (1.0 + p.load_friction);
     if (laws & kLawHysteresis) slope.hysteresis[i] = pull.hysteresis_rate;
     if (laws & kLawCreep) slope.creep[i] = pull.creep_rate;
     return pull.force;
