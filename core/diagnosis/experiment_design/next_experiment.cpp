@@ -31,8 +31,7 @@ struct Prediction {
 };
 
 bool happensOnce(const EffectTerm& term) {
-  return std::ranges::any_of(term.hypothesis->facts->parameters,
-                             [](const auto& parameter) { return parameter.name == "time"; });
+  return std::ranges::any_of(term.hypothesis->facts->parameters, isEventTime);
 }
 
 /// Sets effects that happen once to zero, and their rows of the covariance too.
@@ -44,7 +43,7 @@ void leaveOutEvents(const FitModel& model, VectorXd& u, MatrixXd& covariance) {
       if (at < 0) continue;
       covariance.row(at).setZero();
       covariance.col(at).setZero();
-      if (term.hypothesis->facts->parameters[k].name != "time")
+      if (!isEventTime(term.hypothesis->facts->parameters[k]))
         u[at] = model.parameters()[static_cast<std::size_t>(at)].u(0.0);
     }
   }

@@ -93,8 +93,8 @@ class ChainSimulation {
   robot::ChainState<double> initialState(const robot::ChainModel& model, const Eigen::MatrixXd* beyond,
                                          std::size_t window) const;
   std::size_t outputsOf(const Window& window) const;
-  /// Number of outputs of a window, and of those in its first kStarting seconds with a cable drive (0 if the
-  /// window ends before), which are simulated with startingSteps() per row or more.
+  /// Number of outputs in the first kStarting seconds of a window of a cable drive, which are simulated with
+  /// startingSteps() per row or more; 0 if the window is shorter.
   std::size_t startingOutputs(const Window& window) const;
   int startingSteps() const;
   void simulate(const robot::ChainRows& rows, std::span<const Robot> robots,

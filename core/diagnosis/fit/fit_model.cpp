@@ -110,7 +110,7 @@ void FitModel::addTerm(EffectTerm term) {
                    numbers[k].high,
                    kEffectPrior};
     if (k < term.hypothesis->least.size()) p.low = std::max(p.low, term.hypothesis->least[k]);
-    if (numbers[k].name == "time") {
+    if (isEventTime(numbers[k])) {
       std::tie(p.low, p.high) = eventTimes(scalesOf(scales_, term.joint));
     } else if (term.background && start == 0.0) {
       p.low = std::max(p.low, -scale);

@@ -20,7 +20,7 @@ struct Attempt {
   double length, ridge;
 };
 constexpr Attempt kAttempts[] = {{1.0, 0.0}, {0.3, 0.0}, {1.0, 3.0}, {1.0, 100.0}};
-constexpr double kStays = 0.1;        // weight of a fold in its own fit
+constexpr double kOwnWeight = 0.1;    // weight of a fold in its own fit
 constexpr double kShorter = 0.1;      // factor of lengths and of 1 / ridge after a step that was too long
 constexpr double kLeastReach = 5e-3;  // three steps that were too long
 constexpr int kMostSteps = 10;        // of each fold
@@ -32,7 +32,7 @@ class FoldFits {
   FoldFits(const FitData& data, const Fit& fit, const Weighting& weighting)
       : data_(data), fit_(fit), weighting_(weighting), system_(data, fit, weighting, true) {
     precision_ = priorPrecision(fit.model)(system_.free);
-    remaining_ = system_.jacobian.transpose() * system_.e - precision_.cwiseProduct(fit.u(system_.free));
+    descent_ = system_.jacobian.transpose() * system_.e - precision_.cwiseProduct(fit.u(system_.free));
     for (int f = 0; f < data.folds(); ++f) {
       Fold fold{.weight = VectorXd::Ones(data.size()), .normal = {}, .u = fit.u, .e = fit.e};
       MatrixXd normal = system_.normal;
@@ -40,8 +40,8 @@ class FoldFits {
         if (data.fold(b) != f) continue;
         const std::vector<Index>& rows = system_.rows[static_cast<std::size_t>(b)];
         const MatrixXd part = system_.jacobian(rows, Eigen::all);
-        normal -= (1.0 - kStays) * part.transpose() * part;
-        fold.weight(rows).setConstant(kStays);
+        normal -= (1.0 - kOwnWeight) * part.transpose() * part;
+        fold.weight(rows).setConstant(kOwnWeight);
       }
       fold.normal = std::move(normal);
       fold.objective = objective(fold, fold.u, fold.e);
@@ -55,9 +55,10 @@ class FoldFits {
     std::vector<VectorXd> trials;
     for (Fold& fold : folds_) {
       if (fold.stands) continue;
+      const VectorXd descent = descentOf(fold);
       for (const Attempt& attempt : kAttempts) {
         const double length = attempt.ridge > 0.0 ? attempt.length : fold.reach * attempt.length;
-        const VectorXd step = stepOf(fold, attempt.ridge / fold.reach);
+        const VectorXd step = stepOf(fold, descent, attempt.ridge / fold.reach);
         VectorXd u = fold.u;
         for (std::size_t k = 0; k < system_.free.size(); ++k)
           u[system_.free[k]] += length * step[static_cast<Index>(k)];
@@ -99,7 +100,7 @@ class FoldFits {
 
  private:
   struct Fold {
-    VectorXd weight;  ///< 1 for readings of other folds, kStays for its own
+    VectorXd weight;  ///< 1 for readings of other folds, kOwnWeight for its own
     MatrixXd normal;  ///< normal equations with these weights
     VectorXd u, e;
     double reach = 1.0;  ///< shortens the attempts
@@ -107,22 +108,24 @@ class FoldFits {
     bool stands = false;
   };
 
-  /// Objective with the fold's weights, less the way that the fit itself had still to go.
+  /// Objective with the fold's weights, without the slope that the full objective has at the full fit.
   double objective(const Fold& fold, const VectorXd& u, const VectorXd& e) const {
     const VectorXd way = (u - fit_.u)(system_.free);
     return objectiveOf(fit_.model, u, fold.weight.cwiseSqrt().cwiseProduct(e), weighting_) +
-           2.0 * remaining_.dot(way);
+           2.0 * descent_.dot(way);
   }
 
-  VectorXd stepOf(const Fold& fold, double ridge) const {
+  /// Half the downhill gradient of objective().
+  VectorXd descentOf(const Fold& fold) const {
     const VectorXd e = weighting_.weights.cwiseProduct(fold.weight).cwiseProduct(fold.e);
     const VectorXd u = fold.u(system_.free);
+    return system_.jacobian.transpose() * e - precision_.cwiseProduct(u) - descent_;
+  }
+
+  static VectorXd stepOf(const Fold& fold, const VectorXd& descent, double ridge) {
     MatrixXd normal = fold.normal;
     normal.diagonal().array() += ridge;
-    return normal.ldlt()
-        .solve(system_.jacobian.transpose() * e - precision_.cwiseProduct(u) - remaining_)
-        .cwiseMax(-kLongestWay)
-        .cwiseMin(kLongestWay);
+    return normal.ldlt().solve(descent).cwiseMax(-kLongestWay).cwiseMin(kLongestWay);
   }
 
   const FitData& data_;
@@ -130,7 +133,7 @@ class FoldFits {
   const Weighting& weighting_;
   FreeSystem system_;
   VectorXd precision_;
-  VectorXd remaining_;  ///< Jᵀ e − P u of the fit, 0 at a minimum
+  VectorXd descent_;  ///< Jᵀ e − P u of the full fit: half the downhill gradient, 0 at a minimum
   std::vector<Fold> folds_;
   std::vector<Fold*> tried_;  ///< fold of each trial
 };

@@ -7,17 +7,17 @@
 
 namespace capstan::diagnosis {
 
-/// Held-out residuals by cross-validation with the folds of FitData::fold(). Without nine tenths of the weight
-/// of each fold f the fit goes on from its estimate. (Without all of it, one event that a single fold has seen
-/// would decide between models: where the play of a joint lay at the start.) Steps are chord Gauss–Newton,
+/// Held-out residuals by cross-validation with the folds of FitData::fold(). For each fold f the fit is
+/// continued from its estimate with a tenth of the weight of f. The tenth limits the influence of events that
+/// a single fold contains, such as the position within the play at the start. Steps are chord Gauss–Newton,
 ///     Δu = (A − 0.9 J_fᵀ J_f)⁻¹ (J_oᵀ e_o + 0.1 J_fᵀ e_f − P u − g),   A = Jᵀ J + P,
-/// with the fit's Jacobian J, its rows J_o of the other folds, the priors P, and g = Jᵀ e − P u of the fit:
-/// where the fit stopped before a minimum, its folds stop as well. Each step is tried in full, shorter, and
-/// with ridges (Levenberg–Marquardt), of at most kLongestWay in any u and within the bounds, and judged by a
-/// simulation. If no attempt moved a fold, its residuals would still be those of the full fit, which would
-/// favour models that are far from linear. The residuals of fold f are those of the last accepted simulation,
-/// with the initial states of rigid drives adapted. Nuisances are fitted to held-out segments too. Parameters at a
-/// bound stay there; so do times of single events, because one block alone determines them.
+/// with the fit's Jacobian J, its rows J_o of the other folds and J_f of f, the priors P, and g = Jᵀ e − P u
+/// of the full fit, which is not zero if the fit stopped before a minimum. Each step is tried in full,
+/// shorter, and with ridges (Levenberg–Marquardt), of at most kLongestWay in any u and within the bounds. A
+/// simulation decides whether it is accepted. The residuals of fold f are those of the last accepted
+/// simulation, with the initial states of rigid drives adapted. Nuisances are fitted to held-out segments
+/// too. Parameters at a bound stay there; so do times of single events, because one block alone determines
+/// them.
 Eigen::VectorXd heldOut(const FitData& data, const Fit& fit, const Weighting& weighting);
 /// The same of several fits, whose robots are simulated in parallel.
 std::vector<Eigen::VectorXd> heldOut(const FitData& data, const std::vector<WeightedFit>& fits);

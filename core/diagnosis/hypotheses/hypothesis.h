@@ -49,10 +49,11 @@ double stretchOfRange(const JointScales& scales);
 /// True if the nominal cable stretches so little that it is practically rigid. Its k_e can then be wrong by
 /// more than a fit of k_e reaches.
 bool isPracticallyRigid(const JointScales& scales);
-/// First and last time at which an event (a parameter `time`) is looked for [s]: kFromEnds, or a tenth of a
-/// short recording, after the begin and before the end. What happens nearer to an end is seen by hardly more
-/// than one block of the cross-validation, so that no other block can confirm it, and looks like an error of
-/// the initial state.
+/// True for the time of an event, which happens once in a recording.
+inline bool isEventTime(const robot::EffectParameter& parameter) { return parameter.name == "time"; }
+/// First and last time of an event that is tested [s]: kFromEnds, or a tenth of a short recording, after the
+/// begin and before the end. Nearer to an end, a single block of the cross-validation contains nearly all
+/// that shows the event, and an error of the initial state has the same residual.
 std::pair<double, double> eventTimes(const JointScales& scales);
 inline constexpr double kFromEnds = 1.0;
 

@@ -38,7 +38,7 @@ std::vector<std::size_t> smallNumbers(const Hypothesis& hypothesis, const Effect
 int timeOf(const Hypothesis& hypothesis) {
   const auto& numbers = hypothesis.facts->parameters;
   for (std::size_t k = 0; k < numbers.size(); ++k)
-    if (numbers[k].name == "time") return static_cast<int>(k);
+    if (isEventTime(numbers[k])) return static_cast<int>(k);
   return -1;
 }
 

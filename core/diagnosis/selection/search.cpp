@@ -370,7 +370,7 @@ double logPrior(const EffectSet& effects, int candidates, double instants) {
   double prior = logPrior(effects.size(), candidates);
   for (const EffectCandidate& effect : effects)
     for (const robot::EffectParameter& parameter : effect.hypothesis->facts->parameters)
-      if (parameter.name == "time") prior -= std::log(instants);
+      if (isEventTime(parameter)) prior -= std::log(instants);
   return prior;
 }
 

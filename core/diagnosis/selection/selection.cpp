@@ -107,10 +107,10 @@ EffectSet withoutEffect(const EffectSet& effects, const EffectCandidate& effect)
   return less;
 }
 
-/// The set without those effects that it is about as probable without (kDoubt): the simplest of the models
-/// between which the recordings do not decide.
+/// The simplest of the sets between which the recordings do not decide: `from` without its uncertain effects
+/// (kMinOddsWithout).
 const SetFit& simplest(const SetFit& from, const Posterior& posterior, const SearchResult& found) {
-  const double least = kDoubt * posterior.of(from.effects);
+  const double least = kMinOddsWithout * posterior.of(from.effects);
   const SetFit* best = &from;
   for (bool simpler = true; simpler;) {
     simpler = false;
@@ -223,13 +223,13 @@ Selection select(const FitData& data, const std::vector<Evidence>& recordings, c
               .best_squares = best.squares,
               .weighting = best.weighting,
               .effects = effectsOf(best, found, posterior, score),
-              .doubtful = {},
+              .uncertain = {},
               .competitors = {},
               .posterior = windowOf(posterior),
               .probable = probableOf(posterior),
               .candidates = std::move(found.tested)};
   for (const EffectCandidate& effect : most_probable.effects)
-    if (!contains(best.effects, effect)) s.doubtful.push_back({effect, posterior.inclusion(effect)});
+    if (!contains(best.effects, effect)) s.uncertain.push_back({effect, posterior.inclusion(effect)});
   s.competitors = competitorsOf(best, s.effects, posterior);
   addProbabilities(posterior, s.candidates);
   return s;

@@ -25,8 +25,9 @@ struct CompetingExplanations {
   std::vector<double> probabilities;
 };
 
-/// Effect of the most probable set without which the model is about as probable.
-struct DoubtfulEffect {
+/// Effect of the most probable set that is not selected, because the set without it is probable enough
+/// (kMinOddsWithout).
+struct UncertainEffect {
   EffectCandidate effect;
   double probability = 0.0;  ///< that the effect is in the model
 };
@@ -37,8 +38,8 @@ struct ProbableSet {
   double probability = 0.0;
 };
 
-/// Selected effects: the set with the highest posterior probability, without those of its effects that it is
-/// about as probable without (kDoubt); and the probabilities of other sets.
+/// Selected effects: those of the set with the highest posterior probability, except the uncertain ones. Also
+/// the probabilities of other sets.
 struct Selection {
   Fit base;  ///< fit of the nominal robot without effects
   BlockSquares base_squares;
@@ -47,7 +48,7 @@ struct Selection {
   BlockSquares best_squares;
   Weighting weighting;                             ///< weights of `best`
   std::vector<SelectedEffect> effects;             ///< effects with the largest loss first
-  std::vector<DoubtfulEffect> doubtful;            ///< not selected (kDoubt)
+  std::vector<UncertainEffect> uncertain;          ///< not selected (kMinOddsWithout)
   std::vector<CompetingExplanations> competitors;  ///< effects with competitors, in the same order
   std::vector<SetProbability> posterior;           ///< sets within kOccam, most probable first
   std::vector<ProbableSet> probable;               ///< the kProbableSets most probable sets, thinned
@@ -66,9 +67,9 @@ inline constexpr double kOccam = 1e-3;
 /// Smallest share p / (p + p_selected) of the probability at which a set that differs from the selected one
 /// by one exchange makes a tie.
 inline constexpr double kTie = 0.2;
-/// Smallest ratio of the probability of a set with one effect less to that of the most probable set at which
-/// the effect is in doubt.
-inline constexpr double kDoubt = 0.5;
+/// An effect is not selected if the probability of the set without it is at least this multiple of that of
+/// the most probable set: at odds of less than 2 to 1 the recordings do not decide.
+inline constexpr double kMinOddsWithout = 0.5;
 inline constexpr std::size_t kProbableSets = 4;
 
 }  // namespace capstan::diagnosis

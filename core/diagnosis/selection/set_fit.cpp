@@ -20,6 +20,11 @@ constexpr double kRough = 0.3, kFine = 0.1;
 double toleranceOf(int pass) { return pass == 1 ? kRough : kFine; }
 constexpr double kSteady = 0.05;  // relative change of weights that no fit follows
 
+/// False for a fit that was cancelled before its first linearisation, or whose simulation diverged.
+bool isComplete(const SetFit& set) {
+  return set.fit.jacobian.rows() == set.fit.e.size() && set.fit.e.allFinite();
+}
+
 }  // namespace
 
 SetFit SetFitter::nominal(const FitModel& model, const Eigen::VectorXd& u) const {
@@ -93,15 +98,6 @@ FitTask SetFitter::shortFit(const SetFit& parent, FitModel model, Eigen::VectorX
   if (!data_.rigid()) task.options.known = &parent.fit, task.options.coarse = true;
   return task;
 }
-
-namespace {
-
-/// False for a fit that was cancelled before its first linearisation, or whose simulation diverged.
-bool isComplete(const SetFit& set) {
-  return set.fit.jacobian.rows() == set.fit.e.size() && set.fit.e.allFinite();
-}
-
-}  // namespace
 
 std::vector<SetFit> SetFitter::fitted(const std::vector<FitTask>& tasks,
                                       std::vector<EffectSet> effects) const {

@@ -14,8 +14,8 @@ struct SetFit {
   Fit fit;
   Weighting weighting;
   BlockSquares fitted = {};  ///< of the fit's residuals
-  /// Of the residuals on held-out blocks. A short fit has none: what it would leave there says more about how
-  /// far it has come than about the effects. Its `squares` are those of the fit.
+  /// Of the residuals on held-out blocks. Short fits are not held out, because their residuals
+  /// there depend on how far the fit has converged more than on the effects: `squares` equals `fitted`.
   BlockSquares squares = {};
   /// True: fitted until convergence. False: a short fit with the weights of the model that it started from.
   bool settled = false;

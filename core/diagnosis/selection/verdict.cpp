@@ -52,7 +52,7 @@ std::vector<FoundParameter> parametersOf(const FitModel& model, std::size_t effe
     if (const int at = term.index[i]; at >= 0)
       sigma =
           model.parameters()[static_cast<std::size_t>(at)].valueSigma(u[at], std::sqrt(covariance(at, at)));
-    if (sigma > 0.0 && number.name != "time") sigma = std::hypot(sigma, kLawsAreGood * values[i]);
+    if (sigma > 0.0 && !isEventTime(number)) sigma = std::hypot(sigma, kLawsAreGood * values[i]);
     if (neutral[i] == 0.0) sigma = std::hypot(sigma, 0.5 * background);  // a background effect
     found.push_back(
         {std::string(number.name), unitAt(number.unit, term.joint, model.nominal()), values[i], sigma});
@@ -214,7 +214,7 @@ void judge(const FitData& data, const Selection& s, const robot::Description& ro
   else
     report.verdict = left ? Verdict::kUnexplained : Verdict::kNothing;
   report.summary = summaryOf(report);
-  for (const DoubtfulEffect& one : s.doubtful)
+  for (const UncertainEffect& one : s.uncertain)
     report.summary += fmt::format(" {} may be there, too (probability {:.0f} %).", nameOf(one.effect),
                                   100.0 * one.probability);
   if (report.verdict == Verdict::kNothing && isTooShort(data, s))

@@ -295,7 +295,7 @@ TEST(Hypotheses, SlackGrowsAsPretensionFalls) {
   EXPECT_EQ(model.parameters().back().low, 0.0);
 }
 
-/// What happened in the first or the last second is seen by one block alone.
+/// A single block contains what happened in the first or the last second.
 TEST(Hypotheses, EventsAreLookedForWithinTheRecording) {
   JointScales scales = scalesOf(raven(), 1, false);
   scales.duration = 20.0;

@@ -77,7 +77,7 @@ class Undecided {
                                  .best_squares = without.squares,
                                  .weighting = without.weighting,
                                  .effects = {},
-                                 .doubtful = {},
+                                 .uncertain = {},
                                  .competitors = {},
                                  .posterior = {},
                                  .probable = {{with, 0.5}, {without, 0.5}},

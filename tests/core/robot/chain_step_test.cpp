@@ -105,7 +105,7 @@ class StepOf : public ::testing::TestWithParam<std::tuple<int, Kind>> {
     const JointVector q = rows.start(model);
     ChainState<double> state = stateAt(model, q, JointVector::Zero(robot_.size()));
     const int n = robot_.size(), finer = model.shape.rigid ? 1 : 2;
-    const int steps = finer * testing::stableSteps(model, q);  // so that bodies' error is what is left
+    const int steps = finer * testing::stableSteps(model, q);  // so that the error of the bodies dominates
     VectorXd x = VectorXd::Zero((compliant ? 4 : 2) * n);
     x.head(n) = q;
     for (int i = 0; compliant && i < n; ++i) x[2 * n + i] = state.motor[i];
