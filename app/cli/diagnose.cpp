@@ -39,9 +39,11 @@ void addDiagnose(CLI::App& app, ExitCode& exit) {
           "recordings (for loads that are constant within each); each: one unknown zero per recording\n"
           "(default; with a single recording: known)")
       ->check(CLI::IsMember({"known", "shared", "each"}));
-  command->add_option("--material", arguments->material,
-                      "smallest displacement of a joint that makes an effect a cause (default " +
-                          diagnosis::formatTolerance({}) + ")");
+  command->add_option(
+      "--material", arguments->material,
+      "smallest displacement of a joint that makes an effect a cause; for tables of tip poses: ten times\n"
+      "this length at the tip (default " +
+          diagnosis::formatTolerance({}) + ")");
   command->add_option("--threads", arguments->options.threads, "number of worker threads")
       ->capture_default_str()
       ->check(CLI::Range(1, 64));

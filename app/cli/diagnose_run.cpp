@@ -40,8 +40,6 @@ void checkPoseOptions(const DiagnoseArguments& arguments) {
     refuseOption("--skip-start", fmt::format("{}", arguments.skip_start),
                  "is for recordings that are simulated; poses are compared trajectory by trajectory",
                  "Leave it out");
-  if (!arguments.material.empty())
-    refuseOption("--material", arguments.material, "is for recordings that are simulated", "Leave it out");
   if (!arguments.next.empty())
     refuseOption("--next", arguments.next, "is for recordings that are simulated", "Leave it out");
   if (!arguments.zeros.empty())

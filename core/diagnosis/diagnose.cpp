@@ -13,7 +13,7 @@
 #include "core/diagnosis/hypotheses/joint_scales.h"
 #include "core/diagnosis/selection/explainable.h"
 #include "core/diagnosis/selection/gains.h"
-#include "core/diagnosis/selection/selection.h"
+#include "core/diagnosis/selection/horizons.h"
 #include "core/diagnosis/selection/spectral_line.h"
 #include "core/diagnosis/selection/verdict.h"
 
@@ -192,46 +192,6 @@ void addFilter(const std::vector<Evidence>& recordings, const robot::Description
   report.notices.insert(report.notices.end(), gain.notices.begin(), gain.notices.end());
 }
 
-bool haveEncoders(const std::vector<Evidence>& recordings) {
-  return std::all_of(recordings.begin(), recordings.end(),
-                     [](const Evidence& evidence) { return evidence.hasEncoders(); });
-}
-
-/// Selection, and the data that it was fitted to.
-struct Selected {
-  std::unique_ptr<FitData> data;
-  Selection selection;
-};
-
-bool sameCauses(const Selection& a, const Selection& b) {
-  const auto setOf = [](const Selection& s) {
-    EffectSet set;
-    for (const SelectedEffect& one : s.effects) set = plus(std::move(set), one.effect);
-    return set;
-  };
-  return setOf(a) == setOf(b);
-}
-
-/// Selection with the near horizon, or with the far horizon if that changes the causes.
-Selected selected(const std::vector<Evidence>& recordings, const robot::Description& nominal,
-                  const FitModel& base, const DiagnosisOptions& options, base::Progress* progress) {
-  const bool both = nominal.drive == DriveKind::kRigid && haveEncoders(recordings);
-  SearchOptions how{.most_causes = options.most_causes, .only = options.only, .seed = options.seed};
-  const auto dataOver = [&](double horizon) {
-    return std::make_unique<FitData>(recordings, nominal, horizon, options.zeros, options.threads, progress);
-  };
-  auto near = dataOver(both ? kNearHorizon : kFarHorizon);
-  if (both) how.progress_end = 0.5;
-  Selection first = select(*near, recordings, base, nullptr, how, progress);
-  if (!both) return {std::move(near), std::move(first)};
-  auto far = dataOver(kFarHorizon);
-  how.progress_end = SearchOptions{}.progress_end;
-  Selection further = select(*far, recordings, base, &first, how, progress);
-  if (!sameCauses(first, further)) return {std::move(far), std::move(further)};
-  first.candidates = further.candidates;
-  return {std::move(near), std::move(first)};
-}
-
 void addRobots(const Selection& s, Report& report) {
   report.refitted = s.base.model.refitted(s.base.u);
   report.extended = s.best.model.extended(s.best.u);
@@ -247,7 +207,9 @@ Report diagnose(const std::vector<Evidence>& recordings, const robot::Descriptio
   if (progress) progress->report(0.0, "Preparing");
   const FitModel base(nominal, jointScales(recordings, nominal));
   clock.lap("prepare");
-  const auto [fitted, selection] = selected(recordings, nominal, base, options, progress);
+  const auto [fitted, selection] = selectOverHorizons(
+      recordings, nominal, base, options.zeros, options.threads,
+      {.most_causes = options.most_causes, .only = options.only, .seed = options.seed}, progress);
   const FitData& data = *fitted;
   clock.lap("refit, screen and select");
   Assembly assembly(recordings, nominal, data, selection, report);

@@ -10,12 +10,6 @@
 
 namespace capstan::diagnosis {
 
-/// In fits of rigid drives, the simulation restarts from the joint encoders after each horizon [s]. Effects
-/// are first searched with the near horizon, with which every fit reaches its minimum, and then with the far
-/// horizon, in which slow effects become visible. Recordings without joint encoders are fitted with the far
-/// horizon only, because camera observations need time to determine the state at the start of a window.
-inline constexpr double kNearHorizon = 0.5, kFarHorizon = 2.0;
-
 struct DiagnosisOptions {
   int threads = 2;                                      ///< number of worker threads
   int most_causes = 6;                                  ///< largest number of effects in a model

@@ -75,6 +75,7 @@ PoseReport diagnosePoseTable(const DiagnosisRequest& request, const robot::Descr
   options.towards = request.towards;
   options.only = request.options.only;
   options.seed = request.options.seed;
+  options.material = request.options.material;
   return diagnosePoses(readPoseEvidence(request.files.front()), nominal, options, &progress);
 }
 

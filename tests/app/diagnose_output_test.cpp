@@ -54,11 +54,13 @@ TEST(DiagnoseText, SaysWhatACauseMovesAndWhatIsBelowTheTolerance) {
   report.also_measurable = {small};
   report.material = {2e-3 * 3.14159265358979323846, 1e-4};
   const std::string line = flat(textOf(report));
-  const std::size_t cause = line.find(diagnosis::causeText(report.causes[0])),
-                    moves = line.find(diagnosis::movesText(report.causes[0])),
-                    heading = line.find("Also measurable, below the tolerance of 0.36deg,0.1mm:"),
-                    below = line.find(diagnosis::causeText(small) + "; " + diagnosis::movesText(small)),
-                    channels = line.find("model by model");
+  const std::size_t
+      cause = line.find(diagnosis::causeText(report.causes[0])),
+      moves = line.find(diagnosis::movesText(report.causes[0])),
+      heading = line.find(
+          "Also measurable, below the tolerance of 0.36deg,0.1mm or 6 % of the mean square of a channel:"),
+      below = line.find(diagnosis::causeText(small) + "; " + diagnosis::movesText(small)),
+      channels = line.find("model by model");
   for (const std::size_t at : {cause, moves, heading, below, channels})
     ASSERT_NE(at, std::string::npos) << line;
   EXPECT_TRUE(cause < moves && moves < heading && heading < below && below < channels);

@@ -270,9 +270,6 @@ TEST_F(DiagnoseRun, RefusesWhatPosesAndOtherRecordingsDoNotShare) {
   arguments_.skip_start = 1.0;
   expectRefusal({"--skip-start"});
   arguments_.skip_start = 0.0;
-  arguments_.material = "1mm";
-  expectRefusal({"--material", "1mm"});
-  arguments_.material = {};
   arguments_.next = path("next.csv");
   expectRefusal({"--next", "next.csv"});
   arguments_.next = {};

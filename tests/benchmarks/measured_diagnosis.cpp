@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "core/diagnosis/diagnose.h"
+#include "core/diagnosis/selection/horizons.h"
 #include "tests/support/folders.h"
 #include "tests/support/measured_diagnosis/emps.h"
 #include "tests/support/measured_diagnosis/jaw.h"
@@ -46,12 +47,12 @@ void emps(const std::filesystem::path& folder, measured::EmpsStart start, int th
       "EMPS from the rigid drive of {}\n"
       "RMSE of the open-loop simulation of whole records [mm]. Effects are chosen by simulations of the "
       "training\n"
-      "record that restart every {:g} s, then every {:g} s; numbers are fitted to that of the whole\n"
+      "record that restart every {:g} s, and confirmed with {:g} s; numbers are fitted to that of the whole\n"
       "training record. The hypothesis asymmetric_viscosity joined the library after errors on the test\n"
       "record had been seen.\n",
       start == measured::EmpsStart::kFourNumbers ? "four numbers (mass, viscous, Coulomb, offset)"
                                                  : "three numbers (mass, viscous, Coulomb)",
-      diagnosis::kNearHorizon, diagnosis::kFarHorizon);
+      fmt::join(diagnosis::kHorizons, " s, then every "), diagnosis::kFarHorizon);
   fmt::print("  {:40}{:>20}{:>28}\n", "", "from rest", "as the first 20 rows move");
   fmt::print("  {:40}{:>10}{:>10}{:>18}{:>10}\n", "", "training", "test", "training", "test");
   const auto steps = measured::empsSteps(folder, start, threads);

@@ -45,7 +45,8 @@ TEST_F(Diagnosis, EffectsBelowTheToleranceAreFolded) {
   panel->showReport(sample(Verdict::kFound));
   CauseTree& tree = panel->causes();
   QTreeWidgetItem* group = tree.topLevelItem(tree.topLevelItemCount() - 1);
-  EXPECT_THAT(causes(), HasSubstr("Also measurable, below the tolerance of 0.02deg,0.02mm: 1"));
+  EXPECT_THAT(causes(), HasSubstr("Also measurable, below the tolerance of 0.02deg,0.02mm or 6 % of the mean "
+                                  "square of a channel: 1"));
   EXPECT_FALSE(group->isExpanded());
   EXPECT_EQ(tree.chosen()->effect, "backlash");
   tree.scrollToItem(group);

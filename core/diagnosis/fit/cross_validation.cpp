@@ -3,8 +3,8 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
-#include "core/base/random.h"
 #include "core/diagnosis/fit/free_system.h"
 #include "core/stats/quantile.h"
 
@@ -92,27 +92,6 @@ MatrixXd covarianceOf(const FitData& data, const Fit& fit, const Weighting& weig
   return covariance;
 }
 
-Comparison::Comparison(Index blocks, int draws, std::uint64_t seed) {
-  times_ = MatrixXd::Zero(blocks, draws + 1);
-  times_.col(0).setOnes();
-  base::Random random(seed, "block bootstrap");
-  for (Index d = 1; d <= draws; ++d)
-    for (Index b = 0; b < blocks; ++b)
-      times_(static_cast<Index>(random.bits() % static_cast<std::uint64_t>(blocks)), d) += 1.0;
-}
-
-std::vector<double> Comparison::gain(const BlockSquares& worse, const BlockSquares& better) const {
-  const MatrixXd n = worse.count * times_, before = worse.sum * times_, after = better.sum * times_;
-  std::vector<double> gains(static_cast<std::size_t>(times_.cols()), 0.0);
-  for (Index d = 0; d < times_.cols(); ++d)
-    for (Index c = 0; c < n.rows(); ++c) {
-      if (!(n(c, d) > 0.0) || !(before(c, d) > 0.0) || !(after(c, d) > 0.0)) continue;
-      const double samples = n(c, d) / std::min(worse.inflation[c], better.inflation[c]);
-      gains[static_cast<std::size_t>(d)] += 0.5 * samples * std::log(before(c, d) / after(c, d));
-    }
-  return gains;
-}
-
 Reduction largestReduction(const BlockSquares& worse, const BlockSquares& better) {
   constexpr double kNone = -1e9;
   Reduction largest{kNone, 0};
@@ -122,13 +101,6 @@ Reduction largestReduction(const BlockSquares& worse, const BlockSquares& better
       largest = {1.0 - after / before, static_cast<int>(c)};
   }
   return largest.share == kNone ? Reduction{} : largest;
-}
-
-double lowerOf(const std::vector<double>& gain, double p) {
-  std::vector<double> draws(gain.begin() + 1, gain.end());
-  if (draws.empty()) return gain.front();
-  std::sort(draws.begin(), draws.end());
-  return draws[static_cast<std::size_t>(p * static_cast<double>(draws.size() - 1))];
 }
 
 }  // namespace capstan::diagnosis

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstdint>
-#include <vector>
 
 #include "core/diagnosis/fit/fit.h"
 
@@ -29,21 +27,6 @@ BlockSquares squaresOf(const FitData& data, const Eigen::VectorXd& e);
 /// parameters at a bound are zero.
 Eigen::MatrixXd covarianceOf(const FitData& data, const Fit& fit, const Weighting& weighting);
 
-/// Compares models by their held-out residuals, with the Gaussian log likelihood maximized over each
-/// channel's variance: −½ Σ_c N_c ln (S_c / n_c),  N_c = n_c / inflation.
-class Comparison {
- public:
-  /// Draws `draws` block-bootstrap samples, which are the same for all models.
-  Comparison(Eigen::Index blocks, int draws, std::uint64_t seed);
-  Comparison(const FitData& data, int draws, std::uint64_t seed) : Comparison(data.blocks(), draws, seed) {}
-
-  /// Log likelihood of `better` minus that of `worse` [nats]: first for all blocks, then for each draw.
-  std::vector<double> gain(const BlockSquares& worse, const BlockSquares& better) const;
-
- private:
-  Eigen::MatrixXd times_;  ///< how often each block is drawn, blocks × (1 + draws); first column: ones
-};
-
 /// Reduction of one channel's sum of squares.
 struct Reduction {
   double share = 0.0;  ///< 1 − S_c(better) / S_c(worse)
@@ -51,8 +34,5 @@ struct Reduction {
 };
 /// The largest reduction over the channels; share 0 if S_c(worse) is 0 in all of them.
 Reduction largestReduction(const BlockSquares& worse, const BlockSquares& better);
-
-/// `p`-quantile of gain() over the bootstrap draws; without draws, the gain over all blocks.
-double lowerOf(const std::vector<double>& gain, double p);
 
 }  // namespace capstan::diagnosis

@@ -177,5 +177,8 @@ double objectiveOf(const FitModel& model, const Eigen::VectorXd& u, const Eigen:
 /// fits best would count most. n is the correlation length of e in samples, and s = max(RMS of e, noise ×
 /// √r), where r is the largest ratio RMS / noise of all sensors.
 Eigen::VectorXd weightsFor(const FitData& data, const Eigen::VectorXd& e);
+/// Weights 1 / (s √n) with s = noise × √r. With weightsFor() a sensor that is fitted badly has a small
+/// weight, and the fit can stop in a minimum where it stays so; with these weights it does not.
+Eigen::VectorXd noiseWeightsFor(const FitData& data, const Eigen::VectorXd& e);
 
 }  // namespace capstan::diagnosis

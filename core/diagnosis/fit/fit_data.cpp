@@ -161,22 +161,43 @@ std::vector<SensorSums> sumsOf(const FitData& data, const Eigen::VectorXd& e) {
   return sums;
 }
 
+/// Largest ratio RMS / noise of all sensors, at least 1.
+double worstRatio(const std::vector<SensorSums>& sums) {
+  double worst = 1.0;
+  for (const SensorSums& sensor : sums)
+    if (sensor.count > 0.0) worst = std::max(worst, sensor.rms() / sensor.noise);
+  return worst;
+}
+
+/// Weight of each reading, from a scale per sensor.
+Eigen::VectorXd weightsOf(const FitData& data, const std::vector<SensorSums>& sums,
+                          const std::vector<double>& scale) {
+  Eigen::VectorXd weights(data.size());
+  for (std::size_t i = 0; i < data.channel().size(); ++i) {
+    const auto sensor =
+        static_cast<std::size_t>(data.sensorOf()[static_cast<std::size_t>(data.channel()[i])]);
+    weights[static_cast<Eigen::Index>(i)] = 1.0 / (scale[sensor] * std::sqrt(sums[sensor].inflation()));
+  }
+  return weights;
+}
+
 }  // namespace
 
 Eigen::VectorXd weightsFor(const FitData& data, const Eigen::VectorXd& e) {
   const std::vector<SensorSums> sums = sumsOf(data, e);
-  double worst = 1.0;  // largest ratio RMS / noise of all sensors
+  const double worst = worstRatio(sums);
+  std::vector<double> scale;
   for (const SensorSums& sensor : sums)
-    if (sensor.count > 0.0) worst = std::max(worst, sensor.rms() / sensor.noise);
-  std::vector<double> weight;
-  for (const SensorSums& sensor : sums)
-    weight.push_back(
-        1.0 / (std::max(sensor.rms(), sensor.noise * std::sqrt(worst)) * std::sqrt(sensor.inflation())));
-  Eigen::VectorXd weights(data.size());
-  for (std::size_t i = 0; i < data.channel().size(); ++i)
-    weights[static_cast<Eigen::Index>(i)] =
-        weight[static_cast<std::size_t>(data.sensorOf()[static_cast<std::size_t>(data.channel()[i])])];
-  return weights;
+    scale.push_back(std::max(sensor.rms(), sensor.noise * std::sqrt(worst)));
+  return weightsOf(data, sums, scale);
+}
+
+Eigen::VectorXd noiseWeightsFor(const FitData& data, const Eigen::VectorXd& e) {
+  const std::vector<SensorSums> sums = sumsOf(data, e);
+  const double worst = worstRatio(sums);
+  std::vector<double> scale;
+  for (const SensorSums& sensor : sums) scale.push_back(sensor.noise * std::sqrt(worst));
+  return weightsOf(data, sums, scale);
 }
 
 }  // namespace capstan::diagnosis

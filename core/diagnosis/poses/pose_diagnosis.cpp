@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/diagnosis/poses/pose_channels.h"
+#include "core/diagnosis/poses/pose_explainable.h"
 #include "core/diagnosis/poses/pose_selection.h"
 #include "core/diagnosis/report/report_tables.h"
 #include "core/diagnosis/residuals/residual_process.h"
@@ -32,7 +33,7 @@ std::vector<PoseHypothesis> chosen(std::vector<PoseHypothesis> all, const std::v
   for (const std::string& name : only) {
     const auto found = std::ranges::find(all, name, &PoseHypothesis::name);
     if (found != all.end()) {
-      some.push_back(*found);
+      if (std::ranges::find(some, name, &PoseHypothesis::name) == some.end()) some.push_back(*found);
       continue;
     }
     std::string names;
@@ -48,6 +49,7 @@ class Work {
   Work(const PoseEvidence& evidence, const PoseOptions& options, PoseReport& result)
       : options_(options), result_(result), report_(result.report), fitted_({}), held_out_({}) {
     result.towards = referenceOf(evidence, options);
+    report_.material = options.material;
     std::vector<PoseMotion> motions = motionsOf(evidence, result.towards), fitted, held_out;
     for (std::size_t k = 0; k < motions.size(); ++k)
       (k % kHeldOut == kHeldOut - 1 ? held_out : fitted).push_back(std::move(motions[k]));
@@ -61,9 +63,15 @@ class Work {
   void run(base::Progress* progress) {
     selection_ = selectPoses(fitted_, effects_, options_.seed, progress);
     report_.candidates = selection_.candidates;
+    report_.posterior = selection_.posterior;
     lap("select");
-    addSteps();
+    addSteps(progress);
     noise_ = noiseOf(held_out_, residuals_.back());
+    if (progress) progress->report(kProgressOfSearch, "Fitting a regression to the residual");
+    if (options_.show || hasResidual())
+      report_.explainable = explainableOf(fitted_, selection_.base.e,
+                                          diagnosis::heldOut(fitted_, selection_.best), noise_, progress);
+    lap("explainable");
     addCauses();
     addChannels();
     judge();
@@ -75,12 +83,13 @@ class Work {
   void addRobots(const robot::Description& nominal) {
     report_.refitted = report_.extended = nominal;
     if (result_.towards != PoseReference::kKinematics) return;
-    for (const Cause& cause : report_.causes) {
-      if (!robot::effectNamed(cause.effect)) continue;
-      robot::Effect effect{cause.effect, cause.joint, {}};
-      for (const FoundParameter& one : cause.parameters) effect.values.push_back({one.name, one.value});
-      report_.extended.effects.push_back(std::move(effect));
-    }
+    for (const auto* causes : {&report_.causes, &report_.also_measurable})
+      for (const Cause& cause : *causes) {
+        if (!robot::effectNamed(cause.effect)) continue;
+        robot::Effect effect{cause.effect, cause.joint, {}};
+        for (const FoundParameter& one : cause.parameters) effect.values.push_back({one.name, one.value});
+        report_.extended.effects.push_back(std::move(effect));
+      }
   }
 
  private:
@@ -111,54 +120,53 @@ class Work {
   }
 
   /// Adds a step for each effect; the effects added before are refitted each time.
-  void addSteps() {
+  void addSteps(const base::Progress* progress) {
     PoseFit fit = selection_.base;
     addStep(fit, {});
-    for (const PoseTaken& taken : selection_.taken) {
-      const bool last = &taken == &selection_.taken.back();
-      fit = last ? selection_.best : with(fitted_, fit, taken.effect);
-      addStep(fit, std::string(taken.effect.name));
+    for (const SelectedOf<PoseEffect>& one : selection_.effects) {
+      if (progress && progress->cancelled()) return;
+      const bool last = &one == &selection_.effects.back();
+      fit = last ? selection_.best : with(fitted_, fit, *one.effect.hypothesis);
+      addStep(fit, std::string(one.effect.name()));
     }
   }
 
-  Cause causeOf(const PoseHypothesis& effect, double probability) const {
+  Cause causeOf(const SelectedOf<PoseEffect>& selected, const Eigen::MatrixXd& covariance) const {
+    const PoseHypothesis& effect = *selected.effect.hypothesis;
     Cause cause;
     cause.effect = effect.name;
-    cause.probability = probability;
+    cause.probability = selected.probability;
+    cause.loss = selected.loss;
     const Index place = selection_.best.placeOf(effect.name);
-    if (place < 0) return cause;
-    const Eigen::MatrixXd covariance = covarianceOf(fitted_, selection_.best);
     for (std::size_t i = 0; i < effect.size(); ++i) {
       const Index at = place + static_cast<Index>(i);
       const robot::EffectParameter& parameter = (*effect.parameters)[i];
       cause.parameters.push_back({std::string(parameter.name), std::string(parameter.unit),
-                                  selection_.best.value[at], std::sqrt(covariance(at, at))});
+                                  selection_.best.value[at],
+                                  withLawError(std::sqrt(covariance(at, at)), selection_.best.value[at])});
     }
+    cause.moves.tip = displacementBy(effect);
+    const int axis = largestReduction(selected.without, selection_.best_squares).channel;
+    cause.gain = gainOf(comparedChannel(axis, noise_), selected.without, selection_.best_squares, axis);
     return cause;
   }
 
-  Gain gainBetween(std::size_t before, std::size_t after, int axis) const {
-    return gainOf(comparedChannel(axis, noise_), squares_[before], squares_[after], axis);
+  /// Displacement of the measured tip by the effect; all other parameters are equal.
+  Displacement displacementBy(const PoseHypothesis& effect) const {
+    const PoseFit& best = selection_.best;
+    Eigen::VectorXd less = best.value;
+    less.segment(best.placeOf(effect.name), static_cast<Index>(effect.size())).setZero();
+    const Eigen::VectorXd moved =
+        (residualOf(fitted_, numbersOf(best.effects, less)) - best.e).colwise().norm();
+    return {std::sqrt(moved.squaredNorm() / static_cast<double>(std::max<Index>(1, moved.size()))),
+            moved.size() > 0 ? moved.maxCoeff() : 0.0, true};
   }
 
   void addCauses() {
-    for (std::size_t k = 0; k < selection_.taken.size(); ++k) {
-      const PoseTaken& taken = selection_.taken[k];
-      Cause cause = causeOf(taken.effect, taken.needed);
-      cause.gain = gainBetween(k, k + 1, largestReduction(squares_[k], squares_[k + 1]).channel);
-      if (!taken.competitors.empty()) addTie(taken, cause);
-      report_.causes.push_back(std::move(cause));
-    }
-  }
-
-  void addTie(const PoseTaken& taken, const Cause& cause) {
-    Tie tie{{cause}, {}};
-    for (std::size_t r = 0; r < taken.competitors.size(); ++r)
-      tie.causes.push_back(causeOf(taken.competitors[r], taken.shares[r]));
-    const PoseHypothesis& competitor = taken.competitors.front();
-    tie.separate = fmt::format("For {}: {} For {}: {}", taken.effect.name, taken.effect.words->experiment,
-                               competitor.name, competitor.words->experiment);
-    report_.ties.push_back(std::move(tie));
+    const Eigen::MatrixXd covariance = covarianceOf(fitted_, selection_.best);
+    for (const SelectedOf<PoseEffect>& one : selection_.effects)
+      addCause(causeOf(one, covariance), one.without, selection_.best_squares, report_);
+    addTies(selection_.competitors, report_);
   }
 
   void addChannels() {
@@ -174,7 +182,7 @@ class Work {
         channel.before = strongestFirst(signaturesOf(channel.refitted, variables_));
         channel.after = strongestFirst(signaturesOf(channel.extended, variables_));
       }
-      channel.gain = gainBetween(0, squares_.size() - 1, axis);
+      channel.gain = gainOf(comparedChannel(axis, noise_), squares_.front(), squares_.back(), axis);
       report_.channels.push_back(std::move(channel));
     }
   }
@@ -184,10 +192,12 @@ class Work {
     return signatures;
   }
 
-  /// True if the residual of some axis exceeds its noise and is correlated from observation to observation.
+  /// True if the residual of some axis exceeds noise and tolerance, and is correlated from observation to
+  /// observation.
   bool hasResidual() const {
+    const double material = options_.material.length * options_.material.length;
     for (Index axis = 0; axis < 3; ++axis)
-      if (squares_.back().meanSquare(axis) > std::pow(kBeyondNoise * noise_[axis], 2.0) &&
+      if (squares_.back().meanSquare(axis) > std::pow(kBeyondNoise * noise_[axis], 2.0) + material &&
           squares_.back().inflation[axis] > 2.0)
         return true;
     return false;
@@ -204,15 +214,9 @@ class Work {
   }
 
   void judge() {
-    const bool named = !report_.causes.empty();
-    report_.explained = named ? explained() : 0.0;
-    if (named && report_.explained >= kExplains)
-      report_.verdict = !report_.ties.empty()       ? Verdict::kTie
-                        : report_.causes.size() > 1 ? Verdict::kSeveral
-                                                    : Verdict::kFound;
-    else
-      report_.verdict = named || hasResidual() ? Verdict::kUnexplained : Verdict::kNothing;
-    report_.summary = summary();
+    report_.explained = selection_.effects.empty() ? 0.0 : explained();
+    report_.verdict = verdictOf(report_, hasResidual());
+    report_.summary = summary() + uncertainText(selection_.uncertain);
   }
 
   std::string summary() const {
@@ -220,16 +224,19 @@ class Work {
                                       ? "the robot's kinematics report"
                                       : "the command asks for";
     if (report_.verdict == Verdict::kNothing)
-      return "Nothing material: cameras see the tip where " + reference + ", down to noise.";
-    const std::string off = fmt::format("On trajectories held out the tip is {:.2f} mm (RMS) from where {}",
-                                        1e3 * result_.steps.front().rms, reference);
-    if (report_.causes.empty()) return off + ", and no hypothesis explains it.";
-    std::vector<std::string> names;
-    for (const Cause& cause : report_.causes) names.push_back(cause.effect);
-    std::string text = fmt::format("{}, and {:.2f} mm with {}.", off, 1e3 * result_.steps.back().rms,
-                                   fmt::join(names, ", "));
+      return report_.also_measurable.empty()
+                 ? "Nothing material: the cameras agree with what " + reference + ", down to noise."
+                 : fmt::format("Nothing material: {} can be measured and is below the tolerance.",
+                               causeNames(report_.also_measurable));
+    std::string text = fmt::format("On held-out trajectories the tip is {:.2f} mm (RMS) from where {}",
+                                   1e3 * result_.steps.front().rms, reference);
+    if (result_.steps.size() > 1)
+      text += fmt::format(", and {:.2f} mm with the effects of the model", 1e3 * result_.steps.back().rms);
+    text += ".";
+    if (!report_.causes.empty()) text += fmt::format(" Causes: {}.", causeNames(report_.causes));
     for (const Tie& tie : report_.ties)
-      text += fmt::format(" It cannot distinguish {} from {}.", tie.causes[0].effect, tie.causes[1].effect);
+      text += fmt::format(" The table cannot distinguish {}.", causeNames(tie.causes));
+    if (report_.verdict == Verdict::kUnexplained) text += " No hypothesis explains the rest.";
     return text;
   }
 

@@ -19,9 +19,10 @@ namespace capstan::diagnosis {
 struct PoseOptions {
   /// Poses that the observed poses are compared with. Empty: kinematics if the table has them, else commands.
   std::optional<PoseReference> towards;
-  std::vector<std::string> only;         ///< names of effects to consider; empty: all
-  std::uint64_t seed = 1;                ///< seed of the bootstraps
-  bool show = true;                      ///< true: also signatures and the Gaussian process of the residual
+  std::vector<std::string> only;  ///< names of effects to consider; empty: all
+  std::uint64_t seed = 1;         ///< seed of the bootstraps
+  Tolerance material;             ///< effects that move the tip less than ten times its length are no causes
+  bool show = true;               ///< true: also signatures and the Gaussian process of the residual
 };
 
 /// Distance between observed and predicted tip on held-out trajectories, with the effects that were added
@@ -48,8 +49,8 @@ struct PoseReport {
 /// Only positions are compared. The tool's orientation is used for `marker_offset` alone, and the rotation of
 /// the registration follows from positions.
 ///
-/// The report's channels are the held-out observations: tip x, y, z of frame 0. In each channel, "nominal" and
-/// "refitted" are the residual without effects, because there is nothing to refit; the times of the
+/// The report's channels are the held-out observations: tip x, y, z of frame 0. In each channel, "nominal"
+/// and "refitted" are the residual without effects, because there is nothing to refit; the times of the
 /// trajectories follow each other. Noise is noiseOf() the final residual. If the reference is the kinematics,
 /// the extended robot of the report is `nominal` with the effects of the cameras. Throws base::InputError as
 /// motionsOf(), and for a name in `only` that is not in poseHypotheses().

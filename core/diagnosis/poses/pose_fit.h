@@ -58,8 +58,8 @@ PoseFit with(const PoseData& data, const PoseFit& fit, const PoseHypothesis& eff
 /// Fit of the model without one effect, started from `fit`.
 PoseFit without(const PoseData& data, const PoseFit& fit, std::string_view effect);
 
-/// Held-out residuals observed − predicted by cross-validation, 3 × observations [m]. Motion k belongs to fold
-/// k mod kFolds. The parameters without a fold follow from one Gauss–Newton step of the fit.
+/// Held-out residuals observed − predicted by cross-validation, 3 × observations [m]. Motion k belongs to
+/// fold k mod kFolds. The parameters without a fold follow from one Gauss–Newton step of the fit.
 Eigen::Matrix3Xd heldOut(const PoseData& data, const PoseFit& fit);
 
 /// Covariance of the parameters `value`, valid for errors that are correlated within a trajectory: sandwich

@@ -1,151 +1,178 @@
 #include "core/diagnosis/poses/pose_selection.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
 
-#include "core/diagnosis/selection/selection.h"
+#include "core/diagnosis/poses/pose_channels.h"
 
 namespace capstan::diagnosis {
 namespace {
 
-/// What an effect must bring before it is taken: a share of an axis's mean square, and a score that block bootstraps
-/// leave above zero.
-constexpr double kMaterialShare = 0.06;
-constexpr double kLeastScore = 6.0;       // [nats]
-constexpr double kHighConfidence = 0.02;  // quantile of the bootstrap that must be above zero
-constexpr double kCompetitor = 0.08;      // share of draws in which another effect does better in its place
+using PoseSet = SetOf<PoseEffect>;
 
 bool cancelled(const base::Progress* progress) { return progress && progress->cancelled(); }
 
-struct Rated {
+struct FittedSet {
   PoseFit fit;
-  BlockSquares squares;
+  BlockSquares squares;  ///< held out
 };
 
-/// One effect beside those taken.
-struct Trial {
-  const PoseHypothesis* effect = nullptr;
-  Rated rated;
-  std::vector<double> gain;
-  Reduction reduction;
-  double share = 0.0;  ///< of draws in which it is the best of its round
-};
+/// Each axis of the tip is one sensor.
+ScoredChannels channelsOf(const PoseData& data, const PoseFit& base) {
+  return {{0, 1, 2}, noiseOf(data, base.e), Eigen::VectorXd::Zero(3)};
+}
 
-class Rounds {
+class PoseSearch {
  public:
-  Rounds(const PoseData& data, const std::vector<PoseHypothesis>& effects, std::uint64_t seed,
-         base::Progress* progress)
-      : data_(data), effects_(effects), progress_(progress), comparison_(data.blocks(), kDraws, seed) {}
+  PoseSearch(const PoseData& data, const std::vector<PoseHypothesis>& effects, std::uint64_t seed,
+             base::Progress* progress)
+      : data_(data),
+        progress_(progress),
+        base_(fitPoses(data, {}, {})),
+        score_(channelsOf(data, base_), data.blocks(), kDraws, seed) {
+    for (const PoseHypothesis& hypothesis : effects) effects_.push_back({&hypothesis});
+  }
 
   PoseSelection run() {
-    PoseSelection s;
-    s.base = fitPoses(data_, {}, {});
-    Rated best = rated(s.base);
-    for (int round = 1; !cancelled(progress_); ++round) {
-      const auto share = static_cast<double>(round - 1) / static_cast<double>(effects_.size() + 1);
-      if (progress_) progress_->report(share, "Weighing effects");
-      std::vector<Trial> trials = trialsOf(best);
-      note(s, trials, round);
-      if (trials.empty() || !isMaterial(trials.front())) break;
-      s.taken.push_back({*trials.front().effect, 0.0, {}, {}});
-      best = std::move(trials.front().rated);
-    }
-    dropSuperfluous(s, best);
-    for (PoseTaken& taken : s.taken) weigh(taken, best);
-    s.best = std::move(best.fit);
-    return s;
+    keep({}, base_);
+    while (const std::optional<PoseSet> next = nextToExpand()) expand(*next);
+    return selection();
   }
 
  private:
-  Rated rated(PoseFit fit) const {
+  double value(const PoseSet& effects) const { return score_.of(sets_.at(effects).squares) + prior(effects); }
+  double prior(const PoseSet& effects) const {
+    return logPrior(effects.size(), static_cast<int>(effects_.size()));
+  }
+
+  void keep(const PoseSet& effects, PoseFit fit) {
     BlockSquares squares = squaresOf(data_, heldOut(data_, fit));
-    return {std::move(fit), std::move(squares)};
+    score_.learnInflation(squares);
+    fit.jacobian.resize(0, 0), fit.weight.resize(0);  // of all fits they would fill the memory
+    sets_.insert_or_assign(effects, FittedSet{std::move(fit), std::move(squares)});
   }
 
-  Trial trialOf(const Rated& from, const PoseHypothesis& effect) const {
-    Trial trial{&effect, rated(with(data_, from.fit, effect)), {}, {}, 0.0};
-    trial.gain = comparison_.gain(from.squares, trial.rated.squares);
-    trial.reduction = largestReduction(from.squares, trial.rated.squares);
-    return trial;
+  /// Best set that is not expanded yet and is within kOccam of the best one; none: the search ends.
+  std::optional<PoseSet> nextToExpand() const {
+    if (cancelled(progress_)) return std::nullopt;
+    double best = -std::numeric_limits<double>::infinity(), most = best;
+    std::optional<PoseSet> next;
+    for (const auto& [effects, set] : sets_) {
+      const double own = value(effects);
+      best = std::max(best, own);
+      if (expanded_.contains(effects) || !(own > most)) continue;
+      most = own;
+      next = effects;
+    }
+    return most >= best + std::log(kOccam) ? next : std::nullopt;
   }
 
-  static bool isMaterial(const Trial& trial) {
-    return trial.reduction.share > kMaterialShare && trial.gain.front() > kLeastScore &&
-           lowerOf(trial.gain, kHighConfidence) > 0.0;
+  /// Fits the neighbours of a set that were not fitted yet: with one effect more, with one less, and with one
+  /// exchanged for another.
+  void expand(const PoseSet& from) {
+    expanded_.insert(from);
+    report();
+    for (const PoseEffect& effect : from) shrink(from, effect);
+    for (const PoseEffect& effect : effects_) {
+      if (contains(from, effect)) continue;
+      extend(from, effect);
+      for (const PoseEffect& other : from) extend(minus(from, other), effect);
+    }
+    if (from.empty() || from == best()) note(from);
   }
 
-  /// All that are not in yet, the best first.
-  std::vector<Trial> trialsOf(const Rated& best) const {
-    std::vector<Trial> trials;
-    for (const PoseHypothesis& effect : effects_)
-      if (best.fit.placeOf(effect.name) < 0 && !cancelled(progress_)) trials.push_back(trialOf(best, effect));
-    std::stable_sort(trials.begin(), trials.end(),
-                     [](const Trial& a, const Trial& b) { return a.gain.front() > b.gain.front(); });
-    for (std::size_t d = 1; d <= kDraws && !trials.empty(); ++d)
-      std::max_element(trials.begin(), trials.end(), [d](const Trial& a, const Trial& b) {
-        return a.gain[d] < b.gain[d];
-      })->share += 1.0 / kDraws;
-    return trials;
+  PoseSet best() const {
+    return std::ranges::max_element(sets_, {}, [&](const auto& one) { return value(one.first); })->first;
   }
 
-  static void note(PoseSelection& s, const std::vector<Trial>& trials, int round) {
-    for (const Trial& trial : trials)
-      s.candidates.push_back({std::string(trial.effect->name), 0, round, trial.reduction.share, true,
-                              trial.reduction.share, trial.gain.front(), trial.share});
+  void extend(const PoseSet& from, const PoseEffect& effect) {
+    const PoseSet more = plus(from, effect);
+    if (sets_.contains(more) || !sets_.contains(from) || cancelled(progress_)) return;
+    keep(more, with(data_, sets_.at(from).fit, *effect.hypothesis));
   }
 
-  /// The model without an effect, and what that effect brings back.
-  Trial lossOf(const Rated& best, const PoseHypothesis& effect, Rated& less) const {
-    less = rated(without(data_, best.fit, effect.name));
-    return {&effect,
-            {},
-            comparison_.gain(less.squares, best.squares),
-            largestReduction(less.squares, best.squares),
-            0.0};
-  }
-
-  void dropSuperfluous(PoseSelection& s, Rated& best) const {
-    for (std::size_t k = 0; k + 1 < s.taken.size() && !cancelled(progress_);) {
-      Rated less;
-      if (isMaterial(lossOf(best, s.taken[k].effect, less))) {
-        ++k;
-        continue;
-      }
-      best = std::move(less);
-      s.taken.erase(s.taken.begin() + static_cast<std::ptrdiff_t>(k));
-      k = 0;
+  /// Fits the set without one effect, and without those that only make sense with it.
+  void shrink(const PoseSet& from, const PoseEffect& effect) {
+    for (const PoseSet& less : {minus(from, effect), withoutEffect(from, effect)}) {
+      if (sets_.contains(less) || cancelled(progress_)) continue;
+      PoseFit fit = sets_.at(from).fit;
+      for (const PoseEffect& one : from)
+        if (!contains(less, one)) fit = without(data_, fit, one.name());
+      keep(less, std::move(fit));
     }
   }
 
-  void weigh(PoseTaken& taken, const Rated& best) const {
-    Rated less;
-    taken.needed = 1.0 - shareBelow(lossOf(best, taken.effect, less).gain);
-    for (const PoseHypothesis& effect : effects_) {
-      if (best.fit.placeOf(effect.name) >= 0 || cancelled(progress_)) continue;
-      const Trial instead = trialOf(less, effect);
-      const double share = shareBelow(comparison_.gain(instead.rated.squares, best.squares));
-      if (share <= kCompetitor || !isMaterial(instead)) continue;
-      taken.competitors.push_back(effect);
-      taken.shares.push_back(share);
+  /// What each further effect gains beside the set.
+  void note(const PoseSet& from) {
+    ++round_;
+    const BlockSquares& before = sets_.at(from).squares;
+    std::vector<Candidate> tested;
+    for (const PoseEffect& effect : effects_) {
+      const auto more = sets_.find(plus(from, effect));
+      if (contains(from, effect) || more == sets_.end()) continue;
+      const double share = largestReduction(before, more->second.squares).share;
+      tested.push_back({std::string(effect.name()), 0, round_, share, true, share,
+                        score_.of(more->second.squares) - score_.of(before), 0.0});
     }
+    std::ranges::stable_sort(tested, std::greater<>(), &Candidate::score);
+    candidates_.insert(candidates_.end(), tested.begin(), tested.end());
   }
 
-  static double shareBelow(const std::vector<double>& gain) {
-    return static_cast<double>(
-               std::count_if(gain.begin() + 1, gain.end(), [](double g) { return g <= 0.0; })) /
-           static_cast<double>(kDraws);
+  std::vector<CandidateModel<PoseEffect>> models() const {
+    std::vector<CandidateModel<PoseEffect>> models;
+    for (const auto& [effects, set] : sets_) models.push_back({effects, &set.squares, prior(effects)});
+    return models;
+  }
+
+  PoseSelection selection() {
+    const Posterior<PoseEffect> posterior(models(), score_);
+    const PoseSet most_probable = posterior.models().empty() ? PoseSet() : posterior.models().front().effects;
+    const PoseSet selected = simplest(most_probable, posterior);
+    for (const PoseEffect& effect : selected) shrink(selected, effect);  // what selectedOf() compares with
+    const FittedSet& best = sets_.at(selected);
+    PoseSelection s{.base = base_,
+                    .best = fitPoses(data_, best.fit.effects, best.fit.value),
+                    .base_squares = sets_.at({}).squares,
+                    .best_squares = best.squares,
+                    .effects = selectedOf(selected, best.squares, models(), posterior, score_),
+                    .uncertain = uncertainOf(most_probable, selected, posterior),
+                    .competitors = {},
+                    .posterior = windowOf(posterior),
+                    .candidates = std::move(candidates_)};
+    s.competitors = competitorsOf(selected, s.effects, posterior);
+    for (const PoseEffect& effect : effects_)
+      for (Candidate& candidate : s.candidates)
+        if (candidate.effect == effect.name()) candidate.probability = posterior.inclusion(effect);
+    return s;
+  }
+
+  void report() {
+    constexpr double kSets = 8.0;  // that are expanded, about
+    const auto done = static_cast<double>(expanded_.size());
+    if (progress_) progress_->report(kProgressOfSearch * done / (done + kSets), "Fitting candidate models");
   }
 
   const PoseData& data_;
-  const std::vector<PoseHypothesis>& effects_;
   base::Progress* progress_;
-  Comparison comparison_;
+  PoseSet effects_;
+  PoseFit base_;
+  PredictiveScore score_;
+  std::map<PoseSet, FittedSet> sets_;
+  std::set<PoseSet> expanded_;
+  std::vector<Candidate> candidates_;
+  int round_ = 0;
 };
 
 }  // namespace
 
 PoseSelection selectPoses(const PoseData& data, const std::vector<PoseHypothesis>& effects,
                           std::uint64_t seed, base::Progress* progress) {
-  return Rounds(data, effects, seed, progress).run();
+  return PoseSearch(data, effects, seed, progress).run();
 }
 
 }  // namespace capstan::diagnosis

@@ -42,8 +42,7 @@ std::string extendedRobotText(const Report& report, const std::string& software)
   for (const Cause& cause : report.causes)
     text +=
         fmt::format("#   {}; probability {:.0f} %\n", oneLine(causeText(cause)), 100.0 * cause.probability);
-  if (!report.also_measurable.empty())
-    text += fmt::format("# Also measurable, below the tolerance of {}:\n", formatTolerance(report.material));
+  if (!report.also_measurable.empty()) text += fmt::format("# {}:\n", alsoMeasurableTitle(report));
   for (const Cause& cause : report.also_measurable)
     text += fmt::format("#   {}\n", oneLine(causeText(cause)));
   if (const std::string background = backgroundEffects(report); !background.empty())

@@ -133,7 +133,9 @@ struct Explainable {
   double noise = 0.0;     ///< RMS noise of the sensor and of the simulation's inputs
   double refitted = 0.0;  ///< RMS residual of the refitted nominal robot
   double named = 0.0;     ///< RMS residual of the model with the effects
-  double linear = 0.0;  ///< RMS residual of a least-squares fit on at most seven measured columns; NaN: none
+  /// RMS residual of a least-squares fit on at most seven measured columns (tip poses: position and velocity
+  /// of the reference); NaN: none.
+  double linear = 0.0;
   /// RMS residual of a Gaussian process on positions, speeds, loads, torques, directions and time; NaN: none.
   double flexible = 0.0;
   /// (refitted² − named²) / (refitted² − least²), where least is the smaller of linear and flexible; at
@@ -163,7 +165,7 @@ struct Report {
   Verdict verdict = Verdict::kNothing;
   std::string summary;                 ///< one or two sentences for people
   std::vector<Cause> causes;           ///< material effects, the largest Cause::loss first
-  std::vector<Cause> also_measurable;  ///< effects of the model that are smaller than the tolerance
+  std::vector<Cause> also_measurable;  ///< effects below the tolerance or kMaterialShare
   Tolerance material;
   std::vector<Tie> ties;
   std::vector<SetProbability> posterior;  ///< the most probable set first
@@ -182,6 +184,9 @@ struct Report {
   std::vector<std::string> notices;  ///< remarks for the user, one line each
   bool cancelled = false;            ///< true if the diagnosis was cancelled before its end
 };
+/// Smallest share of a channel's held-out mean square that an effect must remove to be a cause: of two
+/// effects that cancel each other, each may move the tip far, and both together hardly move it.
+inline constexpr double kMaterialShare = 0.06;
 
 }  // namespace capstan::diagnosis
 

@@ -107,7 +107,8 @@ std::string movesText(const Cause& cause) {
 }
 
 std::string alsoMeasurableTitle(const Report& report) {
-  return "Also measurable, below the tolerance of " + formatTolerance(report.material);
+  return fmt::format("Also measurable, below the tolerance of {} or {:.0f} % of the mean square of a channel",
+                     formatTolerance(report.material), 100.0 * kMaterialShare);
 }
 
 std::string explainedText(const Report& report, std::string_view channel) {

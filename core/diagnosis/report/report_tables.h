@@ -23,7 +23,8 @@ std::string gainText(const Gain& gain);
 /// Displacement by a cause in one line: "moves joint 2 by 0.41 deg RMS (largest 0.93 deg), the tip by 1.9 mm
 /// RMS (largest 4.2 mm)". Joints that move by less than a tenth of the one that moves most are not named.
 std::string movesText(const Cause& cause);
-/// Heading of Report::also_measurable: "Also measurable, below the tolerance of 0.02deg,0.02mm".
+/// Heading of Report::also_measurable: "Also measurable, below the tolerance of 0.02deg,0.02mm or 6 % of
+/// the mean square of a channel".
 std::string alsoMeasurableTitle(const Report& report);
 /// Explainable::share of a channel in one sentence. Empty if the report has no Explainable of this channel.
 std::string explainedText(const Report& report, std::string_view channel);

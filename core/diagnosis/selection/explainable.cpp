@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "core/base/parallel.h"
-#include "core/diagnosis/selection/measured_regression.h"
 #include "core/diagnosis/selection/verdict.h"
 
 namespace capstan::diagnosis {
@@ -99,35 +98,14 @@ Pooled pooledOf(const FitData& data, const Selection& s, const robot::Descriptio
 
 Explainable explainableOf(const FitData& data, const Selection& s, const robot::Description& nominal,
                           const Group& group, const base::Progress* progress) {
-  const double refitted = meanSquareOf(s.base_squares, group), named = meanSquareOf(s.best_squares, group);
-  Explainable one{group.channel.name,
-                  group.channel.unit,
-                  std::hypot(group.channel.noise, s.input_noise[group.members.front()]),
-                  std::sqrt(refitted),
-                  std::sqrt(named),
-                  kNaN,
-                  kNaN,
-                  kNaN,
-                  {}};
-  double least = refitted;
-  if (group.channel.joint > 0) {
-    const MeasuredRegression linear = measuredRegression(data, group.channel.joint);
-    one.linear = std::sqrt(linear.mean_square);
-    if (linear.mean_square < least) {
-      least = linear.mean_square;
-      one.leans_on = fmt::format("depends on {}", fmt::join(linear.columns, ", "));
-    }
-  }
+  const MeasuredRegression linear =
+      group.channel.joint > 0 ? measuredRegression(data, group.channel.joint) : MeasuredRegression{kNaN, {}};
   const Pooled pooled = pooledOf(data, s, nominal, group);
-  const ResidualProcess process =
-      residualProcess(pooled.channel, pooled.variables, {.shuffles = 2}, progress);
-  if (process.end == ProcessEnd::kDone) {
-    const double flexible = refitted * std::clamp(1.0 - process.explained, 0.0, 1.0);
-    one.flexible = std::sqrt(flexible);
-    if (flexible < least) least = flexible, one.leans_on = process.words;
-  }
-  if (least < refitted) one.share = std::min(1.0, (refitted - named) / (refitted - least));
-  return one;
+  Channel channel = pooled.channel;
+  channel.noise = std::hypot(group.channel.noise, s.input_noise[group.members.front()]);
+  const double refitted = meanSquareOf(s.base_squares, group);
+  return explainableFrom(channel, refitted, meanSquareOf(s.best_squares, group), linear, refitted,
+                         residualProcess(pooled.channel, pooled.variables, {.shuffles = 2}, progress));
 }
 
 double beyondNoise(const Group& group, const Selection& s) {
@@ -136,6 +114,32 @@ double beyondNoise(const Group& group, const Selection& s) {
 }
 
 }  // namespace
+
+Explainable explainableFrom(const Channel& channel, double refitted, double named,
+                            const MeasuredRegression& linear, double process_mean_square,
+                            const ResidualProcess& process) {
+  Explainable one{channel.name,
+                  channel.unit,
+                  channel.noise,
+                  std::sqrt(refitted),
+                  std::sqrt(named),
+                  std::sqrt(linear.mean_square),
+                  kNaN,
+                  kNaN,
+                  {}};
+  double least = refitted;
+  if (linear.mean_square < least) {
+    least = linear.mean_square;
+    one.leans_on = fmt::format("depends on {}", fmt::join(linear.columns, ", "));
+  }
+  if (process.end == ProcessEnd::kDone) {
+    const double flexible = process_mean_square * std::clamp(1.0 - process.explained, 0.0, 1.0);
+    one.flexible = std::sqrt(flexible);
+    if (flexible < least) least = flexible, one.leans_on = process.words;
+  }
+  if (least < refitted) one.share = std::min(1.0, (refitted - named) / (refitted - least));
+  return one;
+}
 
 std::vector<Explainable> explainableOf(const FitData& data, const Selection& s,
                                        const robot::Description& nominal, base::Progress* progress) {

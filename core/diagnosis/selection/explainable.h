@@ -4,6 +4,8 @@
 
 #include "core/base/progress.h"
 #include "core/diagnosis/report/report.h"
+#include "core/diagnosis/residuals/residual_process.h"
+#include "core/diagnosis/selection/measured_regression.h"
 #include "core/diagnosis/selection/selection.h"
 
 namespace capstan::diagnosis {
@@ -15,6 +17,12 @@ namespace capstan::diagnosis {
 /// unexplained. The channel with the largest ratio of residual to noise comes first.
 std::vector<Explainable> explainableOf(const FitData& data, const Selection& selection,
                                        const robot::Description& nominal, base::Progress* progress);
+
+/// Comparison for one channel. `refitted`, `named`: mean squares of its held-out residuals without and with
+/// the effects. `process_mean_square`: of the residual that `process` belongs to.
+Explainable explainableFrom(const Channel& channel, double refitted, double named,
+                            const MeasuredRegression& linear, double process_mean_square,
+                            const ResidualProcess& process);
 
 /// True if a regression explains materially more of some channel than the selected model: Explainable::share
 /// is below kNear, and the difference of the residuals exceeds the tolerance.

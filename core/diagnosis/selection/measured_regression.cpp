@@ -126,9 +126,9 @@ Design columnsOf(const FitData& data, int joint) {
   return all;
 }
 
-/// Mean square of held-out residuals with the first `used` columns.
-double heldOutSquare(const Design& all, Index used) {
-  const MatrixXd x = all.x.leftCols(used);
+}  // namespace
+
+double heldOutSquare(const MatrixXd& x, const VectorXd& y, const std::vector<int>& fold) {
   const VectorXd scale =
       x.colwise().norm().transpose().cwiseMax(std::numeric_limits<double>::min()).cwiseInverse();
   const MatrixXd z = x * scale.asDiagonal();
@@ -136,18 +136,16 @@ double heldOutSquare(const Design& all, Index used) {
   for (int f = 0; f < kFolds; ++f) {
     std::vector<Index> fitted, tested;
     for (Index i = 0; i < z.rows(); ++i)
-      (all.fold[static_cast<std::size_t>(i)] == f ? tested : fitted).push_back(i);
+      (fold[static_cast<std::size_t>(i)] == f ? tested : fitted).push_back(i);
     if (tested.empty()) continue;
     const MatrixXd a = z(fitted, Eigen::all);
     MatrixXd normal = a.transpose() * a;
     normal.diagonal().array() += 1e-10;
-    const VectorXd w = normal.ldlt().solve(a.transpose() * all.y(fitted));
-    squares += (all.y(tested) - z(tested, Eigen::all) * w).squaredNorm();
+    const VectorXd w = normal.ldlt().solve(a.transpose() * y(fitted));
+    squares += (y(tested) - z(tested, Eigen::all) * w).squaredNorm();
   }
   return squares / static_cast<double>(std::max<Index>(1, z.rows()));
 }
-
-}  // namespace
 
 MeasuredRegression measuredRegression(const FitData& data, int joint) {
   constexpr Index kFewest = 100;
@@ -157,7 +155,7 @@ MeasuredRegression measuredRegression(const FitData& data, int joint) {
   if (all.y.size() < kFewest || all.names.empty()) return best;
   const Index constants = all.x.cols() - static_cast<Index>(all.names.size());
   for (Index k = 1; k <= std::min<Index>(kMostColumns - 1, static_cast<Index>(all.names.size())); ++k) {
-    const double square = heldOutSquare(all, constants + k);
+    const double square = heldOutSquare(all.x.leftCols(constants + k), all.y, all.fold);
     if (best.mean_square <= square) continue;
     best = {square, {all.names.begin(), all.names.begin() + k}};
   }

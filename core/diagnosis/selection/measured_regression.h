@@ -22,4 +22,8 @@ struct MeasuredRegression {
 MeasuredRegression measuredRegression(const FitData& data, int joint);
 inline constexpr int kMostColumns = 7;
 
+/// Mean square of the residuals y − x w on held-out folds; w by least squares on the other folds. `fold`: of
+/// each row, from 0 to kFolds − 1.
+double heldOutSquare(const Eigen::MatrixXd& x, const Eigen::VectorXd& y, const std::vector<int>& fold);
+
 }  // namespace capstan::diagnosis

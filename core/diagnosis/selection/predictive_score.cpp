@@ -12,23 +12,30 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-PredictiveScore::PredictiveScore(const FitData& data, const VectorXd& input_noise, int draws,
-                                 std::uint64_t seed) {
-  group_.assign(data.sensorOf().begin(), data.sensorOf().end());
-  const Index count = data.sensors();
-  VectorXd channels = VectorXd::Zero(count);
+ScoredChannels scoredChannels(const FitData& data, const VectorXd& input_noise) {
+  ScoredChannels channels{
+      {data.sensorOf().begin(), data.sensorOf().end()}, VectorXd(input_noise.size()), input_noise};
+  for (Index c = 0; c < input_noise.size(); ++c)
+    channels.noise[c] = data.channels()[static_cast<std::size_t>(c)].noise;
+  return channels;
+}
+
+PredictiveScore::PredictiveScore(const ScoredChannels& channels, Index blocks, int draws, std::uint64_t seed)
+    : group_(channels.sensor) {
+  const Index count = group_.empty() ? 0 : 1 + *std::ranges::max_element(group_);
+  VectorXd in_group = VectorXd::Zero(count);
   noise_ = floor_ = VectorXd::Zero(count);
-  for (std::size_t c = 0; c < group_.size(); ++c) {
-    const double sensor = std::pow(data.channels()[c].noise, 2),
-                 input = std::pow(input_noise[static_cast<Index>(c)], 2);
-    noise_[group_[c]] += sensor + input;
-    floor_[group_[c]] += kSensorConfidence * sensor + input;
-    channels[group_[c]] += 1.0;
+  for (Index c = 0; c < channels.noise.size(); ++c) {
+    const double sensor = std::pow(channels.noise[c], 2), input = std::pow(channels.input_noise[c], 2);
+    const Index g = group_[static_cast<std::size_t>(c)];
+    noise_[g] += sensor + input;
+    floor_[g] += kSensorConfidence * sensor + input;
+    in_group[g] += 1.0;
   }
   for (VectorXd* of : {&noise_, &floor_})
-    *of = of->cwiseQuotient(channels).cwiseMax(std::numeric_limits<double>::min());
+    *of = of->cwiseQuotient(in_group).cwiseMax(std::numeric_limits<double>::min());
   inflation_ = best_ = VectorXd::Constant(count, std::numeric_limits<double>::infinity());
-  times_ = MatrixXd::Zero(data.blocks(), draws);
+  times_ = MatrixXd::Zero(blocks, draws);
   base::Random random(seed, "block bootstrap");
   for (Index d = 0; d < draws; ++d)
     for (Index b = 0; b < times_.rows(); ++b)

@@ -8,6 +8,14 @@
 
 namespace capstan::diagnosis {
 
+/// Sensor and noise of each channel of the residuals that are scored.
+struct ScoredChannels {
+  std::vector<Eigen::Index> sensor;
+  Eigen::VectorXd noise;        ///< RMS per channel of the sensor's noise
+  Eigen::VectorXd input_noise;  ///< RMS per channel that noise of the inputs causes (inputNoise())
+};
+ScoredChannels scoredChannels(const FitData& data, const Eigen::VectorXd& input_noise);
+
 /// Log predictive density of candidate models on held-out blocks [nats]:
 ///     −½ Σ_g N_g ln max(S_g / n_g, floor_g),   N_g = n_g / inflation_g.
 /// A group g contains the channels of all recordings with the same sensor (a joint's encoder, an axis of the
@@ -18,9 +26,8 @@ namespace capstan::diagnosis {
 /// best, and the same for all models.
 class PredictiveScore {
  public:
-  /// `input_noise`: RMS per channel that noise of the inputs causes (inputNoise()). `draws`: number of block
-  /// bootstraps.
-  PredictiveScore(const FitData& data, const Eigen::VectorXd& input_noise, int draws, std::uint64_t seed);
+  /// `blocks`: number of blocks of the residuals. `draws`: number of block bootstraps.
+  PredictiveScore(const ScoredChannels& channels, Eigen::Index blocks, int draws, std::uint64_t seed);
 
   /// Takes the inflation of this model's residuals for the groups that no model has fitted better: a model
   /// that fits badly may have residuals that look random. Of models within the noise the least inflation

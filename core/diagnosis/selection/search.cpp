@@ -49,7 +49,7 @@ class Search {
     for (const Evidence& evidence : recordings_)
       found_.instants = std::max(found_.instants, evidence.duration() / kEventStep);
     found_.candidates = static_cast<int>(candidatesOf(recordings_, nominal, options_.only).size());
-    score_.emplace(data_, found_.input_noise, kDraws, options_.seed);
+    score_.emplace(scoredChannels(data_, found_.input_noise), data_.blocks(), kDraws, options_.seed);
     keep(std::move(base));
     if (start) tryStart(*start);
     while (!cancelled(progress_) &&
@@ -358,13 +358,6 @@ class Search {
 };
 
 }  // namespace
-
-double logPrior(std::size_t effects, int candidates) {
-  const auto k = static_cast<double>(effects), n = static_cast<double>(std::max(candidates, 1));
-  const double choices =
-      k <= n ? std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0) : 0.0;
-  return k * std::log(kEffectOdds) - choices;
-}
 
 double logPrior(const EffectSet& effects, int candidates, double instants) {
   double prior = logPrior(effects.size(), candidates);

@@ -6,7 +6,7 @@
 
 #include "core/base/progress.h"
 #include "core/diagnosis/report/report.h"
-#include "core/diagnosis/selection/predictive_score.h"
+#include "core/diagnosis/selection/posterior.h"
 #include "core/diagnosis/selection/set_fit.h"
 
 namespace capstan::diagnosis {
@@ -41,13 +41,8 @@ struct SearchResult {
 SearchResult searchSets(const FitData& data, const std::vector<Evidence>& recordings, const FitModel& nominal,
                         const Fit* start, const SearchOptions& options, base::Progress* progress);
 
-/// Log prior of a set of `effects` out of `candidates` [nats]: all sets of one size are equally probable, and
-/// each further effect multiplies the probability of the size by kEffectOdds.
-double logPrior(std::size_t effects, int candidates);
 /// Log prior of the set and of the instants of its effects that happen once: such an effect may have happened
 /// in any of the `instants` that score tests try.
 double logPrior(const EffectSet& effects, int candidates, double instants);
-inline constexpr double kEffectOdds = 0.25;
-inline constexpr int kDraws = 400;  ///< number of block bootstraps
 
 }  // namespace capstan::diagnosis

@@ -5,32 +5,14 @@
 #include "core/base/progress.h"
 #include "core/diagnosis/fit/cross_validation.h"
 #include "core/diagnosis/report/report.h"
+#include "core/diagnosis/selection/posterior.h"
 #include "core/diagnosis/selection/search.h"
 
 namespace capstan::diagnosis {
 
-/// Effect of the selected set.
-struct SelectedEffect {
-  EffectCandidate effect;
-  double probability = 0.0;  ///< sum of the posterior over all sets with the effect
-  double loss = 0.0;         ///< held-out score lost without this effect alone [nats]
-  BlockSquares without;      ///< held-out residuals of the selected set without the effect
-};
-
-/// Effects that explain the recordings about as well in the place of a selected one.
-struct CompetingExplanations {
-  EffectCandidate selected;
-  std::vector<EffectCandidate> others;
-  /// Relative probabilities: of the selected set, then of the set with each of `others`.
-  std::vector<double> probabilities;
-};
-
-/// Effect of the most probable set that is not selected, because the set without it is probable enough
-/// (kMinOddsWithout).
-struct UncertainEffect {
-  EffectCandidate effect;
-  double probability = 0.0;  ///< that the effect is in the model
-};
+using SelectedEffect = SelectedOf<EffectCandidate>;
+using CompetingExplanations = CompetitorsOf<EffectCandidate>;
+using UncertainEffect = UncertainOf<EffectCandidate>;
 
 /// One set of the posterior, with its fit.
 struct ProbableSet {
@@ -55,21 +37,10 @@ struct Selection {
   std::vector<Candidate> candidates;               ///< candidates that the search tested
 };
 
-/// Searches sets of effects (search.h) and computes their posterior. The posterior is averaged over block
-/// bootstraps (bagged posterior, Huggins and Miller 2023), because none of the models is exactly right:
-///     p(S) = mean over draws d of  exp(L_d(S)) π(S) / Σ_S' exp(L_d(S')) π(S').
-/// `start`: effects that another selection of the same recordings chose; null: none.
+/// Searches sets of effects (search.h) and selects one of them (posterior.h). `start`: effects that another
+/// selection of the same recordings chose; null: none.
 Selection select(const FitData& data, const std::vector<Evidence>& recordings, const FitModel& nominal,
                  const Selection* start, const SearchOptions& options, base::Progress* progress);
-/// Smallest ratio of the probability of a reported set to that of the best set (Occam's window, Madigan and
-/// Raftery 1994).
-inline constexpr double kOccam = 1e-3;
-/// Smallest share p / (p + p_selected) of the probability at which a set that differs from the selected one
-/// by one exchange makes a tie.
-inline constexpr double kTie = 0.2;
-/// An effect is not selected if the probability of the set without it is at least this multiple of that of
-/// the most probable set: at odds of less than 2 to 1 the recordings do not decide.
-inline constexpr double kMinOddsWithout = 0.5;
 inline constexpr std::size_t kProbableSets = 4;
 
 }  // namespace capstan::diagnosis

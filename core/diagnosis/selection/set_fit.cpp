@@ -20,6 +20,12 @@ constexpr double kRough = 0.3, kFine = 0.1;
 double toleranceOf(int pass) { return pass == 1 ? kRough : kFine; }
 constexpr double kSteady = 0.05;  // relative change of weights that no fit follows
 
+/// Weights of a pass. Fits of rigid drives begin with weights by noise alone: their constants can be so far
+/// off that one joint's residual is many times that of the others.
+Eigen::VectorXd weightsOfPass(const FitData& data, const Eigen::VectorXd& e, int pass) {
+  return pass == 1 && data.rigid() && data.sensors() > 1 ? noiseWeightsFor(data, e) : weightsFor(data, e);
+}
+
 /// False for a fit that was cancelled before its first linearisation, or whose simulation diverged.
 bool isComplete(const SetFit& set) {
   return set.fit.jacobian.rows() == set.fit.e.size() && set.fit.e.allFinite();
@@ -30,8 +36,8 @@ bool isComplete(const SetFit& set) {
 SetFit SetFitter::nominal(const FitModel& model, const Eigen::VectorXd& u) const {
   const InitialStates initial = noneBeyond(data_);
   SetFit set{{}, {.model = model}, {}};
-  set.weighting.weights =
-      weightsFor(data_, linearise(data_, model, u, initial, {Eigen::VectorXd::Ones(data_.size())}).e);
+  const Eigen::VectorXd e = linearise(data_, model, u, initial, {Eigen::VectorXd::Ones(data_.size())}).e;
+  set.weighting.weights = weightsFor(data_, e);
   set.fit =
       fit(data_, model, u, initial, set.weighting, {.iterations = kFirstIterations, .tolerance = kRough});
   return settled(std::move(set));
@@ -126,7 +132,7 @@ std::vector<SetFit> SetFitter::settled(std::vector<SetFit> sets) const {
     std::vector<FitTask> tasks;
     std::vector<SetFit*> fitted;
     for (SetFit* set : moving) {
-      Eigen::VectorXd weights = weightsFor(data_, set->fit.e);
+      Eigen::VectorXd weights = weightsOfPass(data_, set->fit.e, pass);
       if (pass > 1 && areSteady(set->weighting.weights, weights)) continue;
       set->weighting.weights = std::move(weights);
       FitTask task{set->fit.model, set->fit.u, set->fit.initial, set->weighting};

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/diagnosis/fit/input_noise.h"
+#include "core/diagnosis/hypotheses/pose_hypotheses.h"
 #include "core/diagnosis/report/report_tables.h"
 #include "core/diagnosis/selection/displacement.h"
 #include "core/diagnosis/selection/explainable.h"
@@ -14,9 +15,6 @@
 namespace capstan::diagnosis {
 namespace {
 
-/// Share of a channel's held-out mean square that an effect must take off to be material: two effects may
-/// each move the tip far and together hardly at all.
-constexpr double kMaterialShare = 0.06;
 constexpr double kFar = 4.0;  // times what may be chance: no test needed
 
 /// Of the sensor, and of what those of loads and motors bring in.
@@ -24,10 +22,6 @@ double noiseSquare(const FitData& data, const Selection& s, Eigen::Index c) {
   const double sensor = data.channels()[static_cast<std::size_t>(c)].noise;
   return sensor * sensor + s.input_noise[c] * s.input_noise[c];
 }
-
-/// What a simplified law, the clock of the recording and the steps of an integration leave of a number at
-/// best: a share of it.
-constexpr double kLawsAreGood = 0.01;
 
 /// Of "rad or m" what the joint goes by.
 std::string unitAt(std::string_view unit, int joint, const robot::Description& robot) {
@@ -52,7 +46,7 @@ std::vector<FoundParameter> parametersOf(const FitModel& model, std::size_t effe
     if (const int at = term.index[i]; at >= 0)
       sigma =
           model.parameters()[static_cast<std::size_t>(at)].valueSigma(u[at], std::sqrt(covariance(at, at)));
-    if (sigma > 0.0 && !isEventTime(number)) sigma = std::hypot(sigma, kLawsAreGood * values[i]);
+    if (sigma > 0.0 && !isEventTime(number)) sigma = withLawError(sigma, values[i]);
     if (neutral[i] == 0.0) sigma = std::hypot(sigma, 0.5 * background);  // a background effect
     found.push_back(
         {std::string(number.name), unitAt(number.unit, term.joint, model.nominal()), values[i], sigma});
@@ -63,10 +57,6 @@ std::vector<FoundParameter> parametersOf(const FitModel& model, std::size_t effe
 std::string nameOf(const std::string& effect, int joint) {
   std::string title = titleOf(effect);
   return joint > 0 ? fmt::format("{} (joint {})", title, joint) : title;
-}
-
-std::string nameOf(const EffectCandidate& effect) {
-  return nameOf(std::string(effect.hypothesis->name()), effect.joint);
 }
 
 /// Channel that shows a cause: the encoder of its joint if that gains, else the one that gains most.
@@ -109,57 +99,29 @@ bool isTooShort(const FitData& data, const Selection& s) {
   return false;
 }
 
-std::string namesOf(const std::vector<Cause>& causes) {
-  std::vector<std::string> names;
-  for (const Cause& cause : causes) names.push_back(nameOf(cause.effect, cause.joint));
-  return fmt::format("{}", fmt::join(names, " and "));
-}
-
 std::string summaryOf(const Report& report) {
   const double percent = 100.0 * report.explained;
   switch (report.verdict) {
     case Verdict::kNothing:
       return report.also_measurable.empty()
                  ? "Nothing material: the refitted nominal robot explains the recording down to noise."
-                 : fmt::format(
-                       "Nothing material: {} can be measured and moves no joint by more than the tolerance.",
-                       namesOf(report.also_measurable));
+                 : fmt::format("Nothing material: {} can be measured and is below the tolerance.",
+                               causeNames(report.also_measurable));
     case Verdict::kUnexplained:
       return report.causes.empty()
                  ? "Something is there that no hypothesis explains."
                  : fmt::format("Something is there that no hypothesis explains; {} takes off {:.0f} % of it.",
-                               namesOf(report.causes), percent);
+                               causeNames(report.causes), percent);
     case Verdict::kTie:
-      return fmt::format("This recording cannot distinguish {}.", namesOf(report.ties.front().causes));
+      return fmt::format("This recording cannot distinguish {}.", causeNames(report.ties.front().causes));
     default:
-      return fmt::format("{} {} the recording ({:.0f} % of what is beyond noise).", namesOf(report.causes),
+      return fmt::format("{} {} the recording ({:.0f} % of what is beyond noise).", causeNames(report.causes),
                          report.causes.size() > 1 ? "explain" : "explains", percent);
   }
 }
 
-Tie tieOf(const CompetingExplanations& competing, const Cause& cause) {
-  Tie tie;
-  tie.causes.push_back(cause);
-  tie.causes.front().probability = competing.probabilities.front();
-  for (std::size_t k = 0; k < competing.others.size(); ++k) {
-    Cause other;
-    other.effect = competing.others[k].hypothesis->name();
-    other.joint = competing.others[k].joint;
-    other.probability = competing.probabilities[k + 1];
-    tie.causes.push_back(std::move(other));
-  }
-  const EffectCandidate &one = competing.selected, &another = competing.others.front();
-  tie.separate = fmt::format("For {}: {} For {}: {}", nameOf(one), one.hypothesis->words.experiment,
-                             nameOf(another), another.hypothesis->words.experiment);
-  return tie;
-}
-
-/// Ties of the causes, in their order.
-void addTies(const Selection& s, Report& report) {
-  for (const Cause& cause : report.causes)
-    for (const CompetingExplanations& competing : s.competitors)
-      if (competing.selected.hypothesis->name() == cause.effect && competing.selected.joint == cause.joint)
-        report.ties.push_back(tieOf(competing, cause));
+std::string experimentFor(const NamedEffect& effect) {
+  return fmt::format("For {}: {}", nameOf(effect.effect, effect.joint), wordsOf(effect.effect)->experiment);
 }
 
 }  // namespace
@@ -192,31 +154,59 @@ bool hasResidual(const FitData& data, const Selection& s, const Tolerance& toler
   return false;
 }
 
+std::string causeNames(const std::vector<Cause>& causes) {
+  std::vector<std::string> names;
+  for (const Cause& cause : causes) names.push_back(nameOf(cause.effect, cause.joint));
+  return fmt::format("{}", fmt::join(names, " and "));
+}
+
+double withLawError(double sigma, double value) { return std::hypot(sigma, kLawError * value); }
+
+void addCause(Cause cause, const BlockSquares& without, const BlockSquares& with, Report& report) {
+  const bool material =
+      isMaterial(cause.moves, report.material) && largestReduction(without, with).share > kMaterialShare;
+  (material ? report.causes : report.also_measurable).push_back(std::move(cause));
+}
+
+Tie tieOf(const Cause& cause, const std::vector<NamedEffect>& others,
+          const std::vector<double>& probabilities) {
+  Tie tie;
+  tie.causes.push_back(cause);
+  tie.causes.front().probability = probabilities.front();
+  for (std::size_t k = 0; k < others.size(); ++k) {
+    Cause other;
+    other.effect = others[k].effect;
+    other.joint = others[k].joint;
+    other.probability = probabilities[k + 1];
+    tie.causes.push_back(std::move(other));
+  }
+  tie.separate = experimentFor({cause.effect, cause.joint}) + " " + experimentFor(others.front());
+  return tie;
+}
+
+Verdict verdictOf(const Report& report, bool residual) {
+  const bool short_of = residual && fallsShort(report.explainable, report.material);
+  const bool left = !report.lines.empty() || short_of || (residual && !isAllThatCanBe(report.explainable));
+  if (report.causes.empty() || (left && (report.explained < kExplains || short_of)))
+    return left ? Verdict::kUnexplained : Verdict::kNothing;
+  if (!report.ties.empty()) return Verdict::kTie;
+  return report.causes.size() > 1 ? Verdict::kSeveral : Verdict::kFound;
+}
+
+std::string uncertainText(const NamedEffect& effect, double probability) {
+  return fmt::format(" {} may be there, too (probability {:.0f} %).", nameOf(effect.effect, effect.joint),
+                     100.0 * probability);
+}
+
 void judge(const FitData& data, const Selection& s, const robot::Description& robot, Report& report) {
   const Eigen::MatrixXd covariance = covarianceOf(data, s.best, s.weighting);
   report.explained = explainedShare(data, s);
   report.posterior = s.posterior;
-  for (const SelectedEffect& selected : s.effects) {
-    Cause cause = causeOf(data, s, selected, covariance, robot);
-    const bool material = isMaterial(cause.moves, report.material) &&
-                          largestReduction(selected.without, s.best_squares).share > kMaterialShare;
-    (material ? report.causes : report.also_measurable).push_back(std::move(cause));
-  }
-  addTies(s, report);
-  const bool residual = hasResidual(data, s, report.material);
-  const bool short_of = residual && fallsShort(report.explainable, report.material);
-  const bool left = !report.lines.empty() || short_of || (residual && !isAllThatCanBe(report.explainable));
-  const bool explains = !report.causes.empty() && (!left || (report.explained >= kExplains && !short_of));
-  if (explains)
-    report.verdict = !report.ties.empty()       ? Verdict::kTie
-                     : report.causes.size() > 1 ? Verdict::kSeveral
-                                                : Verdict::kFound;
-  else
-    report.verdict = left ? Verdict::kUnexplained : Verdict::kNothing;
-  report.summary = summaryOf(report);
-  for (const UncertainEffect& one : s.uncertain)
-    report.summary += fmt::format(" {} may be there, too (probability {:.0f} %).", nameOf(one.effect),
-                                  100.0 * one.probability);
+  for (const SelectedEffect& selected : s.effects)
+    addCause(causeOf(data, s, selected, covariance, robot), selected.without, s.best_squares, report);
+  addTies(s.competitors, report);
+  report.verdict = verdictOf(report, hasResidual(data, s, report.material));
+  report.summary = summaryOf(report) + uncertainText(s.uncertain);
   if (report.verdict == Verdict::kNothing && isTooShort(data, s))
     report.summary =
         "Too little motion to say: the refitted robot explains what it was fitted to, and not "

@@ -25,6 +25,50 @@ inline constexpr double kBeyondNoise = 1.2;  ///< largest ratio of RMS to sensor
 /// regression could explain, unless the effects fallsShort() of the regression.
 inline constexpr double kExplains = 0.96;
 
+/// Titles of the causes with their joints: "Backlash (joint 2) and Payload".
+std::string causeNames(const std::vector<Cause>& causes);
+
+/// Standard deviation of a parameter, from that of its fit and from kLawError.
+double withLawError(double sigma, double value);
+/// Standard deviation of a parameter, as a share of it, that simplified laws, the clock of a recording and
+/// integration steps cause at least.
+inline constexpr double kLawError = 0.01;
+
+/// Adds an effect to the causes if it is material (isMaterial(), and kMaterialShare of the residual without
+/// it), else to the effects that are also measurable. `without`, `with`: held-out residuals.
+void addCause(Cause cause, const BlockSquares& without, const BlockSquares& with, Report& report);
+
+/// Tie of a cause with other effects. `probabilities`: of the cause, then of the others.
+Tie tieOf(const Cause& cause, const std::vector<NamedEffect>& others,
+          const std::vector<double>& probabilities);
+
+/// Adds the ties of the report's causes, in their order.
+template <class Effect>
+void addTies(const std::vector<CompetitorsOf<Effect>>& competitors, Report& report) {
+  for (const Cause& cause : report.causes)
+    for (const CompetitorsOf<Effect>& competing : competitors) {
+      if (competing.selected.name() != cause.effect || competing.selected.joint != cause.joint) continue;
+      std::vector<NamedEffect> others;
+      for (const Effect& one : competing.others) others.push_back({std::string(one.name()), one.joint});
+      report.ties.push_back(tieOf(cause, others, competing.probabilities));
+    }
+}
+
+/// Verdict from the causes, ties, lines, explainable and explained shares of the report. `residual`: whether
+/// the residual of the selected model is more than noise.
+Verdict verdictOf(const Report& report, bool residual);
+
+/// Sentence about an uncertain effect, for the end of a summary.
+std::string uncertainText(const NamedEffect& effect, double probability);
+/// The sentences about all uncertain effects.
+template <class Effect>
+std::string uncertainText(const std::vector<UncertainOf<Effect>>& effects) {
+  std::string text;
+  for (const UncertainOf<Effect>& one : effects)
+    text += uncertainText({std::string(one.effect.name()), one.effect.joint}, one.probability);
+  return text;
+}
+
 /// Fills verdict, causes, also_measurable, ties, posterior, explained and summary of the report from the
 /// selection; Report::material, explainable and lines are inputs. The σ of a cause's parameter combines
 /// three parts: the σ of the fit; 1 % of the parameter, because laws are simplified; and half of the size

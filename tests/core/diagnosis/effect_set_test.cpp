@@ -23,32 +23,33 @@ TEST(EffectSet, IsSortedWhateverTheOrderInWhichEffectsCame) {
 }
 
 TEST(EffectSet, HasEachEffectOnceAndJointsApart) {
-  const EffectSet one = plus({}, at("backlash", 2));
+  const EffectSet one = plus(EffectSet(), at("backlash", 2));
   EXPECT_EQ(plus(one, at("backlash", 2)), one);
   const EffectSet two = plus(one, at("backlash", 3));
   EXPECT_EQ(two.size(), 2U);
   EXPECT_TRUE(contains(two, at("backlash", 2)));
   EXPECT_TRUE(contains(two, at("backlash", 3)));
   EXPECT_FALSE(contains(two, at("backlash", 1)));
-  EXPECT_FALSE(contains({}, at("backlash", 2)));
+  EXPECT_FALSE(contains(EffectSet(), at("backlash", 2)));
 }
 
 TEST(EffectSet, TakesAwayWhatItHasAndNothingElse) {
-  const EffectSet two = plus(plus({}, at("slack", 1)), at("payload", 0));
-  EXPECT_EQ(minus(two, at("slack", 1)), plus({}, at("payload", 0)));
+  const EffectSet two = plus(plus(EffectSet(), at("slack", 1)), at("payload", 0));
+  EXPECT_EQ(minus(two, at("slack", 1)), plus(EffectSet(), at("payload", 0)));
   EXPECT_EQ(minus(two, at("slack", 2)), two);
   EXPECT_TRUE(minus(minus(two, at("slack", 1)), at("payload", 0)).empty());
 }
 
 TEST(EffectSet, AnExchangeChangesExactlyOneEffect) {
-  const EffectSet a = plus(plus({}, at("slack", 1)), at("payload", 0));
-  EXPECT_TRUE(differByExchange(a, plus(plus({}, at("backlash", 1)), at("payload", 0))));
-  EXPECT_TRUE(differByExchange(a, plus(plus({}, at("slack", 2)), at("payload", 0)))) << "of another joint";
-  EXPECT_TRUE(differByExchange(plus({}, at("slack", 1)), plus({}, at("payload", 0))));
+  const EffectSet a = plus(plus(EffectSet(), at("slack", 1)), at("payload", 0));
+  EXPECT_TRUE(differByExchange(a, plus(plus(EffectSet(), at("backlash", 1)), at("payload", 0))));
+  EXPECT_TRUE(differByExchange(a, plus(plus(EffectSet(), at("slack", 2)), at("payload", 0))))
+      << "of another joint";
+  EXPECT_TRUE(differByExchange(plus(EffectSet(), at("slack", 1)), plus(EffectSet(), at("payload", 0))));
   EXPECT_FALSE(differByExchange(a, a));
-  EXPECT_FALSE(differByExchange({}, {}));
+  EXPECT_FALSE(differByExchange(EffectSet(), EffectSet()));
   EXPECT_FALSE(differByExchange(a, minus(a, at("slack", 1)))) << "one less";
-  EXPECT_FALSE(differByExchange(a, plus(plus({}, at("backlash", 1)), at("backlash", 2)))) << "both";
+  EXPECT_FALSE(differByExchange(a, plus(plus(EffectSet(), at("backlash", 1)), at("backlash", 2)))) << "both";
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include "core/diagnosis/diagnose.h"
 #include "core/diagnosis/evidence/read_evidence.h"
 #include "core/diagnosis/hypotheses/joint_scales.h"
-#include "core/diagnosis/selection/selection.h"
+#include "core/diagnosis/selection/horizons.h"
 #include "tests/support/folders.h"
 #include "tests/support/planted/planted_case.h"
 
@@ -42,7 +42,7 @@ struct Sound {
 
 TEST(InputNoise, IsWhatARefittedRobotLeavesBeyondItsEncoders) {
   const Sound sound(0.4);
-  const FitData data(sound.evidence, sound.robot, kNearHorizon, EncoderZeros::kKnown, 2);
+  const FitData data(sound.evidence, sound.robot, kHorizons[1], EncoderZeros::kKnown, 2);
   const Selection s = sound.refitted(data);
   const double sensor = data.channels()[0].noise, input = s.input_noise[0];
   const BlockSquares squares = squaresOf(data, s.base.e);
@@ -54,7 +54,7 @@ TEST(InputNoise, IsWhatARefittedRobotLeavesBeyondItsEncoders) {
 
 TEST(InputNoise, IsNextToNothingBehindGoodLoadCells) {
   const Sound sound(1e-5);
-  const FitData data(sound.evidence, sound.robot, kNearHorizon, EncoderZeros::kKnown, 2);
+  const FitData data(sound.evidence, sound.robot, kHorizons[1], EncoderZeros::kKnown, 2);
   const Selection s = sound.refitted(data);
   EXPECT_LT(s.input_noise[0], 0.2 * data.channels()[0].noise);
 }

@@ -82,7 +82,8 @@ TEST(PoseDiagnosis, RegistrationAndClock) {
     EXPECT_LT(found.steps.back().rms, 3e-4);
     EXPECT_GT(found.steps.front().rms, 4e-3);
     EXPECT_GT(found.report.explained, 0.99);
-    ASSERT_EQ(found.report.extended.effects.size(), 3U) << "a robot file with the cameras as they are";
+    EXPECT_EQ(found.report.extended.effects.size(), 3U + found.report.also_measurable.size())
+        << "a robot file with the cameras as they are";
   }
 }
 
@@ -142,6 +143,54 @@ TEST(PoseDiagnosis, TellsStepsInJsonAndTable) {
   const base::Table table = poseStepTable(found);
   ASSERT_EQ(table.rows.size(), 2U);
   EXPECT_NEAR(table.rows[0][1].number, 4.0, 0.1) << "millimetres";
+}
+
+TEST(PoseDiagnosis, EffectsBelowTheToleranceAreAlsoMeasurable) {
+  PoseWorld world{.seed = 81};
+  world.offset.x() = 0.001;
+  PoseOptions options;
+  options.towards = PoseReference::kKinematics;
+  options.show = false;
+  const PoseEvidence evidence = parsePoseEvidence(testing::poseTable(world), "made up");
+  const Report found = diagnosePoses(evidence, raven(), options).report;
+  ASSERT_EQ(found.causes.size(), 1U) << found.summary;
+  EXPECT_NEAR(found.causes[0].moves.tip.rms, 0.001, 1e-4);
+  options.material.length = 2e-4;  // cameras: ten times as much
+  const Report below = diagnosePoses(evidence, raven(), options).report;
+  EXPECT_EQ(below.verdict, Verdict::kNothing) << below.summary;
+  EXPECT_TRUE(below.causes.empty());
+  ASSERT_EQ(below.also_measurable.size(), 1U);
+  EXPECT_EQ(below.also_measurable[0].effect, "camera_offset");
+  EXPECT_EQ(below.also_measurable[0].parameters[0].value, found.causes[0].parameters[0].value);
+}
+
+TEST(PoseDiagnosis, AnEffectThatIsNamedTwiceIsOneCandidate) {
+  PoseWorld world{.seed = 85};
+  world.offset.x() = 0.003;
+  PoseOptions options;
+  options.show = false;
+  options.only = {"camera_offset", "camera_offset"};
+  const PoseReport found =
+      diagnosePoses(parsePoseEvidence(testing::poseTable(world), "made up"), raven(), options);
+  EXPECT_EQ(found.report.verdict, Verdict::kFound) << found.report.summary;
+}
+
+TEST(PoseDiagnosis, IsComparedWithRegressions) {
+  PoseWorld world{.seed = 91};
+  world.gap.setConstant(0.002);
+  world.offset.y() = 0.005;
+  const PoseReport found = diagnosePoses(parsePoseEvidence(testing::poseTable(world), "made up"), raven());
+  ASSERT_EQ(found.report.explainable.size(), 3U);
+  for (const Explainable& one : found.report.explainable) {
+    EXPECT_LT(one.named, 0.5 * one.linear) << one.channel << ": play is not linear";
+    EXPECT_LT(one.linear, one.refitted) << one.channel;
+    EXPECT_LE(one.flexible, one.linear) << one.channel;
+    EXPECT_GT(one.share, 0.95) << one.channel;
+  }
+  double sum = 0.0;
+  for (const SetProbability& set : found.report.posterior) sum += set.probability;
+  EXPECT_GT(sum, 0.95);
+  EXPECT_LE(sum, 1.0 + 1e-9);
 }
 
 TEST(PoseDiagnosis, RefusesWhatItCannotAnswer) {

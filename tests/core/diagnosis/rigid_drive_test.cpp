@@ -6,7 +6,7 @@
 #include "core/diagnosis/diagnose.h"
 #include "core/diagnosis/evidence/read_evidence.h"
 #include "core/diagnosis/hypotheses/joint_scales.h"
-#include "core/diagnosis/selection/selection.h"
+#include "core/diagnosis/selection/horizons.h"
 #include "tests/support/folders.h"
 #include "tests/support/planted/planted_case.h"
 
@@ -46,7 +46,7 @@ struct Sticking {
 
 TEST(RigidDrive, WhatAFitLeavesIsWhatIsSimulatedFromItsInitialStates) {
   const Sticking sticking;
-  const FitData data(sticking.evidence, sticking.robot, kNearHorizon, EncoderZeros::kKnown, 2);
+  const FitData data(sticking.evidence, sticking.robot, kHorizons[1], EncoderZeros::kKnown, 2);
   const Fit fit = sticking.refitted(data);
   const Eigen::VectorXd simulated =
       data.measured() - data.simulate({fit.model.chain(fit.u)}, {fit.initial}).col(0);

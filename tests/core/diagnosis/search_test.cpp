@@ -26,7 +26,7 @@ struct Hidden {
   robot::Description robot = raven();
   double share = 0.0, offset = 0.0;  ///< m, and of the homing [rad]
   std::vector<Evidence> evidence;
-  EffectSet planted = plus(plus({}, at("pulley_radius", 2)), at("homing_offset", 2));
+  EffectSet planted = plus(plus(EffectSet(), at("pulley_radius", 2)), at("homing_offset", 2));
 
   explicit Hidden(double duration = 10.0) {
     test::DrawOptions options;
@@ -130,7 +130,7 @@ TEST(SearchSets, ExchangesAnEffectThatAnotherOneReplaces) {
   const Hidden hidden;
   const FitData data = hidden.data();
   const FitModel nominal = hidden.nominal();
-  const EffectSet wrong = plus(plus({}, at("pulley_radius", 2)), at("capstan_eccentricity", 2));
+  const EffectSet wrong = plus(plus(EffectSet(), at("pulley_radius", 2)), at("capstan_eccentricity", 2));
   Fit start{.model = nominal};
   for (const EffectCandidate& effect : wrong)
     start.model = start.model.with(*effect.hypothesis, effect.joint,

@@ -5,6 +5,7 @@
 #include "core/diagnosis/diagnose.h"
 #include "core/diagnosis/evidence/read_evidence.h"
 #include "core/diagnosis/hypotheses/joint_scales.h"
+#include "core/diagnosis/selection/horizons.h"
 #include "core/robot/chain/chain_model.h"
 #include "core/robot/chain/chain_state.h"
 #include "core/robot/chain/chain_step.h"
@@ -50,13 +51,12 @@ std::vector<EmpsStep> empsSteps(const std::filesystem::path& folder, EmpsStart s
   using diagnosis::EncoderZeros;
   const robot::Description nominal = robotFile("emps_axis.yaml");
   const std::vector<diagnosis::Evidence> train{diagnosis::readEvidence(folder / "train.csv", nominal)};
-  const diagnosis::FitData near(train, nominal, diagnosis::kNearHorizon, EncoderZeros::kKnown, threads);
-  const diagnosis::FitData far(train, nominal, diagnosis::kFarHorizon, EncoderZeros::kKnown, threads);
   diagnosis::FitModel base(nominal, diagnosis::jointScales(train, nominal));
   if (start == EmpsStart::kFourNumbers) base = withOffset(base);
   std::vector<EmpsStep> steps;
-  const diagnosis::Selection first = diagnosis::select(near, train, base, nullptr, {}, nullptr);
-  for (const Step& step : stepsOf(far, diagnosis::select(far, train, base, &first, {}, nullptr))) {
+  const auto [data, selection] =
+      diagnosis::selectOverHorizons(train, nominal, base, EncoderZeros::kKnown, threads, {}, nullptr);
+  for (const Step& step : stepsOf(*data, selection)) {
     const diagnosis::Fit whole = wholeFit(train, nominal, step.fit, EncoderZeros::kKnown, threads);
     EmpsStep one{step.name, step.competitors, whole.model.extended(whole.u), {}, {}};
     one.train = openLoopErrors(one.robot, folder / "train.csv");

@@ -70,7 +70,9 @@ TEST_F(DiagnosisPages, SayTheVerdictTheCausesAndWhatIsToldOfThem) {
     EXPECT_TRUE(has(html, std::string(part))) << part;
   EXPECT_TRUE(has(html, "Worth</dt><dd>q2: RMS"));
   EXPECT_TRUE(has(html, "Displacement</dt><dd>" + diagnosis::movesText(report.causes[0])));
-  EXPECT_TRUE(has(html, "<summary>Also measurable, below the tolerance of 0.02deg,0.02mm</summary>"));
+  EXPECT_TRUE(has(html,
+                  "<summary>Also measurable, below the tolerance of 0.02deg,0.02mm or 6 % of the mean square "
+                  "of a channel</summary>"));
   EXPECT_TRUE(has(html, diagnosis::causeText(report.also_measurable[0])));
   EXPECT_TRUE(has(html, diagnosis::posteriorTable(report).title));
   EXPECT_TRUE(has(html, "--share:87%")) << "a bar behind the posterior";

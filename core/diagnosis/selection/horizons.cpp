@@ -1,0 +1,87 @@
+#include "core/diagnosis/selection/horizons.h"
+
+#include <algorithm>
+#include <string>
+
+namespace capstan::diagnosis {
+namespace {
+
+/// Largest number of effects in the first search, which is to bring the constants near and to find the
+/// largest effects only.
+constexpr int kFirstCauses = 2;
+
+bool sameEffects(const Selection& a, const Selection& b) {
+  const auto setOf = [](const Selection& s) {
+    EffectSet set;
+    for (const SelectedEffect& one : s.effects) set = plus(std::move(set), one.effect);
+    return set;
+  };
+  return setOf(a) == setOf(b);
+}
+
+/// Hypotheses of the selected effects and of their competitors.
+std::vector<std::string> namesOf(const Selection& selection) {
+  std::vector<std::string> names;
+  for (const SelectedEffect& one : selection.effects) names.emplace_back(one.effect.name());
+  for (const CompetingExplanations& competing : selection.competitors)
+    for (const EffectCandidate& one : competing.others) names.emplace_back(one.name());
+  return names;
+}
+
+bool cancelled(const base::Progress* progress) { return progress && progress->cancelled(); }
+
+class Horizons {
+ public:
+  Horizons(const std::vector<Evidence>& recordings, const robot::Description& nominal, const FitModel& base,
+           EncoderZeros zeros, int threads, base::Progress* progress)
+      : recordings_(recordings),
+        nominal_(nominal),
+        base_(base),
+        zeros_(zeros),
+        threads_(threads),
+        progress_(progress) {}
+
+  SelectionWithData over(double horizon, const Selection* start, const SearchOptions& options) const {
+    auto data = std::make_unique<FitData>(recordings_, nominal_, horizon, zeros_, threads_, progress_);
+    Selection selection = select(*data, recordings_, base_, start, options, progress_);
+    return {std::move(data), std::move(selection)};
+  }
+
+ private:
+  const std::vector<Evidence>& recordings_;
+  const robot::Description& nominal_;
+  const FitModel& base_;
+  EncoderZeros zeros_;
+  int threads_;
+  base::Progress* progress_;
+};
+
+}  // namespace
+
+SelectionWithData selectOverHorizons(const std::vector<Evidence>& recordings,
+                                     const robot::Description& nominal, const FitModel& base,
+                                     EncoderZeros zeros, int threads, const SearchOptions& options,
+                                     base::Progress* progress) {
+  const Horizons horizons(recordings, nominal, base, zeros, threads, progress);
+  const bool encoders = std::ranges::all_of(recordings, &Evidence::hasEncoders);
+  if (nominal.drive != DriveKind::kRigid || !encoders) return horizons.over(kFarHorizon, nullptr, options);
+
+  constexpr double kShares[] = {0.3, 0.7};  // of the progress until the end of each of kHorizons
+  SearchOptions how = options;
+  how.progress_end = kShares[0] * options.progress_end;
+  how.most_causes = std::min(options.most_causes, kFirstCauses);
+  SelectionWithData first = horizons.over(kHorizons[0], nullptr, how);
+  how.progress_end = kShares[1] * options.progress_end;
+  how.most_causes = options.most_causes;
+  SelectionWithData second = horizons.over(kHorizons[1], &first.selection, how);
+  if (cancelled(progress)) return first;
+  if (second.selection.effects.empty()) return second;
+  how.progress_end = options.progress_end;
+  how.only = namesOf(second.selection);
+  SelectionWithData confirmed = horizons.over(kFarHorizon, &second.selection, how);
+  if (cancelled(progress) || sameEffects(second.selection, confirmed.selection)) return second;
+  confirmed.selection.candidates = std::move(second.selection.candidates);
+  return confirmed;
+}
+
+}  // namespace capstan::diagnosis
