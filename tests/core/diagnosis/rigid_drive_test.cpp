@@ -81,7 +81,7 @@ TEST(RigidDrive, IsDiagnosedFromCamerasAlone) {
 
 /// Whose blocks average to zero, since each has initial states of its own.
 TEST(RigidDrive, FarBeyondNoiseIsNeverNothing) {
-  const Sticking sticking;
+  const Sticking sticking(test::Effect::kStribeckFriction, 0.9);
   DiagnosisOptions options;
   options.show = false;
   options.material = {1e-7, 1e-7};  // what is found, however small
