@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <memory>
 
 #include "core/base/error.h"
 #include "core/diagnosis/experiment_design/next_experiment.h"

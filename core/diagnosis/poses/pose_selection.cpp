@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -60,16 +59,14 @@ class PoseSearch {
   /// Best set that is not expanded yet and is within kOccam of the best one; none: the search ends.
   std::optional<PoseSet> nextToExpand() const {
     if (cancelled(progress_)) return std::nullopt;
-    double best = -std::numeric_limits<double>::infinity(), most = best;
+    double most = value(best()) + std::log(kOccam);
     std::optional<PoseSet> next;
     for (const auto& [effects, set] : sets_) {
-      const double own = value(effects);
-      best = std::max(best, own);
-      if (expanded_.contains(effects) || !(own > most)) continue;
-      most = own;
+      if (expanded_.contains(effects) || !(value(effects) > most)) continue;
+      most = value(effects);
       next = effects;
     }
-    return most >= best + std::log(kOccam) ? next : std::nullopt;
+    return next;
   }
 
   /// Fits the neighbours of a set that were not fitted yet: with one effect more, with one less, and with one

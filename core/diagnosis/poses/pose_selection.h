@@ -15,7 +15,7 @@ namespace capstan::diagnosis {
 /// Pose hypothesis as a candidate for the model. `hypothesis` points into the list given to selectPoses().
 struct PoseEffect {
   const PoseHypothesis* hypothesis = nullptr;
-  int joint = 0;  ///< whole arm
+  static constexpr int joint = 0;  ///< whole arm
 
   std::string_view name() const { return hypothesis->name; }
   friend auto operator<=>(const PoseEffect&, const PoseEffect&) = default;

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "core/diagnosis/hypotheses/hypothesis.h"
@@ -49,7 +50,7 @@ SetOf<Effect> minus(SetOf<Effect> set, const std::type_identity_t<Effect>& effec
 /// either.
 template <class Effect>
 SetOf<Effect> withoutEffect(SetOf<Effect> set, const std::type_identity_t<Effect>& effect) {
-  std::erase(set, effect);
+  set = minus(std::move(set), effect);
   if (effect.name() == "camera_rotation")
     std::erase_if(set, [](const Effect& one) { return one.name() == "camera_offset"; });
   return set;

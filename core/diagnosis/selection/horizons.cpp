@@ -30,55 +30,33 @@ std::vector<std::string> namesOf(const Selection& selection) {
 
 bool cancelled(const base::Progress* progress) { return progress && progress->cancelled(); }
 
-class Horizons {
- public:
-  Horizons(const std::vector<Evidence>& recordings, const robot::Description& nominal, const FitModel& base,
-           EncoderZeros zeros, int threads, base::Progress* progress)
-      : recordings_(recordings),
-        nominal_(nominal),
-        base_(base),
-        zeros_(zeros),
-        threads_(threads),
-        progress_(progress) {}
-
-  SelectionWithData over(double horizon, const Selection* start, const SearchOptions& options) const {
-    auto data = std::make_unique<FitData>(recordings_, nominal_, horizon, zeros_, threads_, progress_);
-    Selection selection = select(*data, recordings_, base_, start, options, progress_);
-    return {std::move(data), std::move(selection)};
-  }
-
- private:
-  const std::vector<Evidence>& recordings_;
-  const robot::Description& nominal_;
-  const FitModel& base_;
-  EncoderZeros zeros_;
-  int threads_;
-  base::Progress* progress_;
-};
-
 }  // namespace
 
 SelectionWithData selectOverHorizons(const std::vector<Evidence>& recordings,
                                      const robot::Description& nominal, const FitModel& base,
                                      EncoderZeros zeros, int threads, const SearchOptions& options,
                                      base::Progress* progress) {
-  const Horizons horizons(recordings, nominal, base, zeros, threads, progress);
+  const auto over = [&](double horizon, const Selection* start, const SearchOptions& how) {
+    auto data = std::make_unique<FitData>(recordings, nominal, horizon, zeros, threads, progress);
+    Selection selection = select(*data, recordings, base, start, how, progress);
+    return SelectionWithData{std::move(data), std::move(selection)};
+  };
   const bool encoders = std::ranges::all_of(recordings, &Evidence::hasEncoders);
-  if (nominal.drive != DriveKind::kRigid || !encoders) return horizons.over(kFarHorizon, nullptr, options);
+  if (nominal.drive != DriveKind::kRigid || !encoders) return over(kFarHorizon, nullptr, options);
 
   constexpr double kShares[] = {0.3, 0.7};  // of the progress until the end of each of kHorizons
   SearchOptions how = options;
   how.progress_end = kShares[0] * options.progress_end;
   how.most_causes = std::min(options.most_causes, kFirstCauses);
-  SelectionWithData first = horizons.over(kHorizons[0], nullptr, how);
+  SelectionWithData first = over(kHorizons[0], nullptr, how);
   how.progress_end = kShares[1] * options.progress_end;
   how.most_causes = options.most_causes;
-  SelectionWithData second = horizons.over(kHorizons[1], &first.selection, how);
+  SelectionWithData second = over(kHorizons[1], &first.selection, how);
   if (cancelled(progress)) return first;
   if (second.selection.effects.empty()) return second;
   how.progress_end = options.progress_end;
   how.only = namesOf(second.selection);
-  SelectionWithData confirmed = horizons.over(kFarHorizon, &second.selection, how);
+  SelectionWithData confirmed = over(kFarHorizon, &second.selection, how);
   if (cancelled(progress) || sameEffects(second.selection, confirmed.selection)) return second;
   confirmed.selection.candidates = std::move(second.selection.candidates);
   return confirmed;

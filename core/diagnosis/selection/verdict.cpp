@@ -185,10 +185,11 @@ Tie tieOf(const Cause& cause, const std::vector<NamedEffect>& others,
 }
 
 Verdict verdictOf(const Report& report, bool residual) {
-  const bool short_of = residual && fallsShort(report.explainable, report.material);
-  const bool left = !report.lines.empty() || short_of || (residual && !isAllThatCanBe(report.explainable));
-  if (report.causes.empty() || (left && (report.explained < kExplains || short_of)))
-    return left ? Verdict::kUnexplained : Verdict::kNothing;
+  const bool regression_better = residual && fallsShort(report.explainable, report.material);
+  const bool unexplained =
+      !report.lines.empty() || regression_better || (residual && !isAllThatCanBe(report.explainable));
+  if (report.causes.empty() || (unexplained && (report.explained < kExplains || regression_better)))
+    return unexplained ? Verdict::kUnexplained : Verdict::kNothing;
   if (!report.ties.empty()) return Verdict::kTie;
   return report.causes.size() > 1 ? Verdict::kSeveral : Verdict::kFound;
 }

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "core/diagnosis/diagnose.h"
 #include "core/diagnosis/evidence/read_evidence.h"
 #include "core/diagnosis/hypotheses/joint_scales.h"
 #include "core/diagnosis/selection/horizons.h"
