@@ -84,7 +84,7 @@ void run(const Wanted& wanted) {
   const std::filesystem::path folder = wanted.out;
   std::vector<study::StudyCase> cases = study::casesOf(wanted.cases);
   if (wanted.rigid)
-    std::erase_if(cases, [](const study::StudyCase& one) { return one.robot == study::Robot::kRaven; });
+    std::erase_if(cases, [](const study::StudyCase& one) { return one.robot != study::Robot::kJoints; });
   study::OutcomeFile file(folder / "cases.jsonl", program());
   for (const std::string& notice : file.notices()) std::fprintf(stderr, "%s\n", notice.c_str());
   if (!wanted.tables) study::runStudy(cases, diagnosed, wanted.threads, file, tell);

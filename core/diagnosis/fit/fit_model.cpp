@@ -259,6 +259,20 @@ Eigen::VectorXd FitModel::startFrom(const FitModel& other, const Eigen::VectorXd
   return u;
 }
 
+double FitModel::logPrior(const Eigen::VectorXd& u) const {
+  double squares = 0.0;
+  const auto add = [&](double x) { squares += x * x; };
+  for (int k = 0; k < baseSize(); ++k) add(u[k] / parameters_[static_cast<std::size_t>(k)].prior);
+  for (const EffectTerm& term : effects_)
+    for (std::size_t i = 0; i < term.index.size(); ++i) {
+      if (term.index[i] < 0 || term.hypothesis->neutral[i] != 0.0) continue;
+      const FitParameter& p = parameters_[static_cast<std::size_t>(term.index[i])];
+      add(p.value(u[term.index[i]]) /
+          ((term.background ? kBackgroundPrior : kEffectPrior) * term.start.scale[i]));
+    }
+  return -0.5 * squares;
+}
+
 Eigen::VectorXd FitModel::clipped(const Eigen::VectorXd& u) const {
   Eigen::VectorXd kept = u;
   for (int k = 0; k < size(); ++k) {

@@ -75,6 +75,10 @@ class FitModel {
   Eigen::VectorXd carry(const FitModel& other, const Eigen::VectorXd& u_other) const;
   /// carry(), but effects that `other` lacks or has only as background effects are at their start values.
   Eigen::VectorXd startFrom(const FitModel& other, const Eigen::VectorXd& u_other) const;
+  /// Log prior density of the values at u over that of the nominal robot in good order [nats]:
+  /// −½ Σ (u / prior)² of nominal parameters and background effects, −½ Σ (v / (kEffectPrior scale))² of the
+  /// numbers v of effects that are zero in a robot without the effect.
+  double logPrior(const Eigen::VectorXd& u) const;
   /// u with every value within its bounds.
   Eigen::VectorXd clipped(const Eigen::VectorXd& u) const;
 

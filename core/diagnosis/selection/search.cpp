@@ -61,12 +61,12 @@ class Search {
 
  private:
   double value(const SetFit& set) const {
-    return score_->of(set.squares) + logPrior(set.effects, found_.candidates, found_.instants);
+    return score_->of(set.squares) + logPrior(set, found_.candidates, found_.instants);
   }
 
   /// The same of the fit's own residuals, which short fits have, too.
   double fittedValue(const SetFit& set) const {
-    return score_->of(set.fitted) + logPrior(set.effects, found_.candidates, found_.instants);
+    return score_->of(set.fitted) + logPrior(set, found_.candidates, found_.instants);
   }
 
   SetFit& at(const EffectSet& effects) { return found_.sets.at(effects); }
@@ -81,7 +81,7 @@ class Search {
       found_.sets.emplace(effects, std::move(set));
     else if (set.settled != known->second.settled
                  ? set.settled
-                 : score_->of(set.squares) > score_->of(known->second.squares))
+                 : value(set) > value(known->second))
       known->second = std::move(set);
     for (const auto& [other, fitted] :
          found_.sets)  // what was learned may have changed the order of others, too
@@ -256,7 +256,7 @@ class Search {
       const auto known = std::ranges::find(best, trial.effects, &SetFit::effects);
       if (known == best.end())
         best.push_back(std::move(trial));
-      else if (score_->of(trial.fitted) > score_->of(known->fitted))
+      else if (fittedValue(trial) > fittedValue(*known))
         *known = std::move(trial);
     }
     return best;
@@ -301,9 +301,9 @@ class Search {
     if (effects.empty() || cancelled(progress_) || !restarted_.insert(effects).second) return false;
     report("Refitting from the nominal parameters");
     fitter_.relinearise(at(effects));
-    const double before = score_->of(at(effects).squares);
+    const double before = value(at(effects));
     keep(fitter_.settled(SetFitter::fromNominal(at(effects))));
-    if (!(score_->of(at(effects).squares) > before + kRestart)) return found_.best != effects;
+    if (!(value(at(effects)) > before + kRestart)) return found_.best != effects;
     expanded_.erase(effects);
     return true;
   }
@@ -358,6 +358,10 @@ class Search {
 };
 
 }  // namespace
+
+double logPrior(const SetFit& set, int candidates, double instants) {
+  return logPrior(set.effects, candidates, instants) + set.fit.model.logPrior(set.fit.u);
+}
 
 double logPrior(const EffectSet& effects, int candidates, double instants) {
   double prior = logPrior(effects.size(), candidates);

@@ -19,7 +19,7 @@ std::vector<Model> modelsOf(const SearchResult& found) {
   std::vector<Model> models;
   for (const auto& [effects, set] : found.sets)
     if (set.settled)
-      models.push_back({effects, &set.squares, logPrior(effects, found.candidates, found.instants)});
+      models.push_back({effects, &set.squares, logPrior(set, found.candidates, found.instants)});
   return models;
 }
 

@@ -54,6 +54,23 @@ TEST(FitModel, backgroundEffectsGiveWayToTheSameEffectAsACause) {
   EXPECT_EQ(count(more.without(asymmetric, 1)), 1);
 }
 
+TEST(FitModel, logPriorFallsWithTheDistanceFromTheNominalRobot) {
+  const Planted planted(1);
+  const FitModel base(planted.robot, jointScales(planted.evidence, planted.robot));
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(base.size());
+  EXPECT_EQ(base.logPrior(u), 0.0);
+  u[0] = 2.0;  // two standard deviations of the first constant
+  EXPECT_NEAR(base.logPrior(u), -2.0, 1e-12);
+
+  // Wherever the fit of an effect starts, its size counts, not its distance from the start.
+  const Hypothesis& radius = *hypothesisNamed("pulley_radius");
+  const double scale = 0.02;
+  const FitModel near = base.with(radius, 2, {{0.0}, {scale}}), far = base.with(radius, 2, {{0.1}, {scale}});
+  EXPECT_EQ(near.logPrior(Eigen::VectorXd::Zero(near.size())), 0.0);
+  const double expected = -0.5 * std::pow(0.1 / (3.0 * scale), 2);
+  EXPECT_NEAR(far.logPrior(Eigen::VectorXd::Zero(far.size())), expected, 1e-9);
+}
+
 TEST(ChainSimulation, tellsWhatTheWholeMotionDoes) {
   const Planted planted(2);
   const ChainSimulation simulation(planted.evidence.front(), planted.robot, 2.0);
