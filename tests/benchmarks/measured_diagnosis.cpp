@@ -41,24 +41,31 @@ void printNumbers(const robot::Description& robot) {
   fmt::print("\n");
 }
 
+void printErrors(const std::string& name, const measured::EmpsErrors& train,
+                 const measured::EmpsErrors& test) {
+  fmt::print("  {:40}{:>10.2f}{:>10.2f}{:>18.2f}{:>10.2f}\n", name, train.at_rest, test.at_rest, train.moving,
+             test.moving);
+}
+
 void emps(const std::filesystem::path& folder, measured::EmpsStart start, int threads) {
   if (!isHere(folder / "train.csv") || !isHere(folder / "test.csv")) return;
+  const auto& horizons = diagnosis::kHorizons;
   fmt::print(
       "EMPS from the rigid drive of {}\n"
-      "RMSE of the open-loop simulation of whole records [mm]. Effects are chosen by simulations of the "
-      "training\n"
-      "record that restart every {:g} s, and confirmed with {:g} s; numbers are fitted to that of the whole\n"
-      "training record. The hypothesis asymmetric_viscosity joined the library after errors on the test\n"
-      "record had been seen.\n",
+      "RMSE of the open-loop simulation of whole records [mm]. Effects are chosen, and numbers fitted, by\n"
+      "simulations of the training record that restart every {:g} s, and confirmed with {:g} s. The "
+      "hypothesis\n"
+      "asymmetric_viscosity joined the library after errors on the test record had been seen.\n",
       start == measured::EmpsStart::kFourNumbers ? "four numbers (mass, viscous, Coulomb, offset)"
                                                  : "three numbers (mass, viscous, Coulomb)",
-      fmt::join(diagnosis::kHorizons, " s, then every "), diagnosis::kFarHorizon);
+      fmt::join(horizons, " s, then every "), diagnosis::kFarHorizon);
   fmt::print("  {:40}{:>20}{:>28}\n", "", "from rest", "as the first 20 rows move");
   fmt::print("  {:40}{:>10}{:>10}{:>18}{:>10}\n", "", "training", "test", "training", "test");
   const auto steps = measured::empsSteps(folder, start, threads);
   for (const measured::EmpsStep& step : steps)
-    fmt::print("  {:40}{:>10.2f}{:>10.2f}{:>18.2f}{:>10.2f}\n", named(step.name, step.competitors),
-               step.train.at_rest, step.test.at_rest, step.train.moving, step.test.moving);
+    printErrors(named(step.name, step.competitors), step.train, step.test);
+  fmt::print("  the same, numbers refitted to the simulation of the whole training record\n");
+  for (const measured::EmpsStep& step : steps) printErrors(step.name, step.whole_train, step.whole_test);
   fmt::print(
       "  others, test: four-number drive 9.4; with asymmetric and speed-dependent friction 4.2; best "
       "published\n"

@@ -45,8 +45,8 @@ class FitData {
   int blocks() const { return blocks_; }
   const std::vector<int>& block() const { return block_; }
   /// Number of folds of cross-validation; fold() is the fold of a block. Folds are whole recordings if there
-  /// are kFolds or more, since a model should hold for recordings that it has not met; else block b belongs
-  /// to fold b mod kFolds.
+  /// are kWholeFolds or more, since a model should hold for recordings that it has not met; else block b
+  /// belongs to fold b mod kFolds.
   int folds() const;
   int fold(int block) const;
   /// Segments with their own nuisances, each as readings [begin, end). Nuisances are the initial states of a
@@ -78,6 +78,7 @@ class FitData {
 };
 inline constexpr double kBlock = 1.0;  ///< duration of a time block [s]
 inline constexpr int kFolds = 8;       ///< largest number of folds
+inline constexpr int kWholeFolds = 4;  ///< recordings from which a fold is whole ones: 3/4 of the data remain
 
 /// Offsets 0 of all initial states.
 InitialStates noneBeyond(const FitData& data);

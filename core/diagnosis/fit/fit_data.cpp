@@ -50,10 +50,10 @@ void FitData::stack(const ChainSimulation& simulation) {
     segments_.emplace_back(begin, measured_.size());
 }
 
-int FitData::folds() const { return std::min(kFolds, blocks_); }
+int FitData::folds() const { return std::min(kFolds, recordings() >= kWholeFolds ? recordings() : blocks_); }
 
 int FitData::fold(int block) const {
-  const bool whole = recordings() >= kFolds;
+  const bool whole = recordings() >= kWholeFolds;
   return (whole ? recording_of_[static_cast<std::size_t>(block)] : block) % folds();
 }
 

@@ -66,12 +66,13 @@ TEST(Folds, AreWholeRecordingsWhereThereAreEnough) {
         folds.insert(data.fold(data.block()[static_cast<std::size_t>(i)]));
     return folds;
   };
-  const std::vector<Evidence> few = recordings(2), many = recordings(kFolds);
+  const std::vector<Evidence> few = recordings(kWholeFolds - 1), many = recordings(kWholeFolds);
   const FitData blocks(few, raven(), 0.0, EncoderZeros::kKnown, 2);
   const FitData whole(many, raven(), 0.0, EncoderZeros::kKnown, 2);
   EXPECT_EQ(blocks.folds(), kFolds);
   EXPECT_GT(foldsOf(blocks, 0).size(), 3U);
-  for (int r = 0; r < kFolds; ++r) EXPECT_EQ(foldsOf(whole, r), std::set<int>{r});
+  EXPECT_EQ(whole.folds(), kWholeFolds);
+  for (int r = 0; r < kWholeFolds; ++r) EXPECT_EQ(foldsOf(whole, r), std::set<int>{r});
 }
 
 /// Otherwise a fit would make the best-fitting recording perfect instead of mending the others.

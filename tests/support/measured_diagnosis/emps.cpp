@@ -57,9 +57,18 @@ std::vector<EmpsStep> empsSteps(const std::filesystem::path& folder, EmpsStart s
       diagnosis::selectOverHorizons(train, nominal, base, EncoderZeros::kKnown, threads, {}, nullptr);
   for (const Step& step : stepsOf(*data, selection)) {
     const diagnosis::Fit whole = wholeFit(train, nominal, step.fit, EncoderZeros::kKnown, threads);
-    EmpsStep one{step.name, step.competitors, whole.model.extended(whole.u), {}, {}};
+    EmpsStep one{.name = step.name,
+                 .competitors = step.competitors,
+                 .robot = step.fit.model.extended(step.fit.u),
+                 .train = {},
+                 .test = {},
+                 .whole = whole.model.extended(whole.u),
+                 .whole_train = {},
+                 .whole_test = {}};
     one.train = openLoopErrors(one.robot, folder / "train.csv");
     one.test = openLoopErrors(one.robot, folder / "test.csv");
+    one.whole_train = openLoopErrors(one.whole, folder / "train.csv");
+    one.whole_test = openLoopErrors(one.whole, folder / "test.csv");
     steps.push_back(std::move(one));
   }
   return steps;

@@ -20,14 +20,17 @@ struct EmpsErrors {
 struct EmpsStep {
   std::string name;
   std::vector<std::string> competitors;  ///< Step::competitors
-  robot::Description robot;
+  robot::Description robot;              ///< parameters as diagnose() fits them: to simulations that restart
   EmpsErrors train, test;
+  robot::Description whole;  ///< parameters refitted to the simulation of the whole record
+  EmpsErrors whole_train, whole_test;
 };
 
 enum class EmpsStart { kThreeNumbers, kFourNumbers };  ///< mass and friction; the same with a constant force
 
 /// Steps from the refitted rigid drive on, one per identified effect. Effects are selected with simulations
-/// that restart as in diagnose(); parameters are fitted to the simulation of the whole record.
+/// that restart as in diagnose(). Over a whole record force errors accumulate, and parameters that are fitted
+/// to it make up for what the model lacks: they may be worse on another record.
 std::vector<EmpsStep> empsSteps(const std::filesystem::path& folder, EmpsStart start, int threads);
 
 /// Errors of one robot on one record; the force is held between rows.
