@@ -14,6 +14,8 @@ enum ExitCode : int {
 
 void addSimulate(CLI::App& app, ExitCode& exit);
 void addTrack(CLI::App& app, ExitCode& exit);
+void addRecord(CLI::App& app, ExitCode& exit);
+void addPlay(CLI::App& app, ExitCode& exit);
 void addIdentify(CLI::App& app, ExitCode& exit);
 void addExperiment(CLI::App& app, ExitCode& exit);
 void addCalibrate(CLI::App& app, ExitCode& exit);

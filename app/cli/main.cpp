@@ -50,6 +50,8 @@ int run(int argc, char** argv) {
   app.get_formatter()->column_width(34);
   cli::addSimulate(app, exit);
   cli::addTrack(app, exit);
+  cli::addRecord(app, exit);
+  cli::addPlay(app, exit);
   cli::addIdentify(app, exit);
   cli::addDiagnose(app, exit);
   cli::addLearn(app, exit);

@@ -39,9 +39,10 @@ void addSimulationOptions(CLI::App& command, simulation::SimulationRequest& requ
   grouped(command.add_flag("--uneven-light", request.uneven_light, "light one side of the scene less"));
 }
 
-bool simulationAsked(const CLI::App& command) {
-  const auto options =
-      command.get_options([](const CLI::Option* option) { return option->get_group() == kGroup; });
+bool simulationAsked(const CLI::App& command, const std::string& apart) {
+  const auto options = command.get_options([&](const CLI::Option* option) {
+    return option->get_group() == kGroup && option->get_name() != apart;
+  });
   return std::any_of(options.begin(), options.end(),
                      [](const CLI::Option* option) { return option->count() > 0; });
 }

@@ -10,6 +10,7 @@
 #include "app/cli/centroid_study.h"
 #include "app/cli/command.h"
 #include "app/cli/console.h"
+#include "app/cli/live_option.h"
 #include "app/cli/outputs.h"
 #include "app/cli/recordings.h"
 #include "app/cli/registering.h"
@@ -24,8 +25,8 @@ namespace capstan::cli {
 namespace {
 
 struct TrackArguments {
-  std::string file, format = "auto", robot, estimator_robot, options, registration = "stored", mounting, out,
-                    save_registration, read_as, json;
+  std::string file, live, format = "auto", robot, estimator_robot, options, registration = "stored", mounting,
+                          out, save_registration, read_as, json;
   bool simulate = false, whole_frame = false;
   double occlude = 0.0;
   std::vector<std::string> fail_motor;
@@ -33,18 +34,29 @@ struct TrackArguments {
   simulation::SimulationRequest simulation;
 };
 
-void check(const TrackArguments& arguments, const CLI::App& command) {
+/// One source: FILE, --simulate or --live.
+void checkSource(const TrackArguments& arguments, const CLI::App& command) {
+  const bool live = !arguments.live.empty();
   if (arguments.simulate && !arguments.file.empty())
     refuseOption("FILE", arguments.file, "is given together with --simulate", "Give one of them");
-  if (!arguments.simulate && arguments.file.empty())
-    refuseOption("FILE", {}, "is missing", "Give a recording, or --simulate");
-  if (arguments.simulate && !arguments.read_as.empty())
-    refuseOption(kReadAs, arguments.read_as, "is given together with --simulate", "Give one of them");
-  if (!arguments.simulate && simulationAsked(command))
+  if (live && (arguments.simulate || !arguments.file.empty()))
+    refuseOption("--live", arguments.live, "is given together with FILE or --simulate", "Give one of them");
+  if (!live && !arguments.simulate && arguments.file.empty())
+    refuseOption("FILE", {}, "is missing", "Give a recording, --live or --simulate");
+  if (!arguments.simulate && simulationAsked(command, live ? "--duration" : ""))
     refuseOption("--simulate", {}, "is missing, yet simulation options are given",
                  "Add --simulate or leave them out");
-  if (arguments.simulate && command.count("--format") > 0)
-    refuseOption("--format", arguments.format, "is for a FILE, yet --simulate is given", "Leave it out");
+  if ((arguments.simulate || live) && command.count("--format") > 0)
+    refuseOption("--format", arguments.format, "is for a FILE", "Leave it out");
+  if (live && (arguments.registration == "hard-stop" || arguments.registration == "kinematics"))
+    refuseOption("--register", arguments.registration, "needs a recording that can be read twice",
+                 "Record first (record --live), or give a registration file");
+}
+
+void check(const TrackArguments& arguments, const CLI::App& command) {
+  checkSource(arguments, command);
+  if (arguments.simulate && !arguments.read_as.empty())
+    refuseOption(kReadAs, arguments.read_as, "is given together with --simulate", "Give one of them");
   if (!arguments.mounting.empty() && arguments.registration != "hard-stop")
     refuseOption("--mounting", arguments.mounting, "is given without --register hard-stop",
                  "Add that, or leave it out");
@@ -61,7 +73,7 @@ std::vector<live::MotorFailure> failuresOf(const std::vector<std::string>& texts
 
 /// Line with the robot that the filter assumed and its origin.
 std::string robotText(const TrackArguments& arguments, const robot::Description& robot) {
-  const bool session = !arguments.simulate && detectFormat(arguments.file) == RecordingFormat::kSession;
+  const bool session = !arguments.file.empty() && detectFormat(arguments.file) == RecordingFormat::kSession;
   const std::string from = !arguments.estimator_robot.empty() ? "of " + arguments.estimator_robot
                            : !arguments.robot.empty()         ? "of " + arguments.robot
                            : session                          ? "of the session"
@@ -90,9 +102,12 @@ ExitCode track(TrackArguments& arguments, const CLI::App& command) {
   const Output output(arguments.json);
   arguments.simulation.robot = arguments.robot;
   const RecordingFormat format =
-      arguments.simulate ? RecordingFormat::kTable : formatOf(arguments.format, arguments.file);
+      arguments.file.empty() ? RecordingFormat::kTable : formatOf(arguments.format, arguments.file);
   const SourceFactory open = [&]() -> std::unique_ptr<tracking::Source> {
     if (arguments.simulate) return makeSimulation(arguments.simulation);
+    if (!arguments.live.empty())
+      return openLive(arguments.live, arguments.robot, arguments.read_as,
+                      command.count("--duration") > 0 ? arguments.simulation.duration : 0.0);
     return openSource(arguments.file, format, arguments.robot, read_as);
   };
 
@@ -150,6 +165,10 @@ ExitCode track(TrackArguments& arguments, const CLI::App& command) {
     text += study->text();
     document["centroid"] = study->json();
   }
+  if (!arguments.live.empty() && arguments.live != "-") {
+    text += textOf(source->sides());
+    document["live"] = jsonOf(source->sides());
+  }
   text += robotText(arguments, info.robot);
   document["robot"] = {
       {"name", info.robot.name},
@@ -173,21 +192,23 @@ void addTrack(CLI::App& app, ExitCode& exit) {
   command->add_option("--format", arguments->format, "format of FILE: auto, session, table, raven")
       ->capture_default_str()
       ->check(CLI::IsMember({"auto", "session", "table", "raven"}));
+  addLive(*command, arguments->live);
   addReadAs(*command, arguments->read_as);
-  command->add_option(
-      "--robot", arguments->robot,
-      "nominal robot file; with --simulate, the simulated robot is built from it too; a session contains its\n"
-      "own");
+  command->add_option("--robot", arguments->robot,
+                      "nominal robot file; with --simulate, the simulated robot is built from it too; a "
+                      "session contains its\n"
+                      "own");
   command->add_option("--estimator-robot", arguments->estimator_robot,
                       "robot that the filter assumes, e.g. an identified robot; default: the nominal one");
   command->add_option(
       "--options", arguments->options,
       "file of filter options (format: resources/tracking/default.yaml); a session contains its own");
   command
-      ->add_option("--register", arguments->registration,
-                   "how the cameras are registered. stored: as in the recording; hard-stop: computed from images\n"
-                   "at rest at the hard stop; kinematics: fitted to the motors' kinematics over the whole\n"
-                   "movement; or a registration file")
+      ->add_option(
+          "--register", arguments->registration,
+          "how the cameras are registered. stored: as in the recording; hard-stop: computed from images\n"
+          "at rest at the hard stop; kinematics: fitted to the motors' kinematics over the whole\n"
+          "movement; or a registration file")
       ->capture_default_str();
   command->add_option("--mounting", arguments->mounting,
                       "registration file with the known rotation for --register hard-stop");
@@ -223,6 +244,8 @@ void addTrack(CLI::App& app, ExitCode& exit) {
       "  capstan-cli track recording.csv --robot my_robot.yaml --json -\n"
       "  capstan-cli track degrees.csv --read-as q_m=deg,q1=deg,q2=deg,p_c=mm\n"
       "  capstan-cli track trial.capstan --estimator-robot identified.yaml\n"
+      "  capstan-cli track --live tcp://127.0.0.1:5555 --duration 60\n"
+      "  robot_program | capstan-cli track --live - --robot my_robot.yaml --out estimates.csv\n"
       "  capstan-cli track joints123.csv                 (RAVEN-II motor log, known by its header)\n"
       "  capstan-cli track --simulate --duration 200     (block transfer; add --distractors or "
       "--uneven-light)\n"

@@ -24,8 +24,13 @@ void addOptions(CLI::App& cli, Arguments& arguments) {
   auto* table =
       cli.add_option("--table", arguments.file, "open a measured table or RAVEN-II motor log (.csv)")
           ->excludes(session);
+  auto* live = cli.add_option("--live", arguments.live,
+                              "connect to a robot that sends its rows now: a live set-up file, "
+                              "tcp://ADDRESS:PORT to listen on, or the path of a FIFO")
+                   ->excludes(session)
+                   ->excludes(table);
   cli.add_option("--robot", arguments.robot,
-                 "robot file (.yaml) for a simulation or a table; default: the left RAVEN-II");
+                 "robot file (.yaml) for a simulation, a table or a live robot; default: the left RAVEN-II");
   of(cli.add_flag("--simulate", arguments.simulate,
                   "open a simulated robot; implied by the other options of this group"));
   of(cli.add_option(
@@ -43,7 +48,8 @@ void addOptions(CLI::App& cli, Arguments& arguments) {
   of(cli.add_flag_callback(
       "--unregistered", [&simulation] { simulation.registered = false; },
       "unknown camera pose, to be registered in the window"));
-  for (CLI::Option* option : simulationOptions(cli)) option->excludes(session)->excludes(table);
+  for (CLI::Option* option : simulationOptions(cli))
+    option->excludes(session)->excludes(table)->excludes(live);
   cli.add_option("--theme", arguments.theme, "dark or light; default: the one chosen last")
       ->check(CLI::IsMember({"dark", "light"}));
   cli.add_option("--size", arguments.size, "width x height of the window [px]")->capture_default_str();
@@ -66,11 +72,16 @@ void imply(const CLI::App& cli, Arguments& arguments) {
       cli.get_options([](const CLI::Option* option) { return option->get_group() == kSimulation; });
   const bool any =
       std::any_of(asked.begin(), asked.end(), [](const CLI::Option* option) { return option->count() > 0; });
-  const bool no_file = arguments.file.empty();
+  const bool no_file = arguments.file.empty() && arguments.live.empty();
   arguments.simulate = no_file && (any || !arguments.robot.empty() || !arguments.image.empty());
 }
 
 widgets::SourceChoice choiceOf(const Arguments& arguments, const widgets::SourceChoice& last) {
+  if (!arguments.live.empty()) {
+    auto choice = widgets::SourceChoice::ofLive(QString::fromStdString(arguments.live));
+    choice.robot = QString::fromStdString(arguments.robot);
+    return choice;
+  }
   if (!arguments.file.empty()) {
     auto choice = widgets::SourceChoice::ofFile(QString::fromStdString(arguments.file));
     choice.robot = QString::fromStdString(arguments.robot);

@@ -40,6 +40,9 @@ class FailingMotors final : public tracking::Source {
 
   const tracking::SourceInfo& info() const override { return source_.info(); }
   bool next(tracking::Sample& out) override;
+  bool ready(std::chrono::milliseconds wait) override { return source_.ready(wait); }
+  void discard() override { source_.discard(); }
+  std::vector<tracking::SideStatus> sides() const override { return source_.sides(); }
   void block(bool left, bool right) override { source_.block(left, right); }
 
  private:

@@ -21,6 +21,9 @@ class OccludedSource final : public tracking::Source {
     if (const auto* motor = std::get_if<tracking::MotorSample>(&out)) t_ = motor->t;
     return true;
   }
+  bool ready(std::chrono::milliseconds wait) override { return source_.ready(wait); }
+  void discard() override { source_.discard(); }
+  std::vector<tracking::SideStatus> sides() const override { return source_.sides(); }
   /// Blocks cameras by hand, in addition to the schedule.
   void block(bool left, bool right) override { blocking_.setByHand(left, right); }
   /// True if a camera is blocked now.

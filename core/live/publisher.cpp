@@ -19,7 +19,12 @@ void Publisher::publish(const tracking::Snapshot& snapshot, bool into_history) {
     first_ = (first_ + 1) % history_.size();
 }
 
+void Publisher::publishSometimes(const tracking::StereoFrame& frame, const tracking::Snapshot& snapshot) {
+  if (framesTaken() || Clock::now() - published_ >= kImagePeriod) publish(frame, snapshot);
+}
+
 void Publisher::publish(const tracking::StereoFrame& frame, const tracking::Snapshot& snapshot) {
+  published_ = Clock::now();
   back_.t = frame.t;
   back_.t_arrival = frame.t_arrival;
   frame.left.copyTo(back_.left);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <mutex>
 #include <vector>
 
@@ -19,7 +20,9 @@ class Publisher {
   void publish(const tracking::Snapshot& snapshot, bool into_history);
   /// Publishes a frame and its snapshot; copies the images outside the lock.
   void publish(const tracking::StereoFrame& frame, const tracking::Snapshot& snapshot);
-  bool framesTaken() const;  ///< true if the last published frames were taken
+  /// The same at most every kImagePeriod, except if the last published frames were taken: for runs that are
+  /// faster than any view.
+  void publishSometimes(const tracking::StereoFrame& frame, const tracking::Snapshot& snapshot);
 
   // Any other thread.
   bool takeSnapshot(tracking::Snapshot& out);
@@ -27,6 +30,10 @@ class Publisher {
   std::size_t drainHistory(std::vector<tracking::Snapshot>& out);
 
  private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr auto kImagePeriod = std::chrono::milliseconds(30);
+  bool framesTaken() const;
+
   mutable std::mutex mutex_;
   tracking::Snapshot newest_;
   bool fresh_ = false;
@@ -35,7 +42,8 @@ class Publisher {
   tracking::StereoFrame frames_;
   tracking::Snapshot frames_seen_;
   bool frames_fresh_ = false;
-  tracking::StereoFrame back_;  ///< the pipeline's thread fills it, then swaps
+  Clock::time_point published_{};  ///< frames; the pipeline's thread
+  tracking::StereoFrame back_;     ///< the pipeline's thread fills it, then swaps
 };
 
 }  // namespace capstan::live

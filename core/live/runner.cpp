@@ -25,7 +25,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr double kStepWithoutCameras = 1.0 / 15.0;  // [s]
 constexpr auto kReportPeriod = std::chrono::milliseconds(100);
-constexpr auto kImagePeriod = std::chrono::milliseconds(30);
+constexpr auto kPatience = std::chrono::milliseconds(20);  // of a command while a real-time source is silent
 }  // namespace
 
 class Runner::Impl {
@@ -231,16 +231,22 @@ class Runner::Impl {
   }
 
   void rest() {
+    if (info_.real_time) {
+      source_->discard();  // what comes during a pause is not tracked afterwards
+      publishStatus(false);
+    }
     std::unique_lock lock(mutex_);
-    wake_.wait(lock, [&] { return !commands_.empty(); });
+    const auto commanded = [&] { return !commands_.empty(); };
+    info_.real_time ? void(wake_.wait_for(lock, kPatience, commanded)) : wake_.wait(lock, commanded);
   }
 
   /// Processes one sample when it is due; otherwise waits until it is due or a command arrives.
   void advance() {
     applyBlocking();
+    if (!fetched_ && !source_->ready(kPatience)) return publishStatus(false);
     if (!fetched_ && !source_->next(sample_)) return finish(RunState::kEnded, {});
     fetched_ = true;
-    if (mode_ == Mode::kRun && speed_ > 0.0) {
+    if (mode_ == Mode::kRun && speed_ > 0.0 && !info_.real_time) {
       const auto due = pacer_.due(tracking::arrivalOf(sample_), speed_, Clock::now());
       if (due > Clock::now()) {
         publishStatus(false);
@@ -275,11 +281,10 @@ class Runner::Impl {
   void publishFrames(const tracking::Snapshot& snapshot) {
     const auto* frame = std::get_if<tracking::StereoFrame>(&sample_);
     if (!frame) return;
-    const auto now = Clock::now();
-    const bool at_rate = mode_ == Mode::kStep || speed_ > 0.0;
-    if (!at_rate && !publisher_.framesTaken() && now - imaged_ < kImagePeriod) return;
-    imaged_ = now;
-    publisher_.publish(*frame, snapshot);
+    if (mode_ == Mode::kStep || speed_ > 0.0)
+      publisher_.publish(*frame, snapshot);
+    else
+      publisher_.publishSometimes(*frame, snapshot);
   }
 
   void applyBlocking() {
@@ -301,6 +306,7 @@ class Runner::Impl {
     if (!now && wall - reported_ < kReportPeriod) return;
     reported_ = wall;
     meter_.look(t_, wall);
+    std::vector<tracking::SideStatus> sides = source_->sides();
     {
       const std::lock_guard lock(mutex_);
       published_report_ = report_;
@@ -315,6 +321,7 @@ class Runner::Impl {
       status_.blocked = blocking_.blocked();
       status_.occlusion = blocking_.schedule();
       status_.occlusion_added = !info_.live && blocking_.asked();
+      status_.sides = std::move(sides);
     }
     if (mode_ == Mode::kPause || mode_ == Mode::kDone) idle_.notify_all();
   }
@@ -340,7 +347,7 @@ class Runner::Impl {
   tracking::TrackReport report_;
   PlaybackClock pacer_;
   RateMeter meter_;
-  Clock::time_point reported_{}, imaged_{};
+  Clock::time_point reported_{};
 
   mutable std::mutex mutex_;  ///< protects all members below
   std::condition_variable wake_, idle_;

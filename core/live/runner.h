@@ -41,6 +41,7 @@ struct RunStatus {
   std::array<bool, 2> blocked{};  ///< left, right: blocked now, by hand or by schedule
   OcclusionSchedule occlusion;
   bool occlusion_added = false;  ///< the source is a recording, and a camera is blocked now or by schedule
+  std::vector<tracking::SideStatus> sides;           ///< Source::sides()
   std::optional<recording::RecorderStats> recorder;  ///< statistics of the current or last recording
   std::string recording;                             ///< path of that recording
 };

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <set>
 
 #include "core/base/error.h"
@@ -125,16 +126,31 @@ class ColumnCollector {
   std::set<std::string, std::less<>> seen_;
 };
 
-void checkTime(const MeasuredTable& table) {
-  for (std::size_t row = 0; row < table.t.size(); ++row) {
-    const int line = static_cast<int>(row) + 2;
+void checkTimeGiven(const MeasuredTable& table) {
+  for (std::size_t row = 0; row < table.t.size(); ++row)
     if (std::isnan(table.t[row]))
-      throw base::InputError({table.file, line, "t", {}, "is empty", "Give every row its time [s]"});
-    if (row > 0 && table.t[row] <= table.t[row - 1])
-      throw base::InputError({table.file, line, "t", fmt::format("{}", table.t[row]),
-                              fmt::format("does not come after {} on the line before", table.t[row - 1]),
-                              "Sort the rows by time and remove repeated ones"});
+      throw base::InputError(
+          {table.file, static_cast<int>(row) + 2, "t", {}, "is empty", "Give every row its time [s]"});
+}
+
+/// All columns of the table with their names, in the order of a file.
+std::vector<std::pair<std::string, const std::vector<double>*>> columnsOf(const MeasuredTable& table) {
+  std::vector<std::pair<std::string, const std::vector<double>*>> columns = {{"t", &table.t}};
+  for (const Quantity& quantity : kQuantities) {
+    const TableColumns& values = table.*quantity.columns;
+    for (std::size_t k = 0; k < values.size(); ++k) columns.emplace_back(columnName(quantity, k), &values[k]);
   }
+  return columns;
+}
+
+template <class Columns>
+void appendRow(const Columns& columns, std::size_t row, std::string& text) {
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (i > 0) text += ',';
+    const double value = (*columns[i].second)[row];
+    if (!std::isnan(value)) fmt::format_to(std::back_inserter(text), "{}", value);
+  }
+  text += '\n';
 }
 
 }  // namespace
@@ -151,35 +167,56 @@ MeasuredTable readMeasuredTable(const std::filesystem::path& path) {
 }
 
 MeasuredTable parseMeasuredTable(std::string_view text, const std::string& file) {
+  MeasuredTable table = parseMeasuredRows(text, file);
+  checkTimes(table, -std::numeric_limits<double>::infinity(), 2);
+  return table;
+}
+
+void checkTimes(const MeasuredTable& table, double before, int line) {
+  for (std::size_t row = 0; row < table.t.size(); before = table.t[row++])
+    if (table.t[row] <= before)
+      throw base::InputError({table.file, line + static_cast<int>(row), "t", fmt::format("{}", table.t[row]),
+                              fmt::format("does not come after {} on the line before", before),
+                              "Sort the rows by time and remove repeated ones"});
+}
+
+void keepRows(MeasuredTable& table, const std::vector<bool>& keep) {
+  const auto shorten = [&](std::vector<double>& column) {
+    std::size_t row = 0;
+    std::erase_if(column, [&](double) { return !keep[row++]; });
+  };
+  shorten(table.t);
+  for (const Quantity& quantity : kQuantities)
+    for (std::vector<double>& column : table.*quantity.columns) shorten(column);
+}
+
+MeasuredTable parseMeasuredRows(std::string_view text, const std::string& file) {
   MeasuredTable table;
   table.file = file;
   ColumnCollector collector(table);
   parseCsv(text, file, [&](std::string_view name, std::size_t) { return collector(name); });
   collector.finish();
-  checkTime(table);
+  checkTimeGiven(table);
   return table;
 }
 
+std::string measuredTableHeader(const MeasuredTable& table) {
+  std::string text;
+  for (const auto& [name, values] : columnsOf(table)) text += (text.empty() ? "" : ",") + name;
+  return text + '\n';
+}
+
+std::string formatMeasuredRow(const MeasuredTable& table, std::size_t row) {
+  std::string text;
+  appendRow(columnsOf(table), row, text);
+  return text;
+}
+
 std::string formatMeasuredTable(const MeasuredTable& table) {
-  std::string text = "t";
-  std::vector<const std::vector<double>*> columns = {&table.t};
-  for (const Quantity& quantity : kQuantities) {
-    const TableColumns& values = table.*quantity.columns;
-    for (std::size_t k = 0; k < values.size(); ++k) {
-      text += "," + columnName(quantity, k);
-      columns.push_back(&values[k]);
-    }
-  }
-  text += '\n';
+  const auto columns = columnsOf(table);
+  std::string text = measuredTableHeader(table);
   text.reserve(text.size() + table.rows() * columns.size() * 12);
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      if (i > 0) text += ',';
-      const double value = (*columns[i])[row];
-      if (!std::isnan(value)) fmt::format_to(std::back_inserter(text), "{}", value);
-    }
-    text += '\n';
-  }
+  for (std::size_t row = 0; row < table.rows(); ++row) appendRow(columns, row, text);
   return text;
 }
 

@@ -36,7 +36,18 @@ struct MeasuredTable {
 MeasuredTable readMeasuredTable(const std::filesystem::path& path);
 /// Parses the text of such a CSV; `file` names it in errors.
 MeasuredTable parseMeasuredTable(std::string_view text, const std::string& file);
+/// The same without the order of times: rows of a live stream, of which some may be repeated.
+MeasuredTable parseMeasuredRows(std::string_view text, const std::string& file);
+/// Throws base::InputError for the first row whose time is not above that of the row before; for the first
+/// row, `before` [s]. `line` of the first row, for the error.
+void checkTimes(const MeasuredTable& table, double before, int line);
+/// Removes the rows whose entry in `keep` is false.
+void keepRows(MeasuredTable& table, const std::vector<bool>& keep);
 /// Formats the table as CSV with the shortest decimals that read back to the last bit; NaN is an empty cell.
 std::string formatMeasuredTable(const MeasuredTable& table);
+/// The header line of that CSV, with its line end.
+std::string measuredTableHeader(const MeasuredTable& table);
+/// The line of one row, with its line end.
+std::string formatMeasuredRow(const MeasuredTable& table, std::size_t row);
 
 }  // namespace capstan::recording

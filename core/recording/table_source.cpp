@@ -21,6 +21,8 @@ Eigen::Vector3d rowOf(const TableColumns& columns, std::size_t row) {
   return {columns[0][row], columns[1][row], columns[2][row]};
 }
 
+}  // namespace
+
 void checkForTracking(const MeasuredTable& table, const robot::Description& robot) {
   if (table.q_m.empty())
     throw base::InputError(
@@ -44,8 +46,6 @@ void checkForTracking(const MeasuredTable& table, const robot::Description& robo
                              : "Choose a recording of a three-joint arm and its robot file"});
 }
 
-}  // namespace
-
 TableSource::TableSource(const std::filesystem::path& path, const robot::Description& robot,
                          const ReadAs& read_as)
     : TableSource(readTable(path, robot, read_as), robot) {
@@ -61,29 +61,38 @@ TableSource::TableSource(MeasuredTable table, const robot::Description& robot) :
   info_.duration = table_.t.back() - table_.t.front();
   info_.reference = !table_.q.empty();
   info_.own_kinematics = table_.own_kinematics;
-  for (const std::string& line : unitNotices(table_)) info_.notices.push_back(table_.file + ": " + line);
-  if (!table_.ignored.empty())
-    info_.notices.push_back(
-        fmt::format("{}: columns not used: {}", table_.file, fmt::join(table_.ignored, ", ")));
+  info_.notices = noticesOf(table_);
 }
 
-bool TableSource::next(tracking::Sample& out) {
-  for (; row_ < table_.rows(); ++row_, part_ = 0) {
-    const double t = table_.t[row_];
+std::vector<std::string> noticesOf(const MeasuredTable& table) {
+  std::vector<std::string> notices;
+  for (const std::string& line : unitNotices(table)) notices.push_back(table.file + ": " + line);
+  if (!table.ignored.empty())
+    notices.push_back(fmt::format("{}: columns not used: {}", table.file, fmt::join(table.ignored, ", ")));
+  return notices;
+}
+
+bool RowSamples::next(const MeasuredTable& table, tracking::Sample& out) {
+  for (; row_ < table.rows(); ++row_, part_ = 0) {
+    const double t = table.t[row_];
     while (part_ < 3) {
       const int part = part_++;
-      const Eigen::Vector3d value = rowOf(part == 0 ? table_.q_m : part == 1 ? table_.q : table_.p_c, row_);
+      const Eigen::Vector3d value = rowOf(part == 0 ? table.q_m : part == 1 ? table.q : table.p_c, row_);
       const auto finite = value.array().isFinite();
-      if (part == 0 ? !finite.any() : !finite.all()) continue;  // the pipeline handles lost motor encoders
-      if (part == 0)
-        out = tracking::MotorSample{t, value, rowOf(table_.dq_m, row_), rowOf(table_.tau_m, row_)};
+      if (part == 0 ? !finite.any() : !finite.all()) continue;
+      if (part == 0) out = tracking::MotorSample{t, value, rowOf(table.dq_m, row_), rowOf(table.tau_m, row_)};
       if (part == 1) out = tracking::JointSample{t, value};
-      if (part == 2)
-        out = tracking::TipSample{t, t, blocked_ ? Eigen::Vector3d::Constant(kNaN).eval() : value};
+      if (part == 2) out = tracking::TipSample{t, t, value};
       return true;
     }
   }
   return false;
+}
+
+bool TableSource::next(tracking::Sample& out) {
+  if (!samples_.next(table_, out)) return false;
+  if (auto* tip = std::get_if<tracking::TipSample>(&out); tip && blocked_) tip->position.setConstant(kNaN);
+  return true;
 }
 
 std::unique_ptr<tracking::Source> openRecording(const std::filesystem::path& path,

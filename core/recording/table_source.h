@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/recording/column_units.h"
 #include "core/recording/measured_table.h"
@@ -10,6 +11,23 @@
 #include "core/tracking/source.h"
 
 namespace capstan::recording {
+
+/// Throws base::InputError for a table without q_m, and for a number of joints that is not three.
+void checkForTracking(const MeasuredTable& table, const robot::Description& robot);
+
+/// Remarks on the units of a table and on columns that are not used, with its name.
+std::vector<std::string> noticesOf(const MeasuredTable& table);
+
+/// Yields the samples of a table's rows, in order.
+class RowSamples {
+ public:
+  /// False: no row remains. The pipeline handles motor encoders that are lost (NaN).
+  bool next(const MeasuredTable& table, tracking::Sample& out);
+
+ private:
+  std::size_t row_ = 0;
+  int part_ = 0;
+};
 
 /// A measured table as a source. Each row yields a motor sample, a joint sample if it has q (reference), and
 /// a tip sample if it has p_c. info() has notices of the columns that are not used.
@@ -29,8 +47,7 @@ class TableSource : public tracking::Source {
  private:
   tracking::SourceInfo info_;
   MeasuredTable table_;
-  std::size_t row_ = 0;
-  int part_ = 0;
+  RowSamples samples_;
   bool blocked_ = false;
 };
 

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/base/names.h"
 #include "core/robot/description.h"
 #include "core/tracking/sample.h"
 #include "core/vision/camera.h"
@@ -29,7 +32,27 @@ struct SourceInfo {
   /// True if the joint encoder columns hold the robot's own transmission kinematics, which is no truth.
   bool own_kinematics = false;
   bool live = false;                 ///< the robot can be commanded (simulated or real)
+  bool real_time = false;            ///< samples come when they are measured: not paced, not stepped
   std::vector<std::string> notices;  ///< exclusions and remarks for the user, one per line
+};
+
+/// Condition of one side of a live source: its motors or its cameras.
+struct SideStatus {
+  enum class State { kWaiting, kReceiving, kSilent, kRefused, kEnded };
+  std::string name;               ///< "motors", "cameras"
+  std::string from;               ///< address or device
+  State state = State::kWaiting;  ///< kSilent: nothing for kSilence; kRefused: `fault` disconnected it
+  std::string fault;              ///< reason of the last disconnection by this program; empty: none
+  double silent_for = 0.0;        ///< time since the last sample [s]
+  std::uint64_t received = 0;     ///< number of rows or frames taken
+  std::uint64_t repeated = 0;     ///< excluded, since their stamps did not rise
+  std::uint64_t dropped = 0;      ///< excluded, since tracking was too slow
+  std::uint64_t connections = 0;  ///< number of times that a program has connected
+  std::uint64_t clock_steps = 0;  ///< jumps of the device's clock
+  double offset = 0.0, offset_sigma = 0.0;  ///< session's clock − device's clock [s]
+  double drift = 0.0, drift_sigma = 0.0;    ///< gain of the session's clock on the device's [s/s]
+  double mean_delay = 0.0;                  ///< of arrivals, above the smallest [s]
+  static constexpr double kSilence = 0.5;   ///< [s]
 };
 
 /// Yields samples in order of arrival. Deterministic sources yield the same bytes each time.
@@ -42,6 +65,23 @@ class Source {
   /// Blocks (true) or unblocks the view of each camera from now on. Images then show the occlusion in their
   /// pixels.
   virtual void block(bool left, bool right) = 0;
+  /// Waits up to `wait` for the next sample. True: next() returns at once. Only real-time sources wait.
+  virtual bool ready(std::chrono::milliseconds wait) {
+    (void)wait;
+    return true;
+  }
+  /// Discards the samples that have come so far, of a real-time source.
+  virtual void discard() {}
+  /// Sides of a live source; none for others. Any thread may call it.
+  virtual std::vector<SideStatus> sides() const { return {}; }
 };
 
 }  // namespace capstan::tracking
+
+template <>
+struct capstan::base::NamesOf<capstan::tracking::SideStatus::State> {
+  using S = capstan::tracking::SideStatus::State;
+  static constexpr std::array value = {std::pair{S::kWaiting, "waiting"},
+                                       std::pair{S::kReceiving, "receiving"}, std::pair{S::kSilent, "silent"},
+                                       std::pair{S::kRefused, "refused"}, std::pair{S::kEnded, "ended"}};
+};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <concepts>
 #include <cstdint>
 #include <optional>
@@ -60,6 +61,16 @@ struct IgnoreSnapshots {
   void operator()(const Sample&, const Snapshot&) const {}
 };
 
+/// Waits until a real-time source has a sample. False: `cancelled` meanwhile.
+template <SampleSource Source>
+bool waitFor(Source& source, const auto& cancelled) {
+  constexpr std::chrono::milliseconds kPatience{100};
+  if constexpr (requires { source.ready(kPatience); })
+    while (!source.ready(kPatience))
+      if (cancelled()) return false;
+  return true;
+}
+
 /// Runs `pipeline` over all of `source` and calls `each(sample, snapshot)` after every step. `duration` [s]
 /// from the first sample to the last (0: unknown) scales the progress. Cancellable; the report then covers
 /// the samples before the cancellation.
@@ -68,18 +79,18 @@ TrackReport trackAll(Source& source, TrackingPipeline& pipeline, base::Progress*
                      double duration = 0.0, Each each = {}) {
   TrackReport report;
   Sample sample;
+  const auto cancelled = [&] { return report.cancelled = progress && progress->cancelled(); };
+  if (!waitFor(source, cancelled)) return report;
   for (std::uint64_t count = 0; source.next(sample); ++count) {
     const Snapshot& snapshot = pipeline.step(sample);
     report.add(snapshot);
     each(static_cast<const Sample&>(sample), snapshot);
-    if (progress && count % 256 == 0) {
-      if (progress->cancelled()) {
-        report.cancelled = true;
-        break;
-      }
-      if (duration > 0.0)
+    if (count % 256 == 0) {
+      if (cancelled()) break;
+      if (progress && duration > 0.0)
         progress->report(std::min(1.0, (report.last_t - report.first_t) / duration), "tracking");
     }
+    if (!waitFor(source, cancelled)) break;
   }
   return report;
 }

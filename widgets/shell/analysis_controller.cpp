@@ -44,7 +44,7 @@ void AnalysisController::gather(SessionLink& link) {
   connect(&link, &SessionLink::opened, this,
           [this, &link](const tracking::SourceInfo& info, const SourceChoice& choice) {
             files_.clear();
-            if (!choice.simulated) noteFile(choice.file);
+            if (choice.isRecording()) noteFile(choice.file);
             gathered_ = std::make_shared<Gathered>();
             now_ = info.begin;
             std::array<QString, 3> names;

@@ -45,7 +45,7 @@ void DiagnosisController::offerRecordings(SessionLink& link) {
           [this](const tracking::SourceInfo& info, const SourceChoice& choice) {
             now_ = info.begin;
             panel_.setSessionJoints(info.robot.size());
-            if (choice.simulated) return;
+            if (!choice.isRecording()) return;
             panel_.offer(choice.file, tr("Open recording"));
             panel_.preselect(choice.file);
           });

@@ -255,8 +255,8 @@ void MainWindow::onOpened(const tracking::SourceInfo& info, const SourceChoice& 
   history_.clear();
   now_ = info.begin;
   title_ = titleOf(choice_, info.title);
-  status_->setSource(choice_.simulated ? QString()
-                                       : tr("recording %1").arg(QFileInfo(choice_.file).fileName()));
+  status_->setSource(choice_.isRecording() ? tr("recording %1").arg(QFileInfo(choice_.file).fileName())
+                                           : QString());
   for (std::size_t i = 0; i < 3; ++i)
     joint_names_[i] = i < info.robot.joints.size() ? QString::fromStdString(info.robot.joints[i].name)
                                                    : tr("joint %1").arg(i + 1);
@@ -280,7 +280,7 @@ void MainWindow::onOpened(const tracking::SourceInfo& info, const SourceChoice& 
 }
 
 void MainWindow::listRecordedEvents() {
-  if (choice_.simulated || !choice_.file.endsWith(recording::kSessionSuffix)) return;
+  if (!choice_.isRecording() || !choice_.file.endsWith(recording::kSessionSuffix)) return;
   try {
     for (const auto& event : recording::readSessionEvents(choice_.file.toStdString()))
       notes_->addEvent(event.t, QString::fromStdString(event.kind), QString::fromStdString(event.text));

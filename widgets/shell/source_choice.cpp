@@ -3,6 +3,7 @@
 #include <QFileInfo>
 #include <QSettings>
 
+#include "core/live/live_source.h"
 #include "core/recording/table_source.h"
 
 namespace capstan::widgets {
@@ -27,6 +28,13 @@ SourceChoice SourceChoice::ofFile(const QString& file) {
   return choice;
 }
 
+SourceChoice SourceChoice::ofLive(const QString& live) {
+  SourceChoice choice;
+  choice.simulated = false;
+  choice.live = live;
+  return choice;
+}
+
 SourceChoice SourceChoice::ofSimulation(const simulation::SimulationRequest& request) {
   SourceChoice choice;
   choice.simulation = request;
@@ -34,6 +42,7 @@ SourceChoice SourceChoice::ofSimulation(const simulation::SimulationRequest& req
 }
 
 void SourceChoice::save(QSettings& settings) const {
+  if (!live.isEmpty()) return;
   settings.setValue("source/simulated", simulated);
   settings.setValue("source/file", absolute(file));
   settings.setValue("source/read_as", read_as);
@@ -71,6 +80,7 @@ SourceChoice SourceChoice::restore(const QSettings& settings) {
 
 QString titleOf(const SourceChoice& choice, const std::string& own_title) {
   const QString own = QString::fromStdString(own_title);
+  if (!choice.live.isEmpty()) return QObject::tr("live %1").arg(own);
   if (choice.simulated || choice.file.isEmpty()) return own;
   const QFileInfo file(choice.file);
   const bool more = own != file.fileName() && own != file.completeBaseName();
@@ -81,6 +91,9 @@ QString titleOf(const SourceChoice& choice, const std::string& own_title) {
 std::unique_ptr<tracking::Source> openSource(const SourceChoice& choice) {
   if (choice.simulated)
     return std::make_unique<simulation::SimulatedSource>(simulation::optionsOf(choice.simulation));
+  if (!choice.live.isEmpty())
+    return std::make_unique<live::LiveSource>(live::liveSetupOf(
+        choice.live.toStdString(), choice.robot.toStdString(), choice.read_as.toStdString()));
   return recording::openRecording(
       choice.file.toStdString(), robot::readDescriptionOrDefault(choice.robot.toStdString()),
       recording::parseReadAs(choice.read_as.toStdString(), choice.file.toStdString()));

@@ -14,13 +14,18 @@ namespace capstan::widgets {
 struct SourceChoice {
   bool simulated = true;
   simulation::SimulationRequest simulation;
-  QString file;     ///< file of a session or measured table, if not simulated
+  QString live;     ///< live set-up file or address of a robot that sends its samples now; empty: none
+  QString file;     ///< file of a session or measured table, if neither simulated nor live
   QString read_as;  ///< units of a table, as recording::parseReadAs() takes them; empty: SI
   QString robot;    ///< robot file for a recording that brings none; empty: the left RAVEN-II
 
   static SourceChoice ofFile(const QString& file);
+  static SourceChoice ofLive(const QString& live);
   static SourceChoice ofSimulation(const simulation::SimulationRequest& request);
 
+  bool isRecording() const { return !simulated && live.isEmpty() && !file.isEmpty(); }
+
+  /// A live source is not saved: the program listens only when it is asked to.
   void save(QSettings& settings) const;
   static SourceChoice restore(const QSettings& settings);
 

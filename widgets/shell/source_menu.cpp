@@ -2,6 +2,7 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QInputDialog>
 
 #include "widgets/shell/simulation_dialog.h"
 
@@ -19,6 +20,10 @@ SourceMenu::SourceMenu(QWidget* parent) : QMenu(parent), dialog_(new SimulationD
   open->setObjectName("open");
   open->setShortcut(QKeySequence::Open);
   connect(open, &QAction::triggered, this, &SourceMenu::askFile);
+  auto* live = addAction(tr("Connect to a live robot…"));
+  live->setObjectName("live");
+  live->setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+L")));
+  connect(live, &QAction::triggered, this, &SourceMenu::askLive);
   recent_menu_ = addMenu(tr("Recent"));
   recent_menu_->menuAction()->setObjectName("recent");
   connect(dialog_, &SimulationDialog::chosen, this, [this](const simulation::SimulationRequest& request) {
@@ -38,11 +43,26 @@ void SourceMenu::askFile() {
   dialog->show();
 }
 
+void SourceMenu::askLive() {
+  auto* dialog = new QInputDialog(parentWidget());
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(tr("Connect to a live robot"));
+  dialog->setLabelText(
+      tr("Address to listen on for rows of a measured table, path of a FIFO, or live set-up file (.yaml):"));
+  dialog->setTextValue(live_);
+  connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString& text) {
+    live_ = text.trimmed();
+    Q_EMIT chosen(SourceChoice::ofLive(live_));
+  });
+  dialog->show();
+}
+
 void SourceMenu::remember(const SourceChoice& choice) {
   if (choice.simulated) {
     dialog_->setRequest(choice.simulation);
     return;
   }
+  if (!choice.isRecording()) return;
   const QString file = QFileInfo(choice.file).absoluteFilePath();
   recent_.removeAll(file);
   recent_.prepend(file);

@@ -28,11 +28,13 @@ class SourceMenu : public QMenu {
 
  private:
   void askFile();
+  void askLive();
   void fillRecent();
 
   SimulationDialog* dialog_;
   QMenu* recent_menu_;
   QStringList recent_;
+  QString live_ = QStringLiteral("tcp://127.0.0.1:5555");
 };
 
 }  // namespace capstan::widgets

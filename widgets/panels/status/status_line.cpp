@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/estimation/nis_verdict.h"
+#include "core/tracking/side_text.h"
 #include "core/tracking/transmission_text.h"
 
 namespace capstan::widgets {
@@ -230,6 +231,7 @@ void StatusLine::showStatus(const live::RunStatus& status, double recorded_secon
     showRecorder(*status.recorder, recorded_seconds);
   else
     set(kRecording, {});
+  showSides(status.sides);
   showOcclusion(status);
   showDisk(status.recorder && status.recorder->state == RecorderState::kRecording ? &*status.recorder
                                                                                   : nullptr);
@@ -246,6 +248,20 @@ void StatusLine::showRecorder(const recording::RecorderStats& recorder, double r
         Tone::kFault);
   else
     set(kRecording, tr("● REC %1").arg(clock), Tone::kWarning);
+}
+
+/// Shows a live source's sides that need attention; numbers are in the tool tip.
+void StatusLine::showSides(const std::vector<tracking::SideStatus>& sides) {
+  QStringList words, details;
+  bool fault = false;
+  for (const tracking::SideStatus& side : sides) {
+    words << QString::fromStdString(tracking::shortTextOf(side));
+    details << QString::fromStdString(tracking::textOf(side));
+    fault = fault || tracking::needsAttention(side);
+  }
+  words.removeAll(QString());
+  set(kSides, words.join(QStringLiteral(", ")), fault ? Tone::kFault : Tone::kPlain);
+  labels_[kSides]->setToolTip(details.join(QLatin1Char('\n')));
 }
 
 /// Shows which cameras the user blocks; in a recording this is not part of the recorded data.

@@ -48,6 +48,7 @@ class StatusLine : public QWidget {
   enum Part {
     kSource,
     kState,
+    kSides,
     kRobot,
     kSpeed,
     kMotor,
@@ -64,6 +65,7 @@ class StatusLine : public QWidget {
     kParts
   };
   enum class Tone { kPlain, kGood, kWarning, kFault };
+  void showSides(const std::vector<tracking::SideStatus>& sides);
   void showNis(const tracking::Snapshot& snapshot);
   void showMotors(const tracking::Snapshot& snapshot);
   void showRecorder(const recording::RecorderStats& recorder, double recorded_seconds);

@@ -1,0 +1,50 @@
+#include "app/cli/live_option.h"
+
+#include "app/cli/console.h"
+#include "core/tracking/side_text.h"
+
+namespace capstan::cli {
+
+CLI::Option* addLive(CLI::App& command, std::string& live) {
+  return command.add_option(
+      "--live", live,
+      "robot that sends its rows now: a live set-up file (resources/live), tcp://ADDRESS:PORT to listen on,\n"
+      "the path of a FIFO, or - for standard input; rows are those of a measured table");
+}
+
+std::unique_ptr<live::LiveSource> openLive(const std::string& text, const std::string& robot,
+                                           const std::string& read_as, double duration) {
+  auto source = std::make_unique<live::LiveSource>(live::liveSetupOf(text, robot, read_as));
+  source->endAfter(duration);
+  for (const std::string& line : source->info().notices) notice(line);
+  if (text != "-") notice("waiting for rows from " + source->sides().front().from);
+  return source;
+}
+
+std::string textOf(const std::vector<tracking::SideStatus>& sides) {
+  std::string text;
+  for (const tracking::SideStatus& side : sides) text += tracking::textOf(side) + '\n';
+  return text;
+}
+
+nlohmann::json jsonOf(const std::vector<tracking::SideStatus>& sides) {
+  nlohmann::json all = nlohmann::json::array();
+  for (const tracking::SideStatus& side : sides)
+    all.push_back({{"side", side.name},
+                   {"from", side.from},
+                   {"state", base::nameOf(side.state)},
+                   {"fault", side.fault.empty() ? nlohmann::json() : nlohmann::json(side.fault)},
+                   {"received", side.received},
+                   {"repeated", side.repeated},
+                   {"dropped", side.dropped},
+                   {"connections", side.connections},
+                   {"clock_steps", side.clock_steps},
+                   {"offset", side.offset},
+                   {"offset_sigma", side.offset_sigma},
+                   {"drift", side.drift},
+                   {"drift_sigma", side.drift_sigma},
+                   {"mean_delay", side.mean_delay}});
+  return all;
+}
+
+}  // namespace capstan::cli

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "core/live/live_source.h"
+
+namespace capstan::cli {
+
+/// Declares --live on `command`.
+CLI::Option* addLive(CLI::App& command, std::string& live);
+/// Opens the robot that --live names and says where it listens. `duration` [s] after the first sample the
+/// source ends; 0: never. Throws base::InputError as
+/// live::liveSetupOf() and live::LiveSource.
+std::unique_ptr<live::LiveSource> openLive(const std::string& text, const std::string& robot,
+                                           const std::string& read_as, double duration);
+/// Lines for people about the sides of a live source.
+std::string textOf(const std::vector<tracking::SideStatus>& sides);
+/// JSON of the sides in SI.
+nlohmann::json jsonOf(const std::vector<tracking::SideStatus>& sides);
+
+}  // namespace capstan::cli

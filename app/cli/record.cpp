@@ -1,0 +1,93 @@
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include "app/cli/command.h"
+#include "app/cli/console.h"
+#include "app/cli/live_option.h"
+#include "app/cli/outputs.h"
+#include "app/cli/recordings.h"
+#include "app/cli/track_output.h"
+#include "core/live/runner.h"
+#include "core/tracking/make_pipeline.h"
+
+namespace capstan::cli {
+namespace {
+
+struct RecordArguments {
+  std::string live, out, robot, read_as, json;
+  double duration = 0.0;
+};
+
+constexpr double kLongestStop = 5.0;  // [s]
+
+/// Waits until the robot's stream or the recording has ended. Ctrl-C ends the recording, which is complete.
+void waitForEnd(live::Runner& runner, const base::Progress& progress) {
+  while (!progress.cancelled() && !runner.waitUntilIdle(0.1)) {
+    const auto recorder = runner.status().recorder;
+    if (recorder && recorder->state == recording::RecorderState::kFailed) return;
+  }
+}
+
+ExitCode record(const RecordArguments& arguments) {
+  checkOutputs({{"--out", arguments.out}, {"--json", arguments.json}}, {arguments.robot});
+  if (std::filesystem::path(arguments.out).extension() != recording::kSessionSuffix)
+    refuseOption("--out", arguments.out, "does not end in .capstan", "Give a name with .capstan");
+  const Output output(arguments.json);
+  std::unique_ptr<tracking::Source> source =
+      openLive(arguments.live, arguments.robot, arguments.read_as, arguments.duration);
+  const tracking::SourceInfo info = source->info();
+  tracking::TrackingPipeline pipeline = tracking::makePipeline(info, tracking::trackingOptionsOf(info));
+  auto runner = std::make_unique<live::Runner>(std::move(source), std::move(pipeline));
+  runner->startRecording(arguments.out, recording::headerOf(info, isoNow()));
+  base::Progress progress;
+  {
+    const ProgressLine line(progress);
+    runner->run();
+    waitForEnd(*runner, progress);
+  }
+  runner->pause();
+  runner->waitUntilIdle(kLongestStop);
+  const live::RunStatus status = runner->status();
+  const tracking::TrackReport report = runner->report();
+  const auto recorder = runner->recorder();
+  runner.reset();  // closes the recording
+  const recording::RecorderStats stats = recorder->stats();
+  output.text(textOf(report, info, 0.0) + textOf(status.sides) +
+              fmt::format("{}: {} rows written, {} lost, {:.1f} MB\n", arguments.out, stats.written,
+                          stats.dropped + stats.lost, 1e-6 * static_cast<double>(stats.bytes)));
+  output.json({{"file", arguments.out},
+               {"written", stats.written},
+               {"dropped", stats.dropped},
+               {"lost", stats.lost},
+               {"bytes", stats.bytes},
+               {"motor", report.motor_samples},
+               {"live", jsonOf(status.sides)}});
+  if (!stats.error.empty()) notice(stats.error);
+  if (!status.error.empty()) notice(status.error);
+  return stats.error.empty() && status.error.empty() && report.motor_samples > 0 ? kOk : kFailed;
+}
+
+}  // namespace
+
+void addRecord(CLI::App& app, ExitCode& exit) {
+  auto arguments = std::make_shared<RecordArguments>();
+  CLI::App* command = app.add_subcommand("record", "Track a robot live and record the session");
+  addLive(*command, arguments->live)->required();
+  command->add_option("--out", arguments->out, "session file to write (.capstan)")->required();
+  command->add_option("--duration", arguments->duration, "end after this time [s]; default: until Ctrl-C")
+      ->check(CLI::Range(0.1, 86400.0));
+  command->add_option("--robot", arguments->robot, "nominal robot file; default: the left RAVEN-II");
+  addReadAs(*command, arguments->read_as);
+  command->add_option("--json", arguments->json, "result as JSON: a file, or - for standard output");
+  command->footer(
+      "Examples:\n"
+      "  capstan-cli record --live tcp://127.0.0.1:5555 --out trial.capstan --duration 60\n"
+      "  robot_program | capstan-cli record --live - --out trial.capstan");
+  command->callback([arguments, &exit] { exit = record(*arguments); });
+}
+
+}  // namespace capstan::cli

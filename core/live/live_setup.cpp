@@ -1,0 +1,62 @@
+#include "core/live/live_setup.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "core/base/error.h"
+#include "core/base/yaml.h"
+#include "core/live/streams/address.h"
+#include "core/recording/column_units.h"
+
+namespace capstan::live {
+namespace {
+
+[[noreturn]] void refuse(const std::string& file, const char* field, const std::string& value,
+                         const std::string& reason, const std::string& remedy) {
+  throw base::InputError({file, 0, field, value, reason, remedy});
+}
+
+void check(const LiveSetup& setup, const std::string& file) {
+  std::array<int, 3> sorted = setup.motors.motors;
+  std::ranges::sort(sorted);
+  if (sorted != std::array{1, 2, 3})
+    refuse(file, "motors.motors",
+           std::to_string(setup.motors.motors[0]) + ", " + std::to_string(setup.motors.motors[1]) + ", " +
+               std::to_string(setup.motors.motors[2]),
+           "names a motor twice", "Give each of 1, 2 and 3 once");
+  for (const double sign : setup.motors.signs)
+    if (std::abs(sign) != 1.0)
+      refuse(file, "motors.signs", base::yamlText(sign), "is no sign", "Give 1 or -1");
+  parseAddress(setup.motors.from, "motors.from");
+  recording::parseReadAs(setup.motors.read_as, "motors.read_as");
+}
+
+bool isFifo(const std::string& path) { return std::filesystem::is_fifo(path); }
+
+}  // namespace
+
+LiveSetup readLiveSetup(const std::filesystem::path& path) {
+  auto setup = base::readYamlFile<LiveSetup>(path);
+  base::namingFile(path.string(), [&] { check(setup, path.string()); });
+  if (!setup.robot.empty()) setup.robot = (path.parent_path() / setup.robot).string();
+  return setup;
+}
+
+LiveSetup liveSetupOf(const std::string& text, const std::string& robot, const std::string& read_as) {
+  if (isAddress(text) || isFifo(text)) {
+    LiveSetup setup{.title = text == "-" ? "standard input" : text, .robot = robot, .motors = {}};
+    setup.motors.from = text, setup.motors.read_as = read_as;
+    check(setup, {});
+    return setup;
+  }
+  LiveSetup setup = readLiveSetup(text);
+  if (!robot.empty() && !setup.robot.empty())
+    refuse({}, "--robot", robot, "is given, yet " + text + " names a robot, too", "Leave it out");
+  if (!read_as.empty())
+    refuse({}, "--read-as", read_as, "is given together with a set-up file", "Write it there, as read_as");
+  if (!robot.empty()) setup.robot = robot;
+  return setup;
+}
+
+}  // namespace capstan::live

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "core/live/live_setup.h"
+#include "core/live/row_side.h"
+#include "core/live/sample_queue.h"
+#include "core/tracking/source.h"
+
+namespace capstan::live {
+
+/// A robot that sends its samples while they are measured. Its thread receives; next() waits.
+class LiveSource final : public tracking::Source {
+ public:
+  /// Opens the set-up's addresses. From standard input the first rows are awaited, and a fault in the rows
+  /// ends the source; elsewhere it disconnects the program that has sent it, and another one may connect.
+  /// Throws base::InputError for an address that cannot be opened, and for the first rows of standard input.
+  explicit LiveSource(const LiveSetup& setup);
+
+  /// Ends the source `seconds` after its first sample.
+  void endAfter(double seconds) { duration_ = seconds; }
+
+  const tracking::SourceInfo& info() const override { return info_; }
+  bool next(tracking::Sample& out) override;
+  bool ready(std::chrono::milliseconds wait) override { return queue_.ready(wait); }
+  void discard() override { queue_.clear(); }
+  void block(bool left, bool right) override { blocked_ = left || right; }
+  std::vector<tracking::SideStatus> sides() const override { return {rows_->status()}; }
+
+ private:
+  void arrange(tracking::MotorSample& sample) const;
+
+  RowsSetup setup_;
+  tracking::SourceInfo info_;
+  SampleQueue queue_;
+  std::unique_ptr<RowSide> rows_;
+  double duration_ = 0.0;
+  std::optional<double> begin_;
+  bool blocked_ = false;
+};
+
+}  // namespace capstan::live

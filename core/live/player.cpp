@@ -1,0 +1,77 @@
+#include "core/live/player.h"
+
+#include <chrono>
+#include <memory>
+#include <thread>
+
+#include "core/base/error.h"
+#include "core/live/streams/tcp_sender.h"
+
+namespace capstan::live {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr const char* kGarbage = "garbage\n";
+
+/// Connection that is made again when the receiver has ended it.
+class Connection {
+ public:
+  Connection(const Address& to, std::string header, PlayReport& report)
+      : to_(to), header_(std::move(header)), report_(report), sender_(std::make_unique<TcpSender>(to)) {
+    sender_->send(header_);
+  }
+  /// False: nobody listens any more.
+  bool send(const std::string& bytes) {
+    if (sender_->send(bytes)) return true;
+    noteAnswer();
+    try {
+      sender_ = std::make_unique<TcpSender>(to_);
+    } catch (const base::InputError&) {
+      report_.refused = true;
+      return false;
+    }
+    ++report_.connections;
+    return sender_->send(header_) && sender_->send(bytes);
+  }
+  void noteAnswer() {
+    if (std::string answer = sender_->answer(); !answer.empty()) report_.answer = std::move(answer);
+  }
+
+ private:
+  const Address to_;
+  const std::string header_;
+  PlayReport& report_;
+  std::unique_ptr<TcpSender> sender_;
+};
+
+}  // namespace
+
+PlayReport playRows(const recording::MeasuredTable& table, const Address& to, const PlayOptions& options,
+                    base::Progress* progress) {
+  PlayReport report;
+  Connection connection(to, recording::measuredTableHeader(table), report);
+  FaultyRows rows(options.faults, options.seed);
+  recording::MeasuredTable stamped = table;
+  const Clock::time_point start = Clock::now();
+  const double begin = table.t.front(), duration = std::max(table.t.back() - begin, 1e-9);
+  for (std::size_t k = 0; k < table.rows() && !(progress && progress->cancelled()); ++k) {
+    const auto played = rows.next(k, table.t[k], begin);
+    if (!played) {
+      ++report.withheld;
+      continue;
+    }
+    if (options.speed > 0.0)
+      std::this_thread::sleep_until(start + std::chrono::duration_cast<Clock::duration>(
+                                                std::chrono::duration<double>(played->due / options.speed)));
+    stamped.t[played->row] = played->stamp;
+    const std::string line = recording::formatMeasuredRow(stamped, played->row);
+    if (!connection.send((played->garbage ? kGarbage : "") + line + (played->twice ? line : ""))) break;
+    ++report.sent;
+    if (progress && k % 256 == 0) progress->report((table.t[k] - begin) / duration, "playing");
+  }
+  report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  connection.noteAnswer();
+  return report;
+}
+
+}  // namespace capstan::live

@@ -1,0 +1,139 @@
+#include "core/live/row_side.h"
+
+#include "core/base/error.h"
+#include "core/recording/table_source.h"
+
+namespace capstan::live {
+
+using State = tracking::SideStatus::State;
+
+RowSide::RowSide(std::unique_ptr<ByteStream> stream, RowParser parser, robot::Description robot,
+                 Faults faults, SampleQueue& queue)
+    : stream_(std::move(stream)),
+      parser_(std::move(parser)),
+      robot_(std::move(robot)),
+      faults_(faults),
+      queue_(queue) {
+  status_.name = "motors";
+  status_.from = stream_->name();
+  thread_ = std::thread([this] { work(); });
+}
+
+RowSide::~RowSide() {
+  quit_ = true;
+  queue_.close();
+  thread_.join();
+}
+
+RowFacts RowSide::waitForFirst() { return first_.get_future().get(); }
+
+void RowSide::rethrow() const {
+  const std::lock_guard lock(mutex_);
+  if (fault_) std::rethrow_exception(fault_);
+}
+
+tracking::SideStatus RowSide::status() const {
+  const std::lock_guard lock(mutex_);
+  tracking::SideStatus status = status_;
+  if (status.received > 0) status.silent_for = now() - last_arrival_;
+  if (status.state == State::kReceiving && status.silent_for > tracking::SideStatus::kSilence)
+    status.state = State::kSilent;
+  return status;
+}
+
+void RowSide::work() {
+  std::string bytes;
+  try {
+    while (!quit_ && !ended_) readOnce(bytes);
+  } catch (...) {
+    const std::lock_guard lock(mutex_);
+    fault_ = std::current_exception();
+    if (!first_known_) first_.set_exception(fault_), first_known_ = true;
+  }
+  if (!first_known_) first_.set_value({});
+  {
+    const std::lock_guard lock(mutex_);
+    status_.state = State::kEnded;
+  }
+  queue_.close();
+}
+
+void RowSide::readOnce(std::string& bytes) {
+  constexpr std::chrono::milliseconds kWait{50};
+  bytes.clear();
+  const ReadState state = stream_->read(bytes, kWait);
+  try {
+    if (state == ReadState::kOpened) {
+      parser_.restart();
+      const std::lock_guard lock(mutex_);
+      ++status_.connections;
+      status_.state = State::kWaiting;
+    }
+    parser_.add(bytes);
+    ended_ = state == ReadState::kEnded;
+    take(ended_ || state == ReadState::kClosed);
+    if (state != ReadState::kClosed) return;
+    parser_.restart();
+    const std::lock_guard lock(mutex_);
+    status_.state = State::kWaiting;
+  } catch (const base::InputError& error) {
+    if (faults_ == Faults::kEnd) throw;
+    refuse(error.what());
+  }
+}
+
+void RowSide::take(bool ended) {
+  if (auto table = parser_.take(ended)) pass(std::move(*table));
+}
+
+void RowSide::pass(recording::MeasuredTable table) {
+  recording::checkForTracking(table, robot_);
+  const double arrival = now();
+  if (faults_ == Faults::kEnd) {
+    parser_.checkOrder(table);
+  } else {
+    std::vector<bool> keep;
+    for (double& t : table.t) {
+      const double stamp = t;
+      const auto time = times_.of(stamp, arrival);
+      keep.push_back(time.has_value());
+      if (time) t = *time, clock_.add(stamp, arrival);
+    }
+    recording::keepRows(table, keep);
+  }
+  if (table.rows() == 0) return;
+  std::uint64_t dropped = 0;
+  if (!first_known_) {
+    first_known_ = true;
+    first_.set_value({!table.q.empty(), table.t.front(), recording::noticesOf(table)});
+  }
+  recording::RowSamples rows;
+  for (tracking::Sample sample; rows.next(table, sample);) {
+    if (faults_ == Faults::kEnd)
+      queue_.wait(std::move(sample));
+    else if (!queue_.offer(std::move(sample)))
+      ++dropped;
+  }
+  const std::lock_guard lock(mutex_);
+  status_.state = State::kReceiving;
+  status_.fault.clear();
+  status_.received += table.rows();
+  status_.dropped += dropped;
+  status_.repeated = times_.repeated();
+  status_.clock_steps = times_.steps();
+  status_.mean_delay = clock_.meanDelay();
+  last_arrival_ = arrival;
+  if (faults_ == Faults::kEnd) return;
+  status_.offset = clock_.offset(), status_.offset_sigma = clock_.offsetUncertainty();
+  status_.drift = clock_.drift(), status_.drift_sigma = clock_.driftUncertainty();
+}
+
+void RowSide::refuse(const std::string& reason) {
+  stream_->refuse(reason);
+  parser_.restart();
+  const std::lock_guard lock(mutex_);
+  status_.state = State::kRefused;
+  status_.fault = reason;
+}
+
+}  // namespace capstan::live

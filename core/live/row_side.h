@@ -1,0 +1,77 @@
+#pragma once
+
+#include <atomic>
+#include <exception>
+#include <future>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "core/live/sample_queue.h"
+#include "core/live/streams/byte_stream.h"
+#include "core/live/streams/clock_map.h"
+#include "core/live/streams/row_parser.h"
+#include "core/live/streams/row_times.h"
+#include "core/tracking/source.h"
+
+namespace capstan::live {
+
+/// Facts about a stream's rows that are known from the first ones.
+struct RowFacts {
+  bool reference = false;            ///< they have joint encoders
+  double begin = 0.0;                ///< time of the first row [s]
+  std::vector<std::string> notices;  ///< units and columns that are not used
+};
+
+/// Reads rows of a measured table from a stream on a thread of its own and puts their samples into a queue.
+/// The rows' own clock is the session's clock.
+class RowSide {
+ public:
+  enum class Faults {
+    kEnd,         ///< a fault ends the stream, like that of a file: rethrow() reports it
+    kDisconnect,  ///< a fault disconnects the program that made it; another one may connect
+  };
+  RowSide(std::unique_ptr<ByteStream> stream, RowParser parser, robot::Description robot, Faults faults,
+          SampleQueue& queue);
+  ~RowSide();
+
+  /// Waits for the first rows. Throws what rethrow() throws.
+  RowFacts waitForFirst();
+  /// Throws the fault that has ended the stream, if there was one.
+  void rethrow() const;
+  tracking::SideStatus status() const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void work();
+  void readOnce(std::string& bytes);
+  void take(bool ended);
+  void pass(recording::MeasuredTable table);
+  void refuse(const std::string& reason);
+  double now() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+  std::unique_ptr<ByteStream> stream_;
+  RowParser parser_;
+  const robot::Description robot_;
+  const Faults faults_;
+  SampleQueue& queue_;
+  const Clock::time_point start_ = Clock::now();
+  RowTimes times_;
+  ClockMap clock_;
+  std::promise<RowFacts> first_;
+  bool first_known_ = false, ended_ = false;
+  std::atomic<bool> quit_{false};
+
+  mutable std::mutex mutex_;  ///< protects the members below
+  tracking::SideStatus status_;
+  double last_arrival_ = 0.0;  ///< [s] after start_
+  std::exception_ptr fault_;
+
+  std::thread thread_;
+};
+
+}  // namespace capstan::live

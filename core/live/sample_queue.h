@@ -1,0 +1,74 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <utility>
+
+#include "core/tracking/sample.h"
+
+namespace capstan::live {
+
+/// Samples on their way from the sides of a live source to tracking, in order of arrival.
+class SampleQueue {
+ public:
+  explicit SampleQueue(std::size_t capacity) : capacity_(capacity) {}
+
+  /// False: the queue is full, and the sample is lost.
+  bool offer(tracking::Sample&& sample) {
+    const std::lock_guard lock(mutex_);
+    if (samples_.size() >= capacity_) return false;
+    push(std::move(sample));
+    return true;
+  }
+  /// Waits for room instead. False: the queue was closed.
+  bool wait(tracking::Sample&& sample) {
+    std::unique_lock lock(mutex_);
+    room_.wait(lock, [&] { return closed_ || samples_.size() < capacity_; });
+    if (closed_) return false;
+    push(std::move(sample));
+    return true;
+  }
+  /// Ends the queue: what it holds can still be taken.
+  void close() {
+    const std::lock_guard lock(mutex_);
+    closed_ = true;
+    come_.notify_all(), room_.notify_all();
+  }
+  void clear() {
+    const std::lock_guard lock(mutex_);
+    samples_.clear();
+    room_.notify_all();
+  }
+
+  /// Waits up to `wait` until take() returns at once.
+  bool ready(std::chrono::milliseconds wait) {
+    std::unique_lock lock(mutex_);
+    return come_.wait_for(lock, wait, [&] { return closed_ || !samples_.empty(); });
+  }
+  /// Waits for a sample. False: the queue is closed and empty.
+  bool take(tracking::Sample& out) {
+    std::unique_lock lock(mutex_);
+    come_.wait(lock, [&] { return closed_ || !samples_.empty(); });
+    if (samples_.empty()) return false;
+    out = std::move(samples_.front());
+    samples_.pop_front();
+    room_.notify_one();
+    return true;
+  }
+
+ private:
+  void push(tracking::Sample&& sample) {
+    samples_.push_back(std::move(sample));
+    come_.notify_one();
+  }
+
+  const std::size_t capacity_;
+  std::mutex mutex_;
+  std::condition_variable come_, room_;
+  std::deque<tracking::Sample> samples_;
+  bool closed_ = false;
+};
+
+}  // namespace capstan::live

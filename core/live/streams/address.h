@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace capstan::live {
+
+/// Where a stream of bytes comes from.
+struct Address {
+  enum class Kind { kStandardInput, kFile, kTcp };
+  Kind kind = Kind::kStandardInput;
+  std::string path;                ///< kFile: a FIFO, a device or a file
+  std::string host = "127.0.0.1";  ///< kTcp: IPv4 address
+  std::uint16_t port = 0;          ///< kTcp; 0: a free one
+};
+
+/// Parses "-" (standard input), "tcp://127.0.0.1:5555" (IPv4 address or localhost) or the path of a FIFO.
+/// Throws base::InputError that names `option` and the text.
+Address parseAddress(const std::string& text, const std::string& option);
+
+/// Whether `text` is the address of a stream rather than the path of a file: "-" or "tcp://…".
+bool isAddress(const std::string& text);
+
+}  // namespace capstan::live

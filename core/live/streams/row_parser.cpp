@@ -1,0 +1,72 @@
+#include "core/live/streams/row_parser.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/recording/settle_units.h"
+
+namespace capstan::live {
+
+using recording::MeasuredTable;
+
+RowParser::RowParser(std::string name, robot::Description robot, recording::ReadAs read_as)
+    : name_(std::move(name)), robot_(std::move(robot)), read_as_(std::move(read_as)) {}
+
+void RowParser::restart() {
+  header_.clear(), pending_.clear();
+  lines_ = 0;
+  units_settled_ = false;
+}
+
+MeasuredTable RowParser::parse(std::string_view lines) const {
+  try {
+    return recording::parseMeasuredRows(header_ + std::string(lines), name_);
+  } catch (const base::InputError& error) {
+    base::InputFault fault = error.fault();
+    if (fault.line > 1) fault.line += static_cast<int>(lines_) - 1;
+    throw base::InputError(std::move(fault));
+  }
+}
+
+std::optional<MeasuredTable> RowParser::take(bool ended) {
+  if (ended && !pending_.empty() && pending_.back() != '\n') pending_ += '\n';
+  if (header_.empty()) {
+    const std::size_t end = pending_.find('\n');
+    if (end != std::string::npos) {
+      header_ = pending_.substr(0, end + 1);
+      pending_.erase(0, end + 1);
+      lines_ = 1;
+    }
+  }
+  const std::size_t last = pending_.rfind('\n');
+  const std::size_t complete = last == std::string::npos ? 0 : last + 1;
+  if (pending_.size() - complete > kLongestLine)
+    throw base::InputError({name_,
+                            static_cast<int>(lines_) + 1,
+                            {},
+                            {},
+                            fmt::format("a line has more than {} bytes", kLongestLine),
+                            "Send rows of a measured table, each ended by a line feed"});
+  if (complete == 0) return {};
+  const auto rows = static_cast<std::size_t>(
+      std::count(pending_.begin(), pending_.begin() + static_cast<std::ptrdiff_t>(complete), '\n'));
+  if (!units_settled_ && !ended && rows < kFirstRows) return {};
+  MeasuredTable table = parse(std::string_view(pending_).substr(0, complete));
+  if (units_settled_)
+    recording::readColumnsAs(table, robot_, read_as_);
+  else
+    recording::settleUnits(table, robot_, read_as_);
+  units_settled_ = true;
+  pending_.erase(0, complete);
+  lines_ += rows;
+  return table;
+}
+
+void RowParser::checkOrder(const MeasuredTable& rows) {
+  recording::checkTimes(rows, last_t_, static_cast<int>(lines_ - rows.rows()) + 1);
+  last_t_ = rows.t.back();
+}
+
+}  // namespace capstan::live

@@ -1,0 +1,26 @@
+#include "core/live/streams/row_times.h"
+
+#include <algorithm>
+
+namespace capstan::live {
+
+std::optional<double> RowTimes::of(double stamp, double arrival) {
+  if (!started_) {
+    started_ = true;
+    offset_ = -stamp;
+  } else {
+    constexpr double kLeastPause = 1e-3;  // [s]
+    const double passed = arrival - arrival_, ahead = stamp - stamp_;
+    if (ahead < -kBack || ahead > passed + kAhead) {
+      ++steps_;
+      offset_ += std::max(passed, kLeastPause) - ahead;
+    } else if (ahead <= 0.0) {
+      ++repeated_;
+      return {};
+    }
+  }
+  stamp_ = stamp, arrival_ = arrival;
+  return stamp + offset_;
+}
+
+}  // namespace capstan::live

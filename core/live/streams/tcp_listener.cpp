@@ -1,0 +1,89 @@
+#include "core/live/streams/tcp_listener.h"
+
+#include <arpa/inet.h>
+#include <fmt/format.h>
+#include <netinet/in.h>
+#include <poll.h>
+#include <sys/socket.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+
+#include "core/base/error.h"
+
+namespace capstan::live {
+namespace {
+
+constexpr std::size_t kChunk = 1U << 16;
+
+void send(int client, const std::string& line) {
+  (void)::send(client, line.data(), line.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+}
+
+}  // namespace
+
+TcpListener::TcpListener(const Address& address)
+    : listener_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)),
+      name_(fmt::format("tcp://{}:{}", address.host, address.port)) {
+  sockaddr_in at{};
+  at.sin_family = AF_INET;
+  at.sin_port = htons(address.port);
+  inet_pton(AF_INET, address.host.c_str(), &at.sin_addr);
+  socklen_t size = sizeof at;
+  const int yes = 1;
+  auto* const plain = reinterpret_cast<sockaddr*>(&at);
+  if (!listener_.isOpen() || ::setsockopt(listener_.get(), SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes) != 0 ||
+      ::bind(listener_.get(), plain, size) != 0 || ::listen(listener_.get(), 4) != 0 ||
+      ::getsockname(listener_.get(), plain, &size) != 0)
+    throw base::InputError({"",
+                            0,
+                            {},
+                            name_,
+                            std::string("cannot be listened on: ") + std::strerror(errno),
+                            "Choose another port, or end the program that has it"});
+  name_ = fmt::format("tcp://{}:{}", address.host, ntohs(at.sin_port));
+}
+
+ReadState TcpListener::read(std::string& out, std::chrono::milliseconds wait) {
+  std::array<pollfd, 2> polls = {pollfd{listener_.get(), POLLIN, 0}, pollfd{client_.get(), POLLIN, 0}};
+  if (::poll(polls.data(), client_.isOpen() ? 2 : 1, static_cast<int>(wait.count())) <= 0)
+    return ReadState::kNothing;
+  if (client_.isOpen() && polls[1].revents != 0) {
+    const std::size_t before = out.size();
+    out.resize(before + kChunk);
+    const ssize_t count = ::recv(client_.get(), out.data() + before, kChunk, MSG_DONTWAIT);
+    out.resize(before + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+    if (count > 0) return ReadState::kBytes;
+    if (count == 0 || (errno != EAGAIN && errno != EINTR)) {
+      client_.close();
+      return ReadState::kClosed;
+    }
+  }
+  return polls[0].revents != 0 ? accept() : ReadState::kNothing;
+}
+
+ReadState TcpListener::accept() {
+  FileDescriptor caller(::accept4(listener_.get(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
+  if (!caller.isOpen()) return ReadState::kNothing;
+  if (client_.isOpen()) {
+    send(caller.get(), "error: another program is connected\n");
+    return ReadState::kNothing;
+  }
+  client_ = std::move(caller);
+  return ReadState::kOpened;
+}
+
+void TcpListener::refuse(const std::string& reason) {
+  if (!client_.isOpen()) return;
+  send(client_.get(), "error: " + reason + "\n");
+  ::shutdown(client_.get(), SHUT_WR);
+  // Reading what the program has already sent lets the reason reach it: closing with unread bytes resets the
+  // connection.
+  std::array<char, 4096> rest;
+  while (::recv(client_.get(), rest.data(), rest.size(), MSG_DONTWAIT) > 0) {
+  }
+  client_.close();
+}
+
+}  // namespace capstan::live

@@ -1,0 +1,76 @@
+// Robots that send their rows now: standard input and TCP.
+#include <fstream>
+
+#include "tests/app/cli_fixture.h"
+
+namespace capstan::testing {
+namespace {
+
+class CliLive : public Cli {
+ protected:
+  /// A recording of some seconds as a measured table.
+  std::string makeTable() const {
+    EXPECT_EQ(run("simulate --no-images --duration 4 --out " + path("trial.capstan")).exit, 0);
+    EXPECT_EQ(run("convert " + path("trial.capstan") + " " + path("trial.csv")).exit, 0);
+    return path("trial.csv");
+  }
+};
+
+TEST_F(CliLive, RowsOnStandardInputAreTrackedAsAFile) {
+  const std::string table = makeTable();
+  const Ran file = run("track " + table + " --out " + path("file.csv") + " --json -");
+  const Ran piped = run("track --live - --out " + path("live.csv") + " --json - <" + table);
+  ASSERT_EQ(file.exit, 0) << file.err;
+  ASSERT_EQ(piped.exit, 0) << piped.err;
+  EXPECT_EQ(textOf("file.csv"), textOf("live.csv"));
+  json expected = json::parse(file.out), actual = json::parse(piped.out);
+  EXPECT_EQ(actual["title"], "standard input");
+  actual["title"] = expected["title"];
+  EXPECT_EQ(expected, actual);
+}
+
+TEST_F(CliLive, AFaultOnStandardInputNamesItsLine) {
+  const std::string table = makeTable();
+  const Ran faulty = run("track --live - ", "sed '1500s/,[^,]*/,oops/' " + table + " | ");
+  EXPECT_EQ(faulty.exit, 2);
+  EXPECT_NE(faulty.err.find("standard input:1500: q_m1 = oops"), std::string::npos) << faulty.err;
+}
+
+/// `play` is the robot of another process; it waits until the port is open.
+TEST_F(CliLive, ARobotOverTcpIsRecorded) {
+  const std::string table = makeTable();
+  const std::string at = "tcp://127.0.0.1:" + std::to_string(20000 + getpid() % 20000),
+                    program = test::commandLineProgram();
+  const Ran both =
+      runShell("(" + program + " record --live " + at + " --duration 2 --out " + path("live.capstan") +
+               " --json " + path("record.json") + ") & until " + program + " play " + table + " --to " + at +
+               " --fault repeat:0.05; do sleep 0.1; [ -e " + path("record.json") + " ] && break; done; wait");
+  ASSERT_TRUE(fs::exists(path("record.json"))) << both.err;
+  const json record = json::parse(textOf("record.json"));
+  EXPECT_EQ(record["lost"], 0);
+  EXPECT_EQ(record["dropped"], 0);
+  const json side = record["live"][0];
+  EXPECT_EQ(side["clock_steps"], 0);
+  EXPECT_NEAR(side["repeated"], 100, 50);
+  EXPECT_NEAR(record["motor"], 2000, 25);
+  const Ran tracked = run("track " + path("live.capstan") + " --json -");
+  EXPECT_EQ(json::parse(tracked.out)["samples"], record["motor"]);
+}
+
+TEST_F(CliLive, BadAddressesAndFaultsAreRefused) {
+  for (const auto& [arguments, words] :
+       {std::pair{"track --live tcp://robot:5555", "no IPv4 address"},
+        {"track --live tcp://127.0.0.1:5555 trial.csv", "together with FILE"},
+        {"track --live nowhere.yaml", "nowhere.yaml"},
+        {"track --live - --register hard-stop", "read twice"},
+        {"play trial.csv --to rows.fifo", "no TCP address"},
+        {"play trial.csv --to tcp://127.0.0.1:5555 --fault storm", "names no fault"},
+        {"record --live - --out trial.csv", "does not end in .capstan"}}) {
+    const Ran ran = run(arguments, "</dev/null ");
+    EXPECT_EQ(ran.exit, 2) << arguments;
+    EXPECT_NE(ran.err.find(words), std::string::npos) << arguments << ": " << ran.err;
+  }
+}
+
+}  // namespace
+}  // namespace capstan::testing

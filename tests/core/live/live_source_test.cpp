@@ -1,0 +1,208 @@
+/// Rows over real connections of this computer.
+#include "core/live/live_source.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <fstream>
+#include <future>
+
+#include "core/base/error.h"
+#include "core/base/yaml.h"
+#include "core/live/player.h"
+#include "core/live/runner.h"
+#include "core/live/streams/tcp_sender.h"
+#include "core/recording/table_source.h"
+#include "core/tracking/make_pipeline.h"
+#include "core/tracking/side_text.h"
+#include "tests/support/folders.h"
+
+namespace capstan::live {
+namespace {
+
+using namespace std::chrono_literals;
+using State = tracking::SideStatus::State;
+
+recording::MeasuredTable movingTable(int rows, double begin = 0.0) {
+  recording::MeasuredTable table;
+  table.file = "moving";
+  table.q_m.resize(3), table.q.resize(3), table.p_c.resize(3);
+  const robot::Description raven = robot::readDescriptionOrDefault({});
+  for (int k = 0; k < rows; ++k) {
+    const double t = 1e-3 * k;
+    table.t.push_back(begin + t);
+    const double at[] = {80.0 + std::sin(t), -90.0 + std::cos(t), -480.0 + t};
+    for (std::size_t joint = 0; joint < 3; ++joint) {
+      table.q_m[joint].push_back(at[joint]);
+      table.q[joint].push_back(joint == 2 ? 0.34 : 1.0 + 0.01 * t);
+      table.p_c[joint].push_back(std::numeric_limits<double>::quiet_NaN());
+    }
+  }
+  return table;
+}
+
+LiveSetup listening() { return liveSetupOf("tcp://127.0.0.1:0", {}, {}); }
+
+Address addressOf(const LiveSource& source) { return parseAddress(source.sides().front().from, "address"); }
+
+/// Waits until `done` or 5 s have passed.
+template <class Done>
+bool eventually(const Done& done) {
+  for (int k = 0; k < 500; ++k) {
+    if (done()) return true;
+    std::this_thread::sleep_for(10ms);
+  }
+  return false;
+}
+
+PlayOptions atOnce() { return {.speed = 0.0, .faults = {}, .seed = 1}; }
+
+TEST(LiveSource, GivesTheSamplesOfATable) {
+  const recording::MeasuredTable table = movingTable(500);
+  LiveSource source(listening());
+  EXPECT_FALSE(source.ready(10ms));
+  const PlayReport report = playRows(table, addressOf(source), atOnce(), nullptr);
+  EXPECT_EQ(report.sent, 500U);
+  recording::TableSource direct(table, source.info().robot);
+  tracking::Sample live, recorded;
+  while (direct.next(recorded)) {
+    ASSERT_TRUE(source.ready(2s));
+    ASSERT_TRUE(source.next(live));
+    ASSERT_EQ(live.index(), recorded.index());
+    if (const auto* motor = std::get_if<tracking::MotorSample>(&live)) {
+      EXPECT_EQ(motor->t, std::get<tracking::MotorSample>(recorded).t);
+      EXPECT_EQ(motor->position, std::get<tracking::MotorSample>(recorded).position);
+    }
+  }
+  const tracking::SideStatus status = source.sides().front();
+  EXPECT_EQ(status.received, 500U);
+  EXPECT_EQ(status.dropped, 0U);
+}
+
+TEST(LiveSource, NamesASilentSideAndTakesItBack) {
+  LiveSource source(listening());
+  EXPECT_EQ(source.sides().front().state, State::kWaiting);
+  {
+    TcpSender robot(addressOf(source));
+    robot.send(formatMeasuredTable(movingTable(100)));
+    ASSERT_TRUE(eventually([&] { return source.sides().front().state == State::kReceiving; }));
+    ASSERT_TRUE(eventually([&] { return source.sides().front().state == State::kSilent; }));
+    EXPECT_NEAR(source.sides().front().silent_for, tracking::SideStatus::kSilence, 0.1);
+    EXPECT_NE(tracking::shortTextOf(source.sides().front()).find("motors silent for 0.5 s"),
+              std::string::npos);
+  }
+  ASSERT_TRUE(eventually([&] { return source.sides().front().state == State::kWaiting; }));
+  TcpSender again(addressOf(source));
+  again.send(formatMeasuredTable(movingTable(100, 1e9)));
+  ASSERT_TRUE(eventually([&] { return source.sides().front().received == 200; }));
+  EXPECT_EQ(source.sides().front().connections, 2U);
+  double last = -1.0;
+  tracking::Sample sample;
+  while (source.ready(0ms) && source.next(sample)) {
+    const auto* motor = std::get_if<tracking::MotorSample>(&sample);
+    if (!motor) continue;
+    EXPECT_GT(motor->t, last);
+    last = motor->t;
+  }
+  EXPECT_LT(last, 10.0) << "the session's clock goes on, whatever the robot's says";
+}
+
+TEST(LiveSource, RefusesAStrangerWithTheReason) {
+  LiveSource source(listening());
+  TcpSender stranger(addressOf(source));
+  stranger.send("GET / HTTP/1.1\r\nHost: robot\r\n\r\n" + std::string(100, '\n'));
+  std::string answer;
+  ASSERT_TRUE(eventually([&] { return !(answer = stranger.answer()).empty(); }));
+  EXPECT_NE(answer.find("error: "), std::string::npos) << answer;
+  EXPECT_EQ(source.sides().front().state, State::kRefused);
+  EXPECT_TRUE(tracking::needsAttention(source.sides().front()));
+  playRows(movingTable(100), addressOf(source), atOnce(), nullptr);
+  EXPECT_TRUE(eventually([&] { return source.sides().front().received == 100; }))
+      << "the robot may still come";
+}
+
+TEST(LiveSource, TellsASecondProgramThatAnotherIsConnected) {
+  LiveSource source(listening());
+  TcpSender robot(addressOf(source));
+  robot.send(formatMeasuredTable(movingTable(100)));
+  ASSERT_TRUE(eventually([&] { return source.sides().front().received == 100; }));
+  TcpSender second(addressOf(source));
+  std::string answer;
+  ASSERT_TRUE(eventually([&] { return !(answer = second.answer()).empty(); }));
+  EXPECT_EQ(answer, "error: another program is connected\n");
+  EXPECT_EQ(source.sides().front().connections, 1U);
+}
+
+TEST(LiveSource, ReadsAFifoOfSeveralWriters) {
+  const auto path = std::filesystem::temp_directory_path() / ("capstan_fifo_" + std::to_string(getpid()));
+  ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+  {
+    LiveSource source(liveSetupOf(path.string(), {}, {}));
+    for (std::uint64_t writer = 1; writer <= 2; ++writer) {
+      std::ofstream(path) << formatMeasuredTable(movingTable(100, 10.0 * static_cast<double>(writer)));
+      ASSERT_TRUE(eventually([&] { return source.sides().front().received == 100 * writer; }));
+      ASSERT_TRUE(eventually([&] { return source.sides().front().state == State::kWaiting; }));
+    }
+  }
+  std::filesystem::remove(path);
+}
+
+TEST(LiveSource, ArrangesMotorsAndSigns) {
+  LiveSetup setup = listening();
+  setup.motors.motors = {2, 1, 3};
+  setup.motors.signs = {-1.0, 1.0, -1.0};
+  LiveSource source(setup);
+  const recording::MeasuredTable table = movingTable(60);
+  playRows(table, addressOf(source), atOnce(), nullptr);
+  tracking::Sample sample;
+  ASSERT_TRUE(source.ready(2s));
+  ASSERT_TRUE(source.next(sample));
+  EXPECT_EQ(std::get<tracking::MotorSample>(sample).position,
+            Eigen::Vector3d(-table.q_m[1][0], table.q_m[0][0], -table.q_m[2][0]));
+}
+
+/// A runner paces recordings, but takes live samples as they come; commands do not wait for them.
+TEST(LiveSource, RunsInARunner) {
+  auto source = std::make_unique<LiveSource>(listening());
+  const Address address = addressOf(*source);
+  tracking::TrackingPipeline pipeline = tracking::makePipeline(source->info(), {});
+  Runner runner(std::move(source), std::move(pipeline));
+  runner.run();
+  std::promise<void> executed;
+  runner.post([&](tracking::Source&, tracking::TrackingPipeline&) { executed.set_value(); });
+  EXPECT_EQ(executed.get_future().wait_for(2s), std::future_status::ready) << "while nothing comes";
+  playRows(movingTable(300), address, atOnce(), nullptr);
+  ASSERT_TRUE(eventually([&] { return runner.report().motor_samples == 300; }));
+  ASSERT_TRUE(eventually([&] {
+    const auto sides = runner.status().sides;
+    return sides.size() == 1 && sides.front().received == 300;
+  }));
+}
+
+TEST(LiveSetup, FilesAreChecked) {
+  const LiveSetup shown = readLiveSetup(test::sourceFile("resources/live/rows_over_tcp.yaml"));
+  EXPECT_EQ(shown.motors.from, "tcp://127.0.0.1:5555");
+  const auto path =
+      std::filesystem::temp_directory_path() / ("capstan_live_" + std::to_string(getpid()) + ".yaml");
+  const auto faultOf = [&](const std::string& motors) {
+    base::writeTextFile(path, "title: mine\nmotors:\n" + motors);
+    try {
+      readLiveSetup(path);
+    } catch (const base::InputError& error) {
+      EXPECT_EQ(error.fault().file, path.string());
+      return error.fault().key;
+    }
+    return std::string();
+  };
+  EXPECT_EQ(faultOf("  from: tcp://127.0.0.1:5555\n"), "");
+  EXPECT_EQ(faultOf("  from: tcp://nowhere\n"), "motors.from");
+  EXPECT_EQ(faultOf("  from: \"-\"\n  motors: [1, 1, 2]\n"), "motors.motors");
+  EXPECT_EQ(faultOf("  from: \"-\"\n  signs: [1, 0.5, 1]\n"), "motors.signs");
+  EXPECT_EQ(faultOf("  from: \"-\"\n  read_as: q_m=parsec\n"), "motors.read_as");
+  EXPECT_EQ(faultOf("  form: \"-\"\n"), "motors.form");
+  std::filesystem::remove(path);
+}
+
+}  // namespace
+}  // namespace capstan::live

@@ -1,0 +1,165 @@
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "core/base/error.h"
+#include "core/live/play_faults.h"
+#include "core/live/streams/address.h"
+#include "core/live/streams/row_parser.h"
+#include "core/live/streams/row_times.h"
+
+namespace capstan::live {
+namespace {
+
+TEST(Address, NamesStandardInputFilesAndPorts) {
+  EXPECT_EQ(parseAddress("-", "--live").kind, Address::Kind::kStandardInput);
+  EXPECT_EQ(parseAddress("rows.fifo", "--live").path, "rows.fifo");
+  const Address tcp = parseAddress("tcp://localhost:5555", "--live");
+  EXPECT_EQ(tcp.host, "127.0.0.1");
+  EXPECT_EQ(tcp.port, 5555);
+  for (const char* wrong : {"", "tcp://127.0.0.1", "tcp://robot:5555", "tcp://127.0.0.1:99999",
+                            "tcp://127.0.0.1:", "tcp://127.0.0.1:5x", "udp://127.0.0.1:5"})
+    try {
+      parseAddress(wrong, "--live");
+      ADD_FAILURE() << wrong;
+    } catch (const base::InputError& error) {
+      EXPECT_EQ(error.fault().key, "--live");
+      EXPECT_EQ(error.fault().value, wrong);
+    }
+}
+
+std::string rowsFrom(int first, int count) {
+  std::string text;
+  for (int k = first; k < first + count; ++k) text += std::to_string(1e-3 * k) + ",80,-90,-480\n";
+  return text;
+}
+constexpr const char* kHeader = "t,q_m1,q_m2,q_m3\n";
+
+TEST(RowParser, GivesWholeLinesInPieces) {
+  RowParser parser("rows", robot::readDescriptionOrDefault({}), {});
+  parser.add(kHeader);
+  parser.add(rowsFrom(0, 49));
+  EXPECT_FALSE(parser.take(false)) << "units are judged by 50 rows";
+  parser.add(rowsFrom(49, 2) + "0.05");
+  auto first = parser.take(false);
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->rows(), 51U);
+  parser.add("1,81,-90,-480\n");
+  auto second = parser.take(false);
+  ASSERT_TRUE(second);
+  EXPECT_EQ(second->rows(), 1U);
+  EXPECT_EQ(second->t.front(), 0.051);
+  EXPECT_EQ(second->q_m[0].front(), 81.0);
+  parser.add("0.052,82,-90,-480");
+  EXPECT_FALSE(parser.take(false));
+  EXPECT_EQ(parser.take(true)->rows(), 1U) << "the last line of a stream that has ended";
+}
+
+TEST(RowParser, FaultsNameTheLineOfTheStream) {
+  RowParser parser("rows", robot::readDescriptionOrDefault({}), {});
+  parser.add(kHeader + rowsFrom(0, 60));
+  ASSERT_TRUE(parser.take(false));
+  parser.add("0.060,80,oops,-480\n");
+  try {
+    parser.take(false);
+    FAIL();
+  } catch (const base::InputError& error) {
+    EXPECT_EQ(error.fault().file, "rows");
+    EXPECT_EQ(error.fault().line, 62);
+    EXPECT_EQ(error.fault().value, "oops");
+  }
+}
+
+TEST(RowParser, RefusesALineWithoutAnEnd) {
+  RowParser parser("rows", robot::readDescriptionOrDefault({}), {});
+  parser.add(std::string(RowParser::kLongestLine + 1, 'x'));
+  EXPECT_THROW(parser.take(false), base::InputError);
+}
+
+/// Whatever a stranger sends becomes rows or an error.
+TEST(RowParser, TakesNoHarmFromMutatedStreams) {
+  const std::string whole = kHeader + rowsFrom(0, 80);
+  std::mt19937 random(3);
+  const auto below = [&](std::size_t n) {
+    return std::uniform_int_distribution<std::size_t>(0, n - 1)(random);
+  };
+  int refused = 0, taken = 0;
+  for (int k = 0; k < 10000; ++k) {
+    std::string bytes = whole;
+    for (std::size_t change = 0; change <= below(4); ++change) switch (below(4)) {
+        case 0:
+          bytes[below(bytes.size())] = static_cast<char>(below(256));
+          break;
+        case 1:
+          bytes.resize(1 + below(bytes.size()));
+          break;
+        case 2:
+          bytes.insert(below(bytes.size()), std::string(below(200), static_cast<char>(below(256))));
+          break;
+        default:
+          bytes.erase(below(bytes.size()), below(50));
+          if (bytes.empty()) bytes = "t";
+      }
+    RowParser parser("stranger", robot::readDescriptionOrDefault({}), {});
+    try {
+      for (std::size_t at = 0; at < bytes.size(); at += 100) {
+        parser.add(std::string_view(bytes).substr(at, 100));
+        if (const auto rows = parser.take(at + 100 >= bytes.size())) {
+          ++taken;
+          ASSERT_LE(rows->rows(), 400U);
+        }
+      }
+    } catch (const base::InputError& error) {
+      ++refused;
+      ASSERT_EQ(error.fault().file, "stranger");
+    }
+  }
+  EXPECT_GT(refused, 2000);
+  EXPECT_GT(taken, 2000);
+}
+
+TEST(RowTimes, GoOnWhereTheRowsClockSteps) {
+  RowTimes times;
+  EXPECT_EQ(times.of(100.0, 5.0), 0.0);
+  EXPECT_NEAR(*times.of(100.001, 5.001), 0.001, 1e-12);
+  EXPECT_FALSE(times.of(100.001, 5.002)) << "repeated";
+  EXPECT_FALSE(times.of(100.0005, 5.002)) << "late";
+  EXPECT_NEAR(*times.of(99.5, 5.003), 0.003, 1e-9) << "back by half a second";
+  EXPECT_NEAR(*times.of(99.501, 5.004), 0.004, 1e-9);
+  EXPECT_NEAR(*times.of(7000.0, 5.014), 0.014, 1e-9) << "far ahead";
+  EXPECT_NEAR(*times.of(7002.0, 7.014), 2.014, 1e-9) << "a pause of two seconds is none";
+  EXPECT_EQ(times.steps(), 2U);
+  EXPECT_EQ(times.repeated(), 2U);
+}
+
+TEST(PlayFault, ParsesItsForms) {
+  const PlayFault silence = parsePlayFault("silence:2@10", "--fault");
+  EXPECT_EQ(silence.kind, PlayFault::Kind::kSilence);
+  EXPECT_EQ(silence.amount, 2.0);
+  EXPECT_EQ(silence.time, 10.0);
+  EXPECT_EQ(parsePlayFault("step:-0.5@3", "--fault").amount, -0.5);
+  EXPECT_EQ(parsePlayFault("garbage@3", "--fault").time, 3.0);
+  for (const char* wrong : {"drop", "drop:2", "drop:x", "silence:2", "silence@2", "jitter:0.1@2", "storm:1",
+                            "", "drop:-0.1", "garbage:1@2", "silence:1@-2"})
+    EXPECT_THROW(parsePlayFault(wrong, "--fault"), base::InputError) << wrong;
+}
+
+TEST(FaultyRows, SendWhatTheFaultsLeave) {
+  FaultyRows rows({parsePlayFault("silence:0.1@0.2", ""), parsePlayFault("freeze:0.1@0.5", ""),
+                   parsePlayFault("step:0.5@0.8", ""), parsePlayFault("garbage@0.9", "")},
+                  1);
+  int garbage = 0;
+  for (std::size_t k = 0; k < 1000; ++k) {
+    const double t = 3.0 + 1e-3 * static_cast<double>(k), now = t - 3.0;
+    const auto sent = rows.next(k, t, 3.0);
+    ASSERT_EQ(sent.has_value(), !(now >= 0.2 && now < 0.3)) << now;
+    if (!sent) continue;
+    EXPECT_EQ(sent->row, now >= 0.5 && now < 0.6 ? 500U : k);
+    EXPECT_EQ(sent->stamp, now >= 0.8 ? t + 0.5 : t);
+    garbage += sent->garbage;
+  }
+  EXPECT_EQ(garbage, 1);
+}
+
+}  // namespace
+}  // namespace capstan::live
