@@ -329,7 +329,7 @@ void MainWindow::askExport() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::exportFigure);
-  dialog->show();
+  dialog->open();
 }
 
 void MainWindow::exportFigure(const QString& base) {

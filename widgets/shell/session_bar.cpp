@@ -158,7 +158,7 @@ void SessionBar::askFolder() {
   dialog->setFileMode(QFileDialog::Directory);
   dialog->setOption(QFileDialog::ShowDirsOnly);
   connect(dialog, &QFileDialog::fileSelected, this, &SessionBar::chooseRecordingFolder);
-  dialog->show();
+  dialog->open();
 }
 
 void SessionBar::chooseRecordingFolder(const QString& folder) {

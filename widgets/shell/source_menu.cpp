@@ -40,7 +40,7 @@ void SourceMenu::askFile() {
   dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, this,
           [this](const QString& file) { Q_EMIT chosen(SourceChoice::ofFile(file)); });
-  dialog->show();
+  dialog->open();
 }
 
 void SourceMenu::askLive() {
@@ -54,7 +54,7 @@ void SourceMenu::askLive() {
     live_ = text.trimmed();
     Q_EMIT chosen(SourceChoice::ofLive(live_));
   });
-  dialog->show();
+  dialog->open();
 }
 
 void SourceMenu::remember(const SourceChoice& choice) {

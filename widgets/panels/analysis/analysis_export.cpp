@@ -32,7 +32,7 @@ void AnalysisPanel::askExport(const PaperSize& size) {
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   connect(dialog, &QFileDialog::fileSelected, this,
           [this, size](const QString& base) { exportTo(base, size); });
-  dialog->show();
+  dialog->open();
 }
 
 void AnalysisPanel::exportTo(const QString& base, PaperSize size) {
@@ -81,7 +81,7 @@ void AnalysisPanel::askExportAll() {
   dialog->setFileMode(QFileDialog::Directory);
   dialog->setOption(QFileDialog::ShowDirsOnly);
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& folder) { exportAllTo(folder); });
-  dialog->show();
+  dialog->open();
 }
 
 void AnalysisPanel::exportAllTo(const QString& folder, PaperSize size) {

@@ -152,7 +152,7 @@ void RunPicker::ask(Kind kind) {
     if (kind == Kind::kRecording) choice.robot = choice_.robot;
     choose(choice);
   });
-  dialog->show();
+  dialog->open();
 }
 
 void RunPicker::askRobot() {
@@ -165,7 +165,7 @@ void RunPicker::askRobot() {
     choice.robot = QFileInfo(path).absoluteFilePath();
     choose(choice);
   });
-  dialog->show();
+  dialog->open();
 }
 
 QString RunPicker::words() const {

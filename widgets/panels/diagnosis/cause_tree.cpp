@@ -131,8 +131,10 @@ void CauseTree::fill() {
     folded_->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
     while (next < causes_.size()) addCause(folded_, next++);
   }
+  const bool small_only = !first && folded_;  // then the small ones are all there is to see
+  if (small_only) first = folded_->child(0);
   expandAll();
-  setUnfolded(unfolded_);
+  setUnfolded(unfolded_ || small_only);
   setCurrentItem(first);
 }
 

@@ -223,7 +223,7 @@ void DiagnosisPanel::askFile() {
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix("yaml");
   connect(dialog, &QFileDialog::fileSelected, this, &DiagnosisPanel::saveRobot);
-  dialog->show();
+  dialog->open();
 }
 
 void DiagnosisPanel::saveRobot(const QString& path) {
@@ -240,7 +240,7 @@ void DiagnosisPanel::askTrajectory() {
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix("csv");
   connect(dialog, &QFileDialog::fileSelected, this, &DiagnosisPanel::saveTrajectory);
-  dialog->show();
+  dialog->open();
 }
 
 void DiagnosisPanel::saveTrajectory(const QString& path) {
@@ -255,7 +255,7 @@ void DiagnosisPanel::askFolder() {
   dialog->setFileMode(QFileDialog::Directory);
   dialog->setOption(QFileDialog::ShowDirsOnly);
   connect(dialog, &QFileDialog::fileSelected, this, &DiagnosisPanel::exportTo);
-  dialog->show();
+  dialog->open();
 }
 
 void DiagnosisPanel::exportTo(const QString& folder) {

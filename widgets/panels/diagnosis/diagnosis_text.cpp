@@ -64,7 +64,9 @@ QString headlineOf(const diagnosis::Report& report) {
     case Verdict::kNothing:
       break;
   }
-  return QObject::tr("Nothing material");
+  if (report.also_measurable.empty()) return QObject::tr("Nothing material");
+  return QObject::tr("Nothing above the tolerance; measurable: %1")
+      .arg(namesOf(report.also_measurable, report.extended).join(QStringLiteral("; ")));
 }
 
 QString channelTitle(const diagnosis::Report& report, const diagnosis::ChannelReport& channel) {

@@ -81,15 +81,21 @@ void HypothesisCard::showEffect(const std::string& effect, const QString& place,
 }
 
 void HypothesisCard::showRemains(const diagnosis::Report& report) {
+  const bool nothing = report.verdict == diagnosis::Verdict::kNothing && report.also_measurable.empty();
   QString html = heading(report.verdict == diagnosis::Verdict::kUnexplained ? tr("What remains")
-                                                                            : tr("No cause to show"));
+                         : nothing                                          ? tr("No cause to show")
+                                   : tr("No cause above the tolerance"));
   for (const diagnosis::ResidualProcess& process : report.processes)
     if (process.end == diagnosis::ProcessEnd::kDone) html += paragraph({}, processWords(process));
   for (const diagnosis::SpectralLine& line : report.lines)
     html += paragraph({}, lineWords(line, unitOf(report, line.channel)));
-  if (report.verdict == diagnosis::Verdict::kNothing)
+  if (nothing)
     html += paragraph({}, tr("The refitted model explains these recordings as well as a model with any "
                              "hypothesis. The signatures below show the residual."));
+  else if (report.verdict == diagnosis::Verdict::kNothing)
+    html += paragraph(
+        {}, tr("The effects listed as also measurable are in the recordings, and move the joints by "
+               "less than the tolerance. With a smaller tolerance they are causes."));
   show(html);
 }
 

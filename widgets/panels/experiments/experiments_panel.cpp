@@ -101,7 +101,7 @@ void ExperimentsPanel::askFolder() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::Directory);
   connect(dialog, &QFileDialog::fileSelected, this, &ExperimentsPanel::exportTo);
-  dialog->show();
+  dialog->open();
 }
 
 void ExperimentsPanel::exportTo(const QString& folder) {

@@ -262,7 +262,7 @@ void IdentificationPanel::askFile() {
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix("yaml");
   connect(dialog, &QFileDialog::fileSelected, this, &IdentificationPanel::saveRobot);
-  dialog->show();
+  dialog->open();
 }
 
 void IdentificationPanel::saveRobot(const QString& path) {

@@ -193,7 +193,7 @@ void LearningPanel::askFolder() {
   dialog->setFileMode(QFileDialog::Directory);
   dialog->setOption(QFileDialog::ShowDirsOnly);
   connect(dialog, &QFileDialog::fileSelected, this, &LearningPanel::exportTo);
-  dialog->show();
+  dialog->open();
 }
 
 void LearningPanel::exportTo(const QString& folder) {
@@ -215,7 +215,7 @@ void LearningPanel::askModel() {
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix("correction");
   connect(dialog, &QFileDialog::fileSelected, this, &LearningPanel::saveModel);
-  dialog->show();
+  dialog->open();
 }
 
 void LearningPanel::saveModel(const QString& path) {

@@ -89,7 +89,7 @@ QFileDialog* FilePicker::ask(const QString& title, const QStringList& beside, co
       new QFileDialog(this, title, beside.isEmpty() ? QString() : QFileInfo(beside.back()).path(), filter);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(mode);
-  dialog->show();
+  dialog->open();
   return dialog;
 }
 
