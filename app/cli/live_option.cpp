@@ -37,6 +37,8 @@ nlohmann::json jsonOf(const std::vector<tracking::SideStatus>& sides) {
                    {"received", side.received},
                    {"repeated", side.repeated},
                    {"dropped", side.dropped},
+                   {"unpaired", side.unpaired},
+                   {"frozen", side.frozen},
                    {"connections", side.connections},
                    {"clock_steps", side.clock_steps},
                    {"offset", side.offset},

@@ -11,20 +11,10 @@
 #include "core/tracking/make_pipeline.h"
 #include "core/tracking/track_all.h"
 #include "core/vision/registration.h"
+#include "core/vision/registration_file.h"
 
 namespace capstan::cli {
 namespace {
-
-struct RegistrationFile {
-  Eigen::Vector3d translation = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
-
-  template <class Self, class Visitor>
-  static void visit(Self& self, Visitor&& field) {
-    field(self.translation, {"translation", "m", "translation of base_from_camera", {-100.0, 100.0}});
-    field(self.rotation, {"rotation", "", "rotation of base_from_camera, by rows", {-1.0, 1.0}});
-  }
-};
 
 /// Tracks the recording without a registration and calls `each` with every snapshot.
 template <class Each>
@@ -50,7 +40,7 @@ Eigen::Isometry3d atHardStop(const std::string& mounting, const SourceFactory& o
     refuseOption("--register", "hard-stop", "the recording holds no images",
                  "Give a recording with images, or --register kinematics or a file");
   std::optional<Eigen::Isometry3d> known = info.base_from_camera;
-  if (!mounting.empty()) known = readRegistration(mounting);
+  if (!mounting.empty()) known = vision::readRegistration(mounting);
   registration::RegistrationGuide guide(info.robot, info.rig);
   guide.start(known);
   runUnregistered(open, options, [&](const tracking::Snapshot& snapshot) {
@@ -96,24 +86,7 @@ Eigen::Isometry3d registerBy(const std::string& method, const std::string& mount
   if (method == "hard-stop") return atHardStop(mounting, open, options, message);
   if (method == "kinematics") return againstKinematics(open, options, message);
   message = "registered by " + method;
-  return readRegistration(method);
-}
-
-Eigen::Isometry3d readRegistration(const std::string& file) {
-  const auto fields = base::readYamlFile<RegistrationFile>(file);
-  const double far = (fields.rotation * fields.rotation.transpose() - Eigen::Matrix3d::Identity()).norm();
-  if (!(far < 1e-6) || fields.rotation.determinant() < 0.0)
-    throw base::InputError(
-        {file, 0, "rotation", {}, "is no rotation matrix", "Give one whose rows are orthonormal"});
-  Eigen::Isometry3d base_from_camera = Eigen::Isometry3d::Identity();
-  base_from_camera.linear() = fields.rotation;
-  base_from_camera.translation() = fields.translation;
-  return base_from_camera;
-}
-
-void writeRegistration(const Eigen::Isometry3d& base_from_camera, const std::string& file) {
-  base::writeTextFile(
-      file, base::writeYaml(RegistrationFile{base_from_camera.translation(), base_from_camera.linear()}));
+  return vision::readRegistration(method);
 }
 
 }  // namespace capstan::cli

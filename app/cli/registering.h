@@ -22,8 +22,4 @@ Eigen::Isometry3d registerBy(const std::string& method, const std::string& mount
                              const SourceFactory& open, const tracking::TrackingOptions& options,
                              std::string& message);
 
-/// Read and write base_from_camera as YAML: translation [m] and rotation (rows). Throw base::InputError.
-Eigen::Isometry3d readRegistration(const std::string& file);
-void writeRegistration(const Eigen::Isometry3d& base_from_camera, const std::string& file);
-
 }  // namespace capstan::cli

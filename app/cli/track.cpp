@@ -20,6 +20,7 @@
 #include "core/live/motor_failures.h"
 #include "core/live/occluded_source.h"
 #include "core/tracking/make_pipeline.h"
+#include "core/vision/registration_file.h"
 
 namespace capstan::cli {
 namespace {
@@ -129,7 +130,7 @@ ExitCode track(TrackArguments& arguments, const CLI::App& command) {
     refuseOption("--save-registration", arguments.save_registration, "has no registration to write",
                  "Find one with --register");
   if (!arguments.save_registration.empty())
-    writeRegistration(*info.base_from_camera, arguments.save_registration);
+    vision::writeRegistration(*info.base_from_camera, arguments.save_registration);
 
   noticeLate(failures, info);
   tracking::TrackingPipeline pipeline = tracking::makePipeline(info, options);

@@ -29,6 +29,9 @@ void check(const LiveSetup& setup, const std::string& file) {
     if (std::abs(sign) != 1.0)
       refuse(file, "motors.signs", base::yamlText(sign), "is no sign", "Give 1 or -1");
   parseAddress(setup.motors.from, "motors.from");
+  if (setup.cameras && (setup.cameras->layout == CameraLayout::kTwo) == setup.cameras->right.empty())
+    refuse(file, "cameras.right", setup.cameras->right, "does not fit the layout",
+           "Give two streams for the layout two, one (as left) for side_by_side and top_bottom");
   recording::parseReadAs(setup.motors.read_as, "motors.read_as");
 }
 
@@ -39,13 +42,17 @@ bool isFifo(const std::string& path) { return std::filesystem::is_fifo(path); }
 LiveSetup readLiveSetup(const std::filesystem::path& path) {
   auto setup = base::readYamlFile<LiveSetup>(path);
   base::namingFile(path.string(), [&] { check(setup, path.string()); });
-  if (!setup.robot.empty()) setup.robot = (path.parent_path() / setup.robot).string();
+  const auto beside = [&](std::string& file) {
+    if (!file.empty()) file = (path.parent_path() / file).string();
+  };
+  beside(setup.robot);
+  if (setup.cameras) beside(setup.cameras->calibration), beside(setup.cameras->registration);
   return setup;
 }
 
 LiveSetup liveSetupOf(const std::string& text, const std::string& robot, const std::string& read_as) {
   if (isAddress(text) || isFifo(text)) {
-    LiveSetup setup{.title = text == "-" ? "standard input" : text, .robot = robot, .motors = {}};
+    LiveSetup setup{.title = text == "-" ? "standard input" : text, .robot = robot, .motors = {}, .cameras = {}};
     setup.motors.from = text, setup.motors.read_as = read_as;
     check(setup, {});
     return setup;

@@ -2,9 +2,11 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "core/base/field.h"
+#include "core/base/names.h"
 
 namespace capstan::live {
 
@@ -28,11 +30,49 @@ struct RowsSetup {
   bool operator==(const RowsSetup&) const = default;
 };
 
+enum class CameraLayout {
+  kTwo,         ///< two streams
+  kSideBySide,  ///< left | right in each image of one stream
+  kTopBottom,   ///< left above right in each image of one stream
+};
+
+/// Camera side: V4L2 devices, network streams or video files.
+struct CamerasSetup {
+  std::string left, right;
+  CameraLayout layout = CameraLayout::kTwo;
+  std::string calibration, registration;
+  double latency = 0.0, pairing = 0.012, rate = 0.0;
+  int width = 0, height = 0;
+  std::optional<double> exposure, gain, white_balance, focus;
+
+  template <class Self, class Visitor>
+  static void visit(Self& self, Visitor&& field) {
+    field(self.left, {"left", "", "device (/dev/video0), network stream (rtsp://…) or video file"});
+    field(self.right, {"right", "", "the same for the right camera; none if one stream has both", {}, false});
+    field(self.layout, {"layout", "", "two, side_by_side or top_bottom", {}, false});
+    field(self.calibration, {"calibration", "", "folder with left.yaml and right.yaml (ROS camera_info)"});
+    field(self.registration, {"registration", "", "registration file; none: register first", {}, false});
+    field(self.latency, {"latency", "s", "from exposure to arrival", {0.0, 2.0}, false});
+    field(self.pairing, {"pairing", "s", "largest time between two images of a pair", {0.0, 1.0}, false});
+    field(self.rate,
+          {"rate", "1/s", "images per second to ask for; 0: the device's own", {0.0, 1000.0}, false});
+    field(self.width, {"width", "px", "of each stream's images; 0: the device's own", {0.0, 16384.0}, false});
+    field(self.height,
+          {"height", "px", "of each stream's images; 0: the device's own", {0.0, 16384.0}, false});
+    field(self.exposure, {"exposure", "", "in the device's units; none: automatic", {}, false});
+    field(self.gain, {"gain", "", "in the device's units; none: as it is", {}, false});
+    field(self.white_balance, {"white_balance", "K", "colour temperature; none: automatic", {}, false});
+    field(self.focus, {"focus", "", "in the device's units; none: automatic", {}, false});
+  }
+  bool operator==(const CamerasSetup&) const = default;
+};
+
 /// A robot to connect to; files are in resources/live.
 struct LiveSetup {
   std::string title;
   std::string robot;  ///< path of the robot file; empty: the left RAVEN-II
   RowsSetup motors;
+  std::optional<CamerasSetup> cameras;
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& field) {
@@ -41,6 +81,7 @@ struct LiveSetup {
         self.robot,
         {"robot", "", "robot file, beside this file or with its whole path; none: left RAVEN-II", {}, false});
     field(self.motors, {"motors", "", "where motor positions come from"});
+    field(self.cameras, {"cameras", "", "where images come from; none: no images", {}, false});
   }
   bool operator==(const LiveSetup&) const = default;
 };
@@ -54,3 +95,10 @@ LiveSetup readLiveSetup(const std::filesystem::path& path);
 LiveSetup liveSetupOf(const std::string& text, const std::string& robot, const std::string& read_as);
 
 }  // namespace capstan::live
+
+template <>
+struct capstan::base::NamesOf<capstan::live::CameraLayout> {
+  using L = capstan::live::CameraLayout;
+  static constexpr std::array value = {std::pair{L::kTwo, "two"}, std::pair{L::kSideBySide, "side_by_side"},
+                                       std::pair{L::kTopBottom, "top_bottom"}};
+};

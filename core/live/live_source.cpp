@@ -4,6 +4,8 @@
 
 #include "core/live/streams/address.h"
 #include "core/tracking/arrival.h"
+#include "core/vision/cover_image.h"
+#include "core/vision/registration_file.h"
 
 namespace capstan::live {
 namespace {
@@ -13,6 +15,7 @@ constexpr std::size_t kCapacity = 60000;  // samples: 20 s of 1 kHz with joint e
 }  // namespace
 
 LiveSource::LiveSource(const LiveSetup& setup) : setup_(setup.motors), queue_(kCapacity) {
+  if (setup.cameras) readCameras(*setup.cameras);
   const Address address = parseAddress(setup.motors.from, "motors.from");
   const bool piped = address.kind == Address::Kind::kStandardInput;
   info_.title = setup.title;
@@ -24,11 +27,26 @@ LiveSource::LiveSource(const LiveSetup& setup) : setup_(setup.motors), queue_(kC
                    recording::parseReadAs(setup.motors.read_as, "motors.read_as"));
   rows_ = std::make_unique<RowSide>(std::move(stream), std::move(parser), info_.robot,
                                     piped ? RowSide::Faults::kEnd : RowSide::Faults::kDisconnect, queue_);
+  if (setup.cameras)
+    cameras_ = std::make_unique<CameraSide>(
+        *setup.cameras, [this](CameraSide::Clock::time_point at) { return rows_->sessionTime(at); }, queue_);
   if (!piped) return;
   const RowFacts facts = rows_->waitForFirst();
   info_.reference = facts.reference;
   info_.begin = facts.begin;
   info_.notices = facts.notices;
+}
+
+void LiveSource::readCameras(const CamerasSetup& setup) {
+  const std::filesystem::path folder = setup.calibration;
+  info_.rig = vision::readStereoRig(folder / "left.yaml", folder / "right.yaml");
+  if (!setup.registration.empty()) info_.base_from_camera = vision::readRegistration(setup.registration);
+}
+
+std::vector<tracking::SideStatus> LiveSource::sides() const {
+  std::vector<tracking::SideStatus> sides{rows_->status()};
+  if (cameras_) sides.push_back(cameras_->status());
+  return sides;
 }
 
 bool LiveSource::next(tracking::Sample& out) {
@@ -40,9 +58,15 @@ bool LiveSource::next(tracking::Sample& out) {
   if (!begin_) begin_ = t;
   if (duration_ > 0.0 && t - *begin_ > duration_) return false;
   if (auto* motor = std::get_if<tracking::MotorSample>(&out)) arrange(*motor);
-  if (auto* tip = std::get_if<tracking::TipSample>(&out); tip && blocked_)
+  if (auto* tip = std::get_if<tracking::TipSample>(&out); tip && (left_blocked_ || right_blocked_))
     tip->position.setConstant(std::numeric_limits<double>::quiet_NaN());
+  if (auto* frame = std::get_if<tracking::StereoFrame>(&out)) cover(*frame);
   return true;
+}
+
+void LiveSource::cover(tracking::StereoFrame& frame) const {
+  if (left_blocked_ && !frame.left.empty()) vision::coverImage(frame.left, frame.t, 0);
+  if (right_blocked_ && !frame.right.empty()) vision::coverImage(frame.right, frame.t, 1);
 }
 
 void LiveSource::arrange(tracking::MotorSample& sample) const {

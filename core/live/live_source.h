@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include "core/live/camera_side.h"
 #include "core/live/live_setup.h"
 #include "core/live/row_side.h"
 #include "core/live/sample_queue.h"
@@ -25,19 +26,22 @@ class LiveSource final : public tracking::Source {
   bool next(tracking::Sample& out) override;
   bool ready(std::chrono::milliseconds wait) override { return queue_.ready(wait); }
   void discard() override { queue_.clear(); }
-  void block(bool left, bool right) override { blocked_ = left || right; }
-  std::vector<tracking::SideStatus> sides() const override { return {rows_->status()}; }
+  void block(bool left, bool right) override { left_blocked_ = left, right_blocked_ = right; }
+  std::vector<tracking::SideStatus> sides() const override;
 
  private:
+  void readCameras(const CamerasSetup& setup);
+  void cover(tracking::StereoFrame& frame) const;
   void arrange(tracking::MotorSample& sample) const;
 
   RowsSetup setup_;
   tracking::SourceInfo info_;
   SampleQueue queue_;
   std::unique_ptr<RowSide> rows_;
+  std::unique_ptr<CameraSide> cameras_;  ///< null: none; ends before rows_, whose clock it uses
   double duration_ = 0.0;
   std::optional<double> begin_;
-  bool blocked_ = false;
+  bool left_blocked_ = false, right_blocked_ = false;
 };
 
 }  // namespace capstan::live

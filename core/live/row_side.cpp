@@ -41,6 +41,12 @@ tracking::SideStatus RowSide::status() const {
   return status;
 }
 
+std::optional<double> RowSide::sessionTime(Clock::time_point at) const {
+  const std::lock_guard lock(mutex_);
+  if (status_.received == 0) return {};
+  return clock_.toDevice(std::chrono::duration<double>(at - start_).count());
+}
+
 void RowSide::work() {
   std::string bytes;
   try {
@@ -94,10 +100,9 @@ void RowSide::pass(recording::MeasuredTable table) {
   } else {
     std::vector<bool> keep;
     for (double& t : table.t) {
-      const double stamp = t;
-      const auto time = times_.of(stamp, arrival);
+      const auto time = times_.of(t, arrival);
       keep.push_back(time.has_value());
-      if (time) t = *time, clock_.add(stamp, arrival);
+      if (time) t = *time;
     }
     recording::keepRows(table, keep);
   }
@@ -115,6 +120,7 @@ void RowSide::pass(recording::MeasuredTable table) {
       ++dropped;
   }
   const std::lock_guard lock(mutex_);
+  for (const double t : table.t) clock_.add(t, arrival);
   status_.state = State::kReceiving;
   status_.fault.clear();
   status_.received += table.rows();

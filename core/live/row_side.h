@@ -43,6 +43,8 @@ class RowSide {
   /// Throws the fault that has ended the stream, if there was one.
   void rethrow() const;
   tracking::SideStatus status() const;
+  /// Time on the session's clock at a time of this computer; nothing before the first rows.
+  std::optional<double> sessionTime(std::chrono::steady_clock::time_point at) const;
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -61,13 +63,13 @@ class RowSide {
   SampleQueue& queue_;
   const Clock::time_point start_ = Clock::now();
   RowTimes times_;
-  ClockMap clock_;
   std::promise<RowFacts> first_;
   bool first_known_ = false, ended_ = false;
   std::atomic<bool> quit_{false};
 
   mutable std::mutex mutex_;  ///< protects the members below
   tracking::SideStatus status_;
+  ClockMap clock_;             ///< from the session's clock to this computer's
   double last_arrival_ = 0.0;  ///< [s] after start_
   std::exception_ptr fault_;
 

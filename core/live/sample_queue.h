@@ -13,12 +13,14 @@ namespace capstan::live {
 /// Samples on their way from the sides of a live source to tracking, in order of arrival.
 class SampleQueue {
  public:
-  explicit SampleQueue(std::size_t capacity) : capacity_(capacity) {}
+  /// `capacity`: number of samples; `frames`: number of pairs of images among them.
+  explicit SampleQueue(std::size_t capacity, std::size_t frames = 16)
+      : capacity_(capacity), frame_capacity_(frames) {}
 
   /// False: the queue is full, and the sample is lost.
   bool offer(tracking::Sample&& sample) {
     const std::lock_guard lock(mutex_);
-    if (samples_.size() >= capacity_) return false;
+    if (samples_.size() >= capacity_ || (isFrame(sample) && frames_ >= frame_capacity_)) return false;
     push(std::move(sample));
     return true;
   }
@@ -39,6 +41,7 @@ class SampleQueue {
   void clear() {
     const std::lock_guard lock(mutex_);
     samples_.clear();
+    frames_ = 0;
     room_.notify_all();
   }
 
@@ -54,17 +57,23 @@ class SampleQueue {
     if (samples_.empty()) return false;
     out = std::move(samples_.front());
     samples_.pop_front();
+    frames_ -= isFrame(out);
     room_.notify_one();
     return true;
   }
 
  private:
+  static bool isFrame(const tracking::Sample& sample) {
+    return std::holds_alternative<tracking::StereoFrame>(sample);
+  }
   void push(tracking::Sample&& sample) {
+    frames_ += isFrame(sample);
     samples_.push_back(std::move(sample));
     come_.notify_one();
   }
 
-  const std::size_t capacity_;
+  const std::size_t capacity_, frame_capacity_;
+  std::size_t frames_ = 0;
   std::mutex mutex_;
   std::condition_variable come_, room_;
   std::deque<tracking::Sample> samples_;

@@ -42,6 +42,8 @@ std::string textOf(const SideStatus& side) {
       side.name, base::nameOf(side.state), side.from, counted(side.received, "row"), side.repeated,
       side.dropped, counted(side.connections, "connection"), counted(side.clock_steps, "clock step"),
       side.offset, side.offset_sigma, 1e6 * side.drift, 1e6 * side.drift_sigma, 1e3 * side.mean_delay);
+  if (side.unpaired + side.frozen > 0)
+    text += fmt::format("; {} unpaired, {} frozen", side.unpaired, side.frozen);
   if (!side.fault.empty()) text += "; refused: " + side.fault;
   return text;
 }

@@ -47,6 +47,8 @@ struct SideStatus {
   std::uint64_t received = 0;     ///< number of rows or frames taken
   std::uint64_t repeated = 0;     ///< excluded, since their stamps did not rise
   std::uint64_t dropped = 0;      ///< excluded, since tracking was too slow
+  std::uint64_t unpaired = 0;     ///< images excluded, since the other camera gave none at their time
+  std::uint64_t frozen = 0;       ///< images that equal the one before
   std::uint64_t connections = 0;  ///< number of times that a program has connected
   std::uint64_t clock_steps = 0;  ///< jumps of the device's clock
   double offset = 0.0, offset_sigma = 0.0;  ///< session's clock − device's clock [s]

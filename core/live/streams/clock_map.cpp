@@ -84,6 +84,9 @@ void ClockMap::fit() {
 }
 
 double ClockMap::toSession(double stamp) const { return stamp + line(stamp); }
+double ClockMap::toDevice(double session) const {
+  return origin_ + (session - origin_ - level_) / (1.0 + slope_);
+}
 double ClockMap::offset() const { return line(newest_); }
 
 /// The smallest of n / 2 exponential delays of mean m exceeds zero by 2 m / n in the mean, and has this

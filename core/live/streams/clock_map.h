@@ -16,8 +16,9 @@ class ClockMap {
   /// of the last kStepTime differ from the line by more than kStep; the estimate then restarts with these
   /// pairs.
   bool add(double stamp, double arrival);
-  /// The stamp on the session's clock [s].
+  /// The stamp on the session's clock [s], and the inverse.
   double toSession(double stamp) const;
+  double toDevice(double session) const;
 
   double offset() const;                            ///< session − device at the newest stamp [s]
   double offsetUncertainty() const;                 ///< standard deviation [s]

@@ -183,6 +183,9 @@ TEST(LiveSource, RunsInARunner) {
 TEST(LiveSetup, FilesAreChecked) {
   const LiveSetup shown = readLiveSetup(test::sourceFile("resources/live/rows_over_tcp.yaml"));
   EXPECT_EQ(shown.motors.from, "tcp://127.0.0.1:5555");
+  const LiveSetup cameras = readLiveSetup(test::sourceFile("resources/live/rows_and_cameras.yaml"));
+  ASSERT_TRUE(cameras.cameras);
+  EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(cameras.cameras->calibration) / "left.yaml"));
   const auto path =
       std::filesystem::temp_directory_path() / ("capstan_live_" + std::to_string(getpid()) + ".yaml");
   const auto faultOf = [&](const std::string& motors) {
@@ -200,6 +203,7 @@ TEST(LiveSetup, FilesAreChecked) {
   EXPECT_EQ(faultOf("  from: \"-\"\n  motors: [1, 1, 2]\n"), "motors.motors");
   EXPECT_EQ(faultOf("  from: \"-\"\n  signs: [1, 0.5, 1]\n"), "motors.signs");
   EXPECT_EQ(faultOf("  from: \"-\"\n  read_as: q_m=parsec\n"), "motors.read_as");
+  EXPECT_EQ(faultOf("  from: \"-\"\ncameras:\n  left: /dev/video0\n  calibration: .\n"), "cameras.right");
   EXPECT_EQ(faultOf("  form: \"-\"\n"), "motors.form");
   std::filesystem::remove(path);
 }

@@ -1,0 +1,118 @@
+#include "core/live/camera_side.h"
+
+#include "core/base/error.h"
+
+namespace capstan::live {
+namespace {
+
+using State = tracking::SideStatus::State;
+
+/// Left and right half, or upper and lower half, of one image, copied.
+std::array<cv::Mat, 2> eyesOf(const cv::Mat& both, CameraLayout layout) {
+  if (layout == CameraLayout::kSideBySide) {
+    const int half = both.cols / 2;
+    return {both.colRange(0, half).clone(), both.colRange(half, 2 * half).clone()};
+  }
+  const int half = both.rows / 2;
+  return {both.rowRange(0, half).clone(), both.rowRange(half, 2 * half).clone()};
+}
+
+VideoSettings settingsOf(const CamerasSetup& setup) {
+  return {setup.width, setup.height,        setup.rate, setup.exposure,
+          setup.gain,  setup.white_balance, setup.focus};
+}
+
+}  // namespace
+
+CameraSide::CameraSide(const CamerasSetup& setup,
+                       std::function<std::optional<double>(Clock::time_point)> session_time,
+                       SampleQueue& queue)
+    : setup_(setup),
+      addresses_(setup.layout == CameraLayout::kTwo ? std::vector{setup.left, setup.right}
+                                                    : std::vector{setup.left}),
+      session_time_(std::move(session_time)),
+      queue_(queue),
+      pairer_(setup.pairing) {
+  status_.name = "cameras";
+  for (const std::string& address : addresses_) {
+    status_.from += (status_.from.empty() ? "" : ", ") + address;
+    first_.push_back(std::make_unique<VideoStream>(address, settingsOf(setup)));
+  }
+  for (int stream = 0; stream < static_cast<int>(addresses_.size()); ++stream)
+    threads_.emplace_back([this, stream] { work(stream); });
+}
+
+CameraSide::~CameraSide() {
+  quit_ = true;
+  for (std::thread& thread : threads_) thread.join();
+}
+
+tracking::SideStatus CameraSide::status() const {
+  const std::lock_guard lock(mutex_);
+  tracking::SideStatus status = status_;
+  if (status.received > 0) status.silent_for = std::chrono::duration<double>(Clock::now() - last_).count();
+  if (status.state == State::kReceiving && status.silent_for > tracking::SideStatus::kSilence)
+    status.state = State::kSilent;
+  status.unpaired = pairer_.unpaired(), status.frozen = pairer_.frozen();
+  return status;
+}
+
+void CameraSide::work(int stream) {
+  std::unique_ptr<VideoStream> video = std::move(first_[static_cast<std::size_t>(stream)]);
+  while (!quit_) {
+    try {
+      if (!video)
+        video =
+            std::make_unique<VideoStream>(addresses_[static_cast<std::size_t>(stream)], settingsOf(setup_));
+      readStream(stream, *video);
+    } catch (const std::exception& error) {
+      const std::lock_guard lock(mutex_);
+      status_.fault = error.what();
+    }
+    if (video && video->isFile()) return;  // it has been played
+    video.reset();
+    waitToReopen();
+  }
+}
+
+void CameraSide::waitToReopen() const {
+  constexpr int kTenths = 5;
+  for (int k = 0; k < kTenths && !quit_; ++k) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+}
+
+void CameraSide::readStream(int stream, VideoStream& video) {
+  {
+    const std::lock_guard lock(mutex_);
+    ++status_.connections;
+    status_.fault.clear();
+  }
+  cv::Mat image;
+  while (!quit_ && video.read(image)) {
+    take(stream, image, Clock::now());
+    image.release();  // the next one must not overwrite it
+  }
+}
+
+void CameraSide::take(int stream, const cv::Mat& image, Clock::time_point arrival) {
+  const std::optional<double> now = session_time_(arrival);
+  const std::lock_guard lock(mutex_);
+  last_ = arrival;
+  status_.state = State::kReceiving;
+  ++status_.received;
+  if (!now) return;
+  const double t = *now - setup_.latency;
+  if (setup_.layout == CameraLayout::kTwo) {
+    if (auto pair = pairer_.add(stream, t, image)) pass(std::move(*pair), *now);
+    return;
+  }
+  auto eyes = eyesOf(image, setup_.layout);
+  pairer_.add(0, t, eyes[0]);
+  if (auto pair = pairer_.add(1, t, eyes[1])) pass(std::move(*pair), *now);
+}
+
+void CameraSide::pass(FramePair pair, double arrival) {
+  if (!queue_.offer(tracking::StereoFrame{pair.t, arrival, std::move(pair.left), std::move(pair.right)}))
+    ++status_.dropped;
+}
+
+}  // namespace capstan::live

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "core/live/cameras/frame_pairer.h"
+#include "core/live/cameras/video_stream.h"
+#include "core/live/live_setup.h"
+#include "core/live/sample_queue.h"
+#include "core/tracking/source.h"
+
+namespace capstan::live {
+
+/// Reads the images of one or two streams on threads of their own, pairs them, and puts the pairs into a
+/// queue. A stream that ends or falls silent is opened again.
+class CameraSide {
+ public:
+  using Clock = std::chrono::steady_clock;
+  /// `session_time`: time on the session's clock at a time of this computer; nothing before the session has
+  /// begun, and then images are not passed on. Throws base::InputError where a stream cannot be opened.
+  CameraSide(const CamerasSetup& setup, std::function<std::optional<double>(Clock::time_point)> session_time,
+             SampleQueue& queue);
+  ~CameraSide();
+
+  tracking::SideStatus status() const;
+
+ private:
+  void work(int stream);
+  void readStream(int stream, VideoStream& video);
+  void take(int stream, const cv::Mat& image, Clock::time_point arrival);
+  void pass(FramePair pair, double arrival);
+  void waitToReopen() const;
+
+  const CamerasSetup setup_;
+  const std::vector<std::string> addresses_;  ///< one (both eyes in one image) or two
+  const std::function<std::optional<double>(Clock::time_point)> session_time_;
+  SampleQueue& queue_;
+  std::vector<std::unique_ptr<VideoStream>> first_;  ///< opened by the constructor
+  std::atomic<bool> quit_{false};
+
+  mutable std::mutex mutex_;  ///< protects the members below
+  FramePairer pairer_;
+  tracking::SideStatus status_;
+  Clock::time_point last_{};
+
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace capstan::live

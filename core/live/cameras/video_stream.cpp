@@ -1,0 +1,92 @@
+#include "core/live/cameras/video_stream.h"
+
+#include <filesystem>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/videoio.hpp>
+#include <thread>
+#include <vector>
+
+#include "core/base/error.h"
+
+namespace capstan::live {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+bool isNetwork(const std::string& from) { return from.find("://") != std::string::npos; }
+
+void apply(cv::VideoCapture& capture, const VideoSettings& settings) {
+  const auto set = [&](int property, const std::optional<double>& value) {
+    if (value) capture.set(property, *value);
+  };
+  if (settings.width > 0) capture.set(cv::CAP_PROP_FRAME_WIDTH, settings.width);
+  if (settings.height > 0) capture.set(cv::CAP_PROP_FRAME_HEIGHT, settings.height);
+  if (settings.rate > 0.0) capture.set(cv::CAP_PROP_FPS, settings.rate);
+  if (settings.exposure) capture.set(cv::CAP_PROP_AUTO_EXPOSURE, 1.0);  // V4L2: manual
+  set(cv::CAP_PROP_EXPOSURE, settings.exposure);
+  set(cv::CAP_PROP_GAIN, settings.gain);
+  if (settings.white_balance) capture.set(cv::CAP_PROP_AUTO_WB, 0.0);
+  set(cv::CAP_PROP_WB_TEMPERATURE, settings.white_balance);
+  if (settings.focus) capture.set(cv::CAP_PROP_AUTOFOCUS, 0.0);
+  set(cv::CAP_PROP_FOCUS, settings.focus);
+}
+
+}  // namespace
+
+class VideoStream::Impl {
+ public:
+  Impl(const std::string& from, const VideoSettings& settings)
+      : file_(std::filesystem::is_regular_file(from)) {
+    const bool network = isNetwork(from);
+    const int wait = static_cast<int>(kPatience.count());
+    if (network || file_)
+      capture_.open(from, cv::CAP_FFMPEG,
+                    network ? std::vector<int>{cv::CAP_PROP_OPEN_TIMEOUT_MSEC, wait,
+                                               cv::CAP_PROP_READ_TIMEOUT_MSEC, wait}
+                            : std::vector<int>{});
+    else
+      capture_.open(from, cv::CAP_V4L2);
+    if (!capture_.isOpened())
+      throw base::InputError({from,
+                              0,
+                              {},
+                              {},
+                              "cannot be opened as a camera or video",
+                              "Check the device, address or file, and that no other program uses it"});
+    if (!file_) apply(capture_, settings);
+    const double rate = settings.rate > 0.0 ? settings.rate : capture_.get(cv::CAP_PROP_FPS);
+    if (file_ && rate > 0.0) period_ = std::chrono::duration<double>(1.0 / rate);
+  }
+
+  bool read(cv::Mat& image) {
+    cv::Mat raw;
+    if (!capture_.read(raw) || raw.empty()) return false;
+    if (raw.channels() == 3)
+      image = raw;
+    else
+      cv::cvtColor(raw, image, raw.channels() == 1 ? cv::COLOR_GRAY2BGR : cv::COLOR_BGRA2BGR);
+    if (file_) std::this_thread::sleep_until(due());
+    return true;
+  }
+  bool isFile() const { return file_; }
+
+ private:
+  Clock::time_point due() {
+    if (count_++ == 0) start_ = Clock::now();
+    return start_ + std::chrono::duration_cast<Clock::duration>(period_ * static_cast<double>(count_ - 1));
+  }
+
+  const bool file_;
+  cv::VideoCapture capture_;
+  std::chrono::duration<double> period_{0.0};
+  Clock::time_point start_;
+  std::int64_t count_ = 0;
+};
+
+VideoStream::VideoStream(const std::string& from, const VideoSettings& settings)
+    : impl_(std::make_unique<Impl>(from, settings)) {}
+VideoStream::~VideoStream() = default;
+bool VideoStream::read(cv::Mat& image) { return impl_->read(image); }
+bool VideoStream::isFile() const { return impl_->isFile(); }
+
+}  // namespace capstan::live

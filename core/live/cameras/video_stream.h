@@ -1,0 +1,37 @@
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <opencv2/core/mat.hpp>
+#include <optional>
+#include <string>
+
+namespace capstan::live {
+
+/// Settings of a camera; a setting that is not given stays as it is.
+struct VideoSettings {
+  int width = 0, height = 0;                                   ///< [px]; 0: as the device gives it
+  double rate = 0.0;                                           ///< [1/s]; 0: as the device gives it
+  std::optional<double> exposure, gain, white_balance, focus;  ///< in the device's own units
+};
+
+/// Images of a V4L2 device ("/dev/video0"), of a network stream ("rtsp://…", "udp://…", "tcp://…",
+/// "http://…") or of a video file, which is played at its own rate.
+class VideoStream {
+ public:
+  /// Throws base::InputError with the reason where the stream cannot be opened.
+  VideoStream(const std::string& from, const VideoSettings& settings);
+  ~VideoStream();
+
+  /// Waits for the next image, 8-bit BGR. False: the stream has ended or gives nothing for kPatience.
+  bool read(cv::Mat& image);
+  bool isFile() const;
+
+  static constexpr std::chrono::milliseconds kPatience{1000};
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace capstan::live

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <filesystem>
+
+namespace capstan::vision {
+
+/// Reads base_from_camera from a registration file (YAML). Throws base::InputError with file, key and remedy,
+/// also for a rotation that is none.
+Eigen::Isometry3d readRegistration(const std::filesystem::path& path);
+void writeRegistration(const Eigen::Isometry3d& base_from_camera, const std::filesystem::path& path);
+
+}  // namespace capstan::vision

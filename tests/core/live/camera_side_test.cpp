@@ -1,0 +1,118 @@
+/// Cameras from video files and a network stream of this computer, with motors over TCP.
+#include "core/live/camera_side.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/videoio.hpp>
+#include <thread>
+
+#include "core/base/error.h"
+#include "core/live/cameras/frame_pairer.h"
+
+namespace capstan::live {
+namespace {
+
+using namespace std::chrono_literals;
+
+TEST(FramePairer, PairsByTimeAndCountsTheRest) {
+  FramePairer pairer(0.01);
+  const auto image = [](int value) { return cv::Mat(4, 4, CV_8UC3, cv::Scalar::all(value)); };
+  EXPECT_FALSE(pairer.add(0, 0.000, image(1)));
+  const auto first = pairer.add(1, 0.004, image(2));
+  ASSERT_TRUE(first);
+  EXPECT_NEAR(first->t, 0.002, 1e-12);
+  EXPECT_EQ(first->left.at<cv::Vec3b>(0, 0)[0], 1);
+  EXPECT_EQ(first->right.at<cv::Vec3b>(0, 0)[0], 2);
+  EXPECT_FALSE(pairer.add(0, 0.033, image(3)));
+  EXPECT_FALSE(pairer.add(0, 0.066, image(3))) << "the right image of 0.033 was lost";
+  EXPECT_TRUE(pairer.add(1, 0.067, image(4)));
+  EXPECT_FALSE(pairer.add(1, 0.100, image(5)));
+  EXPECT_FALSE(pairer.add(0, 0.133, image(6))) << "the left image of 0.100 was lost";
+  EXPECT_TRUE(pairer.add(1, 0.134, image(7)));
+  EXPECT_EQ(pairer.unpaired(), 2U);
+  EXPECT_EQ(pairer.frozen(), 1U) << "twice the same left image";
+}
+
+/// A video of a white disc whose column tells the frame, left and right side by side.
+class CameraSideOfAVideo : public ::testing::Test {
+ protected:
+  CameraSideOfAVideo()
+      : path_(std::filesystem::temp_directory_path() /
+              ("capstan_camera_" + std::to_string(getpid()) + ".avi")) {
+    cv::VideoWriter writer(path_.string(), cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 30.0, {128, 48});
+    for (int k = 0; k < kFrames; ++k) {
+      cv::Mat both(48, 128, CV_8UC3, cv::Scalar::all(20));
+      cv::circle(both, {10 + k, 24}, 5, cv::Scalar::all(255), cv::FILLED);
+      cv::circle(both, {64 + 5 + k, 24}, 5, cv::Scalar::all(255), cv::FILLED);
+      writer.write(both);
+    }
+  }
+  ~CameraSideOfAVideo() override { std::filesystem::remove(path_); }
+  CamerasSetup setup() const {
+    CamerasSetup setup;
+    setup.left = path_.string();
+    setup.layout = CameraLayout::kSideBySide;
+    setup.latency = 0.02;
+    return setup;
+  }
+  static double columnOf(const cv::Mat& bgr) {
+    cv::Mat grey;
+    cv::cvtColor(bgr, grey, cv::COLOR_BGR2GRAY);
+    const cv::Moments moments = cv::moments(grey > 128, true);
+    return moments.m10 / moments.m00;
+  }
+
+  static constexpr int kFrames = 30;
+  std::filesystem::path path_;
+};
+
+TEST_F(CameraSideOfAVideo, GivesPairsAtTheVideosRate) {
+  SampleQueue queue(1000, kFrames);
+  const auto start = CameraSide::Clock::now();
+  const auto since = [&](CameraSide::Clock::time_point at) -> std::optional<double> {
+    return std::chrono::duration<double>(at - start).count();
+  };
+  CameraSide cameras(setup(), since, queue);
+  double last = -1.0;
+  for (int k = 0; k < kFrames; ++k) {
+    ASSERT_TRUE(queue.ready(2s)) << k;
+    tracking::Sample sample;
+    queue.take(sample);
+    const auto& frame = std::get<tracking::StereoFrame>(sample);
+    ASSERT_EQ(frame.left.size(), cv::Size(64, 48));
+    EXPECT_NEAR(columnOf(frame.left), 10 + k, 0.5);
+    EXPECT_NEAR(columnOf(frame.right), 5 + k, 0.5);
+    EXPECT_NEAR(frame.t_arrival - frame.t, 0.02, 1e-9) << "the stated latency";
+    EXPECT_GT(frame.t, last);
+    last = frame.t;
+  }
+  const double seconds = std::chrono::duration<double>(CameraSide::Clock::now() - start).count();
+  EXPECT_GT(seconds, 0.9) << "30 frames at 30 frames/s";
+  EXPECT_EQ(cameras.status().received, static_cast<std::uint64_t>(kFrames));
+  EXPECT_EQ(cameras.status().dropped, 0U);
+}
+
+TEST_F(CameraSideOfAVideo, WaitsForTheSessionsClock) {
+  SampleQueue queue(1000, kFrames);
+  CameraSide cameras(
+      setup(), [](CameraSide::Clock::time_point) { return std::optional<double>(); }, queue);
+  EXPECT_FALSE(queue.ready(300ms));
+  EXPECT_GT(cameras.status().received, 0U);
+}
+
+TEST(CameraSide, RefusesWhatIsNoCamera) {
+  CamerasSetup setup;
+  setup.left = "/dev/video97", setup.right = "/dev/video98";
+  SampleQueue queue(10);
+  try {
+    CameraSide cameras(setup, {}, queue);
+    FAIL();
+  } catch (const base::InputError& error) {
+    EXPECT_EQ(error.fault().file, "/dev/video97");
+  }
+}
+
+}  // namespace
+}  // namespace capstan::live
