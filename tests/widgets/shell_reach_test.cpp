@@ -9,7 +9,9 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QHeaderView>
+#include <QKeySequence>
 #include <QLineEdit>
+#include <QMap>
 #include <QMenu>
 #include <QMenuBar>
 #include <QScrollArea>
@@ -229,6 +231,21 @@ void gather(const QList<QAction*>& actions, QSet<QAction*>& all) {
     all.insert(action);
     if (action->menu()) gather(action->menu()->actions(), all);
   }
+}
+
+TEST_F(Reach, NoTwoActionsOfTheWindowShareAKey) {
+  auto window = smallWindow();
+  QSet<QAction*> listed;
+  gather(window->findChild<QMenuBar*>()->actions(), listed);
+  QMap<QKeySequence, QString> owners;
+  for (auto* action : listed)
+    for (const auto& key : action->shortcuts()) {
+      EXPECT_FALSE(owners.contains(key))
+          << key.toString().toStdString() << ": " << action->text().toStdString() << " and "
+          << owners.value(key).toStdString();
+      owners.insert(key, action->text());
+    }
+  EXPECT_GT(owners.size(), 10);
 }
 
 TEST_F(Reach, EveryActionOfTheBarIsInAMenuOfTheWindow) {

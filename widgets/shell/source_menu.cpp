@@ -22,7 +22,7 @@ SourceMenu::SourceMenu(QWidget* parent) : QMenu(parent), dialog_(new SimulationD
   connect(open, &QAction::triggered, this, &SourceMenu::askFile);
   auto* live = addAction(tr("Connect to a live robot…"));
   live->setObjectName("live");
-  live->setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+L")));
+  live->setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+R")));
   connect(live, &QAction::triggered, this, &SourceMenu::askLive);
   recent_menu_ = addMenu(tr("Recent"));
   recent_menu_->menuAction()->setObjectName("recent");
