@@ -29,7 +29,15 @@ std::string textOf(const std::vector<tracking::SideStatus>& sides) {
 
 nlohmann::json jsonOf(const std::vector<tracking::SideStatus>& sides) {
   nlohmann::json all = nlohmann::json::array();
-  for (const tracking::SideStatus& side : sides)
+  for (const tracking::SideStatus& side : sides) {
+    nlohmann::json clock;
+    if (side.clock)
+      clock = {{"steps", side.clock->steps},
+               {"offset", side.clock->offset},
+               {"offset_sigma", side.clock->offset_sigma},
+               {"drift", side.clock->drift},
+               {"drift_sigma", side.clock->drift_sigma},
+               {"mean_delay", side.clock->mean_delay}};
     all.push_back({{"side", side.name},
                    {"from", side.from},
                    {"state", base::nameOf(side.state)},
@@ -40,12 +48,8 @@ nlohmann::json jsonOf(const std::vector<tracking::SideStatus>& sides) {
                    {"unpaired", side.unpaired},
                    {"frozen", side.frozen},
                    {"connections", side.connections},
-                   {"clock_steps", side.clock_steps},
-                   {"offset", side.offset},
-                   {"offset_sigma", side.offset_sigma},
-                   {"drift", side.drift},
-                   {"drift_sigma", side.drift_sigma},
-                   {"mean_delay", side.mean_delay}});
+                   {"clock", std::move(clock)}});
+  }
   return all;
 }
 

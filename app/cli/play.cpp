@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <future>
 #include <memory>
+#include <optional>
 
 #include "app/cli/command.h"
 #include "app/cli/console.h"
@@ -8,52 +10,143 @@
 #include "app/cli/recordings.h"
 #include "core/live/player.h"
 #include "core/recording/export.h"
+#include "core/recording/session_file.h"
 
 namespace capstan::cli {
 namespace {
 
 struct PlayArguments {
-  std::string file, to, robot, read_as, json;
-  std::vector<std::string> faults;
+  std::string file, to, video, robot, read_as, json;
+  double speed = 1.0;
+  unsigned seed = 1;
+  std::vector<std::string> faults, video_faults;
+};
+
+struct RowPlay {
+  live::Address to;
+  live::PlayOptions options;
+};
+struct ImagePlay {
+  live::HttpAddress at;
   live::PlayOptions options;
 };
 
-live::Address target(const std::string& to) {
-  const live::Address address = live::parseAddress(to, "--to");
-  if (address.kind != live::Address::Kind::kTcp || address.port == 0)
-    refuseOption("--to", to, "is no TCP address", "Give one as in tcp://127.0.0.1:5555");
-  return address;
+live::PlayOptions optionsOf(const std::vector<std::string>& faults, unsigned seed, const std::string& option,
+                            live::PlayFault (*parse)(const std::string&, const std::string&)) {
+  live::PlayOptions options{.faults = {}, .seed = seed};
+  for (const std::string& text : faults) options.faults.push_back(parse(text, option));
+  return options;
 }
 
-ExitCode play(PlayArguments& arguments) {
-  const live::Address to = target(arguments.to);
-  for (const std::string& text : arguments.faults)
-    arguments.options.faults.push_back(live::parsePlayFault(text, "--fault"));
+std::optional<RowPlay> rowPlayOf(const PlayArguments& arguments) {
+  if (arguments.to.empty()) {
+    if (!arguments.faults.empty())
+      refuseOption("--fault", arguments.faults.front(), "needs --to", "Give --to, or --video-fault");
+    return {};
+  }
+  const live::Address to = live::parseAddress(arguments.to, "--to");
+  if (to.kind != live::Address::Kind::kTcp || to.port == 0)
+    refuseOption("--to", arguments.to, "is no TCP address", "Give one as in tcp://127.0.0.1:5555");
+  return RowPlay{to, optionsOf(arguments.faults, arguments.seed, "--fault", live::parseRowFault)};
+}
+
+std::optional<ImagePlay> imagePlayOf(const PlayArguments& arguments) {
+  if (arguments.video.empty()) {
+    if (!arguments.video_faults.empty())
+      refuseOption("--video-fault", arguments.video_faults.front(), "needs --video", "Give --video");
+    return {};
+  }
+  if (arguments.speed == 0.0)
+    refuseOption("--speed", "0", "is not possible with --video: no receiver of images asks for the next one",
+                 "Give a speed above 0");
+  return ImagePlay{live::parseHttpAddress(arguments.video, "--video"),
+                   optionsOf(arguments.video_faults, arguments.seed, "--video-fault", live::parseImageFault)};
+}
+
+void checkImages(const std::string& file, RecordingFormat format) {
+  if (format != RecordingFormat::kSession || recording::readSessionSummary(file).frames == 0)
+    refuseFile(file, "contains no images", "Give a session that was recorded with cameras");
+}
+
+recording::MeasuredTable rowsOf(const PlayArguments& arguments, RecordingFormat format) {
+  return format == RecordingFormat::kSession
+             ? recording::sessionTable(arguments.file)
+             : readTable(arguments.file, format, robot::readDescriptionOrDefault(arguments.robot),
+                         readAsOf(arguments.read_as));
+}
+
+struct Played {
+  std::optional<live::PlayReport> rows;
+  std::optional<live::ImagePlayReport> images;
+};
+
+/// Sends rows, images or both, on one clock.
+Played playBoth(const PlayArguments& arguments, const std::optional<RowPlay>& rows,
+                const std::optional<ImagePlay>& images, const recording::MeasuredTable& table,
+                base::Progress& progress) {
+  std::optional<live::ImageServer> server;
+  if (images) {
+    server.emplace(images->at.host, images->at.port);
+    const std::string at = fmt::format("http://{}:{}", images->at.host, server->port());
+    notice(fmt::format("images at {0}/left, {0}/right and, side by side, {0}/both", at));
+  }
+  const live::PlayClock clock{.begin = table.t.front(), .speed = arguments.speed};
+  std::future<live::ImagePlayReport> served;
+  if (images)
+    served = std::async(std::launch::async, [&] {
+      return live::playImages(arguments.file, *server, clock, images->options, &progress);
+    });
+  Played played;
+  try {
+    if (rows) played.rows = live::playRows(table, rows->to, clock, rows->options, &progress);
+  } catch (...) {
+    progress.cancel();  // the images end, too
+    throw;
+  }
+  if (served.valid()) played.images = served.get();
+  return played;
+}
+
+void say(const PlayArguments& arguments, const Output& output, std::size_t rows, const Played& played) {
+  nlohmann::json json;
+  if (const auto& report = played.rows) {
+    output.text(fmt::format("{} of {} rows sent to {} in {:.2f} s; {} withheld by faults; {} connection{}\n",
+                            report->sent, rows, arguments.to, report->seconds, report->withheld,
+                            report->connections, report->connections == 1 ? "" : "s"));
+    json = {{"rows", rows},
+            {"sent", report->sent},
+            {"withheld", report->withheld},
+            {"connections", report->connections},
+            {"answer", report->answer.empty() ? nlohmann::json() : nlohmann::json(report->answer)}};
+    if (!report->answer.empty()) notice("the receiver answered: " + report->answer);
+    if (report->refused) notice("the receiver has ended the connection and does not listen any more");
+  }
+  if (const auto& report = played.images) {
+    output.text(
+        fmt::format("{} pairs of images served; {} withheld by faults\n", report->sent, report->withheld));
+    json["images"] = {{"sent", report->sent}, {"withheld", report->withheld}};
+  }
+  output.json(json);
+}
+
+ExitCode play(const PlayArguments& arguments) {
+  const std::optional<RowPlay> rows = rowPlayOf(arguments);
+  const std::optional<ImagePlay> images = imagePlayOf(arguments);
+  if (!rows && !images)
+    refuseOption("--to", "", "is missing, and so is --video", "Give one of them, or both");
+  const RecordingFormat format = detectFormat(arguments.file);
+  if (images) checkImages(arguments.file, format);
   checkOutputs({{"--json", arguments.json}}, {arguments.file, arguments.robot});
   const Output output(arguments.json);
-  const RecordingFormat format = detectFormat(arguments.file);
-  const recording::MeasuredTable table =
-      format == RecordingFormat::kSession
-          ? recording::sessionTable(arguments.file)
-          : readTable(arguments.file, format, robot::readDescriptionOrDefault(arguments.robot),
-                      readAsOf(arguments.read_as));
+  const recording::MeasuredTable table = rowsOf(arguments, format);
   base::Progress progress;
-  live::PlayReport report;
+  Played played;
   {
     const ProgressLine line(progress);
-    report = live::playRows(table, to, arguments.options, &progress);
+    played = playBoth(arguments, rows, images, table, progress);
   }
-  output.text(fmt::format("{} of {} rows sent to {} in {:.2f} s; {} withheld by faults; {} connection{}\n",
-                          report.sent, table.rows(), arguments.to, report.seconds, report.withheld,
-                          report.connections, report.connections == 1 ? "" : "s"));
-  output.json({{"rows", table.rows()},
-               {"sent", report.sent},
-               {"withheld", report.withheld},
-               {"connections", report.connections},
-               {"answer", report.answer.empty() ? nlohmann::json() : nlohmann::json(report.answer)}});
-  if (!report.answer.empty()) notice("the receiver answered: " + report.answer);
-  if (report.refused) notice("the receiver has ended the connection and does not listen any more");
-  return report.refused || progress.cancelled() ? kFailed : kOk;
+  say(arguments, output, table.rows(), played);
+  return (played.rows && played.rows->refused) || progress.cancelled() ? kFailed : kOk;
 }
 
 }  // namespace
@@ -65,10 +158,12 @@ void addPlay(CLI::App& app, ExitCode& exit) {
   command
       ->add_option("FILE", arguments->file, "session (.capstan), measured table or RAVEN-II motor log (.csv)")
       ->required();
-  command->add_option("--to", arguments->to, "receiver, as in tcp://127.0.0.1:5555; it must listen already")
-      ->required();
+  command->add_option("--to", arguments->to,
+                      "receiver of the rows, as in tcp://127.0.0.1:5555; it must listen already");
+  command->add_option("--video", arguments->video,
+                      "serve the images of a session (Motion JPEG), as in http://127.0.0.1:8081");
   command
-      ->add_option("--speed", arguments->options.speed,
+      ->add_option("--speed", arguments->speed,
                    "recording time per wall time; 0: as fast as the receiver takes")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 1000.0));
@@ -79,7 +174,13 @@ void addPlay(CLI::App& app, ExitCode& exit) {
           "silence:SECONDS@TIME, freeze:SECONDS@TIME, step:SECONDS@TIME (of the clock) or garbage@TIME;\n"
           "repeatable")
       ->allow_extra_args(false);
-  command->add_option("--seed", arguments->options.seed, "random seed of the faults")->capture_default_str();
+  command
+      ->add_option(
+          "--video-fault", arguments->video_faults,
+          "drop:SHARE, jitter:SECONDS, silence:SECONDS@TIME, freeze:SECONDS@TIME or swap:SECONDS@TIME\n"
+          "(left and right images are exchanged); repeatable")
+      ->allow_extra_args(false);
+  command->add_option("--seed", arguments->seed, "random seed of the faults")->capture_default_str();
   addReadAs(*command, arguments->read_as);
   command->add_option("--robot", arguments->robot, "robot file, for recordings that contain none");
   command->add_option("--json", arguments->json, "result as JSON: a file, or - for standard output");
@@ -87,7 +188,8 @@ void addPlay(CLI::App& app, ExitCode& exit) {
       "Examples:\n"
       "  capstan --live tcp://127.0.0.1:5555                       (in one terminal)\n"
       "  capstan-cli play trial.capstan --to tcp://127.0.0.1:5555  (in another one)\n"
-      "  capstan-cli play trial.csv --to tcp://127.0.0.1:5555 --fault jitter:0.02 --fault silence:2@10");
+      "  capstan-cli play trial.csv --to tcp://127.0.0.1:5555 --fault jitter:0.02 --fault silence:2@10\n"
+      "  capstan-cli play trial.capstan --to tcp://127.0.0.1:5555 --video http://127.0.0.1:8081");
   command->callback([arguments, &exit] { exit = play(*arguments); });
 }
 

@@ -34,9 +34,11 @@ CameraSide::CameraSide(const CamerasSetup& setup,
       queue_(queue),
       pairer_(setup.pairing) {
   status_.name = "cameras";
+  status_.counted = "image";
   for (const std::string& address : addresses_) {
     status_.from += (status_.from.empty() ? "" : ", ") + address;
-    first_.push_back(std::make_unique<VideoStream>(address, settingsOf(setup)));
+    first_.push_back(isNetworkStream(address) ? nullptr
+                                              : std::make_unique<VideoStream>(address, settingsOf(setup)));
   }
   for (int stream = 0; stream < static_cast<int>(addresses_.size()); ++stream)
     threads_.emplace_back([this, stream] { work(stream); });

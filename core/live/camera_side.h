@@ -22,7 +22,8 @@ class CameraSide {
  public:
   using Clock = std::chrono::steady_clock;
   /// `session_time`: time on the session's clock at a time of this computer; nothing before the session has
-  /// begun, and then images are not passed on. Throws base::InputError where a stream cannot be opened.
+  /// begun, and then images are not passed on. A network stream may come later. Throws base::InputError where
+  /// a device or file cannot be opened.
   CameraSide(const CamerasSetup& setup, std::function<std::optional<double>(Clock::time_point)> session_time,
              SampleQueue& queue);
   ~CameraSide();
@@ -40,7 +41,7 @@ class CameraSide {
   const std::vector<std::string> addresses_;  ///< one (both eyes in one image) or two
   const std::function<std::optional<double>(Clock::time_point)> session_time_;
   SampleQueue& queue_;
-  std::vector<std::unique_ptr<VideoStream>> first_;  ///< opened by the constructor
+  std::vector<std::unique_ptr<VideoStream>> first_;  ///< opened by the constructor; null: a network stream
   std::atomic<bool> quit_{false};
 
   mutable std::mutex mutex_;  ///< protects the members below

@@ -1,5 +1,7 @@
 #include "core/live/play_faults.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -16,13 +18,30 @@ struct Form {
   Kind kind;
   bool amount, time;
   double most;  ///< largest amount
+  bool rows, images;
 };
 constexpr std::array kForms = {
-    Form{"drop", Kind::kDrop, true, false, 1.0},       Form{"repeat", Kind::kRepeat, true, false, 1.0},
-    Form{"jitter", Kind::kJitter, true, false, 10.0},  Form{"silence", Kind::kSilence, true, true, 3600.0},
-    Form{"freeze", Kind::kFreeze, true, true, 3600.0}, Form{"step", Kind::kStep, true, true, 1e9},
-    Form{"garbage", Kind::kGarbage, false, true, 1e9},
+    Form{"drop", Kind::kDrop, true, false, 1.0, true, true},
+    Form{"repeat", Kind::kRepeat, true, false, 1.0, true, false},
+    Form{"jitter", Kind::kJitter, true, false, 10.0, true, true},
+    Form{"silence", Kind::kSilence, true, true, 3600.0, true, true},
+    Form{"freeze", Kind::kFreeze, true, true, 3600.0, true, true},
+    Form{"step", Kind::kStep, true, true, 1e9, true, false},
+    Form{"garbage", Kind::kGarbage, false, true, 1e9, true, false},
+    Form{"swap", Kind::kSwap, true, true, 3600.0, false, true},
 };
+
+/// "drop:SHARE, repeat:SHARE, … or swap:SECONDS@TIME".
+std::string formsOf(bool Form::*possible) {
+  std::vector<std::string> all;
+  for (const Form& form : kForms)
+    if (form.*possible)
+      all.push_back(std::string(form.name) + (form.amount ? form.most == 1.0 ? ":SHARE" : ":SECONDS" : "") +
+                    (form.time ? "@TIME" : ""));
+  const std::string last = std::move(all.back());
+  all.pop_back();
+  return fmt::format("{} or {}", fmt::join(all, ", "), last);
+}
 
 std::optional<double> numberOf(std::string_view text) {
   double value = 0.0;
@@ -31,18 +50,14 @@ std::optional<double> numberOf(std::string_view text) {
   return value;
 }
 
-}  // namespace
-
-PlayFault parsePlayFault(const std::string& text, const std::string& option) {
+PlayFault parse(const std::string& text, const std::string& option, bool Form::*possible) {
   const auto refuse = [&](const std::string& reason) {
-    throw base::InputError({"", 0, option, text, reason,
-                            "Write drop:SHARE, repeat:SHARE, jitter:SECONDS, silence:SECONDS@TIME, "
-                            "freeze:SECONDS@TIME, step:SECONDS@TIME or garbage@TIME"});
+    throw base::InputError({"", 0, option, text, reason, "Write " + formsOf(possible)});
   };
   const std::size_t at = text.find('@'), colon = text.find(':');
   const std::string name = text.substr(0, std::min(at, colon));
   const auto form = std::ranges::find(kForms, std::string_view(name), &Form::name);
-  if (form == kForms.end()) refuse("names no fault");
+  if (form == kForms.end() || !(form->*possible)) refuse("names no fault");
   if (form->amount != (colon != std::string::npos) || form->time != (at != std::string::npos) ||
       (form->amount && form->time && at < colon))
     refuse("has another form");
@@ -60,6 +75,16 @@ PlayFault parsePlayFault(const std::string& text, const std::string& option) {
     fault.time = *time;
   }
   return fault;
+}
+
+}  // namespace
+
+PlayFault parseRowFault(const std::string& text, const std::string& option) {
+  return parse(text, option, &Form::rows);
+}
+
+PlayFault parseImageFault(const std::string& text, const std::string& option) {
+  return parse(text, option, &Form::images);
 }
 
 std::optional<PlayedRow> FaultyRows::next(std::size_t row, double t, double begin) {
@@ -86,6 +111,9 @@ std::optional<PlayedRow> FaultyRows::next(std::size_t row, double t, double begi
         break;
       case Kind::kFreeze:
         frozen = frozen || during;
+        break;
+      case Kind::kSwap:
+        played.swapped = played.swapped || during;
         break;
       case Kind::kStep:
         if (now >= fault.time) played.stamp += fault.amount;

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/live/streams/tcp_sender.h"
+#include "core/recording/session_source.h"
 
 namespace capstan::live {
 namespace {
@@ -46,31 +47,62 @@ class Connection {
 
 }  // namespace
 
-PlayReport playRows(const recording::MeasuredTable& table, const Address& to, const PlayOptions& options,
-                    base::Progress* progress) {
+void PlayClock::waitUntil(double since_begin) const {
+  if (speed > 0.0)
+    std::this_thread::sleep_until(start + std::chrono::duration_cast<Clock::duration>(
+                                              std::chrono::duration<double>(since_begin / speed)));
+}
+
+PlayReport playRows(const recording::MeasuredTable& table, const Address& to, const PlayClock& clock,
+                    const PlayOptions& options, base::Progress* progress) {
   PlayReport report;
   Connection connection(to, recording::measuredTableHeader(table), report);
   FaultyRows rows(options.faults, options.seed);
   recording::MeasuredTable stamped = table;
   const Clock::time_point start = Clock::now();
-  const double begin = table.t.front(), duration = std::max(table.t.back() - begin, 1e-9);
+  const double duration = std::max(table.t.back() - clock.begin, 1e-9);
   for (std::size_t k = 0; k < table.rows() && !(progress && progress->cancelled()); ++k) {
-    const auto played = rows.next(k, table.t[k], begin);
+    const auto played = rows.next(k, table.t[k], clock.begin);
     if (!played) {
       ++report.withheld;
       continue;
     }
-    if (options.speed > 0.0)
-      std::this_thread::sleep_until(start + std::chrono::duration_cast<Clock::duration>(
-                                                std::chrono::duration<double>(played->due / options.speed)));
+    clock.waitUntil(played->due);
     stamped.t[played->row] = played->stamp;
     const std::string line = recording::formatMeasuredRow(stamped, played->row);
     if (!connection.send((played->garbage ? kGarbage : "") + line + (played->twice ? line : ""))) break;
     ++report.sent;
-    if (progress && k % 256 == 0) progress->report((table.t[k] - begin) / duration, "playing");
+    if (progress && k % 256 == 0) progress->report((table.t[k] - clock.begin) / duration, "playing");
   }
   report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   connection.noteAnswer();
+  return report;
+}
+
+ImagePlayReport playImages(const std::filesystem::path& session, ImageServer& server, const PlayClock& clock,
+                           const PlayOptions& options, const base::Progress* progress) {
+  ImagePlayReport report;
+  FaultyRows pairs(options.faults, options.seed);
+  recording::SessionSource source(session);
+  tracking::Sample sample;
+  tracking::StereoFrame shown;
+  for (std::size_t k = 0; source.next(sample) && !(progress && progress->cancelled());) {
+    const auto* frame = std::get_if<tracking::StereoFrame>(&sample);
+    if (!frame) continue;
+    const auto played = pairs.next(k, frame->t_arrival, clock.begin);
+    if (played && played->row == k)
+      shown = {frame->t, frame->t_arrival, frame->left.clone(), frame->right.clone()};
+    ++k;
+    if (!played) {
+      ++report.withheld;
+      continue;
+    }
+    clock.waitUntil(played->due);
+    if (played->swapped) std::swap(shown.left, shown.right);
+    server.publish(shown.left, shown.right);
+    if (played->swapped) std::swap(shown.left, shown.right);
+    ++report.sent;
+  }
   return report;
 }
 

@@ -1,16 +1,28 @@
 #pragma once
 
+#include <chrono>
+#include <filesystem>
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/live/cameras/image_server.h"
 #include "core/live/play_faults.h"
 #include "core/live/streams/address.h"
 #include "core/recording/measured_table.h"
 
 namespace capstan::live {
 
-struct PlayOptions {
+/// When samples of a recording are sent.
+struct PlayClock {
+  using Clock = std::chrono::steady_clock;
+  double begin = 0.0;  ///< time of the recording at `start` [s]
   double speed = 1.0;  ///< recording time per wall time; 0: as fast as the receiver takes
+  Clock::time_point start = Clock::now();
+
+  void waitUntil(double since_begin) const;
+};
+
+struct PlayOptions {
   std::vector<PlayFault> faults;
   unsigned seed = 1;
 };
@@ -26,7 +38,16 @@ struct PlayReport {
 /// Sends the rows of a recording to the program that listens at `to`, in real time, as a robot would. After a
 /// disconnection it connects again and sends the header line again. Throws base::InputError where nothing
 /// listens.
-PlayReport playRows(const recording::MeasuredTable& table, const Address& to, const PlayOptions& options,
-                    base::Progress* progress);
+PlayReport playRows(const recording::MeasuredTable& table, const Address& to, const PlayClock& clock,
+                    const PlayOptions& options, base::Progress* progress);
+
+struct ImagePlayReport {
+  std::uint64_t sent = 0, withheld = 0;  ///< pairs of images
+};
+
+/// Serves the images of a session at the times at which they arrived there. Throws base::InputError for a
+/// session that cannot be read.
+ImagePlayReport playImages(const std::filesystem::path& session, ImageServer& server, const PlayClock& clock,
+                           const PlayOptions& options, const base::Progress* progress);
 
 }  // namespace capstan::live

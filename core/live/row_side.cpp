@@ -126,12 +126,10 @@ void RowSide::pass(recording::MeasuredTable table) {
   status_.received += table.rows();
   status_.dropped += dropped;
   status_.repeated = times_.repeated();
-  status_.clock_steps = times_.steps();
-  status_.mean_delay = clock_.meanDelay();
   last_arrival_ = arrival;
   if (faults_ == Faults::kEnd) return;
-  status_.offset = clock_.offset(), status_.offset_sigma = clock_.offsetUncertainty();
-  status_.drift = clock_.drift(), status_.drift_sigma = clock_.driftUncertainty();
+  status_.clock = tracking::SideClock{times_.steps(), clock_.offset(),           clock_.offsetUncertainty(),
+                                      clock_.drift(), clock_.driftUncertainty(), clock_.meanDelay()};
 }
 
 void RowSide::refuse(const std::string& reason) {

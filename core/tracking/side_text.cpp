@@ -7,7 +7,7 @@ namespace {
 
 using State = SideStatus::State;
 
-std::string counted(std::uint64_t count, const char* one) {
+std::string counted(std::uint64_t count, const std::string& one) {
   return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
 }
 
@@ -36,15 +36,17 @@ std::string shortTextOf(const SideStatus& side) {
 }
 
 std::string textOf(const SideStatus& side) {
-  std::string text = fmt::format(
-      "{} {} from {}: {}, {} repeated, {} dropped; {}, {}; clock offset {:.6f} ± {:.6f} s, drift {:.2f} ± "
-      "{:.2f} ppm, mean delay {:.2f} ms",
-      side.name, base::nameOf(side.state), side.from, counted(side.received, "row"), side.repeated,
-      side.dropped, counted(side.connections, "connection"), counted(side.clock_steps, "clock step"),
-      side.offset, side.offset_sigma, 1e6 * side.drift, 1e6 * side.drift_sigma, 1e3 * side.mean_delay);
+  std::string text = fmt::format("{} {} from {}: {}, {} repeated, {} dropped; {}", side.name,
+                                 base::nameOf(side.state), side.from, counted(side.received, side.counted),
+                                 side.repeated, side.dropped, counted(side.connections, "connection"));
+  if (const auto& clock = side.clock)
+    text +=
+        fmt::format("; {}; clock offset {:.6f} ± {:.6f} s, drift {:.2f} ± {:.2f} ppm, mean delay {:.2f} ms",
+                    counted(clock->steps, "clock step"), clock->offset, clock->offset_sigma,
+                    1e6 * clock->drift, 1e6 * clock->drift_sigma, 1e3 * clock->mean_delay);
   if (side.unpaired + side.frozen > 0)
     text += fmt::format("; {} unpaired, {} frozen", side.unpaired, side.frozen);
-  if (!side.fault.empty()) text += "; refused: " + side.fault;
+  if (!side.fault.empty()) text += "; last fault: " + side.fault;
   return text;
 }
 

@@ -36,25 +36,31 @@ struct SourceInfo {
   std::vector<std::string> notices;  ///< exclusions and remarks for the user, one per line
 };
 
-/// Condition of one side of a live source: its motors or its cameras.
-struct SideStatus {
-  enum class State { kWaiting, kReceiving, kSilent, kRefused, kEnded };
-  std::string name;               ///< "motors", "cameras"
-  std::string from;               ///< address or device
-  State state = State::kWaiting;  ///< kSilent: nothing for kSilence; kRefused: `fault` disconnected it
-  std::string fault;              ///< reason of the last disconnection by this program; empty: none
-  double silent_for = 0.0;        ///< time since the last sample [s]
-  std::uint64_t received = 0;     ///< number of rows or frames taken
-  std::uint64_t repeated = 0;     ///< excluded, since their stamps did not rise
-  std::uint64_t dropped = 0;      ///< excluded, since tracking was too slow
-  std::uint64_t unpaired = 0;     ///< images excluded, since the other camera gave none at their time
-  std::uint64_t frozen = 0;       ///< images that equal the one before
-  std::uint64_t connections = 0;  ///< number of times that a program has connected
-  std::uint64_t clock_steps = 0;  ///< jumps of the device's clock
+/// Clock of a device, as estimated from its stamps and their arrivals.
+struct SideClock {
+  std::uint64_t steps = 0;                  ///< jumps
   double offset = 0.0, offset_sigma = 0.0;  ///< session's clock − device's clock [s]
   double drift = 0.0, drift_sigma = 0.0;    ///< gain of the session's clock on the device's [s/s]
   double mean_delay = 0.0;                  ///< of arrivals, above the smallest [s]
-  static constexpr double kSilence = 0.5;   ///< [s]
+};
+
+/// Condition of one side of a live source: its motors or its cameras.
+struct SideStatus {
+  enum class State { kWaiting, kReceiving, kSilent, kRefused, kEnded };
+  std::string name;                ///< "motors", "cameras"
+  std::string counted = "row";     ///< what is counted, as one word: "row", "image"
+  std::string from;                ///< address or device
+  State state = State::kWaiting;   ///< kSilent: nothing for kSilence; kRefused: `fault` disconnected it
+  std::string fault;               ///< reason of the last disconnection by this program; empty: none
+  double silent_for = 0.0;         ///< time since the last sample [s]
+  std::uint64_t received = 0;      ///< number taken
+  std::uint64_t repeated = 0;      ///< excluded, since their stamps did not rise
+  std::uint64_t dropped = 0;       ///< excluded, since tracking was too slow
+  std::uint64_t unpaired = 0;      ///< images excluded, since the other camera gave none at their time
+  std::uint64_t frozen = 0;        ///< images that equal the one before
+  std::uint64_t connections = 0;   ///< number of times that a program has connected
+  std::optional<SideClock> clock;  ///< of a device that stamps its samples itself
+  static constexpr double kSilence = 0.5;  ///< [s]
 };
 
 /// Yields samples in order of arrival. Deterministic sources yield the same bytes each time.

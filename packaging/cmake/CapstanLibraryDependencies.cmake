@@ -13,3 +13,4 @@ find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgproc calib3d videoio imgcode
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(OPENBLAS REQUIRED IMPORTED_TARGET openblas)
 pkg_check_modules(LIBAV REQUIRED IMPORTED_TARGET libavcodec libavutil)
+pkg_check_modules(HTTPLIB REQUIRED IMPORTED_TARGET cpp-httplib)

@@ -50,11 +50,46 @@ TEST_F(CliLive, ARobotOverTcpIsRecorded) {
   EXPECT_EQ(record["lost"], 0);
   EXPECT_EQ(record["dropped"], 0);
   const json side = record["live"][0];
-  EXPECT_EQ(side["clock_steps"], 0);
+  EXPECT_EQ(side["clock"]["steps"], 0);
   EXPECT_NEAR(side["repeated"], 100, 50);
   EXPECT_NEAR(record["motor"], 2000, 25);
   const Ran tracked = run("track " + path("live.capstan") + " --json -");
   EXPECT_EQ(json::parse(tracked.out)["samples"], record["motor"]);
+}
+
+/// The same images as in the recording come as two network streams, or as one with both eyes.
+TEST_F(CliLive, ARobotWithCamerasIsTracked) {
+  ASSERT_EQ(run("simulate --duration 3 --seed 3 --out " + path("trial.capstan")).exit, 0);
+  const Ran direct = run("track " + path("trial.capstan") + " --save-registration " +
+                         path("registration.yaml") + " --json -");
+  ASSERT_EQ(direct.exit, 0) << direct.err;
+  const std::string port = std::to_string(20000 + getpid() % 20000),
+                    video = "http://127.0.0.1:" + std::to_string(40000 + getpid() % 20000),
+                    program = test::commandLineProgram();
+  for (const std::string& streams : {"left: " + video + "/left\n  right: " + video + "/right",
+                                     "left: " + video + "/both\n  layout: side_by_side"}) {
+    std::ofstream(path("live.yaml")) << "title: two cameras\nmotors:\n  from: tcp://127.0.0.1:" << port
+                                     << "\ncameras:\n  " << streams
+                                     << "\n  calibration: " << test::resourceFile("cameras").string()
+                                     << "\n  registration: registration.yaml\n  latency: 0.03\n";
+    fs::remove(path("track.json"));
+    const Ran both =
+        runShell("(" + program + " track --live " + path("live.yaml") + " --duration 2.8 --json " +
+                 path("track.json") + ") & until " + program + " play " + path("trial.capstan") +
+                 " --to tcp://127.0.0.1:" + port + " --video " + video + "; do sleep 0.1; [ -e " +
+                 path("track.json") + " ] && break; done; wait");
+    ASSERT_TRUE(fs::exists(path("track.json"))) << both.err;
+    const json tracked = json::parse(textOf("track.json"));
+    const json motors = tracked["live"][0], cameras = tracked["live"][1];
+    EXPECT_EQ(motors["dropped"], 0);
+    EXPECT_EQ(cameras["dropped"], 0);
+    EXPECT_TRUE(cameras["clock"].is_null());
+    const int frames = tracked["frames"];
+    EXPECT_GT(frames, 15) << "of 42; the streams open within the first second";
+    EXPECT_EQ(tracked["detected"][0], frames);
+    EXPECT_EQ(tracked["detected"][1], frames);
+    EXPECT_EQ(both.err.find("tcp @"), std::string::npos) << "FFmpeg is silent: " << both.err;
+  }
 }
 
 TEST_F(CliLive, BadAddressesAndFaultsAreRefused) {
@@ -65,6 +100,10 @@ TEST_F(CliLive, BadAddressesAndFaultsAreRefused) {
         {"track --live - --register hard-stop", "read twice"},
         {"play trial.csv --to rows.fifo", "no TCP address"},
         {"play trial.csv --to tcp://127.0.0.1:5555 --fault storm", "names no fault"},
+        {"play trial.csv", "is missing, and so is --video"},
+        {"play trial.csv --video 127.0.0.1:8081", "is no HTTP address"},
+        {"play trial.csv --to tcp://127.0.0.1:5555 --video-fault swap:1@1", "needs --video"},
+        {"play trial.csv --video http://127.0.0.1:8081 --fault drop:0.1", "needs --to"},
         {"record --live - --out trial.csv", "does not end in .capstan"}}) {
     const Ran ran = run(arguments, "</dev/null ");
     EXPECT_EQ(ran.exit, 2) << arguments;

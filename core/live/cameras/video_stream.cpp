@@ -1,5 +1,6 @@
 #include "core/live/cameras/video_stream.h"
 
+#include <cstdlib>
 #include <filesystem>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
@@ -13,7 +14,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-bool isNetwork(const std::string& from) { return from.find("://") != std::string::npos; }
+/// FFmpeg's own messages are not for users: what fails is said by who asked. OpenCV sets FFmpeg's level from
+/// this variable at every opening; it is set before there are other threads that read the environment.
+[[maybe_unused]] const int kSilenced = setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);  // AV_LOG_QUIET
 
 void apply(cv::VideoCapture& capture, const VideoSettings& settings) {
   const auto set = [&](int property, const std::optional<double>& value) {
@@ -33,11 +36,13 @@ void apply(cv::VideoCapture& capture, const VideoSettings& settings) {
 
 }  // namespace
 
+bool isNetworkStream(const std::string& from) { return from.find("://") != std::string::npos; }
+
 class VideoStream::Impl {
  public:
   Impl(const std::string& from, const VideoSettings& settings)
       : file_(std::filesystem::is_regular_file(from)) {
-    const bool network = isNetwork(from);
+    const bool network = isNetworkStream(from);
     const int wait = static_cast<int>(kPatience.count());
     if (network || file_)
       capture_.open(from, cv::CAP_FFMPEG,

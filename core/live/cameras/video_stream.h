@@ -15,6 +15,9 @@ struct VideoSettings {
   std::optional<double> exposure, gain, white_balance, focus;  ///< in the device's own units
 };
 
+/// Whether `from` is the address of a network stream ("rtsp://…", "http://…") rather than a device or a file.
+bool isNetworkStream(const std::string& from);
+
 /// Images of a V4L2 device ("/dev/video0"), of a network stream ("rtsp://…", "udp://…", "tcp://…",
 /// "http://…") or of a video file, which is played at its own rate.
 class VideoStream {

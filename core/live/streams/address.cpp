@@ -3,18 +3,41 @@
 #include <arpa/inet.h>
 
 #include <charconv>
+#include <utility>
 
 #include "core/base/error.h"
 
 namespace capstan::live {
 namespace {
 
-constexpr std::string_view kTcp = "tcp://";
+constexpr std::string_view kTcp = "tcp://", kHttp = "http://";
 
-[[noreturn]] void refuse(const std::string& option, const std::string& text, const std::string& reason) {
-  throw base::InputError({"", 0, option, text, reason,
-                          "Give - for standard input, the path of a FIFO, or tcp://ADDRESS:PORT, such as "
-                          "tcp://127.0.0.1:5555"});
+/// A text that is no address, in the option that it was given to.
+struct Given {
+  const std::string& text;
+  const std::string& option;
+  const char* remedy;
+
+  [[noreturn]] void refuse(const std::string& reason) const {
+    throw base::InputError({"", 0, option, text, reason, remedy});
+  }
+};
+
+/// Host and port after `scheme`.
+std::pair<std::string, std::uint16_t> parseHostAndPort(const Given& given, std::string_view scheme) {
+  const std::string rest = given.text.substr(scheme.size());
+  const std::size_t colon = rest.rfind(':');
+  if (colon == std::string::npos) given.refuse("names no port");
+  std::string host = rest.substr(0, colon);
+  if (host == "localhost") host = "127.0.0.1";
+  in_addr parsed{};
+  if (inet_pton(AF_INET, host.c_str(), &parsed) != 1) given.refuse("has a host that is no IPv4 address");
+  std::uint16_t port = 0;
+  const char *begin = rest.data() + colon + 1, *end = rest.data() + rest.size();
+  const auto [last, fault] = std::from_chars(begin, end, port);
+  if (fault != std::errc() || last != end || begin == end)
+    given.refuse("has a port that is no number from 0 to 65535");
+  return {std::move(host), port};
 }
 
 }  // namespace
@@ -22,25 +45,24 @@ constexpr std::string_view kTcp = "tcp://";
 bool isAddress(const std::string& text) { return text == "-" || text.starts_with(kTcp); }
 
 Address parseAddress(const std::string& text, const std::string& option) {
-  if (text.empty()) refuse(option, text, "is empty");
+  const Given given{text, option,
+                    "Give - for standard input, the path of a FIFO, or tcp://ADDRESS:PORT, such as "
+                    "tcp://127.0.0.1:5555"};
+  if (text.empty()) given.refuse("is empty");
   if (text == "-") return {};
   if (!text.starts_with(kTcp)) {
-    if (text.find("://") != std::string::npos) refuse(option, text, "has a scheme that is not known");
+    if (text.find("://") != std::string::npos) given.refuse("has a scheme that is not known");
     return {.kind = Address::Kind::kFile, .path = text};
   }
-  const std::string rest = text.substr(kTcp.size());
-  const std::size_t colon = rest.rfind(':');
-  if (colon == std::string::npos) refuse(option, text, "names no port");
-  Address address{.kind = Address::Kind::kTcp, .path = {}, .host = rest.substr(0, colon), .port = 0};
-  if (address.host == "localhost") address.host = "127.0.0.1";
-  in_addr parsed{};
-  if (inet_pton(AF_INET, address.host.c_str(), &parsed) != 1)
-    refuse(option, text, "has a host that is no IPv4 address");
-  const char *begin = rest.data() + colon + 1, *end = rest.data() + rest.size();
-  const auto [last, fault] = std::from_chars(begin, end, address.port);
-  if (fault != std::errc() || last != end || begin == end)
-    refuse(option, text, "has a port that is no number from 0 to 65535");
-  return address;
+  auto [host, port] = parseHostAndPort(given, kTcp);
+  return {.kind = Address::Kind::kTcp, .path = {}, .host = std::move(host), .port = port};
+}
+
+HttpAddress parseHttpAddress(const std::string& text, const std::string& option) {
+  const Given given{text, option, "Give http://ADDRESS:PORT, such as http://127.0.0.1:8081"};
+  if (!text.starts_with(kHttp)) given.refuse("is no HTTP address");
+  auto [host, port] = parseHostAndPort(given, kHttp);
+  return {std::move(host), port};
 }
 
 }  // namespace capstan::live

@@ -18,6 +18,15 @@ struct Address {
 /// Throws base::InputError that names `option` and the text.
 Address parseAddress(const std::string& text, const std::string& option);
 
+/// Address to serve images at.
+struct HttpAddress {
+  std::string host = "127.0.0.1";  ///< IPv4 address
+  std::uint16_t port = 0;          ///< 0: a free one
+};
+/// Parses "http://127.0.0.1:8081" (IPv4 address or localhost). Throws base::InputError that names `option`
+/// and the text.
+HttpAddress parseHttpAddress(const std::string& text, const std::string& option);
+
 /// Whether `text` is the address of a stream rather than the path of a file: "-" or "tcp://…".
 bool isAddress(const std::string& text);
 

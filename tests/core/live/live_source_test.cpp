@@ -56,13 +56,13 @@ bool eventually(const Done& done) {
   return false;
 }
 
-PlayOptions atOnce() { return {.speed = 0.0, .faults = {}, .seed = 1}; }
+const PlayClock kAtOnce{.begin = 0.0, .speed = 0.0};
 
 TEST(LiveSource, GivesTheSamplesOfATable) {
   const recording::MeasuredTable table = movingTable(500);
   LiveSource source(listening());
   EXPECT_FALSE(source.ready(10ms));
-  const PlayReport report = playRows(table, addressOf(source), atOnce(), nullptr);
+  const PlayReport report = playRows(table, addressOf(source), kAtOnce, {}, nullptr);
   EXPECT_EQ(report.sent, 500U);
   recording::TableSource direct(table, source.info().robot);
   tracking::Sample live, recorded;
@@ -117,7 +117,7 @@ TEST(LiveSource, RefusesAStrangerWithTheReason) {
   EXPECT_NE(answer.find("error: "), std::string::npos) << answer;
   EXPECT_EQ(source.sides().front().state, State::kRefused);
   EXPECT_TRUE(tracking::needsAttention(source.sides().front()));
-  playRows(movingTable(100), addressOf(source), atOnce(), nullptr);
+  playRows(movingTable(100), addressOf(source), kAtOnce, {}, nullptr);
   EXPECT_TRUE(eventually([&] { return source.sides().front().received == 100; }))
       << "the robot may still come";
 }
@@ -154,7 +154,7 @@ TEST(LiveSource, ArrangesMotorsAndSigns) {
   setup.motors.signs = {-1.0, 1.0, -1.0};
   LiveSource source(setup);
   const recording::MeasuredTable table = movingTable(60);
-  playRows(table, addressOf(source), atOnce(), nullptr);
+  playRows(table, addressOf(source), kAtOnce, {}, nullptr);
   tracking::Sample sample;
   ASSERT_TRUE(source.ready(2s));
   ASSERT_TRUE(source.next(sample));
@@ -172,7 +172,7 @@ TEST(LiveSource, RunsInARunner) {
   std::promise<void> executed;
   runner.post([&](tracking::Source&, tracking::TrackingPipeline&) { executed.set_value(); });
   EXPECT_EQ(executed.get_future().wait_for(2s), std::future_status::ready) << "while nothing comes";
-  playRows(movingTable(300), address, atOnce(), nullptr);
+  playRows(movingTable(300), address, kAtOnce, {}, nullptr);
   ASSERT_TRUE(eventually([&] { return runner.report().motor_samples == 300; }));
   ASSERT_TRUE(eventually([&] {
     const auto sides = runner.status().sides;

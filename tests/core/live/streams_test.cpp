@@ -132,21 +132,55 @@ TEST(RowTimes, GoOnWhereTheRowsClockSteps) {
   EXPECT_EQ(times.repeated(), 2U);
 }
 
+TEST(HttpAddress, IsParsedAndRefused) {
+  const HttpAddress address = parseHttpAddress("http://localhost:8081", "--video");
+  EXPECT_EQ(address.host, "127.0.0.1");
+  EXPECT_EQ(address.port, 8081);
+  for (const char* wrong :
+       {"", "tcp://127.0.0.1:8081", "http://127.0.0.1", "http://camera:80", "http://127.0.0.1:x"})
+    EXPECT_THROW(parseHttpAddress(wrong, "--video"), base::InputError) << wrong;
+}
+
 TEST(PlayFault, ParsesItsForms) {
-  const PlayFault silence = parsePlayFault("silence:2@10", "--fault");
+  const PlayFault silence = parseRowFault("silence:2@10", "--fault");
   EXPECT_EQ(silence.kind, PlayFault::Kind::kSilence);
   EXPECT_EQ(silence.amount, 2.0);
   EXPECT_EQ(silence.time, 10.0);
-  EXPECT_EQ(parsePlayFault("step:-0.5@3", "--fault").amount, -0.5);
-  EXPECT_EQ(parsePlayFault("garbage@3", "--fault").time, 3.0);
+  EXPECT_EQ(parseRowFault("step:-0.5@3", "--fault").amount, -0.5);
+  EXPECT_EQ(parseRowFault("garbage@3", "--fault").time, 3.0);
   for (const char* wrong : {"drop", "drop:2", "drop:x", "silence:2", "silence@2", "jitter:0.1@2", "storm:1",
                             "", "drop:-0.1", "garbage:1@2", "silence:1@-2"})
-    EXPECT_THROW(parsePlayFault(wrong, "--fault"), base::InputError) << wrong;
+    EXPECT_THROW(parseRowFault(wrong, "--fault"), base::InputError) << wrong;
+}
+
+TEST(PlayFault, ImagesHaveFormsOfTheirOwn) {
+  EXPECT_EQ(parseImageFault("swap:2@10", "--video-fault").kind, PlayFault::Kind::kSwap);
+  EXPECT_EQ(parseImageFault("drop:0.1", "--video-fault").amount, 0.1);
+  for (const char* wrong : {"step:0.5@1", "garbage@1", "repeat:0.1", "swap:2"})
+    EXPECT_THROW(parseImageFault(wrong, "--video-fault"), base::InputError) << wrong;
+  try {
+    parseRowFault("swap:2@10", "--fault");
+    FAIL();
+  } catch (const base::InputError& error) {
+    EXPECT_NE(std::string(error.what())
+                  .find("Write drop:SHARE, repeat:SHARE, jitter:SECONDS, silence:SECONDS@TIME, "
+                        "freeze:SECONDS@TIME, step:SECONDS@TIME or garbage@TIME"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(FaultyRows, SwapImagesForATime) {
+  FaultyRows pairs({parseImageFault("swap:0.5@1", "")}, 1);
+  for (std::size_t k = 0; k < 30; ++k) {
+    const double t = static_cast<double>(k) / 15.0;
+    EXPECT_EQ(pairs.next(k, t, 0.0)->swapped, t >= 1.0 && t < 1.5) << t;
+  }
 }
 
 TEST(FaultyRows, SendWhatTheFaultsLeave) {
-  FaultyRows rows({parsePlayFault("silence:0.1@0.2", ""), parsePlayFault("freeze:0.1@0.5", ""),
-                   parsePlayFault("step:0.5@0.8", ""), parsePlayFault("garbage@0.9", "")},
+  FaultyRows rows({parseRowFault("silence:0.1@0.2", ""), parseRowFault("freeze:0.1@0.5", ""),
+                   parseRowFault("step:0.5@0.8", ""), parseRowFault("garbage@0.9", "")},
                   1);
   int garbage = 0;
   for (std::size_t k = 0; k < 1000; ++k) {
