@@ -21,6 +21,7 @@ void addExperiment(CLI::App& app, ExitCode& exit);
 void addCalibrate(CLI::App& app, ExitCode& exit);
 void addInfo(CLI::App& app, ExitCode& exit);
 void addConvert(CLI::App& app, ExitCode& exit);
+void addDevices(CLI::App& app, ExitCode& exit);
 void addDiagnose(CLI::App& app, ExitCode& exit);
 void addReport(CLI::App& app, ExitCode& exit);
 void addFigures(CLI::App& app, ExitCode& exit);

@@ -51,6 +51,7 @@ int run(int argc, char** argv) {
   cli::addSimulate(app, exit);
   cli::addTrack(app, exit);
   cli::addRecord(app, exit);
+  cli::addDevices(app, exit);
   cli::addPlay(app, exit);
   cli::addIdentify(app, exit);
   cli::addDiagnose(app, exit);
