@@ -50,6 +50,11 @@ LiveSetup readLiveSetup(const std::filesystem::path& path) {
   return setup;
 }
 
+void writeLiveSetup(const LiveSetup& setup, const std::filesystem::path& path) {
+  check(setup, {});
+  base::writeTextFile(path, base::writeYaml(setup));
+}
+
 LiveSetup liveSetupOf(const std::string& text, const std::string& robot, const std::string& read_as) {
   if (isAddress(text) || isFifo(text)) {
     LiveSetup setup{.title = text == "-" ? "standard input" : text, .robot = robot, .motors = {}, .cameras = {}};

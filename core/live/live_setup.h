@@ -89,6 +89,9 @@ struct LiveSetup {
 /// Reads a live set-up; relative paths in it become paths from its folder. Throws base::InputError with file,
 /// line, field, value and range.
 LiveSetup readLiveSetup(const std::filesystem::path& path);
+/// Writes a set-up with every field, its unit and its meaning. Throws base::InputError for a set-up that
+/// readLiveSetup() would refuse, and where the file cannot be written.
+void writeLiveSetup(const LiveSetup& setup, const std::filesystem::path& path);
 /// Set-up that `text` names: an address (isAddress()), with `robot`, or the path of a set-up file. Throws
 /// base::InputError as readLiveSetup() and parseAddress(), and where a set-up file has its own robot and
 /// `robot` is given, too.

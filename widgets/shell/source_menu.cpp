@@ -2,13 +2,14 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QInputDialog>
 
+#include "widgets/shell/live_dialog.h"
 #include "widgets/shell/simulation_dialog.h"
 
 namespace capstan::widgets {
 
-SourceMenu::SourceMenu(QWidget* parent) : QMenu(parent), dialog_(new SimulationDialog(parent)) {
+SourceMenu::SourceMenu(QWidget* parent)
+    : QMenu(parent), dialog_(new SimulationDialog(parent)), live_(new LiveDialog(parent)) {
   auto* simulate = addAction(tr("New simulated session…"));
   simulate->setObjectName("simulate");
   simulate->setShortcut(QKeySequence::New);
@@ -23,7 +24,12 @@ SourceMenu::SourceMenu(QWidget* parent) : QMenu(parent), dialog_(new SimulationD
   auto* live = addAction(tr("Connect to a live robot…"));
   live->setObjectName("live");
   live->setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+R")));
-  connect(live, &QAction::triggered, this, &SourceMenu::askLive);
+  connect(live, &QAction::triggered, live_, [this] {
+    live_->show();
+    live_->raise();
+  });
+  connect(live_, &LiveDialog::chosen, this,
+          [this](const QString& chosen_live) { Q_EMIT chosen(SourceChoice::ofLive(chosen_live)); });
   recent_menu_ = addMenu(tr("Recent"));
   recent_menu_->menuAction()->setObjectName("recent");
   connect(dialog_, &SimulationDialog::chosen, this, [this](const simulation::SimulationRequest& request) {
@@ -40,20 +46,6 @@ void SourceMenu::askFile() {
   dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, this,
           [this](const QString& file) { Q_EMIT chosen(SourceChoice::ofFile(file)); });
-  dialog->open();
-}
-
-void SourceMenu::askLive() {
-  auto* dialog = new QInputDialog(parentWidget());
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setWindowTitle(tr("Connect to a live robot"));
-  dialog->setLabelText(
-      tr("Address to listen on for rows of a measured table, path of a FIFO, or live set-up file (.yaml):"));
-  dialog->setTextValue(live_);
-  connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString& text) {
-    live_ = text.trimmed();
-    Q_EMIT chosen(SourceChoice::ofLive(live_));
-  });
   dialog->open();
 }
 

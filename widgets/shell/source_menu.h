@@ -6,9 +6,10 @@
 
 namespace capstan::widgets {
 
+class LiveDialog;
 class SimulationDialog;
 
-/// Menu with new simulation, open a file, and the recent recordings.
+/// Menu with new simulation, open a file, connect to a live robot, and the recent recordings.
 class SourceMenu : public QMenu {
   Q_OBJECT
 
@@ -28,13 +29,12 @@ class SourceMenu : public QMenu {
 
  private:
   void askFile();
-  void askLive();
   void fillRecent();
 
   SimulationDialog* dialog_;
+  LiveDialog* live_;
   QMenu* recent_menu_;
   QStringList recent_;
-  QString live_ = QStringLiteral("tcp://127.0.0.1:5555");
 };
 
 }  // namespace capstan::widgets

@@ -1,0 +1,163 @@
+// The dialog that connects to a live robot: what it writes, reads back, previews and connects to.
+#include "widgets/shell/live_dialog.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QGroupBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <thread>
+
+#include "core/live/cameras/image_server.h"
+#include "core/live/streams/tcp_sender.h"
+#include "tests/widgets/picture.h"
+#include "tests/widgets/shell_fixture.h"
+#include "widgets/figures/theme.h"
+
+namespace capstan::widgets {
+namespace {
+
+class LiveDialogTest : public Shell {
+ protected:
+  template <class Widget>
+  Widget& of(const char* name) {
+    auto* found = dialog_.findChild<Widget*>(name);
+    EXPECT_TRUE(found) << name;
+    return *found;
+  }
+  QString textOf(const char* name) { return of<QLabel>(name).text(); }
+  /// A port that was free a moment ago.
+  static std::string freePort() { return std::to_string(live::ImageServer("127.0.0.1", 0).port()); }
+
+  static live::LiveSetup everyField() {
+    live::LiveSetup setup{.title = "our robot", .robot = {}, .motors = {}, .cameras = live::CamerasSetup{}};
+    setup.motors = {"tcp://127.0.0.1:5556", "q_m=deg", {2, 1, 3}, {1.0, -1.0, 1.0}, false};
+    setup.cameras->left = "/dev/video8", setup.cameras->right = "/dev/video9";
+    setup.cameras->calibration = "/somewhere", setup.cameras->registration = "/somewhere/registration.yaml";
+    setup.cameras->latency = 0.03, setup.cameras->pairing = 0.005, setup.cameras->rate = 30.0;
+    setup.cameras->width = 1280, setup.cameras->height = 720;
+    setup.cameras->exposure = 150.0;
+    return setup;
+  }
+
+  LiveDialog dialog_;
+};
+
+TEST_F(LiveDialogTest, ShowsAndSavesEveryField) {
+  dialog_.setSetup(everyField());
+  EXPECT_EQ(dialog_.setup(), everyField()) << "fields without a widget are kept, too";
+  ASSERT_TRUE(dialog_.saveFile(file("robot.yaml")));
+  EXPECT_EQ(live::readLiveSetup(file("robot.yaml").toStdString()), everyField());
+  LiveDialog other;
+  other.openFile(file("robot.yaml"));
+  EXPECT_EQ(other.setup(), everyField());
+}
+
+TEST_F(LiveDialogTest, RefusesASetupWithItsFieldAndRemedy) {
+  auto setup = everyField();
+  setup.motors.motors = {1, 1, 3};
+  dialog_.setSetup(setup);
+  dialog_.show();
+  EXPECT_FALSE(dialog_.saveFile(file("robot.yaml")));
+  EXPECT_TRUE(textOf("message").contains("motors.motors")) << textOf("message").toStdString();
+  EXPECT_FALSE(QFile::exists(file("robot.yaml")));
+  dialog_.openFile(file("missing.yaml"));
+  EXPECT_TRUE(textOf("message").contains("missing.yaml")) << textOf("message").toStdString();
+}
+
+TEST_F(LiveDialogTest, AnAddressAloneNeedsNoFile) {
+  QSignalSpy chosen(&dialog_, &LiveDialog::chosen);
+  dialog_.show();
+  of<QComboBox>("from").setEditText("tcp://127.0.0.1:5559");
+  of<QPushButton>("connect").click();
+  ASSERT_EQ(chosen.size(), 1);
+  EXPECT_EQ(chosen[0][0].toString(), "tcp://127.0.0.1:5559");
+  EXPECT_FALSE(dialog_.isVisible());
+}
+
+TEST_F(LiveDialogTest, AFileThatIsUnchangedIsConnectedTo) {
+  dialog_.setSetup(everyField());
+  ASSERT_TRUE(dialog_.saveFile(file("robot.yaml")));
+  QSignalSpy chosen(&dialog_, &LiveDialog::chosen);
+  of<QPushButton>("connect").click();
+  ASSERT_EQ(chosen.size(), 1);
+  EXPECT_EQ(chosen[0][0].toString(), file("robot.yaml"));
+}
+
+/// Rows of a robot whose second motor moves, and two cameras that are served over HTTP.
+TEST_F(LiveDialogTest, PreviewsImagesAndMotorsThatMove) {
+  live::ImageServer cameras("127.0.0.1", 0);
+  const std::string video = "http://127.0.0.1:" + std::to_string(cameras.port());
+  live::LiveSetup setup{.title = "robot", .robot = {}, .motors = {}, .cameras = live::CamerasSetup{}};
+  setup.motors.from = "tcp://127.0.0.1:" + freePort();
+  setup.motors.motors = {2, 1, 3};
+  setup.cameras->left = video + "/left", setup.cameras->right = video + "/right";
+  applyTheme(*qApp, Theme::dark());
+  dialog_.setSetup(setup);
+  dialog_.show();
+  std::atomic<bool> quit = false;
+  std::thread robot([&] {
+    std::unique_ptr<live::TcpSender> sender;
+    for (int k = 0; !quit; ++k) {
+      cameras.publish({480, 640, CV_8UC3, cv::Scalar(0, 0, 200)}, {480, 640, CV_8UC3, cv::Scalar(200, 0, 0)});
+      try {
+        if (!sender) {
+          sender = std::make_unique<live::TcpSender>(live::parseAddress(setup.motors.from, "from"));
+          sender->send("t,q_m1,q_m2,q_m3\n");
+        }
+        sender->send(QString("%1,0.5,%2,0.1\n").arg(k * 0.01).arg(std::sin(k * 0.05)).toStdString());
+      } catch (const base::InputError&) {  // it does not listen yet
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+  });
+  of<QPushButton>("preview").click();
+  EXPECT_TRUE(waitFor([&] {
+    return textOf("preview_motor_1").contains("is moving") &&
+           of<QLabel>("preview_left").pixmap(Qt::ReturnByValue).width() > 0;
+  })) << textOf("preview_motor_1").toStdString()
+      << textOf("preview_sides").toStdString();
+  EXPECT_TRUE(textOf("preview_motor_2").contains("is at rest")) << textOf("preview_motor_2").toStdString();
+  EXPECT_TRUE(textOf("preview_motor_2").contains("28.65"))
+      << "0.5 rad: " << textOf("preview_motor_2").toStdString();
+  const QColor left = of<QLabel>("preview_left").pixmap(Qt::ReturnByValue).toImage().pixelColor(100, 100),
+               right = of<QLabel>("preview_right").pixmap(Qt::ReturnByValue).toImage().pixelColor(100, 100);
+  EXPECT_GT(left.red(), left.blue() + 100);
+  EXPECT_GT(right.blue(), right.red() + 100);
+  test::grab(dialog_, "live_dialog");
+  of<QPushButton>("preview").click();
+  EXPECT_TRUE(textOf("preview_sides").isEmpty());
+  quit = true;
+  robot.join();
+}
+
+TEST_F(LiveDialogTest, PreviewSaysWhyASideCannotBeOpened) {
+  live::LiveSetup setup{.title = "robot", .robot = {}, .motors = {}, .cameras = live::CamerasSetup{}};
+  setup.motors.from = "tcp://127.0.0.1:" + freePort();
+  setup.cameras->left = "/dev/video97", setup.cameras->right = "/dev/video98";
+  dialog_.setSetup(setup);
+  dialog_.show();
+  of<QPushButton>("preview").click();
+  EXPECT_TRUE(waitFor([&] { return textOf("preview_sides").contains("/dev/video97: cannot be opened"); }));
+  EXPECT_TRUE(textOf("preview_sides").contains("motors waiting"))
+      << "the other side is open: " << textOf("preview_sides").toStdString();
+}
+
+TEST_F(Shell, TheDialogConnectsTheWindow) {
+  auto window = makeWindow();
+  auto* dialog = window->findChild<LiveDialog*>();
+  ASSERT_TRUE(dialog);
+  window->findChild<QAction*>("live")->trigger();
+  EXPECT_TRUE(dialog->isVisible());
+  const std::string port = std::to_string(live::ImageServer("127.0.0.1", 0).port());
+  dialog->findChild<QComboBox*>("from")->setEditText(QString::fromStdString("tcp://127.0.0.1:" + port));
+  dialog->findChild<QPushButton*>("connect")->click();
+  EXPECT_TRUE(waitFor([&] { return window->windowTitle().contains("live"); }))
+      << window->windowTitle().toStdString();
+}
+
+}  // namespace
+}  // namespace capstan::widgets

@@ -1,0 +1,396 @@
+#include "widgets/shell/live_dialog.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QGroupBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSpinBox>
+
+#include "core/base/error.h"
+#include "core/live/cameras/video_devices.h"
+#include "core/live/streams/address.h"
+#include "widgets/shell/live_preview_view.h"
+
+namespace capstan::widgets {
+namespace {
+
+constexpr const char* kAddress = "tcp://127.0.0.1:5555";
+constexpr double kPerSecond = 1e3;  // ms
+
+/// Meaning of a field, as its declaration states it.
+template <class Setup>
+QString meaningOf(std::string_view key) {
+  QString meaning;
+  Setup setup;
+  Setup::visit(setup, [&](auto&, const base::FieldInfo& info) {
+    if (info.key == key)
+      meaning = QString::fromUtf8(info.meaning.data(), static_cast<int>(info.meaning.size()));
+  });
+  return meaning;
+}
+
+template <class Setup, class Widget>
+void addField(QFormLayout* form, const QString& label, Widget* widget, const char* key) {
+  widget->setObjectName(key);
+  widget->setToolTip(meaningOf<Setup>(key));
+  form->addRow(label, widget);
+}
+
+QDoubleSpinBox* numberBox(const QString& suffix, double most, int decimals) {
+  auto* box = new QDoubleSpinBox;
+  box->setRange(0.0, most);
+  box->setDecimals(decimals);
+  box->setSuffix(suffix);
+  return box;
+}
+
+QComboBox* editableBox() {
+  auto* box = new QComboBox;
+  box->setEditable(true);
+  box->setInsertPolicy(QComboBox::NoInsert);
+  box->setMinimumContentsLength(28);
+  return box;
+}
+
+/// What was chosen in an editable list whose entries have a value beside their text.
+std::string valueOf(const QComboBox& box) {
+  const int known = box.findText(box.currentText());
+  return (known >= 0 && box.itemData(known).isValid() ? box.itemData(known).toString() : box.currentText())
+      .trimmed()
+      .toStdString();
+}
+
+void setValue(QComboBox& box, const std::string& value) {
+  const QString text = QString::fromStdString(value);
+  const int known = box.findData(text);
+  known >= 0 ? box.setCurrentIndex(known) : box.setEditText(text);
+}
+
+}  // namespace
+
+LiveDialog::LiveDialog(QWidget* parent) : QDialog(parent) {
+  setObjectName("live");
+  setWindowTitle(tr("Connect to a live robot"));
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(12, 8, 12, 8);
+  grid->setSpacing(8);
+  auto* general = new QGroupBox(tr("Robot"));
+  auto* form = new QFormLayout(general);
+  title_ = new QLineEdit;
+  addField<live::LiveSetup>(form, tr("Title"), title_, "title");
+  robot_ = addPath(form, tr("Robot file"), meaningOf<live::LiveSetup>("robot"), false);
+  robot_->setObjectName("robot");
+  robot_->setPlaceholderText(tr("RAVEN-II, left arm"));
+  grid->addWidget(general, 0, 0);
+  grid->addWidget(makeMotors(), 1, 0);
+  grid->addWidget(makeCameras(), 2, 0);
+  auto* side = new QGroupBox(tr("Preview"));
+  preview_ = new LivePreviewView;
+  auto* layout = new QVBoxLayout(side);
+  layout->addWidget(preview_);
+  grid->addWidget(side, 0, 1, 3, 1);
+  message_ = new QLabel;
+  message_->setObjectName("message");
+  message_->setWordWrap(true);
+  message_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  grid->addWidget(message_, 3, 0, 1, 2);
+  grid->addWidget(makeButtons(), 4, 0, 1, 2);
+  grid->setColumnStretch(0, 1);
+  live::LiveSetup initial;
+  initial.title = tr("my robot").toStdString();
+  setSetup(initial);
+}
+
+QLineEdit* LiveDialog::addPath(QFormLayout* form, const QString& label, const QString& tip, bool folder) {
+  auto* row = new QWidget;
+  auto* line = new QHBoxLayout(row);
+  line->setContentsMargins(0, 0, 0, 0);
+  auto* edit = new QLineEdit;
+  edit->setToolTip(tip);
+  auto* browse = new QPushButton(tr("Browse…"));
+  browse->setAutoDefault(false);
+  browse->setAccessibleName(tr("Browse for %1").arg(label));
+  line->addWidget(edit, 1);
+  line->addWidget(browse);
+  form->addRow(label, row);
+  connect(browse, &QPushButton::clicked, this, [this, edit, label, folder] {
+    auto* dialog = new QFileDialog(this, label, edit->text());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(folder ? QFileDialog::Directory : QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, edit, [edit](const QString& path) { edit->setText(path); });
+    dialog->open();
+  });
+  return edit;
+}
+
+QGroupBox* LiveDialog::makeMotors() {
+  auto* group = new QGroupBox(tr("Motors"));
+  auto* form = new QFormLayout(group);
+  form->setVerticalSpacing(4);
+  from_ = editableBox();
+  from_->addItem(kAddress);
+  addField<live::RowsSetup>(form, tr("From"), from_, "from");
+  read_as_ = new QLineEdit;
+  read_as_->setPlaceholderText(tr("SI"));
+  addField<live::RowsSetup>(form, tr("Units"), read_as_, "read_as");
+  for (std::size_t joint = 0; joint < motors_.size(); ++joint) {
+    Motor& motor = motors_[joint];
+    motor = {new QSpinBox, new QCheckBox(tr("counts the other way"))};
+    motor.from->setObjectName(QString("motor_%1").arg(joint + 1));
+    motor.from->setRange(1, 3);
+    motor.from->setPrefix(tr("motor "));
+    motor.from->setToolTip(meaningOf<live::RowsSetup>("motors"));
+    motor.reversed->setObjectName(QString("reversed_%1").arg(joint + 1));
+    motor.reversed->setToolTip(meaningOf<live::RowsSetup>("signs"));
+    auto* row = new QWidget;
+    auto* line = new QHBoxLayout(row);
+    line->setContentsMargins(0, 0, 0, 0);
+    line->addWidget(motor.from);
+    line->addWidget(motor.reversed, 1);
+    form->addRow(tr("Joint %1").arg(joint + 1), row);
+  }
+  reference_ = new QCheckBox(tr("columns q are joint encoders"));
+  addField<live::RowsSetup>(form, tr("Reference"), reference_, "reference");
+  return group;
+}
+
+QGroupBox* LiveDialog::makeCameras() {
+  using Cameras = live::CamerasSetup;
+  cameras_ = new QGroupBox(tr("Cameras"));
+  cameras_->setObjectName("cameras");
+  cameras_->setCheckable(true);
+  auto* form = new QFormLayout(cameras_);
+  form->setVerticalSpacing(4);
+  layout_ = new QComboBox;
+  layout_->addItem(tr("two streams"));
+  layout_->addItem(tr("one stream, left | right"));
+  layout_->addItem(tr("one stream, left above right"));
+  addField<Cameras>(form, tr("Layout"), layout_, "layout");
+  connect(layout_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &LiveDialog::fitLayout);
+  left_ = editableBox();
+  addField<Cameras>(form, tr("Left"), left_, "left");
+  right_ = editableBox();
+  addField<Cameras>(form, tr("Right"), right_, "right");
+  size_ = editableBox();
+  addField<Cameras>(form, tr("Size"), size_, "size");
+  size_->lineEdit()->setPlaceholderText(tr("the device's own"));
+  size_->setToolTip(tr("Width × height of each stream's images [px]; empty: as the device gives them"));
+  rate_ = numberBox(tr(" frames/s"), 1000.0, 0);
+  rate_->setSpecialValueText(tr("the device's own"));
+  addField<Cameras>(form, tr("Rate"), rate_, "rate");
+  calibration_ = addPath(form, tr("Calibration"), meaningOf<Cameras>("calibration"), true);
+  calibration_->setObjectName("calibration");
+  registration_ = addPath(form, tr("Registration"), meaningOf<Cameras>("registration"), false);
+  registration_->setObjectName("registration");
+  registration_->setPlaceholderText(tr("none: register first"));
+  latency_ = numberBox(tr(" ms"), 2000.0, 1);
+  addField<Cameras>(form, tr("Latency"), latency_, "latency");
+  pairing_ = numberBox(tr(" ms"), 1000.0, 1);
+  addField<Cameras>(form, tr("Pairing"), pairing_, "pairing");
+  return cameras_;
+}
+
+QWidget* LiveDialog::makeButtons() {
+  auto* row = new QWidget;
+  auto* line = new QHBoxLayout(row);
+  line->setContentsMargins(0, 0, 0, 0);
+  const auto add = [&](const char* name, const QString& text, const QString& tip) {
+    auto* button = new QPushButton(text);
+    button->setObjectName(name);
+    button->setToolTip(tip);
+    button->setAutoDefault(false);
+    line->addWidget(button);
+    return button;
+  };
+  connect(add("open", tr("Open…"), tr("Read a live set-up file")), &QPushButton::clicked, this,
+          &LiveDialog::askOpen);
+  connect(add("save", tr("Save as…"), tr("Write a live set-up file")), &QPushButton::clicked, this,
+          [this] { askSave(false); });
+  line->addStretch(1);
+  preview_button_ = add("preview", tr("Preview"), tr("Show what comes, without a session"));
+  preview_button_->setCheckable(true);
+  connect(preview_button_, &QPushButton::toggled, this, &LiveDialog::togglePreview);
+  connect(add("cancel", tr("Cancel"), {}), &QPushButton::clicked, this, &QDialog::reject);
+  auto* connect_button = add("connect", tr("Connect"), tr("Begin a session with this robot"));
+  connect_button->setDefault(true);
+  connect(connect_button, &QPushButton::clicked, this, &LiveDialog::connectRobot);
+  return row;
+}
+
+void LiveDialog::fillDevices() {
+  const std::vector<live::VideoDevice> devices = live::listVideoDevices();
+  for (auto* box : {left_, right_}) {
+    const std::string value = valueOf(*box);
+    box->clear();
+    for (const live::VideoDevice& device : devices)
+      if (device.fault.empty())
+        box->addItem(tr("%1 — %2, %3").arg(device.path.c_str(), device.name.c_str(), device.at.c_str()),
+                     QString::fromStdString(device.path));
+    setValue(*box, value);
+  }
+  const QString size = size_->currentText();
+  size_->clear();
+  for (const live::VideoDevice& device : devices)
+    for (const live::VideoFormat& format : device.formats) {
+      const QString text = tr("%1 × %2").arg(format.width).arg(format.height);
+      if (size_->findText(text) < 0) size_->addItem(text);
+    }
+  size_->setEditText(size);
+}
+
+void LiveDialog::fitLayout() {
+  right_->setEnabled(layout_->currentIndex() == static_cast<int>(live::CameraLayout::kTwo));
+}
+
+void LiveDialog::setSetup(const live::LiveSetup& setup) {
+  title_->setText(QString::fromStdString(setup.title));
+  robot_->setText(QString::fromStdString(setup.robot));
+  setValue(*from_, setup.motors.from);
+  read_as_->setText(QString::fromStdString(setup.motors.read_as));
+  for (std::size_t joint = 0; joint < motors_.size(); ++joint) {
+    motors_[joint].from->setValue(setup.motors.motors[joint]);
+    motors_[joint].reversed->setChecked(setup.motors.signs[joint] < 0.0);
+  }
+  reference_->setChecked(setup.motors.reference);
+  cameras_->setChecked(setup.cameras.has_value());
+  other_ = setup.cameras.value_or(live::CamerasSetup{});
+  layout_->setCurrentIndex(static_cast<int>(other_.layout));
+  setValue(*left_, other_.left);
+  setValue(*right_, other_.right);
+  size_->setEditText(other_.width > 0 ? tr("%1 × %2").arg(other_.width).arg(other_.height) : QString());
+  rate_->setValue(other_.rate);
+  calibration_->setText(QString::fromStdString(other_.calibration));
+  registration_->setText(QString::fromStdString(other_.registration));
+  latency_->setValue(other_.latency * kPerSecond);
+  pairing_->setValue(other_.pairing * kPerSecond);
+  fitLayout();
+}
+
+live::LiveSetup LiveDialog::setup() const {
+  live::LiveSetup setup;
+  setup.title = title_->text().toStdString();
+  setup.robot = robot_->text().trimmed().toStdString();
+  setup.motors.from = valueOf(*from_);
+  setup.motors.read_as = read_as_->text().trimmed().toStdString();
+  for (std::size_t joint = 0; joint < motors_.size(); ++joint) {
+    setup.motors.motors[joint] = motors_[joint].from->value();
+    setup.motors.signs[joint] = motors_[joint].reversed->isChecked() ? -1.0 : 1.0;
+  }
+  setup.motors.reference = reference_->isChecked();
+  if (!cameras_->isChecked()) return setup;
+  live::CamerasSetup cameras = other_;
+  cameras.layout = static_cast<live::CameraLayout>(layout_->currentIndex());
+  cameras.left = valueOf(*left_);
+  cameras.right = cameras.layout == live::CameraLayout::kTwo ? valueOf(*right_) : std::string();
+  const QStringList size = size_->currentText().split(QRegExp("\\D+"), Qt::SkipEmptyParts);
+  cameras.width = size.size() == 2 ? size[0].toInt() : 0;
+  cameras.height = size.size() == 2 ? size[1].toInt() : 0;
+  cameras.rate = rate_->value();
+  cameras.calibration = calibration_->text().trimmed().toStdString();
+  cameras.registration = registration_->text().trimmed().toStdString();
+  cameras.latency = latency_->value() / kPerSecond;
+  cameras.pairing = pairing_->value() / kPerSecond;
+  setup.cameras = cameras;
+  return setup;
+}
+
+void LiveDialog::openFile(const QString& file) {
+  try {
+    setSetup(live::readLiveSetup(file.toStdString()));
+    file_ = file;
+    say({});
+  } catch (const base::InputError& error) {
+    say(QString::fromStdString(error.what()));
+  }
+}
+
+bool LiveDialog::saveFile(const QString& file) {
+  try {
+    live::writeLiveSetup(setup(), file.toStdString());
+    file_ = file;
+    say({});
+    return true;
+  } catch (const base::InputError& error) {
+    say(QString::fromStdString(error.what()));
+    return false;
+  }
+}
+
+void LiveDialog::askOpen() {
+  auto* dialog =
+      new QFileDialog(this, tr("Open a live set-up"), file_, tr("Live set-ups (*.yaml);;All files (*)"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this, &LiveDialog::openFile);
+  dialog->open();
+}
+
+void LiveDialog::askSave(bool then_connect) {
+  auto* dialog = new QFileDialog(this, tr("Save the live set-up"), file_.isEmpty() ? "robot.yaml" : file_,
+                                 tr("Live set-ups (*.yaml)"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix("yaml");
+  connect(dialog, &QFileDialog::fileSelected, this, [this, then_connect](const QString& file) {
+    if (saveFile(file) && then_connect) connectRobot();
+  });
+  dialog->open();
+}
+
+void LiveDialog::togglePreview(bool on) {
+  say({});
+  if (!on) return preview_->stop();
+  const live::LiveSetup now = setup();
+  if (now.motors.from == "-") {
+    preview_button_->setChecked(false);
+    return say(tr("Standard input cannot be previewed: its rows are read once."));
+  }
+  preview_->start(now);
+}
+
+bool LiveDialog::isAddressOnly() const {
+  live::LiveSetup plain = setup(), address;
+  address.motors.from = plain.motors.from;
+  address.title = plain.title;
+  return live::isAddress(plain.motors.from) && plain == address;
+}
+
+void LiveDialog::connectRobot() {
+  preview_button_->setChecked(false);
+  if (isAddressOnly()) {
+    Q_EMIT chosen(from_->currentText().trimmed());
+    return accept();
+  }
+  bool saved = false;
+  if (!file_.isEmpty()) try {
+      saved = live::readLiveSetup(file_.toStdString()) == setup();
+    } catch (const base::InputError&) {  // it is written again
+    }
+  if (!saved) return askSave(true);
+  Q_EMIT chosen(file_);
+  accept();
+}
+
+void LiveDialog::say(const QString& fault) {
+  message_->setText(fault);
+  message_->setVisible(!fault.isEmpty());
+}
+
+void LiveDialog::showEvent(QShowEvent* event) {
+  fillDevices();
+  QDialog::showEvent(event);
+}
+
+void LiveDialog::hideEvent(QHideEvent* event) {
+  preview_button_->setChecked(false);
+  QDialog::hideEvent(event);
+}
+
+}  // namespace capstan::widgets

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <QDialog>
+#include <array>
+
+#include "core/live/live_setup.h"
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QGroupBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QSpinBox;
+
+namespace capstan::widgets {
+
+class LivePreviewView;
+
+/// Non-modal dialog that connects to a live robot: writes and reads a live set-up file, lists the cameras of
+/// this computer, and shows what comes before a session is begun.
+class LiveDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  explicit LiveDialog(QWidget* parent = nullptr);
+
+  void setSetup(const live::LiveSetup& setup);
+  live::LiveSetup setup() const;
+  /// Reads a live set-up file into the form; a fault is shown in the dialog.
+  void openFile(const QString& file);
+  /// Writes the form to `file`. False: a fault is shown in the dialog.
+  bool saveFile(const QString& file);
+
+ signals:
+  /// `live`: an address, or the path of the saved set-up file.
+  void chosen(const QString& live);
+
+ protected:
+  void hideEvent(QHideEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  struct Motor {
+    QSpinBox* from;
+    QCheckBox* reversed;
+  };
+
+  QGroupBox* makeMotors();
+  QGroupBox* makeCameras();
+  QWidget* makeButtons();
+  QLineEdit* addPath(QFormLayout* form, const QString& label, const QString& tip, bool folder);
+  void fillDevices();
+  void fitLayout();
+  void togglePreview(bool on);
+  void askOpen();
+  void askSave(bool then_connect);
+  void connectRobot();
+  void say(const QString& fault);
+  /// An address alone says the same.
+  bool isAddressOnly() const;
+
+  QString file_;  ///< set-up file that the form equals; empty: none
+  QLineEdit *title_, *robot_, *read_as_, *calibration_, *registration_;
+  QComboBox *from_, *left_, *right_, *layout_, *size_;
+  std::array<Motor, 3> motors_;
+  QCheckBox* reference_;
+  QGroupBox* cameras_;
+  QDoubleSpinBox *rate_, *latency_, *pairing_;
+  live::CamerasSetup other_;  ///< fields of the file that the form does not show
+  QPushButton* preview_button_;
+  LivePreviewView* preview_;
+  QLabel* message_;
+};
+
+}  // namespace capstan::widgets
