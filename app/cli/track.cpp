@@ -19,6 +19,7 @@
 #include "core/base/error.h"
 #include "core/live/motor_failures.h"
 #include "core/live/occluded_source.h"
+#include "core/recording/recording_kinds.h"
 #include "core/tracking/make_pipeline.h"
 #include "core/vision/registration_file.h"
 
@@ -188,8 +189,7 @@ void addTrack(CLI::App& app, ExitCode& exit) {
   auto arguments = std::make_shared<TrackArguments>();
   CLI::App* command =
       app.add_subcommand("track", "Estimate the joint angles of a recording, or of a simulation");
-  command->add_option("FILE", arguments->file,
-                      "session (.capstan), measured table or RAVEN-II motor log (.csv)");
+  command->add_option("FILE", arguments->file, recording::recordingKinds());
   command->add_option("--format", arguments->format, "format of FILE: auto, session, table, raven")
       ->capture_default_str()
       ->check(CLI::IsMember({"auto", "session", "table", "raven"}));

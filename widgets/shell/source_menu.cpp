@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QInputDialog>
 
+#include "core/recording/recording_kinds.h"
 #include "widgets/shell/simulation_dialog.h"
 
 namespace capstan::widgets {
@@ -34,8 +35,9 @@ SourceMenu::SourceMenu(QWidget* parent) : QMenu(parent), dialog_(new SimulationD
 
 void SourceMenu::askFile() {
   const QString folder = recent_.isEmpty() ? QString() : QFileInfo(recent_.front()).absolutePath();
-  auto* dialog = new QFileDialog(parentWidget(), tr("Open a recording"), folder,
-                                 tr("Recordings (*.capstan *.csv);;All files (*)"));
+  auto* dialog = new QFileDialog(
+      parentWidget(), tr("Open a recording"), folder,
+      tr("Recordings (%1);;All files (*)").arg(QString::fromStdString(recording::recordingPatterns())));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, this,
