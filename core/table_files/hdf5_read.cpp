@@ -18,6 +18,7 @@ constexpr hsize_t kPiece = 1U << 16;             ///< rows that are read at once
 constexpr hsize_t kLargestChunk = 64U << 20;     ///< bytes of a chunk, which HDF5 reads as a whole
 constexpr hsize_t kMostRows = hsize_t{1} << 31;  ///< 25 days at 1 kHz
 constexpr hsize_t kLargestRatio = 1100;          ///< bytes by bytes stored; deflate reaches 1032
+constexpr std::size_t kLargestNumber = 16;       ///< bytes of a number; others are damaged
 constexpr hsize_t kUnstored = 16U << 20;         ///< bytes that may be fill values, which are not stored
 
 /// An open data set and what errors name it.
@@ -58,7 +59,8 @@ hsize_t rowsOf(const DataSet& set) {
 void checkType(const DataSet& set) {
   const Hdf5Id type(H5Dget_type(set.id.get()), H5Tclose);
   const H5T_class_t kind = type.isOpen() ? H5Tget_class(type.get()) : H5T_NO_CLASS;
-  if (kind != H5T_FLOAT && kind != H5T_INTEGER)
+  const std::size_t size = type.isOpen() ? H5Tget_size(type.get()) : 0;
+  if ((kind != H5T_FLOAT && kind != H5T_INTEGER) || size > kLargestNumber)
     set.refuse({}, "does not hold numbers", "Store its values as 64-bit floating-point numbers");
 }
 
@@ -78,8 +80,10 @@ void checkStorage(const DataSet& set, hsize_t rows) {
       set.refuse({}, fmt::format("has chunks of more than {} MiB", kLargestChunk >> 20U),
                  "Write it with smaller chunks, for example of 16,384 values");
   }
+  // A chunk that is not stored holds the fill value; all other layouts are stored as they are.
   const hsize_t stored = H5Dget_storage_size(set.id.get());
-  if (rows * size > std::max(kUnstored, kLargestRatio * stored))
+  const hsize_t most = layout == H5D_CHUNKED ? std::max(kUnstored, kLargestRatio * stored) : stored;
+  if (rows * size > most)
     set.refuse(fmt::format("{} rows", rows), fmt::format("has more rows than its {} bytes can hold", stored),
                "Write the file again: it is damaged or not complete");
 }
