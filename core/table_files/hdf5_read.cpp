@@ -71,6 +71,15 @@ void checkStorage(const DataSet& set, hsize_t rows) {
   const H5D_layout_t layout = made.isOpen() ? H5Pget_layout(made.get()) : H5D_LAYOUT_ERROR;
   if (layout == H5D_VIRTUAL || (layout == H5D_CONTIGUOUS && H5Pget_external_count(made.get()) != 0))
     set.refuse({}, "is stored in another file", "Write its values into this file");
+  for (int i = 0; made.isOpen() && i < H5Pget_nfilters(made.get()); ++i) {
+    unsigned flags = 0, config = 0;
+    std::size_t parameters = 0;
+    const H5Z_filter_t filter = H5Pget_filter2(made.get(), static_cast<unsigned>(i), &flags, &parameters,
+                                               nullptr, 0, nullptr, &config);
+    if (filter < 0 || H5Zfilter_avail(filter) <= 0)
+      set.refuse(fmt::format("filter {}", filter), "is compressed in a way that HDF5 itself does not know",
+                 "Write it with gzip, or uncompressed");
+  }
   const Hdf5Id type(H5Dget_type(set.id.get()), H5Tclose);
   const hsize_t size = H5Tget_size(type.get());
   if (layout == H5D_CHUNKED) {
