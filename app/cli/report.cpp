@@ -205,7 +205,7 @@ ExitCode report(ReportArguments& arguments, const CLI::App& command) {
   const bool simulates = arguments.file.empty();
   std::optional<PatientRecorder> recorder;
   if (simulates) recorder.emplace(folder / "session.capstan", header);
-  EstimateWriter estimates(folder / "estimates.csv");
+  EstimateWriter estimates((folder / "estimates.csv").string());
   ReportFigures figures;
   LastFrame last;
   identification::DataCollector collector(pipeline, info.title);
