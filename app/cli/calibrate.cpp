@@ -10,17 +10,19 @@
 #include "core/base/error.h"
 #include "core/base/names.h"
 #include "core/vision/calibration.h"
+#include "core/vision/rig_file.h"
 
 namespace capstan::cli {
 namespace {
 
+constexpr const char* kOpenCv = "stereo.yml";
 constexpr const char* kLeft = "left.yaml";
 constexpr const char* kRight = "right.yaml";
 
 struct CalibrateArguments {
   std::string folder, out = ".", board = "9x6", json;
   double square_mm = 25.0;
-  bool write = true, force = false;
+  bool write = true, force = false, opencv = false;
   vision::CalibrationOptions options;
 };
 
@@ -97,8 +99,10 @@ void checkOut(const CalibrateArguments& arguments, const vision::CalibrationInpu
     for (const auto& image : *side) inputs.push_back(image.string());
   checkOutputs({{"--json", arguments.json}}, inputs);
   if (!arguments.write) return;
-  checkOutputFolder("--out", arguments.out, {kLeft, kRight}, inputs);
-  for (const char* name : {kLeft, kRight}) {
+  std::vector<std::string> names = {kLeft, kRight};
+  if (arguments.opencv) names.emplace_back(kOpenCv);
+  checkOutputFolder("--out", arguments.out, names, inputs);
+  for (const std::string& name : names) {
     const std::filesystem::path file = std::filesystem::path(arguments.out) / name;
     if (!arguments.force && std::filesystem::exists(file))
       refuseFile(file.string(), "exists", "Give another --out, or --force");
@@ -130,6 +134,10 @@ ExitCode calibrate(CalibrateArguments& arguments) {
     if (failed) refuseFile(folder.string(), failed.message(), "Give another --out");
     vision::writeStereoRig(report.rig, folder / kLeft, folder / kRight);
     output.text(fmt::format("wrote {} and {}\n", (folder / kLeft).string(), (folder / kRight).string()));
+    if (arguments.opencv) {
+      vision::writeOpenCvRig(report.rig, folder / kOpenCv);
+      output.text(fmt::format("wrote {}\n", (folder / kOpenCv).string()));
+    }
   }
   return kOk;
 }
@@ -154,7 +162,8 @@ void addCalibrate(CLI::App& app, ExitCode& exit) {
       ->check(CLI::Range(0.0, 100.0));
   command->add_option("--out", arguments->out, "folder for left.yaml and right.yaml (ROS camera_info)")
       ->capture_default_str();
-  command->add_flag("--force", arguments->force, "overwrite an existing left.yaml or right.yaml");
+  command->add_flag("--force", arguments->force, "overwrite existing files");
+  command->add_flag("--opencv", arguments->opencv, "also write stereo.yml for OpenCV: M1, D1, M2, D2, R, T");
   command->add_flag_callback(
       "--no-write", [arguments] { arguments->write = false; }, "print the result, write no file");
   command->add_option("--json", arguments->json, "result as JSON: a file, or - for standard output");

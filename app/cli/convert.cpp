@@ -11,26 +11,29 @@
 #include "app/cli/outputs.h"
 #include "app/cli/recordings.h"
 #include "core/base/error.h"
-#include "core/base/yaml.h"
 #include "core/recording/export.h"
+#include "core/recording/export_table.h"
+#include "core/recording/recording_kinds.h"
 #include "core/recording/session_file.h"
+#include "core/table_files/table_kind.h"
 
 namespace capstan::cli {
 namespace {
 
 struct ConvertArguments {
-  std::string in, out, format = "auto", to = "auto", read_as, robot, json;
+  std::string in, out, format = "auto", to = "auto", read_as, robot, json, matlab = "5";
   bool force = false;
 };
 
 std::string targetOf(const ConvertArguments& arguments) {
   if (arguments.to != "auto") return arguments.to;
   const std::string suffix = std::filesystem::path(arguments.out).extension().string();
-  if (suffix == ".csv") return "table";
+  if (table_files::kindBySuffix(arguments.out)) return "table";
   if (suffix == recording::kSessionSuffix) return "session";
   if (suffix == ".avi" || suffix == ".mkv" || suffix == ".mp4") return "video";
   refuseOption("OUT", arguments.out, "has a suffix that names no format",
-               "End it in .csv, .capstan, .avi, .mkv or .mp4, or give --to csv-folder or png");
+               "End it in " + table_files::tableSuffixes() +
+                   ", .capstan, .avi, .mkv or .mp4, or give --to csv-folder or png");
 }
 
 void needSession(RecordingFormat format, const std::string& target) {
@@ -38,15 +41,32 @@ void needSession(RecordingFormat format, const std::string& target) {
     refuseOption("--to", target, "needs a session as IN", "Give a .capstan file");
 }
 
-std::string writeTable(const ConvertArguments& arguments, RecordingFormat format,
-                       const base::Progress& progress) {
-  const auto table = format == RecordingFormat::kSession
-                         ? recording::sessionTable(arguments.in)
-                         : readTable(arguments.in, format, robot::readDescriptionOrDefault(arguments.robot),
-                                     readAsOf(arguments.read_as));
-  const std::string text = recording::formatMeasuredTable(table);
+bool isHdf5(const std::string& file) {
+  const table_files::TableKindFacts* kind = table_files::kindBySuffix(file);
+  return kind && kind->kind == table_files::TableKind::kHdf5;
+}
+
+table_files::MatlabVersion matlabOf(const ConvertArguments& arguments) {
+  return arguments.matlab == "7.3" ? table_files::MatlabVersion::k73 : table_files::MatlabVersion::k5;
+}
+
+/// Writes the table of IN to OUT and returns it.
+recording::MeasuredTable tableTo(const ConvertArguments& arguments, RecordingFormat format,
+                                 base::Progress& progress) {
+  const bool session = format == RecordingFormat::kSession;
+  if (session && isHdf5(arguments.out)) return recording::exportHdf5(arguments.in, arguments.out, &progress);
+  const robot::Description robot =
+      session ? recording::sessionRobot(arguments.in) : robot::readDescriptionOrDefault(arguments.robot);
+  recording::MeasuredTable table = session
+                                       ? recording::sessionTable(arguments.in)
+                                       : readTable(arguments.in, format, robot, readAsOf(arguments.read_as));
+  if (!progress.cancelled()) recording::writeTable(table, arguments.out, robot, matlabOf(arguments));
+  return table;
+}
+
+std::string writeTable(const ConvertArguments& arguments, RecordingFormat format, base::Progress& progress) {
+  const recording::MeasuredTable table = tableTo(arguments, format, progress);
   if (progress.cancelled()) return {};
-  base::writeTextFile(arguments.out, text);
   for (const auto& column : table.ignored)
     notice("column " + column + " is not part of a measured table: excluded");
   if (table.own_kinematics)
@@ -127,12 +147,12 @@ void addConvert(CLI::App& app, ExitCode& exit) {
   auto arguments = std::make_shared<ConvertArguments>();
   CLI::App* command =
       app.add_subcommand("convert", "Convert sessions to tables, images or videos, and tables to sessions");
-  command->add_option("IN", arguments->in, "session (.capstan), measured table or RAVEN-II motor log (.csv)")
-      ->required();
+  command->add_option("IN", arguments->in, recording::recordingKinds())->required();
   command->add_option("OUT", arguments->out, "file or folder to write")->required();
   command
       ->add_option("--to", arguments->to,
-                   "format of OUT: auto (by its suffix), table, session, csv-folder, png, video")
+                   "format of OUT: auto (by its suffix: " + table_files::tableSuffixes() +
+                       " is a table), table, session,\ncsv-folder, png, video")
       ->capture_default_str()
       ->check(CLI::IsMember({"auto", "table", "session", "csv-folder", "png", "video"}));
   command->add_option("--format", arguments->format, "format of IN: auto, session, table, raven")
@@ -140,12 +160,18 @@ void addConvert(CLI::App& app, ExitCode& exit) {
       ->check(CLI::IsMember({"auto", "session", "table", "raven"}));
   addReadAs(*command, arguments->read_as);
   command->add_option("--robot", arguments->robot, "robot file, for recordings that contain none");
+  command->add_option("--matlab", arguments->matlab, "version of a MATLAB file as OUT: 5 or 7.3")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"5", "7.3"}));
   command->add_flag("--force", arguments->force,
                     "overwrite an existing file, or write into a folder that is not empty");
   command->add_option("--json", arguments->json, "result as JSON: a file, or - for standard output");
   command->footer(
       "Examples:\n"
       "  capstan-cli convert trial.capstan trial.csv              (measured table)\n"
+      "  capstan-cli convert trial.capstan trial.h5               (HDF5: table, and rows of every sensor)\n"
+      "  capstan-cli convert trial.capstan trial.mat              (MATLAB, Octave, SciPy)\n"
+      "  capstan-cli convert trial.h5 trial.jsonl                 (JSON Lines)\n"
       "  capstan-cli convert trial.capstan tables/ --to csv-folder\n"
       "  capstan-cli convert trial.capstan frames/ --to png\n"
       "  capstan-cli convert trial.capstan trial.mkv              (both views side by side)\n"

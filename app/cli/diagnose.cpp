@@ -3,6 +3,7 @@
 #include "app/cli/command.h"
 #include "app/cli/diagnose_run.h"
 #include "app/cli/recordings.h"
+#include "core/recording/recording_kinds.h"
 
 namespace capstan::cli {
 
@@ -12,10 +13,9 @@ void addDiagnose(CLI::App& app, ExitCode& exit) {
       "diagnose",
       "Find where a robot model disagrees with recordings, the causes, and how much modelling them helps");
   command
-      ->add_option(
-          "REC", arguments->files,
-          "recordings of one robot: session (.capstan), measured table or RAVEN-II motor log (.csv); "
-          "or one table of tip poses (.csv with traj, t_cam_s, cam_x …)")
+      ->add_option("REC", arguments->files,
+                   "recordings of one robot: " + recording::recordingKinds() +
+                       ";\nor one table of tip poses (columns traj, t_cam_s, cam_x …)")
       ->required();
   command->add_option("--robot", arguments->robot, "nominal robot file; a session contains its own");
   addReadAs(*command, arguments->read_as);

@@ -26,9 +26,11 @@ experiments::CorrectionExperimentResults computed(const experiments::CorrectionE
 void addCorrectionOptions(CLI::App& command, CorrectionExperimentArguments& arguments) {
   experiments::CorrectionExperimentOptions& options = arguments.options;
   const auto grouped = [](CLI::Option* option) { return option->group(kGroup); };
-  grouped(command.add_option("POSES,--poses", options.poses, "tables of tip poses (.csv), for E and F"));
-  grouped(command.add_option("--towards", arguments.towards,
-                             "poses that the observed poses are compared with: commands or the robot's kinematics, for E and F"))
+  grouped(command.add_option("POSES,--poses", options.poses, "tables of tip poses, for E and F"));
+  grouped(
+      command.add_option(
+          "--towards", arguments.towards,
+          "poses that the observed poses are compared with: commands or the robot's kinematics, for E and F"))
       ->capture_default_str()
       ->check(CLI::IsMember({"command", "robot"}));
   grouped(command.add_option("--splits", options.errors.splits,

@@ -23,6 +23,7 @@
 #include "core/experiments/identify_trials.h"
 #include "core/identification/identification_data.h"
 #include "core/identification/options.h"
+#include "core/recording/recording_kinds.h"
 #include "core/tracking/source.h"
 
 namespace capstan::cli {
@@ -268,18 +269,19 @@ void addIdentify(CLI::App& app, ExitCode& exit) {
   auto arguments = std::make_shared<IdentifyArguments>();
   CLI::App* command = app.add_subcommand(
       "identify", "Find pulley radius, cable stiffness and damping from a recording with cameras");
-  command->add_option("REC", arguments->files,
-                      "recordings of one robot and rig: session (.capstan) or measured table (.csv)");
+  command->add_option(
+      "REC", arguments->files,
+      "recordings of one robot and rig: session (.capstan) or " + recording::measuredTableKinds());
   command->add_option("--robot", arguments->robot, "nominal robot file; a session contains its own");
   addReadAs(*command, arguments->read_as);
   command->add_option("--method", arguments->method, "dual-ukf, batch, or both (with a comparison)")
       ->capture_default_str()
       ->check(CLI::IsMember({"dual-ukf", "batch", "both"}));
   command
-      ->add_option(
-          "--parameters", arguments->parameters,
-          "parameters to identify: r_l (pulley radius), k_e (cable stiffness), b_e (cable damping), f_c (Coulomb\n"
-          "friction) of all joints, or r_l1, k_e2, … of one joint")
+      ->add_option("--parameters", arguments->parameters,
+                   "parameters to identify: r_l (pulley radius), k_e (cable stiffness), b_e (cable damping), "
+                   "f_c (Coulomb\n"
+                   "friction) of all joints, or r_l1, k_e2, … of one joint")
       ->capture_default_str();
   command->add_option("--options", arguments->options,
                       "file of priors and goals (format: resources/identification/default.yaml)");
@@ -291,9 +293,11 @@ void addIdentify(CLI::App& app, ExitCode& exit) {
   command->add_option(
       "--out", arguments->out,
       "identified robot file to write; result of the batch method if it found one, else of the dual UKF");
-  command->add_option("--tracking-out", arguments->tracking_out,
-                      "output: file of filter options that contains the identified delay of the camera, for track --options");
-  command->add_option("--trace", arguments->trace, "CSV file to write with the estimates of the dual UKF over time");
+  command->add_option(
+      "--tracking-out", arguments->tracking_out,
+      "output: file of filter options that contains the identified delay of the camera, for track --options");
+  command->add_option("--trace", arguments->trace,
+                      "CSV file to write with the estimates of the dual UKF over time");
   command->add_option("--held-out", arguments->drive.held_out,
                       "robot of one joint: recordings for evaluation only");
   command
@@ -308,8 +312,10 @@ void addIdentify(CLI::App& app, ExitCode& exit) {
   command->footer(
       "The observations are those of the cameras; joint encoders are not used. A robot of one joint is\n"
       "identified differently: the recording must contain the measured load, the joint encoder is the\n"
-      "observation, and the parameters are r_l, k_c (stiffness of the unstretched cable), a (exponent of its\n"
-      "law k_c sinh(a x) / a), b_e, f_c and f_v (Coulomb and viscous friction of the joint), tau_c and tau_v\n"
+      "observation, and the parameters are r_l, k_c (stiffness of the unstretched cable), a (exponent of "
+      "its\n"
+      "law k_c sinh(a x) / a), b_e, f_c and f_v (Coulomb and viscous friction of the joint), tau_c and "
+      "tau_v\n"
       "(the same of the motor).\n"
       "Examples:\n"
       "  capstan-cli identify trial.capstan --out my_robot.yaml\n"

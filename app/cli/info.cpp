@@ -11,6 +11,7 @@
 #include "app/cli/recordings.h"
 #include "core/base/units.h"
 #include "core/recording/measured_table.h"
+#include "core/recording/recording_kinds.h"
 #include "core/recording/session_file.h"
 #include "core/recording/settle_units.h"
 #include "core/robot/description.h"
@@ -192,7 +193,7 @@ void addInfo(CLI::App& app, ExitCode& exit) {
   auto arguments = std::make_shared<InfoArguments>();
   CLI::App* command =
       app.add_subcommand("info", "Print the contents of a session, a measured table or a robot file");
-  command->add_option("FILE", arguments->file, "session (.capstan), table (.csv) or robot file (.yaml)")
+  command->add_option("FILE", arguments->file, recording::recordingKinds() + ", or robot file (.yaml)")
       ->required();
   addReadAs(*command, arguments->read_as);
   command->add_option("--robot", arguments->robot,

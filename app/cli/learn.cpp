@@ -135,7 +135,7 @@ void addLearn(CLI::App& app, ExitCode& exit) {
   command
       ->add_option(
           "--train", arguments->train,
-          "tables of tip poses (.csv with traj, t_cam_s, cam_x …, and the same columns for robot or cmd:\n"
+          "tables of tip poses (columns traj, t_cam_s, cam_x …, and the same columns for robot or cmd:\n"
           "t_robot_s, robot_x … or t_cmd_s, cmd_x …)")
       ->required();
   command->add_option("--test", arguments->test,

@@ -70,6 +70,7 @@ std::vector<std::string> withFilesOf(const simulation::SimulationRequest& reques
   if (!request.cameras.empty())
     for (const char* name : {"left.yaml", "right.yaml"})
       inputs.push_back((fs::path(request.cameras) / name).string());
+  inputs.push_back(request.cameras.string());
   return inputs;
 }
 

@@ -10,6 +10,7 @@
 #include "app/cli/recordings.h"
 #include "core/live/player.h"
 #include "core/recording/export.h"
+#include "core/recording/recording_kinds.h"
 #include "core/recording/session_file.h"
 
 namespace capstan::cli {
@@ -155,9 +156,7 @@ void addPlay(CLI::App& app, ExitCode& exit) {
   auto arguments = std::make_shared<PlayArguments>();
   CLI::App* command =
       app.add_subcommand("play", "Send a recording in real time, as a robot would, with faults on request");
-  command
-      ->add_option("FILE", arguments->file, "session (.capstan), measured table or RAVEN-II motor log (.csv)")
-      ->required();
+  command->add_option("FILE", arguments->file, recording::recordingKinds())->required();
   command->add_option("--to", arguments->to,
                       "receiver of the rows, as in tcp://127.0.0.1:5555; it must listen already");
   command->add_option("--video", arguments->video,

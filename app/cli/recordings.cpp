@@ -6,10 +6,12 @@
 #include "app/cli/console.h"
 #include "core/base/error.h"
 #include "core/recording/raven_motors.h"
+#include "core/recording/recording_kinds.h"
 #include "core/recording/session_file.h"
 #include "core/recording/session_source.h"
 #include "core/recording/settle_units.h"
 #include "core/recording/table_source.h"
+#include "core/table_files/csv.h"
 
 namespace capstan::cli {
 
@@ -25,15 +27,15 @@ RecordingFormat detectFormat(const std::string& file) {
                folder                                 ? "is a folder"
                : std::filesystem::exists(file, fault) ? "cannot be read"
                                                       : "does not exist",
-               "Give a session (.capstan), a table (.csv) or a robot file (.yaml)");
+               "Give a " + recording::recordingKinds() + ", or a robot file (.yaml)");
   char magic[16] = {};
   in.read(magic, sizeof magic);
   if (std::string(magic, 15) == "SQLite format 3") return RecordingFormat::kSession;
   in.clear();
   in.seekg(0);
-  std::string line;
-  std::getline(in, line);
-  if (recording::isRavenMotors(line)) return RecordingFormat::kRavenMotors;
+  std::string first(1024, '\0');
+  in.read(first.data(), static_cast<std::streamsize>(first.size()));
+  if (recording::isRavenMotors(table_files::csvHeaderLine(first))) return RecordingFormat::kRavenMotors;
   if (suffix == ".yaml" || suffix == ".yml") return RecordingFormat::kRobot;
   return RecordingFormat::kTable;
 }

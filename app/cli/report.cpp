@@ -25,6 +25,7 @@
 #include "core/base/yaml.h"
 #include "core/experiments/identify_and_track.h"
 #include "core/recording/recorder.h"
+#include "core/recording/recording_kinds.h"
 #include "core/tracking/make_pipeline.h"
 
 namespace capstan::cli {
@@ -204,7 +205,7 @@ ExitCode report(ReportArguments& arguments, const CLI::App& command) {
   const bool simulates = arguments.file.empty();
   std::optional<PatientRecorder> recorder;
   if (simulates) recorder.emplace(folder / "session.capstan", header);
-  EstimateWriter estimates(folder / "estimates.csv");
+  EstimateWriter estimates((folder / "estimates.csv").string());
   ReportFigures figures;
   LastFrame last;
   identification::DataCollector collector(pipeline, info.title);
@@ -268,8 +269,7 @@ void addReport(CLI::App& app, ExitCode& exit) {
   arguments->simulation.duration = 20.0;
   CLI::App* command = app.add_subcommand(
       "report", "Write a folder with plots, images and errors of a recording or a simulation");
-  command->add_option("RECORDING", arguments->file,
-                      "session (.capstan), measured table or RAVEN-II motor log (.csv); default: simulate");
+  command->add_option("RECORDING", arguments->file, recording::recordingKinds() + "; default: simulate");
   command->add_option("--out", arguments->out, "folder: new, empty, or with a former report to replace")
       ->capture_default_str();
   command->add_option("--format", arguments->format, "format of RECORDING: auto, session, table, raven")

@@ -1,4 +1,5 @@
 #include "app/cli/simulation_arguments.h"
+#include "core/vision/rig_file.h"
 
 #include <algorithm>
 
@@ -26,8 +27,8 @@ void addSimulationOptions(CLI::App& command, simulation::SimulationRequest& requ
   grouped(command.add_option("--seed", request.seed,
                              "random seed of the surgeon's motion, sensor noise and image texture"))
       ->capture_default_str();
-  grouped(
-      command.add_option("--cameras", request.cameras, "folder with camera files left.yaml and right.yaml"));
+  grouped(command.add_option("--cameras", request.cameras,
+                             "calibration of the cameras: " + vision::rigFileKinds()));
   grouped(command.add_flag_callback(
       "--no-images", [&request] { request.images = false; },
       "simulate tip positions instead of images, with the truth file's pixel_sigma"));

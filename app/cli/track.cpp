@@ -19,6 +19,7 @@
 #include "core/base/error.h"
 #include "core/live/motor_failures.h"
 #include "core/live/occluded_source.h"
+#include "core/recording/recording_kinds.h"
 #include "core/tracking/make_pipeline.h"
 #include "core/vision/registration_file.h"
 
@@ -26,8 +27,8 @@ namespace capstan::cli {
 namespace {
 
 struct TrackArguments {
-  std::string file, live, format = "auto", robot, estimator_robot, options, registration = "stored", mounting,
-                          out, save_registration, read_as, json;
+  std::string file, live, out_format = "auto", format = "auto", robot, estimator_robot, options,
+                          registration = "stored", mounting, out, save_registration, read_as, json;
   bool simulate = false, whole_frame = false;
   double occlude = 0.0;
   std::vector<std::string> fail_motor;
@@ -54,8 +55,30 @@ void checkSource(const TrackArguments& arguments, const CLI::App& command) {
                  "Record first (record --live), or give a registration file");
 }
 
+/// Whether --out names other programs instead of a file.
+bool streamsOut(const TrackArguments& arguments) { return live::isAddress(arguments.out); }
+
+/// What happens with each sample and snapshot of a session.
+struct EachSample {
+  EstimateWriter& estimates;
+  std::optional<CentroidStudy>& study;
+  bool reference;  ///< joint samples follow the motor samples
+
+  void operator()(const tracking::Sample& sample, const tracking::Snapshot& snapshot) const {
+    estimates.add(sample, snapshot);
+    if (study) study->add(snapshot);
+  }
+  void waiting() const {
+    if (!reference) estimates.waiting();
+  }
+};
+
 void check(const TrackArguments& arguments, const CLI::App& command) {
   checkSource(arguments, command);
+  if (arguments.out == "-" && arguments.json == "-")
+    refuseOption("--json", "-", "is given together with --out -", "Write one of them to a file");
+  if (streamsOut(arguments) && arguments.out != "-" && arguments.live.empty())
+    refuseOption("--out", arguments.out, "is given without --live", "Give a file, or - for standard output");
   if (arguments.simulate && !arguments.read_as.empty())
     refuseOption(kReadAs, arguments.read_as, "is given together with --simulate", "Give one of them");
   if (!arguments.mounting.empty() && arguments.registration != "hard-stop")
@@ -95,12 +118,13 @@ ExitCode track(TrackArguments& arguments, const CLI::App& command) {
   const recording::ReadAs read_as = readAsOf(arguments.read_as);
   const std::vector<live::MotorFailure> failures = failuresOf(arguments.fail_motor);
   checkOutputs(
-      {{"--out", arguments.out},
+      {{"--out", streamsOut(arguments) ? std::string() : arguments.out},
        {"--save-registration", arguments.save_registration},
        {"--json", arguments.json}},
       withFilesOf(arguments.simulation, {arguments.file, arguments.robot, arguments.estimator_robot,
                                          arguments.options, arguments.registration, arguments.mounting}));
   const Output output(arguments.json);
+  const bool text_here = arguments.out != "-";  // standard output belongs to the estimates
   arguments.simulation.robot = arguments.robot;
   const RecordingFormat format =
       arguments.file.empty() ? RecordingFormat::kTable : formatOf(arguments.format, arguments.file);
@@ -138,7 +162,11 @@ ExitCode track(TrackArguments& arguments, const CLI::App& command) {
   live::FailingMotors failing(*source, failures);
   const live::OcclusionSchedule occlusion{.percentage = arguments.occlude};
   live::OccludedSource occluded(failing, occlusion);
-  EstimateWriter estimates(arguments.out);
+  const bool live = !arguments.live.empty();
+  EstimateWriter estimates(arguments.out,
+                           live ? EstimateWriter::Session::kLive : EstimateWriter::Session::kRecorded,
+                           arguments.out_format);
+  if (const live::RowStream* stream = estimates.stream()) notice("estimates go to " + stream->name());
   std::optional<CentroidStudy> study;
   if (const auto* simulated = dynamic_cast<const simulation::SimulatedSource*>(source.get());
       simulated && info.rig)
@@ -151,10 +179,7 @@ ExitCode track(TrackArguments& arguments, const CLI::App& command) {
     const ProgressLine line(progress);
     const auto begin = std::chrono::steady_clock::now();
     report = tracking::trackAll(occluded, pipeline, &progress, info.duration,
-                                [&](const tracking::Sample& sample, const tracking::Snapshot& snapshot) {
-                                  estimates.add(sample, snapshot);
-                                  if (study) study->add(snapshot);
-                                });
+                                EachSample{estimates, study, info.reference});
     spent = std::chrono::steady_clock::now() - begin;
   }
   estimates.close();
@@ -166,6 +191,15 @@ ExitCode track(TrackArguments& arguments, const CLI::App& command) {
     text += study->text();
     document["centroid"] = study->json();
   }
+  if (const live::RowStream* stream = estimates.stream()) {
+    const live::RowStreamCounts counts = stream->counts();
+    text += fmt::format("estimates      {} rows to {}, {} readers, {} dropped for slow readers\n",
+                        counts.rows, stream->name(), counts.readers, counts.dropped);
+    document["stream"] = {{"to", stream->name()},
+                          {"rows", counts.rows},
+                          {"readers", counts.readers},
+                          {"dropped", counts.dropped}};
+  }
   if (!arguments.live.empty() && arguments.live != "-") {
     text += textOf(source->sides());
     document["live"] = jsonOf(source->sides());
@@ -175,7 +209,7 @@ ExitCode track(TrackArguments& arguments, const CLI::App& command) {
       {"name", info.robot.name},
       {"file",
        arguments.estimator_robot.empty() ? nlohmann::json() : nlohmann::json(arguments.estimator_robot)}};
-  output.text(text);
+  if (text_here) output.text(text);
   output.json(document);
   if (report.cancelled) notice("cancelled: the numbers cover the time until then");
   if (report.motor_samples == 0) notice("the recording holds no motor sample: nothing was tracked");
@@ -188,8 +222,7 @@ void addTrack(CLI::App& app, ExitCode& exit) {
   auto arguments = std::make_shared<TrackArguments>();
   CLI::App* command =
       app.add_subcommand("track", "Estimate the joint angles of a recording, or of a simulation");
-  command->add_option("FILE", arguments->file,
-                      "session (.capstan), measured table or RAVEN-II motor log (.csv)");
+  command->add_option("FILE", arguments->file, recording::recordingKinds());
   command->add_option("--format", arguments->format, "format of FILE: auto, session, table, raven")
       ->capture_default_str()
       ->check(CLI::IsMember({"auto", "session", "table", "raven"}));
@@ -231,8 +264,17 @@ void addTrack(CLI::App& app, ExitCode& exit) {
           "ignore this motor's encoder (1, 2, 3) and estimate its joint from the camera alone; repeatable")
       ->allow_extra_args(false)
       ->check(CLI::Range(1, 3));
-  command->add_option("--out", arguments->out,
-                      "file for estimates as CSV, one row per motor or camera sample");
+  command
+      ->add_option(
+          "--out", arguments->out,
+          "estimates, one row per motor or camera sample: a file (.csv or .jsonl), or - for standard\n"
+          "output; with --live also a FIFO, or tcp://ADDRESS:PORT to listen on")
+      ->expected(1);
+  command
+      ->add_option("--out-format", arguments->out_format,
+                   "format of the estimates: auto (by the suffix of --out, else CSV), csv, jsonl")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"auto", "csv", "jsonl"}));
   command->add_option("--json", arguments->json, "result as JSON, SI: a file, or - for standard output");
   command->add_flag("--whole-frame", arguments->whole_frame,
                     "search the whole of every image, without regions of interest");
@@ -246,6 +288,7 @@ void addTrack(CLI::App& app, ExitCode& exit) {
       "  capstan-cli track degrees.csv --read-as q_m=deg,q1=deg,q2=deg,p_c=mm\n"
       "  capstan-cli track trial.capstan --estimator-robot identified.yaml\n"
       "  capstan-cli track --live tcp://127.0.0.1:5555 --duration 60\n"
+      "  capstan-cli track --live tcp://127.0.0.1:5555 --out tcp://127.0.0.1:5556 --out-format jsonl\n"
       "  robot_program | capstan-cli track --live - --robot my_robot.yaml --out estimates.csv\n"
       "  capstan-cli track joints123.csv                 (RAVEN-II motor log, known by its header)\n"
       "  capstan-cli track --simulate --duration 200     (block transfer; add --distractors or "

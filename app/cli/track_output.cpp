@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <unistd.h>
+
 #include <cmath>
-#include <variant>
+#include <filesystem>
 
 #include "app/cli/console.h"
 #include "core/base/error.h"
+#include "core/table_files/table_kind.h"
 #include "core/tracking/transmission_text.h"
 
 namespace capstan::cli {
@@ -73,15 +76,6 @@ nlohmann::json transmissionJson(const tracking::TransmissionEstimate& found) {
           {"change_in_question", found.change_in_question},
           {"camera_moved_probability", found.camera_moved_probability}};
 }
-
-void appendCells(std::string& row, const Eigen::Vector3d& values) {
-  for (const double value : values)
-    row += std::isfinite(value) ? fmt::format(",{:.17g}", value) : std::string(",");
-}
-
-constexpr const char* kColumns =
-    "t,camera,t_cam,q_kin1,q_kin2,q_kin3,q_cam1,q_cam2,q_cam3,q_ukf1,q_ukf2,q_ukf3,dq_ukf1,dq_ukf2,dq_ukf3,"
-    "sigma_ukf1,sigma_ukf2,sigma_ukf3,q1,q2,q3,gate,nis\n";
 
 }  // namespace
 
@@ -157,57 +151,68 @@ nlohmann::json jsonOf(const TrackReport& report, const tracking::SourceInfo& inf
           {"last_t", report.last_t}};
 }
 
-EstimateWriter::EstimateWriter(const std::filesystem::path& path) : path_(path) {
-  if (path.empty()) return;
-  part_.emplace(path);
-  file_.reset(std::fopen(part_->path().c_str(), "wb"));
-  if (!file_) refuseFile(path.string(), "cannot be written", "Give another --out");
-  std::fputs(kColumns, file_.get());
+namespace {
+
+bool isFifo(const std::string& path) {
+  std::error_code fault;
+  return std::filesystem::is_fifo(path, fault);
+}
+
+recording::RowFormat formatOf(const std::string& target, const std::string& format) {
+  const table_files::TableKindFacts* kind = table_files::kindBySuffix(target);
+  if (format == "auto" && kind && kind->kind != table_files::TableKind::kCsv &&
+      kind->kind != table_files::TableKind::kJsonLines)
+    refuseOption("--out", target, fmt::format("is the name of a file for {}", kind->name),
+                 "Estimates are CSV or JSON Lines: end it in .csv or .jsonl");
+  const bool json =
+      format == "jsonl" || (format == "auto" && kind && kind->kind == table_files::TableKind::kJsonLines);
+  return json ? recording::RowFormat::kJsonLines : recording::RowFormat::kCsv;
+}
+
+}  // namespace
+
+EstimateWriter::EstimateWriter(const std::string& target, Session session, const std::string& format)
+    : target_(target) {
+  if (target.empty()) return;
+  const recording::RowFormat rows = formatOf(target, format);
+  const bool live = session == Session::kLive;
+  if (live && (live::isAddress(target) || isFifo(target))) {
+    rows_.emplace(rows, [this](const std::string& row) { stream_->send(row); });
+    stream_ = std::make_unique<live::RowStream>(live::parseAddress(target, "--out"), rows_->header());
+    return;
+  }
+  openFile(session);
+  rows_.emplace(rows, [this](const std::string& row) {
+    std::fputs(row.c_str(), file_.get());
+    if (flush_) std::fflush(file_.get());
+  });
+  std::fputs(rows_->header().c_str(), file_.get());
+}
+
+void EstimateWriter::openFile(Session session) {
+  flush_ = session == Session::kLive;
+  if (target_ == "-")
+    file_.reset(::fdopen(::dup(STDOUT_FILENO), "wb"));
+  else if (flush_)
+    file_.reset(std::fopen(target_.c_str(), "wb"));
+  else
+    file_.reset(std::fopen(part_.emplace(target_).path().c_str(), "wb"));
+  if (!file_) refuseFile(target_, "cannot be written", "Give another --out");
 }
 
 void EstimateWriter::add(const tracking::Sample& sample, const tracking::Snapshot& snapshot) {
-  if (!file_) return;
-  const Eigen::Vector3d none = Eigen::Vector3d::Constant(std::nan(""));
-  if (std::holds_alternative<tracking::MotorSample>(sample)) {
-    flush();
-    motor_row_ = snapshot;
-    reference_ = snapshot.reference_paired ? snapshot.q_link_true : none;
-  } else if (std::holds_alternative<tracking::JointSample>(sample)) {
-    if (snapshot.reference_paired) reference_ = snapshot.q_link_true;
-  } else {
-    flush();
-    write(snapshot, snapshot.q_link_true_cam);
-  }
-}
-
-void EstimateWriter::flush() {
-  if (motor_row_) write(*motor_row_, reference_);
-  motor_row_.reset();
-}
-
-void EstimateWriter::write(const tracking::Snapshot& s, const Eigen::Vector3d& reference) {
-  std::string row = fmt::format("{:.17g},{}", s.t, s.camera_updated ? 1 : 0);
-  row += s.camera_updated ? fmt::format(",{:.17g}", s.t_cam) : std::string(",");
-  appendCells(row, s.q_link_kin);
-  appendCells(row,
-              s.camera_updated ? s.q_link_cam : Eigen::Vector3d(Eigen::Vector3d::Constant(std::nan(""))));
-  appendCells(row, s.q_link_ukf);
-  appendCells(row, s.dq_link_ukf);
-  appendCells(row, s.q_link_ukf_sigma);
-  appendCells(row, reference);
-  row += fmt::format(",{},", base::nameOf(s.gate));
-  if (s.camera_updated && std::isfinite(s.nis)) row += fmt::format("{:.17g}", s.nis);
-  row += '\n';
-  std::fputs(row.c_str(), file_.get());
+  if (rows_) rows_->add(sample, snapshot);
 }
 
 void EstimateWriter::close() {
+  if (!rows_) return;
+  rows_->flush();
+  if (stream_) stream_->close();
   if (!file_) return;
-  flush();
   const bool failed = std::ferror(file_.get()) != 0;
   if (std::fclose(file_.release()) != 0 || failed)
-    refuseFile(path_.string(), "could not be written whole", "Is the disk full?");
-  part_->commit();
+    refuseFile(target_, "could not be written whole", "Is the disk full?");
+  if (part_) part_->commit();
 }
 
 }  // namespace capstan::cli

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -10,6 +9,8 @@
 #include "core/base/part_file.h"
 #include "core/estimation/consistency.h"
 #include "core/estimation/nis_verdict.h"
+#include "core/live/streams/row_stream.h"
+#include "core/recording/estimate_rows.h"
 #include "core/tracking/sample.h"
 #include "core/tracking/snapshot.h"
 #include "core/tracking/source.h"
@@ -43,29 +44,40 @@ std::string textOf(const tracking::TrackReport& report, const tracking::SourceIn
 /// document.
 nlohmann::json jsonOf(const tracking::TrackReport& report, const tracking::SourceInfo& info);
 
-/// Writer of estimates as CSV, one row per motor sample and per camera sample: t, camera flag, t_cam, q_kin,
-/// q_cam, q_ukf, dq_ukf, sigma, reference (at t; on rows of camera samples at t_cam), gate, NIS. SI, 17
-/// digits; unknown values are empty. A former file stays until the new one is complete.
+/// Writer of estimates, one row per motor sample and per camera sample (recording::EstimateRows), to a file
+/// or to other programs. Of a recording, a former file stays until the new one is complete. Of a live
+/// session, the file has each row as soon as it exists, and a FIFO, standard output or a TCP port get the
+/// rows by live::RowStream, which never slows the session.
 class EstimateWriter {
  public:
-  /// Opens `path`; an empty path writes nothing. Throws base::InputError when it cannot be written.
-  explicit EstimateWriter(const std::filesystem::path& path);
+  enum class Session { kRecorded, kLive };
+  /// Opens `target`: a file whose suffix .jsonl selects JSON Lines, otherwise CSV; "-" for standard output;
+  /// for a live session also tcp://ADDRESS:PORT to listen on. `format`: csv, jsonl, or auto (by the suffix).
+  /// An empty target writes nothing. Throws base::InputError when it cannot be written.
+  explicit EstimateWriter(const std::string& target, Session session = Session::kRecorded,
+                          const std::string& format = "auto");
   void add(const tracking::Sample& sample, const tracking::Snapshot& snapshot);
+  /// Writes the row that waits for its reference, since no sample follows at once.
+  void waiting() {
+    if (rows_) rows_->flush();
+  }
   /// Completes the file. Throws base::InputError when not everything could be written.
   void close();
+  /// Stream to other programs; null: none.
+  const live::RowStream* stream() const { return stream_.get(); }
 
  private:
   struct Closer {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
-  void flush();
-  void write(const tracking::Snapshot& snapshot, const Eigen::Vector3d& reference);
+  void openFile(Session session);
 
-  std::filesystem::path path_;
+  std::string target_;
+  bool flush_ = false;  ///< after each row
   std::optional<base::PartFile> part_;
   std::unique_ptr<std::FILE, Closer> file_;
-  std::optional<tracking::Snapshot> motor_row_;  ///< motor row that waits for the reference of its time
-  Eigen::Vector3d reference_;
+  std::unique_ptr<live::RowStream> stream_;
+  std::optional<recording::EstimateRows> rows_;
 };
 
 }  // namespace capstan::cli

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "core/base/error.h"
+#include "core/recording/recording_kinds.h"
 
 namespace capstan::workstation {
 
@@ -21,9 +22,9 @@ void addOptions(CLI::App& cli, Arguments& arguments) {
   auto& simulation = arguments.simulation;
   const auto of = [&](CLI::Option* option) { return option->group(kSimulation); };
   auto* session = cli.add_option("--session", arguments.file, "open a recorded session (.capstan)");
-  auto* table =
-      cli.add_option("--table", arguments.file, "open a measured table or RAVEN-II motor log (.csv)")
-          ->excludes(session);
+  auto* table = cli.add_option("--table", arguments.file,
+                               "open a " + recording::measuredTableKinds() + " or RAVEN-II motor log (.csv)")
+                    ->excludes(session);
   auto* live = cli.add_option("--live", arguments.live,
                               "connect to a robot that sends its rows now: a live set-up file, "
                               "tcp://ADDRESS:PORT to listen on, or the path of a FIFO")

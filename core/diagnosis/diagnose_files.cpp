@@ -1,25 +1,19 @@
 #include "core/diagnosis/diagnose_files.h"
 
 #include <filesystem>
-#include <fstream>
 
 #include "core/base/error.h"
 #include "core/base/same_recording.h"
 #include "core/diagnosis/evidence/read_evidence.h"
 #include "core/diagnosis/report/report_json.h"
-#include "core/recording/csv.h"
+#include "core/table_files/read_columns.h"
 
 namespace capstan::diagnosis {
 namespace {
 
 constexpr double kReadingShare = 0.1;  ///< share of the progress bar for reading
 
-bool isPoses(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::string line;
-  std::getline(in, line);
-  return isPoseTable(recording::csvHeaderLine(line));
-}
+bool isPoses(const std::string& file) { return isPoseTable(table_files::columnNames(file)); }
 
 void checkDistinct(const std::vector<std::string>& files) {
   for (std::size_t i = 0; i < files.size(); ++i)

@@ -50,7 +50,7 @@ struct CamerasSetup {
     field(self.left, {"left", "", "device (/dev/video0), network stream (rtsp://…) or video file"});
     field(self.right, {"right", "", "the same for the right camera; none if one stream has both", {}, false});
     field(self.layout, {"layout", "", "two, side_by_side or top_bottom", {}, false});
-    field(self.calibration, {"calibration", "", "folder with left.yaml and right.yaml (ROS camera_info)"});
+    field(self.calibration, {"calibration", "", "ROS folder, Kalibr or OpenCV file of the cameras"});
     field(self.registration, {"registration", "", "registration file; none: register first", {}, false});
     field(self.latency, {"latency", "s", "from exposure to arrival", {0.0, 2.0}, false});
     field(self.pairing, {"pairing", "s", "largest time between two images of a pair", {0.0, 1.0}, false});

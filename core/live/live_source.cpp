@@ -6,6 +6,7 @@
 #include "core/tracking/arrival.h"
 #include "core/vision/cover_image.h"
 #include "core/vision/registration_file.h"
+#include "core/vision/rig_file.h"
 
 namespace capstan::live {
 namespace {
@@ -38,8 +39,7 @@ LiveSource::LiveSource(const LiveSetup& setup) : setup_(setup.motors), queue_(kC
 }
 
 void LiveSource::readCameras(const CamerasSetup& setup) {
-  const std::filesystem::path folder = setup.calibration;
-  info_.rig = vision::readStereoRig(folder / "left.yaml", folder / "right.yaml");
+  info_.rig = vision::readRig(setup.calibration);
   if (!setup.registration.empty()) info_.base_from_camera = vision::readRegistration(setup.registration);
 }
 

@@ -11,25 +11,31 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "core/base/yaml.h"
-#include "core/recording/csv.h"
+#include "core/table_files/read_columns.h"
+#include "core/table_files/write_columns.h"
 
 namespace capstan::recording {
 namespace {
 
 constexpr int kMaxJoints = 7;
 
-/// One quantity of the table: its columns are prefix1 … prefixn.
+using table_files::NamedColumn;
+
+/// One quantity of the table: its columns are prefix1 … prefixn. `linear_unit` holds for sliding joints.
 struct Quantity {
   std::string_view prefix;
   TableColumns MeasuredTable::*columns;
   bool by_joint;
+  std::string_view unit, linear_unit, meaning;
 };
 
 constexpr std::array kQuantities = {
-    Quantity{"q_m", &MeasuredTable::q_m, true},     Quantity{"dq_m", &MeasuredTable::dq_m, true},
-    Quantity{"tau_m", &MeasuredTable::tau_m, true}, Quantity{"q", &MeasuredTable::q, true},
-    Quantity{"p_c", &MeasuredTable::p_c, false},    Quantity{"tau_ext", &MeasuredTable::tau_ext, true},
+    Quantity{"q_m", &MeasuredTable::q_m, true, "rad", "rad", "position from the hard stop of motor"},
+    Quantity{"dq_m", &MeasuredTable::dq_m, true, "rad/s", "rad/s", "velocity of motor"},
+    Quantity{"tau_m", &MeasuredTable::tau_m, true, "N*m", "N*m", "torque command of motor"},
+    Quantity{"q", &MeasuredTable::q, true, "rad", "m", "encoder, the reference, of joint"},
+    Quantity{"p_c", &MeasuredTable::p_c, false, "m", "m", "tip position from the cameras, frame 0, axis"},
+    Quantity{"tau_ext", &MeasuredTable::tau_ext, true, "N*m", "N", "measured external load of joint"},
 };
 
 std::string columnName(const Quantity& quantity, std::size_t index) {
@@ -70,7 +76,7 @@ class ColumnCollector {
     const std::size_t most = quantity->by_joint ? kMaxJoints : 3;
     if (index >= most)
       throw base::InputError({table_.file,
-                              1,
+                              table_.lines.header(),
                               std::string(name),
                               {},
                               fmt::format("has a number above {}, the largest in a table", most),
@@ -83,7 +89,7 @@ class ColumnCollector {
   void finish() {
     if (!seen_.contains("t"))
       throw base::InputError({table_.file,
-                              1,
+                              table_.lines.header(),
                               "t",
                               {},
                               "is not among the columns",
@@ -99,7 +105,7 @@ class ColumnCollector {
         if (!found_[i][k].present)
           throw base::InputError(
               {table_.file,
-               1,
+               table_.lines.header(),
                columnName(kQuantities[i], k),
                {},
                "is missing, but other columns of this quantity exist",
@@ -130,27 +136,25 @@ void checkTimeGiven(const MeasuredTable& table) {
   for (std::size_t row = 0; row < table.t.size(); ++row)
     if (std::isnan(table.t[row]))
       throw base::InputError(
-          {table.file, static_cast<int>(row) + 2, "t", {}, "is empty", "Give every row its time [s]"});
+          table.lines.at(table.file, row, "t", {}, "is empty", "Give every row its time [s]"));
 }
 
-/// All columns of the table with their names, in the order of a file.
-std::vector<std::pair<std::string, const std::vector<double>*>> columnsOf(const MeasuredTable& table) {
-  std::vector<std::pair<std::string, const std::vector<double>*>> columns = {{"t", &table.t}};
-  for (const Quantity& quantity : kQuantities) {
-    const TableColumns& values = table.*quantity.columns;
-    for (std::size_t k = 0; k < values.size(); ++k) columns.emplace_back(columnName(quantity, k), &values[k]);
-  }
-  return columns;
+/// Parses the columns without the order of times.
+MeasuredTable parseRows(const table_files::ColumnReader& columns, const std::string& file) {
+  MeasuredTable table;
+  table.file = file;
+  table.lines = columns.lines;
+  ColumnCollector collector(table);
+  columns.read([&](std::string_view name, std::size_t) { return collector(name); });
+  collector.finish();
+  checkTimeGiven(table);
+  return table;
 }
 
-template <class Columns>
-void appendRow(const Columns& columns, std::size_t row, std::string& text) {
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    if (i > 0) text += ',';
-    const double value = (*columns[i].second)[row];
-    if (!std::isnan(value)) fmt::format_to(std::back_inserter(text), "{}", value);
-  }
-  text += '\n';
+MeasuredTable parse(const table_files::ColumnReader& columns, const std::string& file) {
+  MeasuredTable table = parseRows(columns, file);
+  checkTimes(table, -std::numeric_limits<double>::infinity());
+  return table;
 }
 
 }  // namespace
@@ -163,21 +167,21 @@ int MeasuredTable::joints() const {
 }
 
 MeasuredTable readMeasuredTable(const std::filesystem::path& path) {
-  return parseMeasuredTable(base::readTextFile(path), path.string());
+  return parse(table_files::columnsIn(path), path.string());
 }
 
 MeasuredTable parseMeasuredTable(std::string_view text, const std::string& file) {
-  MeasuredTable table = parseMeasuredRows(text, file);
-  checkTimes(table, -std::numeric_limits<double>::infinity(), 2);
-  return table;
+  return parse(table_files::columnsOfCsv(text, file), file);
 }
 
-void checkTimes(const MeasuredTable& table, double before, int line) {
+void checkTimes(const MeasuredTable& table, double before) {
   for (std::size_t row = 0; row < table.t.size(); before = table.t[row++])
     if (table.t[row] <= before)
-      throw base::InputError({table.file, line + static_cast<int>(row), "t", fmt::format("{}", table.t[row]),
-                              fmt::format("does not come after {} on the line before", before),
-                              "Sort the rows by time and remove repeated ones"});
+      throw base::InputError(
+          table.lines.at(table.file, row, "t", fmt::format("{}", table.t[row]),
+                         fmt::format("does not come after {} {}", before,
+                                     table.lines.first == 0 ? "in the row before" : "on the line before"),
+                         "Sort the rows by time and remove repeated ones"));
 }
 
 void keepRows(MeasuredTable& table, const std::vector<bool>& keep) {
@@ -191,33 +195,36 @@ void keepRows(MeasuredTable& table, const std::vector<bool>& keep) {
 }
 
 MeasuredTable parseMeasuredRows(std::string_view text, const std::string& file) {
-  MeasuredTable table;
-  table.file = file;
-  ColumnCollector collector(table);
-  parseCsv(text, file, [&](std::string_view name, std::size_t) { return collector(name); });
-  collector.finish();
-  checkTimeGiven(table);
-  return table;
+  return parseRows(table_files::columnsOfCsv(text, file), file);
+}
+
+std::vector<NamedColumn> namedColumns(const MeasuredTable& table, const std::vector<bool>& revolute) {
+  std::vector<NamedColumn> columns = {{"t", "s", "time of the sample", &table.t}};
+  for (const Quantity& quantity : kQuantities) {
+    const TableColumns& values = table.*quantity.columns;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      const bool linear = quantity.by_joint && k < revolute.size() && !revolute[k];
+      columns.push_back({columnName(quantity, k), std::string(linear ? quantity.linear_unit : quantity.unit),
+                         fmt::format("{} {}", quantity.meaning, k + 1), &values[k]});
+    }
+  }
+  return columns;
 }
 
 std::string measuredTableHeader(const MeasuredTable& table) {
   std::string text;
-  for (const auto& [name, values] : columnsOf(table)) text += (text.empty() ? "" : ",") + name;
+  for (const NamedColumn& column : namedColumns(table)) text += (text.empty() ? "" : ",") + column.name;
   return text + '\n';
 }
 
 std::string formatMeasuredRow(const MeasuredTable& table, std::size_t row) {
   std::string text;
-  appendRow(columnsOf(table), row, text);
+  table_files::appendCsvRow(namedColumns(table), row, text);
   return text;
 }
 
 std::string formatMeasuredTable(const MeasuredTable& table) {
-  const auto columns = columnsOf(table);
-  std::string text = measuredTableHeader(table);
-  text.reserve(text.size() + table.rows() * columns.size() * 12);
-  for (std::size_t row = 0; row < table.rows(); ++row) appendRow(columns, row, text);
-  return text;
+  return table_files::formatCsv(namedColumns(table));
 }
 
 }  // namespace capstan::recording

@@ -6,6 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "core/table_files/named_column.h"
+#include "core/table_files/table_lines.h"
+
 namespace capstan::recording {
 
 /// Columns of one quantity over all joints (or axes): column(i)[row]. Empty: the table has no such columns.
@@ -15,6 +18,7 @@ using TableColumns = std::vector<std::vector<double>>;
 /// tau_m1..n, q1..n, p_c1..3, tau_ext1..n; SI units; an empty cell is NaN.
 struct MeasuredTable {
   std::string file;
+  table_files::TableLines lines;     ///< where the rows are in the file
   std::vector<double> t;             ///< strictly increasing [s]
   TableColumns q_m;                  ///< motor position from the hard stop [rad]
   TableColumns dq_m;                 ///< [rad/s]
@@ -29,20 +33,24 @@ struct MeasuredTable {
   int joints() const;  ///< number of joints n: the largest number of columns of a joint quantity
 };
 
-/// Parses the CSV at `path`. Columns may have any order, and whole quantities may be missing. Throws
-/// base::InputError with file, line, column, value and remedy for a missing t, a cell that is not a number, a
-/// wrong number of cells, t not strictly increasing, a joint's column missing between others (q_m1, q_m3), or
-/// a column given twice.
+/// Reads the table at `path`, a file of any kind of table_files::tableKinds(). Columns may have any order,
+/// and whole quantities may be missing. Throws base::InputError with file, line, column, value and remedy for
+/// a missing t, a cell that is not a number, a wrong number of cells, t not strictly increasing, a joint's
+/// column missing between others (q_m1, q_m3), or a column given twice.
 MeasuredTable readMeasuredTable(const std::filesystem::path& path);
 /// Parses the text of such a CSV; `file` names it in errors.
 MeasuredTable parseMeasuredTable(std::string_view text, const std::string& file);
 /// The same without the order of times: rows of a live stream, of which some may be repeated.
 MeasuredTable parseMeasuredRows(std::string_view text, const std::string& file);
 /// Throws base::InputError for the first row whose time is not above that of the row before; for the first
-/// row, `before` [s]. `line` of the first row, for the error.
-void checkTimes(const MeasuredTable& table, double before, int line);
+/// row, `before` [s].
+void checkTimes(const MeasuredTable& table, double before);
 /// Removes the rows whose entry in `keep` is false.
 void keepRows(MeasuredTable& table, const std::vector<bool>& keep);
+/// The columns of the table in the order of a file, with units; those of joints are the ones of `revolute`
+/// (true: rad and N·m, false: m and N), or of revolute joints beyond its end. They point into `table`.
+std::vector<table_files::NamedColumn> namedColumns(const MeasuredTable& table,
+                                                   const std::vector<bool>& revolute = {});
 /// Formats the table as CSV with the shortest decimals that read back to the last bit; NaN is an empty cell.
 std::string formatMeasuredTable(const MeasuredTable& table);
 /// The header line of that CSV, with its line end.

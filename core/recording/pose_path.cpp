@@ -7,17 +7,16 @@
 
 #include "core/base/check.h"
 #include "core/base/error.h"
-#include "core/base/yaml.h"
 #include "core/learning/poses/screen_poses.h"
-#include "core/recording/csv.h"
+#include "core/table_files/read_columns.h"
 
 namespace capstan::recording {
 namespace {
 
 constexpr std::array<std::string_view, 7> kParts = {"x", "y", "z", "qx", "qy", "qz", "qw"};
-constexpr std::size_t kFirstLine = 2;
 
 struct Columns {
+  table_files::TableLines lines;
   std::vector<double> trajectory, stamp;
   std::array<std::vector<double>, 7> part;
 };
@@ -28,9 +27,10 @@ struct Columns {
                           std::move(what), std::move(remedy)});
 }
 
-Columns columnsOf(std::string_view text, const std::string& file) {
+Columns columnsOf(const table_files::ColumnReader& reader, const std::string& file) {
   Columns columns;
-  parseCsv(text, file, [&](std::string_view name, std::size_t) -> std::vector<double>* {
+  columns.lines = reader.lines;
+  reader.read([&](std::string_view name, std::size_t) -> std::vector<double>* {
     if (name == "traj") return &columns.trajectory;
     if (name == "t_s") return &columns.stamp;
     for (std::size_t i = 0; i < kParts.size(); ++i)
@@ -40,7 +40,7 @@ Columns columnsOf(std::string_view text, const std::string& file) {
   for (std::size_t i = 0; i < kParts.size(); ++i)
     if (columns.part[i].empty())
       throw base::InputError({file,
-                              1,
+                              columns.lines.header(),
                               std::string(kParts[i]),
                               {},
                               "is missing",
@@ -50,7 +50,7 @@ Columns columnsOf(std::string_view text, const std::string& file) {
 
 learning::StampedPose poseOf(const Columns& columns, std::size_t row, const std::string& file) {
   learning::StampedPose pose;
-  pose.row = row + kFirstLine;
+  pose.row = columns.lines.number(row);
   pose.t = columns.stamp.empty() ? static_cast<double>(row) : columns.stamp[row];
   for (std::size_t i = 0; i < kParts.size(); ++i)
     if (!std::isfinite(columns.part[i][row]))
@@ -68,8 +68,9 @@ learning::StampedPose poseOf(const Columns& columns, std::size_t row, const std:
 
 }  // namespace
 
-PosePaths parsePosePaths(std::string_view text, const std::string& file) {
-  const Columns columns = columnsOf(text, file);
+namespace {
+
+PosePaths pathsOf(const Columns& columns, const std::string& file) {
   PosePaths all;
   all.timed = !columns.stamp.empty();
   for (std::size_t row = 0; row < columns.part[0].size(); ++row) {
@@ -85,8 +86,14 @@ PosePaths parsePosePaths(std::string_view text, const std::string& file) {
   return all;
 }
 
+}  // namespace
+
+PosePaths parsePosePaths(std::string_view text, const std::string& file) {
+  return pathsOf(columnsOf(table_files::columnsOfCsv(text, file), file), file);
+}
+
 PosePaths readPosePaths(const std::filesystem::path& path) {
-  return parsePosePaths(base::readTextFile(path), path.string());
+  return pathsOf(columnsOf(table_files::columnsIn(path), path.string()), path.string());
 }
 
 std::vector<learning::State> statesOf(const PosePaths& paths) {

@@ -8,8 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/same_recording.h"
-#include "core/base/yaml.h"
-#include "core/recording/csv.h"
+#include "core/table_files/read_columns.h"
 
 namespace capstan::recording {
 namespace {
@@ -27,6 +26,7 @@ struct StreamColumns {
 };
 
 struct Columns {
+  table_files::TableLines lines;
   std::vector<double> task, trajectory;
   std::array<StreamColumns, learning::kStreams> streams;
 
@@ -42,10 +42,11 @@ struct Columns {
   }
 };
 
-void need(const std::vector<double>& column, const std::string& name, const std::string& file) {
+void need(const Columns& columns, const std::vector<double>& column, const std::string& name,
+          const std::string& file) {
   if (column.empty())
     throw base::InputError({file,
-                            1,
+                            columns.lines.header(),
                             name,
                             {},
                             "this column is missing",
@@ -56,29 +57,30 @@ void need(const std::vector<double>& column, const std::string& name, const std:
 /// Checks the columns: stamps and positions of cameras and of robot or command must exist, and all or no
 /// parts of a quaternion.
 void check(const Columns& columns, const std::string& file) {
-  need(columns.trajectory, "traj", file);
+  need(columns, columns.trajectory, "traj", file);
   const bool robot = !columns.streams[1].stamp.empty(), command = !columns.streams[2].stamp.empty();
   for (std::size_t s = 0; s < columns.streams.size(); ++s) {
     const StreamColumns& stream = columns.streams[s];
     const bool desired = s == 0 || !stream.stamp.empty() || (!robot && !command);
     if (!desired) continue;
-    need(stream.stamp, fmt::format("t_{}_s", kStreamPrefixes[s]), file);
+    need(columns, stream.stamp, fmt::format("t_{}_s", kStreamPrefixes[s]), file);
     const std::size_t parts = stream.turns() ? kParts.size() : kPositions;
     for (std::size_t i = 0; i < parts; ++i)
-      need(stream.part[i], fmt::format("{}_{}", kStreamPrefixes[s], kParts[i]), file);
+      need(columns, stream.part[i], fmt::format("{}_{}", kStreamPrefixes[s], kParts[i]), file);
   }
 }
 
 void checkTurns(const Columns& columns, const std::string& file) {
   for (std::size_t s = 0; s < columns.streams.size(); ++s)
     if (!columns.streams[s].stamp.empty())
-      need(columns.streams[s].part[kPositions], fmt::format("{}_{}", kStreamPrefixes[s], kParts[kPositions]),
-           file);
+      need(columns, columns.streams[s].part[kPositions],
+           fmt::format("{}_{}", kStreamPrefixes[s], kParts[kPositions]), file);
 }
 
-learning::RawPose rawPose(const StreamColumns& columns, std::size_t row) {
+learning::RawPose rawPose(const StreamColumns& columns, std::size_t row,
+                          const table_files::TableLines& lines) {
   learning::RawPose raw;
-  raw.row = row + 2;
+  raw.row = lines.number(row);
   raw.t = columns.stamp[row];
   const auto part = [&](std::size_t i) { return columns.part[i][row]; };
   raw.position = {part(0), part(1), part(2)};
@@ -87,9 +89,10 @@ learning::RawPose rawPose(const StreamColumns& columns, std::size_t row) {
   return raw;
 }
 
-Columns columnsOf(std::string_view text, const std::string& file) {
+Columns columnsOf(const table_files::ColumnReader& reader, const std::string& file) {
   Columns columns;
-  parseCsv(text, file, [&](std::string_view name, std::size_t) { return columns.named(name); });
+  columns.lines = reader.lines;
+  reader.read([&](std::string_view name, std::size_t) { return columns.named(name); });
   check(columns, file);
   return columns;
 }
@@ -108,25 +111,31 @@ std::vector<learning::RawMotion> motionsOf(const Columns& columns, const std::st
     }
     for (std::size_t s = 0; s < columns.streams.size(); ++s)
       if (!columns.streams[s].stamp.empty())
-        motions.back().streams[s].push_back(rawPose(columns.streams[s], row));
+        motions.back().streams[s].push_back(rawPose(columns.streams[s], row, columns.lines));
   }
   return motions;
+}
+
+std::vector<learning::RawMotion> poseMotions(const table_files::ColumnReader& reader,
+                                             const std::string& file) {
+  const Columns columns = columnsOf(reader, file);
+  checkTurns(columns, file);
+  return motionsOf(columns, file);
 }
 
 }  // namespace
 
 std::vector<learning::RawMotion> parsePoseTable(std::string_view text, const std::string& file) {
-  const Columns columns = columnsOf(text, file);
-  checkTurns(columns, file);
-  return motionsOf(columns, file);
-}
-
-std::vector<learning::RawMotion> parseTipTable(std::string_view text, const std::string& file) {
-  return motionsOf(columnsOf(text, file), file);
+  return poseMotions(table_files::columnsOfCsv(text, file), file);
 }
 
 std::vector<learning::RawMotion> readPoseTable(const std::filesystem::path& path) {
-  return parsePoseTable(base::readTextFile(path), path.string());
+  return poseMotions(table_files::columnsIn(path), path.string());
+}
+
+std::vector<learning::RawMotion> parseTipTable(const table_files::ColumnReader& reader,
+                                               const std::string& file) {
+  return motionsOf(columnsOf(reader, file), file);
 }
 
 namespace {

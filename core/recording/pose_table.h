@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/progress.h"
 #include "core/learning/poses/pose_motion.h"
+#include "core/table_files/read_columns.h"
 
 namespace capstan::recording {
 
@@ -22,6 +23,7 @@ inline constexpr std::array<std::string_view, learning::kStreams> kStreamPrefixe
 /// contiguous. No row is excluded (learning::screenPoses does that). Throws base::InputError naming file,
 /// line, column, value and remedy for a missing column, a cell that is not a number, or no rows.
 std::vector<learning::RawMotion> parsePoseTable(std::string_view text, const std::string& file);
+/// The same of a file of any kind of table_files::tableKinds().
 std::vector<learning::RawMotion> readPoseTable(const std::filesystem::path& path);
 
 /// Motions of several tables, one after the other; each motion has the name of its table, "monday, trajectory
@@ -32,7 +34,8 @@ std::vector<learning::RawMotion> readPoseTables(const std::vector<std::string>& 
                                                 base::Progress* progress = nullptr);
 
 /// Parses a pose table whose streams may lack quaternions; these are then NaN.
-std::vector<learning::RawMotion> parseTipTable(std::string_view text, const std::string& file);
+std::vector<learning::RawMotion> parseTipTable(const table_files::ColumnReader& reader,
+                                               const std::string& file);
 
 /// Name of the tables for messages: the path of a single table, otherwise "a.csv and 2 more tables".
 std::string nameOfTables(const std::vector<std::string>& paths);

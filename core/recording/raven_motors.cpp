@@ -8,8 +8,8 @@
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/base/yaml.h"
-#include "core/recording/csv.h"
 #include "core/robot/transmission.h"
+#include "core/table_files/csv.h"
 
 namespace capstan::recording {
 namespace {
@@ -52,7 +52,7 @@ MeasuredTable parseRavenMotors(std::string_view text, const std::string& file) {
   table.own_kinematics = true;
   for (const RavenColumn& column : kColumns) (table.*column.quantity).resize(3);
   std::map<std::string_view, bool> found;
-  parseCsv(text, file, [&](std::string_view name, std::size_t) -> std::vector<double>* {
+  table_files::parseCsv(text, file, [&](std::string_view name, std::size_t) -> std::vector<double>* {
     if (name == "t_s") {
       found["t_s"] = true;
       return &table.t;

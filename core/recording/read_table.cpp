@@ -3,10 +3,10 @@
 #include <fstream>
 
 #include "core/base/error.h"
-#include "core/recording/csv.h"
 #include "core/recording/raven_motors.h"
 #include "core/recording/session_file.h"
 #include "core/recording/settle_units.h"
+#include "core/table_files/csv.h"
 
 namespace capstan::recording {
 namespace {
@@ -30,7 +30,7 @@ bool isSession(const std::filesystem::path& path) {
 
 MeasuredTable readTable(const std::filesystem::path& path, const robot::Description& robot,
                         const ReadAs& read_as) {
-  if (!isRavenMotors(csvHeaderLine(firstBytes(path)))) {
+  if (!isRavenMotors(table_files::csvHeaderLine(firstBytes(path)))) {
     MeasuredTable table = readMeasuredTable(path);
     settleUnits(table, robot, read_as);
     return table;

@@ -27,7 +27,7 @@ void checkForTracking(const MeasuredTable& table, const robot::Description& robo
   if (table.q_m.empty())
     throw base::InputError(
         {table.file,
-         1,
+         table.lines.header(),
          "q_m1",
          {},
          "is not among the columns",
@@ -35,7 +35,7 @@ void checkForTracking(const MeasuredTable& table, const robot::Description& robo
   if (table.joints() != 3 || robot.size() != 3)
     throw base::InputError(
         {table.file,
-         1,
+         table.lines.header(),
          fmt::format("q_m{}", table.joints()),
          {},
          fmt::format("the table has {} joint{}, {} has {}, and tracking is made for three", table.joints(),

@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/base/resource.h"
 #include "core/base/yaml.h"
+#include "core/vision/rig_file.h"
 
 namespace capstan::simulation {
 namespace {
@@ -62,10 +63,10 @@ Truth truthOf(const SimulationRequest& request) {
   return truth;
 }
 
-vision::StereoRig rigOf(const std::filesystem::path& folder) {
-  if (folder.empty())
+vision::StereoRig rigOf(const std::filesystem::path& cameras) {
+  if (cameras.empty())
     return vision::readStereoRig(base::resource("cameras/left.yaml"), base::resource("cameras/right.yaml"));
-  return vision::readStereoRig(folder / "left.yaml", folder / "right.yaml");
+  return vision::readRig(cameras);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ struct SimulationRequest {
   std::string truth = "default";  ///< default, matched, or a truth file
   std::uint64_t seed = 1;         ///< seed of surgeon, noise and texture
   std::filesystem::path robot;    ///< nominal robot file; empty: the left RAVEN-II
-  std::filesystem::path cameras;  ///< folder with left.yaml and right.yaml; empty: the built-in rig
+  std::filesystem::path cameras;  ///< as vision::readRig(); empty: the built-in rig
   bool cameras_fitted = true;     ///< false: motors only
   bool images = true;             ///< false: tip positions instead of images
   bool registered = true;         ///< false: the user registers the cameras

@@ -61,13 +61,19 @@ struct IgnoreSnapshots {
   void operator()(const Sample&, const Snapshot&) const {}
 };
 
-/// Waits until a real-time source has a sample. False: `cancelled` meanwhile.
-template <SampleSource Source>
-bool waitFor(Source& source, const auto& cancelled) {
-  constexpr std::chrono::milliseconds kPatience{100};
-  if constexpr (requires { source.ready(kPatience); })
+/// Waits until a real-time source has a sample, and calls each.waiting(), if it exists, when none comes at
+/// once. False: `cancelled` meanwhile.
+template <SampleSource Source, class Each>
+bool waitFor(Source& source, const auto& cancelled, Each& each) {
+  constexpr std::chrono::milliseconds kAtOnce{2}, kPatience{100};
+  if constexpr (requires { source.ready(kPatience); }) {
+    if constexpr (requires { each.waiting(); }) {
+      if (source.ready(kAtOnce)) return true;
+      each.waiting();
+    }
     while (!source.ready(kPatience))
       if (cancelled()) return false;
+  }
   return true;
 }
 
@@ -80,7 +86,7 @@ TrackReport trackAll(Source& source, TrackingPipeline& pipeline, base::Progress*
   TrackReport report;
   Sample sample;
   const auto cancelled = [&] { return report.cancelled = progress && progress->cancelled(); };
-  if (!waitFor(source, cancelled)) return report;
+  if (!waitFor(source, cancelled, each)) return report;
   for (std::uint64_t count = 0; source.next(sample); ++count) {
     const Snapshot& snapshot = pipeline.step(sample);
     report.add(snapshot);
@@ -90,7 +96,7 @@ TrackReport trackAll(Source& source, TrackingPipeline& pipeline, base::Progress*
       if (progress && duration > 0.0)
         progress->report(std::min(1.0, (report.last_t - report.first_t) / duration), "tracking");
     }
-    if (!waitFor(source, cancelled)) break;
+    if (!waitFor(source, cancelled, each)) break;
   }
   return report;
 }

@@ -9,8 +9,8 @@
 
 #include "core/base/random.h"
 #include "core/base/yaml.h"
-#include "core/recording/csv.h"
 #include "core/robot/chain_dynamics.h"
+#include "core/table_files/csv.h"
 #include "tests/core/robot/robot_files.h"
 #include "tests/support_tests/planted_robots.h"
 
@@ -57,8 +57,9 @@ TEST(RigidChain, AgreesWithTheIndependentTable) {
   const auto path = sharedFile("raven2-check.csv");
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "no " << path;
   std::map<std::string, std::vector<double>> table;
-  recording::parseCsv(base::readTextFile(path), path.string(),
-                      [&](std::string_view name, std::size_t) { return &table[std::string(name)]; });
+  table_files::parseCsv(
+      base::readTextFile(path), path.string(),
+      [&](std::string_view name, std::size_t) { return &table[std::string(name)]; });
   const robot::Description robot = raven();
   RigidChain chain(robot);
   ASSERT_EQ(table["q1"].size(), 200U);

@@ -3,6 +3,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 
+#include "core/recording/recording_kinds.h"
 #include "widgets/shell/live_dialog.h"
 #include "widgets/shell/simulation_dialog.h"
 
@@ -40,8 +41,9 @@ SourceMenu::SourceMenu(QWidget* parent)
 
 void SourceMenu::askFile() {
   const QString folder = recent_.isEmpty() ? QString() : QFileInfo(recent_.front()).absolutePath();
-  auto* dialog = new QFileDialog(parentWidget(), tr("Open a recording"), folder,
-                                 tr("Recordings (*.capstan *.csv);;All files (*)"));
+  auto* dialog = new QFileDialog(
+      parentWidget(), tr("Open a recording"), folder,
+      tr("Recordings (%1);;All files (*)").arg(QString::fromStdString(recording::recordingPatterns())));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, this,

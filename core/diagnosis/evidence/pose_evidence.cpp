@@ -126,8 +126,10 @@ bool isPoseTable(std::string_view header_line) {
   return has(",traj,") && has(",t_cam_s,") && has(",cam_x,");
 }
 
-PoseEvidence parsePoseEvidence(std::string_view text, const std::string& file) {
-  const std::vector<RawMotion> motions = recording::parseTipTable(text, file);
+namespace {
+
+PoseEvidence evidenceOf(const table_files::ColumnReader& reader, const std::string& file) {
+  const std::vector<RawMotion> motions = recording::parseTipTable(reader, file);
   PoseEvidence evidence;
   evidence.file = file;
   evidence.title = std::filesystem::path(file).filename().string();
@@ -163,8 +165,14 @@ PoseEvidence parsePoseEvidence(std::string_view text, const std::string& file) {
   return evidence;
 }
 
+}  // namespace
+
+PoseEvidence parsePoseEvidence(std::string_view text, const std::string& file) {
+  return evidenceOf(table_files::columnsOfCsv(text, file), file);
+}
+
 PoseEvidence readPoseEvidence(const std::filesystem::path& path) {
-  return parsePoseEvidence(base::readTextFile(path), path.string());
+  return evidenceOf(table_files::columnsIn(path), path.string());
 }
 
 }  // namespace capstan::diagnosis

@@ -59,13 +59,14 @@ std::optional<MeasuredTable> RowParser::take(bool ended) {
   else
     recording::settleUnits(table, robot_, read_as_);
   units_settled_ = true;
+  table.lines.first = static_cast<int>(lines_) + 1;
   pending_.erase(0, complete);
   lines_ += rows;
   return table;
 }
 
 void RowParser::checkOrder(const MeasuredTable& rows) {
-  recording::checkTimes(rows, last_t_, static_cast<int>(lines_ - rows.rows()) + 1);
+  recording::checkTimes(rows, last_t_);
   last_t_ = rows.t.back();
 }
 

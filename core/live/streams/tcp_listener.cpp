@@ -1,16 +1,12 @@
 #include "core/live/streams/tcp_listener.h"
 
-#include <arpa/inet.h>
-#include <fmt/format.h>
-#include <netinet/in.h>
 #include <poll.h>
 #include <sys/socket.h>
 
 #include <array>
 #include <cerrno>
-#include <cstring>
 
-#include "core/base/error.h"
+#include "core/live/streams/listening_socket.h"
 
 namespace capstan::live {
 namespace {
@@ -23,26 +19,10 @@ void send(int client, const std::string& line) {
 
 }  // namespace
 
-TcpListener::TcpListener(const Address& address)
-    : listener_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)),
-      name_(fmt::format("tcp://{}:{}", address.host, address.port)) {
-  sockaddr_in at{};
-  at.sin_family = AF_INET;
-  at.sin_port = htons(address.port);
-  inet_pton(AF_INET, address.host.c_str(), &at.sin_addr);
-  socklen_t size = sizeof at;
-  const int yes = 1;
-  auto* const plain = reinterpret_cast<sockaddr*>(&at);
-  if (!listener_.isOpen() || ::setsockopt(listener_.get(), SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes) != 0 ||
-      ::bind(listener_.get(), plain, size) != 0 || ::listen(listener_.get(), 4) != 0 ||
-      ::getsockname(listener_.get(), plain, &size) != 0)
-    throw base::InputError({"",
-                            0,
-                            {},
-                            name_,
-                            std::string("cannot be listened on: ") + std::strerror(errno),
-                            "Choose another port, or end the program that has it"});
-  name_ = fmt::format("tcp://{}:{}", address.host, ntohs(at.sin_port));
+TcpListener::TcpListener(const Address& address) {
+  ListeningSocket listening = listenOn(address);
+  listener_ = std::move(listening.socket);
+  name_ = std::move(listening.name);
 }
 
 ReadState TcpListener::read(std::string& out, std::chrono::milliseconds wait) {

@@ -1,4 +1,5 @@
 #include "widgets/panels/analysis/run_picker.h"
+#include "core/recording/recording_kinds.h"
 
 #include <QBoxLayout>
 #include <QComboBox>
@@ -141,9 +142,12 @@ void RunPicker::onKind(int index) {
 
 void RunPicker::ask(Kind kind) {
   const bool folder = kind == Kind::kResults;
-  auto* dialog = new QFileDialog(this, folder ? tr("Folder of an experiment's results") : tr("Recording"),
-                                 choice_.path.isEmpty() ? QString() : QFileInfo(choice_.path).path(),
-                                 folder ? QString() : tr("Recordings (*.capstan *.csv);;All files (*)"));
+  auto* dialog = new QFileDialog(
+      this, folder ? tr("Folder of an experiment's results") : tr("Recording"),
+      choice_.path.isEmpty() ? QString() : QFileInfo(choice_.path).path(),
+      folder
+          ? QString()
+          : tr("Recordings (%1);;All files (*)").arg(QString::fromStdString(recording::recordingPatterns())));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(folder ? QFileDialog::Directory : QFileDialog::ExistingFile);
   if (folder) dialog->setOption(QFileDialog::ShowDirsOnly);

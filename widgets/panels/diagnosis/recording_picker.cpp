@@ -1,4 +1,5 @@
 #include "widgets/panels/diagnosis/recording_picker.h"
+#include "core/recording/recording_kinds.h"
 
 #include <QBoxLayout>
 #include <QFileInfo>
@@ -8,9 +9,10 @@
 namespace capstan::widgets {
 
 RecordingPicker::RecordingPicker(QWidget* parent)
-    : FilePicker({"recordings", tr("recordings"), tr("recordings"), tr("Recordings of one robot"),
-                  tr("Recordings (*.capstan *.csv);;All files (*)")},
-                 parent),
+    : FilePicker(
+          {"recordings", tr("recordings"), tr("recordings"), tr("Recordings of one robot"),
+           tr("Recordings (%1);;All files (*)").arg(QString::fromStdString(recording::recordingPatterns()))},
+          parent),
       offer_(new QToolButton) {
   offer_->setObjectName("offered");
   auto* robots = new QMenu(this);

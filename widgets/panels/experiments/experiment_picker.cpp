@@ -1,4 +1,5 @@
 #include "widgets/panels/experiments/experiment_picker.h"
+#include "core/recording/recording_kinds.h"
 
 #include <QBoxLayout>
 #include <QComboBox>
@@ -10,7 +11,7 @@ using experiments::CorrectionExperiment;
 ExperimentPicker::ExperimentPicker(QWidget* parent)
     : FilePicker({"experiment_tables", tr("tables"),
                   tr("tables of tip poses to learn from and to measure errors on"), tr("Tables of tip poses"),
-                  tr("Tables (*.csv);;All files (*)")},
+                  tr("Tables (%1);;All files (*)").arg(QString::fromStdString(recording::tablePatterns()))},
                  parent),
       experiment_(new QComboBox),
       towards_(new QComboBox) {

@@ -1,4 +1,5 @@
 #include "widgets/panels/learning/table_picker.h"
+#include "core/recording/recording_kinds.h"
 
 #include <QBoxLayout>
 #include <QComboBox>
@@ -9,7 +10,7 @@ using learning::StreamKind;
 
 TablePicker::TablePicker(QWidget* parent)
     : FilePicker({"tables", tr("tables"), tr("tables of tip poses"), tr("Tables of tip poses of one robot"),
-                  tr("Tables (*.csv);;All files (*)")},
+                  tr("Tables (%1);;All files (*)").arg(QString::fromStdString(recording::tablePatterns()))},
                  parent),
       towards_(new QComboBox) {
   towards_->setObjectName("towards");

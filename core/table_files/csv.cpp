@@ -1,4 +1,4 @@
-#include "core/recording/csv.h"
+#include "core/table_files/csv.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 
 #include "core/base/error.h"
 
-namespace capstan::recording {
+namespace capstan::table_files {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -42,7 +42,7 @@ struct Header {
   std::vector<std::vector<double>*> targets;
 };
 
-Header parseHeader(std::string_view line, const std::string& file, const CsvTarget& target) {
+Header parseHeader(std::string_view line, const std::string& file, const ColumnTarget& target) {
   if (trimmed(line).empty())
     throw base::InputError(
         {file,
@@ -102,7 +102,7 @@ void parseRow(std::string_view row, int line, const std::string& file, const Hea
 
 }  // namespace
 
-void parseCsv(std::string_view text, const std::string& file, const CsvTarget& target) {
+void parseCsv(std::string_view text, const std::string& file, const ColumnTarget& target) {
   text = withoutMark(text);
   std::string_view rest = text;
   const Header header = parseHeader(take(rest, '\n'), file, target);
@@ -121,4 +121,4 @@ std::string_view csvHeaderLine(std::string_view text) {
   return trimmed(take(rest, '\n'));
 }
 
-}  // namespace capstan::recording
+}  // namespace capstan::table_files
