@@ -71,7 +71,7 @@ TEST_F(CliFiles, PlacesThatCannotBeWrittenAreRefusedBeforeTheWork) {
     expectRefused("convert " + file + " " + place + ".csv", "cannot be written");
   }
   expectRefused("track" + hours + "--out " + folder_.string(), "is a folder");
-  expectRefused("track " + file + " --out -", "standard output");
+  expectRefused("track " + file + " --out - --json -", "is given together with --out -");
   expectRefused("convert " + file + " - --to table", "standard output");
   fs::create_directories(path("pictures"));
   for (const char* name : {"pictures/left1.png", "pictures/right1.png"}) write(name, "no picture");
