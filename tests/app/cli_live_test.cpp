@@ -29,6 +29,44 @@ TEST_F(CliLive, RowsOnStandardInputAreTrackedAsAFile) {
   EXPECT_EQ(expected, actual);
 }
 
+TEST_F(CliLive, EstimatesOnStandardOutputAreThoseOfTheFile) {
+  const std::string table = makeTable();
+  ASSERT_EQ(run("track " + table + " --out " + path("file.csv")).exit, 0);
+  ASSERT_EQ(run("track " + table + " --out " + path("file.jsonl")).exit, 0);
+  const Ran piped = run("track --live - --out - <" + table), recorded = run("track " + table + " --out -");
+  ASSERT_EQ(piped.exit, 0) << piped.err;
+  EXPECT_EQ(piped.out, textOf("file.csv"));
+  EXPECT_EQ(recorded.out, textOf("file.csv"));
+  EXPECT_EQ(run("track --live - --out - --out-format jsonl <" + table).out, textOf("file.jsonl"));
+  std::istringstream csv(textOf("file.csv")), lines(textOf("file.jsonl"));
+  std::string header, row, line;
+  std::getline(csv, header);
+  for (int i = 0; std::getline(csv, row); ++i) {
+    ASSERT_TRUE(std::getline(lines, line));
+    const json object = json::parse(line);
+    std::istringstream names(header), cells(row);
+    for (std::string name, cell; std::getline(names, name, ',');) {
+      std::getline(cells, cell, ',');
+      if (cell.empty())
+        EXPECT_FALSE(object.contains(name)) << name << " in row " << i;
+      else if (name == "gate")
+        EXPECT_EQ(object[name], cell);
+      else
+        EXPECT_EQ(object[name].get<double>(), std::stod(cell)) << name << " in row " << i;
+    }
+  }
+}
+
+TEST_F(CliLive, ARowOfALiveSessionIsInTheFileBeforeTheNextOneExists) {
+  makeTable();
+  // The robot sends 2099 rows and then pauses; the file is looked at in the pause.
+  const Ran ran = run("track --live - --out " + path("now.csv") + " >/dev/null",
+                      "(head -2100 " + path("trial.csv") + "; sleep 3; wc -l <" + path("now.csv") + " >" +
+                          path("lines.txt") + ") | ");
+  ASSERT_EQ(ran.exit, 0) << ran.err;
+  EXPECT_GE(std::stoi(textOf("lines.txt")), 2099);  // all but the last, which waits for its reference
+}
+
 TEST_F(CliLive, AFaultOnStandardInputNamesItsLine) {
   const std::string table = makeTable();
   const Ran faulty = run("track --live - ", "sed '1500s/,[^,]*/,oops/' " + table + " | ");
@@ -98,6 +136,9 @@ TEST_F(CliLive, BadAddressesAndFaultsAreRefused) {
         {"track --live tcp://127.0.0.1:5555 trial.csv", "together with FILE"},
         {"track --live nowhere.yaml", "nowhere.yaml"},
         {"track --live - --register hard-stop", "read twice"},
+        {"track --live - --out trial.h5", "Estimates are CSV or JSON Lines"},
+        {"track trial.csv --out tcp://127.0.0.1:5556", "without --live"},
+        {"track --live - --out - --json -", "together with --out -"},
         {"play trial.csv --to rows.fifo", "no TCP address"},
         {"play trial.csv --to tcp://127.0.0.1:5555 --fault storm", "names no fault"},
         {"play trial.csv", "is missing, and so is --video"},

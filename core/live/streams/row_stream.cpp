@@ -79,6 +79,8 @@ void RowStream::close() {
   const std::uint64_t one = 1;
   (void)!::write(wake_.get(), &one, sizeof one);
   thread_.join();
+  readers_.clear();
+  listener_.close();
 }
 
 RowStreamCounts RowStream::counts() const { return {sent_, dropped_, connected_}; }
