@@ -23,10 +23,10 @@ LivePreviewState LivePreview::state() const {
   return state;
 }
 
-template <class Open>
-void LivePreview::open(Open&& open) {
+template <class Work>
+void LivePreview::notingFaults(Work&& work) {
   try {
-    open();
+    work();
   } catch (const base::InputError& error) {
     const std::lock_guard lock(mutex_);
     state_.faults.emplace_back(error.what());
@@ -34,7 +34,7 @@ void LivePreview::open(Open&& open) {
 }
 
 void LivePreview::work() {
-  open([&] {
+  notingFaults([&] {
     LiveSetup without = setup_;
     without.cameras.reset();
     auto motors = std::make_unique<LiveSource>(without);
@@ -42,7 +42,7 @@ void LivePreview::work() {
     motors_ = std::move(motors);
   });
   if (setup_.cameras)
-    open([&] {
+    notingFaults([&] {
       const auto since = [begin = Clock::now()](Clock::time_point at) -> std::optional<double> {
         return std::chrono::duration<double>(at - begin).count();
       };
@@ -50,13 +50,16 @@ void LivePreview::work() {
       const std::lock_guard lock(mutex_);
       cameras_ = std::move(cameras);
     });
+  bool receiving = motors_ != nullptr;  // from the motors, until they end
   tracking::Sample sample;
   constexpr std::chrono::milliseconds kWait{20}, kNone{0};
   while (!quit_) {
-    open([&] {
-      if (motors_ && motors_->ready(kWait) && motors_->next(sample)) take(sample);
-    });
-    while (!quit_ && frames_.ready(motors_ ? kNone : kWait) && frames_.take(sample)) take(sample);
+    if (receiving && motors_->ready(kWait)) {
+      receiving = false;
+      notingFaults([&] { receiving = motors_->next(sample); });
+      if (receiving) take(sample);
+    }
+    while (!quit_ && frames_.ready(receiving ? kNone : kWait) && frames_.take(sample)) take(sample);
   }
   std::unique_ptr<LiveSource> motors;  // closed without the lock, since their threads may take a second
   std::unique_ptr<CameraSide> cameras;

@@ -50,8 +50,9 @@ class LivePreview {
   };
 
   void work();
-  template <class Open>
-  void open(Open&& open);
+  /// Calls `work`; a base::InputError becomes a fault of the state.
+  template <class Work>
+  void notingFaults(Work&& work);
   void take(const tracking::Sample& sample);
 
   const LiveSetup setup_;

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <memory>
 #include <thread>
+#include <tuple>
 
 #include "core/base/error.h"
 #include "core/live/streams/tcp_sender.h"
@@ -98,9 +99,9 @@ ImagePlayReport playImages(const std::filesystem::path& session, ImageServer& se
       continue;
     }
     clock.waitUntil(played->due);
-    if (played->swapped) std::swap(shown.left, shown.right);
-    server.publish(shown.left, shown.right);
-    if (played->swapped) std::swap(shown.left, shown.right);
+    const auto& [first, second] =
+        played->swapped ? std::tie(shown.right, shown.left) : std::tie(shown.left, shown.right);
+    server.publish(first, second);
     ++report.sent;
   }
   return report;

@@ -60,14 +60,15 @@ bool isOpenCv(const fs::path& path) {
 
 std::string rigFileKinds() {
   return "a folder with left.yaml and right.yaml (ROS camera_info), a Kalibr camchain.yaml, or an OpenCV "
-         "file "
-         "with M1, D1, M2, D2, R, T";
+         "file with M1, D1, M2, D2, R, T";
 }
 
 StereoRig readRig(const fs::path& path) {
   std::error_code fault;
   if (fs::is_directory(path, fault)) return readFolder(path);
   if (!fs::exists(path, fault)) refuse(path.string(), {}, {}, "does not exist", "Give " + rigFileKinds());
+  if (path.filename() == "left.yaml" || path.filename() == "right.yaml")
+    return readFolder(path.parent_path());
   return isOpenCv(path) ? readOpenCvRig(path) : readKalibr(path);
 }
 

@@ -12,11 +12,10 @@ namespace capstan::vision {
 std::string rigFileKinds();
 
 /// Reads a calibrated pair of cameras at `path`, which is one of
-/// - a folder with left.yaml and right.yaml: ROS camera_info, see readStereoRig();
+/// - a folder with left.yaml and right.yaml, or one of these two files: ROS camera_info, see readStereoRig();
 /// - a Kalibr file camchain.yaml, or a folder with one *camchain*.yaml: see readKalibr();
 /// - an OpenCV file (.yml, .yaml, .xml, .json of cv::FileStorage), or a folder with intrinsics and
-/// extrinsics, as
-///   OpenCV's sample stereo_calib writes them (.yml or .xml): see readOpenCvRig().
+///   extrinsics, as OpenCV's sample stereo_calib writes them (.yml or .xml): see readOpenCvRig().
 /// Throws base::InputError with file, key, value and remedy.
 StereoRig readRig(const std::filesystem::path& path);
 

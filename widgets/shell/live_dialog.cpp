@@ -85,7 +85,7 @@ LiveDialog::LiveDialog(QWidget* parent) : QDialog(parent) {
   auto* form = new QFormLayout(general);
   title_ = new QLineEdit;
   addField<live::LiveSetup>(form, tr("Title"), title_, "title");
-  robot_ = addPath(form, tr("Robot file"), meaningOf<live::LiveSetup>("robot"), false);
+  robot_ = addPath(form, tr("Robot file"), meaningOf<live::LiveSetup>("robot"));
   robot_->setObjectName("robot");
   robot_->setPlaceholderText(tr("RAVEN-II, left arm"));
   grid->addWidget(general, 0, 0);
@@ -108,7 +108,7 @@ LiveDialog::LiveDialog(QWidget* parent) : QDialog(parent) {
   setSetup(initial);
 }
 
-QLineEdit* LiveDialog::addPath(QFormLayout* form, const QString& label, const QString& tip, bool folder) {
+QLineEdit* LiveDialog::addPath(QFormLayout* form, const QString& label, const QString& tip) {
   auto* row = new QWidget;
   auto* line = new QHBoxLayout(row);
   line->setContentsMargins(0, 0, 0, 0);
@@ -120,10 +120,10 @@ QLineEdit* LiveDialog::addPath(QFormLayout* form, const QString& label, const QS
   line->addWidget(edit, 1);
   line->addWidget(browse);
   form->addRow(label, row);
-  connect(browse, &QPushButton::clicked, this, [this, edit, label, folder] {
+  connect(browse, &QPushButton::clicked, this, [this, edit, label] {
     auto* dialog = new QFileDialog(this, label, edit->text());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(folder ? QFileDialog::Directory : QFileDialog::ExistingFile);
+    dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, edit, [edit](const QString& path) { edit->setText(path); });
     dialog->open();
   });
@@ -185,9 +185,9 @@ QGroupBox* LiveDialog::makeCameras() {
   rate_ = numberBox(tr(" frames/s"), 1000.0, 0);
   rate_->setSpecialValueText(tr("the device's own"));
   addField<Cameras>(form, tr("Rate"), rate_, "rate");
-  calibration_ = addPath(form, tr("Calibration"), meaningOf<Cameras>("calibration"), true);
+  calibration_ = addPath(form, tr("Calibration"), meaningOf<Cameras>("calibration"));
   calibration_->setObjectName("calibration");
-  registration_ = addPath(form, tr("Registration"), meaningOf<Cameras>("registration"), false);
+  registration_ = addPath(form, tr("Registration"), meaningOf<Cameras>("registration"));
   registration_->setObjectName("registration");
   registration_->setPlaceholderText(tr("none: register first"));
   latency_ = numberBox(tr(" ms"), 2000.0, 1);

@@ -51,7 +51,7 @@ class LiveDialog : public QDialog {
   QGroupBox* makeMotors();
   QGroupBox* makeCameras();
   QWidget* makeButtons();
-  QLineEdit* addPath(QFormLayout* form, const QString& label, const QString& tip, bool folder);
+  QLineEdit* addPath(QFormLayout* form, const QString& label, const QString& tip);
   void fillDevices();
   void fitLayout();
   void togglePreview(bool on);

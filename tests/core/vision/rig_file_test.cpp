@@ -69,6 +69,18 @@ class RigFile : public ::testing::Test {
   fs::path folder_;
 };
 
+TEST_F(RigFile, EitherFileOfAFolderStandsForIt) {
+  const StereoRig rig = readRig(write("camchain.yaml", kChain));
+  writeStereoRig(rig, folder_ / "left.yaml", folder_ / "right.yaml");
+  const StereoRig folder = readRig(folder_);
+  EXPECT_EQ(folder.left.fx, 650.0);
+  for (const char* name : {"left.yaml", "right.yaml"}) {
+    const StereoRig file = readRig(folder_ / name);
+    EXPECT_EQ(file.left.fx, folder.left.fx) << name;
+    EXPECT_EQ(file.right_from_left.matrix(), folder.right_from_left.matrix()) << name;
+  }
+}
+
 TEST_F(RigFile, KalibrChainHasItsNumbers) {
   const StereoRig rig = readRig(write("trial-camchain.yaml", kChain));
   EXPECT_EQ(rig.left.name, "cam0");
