@@ -112,6 +112,7 @@ void FitModel::addTerm(EffectTerm term) {
     if (k < term.hypothesis->least.size()) p.low = std::max(p.low, term.hypothesis->least[k]);
     if (isEventTime(numbers[k])) {
       std::tie(p.low, p.high) = eventTimes(scalesOf(scales_, term.joint));
+      p.prior = (p.high - p.low) / scale;
     } else if (term.background && start == 0.0) {
       p.low = std::max(p.low, -scale);
       p.high = std::min(p.high, scale);
@@ -266,6 +267,7 @@ double FitModel::logPrior(const Eigen::VectorXd& u) const {
   for (const EffectTerm& term : effects_)
     for (std::size_t i = 0; i < term.index.size(); ++i) {
       if (term.index[i] < 0 || term.hypothesis->neutral[i] != 0.0) continue;
+      if (isEventTime(term.hypothesis->facts->parameters[i])) continue;
       const FitParameter& p = parameters_[static_cast<std::size_t>(term.index[i])];
       add(p.value(u[term.index[i]]) /
           ((term.background ? kBackgroundPrior : kEffectPrior) * term.start.scale[i]));

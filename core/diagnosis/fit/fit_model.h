@@ -77,7 +77,8 @@ class FitModel {
   Eigen::VectorXd startFrom(const FitModel& other, const Eigen::VectorXd& u_other) const;
   /// Log prior density of the values at u over that of the nominal robot in good order [nats]:
   /// −½ Σ (u / prior)² of nominal parameters and background effects, −½ Σ (v / (kEffectPrior scale))² of the
-  /// numbers v of effects that are zero in a robot without the effect.
+  /// numbers v of effects that are zero in a robot without the effect. The time of an event is uniform over
+  /// the recording; logPrior() of a set of effects counts its instants.
   double logPrior(const Eigen::VectorXd& u) const;
   /// u with every value within its bounds.
   Eigen::VectorXd clipped(const Eigen::VectorXd& u) const;
