@@ -61,14 +61,16 @@ std::uint64_t blindSeed() {
   return seed;
 }
 
-/// Groups other than development have their own seeds.
+/// Groups other than development have their own seeds. With the first seed of an earlier blind study, the
+/// group choosing runs its cases again.
 void chooseGroup(Wanted& wanted, bool seed_given) {
   if (wanted.group == "development") return;
-  if (seed_given)
+  const bool blind = wanted.group == "blind";
+  if (blind && seed_given)
     throw base::InputError({"", 0, "first-seed", std::to_string(wanted.cases.first_seed),
-                            "cannot be chosen in the group " + wanted.group, "Remove --first-seed"});
+                            "cannot be chosen in the group blind", "Remove --first-seed"});
   wanted.cases.population = study::Population::kVaried;
-  wanted.cases.first_seed = wanted.group == "blind" ? blindSeed() : kChoosingSeed;
+  if (!seed_given) wanted.cases.first_seed = blind ? blindSeed() : kChoosingSeed;
 }
 
 void tell(const study::Step& step) {
@@ -105,7 +107,7 @@ void addOptions(CLI::App& app, Wanted& wanted) {
   app.add_option("--uncovered", wanted.cases.uncovered, "with an effect that no hypothesis covers")
       ->check(CLI::Range(0, 100000));
   app.add_option("--first-seed", wanted.cases.first_seed,
-                 "of the group development; another one: another study");
+                 "another one: another study; not in the group blind");
   app.add_option("--threads", wanted.threads)->check(CLI::Range(1, 256));
   app.add_option("--out", wanted.out, "folder of cases.jsonl and the tables");
   app.add_option("--only", wanted.cases.only, "effects, or none, two, uncovered");

@@ -22,6 +22,7 @@ struct CandidateModel {
   SetOf<Effect> effects;
   const BlockSquares* squares = nullptr;  ///< held-out residuals
   double log_prior = 0.0;                 ///< logPrior() [nats]
+  double correction = 0.0;                ///< added to the score of `squares`: heldOutScores() [nats]
 };
 
 /// Effect of the selected set.
@@ -83,7 +84,7 @@ class Posterior {
     Eigen::MatrixXd log(static_cast<Eigen::Index>(models_.size()), kDraws);
     for (Eigen::Index k = 0; k < log.rows(); ++k) {
       const CandidateModel<Effect>& model = models_[static_cast<std::size_t>(k)];
-      log.row(k) = score.ofDraws(*model.squares).transpose().array() + model.log_prior;
+      log.row(k) = score.ofDraws(*model.squares).transpose().array() + model.correction + model.log_prior;
     }
     const Eigen::VectorXd probability = baggedPosterior(log);
     std::vector<std::size_t> order(models_.size());

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/diagnosis/fit/input_noise.h"
+#include "core/diagnosis/selection/optimism.h"
 
 namespace capstan::diagnosis {
 namespace {
@@ -60,14 +61,21 @@ class Search {
   }
 
  private:
-  double value(const SetFit& set) const {
-    return score_->of(set.squares) + logPrior(set, found_.candidates, found_.instants);
+  double prior(const SetFit& set) const { return logPrior(set, found_.candidates, found_.instants); }
+
+  /// Score on held-out blocks and log prior of a settled set [nats].
+  double value(const EffectSet& effects) const { return value_.at(effects); }
+
+  /// Values of all settled sets; the best one.
+  void weigh() {
+    value_ = heldOutScores(found_.sets, *score_);
+    for (auto& [effects, value] : value_) value += prior(at(effects));
+    for (const auto& [effects, value] : value_)
+      if (value > value_.at(found_.best)) found_.best = effects;
   }
 
   /// The same of the fit's own residuals, which short fits have, too.
-  double fittedValue(const SetFit& set) const {
-    return score_->of(set.fitted) + logPrior(set, found_.candidates, found_.instants);
-  }
+  double fittedValue(const SetFit& set) const { return score_->of(set.fitted) + prior(set); }
 
   SetFit& at(const EffectSet& effects) { return found_.sets.at(effects); }
 
@@ -79,15 +87,16 @@ class Search {
     const auto known = found_.sets.find(effects);
     if (known == found_.sets.end())
       found_.sets.emplace(effects, std::move(set));
-    else if (set.settled != known->second.settled
-                 ? set.settled
-                 : value(set) > value(known->second))
+    else if (set.settled != known->second.settled ? set.settled : isBetter(set, known->second))
       known->second = std::move(set);
-    for (const auto& [other, fitted] :
-         found_.sets)  // what was learned may have changed the order of others, too
-      if (fitted.settled && value(fitted) > value(at(found_.best))) found_.best = other;
+    weigh();  // what was learned may have changed the order of others, too
     if (found_.best != former && !former.empty()) SetFitter::thin(at(former));
     return found_.best == effects && former != effects;
+  }
+
+  /// Of two fits of the same set.
+  bool isBetter(const SetFit& one, const SetFit& other) const {
+    return score_->of(one.squares) + prior(one) > score_->of(other.squares) + prior(other);
   }
 
   bool isSettled(const EffectSet& effects) const {
@@ -105,9 +114,9 @@ class Search {
   /// Sets within reach of the best one, the best first.
   std::vector<EffectSet> ranked() {
     std::vector<std::pair<double, EffectSet>> all;
-    const double least = value(at(found_.best)) - kWindow;
-    for (const auto& [effects, set] : found_.sets)
-      if (set.settled && value(set) > least) all.emplace_back(value(set), effects);
+    const double least = value(found_.best) - kWindow;
+    for (const auto& [effects, value] : value_)
+      if (value > least) all.emplace_back(value, effects);
     std::ranges::stable_sort(all, [](const auto& a, const auto& b) { return a.first > b.first; });
     std::vector<EffectSet> sets;
     for (auto& [score, effects] : all) sets.push_back(std::move(effects));
@@ -301,9 +310,9 @@ class Search {
     if (effects.empty() || cancelled(progress_) || !restarted_.insert(effects).second) return false;
     report("Refitting from the nominal parameters");
     fitter_.relinearise(at(effects));
-    const double before = value(at(effects));
+    const double before = value(effects);
     keep(fitter_.settled(SetFitter::fromNominal(at(effects))));
-    if (!(value(at(effects)) > before + kRestart)) return found_.best != effects;
+    if (!(value(effects) > before + kRestart)) return found_.best != effects;
     expanded_.erase(effects);
     return true;
   }
@@ -352,6 +361,7 @@ class Search {
   SetFitter fitter_;
   std::optional<PredictiveScore> score_;
   SearchResult found_;
+  std::map<EffectSet, double> value_;
   std::set<EffectSet> expanded_, restarted_;
   int round_ = 0;
   double begin_, done_ = 0.0;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/diagnosis/selection/optimism.h"
+
 namespace capstan::diagnosis {
 namespace {
 
@@ -15,11 +17,13 @@ PredictiveScore scoreOf(const FitData& data, const SearchResult& found, std::uin
 }
 
 /// Sets that were fitted until convergence.
-std::vector<Model> modelsOf(const SearchResult& found) {
+std::vector<Model> modelsOf(const SearchResult& found, const PredictiveScore& score) {
   std::vector<Model> models;
-  for (const auto& [effects, set] : found.sets)
-    if (set.settled)
-      models.push_back({effects, &set.squares, logPrior(set, found.candidates, found.instants)});
+  for (const auto& [effects, held_out] : heldOutScores(found.sets, score)) {
+    const SetFit& set = found.sets.at(effects);
+    models.push_back({effects, &set.squares, logPrior(set, found.candidates, found.instants),
+                      held_out - score.of(set.squares)});
+  }
   return models;
 }
 
@@ -58,7 +62,7 @@ Selection select(const FitData& data, const std::vector<Evidence>& recordings, c
   SearchResult found =
       searchSets(data, recordings, nominal, start ? &start->best : nullptr, options, progress);
   const PredictiveScore score = scoreOf(data, found, options.seed);
-  const Posterior<EffectCandidate> posterior(modelsOf(found), score);
+  const Posterior<EffectCandidate> posterior(modelsOf(found, score), score);
   const EffectSet most_probable =
       posterior.models().empty() ? found.best : posterior.models().front().effects;
   const SetFitter fitter(data);
@@ -78,7 +82,7 @@ Selection select(const FitData& data, const std::vector<Evidence>& recordings, c
               .probable = probableOf(posterior, found),
               .candidates = std::move(found.tested)};
   settleWithouts(fitter, best, found);
-  s.effects = selectedOf(best.effects, best.squares, modelsOf(found), posterior, score);
+  s.effects = selectedOf(best.effects, best.squares, modelsOf(found, score), posterior, score);
   s.competitors = competitorsOf(best.effects, s.effects, posterior);
   for (Candidate& candidate : s.candidates)
     candidate.probability = posterior.inclusion({hypothesisNamed(candidate.effect), candidate.joint});

@@ -71,6 +71,18 @@ TEST(FitModel, logPriorFallsWithTheDistanceFromTheNominalRobot) {
   EXPECT_NEAR(far.logPrior(Eigen::VectorXd::Zero(far.size())), expected, 1e-9);
 }
 
+TEST(FitModel, anEventIsAsProbableLateAsEarly) {
+  const Planted planted(1);
+  const FitModel base(planted.robot, jointScales(planted.evidence, planted.robot));
+  const Hypothesis& slip = *hypothesisNamed("encoder_slip");
+  const auto priorOf = [&](double size, double time) {
+    const FitModel model = base.with(slip, 1, {{size, time}, {0.1, 0.05}});
+    return model.logPrior(Eigen::VectorXd::Zero(model.size()));
+  };
+  EXPECT_EQ(priorOf(0.1, 1.0), priorOf(0.1, 7.0));
+  EXPECT_LT(priorOf(0.2, 1.0), priorOf(0.1, 1.0));
+}
+
 TEST(ChainSimulation, tellsWhatTheWholeMotionDoes) {
   const Planted planted(2);
   const ChainSimulation simulation(planted.evidence.front(), planted.robot, 2.0);
