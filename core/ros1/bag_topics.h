@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "core/ros1/message_data.h"
+
 namespace capstan::ros1 {
 
 /// Topics of a bag by their meaning. Empty: found automatically; "none": not used.
@@ -23,12 +25,6 @@ inline constexpr const char* kSessionTopic = "/capstan/session";  ///< std_msgs/
 
 /// Parses "motors=/PSM1/actuators/measured_js,left=/camera/left". Throws base::InputError that names `option`.
 BagTopics parseBagTopics(const std::string& text, const std::string& option);
-
-/// A topic and its type.
-struct TopicType {
-  std::string topic, type;
-  bool operator==(const TopicType&) const = default;
-};
 
 /// Completes `chosen` from the topics that there are:
 /// motors: the only topic …/actuators/measured_js, else the only raven_state, else the only JointState;

@@ -75,4 +75,9 @@ struct MessageType {
   std::string name, md5, definition;
 };
 
+/// A topic and the type of its messages.
+struct TopicType {
+  std::string topic, type;
+};
+
 }  // namespace capstan::ros1

@@ -60,6 +60,16 @@ void SampleMessages::addImage(const cv::Mat& image, std::size_t side, std::int64
   if (info.width > 0) out.push_back(outOf(side == 0 ? topics_.left_info : topics_.right_info, info));
 }
 
+std::vector<OutMessage> SampleMessages::calibration(std::int64_t stamp) const {
+  std::vector<OutMessage> out;
+  for (std::size_t side = 0; side < 2 && info_.rig; ++side) {
+    CameraInfo info = cameras_[side];
+    info.header.stamp = stamp;
+    out.push_back(outOf(side == 0 ? topics_.left_info : topics_.right_info, info));
+  }
+  return out;
+}
+
 OutMessage SampleMessages::session(int epoch) const {
   return outOf(kSessionTopic, Text{formatSessionText(info_, epoch)});
 }

@@ -26,6 +26,8 @@ class SampleMessages {
   std::vector<std::pair<std::string, const MessageType*>> topics() const;
   /// Messages of `sample`; `stamp` [ns] is the ROS time of its measurement.
   std::vector<OutMessage> of(const tracking::Sample& sample, std::int64_t stamp) const;
+  /// Camera_info of both cameras, at a stamp [ns]; none without cameras.
+  std::vector<OutMessage> calibration(std::int64_t stamp) const;
   /// The message on kSessionTopic.
   OutMessage session(int epoch) const;
 
